@@ -1,0 +1,18 @@
+# Writes OUTPUT, a source file that returns the SHA-256 of the SHA-256 sums of OBJECTS in the order given.
+set(sums "")
+foreach(object IN LISTS OBJECTS)
+  file(SHA256 ${object} sum)
+  string(APPEND sums ${sum})
+endforeach()
+string(SHA256 digest "${sums}")
+file(CONFIGURE OUTPUT ${OUTPUT} CONTENT [[// Made by cmake/digest.cmake.
+#include "forceshade/fast/law.h"
+
+namespace forceshade::fast {
+
+const char* library_digest() noexcept {
+  return "@digest@";
+}
+
+}  // namespace forceshade::fast
+]] @ONLY)

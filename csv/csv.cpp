@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/csv/csv.h"
+
+#include <csv.h>
+#include <locale.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+#include <new>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+namespace forceshade::csv {
+namespace {
+
+constexpr int kEnd = std::char_traits<char>::eof();
+
+// Bytes of the UTF-8 character at the front of `text`; 0 if there is none (Unicode 15, table 3-7).
+std::size_t character_size(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+  const auto follows = [&](std::size_t i) { return (byte(i) & 0xC0U) == 0x80U; };
+  const unsigned first = byte(0);
+  if (first < 0x80) return 1;
+  if (first >= 0xC2 && first <= 0xDF) return follows(1) ? 2 : 0;
+  if (first >= 0xE0 && first <= 0xEF) {
+    const bool overlong = first == 0xE0 && byte(1) < 0xA0;
+    const bool surrogate = first == 0xED && byte(1) > 0x9F;
+    return follows(1) && follows(2) && !overlong && !surrogate ? 3 : 0;
+  }
+  if (first >= 0xF0 && first <= 0xF4) {
+    const bool overlong = first == 0xF0 && byte(1) < 0x90;
+    const bool beyond_unicode = first == 0xF4 && byte(1) > 0x8F;
+    return follows(1) && follows(2) && follows(3) && !overlong && !beyond_unicode ? 4 : 0;
+  }
+  return 0;
+}
+
+std::optional<std::size_t> first_byte_not_utf8(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t size = character_size(text.substr(at));
+    if (size == 0) return at;
+    at += size;
+  }
+  return std::nullopt;
+}
+
+std::string hex(unsigned char byte) {
+  std::array<char, 8> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "0x%02x", static_cast<unsigned>(byte));
+  return buffer.data();
+}
+
+// In quotes, on one line, and short enough to read.
+std::string quoted(std::string_view text) {
+  constexpr std::size_t kLongest = 60;
+  std::string result = "\"";
+  for (std::size_t at = 0; at < text.size();) {
+    if (at >= kLongest) {
+      result += "...";
+      break;
+    }
+    const std::size_t size = character_size(text.substr(at));
+    if (text[at] == '\n')
+      result += "\\n";
+    else
+      result += text.substr(at, size);
+    at += size;
+  }
+  return result + '"';
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string result;
+  for (const std::string& name : names) {
+    if (!result.empty()) result += ", ";
+    result += name;
+  }
+  return result;
+}
+
+void convert(const char* text, locale_t locale, float& value) {
+  value = strtof_l(text, nullptr, locale);
+}
+void convert(const char* text, locale_t locale, double& value) {
+  value = strtod_l(text, nullptr, locale);
+}
+
+// from_chars decides what a number looks like. Its value is used only for decimals in range: libstdc++ 12 rounds some
+// subnormal hexfloats wrongly (0x5.fbdaa4p-131), and out of range it does not tell too large from too small.
+template <class T>
+std::optional<T> parse(const std::string& text) {
+  std::string_view digits = text;
+  const bool has_sign = digits.starts_with('+') || digits.starts_with('-');
+  const bool is_hex = digits.substr(has_sign ? 1 : 0).starts_with("0x") || digits.substr(has_sign ? 1 : 0).starts_with("0X");
+  if (is_hex)
+    digits.remove_prefix(has_sign ? 3 : 2);
+  else if (digits.starts_with('+'))
+    digits.remove_prefix(1);
+
+  constexpr std::string_view kHexStart = "0123456789abcdefABCDEF.";
+  if (is_hex && (digits.empty() || kHexStart.find(digits.front()) == std::string_view::npos)) return std::nullopt;
+  if (text.starts_with('+') && digits.starts_with('-')) return std::nullopt;
+
+  T value{};
+  const auto format = is_hex ? std::chars_format::hex : std::chars_format::general;
+  const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), value, format);
+  if (end != digits.data() + digits.size() || code == std::errc::invalid_argument) return std::nullopt;
+  if (is_hex || code == std::errc::result_out_of_range) {
+    static const locale_t c_locale = newlocale(LC_ALL_MASK, "C", nullptr);
+    convert(text.c_str(), c_locale, value);
+  }
+  return value;
+}
+
+template <class T>
+std::string shortest_decimal(T value) {
+  std::array<char, 32> buffer{};
+  const auto [end, code] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return {buffer.data(), end};
+}
+
+}  // namespace
+
+std::ifstream open_input(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw Error(path + ": cannot open: " + std::generic_category().message(errno));
+  return in;
+}
+
+void Reader::FreeParser::operator()(csv_parser* parser) const noexcept {
+  csv_free(parser);
+  delete parser;
+}
+
+// noexcept, since an exception must not cross the C library: out of memory ends the program here, and rows are short.
+void Reader::on_field(void* text, std::size_t size, void* self) noexcept {
+  auto& reader = *static_cast<Reader*>(self);
+  if (reader.field_count_ == reader.fields_.size()) reader.fields_.emplace_back();
+  reader.fields_[reader.field_count_++].assign(static_cast<const char*>(text), size);
+}
+
+void Reader::on_row(int, void* self) noexcept {
+  static_cast<Reader*>(self)->row_complete_ = true;
+}
+
+Error Reader::error(std::size_t line, std::string_view words) const {
+  return Error(file_ + ':' + std::to_string(line) + ": " + std::string(words));
+}
+
+Error Reader::unexpected(std::size_t i, std::string_view expected) const {
+  return error(row_line_, "column " + std::to_string(place_[i] + 1) + " (" + columns_[i] + "): expected " +
+                              std::string(expected) + ", got " + quoted(text(i)));
+}
+
+Reader::Reader(std::istream& in, std::string file, std::vector<std::string> columns)
+    : in_(*in.rdbuf()), file_(std::move(file)), columns_(std::move(columns)), parser_(new csv_parser) {
+  if (csv_init(parser_.get(), CSV_STRICT) != 0) throw std::bad_alloc();
+  csv_set_term_func(parser_.get(), [](unsigned char c) -> int { return c == '\n'; });
+
+  if (!read_row()) throw error(1, "expected a header row with columns " + listed(columns_) + ", got an empty file");
+  header_.assign(fields_.begin(), fields_.begin() + static_cast<std::ptrdiff_t>(field_count_));
+  for (const std::string& column : columns_) {
+    const auto found = std::find(header_.begin(), header_.end(), column);
+    if (found == header_.end())
+      throw error(row_line_,
+                  "no column " + column + ": expected columns " + listed(columns_) + ", got " + quoted(listed(header_)));
+    const auto again = std::find(found + 1, header_.end(), column);
+    const auto number = [&](auto at) { return std::to_string(at - header_.begin() + 1); };
+    if (again != header_.end())
+      throw error(row_line_, "columns " + number(found) + " and " + number(again) + " are both called " + column);
+    place_.push_back(static_cast<std::size_t>(found - header_.begin()));
+  }
+}
+
+bool Reader::next() {
+  if (!read_row()) return false;
+  const std::string expected = "expected " + std::to_string(header_.size()) + " fields, got " + std::to_string(field_count_);
+  if (field_count_ < header_.size())
+    throw error(row_line_,
+                expected + ": column " + std::to_string(field_count_ + 1) + " (" + header_[field_count_] + ") is missing");
+  if (field_count_ > header_.size())
+    throw error(row_line_, expected + ": column " + std::to_string(header_.size() + 1) + " has no name in the header");
+  return true;
+}
+
+// The next physical line without its end, in line_text_; false at the end of the file.
+bool Reader::read_line() try {
+  line_text_.clear();
+  int c = in_.sbumpc();
+  if (c == kEnd) {
+    // A std::cin that shares its buffer with C reports an error as an end of file.
+    if (&in_ == std::cin.rdbuf() && std::ferror(stdin) != 0) throw error(line_ + 1, "cannot read");
+    return false;
+  }
+  ++line_;
+  for (; c != kEnd && c != '\n'; c = in_.sbumpc()) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool ends_line = byte == '\r' && (in_.sgetc() == '\n' || in_.sgetc() == kEnd);
+    if (ends_line) continue;
+    if ((byte < 0x20 && byte != '\t') || byte == 0x7F)
+      throw error(line_,
+                  "byte " + std::to_string(line_text_.size() + 1) + ": expected text, got the control character " + hex(byte));
+    if (line_text_.size() == kLongestRow)
+      throw error(line_, "expected at most " + std::to_string(kLongestRow) + " bytes in a row, got more");
+    line_text_ += static_cast<char>(byte);
+  }
+  if (const auto at = first_byte_not_utf8(line_text_))
+    throw error(line_, "byte " + std::to_string(*at + 1) + ": expected UTF-8 text, got " +
+                           hex(static_cast<unsigned char>(line_text_[*at])));
+  if (line_ == 1 && line_text_.starts_with("\xEF\xBB\xBF")) line_text_.erase(0, 3);
+  return true;
+} catch (const std::ios_base::failure& failure) {
+  throw error(line_ + 1, "cannot read: " + failure.code().message());
+}
+
+// One row, which may span lines where a quoted field does; false at the end of the file.
+bool Reader::read_row() {
+  field_count_ = 0;
+  row_complete_ = false;
+  std::size_t row_size = 0;
+  while (!row_complete_) {
+    if (!read_line()) {
+      if (row_size == 0) return false;
+      throw error(row_line_, "expected a closing quote in the row that begins here, got the end of the file");
+    }
+    if (row_size == 0) {
+      if (line_text_.find_first_not_of(" \t") == std::string::npos) continue;
+      row_line_ = line_;
+    }
+    line_text_ += '\n';
+    row_size += line_text_.size();
+    if (row_size > kLongestRow + 1)
+      throw error(row_line_,
+                  "expected at most " + std::to_string(kLongestRow) + " bytes in a row, got more: is a quote left open?");
+    if (csv_parse(parser_.get(), line_text_.data(), line_text_.size(), on_field, on_row, this) == line_text_.size()) continue;
+    if (csv_error(parser_.get()) == CSV_ENOMEM) throw std::bad_alloc();
+    throw error(line_, "column " + std::to_string(field_count_ + 1) +
+                           ": expected quotes around a whole field and doubled inside it, got a stray one");
+  }
+  return true;
+}
+
+const std::string& Reader::text(std::size_t i) const {
+  return fields_[place_[i]];
+}
+
+float Reader::binary32(std::size_t i) const {
+  if (const auto value = parse<float>(text(i))) return *value;
+  throw unexpected(i, "a number");
+}
+
+double Reader::binary64(std::size_t i) const {
+  if (const auto value = parse<double>(text(i))) return *value;
+  throw unexpected(i, "a number");
+}
+
+std::string shortest(float value) {
+  return shortest_decimal(value);
+}
+
+std::string shortest(double value) {
+  return shortest_decimal(value);
+}
+
+}  // namespace forceshade::csv

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Devices by name, as the command line gives them.
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "forceshade/device/device.h"
+
+namespace forceshade::device {
+
+// what() lists the kinds there are.
+struct UnknownDevice : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// `name` is KIND:REST, for instance "replay:strokes.csv". Throws UnknownDevice, or what the kind's own opener throws.
+std::unique_ptr<Device> open_device(const std::string& name);
+
+}  // namespace forceshade::device

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What the exact stages ask of their numbers: a value with a proven error bound, and comparisons that may say "unknown".
+//
+// A Ball type N (DoubleDouble, Wide<>) offers N::exactly(double), + - * /, square_root(N), sign(N), midpoint(N) (the same
+// value with the error dropped), widened(N, k) (the error enlarged to 2^k times the value) and approximately(N) -> double.
+
+#include <cmath>
+#include <optional>
+
+namespace forceshade::fast {
+
+enum class Sign { negative, zero, positive, unknown };
+
+template <class N>
+Sign sign_of_difference(const N& value, double other) noexcept {
+  return sign(value - N::exactly(other));
+}
+
+// The binary32 nearest to the number that `value` encloses, ties to even; empty when the enclosure cannot tell.
+// The candidates are the binary32 nearest to the midpoint and its two neighbours; a rounding boundary between binary32
+// neighbours is a binary64 number, so each comparison is with an exact number.
+template <class N>
+std::optional<float> round_to_binary32(const N& value) noexcept {
+  float candidate = static_cast<float>(approximately(value));
+  for (int step = 0; step < 3; ++step) {
+    const float above = std::nextafter(candidate, HUGE_VALF);
+    const float below = std::nextafter(candidate, -HUGE_VALF);
+    const Sign up = sign_of_difference(value, 0.5 * (static_cast<double>(candidate) + static_cast<double>(above)));
+    const Sign down = sign_of_difference(value, 0.5 * (static_cast<double>(candidate) + static_cast<double>(below)));
+    if (up == Sign::unknown || down == Sign::unknown) return std::nullopt;
+    const bool candidate_is_even = (__builtin_bit_cast(unsigned, candidate) & 1U) == 0;
+    if (up == Sign::positive || (up == Sign::zero && !candidate_is_even)) {
+      candidate = above;
+    } else if (down == Sign::negative || (down == Sign::zero && !candidate_is_even)) {
+      candidate = below;
+    } else {
+      return candidate + 0.0F;  // -0 becomes +0
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace forceshade::fast

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The batch loop, compiled with -mavx2 -mfma: four binary64 numbers at a time.
+
+#include "forceshade/fast/batch.h"
+#include "forceshade/fast/pack_avx2.h"
+
+namespace forceshade::fast {
+
+#include "forceshade/fast/batch_loop.inl"
+
+const BlockTable kAvx2Blocks = kBlocks;
+
+}  // namespace forceshade::fast

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The batch loop, compiled with -mavx512f -mavx512dq -mavx512vl -mavx512bw: eight binary64 numbers at a time.
+
+#include "forceshade/fast/batch.h"
+#include "forceshade/fast/pack_avx512.h"
+
+namespace forceshade::fast {
+
+#include "forceshade/fast/batch_loop.inl"
+
+const BlockTable kAvx512Blocks = kBlocks;
+
+}  // namespace forceshade::fast

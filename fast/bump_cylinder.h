@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// bump-cylinder: F = F_cylinder + F_wall everywhere, each where its own penetration is positive, rounded once (thesis 4.3).
+
+#include "forceshade/fast/cylinder.h"
+
+namespace forceshade::fast {
+
+struct BumpCylinder : Cylinder {
+  static constexpr double kErrorBound = 2 * Cylinder::kErrorBound;
+
+  using Cylinder::Cylinder;
+
+  // Below the axis the two forces oppose and may cancel: where less than half of the larger is left, z is in doubt.
+  template <class Real>
+  FORCESHADE_INLINE FirstStage<Real> first_stage(Real x, Real z) const {
+    const auto cylinder = Cylinder::first_stage(x, z);
+    const MaskOf<Real> below_plane = z < Real(0);
+    const Real from_cylinder = select(cylinder.contact, cylinder.z, Real(0));
+    const Real sum = from_cylinder + select(below_plane, Real(K) * -z, Real(0));
+    const MaskOf<Real> contact = cylinder.contact | below_plane;
+    const MaskOf<Real> doubt = cylinder.doubt | !(absolute(sum) >= Real(0.5) * absolute(from_cylinder));
+    return {select(cylinder.contact, cylinder.x, Real(0)), sum, contact, doubt};
+  }
+
+  template <class N>
+  static Outcome<N> exact(const Parameters& p, const N& depth, float x, float z) noexcept {
+    const Outcome<N> cylinder = Cylinder::exact(p, depth, x, z);
+    if (cylinder.contact == Sign::unknown || z >= 0) return cylinder;
+    const Outcome<N> wall = on_plane<N>(p.stiffness, z);
+    if (cylinder.contact != Sign::positive) return wall;
+    return {Sign::positive, cylinder.x, cylinder.z + wall.z};
+  }
+};
+
+}  // namespace forceshade::fast

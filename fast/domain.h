@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The domain of positions and the position quantum, as the real-time side applies them.
+
+#include "forceshade/fast/inline.h"
+
+namespace forceshade::fast {
+
+inline constexpr float kLargestCoordinate = 1e4F;      // mm
+inline constexpr float kPositionQuantum = 0x1p-30F;    // mm: a smaller coordinate is read as 0
+
+// False for NaN.
+FORCESHADE_INLINE bool in_domain(float coordinate) {
+  return __builtin_fabsf(coordinate) <= kLargestCoordinate;
+}
+
+FORCESHADE_INLINE float quantised(float coordinate) {
+  return __builtin_fabsf(coordinate) >= kPositionQuantum ? coordinate : 0.0F;
+}
+
+}  // namespace forceshade::fast

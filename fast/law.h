@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The real-time renderer: every component of every force is the exact force rounded to binary32 (nearest, ties to even).
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <variant>
+
+#include "forceshade/fast/batch.h"
+#include "forceshade/fast/instruction_set.h"
+#include "forceshade/vocabulary/law.h"
+
+namespace forceshade::fast {
+
+// Which arithmetic decided the answer, cheapest first.
+enum class Stage { binary64, double_double, wide };
+
+struct Evaluation {
+  Eigen::Vector3f force{0, 0, 0};  // N; zero unless status is contact
+  Status status = Status::free;
+  Stage stage = Stage::binary64;
+};
+
+struct BatchResult {
+  std::size_t invalid = 0;  // how many positions were outside the domain; their force is zero
+};
+
+// Builds in at most 2 µs, evaluates without allocation, lock or exception; copyable, immutable, safe to share between threads.
+class Law {
+ public:
+  // R in [0.1, 1e4] mm, w in [1e-3, 2R] mm, K in [1e-3, 1e3] N/mm; the wall reads K alone.
+  static std::variant<Law, ParameterError> build(LawId id, const Parameters& parameters) noexcept;
+
+  LawId id() const noexcept { return id_; }
+  const Parameters& parameters() const noexcept { return parameters_; }
+
+  // position: mm, each coordinate in [-1e4, 1e4]; a coordinate below 2^-30 mm in size is read as 0.
+  Evaluation evaluate(const Eigen::Vector3f& position) const noexcept;
+  Eigen::Vector3f force(const Eigen::Vector3f& position) const noexcept { return evaluate(position).force; }
+
+  // fx[i], fz[i] = force at (x[i], 0, z[i]), bit for bit what evaluate() gives, whatever the instruction set.
+  // All four spans have the same length; outputs may not overlap inputs. An instruction set this machine lacks
+  // falls back to the best it has.
+  BatchResult force(std::span<const float> x, std::span<const float> z, std::span<float> fx, std::span<float> fz,
+                    InstructionSet instructions = best_instruction_set()) const noexcept;
+
+ private:
+  // A definition with what building it yields: the geometry in double-double, kept for the second stage.
+  template <class Definition>
+  struct Built {
+    typename Definition::template Geometry<DoubleDouble> geometry;
+    Definition definition;
+
+    explicit Built(const Parameters& p) noexcept
+        : geometry(Definition::template geometry<DoubleDouble>(p)), definition(p, geometry) {}
+  };
+  using AnyLaw = std::variant<Built<Wall>, Built<Cylinder>, Built<BumpCylinder>, Built<Bump1p>, Built<Bump2p>, Built<Bump3p>,
+                              Built<Bump1pShaded>, Built<Bump2pShaded>, Built<Bump3pShaded>>;
+
+  Law(LawId id, const Parameters& parameters, AnyLaw law) noexcept : id_(id), parameters_(parameters), law_(law) {}
+
+  template <class Definition>
+  Evaluation evaluate_by(const Built<Definition>& law, const Eigen::Vector3f& position) const noexcept;
+
+  LawId id_;
+  Parameters parameters_;
+  AnyLaw law_;
+};
+
+// SHA-256, in hex, of the compiled objects of this library: what a certificate is bound to.
+const char* library_digest() noexcept;
+
+}  // namespace forceshade::fast

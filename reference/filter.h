@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The cheap enclosure: a 64-bit (or longer) midpoint with a radius, enough to round all but a few points in a million.
+// A comparison it cannot decide throws Undecided; the exact kernel then decides.
+
+#include <cmath>
+#include <limits>
+
+namespace forceshade::reference {
+
+struct Undecided {};
+
+// |true value - mid| <= rad.
+class Filter {
+ public:
+  Filter(double exact = 0) : mid_(exact) {}
+  Filter(long double mid, long double rad) : mid_(mid), rad_(rad) {}
+
+  long double mid() const { return mid_; }
+  long double rad() const { return rad_; }
+
+  friend Filter operator-(const Filter& a) { return {-a.mid_, a.rad_}; }
+  friend Filter operator+(const Filter& a, const Filter& b) { return rounded(a.mid_ + b.mid_, a.rad_ + b.rad_); }
+  friend Filter operator-(const Filter& a, const Filter& b) { return rounded(a.mid_ - b.mid_, a.rad_ + b.rad_); }
+  friend Filter operator*(const Filter& a, const Filter& b) {
+    return rounded(a.mid_ * b.mid_, std::fabs(a.mid_) * b.rad_ + a.rad_ * (std::fabs(b.mid_) + b.rad_));
+  }
+  friend Filter operator/(const Filter& a, const Filter& b) {
+    const long double smallest = std::fabs(b.mid_) * (1 - kUnit) - b.rad_;
+    if (!(smallest > 0)) throw Undecided{};
+    const long double q = a.mid_ / b.mid_;
+    return rounded(q, (a.rad_ + std::fabs(q) * b.rad_) / smallest);
+  }
+  friend Filter sqrt(const Filter& a) {
+    if (a.mid_ == 0 && a.rad_ == 0) return a;
+    if (!(a.mid_ * (1 - kUnit) > a.rad_)) throw Undecided{};
+    const long double root = std::sqrt(a.mid_);
+    return rounded(root, a.rad_ / root);
+  }
+
+  friend bool operator<(const Filter& a, const Filter& b) {
+    if (a.mid_ + a.rad_ + slack(a, b) < b.mid_ - b.rad_) return true;
+    if (a.mid_ - a.rad_ - slack(a, b) >= b.mid_ + b.rad_) return false;
+    throw Undecided{};
+  }
+  friend bool operator>(const Filter& a, const Filter& b) { return b < a; }
+  friend bool operator<=(const Filter& a, const Filter& b) { return !(b < a); }
+
+  // The binary32 both ends round to; throws Undecided when they differ.
+  float round() const {
+    const long double reach = rad_ * (1 + kUnit) + std::fabs(mid_) * (rad_ == 0 ? 0 : kUnit);
+    const auto low = static_cast<float>(mid_ - reach);
+    const auto high = static_cast<float>(mid_ + reach);
+    if (low != high) throw Undecided{};
+    return low + 0.0F;
+  }
+
+ private:
+  // Twice the unit roundoff: covers the operation and the arithmetic of its radius.
+  static constexpr long double kUnit = std::numeric_limits<long double>::epsilon();
+
+  static Filter rounded(long double mid, long double propagated) {
+    return {mid, propagated * (1 + 4 * kUnit) + std::fabs(mid) * kUnit};
+  }
+  static long double slack(const Filter& a, const Filter& b) {
+    return a.rad_ + b.rad_ == 0 ? 0 : kUnit * (std::fabs(a.mid_) + std::fabs(b.mid_));
+  }
+
+  long double mid_;
+  long double rad_ = 0;
+};
+
+}  // namespace forceshade::reference

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/reference/law.h"
+
+#include <cmath>
+#include <mutex>
+#include <optional>
+
+#include "forceshade/reference/bump_1p.h"
+#include "forceshade/reference/bump_1p_shaded.h"
+#include "forceshade/reference/bump_2p.h"
+#include "forceshade/reference/bump_2p_shaded.h"
+#include "forceshade/reference/bump_3p.h"
+#include "forceshade/reference/bump_3p_shaded.h"
+#include "forceshade/reference/bump_cylinder.h"
+#include "forceshade/reference/cylinder.h"
+#include "forceshade/reference/decimal.h"
+#include "forceshade/reference/enclosure.h"
+#include "forceshade/reference/slow_geometry.h"
+#include "forceshade/reference/wall.h"
+
+namespace forceshade::reference {
+namespace {
+
+std::mutex slow_numbers;  // see set_precision()
+
+template <class F>
+auto with_law(LawId id, const F& f) {
+  switch (id) {
+    case LawId::wall: return f(Wall{});
+    case LawId::cylinder: return f(Cylinder{});
+    case LawId::bump_cylinder: return f(BumpCylinder{});
+    case LawId::bump_1p: return f(Bump1p{});
+    case LawId::bump_2p: return f(Bump2p{});
+    case LawId::bump_3p: return f(Bump3p{});
+    case LawId::bump_1p_shaded: return f(Bump1pShaded{});
+    case LawId::bump_2p_shaded: return f(Bump2pShaded{});
+    case LawId::bump_3p_shaded: return f(Bump3pShaded{});
+  }
+  return f(Wall{});
+}
+
+bool is_valid(const Eigen::Vector3f& position) {
+  return (position.array() >= -1e4F).all() && (position.array() <= 1e4F).all();
+}
+
+// A coordinate below a picometre is read as 0.
+double quantised(float coordinate) {
+  return std::fabs(coordinate) < std::ldexp(1.0F, -30) ? 0.0 : static_cast<double>(coordinate);
+}
+
+struct Point {
+  double x, z;
+
+  explicit Point(const Eigen::Vector3f& position) : x(quantised(position.x())), z(quantised(position.z())) {}
+};
+
+// Throws Undecided where 64 bits do not tell.
+Law::Estimate filtered(LawId id, const BumpGeometry<Filter>& geometry, const Point& point) {
+  return with_law(id, [&](auto law) {
+    const Filter x(point.x), z(point.z);
+    const Facet facet = law.template facet<Filter>(geometry, x, z);
+    return Law::Estimate{facet, law.template force<Filter>(facet, geometry, x, z)};
+  });
+}
+
+// The exact facet and force at one point. Not for more than one thread at a time; holds CORE numbers, so it is made and
+// destroyed under the lock.
+class SlowForce {
+ public:
+  SlowForce(LawId id, const Parameters& p, const Point& point) : id_(id), parameters_(p), point_(point), geometry_(exact_geometry(p)) {
+    facet_ = with_law(id, [&](auto law) { return law.template facet<Exact>(geometry_, Exact(point.x), Exact(point.z)); });
+  }
+
+  Facet facet() const { return facet_; }
+
+  // At the precision in force.
+  Force<Enclosure> enclose() const {
+    return with_law(id_, [&](auto law) {
+      return law.template force<Enclosure>(facet_, enclosing_geometry(parameters_), Enclosure(point_.x), Enclosure(point_.z));
+    });
+  }
+
+  Force<Exact> exact() const {
+    return with_law(id_, [&](auto law) {
+      return law.template force<Exact>(facet_, geometry_, Exact(point_.x), Exact(point_.z));
+    });
+  }
+
+ private:
+  LawId id_;
+  Parameters parameters_;
+  Point point_;
+  BumpGeometry<Exact> geometry_;
+  Facet facet_;
+};
+
+// The binary32 both ends of the enclosure round to, or nothing.
+std::optional<float> agreed_binary32(const Enclosure& value) {
+  const float low = mpfr_get_flt(lower(value).backend().data(), MPFR_RNDN);
+  const float high = mpfr_get_flt(upper(value).backend().data(), MPFR_RNDN);
+  if (low != high) return std::nullopt;
+  return low + 0.0F;
+}
+
+struct Component {
+  float value;
+  Method method;
+};
+
+// Widens until the enclosure decides; what 768 bits leave open is settled by the sign of (exact value - tie).
+Component round_component(const SlowForce& force, Enclosure Force<Enclosure>::*enclosed, Exact Force<Exact>::*exact) {
+  for (const unsigned bits : {192U, 768U}) {
+    set_precision(bits);
+    if (const auto value = agreed_binary32(force.enclose().*enclosed)) return {*value, Method::enclosure};
+  }
+  const Enclosure value = force.enclose().*enclosed;
+  const float below = mpfr_get_flt(lower(value).backend().data(), MPFR_RNDD);
+  const float above = mpfr_get_flt(upper(value).backend().data(), MPFR_RNDU);
+  const double tie = 0.5 * (static_cast<double>(below) + static_cast<double>(above));
+  const int sign = (force.exact().*exact - Exact(tie)).sign();
+  const bool below_is_even = (__builtin_bit_cast(unsigned, below) & 1U) == 0;
+  return {(sign < 0 || (sign == 0 && below_is_even) ? below : above) + 0.0F, Method::exact};
+}
+
+Rounded round_slowly(LawId id, const Parameters& p, const Point& point) {
+  const std::lock_guard lock(slow_numbers);
+  const SlowForce force(id, p, point);
+  if (force.facet() == Facet::none) return {{0, 0, 0}, Status::free, Method::exact};
+  const Component x = round_component(force, &Force<Enclosure>::x, &Force<Exact>::x);
+  const Component z = round_component(force, &Force<Enclosure>::z, &Force<Exact>::z);
+  return {{x.value, 0, z.value}, Status::contact, std::max(x.method, z.method)};
+}
+
+std::optional<ParameterError> first_error(LawId id, const Parameters& p) {
+  const auto check = [](const char* name, const char* unit, float value, float low, float high) {
+    return value >= low && value <= high ? std::nullopt : std::optional(ParameterError{name, unit, value, low, high});
+  };
+  if (has_bump_geometry(id)) {
+    if (const auto error = check("radius", "mm", p.radius, 0.1F, 10000.0F)) return error;
+    if (const auto error = check("width", "mm", p.width, 0.001F, 2 * p.radius)) return error;
+  }
+  return check("stiffness", "N/mm", p.stiffness, 0.001F, 1000.0F);
+}
+
+}  // namespace
+
+void set_precision(unsigned bits) {
+  // Boost counts decimal digits and rounds up to bits again.
+  const unsigned digits = static_cast<unsigned>(static_cast<unsigned long>(bits) * 301 / 1000) + 1;
+  Enclosure::default_precision(digits);
+  Multiprecision::default_precision(digits);
+}
+
+DecimalGeometry geometry(const Parameters& p, unsigned digits) {
+  const std::lock_guard lock(slow_numbers);
+  const BumpGeometry<Exact> exact = exact_geometry(p);
+  const auto member = [&](Enclosure BumpGeometry<Enclosure>::*enclosed, Exact BumpGeometry<Exact>::*value) {
+    return correctly_rounded(
+        digits, [&] { return enclosing_geometry(p).*enclosed; },
+        [&](const CORE::BigRat& q) { return (exact.*value - Exact(q)).sign(); });
+  };
+  using E = BumpGeometry<Enclosure>;
+  using X = BumpGeometry<Exact>;
+  // θ is a rational multiple of π or transcendental: it never ties.
+  return {member(&E::d, &X::d), member(&E::h, &X::h), member(&E::w_prime, &X::w_prime), member(&E::h_prime, &X::h_prime),
+          correctly_rounded(digits, [&] { return enclosing_theta(p); }, [](const CORE::BigRat&) { return 1; })};
+}
+
+std::variant<Law, ParameterError> Law::build(LawId id, const Parameters& p) {
+  if (const auto error = first_error(id, p)) return *error;
+  Parameters used = p;
+  if (!has_bump_geometry(id)) used.radius = used.width = 1;  // never looked at
+  const std::lock_guard lock(slow_numbers);
+  return Law(id, used, filter_geometry(used));
+}
+
+Rounded Law::round_to_binary32(const Eigen::Vector3f& position) const {
+  if (!is_valid(position)) return {{0, 0, 0}, Status::invalid, Method::filter};
+  const Point point(position);
+  try {
+    const Estimate quick = filtered(id_, geometry_, point);
+    if (quick.facet == Facet::none) return {};
+    return {{quick.force.x.round(), 0, quick.force.z.round()}, Status::contact, Method::filter};
+  } catch (const Undecided&) {
+    return round_slowly(id_, parameters_, point);
+  }
+}
+
+EnclosedForce enclosure(const Law& law, const Eigen::Vector3f& position, unsigned digits) {
+  if (!is_valid(position)) return {{0, 0}, {0, 0}, Status::invalid};
+  const std::lock_guard lock(slow_numbers);
+  const SlowForce force(law.id(), law.parameters(), Point(position));
+  if (force.facet() == Facet::none) return {{0, 0}, {0, 0}, Status::free};
+  const auto is_narrow = [&](const Enclosure& value) {
+    const Multiprecision size = std::max<Multiprecision>(abs(lower(value)), abs(upper(value)));
+    return (upper(value) - lower(value)) * pow(Multiprecision(10), digits) <= size;
+  };
+  for (unsigned bits = digits * 10 / 3 + 64;; bits *= 2) {
+    set_precision(bits);
+    const Force<Enclosure> value = force.enclose();
+    // A component that is exactly zero may keep a width however far one goes: ask the exact numbers.
+    const bool x_is_zero = !is_narrow(value.x) && force.exact().x.sign() == 0;
+    const bool z_is_zero = !is_narrow(value.z) && force.exact().z.sign() == 0;
+    if ((x_is_zero || is_narrow(value.x)) && (z_is_zero || is_narrow(value.z))) {
+      return {x_is_zero ? Interval{0, 0} : Interval{lower(value.x), upper(value.x)},
+              z_is_zero ? Interval{0, 0} : Interval{lower(value.z), upper(value.z)}, Status::contact};
+    }
+  }
+}
+
+DecimalForce Law::decimal(const Eigen::Vector3f& position, unsigned digits) const {
+  if (!is_valid(position)) return {"0", "0", Status::invalid};
+  const std::lock_guard lock(slow_numbers);
+  const SlowForce force(id_, parameters_, Point(position));
+  if (force.facet() == Facet::none) return {"0", "0", Status::free};
+  const auto component = [&](Enclosure Force<Enclosure>::*enclosed, Exact Force<Exact>::*exact) -> std::string {
+    if ((force.exact().*exact).sign() == 0) return "0";
+    return correctly_rounded(
+        digits, [&] { return force.enclose().*enclosed; },
+        [&](const CORE::BigRat& q) { return (force.exact().*exact - Exact(q)).sign(); });
+  };
+  return {component(&Force<Enclosure>::x, &Force<Exact>::x), component(&Force<Enclosure>::z, &Force<Exact>::z), Status::contact};
+}
+
+Law::Estimate Law::estimate(const Eigen::Vector3f& position) const {
+  const Point point(position);
+  try {
+    return filtered(id_, geometry_, point);
+  } catch (const Undecided&) {
+    const std::lock_guard lock(slow_numbers);
+    set_precision(256);
+    const SlowForce slow(id_, parameters_, point);
+    const Force<Enclosure> force = slow.enclose();
+    return {slow.facet(), {filter_of(force.x), filter_of(force.z), filter_of(force.magnitude)}};
+  }
+}
+
+}  // namespace forceshade::reference

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The words both sides of the house share: which laws there are, what they are built from, what an answer can be.
+// Types and names only; no formula, no constant, no tolerance lives here (see CONTRIBUTING.md, "two sides that never meet").
+
+#include <array>
+#include <charconv>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace forceshade {
+
+enum class LawId {
+  wall,
+  cylinder,
+  bump_cylinder,
+  bump_1p,
+  bump_2p,
+  bump_3p,
+  bump_1p_shaded,
+  bump_2p_shaded,
+  bump_3p_shaded,
+};
+
+// `name` is what the command line, the certificate and every message print; `file` is the law's basename in each folder.
+struct LawName {
+  LawId id;
+  std::string_view name;
+  std::string_view file;
+};
+
+inline constexpr std::array<LawName, 9> kLaws{{
+    {LawId::wall, "wall", "wall"},
+    {LawId::cylinder, "cylinder", "cylinder"},
+    {LawId::bump_cylinder, "bump-cylinder", "bump_cylinder"},
+    {LawId::bump_1p, "bump-1p", "bump_1p"},
+    {LawId::bump_2p, "bump-2p", "bump_2p"},
+    {LawId::bump_3p, "bump-3p", "bump_3p"},
+    {LawId::bump_1p_shaded, "bump-1p-shaded", "bump_1p_shaded"},
+    {LawId::bump_2p_shaded, "bump-2p-shaded", "bump_2p_shaded"},
+    {LawId::bump_3p_shaded, "bump-3p-shaded", "bump_3p_shaded"},
+}};
+
+constexpr std::string_view name_of(LawId id) {
+  return kLaws[static_cast<std::size_t>(id)].name;
+}
+
+constexpr std::optional<LawId> law_named(std::string_view name) {
+  for (const LawName& law : kLaws)
+    if (law.name == name) return law.id;
+  return std::nullopt;
+}
+
+// What a law is built from; each binary32 number is the rational it represents. The wall has no use for radius and width.
+struct Parameters {
+  float radius = 0;     // R, mm
+  float width = 0;      // w, mm: chord of the bump on the plane
+  float stiffness = 0;  // K, N/mm
+
+  friend bool operator==(const Parameters&, const Parameters&) = default;
+};
+
+// A parameter outside its domain: `value` is not in [low, high].
+struct ParameterError {
+  const char* parameter;  // "radius", "width" or "stiffness"
+  const char* unit;       // "mm" or "N/mm"
+  float value;
+  float low;
+  float high;
+
+  // For people: the parameter, its value and the range. Allocates; not for the real-time path.
+  std::string message() const {
+    const auto shortest = [](float number) {
+      char text[32];
+      return std::string(text, std::to_chars(text, text + sizeof text, number).ptr);
+    };
+    return std::string(parameter) + " is " + shortest(value) + " " + unit + "; expected " + shortest(low) + " to " +
+           shortest(high) + " " + unit;
+  }
+};
+
+constexpr bool has_bump_geometry(LawId id) {
+  return id != LawId::wall;
+}
+
+// free: a valid position that feels no force. invalid: a coordinate that is NaN or outside the domain; force zero.
+enum class Status { free, contact, invalid };
+
+}  // namespace forceshade
