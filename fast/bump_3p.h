@@ -4,6 +4,7 @@
 
 #include "forceshade/fast/outcome.h"
 #include "forceshade/fast/polygon_gap.h"
+#include "forceshade/fast/top_edge.h"
 #include "forceshade/vocabulary/law.h"
 
 namespace forceshade::fast {

@@ -5,6 +5,7 @@
 #include "forceshade/fast/outcome.h"
 #include "forceshade/fast/polygon_gap.h"
 #include "forceshade/fast/shading.h"
+#include "forceshade/fast/top_edge.h"
 
 namespace forceshade::fast {
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "forceshade/fast/wide.h"
 
 namespace forceshade::fast {
 namespace {
@@ -23,28 +22,6 @@ std::optional<ParameterError> first_error(LawId id, const Parameters& p) noexcep
   if (outside(p.stiffness, kSmallestStiffness, kLargestStiffness))
     return ParameterError{"stiffness", "N/mm", p.stiffness, kSmallestStiffness, kLargestStiffness};
   return std::nullopt;
-}
-
-// The answer of a ball stage, where it can tell. Results that may be subnormal are left to the wide stage: there a
-// binary32's neighbours are still binary64 numbers, but a double-double product may underflow.
-template <class N, class Definition>
-std::optional<Evaluation> decide(const Definition& law, const Parameters& p,
-                                 const typename Definition::template Geometry<N>& geometry, float x, float z,
-                                 Stage stage) noexcept {
-  const Outcome<N> outcome = law.template exact<N>(p, geometry, x, z);
-  if (outcome.contact == Sign::unknown) return std::nullopt;
-  if (outcome.contact != Sign::positive) return Evaluation{{0, 0, 0}, Status::free, stage};
-  const std::optional<float> fx = round_to_binary32(outcome.x);
-  const std::optional<float> fz = round_to_binary32(outcome.z);
-  if (!fx || !fz) return std::nullopt;
-  return Evaluation{{*fx, 0, *fz}, Status::contact, stage};
-}
-
-// Kept out of line: it is reached for about one position in ten million, and its stack frame is large.
-template <class Definition>
-[[gnu::noinline]] Evaluation evaluate_wide(const Definition& law, const Parameters& p, float x, float z) noexcept {
-  using N = Wide<Definition::kWideLimbs>;
-  return decide<N>(law, p, Definition::template geometry<N>(p), x, z, Stage::wide).value_or(Evaluation{});
 }
 
 template <class Definition>
@@ -90,24 +67,8 @@ std::variant<Law, ParameterError> Law::build(LawId id, const Parameters& p) noex
   return ParameterError{"law", "", static_cast<float>(static_cast<int>(id)), 0, static_cast<float>(kLaws.size() - 1)};
 }
 
-template <class Definition>
-Evaluation Law::evaluate_by(const Built<Definition>& law, const Eigen::Vector3f& position) const noexcept {
-  if (!in_domain(position.x()) || !in_domain(position.y()) || !in_domain(position.z()))
-    return {{0, 0, 0}, Status::invalid, Stage::binary64};
-  const float x = quantised(position.x());
-  const float z = quantised(position.z());
-  const FirstStage<double> first = law.definition.first_stage(static_cast<double>(x), static_cast<double>(z));
-  if (!first.doubt) {
-    if (!first.contact) return {};
-    if (!rounding_is_in_doubt<Definition::kErrorBound>(first.x) && !rounding_is_in_doubt<Definition::kErrorBound>(first.z))
-      return {{static_cast<float>(first.x) + 0.0F, 0, static_cast<float>(first.z) + 0.0F}, Status::contact, Stage::binary64};
-  }
-  const auto second = decide<DoubleDouble>(law.definition, parameters_, law.geometry, x, z, Stage::double_double);
-  return second ? *second : evaluate_wide(law.definition, parameters_, x, z);
-}
-
 Evaluation Law::evaluate(const Eigen::Vector3f& position) const noexcept {
-  return std::visit([&](const auto& law) { return evaluate_by(law, position); }, law_);
+  return std::visit([&](const auto& law) { return fast::evaluate(law, parameters_, position); }, law_);
 }
 
 BatchResult Law::force(std::span<const float> x, std::span<const float> z, std::span<float> fx, std::span<float> fz,
@@ -122,7 +83,7 @@ BatchResult Law::force(std::span<const float> x, std::span<const float> z, std::
           if (answer_block != nullptr && size == kBlock &&
               answer_block(law.definition, &x[begin], &z[begin], &fx[begin], &fz[begin])) continue;
           for (std::size_t i = begin; i < begin + size; ++i) {
-            const Evaluation one = evaluate_by(law, Eigen::Vector3f(x[i], 0, z[i]));
+            const Evaluation one = fast::evaluate(law, parameters_, Eigen::Vector3f(x[i], 0, z[i]));
             fx[i] = one.force.x();
             fz[i] = one.force.z();
             result.invalid += one.status == Status::invalid;

@@ -9,19 +9,11 @@
 #include <variant>
 
 #include "forceshade/fast/batch.h"
+#include "forceshade/fast/evaluate.h"
 #include "forceshade/fast/instruction_set.h"
 #include "forceshade/vocabulary/law.h"
 
 namespace forceshade::fast {
-
-// Which arithmetic decided the answer, cheapest first.
-enum class Stage { binary64, double_double, wide };
-
-struct Evaluation {
-  Eigen::Vector3f force{0, 0, 0};  // N; zero unless status is contact
-  Status status = Status::free;
-  Stage stage = Stage::binary64;
-};
 
 struct BatchResult {
   std::size_t invalid = 0;  // how many positions were outside the domain; their force is zero
@@ -47,22 +39,10 @@ class Law {
                     InstructionSet instructions = best_instruction_set()) const noexcept;
 
  private:
-  // A definition with what building it yields: the geometry in double-double, kept for the second stage.
-  template <class Definition>
-  struct Built {
-    typename Definition::template Geometry<DoubleDouble> geometry;
-    Definition definition;
-
-    explicit Built(const Parameters& p) noexcept
-        : geometry(Definition::template geometry<DoubleDouble>(p)), definition(p, geometry) {}
-  };
   using AnyLaw = std::variant<Built<Wall>, Built<Cylinder>, Built<BumpCylinder>, Built<Bump1p>, Built<Bump2p>, Built<Bump3p>,
                               Built<Bump1pShaded>, Built<Bump2pShaded>, Built<Bump3pShaded>>;
 
   Law(LawId id, const Parameters& parameters, AnyLaw law) noexcept : id_(id), parameters_(parameters), law_(law) {}
-
-  template <class Definition>
-  Evaluation evaluate_by(const Built<Definition>& law, const Eigen::Vector3f& position) const noexcept;
 
   LawId id_;
   Parameters parameters_;

@@ -66,8 +66,4 @@ inline ThreePolygonGap three_polygon_gap(const ThreePolygons<DoubleDouble>& g, f
   return {linear_gap(g.height, DoubleDouble::exactly(0)), linear_gap(g.face.tangent * half, g.face.tangent)};
 }
 
-// The largest binary32 c with c <= w′/2 exactly: 4c³ - 3cR² + (w/2)R² >= 0 and 2c <= R, decided in exact arithmetic, for
-// equality does occur (w = 2R; R = 1, w = 1.375).
-float largest_on_top(float radius, float width, const DoubleDouble& half_top) noexcept;
-
 }  // namespace forceshade::fast

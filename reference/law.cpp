@@ -63,6 +63,14 @@ Law::Estimate filtered(LawId id, const BumpGeometry<Filter>& geometry, const Poi
   });
 }
 
+// How far `value` is from the tie nearest to it, in units in the last place of `rounded`, the binary32 nearest to it.
+float ulps_from_tie(const Filter& value, float rounded) {
+  if (rounded == 0) return 0.5F;
+  const float size = std::fabs(rounded);
+  const long double ulp = static_cast<long double>(std::nextafter(size, 2 * size)) - static_cast<long double>(size);
+  return static_cast<float>(0.5L - std::fabs(value.mid() - static_cast<long double>(rounded)) / ulp);
+}
+
 // The exact facet and force at one point. Not for more than one thread at a time; holds CORE numbers, so it is made and
 // destroyed under the lock.
 class SlowForce {
@@ -128,7 +136,7 @@ Rounded round_slowly(LawId id, const Parameters& p, const Point& point) {
   if (force.facet() == Facet::none) return {{0, 0, 0}, Status::free, Method::exact};
   const Component x = round_component(force, &Force<Enclosure>::x, &Force<Exact>::x);
   const Component z = round_component(force, &Force<Enclosure>::z, &Force<Exact>::z);
-  return {{x.value, 0, z.value}, Status::contact, std::max(x.method, z.method)};
+  return {{x.value, 0, z.value}, Status::contact, std::max(x.method, z.method), 0};
 }
 
 std::optional<ParameterError> first_error(LawId id, const Parameters& p) {
@@ -180,7 +188,8 @@ Rounded Law::round_to_binary32(const Eigen::Vector3f& position) const {
   try {
     const Estimate quick = filtered(id_, geometry_, point);
     if (quick.facet == Facet::none) return {};
-    return {{quick.force.x.round(), 0, quick.force.z.round()}, Status::contact, Method::filter};
+    const float x = quick.force.x.round(), z = quick.force.z.round();
+    return {{x, 0, z}, Status::contact, Method::filter, std::min(ulps_from_tie(quick.force.x, x), ulps_from_tie(quick.force.z, z))};
   } catch (const Undecided&) {
     return round_slowly(id_, parameters_, point);
   }

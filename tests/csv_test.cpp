@@ -178,7 +178,7 @@ TEST(csv, tells_why_a_file_cannot_be_read) {
   }
   auto in = open_input(directory.path());
   try {
-    Reader(in, "d", {"a"});
+    const Reader reader(in, "d", {"a"});
     FAIL();
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "d:1: cannot read: Is a directory");
@@ -244,13 +244,13 @@ TEST(output_file, follows_a_symbolic_link) {
 TEST(output_file, tells_why_it_cannot_be_opened) {
   const TemporaryDirectory directory;
   try {
-    OutputFile(directory.file("absent/out.csv"));
+    const OutputFile file(directory.file("absent/out.csv"));
     FAIL();
   } catch (const OutputError& error) {
     EXPECT_EQ(error.what(), directory.file("absent/out.csv") + ": cannot open for writing: No such file or directory");
   }
   try {
-    OutputFile(directory.path());
+    const OutputFile file(directory.path());
     FAIL();
   } catch (const OutputError& error) {
     EXPECT_EQ(error.what(), directory.path() + ": cannot open for writing: Is a directory");

@@ -72,6 +72,7 @@ fast::Law wall() {
 
 std::vector<Reading> path_of(const std::vector<Eigen::Vector3f>& positions) {
   std::vector<Reading> path;
+  path.reserve(positions.size());
   for (const Eigen::Vector3f& position : positions) path.push_back({position, 0.5 * static_cast<double>(path.size())});
   return path;
 }
@@ -83,11 +84,7 @@ ServoOptions unpaced() {
 // Stays at z = -1 and does what the test says at a given reading, from 0.
 class Still : public Device {
  public:
-  ReadResult read() noexcept override {
-    const ReadResult result = at(reads_);
-    ++reads_;
-    return result;
-  }
+  ReadResult read() noexcept override { return at(reads_++); }
   void command(const Eigen::Vector3f& force) noexcept override {
     commands.push_back(force);
     on_command();

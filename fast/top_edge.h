@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/fast/polygon_gap.h"
+#pragma once
+// Where the flat top of a three-polygon bump ends, decided exactly.
 
 #include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "forceshade/fast/double_double.h"
 
 namespace forceshade::fast {
-namespace {
 
 // The sign of an exact sum of binary64 numbers: Shewchuk's expansion, whose last nonzero term outweighs the others.
 template <std::size_t kCount>
-int exact_sign(const std::array<double, kCount>& terms) noexcept {
+inline int exact_sign(const std::array<double, kCount>& terms) noexcept {
   std::array<double, kCount> expansion{};
   for (std::size_t i = 0; i < kCount; ++i) {
     double carry = terms[i];
@@ -24,7 +28,7 @@ int exact_sign(const std::array<double, kCount>& terms) noexcept {
   return 0;
 }
 
-bool is_on_top(float candidate, float radius, float width) noexcept {
+inline bool is_on_top(float candidate, float radius, float width) noexcept {
   const double c = static_cast<double>(candidate);
   const double R = static_cast<double>(radius);
   const TwoTerms cube = two_product(c * c, c);      // c·c, R·R have 48 bits: exact
@@ -34,9 +38,9 @@ bool is_on_top(float candidate, float radius, float width) noexcept {
                                              -scaled.hi, constant.lo, constant.hi}) >= 0;
 }
 
-}  // namespace
-
-float largest_on_top(float radius, float width, const DoubleDouble& half_top) noexcept {
+// The largest binary32 c with c <= w′/2 exactly: 4c³ - 3cR² + (w/2)R² >= 0 and 2c <= R, decided in exact arithmetic, for
+// equality does occur (w = 2R; R = 1, w = 1.375).
+inline float largest_on_top(float radius, float width, const DoubleDouble& half_top) noexcept {
   float c = static_cast<float>(half_top.hi);
   while (!is_on_top(c, radius, width)) c = std::nextafter(c, 0.0F);
   for (float next = std::nextafter(c, HUGE_VALF); is_on_top(next, radius, width); next = std::nextafter(c, HUGE_VALF)) c = next;

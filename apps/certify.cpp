@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// forceshade certify: check the fast path against the reference and write certificate.json and certificate.html.
+
+#include "forceshade/properties/certify.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "forceshade/apps/command.h"
+#include "forceshade/properties/report.h"
+
+namespace forceshade::apps {
+namespace {
+
+struct Options {
+  std::uint64_t points = 1000000, seed = 1;
+  int cases = 2000;
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  std::string out;
+};
+
+// One line, drawn over itself, on a terminal only.
+void draw_progress(LawId law, double done) {
+  constexpr int kWidth = 40;
+  const int filled = static_cast<int>(done * kWidth);
+  std::fprintf(stderr, "\r[%.*s%*s] %3.0f %%  %-15s", filled, "########################################", kWidth - filled, "",
+               100 * done, name_of(law).data());
+  if (done >= 1) std::fprintf(stderr, "\n");
+}
+
+void print(const properties::LawResult& law) {
+  std::printf("%-15s %s  %llu points, %llu mismatches", name_of(law.law).data(), law.held() ? "held  " : "FAILED",
+              static_cast<unsigned long long>(law.points), static_cast<unsigned long long>(law.mismatches));
+  for (const char* stage : {"binary64", "double-double", "wide"})
+    std::printf(", %llu %s", static_cast<unsigned long long>(law.points_by_stage.at(stage)), stage);
+  std::printf("\n");
+  for (const std::string& words : law.counterexamples) std::printf("  %s\n", words.c_str());
+  for (const properties::PropertyResult& property : law.properties)
+    if (!property.held) std::printf("  %s: %s\n", property.name.c_str(), property.counterexample.c_str());
+}
+
+int run(const Options& options, const LawOptions& law_options) {
+  watch_for_interrupt();
+  const Parameters parameters = law_options.parameters();
+  // Before the work, so that a path that cannot be written to is said at once.
+  std::error_code error;
+  std::filesystem::create_directories(options.out, error);
+  if (error || access(options.out.c_str(), W_OK) != 0)
+    throw BadInput("--out " + options.out + ": expected a directory that can be written to" + (error ? ": " + error.message() : ""));
+
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  const auto certificate = properties::certify(
+      {law_options.laws(), parameters, options.points, options.cases, options.seed, options.threads},
+      [&](LawId law, double done) {
+        if (terminal) draw_progress(law, done);
+      },
+      interrupted());
+  if (!certificate) {
+    std::fprintf(stderr, "%sforceshade: interrupted: no certificate was written\n", terminal ? "\n" : "");
+    return kFailed;
+  }
+  const std::filesystem::path directory(options.out);
+  write_file(directory / "certificate.html", properties::to_html(*certificate));
+  write_file(directory / "certificate.json", properties::to_json(*certificate));
+  std::uint64_t points = 0;
+  for (const properties::LawResult& law : certificate->laws) {
+    print(law);
+    points += law.points;
+  }
+  std::printf("%s: %llu points in %.1f s, seed %llu\n%s\n", certificate->held() ? "certified" : "NOT certified",
+              static_cast<unsigned long long>(points), certificate->seconds, static_cast<unsigned long long>(options.seed),
+              (directory / "certificate.html").c_str());
+  return certificate->held() ? kHeld : kFailed;
+}
+
+}  // namespace
+
+void add_certify(CLI::App& app, int& result) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("certify", "Check the fast path against the reference and write a certificate");
+  const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all, LawOptions::Defaults::thesis);
+  command->add_option("--points", options->points, "points per law, half of them aimed")
+      ->type_name("N")->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000000}))->capture_default_str();
+  command->add_option("--cases", options->cases, "cases per property (passivity: a tenth)")
+      ->type_name("N")->check(CLI::Range(1, 1000000000))->capture_default_str();
+  command->add_option("--seed", options->seed, "seed of points and cases")->type_name("S")->capture_default_str();
+  command->add_option("--threads", options->threads, "threads")->type_name("T")->check(CLI::Range(1, 1024))->capture_default_str();
+  command->add_option("--out", options->out, "directory for certificate.json and certificate.html")->type_name("DIR")->required();
+  command->callback([options, law, &result] { result = run(*options, *law); });
+}
+
+}  // namespace forceshade::apps

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/apps/command.h"
+
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "forceshade/apps/length.h"
+#include "forceshade/csv/output_file.h"
+#include "forceshade/fast/law.h"
+
+namespace forceshade::apps {
+namespace {
+
+std::atomic<bool> interrupt_flag{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
+
+std::string law_list() {
+  std::string list;
+  for (const LawName& law : kLaws) list += (list.empty() ? "" : ", ") + std::string(law.name);
+  return list;
+}
+
+}  // namespace
+
+LawOptions::LawOptions(CLI::App& command, Laws laws, Defaults defaults) {
+  const bool all = laws == Laws::one_or_all;
+  const std::string expected = (all ? "all, or one of " : "one of ") + law_list();
+  if (all) law_ = "all";
+  CLI::Option* law = command.add_option("--law", law_, expected)
+                         ->type_name("ID")
+                         ->check([all, expected](const std::string& name) {
+                           return (all && name == "all") || law_named(name) ? "" : "expected " + expected + "; got \"" + name + "\"";
+                         });
+  if (!all) law->required();
+  if (defaults == Defaults::thesis) {
+    radius_ = "15.24mm";
+    width_ = "25.4mm";
+    stiffness_ = "0.5N/mm";
+  }
+  const auto add = [&](const char* name, std::string& value, const char* help) {
+    CLI::Option* option = command.add_option(name, value, help)->type_name("VALUE");
+    if (!value.empty()) option->capture_default_str();
+    return option;
+  };
+  add("--radius", radius_, "R, radius of the bump: mm, or with a unit (mm, mil, in, cm, m)");
+  add("--width", width_, "w, width of the bump on the plane: mm, or with a unit");
+  CLI::Option* stiffness = add("--stiffness", stiffness_, "K, stiffness: N/mm");
+  if (defaults == Defaults::none) stiffness->required();
+}
+
+std::vector<LawId> LawOptions::laws() const {
+  if (const auto id = law_named(law_)) return {*id};
+  std::vector<LawId> all;
+  for (const LawName& law : kLaws) all.push_back(law.id);
+  return all;
+}
+
+Parameters LawOptions::parameters() const {
+  Parameters p;
+  p.stiffness = parse_stiffness("--stiffness", stiffness_);
+  for (const LawId id : laws()) {
+    if (has_bump_geometry(id)) {
+      if (radius_.empty()) throw BadInput("--radius: the law " + std::string(name_of(id)) + " needs it");
+      if (width_.empty()) throw BadInput("--width: the law " + std::string(name_of(id)) + " needs it");
+      p.radius = parse_length("--radius", radius_);
+      p.width = parse_length("--width", width_);
+    }
+    const auto law = fast::Law::build(id, p);
+    if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput("--" + error->message());
+  }
+  return p;
+}
+
+const std::atomic<bool>& interrupted() { return interrupt_flag; }
+
+void watch_for_interrupt() {
+  struct sigaction action{};
+  action.sa_handler = [](int) { interrupt_flag.store(true); };
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+void write_file(const std::string& path, const std::string& text) {
+  csv::OutputFile file(path);
+  file.stream() << text;
+  file.commit();
+}
+
+std::string read_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (file) text << file.rdbuf();
+  if (!file || !text) throw BadInput(path + ": cannot be read: " + std::strerror(errno));
+  return text.str();
+}
+
+}  // namespace forceshade::apps

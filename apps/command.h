@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What the subcommands share: exit codes, the options that name a law and its parameters, Ctrl-C, whole output files.
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "forceshade/vocabulary/law.h"
+
+namespace forceshade::apps {
+
+enum ExitCode { kHeld = 0, kFailed = 1, kBadInput = 2, kDeviceFault = 3 };
+
+// Becomes exit code 2; what() says what was expected and what was got.
+struct BadInput : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// --law, --radius, --width and --stiffness.
+class LawOptions {
+ public:
+  enum class Laws { one, one_or_all };
+  enum class Defaults { none, thesis };  // thesis: R = 15.24 mm, w = 25.4 mm, K = 0.5 N/mm
+
+  LawOptions(CLI::App& command, Laws laws, Defaults defaults);
+
+  std::vector<LawId> laws() const;
+  LawId law() const { return laws().front(); }
+
+  // Throws BadInput when a parameter is missing, cannot be read, or is outside the domain of one of the laws.
+  Parameters parameters() const;
+
+ private:
+  std::string law_;
+  std::string radius_, width_, stiffness_;
+};
+
+// Set by SIGINT and SIGTERM once watch_for_interrupt() was called; a second signal ends the program at once.
+const std::atomic<bool>& interrupted();
+void watch_for_interrupt();
+
+// Writes the file whole or not at all; "-" is standard output. Throws csv::OutputError.
+void write_file(const std::string& path, const std::string& text);
+std::string read_file(const std::string& path);
+
+// One function per subcommand; each runs through `result` when the user calls it.
+void add_laws(CLI::App& app, int& result);
+void add_geometry(CLI::App& app, int& result);
+void add_force(CLI::App& app, int& result);
+void add_properties(CLI::App& app, int& result);
+void add_certify(CLI::App& app, int& result);
+void add_drive(CLI::App& app, int& result);
+
+}  // namespace forceshade::apps

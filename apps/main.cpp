@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The forceshade command. Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault.
+
+#include <exception>
+#include <iostream>
+
+#include "forceshade/apps/command.h"
+#include "forceshade/properties/build.h"
+
+int main(int argc, char** argv) {
+  using namespace forceshade;
+  CLI::App app("Haptic force laws, correctly rounded in real time: evaluate, check, certify and drive.", "forceshade");
+  app.set_version_flag("--version", [] {
+    const properties::Build build = properties::current_build();
+    return "forceshade " + build.version + " (" + build.revision + ", " + build.compiler + ", " + build.instruction_set + ")";
+  });
+  app.require_subcommand(1);
+  app.footer("Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault.\n"
+             "'forceshade COMMAND --help' explains a command.");
+  int result = apps::kHeld;
+  apps::add_laws(app, result);
+  apps::add_geometry(app, result);
+  apps::add_force(app, result);
+  apps::add_properties(app, result);
+  apps::add_certify(app, result);
+  apps::add_drive(app, result);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? apps::kHeld : apps::kBadInput;
+  } catch (const std::exception& error) {
+    std::cerr << "forceshade: " << error.what() << '\n';
+    return apps::kBadInput;
+  }
+  return result;
+}

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The naive loops with the instructions of fast/batch_avx2.cpp.
+
+#include "forceshade/bench/naive.h"
+
+namespace forceshade::bench {
+
+const NaiveTable kNaiveAvx2 = kNaiveLoops;
+
+}  // namespace forceshade::bench

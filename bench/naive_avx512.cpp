@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The naive loops with the instructions of fast/batch_avx512.cpp.
+
+#include "forceshade/bench/naive.h"
+
+namespace forceshade::bench {
+
+const NaiveTable kNaiveAvx512 = kNaiveLoops;
+
+}  // namespace forceshade::bench

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// How one position is answered: binary64 first, double-double where that is in doubt, wide numbers where even those are.
+
+#include <Eigen/Core>
+
+#include "forceshade/fast/domain.h"
+#include "forceshade/fast/first_stage.h"
+#include "forceshade/fast/outcome.h"
+#include "forceshade/fast/wide.h"
+#include "forceshade/vocabulary/law.h"
+
+namespace forceshade::fast {
+
+// Which arithmetic decided the answer, cheapest first.
+enum class Stage { binary64, double_double, wide };
+
+struct Evaluation {
+  Eigen::Vector3f force{0, 0, 0};  // N; zero unless status is contact
+  Status status = Status::free;
+  Stage stage = Stage::binary64;
+};
+
+// A law's definition with what building it yields: the geometry in double-double, kept for the second stage.
+template <class Definition>
+struct Built {
+  typename Definition::template Geometry<DoubleDouble> geometry;
+  Definition definition;
+
+  explicit Built(const Parameters& p) noexcept
+      : geometry(Definition::template geometry<DoubleDouble>(p)), definition(p, geometry) {}
+};
+
+// The answer of a ball stage, where it can tell.
+template <class N, class Definition>
+std::optional<Evaluation> decide(const Definition& law, const Parameters& p,
+                                 const typename Definition::template Geometry<N>& geometry, float x, float z,
+                                 Stage stage) noexcept {
+  const Outcome<N> outcome = law.template exact<N>(p, geometry, x, z);
+  if (outcome.contact == Sign::unknown) return std::nullopt;
+  if (outcome.contact != Sign::positive) return Evaluation{{0, 0, 0}, Status::free, stage};
+  const std::optional<float> fx = round_to_binary32(outcome.x);
+  const std::optional<float> fz = round_to_binary32(outcome.z);
+  if (!fx || !fz) return std::nullopt;
+  return Evaluation{{*fx, 0, *fz}, Status::contact, stage};
+}
+
+// Kept out of line: it is reached for about one position in ten million, and its stack frame is large.
+template <class Definition>
+[[gnu::noinline]] Evaluation evaluate_wide(const Definition& law, const Parameters& p, float x, float z) noexcept {
+  using N = Wide<Definition::kWideLimbs>;
+  return decide<N>(law, p, Definition::template geometry<N>(p), x, z, Stage::wide).value_or(Evaluation{});
+}
+
+// p: those the law was built from.
+template <class Definition>
+Evaluation evaluate(const Built<Definition>& law, const Parameters& p, const Eigen::Vector3f& position) noexcept {
+  if (!in_domain(position.x()) || !in_domain(position.y()) || !in_domain(position.z()))
+    return {{0, 0, 0}, Status::invalid, Stage::binary64};
+  const float x = quantised(position.x());
+  const float z = quantised(position.z());
+  const FirstStage<double> first = law.definition.first_stage(static_cast<double>(x), static_cast<double>(z));
+  if (!first.doubt) {
+    if (!first.contact) return {};
+    if (!rounding_is_in_doubt<Definition::kErrorBound>(first.x) && !rounding_is_in_doubt<Definition::kErrorBound>(first.z))
+      return {{static_cast<float>(first.x) + 0.0F, 0, static_cast<float>(first.z) + 0.0F}, Status::contact, Stage::binary64};
+  }
+  const auto second = decide<DoubleDouble>(law.definition, p, law.geometry, x, z, Stage::double_double);
+  return second ? *second : evaluate_wide(law.definition, p, x, z);
+}
+
+}  // namespace forceshade::fast

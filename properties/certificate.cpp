@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/properties/certificate.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace forceshade::properties {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kStatement =
+    "At every point checked, each component of the fast path's force is the exact force rounded to binary32, nearest, ties to "
+    "even; and the four properties held on every case.";
+constexpr const char* kMethod =
+    "Each answer is compared, bit for bit, with the rounded reference: a 64-bit enclosure where it decides, MPFI intervals of "
+    "growing precision where it does not, CGAL's exact algebraic numbers for facets and rounding ties. Half of the points are "
+    "aimed at surface neighbours, facet lines, the position quantum, domain ends, near-ties, the axis and few-bit numbers. "
+    "Every instruction set of the machine gave the same bits.";
+
+Json domain() {
+  return {{"radius_mm", {0.1, 1e4}}, {"width_mm", {1e-3, "2 radius"}}, {"stiffness_N_per_mm", {1e-3, 1e3}},
+          {"position_mm", {-1e4, 1e4}}, {"position_quantum_mm", "2^-30"}};
+}
+
+// binary32 numbers are written as the binary64 numbers they are, so they come back the same.
+Json parameters_json(LawId law, const Parameters& p) {
+  Json json;
+  if (has_bump_geometry(law)) json = {{"radius_mm", static_cast<double>(p.radius)}, {"width_mm", static_cast<double>(p.width)}};
+  json["stiffness_N_per_mm"] = static_cast<double>(p.stiffness);
+  return json;
+}
+
+Parameters parameters_from(LawId law, const Json& json) {
+  Parameters p;
+  if (has_bump_geometry(law)) {
+    p.radius = static_cast<float>(json.at("radius_mm").get<double>());
+    p.width = static_cast<float>(json.at("width_mm").get<double>());
+  }
+  p.stiffness = static_cast<float>(json.at("stiffness_N_per_mm").get<double>());
+  return p;
+}
+
+Json law_json(const LawResult& law) {
+  Json properties = Json::array();
+  for (const PropertyResult& p : law.properties)
+    properties.push_back({{"name", p.name}, {"cases", p.cases}, {"held", p.held}, {"counterexample", p.counterexample}});
+  Json energy = Json::array();
+  for (const LoopEnergy& e : law.energy)
+    energy.push_back({{"depth_mm", e.depth_mm}, {"listed_mJ", e.listed_mJ}, {"measured_mJ", e.measured_mJ}});
+  return {{"law", name_of(law.law)},
+          {"held", law.held()},
+          {"parameters", parameters_json(law.law, law.parameters)},
+          {"conservative", law.conservative},
+          {"points", law.points},
+          {"mismatches", law.mismatches},
+          {"points_by_aim", law.points_by_aim},
+          {"points_by_stage", law.points_by_stage},
+          {"points_by_method", law.points_by_method},
+          {"points_by_status", law.points_by_status},
+          {"closest_call",
+           {{"x_mm", static_cast<double>(law.closest_call.x)},
+            {"y_mm", static_cast<double>(law.closest_call.y)},
+            {"z_mm", static_cast<double>(law.closest_call.z)},
+            {"ulps_from_tie", law.closest_call.ulps_from_tie}}},
+          {"counterexamples", law.counterexamples},
+          {"properties", properties},
+          {"energy_per_loop", energy}};
+}
+
+LawResult law_from(const Json& json) {
+  LawResult law;
+  const std::string name = json.at("law");
+  const auto id = law_named(name);
+  if (!id) throw std::runtime_error("unknown law \"" + name + "\"");
+  law.law = *id;
+  law.parameters = parameters_from(law.law, json.at("parameters"));
+  law.conservative = json.at("conservative");
+  law.points = json.at("points");
+  law.mismatches = json.at("mismatches");
+  law.points_by_aim = json.at("points_by_aim");
+  law.points_by_stage = json.at("points_by_stage");
+  law.points_by_method = json.at("points_by_method");
+  law.points_by_status = json.at("points_by_status");
+  const Json& call = json.at("closest_call");
+  law.closest_call = {static_cast<float>(call.at("x_mm").get<double>()), static_cast<float>(call.at("y_mm").get<double>()),
+                      static_cast<float>(call.at("z_mm").get<double>()), call.at("ulps_from_tie")};
+  law.counterexamples = json.at("counterexamples").get<std::vector<std::string>>();
+  for (const Json& p : json.at("properties"))
+    law.properties.push_back({p.at("name"), p.at("cases"), p.at("held"), p.at("counterexample")});
+  for (const Json& e : json.at("energy_per_loop"))
+    law.energy.push_back({e.at("depth_mm"), e.at("listed_mJ"), e.at("measured_mJ")});
+  return law;
+}
+
+}  // namespace
+
+bool LawResult::held() const {
+  const auto held = [&](std::string_view name) {
+    return std::any_of(properties.begin(), properties.end(), [&](const PropertyResult& p) { return p.name == name && p.held; });
+  };
+  return points > 0 && mismatches == 0 && std::all_of(kPropertyNames.begin(), kPropertyNames.end(), held);
+}
+
+bool Certificate::held() const {
+  return !laws.empty() && std::all_of(laws.begin(), laws.end(), [](const LawResult& law) { return law.held(); });
+}
+
+std::string to_json(const Certificate& certificate) {
+  const Build& build = certificate.build;
+  Json laws = Json::array();
+  for (const LawResult& law : certificate.laws) laws.push_back(law_json(law));
+  const Json json{{"schema", kCertificateSchema},
+                  {"held", certificate.held()},
+                  {"statement", kStatement},
+                  {"method", kMethod},
+                  {"domain", domain()},
+                  {"build",
+                   {{"version", build.version},
+                    {"revision", build.revision},
+                    {"compiler", build.compiler},
+                    {"flags", build.flags},
+                    {"instruction_set", build.instruction_set},
+                    {"library_digest", build.library_digest}}},
+                  {"seed", certificate.seed},
+                  {"seconds", certificate.seconds},
+                  {"laws", laws}};
+  return json.dump(2) + "\n";
+}
+
+Certificate from_json(const std::string& text, const std::string& file) {
+  try {
+    const Json json = Json::parse(text);
+    const int schema = json.at("schema");
+    if (schema != kCertificateSchema)
+      throw std::runtime_error("schema is " + std::to_string(schema) + "; expected " + std::to_string(kCertificateSchema));
+    Certificate certificate;
+    const Json& build = json.at("build");
+    certificate.build = {build.at("version"), build.at("revision"),        build.at("compiler"),
+                         build.at("flags"),   build.at("instruction_set"), build.at("library_digest")};
+    certificate.seed = json.at("seed");
+    certificate.seconds = json.at("seconds");
+    for (const Json& law : json.at("laws")) certificate.laws.push_back(law_from(law));
+    return certificate;
+  } catch (const std::exception& error) {
+    throw CertificateError(file + ": expected a forceshade certificate (schema " + std::to_string(kCertificateSchema) +
+                           "): " + error.what());
+  }
+}
+
+std::optional<std::string> refusal(const Certificate& certificate, const Build& build, LawId law, const Parameters& parameters) {
+  const std::string name(name_of(law));
+  if (certificate.build.library_digest != build.library_digest)
+    return "the certificate is for another build of the renderer: expected digest " + build.library_digest + ", got " +
+           certificate.build.library_digest;
+  const auto same_law = [&](const LawResult& result) { return result.law == law; };
+  const auto same_parameters = [&](const LawResult& result) {
+    return result.parameters.stiffness == parameters.stiffness &&
+           (!has_bump_geometry(law) ||
+            (result.parameters.radius == parameters.radius && result.parameters.width == parameters.width));
+  };
+  if (std::none_of(certificate.laws.begin(), certificate.laws.end(), same_law))
+    return "the certificate does not cover the law " + name;
+  const auto covered = std::find_if(certificate.laws.begin(), certificate.laws.end(),
+                                    [&](const LawResult& result) { return same_law(result) && same_parameters(result); });
+  if (covered == certificate.laws.end())
+    return "the certificate covers " + name + " with other parameters: expected " + parameters_json(law, parameters).dump() +
+           ", got " + parameters_json(law, std::find_if(certificate.laws.begin(), certificate.laws.end(), same_law)->parameters).dump();
+  if (!covered->held()) return "the certificate says that " + name + " failed";
+  return std::nullopt;
+}
+
+}  // namespace forceshade::properties

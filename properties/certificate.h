@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What certify found, as it is written to certificate.json (schema: docs/certificate.md) and read again by drive.
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "forceshade/vocabulary/law.h"
+
+namespace forceshade::properties {
+
+inline constexpr int kCertificateSchema = 1;
+
+// What was checked is this build and no other.
+struct Build {
+  std::string version;          // of the library
+  std::string revision;         // git commit, "+" if the tree was changed; "unknown" outside git
+  std::string compiler;
+  std::string flags;
+  std::string instruction_set;  // that the batch call uses on the machine that certified
+  std::string library_digest;   // SHA-256 of the compiled real-time library
+
+  friend bool operator==(const Build&, const Build&) = default;
+};
+
+// A law is certified by all of them.
+inline constexpr std::array<std::string_view, 4> kPropertyNames{"equivalence", "continuity", "unit normals", "passivity"};
+
+struct PropertyResult {
+  std::string name;  // one of kPropertyNames
+  std::uint64_t cases = 0;
+  bool held = true;
+  std::string counterexample;  // the shrunk one, empty if held
+};
+
+// One witness loop of docs/laws.md, walked with the renderer.
+struct LoopEnergy {
+  double depth_mm = 0;
+  double listed_mJ = 0;
+  double measured_mJ = 0;
+};
+
+// The point whose exact force came closest to a rounding tie without being one.
+struct ClosestCall {
+  float x = 0, y = 0, z = 0;  // mm
+  double ulps_from_tie = 1;   // units in the last place of the binary32 result
+};
+
+struct LawResult {
+  LawId law = LawId::wall;
+  Parameters parameters;
+  bool conservative = false;
+  std::uint64_t points = 0;
+  std::uint64_t mismatches = 0;
+  std::map<std::string, std::uint64_t> points_by_aim;      // how positions were chosen
+  std::map<std::string, std::uint64_t> points_by_stage;    // which stage of the fast path decided
+  std::map<std::string, std::uint64_t> points_by_method;   // what the reference needed to be sure
+  std::map<std::string, std::uint64_t> points_by_status;   // free, contact, invalid
+  ClosestCall closest_call;
+  std::vector<std::string> counterexamples;  // the first few mismatches
+  std::vector<PropertyResult> properties;
+  std::vector<LoopEnergy> energy;
+
+  bool held() const;
+};
+
+struct Certificate {
+  Build build;
+  std::uint64_t seed = 0;
+  double seconds = 0;
+  std::vector<LawResult> laws;
+
+  bool held() const;
+};
+
+// Names the file, the place in it and what was expected.
+struct CertificateError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+std::string to_json(const Certificate& certificate);
+Certificate from_json(const std::string& text, const std::string& file);
+
+// Why `certificate` does not let this build drive this law with these parameters; empty if it does. For the wall, only the
+// stiffness counts.
+std::optional<std::string> refusal(const Certificate& certificate, const Build& build, LawId law, const Parameters& parameters);
+
+}  // namespace forceshade::properties

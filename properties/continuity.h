@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Continuity: the force jumps nowhere but on the law's listed lines, and there by exactly the listed amount.
+
+#include "forceshade/properties/shape.h"
+#include "forceshade/properties/subject.h"
+
+namespace forceshade::properties {
+
+// What the law allows between two positions: a jump of known size, and how far from it rounding and slope may carry.
+struct AllowedChange {
+  long double jump;   // N: |F(a) - F(b)| is this
+  long double reach;  // N: give or take this
+  bool tells;         // false where two lines lie between the positions and no single size is listed
+};
+
+AllowedChange allowed_change(const reference::Law& law, const Shape& shape, const Eigen::Vector3f& a, const Eigen::Vector3f& b);
+
+// a and b valid and near each other; neighbours in binary32 make the sharpest test.
+Violation continuity(const Subject& subject, const Shape& shape, const Eigen::Vector3f& a, const Eigen::Vector3f& b);
+
+}  // namespace forceshade::properties

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/properties/equivalence.h"
+
+#include <array>
+
+#include "forceshade/properties/binary32.h"
+
+namespace forceshade::properties {
+namespace {
+
+std::string_view word(Status status) {
+  return std::array<std::string_view, 3>{"free", "contact", "invalid"}[static_cast<std::size_t>(status)];
+}
+
+}  // namespace
+
+Violation difference(const Eigen::Vector3f& position, const Rendered& answer, const reference::Rounded& exact) {
+  const bool same = same_bits(answer.force.x(), exact.force.x()) && same_bits(answer.force.y(), exact.force.y()) &&
+                    same_bits(answer.force.z(), exact.force.z()) && answer.status == exact.status;
+  if (same) return std::nullopt;
+  return "at " + show(position) + " mm: expected the force " + show(exact.force) + " N (" + std::string(word(exact.status)) +
+         "), got " + show(answer.force) + " N (" + std::string(word(answer.status)) + ")";
+}
+
+Violation equivalence(const Subject& subject, const Eigen::Vector3f& position) {
+  return difference(position, subject.renderer(position), subject.law.round_to_binary32(position));
+}
+
+}  // namespace forceshade::properties

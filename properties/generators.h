@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// RapidCheck generators over PositionSource, with shrinking towards round numbers.
+
+#include <rapidcheck.h>
+
+#include <vector>
+
+#include "forceshade/properties/positions.h"
+#include "forceshade/properties/work.h"
+
+namespace forceshade::properties {
+
+// A position of every kind PositionSource knows, the invalid ones included.
+rc::Gen<Eigen::Vector3f> position_of(const reference::Law& law);
+
+// A valid position and one a few binary32 steps away in x and z; or, for the cylinders, its mirror image in the axis.
+struct NearbyPair {
+  Eigen::Vector3f a;
+  int x_steps = 0, z_steps = 0;
+  bool across_axis = false;
+
+  Eigen::Vector3f b(const Shape& shape) const;
+};
+rc::Gen<NearbyPair> pair_of(const reference::Law& law);
+
+// A closed polygon of 3 to 8 corners in and around the object, self-crossing or not.
+rc::Gen<std::vector<PathPoint>> polygon_of(const reference::Law& law);
+
+// For RapidCheck's own messages.
+std::ostream& operator<<(std::ostream& out, const NearbyPair& pair);
+std::ostream& operator<<(std::ostream& out, const PathPoint& point);
+
+}  // namespace forceshade::properties

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Where to look: positions by bit pattern over all binades, and positions aimed at whatever is hard for a law.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <random>
+
+#include "forceshade/properties/shape.h"
+
+namespace forceshade::properties {
+
+// How a position was chosen; every count of a run is broken down by it.
+enum class Aim { any_bits, volume, surface, facet_line, quantum, domain_end, tie, axis, few_bits };
+inline constexpr std::size_t kAims = 9;
+std::string_view name_of(Aim aim);
+
+struct Aimed {
+  Eigen::Vector3f position;
+  Aim aim;
+};
+
+// An endless, repeatable stream: half by bit pattern or spread over the working volume, half aimed at surface neighbours,
+// facet lines, the position quantum, domain ends, rounding ties, the axis, and numbers of few bits (which make exact ties).
+class PositionSource {
+ public:
+  PositionSource(const reference::Law& law, std::uint64_t seed) : law_(law), shape_(law), random_(seed) {}
+
+  Aimed next();
+
+ private:
+  std::uint64_t bits() { return random_(); }
+  double uniform(double low, double high);
+  int small_step();
+  float any_float();
+  float in_volume_x();
+  float near_surface(float x);
+  float near_line();
+  Eigen::Vector3f near_tie(Eigen::Vector3f position);
+
+  reference::Law law_;
+  Shape shape_;
+  std::mt19937_64 random_;
+};
+
+}  // namespace forceshade::properties

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The certificate as one self-contained HTML page: summary, what was proved and how, and pictures of the certified laws.
+
+#include <string>
+
+#include "forceshade/properties/certificate.h"
+#include "forceshade/properties/gnuplot.h"
+
+namespace forceshade::properties {
+
+// Plots are gnuplot's SVG, drawn from the fast path itself. Needs no file or network once written. Throws PlotError when
+// gnuplot does not draw, or a certificate read from a file has parameters outside their law's domain.
+std::string to_html(const Certificate& certificate);
+
+}  // namespace forceshade::properties

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/properties/run.h"
+
+#include <algorithm>
+
+#include "forceshade/properties/continuity.h"
+#include "forceshade/properties/equivalence.h"
+#include "forceshade/properties/generators.h"
+#include "forceshade/properties/passivity.h"
+#include "forceshade/properties/unit_normals.h"
+
+namespace forceshade::properties {
+namespace {
+
+class Silent : public rc::detail::TestListener {
+ public:
+  void onTestCaseFinished(const rc::detail::CaseDescription&) override {}
+  void onShrinkTried(const rc::detail::CaseDescription&, bool) override {}
+  void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
+};
+
+// `property` draws its case with RapidCheck's operator* and returns what is violated.
+template <class Property>
+PropertyResult run(const std::string& name, int cases, std::uint64_t seed, const Property& property) {
+  rc::detail::TestParams params;
+  params.seed = seed;
+  params.maxSuccess = cases;
+  Silent silent;
+  // The form with a (here empty) map of cases to reproduce is the one that asks no environment variable.
+  const rc::detail::TestResult result = rc::detail::checkTestable(
+      [&] {
+        if (const Violation violation = property()) RC_FAIL(*violation);
+      },
+      rc::detail::TestMetadata{name, name}, params, silent, std::unordered_map<std::string, rc::detail::Reproduce>{});
+  rc::detail::SuccessResult success{};
+  if (result.match(success)) return {name, static_cast<std::uint64_t>(success.numSuccess), true, ""};
+  rc::detail::FailureResult failure;
+  if (!result.match(failure)) return {name, 0, false, "the generator gave up"};
+  // RC_FAIL puts its place in the source before our words.
+  const std::size_t words = failure.description.find("\n\n");
+  const std::string text = words == std::string::npos ? failure.description : failure.description.substr(words + 2);
+  return {name, static_cast<std::uint64_t>(failure.numSuccess) + 1, false, text};
+}
+
+}  // namespace
+
+std::vector<double> witness_depths(const Subject& subject) {
+  const Shape shape(subject.law);
+  const double deepest = shape.R > 0 ? std::min(2.0, static_cast<double>(shape.R) / 8) : 2.0;
+  return {deepest / 8, deepest / 4, deepest / 2, deepest * 3 / 4, deepest};
+}
+
+std::vector<PropertyResult> run_properties(const Subject& subject, int cases, std::uint64_t seed) {
+  const reference::Law& law = subject.law;
+  const Shape shape(law);
+  std::vector<PropertyResult> results;
+  results.push_back(run("equivalence", cases, seed, [&] { return equivalence(subject, *position_of(law)); }));
+  results.push_back(run("continuity", cases, seed, [&]() -> Violation {
+    const NearbyPair pair = *pair_of(law);
+    const Eigen::Vector3f b = pair.b(shape);
+    return (b.array().abs() <= 1e4F).all() ? continuity(subject, shape, pair.a, b) : std::nullopt;
+  }));
+  results.push_back(run("unit normals", cases, seed, [&] { return unit_normals(subject, *position_of(law)); }));
+  PropertyResult passive =
+      run("passivity", std::max(1, cases / 10), seed, [&] { return passivity(subject, shape, *polygon_of(law)); });
+  for (const double depth : witness_depths(subject)) {
+    if (!passive.held) break;
+    ++passive.cases;
+    if (const Violation violation = witness_is_reached(subject, shape, depth)) {
+      passive.held = false;
+      passive.counterexample = *violation;
+    }
+  }
+  results.push_back(passive);
+  return results;
+}
+
+}  // namespace forceshade::properties

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What docs/laws.md says of each law beside its force: its nominal surface, where it jumps and by how much, whether it is
+// conservative. Sizes in long double, good to about 17 digits; for properties and aim, not for decisions.
+
+#include <vector>
+
+#include "forceshade/reference/law.h"
+
+namespace forceshade::properties {
+
+// A vertical line on which the force may jump by 2·K·(height - z)⁺·sin(angle/2), angle being that between the directions.
+struct JumpLine {
+  long double x;       // mm, > 0 or 0; its mirror image jumps likewise
+  long double height;  // mm: nominal height on the line
+  long double angle;   // rad
+};
+
+struct Shape {
+  LawId id;
+  long double R, w, K, d;      // mm, mm, N/mm, mm; R = w = 0 for the wall
+  long double alpha, theta;    // rad: half the subtended angle; the slope of a three-polygon side
+  long double h, w_prime, h_prime;
+  std::vector<JumpLine> jump_lines;
+  long double steepest;        // largest |dH/dx| of the nominal surface where H is polygonal, else 0
+
+  explicit Shape(const reference::Law& law);
+
+  // H(x), mm: where the force begins on the way down at x. NaN is never returned; beside the bump it is 0.
+  long double surface(long double x) const;
+
+  bool is_shaded() const;
+  bool has_cylinder() const { return id == LawId::cylinder || id == LawId::bump_cylinder; }
+  bool is_conservative() const;
+};
+
+}  // namespace forceshade::properties

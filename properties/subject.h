@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What a property is checked on: a renderer, ours or anyone's, and the law it claims to render.
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "forceshade/reference/law.h"
+#include "forceshade/vocabulary/law.h"
+
+namespace forceshade::properties {
+
+struct Rendered {
+  Eigen::Vector3f force{0, 0, 0};  // N
+  Status status = Status::free;
+};
+
+// position (mm) -> force; called from several threads at once by certify().
+using Renderer = std::function<Rendered(const Eigen::Vector3f& position)>;
+
+struct Subject {
+  reference::Law law;
+  Renderer renderer;
+};
+
+// What went wrong, in words with numbers in hexfloat and decimal; empty where the property holds.
+using Violation = std::optional<std::string>;
+
+// The fast path as a renderer, beside its reference.
+std::variant<Subject, ParameterError> fast_subject(LawId id, const Parameters& parameters);
+
+}  // namespace forceshade::properties

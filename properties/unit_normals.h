@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Unit normals: the force is its magnitude times a unit vector, to within the rounding of its components; x = 0 included.
+
+#include "forceshade/properties/subject.h"
+
+namespace forceshade::properties {
+
+// ‖F‖ must be K·penetration, up to half a unit in the last place of each component. For bump-cylinder, a sum of two
+// objects, the wall's share is taken off first. Invalid positions hold trivially.
+Violation unit_normals(const Subject& subject, const Eigen::Vector3f& position);
+
+}  // namespace forceshade::properties

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/properties/work.h"
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+
+#include "forceshade/properties/binary32.h"
+
+namespace forceshade::properties {
+namespace {
+
+// Where on the edge from a to b (as fractions) the force may kink or jump: the vertical lines, the plane, the polygonal
+// faces, the circle. Near the cylinder's axis the pieces shrink towards it, for there the force turns quickly.
+std::vector<double> cuts(const Shape& shape, const PathPoint& a, const PathPoint& b) {
+  std::vector<double> at{0, 1};
+  const double dx = b.x - a.x, dz = b.z - a.z;
+  const auto add = [&](double t) {
+    if (t > 0 && t < 1) at.push_back(t);
+  };
+  const auto cross = [&](double from, double to) { add(from / (from - to)); };  // zero of a linear function
+
+  for (const JumpLine& line : shape.jump_lines) {
+    const auto x = static_cast<double>(line.x);
+    cross(a.x - x, b.x - x);
+    cross(a.x + x, b.x + x);
+  }
+  cross(a.z, b.z);
+  cross(a.z - static_cast<double>(shape.h_prime), b.z - static_cast<double>(shape.h_prime));
+  const auto g = static_cast<double>(shape.steepest), half = static_cast<double>(shape.w / 2);
+  for (const double side : {-g, g}) cross(a.z + side * a.x - g * half, b.z + side * b.x - g * half);
+  if (shape.w_prime > 0)
+    for (const double top : {-0.5, 0.5}) {
+      const double x = top * static_cast<double>(shape.w_prime);
+      cross(a.x - x, b.x - x);
+    }
+  cross(a.x, b.x);
+
+  if (shape.has_cylinder() && dx * dx + dz * dz > 0) {
+    const auto R = static_cast<double>(shape.R);
+    const double az = a.z + static_cast<double>(shape.d);
+    const double length = std::hypot(dx, dz);
+    const double middle = -(a.x * dx + az * dz) / (length * length);
+    const double nearest = std::hypot(a.x + middle * dx, az + middle * dz);
+    add(middle);
+    for (double step = std::max(nearest, 1e-6 * R); step < 4 * R; step *= 2) {
+      add(middle - step / length);
+      add(middle + step / length);
+    }
+    if (nearest < R) {
+      const double reach = std::sqrt((R - nearest) * (R + nearest)) / length;
+      add(middle - reach);
+      add(middle + reach);
+    }
+  }
+  std::sort(at.begin(), at.end());
+  return at;
+}
+
+}  // namespace
+
+Work work_around(const Subject& subject, const Shape& shape, const std::vector<PathPoint>& vertices) {
+  using Rule = boost::math::quadrature::gauss<double, 15>;
+  const auto K = static_cast<double>(shape.K), R = static_cast<double>(shape.R), d = static_cast<double>(shape.d);
+  Work work;
+  const auto visit = [&](const PathPoint& a, const PathPoint& b, double t, double weight) {
+    const double dx = b.x - a.x, dz = b.z - a.z;
+    const Eigen::Vector3f position(static_cast<float>(a.x + t * dx), 0, static_cast<float>(a.z + t * dz));
+    const Eigen::Vector3f rendered = subject.renderer(position).force;
+    const auto exact = subject.law.estimate(position).force;
+    work.rendered += weight * (static_cast<double>(rendered.x()) * dx + static_cast<double>(rendered.z()) * dz);
+    work.exact += weight * static_cast<double>(exact.x.mid() * static_cast<long double>(dx) + exact.z.mid() * static_cast<long double>(dz));
+    work.rounding += weight * (half_spacing(rendered.x()) * std::fabs(dx) + half_spacing(rendered.z()) * std::fabs(dz));
+    const double off = std::hypot(half_spacing(position.x()), half_spacing(position.z()));
+    const double rho = shape.has_cylinder() ? std::hypot(static_cast<double>(position.x()), static_cast<double>(position.z()) + d) : 0;
+    const double rate = K * (shape.has_cylinder() ? 1 + std::max(1.0, R / std::max(rho, 1e-9) - 1) : 1);
+    work.placing += weight * rate * off * std::hypot(dx, dz);
+  };
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const PathPoint& a = vertices[i];
+    const PathPoint& b = vertices[(i + 1) % vertices.size()];
+    const std::vector<double> at = cuts(shape, a, b);
+    for (std::size_t piece = 0; piece + 1 < at.size(); ++piece) {
+      const double middle = 0.5 * (at[piece] + at[piece + 1]), half = 0.5 * (at[piece + 1] - at[piece]);
+      if (!(half > 0)) continue;
+      for (std::size_t k = 0; k < Rule::abscissa().size(); ++k) {
+        const double offset = half * Rule::abscissa()[k], weight = half * Rule::weights()[k];
+        visit(a, b, middle + offset, weight);
+        if (offset != 0) visit(a, b, middle - offset, weight);
+      }
+    }
+  }
+  return work;
+}
+
+}  // namespace forceshade::properties

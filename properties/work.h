@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Work that a renderer's force does along a path, beside the exact law's on the same points and a bound of the rounding.
+
+#include <utility>
+#include <vector>
+
+#include "forceshade/properties/shape.h"
+#include "forceshade/properties/subject.h"
+
+namespace forceshade::properties {
+
+struct PathPoint {
+  double x, z;  // mm
+};
+
+struct Work {
+  double rendered = 0;  // mJ given to the hand by the renderer
+  double exact = 0;     // mJ by the exact law at the same binary32 positions, with the same weights
+  double rounding = 0;  // mJ: how far the two may differ when every force component is off by half a unit in its last place
+  double placing = 0;   // mJ: what rounding the positions themselves to binary32 may have done to either
+};
+
+// Along the closed polygon through `vertices`. Each edge is cut where the force has a kink or a jump and each piece is
+// integrated by 15-point Gauss-Legendre, so on a conservative law `exact` is zero but for `placing`.
+Work work_around(const Subject& subject, const Shape& shape, const std::vector<PathPoint>& vertices);
+
+}  // namespace forceshade::properties

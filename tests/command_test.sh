@@ -1,0 +1,107 @@
+#!/usr/bin/env bash
+# The forceshade command as its users call it: outputs, exit codes, messages, and what is left behind when things go wrong.
+set -u
+forceshade=$1
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+checks=0
+
+# expect CODE WORDS -- COMMAND...: runs it, wants the exit code, and WORDS (a fixed string) in what it prints.
+expect() {
+  local code=$1 words=$2; shift 3
+  local output; output=$("$@" 2>&1 < /dev/null); local got=$?
+  checks=$((checks + 1))
+  if [ $got -ne "$code" ]; then echo "FAILED: $*: expected exit code $code, got $got: $output"; exit 1; fi
+  case "$output" in *"$words"*) ;; *) echo "FAILED: $*: expected \"$words\", got: $output"; exit 1 ;; esac
+}
+same() {
+  checks=$((checks + 1))
+  [ "$1" = "$2" ] || { echo "FAILED: expected: $1"; echo "got: $2"; exit 1; }
+}
+
+# Help, version, wrong usage.
+expect 0 "Usage: forceshade" -- "$forceshade" --help
+expect 0 "forceshade " -- "$forceshade" --version
+for command in laws geometry force properties certify drive; do expect 0 "$command" -- "$forceshade" $command --help; done
+expect 2 "subcommand is required" -- "$forceshade"
+expect 2 "--wrong" -- "$forceshade" laws --wrong
+expect 2 "nonsense" -- "$forceshade" nonsense
+expect 2 'got "bump-9p"' -- "$forceshade" properties --law bump-9p
+
+# laws
+expect 0 "bump-3p-shaded" -- "$forceshade" laws
+
+# geometry: the rational bump, units, digits, errors.
+same '{"d_mm":"1.0000000000","h_mm":"0.25000000000","w_prime_mm":"0.53214818646","h_prime_mm":"0.22135358390","theta_rad":"0.42900073919"}' \
+  "$("$forceshade" geometry --radius 1.25 --width 1.5 --digits 11)"
+same "$("$forceshade" geometry --radius 15.24 --width 25.4)" "$("$forceshade" geometry --radius 600mil --width 1in)"
+expect 2 "width is 31 mm; expected 0.001 to 30.48 mm" -- "$forceshade" geometry --radius 15.24 --width 31
+expect 2 'got "wide"' -- "$forceshade" geometry --radius wide --width 1
+expect 2 "--digits" -- "$forceshade" geometry --radius 1 --width 1 --digits 0
+
+# force: columns in any order, both paths, statuses.
+printf 'z_mm,note,x_mm,y_mm\n-1,a,3,0\n5,b,0,0\n-1,c,nan,0\n' > in.csv
+same "$(printf 'x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status\n3,0,-1,0.6,0,0.8,ok\n0,0,5,0,0,0,free\nnan,0,-1,0,0,0,invalid')" \
+  "$("$forceshade" force --law bump-1p-shaded --radius 5 --width 8 --stiffness 1 --input in.csv)"
+same "$(printf 'x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status\n3,0,-1,0.6000000,0,0.8000000,ok\n0,0,5,0,0,0,free\nnan,0,-1,0,0,0,invalid')" \
+  "$("$forceshade" force --law bump-1p-shaded --radius 5 --width 8 --stiffness 1 --path reference --digits 7 < in.csv)"
+expect 0 "" -- "$forceshade" force --law wall --stiffness 1 --input in.csv --output out.csv
+same 4 "$(wc -l < out.csv)"
+expect 2 "--radius: the law bump-2p needs it" -- "$forceshade" force --law bump-2p --stiffness 1 --input in.csv
+expect 2 "stiffness is 0 N/mm; expected" -- "$forceshade" force --law wall --stiffness 0 --input in.csv
+# A malformed row: file, line, column; exit 2; no output file, whole or partial.
+printf 'x_mm,y_mm,z_mm\n1,2,3\n1,oops,3\n' > bad.csv
+expect 2 'bad.csv:3: column 2 (y_mm): expected a number, got "oops"' -- "$forceshade" force --law wall --stiffness 1 --input bad.csv --output never.csv
+same "" "$(ls | grep never)"
+printf '' > empty.csv
+expect 2 "empty.csv" -- "$forceshade" force --law wall --stiffness 1 --input empty.csv
+printf 'x_mm,y_mm\n1,2\n' > short.csv
+expect 2 "z_mm" -- "$forceshade" force --law wall --stiffness 1 --input short.csv
+expect 2 "missing.csv" -- "$forceshade" force --law wall --stiffness 1 --input missing.csv
+expect 2 "nowhere" -- "$forceshade" force --law wall --stiffness 1 --input in.csv --output nowhere/out.csv
+
+# properties
+expect 0 "equivalence   held" -- "$forceshade" properties --law bump-3p --cases 200 --seed 5
+same 37 "$("$forceshade" properties --cases 20 | wc -l)"
+
+# certify and drive: certified, other parameters, other law, no certificate, a certificate of another build.
+expect 0 "certified" -- "$forceshade" certify --law bump-1p-shaded --points 5000 --cases 100 --out here
+[ -s here/certificate.json ] && [ -s here/certificate.html ] || { echo "FAILED: certify wrote nothing"; exit 1; }
+expect 2 "expected a directory" -- "$forceshade" certify --law wall --points 1 --out in.csv/no
+printf 't_s,x_mm,y_mm,z_mm\n0,3,0,-1\n0.001,4,0,-1\n0.002,4,0,1\n' > hand.csv
+drive() { "$forceshade" drive --device replay:hand.csv --unpaced "$@"; }
+expect 0 "missed deadlines  0" -- drive --law bump-1p-shaded --certificate here/certificate.json --record record.csv --json run.json
+same "tick,t_s,device_t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status,compute_us" "$(head -1 record.csv)"
+same 5 "$(wc -l < record.csv)"
+same "0,0,0,end" "$(tail -1 record.csv | cut -d, -f7-10)"
+for key in ticks missed_deadlines compute_us p50 p99 p999 max peak_force_N energy_given_mJ energy_taken_mJ certificate_digest; do
+  grep -q "\"$key\"" run.json || { echo "FAILED: run.json lacks $key"; exit 1; }
+done
+same "$(sha256sum here/certificate.json | cut -d' ' -f1)" "$(sed -n 's/.*"certificate_digest": "\(.*\)".*/\1/p' run.json)"
+expect 1 "refused to drive: here/certificate.json: the certificate covers bump-1p-shaded with other parameters" -- \
+  drive --law bump-1p-shaded --stiffness 0.6 --certificate here/certificate.json
+expect 1 "does not cover the law wall" -- drive --law wall --certificate here/certificate.json
+expect 1 "no certificate was given" -- drive --law wall
+expect 0 "UNCERTIFIED" -- drive --law wall --uncertified
+sed 's/\("library_digest": "\)......../\1deadbeef/' here/certificate.json > other.json
+expect 1 "another build" -- drive --law bump-1p-shaded --certificate other.json
+sed 's/"mismatches": 0/"mismatches": 1/' here/certificate.json > failed.json
+expect 1 "failed" -- drive --law bump-1p-shaded --certificate failed.json
+expect 2 "expected a forceshade certificate" -- drive --law wall --certificate in.csv
+expect 2 "cannot be read" -- drive --law wall --certificate missing.json
+expect 2 "replay" -- "$forceshade" drive --law wall --uncertified --device teapot:x
+expect 2 "--rate" -- drive --law wall --uncertified --rate 5
+
+# Ctrl-C: a drive ends with force zero and its record complete; certify and force leave nothing.
+{ echo t_s,x_mm,y_mm,z_mm; for i in $(seq 0 20000); do echo "$i,3,0,-1"; done; } > long.csv
+"$forceshade" drive --law wall --uncertified --device replay:long.csv --record stopped.csv > stopped.txt 2>&1 &
+sleep 1; kill -INT $!; wait $!; same 0 $?
+grep -q "(stopped)" stopped.txt || { echo "FAILED: not stopped: $(cat stopped.txt)"; exit 1; }
+same "0,0,0,end" "$(tail -1 stopped.csv | cut -d, -f7-10)"
+same "$(($(sed -n 's/^ticks *\([0-9]*\).*/\1/p' stopped.txt) + 2))" "$(wc -l < stopped.csv)"
+"$forceshade" certify --points 1000000000 --out stopped > stopped.txt 2>&1 &
+sleep 1; kill -INT $!; wait $!; same 1 $?
+grep -q "interrupted" stopped.txt || { echo "FAILED: $(cat stopped.txt)"; exit 1; }
+same "" "$(ls stopped)"
+echo "$checks checks passed"

@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# Installs the build into a fresh prefix, builds the consumer against it with find_package, and runs it.
+set -eu
+build=$1 compiler=$2 flags=$3
+source=$(cd "$(dirname "$0")" && pwd)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cmake --install "$build" --prefix "$scratch/prefix" > "$scratch/install.log"
+cmake -S "$source" -B "$scratch/build" -DCMAKE_PREFIX_PATH="$scratch/prefix" -DCMAKE_CXX_COMPILER="$compiler" \
+  -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_BUILD_TYPE=Release > "$scratch/configure.log"
+cmake --build "$scratch/build" > "$scratch/build.log" || { cat "$scratch/build.log"; exit 1; }
+"$scratch/build/consumer"
+"$scratch/prefix/bin/forceshade" --version

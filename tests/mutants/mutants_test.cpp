@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "forceshade/properties/equivalence.h"
+#include "forceshade/properties/positions.h"
+#include "mutant.h"
+
+namespace forceshade::tests {
+
+std::vector<Mutant>& mutants() {
+  static std::vector<Mutant> all;
+  return all;
+}
+
+namespace {
+
+// The thesis's bump and three that make ties, double roots and rational faces.
+constexpr std::array kParameters{Parameters{15.24F, 25.4F, 0.5F}, Parameters{1.25F, 1.5F, 0.7F}, Parameters{12.7F, 25.4F, 1},
+                                 Parameters{2197.0F / 1024, 2035.0F / 512, 1}};
+constexpr int kPoints = 400000;
+
+// How many points it took equivalence to catch the mutant; none if it got away.
+std::optional<int> points_to_catch(const Mutant& mutant) {
+  std::vector<properties::Subject> subjects;
+  std::vector<properties::PositionSource> sources;
+  for (const Parameters& p : kParameters) {
+    subjects.push_back({std::get<reference::Law>(reference::Law::build(mutant.law, p)), mutant.build(p)});
+    sources.emplace_back(subjects.back().law, 99);
+  }
+  for (int i = 0; i < kPoints; ++i)
+    for (std::size_t s = 0; s < subjects.size(); ++s)
+      if (properties::equivalence(subjects[s], sources[s].next().position)) return i + 1;
+  return std::nullopt;
+}
+
+TEST(mutants, are_all_caught) {
+  EXPECT_GE(mutants().size(), 45U) << "five of each law";
+  for (const Mutant& mutant : mutants()) {
+    const std::optional<int> points = points_to_catch(mutant);
+    std::printf("  %-15s %8s  %s\n", name_of(mutant.law).data(), points ? std::to_string(*points).c_str() : "SURVIVED", mutant.change.c_str());
+    EXPECT_TRUE(points) << name_of(mutant.law) << ": " << mutant.change;
+  }
+}
+
+}  // namespace
+}  // namespace forceshade::tests

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The numbers both sides compute with: their enclosures enclose, their bounds are not idle, their roundings are right.
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "forceshade/fast/double_double.h"
+#include "forceshade/fast/first_stage.h"
+#include "forceshade/fast/wide.h"
+#include "forceshade/properties/binary32.h"
+#include "forceshade/reference/decimal.h"
+#include "forceshade/reference/filter.h"
+#include "forceshade/reference/numbers.h"
+
+namespace forceshade {
+namespace {
+
+using reference::Multiprecision;
+
+struct Operands {
+  double a, b;
+};
+
+// Positive numbers of about one size, and sometimes so close that they cancel.
+Operands operands(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform(0.5, 2);
+  const double a = uniform(random);
+  return {a, random() % 4 == 0 ? a * (1 + std::ldexp(uniform(random), -static_cast<int>(random() % 50))) : uniform(random)};
+}
+
+// (a·b - a/b)·√a + b, in any number type.
+template <class N, class From, class Root>
+N expression(const Operands& o, const From& from, const Root& root) {
+  const N a = from(o.a), b = from(o.b);
+  return (a * b - a / b) * root(a) + b;
+}
+
+Multiprecision truth(const Operands& o) {
+  return expression<Multiprecision>(o, [](double v) { return Multiprecision(v); }, [](const Multiprecision& v) { return Multiprecision(sqrt(v)); });
+}
+
+class Numbers : public ::testing::Test {
+ protected:
+  void SetUp() override { reference::set_precision(6000); }
+  std::mt19937_64 random{7};
+};
+
+TEST_F(Numbers, double_double_encloses_and_its_bound_is_not_idle) {
+  double worst = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Operands o = operands(random);
+    const auto value = expression<fast::DoubleDouble>(o, &fast::DoubleDouble::exactly, [](const auto& v) { return square_root(v); });
+    const auto error = static_cast<double>(Multiprecision(abs(truth(o) - Multiprecision(value.hi) - Multiprecision(value.lo))));
+    ASSERT_LE(error, value.error) << o.a << ' ' << o.b;
+    worst = std::max(worst, error / value.error);
+  }
+  std::printf("  worst error/bound %.3f\n", worst);
+  EXPECT_GT(worst, 0.01) << "the bound is idle";
+}
+
+TEST_F(Numbers, wide_encloses_to_its_full_width) {
+  using Wide = fast::Wide<64>;
+  for (int i = 0; i < 300; ++i) {
+    const Operands o = operands(random);
+    const auto value = expression<Wide>(o, &Wide::exactly, [](const auto& v) { return square_root(v); });
+    EXPECT_LT(value.error_exponent(), -3900);
+    // Taken apart into binary64 pieces, largest first.
+    Multiprecision sum = 0;
+    Wide rest = value;
+    for (int piece = 0; piece < 90; ++piece) {
+      const double head = approximately(rest);
+      if (head == 0) break;
+      sum += head;
+      rest = midpoint(rest - Wide::exactly(head));
+    }
+    const Multiprecision error = abs(truth(o) - sum);
+    // The pieces stop at binary64's own end, 2^-1074.
+    EXPECT_LE(error, pow(Multiprecision(2), -1060)) << o.a << ' ' << o.b;
+  }
+}
+
+TEST_F(Numbers, wide_knows_zero) {
+  using Wide = fast::Wide<32>;
+  const Wide two = Wide::exactly(2), root = square_root(two);
+  EXPECT_EQ(sign(root * root - two), fast::Sign::zero);
+  EXPECT_EQ(sign(root - Wide::exactly(1.4142135623730951)), fast::Sign::negative);
+  EXPECT_EQ(sign(Wide::exactly(0)), fast::Sign::zero);
+  EXPECT_EQ(sign(Wide::exactly(-0x1p-1000)), fast::Sign::negative);
+}
+
+TEST_F(Numbers, a_divisor_that_may_be_zero_leaves_everything_unknown) {
+  using fast::DoubleDouble;
+  const DoubleDouble third = DoubleDouble::exactly(1) / DoubleDouble::exactly(3);
+  const DoubleDouble may_be_zero = third * DoubleDouble::exactly(3) - DoubleDouble::exactly(1);
+  EXPECT_EQ(sign(may_be_zero), fast::Sign::unknown);
+  EXPECT_EQ(sign(DoubleDouble::exactly(1) / may_be_zero), fast::Sign::unknown);
+}
+
+TEST_F(Numbers, rounding_of_a_ball_is_to_nearest_even_or_unknown) {
+  using fast::DoubleDouble;
+  EXPECT_EQ(fast::round_to_binary32(DoubleDouble::exactly(0.1)), 0.1F);
+  const double tie = 1 + 0x1p-24, odd_tie = 1 + 3 * 0x1p-24;
+  EXPECT_EQ(fast::round_to_binary32(DoubleDouble::exactly(tie)), 1.0F) << "down to even";
+  EXPECT_EQ(fast::round_to_binary32(DoubleDouble::exactly(odd_tie)), 1 + 0x1p-22F) << "up to even";
+  EXPECT_EQ(fast::round_to_binary32(DoubleDouble{tie, 0x1p-80, 0x1p-100}), 1 + 0x1p-23F) << "a hair above the tie";
+  EXPECT_EQ(fast::round_to_binary32(DoubleDouble{tie, -0x1p-80, 0x1p-100}), 1.0F);
+  EXPECT_EQ(fast::round_to_binary32(DoubleDouble{tie, 0, 0x1p-100}), std::nullopt) << "cannot tell";
+  const double smallest = std::numeric_limits<float>::denorm_min();
+  EXPECT_EQ(fast::round_to_binary32(DoubleDouble::exactly(0.75 * smallest)), std::numeric_limits<float>::denorm_min());
+  EXPECT_EQ(fast::round_to_binary32(DoubleDouble::exactly(0.5 * smallest)), 0.0F);
+}
+
+TEST_F(Numbers, rounding_is_in_doubt_exactly_in_the_window) {
+  constexpr double kBound = 0x1p-48;
+  for (int i = 0; i < 100000; ++i) {
+    const auto head = static_cast<float>(operands(random).a);
+    const double tie = 0.5 * (static_cast<double>(head) + static_cast<double>(std::nextafter(head, 4.0F)));
+    const double near = tie * (1 + std::ldexp(1.0, -48 - static_cast<int>(random() % 4)) * (random() % 2 == 0 ? 1 : -1));
+    const double far = tie * (1 + 3 * kBound * (random() % 2 == 0 ? 1 : -1));
+    ASSERT_TRUE(fast::rounding_is_in_doubt<kBound>(near)) << near;
+    ASSERT_TRUE(fast::rounding_is_in_doubt<kBound>(-near)) << near;
+    ASSERT_FALSE(fast::rounding_is_in_doubt<kBound>(far)) << far;
+    ASSERT_FALSE(fast::rounding_is_in_doubt<kBound>(-far)) << far;
+  }
+  EXPECT_FALSE(fast::rounding_is_in_doubt<kBound>(0.0));
+}
+
+TEST_F(Numbers, split_heads_multiply_without_rounding) {
+  for (int i = 0; i < 100000; ++i) {
+    const double value = operands(random).a;
+    const fast::Split parts = fast::split(fast::DoubleDouble::exactly(value));
+    ASSERT_EQ(parts.head + parts.tail, value);
+    const auto factor = static_cast<double>(static_cast<float>(operands(random).b));
+    ASSERT_EQ(std::fma(parts.head, factor, -(parts.head * factor)), 0) << value << ' ' << factor;
+  }
+}
+
+TEST_F(Numbers, filter_encloses_and_throws_where_it_cannot_tell) {
+  using reference::Filter;
+  for (int i = 0; i < 20000; ++i) {
+    const Operands o = operands(random);
+    const auto value = expression<Filter>(o, [](double v) { return Filter(v); }, [](const Filter& v) { return sqrt(v); });
+    const Multiprecision error = abs(truth(o) - Multiprecision(value.mid()));
+    ASSERT_LE(error, Multiprecision(value.rad())) << o.a << ' ' << o.b;
+  }
+  const Filter third = Filter(1.0) / Filter(3.0), one = third * Filter(3.0);
+  EXPECT_THROW((void)(one < Filter(1.0)), reference::Undecided);
+  EXPECT_THROW((void)(Filter(1.0) / (one - Filter(1.0))), reference::Undecided);
+  EXPECT_TRUE(third < Filter(0.34));
+  EXPECT_THROW(static_cast<void>(Filter(1.0L + 0x1p-24L, 1e-15L).round()), reference::Undecided);
+}
+
+TEST_F(Numbers, decimals_are_rounded_to_even_on_ties) {
+  const auto exactly = [](double value, unsigned digits) {
+    return reference::correctly_rounded(digits, [=] { return reference::Enclosure(value); }, [](const CORE::BigRat&) { return 0; });
+  };
+  EXPECT_EQ(exactly(0.125, 2), "0.12");
+  EXPECT_EQ(exactly(0.375, 2), "0.38");
+  EXPECT_EQ(exactly(-1234.5, 2), "-1200");
+  EXPECT_EQ(exactly(9.996, 3), "10.0");
+  EXPECT_EQ(exactly(0, 3), "0");
+  // √2·√2 is 2 only to those who can compare exactly; a tie of three digits: 2.125 = √2·√2 + 1/8.
+  const auto blurred = [] {
+    const reference::Enclosure root = sqrt(reference::Enclosure(2));
+    return reference::Enclosure(root * root + reference::Enclosure(0.125));
+  };
+  const auto compare = [](const CORE::BigRat& q) {
+    return (CORE::sqrt(CORE::Expr(2)) * CORE::sqrt(CORE::Expr(2)) + CORE::Expr(0.125) - CORE::Expr(q)).sign();
+  };
+  EXPECT_EQ(reference::correctly_rounded(3, blurred, compare), "2.12");
+}
+
+}  // namespace
+}  // namespace forceshade

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every property can fail: renderers that are wrong in one way each, and the property that must say so.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "forceshade/properties/binary32.h"
+#include "forceshade/properties/continuity.h"
+#include "forceshade/properties/passivity.h"
+#include "forceshade/properties/run.h"
+
+namespace forceshade::properties {
+namespace {
+
+constexpr Parameters kBump{15.24F, 25.4F, 0.5F};
+constexpr int kCases = 3000;
+constexpr std::uint64_t kSeed = 11;
+
+// The fast path with its answers changed by `change(position, answer)`.
+template <class Change>
+Subject changed(LawId law, const Change& change) {
+  Subject subject = std::get<Subject>(fast_subject(law, kBump));
+  subject.renderer = [right = subject.renderer, change](const Eigen::Vector3f& position) { return change(position, right(position)); };
+  return subject;
+}
+
+PropertyResult result_of(const Subject& subject, const std::string& property) {
+  for (const PropertyResult& result : run_properties(subject, kCases, kSeed))
+    if (result.name == property) return result;
+  throw std::invalid_argument(property);
+}
+
+TEST(properties, equivalence_refuses_one_unit_in_the_last_place) {
+  for (const LawName& law : kLaws) {
+    const PropertyResult result = result_of(changed(law.id, [](const Eigen::Vector3f&, Rendered answer) {
+                                              answer.force.z() = neighbour(answer.force.z(), answer.force.z() > 0.5F ? 1 : 0);
+                                              return answer;
+                                            }), "equivalence");
+    EXPECT_FALSE(result.held) << law.name;
+    EXPECT_NE(result.counterexample.find("expected the force"), std::string::npos) << result.counterexample;
+    EXPECT_NE(result.counterexample.find("0x"), std::string::npos) << "hexfloat: " << result.counterexample;
+  }
+}
+
+TEST(properties, equivalence_refuses_a_negative_zero_and_a_silent_zero) {
+  EXPECT_FALSE(result_of(changed(LawId::wall, [](const Eigen::Vector3f&, Rendered answer) {
+                           answer.force.x() = -0.0F;
+                           return answer;
+                         }), "equivalence").held);
+  EXPECT_FALSE(result_of(changed(LawId::wall, [](const Eigen::Vector3f&, Rendered answer) {
+                           if (answer.status == Status::invalid) answer.status = Status::free;
+                           return answer;
+                         }), "equivalence").held);
+}
+
+TEST(properties, counterexamples_are_shrunk) {
+  // Wrong for every x above 1: the smallest such case has round numbers and no y.
+  const PropertyResult result = result_of(changed(LawId::bump_1p, [](const Eigen::Vector3f& position, Rendered answer) {
+                                            if (position.x() > 1) answer.force.x() = 1;
+                                            return answer;
+                                          }), "equivalence");
+  ASSERT_FALSE(result.held);
+  EXPECT_NE(result.counterexample.find("y = 0x0p+0 (0)"), std::string::npos) << result.counterexample;
+  EXPECT_NE(result.counterexample.find("z = 0x0p+0 (0)"), std::string::npos) << result.counterexample;
+}
+
+TEST(properties, unit_normals_refuses_a_short_normal_on_the_ridge) {
+  // As printed, sgn(0) = 0 leaves only the z component at x = 0.
+  const Subject printed = changed(LawId::bump_2p, [](const Eigen::Vector3f& position, Rendered answer) {
+    if (position.x() == 0) answer.force.x() = 0;
+    return answer;
+  });
+  EXPECT_FALSE(result_of(printed, "unit normals").held);
+}
+
+TEST(properties, unit_normals_refuses_an_interpolated_normal_that_was_not_normalised) {
+  for (const LawId law : {LawId::bump_1p_shaded, LawId::bump_2p_shaded, LawId::bump_3p_shaded, LawId::cylinder, LawId::bump_cylinder})
+    EXPECT_FALSE(result_of(changed(law, [](const Eigen::Vector3f&, Rendered answer) {
+                             answer.force *= 0.999999F;
+                             return answer;
+                           }), "unit normals").held) << name_of(law);
+}
+
+TEST(properties, continuity_refuses_a_jump_where_none_is_listed) {
+  for (const LawName& law : kLaws)
+    EXPECT_FALSE(result_of(changed(law.id, [](const Eigen::Vector3f& position, Rendered answer) {
+                             if (answer.status == Status::contact && position.x() > 0) answer.force.x() += 0.01F;
+                             return answer;
+                           }), "continuity").held) << law.name;
+}
+
+TEST(properties, continuity_refuses_a_listed_jump_of_another_size) {
+  for (const LawId law : {LawId::bump_2p, LawId::bump_3p, LawId::bump_1p_shaded, LawId::bump_2p_shaded, LawId::bump_3p_shaded})
+    EXPECT_FALSE(result_of(changed(law, [](const Eigen::Vector3f& position, Rendered answer) {
+                             if (std::fabs(position.x()) > kBump.width / 2) answer.force *= 1.001F;
+                             return answer;
+                           }), "continuity").held) << name_of(law);
+}
+
+TEST(properties, continuity_knows_the_size_of_every_listed_jump) {
+  // Straight across each line, on the fast path; the sizes are of the table in docs/laws.md.
+  for (const LawId law : {LawId::bump_2p, LawId::bump_3p, LawId::bump_1p_shaded, LawId::bump_2p_shaded, LawId::bump_3p_shaded}) {
+    const Subject subject = std::get<Subject>(fast_subject(law, kBump));
+    const Shape shape(subject.law);
+    ASSERT_FALSE(shape.jump_lines.empty());
+    for (const JumpLine& line : shape.jump_lines) {
+      // The last position that the <= gives to the inside, and the first outside; for x = 0, either side of it.
+      float inside = static_cast<float>(line.x);
+      while (static_cast<long double>(inside) > line.x) inside = neighbour(inside, -1);
+      const float a = line.x == 0 ? -0x1p-30F : inside, b = line.x == 0 ? 0.0F : neighbour(inside, 1);
+      const float z = static_cast<float>(line.height) - 1.5F;
+      const AllowedChange allowed = allowed_change(subject.law, shape, {a, 0, z}, {b, 0, z});
+      EXPECT_TRUE(allowed.tells);
+      EXPECT_GT(allowed.jump, 0.1L) << name_of(law);
+      EXPECT_LT(allowed.reach, 1e-5L);
+      EXPECT_EQ(continuity(subject, shape, {a, 0, z}, {b, 0, z}), std::nullopt);
+    }
+  }
+}
+
+TEST(properties, continuity_expects_twice_K_R_across_the_axis) {
+  for (const LawId law : {LawId::cylinder, LawId::bump_cylinder}) {
+    const Subject subject = std::get<Subject>(fast_subject(law, {1.25F, 1.5F, 2}));
+    const Shape shape(subject.law);
+    const Eigen::Vector3f a(1e-5F, 0, -1), b(-1e-5F, 0, -1);
+    EXPECT_NEAR(static_cast<double>(allowed_change(subject.law, shape, a, b).jump), 2 * 2 * 1.25, 1e-12);
+    EXPECT_EQ(continuity(subject, shape, a, b), std::nullopt);
+  }
+}
+
+TEST(properties, passivity_refuses_a_force_that_always_pays_a_little) {
+  // Friction with the wrong sign along x; and, for the conservative laws, a force that only depends on where one goes round.
+  for (const LawName& law : kLaws)
+    EXPECT_FALSE(result_of(changed(law.id, [](const Eigen::Vector3f& position, Rendered answer) {
+                             if (answer.status == Status::contact) answer.force.x() += 1e-4F * position.z();
+                             return answer;
+                           }), "passivity").held) << law.name;
+}
+
+TEST(properties, active_laws_pay_what_is_listed_and_conservative_laws_nothing) {
+  for (const LawName& law : kLaws) {
+    const Subject subject = std::get<Subject>(fast_subject(law.id, kBump));
+    const Shape shape(subject.law);
+    for (const double depth : {0.5, 1.0, 2.0, 6.0}) {
+      const WitnessLoop loop = witness_loop(shape, depth);
+      EXPECT_EQ(loop.listed_mJ == 0, shape.is_conservative()) << law.name;
+      EXPECT_EQ(witness_is_reached(subject, shape, depth), std::nullopt) << law.name;
+    }
+  }
+}
+
+TEST(properties, witness_loops_meet_the_closed_forms) {
+  const auto listed = [](LawId law, double depth) {
+    return witness_loop(Shape(std::get<Subject>(fast_subject(law, kBump)).law), depth).listed_mJ;
+  };
+  const double K = 0.5, R = static_cast<double>(kBump.radius), w = static_cast<double>(kBump.width), D = 2;
+  const double alpha = std::asin(w / (2 * R)), theta = 2 * alpha / 3;
+  EXPECT_NEAR(listed(LawId::bump_2p, D), 0.5 * K * D * D * (1 - std::cos(alpha / 2)), 1e-12);
+  EXPECT_NEAR(listed(LawId::bump_3p, D), 0.5 * K * D * D * (1 - std::cos(theta)), 1e-12);
+  EXPECT_NEAR(listed(LawId::bump_1p_shaded, D), K * D * w * w / (8 * R), 1e-9);
+  const double d = std::sqrt(R * R - w * w / 4), deep = 12;
+  EXPECT_NEAR(listed(LawId::bump_1p_shaded, deep), K * deep * w * w / (8 * R) + K * std::pow(deep - d, 3) / (6 * R), 1e-8);
+  EXPECT_NEAR(listed(LawId::bump_2p_shaded, D), 2.1441, 5e-5);
+  EXPECT_NEAR(listed(LawId::bump_3p_shaded, D), 1.6224, 5e-5);
+}
+
+}  // namespace
+}  // namespace forceshade::properties

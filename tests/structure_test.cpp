@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The house's own rules: one law, one basename; two sides that never meet; nothing copyleft near the real-time path.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "forceshade/vocabulary/law.h"
+
+namespace forceshade {
+namespace {
+
+const std::filesystem::path kRoot = FORCESHADE_SOURCE_DIR;
+
+std::vector<std::string> includes_of(const std::filesystem::path& folder) {
+  static const std::regex include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+  std::vector<std::string> found;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const std::string extension = entry.path().extension();
+    if (extension != ".h" && extension != ".cpp" && extension != ".inl") continue;
+    std::ifstream file(entry.path());
+    for (std::string line; std::getline(file, line);)
+      if (std::smatch match; std::regex_search(line, match, include)) found.push_back(match[1]);
+  }
+  EXPECT_FALSE(found.empty()) << folder;
+  return found;
+}
+
+void expect_no_include(const char* folder, const std::vector<std::string>& forbidden) {
+  for (const std::string& include : includes_of(kRoot / folder))
+    for (const std::string& prefix : forbidden) EXPECT_FALSE(include.starts_with(prefix)) << folder << " includes " << include;
+}
+
+TEST(structure, every_law_has_its_file_in_every_folder) {
+  for (const LawName& law : kLaws)
+    for (const char* pattern : {"reference/%.h", "fast/%.h", "tests/%_test.cpp"}) {
+      std::string path = pattern;
+      path.replace(path.find('%'), 1, law.file);
+      EXPECT_TRUE(std::filesystem::exists(kRoot / path)) << path;
+    }
+}
+
+TEST(structure, the_two_sides_never_meet) {
+  expect_no_include("fast", {"forceshade/reference/", "forceshade/properties/", "forceshade/device/", "CGAL", "boost", "mpfr", "gmp"});
+  expect_no_include("reference", {"forceshade/fast/", "forceshade/properties/", "forceshade/device/"});
+  expect_no_include("vocabulary", {"forceshade/"});
+}
+
+TEST(structure, the_device_side_knows_only_the_real_time_path) {
+  expect_no_include("device", {"forceshade/reference/", "forceshade/properties/", "CGAL", "boost"});
+}
+
+TEST(structure, no_gpl_part_of_cgal_is_used) {
+  for (const char* folder : {"reference", "properties", "apps", "tests", "bench"})
+    expect_no_include(folder, {"CGAL/AABB", "CGAL/Polygon_mesh_processing", "CGAL/Surface_mesh"});
+}
+
+}  // namespace
+}  // namespace forceshade
