@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The forceshade command. Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault.
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
 
@@ -24,6 +25,16 @@ int main(int argc, char** argv) {
   apps::add_properties(app, result);
   apps::add_certify(app, result);
   apps::add_drive(app, result);
+  if (argc > 1 && argv[1][0] != '-') {
+    const std::vector<CLI::App*> commands = app.get_subcommands([](const CLI::App*) { return true; });
+    const auto is_named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
+    if (std::none_of(commands.begin(), commands.end(), is_named)) {
+      std::cerr << "forceshade: unknown command \"" << argv[1] << "\"; expected one of:";
+      for (const CLI::App* command : commands) std::cerr << ' ' << command->get_name();
+      std::cerr << '\n';
+      return apps::kBadInput;
+    }
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

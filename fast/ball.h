@@ -3,7 +3,8 @@
 // What the exact stages ask of their numbers: a value with a proven error bound, and comparisons that may say "unknown".
 //
 // A Ball type N (DoubleDouble, Wide<>) offers N::exactly(double), + - * /, square_root(N), sign(N), midpoint(N) (the same
-// value with the error dropped), widened(N, k) (the error enlarged to 2^k times the value) and approximately(N) -> double.
+// value with the error dropped), truncated(N, bits) (as
+// midpoint, but good to `bits` bits is enough), widened(N, k) (the error set to 2^k times the value) and approximately(N) -> double.
 
 #include <cmath>
 #include <optional>

@@ -2,6 +2,8 @@
 #pragma once
 // d, h, w′, h′ and the face angles of a bump, in any Ball arithmetic (fast/ball.h); R and w are as in laws.md's domain.
 
+#include <cstdint>
+
 #include "forceshade/fast/ball.h"
 
 namespace forceshade::fast {
@@ -35,7 +37,7 @@ Face<N> two_polygon_face(float radius, float width) noexcept {
 template <class N, class F, class Derivative>
 N newton_root(double start, int steps, const F& f, const Derivative& derivative) noexcept {
   N x = N::exactly(start);
-  for (int i = 0; i < steps; ++i) x = midpoint(x - f(x) / derivative(x));
+  for (int i = 1; i <= steps; ++i) x = truncated(x - f(x) / derivative(x), std::int64_t{50} << i);
   return x - f(x) / derivative(widened(x, -40));
 }
 

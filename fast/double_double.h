@@ -3,6 +3,7 @@
 // The second stage's number: an unevaluated sum of two binary64 numbers that carries a proven bound of its own error.
 
 #include <cmath>
+#include <cstdint>
 
 #include "forceshade/fast/ball.h"
 
@@ -91,6 +92,7 @@ struct DoubleDouble {
   }
 
   friend DoubleDouble midpoint(const DoubleDouble& a) noexcept { return {a.hi, a.lo, 0}; }
+  friend DoubleDouble truncated(const DoubleDouble& a, std::int64_t) noexcept { return midpoint(a); }
   friend DoubleDouble widened(const DoubleDouble& a, int k) noexcept { return {a.hi, a.lo, std::ldexp(std::fabs(a.hi), k)}; }
   friend double approximately(const DoubleDouble& a) noexcept { return a.hi; }
 };

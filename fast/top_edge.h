@@ -41,9 +41,11 @@ inline bool is_on_top(float candidate, float radius, float width) noexcept {
 // The largest binary32 c with c <= w′/2 exactly: 4c³ - 3cR² + (w/2)R² >= 0 and 2c <= R, decided in exact arithmetic, for
 // equality does occur (w = 2R; R = 1, w = 1.375).
 inline float largest_on_top(float radius, float width, const DoubleDouble& half_top) noexcept {
+  // half_top is good to far more than a binary32, so one step either way is enough; the bound keeps a wrong one from hanging.
   float c = static_cast<float>(half_top.hi);
-  while (!is_on_top(c, radius, width)) c = std::nextafter(c, 0.0F);
-  for (float next = std::nextafter(c, HUGE_VALF); is_on_top(next, radius, width); next = std::nextafter(c, HUGE_VALF)) c = next;
+  for (int step = 0; step < 2 && !is_on_top(c, radius, width); ++step) c = std::nextafter(c, 0.0F);
+  for (int step = 0; step < 2; ++step)
+    if (const float next = std::nextafter(c, HUGE_VALF); is_on_top(next, radius, width)) c = next;
   return c;
 }
 

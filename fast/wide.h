@@ -62,10 +62,10 @@ class Wide {
         larger(larger(a.exponent_ + b.error_, b.exponent_ + a.error_), a.error_ + b.error_);
     if (a.is_zero() || b.is_zero()) return result.with_error(a.is_exact_zero() || b.is_exact_zero() ? kExact : propagated + 2);
     std::array<std::uint64_t, 2 * kLimbs> product{};
-    for (std::size_t i = 0; i < kLimbs; ++i) {
-      if (a.limbs_[i] == 0) continue;
+    const std::size_t first_of_b = b.lowest_limb();
+    for (std::size_t i = a.lowest_limb(); i < kLimbs; ++i) {
       std::uint64_t carry = 0;
-      for (std::size_t j = 0; j < kLimbs; ++j) {
+      for (std::size_t j = first_of_b; j < kLimbs; ++j) {
         const Product t = Product{a.limbs_[i]} * b.limbs_[j] + product[i + j] + carry;
         product[i + j] = static_cast<std::uint64_t>(t);
         carry = static_cast<std::uint64_t>(t >> 64);
@@ -87,8 +87,8 @@ class Wide {
     const Wide divisor = midpoint(b);
     const Wide one = exactly(1);
     Wide inverse = exactly(1 / b.fraction()).scaled(-b.exponent_);
-    for (std::size_t bits = 50; bits < kBits; bits *= 2)
-      inverse = midpoint(inverse + inverse * (one - divisor * inverse));
+    for (std::int64_t bits = 50; bits < kBits; bits *= 2)
+      inverse = truncated(inverse + inverse * (one - divisor * inverse), 2 * bits);
     const Wide dividend = midpoint(a);
     Wide quotient = midpoint(dividend * inverse);
     quotient = midpoint(quotient + (dividend - quotient * divisor) * inverse);
@@ -105,8 +105,8 @@ class Wide {
     const double reduced = std::ldexp(a.fraction(), static_cast<int>(a.exponent_ - 2 * half));
     Wide inverse = exactly(1 / std::sqrt(reduced)).scaled(-half);
     const Wide one = exactly(1);
-    for (std::size_t bits = 49; bits < kBits; bits *= 2)
-      inverse = midpoint(inverse + (inverse * (one - square * inverse * inverse)).scaled(-1));
+    for (std::int64_t bits = 49; bits < kBits; bits *= 2)
+      inverse = truncated(inverse + (inverse * (one - square * (inverse * inverse))).scaled(-1), 2 * bits);
     Wide root = midpoint(square * inverse);
     root = midpoint(root + ((square - root * root) * inverse).scaled(-1));
     const std::int64_t remainder = (square - root * root).magnitude() - root.exponent_ + 1;
@@ -122,6 +122,14 @@ class Wide {
   friend Wide midpoint(const Wide& a) noexcept {
     Wide result = a;
     result.error_ = kExact;
+    return result;
+  }
+  // midpoint(), cut down to the limbs that hold `bits` bits: what Newton's method has gained so far, so that its early
+  // steps multiply short numbers.
+  friend Wide truncated(const Wide& a, std::int64_t bits) noexcept {
+    Wide result = midpoint(a);
+    const std::int64_t dropped = static_cast<std::int64_t>(kLimbs) - (bits / 64 + 2);
+    for (std::int64_t i = 0; i < dropped; ++i) result.limbs_[static_cast<std::size_t>(i)] = 0;
     return result;
   }
   friend Wide widened(const Wide& a, int k) noexcept { return a.with_error(a.exponent_ + k); }
@@ -142,6 +150,11 @@ class Wide {
 
   static std::int64_t larger(std::int64_t a, std::int64_t b) noexcept { return a > b ? a : b; }
 
+  std::size_t lowest_limb() const noexcept {
+    std::size_t i = 0;
+    while (i + 1 < kLimbs && limbs_[i] == 0) ++i;
+    return i;
+  }
   bool is_zero() const noexcept { return limbs_[kLimbs - 1] == 0; }
   bool is_exact_zero() const noexcept { return is_zero() && error_ < kExact / 2; }
   // |value| >= 2^(exponent - 1), so an error below 2^(exponent - 2) keeps it away from zero by half of that at least.

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <mutex>
 #include <thread>
+#include <tuple>
 
 #include "forceshade/fast/law.h"
 #include "forceshade/properties/binary32.h"
@@ -34,6 +35,12 @@ struct Tally {
     if (counterexamples.size() < kCounterexamples) counterexamples.push_back(std::move(words));
   }
 
+  // Of two equally close ones the smaller position stands, so that the order of threads does not matter.
+  void call(const ClosestCall& other) {
+    const auto key = [](const ClosestCall& c) { return std::tuple(c.ulps_from_tie, c.x, c.y, c.z); };
+    if (key(other) < key(closest_call)) closest_call = other;
+  }
+
   void add(const Tally& other) {
     const auto sum = [](auto& into, const auto& from) {
       std::transform(into.begin(), into.end(), from.begin(), into.begin(), std::plus<>());
@@ -44,7 +51,7 @@ struct Tally {
     sum(statuses, other.statuses);
     points += other.points;
     mismatches += other.mismatches;
-    if (other.closest_call.ulps_from_tie < closest_call.ulps_from_tie) closest_call = other.closest_call;
+    call(other.closest_call);
     for (const std::string& words : other.counterexamples)
       if (counterexamples.size() < kCounterexamples) counterexamples.push_back(words);
   }
@@ -63,8 +70,8 @@ void check_chunk(const fast::Law& law, const reference::Law& reference, std::uin
     ++tally.stages[static_cast<std::size_t>(answer.stage)];
     ++tally.methods[static_cast<std::size_t>(exact.method)];
     ++tally.statuses[static_cast<std::size_t>(exact.status)];
-    if (exact.ulps_from_tie > 0 && static_cast<double>(exact.ulps_from_tie) < tally.closest_call.ulps_from_tie)
-      tally.closest_call = {position.x(), position.y(), position.z(), static_cast<double>(exact.ulps_from_tie)};
+    if (exact.ulps_from_tie > 0)
+      tally.call({position.x(), position.y(), position.z(), static_cast<double>(exact.ulps_from_tie)});
     if (auto words = difference(position, {answer.force, answer.status}, exact)) tally.mismatch(std::move(*words));
     // The batch call knows no y: a position refused for its y alone is sent as one refused for its x.
     x[i] = exact.status == Status::invalid ? std::numeric_limits<float>::quiet_NaN() : position.x();

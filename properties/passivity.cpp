@@ -77,7 +77,7 @@ WitnessLoop shaded_witness(const Shape& shape, double depth) {
   }
 
   // A⁺: outward along the lower edge of the positive region, down the line's inner side to the full depth, up just outside
-  // it, back along the surface.
+  // it, back above the surface.
   // A⁻: outward along the same edge, back along the full depth.
   const auto beyond = static_cast<double>(neighbour(static_cast<float>(shape.w / 2), 1));
   const bool is_positive = positive >= negative;
@@ -87,11 +87,11 @@ WitnessLoop shaded_witness(const Shape& shape, double depth) {
   if (is_positive) {
     loop.vertices.push_back({half, -depth});
     loop.vertices.push_back({beyond, -depth});
-    loop.vertices.push_back({beyond, 0});
+    loop.vertices.push_back({beyond, depth / 16});
   }
   for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece)
     for (auto x = piece->rbegin(); x != piece->rend(); ++x)
-      loop.vertices.push_back({*x, surface(*x) - (is_positive ? 0 : depth)});
+      loop.vertices.push_back({*x, surface(*x) + (is_positive ? depth / 16 : -depth)});
   return loop;
 }
 

@@ -34,6 +34,11 @@ int PositionSource::small_step() { return static_cast<int>(bits() % 7) - 3; }
 
 float PositionSource::any_float() { return std::bit_cast<float>(static_cast<std::uint32_t>(bits())); }
 
+float PositionSource::any_binade() {
+  const auto size = static_cast<float>(std::ldexp(uniform(1, 2), static_cast<int>(bits() % 34) - 30));
+  return (bits() & 1) != 0 ? size : -size;
+}
+
 float PositionSource::in_volume_x() {
   const double reach = shape_.R > 0 ? 0.6 * static_cast<double>(shape_.w) : 20;
   return static_cast<float>(uniform(-reach, reach));
@@ -85,13 +90,12 @@ Aimed PositionSource::next() {
   }
   if (choice < 48) {
     const float x = near_line();
-    return {{x, y, below_surface(x)}, Aim::facet_line};
+    return {{x, y, choice % 3 == 0 ? any_binade() : below_surface(x)}, Aim::facet_line};
   }
   if (choice < 51) {
     const float tiny = neighbour(0x1p-30F, small_step()) * ((bits() & 1) != 0 ? 1.0F : -1.0F);
-    const float x = in_volume_x();
     if (choice == 48) return {{tiny, y, below_surface(0)}, Aim::quantum};
-    if (choice == 49) return {{x, y, tiny}, Aim::quantum};
+    if (choice == 49) return {{near_line(), y, tiny}, Aim::quantum};
     return {{neighbour(0, small_step()), y, neighbour(0, small_step())}, Aim::quantum};
   }
   if (choice < 53) {

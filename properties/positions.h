@@ -33,6 +33,7 @@ class PositionSource {
   double uniform(double low, double high);
   int small_step();
   float any_float();
+  float any_binade();  // 2^-30 to 16 mm, every binade as likely
   float in_volume_x();
   float near_surface(float x);
   float near_line();

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The forceshade command as its users call it: outputs, exit codes, messages, and what is left behind when things go wrong.
 set -u
-forceshade=$1
+forceshade=$(realpath "$1")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
@@ -26,14 +26,14 @@ expect 0 "forceshade " -- "$forceshade" --version
 for command in laws geometry force properties certify drive; do expect 0 "$command" -- "$forceshade" $command --help; done
 expect 2 "subcommand is required" -- "$forceshade"
 expect 2 "--wrong" -- "$forceshade" laws --wrong
-expect 2 "nonsense" -- "$forceshade" nonsense
+expect 2 "expected one of: laws geometry force properties certify drive" -- "$forceshade" nonsense
 expect 2 'got "bump-9p"' -- "$forceshade" properties --law bump-9p
 
 # laws
 expect 0 "bump-3p-shaded" -- "$forceshade" laws
 
 # geometry: the rational bump, units, digits, errors.
-same '{"d_mm":"1.0000000000","h_mm":"0.25000000000","w_prime_mm":"0.53214818646","h_prime_mm":"0.22135358390","theta_rad":"0.42900073919"}' \
+same '{"d_mm":"1.0000000000","h_mm":"0.25000000000","w_prime_mm":"0.53214818646","h_prime_mm":"0.22135358390","theta_rad":"0.42900073920"}' \
   "$("$forceshade" geometry --radius 1.25 --width 1.5 --digits 11)"
 same "$("$forceshade" geometry --radius 15.24 --width 25.4)" "$("$forceshade" geometry --radius 600mil --width 1in)"
 expect 2 "width is 31 mm; expected 0.001 to 30.48 mm" -- "$forceshade" geometry --radius 15.24 --width 31

@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# bump-1p: the first stage is the wall's and has no error.
+# How the scripts are written and run, and the hypotheses they share: docs/proofs.md.
+
+@rnd = float<ieee_64, ne>;
+K = float<ieee_32, ne>(K_);
+z = float<ieee_32, ne>(z_);
+fz rnd= K * -z;
+FZ = K * -z;
+#! piece force
+{ K in [1b-10, 1000] /\ z in [-10000, -1b-30] -> fz - FZ in ? }
