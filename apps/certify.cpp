@@ -50,7 +50,8 @@ int run(const Options& options, const LawOptions& law_options) {
   std::error_code error;
   std::filesystem::create_directories(options.out, error);
   if (error || access(options.out.c_str(), W_OK) != 0)
-    throw BadInput("--out " + options.out + ": expected a directory that can be written to" + (error ? ": " + error.message() : ""));
+    throw BadInput("--out " + options.out + ": expected a directory that can be written to" +
+                   (error ? ": " + error.message() : ""));
 
   const bool terminal = isatty(STDERR_FILENO) != 0;
   const auto certificate = properties::certify(
@@ -84,12 +85,21 @@ void add_certify(CLI::App& app, int& result) {
   CLI::App* command = app.add_subcommand("certify", "Check the fast path against the reference and write a certificate");
   const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all, LawOptions::Defaults::thesis);
   command->add_option("--points", options->points, "points per law, half of them aimed")
-      ->type_name("N")->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000000}))->capture_default_str();
+      ->type_name("N")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000000}))
+      ->capture_default_str();
   command->add_option("--cases", options->cases, "cases per property (passivity: a tenth)")
-      ->type_name("N")->check(CLI::Range(1, 1000000000))->capture_default_str();
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000000000))
+      ->capture_default_str();
   command->add_option("--seed", options->seed, "seed of points and cases")->type_name("S")->capture_default_str();
-  command->add_option("--threads", options->threads, "threads")->type_name("T")->check(CLI::Range(1, 1024))->capture_default_str();
-  command->add_option("--out", options->out, "directory for certificate.json and certificate.html")->type_name("DIR")->required();
+  command->add_option("--threads", options->threads, "threads")
+      ->type_name("T")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_option("--out", options->out, "directory for certificate.json and certificate.html")
+      ->type_name("DIR")
+      ->required();
   command->callback([options, law, &result] { result = run(*options, *law); });
 }
 

@@ -28,11 +28,10 @@ LawOptions::LawOptions(CLI::App& command, Laws laws, Defaults defaults) {
   const bool all = laws == Laws::one_or_all;
   const std::string expected = (all ? "all, or one of " : "one of ") + law_list();
   if (all) law_ = "all";
-  CLI::Option* law = command.add_option("--law", law_, expected)
-                         ->type_name("ID")
-                         ->check([all, expected](const std::string& name) {
-                           return (all && name == "all") || law_named(name) ? "" : "expected " + expected + "; got \"" + name + "\"";
-                         });
+  CLI::Option* law =
+      command.add_option("--law", law_, expected)->type_name("ID")->check([all, expected](const std::string& name) {
+        return (all && name == "all") || law_named(name) ? "" : "expected " + expected + "; got \"" + name + "\"";
+      });
   if (!all) law->required();
   if (defaults == Defaults::thesis) {
     radius_ = "15.24mm";
@@ -73,10 +72,12 @@ Parameters LawOptions::parameters() const {
   return p;
 }
 
-const std::atomic<bool>& interrupted() { return interrupt_flag; }
+const std::atomic<bool>& interrupted() {
+  return interrupt_flag;
+}
 
 void watch_for_interrupt() {
-  struct sigaction action{};
+  struct sigaction action {};
   action.sa_handler = [](int) { interrupt_flag.store(true); };
   action.sa_flags = static_cast<int>(SA_RESETHAND);
   sigaction(SIGINT, &action, nullptr);

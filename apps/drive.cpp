@@ -63,28 +63,30 @@ void print(const device::ServoResult& run) {
               run.memory_locked ? "locked" : "not locked");
 }
 
-nlohmann::ordered_json summary(const device::ServoResult& run, LawId law, const Parameters& p, const std::optional<std::string>& digest) {
+nlohmann::ordered_json summary(const device::ServoResult& run, LawId law, const Parameters& p,
+                               const std::optional<std::string>& digest) {
   nlohmann::ordered_json parameters{{"stiffness_N_per_mm", static_cast<double>(p.stiffness)}};
   if (has_bump_geometry(law)) {
     parameters["radius_mm"] = static_cast<double>(p.radius);
     parameters["width_mm"] = static_cast<double>(p.width);
   }
-  return {{"law", name_of(law)},
-          {"parameters", parameters},
-          {"certificate_digest", digest ? nlohmann::ordered_json(*digest) : nlohmann::ordered_json(nullptr)},
-          {"library_digest", properties::current_build().library_digest},
-          {"end_reason", name_of(run.end_reason)},
-          {"ticks", run.ticks},
-          {"missed_deadlines", run.missed_deadlines},
-          {"invalid_positions", run.invalid_positions},
-          {"rate_hz", run.achieved_rate_hz},
-          {"compute_us",
-           {{"p50", run.compute_us.p50}, {"p99", run.compute_us.p99}, {"p999", run.compute_us.p999}, {"max", run.compute_us.max}}},
-          {"peak_force_N", run.peak_force_N},
-          {"energy_given_mJ", run.energy_given_mJ},
-          {"energy_taken_mJ", run.energy_taken_mJ},
-          {"realtime_scheduling", run.realtime_scheduling},
-          {"memory_locked", run.memory_locked}};
+  return {
+      {"law", name_of(law)},
+      {"parameters", parameters},
+      {"certificate_digest", digest ? nlohmann::ordered_json(*digest) : nlohmann::ordered_json(nullptr)},
+      {"library_digest", properties::current_build().library_digest},
+      {"end_reason", name_of(run.end_reason)},
+      {"ticks", run.ticks},
+      {"missed_deadlines", run.missed_deadlines},
+      {"invalid_positions", run.invalid_positions},
+      {"rate_hz", run.achieved_rate_hz},
+      {"compute_us",
+       {{"p50", run.compute_us.p50}, {"p99", run.compute_us.p99}, {"p999", run.compute_us.p999}, {"max", run.compute_us.max}}},
+      {"peak_force_N", run.peak_force_N},
+      {"energy_given_mJ", run.energy_given_mJ},
+      {"energy_taken_mJ", run.energy_taken_mJ},
+      {"realtime_scheduling", run.realtime_scheduling},
+      {"memory_locked", run.memory_locked}};
 }
 
 int run(const Options& options, const LawOptions& law_options) {
@@ -119,10 +121,15 @@ void add_drive(CLI::App& app, int& result) {
   const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one, LawOptions::Defaults::thesis);
   command->add_option("--certificate", options->certificate, "certificate.json of this build")->type_name("FILE");
   command->add_option("--device", options->device, "replay:FILE.csv, a recording with columns t_s, x_mm, y_mm, z_mm")
-      ->type_name("DEVICE")->required();
+      ->type_name("DEVICE")
+      ->required();
   command->add_option("--rate", options->rate, "ticks per second")
-      ->type_name("HZ")->check(CLI::Range(device::kLowestRateHz, device::kHighestRateHz))->capture_default_str();
-  command->add_option("--seconds", options->seconds, "stop after so many seconds' worth of ticks")->type_name("N")->check(CLI::PositiveNumber);
+      ->type_name("HZ")
+      ->check(CLI::Range(device::kLowestRateHz, device::kHighestRateHz))
+      ->capture_default_str();
+  command->add_option("--seconds", options->seconds, "stop after so many seconds' worth of ticks")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
   command->add_flag("--unpaced", options->unpaced, "as fast as it goes: for checks, not for hands");
   command->add_flag("--uncertified", options->uncertified, "drive even where the certificate does not allow it");
   command->add_option("--record", options->record, "CSV of every tick, - for standard output")->type_name("FILE");

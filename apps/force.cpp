@@ -69,9 +69,12 @@ void add_force(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("force", "Read positions as CSV (x_mm, y_mm, z_mm), write forces as CSV");
   const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one, LawOptions::Defaults::none);
   command->add_option("--path", options->path, "fast: binary32, shortest form; reference: exact, to N digits")
-      ->check(CLI::IsMember({"fast", "reference"}))->capture_default_str();
+      ->check(CLI::IsMember({"fast", "reference"}))
+      ->capture_default_str();
   command->add_option("--digits", options->digits, "significant decimal digits of the reference")
-      ->type_name("N")->check(CLI::Range(1, 10000))->capture_default_str();
+      ->type_name("N")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
   command->add_option("--input", options->input, "CSV file, - for standard input")->type_name("FILE")->capture_default_str();
   command->add_option("--output", options->output, "CSV file, - for standard output")->type_name("FILE")->capture_default_str();
   command->callback([options, law] { run(*options, *law); });

@@ -18,16 +18,23 @@ void add_geometry(CLI::App& app, int&) {
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("geometry", "Print the geometry of a bump as JSON, correctly rounded");
-  command->add_option("--radius", options->radius, "R: mm, or with a unit (mm, mil, in, cm, m)")->type_name("VALUE")->required();
+  command->add_option("--radius", options->radius, "R: mm, or with a unit (mm, mil, in, cm, m)")
+      ->type_name("VALUE")
+      ->required();
   command->add_option("--width", options->width, "w: mm, or with a unit")->type_name("VALUE")->required();
   command->add_option("--digits", options->digits, "significant decimal digits")
-      ->type_name("N")->check(CLI::Range(1, 10000))->capture_default_str();
+      ->type_name("N")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
   command->callback([options] {
     const Parameters p{parse_length("--radius", options->radius), parse_length("--width", options->width), 1};
     const auto law = reference::Law::build(LawId::bump_cylinder, p);
     if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput("--" + error->message());
     const reference::DecimalGeometry g = reference::geometry(p, options->digits);
-    std::cout << nlohmann::ordered_json{{"d_mm", g.d}, {"h_mm", g.h}, {"w_prime_mm", g.w_prime}, {"h_prime_mm", g.h_prime},
+    std::cout << nlohmann::ordered_json{{"d_mm", g.d},
+                                        {"h_mm", g.h},
+                                        {"w_prime_mm", g.w_prime},
+                                        {"h_prime_mm", g.h_prime},
                                         {"theta_rad", g.theta}}
                      .dump()
               << '\n';

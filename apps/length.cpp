@@ -18,7 +18,7 @@ struct Unit {
   long double numerator, denominator;
 };
 
-constexpr std::array kLengths{Unit{"", 1, 1},      Unit{"mm", 1, 1},    Unit{"mil", 254, 10000},
+constexpr std::array kLengths{Unit{"", 1, 1},      Unit{"mm", 1, 1},  Unit{"mil", 254, 10000},
                               Unit{"in", 254, 10}, Unit{"cm", 10, 1}, Unit{"m", 1000, 1}};
 constexpr std::array kStiffnesses{Unit{"", 1, 1}, Unit{"N/mm", 1, 1}, Unit{"N/m", 1, 1000}};
 

@@ -16,8 +16,9 @@ int main(int argc, char** argv) {
     return "forceshade " + build.version + " (" + build.revision + ", " + build.compiler + ", " + build.instruction_set + ")";
   });
   app.require_subcommand(1);
-  app.footer("Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault.\n"
-             "'forceshade COMMAND --help' explains a command.");
+  app.footer(
+      "Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault.\n"
+      "'forceshade COMMAND --help' explains a command.");
   int result = apps::kHeld;
   apps::add_laws(app, result);
   apps::add_geometry(app, result);

@@ -18,7 +18,9 @@ void add_properties(CLI::App& app, int& result) {
   CLI::App* command = app.add_subcommand("properties", "Check the four properties of the fast path on generated cases");
   const auto law_options = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all, LawOptions::Defaults::thesis);
   command->add_option("--cases", options->cases, "cases per law and property (passivity: a tenth)")
-      ->type_name("N")->check(CLI::Range(1, 1000000000))->capture_default_str();
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000000000))
+      ->capture_default_str();
   command->add_option("--seed", options->seed, "seed of the cases")->type_name("S")->capture_default_str();
   command->callback([options, law_options, &result] {
     const Parameters parameters = law_options->parameters();
@@ -26,8 +28,8 @@ void add_properties(CLI::App& app, int& result) {
     for (const LawId id : law_options->laws()) {
       const auto subject = std::get<properties::Subject>(properties::fast_subject(id, parameters));
       for (const properties::PropertyResult& property : properties::run_properties(subject, options->cases, options->seed)) {
-        std::printf("%-15s %-13s %s  %llu cases\n", name_of(id).data(), property.name.c_str(), property.held ? "held  " : "FAILED",
-                    static_cast<unsigned long long>(property.cases));
+        std::printf("%-15s %-13s %s  %llu cases\n", name_of(id).data(), property.name.c_str(),
+                    property.held ? "held  " : "FAILED", static_cast<unsigned long long>(property.cases));
         if (!property.held) {
           std::printf("  counterexample: %s\n", property.counterexample.c_str());
           result = kFailed;

@@ -32,7 +32,7 @@ using fast::InstructionSet;
 // The thesis's bump.
 constexpr Parameters kParameters{15.24F, 25.4F, 0.5F};
 
-constexpr std::size_t kInCache = 1024;  // positions: 16 KiB in four arrays
+constexpr std::size_t kInCache = 1024;     // positions: 16 KiB in four arrays
 constexpr std::size_t kCacheMultiple = 8;  // out of cache: as many bytes as this many last-level caches, or more
 constexpr std::size_t kFewestOutOfCache = std::size_t{1} << 24;  // positions: 256 MiB in four arrays
 
@@ -132,15 +132,16 @@ struct Measured {
   const NaiveTable& naive;
 };
 
-const std::array kMeasured{
-    Measured{InstructionSet::scalar, kNaive},
+const std::array kMeasured {
+  Measured{InstructionSet::scalar, kNaive},
 #if defined(__x86_64__)
-    Measured{InstructionSet::avx2, kNaiveAvx2},
-    Measured{InstructionSet::avx512, kNaiveAvx512},
+      Measured{InstructionSet::avx2, kNaiveAvx2}, Measured{InstructionSet::avx512, kNaiveAvx512},
 #endif
 };
 
-fast::Law build(LawId id) { return std::get<fast::Law>(fast::Law::build(id, kParameters)); }
+fast::Law build(LawId id) {
+  return std::get<fast::Law>(fast::Law::build(id, kParameters));
+}
 
 std::string joined(std::initializer_list<std::string_view> words) {
   std::string name;
@@ -179,17 +180,14 @@ void add_all(std::span<Size> sizes) {
       if (!fast::is_available(measured.set)) continue;
       const NaiveLoop naive = measured.naive[static_cast<std::size_t>(name.id)];
       for (Size& size : sizes) {
-        add(joined({name.name, name_of(measured.set), "fast", size.name}), name.id, size, [law, set = measured.set](Arrays& a) {
-          benchmark::DoNotOptimize(law.force(a.x, a.z, a.fx, a.fz, set).invalid);
-        });
-        add(joined({name.name, name_of(measured.set), "naive", size.name}), name.id, size, [bump, naive](Arrays& a) {
-          naive(bump, a.x.size(), a.x.data(), a.z.data(), a.fx.data(), a.fz.data());
-        });
+        add(joined({name.name, name_of(measured.set), "fast", size.name}), name.id, size,
+            [law, set = measured.set](Arrays& a) { benchmark::DoNotOptimize(law.force(a.x, a.z, a.fx, a.fz, set).invalid); });
+        add(joined({name.name, name_of(measured.set), "naive", size.name}), name.id, size,
+            [bump, naive](Arrays& a) { naive(bump, a.x.size(), a.x.data(), a.z.data(), a.fx.data(), a.fz.data()); });
       }
     }
     add(joined({name.name, "scalar_call"}), name.id, sizes.front(), [law](Arrays& a) {
-      for (std::size_t i = 0; i < a.x.size(); ++i)
-        benchmark::DoNotOptimize(law.force(Eigen::Vector3f(a.x[i], 0, a.z[i])));
+      for (std::size_t i = 0; i < a.x.size(); ++i) benchmark::DoNotOptimize(law.force(Eigen::Vector3f(a.x[i], 0, a.z[i])));
     });
     benchmark::RegisterBenchmark(joined({name.name, "build"}).c_str(), [id = name.id](benchmark::State& state) {
       Parameters parameters = kParameters;
@@ -273,8 +271,8 @@ void print_table(const Collector& times) {
               static_cast<double>(kParameters.radius), static_cast<double>(kParameters.width),
               static_cast<double>(kParameters.stiffness), figure(times.least("copy/in_cache"), 3).c_str(),
               figure(times.least("copy/out_of_cache"), 3).c_str());
-  std::printf("%-15s %-7s %9s %8s %13s %8s %9s %9s\n", "law", "set", "in cache", "x naive", "out of cache", "x copy", "scalar ns",
-              "build ns");
+  std::printf("%-15s %-7s %9s %8s %13s %8s %9s %9s\n", "law", "set", "in cache", "x naive", "out of cache", "x copy",
+              "scalar ns", "build ns");
   for (const LawName& law : kLaws) {
     const double call = times.least(joined({law.name, "scalar_call"}));
     const double build = times.least(joined({law.name, "build"}));

@@ -18,9 +18,17 @@ NaiveBump naive_bump(const Parameters& p) {
   const double w_top = 2 * (half * std::cos(theta) - d * std::sin(theta));
   const double h_top = half * std::sin(theta) + d * std::cos(theta) - d;
   const auto f = [](double value) { return static_cast<float>(value); };
-  return {p.radius,           p.width,                p.stiffness,        f(d),
-          f(R - d),           f(w_top),               f(h_top),           f(std::sin(alpha / 2)),
-          f(std::cos(alpha / 2)), f(std::sin(theta)), f(std::cos(theta))};
+  return {p.radius,
+          p.width,
+          p.stiffness,
+          f(d),
+          f(R - d),
+          f(w_top),
+          f(h_top),
+          f(std::sin(alpha / 2)),
+          f(std::cos(alpha / 2)),
+          f(std::sin(theta)),
+          f(std::cos(theta))};
 }
 
 }  // namespace forceshade::bench

@@ -2,7 +2,8 @@
 #pragma once
 // What the batch call is measured against: the thesis's formulas (as docs/laws.md corrects them) written down in binary32,
 // in a plain loop that the compiler turns into vector code. No domain check, no rounding promise: what a haptics programmer
-// would have without this library. Included by each bench/naive_<set>.cpp, compiled for the instructions of fast/batch_<set>.cpp.
+// would have without this library. Included by each bench/naive_<set>.cpp, compiled for the instructions of
+// fast/batch_<set>.cpp.
 
 #include <array>
 #include <cstddef>
@@ -14,9 +15,9 @@ namespace forceshade::bench {
 // Lengths in mm, K in N/mm, angles as their sine and cosine.
 struct NaiveBump {
   float R, w, K;
-  float d, h;                    // the axis' depth below the plane, the height of a two-polygon bump
-  float w_top, h_top;            // w′, h′: the flat top of a three-polygon bump
-  float sine_2p, cosine_2p;      // normal of a side face, right of x = 0
+  float d, h;                // the axis' depth below the plane, the height of a two-polygon bump
+  float w_top, h_top;        // w′, h′: the flat top of a three-polygon bump
+  float sine_2p, cosine_2p;  // normal of a side face, right of x = 0
   float sine_3p, cosine_3p;
 };
 

@@ -4,7 +4,8 @@
 //
 // A Ball type N (DoubleDouble, Wide<>) offers N::exactly(double), + - * /, square_root(N), sign(N), midpoint(N) (the same
 // value with the error dropped), truncated(N, bits) (as
-// midpoint, but good to `bits` bits is enough), widened(N, k) (the error set to 2^k times the value) and approximately(N) -> double.
+// midpoint, but good to `bits` bits is enough), widened(N, k) (the error set to 2^k times the value) and approximately(N) ->
+// double.
 
 #include <cmath>
 #include <optional>

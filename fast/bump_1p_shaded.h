@@ -21,7 +21,8 @@ struct Bump1pShaded {
   Shading shading;
   double half_width;  // mm
 
-  Bump1pShaded(const Parameters& p, const Wall::NoGeometry&) noexcept : shading(p), half_width(0.5 * static_cast<double>(p.width)) {}
+  Bump1pShaded(const Parameters& p, const Wall::NoGeometry&) noexcept
+      : shading(p), half_width(0.5 * static_cast<double>(p.width)) {}
 
   template <class Real>
   FORCESHADE_INLINE FirstStage<Real> first_stage(Real x, Real z) const {

@@ -22,7 +22,7 @@ struct Bump3pShaded {
   ThreePolygonGap gap;
   Shading shading;
   double half_width;  // mm
-  float half_top;    // mm: the largest binary32 <= w′/2
+  float half_top;     // mm: the largest binary32 <= w′/2
 
   Bump3pShaded(const Parameters& p, const ThreePolygons<DoubleDouble>& g) noexcept
       : gap(three_polygon_gap(g, p.width)),

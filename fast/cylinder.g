@@ -12,7 +12,7 @@ d_tail = rnd(d_tail_);
 half_width_squared = rnd(half_width_squared_);  # (w/2)², exact: 48 bits
 D = d_head + d_tail + dD;                       # the exact d
 
-# v, with the rounding errors that exact_sum returns. xx, zz and zd are exact: 48, 48 and 53 bits.
+# v, with the rounding errors that exact_sum returns; xx, zz and zd are exact: 48, 48 and 53 bits.
 xx = x * x;
 zz = z * z;
 zd = (z + z) * d_head;
@@ -27,7 +27,7 @@ v rnd= c + t;
 T = ((a_error - b_error) + c_error) - (z + z) * d_tail;
 W = c + t;
 V = half_width_squared - xx - zz - (z + z) * D;
-m = m_;  # the sum (w/2)² + |2zd| that v is compared with
+m = rnd(m_);  # the sum (w/2)² + |2zd|, as computed, that v is compared with
 
 l1 rnd= z + d_head;
 l rnd= l1 + d_tail;
@@ -140,12 +140,21 @@ P - L -> (l1 - (z + d_head)) - dD;
 (z + d_head) / L -> 1 - (d_tail + dD) / L;
 z + d_head -> L - (d_tail + dD);
 
-# The force, inside (ρ < R). In the units of docs/laws.md; |x| > 0 and l > 0, the other signs being mirror images.
-#! piece force
-{ |near_v -/ TRUE_V| <= 0x1.9p-53 # from cylinder v_near_inside
+# The force, inside (rho < R), in the units of docs/laws.md; x > 0 and l > 0, the other signs being mirror images. x = 0, for
+# which F_x is exactly 0, is in force_z.
+#! piece force_x
+{ |near_v -/ TRUE_V| <= 0x1.9p-53 # from cylinder v_
 /\ |near_l -/ TRUE_L| <= 0x1.01p-52 # from cylinder l_
 /\ K in [1b-10, 1000] /\ R in [0x1.9p-4, 10000] /\ TRUE_V in [1b-49, 1b27] /\ TRUE_L in [1b-43, 10001] /\ x in [1b-30, 10000]
 /\ XX / LL in [0, 1b140] /\ R / RHO in [1, 1b60] /\ RHO in [1b-43, 10001]
--> (fx - FX) / FX in ? /\ (fz - FZ) / FZ in ? }
+-> (fx - FX) / FX in ? }
+(xx + ll - (XX + LL)) / (XX + LL) -> ((ll - LL) / LL) * (1 / (1 + XX / LL));
+(R + rho - (R + RHO)) / (R + RHO) -> ((rho - RHO) / RHO) * (1 / (1 + R / RHO));
+#! piece force_z
+{ |near_v -/ TRUE_V| <= 0x1.9p-53 # from cylinder v_
+/\ |near_l -/ TRUE_L| <= 0x1.01p-52 # from cylinder l_
+/\ K in [1b-10, 1000] /\ R in [0x1.9p-4, 10000] /\ TRUE_V in [1b-49, 1b27] /\ TRUE_L in [1b-43, 10001] /\ x in [0, 10000]
+/\ XX / LL in [0, 1b140] /\ R / RHO in [1, 1b60] /\ RHO in [1b-43, 10001]
+-> (fz - FZ) / FZ in ? }
 (xx + ll - (XX + LL)) / (XX + LL) -> ((ll - LL) / LL) * (1 / (1 + XX / LL));
 (R + rho - (R + RHO)) / (R + RHO) -> ((rho - RHO) / RHO) * (1 / (1 + R / RHO));

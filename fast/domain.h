@@ -6,8 +6,8 @@
 
 namespace forceshade::fast {
 
-inline constexpr float kLargestCoordinate = 1e4F;      // mm
-inline constexpr float kPositionQuantum = 0x1p-30F;    // mm: a smaller coordinate is read as 0
+inline constexpr float kLargestCoordinate = 1e4F;    // mm
+inline constexpr float kPositionQuantum = 0x1p-30F;  // mm: a smaller coordinate is read as 0
 
 // False for NaN.
 FORCESHADE_INLINE bool in_domain(float coordinate) {

@@ -35,9 +35,15 @@ struct FirstStage {
   MaskOf<Real> doubt;
 };
 
-FORCESHADE_INLINE double absolute(double a) { return __builtin_fabs(a); }
-FORCESHADE_INLINE double square_root(double a) { return __builtin_sqrt(a); }
-FORCESHADE_INLINE double select(bool condition, double yes, double no) { return condition ? yes : no; }
+FORCESHADE_INLINE double absolute(double a) {
+  return __builtin_fabs(a);
+}
+FORCESHADE_INLINE double square_root(double a) {
+  return __builtin_sqrt(a);
+}
+FORCESHADE_INLINE double select(bool condition, double yes, double no) {
+  return condition ? yes : no;
+}
 
 template <class Real>
 FORCESHADE_INLINE MaskOf<Real> never() {

@@ -3,12 +3,11 @@
 
 #include <algorithm>
 
-
 namespace forceshade::fast {
 namespace {
 
-constexpr float kSmallestRadius = 0.1F, kLargestRadius = 1e4F;      // mm
-constexpr float kSmallestWidth = 1e-3F;                            // mm
+constexpr float kSmallestRadius = 0.1F, kLargestRadius = 1e4F;         // mm
+constexpr float kSmallestWidth = 1e-3F;                                // mm
 constexpr float kSmallestStiffness = 1e-3F, kLargestStiffness = 1e3F;  // N/mm
 
 std::optional<ParameterError> first_error(LawId id, const Parameters& p) noexcept {
@@ -81,7 +80,8 @@ BatchResult Law::force(std::span<const float> x, std::span<const float> z, std::
         for (std::size_t begin = 0; begin < count; begin += kBlock) {
           const std::size_t size = std::min(kBlock, count - begin);
           if (answer_block != nullptr && size == kBlock &&
-              answer_block(law.definition, &x[begin], &z[begin], &fx[begin], &fz[begin])) continue;
+              answer_block(law.definition, &x[begin], &z[begin], &fx[begin], &fz[begin]))
+            continue;
           for (std::size_t i = begin; i < begin + size; ++i) {
             const Evaluation one = fast::evaluate(law, parameters_, Eigen::Vector3f(x[i], 0, z[i]));
             fx[i] = one.force.x();

@@ -9,7 +9,7 @@ namespace forceshade::fast {
 
 template <class Real>
 struct Gap {
-  Real value;             // mm, relative error at most 2^-51 unless unclear
+  Real value;            // mm, relative error at most 2^-51 unless unclear
   MaskOf<Real> unclear;  // so near the surface that `value` has lost too much, or its sign
 };
 
@@ -54,10 +54,9 @@ struct ThreePolygonGap {
 
   template <class Real>
   FORCESHADE_INLINE Gap<Real> at(Real ax, Real z, MaskOf<Real> on_top) const {
-    return LinearGap::gap(select(on_top, Real(top.height), Real(side.height)),
-                          select(on_top, Real(top.height_tail), Real(side.height_tail)),
-                          select(on_top, Real(0), Real(side.slope.head)), select(on_top, Real(0), Real(side.slope.tail)),
-                          ax, z);
+    return LinearGap::gap(
+        select(on_top, Real(top.height), Real(side.height)), select(on_top, Real(top.height_tail), Real(side.height_tail)),
+        select(on_top, Real(0), Real(side.slope.head)), select(on_top, Real(0), Real(side.slope.tail)), ax, z);
   }
 };
 

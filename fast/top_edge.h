@@ -31,11 +31,11 @@ inline int exact_sign(const std::array<double, kCount>& terms) noexcept {
 inline bool is_on_top(float candidate, float radius, float width) noexcept {
   const double c = static_cast<double>(candidate);
   const double R = static_cast<double>(radius);
-  const TwoTerms cube = two_product(c * c, c);      // c·c, R·R have 48 bits: exact
+  const TwoTerms cube = two_product(c * c, c);  // c·c, R·R have 48 bits: exact
   const TwoTerms scaled = two_product(R * R, c);
   const TwoTerms constant = two_product(R * R, 0.5 * static_cast<double>(width));
-  return 2 * c <= R && exact_sign(std::array{4 * cube.lo, 4 * cube.hi, -2 * scaled.lo, -scaled.lo, -2 * scaled.hi,
-                                             -scaled.hi, constant.lo, constant.hi}) >= 0;
+  return 2 * c <= R && exact_sign(std::array{4 * cube.lo, 4 * cube.hi, -2 * scaled.lo, -scaled.lo, -2 * scaled.hi, -scaled.hi,
+                                             constant.lo, constant.hi}) >= 0;
 }
 
 // The largest binary32 c with c <= w′/2 exactly: 4c³ - 3cR² + (w/2)R² >= 0 and 2c <= R, decided in exact arithmetic, for

@@ -58,8 +58,7 @@ class Wide {
 
   friend Wide operator*(const Wide& a, const Wide& b) noexcept {
     Wide result;
-    const std::int64_t propagated =
-        larger(larger(a.exponent_ + b.error_, b.exponent_ + a.error_), a.error_ + b.error_);
+    const std::int64_t propagated = larger(larger(a.exponent_ + b.error_, b.exponent_ + a.error_), a.error_ + b.error_);
     if (a.is_zero() || b.is_zero()) return result.with_error(a.is_exact_zero() || b.is_exact_zero() ? kExact : propagated + 2);
     std::array<std::uint64_t, 2 * kLimbs> product{};
     const std::size_t first_of_b = b.lowest_limb();
@@ -161,9 +160,7 @@ class Wide {
   bool may_be_zero() const noexcept { return is_zero() || error_ > exponent_ - 2; }
   // The smallest e known with |true value| < 2^e.
   std::int64_t magnitude() const noexcept { return larger(is_zero() ? kExact : exponent_, error_) + 1; }
-  double fraction() const noexcept {
-    return std::ldexp(static_cast<double>(limbs_[kLimbs - 1]), -64);
-  }
+  double fraction() const noexcept { return std::ldexp(static_cast<double>(limbs_[kLimbs - 1]), -64); }
   Wide scaled(std::int64_t k) const noexcept {
     Wide result = *this;
     result.exponent_ += k;

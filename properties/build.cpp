@@ -2,9 +2,9 @@
 #include "forceshade/properties/build.h"
 
 #include "build_options.h"  // made by CMake when it configures
-#include "revision.h"       // made by cmake/revision.cmake at every build
 #include "forceshade/fast/instruction_set.h"
 #include "forceshade/fast/law.h"
+#include "revision.h"  // made by cmake/revision.cmake at every build
 
 namespace forceshade::properties {
 

@@ -19,8 +19,11 @@ constexpr const char* kMethod =
     "Every instruction set of the machine gave the same bits.";
 
 Json domain() {
-  return {{"radius_mm", {0.1, 1e4}}, {"width_mm", {1e-3, "2 radius"}}, {"stiffness_N_per_mm", {1e-3, 1e3}},
-          {"position_mm", {-1e4, 1e4}}, {"position_quantum_mm", "2^-30"}};
+  return {{"radius_mm", {0.1, 1e4}},
+          {"width_mm", {1e-3, "2 radius"}},
+          {"stiffness_N_per_mm", {1e-3, 1e3}},
+          {"position_mm", {-1e4, 1e4}},
+          {"position_quantum_mm", "2^-30"}};
 }
 
 // binary32 numbers are written as the binary64 numbers they are, so they come back the same.
@@ -148,7 +151,8 @@ Certificate from_json(const std::string& text, const std::string& file) {
   }
 }
 
-std::optional<std::string> refusal(const Certificate& certificate, const Build& build, LawId law, const Parameters& parameters) {
+std::optional<std::string> refusal(const Certificate& certificate, const Build& build, LawId law,
+                                   const Parameters& parameters) {
   const std::string name(name_of(law));
   if (certificate.build.library_digest != build.library_digest)
     return "the certificate is for another build of the renderer: expected digest " + build.library_digest + ", got " +
@@ -165,7 +169,8 @@ std::optional<std::string> refusal(const Certificate& certificate, const Build& 
                                     [&](const LawResult& result) { return same_law(result) && same_parameters(result); });
   if (covered == certificate.laws.end())
     return "the certificate covers " + name + " with other parameters: expected " + parameters_json(law, parameters).dump() +
-           ", got " + parameters_json(law, std::find_if(certificate.laws.begin(), certificate.laws.end(), same_law)->parameters).dump();
+           ", got " +
+           parameters_json(law, std::find_if(certificate.laws.begin(), certificate.laws.end(), same_law)->parameters).dump();
   if (!covered->held()) return "the certificate says that " + name + " failed";
   return std::nullopt;
 }

@@ -19,8 +19,8 @@ inline constexpr int kCertificateSchema = 1;
 
 // What was checked is this build and no other.
 struct Build {
-  std::string version;          // of the library
-  std::string revision;         // git commit, "+" if the tree was changed; "unknown" outside git
+  std::string version;   // of the library
+  std::string revision;  // git commit, "+" if the tree was changed; "unknown" outside git
   std::string compiler;
   std::string flags;
   std::string instruction_set;  // that the batch call uses on the machine that certified
@@ -58,10 +58,10 @@ struct LawResult {
   bool conservative = false;
   std::uint64_t points = 0;
   std::uint64_t mismatches = 0;
-  std::map<std::string, std::uint64_t> points_by_aim;      // how positions were chosen
-  std::map<std::string, std::uint64_t> points_by_stage;    // which stage of the fast path decided
-  std::map<std::string, std::uint64_t> points_by_method;   // what the reference needed to be sure
-  std::map<std::string, std::uint64_t> points_by_status;   // free, contact, invalid
+  std::map<std::string, std::uint64_t> points_by_aim;     // how positions were chosen
+  std::map<std::string, std::uint64_t> points_by_stage;   // which stage of the fast path decided
+  std::map<std::string, std::uint64_t> points_by_method;  // what the reference needed to be sure
+  std::map<std::string, std::uint64_t> points_by_status;  // free, contact, invalid
   ClosestCall closest_call;
   std::vector<std::string> counterexamples;  // the first few mismatches
   std::vector<PropertyResult> properties;

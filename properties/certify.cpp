@@ -81,12 +81,13 @@ void check_chunk(const fast::Law& law, const reference::Law& reference, std::uin
   }
   for (const fast::InstructionSet set : fast::kInstructionSets) {
     if (!fast::is_available(set)) continue;
-    law.force(std::span(x).first(count), std::span(z).first(count), std::span(batch_fx).first(count), std::span(batch_fz).first(count), set);
+    law.force(std::span(x).first(count), std::span(z).first(count), std::span(batch_fx).first(count),
+              std::span(batch_fz).first(count), set);
     for (std::uint64_t i = 0; i < count; ++i)
       if (!same_bits(fx[i], batch_fx[i]) || !same_bits(fz[i], batch_fz[i]))
-        tally.mismatch("at x = " + show(x[i]) + ", z = " + show(z[i]) + " mm: the batch call (" + std::string(fast::name_of(set)) +
-                       ") gives (" + show(batch_fx[i]) + ", " + show(batch_fz[i]) + "), the scalar call (" + show(fx[i]) + ", " +
-                       show(fz[i]) + ") N");
+        tally.mismatch("at x = " + show(x[i]) + ", z = " + show(z[i]) + " mm: the batch call (" +
+                       std::string(fast::name_of(set)) + ") gives (" + show(batch_fx[i]) + ", " + show(batch_fz[i]) +
+                       "), the scalar call (" + show(fx[i]) + ", " + show(fz[i]) + ") N");
   }
 }
 
@@ -117,7 +118,8 @@ Tally check_points(const fast::Law& law, const reference::Law& reference, const 
 }
 
 template <std::size_t kCount>
-std::map<std::string, std::uint64_t> named(const std::array<std::uint64_t, kCount>& counts, const std::array<std::string, kCount>& names) {
+std::map<std::string, std::uint64_t> named(const std::array<std::uint64_t, kCount>& counts,
+                                           const std::array<std::string, kCount>& names) {
   std::map<std::string, std::uint64_t> result;
   for (std::size_t i = 0; i < kCount; ++i) result[names[i]] = counts[i];
   return result;
@@ -130,13 +132,15 @@ std::optional<Certificate> certify(const CertifyOptions& options, const Progress
   Certificate certificate{current_build(), options.seed, 0, {}};
   for (std::size_t i = 0; i < options.laws.size(); ++i) {
     const LawId id = options.laws[i];
-    const auto overall = [&](double done) { return (static_cast<double>(i) + done) / static_cast<double>(options.laws.size()); };
+    const auto overall = [&](double done) {
+      return (static_cast<double>(i) + done) / static_cast<double>(options.laws.size());
+    };
     const Subject subject = std::get<Subject>(fast_subject(id, options.parameters));
     const fast::Law law = std::get<fast::Law>(fast::Law::build(id, options.parameters));
 
     // The points are most of the work; the properties and loops that follow are counted as a tenth of it.
-    const Tally tally =
-        check_points(law, subject.law, options, [&](double done) { progress(id, overall(0.9 * done)); }, stop);
+    const Tally tally = check_points(
+        law, subject.law, options, [&](double done) { progress(id, overall(0.9 * done)); }, stop);
     if (stop) return std::nullopt;
 
     LawResult result;
@@ -144,7 +148,8 @@ std::optional<Certificate> certify(const CertifyOptions& options, const Progress
     result.parameters = options.parameters;
     result.points = tally.points;
     result.mismatches = tally.mismatches;
-    for (std::size_t aim = 0; aim < kAims; ++aim) result.points_by_aim[std::string(name_of(static_cast<Aim>(aim)))] = tally.aims[aim];
+    for (std::size_t aim = 0; aim < kAims; ++aim)
+      result.points_by_aim[std::string(name_of(static_cast<Aim>(aim)))] = tally.aims[aim];
     result.points_by_stage = named(tally.stages, {"binary64", "double-double", "wide"});
     result.points_by_method = named(tally.methods, {"filter", "enclosure", "exact"});
     result.points_by_status = named(tally.statuses, {"free", "contact", "invalid"});

@@ -83,7 +83,9 @@ rc::Gen<std::vector<PathPoint>> polygon_of(const reference::Law& law) {
   return [law](const rc::Random& random, int) {
     rc::Random r(random);
     const Shape shape(law);
-    const auto uniform = [&r](double low, double high) { return low + (high - low) * static_cast<double>(r.next() >> 11) * 0x1p-53; };
+    const auto uniform = [&r](double low, double high) {
+      return low + (high - low) * static_cast<double>(r.next() >> 11) * 0x1p-53;
+    };
     const double width = shape.w > 0 ? static_cast<double>(shape.w) : 30;
     const double depth = shape.w > 0 ? static_cast<double>(shape.h) + width / 8 : 5;
     std::vector<PathPoint> polygon(3 + r.next() % 6);
@@ -109,6 +111,8 @@ std::ostream& operator<<(std::ostream& out, const NearbyPair& pair) {
   return out << ", and " << pair.x_steps << " and " << pair.z_steps << " binary32 steps away in x and z";
 }
 
-std::ostream& operator<<(std::ostream& out, const PathPoint& point) { return out << '(' << point.x << ", " << point.z << ')'; }
+std::ostream& operator<<(std::ostream& out, const PathPoint& point) {
+  return out << '(' << point.x << ", " << point.z << ')';
+}
 
 }  // namespace forceshade::properties

@@ -38,7 +38,9 @@ struct ShadedDensity {
     const auto R = static_cast<double>(shape.R);
     return std::sqrt((R - x) * (R + x));
   }
-  double sign_change_depth(double x) const { return x > 0 ? root(x) * (1 - slope(x) * root(x) / x) : (slope(x) > 0 ? -HUGE_VAL : root(x)); }
+  double sign_change_depth(double x) const {
+    return x > 0 ? root(x) * (1 - slope(x) * root(x) / x) : (slope(x) > 0 ? -HUGE_VAL : root(x));
+  }
   // ∫ κ dδ from 0 to `depth` at x.
   double column(double x, double depth) const {
     const auto R = static_cast<double>(shape.R), K = static_cast<double>(shape.K);
@@ -52,7 +54,8 @@ std::vector<double> grid(double from, double to) {
   constexpr int kSteps = 2000;
   std::vector<double> x;
   const double start = from > 0 ? from * (1 + 1e-12) : 0;
-  for (int i = kSteps; i >= 0; --i) x.push_back(to - (to - start) * (static_cast<double>(i) * i) / (static_cast<double>(kSteps) * kSteps));
+  for (int i = kSteps; i >= 0; --i)
+    x.push_back(to - (to - start) * (static_cast<double>(i) * i) / (static_cast<double>(kSteps) * kSteps));
   return x;
 }
 
@@ -145,7 +148,8 @@ Violation witness_is_reached(const Subject& subject, const Shape& shape, double 
   const double allowed = work.rounding + work.placing + kQuadrature + 1e-4 * loop.listed_mJ;
   if (std::fabs(work.rendered - loop.listed_mJ) <= allowed) return std::nullopt;
   char numbers[160];
-  std::snprintf(numbers, sizeof numbers, "expected %.6g mJ within %.2g mJ, got %.6g mJ", loop.listed_mJ, allowed, work.rendered);
+  std::snprintf(numbers, sizeof numbers, "expected %.6g mJ within %.2g mJ, got %.6g mJ", loop.listed_mJ, allowed,
+                work.rendered);
   return std::string("the loop of depth ") + std::to_string(depth) + " mm that should be paid most: " + numbers;
 }
 

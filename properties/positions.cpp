@@ -21,8 +21,8 @@ long double distance_to_tie(const reference::Filter& component) {
 }  // namespace
 
 std::string_view name_of(Aim aim) {
-  static constexpr std::array<std::string_view, kAims> names{"any bits", "volume", "surface",  "facet line", "quantum",
-                                                             "domain end", "tie",  "axis",     "few bits"};
+  static constexpr std::array<std::string_view, kAims> names{"any bits",   "volume", "surface", "facet line", "quantum",
+                                                             "domain end", "tie",    "axis",    "few bits"};
   return names[static_cast<std::size_t>(aim)];
 }
 
@@ -30,9 +30,13 @@ double PositionSource::uniform(double low, double high) {
   return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
 }
 
-int PositionSource::small_step() { return static_cast<int>(bits() % 7) - 3; }
+int PositionSource::small_step() {
+  return static_cast<int>(bits() % 7) - 3;
+}
 
-float PositionSource::any_float() { return std::bit_cast<float>(static_cast<std::uint32_t>(bits())); }
+float PositionSource::any_float() {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(bits()));
+}
 
 float PositionSource::any_binade() {
   const auto size = static_cast<float>(std::ldexp(uniform(1, 2), static_cast<int>(bits() % 34) - 30));

@@ -31,9 +31,7 @@ Shape::Shape(const reference::Law& law)
       steepest = std::tan(theta);
       break;
     case LawId::bump_2p_shaded:
-    case LawId::bump_3p_shaded:
-      steepest = std::tan(id == LawId::bump_2p_shaded ? alpha / 2 : theta);
-      [[fallthrough]];
+    case LawId::bump_3p_shaded: steepest = std::tan(id == LawId::bump_2p_shaded ? alpha / 2 : theta); [[fallthrough]];
     case LawId::bump_1p_shaded: jump_lines = {{w / 2, 0, alpha}}; break;
   }
 }

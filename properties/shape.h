@@ -18,11 +18,11 @@ struct JumpLine {
 
 struct Shape {
   LawId id;
-  long double R, w, K, d;      // mm, mm, N/mm, mm; R = w = 0 for the wall
-  long double alpha, theta;    // rad: half the subtended angle; the slope of a three-polygon side
+  long double R, w, K, d;    // mm, mm, N/mm, mm; R = w = 0 for the wall
+  long double alpha, theta;  // rad: half the subtended angle; the slope of a three-polygon side
   long double h, w_prime, h_prime;
   std::vector<JumpLine> jump_lines;
-  long double steepest;        // largest |dH/dx| of the nominal surface where H is polygonal, else 0
+  long double steepest;  // largest |dH/dx| of the nominal surface where H is polygonal, else 0
 
   explicit Shape(const reference::Law& law);
 

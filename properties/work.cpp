@@ -69,10 +69,12 @@ Work work_around(const Subject& subject, const Shape& shape, const std::vector<P
     const Eigen::Vector3f rendered = subject.renderer(position).force;
     const auto exact = subject.law.estimate(position).force;
     work.rendered += weight * (static_cast<double>(rendered.x()) * dx + static_cast<double>(rendered.z()) * dz);
-    work.exact += weight * static_cast<double>(exact.x.mid() * static_cast<long double>(dx) + exact.z.mid() * static_cast<long double>(dz));
+    work.exact += weight * static_cast<double>(exact.x.mid() * static_cast<long double>(dx) +
+                                               exact.z.mid() * static_cast<long double>(dz));
     work.rounding += weight * (half_spacing(rendered.x()) * std::fabs(dx) + half_spacing(rendered.z()) * std::fabs(dz));
     const double off = std::hypot(half_spacing(position.x()), half_spacing(position.z()));
-    const double rho = shape.has_cylinder() ? std::hypot(static_cast<double>(position.x()), static_cast<double>(position.z()) + d) : 0;
+    const double rho =
+        shape.has_cylinder() ? std::hypot(static_cast<double>(position.x()), static_cast<double>(position.z()) + d) : 0;
     const double rate = K * (shape.has_cylinder() ? 1 + std::max(1.0, R / std::max(rho, 1e-9) - 1) : 1);
     work.placing += weight * rate * off * std::hypot(dx, dz);
   };

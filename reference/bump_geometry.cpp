@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/slow_geometry.h"
-
 #include <CGAL/Algebraic_kernel_d_1.h>
 #include <CGAL/CORE_BigInt.h>
 #include <CGAL/CORE_arithmetic_kernel.h>
 
 #include <vector>
+
+#include "forceshade/reference/slow_geometry.h"
 
 namespace forceshade::reference {
 namespace {
@@ -18,7 +18,8 @@ struct Ratio {
 
 // w/2R in whole numbers.
 Ratio half_width_over_radius(const Parameters& p) {
-  const CORE::BigRat s = CORE::BigRat(static_cast<double>(p.width)) / (CORE::BigRat(2) * CORE::BigRat(static_cast<double>(p.radius)));
+  const CORE::BigRat s =
+      CORE::BigRat(static_cast<double>(p.width)) / (CORE::BigRat(2) * CORE::BigRat(static_cast<double>(p.radius)));
   return {CORE::numerator(s), CORE::denominator(s)};
 }
 
@@ -29,9 +30,9 @@ Exact sine_of_third(const Parameters& p) {
   const Ratio s = half_width_over_radius(p);
   std::vector<Kernel::Algebraic_real_1> roots;
   const Kernel kernel;
-  kernel.solve_1_object()(Kernel::Polynomial_1(s.numerator, CORE::BigInt(-3) * s.denominator, CORE::BigInt(0),
-                                               CORE::BigInt(4) * s.denominator),
-                          false, std::back_inserter(roots));
+  kernel.solve_1_object()(
+      Kernel::Polynomial_1(s.numerator, CORE::BigInt(-3) * s.denominator, CORE::BigInt(0), CORE::BigInt(4) * s.denominator),
+      false, std::back_inserter(roots));
   const auto between = kernel.bound_between_1_object();
   const CORE::BFInterval isolating{CORE::BigFloat(CGAL::to_double(between(roots.at(0), roots.at(1)))),
                                    CORE::BigFloat(CGAL::to_double(between(roots.at(1), roots.at(2))))};
@@ -90,8 +91,15 @@ BumpGeometry<Exact> exact_geometry(const Parameters& p) {
 BumpGeometry<Filter> filter_geometry(const Parameters& p) {
   set_precision(512);
   const BumpGeometry<Enclosure> g = enclosing_geometry(p);
-  return {filter_of(g.R),          filter_of(g.w),            filter_of(g.K),       filter_of(g.d),       filter_of(g.h),
-          filter_of(g.sine_theta), filter_of(g.cosine_theta), filter_of(g.w_prime), filter_of(g.h_prime)};
+  return {filter_of(g.R),
+          filter_of(g.w),
+          filter_of(g.K),
+          filter_of(g.d),
+          filter_of(g.h),
+          filter_of(g.sine_theta),
+          filter_of(g.cosine_theta),
+          filter_of(g.w_prime),
+          filter_of(g.h_prime)};
 }
 
 }  // namespace forceshade::reference

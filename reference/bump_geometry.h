@@ -9,12 +9,12 @@ namespace forceshade::reference {
 
 template <class N>
 struct BumpGeometry {
-  N R, w, K;                 // mm, mm, N/mm
-  N d;                       // mm: depth of the cylinder's axis below the plane
-  N h;                       // mm: height of the bump
+  N R, w, K;                   // mm, mm, N/mm
+  N d;                         // mm: depth of the cylinder's axis below the plane
+  N h;                         // mm: height of the bump
   N sine_theta, cosine_theta;  // θ: angle of one of three polygons
-  N w_prime;                 // mm: width of the flat top
-  N h_prime;                 // mm: height of the flat top
+  N w_prime;                   // mm: width of the flat top
+  N h_prime;                   // mm: height of the flat top
 };
 
 // To about 19 digits, from the enclosing geometry (slow_geometry.h) rounded outwards.

@@ -62,7 +62,8 @@ std::string correctly_rounded(unsigned digits, const std::function<Enclosure()>&
   const Decimal toward_zero = rounded(middle, digits, MPFR_RNDZ);
   const Decimal away = rounded(middle, digits, MPFR_RNDA);
   const CORE::BigRat unit = power_of_ten(toward_zero.exponent - static_cast<long>(digits));
-  CORE::BigRat tie = (CORE::BigRat(CORE::BigInt(toward_zero.digits.c_str())) + CORE::BigRat(CORE::BigInt(1), CORE::BigInt(2))) * unit;
+  CORE::BigRat tie =
+      (CORE::BigRat(CORE::BigInt(toward_zero.digits.c_str())) + CORE::BigRat(CORE::BigInt(1), CORE::BigInt(2))) * unit;
   const int beyond = toward_zero.negative ? -compare(-tie) : compare(tie);
   const bool is_even = (toward_zero.digits.back() - '0') % 2 == 0;
   return positional(beyond > 0 || (beyond == 0 && !is_even) ? away : toward_zero);

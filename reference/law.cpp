@@ -75,7 +75,8 @@ float ulps_from_tie(const Filter& value, float rounded) {
 // destroyed under the lock.
 class SlowForce {
  public:
-  SlowForce(LawId id, const Parameters& p, const Point& point) : id_(id), parameters_(p), point_(point), geometry_(exact_geometry(p)) {
+  SlowForce(LawId id, const Parameters& p, const Point& point)
+      : id_(id), parameters_(p), point_(point), geometry_(exact_geometry(p)) {
     facet_ = with_law(id, [&](auto law) { return law.template facet<Exact>(geometry_, Exact(point.x), Exact(point.z)); });
   }
 
@@ -89,9 +90,8 @@ class SlowForce {
   }
 
   Force<Exact> exact() const {
-    return with_law(id_, [&](auto law) {
-      return law.template force<Exact>(facet_, geometry_, Exact(point_.x), Exact(point_.z));
-    });
+    return with_law(id_,
+                    [&](auto law) { return law.template force<Exact>(facet_, geometry_, Exact(point_.x), Exact(point_.z)); });
   }
 
  private:
@@ -171,7 +171,8 @@ DecimalGeometry geometry(const Parameters& p, unsigned digits) {
   using X = BumpGeometry<Exact>;
   // θ is a rational multiple of π or transcendental: it never ties.
   return {member(&E::d, &X::d), member(&E::h, &X::h), member(&E::w_prime, &X::w_prime), member(&E::h_prime, &X::h_prime),
-          correctly_rounded(digits, [&] { return enclosing_theta(p); }, [](const CORE::BigRat&) { return 1; })};
+          correctly_rounded(
+              digits, [&] { return enclosing_theta(p); }, [](const CORE::BigRat&) { return 1; })};
 }
 
 std::variant<Law, ParameterError> Law::build(LawId id, const Parameters& p) {
@@ -189,7 +190,8 @@ Rounded Law::round_to_binary32(const Eigen::Vector3f& position) const {
     const Estimate quick = filtered(id_, geometry_, point);
     if (quick.facet == Facet::none) return {};
     const float x = quick.force.x.round(), z = quick.force.z.round();
-    return {{x, 0, z}, Status::contact, Method::filter, std::min(ulps_from_tie(quick.force.x, x), ulps_from_tie(quick.force.z, z))};
+    return {
+        {x, 0, z}, Status::contact, Method::filter, std::min(ulps_from_tie(quick.force.x, x), ulps_from_tie(quick.force.z, z))};
   } catch (const Undecided&) {
     return round_slowly(id_, parameters_, point);
   }
@@ -228,7 +230,8 @@ DecimalForce Law::decimal(const Eigen::Vector3f& position, unsigned digits) cons
         digits, [&] { return force.enclose().*enclosed; },
         [&](const CORE::BigRat& q) { return (force.exact().*exact - Exact(q)).sign(); });
   };
-  return {component(&Force<Enclosure>::x, &Force<Exact>::x), component(&Force<Enclosure>::z, &Force<Exact>::z), Status::contact};
+  return {component(&Force<Enclosure>::x, &Force<Exact>::x), component(&Force<Enclosure>::z, &Force<Exact>::z),
+          Status::contact};
 }
 
 Law::Estimate Law::estimate(const Eigen::Vector3f& position) const {

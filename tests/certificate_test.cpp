@@ -15,7 +15,9 @@ constexpr Parameters kBump{15.24F, 25.4F, 0.5F};
 
 Certificate small_certificate(unsigned threads = 2) {
   static const std::atomic<bool> never{false};
-  return certify({{LawId::wall, LawId::bump_2p}, kBump, 20000, 200, 3, threads}, [](LawId, double) {}, never).value();
+  return certify(
+             {{LawId::wall, LawId::bump_2p}, kBump, 20000, 200, 3, threads}, [](LawId, double) {}, never)
+      .value();
 }
 
 TEST(certificate, counts_every_point_once_in_each_breakdown) {
@@ -52,7 +54,8 @@ TEST(certificate, reads_back_what_it_wrote) {
 
 TEST(certificate, is_not_made_when_stopped) {
   const std::atomic<bool> stop{true};
-  EXPECT_FALSE(certify({{LawId::wall}, kBump, 20000, 200, 3, 2}, [](LawId, double) {}, stop));
+  EXPECT_FALSE(certify(
+      {{LawId::wall}, kBump, 20000, 200, 3, 2}, [](LawId, double) {}, stop));
 }
 
 TEST(certificate, allows_what_it_covers_and_says_why_not) {

@@ -61,7 +61,8 @@ class Golden : public ::testing::Test {
   // Compares every row; how many decimal digits are compared, and whether a tie in the last of them may go either way.
   void forces(const std::string& path, unsigned digits, bool ties_to_even, int every) {
     std::ifstream in = csv::open_input(path);
-    csv::Reader rows(in, path, {"law", "R_mm", "w_mm", "K_N_per_mm", "x_mm", "y_mm", "z_mm", "fx_N", "fz_N", "fx_binary32", "fz_binary32"});
+    csv::Reader rows(
+        in, path, {"law", "R_mm", "w_mm", "K_N_per_mm", "x_mm", "y_mm", "z_mm", "fx_N", "fz_N", "fx_binary32", "fz_binary32"});
     std::map<LawKey, std::pair<fast::Law, reference::Law>> laws;
     std::array<int, 3> stages{}, methods{};
     int count = 0, decimals = 0, last_digit = 0;
@@ -72,7 +73,8 @@ class Golden : public ::testing::Test {
       auto found = laws.find(key);
       if (found == laws.end())
         found = laws.emplace(key, std::pair{std::get<fast::Law>(fast::Law::build(id, p)),
-                                            std::get<reference::Law>(reference::Law::build(id, p))}).first;
+                                            std::get<reference::Law>(reference::Law::build(id, p))})
+                    .first;
       const auto& [fast, reference] = found->second;
       const Eigen::Vector3f position(rows.binary32(4), rows.binary32(5), rows.binary32(6));
       const float fx = rows.binary32(9), fz = rows.binary32(10);
@@ -100,9 +102,10 @@ class Golden : public ::testing::Test {
             << path << ':' << rows.line() << ": " << ours << " and " << theirs;
       }
     }
-    std::printf("  %d rows; stages %d, %d, %d; reference %d by filter, %d by enclosure, %d by exact comparison; %d decimals, %d of "
-                "them ties in the last digit\n",
-                count, stages[0], stages[1], stages[2], methods[0], methods[1], methods[2], decimals, last_digit);
+    std::printf(
+        "  %d rows; stages %d, %d, %d; reference %d by filter, %d by enclosure, %d by exact comparison; %d decimals, %d of "
+        "them ties in the last digit\n",
+        count, stages[0], stages[1], stages[2], methods[0], methods[1], methods[2], decimals, last_digit);
     EXPECT_GT(count, 3000);
     EXPECT_LE(last_digit, decimals / 100);
     for (const int reached : stages) EXPECT_GT(reached, 0);
@@ -128,9 +131,13 @@ class Golden : public ::testing::Test {
 const std::string kOwn = std::string(FORCESHADE_SOURCE_DIR) + "/tests/golden/";
 const std::string kOther = std::string(FORCESHADE_SOURCE_DIR) + "/../shared/golden/";
 
-TEST_F(Golden, own_forces_are_met_to_every_bit_and_digit) { forces(kOwn + "bump_forces.csv", 40, true, 1); }
+TEST_F(Golden, own_forces_are_met_to_every_bit_and_digit) {
+  forces(kOwn + "bump_forces.csv", 40, true, 1);
+}
 
-TEST_F(Golden, own_geometry_is_met_to_every_digit) { geometry(kOwn + "bump_geometry.csv"); }
+TEST_F(Golden, own_geometry_is_met_to_every_digit) {
+  geometry(kOwn + "bump_geometry.csv");
+}
 
 TEST_F(Golden, other_forces_are_met_to_every_bit_and_digit) {
   if (!std::filesystem::exists(kOther)) GTEST_SKIP() << "not on this machine";

@@ -24,8 +24,12 @@ void* operator new(std::size_t size) {
   if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
 
 namespace forceshade::tests {
 namespace {
@@ -36,7 +40,9 @@ using properties::show;
 constexpr std::uint64_t kSeed = 20260101;
 
 // Parameter sets in the law's domain; the wall reads only K.
-fast::Law build(LawId law, const Parameters& p) { return std::get<fast::Law>(fast::Law::build(law, p)); }
+fast::Law build(LawId law, const Parameters& p) {
+  return std::get<fast::Law>(fast::Law::build(law, p));
+}
 
 }  // namespace
 
@@ -47,14 +53,14 @@ const std::vector<Parameters>& parameter_sets() {
       {25.4F, 25.4F, 0.5F},
       {30.48F, 25.4F, 0.5F},
       {35.56F, 25.4F, 0.5F},
-      {1.25F, 1.5F, 1.0F},                                            // d = 1: rational, ties occur
-      {12.7F, 25.4F, 1.0F},                                           // w = 2R: d = 0, t = 1/2 a double root
-      {12.700001F, 25.4F, 0.75F},                                     // one unit in the last place short of that
-      {1.0F, 1.375F, 0.25F},                                          // t = 1/4: w' = R/2
-      {1.0F, 1.125F, 0.3F},                                           // the cubic splits: t quadratic
-      {2197.0F / 1024, 2035.0F / 512, 1.0F},                          // t = 5/13: everything rational
-      {1000.0F, 25.4F, 0.3F},                                         // nearly flat
-      {1e4F, 1e-3F, 1e3F},                                            // domain ends
+      {1.25F, 1.5F, 1.0F},                    // d = 1: rational, ties occur
+      {12.7F, 25.4F, 1.0F},                   // w = 2R: d = 0, t = 1/2 a double root
+      {12.700001F, 25.4F, 0.75F},             // one unit in the last place short of that
+      {1.0F, 1.375F, 0.25F},                  // t = 1/4: w' = R/2
+      {1.0F, 1.125F, 0.3F},                   // the cubic splits: t quadratic
+      {2197.0F / 1024, 2035.0F / 512, 1.0F},  // t = 5/13: everything rational
+      {1000.0F, 25.4F, 0.3F},                 // nearly flat
+      {1e4F, 1e-3F, 1e3F},                    // domain ends
       {1e4F, 2e4F, 1e-3F},
       {0.1F, 0.2F, 0.001F},
       {0.1F, 1e-3F, 7.3F},
@@ -92,17 +98,19 @@ void equals_the_rounded_reference(LawId law) {
       if (exact.ulps_from_tie > 0) closest = std::min(closest, exact.ulps_from_tie);
     }
   }
-  std::printf("  stages: binary64 %llu, double-double %llu, wide %llu; reference: filter %llu, enclosure %llu, exact %llu; nearest "
-              "to a tie: %.2g units in the last place\n",
-              static_cast<unsigned long long>(stages[0]), static_cast<unsigned long long>(stages[1]),
-              static_cast<unsigned long long>(stages[2]), static_cast<unsigned long long>(methods[0]),
-              static_cast<unsigned long long>(methods[1]), static_cast<unsigned long long>(methods[2]), static_cast<double>(closest));
+  std::printf(
+      "  stages: binary64 %llu, double-double %llu, wide %llu; reference: filter %llu, enclosure %llu, exact %llu; nearest "
+      "to a tie: %.2g units in the last place\n",
+      static_cast<unsigned long long>(stages[0]), static_cast<unsigned long long>(stages[1]),
+      static_cast<unsigned long long>(stages[2]), static_cast<unsigned long long>(methods[0]),
+      static_cast<unsigned long long>(methods[1]), static_cast<unsigned long long>(methods[2]), static_cast<double>(closest));
   for (const std::uint64_t count : statuses) EXPECT_GT(count, 0U) << "a status was never reached";
   for (const std::uint64_t count : aims) EXPECT_GT(count, 0U) << "an aim was never taken";
   // The wall's binary64 product is exact, so it never needs another stage.
   const bool is_product = law == LawId::wall || law == LawId::bump_1p;
   for (std::size_t stage = 0; stage < stages.size(); ++stage)
-    EXPECT_EQ(stages[stage] > 0, stage == 0 || !is_product) << "stage " << stage << " was reached " << stages[stage] << " times";
+    EXPECT_EQ(stages[stage] > 0, stage == 0 || !is_product)
+        << "stage " << stage << " was reached " << stages[stage] << " times";
 }
 
 void holds_its_properties(LawId law) {

@@ -24,15 +24,17 @@ void allocates_nothing(LawId law);
 
 }  // namespace forceshade::tests
 
-#define FORCESHADE_LAW_CLAIM(law, claim) \
-  TEST(law, claim) { forceshade::tests::claim(forceshade::tests::law_of_file(#law)); }
+#define FORCESHADE_LAW_CLAIM(law, claim)                            \
+  TEST(law, claim) {                                                \
+    forceshade::tests::claim(forceshade::tests::law_of_file(#law)); \
+  }
 
-#define FORCESHADE_LAW_SUITE(law)                                   \
-  FORCESHADE_LAW_CLAIM(law, equals_the_rounded_reference)           \
-  FORCESHADE_LAW_CLAIM(law, holds_its_properties)                   \
-  FORCESHADE_LAW_CLAIM(law, equals_scalar_at_every_simd_width)      \
-  FORCESHADE_LAW_CLAIM(law, refuses_parameters_outside_the_domain)  \
-  FORCESHADE_LAW_CLAIM(law, reports_invalid_positions)              \
-  FORCESHADE_LAW_CLAIM(law, reads_tiny_coordinates_as_zero)         \
-  FORCESHADE_LAW_CLAIM(law, gives_no_negative_zero)                 \
+#define FORCESHADE_LAW_SUITE(law)                                  \
+  FORCESHADE_LAW_CLAIM(law, equals_the_rounded_reference)          \
+  FORCESHADE_LAW_CLAIM(law, holds_its_properties)                  \
+  FORCESHADE_LAW_CLAIM(law, equals_scalar_at_every_simd_width)     \
+  FORCESHADE_LAW_CLAIM(law, refuses_parameters_outside_the_domain) \
+  FORCESHADE_LAW_CLAIM(law, reports_invalid_positions)             \
+  FORCESHADE_LAW_CLAIM(law, reads_tiny_coordinates_as_zero)        \
+  FORCESHADE_LAW_CLAIM(law, gives_no_negative_zero)                \
   FORCESHADE_LAW_CLAIM(law, allocates_nothing)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The numbers both sides compute with: their enclosures enclose, their bounds are not idle, their roundings are right.
 
+#include "forceshade/reference/numbers.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
@@ -11,7 +13,6 @@
 #include "forceshade/properties/binary32.h"
 #include "forceshade/reference/decimal.h"
 #include "forceshade/reference/filter.h"
-#include "forceshade/reference/numbers.h"
 
 namespace forceshade {
 namespace {
@@ -37,7 +38,8 @@ N expression(const Operands& o, const From& from, const Root& root) {
 }
 
 Multiprecision truth(const Operands& o) {
-  return expression<Multiprecision>(o, [](double v) { return Multiprecision(v); }, [](const Multiprecision& v) { return Multiprecision(sqrt(v)); });
+  return expression<Multiprecision>(
+      o, [](double v) { return Multiprecision(v); }, [](const Multiprecision& v) { return Multiprecision(sqrt(v)); });
 }
 
 class Numbers : public ::testing::Test {
@@ -50,7 +52,8 @@ TEST_F(Numbers, double_double_encloses_and_its_bound_is_not_idle) {
   double worst = 0;
   for (int i = 0; i < 20000; ++i) {
     const Operands o = operands(random);
-    const auto value = expression<fast::DoubleDouble>(o, &fast::DoubleDouble::exactly, [](const auto& v) { return square_root(v); });
+    const auto value =
+        expression<fast::DoubleDouble>(o, &fast::DoubleDouble::exactly, [](const auto& v) { return square_root(v); });
     const auto error = static_cast<double>(Multiprecision(abs(truth(o) - Multiprecision(value.hi) - Multiprecision(value.lo))));
     ASSERT_LE(error, value.error) << o.a << ' ' << o.b;
     worst = std::max(worst, error / value.error);
@@ -140,7 +143,8 @@ TEST_F(Numbers, filter_encloses_and_throws_where_it_cannot_tell) {
   using reference::Filter;
   for (int i = 0; i < 20000; ++i) {
     const Operands o = operands(random);
-    const auto value = expression<Filter>(o, [](double v) { return Filter(v); }, [](const Filter& v) { return sqrt(v); });
+    const auto value = expression<Filter>(
+        o, [](double v) { return Filter(v); }, [](const Filter& v) { return sqrt(v); });
     const Multiprecision error = abs(truth(o) - Multiprecision(value.mid()));
     ASSERT_LE(error, Multiprecision(value.rad())) << o.a << ' ' << o.b;
   }
@@ -153,7 +157,8 @@ TEST_F(Numbers, filter_encloses_and_throws_where_it_cannot_tell) {
 
 TEST_F(Numbers, decimals_are_rounded_to_even_on_ties) {
   const auto exactly = [](double value, unsigned digits) {
-    return reference::correctly_rounded(digits, [=] { return reference::Enclosure(value); }, [](const CORE::BigRat&) { return 0; });
+    return reference::correctly_rounded(
+        digits, [=] { return reference::Enclosure(value); }, [](const CORE::BigRat&) { return 0; });
   };
   EXPECT_EQ(exactly(0.125, 2), "0.12");
   EXPECT_EQ(exactly(0.375, 2), "0.38");

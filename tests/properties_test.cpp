@@ -21,7 +21,9 @@ constexpr std::uint64_t kSeed = 11;
 template <class Change>
 Subject changed(LawId law, const Change& change) {
   Subject subject = std::get<Subject>(fast_subject(law, kBump));
-  subject.renderer = [right = subject.renderer, change](const Eigen::Vector3f& position) { return change(position, right(position)); };
+  subject.renderer = [right = subject.renderer, change](const Eigen::Vector3f& position) {
+    return change(position, right(position));
+  };
   return subject;
 }
 
@@ -33,10 +35,13 @@ PropertyResult result_of(const Subject& subject, const std::string& property) {
 
 TEST(properties, equivalence_refuses_one_unit_in_the_last_place) {
   for (const LawName& law : kLaws) {
-    const PropertyResult result = result_of(changed(law.id, [](const Eigen::Vector3f&, Rendered answer) {
-                                              answer.force.z() = neighbour(answer.force.z(), answer.force.z() > 0.5F ? 1 : 0);
-                                              return answer;
-                                            }), "equivalence");
+    const PropertyResult result = result_of(changed(law.id,
+                                                    [](const Eigen::Vector3f&, Rendered answer) {
+                                                      answer.force.z() =
+                                                          neighbour(answer.force.z(), answer.force.z() > 0.5F ? 1 : 0);
+                                                      return answer;
+                                                    }),
+                                            "equivalence");
     EXPECT_FALSE(result.held) << law.name;
     EXPECT_NE(result.counterexample.find("expected the force"), std::string::npos) << result.counterexample;
     EXPECT_NE(result.counterexample.find("0x"), std::string::npos) << "hexfloat: " << result.counterexample;
@@ -44,22 +49,30 @@ TEST(properties, equivalence_refuses_one_unit_in_the_last_place) {
 }
 
 TEST(properties, equivalence_refuses_a_negative_zero_and_a_silent_zero) {
-  EXPECT_FALSE(result_of(changed(LawId::wall, [](const Eigen::Vector3f&, Rendered answer) {
-                           answer.force.x() = -0.0F;
-                           return answer;
-                         }), "equivalence").held);
-  EXPECT_FALSE(result_of(changed(LawId::wall, [](const Eigen::Vector3f&, Rendered answer) {
-                           if (answer.status == Status::invalid) answer.status = Status::free;
-                           return answer;
-                         }), "equivalence").held);
+  EXPECT_FALSE(result_of(changed(LawId::wall,
+                                 [](const Eigen::Vector3f&, Rendered answer) {
+                                   answer.force.x() = -0.0F;
+                                   return answer;
+                                 }),
+                         "equivalence")
+                   .held);
+  EXPECT_FALSE(result_of(changed(LawId::wall,
+                                 [](const Eigen::Vector3f&, Rendered answer) {
+                                   if (answer.status == Status::invalid) answer.status = Status::free;
+                                   return answer;
+                                 }),
+                         "equivalence")
+                   .held);
 }
 
 TEST(properties, counterexamples_are_shrunk) {
   // Wrong for every x above 1: the smallest such case has round numbers and no y.
-  const PropertyResult result = result_of(changed(LawId::bump_1p, [](const Eigen::Vector3f& position, Rendered answer) {
-                                            if (position.x() > 1) answer.force.x() = 1;
-                                            return answer;
-                                          }), "equivalence");
+  const PropertyResult result = result_of(changed(LawId::bump_1p,
+                                                  [](const Eigen::Vector3f& position, Rendered answer) {
+                                                    if (position.x() > 1) answer.force.x() = 1;
+                                                    return answer;
+                                                  }),
+                                          "equivalence");
   ASSERT_FALSE(result.held);
   EXPECT_NE(result.counterexample.find("y = 0x0p+0 (0)"), std::string::npos) << result.counterexample;
   EXPECT_NE(result.counterexample.find("z = 0x0p+0 (0)"), std::string::npos) << result.counterexample;
@@ -75,32 +88,46 @@ TEST(properties, unit_normals_refuses_a_short_normal_on_the_ridge) {
 }
 
 TEST(properties, unit_normals_refuses_an_interpolated_normal_that_was_not_normalised) {
-  for (const LawId law : {LawId::bump_1p_shaded, LawId::bump_2p_shaded, LawId::bump_3p_shaded, LawId::cylinder, LawId::bump_cylinder})
-    EXPECT_FALSE(result_of(changed(law, [](const Eigen::Vector3f&, Rendered answer) {
-                             answer.force *= 0.999999F;
-                             return answer;
-                           }), "unit normals").held) << name_of(law);
+  for (const LawId law :
+       {LawId::bump_1p_shaded, LawId::bump_2p_shaded, LawId::bump_3p_shaded, LawId::cylinder, LawId::bump_cylinder})
+    EXPECT_FALSE(result_of(changed(law,
+                                   [](const Eigen::Vector3f&, Rendered answer) {
+                                     answer.force *= 0.999999F;
+                                     return answer;
+                                   }),
+                           "unit normals")
+                     .held)
+        << name_of(law);
 }
 
 TEST(properties, continuity_refuses_a_jump_where_none_is_listed) {
   for (const LawName& law : kLaws)
-    EXPECT_FALSE(result_of(changed(law.id, [](const Eigen::Vector3f& position, Rendered answer) {
-                             if (answer.status == Status::contact && position.x() > 0) answer.force.x() += 0.01F;
-                             return answer;
-                           }), "continuity").held) << law.name;
+    EXPECT_FALSE(result_of(changed(law.id,
+                                   [](const Eigen::Vector3f& position, Rendered answer) {
+                                     if (answer.status == Status::contact && position.x() > 0) answer.force.x() += 0.01F;
+                                     return answer;
+                                   }),
+                           "continuity")
+                     .held)
+        << law.name;
 }
 
 TEST(properties, continuity_refuses_a_listed_jump_of_another_size) {
   for (const LawId law : {LawId::bump_2p, LawId::bump_3p, LawId::bump_1p_shaded, LawId::bump_2p_shaded, LawId::bump_3p_shaded})
-    EXPECT_FALSE(result_of(changed(law, [](const Eigen::Vector3f& position, Rendered answer) {
-                             if (std::fabs(position.x()) > kBump.width / 2) answer.force *= 1.001F;
-                             return answer;
-                           }), "continuity").held) << name_of(law);
+    EXPECT_FALSE(result_of(changed(law,
+                                   [](const Eigen::Vector3f& position, Rendered answer) {
+                                     if (std::fabs(position.x()) > kBump.width / 2) answer.force *= 1.001F;
+                                     return answer;
+                                   }),
+                           "continuity")
+                     .held)
+        << name_of(law);
 }
 
 TEST(properties, continuity_knows_the_size_of_every_listed_jump) {
   // Straight across each line, on the fast path; the sizes are of the table in docs/laws.md.
-  for (const LawId law : {LawId::bump_2p, LawId::bump_3p, LawId::bump_1p_shaded, LawId::bump_2p_shaded, LawId::bump_3p_shaded}) {
+  for (const LawId law :
+       {LawId::bump_2p, LawId::bump_3p, LawId::bump_1p_shaded, LawId::bump_2p_shaded, LawId::bump_3p_shaded}) {
     const Subject subject = std::get<Subject>(fast_subject(law, kBump));
     const Shape shape(subject.law);
     ASSERT_FALSE(shape.jump_lines.empty());
@@ -132,10 +159,14 @@ TEST(properties, continuity_expects_twice_K_R_across_the_axis) {
 TEST(properties, passivity_refuses_a_force_that_always_pays_a_little) {
   // Friction with the wrong sign along x; and, for the conservative laws, a force that only depends on where one goes round.
   for (const LawName& law : kLaws)
-    EXPECT_FALSE(result_of(changed(law.id, [](const Eigen::Vector3f& position, Rendered answer) {
-                             if (answer.status == Status::contact) answer.force.x() += 1e-4F * position.z();
-                             return answer;
-                           }), "passivity").held) << law.name;
+    EXPECT_FALSE(result_of(changed(law.id,
+                                   [](const Eigen::Vector3f& position, Rendered answer) {
+                                     if (answer.status == Status::contact) answer.force.x() += 1e-4F * position.z();
+                                     return answer;
+                                   }),
+                           "passivity")
+                     .held)
+        << law.name;
 }
 
 TEST(properties, active_laws_pay_what_is_listed_and_conservative_laws_nothing) {

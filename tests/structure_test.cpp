@@ -44,7 +44,8 @@ TEST(structure, every_law_has_its_file_in_every_folder) {
 }
 
 TEST(structure, the_two_sides_never_meet) {
-  expect_no_include("fast", {"forceshade/reference/", "forceshade/properties/", "forceshade/device/", "CGAL", "boost", "mpfr", "gmp"});
+  expect_no_include("fast",
+                    {"forceshade/reference/", "forceshade/properties/", "forceshade/device/", "CGAL", "boost", "mpfr", "gmp"});
   expect_no_include("reference", {"forceshade/fast/", "forceshade/properties/", "forceshade/device/"});
   expect_no_include("vocabulary", {"forceshade/"});
 }

@@ -20,6 +20,7 @@ TEST(wall, rounds_an_exact_tie_to_even) {
   const double exact = 1.5 * -static_cast<double>(z);
   const float below = std::nextafter(static_cast<float>(exact), 0.0F);
   ASSERT_TRUE(exact == 0.5 * (static_cast<double>(below) + static_cast<double>(std::nextafter(below, 9.0F))) ||
-              exact == 0.5 * (static_cast<double>(std::nextafter(below, 9.0F)) + static_cast<double>(std::nextafter(std::nextafter(below, 9.0F), 9.0F))));
+              exact == 0.5 * (static_cast<double>(std::nextafter(below, 9.0F)) +
+                              static_cast<double>(std::nextafter(std::nextafter(below, 9.0F), 9.0F))));
   EXPECT_EQ(std::bit_cast<unsigned>(law.force({0, 0, z}).z()) & 1U, 0U);
 }

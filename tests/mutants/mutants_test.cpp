@@ -31,7 +31,7 @@ std::vector<Parameters> parameters() {
   }
   return sets;
 }
-constexpr int kPoints = 10000;
+constexpr int kPoints = 60000;
 
 // How many points it took equivalence to catch the mutant; none if it got away.
 std::optional<int> points_to_catch(const Mutant& mutant) {
@@ -51,7 +51,8 @@ TEST(mutants, are_all_caught) {
   EXPECT_GE(mutants().size(), 45U) << "five of each law";
   for (const Mutant& mutant : mutants()) {
     const std::optional<int> points = points_to_catch(mutant);
-    std::printf("  %-15s %8s  %s\n", name_of(mutant.law).data(), points ? std::to_string(*points).c_str() : "SURVIVED", mutant.change.c_str());
+    std::printf("  %-15s %8s  %s\n", name_of(mutant.law).data(), points ? std::to_string(*points).c_str() : "SURVIVED",
+                mutant.change.c_str());
     EXPECT_TRUE(points) << name_of(mutant.law) << ": " << mutant.change;
   }
 }
