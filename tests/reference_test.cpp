@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/reference/law.h"
+
+#include <gtest/gtest.h>
+
+#include "forceshade/reference/enclosure.h"
+
+namespace forceshade::reference {
+namespace {
+
+Law build(LawId id, const Parameters& p) { return std::get<Law>(Law::build(id, p)); }
+
+TEST(reference, encloses_the_force_as_narrowly_as_one_likes) {
+  const Eigen::Vector3f position(3, 0, -1);
+  for (const LawName& name : kLaws) {
+    const Law law = build(name.id, {15.24F, 25.4F, 0.5F});
+    for (const unsigned digits : {5U, 40U, 400U}) {
+      const EnclosedForce force = enclosure(law, position, digits);
+      ASSERT_EQ(force.status, Status::contact);
+      const Rounded rounded = law.round_to_binary32(position);
+      for (const auto& [interval, nearest] : {std::pair{force.x, rounded.force.x()}, std::pair{force.z, rounded.force.z()}}) {
+        EXPECT_LE(interval.low, interval.high);
+        EXPECT_LE((interval.high - interval.low) * pow(Multiprecision(10), digits), abs(interval.high));
+        EXPECT_NEAR(static_cast<double>(interval.low), static_cast<double>(nearest), 1e-4);
+      }
+      const DecimalForce decimal = law.decimal(position, digits);
+      const Multiprecision printed(decimal.z), unit = pow(Multiprecision(10), -static_cast<int>(digits) + 1) * abs(printed);
+      EXPECT_LE(force.z.low - unit, printed);
+      EXPECT_GE(force.z.high + unit, printed);
+    }
+  }
+}
+
+TEST(reference, knows_a_component_that_is_exactly_zero) {
+  // On x = 0, z = -(R + d)/2 the cylinder's push down and the wall's push up cancel; R = 1.25, w = 1.5 makes d = 1.
+  const Law law = build(LawId::bump_cylinder, {1.25F, 1.5F, 1});
+  const EnclosedForce force = enclosure(law, {0, 0, -1.125F}, 30);
+  EXPECT_EQ(force.status, Status::contact);
+  EXPECT_EQ(force.z.low, 0);
+  EXPECT_EQ(force.z.high, 0);
+  EXPECT_EQ(law.decimal({0, 0, -1.125F}, 30).z, "0");
+}
+
+TEST(reference, says_how_it_came_to_be_sure) {
+  const Law law = build(LawId::bump_1p_shaded, {5, 8, 1.5F});
+  EXPECT_EQ(law.round_to_binary32({1, 0, -1}).method, Method::filter);
+  // The normal is (3/5, 4/5): with z = -5m and K = 3/2 F_x is 9m/2, which may need one bit too many.
+  int exact = 0;
+  for (int i = 0; i < 64; ++i) {
+    const float z = -5.0F * (1 + static_cast<float>(2 * i + 1) * 0x1p-21F);
+    exact += law.round_to_binary32({3, 0, z}).method == Method::exact;
+  }
+  EXPECT_GT(exact, 0) << "exact ties occur on this bump";
+}
+
+TEST(reference, is_free_or_invalid_with_nothing_to_enclose) {
+  const Law law = build(LawId::wall, {0, 0, 1});
+  EXPECT_EQ(enclosure(law, {0, 0, 1}, 10).status, Status::free);
+  EXPECT_EQ(enclosure(law, {0, 0, -20000}, 10).status, Status::invalid);
+  EXPECT_EQ(law.decimal({0, 0, 1}, 10).status, Status::free);
+}
+
+}  // namespace
+}  // namespace forceshade::reference
