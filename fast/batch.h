@@ -20,7 +20,7 @@
 namespace forceshade::fast {
 
 // Positions per step. A step with any position that needs more than the first stage is done again by the scalar call.
-inline constexpr std::size_t kBlock = 64;
+inline constexpr std::size_t kBlock = 128;
 
 // Answers kBlock positions by the first stage; false when at least one of them is invalid or in doubt.
 template <class Definition>

@@ -3,6 +3,7 @@
 
 #include "forceshade/fast/batch.h"
 #include "forceshade/fast/pack_avx512.h"
+#include "forceshade/fast/pack_pair.h"
 
 namespace forceshade::fast {
 

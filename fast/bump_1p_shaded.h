@@ -27,7 +27,7 @@ struct Bump1pShaded {
   template <class Real>
   FORCESHADE_INLINE FirstStage<Real> first_stage(Real x, Real z) const {
     const Real shaded_x = select(absolute(x) <= Real(half_width), x, Real(0));  // x = 0 has the plane's own normal, ẑ
-    const auto force = shading.force(-z, shaded_x);
+    const auto force = shading.force(larger(-z, Real(0)), shaded_x);
     return {force.x, force.z, z < Real(0), never<Real>()};
   }
 

@@ -13,7 +13,7 @@ fz rnd= gap * K_cosine;
 FX = GAP * TRUE_K_SINE;
 FZ = GAP * TRUE_K_COSINE;
 #! piece side
-{ |gap -/ GAP| <= 0x1.9p-52 # from polygon_gap
+{ |gap -/ GAP| <= 0x1.bp-52 # from polygon_gap
 /\ |K_sine -/ TRUE_K_SINE| <= 0x1.00001p-53 /\ |K_cosine -/ TRUE_K_COSINE| <= 0x1.00001p-53
 /\ GAP in [1b-66, 20001] /\ TRUE_K_SINE in [1b-36, 1000] /\ TRUE_K_COSINE in [1b-12, 1000]
 -> fx -/ FX in ? /\ fz -/ FZ in ? }

@@ -34,7 +34,7 @@ struct Bump2p {
     const Real ax = absolute(x);
     const MaskOf<Real> on_side = ax <= Real(half_width);
     const auto bump = gap.at(ax, z);
-    const Real value = select(on_side, bump.value, -z);
+    const Real value = larger(select(on_side, bump.value, -z), Real(0));
     const Real slope = select(on_side, select(x < Real(0), Real(-K_sine), Real(K_sine)), Real(0));
     const MaskOf<Real> doubt = on_side & bump.unclear;
     return {value * slope, value * select(on_side, Real(K_cosine), Real(K)), value > Real(0), doubt};

@@ -30,7 +30,7 @@ struct Bump2pShaded {
     const Real ax = absolute(x);
     const MaskOf<Real> inside = ax <= Real(half_width);
     const auto bump = gap.at(ax, z);
-    const Real value = select(inside, bump.value, -z);
+    const Real value = larger(select(inside, bump.value, -z), Real(0));
     const auto force = shading.force(value, select(inside, x, Real(0)));
     const MaskOf<Real> doubt = inside & bump.unclear;
     return {force.x, force.z, value > Real(0), doubt};

@@ -39,7 +39,7 @@ struct Bump3p {
     const MaskOf<Real> on_top = ax <= Real(static_cast<double>(half_top));
     const MaskOf<Real> on_side = inside & !on_top;
     const auto bump = gap.at(ax, z, on_top);
-    const Real value = select(inside, bump.value, -z);
+    const Real value = larger(select(inside, bump.value, -z), Real(0));
     const Real slope = select(on_side, select(x < Real(0), Real(-K_sine), Real(K_sine)), Real(0));
     const MaskOf<Real> doubt = inside & bump.unclear;
     return {value * slope, value * select(on_side, Real(K_cosine), Real(K)), value > Real(0), doubt};

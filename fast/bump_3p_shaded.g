@@ -18,10 +18,10 @@ FZ = GAP * (K / R) * sqrt((R - x) * (R + x));
 FZ_BESIDE = GAP * (K / R) * sqrt(R * R);
 # The bump: x > 0, the other side being its mirror image; where |x| = R, F_z is exactly 0.
 #! piece inside
-{ |gap -/ GAP| <= 0x1.9p-52 # from polygon_gap
+{ |gap -/ GAP| <= 0x1.bp-52 # from polygon_gap
 /\ GAP in [1b-66, 20001] /\ K in [1b-10, 1000] /\ R in [0x1.9p-4, 10000] /\ x in [1b-30, 10000] /\ R - x in [1b-28, 10000]
 -> fx -/ FX in ? /\ fz -/ FZ in ? }
 # Beside the bump, and on x = 0: F_x = 0, and F_z goes through the same steps with 0 for x.
 #! piece beside
-{ K in [1b-10, 1000] /\ R in [0x1.9p-4, 10000] /\ |gap -/ GAP| <= 0x1.9p-52 # from polygon_gap
+{ K in [1b-10, 1000] /\ R in [0x1.9p-4, 10000] /\ |gap -/ GAP| <= 0x1.bp-52 # from polygon_gap
 /\ GAP in [1b-66, 20001] -> fz_beside -/ FZ_BESIDE in ? }

@@ -35,7 +35,7 @@ struct Bump3pShaded {
     const Real ax = absolute(x);
     const MaskOf<Real> inside = ax <= Real(half_width);
     const auto bump = gap.at(ax, z, ax <= Real(static_cast<double>(half_top)));
-    const Real value = select(inside, bump.value, -z);
+    const Real value = larger(select(inside, bump.value, -z), Real(0));
     const auto force = shading.force(value, select(inside, x, Real(0)));
     const MaskOf<Real> doubt = inside & bump.unclear;
     return {force.x, force.z, value > Real(0), doubt};

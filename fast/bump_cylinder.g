@@ -6,15 +6,14 @@
 from_cylinder = rnd(from_cylinder_);
 from_wall = rnd(from_wall_);  # exact: fast/wall.g
 sum rnd= from_cylinder + from_wall;
-exact_sum = from_cylinder + from_wall;
 Z = TRUE_CYLINDER + from_wall;
 
-# |sum| >= |from_cylinder|/2, or it is in doubt. The piece without contact with the cylinder has from_cylinder = 0 and no error.
+# z > -d: neither force points down. Below, both or neither act: in doubt, or the wall's force alone, which is exact.
 #! piece z
-{ |(from_cylinder - TRUE_CYLINDER) / TRUE_CYLINDER| <= 0x1.d8p-50 # from cylinder force
-/\ |from_cylinder / sum| <= 2 /\ |exact_sum| in [1b-120, 1b30] -> (sum - Z) / Z in ? }
-(sum - Z) / Z -> 1 / (Z / sum) - 1;
-Z / sum -> 1 / (1 + (sum - exact_sum) / exact_sum) - (from_cylinder / sum) * ((from_cylinder - TRUE_CYLINDER) / TRUE_CYLINDER) / (1 + (from_cylinder - TRUE_CYLINDER) / TRUE_CYLINDER);
+{ |from_cylinder -/ TRUE_CYLINDER| <= 0x1.0ap-49 # from cylinder force
+/\ TRUE_CYLINDER in [1b-120, 1b24] /\ from_wall / TRUE_CYLINDER in [0, 1b150] -> (sum - Z) / Z in ? }
+(from_cylinder + from_wall - Z) / Z -> ((from_cylinder - TRUE_CYLINDER) / TRUE_CYLINDER) * (1 / (1 + from_wall / TRUE_CYLINDER));
+from_wall -> (from_wall / TRUE_CYLINDER) * TRUE_CYLINDER;
 #! piece x
-{ |(from_cylinder - TRUE_CYLINDER) / TRUE_CYLINDER| <= 0x1.d8p-50 # from cylinder force
+{ |(from_cylinder - TRUE_CYLINDER) / TRUE_CYLINDER| <= 0x1.0ap-49 # from cylinder force
 -> (from_cylinder - TRUE_CYLINDER) / TRUE_CYLINDER in ? }

@@ -11,16 +11,14 @@ struct BumpCylinder : Cylinder {
 
   using Cylinder::Cylinder;
 
-  // Below the axis the two forces oppose and may cancel: where less than half of the larger is left, z is in doubt.
+  // Below the axis, inside the cylinder, the two forces oppose and may cancel: a later stage answers there.
   template <class Real>
   FORCESHADE_INLINE FirstStage<Real> first_stage(Real x, Real z) const {
     const auto cylinder = Cylinder::first_stage(x, z);
-    const MaskOf<Real> below_plane = z < Real(0);
-    const Real from_cylinder = select(cylinder.contact, cylinder.z, Real(0));
-    const Real sum = from_cylinder + select(below_plane, Real(K) * -z, Real(0));
-    const MaskOf<Real> contact = cylinder.contact | below_plane;
-    const MaskOf<Real> doubt = cylinder.doubt | !(absolute(sum) >= Real(0.5) * absolute(from_cylinder));
-    return {select(cylinder.contact, cylinder.x, Real(0)), sum, contact, doubt};
+    const Real from_wall = larger(Real(-K) * z, Real(0));
+    const MaskOf<Real> contact = cylinder.contact | (z < Real(0));
+    const MaskOf<Real> doubt = cylinder.doubt | (cylinder.z < Real(0));
+    return {cylinder.x, cylinder.z + from_wall, contact, doubt};
   }
 
   template <class N>

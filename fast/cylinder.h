@@ -21,33 +21,42 @@ struct Cylinder {
   }
 
   double R, K;
-  double half_width_squared;  // (w/2)², exact
+  double anchor;          // 8R², exact
+  double anchored, rest;  // anchored + rest == 8R² + (w/2)² exactly
   Split d;
+  double axis;  // the binary32 nearest to -d
 
   Cylinder(const Parameters& p, const DoubleDouble& depth) noexcept
       : R(static_cast<double>(p.radius)),
         K(static_cast<double>(p.stiffness)),
-        half_width_squared(0.25 * static_cast<double>(p.width) * static_cast<double>(p.width)),
-        d(split(depth)) {}
+        anchor(8 * R * R),
+        d(split(depth)),
+        axis(-static_cast<double>(static_cast<float>(depth.hi))) {
+    const double half = 0.5 * static_cast<double>(p.width);
+    const TwoTerms sum = fast_two_sum(anchor, half * half);
+    anchored = sum.hi;
+    rest = sum.lo;
+  }
 
-  // R - ρ = v/(R + ρ) with v = R² - ρ² = (w/2)² - x² - z² - 2zd: every term but the tail of d is exact in binary64 and the
-  // sum keeps its rounding errors, so nothing cancels near the surface until v is below 2^-26 of its terms. The tail of d
-  // is good to 2^-82·d, enough for l until |l| is below 2^-26·d.
+  // R - ρ = v/(R + ρ) with v = R² - ρ² = (((8R² + (w/2)²) - x²) - z²) - 8R² - 2zd. Starting from 8R², which is larger than
+  // x² + z² wherever v may be positive, makes each sum's rounding error two more subtractions (Dekker), not five (Knuth);
+  // - 8R² is exact, and rounding - 2zd is harmless, for it is relative to v. What is left out is below 2^-80·|2zd| + 2^-100·R²,
+  // so v is good to 4·2^-53 until it is below 2^-26·|2zd| + 2^-47·R². Farther out than 8R² v is far from 0.
+  // l is good to 3·2^-53 but at the one z next to -d: the tail of d is good to 2^-82·d, and any other z leaves |l| > 2^-26·d.
   template <class Real>
   FORCESHADE_INLINE FirstStage<Real> first_stage(Real x, Real z) const {
-    const Real xx = x * x;
-    const Real two_z = z + z;
-    const Real zd = two_z * Real(d.head);
-    const auto a = exact_sum(Real(half_width_squared), -xx);
-    const auto b = exact_sum(z * z, zd);
-    const auto c = exact_sum(a.value, -b.value);
-    const Real v = c.value + (((a.error - b.error) + c.error) - two_z * Real(d.tail));
+    const Real a = multiply_subtract(x, x, Real(anchored));
+    const Real a_error = multiply_subtract(x, x, Real(anchored) - a);
+    const Real b = multiply_subtract(z, z, a);
+    const Real b_error = multiply_subtract(z, z, a - b);
+    const Real low = (a_error + b_error) + (Real(rest) - z * Real(2 * d.tail));
+    const Real v = multiply_subtract(z, Real(2 * d.head), b - Real(anchor)) + low;
     const Real l = (z + Real(d.head)) + Real(d.tail);
-    const Real rho = square_root(xx + l * l);
-    const Real scale = Real(K) * v / ((Real(R) + rho) * rho);
-    const MaskOf<Real> v_is_clear = absolute(v) >= Real(0x1p-26) * (Real(half_width_squared) + absolute(zd));
-    const MaskOf<Real> l_is_clear = absolute(l) > Real(0x1p-26 * d.head);
-    return {scale * x, scale * l, v > Real(0), !(v_is_clear & l_is_clear)};
+    const Real rho = square_root(multiply_add(x, x, l * l));
+    const Real scale = larger(Real(K) * v, Real(0)) / ((Real(R) + rho) * rho);
+    const Real least_v = multiply_add(absolute(z), Real(0x1p-25 * d.head), Real(0x1p-47 * R * R));
+    const MaskOf<Real> doubt = (absolute(v) < least_v) | (z == Real(axis));
+    return {scale * x, scale * l, v > Real(0), doubt};
   }
 
   template <class N>

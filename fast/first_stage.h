@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the binary64 stage of every law is made of: error-free sums, split constants and the rounding test.
+// What the binary64 stage of every law is made of: exact products, split constants and the rounding test.
 //
 // A law's first stage is a template over Real: double, or a pack of them in a batch (fast/pack_<set>.h). A Real offers
-// Real(double), + - * /, comparisons that give a MaskOf<Real> with & | !, and absolute, square_root, select, never and
-// rounding_is_in_doubt as declared here for double.
+// Real(double), + - * /, comparisons that give a MaskOf<Real> with & | !, and absolute, square_root, larger, select,
+// multiply_add, multiply_subtract and never as declared here for double.
 
 #include <cstdint>
 
@@ -30,7 +30,7 @@ using MaskOf = typename MaskTrait<Real>::Type;
 // components and `contact` is exact, unless `doubt` is set; then only a later stage can tell.
 template <class Real>
 struct FirstStage {
-  Real x, z;  // N; meaningful where contact holds
+  Real x, z;  // N; +0 or -0 where contact does not hold
   MaskOf<Real> contact;
   MaskOf<Real> doubt;
 };
@@ -41,8 +41,19 @@ FORCESHADE_INLINE double absolute(double a) {
 FORCESHADE_INLINE double square_root(double a) {
   return __builtin_sqrt(a);
 }
+FORCESHADE_INLINE double larger(double a, double b) {
+  return a > b ? a : b;
+}
 FORCESHADE_INLINE double select(bool condition, double yes, double no) {
   return condition ? yes : no;
+}
+
+// a·b + c and c - a·b, for products that are exact in binary64: then fused (as packs do it) or not, the result is the same.
+FORCESHADE_INLINE double multiply_add(double a, double b, double c) {
+  return a * b + c;
+}
+FORCESHADE_INLINE double multiply_subtract(double a, double b, double c) {
+  return c - a * b;
 }
 
 template <class Real>
@@ -50,19 +61,27 @@ FORCESHADE_INLINE MaskOf<Real> never() {
   return MaskOf<Real>{};
 }
 
-// The window of the 29 bits that rounding to binary32 drops in which a relative error of kErrorBound could matter: within
+// The bits of a binary64 that rounding to binary32 drops; one half of the last place kept is (kDroppedMask + 1)/2.
+inline constexpr int kDroppedMask = (1 << 29) - 1;
+
+// The window of the dropped bits in which a relative error of kErrorBound could matter: within
 // kErrorBound·2^53 units of the last place of one half (a relative bound e never spans more than e·2^53 of them; one is
-// added for the bits being whole). Shifted left by 35, as all of these are, one half is the most negative integer.
+// added for the bits being whole).
 template <double kErrorBound>
-inline constexpr std::int64_t kDoubtWindow = static_cast<std::int64_t>(kErrorBound * 0x1p53 + (kErrorBound > 0 ? 1 : 0)) << 35;
+inline constexpr int kDoubtWindow = static_cast<int>(kErrorBound * 0x1p53) + (kErrorBound > 0 ? 1 : 0);
+
+// Added to the dropped bits, moves the window to the top of their range: in doubt are those from kLeastInDoubt on.
+template <double kErrorBound>
+inline constexpr int kToTheTop = kDroppedMask / 2 - kDoubtWindow<kErrorBound>;
+template <double kErrorBound>
+inline constexpr int kLeastInDoubt = kDroppedMask - 2 * kDoubtWindow<kErrorBound>;
 
 // Whether some number within kErrorBound (relative) of `value` rounds to another binary32 than `value`, or is a tie.
 template <double kErrorBound>
 FORCESHADE_INLINE bool rounding_is_in_doubt(double value) {
   if constexpr (kErrorBound == 0) return false;
-  constexpr auto kWindow = static_cast<std::uint64_t>(kDoubtWindow<kErrorBound>);
-  const std::uint64_t dropped = __builtin_bit_cast(std::uint64_t, value) << 35;
-  return static_cast<std::int64_t>(dropped + kWindow) <= INT64_MIN + 2 * kDoubtWindow<kErrorBound>;
+  const std::uint64_t moved = __builtin_bit_cast(std::uint64_t, value) + kToTheTop<kErrorBound>;
+  return (moved & kDroppedMask) >= kLeastInDoubt<kErrorBound>;
 }
 
 // A constant as head + tail, the head short enough (29 bits) that its product with a binary32 is exact in binary64.
@@ -75,19 +94,6 @@ inline Split split(const DoubleDouble& value) noexcept {
   const double c = 0x1.000001p24 * value.hi;
   const double head = c - (c - value.hi);
   return {head, (value.hi - head) + value.lo};
-}
-
-template <class Real>
-struct Sum {
-  Real value, error;
-};
-
-// value + error == a + b exactly (Knuth), without a branch.
-template <class Real>
-FORCESHADE_INLINE Sum<Real> exact_sum(Real a, Real b) {
-  const Real s = a + b;
-  const Real t = s - a;
-  return {s, (a - (s - t)) + (b - t)};
 }
 
 }  // namespace forceshade::fast

@@ -13,8 +13,9 @@ struct Gap {
   MaskOf<Real> unclear;  // so near the surface that `value` has lost too much, or its sign
 };
 
-// height - slope·|x| - z. The head of slope·|x| is exact, the sum's rounding errors are kept: what remains is at most
-// 2^-80·height, so a gap above 2^-28·height is good to 2^-51.
+// (height - slope·|x|) - z. The head of slope·|x| is exact and not above the height (but for 2^-28 of it, near the edge, where
+// the difference is exact), so two subtractions give that difference's rounding error (Dekker); rounding - z is harmless, for
+// it is relative to the gap. What remains is at most 2^-80·height, so a gap above 2^-27·height is good to 2^-51.
 struct LinearGap {
   double height, height_tail;  // height - height_tail is below 2^-53·height
   Split slope;
@@ -26,10 +27,10 @@ struct LinearGap {
 
   template <class Real>
   FORCESHADE_INLINE static Gap<Real> gap(Real height, Real height_tail, Real slope, Real slope_tail, Real ax, Real z) {
-    const auto a = exact_sum(height, -z);
-    const auto b = exact_sum(a.value, -(slope * ax));
-    const Real value = b.value + ((a.error + b.error) + (height_tail - slope_tail * ax));
-    return {value, !(absolute(value) >= Real(0x1p-28) * height)};
+    const Real surface = multiply_subtract(slope, ax, height);
+    const Real error = multiply_subtract(slope, ax, height - surface);
+    const Real value = (surface - z) + (error + (height_tail - slope_tail * ax));
+    return {value, absolute(value) < Real(0x1p-27) * height};
   }
 };
 
@@ -44,7 +45,8 @@ inline LinearGap two_polygon_gap(const Face<DoubleDouble>& face, float width) no
 
 template <class N>
 N side_gap(const Face<N>& face, float width, float ax, float z) noexcept {
-  const N from_edge = N::exactly(0.5 * static_cast<double>(width) - static_cast<double>(ax));
+  // The difference is N's to take: in binary64 it would round where |x| is far below w.
+  const N from_edge = N::exactly(0.5 * static_cast<double>(width)) - N::exactly(static_cast<double>(ax));
   return face.tangent * from_edge - N::exactly(static_cast<double>(z));
 }
 

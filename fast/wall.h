@@ -27,7 +27,7 @@ struct Wall {
 
   template <class Real>
   FORCESHADE_INLINE FirstStage<Real> first_stage(Real, Real z) const {
-    return {Real(0), Real(K) * -z, z < Real(0), never<Real>()};
+    return {Real(0), larger(Real(-K) * z, Real(0)), z < Real(0), never<Real>()};
   }
 
   template <class N>

@@ -98,7 +98,7 @@ Aimed PositionSource::next() {
   }
   if (choice < 51) {
     const float tiny = neighbour(0x1p-30F, small_step()) * ((bits() & 1) != 0 ? 1.0F : -1.0F);
-    if (choice == 48) return {{tiny, y, below_surface(0)}, Aim::quantum};
+    if (choice == 48) return {{tiny, y, (bits() & 1) != 0 ? near_surface(tiny) : below_surface(0)}, Aim::quantum};
     if (choice == 49) return {{near_line(), y, tiny}, Aim::quantum};
     return {{neighbour(0, small_step()), y, neighbour(0, small_step())}, Aim::quantum};
   }

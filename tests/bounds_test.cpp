@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The constants of the first stages, against the laws' own code on numbers that track their error (tests/error_number.h).
 //
-// Over every box tried, the tracked bound must be within kErrorBound, and over some box it must exceed half of it: so a constant
-// half as large is refused. What holds between the boxes is for Gappa to prove (fast/*.g, docs/proofs.md); what this adds is that
-// it runs the code and not a copy of it.
+// Over every box tried, the tracked bound must be within kErrorBound, and over some box it must exceed half of it: so a
+// constant half as large is refused. What holds between the boxes is for Gappa to prove (fast/*.g, docs/proofs.md); what this
+// adds is that it runs the code and not a copy of it.
 
 #include <gtest/gtest.h>
 
@@ -36,6 +36,7 @@ void declare_gap(const fast::LinearGap& gap) {
 void declare_constants(const fast::Wall&) {}
 void declare_constants(const fast::Cylinder& law) {
   declare_tail(law.d.head, law.d.tail);
+  declare_tail(2 * law.d.head, 2 * law.d.tail);
 }
 void declare_constants(const fast::Bump2p& law) {
   declare_gap(law.gap);
@@ -84,7 +85,8 @@ struct Box {
 // Points and small boxes around the line z = surface, from touching it to far below, and on both sides of every edge.
 std::vector<Box> boxes(const Parameters& p, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(0, 1);
-  const double R = static_cast<double>(p.radius), half = 0.5 * static_cast<double>(p.width), d = std::sqrt((R - half) * (R + half));
+  const double R = static_cast<double>(p.radius), half = 0.5 * static_cast<double>(p.width),
+               d = std::sqrt((R - half) * (R + half));
   const double t = std::sin(std::asin(half / R) / 3), top = R * t, theta = 2 * std::asin(half / R) / 3;
   std::vector<double> xs{0, 0x1p-30, half, half * (1 - 0x1p-20), std::nextafter(p.width / 2, 2e4F), top, 1.5 * half};
   for (int i = 0; i < 4; ++i) xs.push_back(half * uniform(random));
@@ -98,12 +100,13 @@ std::vector<Box> boxes(const Parameters& p, std::mt19937_64& random) {
     found.back().other_x = size == 0 ? found.back().x : end(static_cast<double>(found.back().x));
   };
   for (const double x : xs) {
-    // Just clear of doubt: a gap of little more than 2^-28 of the height.
+    // Just clear of doubt: a gap of little more than 2^-27 of the height.
     for (const double slope : {half / (R + d), std::tan(theta)})
-      add(x, slope * (half - x) - 0x1p-28 * (1 + 0.25 * uniform(random)) * slope * half, 0);
+      add(x, slope * (half - x) - 0x1p-27 * (1 + 0.25 * uniform(random)) * slope * half, 0);
     // The surfaces of the laws at x, and where the forces of bump-cylinder cancel by half, above x = 0.
     const double side = std::max(0.0, half - x);
-    std::vector<double> surfaces{0, side * half / (R + d), std::min(side, half - top) * std::tan(theta), -(R + d) / 3, -0.6 * (R + d), -d};
+    std::vector<double> surfaces{
+        0, side * half / (R + d), std::min(side, half - top) * std::tan(theta), -(R + d) / 3, -0.6 * (R + d), -d};
     if (x < R) surfaces.push_back(std::sqrt((R - x) * (R + x)) - d);
     if (x < R) surfaces.push_back(-std::sqrt((R - x) * (R + x)) - d);
     for (const double surface : surfaces) {
@@ -166,7 +169,8 @@ Tracked track_many() {
     all.outside += one.outside;
   }
   std::printf("  tracked %.2f, constant %.2f (units of 2^-53); %d boxes, %d points, %d in doubt, %d without contact\n",
-              all.worst * 0x1p53, Definition::kErrorBound * 0x1p53, all.decided_boxes, all.decided_points, all.doubted, all.outside);
+              all.worst * 0x1p53, Definition::kErrorBound * 0x1p53, all.decided_boxes, all.decided_points, all.doubted,
+              all.outside);
   EXPECT_GT(all.decided_boxes, 1000);
   EXPECT_GT(all.decided_points, 10000);
   EXPECT_GT(all.outside, 1000);
@@ -206,6 +210,44 @@ TEST(bounds, bump_2p_shaded_accepts_its_constant_and_refuses_half_of_it) {
 }
 TEST(bounds, bump_3p_shaded_accepts_its_constant_and_refuses_half_of_it) {
   accepts_its_constant_and_refuses_half_of_it<fast::Bump3pShaded>();
+}
+
+// docs/proofs.md, "The last stage": a component that is not on a rounding boundary is 2^-separation away from it at least. The
+// enclosures of the last stage must be finer by the four bits that subtracting a boundary and asking for the sign can take.
+template <class Definition>
+void last_stage_sees_past(int separation, int count) {
+  using N = fast::Wide<Definition::kWideLimbs>;
+  std::mt19937_64 random(3);
+  std::int64_t worst = std::numeric_limits<std::int64_t>::min();
+  int decided = 0;
+  for (int i = 0; i < count; ++i) {
+    const Parameters p = i % 4 == 0 ? Parameters{1e4F, i % 8 == 0 ? 1e-3F : 2e4F, 1e3F} : any_parameters(random);
+    const fast::Built<Definition> law(p);
+    const auto geometry = Definition::template geometry<N>(p);
+    const std::vector<Box> all = boxes(p, random);
+    for (int k = 0; k < 40; ++k) {
+      const Box& box = all[random() % all.size()];
+      const auto outcome = law.definition.template exact<N>(p, geometry, box.x, box.z);
+      if (outcome.contact != fast::Sign::positive) continue;
+      ++decided;
+      worst = std::max({worst, outcome.x.error_exponent(), outcome.z.error_exponent()});
+    }
+  }
+  std::printf("  separation 2^-%d, largest error 2^%d of %d\n", separation, static_cast<int>(worst), decided);
+  EXPECT_LE(worst, -separation - 4);
+  EXPECT_GT(decided, count);
+}
+
+TEST(bounds, last_stage_sees_past_the_separation_of_each_law) {
+  last_stage_sees_past<fast::Wall>(150, 100);
+  last_stage_sees_past<fast::Bump1p>(150, 100);
+  last_stage_sees_past<fast::Cylinder>(946, 100);
+  last_stage_sees_past<fast::BumpCylinder>(949, 100);
+  last_stage_sees_past<fast::Bump2p>(1063, 100);
+  last_stage_sees_past<fast::Bump3p>(2102, 50);
+  last_stage_sees_past<fast::Bump1pShaded>(406, 100);
+  last_stage_sees_past<fast::Bump2pShaded>(1031, 100);
+  last_stage_sees_past<fast::Bump3pShaded>(3729, 50);
 }
 
 // The hypothesis of the proofs on the constants: the running bound of double-double says so itself for each bump built here.

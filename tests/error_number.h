@@ -5,7 +5,7 @@
 // It stands for all numbers that one step of the computation can meet over a box of inputs. [low, high] encloses the exact
 // value; the computed one differs from it by at most error(). Rounding adds 2^-53 of the largest size, or nothing where the
 // result is a multiple of a power of two coarse enough to be a binary64 number. The errors are kept apart term by term, so
-// that what exact_sum hands back cancels what it took.
+// that a rounding error found by subtraction cancels the one in the sum it is added to.
 
 #include <algorithm>
 #include <cmath>
@@ -33,17 +33,17 @@ class ErrorNumber {
     const auto declared = declarations().find(std::fabs(constant));
     if (declared == declarations().end()) return;
     add_term(declared->second);
-    low_ -= declared->second;
-    high_ += declared->second;
+    low_ -= Exact{declared->second};
+    high_ += Exact{declared->second};
   }
 
   // Any binary32 number from a to b, both of one sign.
   static ErrorNumber between(float a, float b) {
     ErrorNumber result(0.0);
-    result.low_ = static_cast<double>(std::min(a, b));
-    result.high_ = static_cast<double>(std::max(a, b));
-    const double least = result.least_size();
-    result.quantum_ = a == b ? lowest_bit(result.low_) : least > 0 ? std::ilogb(least) - 23 : -149;
+    result.low_ = static_cast<Exact>(std::min(a, b));
+    result.high_ = static_cast<Exact>(std::max(a, b));
+    const Exact least = result.least_size();
+    result.quantum_ = a == b ? lowest_bit(static_cast<double>(a)) : least > 0 ? std::ilogb(least) - 23 : -149;
     return result;
   }
 
@@ -59,7 +59,7 @@ class ErrorNumber {
     return sum * kSlack;
   }
   // The largest relative error; zero has none.
-  double relative_error() const { return error() == 0 ? 0 : error() / least_size(); }
+  double relative_error() const { return error() == 0 ? 0 : static_cast<double>(Exact{error()} / least_size()); }
   // Whether all exact values are of one size, to 2^-7: relative_error() overstates where they are not.
   bool narrow() const { return (low_ == 0 && high_ == 0) || largest_size() <= (1 + 0x1p-7) * least_size(); }
 
@@ -76,23 +76,23 @@ class ErrorNumber {
   }
   friend ErrorNumber operator-(const ErrorNumber& a, const ErrorNumber& b) { return a + (-b); }
   friend ErrorNumber operator*(const ErrorNumber& a, const ErrorNumber& b) {
-    const double ends[] = {a.low_ * b.low_, a.low_ * b.high_, a.high_ * b.low_, a.high_ * b.high_};
+    const Exact ends[] = {a.low_ * b.low_, a.low_ * b.high_, a.high_ * b.low_, a.high_ * b.high_};
     ErrorNumber result = enclosing(*std::min_element(ends, ends + 4), *std::max_element(ends, ends + 4));
-    const double ea = a.error(), eb = b.error();
+    const Exact ea = a.error(), eb = b.error();
     result.add_term(a.largest_size() * eb + b.largest_size() * ea + ea * eb);
     result.quantum_ = a.quantum_ + b.quantum_;
     return rounded(std::move(result));
   }
   friend ErrorNumber operator/(const ErrorNumber& a, const ErrorNumber& b) {
-    const double least = b.least_size() - b.error();
+    const Exact least = b.least_size() - Exact{b.error()};
     if (!(least > 0)) return unknown();
-    const double ends[] = {a.low_ / b.low_, a.low_ / b.high_, a.high_ / b.low_, a.high_ / b.high_};
+    const Exact ends[] = {a.low_ / b.low_, a.low_ / b.high_, a.high_ / b.low_, a.high_ / b.high_};
     ErrorNumber result = enclosing(*std::min_element(ends, ends + 4), *std::max_element(ends, ends + 4));
-    result.add_term((a.error() + result.largest_size() * b.error()) / least);
+    result.add_term((Exact{a.error()} + result.largest_size() * Exact{b.error()}) / least);
     return rounded(std::move(result));
   }
   friend ErrorNumber square_root(const ErrorNumber& a) {
-    const double e = a.error();
+    const Exact e = a.error();
     if (a.low_ - e < 0) return unknown();
     ErrorNumber result = enclosing(std::sqrt(a.low_), std::sqrt(a.high_));
     if (e > 0) result.add_term(e / (std::sqrt(a.low_) + std::sqrt(a.low_ - e)));
@@ -119,6 +119,9 @@ class ErrorNumber {
     result.quantum_ = std::min(yes.quantum_, no.quantum_);
     return result;
   }
+  friend ErrorNumber larger(const ErrorNumber& a, const ErrorNumber& b) { return select(a > b, a, b); }
+  friend ErrorNumber multiply_add(const ErrorNumber& a, const ErrorNumber& b, const ErrorNumber& c) { return a * b + c; }
+  friend ErrorNumber multiply_subtract(const ErrorNumber& a, const ErrorNumber& b, const ErrorNumber& c) { return c - a * b; }
   // Comparisons are between the computed numbers.
   friend Mask operator<(const ErrorNumber& a, const ErrorNumber& b) {
     return {a.least() < b.greatest(), a.greatest() >= b.least()};
@@ -128,21 +131,16 @@ class ErrorNumber {
   }
   friend Mask operator>(const ErrorNumber& a, const ErrorNumber& b) { return b < a; }
   friend Mask operator>=(const ErrorNumber& a, const ErrorNumber& b) { return b <= a; }
-
-  // Knuth's theorem: value + error is the sum of the two computed numbers, so one loses what the other gains.
-  friend fast::Sum<ErrorNumber> error_free_sum(const ErrorNumber& a, const ErrorNumber& b) {
-    ErrorNumber error(0.0);
-    const ErrorNumber exact = unrounded_sum(a, b);
-    const ErrorNumber value = rounded(exact);
-    for (const auto& [id, size] : value.terms_)
-      if (!exact.terms_.contains(id)) error.terms_[id] = -size;
-    error.quantum_ = exact.quantum_;
-    return {value, error};
+  friend Mask operator==(const ErrorNumber& a, const ErrorNumber& b) {
+    const bool may_be = a.least() <= b.greatest() && a.greatest() >= b.least();
+    return {may_be, !may_be || a.least() != a.greatest() || b.least() != b.greatest()};
   }
 
  private:
+  using Exact = long double;  // fine enough that enclosing the exact values costs next to nothing
+
   static constexpr double kSlack = 1 + 0x1p-40;  // for the rounding of the bounds themselves
-  static constexpr double kUnit = 0x1p-53;
+  static constexpr Exact kUnit = 0x1p-53L;
 
   static std::map<double, double>& declarations() {
     static std::map<double, double> all;
@@ -159,15 +157,15 @@ class ErrorNumber {
   }
   static ErrorNumber unknown() {
     ErrorNumber result(0.0);
-    result.low_ = -HUGE_VAL;
-    result.high_ = HUGE_VAL;
-    result.add_term(HUGE_VAL);
+    result.low_ = -HUGE_VALL;
+    result.high_ = HUGE_VALL;
+    result.add_term(HUGE_VALL);
     return result;
   }
-  static ErrorNumber enclosing(double low, double high) {
+  static ErrorNumber enclosing(Exact low, Exact high) {
     ErrorNumber result(0.0);
-    result.low_ = low == 0 ? 0 : std::nextafter(low, -HUGE_VAL);
-    result.high_ = high == 0 ? 0 : std::nextafter(high, HUGE_VAL);
+    result.low_ = low == 0 ? 0 : std::nextafter(low, -HUGE_VALL);
+    result.high_ = high == 0 ? 0 : std::nextafter(high, HUGE_VALL);
     result.quantum_ = -2000;
     return result;
   }
@@ -188,34 +186,25 @@ class ErrorNumber {
   }
   // Computed numbers that are multiples of 2^quantum and at most 2^(quantum + 53) are binary64 numbers already.
   static ErrorNumber rounded(ErrorNumber a) {
-    const double most = a.largest_size() + a.error();
-    if (most > std::ldexp(1, std::clamp(a.quantum_ + 53, -1070, 1020))) a.add_term(kUnit * most);
-    const double least = a.least_size() - a.error();
-    if (least > 0 && least < HUGE_VAL) a.quantum_ = std::max(a.quantum_, std::ilogb(least) - 52);
+    const Exact most = a.largest_size() + Exact{a.error()};
+    if (most > std::ldexp(Exact{1}, a.quantum_ + 53)) a.add_term(kUnit * most);
+    const Exact least = a.least_size() - Exact{a.error()};
+    if (least > 0 && least < HUGE_VALL) a.quantum_ = std::max(a.quantum_, std::ilogb(least) - 52);
     return a;
   }
 
-  void add_term(double size) {
+  void add_term(Exact size) {
     static int last = 0;
-    if (size != 0) terms_[++last] = size;
+    if (size != 0) terms_[++last] = static_cast<double>(size);
   }
-  double least_size() const { return low_ > 0 ? low_ : high_ < 0 ? -high_ : 0; }
-  double largest_size() const { return std::max(std::fabs(low_), std::fabs(high_)); }
-  double least() const { return low_ - error(); }
-  double greatest() const { return high_ + error(); }
+  Exact least_size() const { return low_ > 0 ? low_ : high_ < 0 ? -high_ : 0; }
+  Exact largest_size() const { return std::max(std::fabs(low_), std::fabs(high_)); }
+  Exact least() const { return low_ - Exact{error()}; }
+  Exact greatest() const { return high_ + Exact{error()}; }
 
-  double low_, high_;
+  Exact low_, high_;
   std::map<int, double> terms_;  // errors by their origin: the size is a bound, the sign tells two uses of one error apart
   int quantum_;                  // the computed numbers are multiples of 2^quantum_
 };
 
 }  // namespace forceshade::tests
-
-namespace forceshade::fast {
-
-template <>
-inline Sum<tests::ErrorNumber> exact_sum(tests::ErrorNumber a, tests::ErrorNumber b) {
-  return error_free_sum(a, b);
-}
-
-}  // namespace forceshade::fast

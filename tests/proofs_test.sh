@@ -2,6 +2,7 @@
 # proofs_test.sh GAPPA SOURCE_DIR [store]: runs every Gappa script in fast/. Each interval that Gappa prints must be the one
 # stored beside the script, and must imply the constant in the header: neither exceed it nor leave it idle by more than 4.
 # A script holds definitions and then pieces; a piece ("#! piece NAME") is a proposition of its own over the definitions.
+# A piece whose name begins with sign_ proves no more than a sign: its relative error must be below 1.
 # "# from FILE PREFIX" after a hypothesis: it follows from the bounds of those pieces, and that is checked too.
 # With "store" the intervals are written instead of compared.
 set -euo pipefail
@@ -25,10 +26,10 @@ prove() {  # script
   done
 }
 
-# The largest size of the ends of the intervals of pieces that begin with a prefix.
-largest() {  # stored file, prefix
-  awk -v prefix="$2" '
-    index($0, prefix) == 1 && /: .* in \[/ {
+# The largest size of the ends of the intervals of pieces that match.
+largest() {  # stored file, regular expression
+  awk -v pieces="^$2" '
+    $0 ~ pieces && /: .* in \[/ {
       sub(/.* in \[/, ""); gsub(/[\] ]/, "")
       count = split($0, ends, ",")
       for (i = 1; i <= count; ++i) {
@@ -45,6 +46,7 @@ constant() {  # header, name
   local value
   value=$(sed -n "s/.*constexpr double $2 = \([^;]*\);.*/\1/p" "$1")
   case $value in
+    "Cylinder::"*) constant "$fast/cylinder.h" "$2" ;;
     "2 * Cylinder::"*) awk -v c="$(constant "$fast/cylinder.h" "$2")" 'BEGIN {printf "%.17g\n", 2 * c}' ;;
     "") constant "$fast/wall.h" "$2" ;;  # bump-1p is the wall
     *) printf '%.17g\n' "$value" ;;
@@ -67,7 +69,8 @@ check() {  # script's basename, bound that its intervals must imply, or "" if on
     at_most "$(largest "$fast/$from.gappa-expected" "$prefix")" "$(printf '%.17g' "$line")" ||
       fail "$1: the hypothesis $line is not proved by $from $prefix"
   done < <(grep '# from ' "$script" | grep -v '^#')
-  most=$(largest "$stored" "")
+  at_most "$(grep -q '^sign_' "$stored" && largest "$stored" sign_ || echo 0)" 0.999 || fail "$1: a sign is not proved"
+  most=$(largest "$stored" "([^s]|s[^i]|si[^g])")
   if [ -z "$bound" ]; then
     echo "$1: proved $most"
   elif ! at_most "$most" "$bound"; then
