@@ -32,9 +32,9 @@ inline TwoTerms two_product(double a, double b) noexcept {
   return {p, std::fma(a, b, -p)};
 }
 
-// |true value - (hi + lo)| <= error. Every operation below has a relative error of at most 15·2^-106 (Joldes, Muller and
-// Popescu 2017, algorithms 6, 12, 17; Lefèvre, Louvet, Muller, Picot and Rideau 2022 for the root), charged as 2^-101;
-// the bound's own arithmetic is rounded up by the factor kSlack.
+// |true value - (hi + lo)| <= error. Relative errors of the operations below: sum at most 3·2^-106 and a little (Joldes,
+// Muller and Popescu 2017, theorem 3.1); product, quotient and root proved in double_double.g. All are charged as 2^-101; the
+// bound's own arithmetic is rounded up by the factor kSlack.
 struct DoubleDouble {
   double hi = 0, lo = 0, error = 0;
 

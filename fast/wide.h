@@ -85,7 +85,7 @@ class Wide {
     if (a.is_zero()) return Wide{}.with_error(a.is_exact_zero() ? kExact : a.error_ - b.exponent_ + 3);
     const Wide divisor = midpoint(b);
     const Wide one = exactly(1);
-    Wide inverse = exactly(1 / b.fraction()).scaled(-b.exponent_);
+    Wide inverse = exactly((b.negative_ ? -1 : 1) / b.fraction()).scaled(-b.exponent_);
     for (std::int64_t bits = 50; bits < kBits; bits *= 2)
       inverse = truncated(inverse + inverse * (one - divisor * inverse), 2 * bits);
     const Wide dividend = midpoint(a);

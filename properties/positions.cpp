@@ -117,7 +117,7 @@ Aimed PositionSource::next() {
     return {{x, y, neighbour(axis, small_step())}, Aim::axis};
   }
   const auto few_bits = [&](double reach) {
-    const int places = static_cast<int>(bits() % 12);
+    const int places = static_cast<int>(bits() % 24);
     return static_cast<float>(std::ldexp(std::round(std::ldexp(uniform(-reach, reach), places)), -places));
   };
   return {{few_bits(shape_.R > 0 ? 0.6 * static_cast<double>(shape_.w) : 20), y, few_bits(depth)}, Aim::few_bits};

@@ -25,3 +25,13 @@ TEST(bump_2p, mirrors_everywhere_but_on_the_ridge) {
     EXPECT_EQ(right.x(), -left.x());
   }
 }
+
+TEST(bump_2p, keeps_every_bit_of_a_position_far_smaller_than_the_bump) {
+  // w/2 - |x| takes 67 bits here: an exact stage that forms it in binary64 is wrong in the last place.
+  const Parameters p{0x1.90019p+12F, 0x1.80018p+13F, 0x1.22p+0F};
+  const Eigen::Vector3f position(0x1.000002p-29F, 0, -0x1.800002p-30F);
+  const auto fast = std::get<fast::Law>(fast::Law::build(LawId::bump_2p, p));
+  EXPECT_EQ(fast.force(position).z(), 0x1.050104p+12F);
+  const auto reference = std::get<reference::Law>(reference::Law::build(LawId::bump_2p, p));
+  EXPECT_EQ(fast.force(position), reference.round_to_binary32(position).force);
+}

@@ -27,3 +27,15 @@ TEST(bump_3p, has_rational_faces_where_the_cubic_has_a_rational_root) {
   EXPECT_FLOAT_EQ(law.force({static_cast<float>(x), 0, -0.25F}).x(), static_cast<float>(gap * 120 / 169));
   EXPECT_FLOAT_EQ(law.force({static_cast<float>(x), 0, -0.25F}).z(), static_cast<float>(gap * 119 / 169));
 }
+
+TEST(bump_3p, answers_an_exact_tie_on_a_flat_bump) {
+  // h' - z is half way between two binary32 numbers, which only the widest stage can tell. Where w/2R <= 1/2, Newton's
+  // method for t divides by negative numbers.
+  const Parameters p{0x1.2bddap+12F, 0x1.0a96cp+12F, 1};
+  const auto fast = std::get<fast::Law>(fast::Law::build(LawId::bump_3p, p));
+  const auto reference = std::get<reference::Law>(reference::Law::build(LawId::bump_3p, p));
+  const fast::Evaluation answer = fast.evaluate({1, 0, -0x1p-16F});
+  EXPECT_EQ(answer.stage, fast::Stage::wide);
+  EXPECT_EQ(answer.status, Status::contact);
+  EXPECT_EQ(answer.force, reference.round_to_binary32({1, 0, -0x1p-16F}).force);
+}

@@ -53,14 +53,15 @@ const std::vector<Parameters>& parameter_sets() {
       {25.4F, 25.4F, 0.5F},
       {30.48F, 25.4F, 0.5F},
       {35.56F, 25.4F, 0.5F},
-      {1.25F, 1.5F, 1.0F},                    // d = 1: rational, ties occur
-      {12.7F, 25.4F, 1.0F},                   // w = 2R: d = 0, t = 1/2 a double root
-      {12.700001F, 25.4F, 0.75F},             // one unit in the last place short of that
-      {1.0F, 1.375F, 0.25F},                  // t = 1/4: w' = R/2
-      {1.0F, 1.125F, 0.3F},                   // the cubic splits: t quadratic
-      {2197.0F / 1024, 2035.0F / 512, 1.0F},  // t = 5/13: everything rational
-      {1000.0F, 25.4F, 0.3F},                 // nearly flat
-      {1e4F, 1e-3F, 1e3F},                    // domain ends
+      {1.25F, 1.5F, 1.0F},                     // d = 1: rational, ties occur
+      {12.7F, 25.4F, 1.0F},                    // w = 2R: d = 0, t = 1/2 a double root
+      {12.700001F, 25.4F, 0.75F},              // one unit in the last place short of that
+      {1.0F, 1.375F, 0.25F},                   // t = 1/4: w' = R/2
+      {1.0F, 1.125F, 0.3F},                    // the cubic splits: t quadratic
+      {2197.0F / 1024, 2035.0F / 512, 1.0F},   // t = 5/13: everything rational
+      {0x1.2bddap+12F, 0x1.0a96cp+12F, 1.0F},  // t rational with w/2R < 1/2
+      {1000.0F, 25.4F, 0.3F},                  // nearly flat
+      {1e4F, 1e-3F, 1e3F},                     // domain ends
       {1e4F, 2e4F, 1e-3F},
       {0.1F, 0.2F, 0.001F},
       {0.1F, 1e-3F, 7.3F},

@@ -23,11 +23,13 @@ struct Operands {
   double a, b;
 };
 
-// Positive numbers of about one size, and sometimes so close that they cancel.
+// a positive, b of about its size and either sign, and sometimes so close that they cancel.
 Operands operands(std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(0.5, 2);
   const double a = uniform(random);
-  return {a, random() % 4 == 0 ? a * (1 + std::ldexp(uniform(random), -static_cast<int>(random() % 50))) : uniform(random)};
+  const double b =
+      random() % 4 == 0 ? a * (1 + std::ldexp(uniform(random), -static_cast<int>(random() % 50))) : uniform(random);
+  return {a, random() % 2 == 0 ? b : -b};
 }
 
 // (a·b - a/b)·√a + b, in any number type.

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/law.h"
-
 #include <gtest/gtest.h>
 
 #include "forceshade/reference/enclosure.h"
+#include "forceshade/reference/law.h"
 
 namespace forceshade::reference {
 namespace {
 
-Law build(LawId id, const Parameters& p) { return std::get<Law>(Law::build(id, p)); }
+Law build(LawId id, const Parameters& p) {
+  return std::get<Law>(Law::build(id, p));
+}
 
 TEST(reference, encloses_the_force_as_narrowly_as_one_likes) {
   const Eigen::Vector3f position(3, 0, -1);

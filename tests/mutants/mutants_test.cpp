@@ -21,8 +21,12 @@ namespace {
 // The thesis's bump, bumps that make ties, double roots and rational faces, and bumps of every size: near the surface of a
 // flat top all of one bump's positions share a handful of gaps, so some mistakes show on few bumps only.
 std::vector<Parameters> parameters() {
-  std::vector<Parameters> sets{
-      {15.24F, 25.4F, 0.5F}, {1.25F, 1.5F, 0.7F}, {12.7F, 25.4F, 1}, {3.125F, 6, 1}, {2197.0F / 1024, 2035.0F / 512, 1}};
+  std::vector<Parameters> sets{{15.24F, 25.4F, 0.5F},
+                               {1.25F, 1.5F, 0.7F},
+                               {12.7F, 25.4F, 1},
+                               {3.125F, 6, 1},
+                               {2197.0F / 1024, 2035.0F / 512, 1},
+                               {0x1.2bddap+12F, 0x1.0a96cp+12F, 1}};
   std::mt19937_64 random(99);
   std::uniform_real_distribution<float> uniform(0, 1);
   while (sets.size() < 60) {
