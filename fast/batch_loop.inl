@@ -9,7 +9,7 @@ namespace {
 template <class Definition>
 bool answer_block(const Definition& definition, const float* x, const float* z, float* fx, float* fz) {
   using Two = Pair<Pack>;
-  constexpr double kErrorBound = Definition::kErrorBound;
+  constexpr int kWindow = doubt_window(Definition::kErrorBound);
   const Definition law = definition;  // a copy that the stores below cannot alias
   alignas(64) double near_x[kBlock], near_z[kBlock];
   Watch watch;
@@ -19,7 +19,7 @@ bool answer_block(const Definition& definition, const float* x, const float* z, 
     watch.coordinates(z + i);
     const FirstStage<Two> force = law.first_stage(Two::load(x + i), Two::load(z + i));
     doubt = doubt | force.doubt;
-    if constexpr (kErrorBound == 0) {
+    if constexpr (kWindow == 0) {
       (force.x + Two(0)).store(fx + i);  // + 0 turns -0 into +0
       (force.z + Two(0)).store(fz + i);
     } else {
@@ -27,17 +27,18 @@ bool answer_block(const Definition& definition, const float* x, const float* z, 
       force.z.store(near_z + i);
     }
   }
-  if constexpr (kErrorBound > 0) {
+  if constexpr (kWindow > 0) {
     for (std::size_t i = 0; i < kBlock; i += Pack::kLanes) {
       const Pack force_x = Pack::load(near_x + i);
       const Pack force_z = Pack::load(near_z + i);
-      watch.rounding<kErrorBound>(force_x);
-      watch.rounding<kErrorBound>(force_z);
+      watch.rounding<kWindow>(force_x);
+      watch.rounding<kWindow>(force_z);
       (force_x + Pack(0)).store(fx + i);
       (force_z + Pack(0)).store(fz + i);
     }
   }
-  return !doubt.any() & watch.is_calm<kErrorBound>();  // not &&: g++ would gather the watch in a second pass
+  // Not &&: g++ would gather the watch in a second pass.
+  return (static_cast<int>(!doubt.any()) & static_cast<int>(watch.is_calm<kWindow>())) != 0;
 }
 
 constexpr BlockTable kBlocks{

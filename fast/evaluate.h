@@ -62,7 +62,8 @@ Evaluation evaluate(const Built<Definition>& law, const Parameters& p, const Eig
   const FirstStage<double> first = law.definition.first_stage(static_cast<double>(x), static_cast<double>(z));
   if (!first.doubt) {
     if (!first.contact) return {};
-    if (!rounding_is_in_doubt<Definition::kErrorBound>(first.x) && !rounding_is_in_doubt<Definition::kErrorBound>(first.z))
+    constexpr int kWindow = doubt_window(Definition::kErrorBound);
+    if (!rounding_is_in_doubt<kWindow>(first.x) && !rounding_is_in_doubt<kWindow>(first.z))
       return {{static_cast<float>(first.x) + 0.0F, 0, static_cast<float>(first.z) + 0.0F}, Status::contact, Stage::binary64};
   }
   const auto second = decide<DoubleDouble>(law.definition, p, law.geometry, x, z, Stage::double_double);

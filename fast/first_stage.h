@@ -67,21 +67,22 @@ inline constexpr int kDroppedMask = (1 << 29) - 1;
 // The window of the dropped bits in which a relative error of kErrorBound could matter: within
 // kErrorBound·2^53 units of the last place of one half (a relative bound e never spans more than e·2^53 of them; one is
 // added for the bits being whole).
-template <double kErrorBound>
-inline constexpr int kDoubtWindow = static_cast<int>(kErrorBound * 0x1p53) + (kErrorBound > 0 ? 1 : 0);
+constexpr int doubt_window(double error_bound) {
+  return static_cast<int>(error_bound * 0x1p53) + (error_bound > 0 ? 1 : 0);
+}
 
 // Added to the dropped bits, moves the window to the top of their range: in doubt are those from kLeastInDoubt on.
-template <double kErrorBound>
-inline constexpr int kToTheTop = kDroppedMask / 2 - kDoubtWindow<kErrorBound>;
-template <double kErrorBound>
-inline constexpr int kLeastInDoubt = kDroppedMask - 2 * kDoubtWindow<kErrorBound>;
+template <int kWindow>
+inline constexpr int kToTheTop = kDroppedMask / 2 - kWindow;
+template <int kWindow>
+inline constexpr int kLeastInDoubt = kDroppedMask - 2 * kWindow;
 
 // Whether some number within kErrorBound (relative) of `value` rounds to another binary32 than `value`, or is a tie.
-template <double kErrorBound>
+template <int kWindow>
 FORCESHADE_INLINE bool rounding_is_in_doubt(double value) {
-  if constexpr (kErrorBound == 0) return false;
-  const std::uint64_t moved = __builtin_bit_cast(std::uint64_t, value) + kToTheTop<kErrorBound>;
-  return (moved & kDroppedMask) >= kLeastInDoubt<kErrorBound>;
+  if constexpr (kWindow == 0) return false;
+  const std::uint64_t moved = __builtin_bit_cast(std::uint64_t, value) + kToTheTop<kWindow>;
+  return (moved & kDroppedMask) >= kLeastInDoubt<kWindow>;
 }
 
 // A constant as head + tail, the head short enough (29 bits) that its product with a binary32 is exact in binary64.

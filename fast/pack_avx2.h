@@ -72,21 +72,21 @@ struct Watch {
     smallest = _mm256_min_epu32(smallest, _mm256_sub_epi32(size, _mm256_set1_epi32(1)));
   }
 
-  template <double kErrorBound>
+  template <int kWindow>
   FORCESHADE_INLINE void rounding(Pack value) {
-    const __m256i moved = _mm256_add_epi64(_mm256_castpd_si256(value.lanes), _mm256_set1_epi64x(kToTheTop<kErrorBound>));
+    const __m256i moved = _mm256_add_epi64(_mm256_castpd_si256(value.lanes), _mm256_set1_epi64x(kToTheTop<kWindow>));
     closest = _mm256_max_epu32(closest, _mm256_and_si256(moved, _mm256_set1_epi64x(kDroppedMask)));
   }
 
   // Every coordinate is valid and either 0 or not below the quantum, no rounding is in doubt.
-  template <double kErrorBound>
+  template <int kWindow>
   FORCESHADE_INLINE bool is_calm() const {
     constexpr int kLargest = __builtin_bit_cast(int, kLargestCoordinate);
     constexpr int kSmallest = __builtin_bit_cast(int, kPositionQuantum) - 1;
     // largest and closest are below 2^31; smallest may not be, and AVX2 compares signed integers alone.
     const __m256i invalid = _mm256_cmpgt_epi32(largest, _mm256_set1_epi32(kLargest));
     const __m256i tiny = _mm256_cmpeq_epi32(_mm256_min_epu32(smallest, _mm256_set1_epi32(kSmallest - 1)), smallest);
-    const __m256i doubt = _mm256_cmpgt_epi32(closest, _mm256_set1_epi32(kLeastInDoubt<kErrorBound> - 1));
+    const __m256i doubt = _mm256_cmpgt_epi32(closest, _mm256_set1_epi32(kLeastInDoubt<kWindow> - 1));
     const __m256i any = _mm256_or_si256(_mm256_or_si256(invalid, tiny), doubt);
     return _mm256_testz_si256(any, any) != 0;
   }

@@ -70,20 +70,20 @@ struct Watch {
     smallest = _mm512_min_epu32(smallest, _mm512_sub_epi32(size, _mm512_set1_epi32(1)));
   }
 
-  template <double kErrorBound>
+  template <int kWindow>
   FORCESHADE_INLINE void rounding(Pack value) {
-    const __m512i moved = _mm512_add_epi64(_mm512_castpd_si512(value.lanes), _mm512_set1_epi64(kToTheTop<kErrorBound>));
+    const __m512i moved = _mm512_add_epi64(_mm512_castpd_si512(value.lanes), _mm512_set1_epi64(kToTheTop<kWindow>));
     closest = _mm512_max_epu32(closest, _mm512_and_si512(moved, _mm512_set1_epi64(kDroppedMask)));
   }
 
   // Every coordinate is valid and either 0 or not below the quantum, no rounding is in doubt.
-  template <double kErrorBound>
+  template <int kWindow>
   FORCESHADE_INLINE bool is_calm() const {
     constexpr int kLargest = __builtin_bit_cast(int, kLargestCoordinate);
     constexpr int kSmallest = __builtin_bit_cast(int, kPositionQuantum) - 1;
     const __mmask16 invalid = _mm512_cmpgt_epu32_mask(largest, _mm512_set1_epi32(kLargest));
     const __mmask16 tiny = _mm512_cmplt_epu32_mask(smallest, _mm512_set1_epi32(kSmallest));
-    const __mmask16 doubt = _mm512_cmpge_epu32_mask(closest, _mm512_set1_epi32(kLeastInDoubt<kErrorBound>));
+    const __mmask16 doubt = _mm512_cmpge_epu32_mask(closest, _mm512_set1_epi32(kLeastInDoubt<kWindow>));
     return (invalid | tiny | doubt) == 0;
   }
 };

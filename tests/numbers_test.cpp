@@ -118,17 +118,18 @@ TEST_F(Numbers, rounding_of_a_ball_is_to_nearest_even_or_unknown) {
 
 TEST_F(Numbers, rounding_is_in_doubt_exactly_in_the_window) {
   constexpr double kBound = 0x1p-48;
+  constexpr int kWindow = fast::doubt_window(kBound);
   for (int i = 0; i < 100000; ++i) {
     const auto head = static_cast<float>(operands(random).a);
     const double tie = 0.5 * (static_cast<double>(head) + static_cast<double>(std::nextafter(head, 4.0F)));
     const double near = tie * (1 + std::ldexp(1.0, -48 - static_cast<int>(random() % 4)) * (random() % 2 == 0 ? 1 : -1));
     const double far = tie * (1 + 3 * kBound * (random() % 2 == 0 ? 1 : -1));
-    ASSERT_TRUE(fast::rounding_is_in_doubt<kBound>(near)) << near;
-    ASSERT_TRUE(fast::rounding_is_in_doubt<kBound>(-near)) << near;
-    ASSERT_FALSE(fast::rounding_is_in_doubt<kBound>(far)) << far;
-    ASSERT_FALSE(fast::rounding_is_in_doubt<kBound>(-far)) << far;
+    ASSERT_TRUE(fast::rounding_is_in_doubt<kWindow>(near)) << near;
+    ASSERT_TRUE(fast::rounding_is_in_doubt<kWindow>(-near)) << near;
+    ASSERT_FALSE(fast::rounding_is_in_doubt<kWindow>(far)) << far;
+    ASSERT_FALSE(fast::rounding_is_in_doubt<kWindow>(-far)) << far;
   }
-  EXPECT_FALSE(fast::rounding_is_in_doubt<kBound>(0.0));
+  EXPECT_FALSE(fast::rounding_is_in_doubt<kWindow>(0.0));
 }
 
 TEST_F(Numbers, split_heads_multiply_without_rounding) {
