@@ -23,9 +23,12 @@ class Filter {
   friend Filter operator+(const Filter& a, const Filter& b) { return rounded(a.mid_ + b.mid_, a.rad_ + b.rad_); }
   friend Filter operator-(const Filter& a, const Filter& b) { return rounded(a.mid_ - b.mid_, a.rad_ + b.rad_); }
   friend Filter operator*(const Filter& a, const Filter& b) {
+    // The positions and parameters themselves: 24 bits each, so their product is exact. Edges such as 2|x| = w need that.
+    if (a.is_binary32() && b.is_binary32()) return {a.mid_ * b.mid_, 0};
     return rounded(a.mid_ * b.mid_, std::fabs(a.mid_) * b.rad_ + a.rad_ * (std::fabs(b.mid_) + b.rad_));
   }
   friend Filter operator/(const Filter& a, const Filter& b) {
+    if (a.mid_ == b.mid_ && a.rad_ == 0 && b.rad_ == 0 && a.mid_ != 0) return 1.0;
     const long double smallest = std::fabs(b.mid_) * (1 - kUnit) - b.rad_;
     if (!(smallest > 0)) throw Undecided{};
     const long double q = a.mid_ / b.mid_;
@@ -56,6 +59,8 @@ class Filter {
   }
 
  private:
+  bool is_binary32() const { return rad_ == 0 && static_cast<long double>(static_cast<float>(mid_)) == mid_; }
+
   // Twice the unit roundoff: covers the operation and the arithmetic of its radius.
   static constexpr long double kUnit = std::numeric_limits<long double>::epsilon();
 
