@@ -39,7 +39,6 @@ using properties::show;
 
 constexpr std::uint64_t kSeed = 20260101;
 
-// Parameter sets in the law's domain; the wall reads only K.
 fast::Law build(LawId law, const Parameters& p) {
   return std::get<fast::Law>(fast::Law::build(law, p));
 }
