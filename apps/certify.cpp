@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// forceshade certify: check the fast path against the reference and write certificate.json and certificate.html.
+// forceshade certify: check the fast path against the reference, at points or exhaustively, and write certificate.json and
+// certificate.html.
 
 #include "forceshade/properties/certify.h"
 
@@ -11,6 +12,7 @@
 #include <thread>
 
 #include "forceshade/apps/command.h"
+#include "forceshade/apps/exhaustive.h"
 #include "forceshade/properties/report.h"
 
 namespace forceshade::apps {
@@ -21,7 +23,11 @@ struct Options {
   int cases = 2000;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   std::string out;
+  ExhaustiveOptions exhaustive;
 };
+
+// The thesis's reference bumps: 600, 800, 1000, 1200 and 1400 mils.
+const std::vector<float> kThesisRadii{15.24F, 20.32F, 25.4F, 30.48F, 35.56F};
 
 // One line, drawn over itself, on a terminal only.
 void draw_progress(LawId law, double done) {
@@ -43,16 +49,7 @@ void print(const properties::LawResult& law) {
     if (!property.held) std::printf("  %s: %s\n", property.name.c_str(), property.counterexample.c_str());
 }
 
-int run(const Options& options, const LawOptions& law_options) {
-  watch_for_interrupt();
-  const Parameters parameters = law_options.parameters();
-  // Before the work, so that a path that cannot be written to is said at once.
-  std::error_code error;
-  std::filesystem::create_directories(options.out, error);
-  if (error || access(options.out.c_str(), W_OK) != 0)
-    throw BadInput("--out " + options.out + ": expected a directory that can be written to" +
-                   (error ? ": " + error.message() : ""));
-
+int run_points(const Options& options, const LawOptions& law_options, const Parameters& parameters) {
   const bool terminal = isatty(STDERR_FILENO) != 0;
   const auto certificate = properties::certify(
       {law_options.laws(), parameters, options.points, options.cases, options.seed, options.threads},
@@ -78,6 +75,17 @@ int run(const Options& options, const LawOptions& law_options) {
   return certificate->held() ? kHeld : kFailed;
 }
 
+int run(const Options& options, const LawOptions& law_options, bool radius_is_given) {
+  watch_for_interrupt();
+  const Parameters parameters = law_options.parameters();
+  if (options.out.empty()) throw CLI::RequiredError("--out");
+  make_directory("--out", options.out);  // before the work, so that a path that cannot be written to is said at once
+  if (!options.exhaustive.wanted) return run_points(options, law_options, parameters);
+  properties::SweepPlan plan{law_options.laws(), parameters, kThesisRadii};
+  if (radius_is_given) plan.radii = {parameters.radius};
+  return run_exhaustive(options.exhaustive, plan, options.threads, options.out);
+}
+
 }  // namespace
 
 void add_certify(CLI::App& app, int& result) {
@@ -97,10 +105,12 @@ void add_certify(CLI::App& app, int& result) {
       ->type_name("T")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  command->add_option("--out", options->out, "directory for certificate.json and certificate.html")
-      ->type_name("DIR")
-      ->required();
-  command->callback([options, law, &result] { result = run(*options, *law); });
+  command->add_option("--out", options->out, "directory for certificate.json and certificate.html")->type_name("DIR");
+  options->exhaustive.add_to(*command);
+  add_merge(*command, result);
+  command->callback([options, law, command, &result] {
+    if (!command->got_subcommand("merge")) result = run(*options, *law, command->count("--radius") > 0);
+  });
 }
 
 }  // namespace forceshade::apps

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/apps/command.h"
 
+#include <unistd.h>
+
 #include <csignal>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -96,6 +99,14 @@ std::string read_file(const std::string& path) {
   if (file) text << file.rdbuf();
   if (!file || !text) throw BadInput(path + ": cannot be read: " + std::strerror(errno));
   return text.str();
+}
+
+void make_directory(const std::string& option, const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error || access(path.c_str(), W_OK) != 0)
+    throw BadInput(option + " " + path + ": expected a directory that can be written to" +
+                   (error ? ": " + error.message() : ""));
 }
 
 }  // namespace forceshade::apps

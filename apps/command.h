@@ -46,6 +46,9 @@ void watch_for_interrupt();
 void write_file(const std::string& path, const std::string& text);
 std::string read_file(const std::string& path);
 
+// Throws BadInput, naming the option, unless the directory is there or can be made, and can be written to.
+void make_directory(const std::string& option, const std::string& path);
+
 // One function per subcommand; each runs through `result` when the user calls it.
 void add_laws(CLI::App& app, int& result);
 void add_geometry(CLI::App& app, int& result);

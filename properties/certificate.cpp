@@ -71,12 +71,15 @@ Json law_json(const LawResult& law) {
           {"energy_per_loop", energy}};
 }
 
+LawId id_from(const Json& json) {
+  const std::string name = json.at("law");
+  if (const auto id = law_named(name)) return *id;
+  throw std::runtime_error("unknown law \"" + name + "\"");
+}
+
 LawResult law_from(const Json& json) {
   LawResult law;
-  const std::string name = json.at("law");
-  const auto id = law_named(name);
-  if (!id) throw std::runtime_error("unknown law \"" + name + "\"");
-  law.law = *id;
+  law.law = id_from(json);
   law.parameters = parameters_from(law.law, json.at("parameters"));
   law.conservative = json.at("conservative");
   law.points = json.at("points");
@@ -96,6 +99,52 @@ LawResult law_from(const Json& json) {
   return law;
 }
 
+Json sweeps_json(const Sweeps& sweeps) {
+  Json list = Json::array();
+  for (const SweepResult& result : sweeps.results)
+    list.push_back({{"law", name_of(result.sweep.law)},
+                    {"parameters", parameters_json(result.sweep.law, result.sweep.parameters)},
+                    {"kind", kSweepKinds[static_cast<std::size_t>(result.sweep.kind)]},
+                    {"at_mm", static_cast<double>(result.sweep.at)},
+                    {"inputs", result.inputs},
+                    {"mismatches", result.mismatches}});
+  return {{"finished", sweeps.is_finished()},
+          {"units", {{"first", sweeps.first}, {"end", sweeps.end}, {"next", sweeps.next}, {"of", sweeps.units()}}},
+          {"seconds", sweeps.seconds},
+          {"inputs", sweeps.inputs()},
+          {"mismatches", sweeps.mismatches()},
+          {"calls_by_stage", {{"binary64", sweeps.stages[0]}, {"double-double", sweeps.stages[1]}, {"wide", sweeps.stages[2]}}},
+          {"counterexamples", sweeps.counterexamples},
+          {"sweeps", list}};
+}
+
+Sweeps sweeps_from(const Json& json) {
+  Sweeps sweeps;
+  for (const Json& row : json.at("sweeps")) {
+    const LawId law = id_from(row);
+    const auto kind = std::find(kSweepKinds.begin(), kSweepKinds.end(), row.at("kind").get<std::string>());
+    if (kind == kSweepKinds.end()) throw std::runtime_error("unknown kind of sweep " + row.at("kind").dump());
+    sweeps.results.push_back(
+        {{law, parameters_from(law, row.at("parameters")), static_cast<SweepKind>(kind - kSweepKinds.begin()),
+          static_cast<float>(row.at("at_mm").get<double>())},
+         row.at("inputs"),
+         row.at("mismatches")});
+  }
+  const Json& units = json.at("units");
+  sweeps.first = units.at("first");
+  sweeps.end = units.at("end");
+  sweeps.next = units.at("next");
+  if (!(sweeps.first <= sweeps.next && sweeps.next <= sweeps.end && sweeps.end <= sweeps.units()) ||
+      units.at("of") != sweeps.units())
+    throw std::runtime_error("units: expected first <= next <= end <= of = " + std::to_string(sweeps.units()) + ", got " +
+                             units.dump());
+  sweeps.seconds = json.at("seconds");
+  const Json& stages = json.at("calls_by_stage");
+  sweeps.stages = {stages.at("binary64"), stages.at("double-double"), stages.at("wide")};
+  sweeps.counterexamples = json.at("counterexamples").get<std::vector<std::string>>();
+  return sweeps;
+}
+
 }  // namespace
 
 bool LawResult::held() const {
@@ -106,28 +155,31 @@ bool LawResult::held() const {
 }
 
 bool Certificate::held() const {
-  return !laws.empty() && std::all_of(laws.begin(), laws.end(), [](const LawResult& law) { return law.held(); });
+  const bool is_empty = laws.empty() && sweeps.results.empty();
+  const bool swept = sweeps.results.empty() || (sweeps.is_whole() && sweeps.mismatches() == 0);
+  return !is_empty && swept && std::all_of(laws.begin(), laws.end(), [](const LawResult& law) { return law.held(); });
 }
 
 std::string to_json(const Certificate& certificate) {
   const Build& build = certificate.build;
   Json laws = Json::array();
   for (const LawResult& law : certificate.laws) laws.push_back(law_json(law));
-  const Json json{{"schema", kCertificateSchema},
-                  {"held", certificate.held()},
-                  {"statement", kStatement},
-                  {"method", kMethod},
-                  {"domain", domain()},
-                  {"build",
-                   {{"version", build.version},
-                    {"revision", build.revision},
-                    {"compiler", build.compiler},
-                    {"flags", build.flags},
-                    {"instruction_set", build.instruction_set},
-                    {"library_digest", build.library_digest}}},
-                  {"seed", certificate.seed},
-                  {"seconds", certificate.seconds},
-                  {"laws", laws}};
+  Json json{{"schema", kCertificateSchema},
+            {"held", certificate.held()},
+            {"statement", kStatement},
+            {"method", kMethod},
+            {"domain", domain()},
+            {"build",
+             {{"version", build.version},
+              {"revision", build.revision},
+              {"compiler", build.compiler},
+              {"flags", build.flags},
+              {"instruction_set", build.instruction_set},
+              {"library_digest", build.library_digest}}},
+            {"seed", certificate.seed},
+            {"seconds", certificate.seconds},
+            {"laws", laws}};
+  if (!certificate.sweeps.results.empty()) json["exhaustive"] = sweeps_json(certificate.sweeps);
   return json.dump(2) + "\n";
 }
 
@@ -144,6 +196,7 @@ Certificate from_json(const std::string& text, const std::string& file) {
     certificate.seed = json.at("seed");
     certificate.seconds = json.at("seconds");
     for (const Json& law : json.at("laws")) certificate.laws.push_back(law_from(law));
+    if (json.contains("exhaustive")) certificate.sweeps = sweeps_from(json.at("exhaustive"));
     return certificate;
   } catch (const std::exception& error) {
     throw CertificateError(file + ": expected a forceshade certificate (schema " + std::to_string(kCertificateSchema) +
@@ -171,7 +224,9 @@ std::optional<std::string> refusal(const Certificate& certificate, const Build& 
     return "the certificate covers " + name + " with other parameters: expected " + parameters_json(law, parameters).dump() +
            ", got " +
            parameters_json(law, std::find_if(certificate.laws.begin(), certificate.laws.end(), same_law)->parameters).dump();
-  if (!covered->held()) return "the certificate says that " + name + " failed";
+  const bool sweep_failed = std::any_of(certificate.sweeps.results.begin(), certificate.sweeps.results.end(),
+                                        [&](const SweepResult& r) { return r.sweep.law == law && r.mismatches > 0; });
+  if (!covered->held() || sweep_failed) return "the certificate says that " + name + " failed";
   return std::nullopt;
 }
 

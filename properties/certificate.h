@@ -11,11 +11,12 @@
 #include <string_view>
 #include <vector>
 
+#include "forceshade/properties/sweep.h"
 #include "forceshade/vocabulary/law.h"
 
 namespace forceshade::properties {
 
-inline constexpr int kCertificateSchema = 1;
+inline constexpr int kCertificateSchema = 2;
 
 // What was checked is this build and no other.
 struct Build {
@@ -74,7 +75,8 @@ struct Certificate {
   Build build;
   std::uint64_t seed = 0;
   double seconds = 0;
-  std::vector<LawResult> laws;
+  std::vector<LawResult> laws;  // checked by points and properties
+  Sweeps sweeps;                // checked exhaustively; without results where nothing was
 
   bool held() const;
 };

@@ -129,7 +129,7 @@ std::map<std::string, std::uint64_t> named(const std::array<std::uint64_t, kCoun
 
 std::optional<Certificate> certify(const CertifyOptions& options, const Progress& progress, const std::atomic<bool>& stop) {
   const auto start = std::chrono::steady_clock::now();
-  Certificate certificate{current_build(), options.seed, 0, {}};
+  Certificate certificate{current_build(), options.seed, 0, {}, {}};
   for (std::size_t i = 0; i < options.laws.size(); ++i) {
     const LawId id = options.laws[i];
     const auto overall = [&](double done) {

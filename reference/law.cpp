@@ -5,39 +5,15 @@
 #include <mutex>
 #include <optional>
 
-#include "forceshade/reference/bump_1p.h"
-#include "forceshade/reference/bump_1p_shaded.h"
-#include "forceshade/reference/bump_2p.h"
-#include "forceshade/reference/bump_2p_shaded.h"
-#include "forceshade/reference/bump_3p.h"
-#include "forceshade/reference/bump_3p_shaded.h"
-#include "forceshade/reference/bump_cylinder.h"
-#include "forceshade/reference/cylinder.h"
 #include "forceshade/reference/decimal.h"
 #include "forceshade/reference/enclosure.h"
 #include "forceshade/reference/slow_geometry.h"
-#include "forceshade/reference/wall.h"
+#include "forceshade/reference/with_law.h"
 
 namespace forceshade::reference {
 namespace {
 
 std::mutex slow_numbers;  // see set_precision()
-
-template <class F>
-auto with_law(LawId id, const F& f) {
-  switch (id) {
-    case LawId::wall: return f(Wall{});
-    case LawId::cylinder: return f(Cylinder{});
-    case LawId::bump_cylinder: return f(BumpCylinder{});
-    case LawId::bump_1p: return f(Bump1p{});
-    case LawId::bump_2p: return f(Bump2p{});
-    case LawId::bump_3p: return f(Bump3p{});
-    case LawId::bump_1p_shaded: return f(Bump1pShaded{});
-    case LawId::bump_2p_shaded: return f(Bump2pShaded{});
-    case LawId::bump_3p_shaded: return f(Bump3pShaded{});
-  }
-  return f(Wall{});
-}
 
 bool is_valid(const Eigen::Vector3f& position) {
   return (position.array() >= -1e4F).all() && (position.array() <= 1e4F).all();

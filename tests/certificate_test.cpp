@@ -98,7 +98,7 @@ TEST(certificate, names_the_file_and_what_is_wrong_with_it) {
   };
   EXPECT_NE(message("").find("here.json: expected a forceshade certificate"), std::string::npos);
   EXPECT_NE(message("{}").find("schema"), std::string::npos);
-  EXPECT_NE(message(R"({"schema": 99})").find("schema is 99; expected 1"), std::string::npos);
+  EXPECT_NE(message(R"({"schema": 99})").find("schema is 99; expected 2"), std::string::npos);
   std::string text = to_json(small_certificate());
   text.replace(text.find("\"bump-2p\""), 9, "\"bump-9p\"");
   EXPECT_NE(message(text).find("unknown law \"bump-9p\""), std::string::npos);

@@ -13,6 +13,7 @@
 #include "forceshade/properties/binary32.h"
 #include "forceshade/reference/decimal.h"
 #include "forceshade/reference/filter.h"
+#include "forceshade/reference/taylor.h"
 
 namespace forceshade {
 namespace {
@@ -156,6 +157,41 @@ TEST_F(Numbers, filter_encloses_and_throws_where_it_cannot_tell) {
   EXPECT_THROW((void)(Filter(1.0) / (one - Filter(1.0))), reference::Undecided);
   EXPECT_TRUE(third < Filter(0.34));
   EXPECT_THROW(static_cast<void>(Filter(1.0L + 0x1p-24L, 1e-15L).round()), reference::Undecided);
+}
+
+TEST_F(Numbers, taylor_encloses_over_its_whole_stretch_and_its_rest_is_not_idle) {
+  using reference::Taylor;
+  long double worst = 0;
+  for (int i = 0; i < 3000; ++i) {
+    Operands o = operands(random);
+    o.a = static_cast<double>(static_cast<float>(o.a));  // so that a + reach·s is exact
+    const double reach = std::ldexp(1.0, -3 - static_cast<int>(random() % 12));
+    // (a·b - a/b)·√a + b with a varying.
+    const auto value = expression<Taylor>(
+        o, [&](double v) { return v == o.a ? Taylor::variable(v, reach) : Taylor(v); },
+        [](const Taylor& v) { return sqrt(v); });
+    for (const double s : {-1.0, -0.625, 0.25, 1.0}) {
+      const Multiprecision at = truth({o.a + reach * s, o.b});
+      Multiprecision cubic = 0;
+      for (std::size_t k = 4; k-- > 0;) cubic = cubic * Multiprecision(s) + Multiprecision(value.coefficient(k));
+      const Multiprecision error = abs(at - cubic);
+      ASSERT_LE(error, Multiprecision(value.rest())) << o.a << ' ' << o.b << ' ' << reach << ' ' << s;
+      worst = std::max(worst, static_cast<long double>(Multiprecision(error / Multiprecision(value.rest()))));
+    }
+  }
+  std::printf("  worst error/rest %.3Lf\n", worst);
+  EXPECT_GT(worst, 0.1L) << "the rest is idle";
+}
+
+TEST_F(Numbers, taylor_throws_where_it_cannot_tell) {
+  using reference::Taylor, reference::Undecided;
+  const Taylor x = Taylor::variable(1, 0.125);
+  EXPECT_TRUE(x < Taylor(1.25));
+  EXPECT_FALSE(x < Taylor(0.75));
+  EXPECT_THROW((void)(x < Taylor(1.0)), Undecided);
+  EXPECT_THROW((void)(x / (x - Taylor(1.0))), Undecided);
+  EXPECT_THROW((void)(Taylor(1.0) / Taylor::variable(1, 0.5)), Undecided) << "too wide for its series";
+  EXPECT_THROW((void)sqrt(x - Taylor(2.0)), Undecided);
 }
 
 TEST_F(Numbers, decimals_are_rounded_to_even_on_ties) {

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/apps/exhaustive.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cinttypes>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "forceshade/apps/command.h"
+#include "forceshade/properties/build.h"
+#include "forceshade/properties/merge.h"
+#include "forceshade/properties/report.h"
+
+namespace forceshade::apps {
+namespace {
+
+using properties::Certificate;
+using properties::Sweeps;
+
+constexpr double kSecondsBetweenSaves = 5;
+
+struct Shard {
+  std::uint64_t k = 0, n = 0;
+};
+
+Shard parse_shard(const std::string& text) {
+  Shard shard;
+  const char* const end = text.data() + text.size();
+  const auto k = std::from_chars(text.data(), end, shard.k);
+  if (k.ec == std::errc() && k.ptr < end && *k.ptr == '/') {
+    const auto n = std::from_chars(k.ptr + 1, end, shard.n);
+    if (n.ec == std::errc() && n.ptr == end && shard.k >= 1 && shard.k <= shard.n && shard.n <= 1000000) return shard;
+  }
+  throw BadInput("--shards: expected k/n with 1 <= k <= n, for example 1/8; got \"" + text + "\"");
+}
+
+// What is left of a part: the file of an earlier run if there is one.
+Certificate begin_or_resume(const std::string& file, const Sweeps& part) {
+  const properties::Build build = properties::current_build();
+  if (!std::filesystem::exists(file)) return {build, 0, 0, {}, part};
+  const Certificate earlier = properties::from_json(read_file(file), file);
+  const auto sweep_of = [](const properties::SweepResult& result) { return result.sweep; };
+  const bool same = std::ranges::equal(earlier.sweeps.results, part.results, {}, sweep_of, sweep_of) &&
+                    earlier.sweeps.first == part.first && earlier.sweeps.end == part.end;
+  if (!(earlier.build == build)) throw BadInput(file + ": was begun by another build; remove it to begin again");
+  if (!same) throw BadInput(file + ": is of other sweeps; remove it or choose another --out");
+  return earlier;
+}
+
+void draw_progress(const Sweeps& sweeps, double units_per_second) {
+  const double left = static_cast<double>(sweeps.end - sweeps.next) / units_per_second;
+  const auto& sweep =
+      sweeps.results[std::min<std::size_t>(sweeps.next / properties::kUnitsPerSweep, sweeps.results.size() - 1)].sweep;
+  std::fprintf(stderr, "\r%5.1f %%  %.0f M inputs/s  %d:%02d:%02d left  %-15s %-9s ",
+               100 * static_cast<double>(sweeps.next - sweeps.first) / static_cast<double>(sweeps.end - sweeps.first),
+               static_cast<double>(sweeps.inputs()) / sweeps.seconds / 1e6, static_cast<int>(left / 3600),
+               static_cast<int>(left / 60) % 60, static_cast<int>(left) % 60, name_of(sweep.law).data(),
+               properties::kSweepKinds[static_cast<std::size_t>(sweep.kind)].data());
+}
+
+// One line for each law and kind of sweep.
+void print(const Sweeps& sweeps) {
+  struct Row {
+    std::uint64_t sweeps = 0, inputs = 0, mismatches = 0;
+  };
+  std::map<std::pair<LawId, properties::SweepKind>, Row> rows;
+  for (const properties::SweepResult& result : sweeps.results) {
+    Row& row = rows[{result.sweep.law, result.sweep.kind}];
+    ++row.sweeps;
+    row.inputs += result.inputs;
+    row.mismatches += result.mismatches;
+  }
+  for (const auto& [key, row] : rows)
+    std::printf("%-15s %-9s %4" PRIu64 " sweeps %14" PRIu64 " inputs %" PRIu64 " mismatches\n", name_of(key.first).data(),
+                properties::kSweepKinds[static_cast<std::size_t>(key.second)].data(), row.sweeps, row.inputs, row.mismatches);
+  for (const std::string& words : sweeps.counterexamples) std::printf("  %s\n", words.c_str());
+  std::printf("%" PRIu64 " inputs in %.0f s (%.0f M/s), %" PRIu64 " mismatches\n", sweeps.inputs(), sweeps.seconds,
+              static_cast<double>(sweeps.inputs()) / std::max(sweeps.seconds, 1e-9) / 1e6, sweeps.mismatches());
+}
+
+int write_certificate(const Certificate& certificate, const std::filesystem::path& directory) {
+  write_file(directory / "certificate.html", properties::to_html(certificate));
+  write_file(directory / "certificate.json", properties::to_json(certificate));
+  std::printf("%s: %s\n", certificate.held() ? "certified" : "NOT certified", (directory / "certificate.html").c_str());
+  return certificate.held() ? kHeld : kFailed;
+}
+
+}  // namespace
+
+void ExhaustiveOptions::add_to(CLI::App& command) {
+  CLI::Option* flag = command.add_flag("--exhaustive", wanted,
+                                       "sweep over every binary32 instead of points and cases; can be stopped and resumed");
+  command
+      .add_option("--sweeps", sweeps,
+                  "with --exhaustive: directions, heights (the five radii of the thesis unless --radius is given), lines")
+      ->type_name("LIST")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"directions", "heights", "lines"}))
+      ->needs(flag)
+      ->capture_default_str();
+  command.add_option("--shards", shards, "with --exhaustive: do part k of n, to be joined by 'certify merge'")
+      ->type_name("k/n")
+      ->needs(flag)
+      ->capture_default_str();
+}
+
+int run_exhaustive(const ExhaustiveOptions& options, properties::SweepPlan plan, unsigned threads, const std::string& out) {
+  const auto wants = [&](const char* kind) { return std::ranges::find(options.sweeps, kind) != options.sweeps.end(); };
+  plan.directions = wants("directions");
+  plan.heights = wants("heights");
+  plan.lines = wants("lines");
+  const Shard shard = parse_shard(options.shards);
+  const Sweeps all = properties::planned(plan);
+  if (all.results.empty()) throw BadInput("--sweeps: the law has no such sweep");
+  const std::string file =
+      std::filesystem::path(out) / ("exhaustive-" + std::to_string(shard.k) + "-of-" + std::to_string(shard.n) + ".json");
+  Certificate part = begin_or_resume(file, properties::part_of(all, shard.k, shard.n));
+  Sweeps& sweeps = part.sweeps;
+
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  const std::uint64_t begun_at = sweeps.next;
+  const double seconds_before = sweeps.seconds;
+  double saved_at = sweeps.seconds;
+  while (!sweeps.is_finished() && !interrupted()) {
+    sweeps = properties::continued(sweeps, 8 * threads, threads);
+    if (sweeps.seconds - saved_at > kSecondsBetweenSaves) {
+      write_file(file, properties::to_json(part));
+      saved_at = sweeps.seconds;
+    }
+    if (terminal) draw_progress(sweeps, static_cast<double>(sweeps.next - begun_at) / (sweeps.seconds - seconds_before));
+  }
+  part.seconds = sweeps.seconds;
+  write_file(file, properties::to_json(part));
+  if (terminal) std::fprintf(stderr, "\n");
+  if (!sweeps.is_finished()) {
+    std::fprintf(stderr, "forceshade: stopped; the same command goes on from %s\n", file.c_str());
+    return kFailed;
+  }
+  print(sweeps);
+  if (sweeps.is_whole()) {
+    const int result = write_certificate(part, out);
+    std::filesystem::remove(file);  // the certificate says all that it said
+    return result;
+  }
+  std::printf("part %s; join the parts with: forceshade certify merge FILE... --out DIR\n", file.c_str());
+  return sweeps.mismatches() == 0 ? kHeld : kFailed;
+}
+
+void add_merge(CLI::App& certify, int& result) {
+  struct Options {
+    std::vector<std::string> files;
+    std::string out;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* command =
+      certify.add_subcommand("merge", "Join the parts of an exhaustive run, and a certificate of points if one is given");
+  command->add_option("files", options->files, "exhaustive-k-of-n.json of every k, and at most one certificate.json")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("--out", options->out, "directory for certificate.json and certificate.html")
+      ->type_name("DIR")
+      ->required();
+  command->callback([options, &result] {
+    std::vector<properties::CertificateFile> files;
+    for (const std::string& name : options->files) files.push_back({name, properties::from_json(read_file(name), name)});
+    const Certificate certificate = properties::merged(std::move(files));
+    make_directory("--out", options->out);
+    print(certificate.sweeps);
+    result = write_certificate(certificate, options->out);
+  });
+}
+
+}  // namespace forceshade::apps
