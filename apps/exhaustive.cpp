@@ -8,7 +8,6 @@
 #include <cinttypes>
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <memory>
 
 #include "forceshade/apps/command.h"
@@ -63,21 +62,11 @@ void draw_progress(const Sweeps& sweeps, double units_per_second) {
                properties::kSweepKinds[static_cast<std::size_t>(sweep.kind)].data());
 }
 
-// One line for each law and kind of sweep.
 void print(const Sweeps& sweeps) {
-  struct Row {
-    std::uint64_t sweeps = 0, inputs = 0, mismatches = 0;
-  };
-  std::map<std::pair<LawId, properties::SweepKind>, Row> rows;
-  for (const properties::SweepResult& result : sweeps.results) {
-    Row& row = rows[{result.sweep.law, result.sweep.kind}];
-    ++row.sweeps;
-    row.inputs += result.inputs;
-    row.mismatches += result.mismatches;
-  }
-  for (const auto& [key, row] : rows)
-    std::printf("%-15s %-9s %4" PRIu64 " sweeps %14" PRIu64 " inputs %" PRIu64 " mismatches\n", name_of(key.first).data(),
-                properties::kSweepKinds[static_cast<std::size_t>(key.second)].data(), row.sweeps, row.inputs, row.mismatches);
+  for (const properties::SweepTotal& total : properties::totals(sweeps))
+    std::printf("%-15s %-9s %4" PRIu64 " sweeps %14" PRIu64 " inputs %" PRIu64 " mismatches\n", name_of(total.law).data(),
+                properties::kSweepKinds[static_cast<std::size_t>(total.kind)].data(), total.sweeps, total.inputs,
+                total.mismatches);
   for (const std::string& words : sweeps.counterexamples) std::printf("  %s\n", words.c_str());
   std::printf("%" PRIu64 " inputs in %.0f s (%.0f M/s), %" PRIu64 " mismatches\n", sweeps.inputs(), sweeps.seconds,
               static_cast<double>(sweeps.inputs()) / std::max(sweeps.seconds, 1e-9) / 1e6, sweeps.mismatches());

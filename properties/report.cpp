@@ -137,6 +137,7 @@ std::string failed_properties(const Certificate& certificate) {
 }
 
 std::string statements(const Certificate& certificate) {
+  if (certificate.laws.empty() && !certificate.sweeps.results.empty()) return "";
   if (certificate.laws.empty()) return "<p class=\"statement\">No law was checked.</p>\n";
   const std::string rule = "the exact force rounded to binary32 (nearest, ties to even)";
   const std::uint64_t mismatches = total(certificate, &LawResult::mismatches);
@@ -162,11 +163,19 @@ std::string statements(const Certificate& certificate) {
   return html + "</p>\n";
 }
 
+std::string sweep_statement(const Sweeps& sweeps) {
+  if (sweeps.results.empty()) return "";
+  const std::uint64_t mismatches = sweeps.mismatches();
+  return "<p class=\"statement\">" + std::string(sweeps.is_whole() ? "" : "As far as they went, ") +
+         (sweeps.is_whole() ? "E" : "e") + "xhaustive sweeps over " + grouped(sweeps.inputs()) + " inputs found " +
+         (mismatches == 0 ? "no mismatch" : plural(mismatches, "wrong answer")) + ".</p>\n";
+}
+
 std::string header(const Certificate& certificate) {
   const bool held = certificate.held();
   return std::string("<header") + (held ? "" : " class=\"failed\"") + ">\n<h1>forceshade " +
          escaped(certificate.build.version) + ": certificate of the fast path</h1>\n<p class=\"verdict\">" +
-         (held ? "Held" : "Failed") + "</p>\n" + statements(certificate) + "</header>\n";
+         (held ? "Held" : "Failed") + "</p>\n" + statements(certificate) + sweep_statement(certificate.sweeps) + "</header>\n";
 }
 
 // On a phone a row becomes a card, and every cell needs its own label.
@@ -235,6 +244,34 @@ std::string summary(const Certificate& certificate) {
          "passivity says that the fast path gives no more energy than the exact law does plus its rounding.</p>\n</section>\n";
 }
 
+// One row for each law and kind of sweep.
+std::string sweeps_table(const Sweeps& sweeps) {
+  if (sweeps.results.empty()) return "";
+  constexpr std::array<const char*, 4> kSwept{"every <i>x</i> of the bump, on <i>z</i> = −1\u202Fmm",
+                                              "the surface at every <i>x</i> of the bump",
+                                              "every <i>x</i>, on a chosen <i>z</i>", "every <i>z</i>, on a chosen <i>x</i>"};
+  std::string html =
+      "<section>\n<h2>Exhaustive sweeps</h2>\n<table class=\"summary\">\n<thead>\n<tr><th scope=\"col\">law</th><th "
+      "scope=\"col\">swept</th><th scope=\"col\">radii, mm</th><th scope=\"col\" class=\"number\">sweeps</th><th "
+      "scope=\"col\" class=\"number\">inputs</th><th scope=\"col\" class=\"number\">mismatches</th></tr>\n</thead>\n"
+      "<tbody>\n";
+  for (const SweepTotal& total : totals(sweeps)) {
+    std::string radii;
+    for (const float radius : total.radii) radii += (radii.empty() ? "" : ", ") + shortest(radius);
+    html += "<tr><th scope=\"row\">" + std::string(name_of(total.law)) + "</th>" +
+            cell("swept", kSwept[static_cast<std::size_t>(total.kind)]) + cell("radii, mm", radii.empty() ? "any" : radii) +
+            cell("sweeps", grouped(total.sweeps), "number") + cell("inputs", grouped(total.inputs), "number") +
+            cell("mismatches", total.mismatches == 0 ? "0" : "<span class=\"no\">" + grouped(total.mismatches) + "</span>",
+                 "number") +
+            "</tr>\n";
+  }
+  return html +
+         "</tbody>\n</table>\n<p class=\"note\">Every binary32 of one coordinate, numbers below the quantum included (on lines "
+         "and columns NaN and infinities too), by the "
+         "scalar call and by every instruction set of the machine: " +
+         html_number(sweeps.seconds, 3) + "\u202Fs.</p>\n</section>\n";
+}
+
 std::string counterexamples(const Certificate& certificate) {
   std::string html;
   const auto add = [&](const LawResult& law, const std::string& what, const std::string& words) {
@@ -248,6 +285,9 @@ std::string counterexamples(const Certificate& certificate) {
     for (const PropertyResult& property : law.properties)
       if (!property.held) add(law, property.name, property.counterexample);
   }
+  std::string swept;
+  for (const std::string& words : certificate.sweeps.counterexamples) swept += (swept.empty() ? "" : "\n") + words;
+  if (!swept.empty()) html += "<h3>Exhaustive sweeps</h3>\n<pre>" + escaped(swept) + "</pre>\n";
   return html.empty() ? "" : "<section class=\"counterexamples\">\n<h2>Counterexamples</h2>\n" + html + "</section>\n";
 }
 
@@ -293,8 +333,9 @@ std::string to_html(const Certificate& certificate) {
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>forceshade certificate: " +
          std::string(certificate.held() ? "held" : "failed") + "</title>\n<style>" + kStyle +
          "</style>\n</head>\n<body>\n<main>\n" + header(certificate) + (certificate.laws.empty() ? "" : summary(certificate)) +
-         counterexamples(certificate) + (pictures.empty() ? "" : "<section>\n<h2>Figures</h2>\n" + pictures + "</section>\n") +
-         build_table(certificate) + kLimits + "</main>\n</body>\n</html>\n";
+         sweeps_table(certificate.sweeps) + counterexamples(certificate) +
+         (pictures.empty() ? "" : "<section>\n<h2>Figures</h2>\n" + pictures + "</section>\n") + build_table(certificate) +
+         kLimits + "</main>\n</body>\n</html>\n";
 }
 
 }  // namespace forceshade::properties

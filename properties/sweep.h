@@ -12,8 +12,8 @@
 
 namespace forceshade::properties {
 
-// direction: every x on z = -1 mm, where the force of a flat shaded law is K times its direction.
-// height: every x with 2|x| <= w, where the highest position in contact and the lowest free one must be told apart; for a law
+// direction: every x of the bump on z = -1 mm, where the force of a flat shaded law is K times its direction.
+// height: every x of the bump, where the highest position in contact and the lowest free one must be told apart; for a law
 //   whose surface is flat, every z on x = 0.
 // line: every x on a chosen z. column: every z on a chosen x.
 enum class SweepKind { direction, height, line, column };
@@ -59,6 +59,15 @@ struct Sweeps {
     return total;
   }
 };
+
+// All sweeps of one law and kind together.
+struct SweepTotal {
+  LawId law;
+  SweepKind kind;
+  std::vector<float> radii;  // mm; none for the wall
+  std::uint64_t sweeps = 0, inputs = 0, mismatches = 0;
+};
+std::vector<SweepTotal> totals(const Sweeps& sweeps);
 
 // Which kinds to sweep; line and column go together.
 struct SweepPlan {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which sweeps there are.
+// Which sweeps there are, and what they add up to.
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <random>
@@ -90,6 +91,21 @@ Sweeps part_of(Sweeps sweeps, std::uint64_t k, std::uint64_t n) {
   sweeps.end = units * k / n;
   sweeps.next = sweeps.first;
   return sweeps;
+}
+
+std::vector<SweepTotal> totals(const Sweeps& sweeps) {
+  std::vector<SweepTotal> rows;
+  for (const SweepResult& result : sweeps.results) {
+    const Sweep& sweep = result.sweep;
+    auto row = std::ranges::find_if(rows, [&](const SweepTotal& r) { return r.law == sweep.law && r.kind == sweep.kind; });
+    if (row == rows.end()) row = rows.insert(row, {sweep.law, sweep.kind, {}});
+    if (has_bump_geometry(sweep.law) && std::ranges::count(row->radii, sweep.parameters.radius) == 0)
+      row->radii.push_back(sweep.parameters.radius);
+    ++row->sweeps;
+    row->inputs += result.inputs;
+    row->mismatches += result.mismatches;
+  }
+  return rows;
 }
 
 }  // namespace forceshade::properties

@@ -29,10 +29,13 @@ class Checker {
   UnitTally check(std::uint32_t unit) {
     const std::uint32_t begin = unit << kUnitBits;
     for (std::uint32_t first = begin; first - begin < (1U << kUnitBits); first += kRun) {
-      if (sweep_.kind == SweepKind::height)
-        check_surface(first);
-      else
+      // Directions and heights end with the bump: its last run is swept whole.
+      const bool is_beside = !(2 * reference::coordinate_of_run(first, 0) <= sweep_.parameters.width);
+      if (sweep_.kind == SweepKind::height) {
+        if (!is_beside) check_surface(first);
+      } else if (sweep_.kind != SweepKind::direction || !is_beside) {
         check_both_signs(first);
+      }
     }
     return std::move(tally_);
   }

@@ -70,6 +70,19 @@ expect 0 "certified" -- "$forceshade" certify --law bump-1p-shaded --points 5000
 [ -s here/certificate.json ] && [ -s here/certificate.html ] || { echo "FAILED: certify wrote nothing"; exit 1; }
 expect 2 "expected a directory" -- "$forceshade" certify --law wall --points 1 --out in.csv/no
 printf 't_s,x_mm,y_mm,z_mm\n0,3,0,-1\n0.001,4,0,-1\n0.002,4,0,1\n' > hand.csv
+# certify --exhaustive: a small shard of a quick sweep, stopped and resumed, refused when it does not fit.
+sweep() { "$forceshade" certify --exhaustive --law wall --sweeps heights "$@"; }
+for k in 1 2; do expect 0 "8388608 inputs" -- sweep --shards $k/512 --out parts; done
+expect 2 "missing part: units 2 to 512" -- "$forceshade" certify merge parts/exhaustive-1-of-512.json parts/exhaustive-2-of-512.json --out whole
+expect 2 "overlaps" -- "$forceshade" certify merge parts/exhaustive-1-of-512.json parts/exhaustive-1-of-512.json --out whole
+expect 2 "exhaustive-1-of-512.json: is of other sweeps" -- "$forceshade" certify --exhaustive --law bump-1p --sweeps heights --shards 1/512 --out parts
+expect 2 "expected k/n" -- sweep --shards 3/2 --out parts
+expect 2 "the law has no such sweep" -- "$forceshade" certify --exhaustive --law wall --sweeps lines --out parts
+expect 2 "--out is required" -- "$forceshade" certify --law wall
+"$forceshade" certify --exhaustive --out stopped_sweep > stopped.txt 2>&1 &
+sleep 2; kill -INT $!; wait $!; same 1 $?
+grep -q "the same command goes on from" stopped.txt || { echo "FAILED: $(cat stopped.txt)"; exit 1; }
+grep -q '"finished": false' stopped_sweep/exhaustive-1-of-1.json || { echo "FAILED: no checkpoint"; exit 1; }
 drive() { "$forceshade" drive --device replay:hand.csv --unpaced "$@"; }
 expect 0 "missed deadlines  0" -- drive --law bump-1p-shaded --certificate here/certificate.json --record record.csv --json run.json
 same "tick,t_s,device_t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status,compute_us" "$(head -1 record.csv)"
