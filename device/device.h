@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // What a force-feedback device is to the servo loop: it gives positions and takes forces. No law knows a device, no device a
-// law.
+// law. Positions and forces are in the frame of docs/laws.md: x right, y into the page, z up.
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <optional>
+#include <string_view>
 #include <variant>
 
 namespace forceshade::device {
 
 struct Reading {
-  Eigen::Vector3f position{0, 0, 0};  // mm
-  double time = 0;                    // s, by the device's own clock
+  Eigen::Vector3f position{0, 0, 0};                     // mm
+  double time = 0;                                       // s, by the device's own clock
+  std::uint32_t buttons = 0;                             // bit k is set while button k is down
+  std::optional<Eigen::Vector3f> gimbal = std::nullopt;  // rad, from a device that has one
 };
 
 // Nothing is wrong and nothing more will come.
@@ -24,15 +29,43 @@ struct Fault {
 
 using ReadResult = std::variant<Reading, EndOfData, Fault>;
 
-// Both calls are made from the servo loop: they allocate nothing, throw nothing and return well within a tick.
+// What a device can do, fixed while it is open. The default is one that knows no limit.
+struct Capabilities {
+  static constexpr float kNone = std::numeric_limits<float>::infinity();
+
+  std::string_view model = "unknown";  // lives as long as the device
+  Eigen::Vector3f workspace_low = Eigen::Vector3f::Constant(-kNone), workspace_high = Eigen::Vector3f::Constant(kNone);  // mm
+  float resolution = 0;                                           // mm, the coarsest direction at the origin
+  float peak_force = kNone, continuous_force = kNone;             // N, in the weakest direction at the origin
+  double highest_rate = std::numeric_limits<double>::infinity();  // Hz
+  int buttons = 0;
+  bool gimbal = false;
+};
+
+// What a device knows about itself, as of the last reading.
+struct State {
+  bool calibrated = true;  // else its positions mean nothing
+  bool forces_on = true;   // else commands are taken and not obeyed: a dead-man switch, amplifiers off
+  float temperature = 0;   // of the hottest motor: 0 is the room's, 1 the highest allowed
+};
+
+// read() and command() are called from the servo loop, in turns: they allocate nothing, throw nothing and return well within
+// a tick. Until start() a device gives no force, whatever else is asked of it, and when destroyed it gives none again.
 class Device {
  public:
   virtual ~Device() = default;
 
+  virtual Capabilities capabilities() const noexcept = 0;
+
+  // Once, before the first reading, with the rate in Hz at which there will be readings. Takes its time.
+  virtual std::optional<Fault> start(double rate) noexcept = 0;
+
   virtual ReadResult read() noexcept = 0;
 
   // Holds this force, in N, until the next command. Zero must be obeyed even after a fault.
-  virtual void command(const Eigen::Vector3f& force) noexcept = 0;
+  virtual std::optional<Fault> command(const Eigen::Vector3f& force) noexcept = 0;
+
+  virtual State state() const noexcept { return {}; }
 
   // How many readings are still to come, from a device that knows.
   virtual std::optional<std::size_t> readings_left() const noexcept { return std::nullopt; }

@@ -15,7 +15,8 @@ struct UnknownDevice : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// `name` is KIND:REST, for instance "replay:strokes.csv". Throws UnknownDevice, or what the kind's own opener throws.
+// `name` is KIND or KIND:REST, for instance "replay:strokes.csv". No device moves by being opened. Throws UnknownDevice, or
+// what the kind's own opener throws.
 std::unique_ptr<Device> open_device(const std::string& name);
 
 }  // namespace forceshade::device

@@ -18,8 +18,13 @@ class Replay final : public Device {
   // NaN too: to judge them is the law's business. Throws csv::Error, also when there is no row.
   static Replay load(const std::string& path);
 
+  Capabilities capabilities() const noexcept override { return {.model = "replay"}; }
+  std::optional<Fault> start(double) noexcept override { return std::nullopt; }
   ReadResult read() noexcept override;
-  void command(const Eigen::Vector3f& force) noexcept override { last_command_ = force; }
+  std::optional<Fault> command(const Eigen::Vector3f& force) noexcept override {
+    last_command_ = force;
+    return std::nullopt;
+  }
   std::optional<std::size_t> readings_left() const noexcept override { return recording_.size() - next_; }
 
   const Eigen::Vector3f& last_command() const noexcept { return last_command_; }

@@ -104,14 +104,20 @@ Limits limits_of(const ServoOptions& options, const Device& device) {
 }
 
 // The loop proper. `result.record` has room for limits.capacity ticks and the row that ends the run.
-void run(Device& device, const fast::Law& law, bool paced, const Limits& limits, const std::atomic<bool>& stop,
+void run(Device& device, const fast::Law& law, double rate, bool paced, const Limits& limits, const std::atomic<bool>& stop,
          ServoResult& result) noexcept {
   constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
   Reading last{.position = Eigen::Vector3f::Constant(kUnknown)};
+  const auto end_with = [&](const Fault& fault) {
+    result.end_reason = EndReason::device_fault;
+    result.fault = fault.words;
+  };
+  const std::optional<Fault> unstarted = device.start(rate);
+  if (unstarted) end_with(*unstarted);
   const std::int64_t start = now();
   const auto due = [&](std::size_t tick) { return start + static_cast<std::int64_t>(tick) * limits.period_ns; };
 
-  for (;; ++result.ticks) {
+  for (; result.end_reason != EndReason::device_fault; ++result.ticks) {
     if (paced) sleep_until(due(result.ticks), stop);
     if (stop) {
       result.end_reason = EndReason::stopped;
@@ -124,8 +130,7 @@ void run(Device& device, const fast::Law& law, bool paced, const Limits& limits,
     const ReadResult read = device.read();
     const std::int64_t read_at = now();
     if (const Fault* fault = std::get_if<Fault>(&read)) {
-      result.end_reason = EndReason::device_fault;
-      result.fault = fault->words;
+      end_with(*fault);
       break;
     }
     if (std::holds_alternative<EndOfData>(read)) {
@@ -138,13 +143,15 @@ void run(Device& device, const fast::Law& law, bool paced, const Limits& limits,
     }
     last = *std::get_if<Reading>(&read);
     const fast::Evaluation evaluation = law.evaluate(last.position);
-    device.command(evaluation.force);
+    const std::optional<Fault> refused = device.command(evaluation.force);
     const std::int64_t commanded_at = now();
     if (paced && commanded_at > due(result.ticks + 1)) ++result.missed_deadlines;
     result.record.push_back({result.ticks, read_at - start, last, evaluation.force, evaluation.status, commanded_at - read_at});
+    if (refused) end_with(*refused);
   }
 
-  device.command(Eigen::Vector3f::Zero());
+  const std::optional<Fault> unstopped = device.command(Eigen::Vector3f::Zero());
+  if (unstopped && result.end_reason != EndReason::device_fault) end_with(*unstopped);
   const std::int64_t elapsed = std::max<std::int64_t>(now() - start, 1);
   result.record.push_back({result.ticks, elapsed, last, Eigen::Vector3f::Zero(), std::nullopt, 0});
   result.achieved_rate_hz = static_cast<double>(result.ticks) / (static_cast<double>(elapsed) / 1e9);
@@ -201,7 +208,7 @@ ServoResult run_servo_loop(Device& device, const fast::Law& law, const ServoOpti
     if (options.paced) real_time.emplace();
     result.realtime_scheduling = real_time && real_time->scheduling;
     result.memory_locked = real_time && real_time->memory_locked;
-    run(device, law, options.paced, limits, stop, result);
+    run(device, law, options.rate_hz, options.paced, limits, stop, result);
   }
   summarise(result);
   return result;

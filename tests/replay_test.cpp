@@ -76,13 +76,25 @@ TEST(open_device, opens_a_replay) {
   EXPECT_EQ(open_device("replay:" + path)->readings_left(), 1U);
 }
 
+TEST(open_device, opens_a_device_that_is_none) {
+  const auto device = open_device("null");
+  EXPECT_EQ(device->capabilities().model, "null");
+  device->start(500);
+  EXPECT_EQ(std::get<Reading>(device->read()).time, 0);
+  EXPECT_FALSE(device->command({1, 2, 3}));
+  const auto second = std::get<Reading>(device->read());
+  EXPECT_EQ(second.time, 0.002);
+  EXPECT_EQ(second.position, Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(device->readings_left(), std::nullopt);
+}
+
 TEST(open_device, lists_the_kinds_it_knows) {
-  for (const std::string name : {"", "replay", "replay:", "phantom:0"}) {
+  for (const std::string name : {"", "replay", "replay:", "phantom:0", "null:1"}) {
     try {
       open_device(name);
       FAIL() << name;
     } catch (const UnknownDevice& error) {
-      EXPECT_EQ(error.what(), "unknown device \"" + name + "\": expected replay:FILE.csv");
+      EXPECT_EQ(error.what(), "unknown device \"" + name + "\": expected null or replay:FILE.csv");
     }
   }
 }

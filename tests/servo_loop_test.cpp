@@ -16,6 +16,7 @@
 
 #include "forceshade/csv/csv.h"
 #include "forceshade/csv/output_file.h"
+#include "forceshade/device/null.h"
 #include "forceshade/device/replay.h"
 #include "forceshade/tests/temporary_directory.h"
 
@@ -84,18 +85,24 @@ ServoOptions unpaced() {
 // Stays at z = -1 and does what the test says at a given reading, from 0.
 class Still : public Device {
  public:
-  ReadResult read() noexcept override { return at(reads_++); }
-  void command(const Eigen::Vector3f& force) noexcept override {
-    commands.push_back(force);
-    on_command();
+  Capabilities capabilities() const noexcept override { return {}; }
+  std::optional<Fault> start(double rate) noexcept override {
+    rates.push_back(rate);
+    return std::nullopt;
   }
+  ReadResult read() noexcept override { return at(reads_++); }
+  std::optional<Fault> command(const Eigen::Vector3f& force) noexcept override {
+    commands.push_back(force);
+    return on_command();
+  }
+  std::vector<double> rates;
   std::vector<Eigen::Vector3f> commands;
 
  protected:
   Still() { commands.reserve(1000); }
   static Reading here() { return {{3, 4, -1}, 0}; }
   virtual ReadResult at(std::size_t reading) noexcept = 0;
-  virtual void on_command() noexcept {}
+  virtual std::optional<Fault> on_command() noexcept { return std::nullopt; }
 
  private:
   std::size_t reads_ = 0;
@@ -216,6 +223,41 @@ TEST(servo_loop, ends_at_a_device_fault_with_its_words) {
   expect_ends_at_zero_force(result);
 }
 
+TEST(servo_loop, starts_the_device_once_with_its_rate) {
+  Endless device;
+  run_servo_loop(device, wall(), {.rate_hz = 2000, .paced = false, .record_capacity = 10}, kNeverStop);
+  EXPECT_EQ(device.rates, std::vector<double>{2000});
+}
+
+TEST(servo_loop, reads_nothing_from_a_device_that_does_not_start) {
+  struct Dead final : Still {
+    std::optional<Fault> start(double) noexcept override { return Fault{"no such device"}; }
+    ReadResult at(std::size_t) noexcept override { return here(); }
+  } device;
+  const ServoResult result = run_servo_loop(device, wall(), unpaced(), kNeverStop);
+  EXPECT_EQ(result.end_reason, EndReason::device_fault);
+  EXPECT_STREQ(result.fault, "no such device");
+  EXPECT_EQ(result.ticks, 0U);
+  EXPECT_EQ(device.commands.size(), 1U);
+  expect_ends_at_zero_force(result);
+}
+
+TEST(servo_loop, ends_when_the_device_refuses_a_command) {
+  struct Refusing final : Still {
+    ReadResult at(std::size_t) noexcept override { return here(); }
+    std::optional<Fault> on_command() noexcept override {
+      if (commands.size() < 3) return std::nullopt;
+      return Fault{commands.size() == 3 ? "the motors are too warm" : "a later fault"};
+    }
+  } device;
+  const ServoResult result = run_servo_loop(device, wall(), unpaced(), kNeverStop);
+  EXPECT_EQ(result.end_reason, EndReason::device_fault);
+  EXPECT_STREQ(result.fault, "the motors are too warm");
+  EXPECT_EQ(result.ticks, 3U);
+  EXPECT_EQ(device.commands.back(), Eigen::Vector3f(0, 0, 0));
+  expect_ends_at_zero_force(result);
+}
+
 TEST(servo_loop, ends_when_the_record_is_full) {
   Endless device;
   const ServoResult result = run_servo_loop(device, wall(), {.paced = false, .record_capacity = 10}, kNeverStop);
@@ -225,10 +267,7 @@ TEST(servo_loop, ends_when_the_record_is_full) {
 }
 
 TEST(servo_loop, bounds_a_run_that_nothing_else_bounds) {
-  struct Unheard final : Device {
-    ReadResult read() noexcept override { return Reading{}; }
-    void command(const Eigen::Vector3f&) noexcept override {}
-  } device;
+  Null device;
   const ServoResult result = run_servo_loop(device, wall(), unpaced(), kNeverStop);
   EXPECT_EQ(result.end_reason, EndReason::record_full);
   EXPECT_EQ(result.ticks, kUnboundedTicks);
@@ -246,8 +285,9 @@ TEST(servo_loop, never_reads_before_the_tick_is_due) {
 TEST(servo_loop, counts_a_deadline_missed) {
   struct Slow final : Still {
     ReadResult at(std::size_t) noexcept override { return here(); }
-    void on_command() noexcept override {
+    std::optional<Fault> on_command() noexcept override {
       if (commands.size() == 2) std::this_thread::sleep_for(std::chrono::milliseconds(25));
+      return std::nullopt;
     }
   };
   Slow paced;
@@ -302,7 +342,10 @@ class Watching : public Still {
     if (reading == 500) return EndOfData{};
     return here();
   }
-  void on_command() noexcept override { at_last_command_ = allocations; }
+  std::optional<Fault> on_command() noexcept override {
+    at_last_command_ = allocations;
+    return std::nullopt;
+  }
 
  private:
   std::size_t at_first_read_ = 0;
