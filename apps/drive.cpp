@@ -120,7 +120,10 @@ void add_drive(CLI::App& app, int& result) {
   CLI::App* command = app.add_subcommand("drive", "Drive a device with a certified renderer");
   const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one, LawOptions::Defaults::thesis);
   command->add_option("--certificate", options->certificate, "certificate.json of this build")->type_name("FILE");
-  command->add_option("--device", options->device, "null, or replay:FILE.csv, a recording with columns t_s, x_mm, y_mm, z_mm")
+  command
+      ->add_option("--device", options->device,
+                   "null; replay:FILE.csv, a recording with columns t_s, x_mm, y_mm, z_mm; or simulated[:MODEL[:FILE.csv]], a "
+                   "PHANToM (premium-1.5, premium-1.0, omni) in a hand that means to go as recorded, or strokes the bump")
       ->type_name("DEVICE")
       ->required();
   command->add_option("--rate", options->rate, "ticks per second")

@@ -35,8 +35,8 @@ struct Capabilities {
 
   std::string_view model = "unknown";  // lives as long as the device
   Eigen::Vector3f workspace_low = Eigen::Vector3f::Constant(-kNone), workspace_high = Eigen::Vector3f::Constant(kNone);  // mm
-  float resolution = 0;                                           // mm, the coarsest direction at the origin
-  float peak_force = kNone, continuous_force = kNone;             // N, in the weakest direction at the origin
+  float resolution = 0;                                           // mm, as a data sheet has it
+  float peak_force = kNone, continuous_force = kNone;             // N, as a data sheet has them
   double highest_rate = std::numeric_limits<double>::infinity();  // Hz
   int buttons = 0;
   bool gimbal = false;

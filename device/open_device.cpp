@@ -5,6 +5,7 @@
 
 #include "forceshade/device/null.h"
 #include "forceshade/device/replay.h"
+#include "forceshade/device/simulated.h"
 
 namespace forceshade::device {
 
@@ -13,7 +14,10 @@ std::unique_ptr<Device> open_device(const std::string& name) {
   constexpr std::string_view kReplay = "replay:";
   if (name.starts_with(kReplay) && name.size() > kReplay.size())
     return std::make_unique<Replay>(Replay::load(name.substr(kReplay.size())));
-  throw UnknownDevice("unknown device \"" + name + "\": expected null or replay:FILE.csv");
+  constexpr std::string_view kSimulated = "simulated";
+  if (name == kSimulated) return open_simulated("");
+  if (name.starts_with(kSimulated) && name[kSimulated.size()] == ':') return open_simulated(name.substr(kSimulated.size() + 1));
+  throw UnknownDevice("unknown device \"" + name + "\": expected null, replay:FILE.csv or simulated[:MODEL[:RECORDING.csv]]");
 }
 
 }  // namespace forceshade::device

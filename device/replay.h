@@ -27,6 +27,7 @@ class Replay final : public Device {
   }
   std::optional<std::size_t> readings_left() const noexcept override { return recording_.size() - next_; }
 
+  const std::vector<Reading>& recording() const noexcept { return recording_; }
   const Eigen::Vector3f& last_command() const noexcept { return last_command_; }
 
  private:

@@ -17,6 +17,7 @@
 #include "forceshade/csv/csv.h"
 #include "forceshade/csv/output_file.h"
 #include "forceshade/device/null.h"
+#include "forceshade/device/open_device.h"
 #include "forceshade/device/replay.h"
 #include "forceshade/tests/temporary_directory.h"
 
@@ -360,6 +361,17 @@ TEST(servo_loop, allocates_nothing_after_the_first_reading) {
     EXPECT_EQ(result.ticks, 500U);
     EXPECT_EQ(device.allocations_between_first_read_and_last_command(), 0U) << name.name;
   }
+}
+
+TEST(servo_loop, simulated_device_allocates_nothing_once_started) {
+  const auto device = open_device("simulated");
+  device->start(1000);
+  const std::size_t before = allocations;
+  for (int tick = 0; tick < 2000; ++tick) {
+    device->read();
+    device->command({0, 0, 0.1F});
+  }
+  EXPECT_EQ(allocations, before);
 }
 
 TEST(servo_loop, allocation_by_a_device_is_seen) {
