@@ -104,6 +104,10 @@ expect 1 "failed" -- drive --law bump-1p-shaded --certificate failed.json
 expect 2 "expected a forceshade certificate" -- drive --law wall --certificate in.csv
 expect 2 "cannot be read" -- drive --law wall --certificate missing.json
 expect 2 "replay" -- "$forceshade" drive --law wall --uncertified --device teapot:x
+expect 0 "(time up)" -- "$forceshade" drive --law wall --uncertified --device simulated --seconds 0.1 --unpaced
+expect 0 "(end of data)" -- "$forceshade" drive --law wall --uncertified --device simulated:omni:hand.csv --unpaced
+expect 0 "(time up)" -- "$forceshade" drive --law wall --uncertified --device null --seconds 0.1 --unpaced
+expect 2 'unknown model "teapot"' -- "$forceshade" drive --law wall --uncertified --device simulated:teapot
 expect 2 "--rate" -- drive --law wall --uncertified --rate 5
 
 # Ctrl-C: a drive ends with force zero and its record complete; certify and force leave nothing.
