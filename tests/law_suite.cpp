@@ -11,6 +11,7 @@
 #include "forceshade/properties/equivalence.h"
 #include "forceshade/properties/positions.h"
 #include "forceshade/properties/run.h"
+#include "forceshade/tests/cases.h"
 
 namespace {
 
@@ -111,6 +112,45 @@ void equals_the_rounded_reference(LawId law) {
   for (std::size_t stage = 0; stage < stages.size(); ++stage)
     EXPECT_EQ(stages[stage] > 0, stage == 0 || !is_product)
         << "stage " << stage << " was reached " << stages[stage] << " times";
+}
+
+void answers_its_hard_cases(LawId law) {
+  const std::vector<HardCase> cases = hard_cases(law);
+  EXPECT_GE(cases.size(), 10U);
+  std::array<std::uint64_t, 3> stages{};
+  const HardCase* closest = nullptr;
+  const auto exponent = [](const HardCase& one) {  // "z 2^-71.3": 71.3; "z 0", a tie: 0
+    const std::size_t power = one.from_tie.find("^-");
+    return power == std::string::npos ? 0.0 : std::stod(one.from_tie.substr(power + 2));
+  };
+  for (const HardCase& one : cases) {
+    SCOPED_TRACE(one.place + ": " + one.why);
+    const auto reference = std::get<reference::Law>(reference::Law::build(law, one.parameters));
+    const fast::Law fast = build(law, one.parameters);
+    const fast::Evaluation answer = fast.evaluate(one.position);
+    const reference::Rounded recorded{one.force, Status::contact};
+    const auto expect_recorded = [&](const char* who, const properties::Rendered& rendered) {
+      const properties::Violation violation = properties::difference(one.position, rendered, recorded);
+      EXPECT_FALSE(violation) << who << ' ' << *violation;
+    };
+    const reference::Rounded exact = reference.round_to_binary32(one.position);
+    expect_recorded("reference", {exact.force, exact.status});
+    expect_recorded("fast", {answer.force, answer.status});
+    EXPECT_EQ(distance_from_tie(reference, one.position), one.from_tie);
+    for (const fast::InstructionSet set : fast::kInstructionSets) {
+      if (!fast::is_available(set)) continue;
+      const std::vector<float> x(fast::kBlock, one.position.x()), z(fast::kBlock, one.position.z());
+      std::vector<float> fx(fast::kBlock), fz(fast::kBlock);
+      fast.force(x, z, fx, fz, set);
+      for (const std::size_t i : {std::size_t{0}, fast::kBlock - 1})
+        expect_recorded(fast::name_of(set).data(), {{fx[i], 0, fz[i]}, Status::contact});
+    }
+    ++stages[static_cast<std::size_t>(answer.stage)];
+    if (closest == nullptr || exponent(one) > exponent(*closest)) closest = &one;
+  }
+  std::printf("  %zu cases; answered by binary64 %llu, double-double %llu, wide %llu; closest: %s, %s of its size from a tie\n",
+              cases.size(), static_cast<unsigned long long>(stages[0]), static_cast<unsigned long long>(stages[1]),
+              static_cast<unsigned long long>(stages[2]), closest->place.c_str(), closest->from_tie.c_str());
 }
 
 void holds_its_properties(LawId law) {

@@ -14,6 +14,7 @@ const std::vector<Parameters>& parameter_sets();
 LawId law_of_file(const char* file);
 
 void equals_the_rounded_reference(LawId law);
+void answers_its_hard_cases(LawId law);
 void holds_its_properties(LawId law);
 void equals_scalar_at_every_simd_width(LawId law);
 void refuses_parameters_outside_the_domain(LawId law);
@@ -31,6 +32,7 @@ void allocates_nothing(LawId law);
 
 #define FORCESHADE_LAW_SUITE(law)                                  \
   FORCESHADE_LAW_CLAIM(law, equals_the_rounded_reference)          \
+  FORCESHADE_LAW_CLAIM(law, answers_its_hard_cases)                \
   FORCESHADE_LAW_CLAIM(law, holds_its_properties)                  \
   FORCESHADE_LAW_CLAIM(law, equals_scalar_at_every_simd_width)     \
   FORCESHADE_LAW_CLAIM(law, refuses_parameters_outside_the_domain) \

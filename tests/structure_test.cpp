@@ -39,7 +39,7 @@ void expect_no_include(const char* folder, const std::vector<std::string>& forbi
 
 TEST(structure, every_law_has_its_file_in_every_folder) {
   for (const LawName& law : kLaws)
-    for (const char* pattern : {"reference/%.h", "fast/%.h", "fast/%.g", "tests/%_test.cpp"}) {
+    for (const char* pattern : {"reference/%.h", "fast/%.h", "fast/%.g", "tests/%_test.cpp", "tests/%.cases"}) {
       std::string path = pattern;
       path.replace(path.find('%'), 1, law.file);
       EXPECT_TRUE(std::filesystem::exists(kRoot / path)) << path;
