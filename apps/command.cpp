@@ -60,6 +60,7 @@ std::vector<LawId> LawOptions::laws() const {
 }
 
 Parameters LawOptions::parameters() const {
+  if (const char* fault = fast::arithmetic_fault()) throw BadInput(std::string("no law can be trusted here: ") + fault);
   Parameters p;
   p.stiffness = parse_stiffness("--stiffness", stiffness_);
   for (const LawId id : laws()) {

@@ -8,16 +8,11 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cfenv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
 #include "forceshade/csv/csv.h"
-
-#if defined(__SSE2__)
-#include <immintrin.h>
-#endif
 
 namespace forceshade::device {
 namespace {
@@ -36,17 +31,6 @@ void sleep_until(std::int64_t due, const std::atomic<bool>& stop) noexcept {
   const timespec time{.tv_sec = due / kSecond, .tv_nsec = due % kSecond};
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr) == EINTR && !stop) {
   }
-}
-
-void require_ieee_arithmetic() {
-  if (std::fegetround() != FE_TONEAREST) throw FloatingPointModeError("the rounding mode is not to nearest");
-#if defined(__SSE2__)
-  constexpr unsigned kRounding = 0x6000, kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
-  const unsigned mode = _mm_getcsr();
-  if ((mode & kRounding) != 0) throw FloatingPointModeError("MXCSR: the rounding mode is not to nearest");
-  if ((mode & kFlushToZero) != 0) throw FloatingPointModeError("MXCSR: flush-to-zero is on");
-  if ((mode & kDenormalsAreZero) != 0) throw FloatingPointModeError("MXCSR: denormals-are-zero is on");
-#endif
 }
 
 // Real-time privileges for as long as it lives, as far as the system grants them.
@@ -197,7 +181,7 @@ std::string_view name_of(EndReason reason) noexcept {
 }
 
 ServoResult run_servo_loop(Device& device, const fast::Law& law, const ServoOptions& options, const std::atomic<bool>& stop) {
-  require_ieee_arithmetic();
+  if (const char* fault = fast::arithmetic_fault()) throw FloatingPointModeError(fault);
   const Limits limits = limits_of(options, device);
   ServoResult result;
   // Written once before the loop, so that no page of the record is met there for the first time.

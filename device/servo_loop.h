@@ -67,7 +67,7 @@ struct ServoResult {
   bool memory_locked = false;        // mlockall was granted; asked for only when paced
 };
 
-// Rounding is not to nearest, or subnormals are flushed: every proof about the fast path would be void.
+// fast::arithmetic_fault() found one: every proof about the fast path would be void.
 struct FloatingPointModeError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

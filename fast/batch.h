@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "forceshade/fast/arithmetic.h"
 #include "forceshade/fast/bump_1p.h"
 #include "forceshade/fast/bump_1p_shaded.h"
 #include "forceshade/fast/bump_2p.h"
@@ -36,6 +37,7 @@ struct BlockTable {
   BlockFunction<Bump1pShaded> bump_1p_shaded;
   BlockFunction<Bump2pShaded> bump_2p_shaded;
   BlockFunction<Bump3pShaded> bump_3p_shaded;
+  const char* (*arithmetic_fault_here)();
 };
 
 extern const BlockTable kAvx2Blocks;

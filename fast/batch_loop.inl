@@ -41,10 +41,15 @@ bool answer_block(const Definition& definition, const float* x, const float* z, 
   return (static_cast<int>(!doubt.any()) & static_cast<int>(watch.is_calm<kWindow>())) != 0;
 }
 
+const char* fault_here() {
+  return arithmetic_fault_here();
+}
+
 constexpr BlockTable kBlocks{
     &answer_block<Wall>,         &answer_block<Cylinder>,     &answer_block<BumpCylinder>,
     &answer_block<Bump1p>,       &answer_block<Bump2p>,       &answer_block<Bump3p>,
     &answer_block<Bump1pShaded>, &answer_block<Bump2pShaded>, &answer_block<Bump3pShaded>,
+    &fault_here,
 };
 
 }  // namespace

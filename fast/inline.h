@@ -5,6 +5,8 @@
 
 #define FORCESHADE_INLINE [[gnu::always_inline]] inline
 
-#ifdef __FAST_MATH__
-#error "forceshade proves its results for IEEE arithmetic: compile without -ffast-math"
+// What the preprocessor can see; fast/arithmetic.h finds the rest.
+#if defined(__FAST_MATH__) || __FINITE_MATH_ONLY__ || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
+    defined(__NO_SIGNED_ZEROS__)
+#error "forceshade proves its results for IEEE arithmetic: compile without -ffast-math, -Ofast and their parts"
 #endif

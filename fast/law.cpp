@@ -50,7 +50,15 @@ const BlockTable* blocks(InstructionSet set) noexcept {
 
 }  // namespace
 
+const char* arithmetic_fault() noexcept {
+  const char* fault = arithmetic_fault_here();
+  for (const InstructionSet set : kInstructionSets)
+    if (const BlockTable* table = blocks(set); fault == nullptr && table != nullptr) fault = table->arithmetic_fault_here();
+  return fault;
+}
+
 std::variant<Law, ParameterError> Law::build(LawId id, const Parameters& p) noexcept {
+  if (const char* fault = arithmetic_fault()) return ParameterError{fault, "", 1, 0, 0};
   if (const auto error = first_error(id, p)) return *error;
   switch (id) {
     case LawId::wall: return Law(id, p, Built<Wall>(p));

@@ -23,6 +23,7 @@ struct BatchResult {
 class Law {
  public:
   // R in [0.1, 1e4] mm, w in [1e-3, 2R] mm, K in [1e-3, 1e3] N/mm; the wall reads K alone.
+  // Under an arithmetic_fault() nothing is built: the error names it as a parameter that should be 0 and is 1.
   static std::variant<Law, ParameterError> build(LawId id, const Parameters& parameters) noexcept;
 
   LawId id() const noexcept { return id_; }
@@ -48,6 +49,10 @@ class Law {
   Parameters parameters_;
   AnyLaw law_;
 };
+
+// What the arithmetic of this library, or of this thread's floating-point mode, does otherwise than IEEE 754 rounding to
+// nearest, as a noun; null if nothing was found. Every answer given under it would be unproved.
+const char* arithmetic_fault() noexcept;
 
 // SHA-256, in hex, of the compiled objects of this library: what a certificate is bound to.
 const char* library_digest() noexcept;

@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 #include <tuple>
 
@@ -128,6 +129,7 @@ std::map<std::string, std::uint64_t> named(const std::array<std::uint64_t, kCoun
 }  // namespace
 
 std::optional<Certificate> certify(const CertifyOptions& options, const Progress& progress, const std::atomic<bool>& stop) {
+  if (const char* fault = fast::arithmetic_fault()) throw std::runtime_error(std::string("nothing can be certified: ") + fault);
   const auto start = std::chrono::steady_clock::now();
   Certificate certificate{current_build(), options.seed, 0, {}, {}};
   for (std::size_t i = 0; i < options.laws.size(); ++i) {

@@ -25,7 +25,7 @@ struct CertifyOptions {
 using Progress = std::function<void(LawId law, double done)>;
 
 // The points do not depend on the number of threads. Empty when `stop` was set before the end. The parameters must be in
-// every law's domain (reference::Law::build says so).
+// every law's domain (fast::Law::build says so). Throws std::runtime_error on a fast::arithmetic_fault(): the threads inherit it.
 std::optional<Certificate> certify(const CertifyOptions& options, const Progress& progress, const std::atomic<bool>& stop);
 
 }  // namespace forceshade::properties

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <set>
+#include <stdexcept>
 
 #include "forceshade/properties/build.h"
 #include "forceshade/properties/certify.h"
@@ -38,6 +40,12 @@ TEST(certificate, counts_every_point_once_in_each_breakdown) {
     EXPECT_EQ(names, (std::set<std::string>{"equivalence", "continuity", "unit normals", "passivity"}));
     EXPECT_EQ(law.energy.size(), 5U);
   }
+}
+
+TEST(certificate, is_not_made_while_rounding_is_not_to_nearest) {
+  std::fesetround(FE_UPWARD);
+  EXPECT_THROW(small_certificate(), std::runtime_error);
+  std::fesetround(FE_TONEAREST);
 }
 
 TEST(certificate, does_not_depend_on_the_number_of_threads) {

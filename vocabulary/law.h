@@ -61,10 +61,10 @@ struct Parameters {
   friend bool operator==(const Parameters&, const Parameters&) = default;
 };
 
-// A parameter outside its domain: `value` is not in [low, high].
+// A parameter outside its domain, or another reason to build nothing: `value` is not in [low, high].
 struct ParameterError {
-  const char* parameter;  // "radius", "width" or "stiffness"
-  const char* unit;       // "mm" or "N/mm"
+  const char* parameter;  // "radius", "width" or "stiffness"; "law"; what fast::arithmetic_fault() found
+  const char* unit;       // "mm", "N/mm" or ""
   float value;
   float low;
   float high;
@@ -75,8 +75,9 @@ struct ParameterError {
       char text[32];
       return std::string(text, std::to_chars(text, text + sizeof text, number).ptr);
     };
-    return std::string(parameter) + " is " + shortest(value) + " " + unit + "; expected " + shortest(low) + " to " +
-           shortest(high) + " " + unit;
+    const std::string in_unit = *unit == '\0' ? "" : std::string(" ") + unit;
+    return std::string(parameter) + " is " + shortest(value) + in_unit + "; expected " + shortest(low) + " to " +
+           shortest(high) + in_unit;
   }
 };
 
