@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The stored hashes hold for this build and every instruction set it has; arithmetic that may round otherwise is refused.
+
+#include "same_bits.h"
+
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <fstream>
+#include <map>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace forceshade::tests {
+namespace {
+
+std::map<std::string, std::string> stored_hashes() {
+  std::map<std::string, std::string> hashes;
+  std::ifstream file(FORCESHADE_SOURCE_DIR "/tests/golden/hashes.txt");
+  for (std::string line; std::getline(file, line);)
+    if (!line.starts_with('#')) hashes[line.substr(0, line.find(' '))] = line.substr(line.find(' ') + 1);
+  return hashes;
+}
+
+TEST(same_bits, every_instruction_set_makes_the_stored_hashes) {
+  const auto stored = stored_hashes();
+  ASSERT_EQ(stored.size(), kLaws.size());
+  for (const LawName& law : kLaws) {
+    const Bits bits = bits_of(law.id);
+    const auto& [free, contact, invalid] = bits.statuses;
+    std::printf("  %-15s %s  %zu free, %zu contact, %zu invalid\n", law.name.data(), bits.hash.c_str(), free, contact, invalid);
+    EXPECT_EQ(bits.hash, stored.at(std::string(law.name))) << law.name;
+    for (const fast::InstructionSet set : fast::kInstructionSets)
+      EXPECT_EQ(bits.different[static_cast<std::size_t>(set)], 0U) << law.name << ", " << name_of(set);
+    EXPECT_EQ(bits.nans, 0U) << law.name;
+    for (const std::size_t count : bits.statuses) EXPECT_GT(count, 100'000U) << law.name;
+  }
+}
+
+// Whether building was refused on account of the arithmetic.
+bool is_refused() {
+  const auto built = fast::Law::build(LawId::wall, {0, 0, 1});
+  const auto* error = std::get_if<ParameterError>(&built);
+  return error != nullptr && fast::arithmetic_fault() != nullptr && std::string(error->parameter) == fast::arithmetic_fault();
+}
+
+TEST(same_bits, no_law_is_built_while_rounding_is_not_to_nearest) {
+  EXPECT_FALSE(is_refused());
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    const bool refused = is_refused();
+    std::fesetround(FE_TONEAREST);
+    EXPECT_TRUE(refused) << mode;
+  }
+}
+
+#if defined(__SSE2__)
+TEST(same_bits, no_law_is_built_while_subnormals_are_flushed) {
+  const unsigned mode = _mm_getcsr();
+  for (const unsigned bit : {0x8000U, 0x0040U}) {  // flush to zero, denormals are zero
+    _mm_setcsr(mode | bit);
+    const bool refused = is_refused();
+    _mm_setcsr(mode);
+    EXPECT_TRUE(refused) << bit;
+  }
+}
+#endif
+
+}  // namespace
+}  // namespace forceshade::tests
