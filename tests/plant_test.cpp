@@ -149,6 +149,24 @@ TEST(plant, hand_gives_way_like_its_two_springs_in_series) {
             1e-9);
 }
 
+// A cubic cut in two is the same cubic.
+TEST(plant, follows_a_target_along_the_cubic_through_its_ends) {
+  const Model model = premium_1_5();
+  const Plant plant{model.arm, Joints::Zero(), model.viscous, Grip{}};
+  const Eigen::Vector3d a(0.3, -0.1, 0.2), b(4, 2, -3), c(-50, 30, 20);
+  const auto position = [&](double t) -> Eigen::Vector3d { return t * (a + t * (b + t * c)); };
+  const auto velocity = [&](double t) -> Eigen::Vector3d { return a + t * (2 * b + t * 3 * c); };
+  const auto way = [&](double begin, double end) -> Way {
+    return {position(begin), velocity(begin), position(end), velocity(end)};
+  };
+  const Motion whole = plant.advanced({}, Joints::Zero(), way(0, 0.1), 0.1, 2000);
+  const Motion half = plant.advanced({}, Joints::Zero(), way(0, 0.05), 0.05, 1000);
+  const Motion halves = plant.advanced(half, Joints::Zero(), way(0.05, 0.1), 0.05, 1000);
+  EXPECT_LE((whole.hand - halves.hand).norm(), 1e-12);
+  EXPECT_LE((whole.hand_velocity - halves.hand_velocity).norm(), 1e-11);
+  EXPECT_LE((whole.angles - halves.angles).norm(), 1e-11);
+}
+
 TEST(plant, gives_the_same_bits_again) {
   const Model model = premium_1_5();
   const Plant plant{model.arm, model.coulomb, model.viscous, Grip{}};

@@ -174,7 +174,7 @@ TEST(simulated, refuses_a_force_that_is_not_finite_and_holds_none) {
 }
 
 TEST(simulated, tires_when_pushed_at_its_limit) {
-  Simulated device(premium_1_5(), hand_towards({{0, {0, 0, 0}}}));
+  Simulated device(premium_1_5(), hand_towards({{0, {0, 0, 0}}}), {.step_rate = 4000});
   device.start(1000);
   double fresh = 0;
   for (int tick = 0; tick < 60'000; ++tick) {
