@@ -110,7 +110,8 @@ std::unique_ptr<Device> open_simulated(const std::string& rest) {
     std::vector<Intention::Point> points;
     // A recorded hand trembles already.
     const Replay replay = Replay::load(rest.substr(colon + 1));
-    for (const Reading& reading : replay.recording()) points.push_back({reading.time, reading.position.cast<double>()});
+    for (const Reading& reading : replay.recording())
+      points.push_back({reading.time - replay.recording().front().time, reading.position.cast<double>()});
     return std::make_unique<Simulated>(
         model, Operator{Grip{}, Intention(std::move(points), Intention::Between::straight), Tremor(1, 0), true});
   }

@@ -94,7 +94,8 @@ TEST(open_device, lists_the_kinds_it_knows) {
       open_device(name);
       FAIL() << name;
     } catch (const UnknownDevice& error) {
-      EXPECT_EQ(error.what(), "unknown device \"" + name + "\": expected null, replay:FILE.csv or simulated[:MODEL[:RECORDING.csv]]");
+      EXPECT_EQ(error.what(),
+                "unknown device \"" + name + "\": expected null, replay:FILE.csv or simulated[:MODEL[:RECORDING.csv]]");
     }
   }
 }

@@ -227,24 +227,29 @@ TEST(simulated, run_is_repeated_to_the_bit) {
   EXPECT_TRUE(differs);
 }
 
-// 200 µs of the processor's own time, so that a busy machine does not matter; slow builds are excused.
+// Each tick's least processor time in three identical runs, so that it is its own work and not an interrupt; slow builds are
+// excused.
 TEST(simulated, tick_takes_a_small_share_of_a_millisecond) {
-  Simulated device(premium_1_5(), Operator{Grip{}, strokes(), Tremor(1, 0.03), false});
-  device.start(1000);
-  std::vector<double> times;
-  for (int tick = 0; tick < 20'000; ++tick) {
-    timespec begin{}, end{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &begin);
-    const float z = read(device).position.z();
-    device.command({0, 0, std::max(0.0F, -0.5F * z)});
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &end);
-    times.push_back(static_cast<double>(end.tv_sec - begin.tv_sec) * 1e6 +
-                    static_cast<double>(end.tv_nsec - begin.tv_nsec) / 1e3);
+  constexpr std::size_t kTicks = 10'000;
+  std::vector<double> times(kTicks, HUGE_VAL);  // µs
+  for (int run = 0; run < 3; ++run) {
+    Simulated device(premium_1_5(), Operator{Grip{}, strokes(), Tremor(1, 0.03), false});
+    device.start(1000);
+    for (double& time : times) {
+      timespec begin{}, end{};
+      clock_gettime(CLOCK_THREAD_CPUTIME_ID, &begin);
+      const float z = read(device).position.z();
+      device.command({0, 0, std::max(0.0F, -0.5F * z)});
+      clock_gettime(CLOCK_THREAD_CPUTIME_ID, &end);
+      time = std::min(
+          time, static_cast<double>(end.tv_sec - begin.tv_sec) * 1e6 + static_cast<double>(end.tv_nsec - begin.tv_nsec) / 1e3);
+    }
   }
   std::sort(times.begin(), times.end());
-  std::printf("  median %.1f us, 99 %% %.1f us, 99.99 %% %.1f us\n", times[10'000], times[19'800], times[19'998]);
+  const double worst = times[kTicks - 2];  // 99.99 %
+  std::printf("  median %.1f us, 99.99 %% %.1f us\n", times[kTicks / 2], worst);
 #if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  EXPECT_LE(times[19'998], 200);
+  EXPECT_LE(worst, 200);
 #endif
 }
 
@@ -263,9 +268,9 @@ TEST(open_simulated, knows_its_models_and_makes_strokes_without_a_recording) {
   }
 }
 
-TEST(open_simulated, takes_a_recording_for_what_the_hand_means_to_do_and_ends_with_it) {
+TEST(open_simulated, takes_a_recording_from_its_first_time_on_for_what_the_hand_means_to_do_and_ends_with_it) {
   const tests::TemporaryDirectory directory;
-  const std::string path = directory.write("hand.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,5\n0.5,0,0,5\n1.0,10,0,5\n");
+  const std::string path = directory.write("hand.csv", "t_s,x_mm,y_mm,z_mm\n1000,0,0,5\n1000.5,0,0,5\n1001,10,0,5\n");
   const auto device = open_device("simulated:premium-1.5:" + path);
   device->start(1000);
   ReadResult result = device->read();
