@@ -14,10 +14,10 @@ struct BumpCylinder : Cylinder {
   // Below the axis, inside the cylinder, the two forces oppose and may cancel: a later stage answers there.
   template <class Real>
   FORCESHADE_INLINE FirstStage<Real> first_stage(Real x, Real z) const {
-    const auto cylinder = Cylinder::first_stage(x, z);
+    const auto cylinder = off_axis(x, z);
     const Real from_wall = larger(Real(-K) * z, Real(0));
     const MaskOf<Real> contact = cylinder.contact | (z < Real(0));
-    const MaskOf<Real> doubt = cylinder.doubt | (cylinder.z < Real(0));
+    const MaskOf<Real> doubt = cylinder.doubt | (cylinder.contact & (z <= Real(axis)));
     return {cylinder.x, cylinder.z + from_wall, contact, doubt};
   }
 

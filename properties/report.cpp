@@ -268,7 +268,7 @@ std::string sweeps_table(const Sweeps& sweeps) {
   return html +
          "</tbody>\n</table>\n<p class=\"note\">Every binary32 of one coordinate, numbers below the quantum included (on lines "
          "and columns NaN and infinities too), by the "
-         "scalar call and by every instruction set of the machine: " +
+         "scalar call and, from the quantum up, by every instruction set of the machine: " +
          html_number(sweeps.seconds, 3) + "\u202Fs.</p>\n</section>\n";
 }
 
