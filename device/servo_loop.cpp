@@ -7,6 +7,7 @@
 #include <time.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstdint>
@@ -74,7 +75,7 @@ struct Limits {
 };
 
 Limits limits_of(const ServoOptions& options, const Device& device) {
-  const auto [rate_hz, max_seconds, paced, record_capacity] = options;
+  const auto& [rate_hz, max_seconds, paced, record_capacity, sink] = options;
   if (!(rate_hz >= kLowestRateHz && rate_hz <= kHighestRateHz))
     throw std::invalid_argument("rate: expected " + csv::shortest(kLowestRateHz) + " to " + csv::shortest(kHighestRateHz) +
                                 " Hz, got " + csv::shortest(rate_hz));
@@ -87,8 +88,30 @@ Limits limits_of(const ServoOptions& options, const Device& device) {
   return {std::llround(1e9 / rate_hz), ticks, record_capacity.value_or(capacity)};
 }
 
+// mJ given to the hand from one tick to the next by the force held; nothing for a step from or to a position that is not
+// finite.
+double work_between(const Tick& held, const Tick& next) noexcept {
+  const Eigen::Vector3d step = next.reading.position.cast<double>() - held.reading.position.cast<double>();
+  const double work = held.force.cast<double>().dot(step);
+  return std::isfinite(work) ? work : 0;
+}
+
+Sample sample_of(const Tick& tick, const Eigen::Vector3f& law_force, double energy) noexcept {
+  const auto array = [](const Eigen::Vector3f& v) { return std::array{v.x(), v.y(), v.z()}; };
+  Sample sample{.tick = tick.number, .wall_ns = tick.wall_ns, .device_time = tick.reading.time};
+  sample.energy = energy;
+  sample.compute_ns = tick.compute_ns;
+  sample.position = array(tick.reading.position);
+  sample.law_force = array(law_force);
+  sample.force = array(tick.force);
+  if (tick.reading.gimbal) sample.gimbal = array(*tick.reading.gimbal);
+  sample.buttons = tick.reading.buttons;
+  sample.status = tick.status ? static_cast<std::uint8_t>(*tick.status) : Sample::kEnd;
+  return sample;
+}
+
 // The loop proper. `result.record` has room for limits.capacity ticks and the row that ends the run.
-void run(Device& device, const fast::Law& law, double rate, bool paced, const Limits& limits, const std::atomic<bool>& stop,
+void run(Device& device, const fast::Law& law, const ServoOptions& options, const Limits& limits, const std::atomic<bool>& stop,
          ServoResult& result) noexcept {
   constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
   Reading last{.position = Eigen::Vector3f::Constant(kUnknown)};
@@ -96,13 +119,15 @@ void run(Device& device, const fast::Law& law, double rate, bool paced, const Li
     result.end_reason = EndReason::device_fault;
     result.fault = fault.words;
   };
-  const std::optional<Fault> unstarted = device.start(rate);
+  const std::optional<Fault> unstarted = device.start(options.rate_hz);
   if (unstarted) end_with(*unstarted);
   const std::int64_t start = now();
   const auto due = [&](std::size_t tick) { return start + static_cast<std::int64_t>(tick) * limits.period_ns; };
 
+  double energy = 0;
   for (; result.end_reason != EndReason::device_fault; ++result.ticks) {
-    if (paced) sleep_until(due(result.ticks), stop);
+    if (options.paced) sleep_until(due(result.ticks), stop);
+    const std::int64_t woken_at = now();
     if (stop) {
       result.end_reason = EndReason::stopped;
       break;
@@ -129,8 +154,17 @@ void run(Device& device, const fast::Law& law, double rate, bool paced, const Li
     const fast::Evaluation evaluation = law.evaluate(last.position);
     const std::optional<Fault> refused = device.command(evaluation.force);
     const std::int64_t commanded_at = now();
-    if (paced && commanded_at > due(result.ticks + 1)) ++result.missed_deadlines;
+    const bool late = options.paced && commanded_at > due(result.ticks + 1);
+    if (late) ++result.missed_deadlines;
     result.record.push_back({result.ticks, read_at - start, last, evaluation.force, evaluation.status, commanded_at - read_at});
+    const Tick& tick = result.record.back();
+    if (result.ticks > 0) energy += work_between(result.record[result.ticks - 1], tick);
+    if (options.sink) {
+      Sample sample = sample_of(tick, evaluation.force, energy);
+      sample.wakeup_ns = options.paced ? woken_at - due(result.ticks) : 0;
+      sample.late = late;
+      options.sink->push(sample);
+    }
     if (refused) end_with(*refused);
   }
 
@@ -138,6 +172,7 @@ void run(Device& device, const fast::Law& law, double rate, bool paced, const Li
   if (unstopped && result.end_reason != EndReason::device_fault) end_with(*unstopped);
   const std::int64_t elapsed = std::max<std::int64_t>(now() - start, 1);
   result.record.push_back({result.ticks, elapsed, last, Eigen::Vector3f::Zero(), std::nullopt, 0});
+  if (options.sink) options.sink->push(sample_of(result.record.back(), Eigen::Vector3f::Zero(), energy));
   result.achieved_rate_hz = static_cast<double>(result.ticks) / (static_cast<double>(elapsed) / 1e9);
 }
 
@@ -160,9 +195,7 @@ void summarise(ServoResult& result) {
     if (ticks[k].status == Status::invalid) ++result.invalid_positions;
     result.peak_force_N = std::max(result.peak_force_N, ticks[k].force.cast<double>().norm());
     if (k == 0) continue;
-    const Eigen::Vector3d step = ticks[k].reading.position.cast<double>() - ticks[k - 1].reading.position.cast<double>();
-    const double work = ticks[k - 1].force.cast<double>().dot(step);
-    if (!std::isfinite(work)) continue;
+    const double work = work_between(ticks[k - 1], ticks[k]);
     (work > 0 ? result.energy_given_mJ : result.energy_taken_mJ) += std::abs(work);
   }
 }
@@ -192,7 +225,7 @@ ServoResult run_servo_loop(Device& device, const fast::Law& law, const ServoOpti
     if (options.paced) real_time.emplace();
     result.realtime_scheduling = real_time && real_time->scheduling;
     result.memory_locked = real_time && real_time->memory_locked;
-    run(device, law, options.rate_hz, options.paced, limits, stop, result);
+    run(device, law, options, limits, stop, result);
   }
   summarise(result);
   return result;

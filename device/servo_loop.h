@@ -11,6 +11,7 @@
 
 #include "forceshade/device/device.h"
 #include "forceshade/device/record.h"
+#include "forceshade/device/sample.h"
 #include "forceshade/fast/law.h"
 
 namespace forceshade::device {
@@ -32,6 +33,9 @@ struct ServoOptions {
 
   // In ticks; none: what device and max_seconds allow.
   std::optional<std::size_t> record_capacity = std::nullopt;
+
+  // Given every tick as it happens, and the zero force that ends the run.
+  SampleSink* sink = nullptr;
 };
 
 enum class EndReason { end_of_data, time_up, stopped, device_fault, record_full };
