@@ -57,6 +57,12 @@ TEST(structure, the_device_side_knows_only_the_real_time_path) {
   expect_no_include("device", {"forceshade/reference/", "forceshade/properties/", "CGAL", "boost"});
 }
 
+TEST(structure, the_recorder_takes_only_the_ring_of_boost) {
+  expect_no_include("recorder", {"forceshade/reference/", "forceshade/properties/", "CGAL"});
+  for (const std::string& include : includes_of(kRoot / "recorder"))
+    EXPECT_TRUE(!include.starts_with("boost") || include == "boost/lockfree/spsc_queue.hpp") << include;
+}
+
 TEST(structure, no_gpl_part_of_cgal_is_used) {
   for (const char* folder : {"reference", "properties", "apps", "tests", "bench"})
     expect_no_include(folder, {"CGAL/AABB", "CGAL/Polygon_mesh_processing", "CGAL/Surface_mesh"});

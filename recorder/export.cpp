@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/recorder/export.h"
+
+#include <algorithm>
+#include <array>
+#include <ostream>
+#include <string_view>
+
+#include "forceshade/csv/csv.h"
+#include "forceshade/csv/output_file.h"
+#include "forceshade/recorder/layout.h"
+
+namespace forceshade::recorder {
+namespace {
+
+constexpr std::array<std::string_view, 4> kStatuses{"free", "contact", "invalid", "end"};
+
+void write_row(std::ostream& out, const Sample& sample) {
+  const auto number = [&](auto value) { out << ',' << csv::shortest(value); };
+  const auto scaled = [&](std::int64_t value, double unit) { number(static_cast<double>(value) / unit); };
+  out << sample.tick;
+  scaled(sample.wall_ns, 1e9);
+  number(sample.device_time);
+  for (const float coordinate : sample.position) number(coordinate);
+  for (const float component : sample.force) number(component);
+  out << ',' << kStatuses.at(sample.status);
+  scaled(sample.compute_ns, 1e3);
+  for (const float component : sample.law_force) number(component);
+  for (const std::int64_t count : sample.encoder) out << ',' << (count == Sample::kNoCount ? "" : std::to_string(count));
+  for (const float angle : sample.gimbal) number(angle);
+  number(sample.energy);
+  scaled(sample.wakeup_ns, 1e3);
+  out << ',' << sample.buttons;
+  for (const std::uint8_t flag : {sample.late, sample.limited, sample.tripped}) out << ',' << unsigned{flag};
+  out << '\n';
+}
+
+// NPY 1.0: the magic word, the version, the length of a header that ends the first multiple of 64 bytes, the header.
+std::string npy_header(std::uint64_t rows) {
+  std::string header = "{'descr': " + layout() + ", 'fortran_order': False, 'shape': (" + std::to_string(rows) + ",), }";
+  constexpr std::size_t kPreamble = 10;
+  header.append(63 - (kPreamble + header.size()) % 64, ' ');
+  header += '\n';
+  const std::array length{static_cast<char>(header.size() & 0xFF), static_cast<char>(header.size() >> 8)};
+  return std::string("\x93NUMPY\x01\x00", 8) + std::string(length.data(), 2) + header;
+}
+
+}  // namespace
+
+void export_csv(Recording& recording, const std::string& path) {
+  csv::OutputFile file(path);
+  file.stream()
+      << "tick,t_s,device_t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status,compute_us,law_fx_N,law_fy_N,law_fz_N,encoder_1,"
+         "encoder_2,encoder_3,gimbal_1_rad,gimbal_2_rad,gimbal_3_rad,energy_mJ,wakeup_us,buttons,late,limited,tripped\n";
+  recording.for_each_chunk([&](std::span<const Sample> chunk) {
+    for (const Sample& sample : chunk) write_row(file.stream(), sample);
+  });
+  file.commit();
+}
+
+void export_npy(Recording& recording, const std::string& path) {
+  csv::OutputFile file(path);
+  file.stream() << npy_header(recording.extent().samples);
+  recording.for_each_chunk([&](std::span<const Sample> chunk) {
+    const auto bytes = std::as_bytes(chunk);
+    file.stream().write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  });
+  file.commit();
+}
+
+}  // namespace forceshade::recorder

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A recording as files that other programs read.
+
+#include <string>
+
+#include "forceshade/recorder/recording.h"
+
+namespace forceshade::recorder {
+
+// The columns of device::write_record() first, to the byte, then what only a recording has. Numbers in the shortest form
+// that reads back the same; an encoder that the device has not is empty. Both throw csv::OutputError, or RecordingError for
+// a damaged recording, and then leave no file.
+void export_csv(Recording& recording, const std::string& path);
+
+// NPY 1.0, a structured array: numpy.load(path)["x_mm"]. The very bytes of the recording.
+void export_npy(Recording& recording, const std::string& path);
+
+}  // namespace forceshade::recorder

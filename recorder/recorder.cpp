@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/recorder/recorder.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <boost/lockfree/spsc_queue.hpp>
+#include <cerrno>
+#include <condition_variable>
+#include <ctime>
+#include <mutex>
+#include <span>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "forceshade/recorder/digest.h"
+#include "forceshade/recorder/layout.h"
+
+namespace forceshade::recorder {
+namespace {
+
+// The most samples in one row of the file: half a megabyte, when a backlog is written.
+constexpr std::size_t kLongestChunk = 4096;
+
+constexpr const char* kSchema =
+    "CREATE TABLE metadata(key TEXT PRIMARY KEY, value TEXT NOT NULL);"
+    "CREATE TABLE chunk(id INTEGER PRIMARY KEY, first_tick INTEGER NOT NULL, last_tick INTEGER NOT NULL,"
+    "                   samples INTEGER NOT NULL, sha256 BLOB NOT NULL, data BLOB NOT NULL);";
+
+std::string now_utc() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  char text[32];
+  return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)};
+}
+
+void make_new_file(const std::string& path) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor < 0) throw RecordingError(path + ": cannot make the recording: " + std::generic_category().message(errno));
+  ::close(descriptor);
+}
+
+void insert(Database& database, const Metadata& metadata) {
+  Statement statement = database.prepare("INSERT INTO metadata VALUES(?, ?)");
+  for (const auto& [key, value] : metadata) statement.bind(0, key).bind(1, value).run();
+}
+
+Database make_database(const std::string& path, Metadata metadata) {
+  metadata["started"] = now_utc();
+  metadata["layout"] = layout();
+  make_new_file(path);
+  try {
+    Database database(path, Database::Access::write);
+    if (database.text("PRAGMA journal_mode = WAL") != "wal")
+      throw RecordingError(path + ": cannot make the recording: SQLite has no write-ahead log on this file system");
+    // Nothing waits for the disk while the loop runs: a commit is a write into the kernel's cache, which outlives the process,
+    // and the log is moved into the file, which needs two fsyncs, only by close().
+    database.execute("PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = 0");
+    database.execute("BEGIN; PRAGMA application_id = " + std::to_string(kApplicationId) +
+                     "; PRAGMA user_version = " + std::to_string(kFormatVersion) + ";" + kSchema);
+    insert(database, metadata);
+    database.execute("COMMIT");
+    return database;
+  } catch (...) {
+    for (const char* suffix : {"", "-wal", "-shm"}) ::unlink((path + suffix).c_str());
+    throw;
+  }
+}
+
+}  // namespace
+
+class Recorder::Writer {
+ public:
+  Writer(const std::string& path, Metadata metadata, const Options& options)
+      : database_(make_database(path, std::move(metadata))),
+        insert_chunk_(
+            database_.prepare("INSERT INTO chunk(first_tick, last_tick, samples, sha256, data) VALUES(?, ?, ?, ?, ?)")),
+        interval_(options.interval),
+        ring_(options.ring) {
+    // No page of the ring is met for the first time in the loop.
+    while (ring_.push(device::Sample{})) {
+    }
+    ring_.reset();
+    chunk_.reserve(kLongestChunk);
+    thread_ = std::thread([this] { work(); });
+  }
+
+  ~Writer() { stop(); }
+
+  void push(const device::Sample& sample) noexcept {
+    if (!ring_.push(sample)) dropped_.fetch_add(1, std::memory_order_relaxed);
+  }
+
+  bool failing() const noexcept { return failing_; }
+
+  Result close(const std::string& end_reason) {
+    stop();
+    Result result{written_, dropped_ + chunk_.size() + ring_.read_available(), error_};
+    if (!result.error.empty()) return result;
+    try {
+      database_.execute("BEGIN");
+      insert(database_, {{"ended", now_utc()},
+                         {"end_reason", end_reason},
+                         {"samples", std::to_string(result.written)},
+                         {"lost", std::to_string(result.lost)}});
+      database_.execute("COMMIT");
+    } catch (const RecordingError& error) {
+      result.error = error.what();
+      return result;
+    }
+    try {
+      database_.execute("PRAGMA journal_mode = DELETE");
+    } catch (const RecordingError&) {
+      // Someone is reading, or there is no room for a copy: all is there, in two files instead of one.
+    }
+    return result;
+  }
+
+ private:
+  void stop() {
+    if (!thread_.joinable()) return;
+    {
+      const std::lock_guard lock(mutex_);
+      stopping_ = true;
+    }
+    wake_.notify_one();
+    thread_.join();
+  }
+
+  void work() {
+    std::unique_lock lock(mutex_);
+    for (bool last = false; !last;) {
+      last = wake_.wait_for(lock, interval_, [this] { return stopping_; });
+      empty_ring();
+    }
+  }
+
+  // Into the file, chunk by chunk, each a transaction. What the disk refuses stays in chunk_ until the next time.
+  void empty_ring() {
+    for (;;) {
+      if (chunk_.empty()) {
+        chunk_.resize(kLongestChunk);
+        chunk_.resize(ring_.pop(chunk_.data(), kLongestChunk));
+        if (chunk_.empty()) return;
+      }
+      try {
+        write_chunk();
+        error_.clear();
+      } catch (const RecordingError& error) {
+        error_ = error.what();
+      }
+      failing_ = !error_.empty();
+      if (failing_) return;
+      written_ += chunk_.size();
+      chunk_.clear();
+    }
+  }
+
+  void write_chunk() {
+    const auto data = std::as_bytes(std::span(chunk_));
+    insert_chunk_.bind(0, static_cast<std::int64_t>(chunk_.front().tick))
+        .bind(1, static_cast<std::int64_t>(chunk_.back().tick))
+        .bind(2, static_cast<std::int64_t>(chunk_.size()))
+        .bind(3, sha256(data))
+        .bind(4, data)
+        .run();
+  }
+
+  Database database_;
+  Statement insert_chunk_;
+  std::chrono::milliseconds interval_;
+  boost::lockfree::spsc_queue<device::Sample> ring_;
+  std::atomic<std::uint64_t> dropped_{0};
+  std::atomic<bool> failing_{false};
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  bool stopping_ = false;
+
+  // The thread's until it has stopped.
+  std::vector<device::Sample> chunk_;
+  std::uint64_t written_ = 0;
+  std::string error_;
+  std::thread thread_;
+};
+
+Recorder::Recorder(const std::string& path, Metadata metadata, const Options& options)
+    : writer_(std::make_unique<Writer>(path, std::move(metadata), options)) {}
+
+Recorder::~Recorder() = default;
+
+void Recorder::push(const device::Sample& sample) noexcept {
+  writer_->push(sample);
+}
+
+bool Recorder::failing() const noexcept {
+  return writer_->failing();
+}
+
+Recorder::Result Recorder::close(const std::string& end_reason) {
+  return writer_->close(end_reason);
+}
+
+}  // namespace forceshade::recorder

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// As much of SQLite as a recording needs.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace forceshade::recorder {
+
+// what() names the file and says what is wrong with it.
+struct RecordingError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+class Statement;
+
+class Database {
+ public:
+  enum class Access { read, write };
+
+  Database(std::string path, Access access);
+
+  // Throws RecordingError with SQLite's words, as all below.
+  void execute(const std::string& sql);
+  Statement prepare(const std::string& sql);
+  std::int64_t integer(const std::string& sql);
+  std::string text(const std::string& sql);
+
+  const std::string& path() const noexcept { return path_; }
+  RecordingError error() const;
+
+ private:
+  struct Close {
+    void operator()(sqlite3* handle) const noexcept;
+  };
+  std::string path_;
+  std::unique_ptr<sqlite3, Close> handle_;
+};
+
+// Must not outlive its database. Columns and parameters count from 0; what text() and blob() give lives until the next step().
+class Statement {
+ public:
+  Statement(const Database& database, sqlite3_stmt* handle) : database_(&database), handle_(handle) {}
+
+  // All are copied or used up before run() or step() returns.
+  Statement& bind(int parameter, std::int64_t value);
+  Statement& bind(int parameter, std::string_view text);
+  Statement& bind(int parameter, std::span<const std::byte> blob);
+
+  // Executes a statement that returns no row, and makes it ready to be bound and run again, also when it throws.
+  void run();
+
+  // Goes to the next row; false after the last one.
+  bool step();
+
+  std::int64_t integer(int column) const;
+  std::string text(int column) const;
+  std::span<const std::byte> blob(int column) const;
+
+ private:
+  struct Finalize {
+    void operator()(sqlite3_stmt* handle) const noexcept;
+  };
+  void check(int code) const;
+
+  const Database* database_;
+  std::unique_ptr<sqlite3_stmt, Finalize> handle_;
+};
+
+}  // namespace forceshade::recorder

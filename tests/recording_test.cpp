@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/recorder/recording.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstring>
+
+#include "forceshade/csv/csv.h"
+#include "forceshade/csv/output_file.h"
+#include "forceshade/device/replay.h"
+#include "forceshade/device/servo_loop.h"
+#include "forceshade/recorder/export.h"
+#include "forceshade/recorder/layout.h"
+#include "forceshade/tests/temporary_directory.h"
+
+namespace forceshade::recorder {
+namespace {
+
+using tests::TemporaryDirectory;
+
+// In and out of a wall of 0.5 N/mm, with one position that is none; a device with buttons and a gimbal.
+device::ServoResult drive(device::SampleSink* sink) {
+  std::vector<device::Reading> path;
+  for (int k = 0; k < 200; ++k)
+    path.push_back({{1, 2, std::sin(0.1F * static_cast<float>(k))}, 0.001 * k, k % 2U, Eigen::Vector3f(0.1F, 0.2F, 0.3F)});
+  path[100].position.z() = std::nanf("");
+  device::Replay replay(std::move(path));
+  const auto law = std::get<fast::Law>(fast::Law::build(LawId::wall, {.stiffness = 0.5F}));
+  const std::atomic<bool> never_stop = false;
+  return run_servo_loop(replay, law, {.rate_hz = 10'000, .sink = sink}, never_stop);
+}
+
+device::ServoResult record(const std::string& path) {
+  Recorder recorder(path, {{"law", "wall"}});
+  device::ServoResult result = drive(&recorder);
+  recorder.close(std::string(name_of(result.end_reason)));
+  return result;
+}
+
+std::string words_of(const std::string& path) {
+  try {
+    Recording recording(path);
+    return "";
+  } catch (const RecordingError& error) {
+    return error.what();
+  }
+}
+
+void execute(const std::string& path, const std::string& sql) {
+  Database(path, Database::Access::write).execute(sql);
+}
+
+TEST(recording, of_a_run_has_every_tick_of_it) {
+  const TemporaryDirectory directory;
+  const device::ServoResult result = record(directory.file("run.fsr"));
+  Recording recording(directory.file("run.fsr"));
+  EXPECT_EQ(problems_of(recording), std::vector<std::string>{});
+  EXPECT_EQ(recording.metadata().at("end_reason"), "end of data");
+  std::size_t late = 0, invalid = 0;
+  Sample last;
+  recording.for_each_chunk([&](std::span<const Sample> chunk) {
+    for (const Sample& sample : chunk) {
+      const device::Tick& tick = result.record.at(sample.tick);
+      EXPECT_EQ(sample.wall_ns, tick.wall_ns);
+      EXPECT_EQ(sample.device_time, tick.reading.time);
+      EXPECT_EQ(sample.compute_ns, tick.compute_ns);
+      EXPECT_GE(sample.wakeup_ns, 0);
+      for (Eigen::Index i = 0; i < 3; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        EXPECT_EQ(std::memcmp(&sample.position[k], &tick.reading.position[i], sizeof(float)), 0);
+        EXPECT_EQ(sample.force[k], tick.force[i]);
+        EXPECT_EQ(sample.law_force[k], tick.force[i]);
+        EXPECT_EQ(sample.gimbal[k], (*tick.reading.gimbal)[i]);
+        EXPECT_EQ(sample.encoder[k], Sample::kNoCount);
+      }
+      EXPECT_EQ(sample.buttons, tick.reading.buttons);
+      EXPECT_EQ(sample.status, tick.status ? static_cast<int>(*tick.status) : Sample::kEnd);
+      late += sample.late;
+      invalid += sample.status == static_cast<int>(Status::invalid);
+      last = sample;
+    }
+  });
+  EXPECT_EQ(last.tick, 200U);
+  EXPECT_EQ(late, result.missed_deadlines);
+  EXPECT_EQ(invalid, 1U);
+  EXPECT_GT(result.energy_given_mJ, 0.1);
+  EXPECT_NEAR(last.energy, result.energy_given_mJ - result.energy_taken_mJ, 1e-12);
+}
+
+TEST(recording, as_csv_begins_with_the_columns_of_a_record_to_the_byte) {
+  const TemporaryDirectory directory;
+  const device::ServoResult result = record(directory.file("run.fsr"));
+  write_record(result.record, directory.file("record.csv"));
+  Recording recording(directory.file("run.fsr"));
+  export_csv(recording, directory.file("run.csv"));
+
+  std::istringstream expected(directory.read("record.csv")), got(directory.read("run.csv"));
+  std::string wanted, line, more;
+  std::size_t lines = 0;
+  for (; std::getline(expected, wanted); ++lines) {
+    ASSERT_TRUE(std::getline(got, line));
+    EXPECT_TRUE(line.starts_with(wanted + ',')) << line;
+  }
+  EXPECT_EQ(lines, 202U);
+  EXPECT_FALSE(std::getline(got, more));
+  // The end: no force, no encoders, the gimbal where it was; then, after the energy, no latency, button 0, no flag.
+  EXPECT_NE(line.find(",end,0,0,0,0,,,,0.1,0.2,0.3,"), std::string::npos) << line;
+  EXPECT_TRUE(line.ends_with(",0,1,0,0,0")) << line;
+
+  auto file = csv::open_input(directory.file("run.csv"));
+  csv::Reader rows(file, "run.csv", {"energy_mJ", "law_fz_N", "fz_N", "tripped"});
+  for (lines = 0; rows.next(); ++lines) EXPECT_EQ(rows.text(1), rows.text(2));
+  EXPECT_EQ(lines, 201U);
+}
+
+// As numpy.load reads it: a header of whole 64 bytes that ends in a newline, then the samples' own bytes.
+TEST(recording, as_npy_is_a_header_and_the_samples) {
+  const TemporaryDirectory directory;
+  record(directory.file("run.fsr"));
+  Recording recording(directory.file("run.fsr"));
+  export_npy(recording, directory.file("run.npy"));
+  const std::string npy = directory.read("run.npy");
+  ASSERT_EQ(npy.substr(0, 8), std::string("\x93NUMPY\x01\x00", 8));
+  const std::size_t length = 10 + static_cast<unsigned char>(npy[8]) + 256U * static_cast<unsigned char>(npy[9]);
+  EXPECT_EQ(length % 64, 0U);
+  EXPECT_EQ(npy[length - 1], '\n');
+  const std::string header = npy.substr(10, length - 10);
+  EXPECT_TRUE(
+      header.starts_with("{'descr': [('tick', '<u8'), ('wall_ns', '<i8'), ('device_t_s', '<f8'), ('encoder_1', '<i8'), "));
+  EXPECT_NE(header.find("'fortran_order': False, 'shape': (201,), }"), std::string::npos);
+  std::string bytes;
+  recording.for_each_chunk([&](std::span<const Sample> chunk) {
+    bytes.append(reinterpret_cast<const char*>(chunk.data()), chunk.size() * sizeof(Sample));
+  });
+  EXPECT_TRUE(npy.substr(length) == bytes);
+}
+
+// Where each column's bytes lie is told by the sizes of those before it.
+TEST(recording, names_its_columns_where_they_are) {
+  Sample sample;
+  const auto* base = reinterpret_cast<const char*>(&sample);
+  const auto offset = [&](const auto& member) {
+    return static_cast<std::size_t>(reinterpret_cast<const char*>(&member) - base);
+  };
+  const std::vector<std::pair<std::string, std::size_t>> expected{{"tick", offset(sample.tick)},
+                                                                  {"wall_ns", offset(sample.wall_ns)},
+                                                                  {"device_t_s", offset(sample.device_time)},
+                                                                  {"encoder_1", offset(sample.encoder)},
+                                                                  {"energy_mJ", offset(sample.energy)},
+                                                                  {"compute_ns", offset(sample.compute_ns)},
+                                                                  {"wakeup_ns", offset(sample.wakeup_ns)},
+                                                                  {"x_mm", offset(sample.position)},
+                                                                  {"law_fx_N", offset(sample.law_force)},
+                                                                  {"fx_N", offset(sample.force)},
+                                                                  {"gimbal_1_rad", offset(sample.gimbal)},
+                                                                  {"buttons", offset(sample.buttons)},
+                                                                  {"status", offset(sample.status)},
+                                                                  {"late", offset(sample.late)},
+                                                                  {"limited", offset(sample.limited)},
+                                                                  {"tripped", offset(sample.tripped)}};
+  std::size_t at = 0, found = 0;
+  for (const Column& column : kColumns) {
+    for (const auto& [name, place] : expected) {
+      if (name != column.name) continue;
+      EXPECT_EQ(at, place) << name;
+      ++found;
+    }
+    at += static_cast<std::size_t>(column.type[2] - '0');
+  }
+  EXPECT_EQ(found, expected.size());
+  EXPECT_EQ(at, sizeof(Sample));
+}
+
+TEST(recording, that_is_still_being_made_can_be_read) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("run.fsr");
+  Recorder recorder(path, {});
+  Recording before(path);
+  const device::ServoResult result = drive(&recorder);
+  EXPECT_EQ(recorder.close("end of data").error, "");
+  EXPECT_EQ(before.extent().samples, 0U) << "a reader sees the file as it was opened";
+  Recording after(path);
+  EXPECT_EQ(problems_of(after), std::vector<std::string>{});
+  EXPECT_EQ(after.extent().samples, result.record.size());
+}
+
+TEST(recording, that_was_changed_is_found_out) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("run.fsr");
+  const auto problem = [&](const std::string& sql) {
+    std::filesystem::remove(path);
+    record(path);
+    execute(path, sql);
+    Recording recording(path);
+    const auto problems = problems_of(recording);
+    return problems.empty() ? "" : problems.front();
+  };
+  const std::string damaged = " is not what was written";
+  EXPECT_EQ(problem(""), "");
+  EXPECT_NE(problem("UPDATE chunk SET data = zeroblob(length(data)) WHERE id = 1").find(damaged), std::string::npos);
+  EXPECT_NE(problem("UPDATE chunk SET data = x'', samples = 0 WHERE id = 1").find(damaged), std::string::npos);
+  EXPECT_NE(problem("UPDATE chunk SET first_tick = 1 WHERE id = 1").find(damaged), std::string::npos);
+  EXPECT_NE(problem("UPDATE chunk SET sha256 = x'00' WHERE id = 1").find(damaged), std::string::npos);
+  EXPECT_EQ(problem("DELETE FROM chunk"), path + ": expected 201, got 0 samples");
+  EXPECT_EQ(problem("INSERT INTO chunk SELECT 1000, first_tick, last_tick, samples, sha256, data FROM chunk WHERE id = 1"),
+            path + ": twice or too late: tick 0");
+  EXPECT_EQ(problem("DELETE FROM metadata WHERE key = 'ended'"),
+            path + ": no end: cut off, or still being made, after 201 samples");
+}
+
+TEST(recording, that_was_damaged_or_truncated_on_disk_is_found_out) {
+  const TemporaryDirectory directory;
+  record(directory.file("run.fsr"));
+  const std::string whole = directory.read("run.fsr");
+  const auto found_out = [&](const std::string& bytes) {
+    const std::string path = directory.write("damaged.fsr", bytes);
+    try {
+      Recording recording(path);
+      const auto problems = problems_of(recording);
+      return !problems.empty();
+    } catch (const RecordingError& error) {
+      EXPECT_TRUE(std::string(error.what()).starts_with(path + ": ")) << error.what();
+      return true;
+    }
+  };
+  EXPECT_FALSE(found_out(whole));
+  for (std::size_t size = 0; size < whole.size(); size += 1021) EXPECT_TRUE(found_out(whole.substr(0, size))) << size;
+  std::string damaged = whole;
+  // A position deep in the samples: SQLite does not know it from another, the checksum does.
+  const float z = std::sin(0.1F * 42);
+  const std::size_t at = damaged.find(std::string(reinterpret_cast<const char*>(&z), sizeof z));
+  ASSERT_NE(at, std::string::npos);
+  damaged[at] = static_cast<char>(damaged[at] ^ 1);
+  EXPECT_TRUE(found_out(damaged));
+  Recording recording(directory.file("damaged.fsr"));
+  EXPECT_THROW(export_csv(recording, directory.file("never.csv")), RecordingError);
+  EXPECT_THROW(export_npy(recording, directory.file("never.npy")), RecordingError);
+  EXPECT_EQ(directory.entries(), 2);
+}
+
+TEST(recording, is_told_from_other_files) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("run.fsr");
+  EXPECT_EQ(words_of(directory.file("absent.fsr")), directory.file("absent.fsr") + ": cannot open: No such file or directory");
+  EXPECT_NE(words_of(directory.path()).find(directory.path() + ": "), std::string::npos);
+  const std::string text = directory.write("text.fsr", std::string(5000, 'a'));
+  EXPECT_EQ(words_of(text), text + ": file is not a database");
+  const std::string empty = directory.write("empty.fsr", "");
+  EXPECT_EQ(words_of(empty), empty + ": a database, but not a forceshade recording");
+  execute(empty, "CREATE TABLE metadata(key TEXT, value TEXT)");
+  EXPECT_EQ(words_of(empty), empty + ": a database, but not a forceshade recording");
+  record(path);
+  execute(path, "PRAGMA user_version = 2");
+  EXPECT_EQ(words_of(path), path + ": expected a recording of format 1, got format 2");
+  execute(path, "PRAGMA user_version = 1; UPDATE metadata SET value = '[(''x'', ''<f4'')]' WHERE key = 'layout'");
+  EXPECT_TRUE(words_of(path).ends_with("got [('x', '<f4')]")) << words_of(path);
+}
+
+}  // namespace
+}  // namespace forceshade::recorder
