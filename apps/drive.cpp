@@ -9,10 +9,12 @@
 #include <optional>
 
 #include "forceshade/apps/command.h"
+#include "forceshade/csv/csv.h"
 #include "forceshade/device/open_device.h"
 #include "forceshade/device/servo_loop.h"
 #include "forceshade/properties/build.h"
 #include "forceshade/properties/certificate.h"
+#include "forceshade/recorder/recorder.h"
 
 namespace forceshade::apps {
 namespace {
@@ -89,6 +91,37 @@ nlohmann::ordered_json summary(const device::ServoResult& run, LawId law, const 
       {"memory_locked", run.memory_locked}};
 }
 
+recorder::Metadata metadata(const Options& options, LawId law, const Parameters& p, const std::optional<std::string>& digest) {
+  const properties::Build build = properties::current_build();
+  recorder::Metadata metadata{{"law", std::string(name_of(law))},
+                              {"stiffness_N_per_mm", csv::shortest(p.stiffness)},
+                              {"certificate_digest", digest.value_or("none")},
+                              {"library_digest", build.library_digest},
+                              {"version", build.version},
+                              {"revision", build.revision},
+                              {"compiler", build.compiler},
+                              {"flags", build.flags},
+                              {"instruction_set", build.instruction_set},
+                              {"device", options.device},
+                              {"rate_hz", csv::shortest(options.rate)},
+                              {"paced", options.unpaced ? "no" : "yes"}};
+  if (has_bump_geometry(law)) {
+    metadata["radius_mm"] = csv::shortest(p.radius);
+    metadata["width_mm"] = csv::shortest(p.width);
+  }
+  return metadata;
+}
+
+// Whether the disk took every tick; says so where it did not.
+bool finish(recorder::Recorder& recording, const Options& options, const device::ServoResult& run) {
+  const auto [written, lost, error] = recording.close(std::string(name_of(run.end_reason)));
+  if (lost == 0 && error.empty()) return true;
+  const std::string why = error.empty() ? options.record + ": the disk was too slow" : error;
+  std::fprintf(stderr, "forceshade: %s; recorded %llu samples, lost %llu\n", why.c_str(),
+               static_cast<unsigned long long>(written), static_cast<unsigned long long>(lost));
+  return false;
+}
+
 int run(const Options& options, const LawOptions& law_options) {
   const LawId id = law_options.law();
   const Parameters parameters = law_options.parameters();
@@ -102,13 +135,20 @@ int run(const Options& options, const LawOptions& law_options) {
 
   const std::unique_ptr<device::Device> device = device::open_device(options.device);
   const auto law = std::get<fast::Law>(fast::Law::build(id, parameters));
+  std::optional<recorder::Recorder> recording;
+  if (options.record.ends_with(".fsr")) recording.emplace(options.record, metadata(options, id, parameters, digest));
   watch_for_interrupt();
-  const device::ServoResult result = device::run_servo_loop(
-      *device, law, {.rate_hz = options.rate, .max_seconds = options.seconds, .paced = !options.unpaced}, interrupted());
-  if (!options.record.empty()) device::write_record(result.record, options.record);
+  const device::ServoResult result = device::run_servo_loop(*device, law,
+                                                            {.rate_hz = options.rate,
+                                                             .max_seconds = options.seconds,
+                                                             .paced = !options.unpaced,
+                                                             .sink = recording ? &*recording : nullptr},
+                                                            interrupted());
+  if (!options.record.empty() && !recording) device::write_record(result.record, options.record);
   if (!options.json.empty()) write_file(options.json, summary(result, id, parameters, digest).dump(2) + "\n");
   if (options.record != "-" && options.json != "-") print(result);
-  if (result.end_reason != device::EndReason::device_fault) return kHeld;
+  const bool recorded = !recording || finish(*recording, options, result);
+  if (result.end_reason != device::EndReason::device_fault) return recorded ? kHeld : kBadInput;
   std::fprintf(stderr, "forceshade: device fault: %s\n", result.fault);
   return kDeviceFault;
 }
@@ -135,7 +175,10 @@ void add_drive(CLI::App& app, int& result) {
       ->check(CLI::PositiveNumber);
   command->add_flag("--unpaced", options->unpaced, "as fast as it goes: for checks, not for hands");
   command->add_flag("--uncertified", options->uncertified, "drive even where the certificate does not allow it");
-  command->add_option("--record", options->record, "CSV of every tick, - for standard output")->type_name("FILE");
+  command
+      ->add_option("--record", options->record,
+                   "every tick: FILE.fsr, a recording that survives a crash; else CSV, - for standard output")
+      ->type_name("FILE");
   command->add_option("--json", options->json, "summary for programs, - for standard output")->type_name("FILE");
   command->callback([options, law, &result] { result = run(*options, *law); });
 }

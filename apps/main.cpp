@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
   apps::add_properties(app, result);
   apps::add_certify(app, result);
   apps::add_drive(app, result);
+  apps::add_record(app, result);
   if (argc > 1 && argv[1][0] != '-') {
     const std::vector<CLI::App*> commands = app.get_subcommands([](const CLI::App*) { return true; });
     const auto is_named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };

@@ -23,10 +23,10 @@ same() {
 # Help, version, wrong usage.
 expect 0 "Usage: forceshade" -- "$forceshade" --help
 expect 0 "forceshade " -- "$forceshade" --version
-for command in laws geometry force properties certify drive; do expect 0 "$command" -- "$forceshade" $command --help; done
+for command in laws geometry force properties certify drive record; do expect 0 "$command" -- "$forceshade" $command --help; done
 expect 2 "subcommand is required" -- "$forceshade"
 expect 2 "--wrong" -- "$forceshade" laws --wrong
-expect 2 "expected one of: laws geometry force properties certify drive" -- "$forceshade" nonsense
+expect 2 "expected one of: laws geometry force properties certify drive record" -- "$forceshade" nonsense
 expect 2 'got "bump-9p"' -- "$forceshade" properties --law bump-9p
 
 # laws
@@ -109,6 +109,33 @@ expect 0 "(end of data)" -- "$forceshade" drive --law wall --uncertified --devic
 expect 0 "(time up)" -- "$forceshade" drive --law wall --uncertified --device null --seconds 0.1 --unpaced
 expect 2 'unknown model "teapot"' -- "$forceshade" drive --law wall --uncertified --device simulated:teapot
 expect 2 "--rate" -- drive --law wall --uncertified --rate 5
+
+# record: a whole recording, one on a disk that refuses, one killed; files that are none.
+record() { "$forceshade" record "$@"; }
+expect 0 "(end of data)" -- drive --law bump-1p-shaded --certificate here/certificate.json --record run.fsr
+expect 2 "run.fsr: cannot make the recording: File exists" -- drive --law wall --uncertified --record run.fsr
+expect 0 "certificate_digest   $(sha256sum here/certificate.json | cut -d' ' -f1)" -- record info run.fsr
+expect 0 "device               replay:hand.csv" -- record info run.fsr
+expect 0 '"radius_mm": "15.24"' -- record info run.fsr --json -
+expect 0 "whole: 4 samples" -- record verify run.fsr
+expect 0 "" -- record export run.fsr --csv run.csv --npy run.npy
+same "$(cut -d, -f1,3-10 record.csv)" "$(cut -d, -f1,3-10 run.csv)"
+same "NUMPY" "$(head -c 6 run.npy | tail -c 5)"
+expect 2 "expected --csv FILE or --npy FILE, got neither" -- record export run.fsr
+expect 2 "nowhere" -- record export run.fsr --csv nowhere/run.csv
+expect 2 "in.csv: file is not a database" -- record verify in.csv
+expect 2 "missing.fsr: cannot open: No such file" -- record info missing.fsr
+expect 2 "subcommand is required" -- record
+small_disk() { (trap '' XFSZ; ulimit -f 200; "$@"); }
+expect 2 "full.fsr: disk I/O error; recorded" -- \
+  small_disk "$forceshade" drive --law wall --uncertified --device simulated --unpaced --seconds 20 --record full.fsr
+expect 1 "no end" -- record verify full.fsr
+"$forceshade" drive --law wall --uncertified --device null --record killed.fsr 2> killed.txt &
+sleep 1; kill -KILL $!; wait $! 2> /dev/null
+expect 1 "killed.fsr: no end: cut off" -- record verify killed.fsr
+expect 0 "the recording has no end" -- record export killed.fsr --csv killed.csv
+checks=$((checks + 1))
+[ "$(wc -l < killed.csv)" -gt 1 ] || { echo "FAILED: nothing was recorded before the kill: $(cat killed.txt)"; exit 1; }
 
 # Ctrl-C: a drive ends with force zero and its record complete; certify and force leave nothing.
 { echo t_s,x_mm,y_mm,z_mm; for i in $(seq 0 20000); do echo "$i,3,0,-1"; done; } > long.csv
