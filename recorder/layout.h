@@ -34,6 +34,10 @@ inline constexpr std::array<Column, 26> kColumns{{
 }};
 
 // The columns as a NumPy dtype, [('tick', '<u8'), ...]: in every recording's metadata, and in the header of an NPY file.
-std::string layout();
+inline std::string layout() {
+  std::string text = "[";
+  for (const Column& column : kColumns) text += std::string("('") + column.name + "', '" + column.type + "'), ";
+  return text + "]";
+}
 
 }  // namespace forceshade::recorder

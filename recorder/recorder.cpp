@@ -50,7 +50,6 @@ void insert(Database& database, const Metadata& metadata) {
 }
 
 Database make_database(const std::string& path, Metadata metadata) {
-  metadata["started"] = now_utc();
   metadata["layout"] = layout();
   make_new_file(path);
   try {
@@ -58,12 +57,14 @@ Database make_database(const std::string& path, Metadata metadata) {
     if (database.text("PRAGMA journal_mode = WAL") != "wal")
       throw RecordingError(path + ": cannot make the recording: SQLite has no write-ahead log on this file system");
     // Nothing waits for the disk while the loop runs: a commit is a write into the kernel's cache, which outlives the process,
-    // and the log is moved into the file, which needs two fsyncs, only by close().
+    // and the log is moved into the file, which needs two fsyncs, only now, for the metadata, and by close().
     database.execute("PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = 0");
     database.execute("BEGIN; PRAGMA application_id = " + std::to_string(kApplicationId) +
                      "; PRAGMA user_version = " + std::to_string(kFormatVersion) + ";" + kSchema);
     insert(database, metadata);
-    database.execute("COMMIT");
+    database.execute("COMMIT; PRAGMA wal_checkpoint(TRUNCATE)");
+    // The first commit to an empty log waits for the disk: here, not with samples behind it.
+    insert(database, {{"started", now_utc()}});
     return database;
   } catch (...) {
     for (const char* suffix : {"", "-wal", "-shm"}) ::unlink((path + suffix).c_str());

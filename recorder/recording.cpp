@@ -28,12 +28,6 @@ std::string readable(const std::string& path) {
 
 }  // namespace
 
-std::string layout() {
-  std::string text = "[";
-  for (const Column& column : kColumns) text += std::string("('") + column.name + "', '" + column.type + "'), ";
-  return text + "]";
-}
-
 Recording::Recording(const std::string& path) : database_(readable(path), Database::Access::read) {
   database_.execute("BEGIN");
   if (database_.integer("PRAGMA application_id") != kApplicationId)

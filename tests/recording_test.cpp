@@ -186,6 +186,18 @@ TEST(recording, that_is_still_being_made_can_be_read) {
   EXPECT_EQ(after.extent().samples, result.record.size());
 }
 
+// As someone would who carries away one of the three files.
+TEST(recording, that_lost_its_log_still_says_what_it_was) {
+  const TemporaryDirectory directory;
+  Recorder recorder(directory.file("run.fsr"), {{"law", "wall"}});
+  drive(&recorder);
+  std::filesystem::copy_file(directory.file("run.fsr"), directory.file("copy.fsr"));
+  Recording recording(directory.file("copy.fsr"));
+  EXPECT_EQ(recording.metadata().at("law"), "wall");
+  EXPECT_EQ(problems_of(recording),
+            std::vector<std::string>{recording.path() + ": no end: cut off, or still being made, after 0 samples"});
+}
+
 TEST(recording, that_was_changed_is_found_out) {
   const TemporaryDirectory directory;
   const std::string path = directory.file("run.fsr");
