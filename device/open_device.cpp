@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "forceshade/device/null.h"
+#include "forceshade/device/phantom.h"
 #include "forceshade/device/replay.h"
 #include "forceshade/device/simulated.h"
 
@@ -17,7 +18,12 @@ std::unique_ptr<Device> open_device(const std::string& name) {
   constexpr std::string_view kSimulated = "simulated";
   if (name == kSimulated) return open_simulated("");
   if (name.starts_with(kSimulated) && name[kSimulated.size()] == ':') return open_simulated(name.substr(kSimulated.size() + 1));
-  throw UnknownDevice("unknown device \"" + name + "\": expected null, replay:FILE.csv or simulated[:MODEL[:RECORDING.csv]]");
+  constexpr std::string_view kPhantom = "phantom";
+  if (name == kPhantom) return open_phantom("");
+  if (name.starts_with(kPhantom) && name[kPhantom.size()] == ':' && name.size() > kPhantom.size() + 1)
+    return open_phantom(name.substr(kPhantom.size() + 1));
+  throw UnknownDevice("unknown device \"" + name +
+                      "\": expected null, replay:FILE.csv, simulated[:MODEL[:RECORDING.csv]] or phantom[:NAME]");
 }
 
 }  // namespace forceshade::device

@@ -15,6 +15,11 @@ struct UnknownDevice : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// The device, or the vendor's software for it, cannot be used. what() says why and what to check.
+struct DeviceError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 // `name` is KIND or KIND:REST, for instance "replay:strokes.csv". No device moves by being opened. Throws UnknownDevice, or
 // what the kind's own opener throws.
 std::unique_ptr<Device> open_device(const std::string& name);

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What goes wrong with a PHANToM, in words that say what to do about it.
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "forceshade/device/hdapi_abi.h"
+
+namespace forceshade::device::hdapi {
+
+struct Meaning {
+  HDerror code;
+  const char* name;
+  const char* advice;
+};
+
+// Never fails: an unknown code has words, too.
+const Meaning& meaning_of(HDerror code) noexcept;
+
+// What went wrong, first: an error of the driver's with what it was asked for, or, with no code, words that say it all.
+struct Trouble {
+  const char* words = nullptr;  // null: nothing went wrong
+  HDErrorInfo error{};
+  const char* vendors_words = "";
+
+  explicit operator bool() const noexcept { return words != nullptr; }
+};
+
+// Written to `room` where it is not constant. Allocates nothing.
+const char* sentence(const Trouble& trouble, std::span<char> room) noexcept;
+
+// Why hdInitDevice failed and what to check. The driver's error is often a general one, whatever the cause.
+std::string initialisation_advice(const std::string& name, const Trouble& trouble);
+
+inline constexpr const char* kNotCalibrated =
+    "the PHANToM is not calibrated: rest the stylus in its inkwell until the light stops blinking (an arm without inkwell: "
+    "hold "
+    "it in its reset pose and calibrate it with the vendor's diagnostic program), then start again";
+inline constexpr const char* kUncalibratedPose =
+    "the PHANToM's position stays at exactly (0, -110, -35) mm, where an uncalibrated Omni or Touch says it is: rest the "
+    "stylus "
+    "in its inkwell until the light stops blinking, move it once, then start again";
+inline constexpr const char* kNotFinite = "the PHANToM's position is not finite";
+inline constexpr const char* kStalled =
+    "the servo loop stalled while a force was held: the force was switched off and stays off until the next start";
+inline constexpr const char* kOutputStaysOff =
+    "the PHANToM's force output was switched on and is still off: check its power supply and emergency switch";
+inline constexpr const char* kNoFrames =
+    "the driver's scheduler runs no frames: check the PHANToM's connection, and whether another program holds the device";
+inline constexpr const char* kSilent = "the driver's scheduler stopped running frames: communication with the PHANToM is lost";
+inline constexpr const char* kNotReady = "the PHANToM did not get ready in time: the driver runs its frames too slowly";
+
+}  // namespace forceshade::device::hdapi

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/device/latest.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <thread>
+
+namespace forceshade::device {
+namespace {
+
+TEST(latest, is_empty_before_anything_is_published) {
+  Latest<int> mailbox;
+  EXPECT_EQ(mailbox.latest(), 0);
+  EXPECT_EQ(mailbox.latest(), 0);
+}
+
+TEST(latest, gives_the_last_value_again_and_again) {
+  Latest<int> mailbox;
+  for (int i = 1; i <= 10; ++i) {
+    mailbox.publish(-i);
+    mailbox.publish(i);
+    EXPECT_EQ(mailbox.latest(), i);
+    EXPECT_EQ(mailbox.latest(), i);
+  }
+}
+
+TEST(latest, is_never_torn_and_never_goes_back) {
+  using Wide = std::array<std::uint64_t, 32>;
+  Latest<Wide> mailbox;
+  constexpr std::uint64_t kChanges = 200;
+  std::atomic<bool> enough = false;
+  std::thread writer([&] {
+    for (std::uint64_t i = 1; !enough; ++i) {
+      Wide value;
+      value.fill(i);
+      mailbox.publish(value);
+    }
+  });
+  std::uint64_t last = 0;
+  for (std::uint64_t changes = 0; changes < kChanges;) {
+    const Wide value = mailbox.latest();
+    const bool whole = std::count(value.begin(), value.end(), value[0]) == static_cast<std::ptrdiff_t>(value.size());
+    const bool forwards = value[0] >= last;
+    EXPECT_TRUE(whole) << last;
+    EXPECT_TRUE(forwards) << last;
+    if (!whole || !forwards) break;
+    if (value[0] == last)
+      std::this_thread::yield();
+    else
+      ++changes;
+    last = value[0];
+  }
+  enough = true;
+  writer.join();
+}
+
+}  // namespace
+}  // namespace forceshade::device
