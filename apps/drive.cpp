@@ -162,8 +162,9 @@ void add_drive(CLI::App& app, int& result) {
   command->add_option("--certificate", options->certificate, "certificate.json of this build")->type_name("FILE");
   command
       ->add_option("--device", options->device,
-                   "null; replay:FILE.csv, a recording with columns t_s, x_mm, y_mm, z_mm; or simulated[:MODEL[:FILE.csv]], a "
-                   "PHANToM (premium-1.5, premium-1.0, omni) in a hand that means to go as recorded, or strokes the bump")
+                   "null; replay:FILE.csv, a recording with columns t_s, x_mm, y_mm, z_mm; simulated[:MODEL[:FILE.csv]], a "
+                   "PHANToM (premium-1.5, premium-1.0, omni) in a hand that means to go as recorded, or strokes the bump; or "
+                   "phantom[:NAME], a real one through the vendor's driver")
       ->type_name("DEVICE")
       ->required();
   command->add_option("--rate", options->rate, "ticks per second")

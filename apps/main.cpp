@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "forceshade/apps/command.h"
+#include "forceshade/device/open_device.h"
 #include "forceshade/properties/build.h"
 
 int main(int argc, char** argv) {
@@ -41,6 +42,9 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? apps::kHeld : apps::kBadInput;
+  } catch (const device::DeviceError& error) {
+    std::cerr << "forceshade: device fault: " << error.what() << '\n';
+    return apps::kDeviceFault;
   } catch (const std::exception& error) {
     std::cerr << "forceshade: " << error.what() << '\n';
     return apps::kBadInput;

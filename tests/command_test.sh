@@ -2,6 +2,7 @@
 # The forceshade command as its users call it: outputs, exit codes, messages, and what is left behind when things go wrong.
 set -u
 forceshade=$(realpath "$1")
+stand_in_hd=$(realpath "$2")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
@@ -108,6 +109,14 @@ expect 0 "(time up)" -- "$forceshade" drive --law wall --uncertified --device si
 expect 0 "(end of data)" -- "$forceshade" drive --law wall --uncertified --device simulated:omni:hand.csv --unpaced
 expect 0 "(time up)" -- "$forceshade" drive --law wall --uncertified --device null --seconds 0.1 --unpaced
 expect 2 'unknown model "teapot"' -- "$forceshade" drive --law wall --uncertified --device simulated:teapot
+# A PHANToM: no driver library, one found by its name, one named, and a licence that is missing.
+phantom() { env LD_LIBRARY_PATH= FORCESHADE_HD_LIBRARY= "$@" "$forceshade" drive --law wall --uncertified --device phantom --seconds 0.1; }
+expect 3 "libHD.so.3.0: cannot open shared object file" -- phantom
+expect 3 "/nowhere/libHD.so: cannot open shared object file" -- phantom FORCESHADE_HD_LIBRARY=/nowhere/libHD.so
+expect 3 "it lacks hdInitDevice" -- phantom FORCESHADE_HD_LIBRARY=libm.so.6
+expect 3 "the vendor's licence is missing" -- phantom LD_LIBRARY_PATH="$(dirname "$stand_in_hd")" STAND_IN_HD_INIT=0x600
+expect 3 "the vendor's licence is missing" -- phantom FORCESHADE_HD_LIBRARY="$stand_in_hd" STAND_IN_HD_INIT=0x600
+expect 2 "phantom[:NAME]" -- "$forceshade" drive --law wall --uncertified --device phantom:
 expect 2 "--rate" -- drive --law wall --uncertified --rate 5
 
 # record: a whole recording, one on a disk that refuses, one killed; files that are none.
