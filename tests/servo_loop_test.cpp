@@ -18,7 +18,9 @@
 #include "forceshade/csv/output_file.h"
 #include "forceshade/device/null.h"
 #include "forceshade/device/open_device.h"
+#include "forceshade/device/phantom.h"
 #include "forceshade/device/replay.h"
+#include "forceshade/tests/stand_in_hd/stand_in_hd.h"
 #include "forceshade/tests/temporary_directory.h"
 
 #if defined(__SSE2__)
@@ -372,6 +374,24 @@ TEST(servo_loop, simulated_device_allocates_nothing_once_started) {
     device->command({0, 0, 0.1F});
   }
   EXPECT_EQ(allocations, before);
+}
+
+// Neither while it runs nor when it fails.
+TEST(servo_loop, phantom_allocates_nothing_once_started) {
+  setenv("FORCESHADE_HD_LIBRARY", STAND_IN_HD, 1);
+  stand_in_hd::reset();
+  Phantom device("", {.patience = std::chrono::seconds(20), .start = std::chrono::seconds(20)});
+  ASSERT_FALSE(device.start(1000));
+  const std::size_t before = allocations;
+  for (int tick = 0; tick < 2000; ++tick) {
+    device.read();
+    device.command({0, 0, 0.1F});
+  }
+  EXPECT_EQ(allocations, before);
+  stand_in_hd::tell({.begin = hdapi::kCommunication});
+  const std::size_t told = allocations;
+  while (!std::holds_alternative<Fault>(device.read())) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_EQ(allocations, told);
 }
 
 TEST(servo_loop, allocation_by_a_device_is_seen) {
