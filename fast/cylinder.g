@@ -31,7 +31,7 @@ P = b_anchor - zd;
 v rnd= p + low;
 W = p + low;
 V = anchored + rest - anchor - xx - zz - zd - zt - 2 * z * dD;
-m = m_;          # at most least_v: 2^-26·|zd| + 2^-47·R², less 2^-50 of it for its own rounding
+m = m_;          # least_v = 2^-26·|zd| + 2^-47·R², less 2^-50 of it for its own rounding
 share = share_;  # the part of m that is 2^-47·R²; at most 1 - 2^-60, which takes as much from m where z = 0
 
 # The same where b - anchor may have to be rounded.

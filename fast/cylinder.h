@@ -24,16 +24,14 @@ struct Cylinder {
   double anchor;          // 8R², exact
   double anchored, rest;  // anchored + rest == 8R² + (w/2)² exactly
   Split d;
-  double axis;     // the binary32 nearest to -d
-  double least_v;  // a smaller |v| is in doubt: 2^-26·2·3R·d + 2^-47·R²
+  double axis;  // the binary32 nearest to -d
 
   Cylinder(const Parameters& p, const DoubleDouble& depth) noexcept
       : R(static_cast<double>(p.radius)),
         K(static_cast<double>(p.stiffness)),
         anchor(8 * R * R),
         d(split(depth)),
-        axis(-static_cast<double>(static_cast<float>(depth.hi))),
-        least_v(0x1.8p-24 * R * d.head + 0x1p-47 * R * R) {
+        axis(-static_cast<double>(static_cast<float>(depth.hi))) {
     const double half = 0.5 * static_cast<double>(p.width);
     const TwoTerms sum = fast_two_sum(anchor, half * half);
     anchored = sum.hi;
@@ -43,8 +41,7 @@ struct Cylinder {
   // R - ρ = v/(R + ρ) with v = R² - ρ² = (((8R² + (w/2)²) - x²) - z²) - 8R² - 2zd. Starting from 8R², which is larger than
   // x² + z² wherever v may be positive, makes each sum's rounding error two more subtractions (Dekker), not five (Knuth);
   // - 8R² is exact, and rounding - 2zd is harmless, for it is relative to v. What is left out is below 2^-80·|2zd| + 2^-100·R²,
-  // so v is good to 4·2^-53 until it is below 2^-26·|2zd| + 2^-47·R², which least_v covers as long as |z| <= 3R. Farther out
-  // than x² + z² = 8R² v is far from 0.
+  // so v is good to 4·2^-53 until it is below 2^-26·|2zd| + 2^-47·R². Farther out than 8R² v is far from 0.
   // l is good to 3·2^-53 but at the one z next to -d: the tail of d is good to 2^-82·d, and any other z leaves |l| > 2^-26·d.
   template <class Real>
   FORCESHADE_INLINE FirstStage<Real> first_stage(Real x, Real z) const {
@@ -65,7 +62,8 @@ struct Cylinder {
     const Real l = (z + Real(d.head)) + Real(d.tail);
     const Real rho = square_root(multiply_add(x, x, l * l));
     const Real scale = larger(Real(K) * v, Real(0)) / ((Real(R) + rho) * rho);
-    return {scale * x, scale * l, v > Real(0), absolute(v) < Real(least_v)};
+    const Real least_v = multiply_add(absolute(z), Real(0x1p-25 * d.head), Real(0x1p-47 * R * R));
+    return {scale * x, scale * l, v > Real(0), absolute(v) < least_v};
   }
 
   template <class N>

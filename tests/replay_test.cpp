@@ -89,13 +89,13 @@ TEST(open_device, opens_a_device_that_is_none) {
 }
 
 TEST(open_device, lists_the_kinds_it_knows) {
-  for (const std::string name : {"", "replay", "replay:", "phantom:0", "null:1"}) {
+  for (const std::string name : {"", "replay", "replay:", "phantom:", "null:1"}) {
     try {
       open_device(name);
       FAIL() << name;
     } catch (const UnknownDevice& error) {
-      EXPECT_EQ(error.what(),
-                "unknown device \"" + name + "\": expected null, replay:FILE.csv or simulated[:MODEL[:RECORDING.csv]]");
+      EXPECT_EQ(error.what(), "unknown device \"" + name +
+                                  "\": expected null, replay:FILE.csv, simulated[:MODEL[:RECORDING.csv]] or phantom[:NAME]");
     }
   }
 }

@@ -64,7 +64,7 @@ std::optional<HardCase> case_that_catches(const Mutant& mutant) {
 bool is_of_a_bound(const Mutant& mutant) {
   const auto changes = [&](const char* what) { return mutant.change.find(what) != std::string::npos; };
   return changes("kErrorBound") || changes("error_bound") || changes("kRelativeError") || changes("kWideLimbs") ||
-         changes("0x1p-") || changes("least_v");
+         changes("0x1p-");
 }
 
 TEST(mutants, with_a_smaller_bound_are_caught_by_a_hard_case) {
