@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "forceshade/device/passivity.h"
+#include "forceshade/device/simulated.h"
+#include "forceshade/fast/law.h"
+#include "forceshade/properties/passivity.h"
+
+namespace forceshade::device {
+namespace {
+
+using Kind = PassivityController::Kind;
+using Position = Eigen::Vector3d;
+
+constexpr Parameters kBump{.radius = 15.24F, .width = 25.4F, .stiffness = 0.5F};
+constexpr double kRounding = 1e-7;  // mJ: what ten minutes' sums may be off by
+
+std::string words_of(LawId id) {
+  return std::string(name_of(id));
+}
+
+const char* words_of(Kind kind) {
+  return kind == Kind::observer ? "observer" : kind == Kind::tank ? "tank" : "damping";
+}
+
+fast::Law law_of(LawId id, const Parameters& parameters = kBump) {
+  return std::get<fast::Law>(fast::Law::build(id, parameters));
+}
+
+// A hand that the force does not move, and an account of its own to hold against the controller's.
+class Hand {
+ public:
+  Hand(const fast::Law& law, Kind kind, const PassivitySettings& settings = passivity_settings({}, 1000))
+      : controller(settings, kind), settings(settings), law_(law) {}
+
+  void go_to(const Position& position) {
+    const Eigen::Vector3f here = position.cast<float>();
+    if (begun_) {
+      balance -= (settings.latency ? before_ : force).cast<long double>().dot(here.cast<long double>() - here_);
+      lowest = std::min(lowest, balance);
+    }
+    begun_ = true;
+    here_ = here.cast<long double>();
+    wanted = law_.force(here);
+    before_ = force;
+    force = controller.passed(here, wanted);
+    const Position step = here.cast<double>() - at;
+    at = here.cast<double>();
+    lengthened |= force.cast<double>().norm() > (1 + 1e-15) * wanted.cast<double>().norm();  // two ways to sum
+    overturned |= (force + wanted).cast<double>().dot(step) < -1e-6 && wanted.cast<double>().dot(step) > 0;
+  }
+  // Straight there, in equal steps of at most `step` mm.
+  void go_to(const Position& position, double step) {
+    const Position from = at;
+    const int steps = std::max(1, static_cast<int>(std::ceil((position - from).norm() / step)));
+    for (int i = 1; i <= steps; ++i) go_to(from + (position - from) * (static_cast<double>(i) / steps));
+  }
+  void go_round(const std::vector<properties::PathPoint>& loop, double step) {
+    for (const auto& [x, z] : loop) go_to({x, 0, z}, step);
+    go_to({loop.front().x, 0, loop.front().z}, step);
+  }
+
+  PassivityController controller;
+  PassivitySettings settings;
+  Position at{0, 0, 0};  // mm
+  Eigen::Vector3f wanted{0, 0, 0}, force{0, 0, 0};
+  long double balance = 0, lowest = 0;  // mJ
+  bool lengthened = false;              // some force was longer than the wanted one
+  bool overturned = false;              // some force brakes more than the wanted one drives
+
+ private:
+  fast::Law law_;
+  bool begun_ = false;
+  Eigen::Vector3f before_{0, 0, 0};
+  Eigen::Matrix<long double, 3, 1> here_{0, 0, 0};
+};
+
+// Out at the depth D, up just beyond the edge, back along the surface, down.
+std::vector<properties::PathPoint> stroke(const Parameters& p, double depth) {
+  const double edge = 0.5 * static_cast<double>(p.width) + 0.01;
+  return {{0, 0}, {0, -depth}, {edge, -depth}, {edge, 0}};
+}
+
+TEST(passivity_controller, stroke_across_force_shading_harvests_what_the_law_predicts) {
+  for (const Parameters& p : {kBump, Parameters{10, 12, 1}, Parameters{100, 20, 0.2F}})
+    for (const double depth : {0.5, 1.0, 2.0}) {
+      const auto [R, w, K] = p;
+      const double predicted = static_cast<double>(K * w * w / (8 * R)) * depth;
+      Hand hand(law_of(LawId::bump_1p_shaded, p), Kind::observer);
+      for (int n = 0; n < 5; ++n) hand.go_round(stroke(p, depth), 0.002);
+      const double harvested = -hand.controller.account().balance / 5;
+      std::printf("  R %g w %g K %g D %g: K D w^2/8R = %.4f mJ, harvested %.4f (%+.2f %%)\n", static_cast<double>(R),
+                  static_cast<double>(w), static_cast<double>(K), depth, predicted, harvested,
+                  100 * (harvested / predicted - 1));
+      EXPECT_NEAR(harvested, predicted, 0.02 * predicted);
+      EXPECT_EQ(hand.controller.account().altered, 0U);
+    }
+}
+
+// Each law's most profitable loop, with and without the controller.
+TEST(passivity_controller, gives_nobody_who_goes_round_more_than_epsilon) {
+  constexpr int kRounds = 15;
+  for (const LawName& name : kLaws) {
+    const auto subject = std::get<properties::Subject>(properties::fast_subject(name.id, kBump));
+    const auto loop = properties::witness_loop(properties::Shape(subject.law), 2);
+    double harvested = 0;
+    for (const Kind kind : {Kind::observer, Kind::tank, Kind::damping}) {
+      Hand hand(law_of(name.id), kind);
+      hand.go_to({loop.vertices.front().x, 0, loop.vertices.front().z});
+      const double begin = hand.controller.account().balance;
+      for (int n = 0; n < kRounds; ++n) hand.go_round(loop.vertices, 0.002);
+      const double given = begin - hand.controller.account().balance;
+      if (kind == Kind::observer) {
+        harvested = given;
+        // A held force adds K D times the step, 0.002 mJ here, which is all that a conservative law gives.
+        EXPECT_NEAR(given / kRounds, loop.listed_mJ, loop.listed_mJ > 0 ? 0.02 * loop.listed_mJ : 0.005) << name.name;
+        continue;
+      }
+      std::printf("  %-14s %-7s: %8.3f mJ in %d rounds, %8.3f without\n", words_of(name.id).c_str(), words_of(kind), given,
+                  kRounds, harvested);
+      EXPECT_GE(static_cast<double>(hand.lowest), -hand.settings.epsilon);
+      EXPECT_TRUE(harvested <= hand.settings.epsilon || given < harvested);
+    }
+  }
+}
+
+// Rests for a tick, so that nothing warns of it, then goes as far as it can along the force. The bound is reached.
+TEST(passivity_controller, bound_is_reached_by_the_worst_hand_and_not_passed) {
+  for (const Kind kind : {Kind::tank, Kind::damping})
+    for (const bool latency : {false, true}) {
+      Hand hand(law_of(LawId::wall, {.stiffness = 2}), kind, passivity_settings({}, 1000, latency));
+      hand.go_to({0, 0, -20});
+      hand.go_to({0, 0, -20});
+      hand.go_to({0, 0, -20});
+      for (int n = 0; n < 3; ++n) hand.go_to(hand.at + Position(0, 0, hand.settings.longest_step));
+      std::printf("  %s%s: %.4f of epsilon\n", words_of(kind), latency ? " with latency" : "",
+                  -static_cast<double>(hand.lowest) / hand.settings.epsilon);
+      EXPECT_GE(hand.lowest, -hand.settings.epsilon);
+      EXPECT_LE(hand.lowest, -(latency ? 0.74 : 0.999) * hand.settings.epsilon);
+    }
+}
+
+// One leg of an adversary's motion.
+struct Leg {
+  int x, z;   // where to, in 0.05 mm
+  int speed;  // in thousandths of the longest step
+  int way;    // 0, 1: straight there; 2: along the force; 3: to and fro along the force; 4: anywhere
+  int ticks;  // of the last three
+};
+
+std::ostream& operator<<(std::ostream& out, const Leg& leg) {
+  return out << "{" << leg.x << ", " << leg.z << ", " << leg.speed << ", " << leg.way << ", " << leg.ticks << "}";
+}
+
+rc::Gen<Leg> any_leg() {
+  return rc::gen::build<Leg>(
+      rc::gen::set(&Leg::x, rc::gen::inRange(-350, 351)), rc::gen::set(&Leg::z, rc::gen::inRange(-100, 200)),
+      rc::gen::set(&Leg::speed, rc::gen::oneOf(rc::gen::inRange(5, 1001), rc::gen::just(1000))),
+      rc::gen::set(&Leg::way, rc::gen::inRange(0, 5)), rc::gen::set(&Leg::ticks, rc::gen::inRange(1, 60)));
+}
+
+void walk(Hand& hand, const Leg& leg, int turns[5]) {
+  ++turns[leg.way];
+  // Short of the longest step by more than binary32 positions can add to it.
+  const double step = 0.9999 * hand.settings.longest_step * leg.speed / 1000;
+  if (leg.way < 2) return hand.go_to({0.05 * leg.x, 0, 0.05 * leg.z}, step);
+  for (int tick = 0; tick < leg.ticks; ++tick) {
+    const Position along = hand.force.cast<double>().stableNormalized();
+    const double turned = 0.1 * leg.x * tick;
+    const Position way = leg.way == 2   ? along
+                         : leg.way == 3 ? Position(tick % 2 == 0 ? along : Position(-along))
+                                        : Position(std::cos(turned), 0, std::sin(turned));
+    hand.go_to(hand.at + step * way);
+  }
+}
+
+class Silent : public rc::detail::TestListener {
+ public:
+  void onTestCaseFinished(const rc::detail::CaseDescription&) override {}
+  void onShrinkTried(const rc::detail::CaseDescription&, bool) override {}
+  void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
+};
+
+// Closed polygons and motions that follow the force, at any speed up to the longest step, twenty times over.
+TEST(passivity_controller, gives_no_more_than_epsilon_whatever_the_hand_does) {
+  for (const LawName& name : kLaws)
+    for (const Kind kind : {Kind::observer, Kind::tank, Kind::damping})
+      for (const bool latency : {false, true}) {
+        const PassivitySettings settings = passivity_settings({}, 1000, latency);
+        int turns[5] = {};
+        double lowest = 0;
+        rc::detail::TestParams params;
+        params.seed = 20260;
+        params.maxSuccess = 60;
+        Silent silent;
+        const auto result = rc::detail::checkTestable(
+            [&] {
+              const auto legs = *rc::gen::nonEmpty(rc::gen::container<std::vector<Leg>>(any_leg()));
+              Hand hand(law_of(name.id), kind, settings);
+              hand.go_to({0.05 * legs.front().x, 0, 0.05 * legs.front().z});
+              for (int round = 0; round < 20; ++round)
+                for (const Leg& leg : legs) walk(hand, leg, turns);
+              const PassivityAccount& account = hand.controller.account();
+              lowest = std::min(lowest, static_cast<double>(hand.lowest));
+              RC_ASSERT(std::fabs(static_cast<double>(hand.balance) - account.balance) <= kRounding);
+              RC_ASSERT(account.longest_step <= settings.longest_step);
+              RC_ASSERT(!hand.lengthened && !hand.overturned);
+              RC_ASSERT(kind == Kind::observer || hand.lowest >= -settings.epsilon - kRounding);
+            },
+            rc::detail::TestMetadata{}, params, silent, std::unordered_map<std::string, rc::detail::Reproduce>{});
+        rc::detail::FailureResult failure;
+        if (result.match(failure)) {
+          ADD_FAILURE() << name.name << ", " << words_of(kind) << ": " << failure.description;
+          for (const auto& [type, value] : failure.counterExample) ADD_FAILURE() << type << " " << value;
+        }
+        std::printf("  %-14s %-8s %s: lowest %10.4f of epsilon\n", words_of(name.id).c_str(), words_of(kind),
+                    latency ? "latency" : "       ", lowest / settings.epsilon);
+        for (const int reached : turns) EXPECT_GT(reached, 0);
+        // The same hands do harvest without it.
+        EXPECT_TRUE(kind != Kind::observer || lowest < -3 * settings.epsilon);
+      }
+}
+
+TEST(passivity_controller, damping_turns_a_force_and_the_tank_does_not) {
+  for (const Kind kind : {Kind::tank, Kind::damping}) {
+    Hand hand(law_of(LawId::bump_2p_shaded), kind);
+    double turned = 0;
+    for (int n = 0; n < 30; ++n)
+      for (const Position& corner : {Position(5, 0, 0), Position(14, 0, -2), Position(14, 0, 5), Position(-3, 0, 6)}) {
+        const Position from = hand.at;
+        for (int i = 1; i <= 40; ++i) {
+          hand.go_to(from + (corner - from) * (i / 40.0));
+          turned = std::max(turned, static_cast<double>(hand.force.cross(hand.wanted).norm()));
+        }
+      }
+    EXPECT_GT(hand.controller.account().altered, 50U);
+    EXPECT_EQ(turned > 1e-6, kind == Kind::damping);
+  }
+}
+
+// A press to the depth D and back at speed v gives K D v T more than it takes, since the force is held; with a sample of
+// latency three times that, less 4 K (v T)² where the hand turns.
+TEST(passivity_controller, sampled_wall_gives_a_little_and_how_much) {
+  for (const bool latency : {false, true}) {
+    Hand hand(law_of(LawId::wall), Kind::observer, passivity_settings({}, 1000, latency));
+    for (int n = 0; n < 10; ++n) {
+      hand.go_to({0, 0, -2}, 0.1);
+      hand.go_to({0, 0, 0}, 0.1);
+    }
+    hand.go_to({0, 0, 0.1});
+    hand.go_to({0, 0, 0.2});
+    const double predicted = 10 * 0.5 * (latency ? 3 * 2 * 0.1 - 4 * 0.1 * 0.1 : 2 * 0.1);
+    const double given = -hand.controller.account().balance;
+    std::printf("  %.4f mJ a press to 2 mm at 100 mm/s%s\n", given / 10, latency ? " with latency" : "");
+    EXPECT_NEAR(given, predicted, 0.01 * predicted);
+  }
+}
+
+// 0.1 mm rms at 8 to 12 Hz, over counts of 0.03 mm.
+TEST(passivity_controller, trembling_on_encoder_counts_harvests_a_little_from_a_wall_and_friction_pays_it) {
+  const Intention rest({{0, {3, 0, 5}}, {1, {3, 0, -3}}}, Intention::Between::minimum_jerk);
+  for (const double friction : {0.0, 0.04}) {
+    Simulated device(premium_1_5(), Operator{Grip{}, rest, Tremor(1, 0.1), false});
+    device.start(1000);
+    PassivitySettings settings = passivity_settings(device.capabilities(), 1000, true);
+    settings.friction = friction;
+    PassivityController controller(settings, Kind::observer);
+    double begin = 0;
+    for (int tick = 0; tick < 22'000; ++tick) {
+      const Eigen::Vector3f position = std::get<Reading>(device.read()).position;
+      device.command(controller.passed(position, law_of(LawId::wall).force(position)));
+      if (tick == 2000) begin = controller.account().balance;
+    }
+    const double harvested = (begin - controller.account().balance) / 20;
+    std::printf("  friction %.2f N: %.4f mJ/s\n", friction, harvested);
+    EXPECT_LT(harvested, 0.03);
+    EXPECT_EQ(controller.account().lowest_balance < -0.1, friction == 0);
+    EXPECT_TRUE(friction == 0 || controller.account().lowest_balance > -0.01);
+  }
+}
+
+TEST(passivity_controller, leaves_a_wall_alone_that_is_pressed_slowly) {
+  for (const Kind kind : {Kind::tank, Kind::damping})
+    for (const bool latency : {false, true})
+      for (const float K : {0.2F, 0.5F, 0.8F}) {
+        Hand hand(law_of(LawId::wall, {.stiffness = K}), kind, passivity_settings({}, 1000, latency));
+        hand.go_to({0, 0, 1});
+        for (int n = 0; n < 2; ++n) {
+          hand.go_to({0, 0, -3}, 0.02);
+          hand.go_to({0, 0, 1}, 0.02);
+        }
+        EXPECT_EQ(hand.controller.account().altered, 0U) << words_of(kind) << " K = " << K << (latency ? " latency" : "");
+      }
+}
+
+// However long it was harvested, a wall that is pressed pushes back, in full from a few millimetres on.
+TEST(passivity_controller, has_force_again_for_a_hand_that_pushes) {
+  for (const Kind kind : {Kind::tank, Kind::damping}) {
+    Hand hand(law_of(LawId::bump_1p_shaded), kind);
+    hand.go_to({0, 0, 0});
+    for (int n = 0; n < 300; ++n) hand.go_round(stroke(kBump, 2), 0.1);
+    hand.go_to({40, 0, 1}, 0.5);
+    double full = 0;
+    for (int i = 0; i <= 500 && full == 0; ++i) {
+      hand.go_to({40, 0, -0.01 * i});
+      EXPECT_TRUE(i != 100 || hand.force.norm() > 0.4F * hand.wanted.norm()) << words_of(kind);
+      if (i > 100 && hand.force == hand.wanted) full = 0.01 * i;
+    }
+    std::printf("  %s: in full from %.2f mm on\n", words_of(kind), full);
+    EXPECT_GT(full, 0);
+    EXPECT_LT(full, 4);
+  }
+}
+
+TEST(passivity_controller, friction_pays_debts_and_saves_nothing) {
+  PassivitySettings settings = passivity_settings({}, 1000);
+  settings.friction = 0.04;
+  Hand hand(law_of(LawId::bump_1p_shaded), Kind::tank, settings);
+  hand.go_to({0, 0, 10});
+  hand.go_to({0, 0, 5}, 0.1);
+  EXPECT_EQ(hand.controller.account().balance, 0);
+  hand.go_round(stroke(kBump, 2), 0.02);
+  EXPECT_GT(hand.controller.account().rubbed, 0.1);
+  EXPECT_NEAR(static_cast<double>(hand.balance) + hand.controller.account().rubbed, hand.controller.account().balance, 1e-9);
+  hand.go_to({0, 0, 50}, 0.1);
+  EXPECT_EQ(hand.controller.account().balance, 0);
+}
+
+TEST(passivity_controller, gives_no_force_at_what_is_no_position_and_assumes_the_worst_of_it) {
+  const float nan = std::nanf("");
+  PassivityController controller({.longest_step = 1, .epsilon = 10});
+  EXPECT_EQ(controller.passed({0, 0, -1}, {0, 0, 2}), Eigen::Vector3f(0, 0, 2));
+  EXPECT_EQ(controller.passed({0, nan, -1}, {0, 0, 2}), Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(controller.account().balance, -2);
+  EXPECT_EQ(controller.passed({0, 0, 5}, {0, 0, 1}), Eigen::Vector3f(0, 0, 1));
+  EXPECT_EQ(controller.account().balance, -2);
+  EXPECT_EQ(controller.passed({0, 0, 5}, {0, 0, HUGE_VALF}), Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(controller.account().balance, -3);
+}
+
+// Ten minutes at 1 kHz, against sums of twice the precision.
+TEST(passivity_controller, account_does_not_drift) {
+  Hand hand(law_of(LawId::bump_3p_shaded), Kind::observer);
+  for (int tick = 0; tick < 600'000; ++tick)
+    hand.go_to({14 * std::sin(0.0037 * tick), std::sin(0.0011 * tick), 2 * std::sin(0.0071 * tick)});
+  const double drift = std::fabs(static_cast<double>(hand.balance) - hand.controller.account().balance);
+  std::printf("  %.2g mJ of %.4g\n", drift, hand.controller.account().balance);
+  EXPECT_LE(drift, kRounding);
+}
+
+// The table of docs/device.md: a simulated Premium 1.5 whose hand strokes to and fro for 20 s; it feels a force
+// one sample late.
+TEST(passivity_controller, alters_ordinary_strokes_little) {
+  struct Case {
+    Kind kind;
+    double friction;  // N
+  };
+  std::printf("  law            kind     friction  balance   lowest  altered  rms, N  most, N  of rms, N\n");
+  for (const LawId id : {LawId::wall, LawId::bump_1p_shaded, LawId::bump_2p_shaded, LawId::bump_3p_shaded})
+    for (const auto& [kind, friction] :
+         {Case{Kind::observer, 0}, Case{Kind::tank, 0}, Case{Kind::damping, 0}, Case{Kind::damping, 0.04}}) {
+      Simulated device(premium_1_5(), Operator{Grip{}, strokes(), Tremor(1, 0.03), false});
+      device.start(1000);
+      PassivitySettings settings = passivity_settings(device.capabilities(), 1000, true);
+      settings.friction = friction;
+      PassivityController controller(settings, kind);
+      double changes = 0, forces = 0;  // N²
+      int contacts = 0;
+      for (int tick = 0; tick < 20'000; ++tick) {
+        const Eigen::Vector3f position = std::get<Reading>(device.read()).position;
+        const fast::Evaluation wanted = law_of(id).evaluate(position);
+        const Eigen::Vector3f force = controller.passed(position, wanted.force);
+        device.command(force);
+        if (wanted.status != Status::contact) continue;
+        ++contacts;
+        changes += (force - wanted.force).cast<double>().squaredNorm();
+        forces += wanted.force.cast<double>().squaredNorm();
+      }
+      const PassivityAccount& account = controller.account();
+      const double altered = static_cast<double>(account.altered) / contacts;
+      std::printf("  %-14s %-8s %8.2f %8.3f %8.3f %7.2f%% %7.4f %8.3f %10.3f\n", words_of(id).c_str(), words_of(kind), friction,
+                  account.balance, account.lowest_balance, 100 * altered, std::sqrt(changes / contacts), account.largest_change,
+                  std::sqrt(forces / contacts));
+      if (kind == Kind::observer) continue;
+      EXPECT_GE(account.lowest_balance, -settings.epsilon);
+      EXPECT_LE(altered, 0.1);
+      EXPECT_LE(changes, 0.04 * forces);
+      const bool gives_energy = id == LawId::bump_2p_shaded || id == LawId::bump_3p_shaded;
+      EXPECT_TRUE(friction > 0 || account.altered > 0 || !gives_energy) << words_of(id);
+      EXPECT_TRUE(gives_energy || account.altered == 0) << words_of(id);
+    }
+}
+
+}  // namespace
+}  // namespace forceshade::device
