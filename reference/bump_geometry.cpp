@@ -64,11 +64,9 @@ BumpGeometry<Enclosure> enclosing_geometry(const Parameters& p) {
   const Enclosure half = g.w / 2;
   g.d = sqrt((g.R - half) * (g.R + half));
   g.h = g.R - g.d;
-  const Enclosure theta = enclosing_theta(p);
-  g.sine_theta = sin(theta);
-  g.cosine_theta = cos(theta);
-  g.w_prime = 2 * (half * g.cosine_theta - g.d * g.sine_theta);
-  g.h_prime = half * g.sine_theta + g.d * g.cosine_theta - g.d;
+  const Enclosure theta = enclosing_theta(p), sine = sin(theta), cosine = cos(theta);
+  g.w_prime = 2 * (half * cosine - g.d * sine);
+  g.h_prime = half * sine + g.d * cosine - g.d;
   return g;
 }
 
@@ -81,25 +79,16 @@ BumpGeometry<Exact> exact_geometry(const Parameters& p) {
   g.d = sqrt((g.R - half) * (g.R + half));
   g.h = g.R - g.d;
   const Exact t = sine_of_third(p);
-  g.sine_theta = Exact(2) * t * sqrt((Exact(1) - t) * (Exact(1) + t));
-  g.cosine_theta = Exact(1) - Exact(2) * t * t;
   g.w_prime = Exact(2) * g.R * t;
-  g.h_prime = g.w_prime * g.sine_theta;
+  g.h_prime = g.w_prime * (Exact(2) * t * sqrt((Exact(1) - t) * (Exact(1) + t)));  // w′ sin θ
   return g;
 }
 
 BumpGeometry<Filter> filter_geometry(const Parameters& p) {
   set_precision(512);
   const BumpGeometry<Enclosure> g = enclosing_geometry(p);
-  return {filter_of(g.R),
-          filter_of(g.w),
-          filter_of(g.K),
-          filter_of(g.d),
-          filter_of(g.h),
-          filter_of(g.sine_theta),
-          filter_of(g.cosine_theta),
-          filter_of(g.w_prime),
-          filter_of(g.h_prime)};
+  return {filter_of(g.R), filter_of(g.w),       filter_of(g.K),      filter_of(g.d),
+          filter_of(g.h), filter_of(g.w_prime), filter_of(g.h_prime)};
 }
 
 }  // namespace forceshade::reference

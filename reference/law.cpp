@@ -8,6 +8,7 @@
 #include "forceshade/reference/decimal.h"
 #include "forceshade/reference/enclosure.h"
 #include "forceshade/reference/slow_geometry.h"
+#include "forceshade/reference/tie.h"
 #include "forceshade/reference/with_law.h"
 
 namespace forceshade::reference {
@@ -102,8 +103,7 @@ Component round_component(const SlowForce& force, Enclosure Force<Enclosure>::*e
   const float above = mpfr_get_flt(upper(value).backend().data(), MPFR_RNDU);
   const double tie = 0.5 * (static_cast<double>(below) + static_cast<double>(above));
   const int sign = (force.exact().*exact - Exact(tie)).sign();
-  const bool below_is_even = (__builtin_bit_cast(unsigned, below) & 1U) == 0;
-  return {(sign < 0 || (sign == 0 && below_is_even) ? below : above) + 0.0F, Method::exact};
+  return {rounded_between(below, above, sign), Method::exact};
 }
 
 Rounded round_slowly(LawId id, const Parameters& p, const Point& point) {
@@ -182,7 +182,7 @@ EnclosedForce enclosure(const Law& law, const Eigen::Vector3f& position, unsigne
     const Multiprecision size = std::max<Multiprecision>(abs(lower(value)), abs(upper(value)));
     return (upper(value) - lower(value)) * pow(Multiprecision(10), digits) <= size;
   };
-  for (unsigned bits = digits * 10 / 3 + 64;; bits *= 2) {
+  for (unsigned bits = digits * 10 / 3 + 8;; bits *= 2) {
     set_precision(bits);
     const Force<Enclosure> value = force.enclose();
     // A component that is exactly zero may keep a width however far one goes: ask the exact numbers.

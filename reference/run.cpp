@@ -19,9 +19,7 @@ bool in_domain(float coordinate) {
 }
 
 BumpGeometry<Taylor> taylor_geometry(const BumpGeometry<Filter>& g) {
-  return {
-      Taylor(g.R),       Taylor(g.w),      Taylor(g.K), Taylor(g.d), Taylor(g.h), Taylor(g.sine_theta), Taylor(g.cosine_theta),
-      Taylor(g.w_prime), Taylor(g.h_prime)};
+  return {Taylor(g.R), Taylor(g.w), Taylor(g.K), Taylor(g.d), Taylor(g.h), Taylor(g.w_prime), Taylor(g.h_prime)};
 }
 
 // Part of a run: `count` positions, a power of two, none of them 0 and all of one binade.

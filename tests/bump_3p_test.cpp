@@ -39,3 +39,7 @@ TEST(bump_3p, answers_an_exact_tie_on_a_flat_bump) {
   EXPECT_EQ(answer.status, Status::contact);
   EXPECT_EQ(answer.force, reference.round_to_binary32({1, 0, -0x1p-16F}).force);
 }
+
+TEST(bump_3p, answers_a_block_beside_the_bump_as_the_scalar_call_does) {
+  tests::expect_batch_answers(LawId::bump_3p, {0.1F, 0.2F, 1}, {5, 0, -1}, 0);
+}

@@ -20,3 +20,8 @@ TEST(cylinder, is_free_on_its_surface_and_touches_one_step_below) {
   EXPECT_EQ(law.evaluate({0.75F, 0, 0}).status, Status::free);
   EXPECT_EQ(law.evaluate({std::nextafter(0.75F, 0.0F), 0, 0}).status, Status::contact);
 }
+
+TEST(cylinder, answers_one_position_on_the_axis_in_a_block_as_the_scalar_call_does) {
+  for (std::size_t place = 0; place < fast::kBlock; ++place)
+    tests::expect_batch_answers(LawId::cylinder, {1.25F, 1.5F, 2}, {0, 0, -1}, place);
+}

@@ -23,6 +23,9 @@ void reads_tiny_coordinates_as_zero(LawId law);
 void gives_no_negative_zero(LawId law);
 void allocates_nothing(LawId law);
 
+// The position, alone in its place of a block that packs would answer without it, gets the bits of the scalar call.
+void expect_batch_answers(LawId law, const Parameters& p, const Eigen::Vector3f& position, std::size_t place);
+
 }  // namespace forceshade::tests
 
 #define FORCESHADE_LAW_CLAIM(law, claim)                            \

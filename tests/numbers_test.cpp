@@ -12,7 +12,7 @@
 #include "forceshade/fast/wide.h"
 #include "forceshade/properties/binary32.h"
 #include "forceshade/reference/decimal.h"
-#include "forceshade/reference/filter.h"
+#include "forceshade/reference/slow_geometry.h"
 #include "forceshade/reference/taylor.h"
 
 namespace forceshade {
@@ -115,6 +115,7 @@ TEST_F(Numbers, rounding_of_a_ball_is_to_nearest_even_or_unknown) {
   const double smallest = std::numeric_limits<float>::denorm_min();
   EXPECT_EQ(fast::round_to_binary32(DoubleDouble::exactly(0.75 * smallest)), std::numeric_limits<float>::denorm_min());
   EXPECT_EQ(fast::round_to_binary32(DoubleDouble::exactly(0.5 * smallest)), 0.0F);
+  EXPECT_FALSE(std::signbit(fast::round_to_binary32(DoubleDouble::exactly(-0.25 * smallest)).value())) << "no negative zero";
 }
 
 TEST_F(Numbers, rounding_is_in_doubt_exactly_in_the_window) {
@@ -140,23 +141,25 @@ TEST_F(Numbers, split_heads_multiply_without_rounding) {
     ASSERT_EQ(parts.head + parts.tail, value);
     const auto factor = static_cast<double>(static_cast<float>(operands(random).b));
     ASSERT_EQ(std::fma(parts.head, factor, -(parts.head * factor)), 0) << value << ' ' << factor;
+    const fast::Split more = fast::split({value, 0x1p-60 * value, 0});
+    ASSERT_EQ(more.head, parts.head);
+    ASSERT_EQ(more.tail, parts.tail + 0x1p-60 * value) << "the second number belongs to the tail";
   }
 }
 
-TEST_F(Numbers, filter_encloses_and_throws_where_it_cannot_tell) {
-  using reference::Filter;
-  for (int i = 0; i < 20000; ++i) {
+TEST_F(Numbers, filter_of_an_enclosure_encloses_it) {
+  for (int i = 0; i < 1000; ++i) {
     const Operands o = operands(random);
-    const auto value = expression<Filter>(
-        o, [](double v) { return Filter(v); }, [](const Filter& v) { return sqrt(v); });
-    const Multiprecision error = abs(truth(o) - Multiprecision(value.mid()));
-    ASSERT_LE(error, Multiprecision(value.rad())) << o.a << ' ' << o.b;
+    reference::set_precision(i % 2 == 0 ? 80 : 40);
+    const reference::Enclosure value = sqrt(reference::Enclosure(o.a)) / 3;
+    const reference::Filter ball = reference::filter_of(value);
+    reference::set_precision(6000);
+    const Multiprecision mid = ball.mid(), rad = ball.rad();
+    ASSERT_LE(mid - rad, Multiprecision(lower(value)));
+    ASSERT_GE(mid + rad, Multiprecision(upper(value)));
+    ASSERT_GT(ball.rad(), 0);
   }
-  const Filter third = Filter(1.0) / Filter(3.0), one = third * Filter(3.0);
-  EXPECT_THROW((void)(one < Filter(1.0)), reference::Undecided);
-  EXPECT_THROW((void)(Filter(1.0) / (one - Filter(1.0))), reference::Undecided);
-  EXPECT_TRUE(third < Filter(0.34));
-  EXPECT_THROW(static_cast<void>(Filter(1.0L + 0x1p-24L, 1e-15L).round()), reference::Undecided);
+  EXPECT_EQ(reference::filter_of(reference::Enclosure(0.75)).rad(), 0) << "known exactly";
 }
 
 TEST_F(Numbers, taylor_encloses_over_its_whole_stretch_and_its_rest_is_not_idle) {
@@ -183,6 +186,28 @@ TEST_F(Numbers, taylor_encloses_over_its_whole_stretch_and_its_rest_is_not_idle)
   EXPECT_GT(worst, 0.1L) << "the rest is idle";
 }
 
+TEST_F(Numbers, taylor_encloses_each_operation_by_itself) {
+  using reference::Taylor;
+  for (int i = 0; i < 500; ++i) {
+    const double mid = static_cast<double>(static_cast<float>(operands(random).a));
+    const double reach = std::ldexp(mid, -3 - static_cast<int>(random() % 8));
+    const Taylor x = Taylor::variable(mid, reach), square = x * x;
+    for (const double s : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+      const Multiprecision at = Multiprecision(mid) + Multiprecision(reach) * s;
+      const auto expect_within = [&](const Taylor& value, const Multiprecision& exact) {
+        Multiprecision cubic = 0;
+        for (std::size_t k = 4; k-- > 0;) cubic = cubic * Multiprecision(s) + Multiprecision(value.coefficient(k));
+        EXPECT_LE(Multiprecision(abs(exact - cubic)), Multiprecision(value.rest())) << mid << ' ' << reach << ' ' << s;
+      };
+      expect_within(square * square, at * at * at * at);
+      expect_within(Taylor(1.0) / x, 1 / at);
+      expect_within(sqrt(x), sqrt(at));
+      expect_within(Taylor(3.0) * sqrt(x), 3 * sqrt(at));
+      expect_within(sqrt(x) * x - x, sqrt(at) * at - at);
+    }
+  }
+}
+
 TEST_F(Numbers, taylor_throws_where_it_cannot_tell) {
   using reference::Taylor, reference::Undecided;
   const Taylor x = Taylor::variable(1, 0.125);
@@ -204,15 +229,31 @@ TEST_F(Numbers, decimals_are_rounded_to_even_on_ties) {
   EXPECT_EQ(exactly(-1234.5, 2), "-1200");
   EXPECT_EQ(exactly(9.996, 3), "10.0");
   EXPECT_EQ(exactly(0, 3), "0");
-  // √2·√2 is 2 only to those who can compare exactly; a tie of three digits: 2.125 = √2·√2 + 1/8.
-  const auto blurred = [] {
-    const reference::Enclosure root = sqrt(reference::Enclosure(2));
-    return reference::Enclosure(root * root + reference::Enclosure(0.125));
+  EXPECT_EQ(exactly(12, 2), "12");
+  EXPECT_EQ(exactly(-0.0625, 1), "-0.06");
+  // √2·√2 is 2 only to those who can compare exactly: what the enclosures leave open, `beyond` decides.
+  const auto blurred = [](double value, int beyond) {
+    return reference::correctly_rounded(
+        3,
+        [=] {
+          const reference::Enclosure root = sqrt(reference::Enclosure(2));
+          return reference::Enclosure(root * root - 2 + reference::Enclosure(value));
+        },
+        [=](const CORE::BigRat& q) {
+          EXPECT_EQ(CORE::BigRat(value), q) << "asked about the tie";
+          return beyond;
+        });
   };
-  const auto compare = [](const CORE::BigRat& q) {
-    return (CORE::sqrt(CORE::Expr(2)) * CORE::sqrt(CORE::Expr(2)) + CORE::Expr(0.125) - CORE::Expr(q)).sign();
-  };
-  EXPECT_EQ(reference::correctly_rounded(3, blurred, compare), "2.12");
+  EXPECT_EQ(blurred(2.125, 0), "2.12");
+  EXPECT_EQ(blurred(2.375, 0), "2.38");
+  EXPECT_EQ(blurred(-2.125, 0), "-2.12");
+  EXPECT_EQ(blurred(-2.375, 0), "-2.38");
+  EXPECT_EQ(blurred(2.125, 1), "2.13");
+  EXPECT_EQ(blurred(2.375, -1), "2.37");
+  EXPECT_EQ(blurred(-2.125, -1), "-2.13");
+  EXPECT_EQ(blurred(-2.375, 1), "-2.37");
+  EXPECT_EQ(blurred(2125, 0), "2120");
+  EXPECT_EQ(blurred(21350, 0), "21400");
 }
 
 }  // namespace

@@ -91,6 +91,15 @@ TEST(run, finds_the_two_positions_on_both_sides_of_the_surface) {
   EXPECT_LT(one_by_one, positions);
 }
 
+TEST(run, goes_up_to_the_edge_of_the_bump_and_no_farther) {
+  const Parameters p{15.24F, 25.4F, 0.5F};
+  const auto edge = std::bit_cast<std::uint32_t>(p.width / 2), first = edge & ~static_cast<std::uint32_t>(kRun - 1);
+  const SurfaceRun run = surface_run(std::get<Law>(Law::build(LawId::bump_2p, p)), first);
+  ASSERT_EQ(run.count, edge - first + 1);
+  EXPECT_EQ(run.free[run.count - 1], 0) << "the surface meets the plane";
+  EXPECT_EQ(run.contact[run.count - 1], -0x1p-30F);
+}
+
 TEST(run, of_one_answer_outside_the_domain_and_below_the_quantum) {
   const auto law = std::get<Law>(Law::build(LawId::bump_2p, {15.24F, 25.4F, 0.5F}));
   const RoundedRun outside = round_run(law, Along::x, -1, 0x7F800000U);  // infinity, then NaN

@@ -26,6 +26,9 @@ std::vector<Parameters> parameters() {
                                {1.25F, 1.5F, 0.7F},
                                {12.7F, 25.4F, 1},
                                {3.125F, 6, 1},
+                               {3.125F, 6, 1.0078125F},
+                               {3.125F, 6, 1.375F},
+                               {5.2F, 10.4F, 1},
                                {2197.0F / 1024, 2035.0F / 512, 1},
                                {0x1.2bddap+12F, 0x1.0a96cp+12F, 1}};
   std::mt19937_64 random(99);
@@ -38,6 +41,15 @@ std::vector<Parameters> parameters() {
 }
 constexpr int kPoints = 60000;
 
+// Ties of bump-2p where the normal is (3/5, 4/5), in F_x alone for K = 129/128, in F_z alone for K = 11/8: chance does not
+// find them.
+std::vector<Eigen::Vector3f> ties() {
+  std::vector<Eigen::Vector3f> found;
+  for (float odd = 1; odd < 16; odd += 2)
+    for (const float unit : {0x1p-16F, 0x1p-21F}) found.emplace_back(0.0F, 0.0F, 2.25F - 5 * (1 + odd * unit));
+  return found;
+}
+
 // How many points it took equivalence to catch the mutant; none if it got away.
 std::optional<int> points_to_catch(const Mutant& mutant) {
   std::vector<properties::Subject> subjects;
@@ -46,6 +58,9 @@ std::optional<int> points_to_catch(const Mutant& mutant) {
     subjects.push_back({std::get<reference::Law>(reference::Law::build(mutant.law, p)), mutant.build(p)});
     sources.emplace_back(subjects.back().law, 99);
   }
+  for (const properties::Subject& subject : subjects)
+    for (const Eigen::Vector3f& tie : ties())
+      if (properties::equivalence(subject, tie)) return 1;
   for (int i = 0; i < kPoints; ++i)
     for (std::size_t s = 0; s < subjects.size(); ++s)
       if (properties::equivalence(subjects[s], sources[s].next().position)) return i + 1;
@@ -74,9 +89,8 @@ TEST(mutants, with_a_smaller_bound_are_caught_by_a_hard_case) {
     ++bounds;
     const std::optional<HardCase> one = case_that_catches(mutant);
     EXPECT_TRUE(one) << name_of(mutant.law) << ": " << mutant.change;
-    if (one)
-      std::printf("  %s: %s\n    by %s, %s\n", name_of(mutant.law).data(), mutant.change.c_str(), one->place.c_str(),
-                  one->why.c_str());
+    std::printf("  %-15s %8s  %s\n", name_of(mutant.law).data(), one ? "case" : "SURVIVED", mutant.change.c_str());
+    if (one) std::printf("    by %s, %s\n", one->place.c_str(), one->why.c_str());
   }
   EXPECT_GE(bounds, 7) << "one of each law that has a bound";
 }
