@@ -56,6 +56,7 @@ std::string correctly_rounded(unsigned digits, const std::function<Enclosure()>&
     const Decimal high = rounded(upper(value), digits, MPFR_RNDN);
     if (low == high) return positional(low);
   }
+  if (compare(0) == 0) return "0";
   // Between two neighbouring decimals, the smaller in size by truncation: which is nearer?
   const Enclosure value = enclose();
   const Multiprecision middle = (lower(value) + upper(value)) / 2;

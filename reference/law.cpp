@@ -182,7 +182,7 @@ EnclosedForce enclosure(const Law& law, const Eigen::Vector3f& position, unsigne
     const Multiprecision size = std::max<Multiprecision>(abs(lower(value)), abs(upper(value)));
     return (upper(value) - lower(value)) * pow(Multiprecision(10), digits) <= size;
   };
-  for (unsigned bits = digits * 10 / 3 + 8;; bits *= 2) {
+  for (unsigned bits = digits * 10 / 3;; bits *= 2) {
     set_precision(bits);
     const Force<Enclosure> value = force.enclose();
     // A component that is exactly zero may keep a width however far one goes: ask the exact numbers.
@@ -201,7 +201,6 @@ DecimalForce Law::decimal(const Eigen::Vector3f& position, unsigned digits) cons
   const SlowForce force(id_, parameters_, Point(position));
   if (force.facet() == Facet::none) return {"0", "0", Status::free};
   const auto component = [&](Enclosure Force<Enclosure>::*enclosed, Exact Force<Exact>::*exact) -> std::string {
-    if ((force.exact().*exact).sign() == 0) return "0";
     return correctly_rounded(
         digits, [&] { return force.enclose().*enclosed; },
         [&](const CORE::BigRat& q) { return (force.exact().*exact - Exact(q)).sign(); });

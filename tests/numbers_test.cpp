@@ -240,10 +240,18 @@ TEST_F(Numbers, decimals_are_rounded_to_even_on_ties) {
           return reference::Enclosure(root * root - 2 + reference::Enclosure(value));
         },
         [=](const CORE::BigRat& q) {
+          if (q == CORE::BigRat(0)) return value < 0 ? -1 : 1;
           EXPECT_EQ(CORE::BigRat(value), q) << "asked about the tie";
           return beyond;
         });
   };
+  for (const int square : {2, 3, 5, 6, 7, 10, 11}) {
+    const auto zero = [=] {
+      const reference::Enclosure root = sqrt(reference::Enclosure(square));
+      return reference::Enclosure(root * root / 3 - reference::Enclosure(square) / 3);
+    };
+    EXPECT_EQ(reference::correctly_rounded(3, zero, [](const CORE::BigRat& q) { return -sign(q); }), "0");
+  }
   EXPECT_EQ(blurred(2.125, 0), "2.12");
   EXPECT_EQ(blurred(2.375, 0), "2.38");
   EXPECT_EQ(blurred(-2.125, 0), "-2.12");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "forceshade/reference/enclosure.h"
@@ -57,12 +58,15 @@ TEST(reference, knows_a_component_that_is_exactly_zero) {
   EXPECT_EQ(force.z.low, 0);
   EXPECT_EQ(force.z.high, 0);
   EXPECT_EQ(law.decimal({0, 0, -1.125F}, 30).z, "0");
-  // And beside the axis, where no enclosure is a point: l = (3/8, -1/2), ρ = 5/8, (R - ρ)·4/5 = 7/2.
-  const Law other = build(LawId::bump_cylinder, {5, 8, 1});
-  EXPECT_EQ(enclosure(other, {0.375F, 0, -3.5F}, 30).z.high, 0);
-  EXPECT_GT(enclosure(other, {0.375F, 0, -3.5F}, 30).x.low, 0);
-  EXPECT_EQ(other.decimal({0.375F, 0, -3.5F}, 30).z, "0");
-  EXPECT_EQ(other.decimal({0.375F, 0, -3.5F}, 30).x, "2.62500000000000000000000000000");
+  // And beside the axis, where no enclosure is a point: l = (3, -4)/8, ρ = 5/8, (R - ρ)·4/5 = 7/2 on the first bump, and
+  // l = (35/8, -21/2), ρ = 91/8, (R - ρ)·12/13 = 51/2 on the second.
+  for (const float K : {1.0F, 0.7F, 0.3F})
+    for (const auto& [R, w, x, z] : {std::array{5.0F, 8.0F, 0.375F, -3.5F}, std::array{39.0F, 72.0F, 4.375F, -25.5F}}) {
+      const Law beside = build(LawId::bump_cylinder, {R, w, K});
+      EXPECT_EQ(enclosure(beside, {x, 0, z}, 30).z.high, 0);
+      EXPECT_GT(enclosure(beside, {x, 0, z}, 30).x.low, 0);
+      EXPECT_EQ(beside.decimal({x, 0, z}, 30).z, "0");
+    }
 }
 
 TEST(reference, says_how_it_came_to_be_sure) {
