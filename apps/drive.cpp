@@ -2,27 +2,35 @@
 // forceshade drive: run a certified renderer on a device, and refuse one that is not certified.
 
 #include <openssl/sha.h>
+#include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "forceshade/apps/command.h"
+#include "forceshade/apps/drive_summary.h"
+#include "forceshade/apps/live_view.h"
+#include "forceshade/apps/run_record.h"
 #include "forceshade/csv/csv.h"
 #include "forceshade/device/open_device.h"
-#include "forceshade/device/servo_loop.h"
 #include "forceshade/properties/build.h"
 #include "forceshade/properties/certificate.h"
-#include "forceshade/recorder/recorder.h"
 
 namespace forceshade::apps {
 namespace {
+
+using Controller = device::PassivityController::Kind;
 
 struct Options {
   std::string certificate, device, record, json;
   double rate = 1000;
   std::optional<double> seconds;
+  std::optional<int> cpu, dead_man;
+  Controller passivity = Controller::damping;
   bool unpaced = false, uncertified = false;
 };
 
@@ -52,19 +60,6 @@ std::optional<std::string> certified(const Options& options, LawId law, const Pa
   return std::nullopt;
 }
 
-void print(const device::ServoResult& run) {
-  std::printf("ticks             %zu (%s)\n", run.ticks, std::string(name_of(run.end_reason)).c_str());
-  std::printf("rate              %.1f Hz\n", run.achieved_rate_hz);
-  std::printf("missed deadlines  %zu\n", run.missed_deadlines);
-  std::printf("compute time      worst %.1f us, 99.9 %% %.1f us, 99 %% %.1f us, median %.1f us\n", run.compute_us.max,
-              run.compute_us.p999, run.compute_us.p99, run.compute_us.p50);
-  std::printf("peak force        %.3f N\n", run.peak_force_N);
-  std::printf("energy            %.3f mJ given to the hand, %.3f mJ taken from it\n", run.energy_given_mJ, run.energy_taken_mJ);
-  if (run.invalid_positions > 0) std::printf("invalid positions %zu (zero force)\n", run.invalid_positions);
-  std::printf("scheduling        %s, memory %s\n", run.realtime_scheduling ? "real-time (SCHED_FIFO)" : "ordinary",
-              run.memory_locked ? "locked" : "not locked");
-}
-
 nlohmann::ordered_json summary(const device::ServoResult& run, LawId law, const Parameters& p,
                                const std::optional<std::string>& digest) {
   nlohmann::ordered_json parameters{{"stiffness_N_per_mm", static_cast<double>(p.stiffness)}};
@@ -72,23 +67,13 @@ nlohmann::ordered_json summary(const device::ServoResult& run, LawId law, const 
     parameters["radius_mm"] = static_cast<double>(p.radius);
     parameters["width_mm"] = static_cast<double>(p.width);
   }
-  return {
+  nlohmann::ordered_json json{
       {"law", name_of(law)},
       {"parameters", parameters},
       {"certificate_digest", digest ? nlohmann::ordered_json(*digest) : nlohmann::ordered_json(nullptr)},
-      {"library_digest", properties::current_build().library_digest},
-      {"end_reason", name_of(run.end_reason)},
-      {"ticks", run.ticks},
-      {"missed_deadlines", run.missed_deadlines},
-      {"invalid_positions", run.invalid_positions},
-      {"rate_hz", run.achieved_rate_hz},
-      {"compute_us",
-       {{"p50", run.compute_us.p50}, {"p99", run.compute_us.p99}, {"p999", run.compute_us.p999}, {"max", run.compute_us.max}}},
-      {"peak_force_N", run.peak_force_N},
-      {"energy_given_mJ", run.energy_given_mJ},
-      {"energy_taken_mJ", run.energy_taken_mJ},
-      {"realtime_scheduling", run.realtime_scheduling},
-      {"memory_locked", run.memory_locked}};
+      {"library_digest", properties::current_build().library_digest}};
+  json.update(to_json(run));
+  return json;
 }
 
 recorder::Metadata metadata(const Options& options, LawId law, const Parameters& p, const std::optional<std::string>& digest) {
@@ -112,14 +97,14 @@ recorder::Metadata metadata(const Options& options, LawId law, const Parameters&
   return metadata;
 }
 
-// Whether the disk took every tick; says so where it did not.
-bool finish(recorder::Recorder& recording, const Options& options, const device::ServoResult& run) {
-  const auto [written, lost, error] = recording.close(std::string(name_of(run.end_reason)));
-  if (lost == 0 && error.empty()) return true;
-  const std::string why = error.empty() ? options.record + ": the disk was too slow" : error;
-  std::fprintf(stderr, "forceshade: %s; recorded %llu samples, lost %llu\n", why.c_str(),
-               static_cast<unsigned long long>(written), static_cast<unsigned long long>(lost));
-  return false;
+// N: more than these forces are is seldom commanded.
+double bar_of(const device::Capabilities& capabilities) {
+  return std::isfinite(capabilities.peak_force) ? static_cast<double>(capabilities.peak_force) : 5;
+}
+
+// Where nobody looks, or where the words of something else go, no line is drawn.
+bool is_watched() {
+  return isatty(STDERR_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
 }
 
 int run(const Options& options, const LawOptions& law_options) {
@@ -135,22 +120,29 @@ int run(const Options& options, const LawOptions& law_options) {
 
   const std::unique_ptr<device::Device> device = device::open_device(options.device);
   const auto law = std::get<fast::Law>(fast::Law::build(id, parameters));
-  std::optional<recorder::Recorder> recording;
-  if (options.record.ends_with(".fsr")) recording.emplace(options.record, metadata(options, id, parameters, digest));
+  std::optional<RunRecord> record;
+  if (!options.record.empty()) record.emplace(options.record, metadata(options, id, parameters, digest), !options.unpaced);
   watch_for_interrupt();
-  const device::ServoResult result = device::run_servo_loop(*device, law,
-                                                            {.rate_hz = options.rate,
-                                                             .max_seconds = options.seconds,
-                                                             .paced = !options.unpaced,
-                                                             .sink = recording ? &*recording : nullptr},
-                                                            interrupted());
-  if (!options.record.empty() && !recording) device::write_record(result.record, options.record);
+  std::optional<LiveView> view;
+  if (is_watched()) view.emplace(bar_of(device->capabilities()));
+  device::ServoOptions servo{.rate_hz = options.rate,
+                             .max_seconds = options.seconds,
+                             .paced = !options.unpaced,
+                             .cpu = options.cpu,
+                             .passivity = options.passivity,
+                             .dead_man_button = options.dead_man};
+  if (record) servo.sinks.push_back(&record->sink());
+  if (view) servo.sinks.push_back(&*view);
+  const device::ServoResult result = device::run_servo_loop(*device, law, servo, interrupted());
+  view.reset();
+  const bool recorded = !record || record->close(std::string(name_of(result.end_reason)));
   if (!options.json.empty()) write_file(options.json, summary(result, id, parameters, digest).dump(2) + "\n");
   if (options.record != "-" && options.json != "-") print(result);
-  const bool recorded = !recording || finish(*recording, options, result);
-  if (result.end_reason != device::EndReason::device_fault) return recorded ? kHeld : kBadInput;
-  std::fprintf(stderr, "forceshade: device fault: %s\n", result.fault);
-  return kDeviceFault;
+  if (result.trip) std::fprintf(stderr, "forceshade: the supervisor stopped the run: %s\n", name_of(result.trip->rule).data());
+  if (result.end_reason == device::EndReason::device_fault)
+    std::fprintf(stderr, "forceshade: device fault: %s\n", result.fault);
+  if (result.trip || result.end_reason == device::EndReason::device_fault) return kDeviceFault;
+  return recorded ? kHeld : kBadInput;
 }
 
 }  // namespace
@@ -174,11 +166,23 @@ void add_drive(CLI::App& app, int& result) {
   command->add_option("--seconds", options->seconds, "stop after so many seconds' worth of ticks")
       ->type_name("N")
       ->check(CLI::PositiveNumber);
+  std::map<std::string, Controller> controllers;
+  for (const Controller kind : {Controller::damping, Controller::tank, Controller::observer})
+    controllers[std::string(name_of(kind))] = kind;
+  command
+      ->add_option("--passivity", options->passivity,
+                   "what keeps the force from giving energy: damping, tank (shortens it) or observer (nothing: for measuring)")
+      ->type_name("CONTROLLER")
+      ->transform(CLI::CheckedTransformer(controllers, CLI::ignore_case))
+      ->default_str("damping");
+  command->add_option("--dead-man", options->dead_man, "button of the device to be held down, from 0; else there is no force")
+      ->type_name("BUTTON");
+  command->add_option("--cpu", options->cpu, "processor to run the loop on; the last one unless said")->type_name("N");
   command->add_flag("--unpaced", options->unpaced, "as fast as it goes: for checks, not for hands");
   command->add_flag("--uncertified", options->uncertified, "drive even where the certificate does not allow it");
   command
       ->add_option("--record", options->record,
-                   "every tick: FILE.fsr, a recording that survives a crash; else CSV, - for standard output")
+                   "every tick: FILE.fsr, a recording that survives a crash; else its CSV, - for standard output")
       ->type_name("FILE");
   command->add_option("--json", options->json, "summary for programs, - for standard output")->type_name("FILE");
   command->callback([options, law, &result] { result = run(*options, *law); });

@@ -4,6 +4,7 @@
 // law. Positions and forces are in the frame of docs/laws.md: x right, y into the page, z up.
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -14,10 +15,11 @@
 namespace forceshade::device {
 
 struct Reading {
-  Eigen::Vector3f position{0, 0, 0};                     // mm
-  double time = 0;                                       // s, by the device's own clock
-  std::uint32_t buttons = 0;                             // bit k is set while button k is down
-  std::optional<Eigen::Vector3f> gimbal = std::nullopt;  // rad, from a device that has one
+  Eigen::Vector3f position{0, 0, 0};                                  // mm
+  double time = 0;                                                    // s, by the device's own clock
+  std::uint16_t buttons = 0;                                          // bit k is set while button k is down
+  std::optional<Eigen::Vector3f> gimbal = std::nullopt;               // rad, from a device that has one
+  std::optional<std::array<std::int64_t, 3>> encoder = std::nullopt;  // counts, from a device that shows them
 };
 
 // Nothing is wrong and nothing more will come.
@@ -35,8 +37,11 @@ struct Capabilities {
 
   std::string_view model = "unknown";  // lives as long as the device
   Eigen::Vector3f workspace_low = Eigen::Vector3f::Constant(-kNone), workspace_high = Eigen::Vector3f::Constant(kNone);  // mm
-  float resolution = 0;                                           // mm, as a data sheet has it
-  float peak_force = kNone, continuous_force = kNone;             // N, as a data sheet has them
+  float resolution = 0;  // mm, as a data sheet has it
+  // N, as a data sheet has them. Without a peak it gives no force that a hand could feel: nobody needs to be kept from it.
+  float peak_force = kNone, continuous_force = kNone;
+  bool latency = false;  // a command acts through the period after the next reading, not up to it
+  float friction = 0;    // N: the least at its tip, as a data sheet has it
   double highest_rate = std::numeric_limits<double>::infinity();  // Hz
   int buttons = 0;
   bool gimbal = false;
@@ -62,7 +67,8 @@ class Device {
 
   virtual ReadResult read() noexcept = 0;
 
-  // Holds this force, in N, until the next command. Zero must be obeyed even after a fault.
+  // Holds this force, in N, until the next command. Zero must be obeyed even after a fault. A device with real motors lets go
+  // by itself when it hears nothing for some 25 ms: then nobody is left to say so.
   virtual std::optional<Fault> command(const Eigen::Vector3f& force) noexcept = 0;
 
   virtual State state() const noexcept { return {}; }

@@ -13,6 +13,7 @@ using HHD = unsigned;
 using HDenum = unsigned;
 using HDerror = unsigned;
 using HDboolean = unsigned char;
+using HDlong = long;
 using HDulong = unsigned long;
 using HDushort = unsigned short;
 using HDSchedulerHandle = unsigned long;
@@ -31,6 +32,7 @@ inline constexpr HDushort kDefaultPriority = 32767;  // of 0 to 65535
 
 // What hdGet and hdSet speak of. Doubles unless said otherwise.
 inline constexpr HDenum kButtons = 0x2000;            // int, one bit each
+inline constexpr HDenum kEncoders = 0x2010;           // 6 longs: the arm's three, the gimbal's
 inline constexpr HDenum kPosition = 0x2050;           // 3, mm
 inline constexpr HDenum kGimbalAngles = 0x2150;       // 3, rad
 inline constexpr HDenum kModel = 0x2501;              // string
@@ -73,6 +75,7 @@ void hdEnable(HDenum);
 void hdDisable(HDenum);
 HDboolean hdIsEnabled(HDenum);
 void hdGetIntegerv(HDenum, int*);
+void hdGetLongv(HDenum, HDlong*);
 void hdGetDoublev(HDenum, double*);
 void hdSetDoublev(HDenum, const double*);
 const char* hdGetString(HDenum);
@@ -96,6 +99,7 @@ void hdUnschedule(HDSchedulerHandle);
   X(hdDisable)                        \
   X(hdIsEnabled)                      \
   X(hdGetIntegerv)                    \
+  X(hdGetLongv)                       \
   X(hdGetDoublev)                     \
   X(hdSetDoublev)                     \
   X(hdGetString)                      \

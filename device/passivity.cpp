@@ -9,11 +9,23 @@
 
 namespace forceshade::device {
 
-PassivitySettings passivity_settings(const Capabilities& capabilities, double rate, bool latency) noexcept {
+PassivitySettings passivity_settings(const Capabilities& capabilities, double rate) noexcept {
   constexpr double kStiffest = 1;  // N/mm: more than can be rendered on the devices there are
   const double step = longest_step(kFastestUnderForce, 1 / rate, static_cast<double>(capabilities.resolution));
-  const double ahead = latency ? 2 * step : step;
-  return {.longest_step = step, .epsilon = kStiffest * ahead * ahead, .latency = latency};
+  const double ahead = capabilities.latency ? 2 * step : step;
+  return {.longest_step = step,
+          .epsilon = kStiffest * ahead * ahead,
+          .friction = static_cast<double>(capabilities.friction) / 2,
+          .latency = capabilities.latency};
+}
+
+std::string_view name_of(PassivityController::Kind kind) noexcept {
+  switch (kind) {
+    case PassivityController::Kind::observer: return "observer";
+    case PassivityController::Kind::tank: return "tank";
+    case PassivityController::Kind::damping: break;
+  }
+  return "damping";
 }
 
 Eigen::Vector3f PassivityController::passed(const Eigen::Vector3f& position, const Eigen::Vector3f& wanted) noexcept {

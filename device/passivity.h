@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <optional>
+#include <string_view>
 
 #include "forceshade/device/device.h"
 
@@ -17,12 +18,13 @@ struct PassivitySettings {
   // N: the least Coulomb friction of the device at its tip. What it takes from a motion the hand is not given; it is set
   // against what the hand owes, and never saved. Less than the true one: a path seen in encoder counts is a little too long.
   double friction = 0;
-  bool latency = false;  // the force of a reading acts through the period after the next reading, not through the next
+  bool latency = false;  // as in Capabilities
 };
 
 // For a hand no faster than kFastestUnderForce. Epsilon is twice what a wall of 1 N/mm asks for on credit, so that no softer
 // one is altered when pressed slowly: it wants K δ ready for the next step (two steps, with latency) when ½K δ² was put in.
-PassivitySettings passivity_settings(const Capabilities& capabilities, double rate, bool latency = false) noexcept;
+// Of the friction that the device's sheet has, half is counted.
+PassivitySettings passivity_settings(const Capabilities& capabilities, double rate) noexcept;
 
 // Energies in mJ of the force as it is held, from reading to reading: f(k-1)·(x(k) - x(k-1)), and f(k-2) with latency.
 // Doubles as they are: 600'000 ticks of an account within ±1 J round it by less than 1e-7 mJ.
@@ -68,5 +70,7 @@ class PassivityController {
   std::optional<Eigen::Vector3d> last_position_;
   Commanded acting_, pending_;  // since the last reading; from this one on, with latency
 };
+
+std::string_view name_of(PassivityController::Kind kind) noexcept;
 
 }  // namespace forceshade::device

@@ -76,7 +76,8 @@ void Phantom::ask_what_it_can() {
   const char* model = hd_.hdGetString(hdapi::kModel);
   if (known() && model) model_ = model;
   capabilities_.model = model_;
-  capabilities_.buttons = 4;  // as many as the driver has bits for; it does not say how many there are
+  capabilities_.latency = true;  // of a frame, now and then of two
+  capabilities_.buttons = 4;     // as many as the driver has bits for; it does not say how many there are
 
   std::array<double, 6> box{};
   hd_.hdGetDoublev(hdapi::kUsableWorkspace, box.data());
@@ -169,8 +170,9 @@ ReadResult Phantom::read() noexcept {
   if (trouble_) return fault();
   Reading reading{.position = turned_to_law(sample.position).cast<float>(),
                   .time = std::chrono::duration<double>(sample.time - first_).count(),
-                  .buttons = static_cast<std::uint32_t>(sample.buttons)};
+                  .buttons = static_cast<std::uint16_t>(sample.buttons)};
   if (capabilities_.gimbal) reading.gimbal = sample.gimbal.cast<float>();
+  reading.encoder = sample.encoder;
   return reading;
 }
 

@@ -37,6 +37,13 @@ bool PhantomFrames::went_well(const char* step, const hdapi::HDErrorInfo& error)
   return false;
 }
 
+// For what not every model has: the driver then says that it does not know what it is asked for, and is not asked again.
+bool PhantomFrames::known_and_well(const char* step, bool& known) noexcept {
+  const hdapi::HDErrorInfo error = hdapi::drained(hd_);
+  known = error.code < hdapi::kInvalidEnum || error.code > hdapi::kInvalidInputType;
+  return known && went_well(step, error);
+}
+
 void PhantomFrames::frame(const Order& order) noexcept {
   sample_.time = Clock::now();
   hd_.hdBeginFrame(device_);
@@ -77,10 +84,13 @@ void PhantomFrames::measure() noexcept {
   if (has_temperature_) {
     Eigen::Vector3d temperatures{0, 0, 0};
     hd_.hdGetDoublev(hdapi::kMotorTemperature, temperatures.data());
-    const hdapi::HDErrorInfo error = hdapi::drained(hd_);
-    has_temperature_ =
-        error.code < hdapi::kInvalidEnum || error.code > hdapi::kInvalidInputType;  // not every model predicts it
-    if (has_temperature_ && went_well("reading the motors' temperatures", error)) sample_.temperature = temperatures.maxCoeff();
+    if (known_and_well("reading the motors' temperatures", has_temperature_)) sample_.temperature = temperatures.maxCoeff();
+  }
+  if (has_encoders_) {
+    std::array<hdapi::HDlong, 6> counts{};
+    hd_.hdGetLongv(hdapi::kEncoders, counts.data());
+    sample_.encoder.reset();
+    if (known_and_well("reading the encoders", has_encoders_)) sample_.encoder = {counts[0], counts[1], counts[2]};
   }
   if (sample_.phase == Phase::ready) {
     sample_.forces_on = hd_.hdIsEnabled(hdapi::kForceOutput) != 0;

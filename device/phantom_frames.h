@@ -4,7 +4,10 @@
 // anything while its scheduler runs. Through the two mailboxes the servo loop gets samples and gives orders.
 
 #include <Eigen/Core>
+#include <array>
 #include <chrono>
+#include <cstdint>
+#include <optional>
 
 #include "forceshade/device/hdapi_library.h"
 #include "forceshade/device/hdapi_words.h"
@@ -24,6 +27,7 @@ class PhantomFrames {
     Clock::time_point time{};
     Eigen::Vector3d position{0, 0, 0}, gimbal{0, 0, 0};
     int buttons = 0;
+    std::optional<std::array<std::int64_t, 3>> encoder = std::nullopt;
     bool calibrated = false, forces_on = false;
     double temperature = 0;
   };
@@ -51,11 +55,12 @@ class PhantomFrames {
   void switch_on() noexcept;
   bool went_well(const char* step) noexcept;
   bool went_well(const char* step, const hdapi::HDErrorInfo& error) noexcept;
+  bool known_and_well(const char* step, bool& known) noexcept;
   void note(const char* words) noexcept;
 
   const hdapi::Functions& hd_;
   hdapi::HHD device_;
-  bool has_gimbal_, has_temperature_ = true, updated_calibration_ = false;
+  bool has_gimbal_, has_temperature_ = true, has_encoders_ = true, updated_calibration_ = false;
   Clock::duration patience_;
   Sample sample_;
   int good_frames_ = 0, at_uncalibrated_pose_ = 0;

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/device/servo_loop.h"
 
-#include <pthread.h>
-#include <sched.h>
-#include <sys/mman.h>
 #include <time.h>
 
 #include <algorithm>
@@ -12,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 
 #include "forceshade/csv/csv.h"
 
@@ -34,170 +32,174 @@ void sleep_until(std::int64_t due, const std::atomic<bool>& stop) noexcept {
   }
 }
 
-// Real-time privileges for as long as it lives, as far as the system grants them.
-class RealTime {
- public:
-  RealTime() noexcept {
-    pthread_getschedparam(pthread_self(), &old_policy_, &old_parameters_);
-    const sched_param parameters{.sched_priority = kPriority};
-    scheduling = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0;
-    memory_locked = mlockall(MCL_CURRENT) == 0;
-  }
-  ~RealTime() {
-    if (memory_locked) munlockall();
-    if (scheduling) pthread_setschedparam(pthread_self(), old_policy_, &old_parameters_);
-  }
-  RealTime(const RealTime&) = delete;
-  RealTime& operator=(const RealTime&) = delete;
-
-  bool scheduling = false;
-  bool memory_locked = false;
-
- private:
-  // Above the interrupt threads of a real-time kernel (50), below its watchdogs (99).
-  static constexpr int kPriority = 80;
-
-  int old_policy_ = SCHED_OTHER;
-  sched_param old_parameters_{};
-};
-
-constexpr std::size_t kUnlimited = std::numeric_limits<std::size_t>::max();
-
-std::size_t ticks_in(double seconds, double rate_hz) {
-  const double ticks = std::max(1.0, std::round(seconds * rate_hz));
+std::size_t ticks_in(std::optional<double> seconds, double rate_hz) {
+  constexpr std::size_t kUnlimited = std::numeric_limits<std::size_t>::max();
+  if (!seconds) return kUnlimited;
+  const double ticks = std::max(1.0, std::round(*seconds * rate_hz));
   return ticks < 0x1p53 ? static_cast<std::size_t>(ticks) : kUnlimited;
 }
 
-struct Limits {
-  std::int64_t period_ns;
-  std::size_t ticks;
-  std::size_t capacity;  // of the record, in ticks
-};
-
-Limits limits_of(const ServoOptions& options, const Device& device) {
-  const auto& [rate_hz, max_seconds, paced, record_capacity, sink] = options;
-  if (!(rate_hz >= kLowestRateHz && rate_hz <= kHighestRateHz))
-    throw std::invalid_argument("rate: expected " + csv::shortest(kLowestRateHz) + " to " + csv::shortest(kHighestRateHz) +
-                                " Hz, got " + csv::shortest(rate_hz));
-  if (max_seconds && !(*max_seconds > 0 && std::isfinite(*max_seconds)))
-    throw std::invalid_argument("seconds: expected a positive number, got " + csv::shortest(*max_seconds));
-
-  const std::size_t ticks = max_seconds ? ticks_in(*max_seconds, rate_hz) : kUnlimited;
-  const std::size_t bound = std::min(ticks, device.readings_left().value_or(kUnlimited));
-  const std::size_t capacity = bound == kUnlimited ? kUnboundedTicks : bound;
-  return {std::llround(1e9 / rate_hz), ticks, record_capacity.value_or(capacity)};
+void check(const ServoOptions& options, const Capabilities& capabilities) {
+  const auto refuse = [](const std::string& what, double got) {
+    throw std::invalid_argument(what + ", got " + csv::shortest(got));
+  };
+  if (!(options.rate_hz >= kLowestRateHz && options.rate_hz <= kHighestRateHz))
+    refuse("rate: expected " + csv::shortest(kLowestRateHz) + " to " + csv::shortest(kHighestRateHz) + " Hz", options.rate_hz);
+  if (options.max_seconds && !(*options.max_seconds > 0 && std::isfinite(*options.max_seconds)))
+    refuse("seconds: expected a positive number", *options.max_seconds);
+  if (const auto button = options.dead_man_button; button && !(*button >= 0 && *button < capabilities.buttons))
+    refuse("dead-man button: expected one of the device's " + std::to_string(capabilities.buttons) + ", counted from 0",
+           *button);
 }
 
-// mJ given to the hand from one tick to the next by the force held; nothing for a step from or to a position that is not
-// finite.
-double work_between(const Tick& held, const Tick& next) noexcept {
-  const Eigen::Vector3d step = next.reading.position.cast<double>() - held.reading.position.cast<double>();
-  const double work = held.force.cast<double>().dot(step);
-  return std::isfinite(work) ? work : 0;
+std::array<float, 3> array(const Eigen::Vector3f& v) noexcept {
+  return {v.x(), v.y(), v.z()};
 }
 
-Sample sample_of(const Tick& tick, const Eigen::Vector3f& law_force, double energy) noexcept {
-  const auto array = [](const Eigen::Vector3f& v) { return std::array{v.x(), v.y(), v.z()}; };
-  Sample sample{.tick = tick.number, .wall_ns = tick.wall_ns, .device_time = tick.reading.time};
-  sample.energy = energy;
-  sample.compute_ns = tick.compute_ns;
-  sample.position = array(tick.reading.position);
-  sample.law_force = array(law_force);
-  sample.force = array(tick.force);
-  if (tick.reading.gimbal) sample.gimbal = array(*tick.reading.gimbal);
-  sample.buttons = tick.reading.buttons;
-  sample.status = tick.status ? static_cast<std::uint8_t>(*tick.status) : Sample::kEnd;
+Sample sample_of(const Reading& reading) noexcept {
+  Sample sample{.device_time = reading.time};
+  sample.position = array(reading.position);
+  if (reading.encoder) sample.encoder = *reading.encoder;
+  if (reading.gimbal) sample.gimbal = array(*reading.gimbal);
+  sample.buttons = reading.buttons;
   return sample;
 }
 
-// The loop proper. `result.record` has room for limits.capacity ticks and the row that ends the run.
-void run(Device& device, const fast::Law& law, const ServoOptions& options, const Limits& limits, const std::atomic<bool>& stop,
-         ServoResult& result) noexcept {
-  constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
-  Reading last{.position = Eigen::Vector3f::Constant(kUnknown)};
-  const auto end_with = [&](const Fault& fault) {
-    result.end_reason = EndReason::device_fault;
-    result.fault = fault.words;
-  };
-  const std::optional<Fault> unstarted = device.start(options.rate_hz);
-  if (unstarted) end_with(*unstarted);
-  const std::int64_t start = now();
-  const auto due = [&](std::size_t tick) { return start + static_cast<std::int64_t>(tick) * limits.period_ns; };
-
-  double energy = 0;
-  for (; result.end_reason != EndReason::device_fault; ++result.ticks) {
-    if (options.paced) sleep_until(due(result.ticks), stop);
-    const std::int64_t woken_at = now();
-    if (stop) {
-      result.end_reason = EndReason::stopped;
-      break;
+// Everything that a run needs, made before its first tick.
+class Run {
+ public:
+  Run(Device& device, const fast::Law& law, const ServoOptions& options, const std::atomic<bool>& stop)
+      : device_(device),
+        law_(law),
+        options_(options),
+        stop_(stop),
+        period_(std::llround(1e9 / options.rate_hz)),
+        ticks_(ticks_in(options.max_seconds, options.rate_hz)) {
+    const Capabilities capabilities = device.capabilities();
+    result.supervised = std::isfinite(capabilities.peak_force);
+    if (result.supervised) {
+      SupervisorLimits limits = supervisor_limits(capabilities, options.rate_hz);
+      limits.dead_man_button = options.dead_man_button;
+      supervisor_.emplace(limits, options.rate_hz);
+      result.passivity = options.passivity;
     }
-    if (result.ticks == limits.ticks) {
-      result.end_reason = EndReason::time_up;
-      break;
-    }
-    const ReadResult read = device.read();
-    const std::int64_t read_at = now();
-    if (const Fault* fault = std::get_if<Fault>(&read)) {
-      end_with(*fault);
-      break;
-    }
-    if (std::holds_alternative<EndOfData>(read)) {
-      result.end_reason = EndReason::end_of_data;
-      break;
-    }
-    if (result.ticks == limits.capacity) {
-      result.end_reason = EndReason::record_full;
-      break;
-    }
-    last = *std::get_if<Reading>(&read);
-    const fast::Evaluation evaluation = law.evaluate(last.position);
-    const std::optional<Fault> refused = device.command(evaluation.force);
-    const std::int64_t commanded_at = now();
-    const bool late = options.paced && commanded_at > due(result.ticks + 1);
-    if (late) ++result.missed_deadlines;
-    result.record.push_back({result.ticks, read_at - start, last, evaluation.force, evaluation.status, commanded_at - read_at});
-    const Tick& tick = result.record.back();
-    if (result.ticks > 0) energy += work_between(result.record[result.ticks - 1], tick);
-    if (options.sink) {
-      Sample sample = sample_of(tick, evaluation.force, energy);
-      sample.wakeup_ns = options.paced ? woken_at - due(result.ticks) : 0;
-      sample.late = late;
-      options.sink->push(sample);
-    }
-    if (refused) end_with(*refused);
+    result.passivity_settings = passivity_settings(capabilities, options.rate_hz);
+    controller_.emplace(result.passivity_settings, result.passivity);
   }
 
-  const std::optional<Fault> unstopped = device.command(Eigen::Vector3f::Zero());
-  if (unstopped && result.end_reason != EndReason::device_fault) end_with(*unstopped);
-  const std::int64_t elapsed = std::max<std::int64_t>(now() - start, 1);
-  result.record.push_back({result.ticks, elapsed, last, Eigen::Vector3f::Zero(), std::nullopt, 0});
-  if (options.sink) options.sink->push(sample_of(result.record.back(), Eigen::Vector3f::Zero(), energy));
+  // Start, ticks, and the zero force that ends them.
+  void run() noexcept;
+
+  // Once it is over.
+  void summarise() {
+    result.wakeup_us = wakeup_.durations();
+    result.compute_us = compute_.durations();
+    result.tick_us = tick_.durations();
+    result.account = controller_->account();
+    for (std::size_t rule = 0; supervisor_ && rule < kRules; ++rule)
+      result.limited_ticks[rule] = supervisor_->count(static_cast<Rule>(rule));
+    if (supervisor_) result.trip = supervisor_->tripped();
+    if (result.trip) --result.limited_ticks[static_cast<std::size_t>(result.trip->rule)];
+  }
+
+  ServoResult result;
+
+ private:
+  std::int64_t due(std::size_t tick) const noexcept { return start_ + static_cast<std::int64_t>(tick) * period_; }
+  void end_with(EndReason reason) noexcept { end_ = reason; }
+  void end_with(const std::optional<Fault>& fault) noexcept {
+    if (!fault || end_ == EndReason::device_fault) return;
+    end_ = EndReason::device_fault;
+    result.fault = fault->words;
+  }
+  void tick() noexcept;
+  void render(const Reading& reading, std::int64_t woken_at, std::int64_t read_at) noexcept;
+  void finish() noexcept;
+
+  void push(Sample sample) noexcept {
+    sample.tick = result.ticks;
+    sample.energy = controller_->account().rubbed - controller_->account().balance;
+    for (SampleSink* sink : options_.sinks) sink->push(sample);
+  }
+
+  Device& device_;
+  const fast::Law& law_;
+  const ServoOptions& options_;
+  const std::atomic<bool>& stop_;
+  std::int64_t period_, start_ = 0;  // ns
+  std::size_t ticks_;
+  std::optional<Supervisor> supervisor_;
+  std::optional<PassivityController> controller_;
+  Reading last_{.position = Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN())};
+  std::optional<EndReason> end_;
+  Histogram wakeup_, compute_, tick_;
+};
+
+void Run::run() noexcept {
+  end_with(device_.start(options_.rate_hz));
+  start_ = now();
+  while (!end_) tick();
+  finish();
+}
+
+void Run::tick() noexcept {
+  if (options_.paced) sleep_until(due(result.ticks), stop_);
+  const std::int64_t woken_at = now();
+  if (stop_) return end_with(EndReason::stopped);
+  if (result.ticks == ticks_) return end_with(EndReason::time_up);
+  const ReadResult read = device_.read();
+  const std::int64_t read_at = now();
+  if (const Fault* fault = std::get_if<Fault>(&read)) return end_with(*fault);
+  if (std::holds_alternative<EndOfData>(read)) return end_with(EndReason::end_of_data);
+  last_ = *std::get_if<Reading>(&read);
+  render(last_, woken_at, read_at);
+  ++result.ticks;
+}
+
+void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t read_at) noexcept {
+  const std::int64_t latency = options_.paced ? woken_at - due(result.ticks) : 0;
+  const fast::Evaluation evaluation = law_.evaluate(reading.position);
+  Verdict verdict{.force = evaluation.force};
+  if (supervisor_)
+    verdict = supervisor_->supervise(reading, device_.state(), evaluation.force, evaluation.status,
+                                     static_cast<double>(latency) / 1e9);
+  const Eigen::Vector3f force = controller_->passed(reading.position, verdict.force);
+  const std::optional<Fault> refused = device_.command(force);
+  const std::int64_t commanded_at = now();
+
+  const bool late = options_.paced && commanded_at > due(result.ticks + 1);
+  if (late) ++result.missed_deadlines;
+  if (late && commanded_at - woken_at > period_) ++result.overruns;
+  if (evaluation.status == Status::invalid) ++result.invalid_positions;
+  result.peak_force_N = std::max(result.peak_force_N, force.cast<double>().norm());
+  if (options_.paced) wakeup_.add(latency);
+  compute_.add(commanded_at - read_at);
+  tick_.add(commanded_at - woken_at);
+  Sample sample = sample_of(reading);
+  sample.wall_ns = read_at - start_;
+  sample.compute_ns = commanded_at - read_at;
+  sample.wakeup_ns = latency;
+  sample.law_force = array(evaluation.force);
+  sample.force = array(force);
+  sample.status = static_cast<std::uint8_t>(evaluation.status);
+  sample.late = late;
+  sample.limited = verdict.limited.bits();
+  sample.altered = force != verdict.force;
+  sample.tripped = verdict.trip ? static_cast<std::uint8_t>(1 + static_cast<int>(*verdict.trip)) : 0;
+  push(sample);
+  if (verdict.trip) end_with(EndReason::tripped);
+  end_with(refused);
+}
+
+void Run::finish() noexcept {
+  end_with(device_.command(Eigen::Vector3f::Zero()));
+  result.end_reason = *end_;
+  const std::int64_t elapsed = std::max<std::int64_t>(now() - start_, 1);
   result.achieved_rate_hz = static_cast<double>(result.ticks) / (static_cast<double>(elapsed) / 1e9);
-}
-
-ComputeTime compute_time_of(std::span<const Tick> ticks) {
-  if (ticks.empty()) return {};
-  std::vector<std::int64_t> times;
-  times.reserve(ticks.size());
-  for (const Tick& tick : ticks) times.push_back(tick.compute_ns);
-  std::sort(times.begin(), times.end());
-  const auto per_mille = [&](std::size_t share) {
-    return static_cast<double>(times[(times.size() * share + 999) / 1000 - 1]) / 1e3;
-  };
-  return {per_mille(500), per_mille(990), per_mille(999), per_mille(1000)};
-}
-
-void summarise(ServoResult& result) {
-  const std::span ticks(result.record.data(), result.ticks);
-  result.compute_us = compute_time_of(ticks);
-  for (std::size_t k = 0; k < ticks.size(); ++k) {
-    if (ticks[k].status == Status::invalid) ++result.invalid_positions;
-    result.peak_force_N = std::max(result.peak_force_N, ticks[k].force.cast<double>().norm());
-    if (k == 0) continue;
-    const double work = work_between(ticks[k - 1], ticks[k]);
-    (work > 0 ? result.energy_given_mJ : result.energy_taken_mJ) += std::abs(work);
-  }
+  Sample sample = sample_of(last_);
+  sample.wall_ns = elapsed;
+  sample.status = Sample::kEnd;
+  push(sample);
 }
 
 }  // namespace
@@ -207,28 +209,23 @@ std::string_view name_of(EndReason reason) noexcept {
     case EndReason::end_of_data: return "end of data";
     case EndReason::time_up: return "time up";
     case EndReason::stopped: return "stopped";
-    case EndReason::device_fault: return "device fault";
-    case EndReason::record_full: break;
+    case EndReason::tripped: return "tripped";
+    case EndReason::device_fault: break;
   }
-  return "record full";
+  return "device fault";
 }
 
 ServoResult run_servo_loop(Device& device, const fast::Law& law, const ServoOptions& options, const std::atomic<bool>& stop) {
   if (const char* fault = fast::arithmetic_fault()) throw FloatingPointModeError(fault);
-  const Limits limits = limits_of(options, device);
-  ServoResult result;
-  // Written once before the loop, so that no page of the record is met there for the first time.
-  result.record.resize(limits.capacity + 1);
-  result.record.clear();
+  check(options, device.capabilities());
+  const auto run = std::make_unique<Run>(device, law, options, stop);
   {
     std::optional<RealTime> real_time;
-    if (options.paced) real_time.emplace();
-    result.realtime_scheduling = real_time && real_time->scheduling;
-    result.memory_locked = real_time && real_time->memory_locked;
-    run(device, law, options, limits, stop, result);
+    if (options.paced) run->result.privileges = real_time.emplace(options.cpu).granted();
+    run->run();
   }
-  summarise(result);
-  return result;
+  run->summarise();
+  return std::move(run->result);
 }
 
 }  // namespace forceshade::device

@@ -31,7 +31,9 @@ Capabilities Simulated::capabilities() const noexcept {
           .workspace_high = corner,
           .resolution = static_cast<float>(sheet.resolution),
           .peak_force = static_cast<float>(sheet.peak_force),
-          .continuous_force = static_cast<float>(sheet.continuous_force)};
+          .continuous_force = static_cast<float>(sheet.continuous_force),
+          .latency = options_.latency,
+          .friction = static_cast<float>(sheet.friction)};
 }
 
 Target Simulated::meant_at(std::size_t reading) const noexcept {
@@ -70,12 +72,19 @@ ReadResult Simulated::read() noexcept {
     }
   }
   if (!motion_.angles.allFinite()) return Fault{"the simulated arm's position is no longer finite"};
-  for (int i = 0; i < 3; ++i) {
-    const double q = model_.quantum[i];
-    measured_[i] = q > 0 ? std::nearbyint(motion_.angles[i] / q) * q : motion_.angles[i];
+  std::array<std::int64_t, 3> counts{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto joint = static_cast<Eigen::Index>(i);
+    const double q = model_.quantum[joint];
+    measured_[joint] = motion_.angles[joint];
+    if (q == 0) continue;
+    counts[i] = std::llround(motion_.angles[joint] / q);
+    measured_[joint] = static_cast<double>(counts[i]) * q;
   }
   const Eigen::Vector3d position = turned_to_law(model_.arm.forward(measured_)) / kMillimetre;
-  return Reading{.position = position.cast<float>(), .time = static_cast<double>(readings_++) * period_};
+  Reading reading{.position = position.cast<float>(), .time = static_cast<double>(readings_++) * period_};
+  if (!model_.quantum.isZero(0)) reading.encoder = counts;
+  return reading;
 }
 
 std::optional<Fault> Simulated::command(const Eigen::Vector3f& force) noexcept {

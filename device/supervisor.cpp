@@ -80,6 +80,7 @@ Verdict Supervisor::supervise(const Reading& reading, const State& state, const 
   memory_.force = verdict.force;
   if (memory_.late_ticks == 0) memory_.punctual_force = verdict.force;
   memory_.position = reading.position;
+  memory_.time = reading.time;
   memory_.late = late;
   ++tick_;
   return verdict;
@@ -103,8 +104,9 @@ std::optional<Rule> Supervisor::forbidden(const Reading& reading, const State& s
   if (memory_.late_ticks >= limits_.held_ticks + ticks_in(limits_.ramp_down)) return Rule::missed_deadlines;
   if (!memory_.position) return std::nullopt;
 
-  // A late tick saw a longer step; one that catches up is not held to a shorter one.
-  const double elapsed = period_ + std::max(0.0, late - memory_.late);
+  // A late tick saw a longer step, and so did one whose device was late by its own clock; a tick that catches up is not held
+  // to a shorter one.
+  const double elapsed = std::max(period_ + std::max(0.0, late - memory_.late), reading.time - memory_.time);
   const double step = (reading.position.cast<double>() - memory_.position->cast<double>()).norm();
   if (step > longest_step(limits_.speed, elapsed, limits_.resolution)) return Rule::jump;
   const bool forced = !memory_.force.isZero(0);

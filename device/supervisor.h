@@ -40,19 +40,21 @@ enum class Rule : std::uint8_t {
   watchdog,
 };
 inline constexpr std::size_t kRules = static_cast<std::size_t>(Rule::watchdog) + 1;
+static_assert(kRules <= 16, "Sample::limited has a bit for each");
 
 std::string_view name_of(Rule rule) noexcept;
 
 // A set of rules.
 class Rules {
  public:
-  void add(Rule rule) noexcept { bits_ |= bit(rule); }
+  void add(Rule rule) noexcept { bits_ = static_cast<std::uint16_t>(bits_ | bit(rule)); }
   bool has(Rule rule) const noexcept { return (bits_ & bit(rule)) != 0; }
   bool none() const noexcept { return bits_ == 0; }
+  std::uint16_t bits() const noexcept { return bits_; }  // bit k is rule k
 
  private:
-  static std::uint32_t bit(Rule rule) noexcept { return 1U << static_cast<unsigned>(rule); }
-  std::uint32_t bits_ = 0;
+  static std::uint16_t bit(Rule rule) noexcept { return static_cast<std::uint16_t>(1U << static_cast<unsigned>(rule)); }
+  std::uint16_t bits_ = 0;
 };
 
 // Infinite or empty: not limited. Why each default is what it is: docs/device.md.
@@ -87,7 +89,7 @@ struct Trip {
 
 struct Verdict {
   Eigen::Vector3f force{0, 0, 0};  // N, what to command
-  Rules limited;                   // what altered it this tick
+  Rules limited = {};              // what altered it this tick
   std::optional<Rule> trip = std::nullopt;
 };
 
@@ -133,6 +135,7 @@ class Supervisor {
     Eigen::Vector3f force{0, 0, 0};           // the last verdict's
     Eigen::Vector3f punctual_force{0, 0, 0};  // the last one's of a tick that was not late
     std::optional<Eigen::Vector3f> position;
+    double time = 0;                       // s, by the device's clock
     double late = 0;                       // s, the last tick
     int late_ticks = 0;                    // in a row
     int still_ticks = 0;                   // in a row, under force

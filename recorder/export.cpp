@@ -31,7 +31,9 @@ void write_row(std::ostream& out, const Sample& sample) {
   number(sample.energy);
   scaled(sample.wakeup_ns, 1e3);
   out << ',' << sample.buttons;
-  for (const std::uint8_t flag : {sample.late, sample.limited, sample.tripped}) out << ',' << unsigned{flag};
+  for (const unsigned flag :
+       {unsigned{sample.late}, unsigned{sample.limited}, unsigned{sample.altered}, unsigned{sample.tripped}})
+    out << ',' << flag;
   out << '\n';
 }
 
@@ -49,9 +51,9 @@ std::string npy_header(std::uint64_t rows) {
 
 void export_csv(Recording& recording, const std::string& path) {
   csv::OutputFile file(path);
-  file.stream()
-      << "tick,t_s,device_t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status,compute_us,law_fx_N,law_fy_N,law_fz_N,encoder_1,"
-         "encoder_2,encoder_3,gimbal_1_rad,gimbal_2_rad,gimbal_3_rad,energy_mJ,wakeup_us,buttons,late,limited,tripped\n";
+  file.stream() << "tick,t_s,device_t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status,compute_us,law_fx_N,law_fy_N,law_fz_N,encoder_1,"
+                   "encoder_2,encoder_3,gimbal_1_rad,gimbal_2_rad,gimbal_3_rad,energy_mJ,wakeup_us,buttons,late,limited,"
+                   "altered,tripped\n";
   recording.for_each_chunk([&](std::span<const Sample> chunk) {
     for (const Sample& sample : chunk) write_row(file.stream(), sample);
   });

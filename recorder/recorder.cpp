@@ -81,6 +81,7 @@ class Recorder::Writer {
         insert_chunk_(
             database_.prepare("INSERT INTO chunk(first_tick, last_tick, samples, sha256, data) VALUES(?, ?, ?, ?, ?)")),
         interval_(options.interval),
+        waits_(options.waits),
         ring_(options.ring) {
     // No page of the ring is met for the first time in the loop.
     while (ring_.push(device::Sample{})) {
@@ -93,7 +94,12 @@ class Recorder::Writer {
   ~Writer() { stop(); }
 
   void push(const device::Sample& sample) noexcept {
-    if (!ring_.push(sample)) dropped_.fetch_add(1, std::memory_order_relaxed);
+    bool taken = ring_.push(sample);
+    while (!taken && waits_ && !failing_) {
+      std::this_thread::sleep_for(interval_ / 10);
+      taken = ring_.push(sample);
+    }
+    if (!taken) dropped_.fetch_add(1, std::memory_order_relaxed);
   }
 
   bool failing() const noexcept { return failing_; }
@@ -174,6 +180,7 @@ class Recorder::Writer {
   Database database_;
   Statement insert_chunk_;
   std::chrono::milliseconds interval_;
+  bool waits_;
   boost::lockfree::spsc_queue<device::Sample> ring_;
   std::atomic<std::uint64_t> dropped_{0};
   std::atomic<bool> failing_{false};

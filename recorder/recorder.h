@@ -23,6 +23,7 @@ class Recorder final : public device::SampleSink {
   struct Options {
     std::size_t ring = std::size_t{1} << 16;  // samples: 65 s at 1 kHz, 6.5 s at 10 kHz, 8 MB
     std::chrono::milliseconds interval{25};   // from ring to file
+    bool waits = false;  // when the ring is full, for the disk to make room, if it does; not for a run with deadlines
   };
 
   struct Result {

@@ -66,6 +66,7 @@ expect 2 "nowhere" -- "$forceshade" force --law wall --stiffness 1 --input in.cs
 expect 0 "equivalence   held" -- "$forceshade" properties --law bump-3p --cases 200 --seed 5
 same 37 "$("$forceshade" properties --cases 20 | wc -l)"
 
+record() { "$forceshade" record "$@"; }
 # certify and drive: certified, other parameters, other law, no certificate, a certificate of another build.
 expect 0 "certified" -- "$forceshade" certify --law bump-1p-shaded --points 5000 --cases 100 --out here
 [ -s here/certificate.json ] && [ -s here/certificate.html ] || { echo "FAILED: certify wrote nothing"; exit 1; }
@@ -86,10 +87,12 @@ grep -q "the same command goes on from" stopped.txt || { echo "FAILED: $(cat sto
 grep -q '"finished": false' stopped_sweep/exhaustive-1-of-1.json || { echo "FAILED: no checkpoint"; exit 1; }
 drive() { "$forceshade" drive --device replay:hand.csv --unpaced "$@"; }
 expect 0 "missed deadlines  0" -- drive --law bump-1p-shaded --certificate here/certificate.json --record record.csv --json run.json
-same "tick,t_s,device_t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status,compute_us" "$(head -1 record.csv)"
+same "tick,t_s,device_t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status,compute_us" "$(head -1 record.csv | cut -d, -f1-11)"
+same "" "$(ls -d record.csv.partial* 2> /dev/null)"
 same 5 "$(wc -l < record.csv)"
 same "0,0,0,end" "$(tail -1 record.csv | cut -d, -f7-10)"
-for key in ticks missed_deadlines compute_us p50 p99 p999 max peak_force_N energy_given_mJ energy_taken_mJ certificate_digest; do
+for key in ticks missed_deadlines overruns compute_us p50 p99 p999 p9999 max histogram tick_us wakeup_us peak_force_N \
+  energy_given_mJ energy_taken_mJ certificate_digest supervisor trip limited_ticks passivity balance_mJ; do
   grep -q "\"$key\"" run.json || { echo "FAILED: run.json lacks $key"; exit 1; }
 done
 same "$(sha256sum here/certificate.json | cut -d' ' -f1)" "$(sed -n 's/.*"certificate_digest": "\(.*\)".*/\1/p' run.json)"
@@ -108,6 +111,17 @@ expect 2 "replay" -- "$forceshade" drive --law wall --uncertified --device teapo
 expect 0 "(time up)" -- "$forceshade" drive --law wall --uncertified --device simulated --seconds 0.1 --unpaced
 expect 0 "(end of data)" -- "$forceshade" drive --law wall --uncertified --device simulated:omni:hand.csv --unpaced
 expect 0 "(time up)" -- "$forceshade" drive --law wall --uncertified --device null --seconds 0.1 --unpaced
+expect 0 "passivity         tank: account" -- "$forceshade" drive --law wall --uncertified --device simulated --seconds 0.1 --unpaced --passivity tank
+expect 2 "--passivity" -- drive --law wall --uncertified --passivity teapot
+expect 2 "dead-man button: expected one of the device's 0" -- drive --law wall --uncertified --dead-man 1
+expect 0 "not supervised" -- drive --law wall --uncertified
+# A hand that is torn sideways under force: the supervisor ends the run, and says why.
+{ echo t_s,x_mm,y_mm,z_mm; for i in $(seq 0 19); do echo "0.$((i / 10))$((i % 10))0,0,0,3"; done
+  echo "0.300,0,0,-6"; echo "1.5,0,0,-6"; echo "1.51,120,0,-6"; echo "2,120,0,-6"; } > torn.csv
+expect 3 "the supervisor stopped the run: velocity" -- "$forceshade" drive --law wall --uncertified --unpaced \
+  --device simulated:premium-1.5:torn.csv --record torn.fsr --json torn.json
+expect 0 "end_reason           tripped" -- record info torn.fsr
+grep -q '"rule": "velocity"' torn.json || { echo "FAILED: torn.json has no trip"; exit 1; }
 expect 2 'unknown model "teapot"' -- "$forceshade" drive --law wall --uncertified --device simulated:teapot
 # A PHANToM: no driver library, one found by its name, one named, and a licence that is missing.
 phantom() { env LD_LIBRARY_PATH= FORCESHADE_HD_LIBRARY= "$@" "$forceshade" drive --law wall --uncertified --device phantom --seconds 0.1; }
@@ -120,7 +134,6 @@ expect 2 "phantom[:NAME]" -- "$forceshade" drive --law wall --uncertified --devi
 expect 2 "--rate" -- drive --law wall --uncertified --rate 5
 
 # record: a whole recording, one on a disk that refuses, one killed; files that are none.
-record() { "$forceshade" record "$@"; }
 expect 0 "(end of data)" -- drive --law bump-1p-shaded --certificate here/certificate.json --record run.fsr
 expect 2 "run.fsr: cannot make the recording: File exists" -- drive --law wall --uncertified --record run.fsr
 expect 0 "certificate_digest   $(sha256sum here/certificate.json | cut -d' ' -f1)" -- record info run.fsr

@@ -27,7 +27,7 @@ std::string words_of(LawId id) {
 }
 
 const char* words_of(Kind kind) {
-  return kind == Kind::observer ? "observer" : kind == Kind::tank ? "tank" : "damping";
+  return name_of(kind).data();
 }
 
 fast::Law law_of(LawId id, const Parameters& parameters = kBump) {
@@ -135,7 +135,7 @@ TEST(passivity_controller, gives_nobody_who_goes_round_more_than_epsilon) {
 TEST(passivity_controller, bound_is_reached_by_the_worst_hand_and_not_passed) {
   for (const Kind kind : {Kind::tank, Kind::damping})
     for (const bool latency : {false, true}) {
-      Hand hand(law_of(LawId::wall, {.stiffness = 2}), kind, passivity_settings({}, 1000, latency));
+      Hand hand(law_of(LawId::wall, {.stiffness = 2}), kind, passivity_settings({.latency = latency}, 1000));
       hand.go_to({0, 0, -20});
       hand.go_to({0, 0, -20});
       hand.go_to({0, 0, -20});
@@ -193,7 +193,7 @@ TEST(passivity_controller, gives_no_more_than_epsilon_whatever_the_hand_does) {
   for (const LawName& name : kLaws)
     for (const Kind kind : {Kind::observer, Kind::tank, Kind::damping})
       for (const bool latency : {false, true}) {
-        const PassivitySettings settings = passivity_settings({}, 1000, latency);
+        const PassivitySettings settings = passivity_settings({.latency = latency}, 1000);
         int turns[5] = {};
         double lowest = 0;
         rc::detail::TestParams params;
@@ -249,7 +249,7 @@ TEST(passivity_controller, damping_turns_a_force_and_the_tank_does_not) {
 // latency three times that, less 4 K (v T)² where the hand turns.
 TEST(passivity_controller, sampled_wall_gives_a_little_and_how_much) {
   for (const bool latency : {false, true}) {
-    Hand hand(law_of(LawId::wall), Kind::observer, passivity_settings({}, 1000, latency));
+    Hand hand(law_of(LawId::wall), Kind::observer, passivity_settings({.latency = latency}, 1000));
     for (int n = 0; n < 10; ++n) {
       hand.go_to({0, 0, -2}, 0.1);
       hand.go_to({0, 0, 0}, 0.1);
@@ -269,7 +269,7 @@ TEST(passivity_controller, trembling_on_encoder_counts_harvests_a_little_from_a_
   for (const double friction : {0.0, 0.04}) {
     Simulated device(premium_1_5(), Operator{Grip{}, rest, Tremor(1, 0.1), false});
     device.start(1000);
-    PassivitySettings settings = passivity_settings(device.capabilities(), 1000, true);
+    PassivitySettings settings = passivity_settings(device.capabilities(), 1000);
     settings.friction = friction;
     PassivityController controller(settings, Kind::observer);
     double begin = 0;
@@ -290,7 +290,7 @@ TEST(passivity_controller, leaves_a_wall_alone_that_is_pressed_slowly) {
   for (const Kind kind : {Kind::tank, Kind::damping})
     for (const bool latency : {false, true})
       for (const float K : {0.2F, 0.5F, 0.8F}) {
-        Hand hand(law_of(LawId::wall, {.stiffness = K}), kind, passivity_settings({}, 1000, latency));
+        Hand hand(law_of(LawId::wall, {.stiffness = K}), kind, passivity_settings({.latency = latency}, 1000));
         hand.go_to({0, 0, 1});
         for (int n = 0; n < 2; ++n) {
           hand.go_to({0, 0, -3}, 0.02);
@@ -368,7 +368,7 @@ TEST(passivity_controller, alters_ordinary_strokes_little) {
          {Case{Kind::observer, 0}, Case{Kind::tank, 0}, Case{Kind::damping, 0}, Case{Kind::damping, 0.04}}) {
       Simulated device(premium_1_5(), Operator{Grip{}, strokes(), Tremor(1, 0.03), false});
       device.start(1000);
-      PassivitySettings settings = passivity_settings(device.capabilities(), 1000, true);
+      PassivitySettings settings = passivity_settings(device.capabilities(), 1000);
       settings.friction = friction;
       PassivityController controller(settings, kind);
       double changes = 0, forces = 0;  // N²

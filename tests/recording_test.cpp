@@ -13,6 +13,7 @@
 #include "forceshade/device/servo_loop.h"
 #include "forceshade/recorder/export.h"
 #include "forceshade/recorder/layout.h"
+#include "forceshade/tests/kept_samples.h"
 #include "forceshade/tests/temporary_directory.h"
 
 namespace forceshade::recorder {
@@ -20,23 +21,34 @@ namespace {
 
 using tests::TemporaryDirectory;
 
-// In and out of a wall of 0.5 N/mm, with one position that is none; a device with buttons and a gimbal.
-device::ServoResult drive(device::SampleSink* sink) {
+// In and out of a wall of 0.5 N/mm, with one position that is none; a device with buttons, a gimbal and encoders.
+struct Kept : device::ServoResult {
+  std::vector<Sample> samples;
+};
+
+Kept drive(Recorder& recorder) {
   std::vector<device::Reading> path;
   for (int k = 0; k < 200; ++k)
-    path.push_back({{1, 2, std::sin(0.1F * static_cast<float>(k))}, 0.001 * k, k % 2U, Eigen::Vector3f(0.1F, 0.2F, 0.3F)});
+    path.push_back({.position = {1, 2, std::sin(0.1F * static_cast<float>(k))},
+                    .time = 0.001 * k,
+                    .buttons = static_cast<std::uint16_t>(k % 2),
+                    .gimbal = Eigen::Vector3f(0.1F, 0.2F, 0.3F),
+                    .encoder = {{7, -8, 9}}});
   path[100].position.z() = std::nanf("");
   device::Replay replay(std::move(path));
   const auto law = std::get<fast::Law>(fast::Law::build(LawId::wall, {.stiffness = 0.5F}));
   const std::atomic<bool> never_stop = false;
-  return run_servo_loop(replay, law, {.rate_hz = 10'000, .sink = sink}, never_stop);
+  tests::KeptSamples kept;
+  Kept run{run_servo_loop(replay, law, {.rate_hz = 10'000, .sinks = {&recorder, &kept}}, never_stop), {}};
+  run.samples = std::move(kept.samples);
+  return run;
 }
 
-device::ServoResult record(const std::string& path) {
+Kept record(const std::string& path) {
   Recorder recorder(path, {{"law", "wall"}});
-  device::ServoResult result = drive(&recorder);
-  recorder.close(std::string(name_of(result.end_reason)));
-  return result;
+  Kept run = drive(recorder);
+  recorder.close(std::string(name_of(run.end_reason)));
+  return run;
 }
 
 std::string words_of(const std::string& path) {
@@ -54,65 +66,77 @@ void execute(const std::string& path, const std::string& sql) {
 
 TEST(recording, of_a_run_has_every_tick_of_it) {
   const TemporaryDirectory directory;
-  const device::ServoResult result = record(directory.file("run.fsr"));
+  const Kept run = record(directory.file("run.fsr"));
   Recording recording(directory.file("run.fsr"));
   EXPECT_EQ(problems_of(recording), std::vector<std::string>{});
   EXPECT_EQ(recording.metadata().at("end_reason"), "end of data");
+  std::vector<Sample> read;
+  recording.for_each_chunk([&](std::span<const Sample> chunk) { read.insert(read.end(), chunk.begin(), chunk.end()); });
+  ASSERT_EQ(read.size(), 201U);
+  ASSERT_EQ(run.samples.size(), 201U);
+  EXPECT_EQ(std::memcmp(read.data(), run.samples.data(), read.size() * sizeof(Sample)), 0);
+
   std::size_t late = 0, invalid = 0;
-  Sample last;
-  recording.for_each_chunk([&](std::span<const Sample> chunk) {
-    for (const Sample& sample : chunk) {
-      const device::Tick& tick = result.record.at(sample.tick);
-      EXPECT_EQ(sample.wall_ns, tick.wall_ns);
-      EXPECT_EQ(sample.device_time, tick.reading.time);
-      EXPECT_EQ(sample.compute_ns, tick.compute_ns);
-      EXPECT_GE(sample.wakeup_ns, 0);
-      for (Eigen::Index i = 0; i < 3; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        EXPECT_EQ(std::memcmp(&sample.position[k], &tick.reading.position[i], sizeof(float)), 0);
-        EXPECT_EQ(sample.force[k], tick.force[i]);
-        EXPECT_EQ(sample.law_force[k], tick.force[i]);
-        EXPECT_EQ(sample.gimbal[k], (*tick.reading.gimbal)[i]);
-        EXPECT_EQ(sample.encoder[k], Sample::kNoCount);
-      }
-      EXPECT_EQ(sample.buttons, tick.reading.buttons);
-      EXPECT_EQ(sample.status, tick.status ? static_cast<int>(*tick.status) : Sample::kEnd);
-      late += sample.late;
-      invalid += sample.status == static_cast<int>(Status::invalid);
-      last = sample;
-    }
-  });
-  EXPECT_EQ(last.tick, 200U);
-  EXPECT_EQ(late, result.missed_deadlines);
+  for (const Sample& sample : read) {
+    late += sample.late;
+    invalid += sample.status == static_cast<int>(Status::invalid);
+    EXPECT_EQ(sample.gimbal, (std::array{0.1F, 0.2F, 0.3F}));
+    EXPECT_EQ(sample.encoder, (std::array<std::int64_t, 3>{7, -8, 9}));
+    EXPECT_EQ(sample.buttons, std::min<std::uint64_t>(sample.tick, 199) % 2);
+    EXPECT_GE(sample.wakeup_ns, 0);
+  }
+  EXPECT_EQ(late, run.missed_deadlines);
   EXPECT_EQ(invalid, 1U);
-  EXPECT_GT(result.energy_given_mJ, 0.1);
-  EXPECT_NEAR(last.energy, result.energy_given_mJ - result.energy_taken_mJ, 1e-12);
+  EXPECT_GT(run.energy_given_mJ(), 0.1);
+  EXPECT_NEAR(read.back().energy, run.energy_given_mJ() - run.energy_taken_mJ(), 1e-12);
 }
 
-TEST(recording, as_csv_begins_with_the_columns_of_a_record_to_the_byte) {
+TEST(recording, as_csv_has_every_number_of_every_tick) {
   const TemporaryDirectory directory;
-  const device::ServoResult result = record(directory.file("run.fsr"));
-  write_record(result.record, directory.file("record.csv"));
+  const Kept run = record(directory.file("run.fsr"));
   Recording recording(directory.file("run.fsr"));
   export_csv(recording, directory.file("run.csv"));
-
-  std::istringstream expected(directory.read("record.csv")), got(directory.read("run.csv"));
-  std::string wanted, line, more;
-  std::size_t lines = 0;
-  for (; std::getline(expected, wanted); ++lines) {
-    ASSERT_TRUE(std::getline(got, line));
-    EXPECT_TRUE(line.starts_with(wanted + ',')) << line;
-  }
-  EXPECT_EQ(lines, 202U);
-  EXPECT_FALSE(std::getline(got, more));
-  // The end: no force, no encoders, the gimbal where it was; then, after the energy, no latency, button 0, no flag.
-  EXPECT_NE(line.find(",end,0,0,0,0,,,,0.1,0.2,0.3,"), std::string::npos) << line;
-  EXPECT_TRUE(line.ends_with(",0,1,0,0,0")) << line;
+  EXPECT_TRUE(directory.read("run.csv").starts_with("tick,t_s,device_t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status,compute_us,"));
 
   auto file = csv::open_input(directory.file("run.csv"));
-  csv::Reader rows(file, "run.csv", {"energy_mJ", "law_fz_N", "fz_N", "tripped"});
-  for (lines = 0; rows.next(); ++lines) EXPECT_EQ(rows.text(1), rows.text(2));
-  EXPECT_EQ(lines, 201U);
+  csv::Reader rows(file, "run.csv",
+                   {"t_s", "device_t_s", "z_mm", "law_fz_N", "fz_N", "compute_us", "encoder_2", "gimbal_3_rad", "energy_mJ",
+                    "wakeup_us", "status", "buttons", "late", "limited", "altered", "tripped"});
+  const std::vector<std::string> statuses = {"free", "contact", "invalid", "end"};
+  std::size_t count = 0;
+  for (; rows.next(); ++count) {
+    const Sample& sample = run.samples.at(count);
+    EXPECT_EQ(std::llround(rows.binary64(0) * 1e9), sample.wall_ns);
+    EXPECT_EQ(rows.binary64(1), sample.device_time);
+    if (count == 100)
+      EXPECT_TRUE(std::isnan(rows.binary32(2)));
+    else
+      EXPECT_EQ(rows.binary32(2), sample.position[2]);
+    EXPECT_EQ(rows.binary32(3), sample.law_force[2]);
+    EXPECT_EQ(rows.binary32(4), sample.force[2]);
+    EXPECT_EQ(std::llround(rows.binary64(5) * 1e3), sample.compute_ns);
+    EXPECT_EQ(rows.text(6), "-8");
+    EXPECT_EQ(rows.text(7), "0.3");
+    EXPECT_EQ(rows.binary64(8), sample.energy);
+    EXPECT_EQ(std::llround(rows.binary64(9) * 1e3), sample.wakeup_ns);
+    EXPECT_EQ(rows.text(10), statuses.at(sample.status));
+    EXPECT_EQ(rows.text(11), std::to_string(sample.buttons));
+    EXPECT_EQ(rows.text(12), std::to_string(sample.late));
+    for (const std::size_t flag : {13U, 14U, 15U}) EXPECT_EQ(rows.text(flag), "0");
+  }
+  EXPECT_EQ(count, 201U);
+}
+
+TEST(recording, as_csv_leaves_out_encoders_that_a_device_has_not) {
+  const TemporaryDirectory directory;
+  {
+    Recorder recorder(directory.file("run.fsr"), {});
+    recorder.push({.limited = 5, .altered = 1, .tripped = 3});
+    recorder.close("tripped");
+  }
+  Recording recording(directory.file("run.fsr"));
+  export_csv(recording, directory.file("run.csv"));
+  EXPECT_TRUE(directory.read("run.csv").ends_with("free,0,0,0,0,,,,nan,nan,nan,0,0,0,0,5,1,3\n")) << directory.read("run.csv");
 }
 
 // As numpy.load reads it: a header of whole 64 bytes that ends in a newline, then the samples' own bytes.
@@ -159,6 +183,7 @@ TEST(recording, names_its_columns_where_they_are) {
                                                                   {"status", offset(sample.status)},
                                                                   {"late", offset(sample.late)},
                                                                   {"limited", offset(sample.limited)},
+                                                                  {"altered", offset(sample.altered)},
                                                                   {"tripped", offset(sample.tripped)}};
   std::size_t at = 0, found = 0;
   for (const Column& column : kColumns) {
@@ -178,19 +203,19 @@ TEST(recording, that_is_still_being_made_can_be_read) {
   const std::string path = directory.file("run.fsr");
   Recorder recorder(path, {});
   Recording before(path);
-  const device::ServoResult result = drive(&recorder);
+  const Kept run = drive(recorder);
   EXPECT_EQ(recorder.close("end of data").error, "");
   EXPECT_EQ(before.extent().samples, 0U) << "a reader sees the file as it was opened";
   Recording after(path);
   EXPECT_EQ(problems_of(after), std::vector<std::string>{});
-  EXPECT_EQ(after.extent().samples, result.record.size());
+  EXPECT_EQ(after.extent().samples, run.samples.size());
 }
 
 // As someone would who carries away one of the three files.
 TEST(recording, that_lost_its_log_still_says_what_it_was) {
   const TemporaryDirectory directory;
   Recorder recorder(directory.file("run.fsr"), {{"law", "wall"}});
-  drive(&recorder);
+  drive(recorder);
   std::filesystem::copy_file(directory.file("run.fsr"), directory.file("copy.fsr"));
   Recording recording(directory.file("copy.fsr"));
   EXPECT_EQ(recording.metadata().at("law"), "wall");
@@ -264,9 +289,9 @@ TEST(recording, is_told_from_other_files) {
   execute(empty, "CREATE TABLE metadata(key TEXT, value TEXT)");
   EXPECT_EQ(words_of(empty), empty + ": a database, but not a forceshade recording");
   record(path);
-  execute(path, "PRAGMA user_version = 2");
-  EXPECT_EQ(words_of(path), path + ": expected a recording of format 1, got format 2");
-  execute(path, "PRAGMA user_version = 1; UPDATE metadata SET value = '[(''x'', ''<f4'')]' WHERE key = 'layout'");
+  execute(path, "PRAGMA user_version = 1");
+  EXPECT_EQ(words_of(path), path + ": expected a recording of format 2, got format 1");
+  execute(path, "PRAGMA user_version = 2; UPDATE metadata SET value = '[(''x'', ''<f4'')]' WHERE key = 'layout'");
   EXPECT_TRUE(words_of(path).ends_with("got [('x', '<f4')]")) << words_of(path);
 }
 

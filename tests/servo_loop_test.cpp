@@ -2,6 +2,7 @@
 #include "forceshade/device/servo_loop.h"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 
 #include <atomic>
 #include <cfenv>
@@ -14,14 +15,12 @@
 #include <thread>
 #include <vector>
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/csv/output_file.h"
 #include "forceshade/device/null.h"
 #include "forceshade/device/open_device.h"
 #include "forceshade/device/phantom.h"
 #include "forceshade/device/replay.h"
+#include "forceshade/tests/kept_samples.h"
 #include "forceshade/tests/stand_in_hd/stand_in_hd.h"
-#include "forceshade/tests/temporary_directory.h"
 
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -61,7 +60,7 @@ REPLACED void operator delete(void* memory, std::size_t, std::align_val_t) noexc
 namespace forceshade::device {
 namespace {
 
-using tests::TemporaryDirectory;
+using tests::vector;
 
 const std::atomic<bool> kNeverStop = false;
 
@@ -115,16 +114,27 @@ class Endless final : public Still {
   ReadResult at(std::size_t) noexcept override { return here(); }
 };
 
-void expect_ends_at_zero_force(const ServoResult& result) {
-  ASSERT_EQ(result.record.size(), result.ticks + 1);
-  const Tick& end = result.record.back();
-  EXPECT_EQ(end.number, result.ticks);
-  EXPECT_EQ(end.status, std::nullopt);
-  EXPECT_EQ(end.force, Eigen::Vector3f(0, 0, 0));
-  if (result.ticks == 0) return;
-  const Tick& last = result.record[result.ticks - 1];
-  EXPECT_EQ(end.reading.position, last.reading.position);
-  EXPECT_EQ(end.reading.time, last.reading.time);
+// A run with all of its samples.
+struct Kept : ServoResult {
+  Kept(Device& device, const fast::Law& law, ServoOptions options, const std::atomic<bool>& stop = kNeverStop) {
+    tests::KeptSamples kept;
+    options.sinks.push_back(&kept);
+    static_cast<ServoResult&>(*this) = run_servo_loop(device, law, options, stop);
+    samples = std::move(kept.samples);
+  }
+  std::vector<Sample> samples;
+};
+
+void expect_ends_at_zero_force(const Kept& run) {
+  ASSERT_EQ(run.samples.size(), run.ticks + 1);
+  const Sample& end = run.samples.back();
+  EXPECT_EQ(end.tick, run.ticks);
+  EXPECT_EQ(end.status, Sample::kEnd);
+  EXPECT_EQ(vector(end.force), Eigen::Vector3f(0, 0, 0));
+  if (run.ticks == 0) return;
+  const Sample& last = run.samples[run.ticks - 1];
+  EXPECT_EQ(end.position, last.position);
+  EXPECT_EQ(end.device_time, last.device_time);
   EXPECT_GE(end.wall_ns, last.wall_ns);
 }
 
@@ -133,54 +143,60 @@ TEST(servo_loop, commands_the_force_of_every_recorded_position) {
   std::vector<Eigen::Vector3f> positions;
   for (int i = -40; i <= 40; ++i) positions.emplace_back(0.5F * static_cast<float>(i), 1.0F, 0.1F * static_cast<float>(i % 7));
   Replay replay(path_of(positions));
-  const ServoResult result = run_servo_loop(replay, law, unpaced(), kNeverStop);
+  const Kept result(replay, law, unpaced());
 
   EXPECT_EQ(result.end_reason, EndReason::end_of_data);
+  EXPECT_FALSE(result.supervised);
   ASSERT_EQ(result.ticks, positions.size());
   for (std::size_t k = 0; k < result.ticks; ++k) {
-    const Tick& tick = result.record[k];
-    EXPECT_EQ(tick.number, k);
-    EXPECT_EQ(tick.reading.position, positions[k]);
-    EXPECT_EQ(tick.reading.time, 0.5 * static_cast<double>(k));
-    EXPECT_EQ(tick.force, law.force(positions[k]));
-    EXPECT_EQ(tick.status, law.evaluate(positions[k]).status);
-    EXPECT_GE(tick.compute_ns, 0);
+    const Sample& sample = result.samples[k];
+    EXPECT_EQ(sample.tick, k);
+    EXPECT_EQ(vector(sample.position), positions[k]);
+    EXPECT_EQ(sample.device_time, 0.5 * static_cast<double>(k));
+    EXPECT_EQ(vector(sample.force), law.force(positions[k]));
+    EXPECT_EQ(sample.law_force, sample.force);
+    EXPECT_EQ(sample.status, static_cast<int>(law.evaluate(positions[k]).status));
+    EXPECT_GE(sample.compute_ns, 0);
   }
   expect_ends_at_zero_force(result);
   EXPECT_EQ(replay.last_command(), Eigen::Vector3f(0, 0, 0));
   EXPECT_GT(result.achieved_rate_hz, 0);
   EXPECT_LE(result.compute_us.p50, result.compute_us.p99);
   EXPECT_LE(result.compute_us.p99, result.compute_us.p999);
-  EXPECT_LE(result.compute_us.p999, result.compute_us.max);
+  EXPECT_LE(result.compute_us.p999, result.compute_us.p9999);
+  EXPECT_LE(result.compute_us.p9999, result.compute_us.max);
+  EXPECT_LE(result.compute_us.max, result.tick_us.max);
+  EXPECT_TRUE(result.wakeup_us.histogram.empty());
 }
 
 // By hand, K = 0.5 N/mm. Forces held, in N along z: 0, 0.5, 1, 1.5, 0.5, 0. Steps along z, in mm: -2, -1, -1, +2, +3.
 // Work in mJ: 0, -0.5, -1, +3, +1.5.
 TEST(servo_loop, counts_the_energy_of_a_held_force) {
   Replay replay(path_of({{0, 0, 1}, {5, 0, -1}, {-3, 2, -2}, {-3, 2, -3}, {0, 0, -1}, {9, 9, 2}}));
-  const ServoResult result = run_servo_loop(replay, wall(), unpaced(), kNeverStop);
-  EXPECT_EQ(result.energy_given_mJ, 4.5);
-  EXPECT_EQ(result.energy_taken_mJ, 1.5);
+  const Kept result(replay, wall(), unpaced());
+  EXPECT_EQ(result.energy_given_mJ(), 4.5);
+  EXPECT_EQ(result.energy_taken_mJ(), 1.5);
   EXPECT_EQ(result.peak_force_N, 1.5);
   EXPECT_EQ(result.invalid_positions, 0U);
 }
 
-// The step into z = NaN and the one out of it count for nothing; the one from z = -2 to z = -1 gives 1 N times 1 mm.
+// The step into z = NaN is counted as the longest there is, 1 mm at 1 kHz, straight along 1 N, and so is the one out of z = -1
+// into 2e4, which no law answers, with 0.5 N. The one from z = -2 to z = -1 gives 1 N times 1 mm.
 TEST(servo_loop, counts_invalid_positions_and_goes_on) {
   const float nan = std::nanf("");
   Replay replay(path_of({{0, 0, -2}, {0, 0, nan}, {0, 0, -2}, {0, 0, -1}, {2e4F, 0, -1}, {0, 0, -1}}));
-  const ServoResult result = run_servo_loop(replay, wall(), unpaced(), kNeverStop);
+  const Kept result(replay, wall(), unpaced());
   EXPECT_EQ(result.ticks, 6U);
   EXPECT_EQ(result.invalid_positions, 2U);
-  EXPECT_EQ(result.record[1].force, Eigen::Vector3f(0, 0, 0));
-  EXPECT_EQ(result.record[4].force, Eigen::Vector3f(0, 0, 0));
-  EXPECT_EQ(result.energy_given_mJ, 1);
-  EXPECT_EQ(result.energy_taken_mJ, 0);
+  EXPECT_EQ(vector(result.samples[1].force), Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(vector(result.samples[4].force), Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(result.energy_given_mJ(), 2);
+  EXPECT_EQ(result.energy_taken_mJ(), 0);
 }
 
 TEST(servo_loop, ends_when_time_is_up) {
   Endless device;
-  const ServoResult result = run_servo_loop(device, wall(), {.max_seconds = 0.07, .paced = false}, kNeverStop);
+  const Kept result(device, wall(), {.max_seconds = 0.07, .paced = false});
   EXPECT_EQ(result.end_reason, EndReason::time_up);
   EXPECT_EQ(result.ticks, 70U);
   expect_ends_at_zero_force(result);
@@ -194,7 +210,7 @@ TEST(servo_loop, ends_when_stopped) {
     }
     std::atomic<bool> stop = false;
   } device;
-  const ServoResult result = run_servo_loop(device, wall(), {.rate_hz = kHighestRateHz, .record_capacity = 10}, device.stop);
+  const Kept result(device, wall(), {.rate_hz = kHighestRateHz}, device.stop);
   EXPECT_EQ(result.end_reason, EndReason::stopped);
   EXPECT_EQ(result.ticks, 5U);
   EXPECT_EQ(device.commands.back(), Eigen::Vector3f(0, 0, 0));
@@ -204,10 +220,10 @@ TEST(servo_loop, ends_when_stopped) {
 TEST(servo_loop, reads_nothing_when_stopped_before_it_starts) {
   Endless device;
   const std::atomic<bool> stop = true;
-  const ServoResult result = run_servo_loop(device, wall(), {}, stop);
+  const Kept result(device, wall(), {}, stop);
   EXPECT_EQ(result.ticks, 0U);
   EXPECT_EQ(device.commands.size(), 1U);
-  EXPECT_TRUE(std::isnan(result.record.back().reading.position.z()));
+  EXPECT_TRUE(std::isnan(result.samples.back().position[2]));
   expect_ends_at_zero_force(result);
 }
 
@@ -218,7 +234,7 @@ TEST(servo_loop, ends_at_a_device_fault_with_its_words) {
       return here();
     }
   } device;
-  const ServoResult result = run_servo_loop(device, wall(), unpaced(), kNeverStop);
+  const Kept result(device, wall(), unpaced());
   EXPECT_EQ(result.end_reason, EndReason::device_fault);
   EXPECT_STREQ(result.fault, "the amplifier is off");
   EXPECT_EQ(result.ticks, 3U);
@@ -228,7 +244,7 @@ TEST(servo_loop, ends_at_a_device_fault_with_its_words) {
 
 TEST(servo_loop, starts_the_device_once_with_its_rate) {
   Endless device;
-  run_servo_loop(device, wall(), {.rate_hz = 2000, .paced = false, .record_capacity = 10}, kNeverStop);
+  run_servo_loop(device, wall(), {.rate_hz = 2000, .max_seconds = 0.01, .paced = false}, kNeverStop);
   EXPECT_EQ(device.rates, std::vector<double>{2000});
 }
 
@@ -237,7 +253,7 @@ TEST(servo_loop, reads_nothing_from_a_device_that_does_not_start) {
     std::optional<Fault> start(double) noexcept override { return Fault{"no such device"}; }
     ReadResult at(std::size_t) noexcept override { return here(); }
   } device;
-  const ServoResult result = run_servo_loop(device, wall(), unpaced(), kNeverStop);
+  const Kept result(device, wall(), unpaced());
   EXPECT_EQ(result.end_reason, EndReason::device_fault);
   EXPECT_STREQ(result.fault, "no such device");
   EXPECT_EQ(result.ticks, 0U);
@@ -253,7 +269,7 @@ TEST(servo_loop, ends_when_the_device_refuses_a_command) {
       return Fault{commands.size() == 3 ? "the motors are too warm" : "a later fault"};
     }
   } device;
-  const ServoResult result = run_servo_loop(device, wall(), unpaced(), kNeverStop);
+  const Kept result(device, wall(), unpaced());
   EXPECT_EQ(result.end_reason, EndReason::device_fault);
   EXPECT_STREQ(result.fault, "the motors are too warm");
   EXPECT_EQ(result.ticks, 3U);
@@ -261,31 +277,156 @@ TEST(servo_loop, ends_when_the_device_refuses_a_command) {
   expect_ends_at_zero_force(result);
 }
 
-TEST(servo_loop, ends_when_the_record_is_full) {
-  Endless device;
-  const ServoResult result = run_servo_loop(device, wall(), {.paced = false, .record_capacity = 10}, kNeverStop);
-  EXPECT_EQ(result.end_reason, EndReason::record_full);
-  EXPECT_EQ(result.ticks, 10U);
-  expect_ends_at_zero_force(result);
+// A device that can push: in free space for its first `free_readings`, then 1 mm inside the wall and trembling by a count.
+class Pushing : public Still {
+ public:
+  Capabilities capabilities() const noexcept override {
+    return {.resolution = 0.03F, .peak_force = 8.5F, .continuous_force = 1.4F, .buttons = 2};
+  }
+
+ protected:
+  static constexpr std::size_t kFree = 100;
+  ReadResult at(std::size_t reading) noexcept override { return place(reading); }
+  static Reading place(std::size_t reading) {
+    const float z = reading < kFree ? 0.4F : -0.3F;
+    return {{3, 0.03F * static_cast<float>(reading % 2), z}, 1e-3 * static_cast<double>(reading)};
+  }
+};
+
+TEST(servo_loop, supervises_a_device_that_can_push) {
+  Pushing device;
+  const Kept run(device, wall(), {.max_seconds = 0.8, .paced = false});
+  EXPECT_EQ(run.end_reason, EndReason::time_up);
+  EXPECT_TRUE(run.supervised);
+  EXPECT_EQ(run.passivity, PassivityController::Kind::damping);
+  // The gentle start: 50 free ticks, then half a second in which the force grows to the law's.
+  const auto limited = [&](const Sample& sample) { return (sample.limited >> static_cast<int>(Rule::gentle_start) & 1) != 0; };
+  EXPECT_FALSE(limited(run.samples[99]));
+  EXPECT_TRUE(limited(run.samples[100]));
+  EXPECT_LT(run.samples[100].force[2], run.samples[100].law_force[2]);
+  EXPECT_TRUE(limited(run.samples[548]));
+  EXPECT_FALSE(limited(run.samples[549]));
+  EXPECT_EQ(run.samples[549].force, run.samples[549].law_force);
+  EXPECT_EQ(run.limited_ticks[static_cast<std::size_t>(Rule::gentle_start)], 449U);
+  EXPECT_EQ(device.commands[100], vector(run.samples[100].force));
+  EXPECT_FALSE(run.trip);
 }
 
-TEST(servo_loop, bounds_a_run_that_nothing_else_bounds) {
-  Null device;
-  const ServoResult result = run_servo_loop(device, wall(), unpaced(), kNeverStop);
-  EXPECT_EQ(result.end_reason, EndReason::record_full);
-  EXPECT_EQ(result.ticks, kUnboundedTicks);
+// Thrown half a metre a tick at tick 300, under force.
+TEST(servo_loop, trip_means_zero_in_the_same_tick_and_the_end) {
+  struct Thrown final : Pushing {
+    ReadResult at(std::size_t reading) noexcept override {
+      Reading there = place(reading);
+      if (reading >= 300) there.position.x() += 500;
+      return there;
+    }
+  } device;
+  const Kept run(device, wall(), unpaced());
+  EXPECT_EQ(run.end_reason, EndReason::tripped);
+  ASSERT_TRUE(run.trip);
+  EXPECT_EQ(name_of(run.trip->rule), "jump");
+  EXPECT_EQ(run.trip->tick, 300U);
+  EXPECT_EQ(run.ticks, 301U);
+  EXPECT_GT(device.commands[299].z(), 0);
+  EXPECT_EQ(device.commands[300], Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(device.commands[301], Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(device.commands.size(), 302U);
+  EXPECT_EQ(run.samples[300].tripped, 1 + static_cast<int>(Rule::jump));
+  EXPECT_EQ(run.samples[299].tripped, 0);
+  EXPECT_EQ(run.limited_ticks[static_cast<std::size_t>(Rule::jump)], 0U);
+  expect_ends_at_zero_force(run);
+}
+
+TEST(servo_loop, trip_by_lateness_only_when_there_are_deadlines) {
+  struct Slow final : Pushing {
+    std::optional<Fault> on_command() noexcept override {
+      if (commands.size() == 2) std::this_thread::sleep_for(std::chrono::milliseconds(60));
+      return std::nullopt;
+    }
+  };
+  Slow paced;
+  const Kept late(paced, wall(), {.max_seconds = 0.2});
+  ASSERT_TRUE(late.trip);
+  EXPECT_EQ(late.trip->rule, Rule::watchdog);
+  EXPECT_EQ(late.ticks, 3U);
+  EXPECT_GE(late.overruns, 1U);
+  Slow unhurried;
+  EXPECT_EQ(Kept(unhurried, wall(), {.max_seconds = 0.2, .paced = false}).end_reason, EndReason::time_up);
+}
+
+TEST(servo_loop, gives_no_force_without_the_dead_man_button) {
+  struct Held final : Pushing {
+    ReadResult at(std::size_t reading) noexcept override {
+      Reading there = place(reading);
+      there.buttons = reading < 700 ? 2 : 1;
+      return there;
+    }
+  } device;
+  const Kept run(device, wall(), {.max_seconds = 0.8, .paced = false, .dead_man_button = 1});
+  EXPECT_GT(device.commands[699].z(), 0);
+  EXPECT_EQ(device.commands[700], Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(run.samples[700].limited, 1 << static_cast<int>(Rule::dead_man));
+  Pushing same;
+  for (const int button : {-1, 2})
+    EXPECT_THROW(run_servo_loop(same, wall(), {.dead_man_button = button}, kNeverStop), std::invalid_argument) << button;
+}
+
+// Pressed in and let out a little higher, in turns, against a wall that the loop's hold makes active: what is asked for is
+// what is done.
+TEST(servo_loop, keeps_a_device_passive_as_told) {
+  struct Harvester final : Pushing {
+    ReadResult at(std::size_t reading) noexcept override {
+      Reading there = place(reading);
+      if (reading > 700) there.position.z() = reading % 2 == 0 ? -1.2F : -0.3F;
+      return there;
+    }
+  };
+  const auto lowest = [](PassivityController::Kind kind) {
+    Harvester device;
+    const Kept run(device, wall(), {.max_seconds = 1, .paced = false, .passivity = kind});
+    EXPECT_EQ(run.passivity, kind);
+    EXPECT_FALSE(run.trip) << name_of(run.trip->rule);
+    std::size_t altered = 0;
+    for (const Sample& sample : run.samples) altered += sample.altered;
+    EXPECT_EQ(altered, run.account.altered);
+    return run.account.lowest_balance / run.passivity_settings.epsilon;
+  };
+  EXPECT_LT(lowest(PassivityController::Kind::observer), -20);
+  EXPECT_GE(lowest(PassivityController::Kind::damping), -1);
+  EXPECT_GE(lowest(PassivityController::Kind::tank), -1);
+}
+
+TEST(servo_loop, runs_on_the_processor_it_is_told) {
+  struct Where final : Still {
+    ReadResult at(std::size_t) noexcept override {
+      cpu = sched_getcpu();
+      return here();
+    }
+    int cpu = -1;
+  } device;
+  cpu_set_t before, after;
+  ASSERT_EQ(sched_getaffinity(0, sizeof before, &before), 0);
+  for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
+    if (!CPU_ISSET(cpu, &before)) continue;
+    const Kept run(device, wall(), {.max_seconds = 0.005, .cpu = cpu});
+    EXPECT_EQ(run.privileges.cpu, cpu);
+    EXPECT_EQ(device.cpu, cpu);
+  }
+  EXPECT_EQ(Kept(device, wall(), {.max_seconds = 0.005, .cpu = CPU_SETSIZE}).privileges.cpu, std::nullopt);
+  ASSERT_EQ(sched_getaffinity(0, sizeof after, &after), 0);
+  EXPECT_TRUE(CPU_EQUAL(&before, &after));
 }
 
 // Sleeping until an absolute time never ends early, so this holds on a machine under any load.
 TEST(servo_loop, never_reads_before_the_tick_is_due) {
   Endless device;
-  const ServoResult result = run_servo_loop(device, wall(), {.rate_hz = 2000, .max_seconds = 0.02}, kNeverStop);
+  const Kept result(device, wall(), {.rate_hz = 2000, .max_seconds = 0.02});
   ASSERT_EQ(result.ticks, 40U);
-  for (const Tick& tick : result.record) EXPECT_GE(tick.wall_ns, static_cast<std::int64_t>(tick.number) * 500'000);
+  for (const Sample& sample : result.samples) EXPECT_GE(sample.wall_ns, static_cast<std::int64_t>(sample.tick) * 500'000);
   EXPECT_LE(result.achieved_rate_hz, 2000);
 }
 
-TEST(servo_loop, counts_a_deadline_missed) {
+TEST(servo_loop, counts_a_deadline_missed_and_whose_fault_it_was) {
   struct Slow final : Still {
     ReadResult at(std::size_t) noexcept override { return here(); }
     std::optional<Fault> on_command() noexcept override {
@@ -294,7 +435,10 @@ TEST(servo_loop, counts_a_deadline_missed) {
     }
   };
   Slow paced;
-  EXPECT_GE(run_servo_loop(paced, wall(), {.rate_hz = 100, .max_seconds = 0.05}, kNeverStop).missed_deadlines, 2U);
+  const Kept late(paced, wall(), {.rate_hz = 100, .max_seconds = 0.05});
+  EXPECT_GE(late.missed_deadlines, 2U);
+  EXPECT_GE(late.overruns, 1U);
+  EXPECT_GE(late.wakeup_us.max, 5000);
   Slow unhurried;
   EXPECT_EQ(run_servo_loop(unhurried, wall(), {.max_seconds = 0.05, .paced = false}, kNeverStop).missed_deadlines, 0U);
 }
@@ -358,8 +502,8 @@ class Watching : public Still {
 TEST(servo_loop, allocates_nothing_after_the_first_reading) {
   for (const LawName& name : kLaws) {
     Watching device;
-    const ServoOptions options{.rate_hz = kHighestRateHz, .record_capacity = 1000};
-    const ServoResult result = run_servo_loop(device, law_of(name.id, 0.5F), options, kNeverStop);
+    const ServoOptions options{.rate_hz = kHighestRateHz};
+    const Kept result(device, law_of(name.id, 0.5F), options);
     EXPECT_EQ(result.ticks, 500U);
     EXPECT_EQ(device.allocations_between_first_read_and_last_command(), 0U) << name.name;
   }
@@ -404,44 +548,6 @@ TEST(servo_loop, allocation_by_a_device_is_seen) {
   } device;
   run_servo_loop(device, wall(), unpaced(), kNeverStop);
   EXPECT_GE(device.allocations_between_first_read_and_last_command(), 499U);
-}
-
-TEST(record, holds_every_number_of_every_tick) {
-  const TemporaryDirectory directory;
-  Replay replay(path_of({{0.1F, -0.0F, 1e-30F}, {1, 2, -0.3F}, {0, 0, std::nanf("")}}));
-  const ServoResult result = run_servo_loop(replay, wall(), unpaced(), kNeverStop);
-  write_record(result.record, directory.file("record.csv"));
-  EXPECT_EQ(directory.entries(), 1);
-
-  EXPECT_TRUE(
-      directory.read("record.csv").starts_with("tick,t_s,device_t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status,compute_us\n0,"));
-  auto file = csv::open_input(directory.file("record.csv"));
-  csv::Reader rows(file, "record.csv",
-                   {"tick", "t_s", "device_t_s", "x_mm", "y_mm", "z_mm", "fx_N", "fy_N", "fz_N", "status", "compute_us"});
-  const std::vector<std::string> statuses = {"free", "contact", "invalid", "end"};
-  std::size_t count = 0;
-  for (; rows.next(); ++count) {
-    const Tick& tick = result.record.at(count);
-    EXPECT_EQ(rows.text(0), std::to_string(count));
-    EXPECT_EQ(std::llround(rows.binary64(1) * 1e9), tick.wall_ns);
-    EXPECT_EQ(rows.binary64(2), tick.reading.time);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const float coordinate = tick.reading.position[static_cast<Eigen::Index>(i)];
-      if (std::isnan(coordinate))
-        EXPECT_TRUE(std::isnan(rows.binary32(3 + i)));
-      else
-        EXPECT_EQ(rows.binary32(3 + i), coordinate);
-      EXPECT_EQ(rows.binary32(6 + i), tick.force[static_cast<Eigen::Index>(i)]);
-    }
-    EXPECT_EQ(rows.text(9), statuses.at(count));
-    EXPECT_EQ(std::llround(rows.binary64(10) * 1e3), tick.compute_ns);
-  }
-  EXPECT_EQ(count, 4U);
-}
-
-TEST(record, that_cannot_be_written_says_why) {
-  const TemporaryDirectory directory;
-  EXPECT_THROW(write_record({}, directory.file("absent/record.csv")), csv::OutputError);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "forceshade/csv/csv.h"
 #include "forceshade/device/open_device.h"
 #include "forceshade/device/servo_loop.h"
+#include "forceshade/tests/kept_samples.h"
 #include "forceshade/tests/temporary_directory.h"
 
 namespace forceshade::device {
@@ -204,15 +205,14 @@ TEST(simulated, surface_pushes_the_hand_back) {
   EXPECT_LT(depth, 0.3 * kIntended);
 }
 
-std::vector<Reading> stroked(std::uint64_t seed) {
+std::vector<Sample> stroked(std::uint64_t seed) {
   Simulated device(premium_1_5(), Operator{Grip{}, strokes(), Tremor(seed, 0.03), false});
   const auto law =
       std::get<fast::Law>(fast::Law::build(LawId::bump_2p_shaded, {.radius = 15.24F, .width = 25.4F, .stiffness = 0.5F}));
   const std::atomic<bool> never = false;
-  std::vector<Reading> readings;
-  for (const Tick& tick : run_servo_loop(device, law, {.max_seconds = 3, .paced = false}, never).record)
-    readings.push_back(tick.reading);
-  return readings;
+  tests::KeptSamples kept;
+  run_servo_loop(device, law, {.max_seconds = 3, .paced = false, .sinks = {&kept}}, never);
+  return kept.samples;
 }
 
 TEST(simulated, run_is_repeated_to_the_bit) {
@@ -220,8 +220,10 @@ TEST(simulated, run_is_repeated_to_the_bit) {
   ASSERT_EQ(once.size(), 3001U);
   bool differs = false;
   for (std::size_t k = 0; k < once.size(); ++k) {
-    ASSERT_EQ(std::memcmp(&once[k].position, &again[k].position, sizeof once[k].position), 0) << k;
-    ASSERT_EQ(once[k].time, again[k].time);
+    ASSERT_EQ(once[k].position, again[k].position) << k;
+    ASSERT_EQ(once[k].encoder, again[k].encoder) << k;
+    ASSERT_EQ(once[k].force, again[k].force) << k;
+    ASSERT_EQ(once[k].device_time, again[k].device_time);
     differs = differs || once[k].position != other[k].position;
   }
   EXPECT_TRUE(differs);

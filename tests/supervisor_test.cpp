@@ -236,7 +236,7 @@ TEST(supervisor, gives_no_force_without_the_dead_man_button_and_starts_gently_wi
   limits.ramp_up = 0.1;
   limits.dead_man_button = 1;
   Hand hand(limits);
-  for (const std::uint32_t buttons : {0U, 1U}) {
+  for (const std::uint16_t buttons : {std::uint16_t{0}, std::uint16_t{1}}) {
     hand.reading.buttons = buttons;
     const Verdict verdict = hand.supervise({0, 0, 1});
     expect_only(verdict, Rule::dead_man);

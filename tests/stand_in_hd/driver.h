@@ -36,6 +36,7 @@ struct Driver {
   bool in_frame = false;
   int frames_this_tick = 0;
   Eigen::Vector3d position{0, 0, 0}, force{0, 0, 0};
+  std::array<HDlong, 6> encoder{};
   std::map<HDSchedulerHandle, Callback> callbacks;
   HDSchedulerHandle next_handle = 1;
   std::thread scheduler;

@@ -52,8 +52,9 @@ void hdBeginFrame(HHD device) {
   }
   d.in_frame = true;
   d.force.setZero();
-  const auto reading = d.phantom->read();
-  d.position = turned_to_arm(std::get<Reading>(reading).position.cast<double>());
+  const auto reading = std::get<Reading>(d.phantom->read());
+  d.position = turned_to_arm(reading.position.cast<double>());
+  std::copy(reading.encoder->begin(), reading.encoder->end(), d.encoder.begin());
   if (d.orders.position) d.position = *d.orders.position;
   std::this_thread::sleep_for(d.orders.frame_time);
   call.fail(d.orders.begin);
@@ -113,6 +114,13 @@ void hdGetIntegerv(HDenum what, int* value) {
     case kUpdateRate: *value = 1000; break;
     default: call.fail(kInvalidEnum);
   }
+}
+
+void hdGetLongv(HDenum what, HDlong* value) {
+  Call call("hdGetLongv", Where::in_frame);
+  if (what != kEncoders) return call.fail(kInvalidEnum);
+  call.fail(call.d.orders.get_encoders);
+  if (call.d.orders.get_encoders == kSuccess) std::copy(call.d.encoder.begin(), call.d.encoder.end(), value);
 }
 
 void hdGetDoublev(HDenum what, double* value) {

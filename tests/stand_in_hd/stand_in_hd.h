@@ -18,9 +18,9 @@ namespace hdapi = device::hdapi;
 
 // What it does wrong; nothing by default, but for an init error named in the environment's STAND_IN_HD_INIT.
 struct Orders {
-  hdapi::HDerror init = 0, rate = 0, schedule = 0, start = 0, peak = 0;      // given by these calls
-  hdapi::HDerror begin = 0, get_position = 0, get_temperature = 0, set = 0;  // in every frame
-  std::array<hdapi::HDerror, 3> end = {};                                    // in every frame, in this order
+  hdapi::HDerror init = 0, rate = 0, schedule = 0, start = 0, peak = 0;                        // given by these calls
+  hdapi::HDerror begin = 0, get_position = 0, get_temperature = 0, get_encoders = 0, set = 0;  // in every frame
+  std::array<hdapi::HDerror, 3> end = {};                                                      // in every frame, in this order
   hdapi::HDenum calibration = hdapi::kCalibrated;
   int styles = hdapi::kCalibratesInInkwell;
   bool update_helps = true;                                // whether hdUpdateCalibration leads to kCalibrated

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What a drive tells when it is over, to people and to programs.
+
+#include <nlohmann/json.hpp>
+
+#include "forceshade/device/servo_loop.h"
+
+namespace forceshade::apps {
+
+void print(const device::ServoResult& run);
+
+// The part of --json that is about the run.
+nlohmann::ordered_json to_json(const device::ServoResult& run);
+
+}  // namespace forceshade::apps

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/apps/live_view.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "forceshade/device/supervisor.h"
+
+namespace forceshade::apps {
+namespace {
+
+constexpr std::chrono::milliseconds kBetweenDrawings{100};
+
+double length_of(const std::array<float, 3>& force) {
+  return std::hypot(static_cast<double>(force[0]), static_cast<double>(force[1]), static_cast<double>(force[2]));
+}
+
+std::string names_of(std::uint16_t rules) {
+  std::string names;
+  for (std::size_t rule = 0; rule < device::kRules; ++rule)
+    if ((rules >> rule & 1U) != 0) names += (names.empty() ? "" : ", ") + std::string(name_of(static_cast<device::Rule>(rule)));
+  return names;
+}
+
+}  // namespace
+
+LiveView::LiveView(double full_force) : full_force_(full_force), thread_([this] { follow(); }) {}
+
+LiveView::~LiveView() {
+  stopping_ = true;
+  thread_.join();
+  std::fprintf(stderr, "\r\033[K");
+}
+
+void LiveView::push(const device::Sample& sample) noexcept {
+  if (sample.wall_ns - window_start_ > std::chrono::nanoseconds(kBetweenDrawings).count()) {
+    window_start_ = sample.wall_ns;
+    shown_.worst_wakeup = 0;
+    shown_.limited = 0;
+  }
+  shown_.last = sample;
+  shown_.worst_wakeup = std::max(shown_.worst_wakeup, sample.wakeup_ns);
+  shown_.limited = static_cast<std::uint16_t>(shown_.limited | sample.limited);
+  mailbox_.publish(shown_);
+}
+
+void LiveView::follow() {
+  Shown before;
+  while (!stopping_) {
+    std::this_thread::sleep_for(kBetweenDrawings);
+    const Shown now = mailbox_.latest();
+    if (now.last.tick > before.last.tick) draw(before, now);
+    before = now;
+  }
+}
+
+void LiveView::draw(const Shown& before, const Shown& now) const {
+  constexpr int kWidth = 20;
+  const double seconds = static_cast<double>(now.last.wall_ns - before.last.wall_ns) / 1e9;
+  const double rate = static_cast<double>(now.last.tick - before.last.tick) / std::max(seconds, 1e-9);
+  const double force = length_of(now.last.force);
+  const int filled = static_cast<int>(std::lround(kWidth * std::min(force / full_force_, 1.0)));
+  std::fprintf(stderr, "\r\033[K%7.1f s %6.0f Hz  late %5.0f us  [%.*s%*s] %6.3f N  %+9.3f mJ  %s",
+               static_cast<double>(now.last.wall_ns) / 1e9, rate, static_cast<double>(now.worst_wakeup) / 1e3, filled,
+               "####################", kWidth - filled, "", force, now.last.energy, names_of(now.limited).c_str());
+}
+
+}  // namespace forceshade::apps

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/apps/run_record.h"
+
+#include <stdlib.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+
+#include "forceshade/csv/output_file.h"
+#include "forceshade/recorder/export.h"
+
+namespace forceshade::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A new directory: beside the CSV, or where temporary files go if that is no file of its own (-, a pipe, /dev/null).
+fs::path new_directory(const std::string& csv) {
+  const bool beside = csv != "-" && (!fs::exists(csv) || fs::is_regular_file(csv));
+  std::string name = beside ? csv + ".partial-XXXXXX" : (fs::temp_directory_path() / "forceshade-XXXXXX").string();
+  if (!::mkdtemp(name.data())) throw csv::OutputError(csv + ": cannot write: " + std::generic_category().message(errno));
+  return name;
+}
+
+}  // namespace
+
+RunRecord::RunRecord(std::string path, recorder::Metadata metadata, bool paced) : path_(std::move(path)) {
+  if (is_csv()) directory_ = new_directory(path_);
+  recorder_.emplace(recording(), std::move(metadata), recorder::Recorder::Options{.waits = !paced});
+}
+
+RunRecord::~RunRecord() {
+  recorder_.reset();
+  std::error_code ignored;
+  if (is_csv() && !kept_) fs::remove_all(directory_, ignored);
+}
+
+bool RunRecord::close(const std::string& end_reason) {
+  const auto [written, lost, error] = recorder_->close(end_reason);
+  const bool whole = lost == 0 && error.empty();
+  if (!whole)
+    std::fprintf(stderr, "forceshade: %s; recorded %llu samples, lost %llu\n",
+                 error.empty() ? (recording() + ": the disk was too slow").c_str() : error.c_str(),
+                 static_cast<unsigned long long>(written), static_cast<unsigned long long>(lost));
+  if (!is_csv()) return whole;
+  try {
+    recorder::Recording finished(recording());
+    recorder::export_csv(finished, path_);
+    return whole;
+  } catch (const std::exception& failure) {
+    kept_ = true;
+    std::fprintf(stderr, "forceshade: %s; the ticks are in %s: forceshade record export\n", failure.what(),
+                 recording().c_str());
+    return false;
+  }
+}
+
+}  // namespace forceshade::apps

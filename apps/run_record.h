@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What drive --record asks for. A recording, FILE.fsr, is written while the loop runs; a CSV is a recording, kept beside it
+// until the run is over and then exported, so that no run is too long for it.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "forceshade/recorder/recorder.h"
+
+namespace forceshade::apps {
+
+class RunRecord {
+ public:
+  // `path` ends in .fsr, or is a CSV, - for standard output. A run that is not paced waits for the disk instead of losing
+  // ticks. Throws RecordingError or csv::OutputError.
+  RunRecord(std::string path, recorder::Metadata metadata, bool paced);
+
+  // A recording that could not be exported is kept, and its name was said.
+  ~RunRecord();
+  RunRecord(const RunRecord&) = delete;
+  RunRecord& operator=(const RunRecord&) = delete;
+
+  device::SampleSink& sink() { return *recorder_; }
+
+  // Call once, when the run is over. Whether every tick was written; says so on standard error where not.
+  bool close(const std::string& end_reason);
+
+ private:
+  bool is_csv() const { return !path_.ends_with(".fsr"); }
+  std::string recording() const { return is_csv() ? directory_ / "run.fsr" : std::filesystem::path(path_); }
+
+  std::string path_;
+  std::filesystem::path directory_;  // of the recording behind a CSV
+  std::optional<recorder::Recorder> recorder_;
+  bool kept_ = false;
+};
+
+}  // namespace forceshade::apps

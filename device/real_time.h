@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What the system grants a thread that must not be late.
+
+#include <sched.h>
+
+#include <optional>
+
+namespace forceshade::device {
+
+// What was asked for and given; all of it for the calling thread, but for the memory.
+struct Privileges {
+  bool scheduling = false;  // SCHED_FIFO
+  bool memory_locked = false;
+  std::optional<int> cpu;  // the one it is pinned to
+};
+
+// Takes them for as long as it lives, as far as the system allows, and gives them back.
+class RealTime {
+ public:
+  // Pins to this processor; without one, to the last that the thread may run on, since the first serves most interrupts.
+  explicit RealTime(std::optional<int> cpu) noexcept;
+  ~RealTime();
+  RealTime(const RealTime&) = delete;
+  RealTime& operator=(const RealTime&) = delete;
+
+  const Privileges& granted() const noexcept { return granted_; }
+
+  // Above the interrupt threads of a real-time kernel (50), below its watchdogs (99).
+  static constexpr int kPriority = 80;
+
+ private:
+  int old_policy_ = SCHED_OTHER;
+  sched_param old_parameters_{};
+  cpu_set_t old_cpus_{};
+  Privileges granted_;
+};
+
+}  // namespace forceshade::device
