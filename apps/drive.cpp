@@ -28,7 +28,7 @@ using Controller = device::PassivityController::Kind;
 struct Options {
   std::string certificate, device, record, json;
   double rate = 1000;
-  std::optional<double> seconds;
+  std::optional<double> seconds, patience;
   std::optional<int> cpu, dead_man;
   Controller passivity = Controller::damping;
   bool unpaced = false, uncertified = false;
@@ -130,6 +130,7 @@ int run(const Options& options, const LawOptions& law_options) {
                              .paced = !options.unpaced,
                              .cpu = options.cpu,
                              .passivity = options.passivity,
+                             .patience = options.patience,
                              .dead_man_button = options.dead_man};
   if (record) servo.sinks.push_back(&record->sink());
   if (view) servo.sinks.push_back(&*view);
@@ -175,6 +176,11 @@ void add_drive(CLI::App& app, int& result) {
       ->type_name("CONTROLLER")
       ->transform(CLI::CheckedTransformer(controllers, CLI::ignore_case))
       ->default_str("damping");
+  command
+      ->add_option("--patience", options->patience,
+                   "for how long ticks may be late before the run is stopped; 0.02 unless said")
+      ->type_name("SECONDS")
+      ->check(CLI::PositiveNumber);
   command->add_option("--dead-man", options->dead_man, "button of the device to be held down, from 0; else there is no force")
       ->type_name("BUTTON");
   command->add_option("--cpu", options->cpu, "processor to run the loop on; the last one unless said")->type_name("N");

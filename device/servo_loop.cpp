@@ -19,6 +19,7 @@ namespace {
 static_assert(std::atomic<bool>::is_always_lock_free, "the stop flag is set from signal handlers");
 
 constexpr std::int64_t kSecond = 1'000'000'000;  // ns
+constexpr double kLongestPatience = 10;          // s
 
 std::int64_t now() noexcept {
   timespec time{};
@@ -47,6 +48,8 @@ void check(const ServoOptions& options, const Capabilities& capabilities) {
     refuse("rate: expected " + csv::shortest(kLowestRateHz) + " to " + csv::shortest(kHighestRateHz) + " Hz", options.rate_hz);
   if (options.max_seconds && !(*options.max_seconds > 0 && std::isfinite(*options.max_seconds)))
     refuse("seconds: expected a positive number", *options.max_seconds);
+  if (options.patience && !(*options.patience > 0 && *options.patience <= kLongestPatience))
+    refuse("patience: expected at most " + csv::shortest(kLongestPatience) + " s", *options.patience);
   if (const auto button = options.dead_man_button; button && !(*button >= 0 && *button < capabilities.buttons))
     refuse("dead-man button: expected one of the device's " + std::to_string(capabilities.buttons) + ", counted from 0",
            *button);
@@ -80,6 +83,7 @@ class Run {
     if (result.supervised) {
       SupervisorLimits limits = supervisor_limits(capabilities, options.rate_hz);
       limits.dead_man_button = options.dead_man_button;
+      limits.patience = options.patience.value_or(limits.patience);
       supervisor_.emplace(limits, options.rate_hz);
       result.passivity = options.passivity;
     }

@@ -39,6 +39,9 @@ struct ServoOptions {
   // commanded the law's force as it is.
   PassivityController::Kind passivity = PassivityController::Kind::damping;
 
+  // s, as in SupervisorLimits; none: 20 ms, or five periods if longer.
+  std::optional<double> patience = std::nullopt;
+
   // To be held down, else there is no force.
   std::optional<int> dead_man_button = std::nullopt;
 

@@ -52,7 +52,7 @@ SupervisorLimits supervisor_limits(const Capabilities& capabilities, double rate
   limits.workspace_low = capabilities.workspace_low;
   limits.workspace_high = capabilities.workspace_high;
   limits.resolution = static_cast<double>(capabilities.resolution);
-  limits.watchdog = std::max(limits.watchdog, 5 / rate);
+  limits.patience = std::max(limits.patience, 5 / rate);
   return limits;
 }
 
@@ -100,8 +100,9 @@ std::optional<Rule> Supervisor::forbidden(const Reading& reading, const State& s
   if (!state.calibrated) return Rule::uncalibrated;
   if (!reading.position.allFinite() || status == Status::invalid) return Rule::invalid_position;
   if (!wanted.allFinite()) return Rule::invalid_force;
-  if (late > limits_.watchdog || std::isnan(late)) return Rule::watchdog;
-  if (memory_.late_ticks >= limits_.held_ticks + ticks_in(limits_.ramp_down)) return Rule::missed_deadlines;
+  if (late > limits_.patience || std::isnan(late)) return Rule::watchdog;
+  if (memory_.late_ticks >= std::max(limits_.held_ticks + ticks_in(limits_.ramp_down), ticks_in(limits_.patience)))
+    return Rule::missed_deadlines;
   if (!memory_.position) return std::nullopt;
 
   // A late tick saw a longer step, and so did one whose device was late by its own clock; a tick that catches up is not held

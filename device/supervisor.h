@@ -74,7 +74,7 @@ struct SupervisorLimits {
   double frozen_force = 0.5;                          // ... or N, by which the force has changed meanwhile
   int held_ticks = 3;                                 // ticks in a row that may be late, with the force held
   double ramp_down = 0.02;                            // s, over which it then falls to zero
-  double watchdog = 0.02;                             // s, the latest that a tick may be
+  double patience = 0.02;                             // s: the latest that a tick may be, and the longest that all may be
   double felt_free = 0.05;                            // s in free space before there is any force
   double ramp_up = 0.5;                               // s, over which it then grows
   std::optional<int> dead_man_button = std::nullopt;  // to be held down, else there is no force

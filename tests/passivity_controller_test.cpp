@@ -266,7 +266,7 @@ TEST(passivity_controller, sampled_wall_gives_a_little_and_how_much) {
 // 0.1 mm rms at 8 to 12 Hz, over counts of 0.03 mm.
 TEST(passivity_controller, trembling_on_encoder_counts_harvests_a_little_from_a_wall_and_friction_pays_it) {
   const Intention rest({{0, {3, 0, 5}}, {1, {3, 0, -3}}}, Intention::Between::minimum_jerk);
-  for (const double friction : {0.0, 0.04}) {
+  for (const double friction : {0.0, 0.02}) {
     Simulated device(premium_1_5(), Operator{Grip{}, rest, Tremor(1, 0.1), false});
     device.start(1000);
     PassivitySettings settings = passivity_settings(device.capabilities(), 1000);
@@ -279,10 +279,10 @@ TEST(passivity_controller, trembling_on_encoder_counts_harvests_a_little_from_a_
       if (tick == 2000) begin = controller.account().balance;
     }
     const double harvested = (begin - controller.account().balance) / 20;
-    std::printf("  friction %.2f N: %.4f mJ/s\n", friction, harvested);
+    std::printf("  friction %.2f N: %.4f mJ/s, lowest %.4f mJ\n", friction, harvested, controller.account().lowest_balance);
     EXPECT_LT(harvested, 0.03);
     EXPECT_EQ(controller.account().lowest_balance < -0.1, friction == 0);
-    EXPECT_TRUE(friction == 0 || controller.account().lowest_balance > -0.01);
+    EXPECT_TRUE(friction == 0 || controller.account().lowest_balance > -0.02);
   }
 }
 
@@ -365,7 +365,7 @@ TEST(passivity_controller, alters_ordinary_strokes_little) {
   std::printf("  law            kind     friction  balance   lowest  altered  rms, N  most, N  of rms, N\n");
   for (const LawId id : {LawId::wall, LawId::bump_1p_shaded, LawId::bump_2p_shaded, LawId::bump_3p_shaded})
     for (const auto& [kind, friction] :
-         {Case{Kind::observer, 0}, Case{Kind::tank, 0}, Case{Kind::damping, 0}, Case{Kind::damping, 0.04}}) {
+         {Case{Kind::observer, 0}, Case{Kind::tank, 0}, Case{Kind::damping, 0}, Case{Kind::damping, 0.02}}) {
       Simulated device(premium_1_5(), Operator{Grip{}, strokes(), Tremor(1, 0.03), false});
       device.start(1000);
       PassivitySettings settings = passivity_settings(device.capabilities(), 1000);

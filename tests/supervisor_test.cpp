@@ -92,7 +92,7 @@ TEST(supervisor, takes_its_limits_from_the_device_and_the_rate) {
   EXPECT_EQ(limits.peak_force, 8.5);
   EXPECT_NEAR(limits.continuous_force, 1.4, 1e-7);
   EXPECT_EQ(limits.workspace_high, limits.workspace_low * -1);
-  EXPECT_EQ(limits.watchdog, 0.05);
+  EXPECT_EQ(limits.patience, 0.05);
   EXPECT_EQ(supervisor_limits({}, 1000).peak_force, SupervisorLimits::kNone);
 }
 
