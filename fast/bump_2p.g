@@ -4,7 +4,7 @@
 
 @rnd = float<ieee_64, ne>;
 K = float<ieee_32, ne>(K_);
-z = float<ieee_32, ne>(z_);
+p = float<ieee_32, ne>(p_);  # -z, a binary32 number as z is
 gap = rnd(gap_);
 K_sine = rnd(K_sine_);
 K_cosine = rnd(K_cosine_);
@@ -17,6 +17,6 @@ FZ = GAP * TRUE_K_COSINE;
 /\ |K_sine -/ TRUE_K_SINE| <= 0x1.00001p-53 /\ |K_cosine -/ TRUE_K_COSINE| <= 0x1.00001p-53
 /\ GAP in [1b-66, 20001] /\ TRUE_K_SINE in [1b-36, 1000] /\ TRUE_K_COSINE in [1b-12, 1000]
 -> fx -/ FX in ? /\ fz -/ FZ in ? }
-# Beside the bump: F_x = 0, F_z = K(-z), without error.
+# Beside the bump: F_x = 0, F_z = Kp, without error.
 #! piece plane
-{ K in [1b-10, 1000] /\ z in [-10000, -1b-30] -> rnd(-z * K) - (-z * K) in ? }
+{ K in [1b-10, 1000] /\ p in [1b-30, 10000] -> rnd(p * K) - (p * K) in ? }

@@ -4,8 +4,8 @@
 
 @rnd = float<ieee_64, ne>;
 K = float<ieee_32, ne>(K_);
-z = float<ieee_32, ne>(z_);
-fz rnd= K * -z;
-FZ = K * -z;
+p = float<ieee_32, ne>(p_);  # -z, a binary32 number as z is
+fz rnd= K * p;
+FZ = K * p;
 #! piece force
-{ K in [1b-10, 1000] /\ z in [-10000, -1b-30] -> fz - FZ in ? }
+{ K in [1b-10, 1000] /\ p in [1b-30, 10000] -> fz - FZ in ? }
