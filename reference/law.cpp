@@ -2,7 +2,6 @@
 #include "forceshade/reference/law.h"
 
 #include <cmath>
-#include <mutex>
 #include <optional>
 
 #include "forceshade/reference/decimal.h"
@@ -13,8 +12,6 @@
 
 namespace forceshade::reference {
 namespace {
-
-std::mutex slow_numbers;  // see set_precision()
 
 bool is_valid(const Eigen::Vector3f& position) {
   return (position.array() >= -1e4F).all() && (position.array() <= 1e4F).all();

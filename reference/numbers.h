@@ -7,6 +7,7 @@
 
 #include <boost/multiprecision/mpfi.hpp>
 #include <boost/multiprecision/mpfr.hpp>
+#include <mutex>
 
 namespace forceshade::reference {
 
@@ -17,7 +18,8 @@ using Multiprecision =
     boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>, boost::multiprecision::et_off>;
 
 // Sets the precision of every Enclosure made from here on, in bits. Boost keeps it in one global, and CORE shares nodes
-// without atomics: reference::Law holds one lock around all use of both types.
+// without atomics: whoever uses either type holds slow_numbers.
 void set_precision(unsigned bits);
+inline std::mutex slow_numbers;
 
 }  // namespace forceshade::reference

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The geometry of a bump in the two slow number types. Callers hold the lock of reference/law.cpp: see set_precision().
+// The geometry of a bump in the two slow number types. Callers hold slow_numbers.
 
 #include "forceshade/reference/bump_geometry.h"
 #include "forceshade/reference/numbers.h"

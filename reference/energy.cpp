@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/reference/energy.h"
+
+#include "forceshade/reference/intervals.h"
+#include "forceshade/reference/shaded_strip.h"
+
+namespace forceshade::reference {
+namespace {
+
+Interval ends(const Enclosure& value) {
+  return {lower(value), upper(value)};
+}
+
+// Where two strips meet and their directions differ, inside the domain: nobody goes round its end.
+struct Line {
+  Enclosure x, rise;
+};
+
+std::vector<Line> lines_of(const Half& half) {
+  std::vector<Line> lines;
+  for (std::size_t i = 1; i < half.strips.size(); ++i) {
+    const Strip &left = half.strips[i - 1], &right = half.strips[i];
+    const Enclosure& x = left.right;
+    if ((left.is_shaded && right.is_shaded) || !surely_less(x, half.strips.back().right)) continue;
+    lines.push_back({x, share_upwards(half.g, right, x) - share_upwards(half.g, left, x)});
+  }
+  return lines;
+}
+
+bool is_conservative(const Half& half) {
+  const bool is_shaded = !half.strips.empty() && half.strips.front().is_shaded;
+  return !is_shaded && lines_of(half).empty();
+}
+
+}  // namespace
+
+Interval circulation_density(const Law& law, const PathPoint& at) {
+  const std::lock_guard lock(slow_numbers);
+  set_precision(kEnergyBits);
+  const Half half = half_of(law);
+  const Enclosure x = std::fabs(at.x), zero = 0;
+  for (const Strip& strip : half.strips) {
+    if (surely_less(strip.right, x)) continue;
+    const Enclosure depth = strip.height + strip.slope * x - Enclosure(at.z);
+    if (!strip.is_shaded || surely_at_most(depth, 0)) break;
+    const Enclosure density = ShadedStrip(half.g, strip, depth).density(x, depth);
+    return ends(at.x < 0 ? -density : density);
+  }
+  return ends(zero);
+}
+
+std::vector<LineTerm> line_terms(const Law& law) {
+  const std::lock_guard lock(slow_numbers);
+  set_precision(kEnergyBits);
+  std::vector<LineTerm> terms;
+  for (const Line& line : lines_of(half_of(law))) terms.push_back({ends(line.x), ends(line.rise)});
+  return terms;
+}
+
+std::optional<std::string> potential(const Law& law) {
+  const std::lock_guard lock(slow_numbers);
+  set_precision(kEnergyBits);
+  if (!is_conservative(half_of(law))) return std::nullopt;
+  const std::string plane = "K/2 max(0, -z)^2", cylinder = "K/2 max(0, R - sqrt(x^2 + (z + d)^2))^2";
+  switch (law.id()) {
+    case LawId::cylinder: return cylinder;
+    case LawId::bump_cylinder: return cylinder + " + " + plane;
+    case LawId::bump_2p: return "cos(alpha/2) K/2 max(0, H(x) - z)^2";  // w/2 is the end of the domain
+    default: return plane;
+  }
+}
+
+LoopBound loop_bound(const Law& law, float depth) {
+  const std::lock_guard lock(slow_numbers);
+  set_precision(kEnergyBits);
+  const Half half = half_of(law);
+  const Enclosure D = depth, zero = 0, spring = half.g.K * D * D / 2;
+  Enclosure positive = 0, negative = 0;
+  for (const Line& line : lines_of(half)) {
+    positive += spring * larger(0, line.rise);
+    negative += spring * larger(0, -line.rise);
+  }
+  for (const Strip& strip : half.strips) {
+    if (!strip.is_shaded) continue;
+    const ShadedStrip shaded(half.g, strip, D);
+    positive += shaded.positive();
+    negative += shaded.negative();
+  }
+  return {ends(positive), ends(negative), ends(positive + negative)};
+}
+
+std::optional<ParameterError> depth_error(const Law& law, float depth) {
+  const float least = has_bump_geometry(law.id()) ? law.parameters().radius / 1e4F : 1e-3F, most = 1e4F;
+  if (depth >= least && depth <= most) return std::nullopt;
+  return ParameterError{"depth", "mm", depth, least, most};
+}
+
+}  // namespace forceshade::reference
