@@ -53,6 +53,7 @@ void make_directory(const std::string& option, const std::string& path);
 void add_laws(CLI::App& app, int& result);
 void add_geometry(CLI::App& app, int& result);
 void add_force(CLI::App& app, int& result);
+void add_energy(CLI::App& app, int& result);
 void add_properties(CLI::App& app, int& result);
 void add_certify(CLI::App& app, int& result);
 void add_drive(CLI::App& app, int& result);

@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   apps::add_laws(app, result);
   apps::add_geometry(app, result);
   apps::add_force(app, result);
+  apps::add_energy(app, result);
   apps::add_properties(app, result);
   apps::add_certify(app, result);
   apps::add_drive(app, result);

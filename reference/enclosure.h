@@ -2,6 +2,8 @@
 #pragma once
 // The exact force as a guaranteed enclosure of any width, in multiprecision numbers.
 
+#include <array>
+
 #include "forceshade/reference/law.h"
 #include "forceshade/reference/numbers.h"
 
@@ -11,6 +13,12 @@ namespace forceshade::reference {
 struct Interval {
   Multiprecision low, high;
 };
+
+// The binary64 interval around it, [low, high].
+inline std::array<double, 2> binary64(const Interval& interval) {
+  return {mpfr_get_d(interval.low.backend().data(), MPFR_RNDD) + 0.0,
+          mpfr_get_d(interval.high.backend().data(), MPFR_RNDU) + 0.0};
+}
 
 struct EnclosedForce {
   Interval x, z;  // N; F_y is 0

@@ -41,7 +41,7 @@ Interval circulation_density(const Law& law, const PathPoint& at) {
   const Enclosure x = std::fabs(at.x), zero = 0;
   for (const Strip& strip : half.strips) {
     if (surely_less(strip.right, x)) continue;
-    const Enclosure depth = strip.height + strip.slope * x - Enclosure(at.z);
+    const Enclosure depth = strip.height(x) - Enclosure(at.z);
     if (!strip.is_shaded || surely_at_most(depth, 0)) break;
     const Enclosure density = ShadedStrip(half.g, strip, depth).density(x, depth);
     return ends(at.x < 0 ? -density : density);

@@ -67,6 +67,7 @@ Enclosure ShadedStrip::positive() const {
 }
 
 Enclosure ShadedStrip::negative() const {
+  if (is_flat() && surely_at_most(depth_, height_over_axis(g_, strip_.right))) return 0;  // r is least there
   return larger(0, positive() - g_.K / g_.R * (down_to_depth(strip_.right) - down_to_depth(strip_.left)));
 }
 

@@ -15,9 +15,8 @@ Half half_of(const Law& law) {
   Half half{enclosing_geometry(law.parameters()), {}};
   const BumpGeometry<Enclosure>& g = half.g;
   const Enclosure zero = 0, rim = g.w / 2, end = kDomainEnd;
-  // Down to the plane at the rim: height = -slope·w/2.
   const auto side = [&](const Enclosure& left, const Enclosure& steepness, bool is_shaded) {
-    return Strip{left, rim, steepness * rim, -steepness, is_shaded};
+    return Strip{left, rim, zero, -steepness, is_shaded};
   };
   const Strip plane{rim, end, zero, zero, false};
   const Enclosure two = 2 * g.h / g.w, three = 2 * g.h_prime / (g.w - g.w_prime), top = g.w_prime / 2;

@@ -15,9 +15,11 @@ namespace forceshade::reference {
 inline constexpr unsigned kEnergyBits = 256;
 
 struct Strip {
-  Enclosure left, right;    // mm; the line x = right belongs to this strip
-  Enclosure height, slope;  // H(x) = height + slope·x; a slope that is zero is exactly [0, 0]
-  bool is_shaded;           // pushes along the cylinder's normal, else along its own
+  Enclosure left, right;  // mm; the line x = right belongs to this strip
+  Enclosure end, slope;   // mm and 1: H(right) and dH/dx; a slope that is zero is exactly [0, 0]
+  bool is_shaded;         // pushes along the cylinder's normal, else along its own
+
+  Enclosure height(const Enclosure& x) const { return end + slope * (x - right); }
 };
 
 struct Half {

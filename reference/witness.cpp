@@ -50,7 +50,7 @@ struct Levels {
   float middle, top;
 
   Levels(const Half& half, float D) : depth(D) {
-    const Enclosure summit = half.strips.front().height;
+    const Enclosure summit = half.strips.front().height(0);
     middle = std::min(kDomainEnd, up(summit + depth / 8));
     top = std::min(kDomainEnd, up(summit + depth / 4));
   }
@@ -61,7 +61,7 @@ Side slit(const Levels& levels, const Strip& strip) {
   const float inside = down(strip.right);
   float outside = up(strip.right);
   while (!surely_less(strip.right, outside)) outside = std::nextafter(outside, 2 * kDomainEnd);
-  const float bottom = up(strip.height + strip.slope * strip.right - levels.depth);
+  const float bottom = up(strip.end - levels.depth);
   return {{inside, levels.middle}, {inside, bottom}, {outside, bottom}, {outside, levels.middle}};
 }
 
@@ -86,7 +86,7 @@ struct Boundaries {
     // The surface falls to the right, if it falls: there a depth is not exceeded.
     const auto place = [&](const Enclosure& x) { return is_flat ? down(x) : std::min(up(x), up(strip.right)); };
     const auto point = [&](const Enclosure& x, const Enclosure& depth) {
-      return PathPoint{place(x), up(strip.height + strip.slope * x - depth)};
+      return PathPoint{place(x), up(strip.height(x) - depth)};
     };
     for (const Enclosure& x : {strip.left, strip.right}) bottom.push_back(point(x, levels.depth));
     if (surely_less(strip.left, shaded.start()))

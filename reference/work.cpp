@@ -44,7 +44,7 @@ Enclosure work_in_strip(const BumpGeometry<Enclosure>& g, const Strip& strip, co
   const auto within = [](const Enclosure& x, const Enclosure& low, const Enclosure& high) {
     return smaller(larger(x, low), high);
   };
-  const Enclosure m = (b.z - a.z) / (b.x - a.x), s = strip.slope - m, p = strip.height - a.z + m * a.x;
+  const Enclosure m = (b.z - a.z) / (b.x - a.x), s = strip.slope - m, p = strip.height(0) - a.z + m * a.x;
   const Enclosure from = within(a.x, strip.left, strip.right), to = within(b.x, strip.left, strip.right);
   const Enclosure depth_from = p + s * from, depth_to = p + s * to;
   if (!strip.is_shaded) return share_upwards(g, strip, from) * (spring(g.K, depth_from) - spring(g.K, depth_to));
@@ -91,7 +91,7 @@ class Field {
   Enclosure vertical_work(float x, const Enclosure& from, const Enclosure& to) const {
     const Enclosure at = x;
     const Strip& strip = strip_at(x);
-    const Enclosure height = strip.height + strip.slope * at;
+    const Enclosure height = strip.height(at);
     return share_upwards(half_.g, strip, at) * (spring(half_.g.K, height - from) - spring(half_.g.K, height - to));
   }
 

@@ -24,10 +24,10 @@ same() {
 # Help, version, wrong usage.
 expect 0 "Usage: forceshade" -- "$forceshade" --help
 expect 0 "forceshade " -- "$forceshade" --version
-for command in laws geometry force properties certify drive record; do expect 0 "$command" -- "$forceshade" $command --help; done
+for command in laws geometry force energy properties certify drive record; do expect 0 "$command" -- "$forceshade" $command --help; done
 expect 2 "subcommand is required" -- "$forceshade"
 expect 2 "--wrong" -- "$forceshade" laws --wrong
-expect 2 "expected one of: laws geometry force properties certify drive record" -- "$forceshade" nonsense
+expect 2 "expected one of: laws geometry force energy properties certify drive record" -- "$forceshade" nonsense
 expect 2 'got "bump-9p"' -- "$forceshade" properties --law bump-9p
 
 # laws
@@ -61,6 +61,21 @@ printf 'x_mm,y_mm\n1,2\n' > short.csv
 expect 2 "z_mm" -- "$forceshade" force --law wall --stiffness 1 --input short.csv
 expect 2 "missing.csv" -- "$forceshade" force --law wall --stiffness 1 --input missing.csv
 expect 2 "nowhere" -- "$forceshade" force --law wall --stiffness 1 --input in.csv --output nowhere/out.csv
+
+# energy: a potential, a bound with a witness, depths that no witness could be given for.
+energy() { "$forceshade" energy "$@"; }
+expect 0 "wall: conservative" -- energy --law wall --depth 2
+expect 0 "a simple loop no deeper than 2 mm is paid up to 5.29167 mJ" -- energy --law bump-1p-shaded --depth 2
+same "$(energy --law bump-3p --depth 2)" "$(energy --law bump-3p --depth 0.2cm --radius 600mil --width 1in)"
+expect 0 '"conservative":true,"potential":"K/2 max(0, -z)^2","bound_mJ":[0.0,0.0]' -- energy --law bump-1p --depth 2 --json -
+same '{"law":"bump-2p","parameters":{"radius_mm":15.239999771118164,"width_mm":25.399999618530273,"stiffness_N_per_mm":0.5},"depth_mm":2.0,"conservative":false,"bound_mJ":[0.11887265438173845,0.11887265438173847],"right_half_mJ":{"counter_clockwise":[0.11887265438173845,0.11887265438173847],"clockwise":[0.0,0.0]},' \
+  "$(energy --law bump-2p --depth 2 --json - | grep -o '^.*"witness_mJ"' | sed 's/"witness_mJ"//')"
+expect 0 "bump-2p: active" -- energy --law bump-2p --depth 2 --json energy.json
+grep -q '"witness":\[\[12.69' energy.json || { echo "FAILED: $(cat energy.json)"; exit 1; }
+expect 2 "--depth is required" -- energy --law wall
+expect 2 'got "deep"' -- energy --law wall --depth deep
+expect 2 "--depth is 0.001 mm; expected 0.001524 to 10000 mm" -- energy --law bump-2p --depth 0.001
+expect 2 "--depth is -2 mm; expected" -- energy --law bump-2p --depth=-2
 
 # properties
 expect 0 "equivalence   held" -- "$forceshade" properties --law bump-3p --cases 200 --seed 5
