@@ -52,6 +52,7 @@ void make_directory(const std::string& option, const std::string& path);
 // One function per subcommand; each runs through `result` when the user calls it.
 void add_laws(CLI::App& app, int& result);
 void add_geometry(CLI::App& app, int& result);
+void add_polygons(CLI::App& app, int& result);
 void add_force(CLI::App& app, int& result);
 void add_energy(CLI::App& app, int& result);
 void add_properties(CLI::App& app, int& result);

@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
   int result = apps::kHeld;
   apps::add_laws(app, result);
   apps::add_geometry(app, result);
+  apps::add_polygons(app, result);
   apps::add_force(app, result);
   apps::add_energy(app, result);
   apps::add_properties(app, result);

@@ -24,10 +24,10 @@ same() {
 # Help, version, wrong usage.
 expect 0 "Usage: forceshade" -- "$forceshade" --help
 expect 0 "forceshade " -- "$forceshade" --version
-for command in laws geometry force energy properties certify drive record; do expect 0 "$command" -- "$forceshade" $command --help; done
+for command in laws geometry polygons force energy properties certify drive record; do expect 0 "$command" -- "$forceshade" $command --help; done
 expect 2 "subcommand is required" -- "$forceshade"
 expect 2 "--wrong" -- "$forceshade" laws --wrong
-expect 2 "expected one of: laws geometry force energy properties certify drive record" -- "$forceshade" nonsense
+expect 2 "expected one of: laws geometry polygons force energy properties certify drive record" -- "$forceshade" nonsense
 expect 2 'got "bump-9p"' -- "$forceshade" properties --law bump-9p
 
 # laws
@@ -76,6 +76,12 @@ expect 2 "--depth is required" -- energy --law wall
 expect 2 'got "deep"' -- energy --law wall --depth deep
 expect 2 "--depth is 0.001 mm; expected 0.001524 to 10000 mm" -- energy --law bump-2p --depth 0.001
 expect 2 "--depth is -2 mm; expected" -- energy --law bump-2p --depth=-2
+
+# polygons
+expect 0 "3 polygons: the bump subtends 112.885 degrees, each of them 37.6285" -- "$forceshade" polygons --radius 600mil --width 1in --theta-critical 40
+expect 0 '"polygons":4' -- "$forceshade" polygons --radius 12.7 --width 25.4 --theta-critical 60 --json -
+expect 2 "--width is 11 mm" -- "$forceshade" polygons --radius 5 --width 11 --theta-critical 40
+expect 2 "not in range" -- "$forceshade" polygons --radius 5 --width 5 --theta-critical 0
 
 # properties
 expect 0 "equivalence   held" -- "$forceshade" properties --law bump-3p --cases 200 --seed 5

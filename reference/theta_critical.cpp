@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/reference/theta_critical.h"
+
+#include <mutex>
+#include <optional>
+
+#include "forceshade/reference/decimal.h"
+#include "forceshade/reference/slow_geometry.h"
+
+namespace forceshade::reference {
+namespace {
+
+Enclosure enclosing_degrees(const Parameters& bump) {
+  // acos(-1) is π, enclosed at the precision in force.
+  return enclosing_theta(bump) * 3 * 180 / acos(Enclosure(-1));
+}
+
+// Niven (1956): the arcsine of a rational number in (0, 1] is a rational number of degrees only for 1/2 and 1.
+std::optional<unsigned> rational_degrees(const Parameters& bump) {
+  if (bump.width == bump.radius) return 60;
+  if (bump.width == 2 * bump.radius) return 180;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string subtended_degrees(const Parameters& bump, unsigned polygons, unsigned digits) {
+  const std::lock_guard lock(slow_numbers);
+  return correctly_rounded(
+      digits, [&] { return Enclosure(enclosing_degrees(bump) / polygons); },
+      [&](const CORE::BigRat& q) {
+        const auto rational = rational_degrees(bump);
+        // An irrational number is no q; it would have been told apart by now.
+        return rational ? sign(CORE::BigRat(*rational) / CORE::BigRat(polygons) - q) : 1;
+      });
+}
+
+unsigned polygons_needed(const Parameters& bump, double theta_critical) {
+  const std::lock_guard lock(slow_numbers);
+  const auto rational = rational_degrees(bump);
+  for (unsigned bits = 128;; bits *= 2) {
+    set_precision(bits);
+    const Enclosure degrees = rational ? Enclosure(*rational) : enclosing_degrees(bump);
+    const Enclosure parts = degrees / Enclosure(theta_critical);
+    // A whole number of parts, which only a rational angle can make, divides to a point.
+    const Multiprecision low = floor(lower(parts)), high = floor(upper(parts));
+    if (low == high) return low.convert_to<unsigned>() + 1;
+  }
+}
+
+}  // namespace forceshade::reference

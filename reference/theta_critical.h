@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// How many polygons a bump needs, by the thesis's theta-critical hypothesis (5.2): shading makes a flat polygon feel round as
+// long as the part of the cylinder that it stands for subtends less than some angle.
+
+#include <string>
+
+#include "forceshade/vocabulary/law.h"
+
+namespace forceshade::reference {
+
+// The angle that each of `polygons` >= 1 equal parts of the exposed cylinder subtends, 2 arcsin(w/2R) over their number: in
+// degrees, correctly rounded to `digits`. Figure 5-5 of the thesis has it for one, two and three.
+std::string subtended_degrees(const Parameters& bump, unsigned polygons, unsigned digits);
+
+// The fewest equal parts of which each subtends less than `theta_critical`, degrees in [kLeastThetaCritical, 180]. Decided
+// exactly.
+inline constexpr double kLeastThetaCritical = 1e-6;
+unsigned polygons_needed(const Parameters& bump, double theta_critical);
+
+}  // namespace forceshade::reference
