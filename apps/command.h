@@ -55,6 +55,8 @@ void add_geometry(CLI::App& app, int& result);
 void add_polygons(CLI::App& app, int& result);
 void add_force(CLI::App& app, int& result);
 void add_energy(CLI::App& app, int& result);
+void add_plot(CLI::App& app, int& result);
+void add_figures(CLI::App& app, int& result);
 void add_properties(CLI::App& app, int& result);
 void add_certify(CLI::App& app, int& result);
 void add_drive(CLI::App& app, int& result);

@@ -26,6 +26,8 @@ int main(int argc, char** argv) {
   apps::add_polygons(app, result);
   apps::add_force(app, result);
   apps::add_energy(app, result);
+  apps::add_plot(app, result);
+  apps::add_figures(app, result);
   apps::add_properties(app, result);
   apps::add_certify(app, result);
   apps::add_drive(app, result);

@@ -11,73 +11,29 @@
 #include "forceshade/properties/gnuplot.h"
 #include "forceshade/properties/html.h"
 #include "forceshade/properties/panels.h"
+#include "forceshade/properties/pictures.h"
 
 namespace forceshade::properties {
 namespace {
 
-// Okabe and Ito's colours, told apart with any colour vision; depths are shades of one hue, told apart by lightness.
+// Okabe and Ito's colours, told apart with any colour vision.
 constexpr std::array<const char*, 5> kLawColours{"#0072b2", "#d55e00", "#222222", "#009e73", "#b3589a"};
 constexpr std::array<int, 5> kLawMarks{7, 5, 9, 13, 11};
-constexpr std::array<const char*, 3> kDepthColours{"#85b8dc", "#2f7ab5", "#08315c"};
 constexpr const char *kBelow = "#2166ac", *kNone = "#ece7dc", *kAbove = "#b35806";
 
-struct Profile {
-  std::string block;        // x F_x F_z: a blank line at a jump, two between depths
-  double side = 0, up = 0;  // N: largest |F_x|, largest F_z
-
-  Profile(const Drawn& drawn, const std::array<double, 3>& depths) {
-    for (const double depth : depths) {
-      for (const auto& [x, after_jump] : across(drawn)) {
-        const Eigen::Vector3f force =
-            drawn.law.force({x, 0, static_cast<float>(drawn.surface(static_cast<double>(x)) - depth)});
-        if (after_jump) block += '\n';
-        block += digits(static_cast<double>(x), 9) + ' ' + plotted(static_cast<double>(force.x())) + ' ' +
-                 plotted(static_cast<double>(force.z())) + '\n';
-        side = std::max(side, std::fabs(static_cast<double>(force.x())));
-        up = std::max(up, static_cast<double>(force.z()));
-      }
-      block += "\n\n";
-    }
-  }
-};
-
-std::string profile_svg(const Drawn& drawn, const Profile& profile, double side, double up) {
-  const auto plots = [](int column) {
-    std::string text;
-    for (std::size_t i = 0; i < kDepthColours.size(); ++i)
-      text += (i == 0 ? "plot " : ", ") + ("$force index " + std::to_string(i)) + " using 1:" + std::to_string(column) +
-              " with lines lw 1.8 lc rgb '" + kDepthColours[i] + "'";
-    return text + '\n';
-  };
-  const std::string script = "$force << EOD\n" + profile.block + "EOD\n" + kPlain + range("x", -drawn.reach(), drawn.reach()) +
-                             "set multiplot\n" + margins(0.145, 0.975, 0.91, 0.595) + range("y", 0, up) + ticks("y", up, 4) +
-                             "set format x ''\n" + vertical_name("{/:Italic F}_z (N)") + plots(3) +
-                             margins(0.145, 0.975, 0.475, 0.15) + range("y", -side, side) + ticks("y", side, 2) +
-                             "set format x '%g'\n" + kXName + "set xzeroaxis lc rgb '#bbbbbb' lt 1\n" +
-                             vertical_name("{/:Italic F}_x (N)") + plots(2) + "unset multiplot\n";
-  return svg_plot(
-      {350, 290, "force-" + drawn.name(), "Force of " + drawn.name() + " against x at three depths: F_z above, F_x below"},
-      script);
-}
-
 std::string force_figure(int number, const std::vector<Drawn>& laws) {
-  double deepest = 2;
-  for (const Drawn& drawn : laws)
-    if (drawn.shape.R > 0) deepest = std::min(deepest, static_cast<double>(drawn.shape.R) / 4);
-  const std::array<double, 3> depths{deepest / 4, deepest / 2, deepest};
-
-  std::vector<Profile> profiles;
+  const std::array<double, 3> depths = profile_depths(laws);
+  std::vector<ForceProfile> profiles;
   for (const Drawn& drawn : laws) profiles.emplace_back(drawn, depths);
   const bool shared = are_one_size(laws);
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < laws.size(); ++i) {
     double side = 0, up = 0;
-    for (const Profile& profile : shared ? profiles : std::vector{profiles[i]}) {
+    for (const ForceProfile& profile : shared ? profiles : std::vector{profiles[i]}) {
       side = std::max(side, profile.side);
       up = std::max(up, profile.up);
     }
-    panels.push_back(
-        {laws[i].name(), profile_svg(laws[i], profiles[i], 1.08 * (side > 0 ? side : 1), 1.08 * (up > 0 ? up : 1))});
+    panels.push_back({laws[i].name(), svg_plot(force_profile(laws[i], profiles[i], side, up))});
   }
 
   std::string legend = "depth of the hand below the nominal surface:";
@@ -103,34 +59,6 @@ struct SurfacePanel {
   const char* heading;
 };
 
-std::string surface_svg(const Drawn& drawn, const Drawn& cylinder) {
-  const auto w = static_cast<double>(drawn.shape.w), h = static_cast<double>(drawn.shape.h);
-  const double low = -0.12 * w, high = h + 0.06 * w;
-  std::vector<double> xs;
-  for (int i = 0; i <= 160; ++i) xs.push_back(drawn.reach() * (i / 80.0 - 1));
-  for (const long double corner : {drawn.shape.w / 2, drawn.shape.w_prime / 2})
-    for (const double sign : {-1.0, 1.0}) xs.push_back(sign * static_cast<double>(corner));
-  std::sort(xs.begin(), xs.end());
-  std::string block;
-  for (const double x : xs)
-    block += plotted(x) + ' ' + plotted(drawn.surface(x)) + ' ' +
-             plotted(std::fabs(x) <= w / 2 ? cylinder.surface(x) : std::nan("")) + '\n';
-
-  // One millimetre is as long up as across.
-  constexpr double kWidth = 270, kLeft = 48, kRight = 8, kTop = 26, kBottom = 47;
-  const double height = std::ceil(kTop + kBottom + (kWidth - kLeft - kRight) * (high - low) / (2 * drawn.reach()));
-  const std::string script =
-      "$surface << EOD\n" + block + "EOD\n" + kPlain +
-      margins(kLeft / kWidth, 1 - kRight / kWidth, 1 - kTop / height, kBottom / height) +
-      range("x", -drawn.reach(), drawn.reach()) + range("y", low, high) + ticks("y", high - low, 5) + kXName +
-      vertical_name("{/:Italic z} (mm)") + "plot $surface using 1:2 with filledcurves y=" + plotted(low) +
-      " fc rgb '#e3ecf4', '' using 1:2 with lines lw 2 lc rgb '" + kDepthColours[2] + "'" +
-      (drawn.result.law == LawId::bump_cylinder ? "" : ", '' using 1:3 with lines lw 1.4 dt (4,3) lc rgb '#d55e00'") + '\n';
-  return svg_plot({static_cast<int>(kWidth), static_cast<int>(height), "surface-" + drawn.name(),
-                   "Cross section of the nominal surface of " + drawn.name()},
-                  script);
-}
-
 std::string surface_figure(int number, const Parameters& parameters) {
   constexpr std::array<SurfacePanel, 4> kPanels{{{LawId::bump_cylinder, "cylinder"},
                                                  {LawId::bump_1p, "one polygon"},
@@ -147,7 +75,7 @@ std::string surface_figure(int number, const Parameters& parameters) {
   std::vector<Panel> panels;
   for (const auto& [id, heading] : kPanels) {
     const LawResult result = result_of(id);
-    panels.push_back({heading, surface_svg(Drawn(result), cylinder)});
+    panels.push_back({heading, svg_plot(cross_section(Drawn(result)))});
   }
   const auto mm = [](long double size) { return html_number(static_cast<double>(size), 5) + "\u202Fmm"; };
   const Shape& shape = cylinder.shape;
@@ -171,8 +99,7 @@ struct ErrorMap {
   int cells = 0;
 
   explicit ErrorMap(const Drawn& drawn) {
-    const auto w = static_cast<double>(drawn.shape.w), h = static_cast<double>(drawn.shape.h);
-    const double low = drawn.shape.R > 0 ? -0.21 * w : -4.7, high = drawn.shape.R > 0 ? h + 0.06 * w : 1.3;
+    const auto [low, high] = heights(drawn);
     dx = 2 * drawn.reach() / kColumns;
     dz = (high - low) / kRows;
     left = -drawn.reach() + dx / 2;

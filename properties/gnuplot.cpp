@@ -134,6 +134,20 @@ std::string without_titles(std::string_view svg) {
 
 }  // namespace
 
+std::string svg_file(const Picture& picture) {
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +
+         svg_plot(picture).replace(0, 4, "<svg xmlns:xlink=\"http://www.w3.org/1999/xlink\"");
+}
+
+std::string png_file(const Picture& picture) {
+  constexpr int kScale = 2;
+  const auto& [width, height, id, description] = picture.frame;
+  return run_gnuplot("set encoding utf8\nset minussign\nset terminal pngcairo size " + std::to_string(kScale * width) + ',' +
+                     std::to_string(kScale * height) + " enhanced font 'sans-serif,12' fontscale " + std::to_string(kScale) +
+                     " linewidth " + std::to_string(kScale) + " pointscale " + std::to_string(kScale) + " dashlength " +
+                     std::to_string(kScale) + " background '#ffffff'\n" + picture.commands + '\n');
+}
+
 std::string svg_plot(const PlotFrame& frame, std::string_view commands) {
   std::string script = "set encoding utf8\nset minussign\nset terminal svg size " + std::to_string(frame.width) + ',' +
                        std::to_string(frame.height) + " dynamic enhanced font 'sans-serif,12' background '#ffffff'\n";

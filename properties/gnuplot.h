@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Draws with gnuplot: commands in, an <svg> element for the body of an HTML page out.
+// Draws with gnuplot: commands in, an <svg> element for the body of an HTML page out, or a file of its own.
 
 #include <stdexcept>
 #include <string>
@@ -22,5 +22,18 @@ struct PlotFrame {
 // `commands` come after the terminal is set; data go into them as $name << EOD blocks. The user's own gnuplot settings are
 // not read. Needs gnuplot 5.4 on the PATH.
 std::string svg_plot(const PlotFrame& frame, std::string_view commands);
+
+struct Picture {
+  PlotFrame frame;
+  std::string commands;
+};
+
+inline std::string svg_plot(const Picture& picture) {
+  return svg_plot(picture.frame, picture.commands);
+}
+
+// The bytes of a file: SVG, or PNG at twice the frame's pixels.
+std::string svg_file(const Picture& picture);
+std::string png_file(const Picture& picture);
 
 }  // namespace forceshade::properties

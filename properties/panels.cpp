@@ -59,6 +59,11 @@ bool are_one_size(const std::vector<Drawn>& laws) {
   return true;
 }
 
+Heights heights(const Drawn& drawn) {
+  const auto w = static_cast<double>(drawn.shape.w), h = static_cast<double>(drawn.shape.h);
+  return drawn.shape.R > 0 ? Heights{-0.21 * w, h + 0.06 * w} : Heights{-4.7, 1.3};
+}
+
 std::vector<Sample> across(const Drawn& drawn) {
   constexpr int kSteps = 240;
   std::vector<Sample> samples;

@@ -38,6 +38,13 @@ bool contains(const std::vector<Drawn>& laws, std::initializer_list<LawId> wante
 // Panels are compared by eye only if they share their axes, and can share them only if the laws are of one size.
 bool are_one_size(const std::vector<Drawn>& laws);
 
+struct Heights {
+  double low, high;  // mm
+};
+
+// What a map over x and z shows of the law: the surface and some way into it.
+Heights heights(const Drawn& drawn);
+
 struct Sample {
   float x;
   bool after_jump;  // the force may have jumped since the one before

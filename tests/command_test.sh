@@ -24,10 +24,10 @@ same() {
 # Help, version, wrong usage.
 expect 0 "Usage: forceshade" -- "$forceshade" --help
 expect 0 "forceshade " -- "$forceshade" --version
-for command in laws geometry polygons force energy properties certify drive record; do expect 0 "$command" -- "$forceshade" $command --help; done
+for command in laws geometry polygons force energy plot figures properties certify drive record; do expect 0 "$command" -- "$forceshade" $command --help; done
 expect 2 "subcommand is required" -- "$forceshade"
 expect 2 "--wrong" -- "$forceshade" laws --wrong
-expect 2 "expected one of: laws geometry polygons force energy properties certify drive record" -- "$forceshade" nonsense
+expect 2 "expected one of: laws geometry polygons force energy plot figures properties certify drive record" -- "$forceshade" nonsense
 expect 2 'got "bump-9p"' -- "$forceshade" properties --law bump-9p
 
 # laws
@@ -82,6 +82,17 @@ expect 0 "3 polygons: the bump subtends 112.885 degrees, each of them 37.6285" -
 expect 0 '"polygons":4' -- "$forceshade" polygons --radius 12.7 --width 25.4 --theta-critical 60 --json -
 expect 2 "--width is 11 mm" -- "$forceshade" polygons --radius 5 --width 11 --theta-critical 40
 expect 2 "not in range" -- "$forceshade" polygons --radius 5 --width 5 --theta-critical 0
+
+# plot and figures
+expect 0 "drawn/bump-3p-directions.svg" -- "$forceshade" plot --law bump-3p --what directions --out drawn
+same "PNG" "$(head -c 4 drawn/bump-3p-directions.png | tail -c 3)"
+grep -q "<svg " drawn/bump-3p-directions.svg || { echo "FAILED: no SVG was drawn"; exit 1; }
+expect 2 "--what" -- "$forceshade" plot --law wall --what teapot --out drawn
+expect 2 "expected a directory" -- "$forceshade" plot --law wall --what force --out in.csv/no
+expect 0 "drawn/figure-5-5.csv" -- "$forceshade" figures --out drawn
+same "600 112.885" "$(sed -n 's/^\(600\),\(112.885\).*/\1 \2/p' drawn/figure-5-5.csv)"
+same "600 6.8157" "$(sed -n 's/^\(600\),\(......\).*/\1 \2/p' drawn/figure-5-4.csv)"
+same 6 "$(wc -l < drawn/figure-5-4.csv)"
 
 # properties
 expect 0 "equivalence   held" -- "$forceshade" properties --law bump-3p --cases 200 --seed 5
