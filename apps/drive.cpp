@@ -89,7 +89,8 @@ recorder::Metadata metadata(const Options& options, LawId law, const Parameters&
                               {"instruction_set", build.instruction_set},
                               {"device", options.device},
                               {"rate_hz", csv::shortest(options.rate)},
-                              {"paced", options.unpaced ? "no" : "yes"}};
+                              {"paced", options.unpaced ? "no" : "yes"},
+                              {"passivity", std::string(name_of(options.passivity))}};
   if (has_bump_geometry(law)) {
     metadata["radius_mm"] = csv::shortest(p.radius);
     metadata["width_mm"] = csv::shortest(p.width);

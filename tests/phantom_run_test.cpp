@@ -4,16 +4,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <set>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "forceshade/device/arm.h"
 #include "forceshade/device/servo_loop.h"
+#include "forceshade/tests/kept_samples.h"
 #include "forceshade/tests/stand_in_hd/phantom_fixture.h"
 
 namespace forceshade::device {
@@ -208,25 +212,32 @@ TEST_F(phantom, closed_while_the_driver_hangs_is_off_in_bounded_time) {
   EXPECT_FALSE(seen().output);
 }
 
-// Every force sent is the law's, whole, at a position that a frame before it gave.
+// Every force sent is one that the loop commanded, whole, and answers a position that a frame before it gave.
 TEST_F(phantom, servo_loop_pushes_a_hand_out_of_a_wall) {
   const auto law = std::get<fast::Law>(fast::Law::build(LawId::wall, {.stiffness = 0.5F}));
   const std::atomic<bool> never = false;
+  tests::KeptSamples kept;
   ServoResult result;
   {
     Phantom device("", kPatient);
-    result = run_servo_loop(device, law, {.max_seconds = 2.0}, never);
+    result = run_servo_loop(device, law, {.max_seconds = 2.0, .patience = 10, .sinks = {&kept}}, never);
   }
   EXPECT_EQ(result.end_reason, EndReason::time_up) << result.fault;
+  EXPECT_TRUE(result.supervised);
   EXPECT_GE(result.peak_force_N, 0.1);
 
+  std::set<std::pair<std::array<float, 3>, std::array<float, 3>>> commanded;
+  for (const Sample& sample : kept.samples) commanded.emplace(sample.position, sample.force);
+  const auto array = [](const Eigen::Vector3d& v) {
+    const Eigen::Vector3f in_law = turned_to_law(v).cast<float>();
+    return std::array{in_law.x(), in_law.y(), in_law.z()};
+  };
   const auto frames = seen().frames;
   std::vector<std::size_t> lags;
   for (std::size_t k = 0; k < frames.size(); ++k) {
     if (frames[k].force.isZero(0)) continue;
     const auto answers = [&](std::size_t lag) {
-      const Eigen::Vector3f force = law.force(turned_to_law(frames[k - lag].position).cast<float>());
-      return turned_to_arm(force.cast<double>()) == frames[k].force;
+      return commanded.contains({array(frames[k - lag].position), array(frames[k].force)});
     };
     std::size_t lag = 1;
     while (lag < k && !answers(lag)) ++lag;
