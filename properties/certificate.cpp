@@ -50,10 +50,14 @@ Json law_json(const LawResult& law) {
     properties.push_back({{"name", p.name}, {"cases", p.cases}, {"held", p.held}, {"counterexample", p.counterexample}});
   Json energy = Json::array();
   for (const LoopEnergy& e : law.energy)
-    energy.push_back({{"depth_mm", e.depth_mm}, {"listed_mJ", e.listed_mJ}, {"measured_mJ", e.measured_mJ}});
+    energy.push_back(
+        {{"depth_mm", e.depth_mm}, {"bound_mJ", e.bound_mJ}, {"witness_mJ", e.witness_mJ}, {"measured_mJ", e.measured_mJ}});
   return {{"law", name_of(law.law)},
           {"held", law.held()},
           {"parameters", parameters_json(law.law, law.parameters)},
+          {"continuous", law.jumps.empty()},
+          {"jumps", law.jumps},
+          {"unit", law.has_held("unit normals")},
           {"conservative", law.conservative},
           {"points", law.points},
           {"mismatches", law.mismatches},
@@ -81,6 +85,7 @@ LawResult law_from(const Json& json) {
   LawResult law;
   law.law = id_from(json);
   law.parameters = parameters_from(law.law, json.at("parameters"));
+  law.jumps = json.at("jumps").get<std::vector<std::string>>();
   law.conservative = json.at("conservative");
   law.points = json.at("points");
   law.mismatches = json.at("mismatches");
@@ -95,7 +100,7 @@ LawResult law_from(const Json& json) {
   for (const Json& p : json.at("properties"))
     law.properties.push_back({p.at("name"), p.at("cases"), p.at("held"), p.at("counterexample")});
   for (const Json& e : json.at("energy_per_loop"))
-    law.energy.push_back({e.at("depth_mm"), e.at("listed_mJ"), e.at("measured_mJ")});
+    law.energy.push_back({e.at("depth_mm"), e.at("bound_mJ"), e.at("witness_mJ"), e.at("measured_mJ")});
   return law;
 }
 
@@ -147,11 +152,15 @@ Sweeps sweeps_from(const Json& json) {
 
 }  // namespace
 
+bool LawResult::has_held(std::string_view property) const {
+  return std::any_of(properties.begin(), properties.end(),
+                     [&](const PropertyResult& p) { return p.name == property && p.held; });
+}
+
 bool LawResult::held() const {
-  const auto held = [&](std::string_view name) {
-    return std::any_of(properties.begin(), properties.end(), [&](const PropertyResult& p) { return p.name == name && p.held; });
-  };
-  return points > 0 && mismatches == 0 && std::all_of(kPropertyNames.begin(), kPropertyNames.end(), held);
+  return points > 0 && mismatches == 0 &&
+         std::all_of(kPropertyNames.begin(), kPropertyNames.end(),
+                     [&](std::string_view property) { return has_held(property); });
 }
 
 bool Certificate::held() const {

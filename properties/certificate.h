@@ -16,7 +16,7 @@
 
 namespace forceshade::properties {
 
-inline constexpr int kCertificateSchema = 2;
+inline constexpr int kCertificateSchema = 3;
 
 // What was checked is this build and no other.
 struct Build {
@@ -40,11 +40,12 @@ struct PropertyResult {
   std::string counterexample;  // the shrunk one, empty if held
 };
 
-// One witness loop of docs/laws.md, walked with the renderer.
+// What simple loops of one depth can be paid, and what one of them is (docs/energy.md).
 struct LoopEnergy {
   double depth_mm = 0;
-  double listed_mJ = 0;
-  double measured_mJ = 0;
+  std::array<double, 2> bound_mJ{};  // an interval around the supremum
+  double witness_mJ = 0;             // paid around the witness loop by the exact law
+  double measured_mJ = 0;            // and by the fast path
 };
 
 // The point whose exact force came closest to a rounding tie without being one.
@@ -56,6 +57,7 @@ struct ClosestCall {
 struct LawResult {
   LawId law = LawId::wall;
   Parameters parameters;
+  std::vector<std::string> jumps;  // where the force jumps, in words
   bool conservative = false;
   std::uint64_t points = 0;
   std::uint64_t mismatches = 0;
@@ -69,6 +71,7 @@ struct LawResult {
   std::vector<LoopEnergy> energy;
 
   bool held() const;
+  bool has_held(std::string_view property) const;
 };
 
 struct Certificate {

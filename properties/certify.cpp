@@ -16,6 +16,7 @@
 #include "forceshade/properties/passivity.h"
 #include "forceshade/properties/positions.h"
 #include "forceshade/properties/run.h"
+#include "forceshade/reference/energy.h"
 
 namespace forceshade::properties {
 namespace {
@@ -159,10 +160,12 @@ std::optional<Certificate> certify(const CertifyOptions& options, const Progress
     result.counterexamples = tally.counterexamples;
     result.properties = run_properties(subject, options.cases, options.seed);
     const Shape shape(subject.law);
-    result.conservative = shape.is_conservative();
-    for (const double depth : witness_depths(subject)) {
-      const WitnessLoop loop = witness_loop(shape, depth);
-      result.energy.push_back({depth, loop.listed_mJ, work_around(subject, shape, loop.vertices).rendered});
+    result.jumps = shape.jumps();
+    result.conservative = reference::potential(subject.law).has_value();
+    for (const float depth : witness_depths(subject)) {
+      const WitnessLoop loop = witness_loop(subject.law, depth);
+      result.energy.push_back(
+          {static_cast<double>(depth), loop.bound_mJ, loop.paid_mJ, work_around(subject, shape, loop.vertices).rendered});
     }
     if (stop) return std::nullopt;
     certificate.laws.push_back(std::move(result));

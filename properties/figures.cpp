@@ -180,7 +180,7 @@ std::string error_figure(int number, const std::vector<Drawn>& laws) {
 
 struct EnergyPlot {
   std::vector<const LawResult*> active;
-  std::string blocks;  // depth, listed, measured, relative difference in parts per million; one index per law
+  std::string blocks;  // depth, bound, measured, relative difference in parts per million; one index per law
   std::vector<double> depths;
   double low = HUGE_VAL, high = 0;  // mJ
   double below = 0, above = 0;      // parts per million
@@ -192,11 +192,11 @@ struct EnergyPlot {
       if (law.conservative || law.energy.empty()) continue;
       active.push_back(&law);
       for (const LoopEnergy& loop : law.energy) {
-        const double difference = 1e6 * (loop.measured_mJ / loop.listed_mJ - 1);
-        blocks += plotted(loop.depth_mm) + ' ' + plotted(loop.listed_mJ) + ' ' + plotted(loop.measured_mJ) + ' ' +
+        const double difference = 1e6 * (loop.measured_mJ / loop.witness_mJ - 1);
+        blocks += plotted(loop.depth_mm) + ' ' + plotted(loop.bound_mJ[1]) + ' ' + plotted(loop.measured_mJ) + ' ' +
                   plotted(difference) + '\n';
         depths.push_back(loop.depth_mm);
-        for (const double energy : {loop.listed_mJ, loop.measured_mJ}) {
+        for (const double energy : {loop.bound_mJ[1], loop.measured_mJ}) {
           all_positive = all_positive && energy > 0;
           if (!(energy > 0) || !std::isfinite(energy)) continue;
           low = std::min(low, energy);
@@ -251,7 +251,7 @@ struct EnergyPlot {
     for (std::size_t i = 0; i < active.size(); ++i)
       plots += (i > 0 ? ", " : "plot ") + ("$energy index " + std::to_string(i)) + " using 1:2 with lines lw 1.6 lc rgb '" +
                kLawColours[i % kLawColours.size()] + "', " + marks(i, 3);
-    return svg_plot({480, 330, "energy", "Energy per loop against the depth of the loop, listed and measured"},
+    return svg_plot({480, 330, "energy", "Energy per loop against the depth of the loop, bound and measured"},
                     axes(0.73) + "set logscale y\n" + range("y", bottom, top) + vertical_name("energy per loop (mJ)") +
                         names(bottom, top) + plots + '\n');
   }
@@ -262,9 +262,10 @@ struct EnergyPlot {
     for (std::size_t i = 0; i < active.size(); ++i)
       plots += ", $energy index " + std::to_string(i) + " using 1:4 with lines lw 1 lc rgb '" +
                kLawColours[i % kLawColours.size()] + "', " + marks(i, 4);
-    return svg_plot({480, 330, "energy-difference", "Measured against listed energy per loop, relative difference"},
+    return svg_plot({480, 330, "energy-difference",
+                     "Energy of the fast path against the exact law around the same loops, relative difference"},
                     axes(0.97) + range("y", below - room, above + room) +
-                        vertical_name("measured / listed − 1 (parts per million)") + plots + '\n');
+                        vertical_name("fast path / exact law − 1 (parts per million)") + plots + '\n');
   }
 };
 
@@ -277,9 +278,10 @@ std::string energy_figure(int number, const std::vector<Drawn>& laws, const Ener
     for (const LoopEnergy& loop : drawn.result.energy) rest = std::max(rest, std::fabs(loop.measured_mJ));
   }
   std::string caption =
-      "Energy an active law pays the hand each time it goes round the loop that pays most. Lines: what docs/laws.md lists, "
-      "joined between the depths that were walked. Points: what the fast path paid. The second panel, with the same marks, "
-      "shows the difference: at most " +
+      "Energy an active law pays the hand each time it goes round. Lines: the most that a simple loop no deeper can be paid, "
+      "joined between the depths that were walked. Points: what the fast path paid around the witness, a loop that reaches "
+      "99\u202F% of it or more. The second panel, with the same marks, compares that with the exact law around the same "
+      "loop: they differ by at most " +
       html_number(std::max(-plot.below, plot.above), 2) + " parts per million.";
   if (contains(laws, {LawId::bump_2p, LawId::bump_3p}))
     caption += " Where the force jumps at an edge, energy grows with the square of the depth.";
@@ -287,13 +289,13 @@ std::string energy_figure(int number, const std::vector<Drawn>& laws, const Ener
     caption += " Under the shaded single polygon it is nearly in proportion to the depth.";
   caption += " It is a property of these laws, not an error: a controller in the device loop has to take it back.";
   if (!conservative.empty())
-    caption += " The conservative laws (" + conservative +
-               ") are listed at zero; the most that any of their loops gave or took is " + html_number(rest, 2) + "\u202FmJ.";
+    caption += " The conservative laws (" + conservative + ") pay nothing; the most that any of their loops gave or took is " +
+               html_number(rest, 2) + "\u202FmJ.";
   if (!plot.all_positive)
     caption +=
         " <strong>A loop that paid nothing, or took energy, has no place on a logarithmic axis and is not shown.</strong>";
   return figure(number, "two", "Energy per loop", "",
-                {{"listed and measured", plot.energy_svg()}, {"difference", plot.difference_svg()}}, caption);
+                {{"bound and measured", plot.energy_svg()}, {"difference", plot.difference_svg()}}, caption);
 }
 
 }  // namespace

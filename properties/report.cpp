@@ -6,6 +6,7 @@
 
 #include "forceshade/properties/figures.h"
 #include "forceshade/properties/html.h"
+#include "forceshade/properties/matrix.h"
 
 namespace forceshade::properties {
 namespace {
@@ -44,7 +45,7 @@ th, td { text-align: left; vertical-align: top; padding: 8px 6px; border-bottom:
 th:first-child { padding-left: 0; }
 td:last-child, th:last-child { padding-right: 0; }
 thead th { font-weight: 500; color: var(--quiet); vertical-align: bottom; padding-bottom: 5px; }
-thead tr:first-child th { border-bottom: 0; padding-bottom: 2px; }
+thead tr:first-child:not(:last-child) th { border-bottom: 0; padding-bottom: 2px; }
 thead tr:first-child th[colspan]::after { content: ""; display: block; border-bottom: 1px solid var(--line); padding-top: 3px; }
 sub, sup { line-height: 0; }
 tbody th { font-weight: 600; white-space: nowrap; }
@@ -221,19 +222,19 @@ std::string summary_row(const LawResult& law) {
          cell("mismatches", law.mismatches == 0 ? "0" : "<span class=\"no\">" + grouped(law.mismatches) + "</span>", "number") +
          count_cell("by binary64", law.points_by_stage, "binary64") +
          count_cell("by double-double", law.points_by_stage, "double-double") +
-         count_cell("by wide", law.points_by_stage, "wide") + properties +
-         cell("conservative", law.conservative ? "yes" : "no") + cell("closest call", closest_call_of(law)) + "</tr>\n";
+         count_cell("by wide", law.points_by_stage, "wide") + properties + cell("closest call", closest_call_of(law)) +
+         "</tr>\n";
 }
 
 std::string summary(const Certificate& certificate) {
   std::string html =
       "<section>\n<h2>Summary</h2>\n<table class=\"summary\">\n<thead>\n<tr><th></th><th></th><th></th><th></th>"
-      "<th colspan=\"3\">points decided by</th><th colspan=\"4\">properties</th><th></th><th></th></tr>\n"
+      "<th colspan=\"3\">points decided by</th><th colspan=\"4\">properties</th><th></th></tr>\n"
       "<tr><th scope=\"col\">law</th><th scope=\"col\">parameters</th><th scope=\"col\" class=\"number\">points</th>"
       "<th scope=\"col\" class=\"number\">mismatches</th><th scope=\"col\" class=\"number\">binary64</th>"
       "<th scope=\"col\" class=\"number\">double-double</th><th scope=\"col\" class=\"number\">wide</th>"
       "<th scope=\"col\">equivalence</th><th scope=\"col\">continuity</th><th scope=\"col\">unit normals</th>"
-      "<th scope=\"col\">passivity</th><th scope=\"col\">conser\u00ADvative</th><th scope=\"col\">closest call</th></tr>\n"
+      "<th scope=\"col\">passivity</th><th scope=\"col\">closest call</th></tr>\n"
       "</thead>\n<tbody>\n";
   for (const LawResult& law : certificate.laws) html += summary_row(law);
   return html +
@@ -333,7 +334,7 @@ std::string to_html(const Certificate& certificate) {
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>forceshade certificate: " +
          std::string(certificate.held() ? "held" : "failed") + "</title>\n<style>" + kStyle +
          "</style>\n</head>\n<body>\n<main>\n" + header(certificate) + (certificate.laws.empty() ? "" : summary(certificate)) +
-         sweeps_table(certificate.sweeps) + counterexamples(certificate) +
+         matrix(certificate) + sweeps_table(certificate.sweeps) + counterexamples(certificate) +
          (pictures.empty() ? "" : "<section>\n<h2>Figures</h2>\n" + pictures + "</section>\n") + build_table(certificate) +
          kLimits + "</main>\n</body>\n</html>\n";
 }

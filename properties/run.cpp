@@ -44,9 +44,9 @@ PropertyResult run(const std::string& name, int cases, std::uint64_t seed, const
 
 }  // namespace
 
-std::vector<double> witness_depths(const Subject& subject) {
-  const Shape shape(subject.law);
-  const double deepest = shape.R > 0 ? std::min(2.0, static_cast<double>(shape.R) / 8) : 2.0;
+std::vector<float> witness_depths(const Subject& subject) {
+  const float R = subject.law.parameters().radius;
+  const float deepest = has_bump_geometry(subject.law.id()) ? std::clamp(2.0F, R / 1000, R / 8) : 2;
   return {deepest / 8, deepest / 4, deepest / 2, deepest * 3 / 4, deepest};
 }
 
@@ -63,7 +63,7 @@ std::vector<PropertyResult> run_properties(const Subject& subject, int cases, st
   results.push_back(run("unit normals", cases, seed, [&] { return unit_normals(subject, *position_of(law)); }));
   PropertyResult passive =
       run("passivity", std::max(1, cases / 10), seed, [&] { return passivity(subject, shape, *polygon_of(law)); });
-  for (const double depth : witness_depths(subject)) {
+  for (const float depth : witness_depths(subject)) {
     if (!passive.held) break;
     ++passive.cases;
     if (const Violation violation = witness_is_reached(subject, shape, depth)) {

@@ -16,6 +16,6 @@ namespace forceshade::properties {
 std::vector<PropertyResult> run_properties(const Subject& subject, int cases, std::uint64_t seed);
 
 // The depths, in mm, at which a law's witness loop is walked.
-std::vector<double> witness_depths(const Subject& subject);
+std::vector<float> witness_depths(const Subject& subject);
 
 }  // namespace forceshade::properties

@@ -60,4 +60,11 @@ bool Shape::is_conservative() const {
   return id == LawId::wall || id == LawId::bump_1p || has_cylinder();
 }
 
+std::vector<std::string> Shape::jumps() const {
+  if (has_cylinder()) return {"the axis"};
+  std::vector<std::string> words;
+  for (const JumpLine& line : jump_lines) words.push_back(line.x == 0 ? "x = 0" : line.x == w / 2 ? "|x| = w/2" : "|x| = w'/2");
+  return words;
+}
+
 }  // namespace forceshade::properties

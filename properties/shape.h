@@ -3,6 +3,7 @@
 // What docs/laws.md says of each law beside its force: its nominal surface, where it jumps and by how much, whether it is
 // conservative. Sizes in long double, good to about 17 digits; for properties and aim, not for decisions.
 
+#include <string>
 #include <vector>
 
 #include "forceshade/reference/law.h"
@@ -32,6 +33,9 @@ struct Shape {
   bool is_shaded() const;
   bool has_cylinder() const { return id == LawId::cylinder || id == LawId::bump_cylinder; }
   bool is_conservative() const;
+
+  // Where the force jumps, in words; none where it is continuous.
+  std::vector<std::string> jumps() const;
 };
 
 }  // namespace forceshade::properties

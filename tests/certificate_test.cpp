@@ -42,6 +42,23 @@ TEST(certificate, counts_every_point_once_in_each_breakdown) {
   }
 }
 
+TEST(certificate, says_what_kind_of_force_each_law_is) {
+  const Certificate certificate = small_certificate();
+  const LawResult &wall = certificate.laws[0], &bump = certificate.laws[1];
+  EXPECT_TRUE(wall.conservative);
+  EXPECT_TRUE(wall.jumps.empty());
+  EXPECT_FALSE(bump.conservative);
+  EXPECT_EQ(bump.jumps, (std::vector<std::string>{"x = 0", "|x| = w/2"}));
+  for (const LoopEnergy& loop : wall.energy) EXPECT_EQ(loop.bound_mJ[1], 0);
+  for (const LoopEnergy& loop : bump.energy) {
+    EXPECT_LT(loop.bound_mJ[0], loop.bound_mJ[1]) << "an interval around an irrational number";
+    EXPECT_LE(loop.witness_mJ, loop.bound_mJ[1]);
+    EXPECT_GE(loop.witness_mJ, 0.99 * loop.bound_mJ[1]);
+    // The loop crosses the line within one binary32 step, 2⁻²⁰ mm, and either side's force of K·D at most may be felt there.
+    EXPECT_NEAR(loop.measured_mJ, loop.witness_mJ, 0x1p-20 * loop.depth_mm);
+  }
+}
+
 TEST(certificate, is_not_made_while_rounding_is_not_to_nearest) {
   std::fesetround(FE_UPWARD);
   EXPECT_THROW(small_certificate(), std::runtime_error);
@@ -106,7 +123,7 @@ TEST(certificate, names_the_file_and_what_is_wrong_with_it) {
   };
   EXPECT_NE(message("").find("here.json: expected a forceshade certificate"), std::string::npos);
   EXPECT_NE(message("{}").find("schema"), std::string::npos);
-  EXPECT_NE(message(R"({"schema": 99})").find("schema is 99; expected 2"), std::string::npos);
+  EXPECT_NE(message(R"({"schema": 99})").find("schema is 99; expected 3"), std::string::npos);
   std::string text = to_json(small_certificate());
   text.replace(text.find("\"bump-2p\""), 9, "\"bump-9p\"");
   EXPECT_NE(message(text).find("unknown law \"bump-9p\""), std::string::npos);

@@ -109,7 +109,7 @@ TEST(passivity_controller, gives_nobody_who_goes_round_more_than_epsilon) {
   constexpr int kRounds = 15;
   for (const LawName& name : kLaws) {
     const auto subject = std::get<properties::Subject>(properties::fast_subject(name.id, kBump));
-    const auto loop = properties::witness_loop(properties::Shape(subject.law), 2);
+    const auto loop = properties::witness_loop(subject.law, 2);
     double harvested = 0;
     for (const Kind kind : {Kind::observer, Kind::tank, Kind::damping}) {
       Hand hand(law_of(name.id), kind);
@@ -120,7 +120,7 @@ TEST(passivity_controller, gives_nobody_who_goes_round_more_than_epsilon) {
       if (kind == Kind::observer) {
         harvested = given;
         // A held force adds K D times the step, 0.002 mJ here, which is all that a conservative law gives.
-        EXPECT_NEAR(given / kRounds, loop.listed_mJ, loop.listed_mJ > 0 ? 0.02 * loop.listed_mJ : 0.005) << name.name;
+        EXPECT_NEAR(given / kRounds, loop.paid_mJ, loop.paid_mJ > 0 ? 0.02 * loop.paid_mJ : 0.005) << name.name;
         continue;
       }
       std::printf("  %-14s %-7s: %8.3f mJ in %d rounds, %8.3f without\n", words_of(name.id).c_str(), words_of(kind), given,

@@ -169,31 +169,26 @@ TEST(properties, passivity_refuses_a_force_that_always_pays_a_little) {
         << law.name;
 }
 
-TEST(properties, active_laws_pay_what_is_listed_and_conservative_laws_nothing) {
+TEST(properties, active_laws_pay_what_is_promised_and_conservative_laws_nothing) {
   for (const LawName& law : kLaws) {
     const Subject subject = std::get<Subject>(fast_subject(law.id, kBump));
     const Shape shape(subject.law);
-    for (const double depth : {0.5, 1.0, 2.0, 6.0}) {
-      const WitnessLoop loop = witness_loop(shape, depth);
-      EXPECT_EQ(loop.listed_mJ == 0, shape.is_conservative()) << law.name;
+    for (const float depth : {0.5F, 1.0F, 2.0F, 6.0F}) {
+      const WitnessLoop loop = witness_loop(subject.law, depth);
+      EXPECT_EQ(loop.bound_mJ[1] == 0, shape.is_conservative()) << law.name;
       EXPECT_EQ(witness_is_reached(subject, shape, depth), std::nullopt) << law.name;
     }
   }
 }
 
-TEST(properties, witness_loops_meet_the_closed_forms) {
-  const auto listed = [](LawId law, double depth) {
-    return witness_loop(Shape(std::get<Subject>(fast_subject(law, kBump)).law), depth).listed_mJ;
-  };
-  const double K = 0.5, R = static_cast<double>(kBump.radius), w = static_cast<double>(kBump.width), D = 2;
-  const double alpha = std::asin(w / (2 * R)), theta = 2 * alpha / 3;
-  EXPECT_NEAR(listed(LawId::bump_2p, D), 0.5 * K * D * D * (1 - std::cos(alpha / 2)), 1e-12);
-  EXPECT_NEAR(listed(LawId::bump_3p, D), 0.5 * K * D * D * (1 - std::cos(theta)), 1e-12);
-  EXPECT_NEAR(listed(LawId::bump_1p_shaded, D), K * D * w * w / (8 * R), 1e-9);
-  const double d = std::sqrt(R * R - w * w / 4), deep = 12;
-  EXPECT_NEAR(listed(LawId::bump_1p_shaded, deep), K * deep * w * w / (8 * R) + K * std::pow(deep - d, 3) / (6 * R), 1e-8);
-  EXPECT_NEAR(listed(LawId::bump_2p_shaded, D), 2.1441, 5e-5);
-  EXPECT_NEAR(listed(LawId::bump_3p_shaded, D), 1.6224, 5e-5);
+TEST(properties, a_renderer_that_pays_less_than_promised_is_refused) {
+  for (const LawId law : {LawId::bump_2p, LawId::bump_3p_shaded}) {
+    const Subject weak = changed(law, [](const Eigen::Vector3f&, Rendered answer) {
+      answer.force *= 0.999F;
+      return answer;
+    });
+    EXPECT_NE(witness_is_reached(weak, Shape(weak.law), 2), std::nullopt) << name_of(law);
+  }
 }
 
 }  // namespace

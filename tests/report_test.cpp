@@ -28,10 +28,12 @@ Certificate certificate_of_every_law() {
     law.points_by_stage = {{"binary64", 1990}, {"double-double", 9}, {"wide", 1}};
     law.closest_call = {1.5F, 0, -0.25F, 3e-7};
     law.conservative = name.id <= LawId::bump_1p;
+    if (!law.conservative) law.jumps = {"|x| = w/2"};
     for (const char* property : {"equivalence", "continuity", "unit normals", "passivity"})
       law.properties.push_back({property, 100, true, ""});
     for (const double depth : {0.5, 1.0, 2.0})
-      law.energy.push_back({depth, law.conservative ? 0 : depth, law.conservative ? 1e-18 : depth * (1 + 1e-6)});
+      law.energy.push_back(law.conservative ? LoopEnergy{depth, {0, 0}, 0, 1e-18}
+                                            : LoopEnergy{depth, {depth, depth}, depth, depth * (1 + 1e-6)});
     certificate.laws.push_back(law);
   }
   return certificate;
@@ -173,6 +175,18 @@ TEST(report, does_not_call_held_what_was_not_checked) {
   EXPECT_TRUE(has(html, "Some properties were not checked."));
   EXPECT_TRUE(has(to_html(Certificate{}), ">Failed</p>"));
   EXPECT_TRUE(has(to_html(Certificate{}), "No law was checked."));
+}
+
+TEST(report, sets_the_laws_side_by_side) {
+  Certificate certificate = certificate_of_every_law();
+  law_of(certificate, LawId::bump_2p).energy.back() = {2, {0.123451, 0.123456}, 0.1234, 0.12339};
+  const std::string html = to_html(certificate);
+  EXPECT_EQ(count(html, "<td data-label=\"conservative\">yes</td>"), 4U);
+  EXPECT_EQ(count(html, "<td data-label=\"conservative\">no</td>"), 5U);
+  EXPECT_EQ(count(html, "<td data-label=\"continuous\">no<small>jumps on |x| = w/2</small></td>"), 5U);
+  EXPECT_EQ(count(html, "<td data-label=\"unit direction\">yes"), 9U);
+  EXPECT_EQ(count(html, "<td data-label=\"most energy per loop\">0</td>"), 4U);
+  EXPECT_TRUE(has(html, "0.12346\u202FmJ<small>2\u202Fmm deep; fast path 0.12339\u202FmJ</small>"));
 }
 
 TEST(report, leaves_out_figures_that_have_nothing_to_show) {
