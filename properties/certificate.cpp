@@ -197,7 +197,8 @@ Certificate from_json(const std::string& text, const std::string& file) {
     const Json json = Json::parse(text);
     const int schema = json.at("schema");
     if (schema != kCertificateSchema)
-      throw std::runtime_error("schema is " + std::to_string(schema) + "; expected " + std::to_string(kCertificateSchema));
+      throw std::runtime_error("schema is " + std::to_string(schema) + "; expected " + std::to_string(kCertificateSchema) +
+                               ": certify again");
     Certificate certificate;
     const Json& build = json.at("build");
     certificate.build = {build.at("version"), build.at("revision"),        build.at("compiler"),

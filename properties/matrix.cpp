@@ -48,7 +48,7 @@ std::string matrix(const Certificate& certificate) {
   return html +
          "</tbody>\n</table>\n<p class=\"note\">Energy: the most that any simple loop no deeper below the nominal surface can "
          "be "
-         "paid, rounded up, and what the fast path paid around a loop that comes within 1\u202F% of it.</p>\n</section>\n";
+         "paid, and what the fast path paid around one that comes within 1\u202F% of it.</p>\n</section>\n";
 }
 
 }  // namespace forceshade::properties

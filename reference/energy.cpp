@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/reference/energy.h"
 
+#include <cmath>
+
 #include "forceshade/reference/intervals.h"
 #include "forceshade/reference/shaded_strip.h"
 

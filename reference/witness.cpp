@@ -3,6 +3,7 @@
 // lower side runs from left to right, its upper side back. Where nothing is to be enclosed both run above the surface.
 
 #include <algorithm>
+#include <cmath>
 
 #include "forceshade/reference/energy.h"
 #include "forceshade/reference/intervals.h"

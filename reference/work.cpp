@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
 #include "forceshade/reference/energy.h"
 #include "forceshade/reference/intervals.h"
 #include "forceshade/reference/slow_geometry.h"

@@ -63,6 +63,27 @@ TEST(work, equals_quadrature_of_the_force) {
   std::printf("  worst difference %.2g of what rounding the positions allows\n", worst);
 }
 
+TEST(work, of_a_small_step_is_the_force_times_the_step) {
+  std::mt19937 random(6);
+  constexpr float kStep = 0x1p-10F;
+  for (const LawName& name : kLaws) {
+    const Law law = build(name.id, kBump);
+    for (int i = 0; i < 100; ++i) {
+      // Steps of 1/64 mm, no line of jump within a step of them; deep enough to be in contact, well above the axis.
+      const float x = std::floor(std::uniform_real_distribution<float>(-900, 900)(random)) / 64 + 0x1p-7F;
+      const float z = std::floor(std::uniform_real_distribution<float>(-200, -1)(random)) / 64;
+      const Law::Estimate at = law.estimate({x, 0, z});
+      const auto fx = static_cast<double>(at.force.x.mid()), fz = static_cast<double>(at.force.z.mid());
+      const auto step = static_cast<double>(kStep);
+      const float half = kStep / 2;
+      // No force of these changes by more than 4 K a mm there; its value at the middle is off by a quarter of a step's change.
+      const double allowed = 4 * 0.5 * step * step / 4;
+      EXPECT_NEAR(low(work(law, {{x - half, z}, {x + half, z}})), fx * step, allowed) << name.name << ' ' << x << ' ' << z;
+      EXPECT_NEAR(low(work(law, {{x, z - half}, {x, z + half}})), fz * step, allowed) << name.name << ' ' << x << ' ' << z;
+    }
+  }
+}
+
 TEST(work, around_a_closed_path_is_nothing_where_the_law_is_conservative) {
   std::mt19937 random(2);
   for (const LawId id : {LawId::wall, LawId::cylinder, LawId::bump_cylinder, LawId::bump_1p})
