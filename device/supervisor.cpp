@@ -77,13 +77,17 @@ Verdict Supervisor::supervise(const Reading& reading, const State& state, const 
   }
   if (trip_) verdict.trip = trip_->rule;
   heat_ = heated(motor_, heat_, verdict.force.cast<double>().norm(), period_);
-  memory_.force = verdict.force;
-  if (memory_.late_ticks == 0) memory_.punctual_force = verdict.force;
+  commanded(verdict.force);
   memory_.position = reading.position;
   memory_.time = reading.time;
   memory_.late = late;
   ++tick_;
   return verdict;
+}
+
+void Supervisor::commanded(const Eigen::Vector3f& force) noexcept {
+  memory_.force = force;
+  if (memory_.late_ticks == 0) memory_.punctual_force = force;
 }
 
 void Supervisor::rearm() noexcept {
@@ -106,8 +110,9 @@ std::optional<Rule> Supervisor::forbidden(const Reading& reading, const State& s
   if (!memory_.position) return std::nullopt;
 
   // A late tick saw a longer step, and so did one whose device was late by its own clock; a tick that catches up is not held
-  // to a shorter one.
-  const double elapsed = std::max(period_ + std::max(0.0, late - memory_.late), reading.time - memory_.time);
+  // to a shorter one. Nor does a device's clock that leaps excuse any step: more than the watchdog allows has not passed.
+  const double by_device = std::min(reading.time - memory_.time, period_ + limits_.patience);
+  const double elapsed = std::max(period_ + std::max(0.0, late - memory_.late), by_device);
   const double step = (reading.position.cast<double>() - memory_.position->cast<double>()).norm();
   if (step > longest_step(limits_.speed, elapsed, limits_.resolution)) return Rule::jump;
   const bool forced = !memory_.force.isZero(0);
@@ -117,18 +122,18 @@ std::optional<Rule> Supervisor::forbidden(const Reading& reading, const State& s
 }
 
 // Time alone does not tell a frozen encoder from a hand at rest: friction holds a device still for minutes. But no hand stops
-// dead from 100 mm/s, within one period and on every axis; and none stays where it was while its force changes by half a
-// newton, which is a millimetre of its flesh.
+// dead from 100 mm/s, within one period and on every axis; and none stays where it was after its force has changed by
+// half a newton, which is a millimetre of its flesh.
 bool Supervisor::is_frozen(double step, double elapsed) noexcept {
   if (step > 0 || memory_.force.isZero(0) || !(limits_.resolution > 0)) {
-    memory_.still_ticks = 0;
+    memory_.still_ticks = memory_.changed_ticks = 0;
     memory_.was_fast = step > longest_step(limits_.frozen_speed, elapsed, limits_.resolution);
     return false;
   }
   if (memory_.still_ticks++ == 0) memory_.still_force = memory_.force;
-  if (memory_.still_ticks < ticks_in(limits_.frozen)) return false;
   const double change = (memory_.force - memory_.still_force).cast<double>().norm();
-  return memory_.was_fast || change > limits_.frozen_force;
+  memory_.changed_ticks = change > limits_.frozen_force ? memory_.changed_ticks + 1 : 0;
+  return (memory_.was_fast ? memory_.still_ticks : memory_.changed_ticks) >= ticks_in(limits_.frozen);
 }
 
 Eigen::Vector3f Supervisor::limited(const Reading& reading, const State& state, const Eigen::Vector3f& wanted, Status status,

@@ -71,7 +71,7 @@ struct SupervisorLimits {
   double speed = kFastest;                            // mm/s
   double frozen = 0.02;                               // s without a change of any bit of the position ...
   double frozen_speed = 100;                          // ... mm/s, right after a step as fast as this
-  double frozen_force = 0.5;                          // ... or N, by which the force has changed meanwhile
+  double frozen_force = 0.5;                          // ... or N, after the force has changed by as much
   int held_ticks = 3;                                 // ticks in a row that may be late, with the force held
   double ramp_down = 0.02;                            // s, over which it then falls to zero
   double patience = 0.02;                             // s: the latest that a tick may be, and the longest that all may be
@@ -103,6 +103,10 @@ class Supervisor {
   Verdict supervise(const Reading& reading, const State& state, const Eigen::Vector3f& wanted, Status status,
                     double late) noexcept;
 
+  // What was in the end commanded this tick, where that is not the verdict's force: the next tick's rules go by what the hand
+  // was given.
+  void commanded(const Eigen::Vector3f& force) noexcept;
+
   std::optional<Trip> tripped() const noexcept { return trip_; }
 
   // The user's word after a trip. Starts gently again; motors stay as warm, and counts as high, as they were.
@@ -132,13 +136,14 @@ class Supervisor {
 
   // What rearm() forgets.
   struct Memory {
-    Eigen::Vector3f force{0, 0, 0};           // the last verdict's
-    Eigen::Vector3f punctual_force{0, 0, 0};  // the last one's of a tick that was not late
+    Eigen::Vector3f force{0, 0, 0};           // commanded last
+    Eigen::Vector3f punctual_force{0, 0, 0};  // commanded last in a tick that was not late
     std::optional<Eigen::Vector3f> position;
     double time = 0;                       // s, by the device's clock
     double late = 0;                       // s, the last tick
     int late_ticks = 0;                    // in a row
     int still_ticks = 0;                   // in a row, under force
+    int changed_ticks = 0;                 // in a row of those, since the force has changed
     bool was_fast = false;                 // the last step that was one
     Eigen::Vector3f still_force{0, 0, 0};  // when the stillness began
     int free_ticks = 0;                    // in a row, until free space counts as felt

@@ -20,6 +20,7 @@
 #include "forceshade/device/open_device.h"
 #include "forceshade/device/phantom.h"
 #include "forceshade/device/replay.h"
+#include "forceshade/device/simulated.h"
 #include "forceshade/tests/kept_samples.h"
 #include "forceshade/tests/stand_in_hd/stand_in_hd.h"
 
@@ -336,6 +337,18 @@ TEST(servo_loop, trip_means_zero_in_the_same_tick_and_the_end) {
   EXPECT_EQ(run.samples[299].tripped, 0);
   EXPECT_EQ(run.limited_ticks[static_cast<std::size_t>(Rule::jump)], 0U);
   expect_ends_at_zero_force(run);
+}
+
+// A hand that comes down fast and presses far is given less force than the supervisor would allow, for want of energy; the arm
+// stands still under it, and nothing is wrong with its encoders.
+TEST(servo_loop, does_not_take_a_force_that_is_withheld_for_one_that_moves_nothing) {
+  const Operator hand{Grip{},
+                      Intention({{0.1, {-30, 0, 5}}, {0.3, {-30, 0, -20}}, {1, {-30, 0, -20}}}, Intention::Between::straight),
+                      Tremor(1, 0.03), true};
+  Simulated device(premium_1_5(), hand);
+  const Kept run(device, wall(), unpaced());
+  EXPECT_EQ(run.end_reason, EndReason::end_of_data) << name_of(run.trip->rule);
+  EXPECT_GT(run.account.largest_change, 0.5);
 }
 
 TEST(servo_loop, trip_by_lateness_only_when_there_are_deadlines) {

@@ -350,6 +350,28 @@ TEST(supervisor, trips_at_a_jump_faster_than_a_hand) {
   expect_tripped(after_step(10.001, 0.001, none, 0), Rule::jump);
 }
 
+TEST(supervisor, excuses_no_step_by_a_clock_that_leaps) {
+  const auto after_leap = [](float step) {
+    Hand hand(lenient());
+    hand.supervise({0, 0, 0}, Status::free);
+    hand.reading.position.x() += step;
+    hand.reading.time += 3600;
+    return hand.supervise({0, 0, 0}, Status::free);
+  };
+  EXPECT_FALSE(after_leap(104).trip) << "a period and the watchdog's 20 ms, at 5 m/s";
+  expect_tripped(after_leap(106), Rule::jump);
+}
+
+TEST(supervisor, goes_by_the_force_commanded) {
+  Hand hand(lenient());
+  hand.supervise({0, 0, 1});
+  hand.supervisor.commanded({0, 0, 0});
+  hand.reading.position.x() += 2;
+  EXPECT_FALSE(hand.supervise({0, 0, 1}).trip) << "too fast only under force";
+  hand.reading.position.x() += 2;
+  expect_tripped(hand.supervise({0, 0, 1}), Rule::velocity);
+}
+
 TEST(supervisor, trips_at_a_velocity_that_no_hand_has_under_force) {
   const Force some{0, 0, 0.01F};
   EXPECT_FALSE(after_step(0.999, 0, some, 0).trip);
@@ -386,8 +408,8 @@ TEST(supervisor, trips_at_an_encoder_that_stops_dead_under_force) {
 
 TEST(supervisor, trips_at_an_encoder_that_a_changing_force_does_not_move) {
   // The force that is felt at tick n is that of tick n - 1: half a newton more at the 501st of these.
-  EXPECT_NEAR(ticks_until_frozen(0.01, 0.03, 1, 0.001F), 502, 1);
-  EXPECT_EQ(ticks_until_frozen(0.01, 0.03, 1, 0.1F), 20);
+  EXPECT_NEAR(ticks_until_frozen(0.01, 0.03, 1, 0.001F), 521, 1);
+  EXPECT_EQ(ticks_until_frozen(0.01, 0.03, 1, 0.1F), 26) << "a hand needs time to move";
   EXPECT_EQ(ticks_until_frozen(0.01, 0.03, 1, 0.00049F), 0);
 }
 
