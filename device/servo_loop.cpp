@@ -59,6 +59,15 @@ void check(const ServoOptions& options, const Capabilities& capabilities) {
     refuse("seconds: expected a positive number", *options.max_seconds);
   if (options.patience && !(*options.patience > 0 && *options.patience <= kLongestPatience))
     refuse("patience: expected at most " + csv::shortest(kLongestPatience) + " s", *options.patience);
+  // A limit that is not a number would limit nothing.
+  const auto expect_number = [](const char* what, bool number) {
+    if (!number) throw std::invalid_argument(std::string("the device's ") + what + " is not a number");
+  };
+  expect_number("peak force", !std::isnan(capabilities.peak_force));
+  expect_number("continuous force", !std::isnan(capabilities.continuous_force));
+  expect_number("resolution", !std::isnan(capabilities.resolution));
+  expect_number("friction", !std::isnan(capabilities.friction));
+  expect_number("workspace", !capabilities.workspace_low.hasNaN() && !capabilities.workspace_high.hasNaN());
   if (const auto button = options.dead_man_button; button && !(*button >= 0 && *button < capabilities.buttons))
     refuse("dead-man button: expected one of the device's " + std::to_string(capabilities.buttons) + ", counted from 0",
            *button);
@@ -165,6 +174,8 @@ void Run::tick() noexcept {
   const std::int64_t read_at = now();
   if (const Fault* fault = std::get_if<Fault>(&read)) return end_with(*fault);
   if (std::holds_alternative<EndOfData>(read)) return end_with(EndReason::end_of_data);
+  // The device's own code, or its driver's, may have changed it in this thread.
+  if (const char* fault = fast::arithmetic_fault()) return end_with(Fault{fault});
   last_ = *std::get_if<Reading>(&read);
   render(last_, woken_at, read_at);
   ++result.ticks;

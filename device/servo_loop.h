@@ -89,7 +89,8 @@ struct FloatingPointModeError : std::runtime_error {
 // `stop` may be set by a signal handler or another thread. However the run ends, the last command is zero force; once a rule
 // of the supervisor tripped, so is that very tick's, and only another call starts again.
 // Between the first reading and that command nothing is allocated, locked, written or thrown.
-// Before them, throws FloatingPointModeError, or std::invalid_argument for an option out of range.
+// Before them, throws FloatingPointModeError, or std::invalid_argument for an option out of range or a device that does not
+// know its own limits.
 ServoResult run_servo_loop(Device& device, const fast::Law& law, const ServoOptions& options, const std::atomic<bool>& stop);
 
 }  // namespace forceshade::device

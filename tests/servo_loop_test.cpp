@@ -476,6 +476,42 @@ TEST(servo_loop, refuses_a_rate_or_duration_out_of_range) {
   EXPECT_TRUE(device.commands.empty());
 }
 
+TEST(servo_loop, refuses_a_device_that_does_not_know_its_limits) {
+  struct Unknowing final : Pushing {
+    Capabilities capabilities() const noexcept override { return known; }
+    Capabilities known = Pushing::capabilities();
+  };
+  const auto refuses = [](auto change) {
+    Unknowing device;
+    change(device.known);
+    EXPECT_THROW(run_servo_loop(device, wall(), unpaced(), kNeverStop), std::invalid_argument);
+    EXPECT_TRUE(device.commands.empty());
+  };
+  const float nan = std::nanf("");
+  refuses([=](Capabilities& c) { c.peak_force = nan; });
+  refuses([=](Capabilities& c) { c.continuous_force = nan; });
+  refuses([=](Capabilities& c) { c.resolution = nan; });
+  refuses([=](Capabilities& c) { c.friction = nan; });
+  refuses([=](Capabilities& c) { c.workspace_low.z() = nan; });
+  refuses([=](Capabilities& c) { c.workspace_high.x() = nan; });
+}
+
+TEST(servo_loop, ends_when_the_rounding_mode_changes_under_it) {
+  struct Careless final : Still {
+    ReadResult at(std::size_t reading) noexcept override {
+      if (reading == 3) std::fesetround(FE_UPWARD);
+      return here();
+    }
+  } device;
+  const auto law = wall();
+  const Kept run(device, law, unpaced());
+  std::fesetround(FE_TONEAREST);
+  EXPECT_EQ(run.end_reason, EndReason::device_fault);
+  EXPECT_STREQ(run.fault, "rounding other than to nearest");
+  EXPECT_EQ(run.ticks, 3U);
+  expect_ends_at_zero_force(run);
+}
+
 TEST(servo_loop, refuses_a_rounding_mode_that_is_not_to_nearest) {
   Endless device;
   const auto law = wall();
