@@ -76,8 +76,9 @@ void Phantom::ask_what_it_can() {
   const char* model = hd_.hdGetString(hdapi::kModel);
   if (known() && model) model_ = model;
   capabilities_.model = model_;
-  capabilities_.latency = true;  // of a frame, now and then of two
-  capabilities_.buttons = 4;     // as many as the driver has bits for; it does not say how many there are
+  capabilities_.latency = true;       // of a frame, now and then of two
+  capabilities_.buttons = 4;          // as many as the driver has bits for; it does not say how many there are
+  capabilities_.resolution = 0.055F;  // the driver does not say; the coarsest sheet's, Omni's and Touch's
 
   std::array<double, 6> box{};
   hd_.hdGetDoublev(hdapi::kUsableWorkspace, box.data());

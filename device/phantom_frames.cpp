@@ -53,7 +53,8 @@ void PhantomFrames::frame(const Order& order) noexcept {
   if (pushes && sample_.time - order.time > patience_) note(hdapi::kStalled);
 
   const auto stopping = [&] { return order.close || sample_.trouble; };
-  const Eigen::Vector3d force = sample_.phase == Phase::ready && !stopping() ? order.force : Eigen::Vector3d::Zero();
+  const bool obeys = sample_.phase == Phase::ready && sample_.forces_on && !stopping();
+  const Eigen::Vector3d force = obeys ? order.force : Eigen::Vector3d::Zero();
   hd_.hdSetDoublev(hdapi::kForce, force.data());
   went_well("setting the force");
   hd_.hdEndFrame(device_);
