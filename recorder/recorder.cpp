@@ -108,6 +108,11 @@ class Recorder::Writer {
     stop();
     Result result{written_, dropped_ + chunk_.size() + ring_.read_available(), error_};
     if (!result.error.empty()) return result;
+    // Who deletes a file that is being written notices nothing, and neither does SQLite.
+    if (::access(database_.path().c_str(), F_OK) != 0) {
+      result = {0, result.written + result.lost, database_.path() + ": the recording was deleted while it was made"};
+      return result;
+    }
     try {
       database_.execute("BEGIN");
       insert(database_, {{"ended", now_utc()},

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <new>
 #include <thread>
 
@@ -193,6 +194,18 @@ TEST(recorder, loses_nothing_when_a_full_disk_gets_room_again) {
   EXPECT_EQ(error, "");
   Recording recording(path);
   EXPECT_EQ(problems_of(recording), std::vector<std::string>{});
+}
+
+TEST(recorder, says_that_the_recording_was_deleted) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("run.fsr");
+  Recorder recorder(path, {});
+  for (std::uint64_t tick = 0; tick < 10; ++tick) recorder.push(sample(tick));
+  std::filesystem::remove(path);
+  const auto [written, lost, error] = recorder.close("time up");
+  EXPECT_EQ(written, 0U);
+  EXPECT_EQ(lost, 10U);
+  EXPECT_EQ(error, path + ": the recording was deleted while it was made");
 }
 
 TEST(recorder, never_overwrites_and_leaves_no_file_that_it_cannot_begin) {
