@@ -34,9 +34,12 @@ RunRecord::~RunRecord() {
   recorder_.reset();
   std::error_code ignored;
   if (is_csv() && !kept_) fs::remove_all(directory_, ignored);
+  if (!is_csv() && !closed_)
+    for (const char* suffix : {"", "-wal", "-shm"}) fs::remove(path_ + suffix, ignored);
 }
 
 bool RunRecord::close(const std::string& end_reason) {
+  closed_ = true;
   const auto [written, lost, error] = recorder_->close(end_reason);
   const bool whole = lost == 0 && error.empty();
   if (!whole)

@@ -18,7 +18,8 @@ class RunRecord {
   // ticks. Throws RecordingError or csv::OutputError.
   RunRecord(std::string path, recorder::Metadata metadata, bool paced);
 
-  // A recording that could not be exported is kept, and its name was said.
+  // A recording that was never closed is of a run that never began, and goes; one that could not be exported is kept, and its
+  // name was said.
   ~RunRecord();
   RunRecord(const RunRecord&) = delete;
   RunRecord& operator=(const RunRecord&) = delete;
@@ -35,7 +36,7 @@ class RunRecord {
   std::string path_;
   std::filesystem::path directory_;  // of the recording behind a CSV
   std::optional<recorder::Recorder> recorder_;
-  bool kept_ = false;
+  bool closed_ = false, kept_ = false;
 };
 
 }  // namespace forceshade::apps

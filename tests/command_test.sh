@@ -146,6 +146,8 @@ expect 0 "(time up)" -- "$forceshade" drive --law wall --uncertified --device nu
 expect 0 "passivity         tank: account" -- "$forceshade" drive --law wall --uncertified --device simulated --seconds 0.1 --unpaced --passivity tank
 expect 2 "--passivity" -- drive --law wall --uncertified --passivity teapot
 expect 2 "dead-man button: expected one of the device's 0" -- drive --law wall --uncertified --dead-man 1
+expect 2 "dead-man button" -- drive --law wall --uncertified --dead-man 1 --record never.fsr
+same "" "$(ls | grep never)"
 expect 0 "not supervised" -- drive --law wall --uncertified
 # A hand that is torn sideways under force: the supervisor ends the run, and says why.
 { echo t_s,x_mm,y_mm,z_mm; for i in $(seq 0 19); do echo "0.$((i / 10))$((i % 10))0,0,0,3"; done
