@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A disk of a test's own: everything SQLite opens while one of these lives can be made slow or full.
+// A disk of a test's own: everything SQLite opens while one of these lives can be made slow, full, or gone.
 
 #include <sqlite3.h>
 
@@ -16,11 +16,12 @@ class FaultyDisk {
  public:
   static inline std::atomic<int> write_ms = 0, sync_ms = 0;  // how long each call takes
   static inline std::atomic<bool> full = false;              // each write fails as on a full disk
+  static inline std::atomic<bool> unplugged = false;         // each write and sync fails as on a disk that is gone
   static inline std::atomic<int> refused_writes = 0;
 
   FaultyDisk() {
     write_ms = sync_ms = refused_writes = 0;
-    full = false;
+    full = unplugged = false;
     static sqlite3_vfs faulty = [] {
       sqlite3_vfs vfs = *real();
       vfs.zName = "faulty";
@@ -50,10 +51,12 @@ class FaultyDisk {
     methods.xWrite = [](sqlite3_file* self, const void* bytes, int count, sqlite3_int64 offset) {
       std::this_thread::sleep_for(std::chrono::milliseconds(write_ms));
       if (full) return ++refused_writes, SQLITE_FULL;
+      if (unplugged) return ++refused_writes, SQLITE_IOERR_WRITE;
       return real_write(self, bytes, count, offset);
     };
     methods.xSync = [](sqlite3_file* self, int how) {
       std::this_thread::sleep_for(std::chrono::milliseconds(sync_ms));
+      if (unplugged) return SQLITE_IOERR_FSYNC;
       return real_sync(self, how);
     };
     file->pMethods = &methods;

@@ -347,7 +347,7 @@ TEST(servo_loop, does_not_take_a_force_that_is_withheld_for_one_that_moves_nothi
                       Tremor(1, 0.03), true};
   Simulated device(premium_1_5(), hand);
   const Kept run(device, wall(), unpaced());
-  EXPECT_EQ(run.end_reason, EndReason::end_of_data) << name_of(run.trip->rule);
+  EXPECT_EQ(run.end_reason, EndReason::end_of_data) << (run.trip ? name_of(run.trip->rule) : run.fault);
   EXPECT_GT(run.account.largest_change, 0.5);
 }
 

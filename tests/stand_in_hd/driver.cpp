@@ -46,6 +46,13 @@ Driver& driver() {
   return it;
 }
 
+void obey(Driver& d, const Eigen::Vector3d& force) {
+  d.phantom->command(device::turned_to_law(force).cast<float>());
+  const bool pushed = d.pushes;
+  d.pushes = !force.isZero(0);
+  if (pushed && !d.pushes) d.seen.pushed_until = Clock::now();
+}
+
 void run(double rate) {
   const auto period = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / rate));
   for (auto due = Clock::now(); !driver().stop; due = std::max(due + period, Clock::now())) {

@@ -33,7 +33,7 @@ struct Driver {
   Seen seen;
   std::vector<HDErrorInfo> errors;
   std::unique_ptr<device::Simulated> phantom;
-  bool in_frame = false;
+  bool in_frame = false, pushes = false;
   int frames_this_tick = 0;
   Eigen::Vector3d position{0, 0, 0}, force{0, 0, 0};
   std::array<HDlong, 6> encoder{};
@@ -45,6 +45,9 @@ struct Driver {
 };
 
 Driver& driver();
+
+// What the arm feels from now on.
+void obey(Driver& driver, const Eigen::Vector3d& force);
 
 enum class Where { anywhere, not_beside_scheduler, in_frame };
 

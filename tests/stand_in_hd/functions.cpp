@@ -12,6 +12,7 @@ using stand_in_hd::Call;
 using stand_in_hd::Driver;
 using stand_in_hd::driver;
 using stand_in_hd::kDevice;
+using stand_in_hd::obey;
 using stand_in_hd::Where;
 
 extern "C" {
@@ -56,6 +57,7 @@ void hdBeginFrame(HHD device) {
   d.position = turned_to_arm(reading.position.cast<double>());
   std::copy(reading.encoder->begin(), reading.encoder->end(), d.encoder.begin());
   if (d.orders.position) d.position = *d.orders.position;
+  if (d.orders.output_goes_off) d.seen.output = false;
   std::this_thread::sleep_for(d.orders.frame_time);
   call.fail(d.orders.begin);
 }
@@ -68,7 +70,7 @@ void hdEndFrame(HHD) {
   if (!d.force.allFinite()) call.breach("with a force that is not finite");
   if (d.force.norm() > d.orders.peak_force * (1 + 1e-12)) call.breach("with more than the highest force");
   if (!d.seen.output && !d.force.isZero(0)) call.breach("with a force while the output is off");
-  d.phantom->command(turned_to_law(d.seen.output ? d.force : Eigen::Vector3d(0, 0, 0)).cast<float>());
+  obey(d, d.seen.output ? d.force : Eigen::Vector3d(0, 0, 0));
   d.seen.frames.push_back({d.position, d.force});
   for (const HDerror code : d.orders.end) call.fail(code);
 }
@@ -97,6 +99,7 @@ void hdDisable(HDenum what) {
   Call call("hdDisable", Where::not_beside_scheduler);
   if (what != kForceOutput) return call.fail(kInvalidEnum);
   call.d.seen.output = false;
+  if (call.d.phantom) obey(call.d, {0, 0, 0});
 }
 
 HDboolean hdIsEnabled(HDenum what) {

@@ -27,6 +27,7 @@ struct Orders {
   std::optional<Eigen::Vector3d> position = std::nullopt;  // mm, in the driver's frame, instead of the simulated one
   double peak_force = 8.5, temperature = 0.25;
   bool output_stays_off = false;
+  bool output_goes_off = false;             // as by an emergency switch
   bool withholds_position = false;          // hdGet writes nothing and reports no error
   bool hung = false;                        // the scheduler runs no callback
   std::chrono::milliseconds frame_time{0};  // more than a frame takes anyway
@@ -44,6 +45,7 @@ struct Seen {
   int updates = 0;  // of the calibration
   double rate = 1000;
   std::vector<Frame> frames;
+  std::chrono::steady_clock::time_point pushed_until{};  // when the arm was last let go, by zero sent or the output off
 };
 
 // As though freshly loaded. Not while its scheduler runs.
