@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The domain of height maps, as docs/height-maps.md states it.
+
+#include <optional>
+
+#include "forceshade/vocabulary/height_map.h"
+#include "forceshade/vocabulary/law.h"
+
+namespace forceshade::reference {
+
+// The first number that is outside; stiffness: N/mm.
+std::optional<ParameterError> first_error(const HeightMap& map, float stiffness);
+
+}  // namespace forceshade::reference

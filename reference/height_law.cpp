@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/reference/height_law.h"
+
+#include <cmath>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "forceshade/reference/height_cap.h"
+#include "forceshade/reference/height_cone.h"
+#include "forceshade/reference/height_domain.h"
+#include "forceshade/reference/height_gaussian.h"
+#include "forceshade/reference/height_grating.h"
+#include "forceshade/reference/height_grid.h"
+#include "forceshade/reference/height_plane.h"
+#include "forceshade/reference/tie.h"
+
+namespace forceshade::reference {
+namespace {
+
+using height::Rendering;
+
+template <class N>
+struct HeightForce {
+  N gap;      // mm: the penetration
+  N x, y, z;  // N, where the gap is positive
+};
+
+template <class T>
+constexpr bool kIsTranscendental = std::is_same_v<T, height::Gaussian> || std::is_same_v<T, height::Grating>;
+template <class T>
+constexpr bool kIsRational = std::is_same_v<T, height::Plane> || std::is_same_v<T, std::shared_ptr<const height::Grid>>;
+
+const height::Grid& as_shape(const std::shared_ptr<const height::Grid>& grid) {
+  return *grid;
+}
+template <class T>
+const T& as_shape(const T& shape) {
+  return shape;
+}
+
+template <class N>
+Jet<N> part_jet(const height::Part& part, const Point2& at) {
+  const Jet<N> one = std::visit(
+      [&]<class T>(const T& shape) -> Jet<N> {
+        if constexpr (kIsTranscendental<T> && !std::is_same_v<N, Enclosure>) {
+          throw std::logic_error("a transcendental height in an algebraic number");
+        } else if constexpr (kIsRational<T> && std::is_same_v<N, Exact>) {
+          const Jet<Rational> value = jet<Rational>(as_shape(shape), at);
+          return {Exact(value.U), Exact(value.Ux), Exact(value.Uy)};
+        } else if constexpr (kIsTranscendental<T>) {
+          return jet(shape, at);
+        } else {
+          return jet<N>(as_shape(shape), at);
+        }
+      },
+      part.shape);
+  return part.negated ? -one : one;
+}
+
+template <class N>
+HeightForce<N> force(const HeightLaw& law, const Point2& at, double z) {
+  const bool is_shaded = law.rendering() == Rendering::force_shaded;
+  Jet<N> map = Jet<N>::flat();
+  for (const height::Part& part : law.map().parts) map = map + part_jet<N>(part, at);
+  const N gap = is_shaded ? N(-z) : N(map.U - N(z));
+  N magnitude = N(static_cast<double>(law.stiffness())) * gap;
+  if (law.rendering() != Rendering::conservative) magnitude = magnitude / sqrt(N(map.Ux * map.Ux + map.Uy * map.Uy + N(1.0)));
+  return {gap, -magnitude * map.Ux, -magnitude * map.Uy, magnitude};
+}
+
+// By exact comparison with the middle between two neighbours.
+float nearest_binary32(const Exact& value) {
+  if (value.sign() == 0) return 0;
+  const auto near = static_cast<float>(CGAL::to_double(value));
+  const bool is_below = (value - Exact(static_cast<double>(near))).sign() < 0;
+  const float below = is_below ? std::nextafter(near, -HUGE_VALF) : near, above = std::nextafter(below, HUGE_VALF);
+  const double tie = 0.5 * (static_cast<double>(below) + static_cast<double>(above));
+  return rounded_between(below, above, (value - Exact(tie)).sign());
+}
+
+Rounded round_exactly(const HeightLaw& law, const Point2& at, double z) {
+  const HeightForce<Exact> exact = force<Exact>(law, at, z);
+  if (exact.gap.sign() <= 0) return {{0, 0, 0}, Status::free, Method::exact};
+  return {{nearest_binary32(exact.x), nearest_binary32(exact.y), nearest_binary32(exact.z)}, Status::contact, Method::exact, 0};
+}
+
+// The binary32 both ends round to, or nothing.
+std::optional<float> agreed_binary32(const Enclosure& value) {
+  const float low = mpfr_get_flt(lower(value).backend().data(), MPFR_RNDN);
+  const float high = mpfr_get_flt(upper(value).backend().data(), MPFR_RNDN);
+  if (low != high) return std::nullopt;
+  return low + 0.0F;
+}
+
+Rounded round_by_enclosures(const HeightLaw& law, const Point2& at, double z) {
+  for (const unsigned bits : {128U, 768U, 3072U}) {
+    set_precision(bits);
+    const HeightForce<Enclosure> enclosed = force<Enclosure>(law, at, z);
+    if (upper(enclosed.gap) <= 0) return {{0, 0, 0}, Status::free, Method::enclosure};
+    if (lower(enclosed.gap) <= 0) continue;
+    const auto x = agreed_binary32(enclosed.x), y = agreed_binary32(enclosed.y), fz = agreed_binary32(enclosed.z);
+    if (x && y && fz) return {{*x, *y, *fz}, Status::contact, Method::enclosure};
+  }
+  throw std::domain_error("height map: 3072 bits do not decide the force at (" + std::to_string(at.x) + ", " +
+                          std::to_string(at.y) + ", " + std::to_string(z) + ") mm");
+}
+
+bool is_transcendental(const HeightMap& map) {
+  for (const height::Part& part : map.parts)
+    if (std::visit([]<class T>(const T&) { return kIsTranscendental<T>; }, part.shape)) return true;
+  return false;
+}
+
+double quantised(float coordinate) {
+  return std::fabs(coordinate) < std::ldexp(1.0F, -30) ? 0.0 : static_cast<double>(coordinate);
+}
+
+}  // namespace
+
+std::variant<HeightLaw, ParameterError> HeightLaw::build(HeightMap map, Rendering rendering, float stiffness) {
+  if (const auto error = first_error(map, stiffness)) return *error;
+  return HeightLaw(std::move(map), rendering, stiffness);
+}
+
+Rounded HeightLaw::round_to_binary32(const Eigen::Vector3f& position) const {
+  if (!((position.array() >= -1e4F).all() && (position.array() <= 1e4F).all())) return {{0, 0, 0}, Status::invalid};
+  const Point2 at{quantised(position.x()), quantised(position.y())};
+  const double z = quantised(position.z());
+  // Even where the force is a Filter's, CORE's rationals decide which cell it comes from.
+  const std::lock_guard lock(slow_numbers);
+  if (is_transcendental(map_)) return round_by_enclosures(*this, at, z);
+  try {
+    const HeightForce<Filter> quick = force<Filter>(*this, at, z);
+    if (!(quick.gap > Filter(0.0))) return {};
+    return {{quick.x.round(), quick.y.round(), quick.z.round()}, Status::contact, Method::filter};
+  } catch (const Undecided&) {
+    return round_exactly(*this, at, z);
+  }
+}
+
+}  // namespace forceshade::reference

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The truth about a height map's force: rounded to binary32, with proof (docs/height-maps.md).
+
+#include <Eigen/Core>
+#include <variant>
+
+#include "forceshade/reference/law.h"
+#include "forceshade/vocabulary/height_map.h"
+
+namespace forceshade::reference {
+
+// Immutable and safe to share between threads.
+class HeightLaw {
+ public:
+  static std::variant<HeightLaw, ParameterError> build(HeightMap map, height::Rendering rendering, float stiffness);
+
+  const HeightMap& map() const { return map_; }
+  height::Rendering rendering() const { return rendering_; }
+  float stiffness() const { return stiffness_; }
+
+  // As Law::round_to_binary32. Every answer is decided for maps without Gaussian or grating; with one, a position that 3072
+  // bits do not decide throws std::domain_error, which names it: none is known but sums whose parts cancel.
+  Rounded round_to_binary32(const Eigen::Vector3f& position) const;
+
+ private:
+  HeightLaw(HeightMap map, height::Rendering rendering, float stiffness)
+      : map_(std::move(map)), rendering_(rendering), stiffness_(stiffness) {}
+
+  HeightMap map_;
+  height::Rendering rendering_;
+  float stiffness_;
+};
+
+}  // namespace forceshade::reference
