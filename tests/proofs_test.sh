@@ -84,6 +84,8 @@ check() {  # script's basename, bound that its intervals must imply, or "" if on
 
 check polygon_gap ""
 check double_double "$(constant "$fast/double_double.h" kRelativeError)"
+check height_spline "$(constant "$fast/height_spline.h" kSplineError)"
+check height_force "$(constant "$fast/height_force.h" kHeightForceError)"
 laws=$(sed -n 's/.*{LawId::[a-z0-9_]*, "[^"]*", "\([a-z0-9_]*\)"},/\1/p' "$2/vocabulary/law.h")
 [ "$(wc -w <<<"$laws")" -ge 9 ] || fail "only $(wc -w <<<"$laws") laws found in vocabulary/law.h"
 for law in $laws; do check "$law" "$(constant "$fast/$law.h" kErrorBound)"; done

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A stroke across a 1024 by 1024 B-spline texture: the proved evaluation beside a naive binary32 one of the same spline, which
+// checks nothing, bounds nothing and is compiled as it likes to be (bench/CMakeLists.txt).
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "forceshade/bench/naive_spline.h"
+#include "forceshade/fast/height_law.h"
+
+namespace forceshade::bench {
+namespace {
+
+constexpr std::uint32_t kSamples = 1024;
+constexpr float kPitch = 0.1F, kStiffness = 0.5F;  // mm, N/mm
+
+std::shared_ptr<const height::Grid> texture() {
+  static const auto grid = [] {
+    height::Grid g{kSamples, kSamples, kPitch, height::Edge::clamp, height::Interpolant::cubic_spline, {}};
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> uniform(-0.3F, 0.3F);
+    for (std::uint32_t i = 0; i < kSamples * kSamples; ++i) g.values.push_back(uniform(random));
+    return std::make_shared<const height::Grid>(std::move(g));
+  }();
+  return grid;
+}
+
+// A finger at 1 kHz, up to 60 mm/s, always in contact.
+std::vector<Eigen::Vector3f> stroke() {
+  std::vector<Eigen::Vector3f> positions;
+  for (int i = 0; i < 4096; ++i) {
+    const auto ms = static_cast<float>(i);
+    positions.emplace_back(40 * std::sin(0.0015F * ms), 30 * std::sin(0.0011F * ms), -1 - 0.5F * std::sin(0.01F * ms));
+  }
+  return positions;
+}
+
+void proved(benchmark::State& state, height::Rendering rendering) {
+  const auto law = std::get<fast::HeightLaw>(fast::HeightLaw::build({{{texture()}}}, rendering, kStiffness));
+  const auto positions = stroke();
+  std::size_t i = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(law.evaluate(positions[i++ % positions.size()]));
+}
+
+void naive(benchmark::State& state) {
+  const NaiveSpline spline{texture()->values.data(), kSamples, kPitch, kStiffness};
+  const auto positions = stroke();
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const Eigen::Vector3f& p = positions[i++ % positions.size()];
+    benchmark::DoNotOptimize(naive_force(spline, p.x(), p.y(), p.z()));
+  }
+}
+
+BENCHMARK_CAPTURE(proved, height_map, height::Rendering::true_height);
+BENCHMARK_CAPTURE(proved, height_map_shaded, height::Rendering::force_shaded);
+BENCHMARK_CAPTURE(proved, height_map_conservative, height::Rendering::conservative);
+BENCHMARK(naive);
+
+}  // namespace
+}  // namespace forceshade::bench
+
+BENCHMARK_MAIN();

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The domain of height maps, as the real-time side applies it (docs/height-maps.md).
+
+#include <optional>
+
+#include "forceshade/vocabulary/height_map.h"
+#include "forceshade/vocabulary/law.h"
+
+namespace forceshade::fast {
+
+// The first number that is outside; stiffness: N/mm.
+std::optional<ParameterError> first_error(const HeightMap& map, float stiffness) noexcept;
+
+}  // namespace forceshade::fast

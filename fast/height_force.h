@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// From a height map's jet to the force, in binary64 with a bound and in Ball arithmetic.
+
+#include "forceshade/fast/evaluate.h"
+#include "forceshade/fast/height_jet.h"
+
+namespace forceshade::fast {
+
+// Bound of the roundings below, relative to each component: height_force.g.
+inline constexpr double kHeightForceError = 0x1.4p-50;
+
+struct RoundedComponent {
+  float value;  // N
+  bool is_sure;
+};
+
+struct HeightForce {
+  float x, y, z;  // N
+  Sign contact;   // unknown: binary64 cannot tell, or not how to round
+};
+
+// K: N/mm; z: mm.
+//
+// With M = K·gap/n, n = √(1 + U_x² + U_y²) and e the errors of the jet: |n - n'| <= e_x + e_y, for a length changes by no more
+// than its vector, so M is within (K·e_U + M(e_x + e_y))/n of its exact value (n >= 1 is left out), and M·U_x within that times
+// |U_x| and M·e_x; products of two errors are below 2^-22 of these where an answer is given at all, which kSlack pays for.
+FORCESHADE_INLINE HeightForce height_force(const Jet<Tracked>& map, height::Rendering rendering, double K, double z) noexcept {
+  constexpr double kSlack = 1 + 0x1p-20;
+  const bool is_shaded = rendering == height::Rendering::force_shaded;
+  const double gap = is_shaded ? -z : map.U.value - z;
+  const double gap_error = is_shaded ? 0 : map.U.error;
+  if (!map.decided) return {0, 0, 0, Sign::unknown};
+  if (!(gap > kSlack * gap_error)) return {0, 0, 0, gap <= -kSlack * gap_error ? Sign::negative : Sign::unknown};
+  const double Ux = map.Ux.value, Uy = map.Uy.value;
+  double M = K * gap, error = K * gap_error;
+  if (rendering != height::Rendering::conservative) {
+    M = M / __builtin_sqrt(1 + (Ux * Ux + Uy * Uy));
+    error = error + M * (map.Ux.error + map.Uy.error);
+  }
+  // Over a flat place all is exact as often as not, ties included, which no error bound could tell from their neighbours.
+  const bool is_exact = Ux == 0 && Uy == 0 && gap_error + map.Ux.error + map.Uy.error == 0 &&
+                        (is_shaded || two_sum(map.U.value, -z).lo == 0) && two_product(K, gap).lo == 0;
+  error = is_exact ? 0 : kSlack * error + kHeightForceError * M;
+  const auto rounded = [&](const Tracked& slope) -> RoundedComponent {
+    const double value = M * -slope.value, reach = error * __builtin_fabs(slope.value) + kSlack * (M * slope.error);
+    const auto low = static_cast<float>(value - reach), high = static_cast<float>(value + reach);
+    return {low + 0.0F, low == high};  // -0 becomes +0
+  };
+  const RoundedComponent x = rounded(map.Ux), y = rounded(map.Uy), up = rounded({-1, 0});
+  return {x.value, y.value, up.value, x.is_sure & y.is_sure & up.is_sure ? Sign::positive : Sign::unknown};
+}
+
+// Sizes of gap and slopes from which on the errors of a jet are below 2^-36 of them.
+struct SureSizes {
+  double gap = HUGE_VAL, Ux = HUGE_VAL, Uy = HUGE_VAL;
+};
+
+// The force where the jet's errors are small beside it: then each component is good to 2^-34, for errors of gap, n and slope
+// add up to three times 2^-36, and roundings to kHeightForceError. Unknown elsewhere, and next to ties.
+FORCESHADE_INLINE HeightForce height_force(double U, double Ux, double Uy, const SureSizes& sure, height::Rendering rendering,
+                                           double K, double z) noexcept {
+  constexpr int kWindow = doubt_window(0x1p-34);
+  const bool is_shaded = rendering == height::Rendering::force_shaded;
+  const double gap = is_shaded ? -z : U - z, least_gap = is_shaded ? 0 : sure.gap;
+  if (gap <= -least_gap) return {0, 0, 0, Sign::negative};
+  double M = K * gap;
+  if (rendering != height::Rendering::conservative) M = M / __builtin_sqrt(1 + (Ux * Ux + Uy * Uy));
+  const double x = M * -Ux, y = M * -Uy;
+  const bool is_sure = gap >= least_gap && __builtin_fabs(Ux) >= sure.Ux && __builtin_fabs(Uy) >= sure.Uy &&
+                       !rounding_is_in_doubt<kWindow>(x) && !rounding_is_in_doubt<kWindow>(y) &&
+                       !rounding_is_in_doubt<kWindow>(M);
+  return {static_cast<float>(x) + 0.0F, static_cast<float>(y) + 0.0F, static_cast<float>(M),
+          is_sure ? Sign::positive : Sign::unknown};
+}
+
+template <class N>
+std::optional<Evaluation> height_force(const Jet<N>& map, height::Rendering rendering, double stiffness, double z,
+                                       Stage stage) noexcept {
+  if (!map.decided) return std::nullopt;
+  const N gap = rendering == height::Rendering::force_shaded ? N::exactly(-z) : map.U - N::exactly(z);
+  const Sign contact = sign(gap);
+  if (contact == Sign::unknown) return std::nullopt;
+  if (contact != Sign::positive) return Evaluation{{0, 0, 0}, Status::free, stage};
+  N magnitude = N::exactly(stiffness) * gap;
+  if (rendering != height::Rendering::conservative)
+    magnitude = magnitude / square_root(N::exactly(1) + (map.Ux * map.Ux + map.Uy * map.Uy));
+  const auto x = round_to_binary32(-(magnitude * map.Ux)), y = round_to_binary32(-(magnitude * map.Uy)),
+             fz = round_to_binary32(magnitude);
+  if (!x || !y || !fz) return std::nullopt;
+  return Evaluation{{*x, *y, *fz}, Status::contact, stage};
+}
+
+}  // namespace forceshade::fast

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The real-time renderer of height maps: a force at the surface's own depth, or at the plane's, along the map's normal.
+
+#include <Eigen/Core>
+#include <variant>
+#include <vector>
+
+#include "forceshade/fast/evaluate.h"
+#include "forceshade/fast/height_force.h"
+#include "forceshade/fast/height_grid.h"
+#include "forceshade/vocabulary/height_map.h"
+#include "forceshade/vocabulary/law.h"
+
+namespace forceshade::fast {
+
+// Evaluates without allocation, lock or exception; immutable, safe to share between threads. A grid is shared, not copied.
+class HeightLaw {
+ public:
+  // Domains: docs/height-maps.md; Gaussian and grating have no real-time evaluation yet and are refused. Looks at every value
+  // of a grid, and allocates. Under an arithmetic fault (fast/arithmetic.h) nothing is built.
+  static std::variant<HeightLaw, ParameterError> build(const HeightMap& map, height::Rendering rendering, float stiffness);
+
+  // Each component is the exact force rounded to binary32, but for a sum of parts within 2^-1900 of a tie; as Law::evaluate.
+  Evaluation evaluate(const Eigen::Vector3f& position) const noexcept;
+  Eigen::Vector3f force(const Eigen::Vector3f& position) const noexcept { return evaluate(position).force; }
+
+ private:
+  using Shape = std::variant<height::Plane, height::Cone, height::CylinderCap, height::SphereCap, HeightGrid>;
+  struct Part {
+    Shape shape;
+    bool negated;
+  };
+
+  template <class T>
+  static std::optional<Shape> real_time(T shape) noexcept;
+  HeightLaw(std::vector<Part> parts, height::Rendering rendering, float stiffness) noexcept;
+
+  template <class N>
+  Jet<N> jet_at(const Place& at) const noexcept;
+  Evaluation evaluate_in_stages(const Place& at, double z) const noexcept;
+
+  // The one part of a map that is a B-spline and no more: the case with a path of its own. Null for any other.
+  const HeightGrid* only_spline() const noexcept {
+    const auto* grid = std::get_if<HeightGrid>(&parts_.front().shape);
+    return grid != nullptr && is_only_spline_ ? grid : nullptr;
+  }
+
+  std::vector<Part> parts_;
+  height::Rendering rendering_;
+  double stiffness_;  // N/mm
+  bool is_only_spline_;
+  SureSizes sure_;  // of the spline that is_only_spline_ tells of
+};
+
+}  // namespace forceshade::fast

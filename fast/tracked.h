@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The first stage's number for height maps: a binary64 with a proven bound of its own error, a Ball (fast/ball.h).
+
+#include <cmath>
+#include <optional>
+
+#include "forceshade/fast/ball.h"
+#include "forceshade/fast/inline.h"
+
+namespace forceshade::fast {
+
+// |true value - value| <= error. An operation charges 2^-53 of its result, which holds unless that is subnormal (no number of
+// a height map is below 2^-450 in size without being 0), and what it hands on; kSlack pays for the bound's own roundings, at
+// most six.
+struct Tracked {
+  double value = 0, error = 0;
+
+  static constexpr double kUnit = 0x1p-53;
+  static constexpr double kSlack = 1 + 0x1p-50;
+
+  FORCESHADE_INLINE static Tracked exactly(double value) noexcept { return {value, 0}; }
+  FORCESHADE_INLINE static Tracked rounded(double value, double propagated) noexcept {
+    return {value, kSlack * (propagated + kUnit * __builtin_fabs(value))};
+  }
+
+  FORCESHADE_INLINE Tracked operator-() const noexcept { return {-value, error}; }
+  FORCESHADE_INLINE friend Tracked operator+(const Tracked& a, const Tracked& b) noexcept {
+    return rounded(a.value + b.value, a.error + b.error);
+  }
+  FORCESHADE_INLINE friend Tracked operator-(const Tracked& a, const Tracked& b) noexcept { return a + (-b); }
+  FORCESHADE_INLINE friend Tracked operator*(const Tracked& a, const Tracked& b) noexcept {
+    return rounded(a.value * b.value,
+                   __builtin_fabs(a.value) * b.error + (__builtin_fabs(b.value) * a.error + a.error * b.error));
+  }
+  // A divisor that may be zero gives an infinite error, not a trap.
+  FORCESHADE_INLINE friend Tracked operator/(const Tracked& a, const Tracked& b) noexcept {
+    const double size = __builtin_fabs(b.value) - b.error;
+    if (!(size > 0)) return {0, HUGE_VAL};
+    const double quotient = a.value / b.value;
+    return rounded(quotient, (a.error + __builtin_fabs(quotient) * b.error) / size);
+  }
+  FORCESHADE_INLINE friend Tracked square_root(const Tracked& a) noexcept {
+    if (!(a.value > a.error)) return {0, a.value == 0 && a.error == 0 ? 0 : HUGE_VAL};
+    const double root = __builtin_sqrt(a.value);
+    return rounded(root, a.error / root);
+  }
+
+  FORCESHADE_INLINE friend Sign sign(const Tracked& a) noexcept {
+    if (__builtin_fabs(a.value) > a.error) return a.value > 0 ? Sign::positive : Sign::negative;
+    return a.value == 0 && a.error == 0 ? Sign::zero : Sign::unknown;
+  }
+};
+
+// As the general one: both ends of the enclosure round to the answer. 2^-52 pays for the rounding of the ends themselves.
+FORCESHADE_INLINE std::optional<float> round_to_binary32(const Tracked& a) noexcept {
+  const double reach = a.error == 0 ? 0 : a.error + 0x1p-52 * __builtin_fabs(a.value);
+  const auto low = static_cast<float>(a.value - reach), high = static_cast<float>(a.value + reach);
+  if (!(low == high)) return std::nullopt;
+  return low + 0.0F;  // -0 becomes +0
+}
+
+}  // namespace forceshade::fast

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The real-time height maps against the reference, bit for bit, on positions aimed at what could go wrong.
+
+#include "forceshade/fast/height_law.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <bit>
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <random>
+
+#include "forceshade/fast/height_spline.h"
+#include "forceshade/properties/binary32.h"
+#include "forceshade/reference/height_law.h"
+
+namespace {
+
+std::atomic<std::size_t> allocations{0};
+
+}  // namespace
+
+// Counts, for allocates_nothing. Not inlined, or g++ takes malloc and delete for a mismatched pair.
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace forceshade {
+namespace {
+
+using Eigen::Vector3f;
+using height::Edge;
+using height::Interpolant;
+using properties::neighbour;
+using properties::same_bits;
+using properties::show;
+
+using Random = std::mt19937_64;
+
+float uniform(Random& random, float low, float high) {
+  return std::uniform_real_distribution<float>(low, high)(random);
+}
+
+std::shared_ptr<const height::Grid> grid(std::uint32_t columns, std::uint32_t rows, float pitch, Edge edge,
+                                         Interpolant interpolant,
+                                         const std::function<float(std::uint32_t, std::uint32_t)>& value) {
+  height::Grid g{columns, rows, pitch, edge, interpolant, {}};
+  for (std::uint32_t j = 0; j < rows; ++j)
+    for (std::uint32_t i = 0; i < columns; ++i) g.values.push_back(value(i, j));
+  return std::make_shared<const height::Grid>(std::move(g));
+}
+
+struct Case {
+  const char* name;
+  HeightMap map;
+  std::vector<float> lines;  // mm: coordinates at which something changes, in x and y
+  float reach;               // mm: beyond it nothing new happens
+};
+
+std::vector<Case> cases() {
+  Random random(5);
+  const auto rough = [&](std::uint32_t, std::uint32_t) { return uniform(random, -0.5F, 0.5F); };
+  const auto ridges = [](std::uint32_t i, std::uint32_t) { return 0.25F * static_cast<float>(i % 5); };
+  const auto steps = [](std::uint32_t, std::uint32_t j) { return j % 4 == 0 ? 1e4F : 0x1p-30F; };
+  const auto plate = [](std::uint32_t i, std::uint32_t j) { return i == 9 && j == 4 ? 1.0F : 5.0F; };
+  std::vector<Case> all{
+      {"plane", {{{height::Plane{0.75F, -1.0F / 3, 2}}}}, {0, 1}, 20},
+      {"steep plane", {{{height::Plane{1e3F, -1e3F, 1e4F}}}}, {0, 10}, 30},
+      {"cone", {{{height::Cone{0.5F, -0.25F, 2.5F, 4}}}}, {0.5F, -0.25F, 4.5F, -3.5F, 3.75F, -4.25F}, 8},
+      {"dent", {{{height::Cone{0, 0, 8, 6}, true}}}, {0, 6, -6, 3.6F, 4.8F}, 8},
+      {"cylinder cap", {{{height::CylinderCap{1, 15.24F, 25.4F}}}}, {1, 13.7F, -11.7F}, 20},
+      {"sphere cap", {{{height::SphereCap{1, -1, 5, 8}}}}, {1, -1, 5, -3, 3, -5, 3.4F, 2.2F}, 8},
+      {"bowl", {{{height::SphereCap{0, 0, 1e4F, 1e-3F}, true}}}, {0, 5e-4F, -5e-4F}, 1e-3F},
+  };
+  for (const Interpolant interpolant : {Interpolant::bilinear, Interpolant::cubic_spline})
+    for (const Edge edge : {Edge::clamp, Edge::tile}) {
+      all.push_back({"rough", {{{grid(37, 29, 0.3F, edge, interpolant, rough)}}}, {0, 0.15F, -0.3F, 5.4F, -5.4F}, 7});
+      all.push_back({"ridges", {{{grid(16, 2, 0.25F, edge, interpolant, ridges)}}}, {0, 0.125F, -0.25F, 1.875F}, 3});
+      all.push_back({"plate", {{{grid(20, 9, 100, edge, interpolant, plate)}}}, {0, 50, -100, 950, -400}, 1200});
+      all.push_back({"steps", {{{grid(3, 40, 1e-3F, edge, interpolant, steps), true}}}, {0, 5e-4F, -1e-3F}, 0.03F});
+    }
+  all.push_back({"two bumps and a texture",
+                 {{{height::SphereCap{2, 0, 5, 8}}, {height::Cone{-3, 1, 2, 3}, true}, all[7].map.parts[0]}},
+                 {2, 6, -2, -3, 0, 1, 0.3F},
+                 8});
+  return all;
+}
+
+class Positions {
+ public:
+  Positions(const Case& of, const fast::HeightLaw& law, std::uint64_t seed) : case_(of), law_(law), random_(seed) {}
+
+  Vector3f next() {
+    const float x = coordinate(), y = coordinate();
+    return {x, y, height_at(x, y)};
+  }
+
+ private:
+  std::uint64_t pick(std::uint64_t count) { return random_() % count; }
+  int few() { return static_cast<int>(pick(7)) - 3; }
+
+  float coordinate() {
+    switch (pick(8)) {
+      case 0: return std::bit_cast<float>(static_cast<std::uint32_t>(random_()));  // any bits at all
+      case 1: return neighbour(case_.lines[pick(case_.lines.size())], few());
+      case 2: return case_.lines[pick(case_.lines.size())];
+      case 3: return std::round(uniform(random_, -16, 16) * case_.reach) / 16;  // few bits: ties
+      case 4: return uniform(random_, -1, 1) * std::exp2(uniform(random_, -32, 0));
+      default: return uniform(random_, -1, 1) * case_.reach;
+    }
+  }
+
+  float height_at(float x, float y) {
+    const float contact = highest_contact(x, y);
+    switch (pick(8)) {
+      case 0: return std::bit_cast<float>(static_cast<std::uint32_t>(random_()));
+      case 1:
+      case 2: return neighbour(contact, few());
+      case 3: return neighbour(0, few());
+      case 4: return contact - std::exp2(uniform(random_, -30, 4));
+      case 5: return std::round(16 * (contact - uniform(random_, 0, 2))) / 16;
+      default: return contact - uniform(random_, 0, 2);
+    }
+  }
+
+  // By bisection over the ordered binary32 numbers; only where to aim, so the law under test may say it.
+  float highest_contact(float x, float y) const {
+    const auto number = [](std::int64_t place) {
+      return place < 0 ? -std::bit_cast<float>(static_cast<std::uint32_t>(-place))
+                       : std::bit_cast<float>(static_cast<std::uint32_t>(place));
+    };
+    std::int64_t low = -static_cast<std::int64_t>(std::bit_cast<std::uint32_t>(1e4F)), high = -low;
+    while (high - low > 1) {
+      const std::int64_t middle = (low + high) / 2;
+      (law_.evaluate({x, y, number(middle)}).status == Status::contact ? low : high) = middle;
+    }
+    return number(low);
+  }
+
+  const Case& case_;
+  const fast::HeightLaw& law_;
+  Random random_;
+};
+
+fast::HeightLaw fast_law(const HeightMap& map, height::Rendering rendering, float stiffness = 0.5F) {
+  return std::get<fast::HeightLaw>(fast::HeightLaw::build(map, rendering, stiffness));
+}
+
+TEST(height_law, equals_the_rounded_reference) {
+  constexpr int kPoints = 1500;
+  for (const Case& one : cases())
+    for (const auto& [rendering, name] : height::kRenderings) {
+      const fast::HeightLaw fast = fast_law(one.map, rendering);
+      const auto reference = std::get<reference::HeightLaw>(reference::HeightLaw::build(one.map, rendering, 0.5F));
+      Positions positions(one, fast, 11);
+      std::array<int, 3> stages{}, statuses{}, methods{};
+      for (int i = 0; i < kPoints; ++i) {
+        const Vector3f position = positions.next();
+        const fast::Evaluation answer = fast.evaluate(position);
+        const reference::Rounded exact = reference.round_to_binary32(position);
+        ASSERT_EQ(answer.status, exact.status) << one.name << ", " << name << " at " << show(position);
+        for (int axis = 0; axis < 3; ++axis)
+          ASSERT_TRUE(same_bits(answer.force[axis], exact.force[axis]))
+              << one.name << ", " << name << " at " << show(position) << ": " << show(answer.force) << ", not "
+              << show(exact.force);
+        ++stages[static_cast<std::size_t>(answer.stage)];
+        ++statuses[static_cast<std::size_t>(answer.status)];
+        ++methods[static_cast<std::size_t>(exact.method)];
+      }
+      std::printf("  %-24s %-24s binary64 %d, double-double %d, wide %d; free %d, contact %d, invalid %d; exact reference %d\n",
+                  one.name, name.data(), stages[0], stages[1], stages[2], statuses[0], statuses[1], statuses[2], methods[2]);
+      for (const int count : statuses) EXPECT_GT(count, 0) << one.name << ": a status was never reached";
+      EXPECT_GT(stages[0], 0) << one.name;
+    }
+}
+
+// A spline that is flat in one direction, or all over a window, is answered in binary64: its bounds vanish with its steps.
+TEST(height_law, answers_flat_places_of_a_spline_at_once) {
+  const auto ridges = [](std::uint32_t i, std::uint32_t) { return 0.25F * static_cast<float>(i % 5); };
+  const auto plate = [](std::uint32_t i, std::uint32_t j) { return i < 4 && j < 4 ? 1.0F : 5.0F; };
+  const fast::HeightLaw lines =
+      fast_law({{{grid(64, 64, 0.5F, Edge::tile, Interpolant::cubic_spline, ridges)}}}, height::Rendering::true_height);
+  const fast::HeightLaw flat =
+      fast_law({{{grid(64, 64, 0.5F, Edge::clamp, Interpolant::cubic_spline, plate)}}}, height::Rendering::true_height);
+  Random random(2);
+  int in_binary64 = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vector3f position(uniform(random, 0, 9), uniform(random, 0, 9), uniform(random, -1, 0));
+    const fast::Evaluation on_lines = lines.evaluate(position), on_plate = flat.evaluate(position);
+    EXPECT_EQ(on_lines.force.y(), 0);
+    EXPECT_EQ(on_plate.force.head<2>(), Eigen::Vector2f(0, 0));
+    in_binary64 += (on_lines.stage == fast::Stage::binary64) + (on_plate.stage == fast::Stage::binary64);
+  }
+  EXPECT_GT(in_binary64, 1990);
+}
+
+// The bound of height_spline.g holds, and is not idle.
+TEST(height_law, spline_first_stage_stays_within_its_bound) {
+  Random random(3);
+  double worst = 0;
+  for (int map = 0; map < 20; ++map) {
+    const float size = std::exp2(uniform(random, -10, 10)), base = map % 2 == 0 ? 0 : uniform(random, -100, 100);
+    const auto value = [&](std::uint32_t, std::uint32_t) {
+      return base + size * (map % 4 < 2 ? uniform(random, -1, 1) : static_cast<float>(random() % 2));
+    };
+    const fast::HeightGrid g(grid(9, 9, uniform(random, 0.01F, 3), Edge::clamp, Interpolant::cubic_spline, value));
+    const fast::SplineErrors error(g, g.largest_value(), g.largest_step_along(), g.largest_step_across());
+    for (int i = 0; i < 500; ++i) {
+      const float reach = static_cast<float>(6 * g.pitch());
+      const fast::Place at(uniform(random, -reach, reach), uniform(random, -reach, reach));
+      const fast::SplineValues quick(g, at);
+      const auto exact = fast::spline_jet<fast::Wide<32>>(g, at);
+      const auto share = [](double value, const fast::Wide<32>& truth, double bound) {
+        return std::fabs(approximately(fast::Wide<32>::exactly(value) - truth)) / bound;
+      };
+      worst = std::max(
+          {worst, share(quick.U, exact.U, error.U), share(quick.Ux, exact.Ux, error.Ux), share(quick.Uy, exact.Uy, error.Uy)});
+    }
+  }
+  std::printf("  worst error of the first stage: %.3f of its bound\n", worst);
+  EXPECT_LE(worst, 1);
+  EXPECT_GE(worst, 0.25);
+}
+
+TEST(height_law, finds_the_cell_of_every_grid_line_and_its_neighbours) {
+  for (const float pitch : {0.3F, 1e-3F, 100.0F, 1.0F / 3})
+    for (const std::uint32_t count : {2U, 3U, 1024U, 32767U}) {
+      // Two rows keep the grid small; columns are what is asked for.
+      const fast::HeightGrid g(grid(count, 2, pitch, Edge::clamp, Interpolant::bilinear, [](auto, auto) { return 1.0F; }));
+      for (int line = -40; line < 40; ++line) {
+        const double exact = (line - 0.5 * ((count - 1) % 2)) * static_cast<double>(pitch);
+        for (int step = -2; step <= 2; ++step) {
+          const float x = neighbour(static_cast<float>(exact), step);
+          if (x != 0 && std::fabs(x) < 0x1p-30F) continue;
+          const auto cell = g.cell(fast::Place(x, 0));
+          EXPECT_LE(cell.start[0], static_cast<double>(x)) << pitch << ' ' << count << ' ' << show(x);
+          EXPECT_LT(static_cast<double>(x) - cell.start[0], static_cast<double>(pitch))
+              << pitch << ' ' << count << ' ' << show(x);
+        }
+      }
+    }
+}
+
+TEST(height_law, refuses_what_the_reference_refuses) {
+  const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+  std::vector<HeightMap> maps{
+      {}, {std::vector<height::Part>(17, {height::Plane{}})}, {{{std::shared_ptr<const height::Grid>()}}}};
+  const auto add = [&](height::Shape shape) { maps.push_back({{{std::move(shape)}}}); };
+  for (const float odd :
+       {nan, inf, -inf, 0.0F, -1.0F, 1e-4F, 1e-3F, 0.1F, 10.0F, 1e3F, neighbour(1e3F, 1), 1e4F, neighbour(1e4F, 1), -1e4F}) {
+    add(height::Plane{odd, 0, 0});
+    add(height::Plane{0, odd, 0});
+    add(height::Plane{0, 0, odd});
+    add(height::Cone{odd, 0, 1, 1});
+    add(height::Cone{0, odd, 1, 1});
+    add(height::Cone{0, 0, odd, 1});
+    add(height::Cone{0, 0, 1, odd});
+    add(height::CylinderCap{odd, 5, 8});
+    add(height::CylinderCap{0, odd, 0.15F});
+    add(height::CylinderCap{0, 5, odd});
+    add(height::SphereCap{0, odd, 5, 8});
+    add(height::SphereCap{0, 0, odd, 0.15F});
+    add(height::SphereCap{0, 0, 5, odd});
+    for (const float pitch : {odd, 1.0F})
+      add(grid(3, 3, pitch, Edge::tile, Interpolant::bilinear,
+               [&](auto i, auto) { return i == 1 && pitch == 1 ? odd : 1.0F; }));
+  }
+  add(std::make_shared<const height::Grid>(height::Grid{3, 3, 1, Edge::tile, Interpolant::bilinear, {1, 2, 3}}));
+  add(std::make_shared<const height::Grid>(height::Grid{1, 3, 1, Edge::tile, Interpolant::bilinear, {1, 2, 3}}));
+  int refused = 0;
+  for (const HeightMap& map : maps)
+    for (const float stiffness : {1.0F, 0.0F}) {
+      const auto fast = fast::HeightLaw::build(map, height::Rendering::true_height, stiffness);
+      const auto reference = reference::HeightLaw::build(map, height::Rendering::true_height, stiffness);
+      const auto message = [](const auto& built) {
+        const auto* error = std::get_if<ParameterError>(&built);
+        return error == nullptr ? std::string("built") : error->message();
+      };
+      EXPECT_EQ(message(fast), message(reference));
+      refused += message(fast) != "built";
+    }
+  EXPECT_GT(refused, 100);
+  EXPECT_LT(refused, static_cast<int>(2 * maps.size()) - 50);
+}
+
+TEST(height_law, reads_tiny_coordinates_as_zero_and_reports_invalid_ones) {
+  const fast::HeightLaw cone = fast_law({{{height::Cone{0x1p-31F, 0, 8, 6}}}}, height::Rendering::true_height);
+  const Vector3f apex = cone.force({0, 0, 3});
+  EXPECT_EQ(cone.force({-0x1.fffffep-31F, 0x1p-149F, 3}), apex);
+  EXPECT_NE(cone.force({-0x1p-30F, 0, 3}), apex);
+  for (const float odd : {std::numeric_limits<float>::quiet_NaN(), 10001.0F, -std::numeric_limits<float>::infinity()})
+    for (int axis = 0; axis < 3; ++axis) {
+      Vector3f position(0, 0, -1);
+      position[axis] = odd;
+      EXPECT_EQ(cone.evaluate(position).status, Status::invalid);
+      EXPECT_EQ(cone.force(position), Vector3f(0, 0, 0));
+    }
+}
+
+TEST(height_law, allocates_nothing) {
+  for (const Case& one : cases()) {
+    const fast::HeightLaw law = fast_law(one.map, height::Rendering::true_height);
+    Positions positions(one, law, 3);
+    std::vector<Vector3f> all;
+    for (int i = 0; i < 100; ++i) all.push_back(positions.next());
+    const std::size_t before = allocations;
+    float sum = 0;
+    for (const Vector3f& position : all) sum += law.force(position).z();
+    EXPECT_EQ(allocations, before) << one.name << ' ' << sum;
+  }
+}
+
+}  // namespace
+}  // namespace forceshade
