@@ -57,6 +57,10 @@ TEST(structure, the_device_side_knows_only_the_real_time_path) {
   expect_no_include("device", {"forceshade/reference/", "forceshade/properties/", "CGAL", "boost"});
 }
 
+TEST(structure, height_files_know_neither_side) {
+  expect_no_include("heights", {"forceshade/fast/", "forceshade/reference/", "forceshade/properties/"});
+}
+
 TEST(structure, the_recorder_takes_only_the_ring_of_boost) {
   expect_no_include("recorder", {"forceshade/reference/", "forceshade/properties/", "CGAL"});
   for (const std::string& include : includes_of(kRoot / "recorder"))

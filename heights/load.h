@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A sampled height map from an image or array file: PNG (8 or 16 bit greyscale), TIFF (binary32), PFM (greyscale) or NPY
+// (binary32 or binary64, two dimensions), told apart by how the file begins.
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+#include "forceshade/vocabulary/height_map.h"
+
+namespace forceshade::heights {
+
+// "FILE: reason".
+class Error : public std::runtime_error {
+ public:
+  Error(const std::filesystem::path& file, const std::string& reason) : runtime_error(file.string() + ": " + reason) {}
+};
+
+struct Source {
+  std::filesystem::path file;
+  float pitch = 0;  // mm between samples
+  float scale = 0;  // mm: the height of white in a PNG, where black is 0; of 1 in the other formats
+  height::Edge edge = height::Edge::clamp;
+  height::Interpolant interpolant = height::Interpolant::cubic_spline;
+};
+
+// The picture as it is seen from above: its first row has the largest y. For a spline the values are the coefficients that
+// interpolate the heights. Throws Error; then it has allocated no more than some 1100 times the file's size, whatever the file
+// declares.
+std::shared_ptr<const height::Grid> load(const Source& source);
+
+}  // namespace forceshade::heights

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// PNG through libpng, whose errors jump: nothing with a destructor lives between setjmp and what may jump.
+
+#include <png.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "forceshade/heights/samples.h"
+
+namespace forceshade::heights {
+namespace {
+
+// What libpng says goes into the error's text.
+void keep_message(png_structp png, png_const_charp message) {
+  std::snprintf(static_cast<char*>(png_get_error_ptr(png)), 200, "%s", message);
+  png_longjmp(png, 1);
+}
+void ignore_warning(png_structp, png_const_charp) {}
+
+class Reader {
+ public:
+  explicit Reader(const std::filesystem::path& file) : file_(file), stream_(std::fopen(file.c_str(), "rb"), &std::fclose) {
+    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, message_, &keep_message, &ignore_warning);
+    info_ = png_ == nullptr ? nullptr : png_create_info_struct(png_);
+  }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+  ~Reader() { png_destroy_read_struct(&png_, &info_, nullptr); }
+
+  Samples read() {
+    if (stream_ == nullptr || info_ == nullptr || !read_header()) throw Error(file_, message_);
+    const int depth = png_get_bit_depth(png_, info_);
+    if (png_get_color_type(png_, info_) != PNG_COLOR_TYPE_GRAY || depth < 8) throw Error(file_, "is not 8 or 16 bit greyscale");
+    const auto bytes = static_cast<std::uint32_t>(depth / 8);
+    if (png_get_interlace_type(png_, info_) != PNG_INTERLACE_NONE) throw Error(file_, "is interlaced");
+    Samples samples = allocate(file_, png_get_image_width(png_, info_), png_get_image_height(png_, info_), bytes, kCompressed);
+    std::vector<unsigned char> row(std::size_t{samples.columns} * bytes);
+    const float white = depth == 8 ? 255 : 65535;
+    for (std::uint32_t i = 0; i < samples.rows; ++i) {
+      if (!read_row(row.data())) throw Error(file_, message_);
+      float* to = samples.row_from_top(i);
+      for (std::size_t k = 0; k < samples.columns; ++k)
+        to[k] = static_cast<float>(bytes == 1 ? row[k] : 256 * row[2 * k] + row[2 * k + 1]) / white;
+    }
+    if (!read_end()) throw Error(file_, message_);
+    return samples;
+  }
+
+ private:
+  bool read_header() {
+    if (setjmp(png_jmpbuf(png_)) != 0) return false;
+    png_init_io(png_, stream_.get());
+    png_read_info(png_, info_);
+    return true;
+  }
+  bool read_row(unsigned char* to) {
+    if (setjmp(png_jmpbuf(png_)) != 0) return false;
+    png_read_row(png_, to, nullptr);
+    return true;
+  }
+  bool read_end() {
+    if (setjmp(png_jmpbuf(png_)) != 0) return false;
+    png_read_end(png_, nullptr);
+    return true;
+  }
+
+  const std::filesystem::path& file_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream_;
+  png_structp png_ = nullptr;
+  png_infop info_ = nullptr;
+  char message_[200] = "cannot be read";
+};
+
+}  // namespace
+
+Samples read_png(const std::filesystem::path& file) {
+  return Reader(file).read();
+}
+
+}  // namespace forceshade::heights
