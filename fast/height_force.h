@@ -48,7 +48,7 @@ FORCESHADE_INLINE HeightForce height_force(const Jet<Tracked>& map, height::Rend
     return {low + 0.0F, low == high};  // -0 becomes +0
   };
   const RoundedComponent x = rounded(map.Ux), y = rounded(map.Uy), up = rounded({-1, 0});
-  return {x.value, y.value, up.value, x.is_sure & y.is_sure & up.is_sure ? Sign::positive : Sign::unknown};
+  return {x.value, y.value, up.value, x.is_sure && y.is_sure && up.is_sure ? Sign::positive : Sign::unknown};
 }
 
 // Sizes of gap and slopes from which on the errors of a jet are below 2^-36 of them.

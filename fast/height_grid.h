@@ -42,13 +42,15 @@ class HeightGrid {
   template <std::size_t kOrder>
   class Window {
    public:
-    FORCESHADE_INLINE Window(const HeightGrid& grid, std::int64_t i, std::int64_t j) noexcept
-        : from_(grid.values_ + (j * grid.columns_ + i)), stride_(grid.columns_) {
+    FORCESHADE_INLINE Window(const HeightGrid& grid, std::int64_t i, std::int64_t j) noexcept {
       constexpr auto kSize = static_cast<std::int64_t>(kOrder);
       if (i < 0 || j < 0 || i + kSize > grid.columns_ || j + kSize > grid.rows_) [[unlikely]] {
         grid.copy_beyond_edge(i, j, kSize, beyond_edge_);
         from_ = beyond_edge_;
         stride_ = kSize;
+      } else {
+        from_ = grid.values_ + (j * grid.columns_ + i);
+        stride_ = grid.columns_;
       }
     }
     Window(const Window&) = delete;

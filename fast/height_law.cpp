@@ -6,6 +6,8 @@
 #include "forceshade/fast/height_cone.h"
 #include "forceshade/fast/height_domain.h"
 #include "forceshade/fast/height_force.h"
+#include "forceshade/fast/height_gaussian.h"
+#include "forceshade/fast/height_grating.h"
 #include "forceshade/fast/height_plane.h"
 #include "forceshade/fast/height_spline.h"
 
@@ -50,17 +52,15 @@ Evaluation HeightLaw::evaluate(const Eigen::Vector3f& position) const noexcept {
   return evaluate_in_stages(at, z);
 }
 
-// A part as it is evaluated: a centre quantised, a grid measured. Nothing for what has no real-time evaluation yet.
+// A part as it is evaluated: a centre quantised, a grid measured.
 template <class T>
-std::optional<HeightLaw::Shape> HeightLaw::real_time(T shape) noexcept {
+HeightLaw::Shape HeightLaw::real_time(T shape) noexcept {
   if constexpr (requires { shape.x; }) shape.x = quantised(shape.x);
   if constexpr (requires { shape.y; }) shape.y = quantised(shape.y);
-  if constexpr (std::is_constructible_v<Shape, T>)
-    return shape;
-  else if constexpr (std::is_constructible_v<HeightGrid, T>)
+  if constexpr (std::is_constructible_v<HeightGrid, T>)
     return HeightGrid(shape);
   else
-    return std::nullopt;
+    return shape;
 }
 
 HeightLaw::HeightLaw(std::vector<Part> parts, Rendering rendering, float stiffness) noexcept
@@ -77,11 +77,8 @@ std::variant<HeightLaw, ParameterError> HeightLaw::build(const HeightMap& map, R
   if (const char* fault = arithmetic_fault_here()) return ParameterError{fault, "", 1, 0, 0};
   if (const auto error = first_error(map, stiffness)) return *error;
   std::vector<Part> parts;
-  for (const height::Part& part : map.parts) {
-    const std::optional<Shape> shape = std::visit([](const auto& one) { return real_time(one); }, part.shape);
-    if (!shape) return ParameterError{"number of Gaussian and grating parts", "", 1, 0, 0};
-    parts.push_back({*shape, part.negated});
-  }
+  for (const height::Part& part : map.parts)
+    parts.push_back({std::visit([](const auto& shape) { return real_time(shape); }, part.shape), part.negated});
   return HeightLaw(std::move(parts), rendering, stiffness);
 }
 

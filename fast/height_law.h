@@ -26,14 +26,15 @@ class HeightLaw {
   Eigen::Vector3f force(const Eigen::Vector3f& position) const noexcept { return evaluate(position).force; }
 
  private:
-  using Shape = std::variant<height::Plane, height::Cone, height::CylinderCap, height::SphereCap, HeightGrid>;
+  using Shape = std::variant<height::Plane, height::Cone, height::CylinderCap, height::SphereCap, height::Gaussian,
+                             height::Grating, HeightGrid>;
   struct Part {
     Shape shape;
     bool negated;
   };
 
   template <class T>
-  static std::optional<Shape> real_time(T shape) noexcept;
+  static Shape real_time(T shape) noexcept;
   HeightLaw(std::vector<Part> parts, height::Rendering rendering, float stiffness) noexcept;
 
   template <class N>

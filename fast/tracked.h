@@ -11,7 +11,7 @@
 namespace forceshade::fast {
 
 // |true value - value| <= error. An operation charges 2^-53 of its result, which holds unless that is subnormal (no number of
-// a height map is below 2^-450 in size without being 0), and what it hands on; kSlack pays for the bound's own roundings, at
+// a height map is below 2^-480 in size without being 0), and what it hands on; kSlack pays for the bound's own roundings, at
 // most six.
 struct Tracked {
   double value = 0, error = 0;
@@ -49,6 +49,9 @@ struct Tracked {
   FORCESHADE_INLINE friend Sign sign(const Tracked& a) noexcept {
     if (__builtin_fabs(a.value) > a.error) return a.value > 0 ? Sign::positive : Sign::negative;
     return a.value == 0 && a.error == 0 ? Sign::zero : Sign::unknown;
+  }
+  FORCESHADE_INLINE friend Tracked widened(const Tracked& a, int k) noexcept {
+    return {a.value, std::ldexp(__builtin_fabs(a.value), k)};
   }
 };
 

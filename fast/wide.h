@@ -144,7 +144,7 @@ class Wide {
  private:
   __extension__ using Product = unsigned __int128;
   static constexpr std::int64_t kBits = 64 * static_cast<std::int64_t>(kLimbs);
-  static constexpr std::int64_t kExact = -(std::int64_t{1} << 40);
+  static constexpr std::int64_t kExact = -(std::int64_t{1} << 60);
   static constexpr std::int64_t kInfinite = std::int64_t{1} << 30;
 
   static std::int64_t larger(std::int64_t a, std::int64_t b) noexcept { return a > b ? a : b; }

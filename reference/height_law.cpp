@@ -95,6 +95,7 @@ std::optional<float> agreed_binary32(const Enclosure& value) {
 }
 
 Rounded round_by_enclosures(const HeightLaw& law, const Point2& at, double z) {
+  mpfr_set_emin(mpfr_get_emin_min());  // the tail of a Gaussian goes down to exp(-2·10^14)
   for (const unsigned bits : {128U, 768U, 3072U}) {
     set_precision(bits);
     const HeightForce<Enclosure> enclosed = force<Enclosure>(law, at, z);

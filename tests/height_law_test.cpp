@@ -90,6 +90,16 @@ std::vector<Case> cases() {
       all.push_back({"plate", {{{grid(20, 9, 100, edge, interpolant, plate)}}}, {0, 50, -100, 950, -400}, 1200});
       all.push_back({"steps", {{{grid(3, 40, 1e-3F, edge, interpolant, steps), true}}}, {0, 5e-4F, -1e-3F}, 0.03F});
     }
+  all.push_back({"Gaussian", {{{height::Gaussian{1, -1, 3, 1.5F}}}}, {0, 1, -1, 26, 31, 38, -30}, 10});
+  all.push_back({"narrow hole", {{{height::Gaussian{0, 0, -1e4F, 1e-3F}}}}, {0, 1e-3F, 0.03F, 1e4F}, 0.01F});
+  all.push_back({"grating", {{{height::Grating{0.5F, 6.5F, 0, 0.25F}}}}, {0, 1, 0.24166097F, -0.038461538F}, 20});
+  all.push_back({"grating through 0", {{{height::Grating{2, 3, -4, 0.5F}}}}, {0, 0.5F, 0.125F, 1e4F}, 4});
+  all.push_back({"fine grating", {{{height::Grating{1e-3F, 1e3F, -1e3F, 1e3F}}}}, {0, 1, 1e4F}, 100});
+  all.push_back(
+      {"hills and waves",
+       {{{height::Gaussian{2, 0, 1, 0.5F}}, {height::Gaussian{-2, 0, 1, 0.5F}}, {height::Grating{0.1F, 9, 2, 0}, true}}},
+       {0, 2, -2},
+       4});
   all.push_back({"two bumps and a texture",
                  {{{height::SphereCap{2, 0, 5, 8}}, {height::Cone{-3, 1, 2, 3}, true}, all[7].map.parts[0]}},
                  {2, 6, -2, -3, 0, 1, 0.3F},
@@ -306,6 +316,20 @@ TEST(height_law, reads_tiny_coordinates_as_zero_and_reports_invalid_ones) {
       EXPECT_EQ(cone.evaluate(position).status, Status::invalid);
       EXPECT_EQ(cone.force(position), Vector3f(0, 0, 0));
     }
+}
+
+TEST(height_law, is_in_contact_with_the_farthest_tail_of_a_gaussian) {
+  // exp(-8.1e13) mm above the plane: no force to speak of, but contact, and below it none.
+  for (const bool negated : {false, true}) {
+    const HeightMap map{{{height::Gaussian{0, 0, 2, 1e-3F}, negated}}};
+    const Vector3f far(9000, 9000, 0);
+    const fast::Evaluation answer = fast_law(map, height::Rendering::true_height).evaluate(far);
+    EXPECT_EQ(answer.status, negated ? Status::free : Status::contact);
+    EXPECT_EQ(answer.force, Vector3f(0, 0, 0));
+    const auto reference =
+        std::get<reference::HeightLaw>(reference::HeightLaw::build(map, height::Rendering::true_height, 0.5F));
+    EXPECT_EQ(reference.round_to_binary32(far).status, answer.status);
+  }
 }
 
 TEST(height_law, allocates_nothing) {
