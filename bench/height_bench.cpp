@@ -46,6 +46,17 @@ void proved(benchmark::State& state, height::Rendering rendering) {
   for (auto _ : state) benchmark::DoNotOptimize(law.evaluate(positions[i++ % positions.size()]));
 }
 
+// Per position of a batch.
+void batch(benchmark::State& state, fast::InstructionSet set) {
+  if (!fast::is_available(set)) return state.SkipWithError("not on this machine");
+  const auto law =
+      std::get<fast::HeightLaw>(fast::HeightLaw::build({{{texture()}}}, height::Rendering::true_height, kStiffness));
+  const auto positions = stroke();
+  std::vector<Eigen::Vector3f> forces(positions.size());
+  while (state.KeepRunningBatch(static_cast<std::int64_t>(positions.size())))
+    benchmark::DoNotOptimize(law.force(positions, forces, set));
+}
+
 void naive(benchmark::State& state) {
   const NaiveSpline spline{texture()->values.data(), kSamples, kPitch, kStiffness};
   const auto positions = stroke();
@@ -59,6 +70,8 @@ void naive(benchmark::State& state) {
 BENCHMARK_CAPTURE(proved, height_map, height::Rendering::true_height);
 BENCHMARK_CAPTURE(proved, height_map_shaded, height::Rendering::force_shaded);
 BENCHMARK_CAPTURE(proved, height_map_conservative, height::Rendering::conservative);
+BENCHMARK_CAPTURE(batch, avx2, fast::InstructionSet::avx2);
+BENCHMARK_CAPTURE(batch, avx512, fast::InstructionSet::avx512);
 BENCHMARK(naive);
 
 }  // namespace

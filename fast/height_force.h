@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// From a height map's jet to the force, in binary64 with a bound and in Ball arithmetic.
+// From a height map's jet to the force, in binary64 with a bound.
 
-#include "forceshade/fast/evaluate.h"
+#include "forceshade/fast/first_stage.h"
 #include "forceshade/fast/height_jet.h"
 
 namespace forceshade::fast {
@@ -72,23 +72,6 @@ FORCESHADE_INLINE HeightForce height_force(double U, double Ux, double Uy, const
                        !rounding_is_in_doubt<kWindow>(M);
   return {static_cast<float>(x) + 0.0F, static_cast<float>(y) + 0.0F, static_cast<float>(M),
           is_sure ? Sign::positive : Sign::unknown};
-}
-
-template <class N>
-std::optional<Evaluation> height_force(const Jet<N>& map, height::Rendering rendering, double stiffness, double z,
-                                       Stage stage) noexcept {
-  if (!map.decided) return std::nullopt;
-  const N gap = rendering == height::Rendering::force_shaded ? N::exactly(-z) : map.U - N::exactly(z);
-  const Sign contact = sign(gap);
-  if (contact == Sign::unknown) return std::nullopt;
-  if (contact != Sign::positive) return Evaluation{{0, 0, 0}, Status::free, stage};
-  N magnitude = N::exactly(stiffness) * gap;
-  if (rendering != height::Rendering::conservative)
-    magnitude = magnitude / square_root(N::exactly(1) + (map.Ux * map.Ux + map.Uy * map.Uy));
-  const auto x = round_to_binary32(-(magnitude * map.Ux)), y = round_to_binary32(-(magnitude * map.Uy)),
-             fz = round_to_binary32(magnitude);
-  if (!x || !y || !fz) return std::nullopt;
-  return Evaluation{{*x, *y, *fz}, Status::contact, stage};
 }
 
 }  // namespace forceshade::fast

@@ -28,13 +28,17 @@ class HeightGrid {
     return {column, row, start};
   }
 
-  double pitch() const noexcept { return pitch_; }                            // mm
-  double per_pitch() const noexcept { return per_pitch_; }                    // 1/mm, relative error 2^-53
-  double per_twelve_pitches() const noexcept { return per_twelve_pitches_; }  // 1/mm, relative error 2^-53
+  FORCESHADE_INLINE double pitch() const noexcept { return pitch_; }                            // mm
+  FORCESHADE_INLINE double per_pitch() const noexcept { return per_pitch_; }                    // 1/mm, relative error 2^-53
+  FORCESHADE_INLINE double per_twelve_pitches() const noexcept { return per_twelve_pitches_; }  // 1/mm, relative error 2^-53
   // Of all values, and of the differences between values side by side, tiled or not; mm.
   double largest_value() const noexcept { return largest_value_; }
   double largest_step_along() const noexcept { return largest_step_along_; }
   double largest_step_across() const noexcept { return largest_step_across_; }
+  FORCESHADE_INLINE const float* values() const noexcept { return values_; }
+  FORCESHADE_INLINE std::int64_t columns() const noexcept { return columns_; }
+  FORCESHADE_INLINE std::int64_t rows() const noexcept { return rows_; }
+  FORCESHADE_INLINE Pair64 centre() const noexcept { return centre_; }  // (columns - 1)/2, (rows - 1)/2
   height::Interpolant interpolant() const noexcept { return grid_->interpolant; }
 
   // kOrder rows of kOrder values from sample (i, j) on, where they are: a copy, whose writing would have to be waited for, is
@@ -76,7 +80,7 @@ class HeightGrid {
   const float* values_;
   std::int64_t columns_, rows_;
   double pitch_, per_pitch_, per_twelve_pitches_;
-  Pair64 centre_;  // (columns - 1)/2, (rows - 1)/2
+  Pair64 centre_;
   double largest_value_ = 0, largest_step_along_ = 0, largest_step_across_ = 0;
 };
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/fast/height_law.h"
 
+#include <algorithm>
+
 #include "forceshade/fast/arithmetic.h"
+#include "forceshade/fast/height_batch.h"
 #include "forceshade/fast/height_cap.h"
 #include "forceshade/fast/height_cone.h"
 #include "forceshade/fast/height_domain.h"
@@ -15,6 +18,50 @@ namespace forceshade::fast {
 
 using height::Rendering;
 
+namespace {
+
+// As height_force, in Ball arithmetic.
+template <class N>
+std::optional<Evaluation> height_force(const Jet<N>& map, height::Rendering rendering, double stiffness, double z,
+                                       Stage stage) noexcept {
+  if (!map.decided) return std::nullopt;
+  const N gap = rendering == height::Rendering::force_shaded ? N::exactly(-z) : map.U - N::exactly(z);
+  const Sign contact = sign(gap);
+  if (contact == Sign::unknown) return std::nullopt;
+  if (contact != Sign::positive) return Evaluation{{0, 0, 0}, Status::free, stage};
+  N magnitude = N::exactly(stiffness) * gap;
+  if (rendering != height::Rendering::conservative)
+    magnitude = magnitude / square_root(N::exactly(1) + (map.Ux * map.Ux + map.Uy * map.Uy));
+  const auto x = round_to_binary32(-(magnitude * map.Ux)), y = round_to_binary32(-(magnitude * map.Uy)),
+             fz = round_to_binary32(magnitude);
+  if (!x || !y || !fz) return std::nullopt;
+  return Evaluation{{*x, *y, *fz}, Status::contact, stage};
+}
+
+Evaluation evaluation_of(const HeightForce& force) noexcept {
+  return {{force.x, force.y, force.z}, force.contact == Sign::positive ? Status::contact : Status::free, Stage::binary64};
+}
+
+// Null for the scalar set: the batch call then makes scalar calls.
+const HeightBlocks* blocks(InstructionSet set) noexcept {
+  if (!is_available(set)) set = best_instruction_set();
+#if defined(__x86_64__)
+  if (set == InstructionSet::avx512) return &kAvx512HeightBlocks;
+  if (set == InstructionSet::avx2) return &kAvx2HeightBlocks;
+#endif
+  return nullptr;
+}
+
+// Each file asks for itself: fast/arithmetic.h.
+const char* height_arithmetic_fault() noexcept {
+  const char* fault = arithmetic_fault_here();
+  for (const InstructionSet set : kInstructionSets)
+    if (const HeightBlocks* table = blocks(set); fault == nullptr && table != nullptr) fault = table->arithmetic_fault_here();
+  return fault;
+}
+
+}  // namespace
+
 template <class N>
 FORCESHADE_INLINE Jet<N> HeightLaw::jet_at(const Place& at) const noexcept {
   const auto jet_of = [&](const Part& part) {
@@ -24,10 +71,6 @@ FORCESHADE_INLINE Jet<N> HeightLaw::jet_at(const Place& at) const noexcept {
   Jet<N> map = jet_of(parts_.front());
   for (std::size_t i = 1; i < parts_.size(); ++i) map = map + jet_of(parts_[i]);
   return map;
-}
-
-Evaluation evaluation_of(const HeightForce& force) noexcept {
-  return {{force.x, force.y, force.z}, force.contact == Sign::positive ? Status::contact : Status::free, Stage::binary64};
 }
 
 [[gnu::noinline]] Evaluation HeightLaw::evaluate_in_stages(const Place& at, double z) const noexcept {
@@ -52,6 +95,38 @@ Evaluation HeightLaw::evaluate(const Eigen::Vector3f& position) const noexcept {
   return evaluate_in_stages(at, z);
 }
 
+BatchResult HeightLaw::force(std::span<const Eigen::Vector3f> positions, std::span<Eigen::Vector3f> to,
+                             InstructionSet instructions) const noexcept {
+  const std::size_t count = std::min(positions.size(), to.size());
+  const HeightGrid* spline = only_spline();
+  const HeightBlocks* vectors = spline == nullptr ? nullptr : blocks(instructions);
+  BatchResult result;
+  for (std::size_t begin = 0; begin < count; begin += kHeightBlock) {
+    const std::size_t size = std::min(kHeightBlock, count - begin);
+    HeightAnswers answers;
+    const bool in_block = vectors != nullptr && size == kHeightBlock;
+    if (in_block) {
+      HeightBlock block;
+      for (std::size_t i = 0; i < size; ++i) {
+        block.x[i] = positions[begin + i].x();
+        block.y[i] = positions[begin + i].y();
+        block.z[i] = positions[begin + i].z();
+      }
+      vectors->answer(*spline, sure_, rendering_, stiffness_, block, answers);
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+      if (in_block && answers.is_sure[i]) {
+        to[begin + i] = {answers.x[i], answers.y[i], answers.z[i]};
+        continue;
+      }
+      const Evaluation one = evaluate(positions[begin + i]);
+      to[begin + i] = one.force;
+      result.invalid += one.status == Status::invalid;
+    }
+  }
+  return result;
+}
+
 // A part as it is evaluated: a centre quantised, a grid measured.
 template <class T>
 HeightLaw::Shape HeightLaw::real_time(T shape) noexcept {
@@ -74,7 +149,7 @@ HeightLaw::HeightLaw(std::vector<Part> parts, Rendering rendering, float stiffne
 }
 
 std::variant<HeightLaw, ParameterError> HeightLaw::build(const HeightMap& map, Rendering rendering, float stiffness) {
-  if (const char* fault = arithmetic_fault_here()) return ParameterError{fault, "", 1, 0, 0};
+  if (const char* fault = height_arithmetic_fault()) return ParameterError{fault, "", 1, 0, 0};
   if (const auto error = first_error(map, stiffness)) return *error;
   std::vector<Part> parts;
   for (const height::Part& part : map.parts)

@@ -3,12 +3,14 @@
 // The real-time renderer of height maps: a force at the surface's own depth, or at the plane's, along the map's normal.
 
 #include <Eigen/Core>
+#include <span>
 #include <variant>
 #include <vector>
 
 #include "forceshade/fast/evaluate.h"
 #include "forceshade/fast/height_force.h"
 #include "forceshade/fast/height_grid.h"
+#include "forceshade/fast/law.h"
 #include "forceshade/vocabulary/height_map.h"
 #include "forceshade/vocabulary/law.h"
 
@@ -24,6 +26,11 @@ class HeightLaw {
   // Each component is the exact force rounded to binary32, but for a sum of parts within 2^-1900 of a tie; as Law::evaluate.
   Evaluation evaluate(const Eigen::Vector3f& position) const noexcept;
   Eigen::Vector3f force(const Eigen::Vector3f& position) const noexcept { return evaluate(position).force; }
+
+  // to[i] = force at positions[i], bit for bit what evaluate() gives, whatever the instruction set; as many as the shorter span
+  // has. An instruction set this machine lacks falls back to the best it has. Vectors speed up a map that is one B-spline.
+  BatchResult force(std::span<const Eigen::Vector3f> positions, std::span<Eigen::Vector3f> to,
+                    InstructionSet instructions = best_instruction_set()) const noexcept;
 
  private:
   using Shape = std::variant<height::Plane, height::Cone, height::CylinderCap, height::SphereCap, height::Gaussian,

@@ -9,7 +9,7 @@
 namespace forceshade::fast {
 
 // Six times the cubic B-splines at t, and two times the quadratic ones, whose sums with the differences of coefficients are
-// the spline's derivative. T: a Ball, or both axes' binary64 side by side.
+// the spline's derivative. T: a Ball, or binary64 side by side.
 template <class T>
 struct SplineWeights {
   T cubic[4], quadratic[3];
@@ -27,10 +27,10 @@ struct SplineWeights {
   }
 
   FORCESHADE_INLINE static T exactly(double value) noexcept {
-    if constexpr (std::is_same_v<T, Pair64>)
-      return T{value, value};
-    else
+    if constexpr (requires { T::exactly(value); })
       return T::exactly(value);
+    else
+      return T{} + value;
   }
 };
 

@@ -13,7 +13,7 @@
 #include <new>
 #include <random>
 
-#include "forceshade/fast/height_spline.h"
+#include "forceshade/fast/height_batch.h"
 #include "forceshade/properties/binary32.h"
 #include "forceshade/reference/height_law.h"
 
@@ -330,6 +330,30 @@ TEST(height_law, is_in_contact_with_the_farthest_tail_of_a_gaussian) {
         std::get<reference::HeightLaw>(reference::HeightLaw::build(map, height::Rendering::true_height, 0.5F));
     EXPECT_EQ(reference.round_to_binary32(far).status, answer.status);
   }
+}
+
+TEST(height_law, equals_scalar_at_every_simd_width) {
+  for (const Case& one : cases())
+    for (const auto& [rendering, name] : height::kRenderings) {
+      const fast::HeightLaw law = fast_law(one.map, rendering);
+      Positions positions(one, law, 21);
+      std::vector<Vector3f> all;
+      while (all.size() < 5 * fast::kHeightBlock + 17) all.push_back(positions.next());
+      for (const fast::InstructionSet set : fast::kInstructionSets) {
+        if (!fast::is_available(set)) continue;
+        std::vector<Vector3f> forces(all.size(), Vector3f::Constant(-7));
+        const fast::BatchResult result = law.force(all, forces, set);
+        std::size_t invalid = 0;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+          const fast::Evaluation scalar = law.evaluate(all[i]);
+          invalid += scalar.status == Status::invalid;
+          for (int axis = 0; axis < 3; ++axis)
+            ASSERT_TRUE(same_bits(forces[i][axis], scalar.force[axis]))
+                << one.name << ", " << name << ", " << fast::name_of(set) << " at " << show(all[i]) << ": " << show(forces[i]);
+        }
+        EXPECT_EQ(result.invalid, invalid);
+      }
+    }
 }
 
 TEST(height_law, allocates_nothing) {
