@@ -36,6 +36,7 @@ LawOptions::LawOptions(CLI::App& command, Laws laws, Defaults defaults) {
         return (all && name == "all") || law_named(name) ? "" : "expected " + expected + "; got \"" + name + "\"";
       });
   if (!all) law->required();
+  law_option_ = law;
   if (defaults == Defaults::thesis) {
     radius_ = "15.24mm";
     width_ = "25.4mm";
@@ -52,7 +53,18 @@ LawOptions::LawOptions(CLI::App& command, Laws laws, Defaults defaults) {
   if (defaults == Defaults::none) stiffness->required();
 }
 
+void LawOptions::allow_instead(CLI::Option* other) {
+  law_option_->required(false)->excludes(other);
+  needed_unless_ = other;
+}
+
+float LawOptions::stiffness() const {
+  if (const char* fault = fast::arithmetic_fault()) throw BadInput(std::string("no law can be trusted here: ") + fault);
+  return parse_stiffness("--stiffness", stiffness_);
+}
+
 std::vector<LawId> LawOptions::laws() const {
+  if (needed_unless_ && law_.empty()) throw CLI::RequiredError("--law or " + needed_unless_->get_name());
   if (const auto id = law_named(law_)) return {*id};
   std::vector<LawId> all;
   for (const LawName& law : kLaws) all.push_back(law.id);
@@ -60,9 +72,8 @@ std::vector<LawId> LawOptions::laws() const {
 }
 
 Parameters LawOptions::parameters() const {
-  if (const char* fault = fast::arithmetic_fault()) throw BadInput(std::string("no law can be trusted here: ") + fault);
   Parameters p;
-  p.stiffness = parse_stiffness("--stiffness", stiffness_);
+  p.stiffness = stiffness();
   for (const LawId id : laws()) {
     if (has_bump_geometry(id)) {
       if (radius_.empty()) throw BadInput("--radius: the law " + std::string(name_of(id)) + " needs it");

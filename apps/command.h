@@ -27,13 +27,20 @@ class LawOptions {
 
   LawOptions(CLI::App& command, Laws laws, Defaults defaults);
 
+  // From then on --law is needed only without this option, and refused beside it.
+  void allow_instead(CLI::Option* other);
+
   std::vector<LawId> laws() const;
   LawId law() const { return laws().front(); }
 
   // Throws BadInput when a parameter is missing, cannot be read, or is outside the domain of one of the laws.
   Parameters parameters() const;
 
+  float stiffness() const;  // N/mm
+
  private:
+  CLI::Option* law_option_ = nullptr;
+  const CLI::Option* needed_unless_ = nullptr;
   std::string law_;
   std::string radius_, width_, stiffness_;
 };

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// forceshade force: the force at every position of a CSV, by the fast path or by the reference.
+// forceshade force: the force of a law or of a height map at every position of a CSV, by the fast path or by the reference.
 
+#include <functional>
 #include <iostream>
 #include <memory>
 
 #include "forceshade/apps/command.h"
 #include "forceshade/csv/csv.h"
 #include "forceshade/csv/output_file.h"
-#include "forceshade/fast/law.h"
-#include "forceshade/reference/law.h"
+#include "forceshade/fast/height_law.h"
+#include "forceshade/heights/spec.h"
+#include "forceshade/reference/height_law.h"
 
 namespace forceshade::apps {
 namespace {
 
 struct Options {
-  std::string path = "fast", input = "-", output = "-";
+  std::string path = "fast", input = "-", output = "-", height_map;
   unsigned digits = 30;
 };
 
@@ -36,29 +38,58 @@ void for_each_row(std::istream& in, const std::string& file, std::ostream& out, 
   }
 }
 
+void write(const Eigen::Vector3f& force, Status status, std::ostream& out) {
+  for (const float component : force) out << csv::shortest(component) << ',';
+  out << word(status);
+}
+
+// The law or height map of either path, built before anything is read.
+using Answer = std::function<void(const Eigen::Vector3f&, std::ostream&)>;
+
+template <class L>
+L built(std::variant<L, ParameterError> law, const std::string& what) {
+  if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput(what + error->message());
+  return std::get<L>(std::move(law));
+}
+
+Answer answer_of_law(const Options& options, const LawOptions& law_options) {
+  const Parameters parameters = law_options.parameters();
+  if (options.path == "fast")
+    return [law = built(fast::Law::build(law_options.law(), parameters), "--")](const auto& position, std::ostream& out) {
+      const fast::Evaluation answer = law.evaluate(position);
+      write(answer.force, answer.status, out);
+    };
+  return [law = built(reference::Law::build(law_options.law(), parameters), "--"), digits = options.digits](
+             const auto& position, std::ostream& out) {
+    const reference::DecimalForce answer = law.decimal(position, digits);
+    out << answer.x << ",0," << answer.z << ',' << word(answer.status);
+  };
+}
+
+Answer answer_of_height_map(const Options& options, float stiffness) {
+  const auto [map, rendering] = heights::read_spec(options.height_map);
+  const std::string what = options.height_map + ": ";
+  if (options.path == "fast")
+    return [law = built(fast::HeightLaw::build(map, rendering, stiffness), what)](const auto& position, std::ostream& out) {
+      const fast::Evaluation answer = law.evaluate(position);
+      write(answer.force, answer.status, out);
+    };
+  return [law = built(reference::HeightLaw::build(map, rendering, stiffness), what)](const auto& position, std::ostream& out) {
+    const reference::Rounded answer = law.round_to_binary32(position);
+    write(answer.force, answer.status, out);
+  };
+}
+
 void run(const Options& options, const LawOptions& law_options) {
   watch_for_interrupt();
   std::ios::sync_with_stdio(false);
+  const Answer answer =
+      options.height_map.empty() ? answer_of_law(options, law_options) : answer_of_height_map(options, law_options.stiffness());
   std::ifstream file;
   if (options.input != "-") file = csv::open_input(options.input);
   std::istream& in = options.input == "-" ? std::cin : file;
-  const std::string name = options.input == "-" ? "standard input" : options.input;
-  const Parameters parameters = law_options.parameters();
   csv::OutputFile output(options.output);
-  if (options.path == "fast") {
-    const auto law = std::get<fast::Law>(fast::Law::build(law_options.law(), parameters));
-    for_each_row(in, name, output.stream(), [&](const Eigen::Vector3f& position, std::ostream& out) {
-      const fast::Evaluation answer = law.evaluate(position);
-      for (const float component : answer.force) out << csv::shortest(component) << ',';
-      out << word(answer.status);
-    });
-  } else {
-    const auto law = std::get<reference::Law>(reference::Law::build(law_options.law(), parameters));
-    for_each_row(in, name, output.stream(), [&](const Eigen::Vector3f& position, std::ostream& out) {
-      const reference::DecimalForce answer = law.decimal(position, options.digits);
-      out << answer.x << ",0," << answer.z << ',' << word(answer.status);
-    });
-  }
+  for_each_row(in, options.input == "-" ? "standard input" : options.input, output.stream(), answer);
   output.commit();
 }
 
@@ -68,10 +99,15 @@ void add_force(CLI::App& app, int&) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("force", "Read positions as CSV (x_mm, y_mm, z_mm), write forces as CSV");
   const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one, LawOptions::Defaults::none);
+  CLI::Option* height_map =
+      command
+          ->add_option("--height-map", options->height_map, "instead of a law: a height map, a TOML file (docs/height-maps.md)")
+          ->type_name("SPEC");
+  law->allow_instead(height_map);
   command->add_option("--path", options->path, "fast: binary32, shortest form; reference: exact, to N digits")
       ->check(CLI::IsMember({"fast", "reference"}))
       ->capture_default_str();
-  command->add_option("--digits", options->digits, "significant decimal digits of the reference")
+  command->add_option("--digits", options->digits, "significant decimal digits of a law's reference")
       ->type_name("N")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();

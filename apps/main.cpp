@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
   });
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault.\n"
+      "Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault or safety trip.\n"
       "'forceshade COMMAND --help' explains a command.");
   int result = apps::kHeld;
   apps::add_laws(app, result);

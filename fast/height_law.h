@@ -19,8 +19,8 @@ namespace forceshade::fast {
 // Evaluates without allocation, lock or exception; immutable, safe to share between threads. A grid is shared, not copied.
 class HeightLaw {
  public:
-  // Domains: docs/height-maps.md; Gaussian and grating have no real-time evaluation yet and are refused. Looks at every value
-  // of a grid, and allocates. Under an arithmetic fault (fast/arithmetic.h) nothing is built.
+  // Domains: docs/height-maps.md. Looks at every value of a grid, and allocates. Under an arithmetic fault (fast/arithmetic.h)
+  // nothing is built.
   static std::variant<HeightLaw, ParameterError> build(const HeightMap& map, height::Rendering rendering, float stiffness);
 
   // Each component is the exact force rounded to binary32, but for a sum of parts within 2^-1900 of a tie; as Law::evaluate.

@@ -83,6 +83,18 @@ expect 0 '"polygons":4' -- "$forceshade" polygons --radius 12.7 --width 25.4 --t
 expect 2 "--width is 11 mm" -- "$forceshade" polygons --radius 5 --width 11 --theta-critical 40
 expect 2 "not in range" -- "$forceshade" polygons --radius 5 --width 5 --theta-critical 0
 
+# height maps
+felt() { printf 'x_mm,y_mm,z_mm\n0,0,2\n1,0,-0.5\n' | "$forceshade" force --stiffness 1 --height-map "$@"; }
+printf 'render = "height-map"\n[[part]]\nshape = "gaussian"\nheight_mm = 3\nsigma_mm = 5\n' > hill.toml
+same "$(felt hill.toml)" "$(felt hill.toml --path reference)"
+same "0,0,2,0,0,1,ok" "$(felt hill.toml | sed -n 2p)"
+expect 2 "hill.toml" -- "$forceshade" force --stiffness 1 --height-map hill.toml --law wall
+expect 2 "--law or --height-map" -- "$forceshade" force --stiffness 1
+sed 's/sigma_mm = 5/sigma_mm = 0/' hill.toml > flat.toml
+expect 2 "flat.toml: " -- "$forceshade" force --stiffness 1 --height-map flat.toml --input in.csv
+sed 's/sigma_mm/sigma/' hill.toml > misspelt.toml
+expect 2 "misspelt.toml: line 2: key sigma_mm is missing" -- "$forceshade" force --stiffness 1 --height-map misspelt.toml --input in.csv
+
 # plot and figures
 expect 0 "drawn/bump-3p-directions.svg" -- "$forceshade" plot --law bump-3p --what directions --out drawn
 same "PNG" "$(head -c 4 drawn/bump-3p-directions.png | tail -c 3)"

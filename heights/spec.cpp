@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/heights/spec.h"
+
+#include <toml++/toml.h>
+
+#include <array>
+#include <optional>
+#include <set>
+#include <span>
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace forceshade::heights {
+namespace {
+
+namespace fs = std::filesystem;
+
+template <class T>
+using Words = std::span<const std::pair<std::string_view, T>>;
+
+// One table of the file, read key by key.
+class Table {
+ public:
+  Table(const fs::path& file, const toml::table& table) : file_(file), table_(table) {}
+
+  float number(const char* key, std::optional<float> otherwise = std::nullopt) {
+    const toml::node* node = find(key, otherwise.has_value());
+    if (!node) return *otherwise;
+    const auto value = node->value<double>();  // a whole number, too
+    if (!value) fail(*node, key, "a number");
+    return static_cast<float>(*value);
+  }
+
+  std::string text(const char* key) {
+    const toml::node* node = find(key, false);
+    const auto value = node->value_exact<std::string>();
+    if (!value) fail(*node, key, "a text in quotes");
+    return *value;
+  }
+
+  bool flag(const char* key) {
+    const toml::node* node = find(key, true);
+    if (!node) return false;
+    const auto value = node->value_exact<bool>();
+    if (!value) fail(*node, key, "true or false");
+    return *value;
+  }
+
+  template <class T>
+  T word(const char* key, Words<T> words, std::optional<T> otherwise = std::nullopt) {
+    const toml::node* node = find(key, otherwise.has_value());
+    if (!node) return *otherwise;
+    const auto got = node->value_exact<std::string>();
+    std::string expected;
+    for (const auto& [word, value] : words) {
+      if (got == word) return value;
+      expected += (expected.empty() ? "one of " : ", ") + std::string(word);
+    }
+    fail(*node, key, expected);
+  }
+
+  // A key that nobody asked for is a mistake, most likely a misspelt one.
+  void expect_no_other() const {
+    for (const auto& [key, node] : table_)
+      if (!asked_.contains(std::string(key.str()))) throw Error(file_, line_of(node) + "unknown key " + std::string(key.str()));
+  }
+
+  std::string line_of(const toml::node& node) const { return "line " + std::to_string(node.source().begin.line) + ": "; }
+  [[noreturn]] void fail(const toml::node& node, const std::string& key, const std::string& expected) const {
+    std::ostringstream got;
+    node.visit([&](const auto& value) {
+      if constexpr (toml::is_value<decltype(value)>)
+        got << value;
+      else
+        got << "a list or table";
+    });
+    throw Error(file_, line_of(node) + key + ": expected " + expected + ", got " + got.str());
+  }
+
+ private:
+  const toml::node* find(const char* key, bool optional) {
+    asked_.insert(key);
+    const toml::node* node = table_.get(key);
+    if (!node && !optional) throw Error(file_, line_of(table_) + "key " + key + " is missing");
+    return node;
+  }
+
+  const fs::path& file_;
+  const toml::table& table_;
+  std::set<std::string> asked_;
+};
+
+using Read = height::Shape (*)(Table&, const fs::path& file);
+
+constexpr std::array<std::pair<std::string_view, height::Edge>, 2> kEdges{
+    {{"clamp", height::Edge::clamp}, {"tile", height::Edge::tile}}};
+constexpr std::array<std::pair<std::string_view, height::Interpolant>, 2> kInterpolants{
+    {{"bilinear", height::Interpolant::bilinear}, {"cubic-spline", height::Interpolant::cubic_spline}}};
+
+height::Shape grid(Table& table, const fs::path& file) {
+  return load(
+      {.file = file.parent_path() / table.text("file"),
+       .pitch = table.number("pitch_mm"),
+       .scale = table.number("scale_mm"),
+       .edge = table.word<height::Edge>("edge", kEdges, height::Edge::clamp),
+       .interpolant = table.word<height::Interpolant>("interpolant", kInterpolants, height::Interpolant::cubic_spline)});
+}
+
+constexpr std::array<std::pair<std::string_view, Read>, 7> kShapes{{
+    {"plane",
+     [](Table& t, const fs::path&) -> height::Shape {
+       return height::Plane{t.number("slope_x", 0), t.number("slope_y", 0), t.number("height_mm", 0)};
+     }},
+    {"cone",
+     [](Table& t, const fs::path&) -> height::Shape {
+       return height::Cone{t.number("x_mm", 0), t.number("y_mm", 0), t.number("height_mm"), t.number("radius_mm")};
+     }},
+    {"cylinder-cap",
+     [](Table& t, const fs::path&) -> height::Shape {
+       return height::CylinderCap{t.number("x_mm", 0), t.number("radius_mm"), t.number("width_mm")};
+     }},
+    {"sphere-cap",
+     [](Table& t, const fs::path&) -> height::Shape {
+       return height::SphereCap{t.number("x_mm", 0), t.number("y_mm", 0), t.number("radius_mm"), t.number("width_mm")};
+     }},
+    {"gaussian",
+     [](Table& t, const fs::path&) -> height::Shape {
+       return height::Gaussian{t.number("x_mm", 0), t.number("y_mm", 0), t.number("height_mm"), t.number("sigma_mm")};
+     }},
+    {"grating",
+     [](Table& t, const fs::path&) -> height::Shape {
+       return height::Grating{t.number("height_mm"), t.number("wave_x_rad_per_mm", 0), t.number("wave_y_rad_per_mm", 0),
+                              t.number("phase_rad", 0)};
+     }},
+    {"grid", grid},
+}};
+
+height::Part part(const fs::path& file, const toml::table& table) {
+  Table keys(file, table);
+  const Read read = keys.word<Read>("shape", kShapes);
+  height::Part part{read(keys, file), keys.flag("negated")};
+  keys.expect_no_other();
+  return part;
+}
+
+toml::table parsed(const fs::path& file) {
+  try {
+    return toml::parse_file(file.string());
+  } catch (const toml::parse_error& error) {
+    if (error.source().begin.line == 0) throw Error(file, std::string(error.description()));
+    throw Error(file, "line " + std::to_string(error.source().begin.line) + ": " + std::string(error.description()));
+  }
+}
+
+}  // namespace
+
+Spec read_spec(const fs::path& file) {
+  const toml::table root = parsed(file);
+  Table keys(file, root);
+  std::array<std::pair<std::string_view, height::Rendering>, height::kRenderings.size()> renderings;
+  for (std::size_t i = 0; i < renderings.size(); ++i)
+    renderings[i] = {height::kRenderings[i].name, height::kRenderings[i].rendering};
+  Spec spec{{}, keys.word<height::Rendering>("render", renderings)};
+  for (const auto& [key, node] : root) {
+    if (key.str() == "render") continue;
+    const toml::array* parts = key.str() == "part" ? node.as_array() : nullptr;
+    if (!parts) throw Error(file, keys.line_of(node) + "expected render and [[part]], got " + std::string(key.str()));
+    for (const toml::node& element : *parts) {
+      if (!element.is_table()) keys.fail(element, "part", "a table");
+      spec.map.parts.push_back(part(file, *element.as_table()));
+    }
+  }
+  if (spec.map.parts.empty()) throw Error(file, "expected at least one [[part]], got none");
+  return spec;
+}
+
+}  // namespace forceshade::heights

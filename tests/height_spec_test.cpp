@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/heights/spec.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <random>
+#include <string>
+
+#include "forceshade/fast/height_law.h"
+#include "forceshade/reference/height_law.h"
+#include "forceshade/tests/temporary_directory.h"
+
+namespace forceshade::heights {
+namespace {
+
+using tests::TemporaryDirectory;
+
+std::string words_of(const std::string& text) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.write("map.toml", text);
+  try {
+    read_spec(file);
+    return "";
+  } catch (const Error& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with(file + ": ")) << error.what();
+    return std::string(error.what()).substr(file.size() + 2);
+  }
+}
+
+TEST(height_spec, reads_every_shape_with_its_defaults) {
+  const TemporaryDirectory directory;
+  const Spec spec = read_spec(directory.write("map.toml", R"(
+render = "height-map-conservative"
+[[part]]
+shape = "plane"
+slope_x = 1
+[[part]]
+shape = "cone"
+height_mm = 2.5
+radius_mm = 3
+y_mm = -1
+[[part]]
+shape = "cylinder-cap"
+radius_mm = 8
+width_mm = 10
+negated = true
+[[part]]
+shape = "sphere-cap"
+radius_mm = 9
+width_mm = 4
+[[part]]
+shape = "gaussian"
+height_mm = -1
+sigma_mm = 0.5
+x_mm = 7
+[[part]]
+shape = "grating"
+height_mm = 0.1
+wave_y_rad_per_mm = 3
+)"));
+  EXPECT_EQ(spec.rendering, height::Rendering::conservative);
+  const auto& parts = spec.map.parts;
+  ASSERT_EQ(parts.size(), 6U);
+  EXPECT_EQ(std::get<height::Plane>(parts[0].shape).slope_x, 1);
+  EXPECT_EQ(std::get<height::Plane>(parts[0].shape).height, 0);
+  EXPECT_EQ(std::get<height::Cone>(parts[1].shape).height, 2.5F);
+  EXPECT_EQ(std::get<height::Cone>(parts[1].shape).y, -1);
+  EXPECT_EQ(std::get<height::CylinderCap>(parts[2].shape).width, 10);
+  EXPECT_EQ(std::get<height::SphereCap>(parts[3].shape).radius, 9);
+  EXPECT_EQ(std::get<height::Gaussian>(parts[4].shape).x, 7);
+  EXPECT_EQ(std::get<height::Grating>(parts[5].shape).wave_y, 3);
+  for (std::size_t i = 0; i < parts.size(); ++i) EXPECT_EQ(parts[i].negated, i == 2);
+}
+
+TEST(height_spec, says_what_is_wrong_and_where) {
+  const std::string good = "render = \"height-map\"\n[[part]]\nshape = \"gaussian\"\nheight_mm = 1\nsigma_mm = 2\n";
+  EXPECT_EQ(words_of(good), "");
+  const auto with = [&](const std::string& a, const std::string& b) {
+    std::string text = good;
+    return words_of(text.replace(text.find(a), a.size(), b));
+  };
+  EXPECT_EQ(words_of(""), "line 1: key render is missing");
+  EXPECT_EQ(words_of("render = \"height-map\"\n"), "expected at least one [[part]], got none");
+  EXPECT_EQ(with("\"height-map\"", "\"flat\""),
+            "line 1: render: expected one of height-map, height-map-shaded, height-map-conservative, got flat");
+  EXPECT_EQ(with("\"gaussian\"", "\"teapot\""),
+            "line 3: shape: expected one of plane, cone, cylinder-cap, sphere-cap, gaussian, grating, grid, got teapot");
+  EXPECT_EQ(with("height_mm = 1", "height_mm = \"1\""), "line 4: height_mm: expected a number, got 1");
+  EXPECT_EQ(with("height_mm = 1", "height_mm = [1]"), "line 4: height_mm: expected a number, got a list or table");
+  EXPECT_EQ(with("sigma_mm = 2", "sigma = 2"), "line 2: key sigma_mm is missing");
+  EXPECT_EQ(with("sigma_mm = 2", "sigma_mm = 2\nradius_mm = 3"), "line 6: unknown key radius_mm");
+  EXPECT_EQ(with("sigma_mm = 2", "sigma_mm = 2\nnegated = 1"), "line 6: negated: expected true or false, got 1");
+  EXPECT_EQ(with("[[part]]", "[part]"), "line 2: expected render and [[part]], got part");
+  EXPECT_EQ(with("[[part]]", "[[parts]]"), "line 2: expected render and [[part]], got parts");
+  EXPECT_NE(with("sigma_mm = 2", "sigma_mm = ").find("line 5: "), std::string::npos);
+  EXPECT_NE(with("\"gaussian\"", "\"grid\"\npitch_mm = 1\nscale_mm = 1"), "");
+  EXPECT_THROW(read_spec("nowhere/map.toml"), Error);
+}
+
+// What ships as an example is read, built on both sides, and felt alike.
+TEST(height_spec, examples_are_rendered_to_the_nearest_binary32) {
+  std::size_t examples = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(FORCESHADE_SOURCE_DIR "/examples")) {
+    if (entry.path().extension() != ".toml") continue;
+    ++examples;
+    const auto [map, rendering] = read_spec(entry.path());
+    const auto fast = fast::HeightLaw::build(map, rendering, 0.5F);
+    const auto truth = reference::HeightLaw::build(map, rendering, 0.5F);
+    ASSERT_TRUE(std::holds_alternative<fast::HeightLaw>(fast)) << entry.path();
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> side(-12, 12), depth(-3, 2);
+    std::size_t contacts = 0;
+    for (int i = 0; i < 200; ++i) {
+      const Eigen::Vector3f position(side(random), side(random), depth(random));
+      const fast::Evaluation got = std::get<fast::HeightLaw>(fast).evaluate(position);
+      const reference::Rounded exact = std::get<reference::HeightLaw>(truth).round_to_binary32(position);
+      EXPECT_EQ(got.status, exact.status) << entry.path() << " " << position.transpose();
+      EXPECT_EQ(got.force, exact.force) << entry.path() << " " << position.transpose();
+      contacts += got.status == Status::contact;
+    }
+    EXPECT_GT(contacts, 20U) << entry.path();
+  }
+  EXPECT_GE(examples, 4U);
+}
+
+}  // namespace
+}  // namespace forceshade::heights
