@@ -10,9 +10,20 @@ using Lanes = double __attribute__((vector_size(8 * kLanes)));
 using Floats = float __attribute__((vector_size(4 * kLanes)));
 using Indices = std::int32_t __attribute__((vector_size(4 * kLanes)));
 
+// g++ takes several instructions to convert vectors; each of these is one.
+FORCESHADE_INLINE Lanes to_binary64(Floats a) {
+  return _mm256_cvtps_pd(a);
+}
+FORCESHADE_INLINE Lanes to_binary64(Indices a) {
+  return _mm256_cvtepi32_pd(reinterpret_cast<__m128i>(a));
+}
+FORCESHADE_INLINE Indices towards_zero(Lanes a) {
+  return reinterpret_cast<Indices>(_mm256_cvttpd_epi32(a));
+}
+
 FORCESHADE_INLINE bool is_plain(float coordinate) {
   const float size = __builtin_fabsf(coordinate);
-  return (size <= kLargestCoordinate) & ((size >= kPositionQuantum) | (size == 0));
+  return (size <= kLargestCoordinate) && ((size >= kPositionQuantum) || (size == 0));
 }
 
 // The l-th row of a window at each of four places, turned: one lane a place, one vector a column.
@@ -23,10 +34,10 @@ FORCESHADE_INLINE void load_columns(const float* const from[kLanes], const std::
                high01 = __builtin_shufflevector(row[0], row[1], 2, 6, 3, 7);
   const Floats low23 = __builtin_shufflevector(row[2], row[3], 0, 4, 1, 5),
                high23 = __builtin_shufflevector(row[2], row[3], 2, 6, 3, 7);
-  to[0] = __builtin_convertvector(__builtin_shufflevector(low01, low23, 0, 1, 4, 5), Lanes);
-  to[1] = __builtin_convertvector(__builtin_shufflevector(low01, low23, 2, 3, 6, 7), Lanes);
-  to[2] = __builtin_convertvector(__builtin_shufflevector(high01, high23, 0, 1, 4, 5), Lanes);
-  to[3] = __builtin_convertvector(__builtin_shufflevector(high01, high23, 2, 3, 6, 7), Lanes);
+  to[0] = to_binary64(__builtin_shufflevector(low01, low23, 0, 1, 4, 5));
+  to[1] = to_binary64(__builtin_shufflevector(low01, low23, 2, 3, 6, 7));
+  to[2] = to_binary64(__builtin_shufflevector(high01, high23, 0, 1, 4, 5));
+  to[3] = to_binary64(__builtin_shufflevector(high01, high23, 2, 3, 6, 7));
 }
 
 struct Patches {
@@ -40,15 +51,13 @@ FORCESHADE_INLINE void evaluate_patches(const HeightGrid& grid, const HeightBloc
   Floats x_in, y_in;
   __builtin_memcpy(&x_in, positions.x + i, sizeof x_in);
   __builtin_memcpy(&y_in, positions.y + i, sizeof y_in);
-  const Lanes x = __builtin_convertvector(x_in, Lanes), y = __builtin_convertvector(y_in, Lanes);
+  const Lanes x = to_binary64(x_in), y = to_binary64(y_in);
   const Pair64 centre = grid.centre();
   const auto floor_of = [&](const Lanes& coordinate, double middle) {
-    return __builtin_convertvector(coordinate * grid.per_pitch() + (middle + kAbove), Indices) -
-           static_cast<std::int32_t>(kAbove);
+    return towards_zero(coordinate * grid.per_pitch() + (middle + kAbove)) - static_cast<std::int32_t>(kAbove);
   };
   const Indices column = floor_of(x, centre[0]), row = floor_of(y, centre[1]);
-  const Lanes from_x = __builtin_convertvector(column, Lanes) - centre[0],
-              from_y = __builtin_convertvector(row, Lanes) - centre[1];
+  const Lanes from_x = to_binary64(column) - centre[0], from_y = to_binary64(row) - centre[1];
   const Lanes start_x = from_x * grid.pitch(), start_y = from_y * grid.pitch();
   const Lanes end_x = (from_x + 1) * grid.pitch(), end_y = (from_y + 1) * grid.pitch();
   static constexpr float kNoWindow[16] = {};  // what is read for a cell that is left to the scalar call
@@ -56,12 +65,12 @@ FORCESHADE_INLINE void evaluate_patches(const HeightGrid& grid, const HeightBloc
   std::int64_t stride[kLanes];
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     const std::int64_t k = column[lane], l = row[lane];
-    const bool is_inside = (k >= 1) & (l >= 1) & (k + 2 < grid.columns()) & (l + 2 < grid.rows());
+    const bool is_inside = (k >= 1) && (l >= 1) && (k + 2 < grid.columns()) && (l + 2 < grid.rows());
     const bool is_placed =
-        (x[lane] >= start_x[lane]) & (x[lane] < end_x[lane]) & (y[lane] >= start_y[lane]) & (y[lane] < end_y[lane]);
+        (x[lane] >= start_x[lane]) && (x[lane] < end_x[lane]) && (y[lane] >= start_y[lane]) && (y[lane] < end_y[lane]);
     from[lane] = is_inside ? grid.values() + ((l - 1) * grid.columns() + k - 1) : kNoWindow;
     stride[lane] = is_inside ? grid.columns() : 0;
-    answers.is_sure[i + lane] = answers.is_sure[i + lane] & is_inside & is_placed;
+    answers.is_sure[i + lane] = answers.is_sure[i + lane] && is_inside && is_placed;
   }
   Lanes d[4][4];
   for (int l = 0; l < 4; ++l) load_columns(from, stride, l, d[l]);
@@ -116,7 +125,7 @@ FORCESHADE_INLINE void forces(const Patches& map, const SureSizes& sure, double 
     answers.x[i] = static_cast<float>(x[i]) + 0.0F;
     answers.y[i] = static_cast<float>(y[i]) + 0.0F;
     answers.z[i] = static_cast<float>(M[i]) + 0.0F;
-    answers.is_sure[i] = answers.is_sure[i] & (is_clear[i] > 0) & (doubts == 0);
+    answers.is_sure[i] = answers.is_sure[i] && (is_clear[i] > 0) && (doubts == 0);
   }
 }
 
@@ -124,7 +133,7 @@ void answer_block(const HeightGrid& grid, const SureSizes& sure, height::Renderi
                   const HeightBlock& positions, HeightAnswers& answers) {
   HeightBlock plain;
   for (std::size_t i = 0; i < kHeightBlock; ++i) {
-    const bool is_sure = is_plain(positions.x[i]) & is_plain(positions.y[i]) & is_plain(positions.z[i]);
+    const bool is_sure = is_plain(positions.x[i]) && is_plain(positions.y[i]) && is_plain(positions.z[i]);
     answers.is_sure[i] = is_sure;
     plain.x[i] = is_sure ? positions.x[i] : 0;
     plain.y[i] = is_sure ? positions.y[i] : 0;
