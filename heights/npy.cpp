@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // NPY, NumPy's own format, versions 1 to 3: a magic, the header's length, a Python dictionary, the numbers row by row.
 
+#include <charconv>
 #include <fstream>
-#include <regex>
+#include <optional>
+#include <string_view>
 
 #include "forceshade/heights/byte_order.h"
 #include "forceshade/heights/samples.h"
@@ -37,21 +39,46 @@ std::vector<T> read_numbers(std::ifstream& in, std::size_t count, bool reversed,
   return numbers;
 }
 
+// What follows `'key':` and spaces; empty if nothing does.
+std::string_view value_of(std::string_view dictionary, const std::string& key) {
+  const std::size_t at = dictionary.find("'" + key + "':");
+  if (at == std::string_view::npos) return {};
+  dictionary.remove_prefix(at + key.size() + 3);
+  dictionary.remove_prefix(std::min(dictionary.find_first_not_of(' '), dictionary.size()));
+  return dictionary;
+}
+
+// "(ROWS, COLUMNS)" and nothing else.
+std::optional<std::array<std::uint64_t, 2>> two_numbers(std::string_view tuple) {
+  std::array<std::uint64_t, 2> numbers{};
+  const char* at = tuple.data();
+  const char* const end = at + tuple.size();
+  const auto take = [&](char wanted) { return at != end && *at == wanted && ++at != nullptr; };
+  const auto number = [&](std::uint64_t& to) {
+    const auto [after, error] = std::from_chars(at, end, to);
+    at = after;
+    return error == std::errc();
+  };
+  if (!take('(') || !number(numbers[0]) || !take(',')) return std::nullopt;
+  while (take(' ')) continue;
+  if (!number(numbers[1]) || !take(')')) return std::nullopt;
+  return numbers;
+}
+
 }  // namespace
 
 Samples read_npy(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   const std::string header = read_header(in, file);
-  std::smatch type, shape;
-  const auto has = [&](std::smatch& found, const char* pattern) {
-    return std::regex_search(header, found, std::regex(pattern));
-  };
-  if (!has(type, "'descr': *'([<>])f([48])'")) throw Error(file, "holds no binary32 or binary64 numbers");
-  std::smatch order;
-  if (!has(order, "'fortran_order': *False")) throw Error(file, "is not stored row by row");
-  if (!has(shape, "'shape': *\\(([0-9]{1,10}), *([0-9]{1,10})\\)")) throw Error(file, "has not two dimensions");
-  const bool is_binary64 = type[2] == "8", reversed = (type[1] == "<") != (std::endian::native == std::endian::little);
-  Samples samples = allocate(file, std::stoull(shape[2]), std::stoull(shape[1]), is_binary64 ? 8 : 4, 1);
+  const std::string_view type = value_of(header, "descr");
+  const bool is_little = type.starts_with("'<"), is_binary64 = type.substr(0, 5).ends_with("f8'");
+  if (!(is_little || type.starts_with("'>")) || !(is_binary64 || type.substr(0, 5).ends_with("f4'")))
+    throw Error(file, "holds no binary32 or binary64 numbers");
+  if (!value_of(header, "fortran_order").starts_with("False")) throw Error(file, "is not stored row by row");
+  const auto shape = two_numbers(value_of(header, "shape"));
+  if (!shape) throw Error(file, "has not two dimensions");
+  const bool reversed = is_little != (std::endian::native == std::endian::little);
+  Samples samples = allocate(file, (*shape)[1], (*shape)[0], is_binary64 ? 8 : 4, 1);
   const auto fill = [&](const auto& numbers) {
     for (std::uint32_t row = 0; row < samples.rows; ++row)
       for (std::uint32_t column = 0; column < samples.columns; ++column)
