@@ -92,6 +92,9 @@ TEST(height_reference, repeats_a_tiled_grid) {
       EXPECT_EQ(force(tiled, {x, 0.25F, -2}), force(tiled, {x - 80, 0.25F + 60, -2}));
     }
   }
+  const HeightLaw heights = law(grid(height::Interpolant::bilinear, height::Edge::tile, values), Rendering::conservative);
+  EXPECT_EQ(force(heights, {1, 0, -2}).z(), values[6] + 2) << "third column, second row";
+  EXPECT_EQ(force(heights, {-15, 6, -2}).z(), values[6] + 2);
 }
 
 TEST(height_reference, reproduces_what_a_cubic_spline_can) {
