@@ -88,7 +88,7 @@ felt() { printf 'x_mm,y_mm,z_mm\n0,0,2\n1,0,-0.5\n' | "$forceshade" force --stif
 printf 'render = "height-map"\n[[part]]\nshape = "gaussian"\nheight_mm = 3\nsigma_mm = 5\n' > hill.toml
 same "$(felt hill.toml)" "$(felt hill.toml --path reference)"
 same "0,0,2,0,0,1,ok" "$(felt hill.toml | sed -n 2p)"
-expect 2 "hill.toml" -- "$forceshade" force --stiffness 1 --height-map hill.toml --law wall
+expect 2 "--law excludes --height-map" -- "$forceshade" force --stiffness 1 --height-map hill.toml --law wall
 expect 2 "--law or --height-map" -- "$forceshade" force --stiffness 1
 sed 's/sigma_mm = 5/sigma_mm = 0/' hill.toml > flat.toml
 expect 2 "flat.toml: " -- "$forceshade" force --stiffness 1 --height-map flat.toml --input in.csv

@@ -84,10 +84,10 @@ TEST(height_spec, says_what_is_wrong_and_where) {
   EXPECT_EQ(words_of(""), "line 1: key render is missing");
   EXPECT_EQ(words_of("render = \"height-map\"\n"), "expected at least one [[part]], got none");
   EXPECT_EQ(with("\"height-map\"", "\"flat\""),
-            "line 1: render: expected one of height-map, height-map-shaded, height-map-conservative, got flat");
+            "line 1: render: expected one of height-map, height-map-shaded, height-map-conservative, got 'flat'");
   EXPECT_EQ(with("\"gaussian\"", "\"teapot\""),
-            "line 3: shape: expected one of plane, cone, cylinder-cap, sphere-cap, gaussian, grating, grid, got teapot");
-  EXPECT_EQ(with("height_mm = 1", "height_mm = \"1\""), "line 4: height_mm: expected a number, got 1");
+            "line 3: shape: expected one of plane, cone, cylinder-cap, sphere-cap, gaussian, grating, grid, got 'teapot'");
+  EXPECT_EQ(with("height_mm = 1", "height_mm = \"1\""), "line 4: height_mm: expected a number, got '1'");
   EXPECT_EQ(with("height_mm = 1", "height_mm = [1]"), "line 4: height_mm: expected a number, got a list or table");
   EXPECT_EQ(with("sigma_mm = 2", "sigma = 2"), "line 2: key sigma_mm is missing");
   EXPECT_EQ(with("sigma_mm = 2", "sigma_mm = 2\nradius_mm = 3"), "line 6: unknown key radius_mm");
