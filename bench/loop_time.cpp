@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a tick of the servo loop costs of itself, whatever else the machine does: the same minute of strokes five times over, to
+// the bit, and of each tick the least time. A stall of the machine seldom meets the same tick five times.
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "forceshade/device/open_device.h"
+#include "forceshade/device/servo_loop.h"
+
+namespace {
+
+using namespace forceshade;
+
+constexpr double kSeconds = 60;
+constexpr int kRuns = 5;
+
+struct Times : device::SampleSink {
+  Times() { samples.reserve(static_cast<std::size_t>(1000 * kSeconds) + 1); }
+  void push(const device::Sample& sample) noexcept override { samples.push_back(sample); }
+  std::vector<device::Sample> samples;
+};
+
+struct Least {
+  std::vector<std::int64_t> computing, tick;  // ns
+};
+
+Least least_times(LawId id) {
+  const auto law = std::get<fast::Law>(fast::Law::build(id, {.radius = 15.24F, .width = 25.4F, .stiffness = 0.5F}));
+  const std::atomic<bool> never = false;
+  Least least;
+  for (int run = 0; run < kRuns; ++run) {
+    const auto simulated = device::open_device("simulated");
+    Times times;
+    run_servo_loop(*simulated, law, {.max_seconds = kSeconds, .paced = false, .sinks = {&times}}, never);
+    const std::size_t ticks = times.samples.size() - 1;
+    least.computing.resize(ticks, INT64_MAX);
+    least.tick.resize(ticks, INT64_MAX);
+    for (std::size_t k = 0; k < ticks; ++k) {
+      least.computing[k] = std::min(least.computing[k], times.samples[k].compute_ns);
+      least.tick[k] = std::min(least.tick[k], times.samples[k + 1].wall_ns - times.samples[k].wall_ns);
+    }
+  }
+  return least;
+}
+
+std::string percentiles(std::vector<std::int64_t> times) {
+  std::sort(times.begin(), times.end());
+  const auto at = [&](std::size_t per_myriad) {
+    return static_cast<double>(times[(times.size() * per_myriad + 9999) / 10'000 - 1]) / 1e3;
+  };
+  char text[100];
+  std::snprintf(text, sizeof text, "%.2f | %.2f | %.2f | %.2f", at(5000), at(9900), at(9999), at(10'000));
+  return text;
+}
+
+}  // namespace
+
+int main() {
+  std::printf(
+      "| µs | computing p50 | p99 | p99.99 | max | whole tick p50 | p99 | p99.99 | max "
+      "|\n|---|---|---|---|---|---|---|---|---|\n");
+  for (const LawName& law : kLaws) {
+    const Least least = least_times(law.id);
+    std::printf("| `%s` | %s | %s |\n", law.name.data(), percentiles(least.computing).c_str(), percentiles(least.tick).c_str());
+    std::fflush(stdout);
+  }
+}
