@@ -170,8 +170,8 @@ Picture energy_map(const Drawn& drawn) {
       "$density << EOD\n" + matrix + "EOD\n$lines << EOD\n" + (lines.empty() ? "NaN NaN\n" : lines) + "EOD\n" +
       surface_block(drawn) + kPlain + frame.axes(drawn.reach(), shown) + ticks("y", shown.high - shown.low, 5) +
       "set palette defined (0 '#2166ac', 1 '#f4f1ea', 2 '#b35806')\nset cbrange [" + plotted(-scale) + ':' + plotted(scale) +
-      "]\nset cblabel 'mJ/mm²' offset 0.2\nplot $density using (" + plotted(left) + "+$1*" + plotted(dx) + "):(" + plotted(bottom) +
-      "+$2*" + plotted(dz) +
+      "]\nset cblabel 'mJ/mm²' offset 0.2\nplot $density using (" + plotted(left) + "+$1*" + plotted(dx) + "):(" +
+      plotted(bottom) + "+$2*" + plotted(dz) +
       "):3 matrix with image, $lines with lines lw 1.6 dt (5,4) lc rgb '#222222', $surface with lines lw 1.4 lc rgb "
       "'#222222'\n";
   return {{frame.width, frame.height(drawn.reach(), shown), "energy-" + drawn.name(),

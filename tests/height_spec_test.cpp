@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/heights/spec.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <string>
 
 #include "forceshade/fast/height_law.h"
+#include "forceshade/heights/spec.h"
 #include "forceshade/reference/height_law.h"
 #include "forceshade/tests/temporary_directory.h"
 
