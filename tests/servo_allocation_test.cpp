@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Between its first reading and its last command the servo loop allocates nothing, and neither do the devices.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <thread>
+
+#include "forceshade/device/open_device.h"
+#include "forceshade/device/phantom.h"
+#include "forceshade/tests/servo_loop_fixture.h"
+#include "forceshade/tests/stand_in_hd/stand_in_hd.h"
+
+namespace {
+thread_local std::size_t allocations = 0;
+}
+
+// Never inlined: where only one of a pair is, the compiler takes new and free() for a mismatch.
+#define REPLACED [[gnu::noinline]]
+
+REPLACED void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+REPLACED void* operator new(std::size_t size, std::align_val_t alignment) {
+  ++allocations;
+  const auto step = static_cast<std::size_t>(alignment);
+  if (void* memory = std::aligned_alloc(step, (size + step - 1) / step * step)) return memory;
+  throw std::bad_alloc();
+}
+REPLACED void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+REPLACED void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+REPLACED void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+REPLACED void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);
+}
+
+namespace forceshade::device {
+namespace {
+
+class Watching : public Still {
+ public:
+  std::size_t allocations_between_first_read_and_last_command() const { return at_last_command_ - at_first_read_; }
+
+ protected:
+  ReadResult at(std::size_t reading) noexcept override {
+    if (reading == 0) at_first_read_ = allocations;
+    if (reading == 500) return EndOfData{};
+    return here();
+  }
+  std::optional<Fault> on_command() noexcept override {
+    at_last_command_ = allocations;
+    return std::nullopt;
+  }
+
+ private:
+  std::size_t at_first_read_ = 0;
+  std::size_t at_last_command_ = 0;
+};
+
+TEST(servo_loop, allocates_nothing_after_the_first_reading) {
+  for (const LawName& name : kLaws) {
+    Watching device;
+    const ServoOptions options{.rate_hz = kHighestRateHz};
+    const Kept result(device, law_of(name.id, 0.5F), options);
+    EXPECT_EQ(result.ticks, 500U);
+    EXPECT_EQ(device.allocations_between_first_read_and_last_command(), 0U) << name.name;
+  }
+}
+
+TEST(servo_loop, simulated_device_allocates_nothing_once_started) {
+  const auto device = open_device("simulated");
+  device->start(1000);
+  const std::size_t before = allocations;
+  for (int tick = 0; tick < 2000; ++tick) {
+    device->read();
+    device->command({0, 0, 0.1F});
+  }
+  EXPECT_EQ(allocations, before);
+}
+
+// Neither while it runs nor when it fails.
+TEST(servo_loop, phantom_allocates_nothing_once_started) {
+  setenv("FORCESHADE_HD_LIBRARY", STAND_IN_HD, 1);
+  stand_in_hd::reset();
+  Phantom device("", {.patience = std::chrono::seconds(20), .start = std::chrono::seconds(20)});
+  ASSERT_FALSE(device.start(1000));
+  const std::size_t before = allocations;
+  for (int tick = 0; tick < 2000; ++tick) {
+    device.read();
+    device.command({0, 0, 0.1F});
+  }
+  EXPECT_EQ(allocations, before);
+  stand_in_hd::tell({.begin = hdapi::kCommunication});
+  const std::size_t told = allocations;
+  while (!std::holds_alternative<Fault>(device.read())) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_EQ(allocations, told);
+}
+
+TEST(servo_loop, allocation_by_a_device_is_seen) {
+  struct Allocating final : Watching {
+    ReadResult at(std::size_t reading) noexcept override {
+      kept.push_back(std::make_unique<int>(1));
+      return Watching::at(reading);
+    }
+    std::vector<std::unique_ptr<int>> kept;
+  } device;
+  run_servo_loop(device, wall(), unpaced(), kNeverStop);
+  EXPECT_GE(device.allocations_between_first_read_and_last_command(), 499U);
+}
+
+}  // namespace
+}  // namespace forceshade::device
