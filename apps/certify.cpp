@@ -14,6 +14,7 @@
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/exhaustive.h"
 #include "forceshade/properties/report.h"
+#include "forceshade/properties/thesis.h"
 
 namespace forceshade::apps {
 namespace {
@@ -25,9 +26,6 @@ struct Options {
   std::string out;
   ExhaustiveOptions exhaustive;
 };
-
-// The thesis's reference bumps: 600, 800, 1000, 1200 and 1400 mils.
-const std::vector<float> kThesisRadii{15.24F, 20.32F, 25.4F, 30.48F, 35.56F};
 
 // One line, drawn over itself, on a terminal only.
 void draw_progress(LawId law, double done) {
@@ -81,7 +79,8 @@ int run(const Options& options, const LawOptions& law_options, bool radius_is_gi
   if (options.out.empty()) throw CLI::RequiredError("--out");
   make_directory("--out", options.out);  // before the work, so that a path that cannot be written to is said at once
   if (!options.exhaustive.wanted) return run_points(options, law_options, parameters);
-  properties::SweepPlan plan{law_options.laws(), parameters, kThesisRadii};
+  properties::SweepPlan plan{law_options.laws(), parameters, {}};
+  for (const properties::ThesisRadius& radius : properties::kThesisRadii) plan.radii.push_back(radius.mm);
   if (radius_is_given) plan.radii = {parameters.radius};
   return run_exhaustive(options.exhaustive, plan, options.threads, options.out);
 }

@@ -12,6 +12,7 @@
 #include "forceshade/apps/length.h"
 #include "forceshade/csv/output_file.h"
 #include "forceshade/fast/law.h"
+#include "forceshade/reference/law.h"
 
 namespace forceshade::apps {
 namespace {
@@ -61,6 +62,18 @@ void LawOptions::allow_instead(CLI::Option* other) {
 float LawOptions::stiffness() const {
   if (const char* fault = fast::arithmetic_fault()) throw BadInput(std::string("no law can be trusted here: ") + fault);
   return parse_stiffness("--stiffness", stiffness_);
+}
+
+BumpOptions::BumpOptions(CLI::App& command) {
+  command.add_option("--radius", radius_, "R: mm, or with a unit (mm, mil, in, cm, m)")->type_name("VALUE")->required();
+  command.add_option("--width", width_, "w: mm, or with a unit")->type_name("VALUE")->required();
+}
+
+Parameters BumpOptions::bump() const {
+  const Parameters bump{parse_length("--radius", radius_), parse_length("--width", width_), 1};
+  const auto law = reference::Law::build(LawId::bump_cylinder, bump);
+  if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput("--" + error->message());
+  return bump;
 }
 
 std::vector<LawId> LawOptions::laws() const {

@@ -45,6 +45,18 @@ class LawOptions {
   std::string radius_, width_, stiffness_;
 };
 
+// --radius and --width of a bump, both required.
+class BumpOptions {
+ public:
+  explicit BumpOptions(CLI::App& command);
+
+  // With a stiffness of 1 N/mm, which the geometry does not ask for. Throws BadInput.
+  Parameters bump() const;
+
+ private:
+  std::string radius_, width_;
+};
+
 // Set by SIGINT and SIGTERM once watch_for_interrupt() was called; a second signal ends the program at once.
 const std::atomic<bool>& interrupted();
 void watch_for_interrupt();

@@ -31,7 +31,10 @@ ordered_json times(const device::Durations& us) {
 }
 
 void print_safety(const ServoResult& run) {
-  if (!run.supervised) return (void)std::printf("safety            a device that gives no force: not supervised\n");
+  if (!run.supervised) {
+    std::printf("safety            a device that gives no force: not supervised\n");
+    return;
+  }
   std::printf("safety            ");
   if (run.trip) std::printf("TRIPPED: %s at tick %zu; ", words(run.trip->rule), run.trip->tick);
   std::string limited;

@@ -7,8 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "forceshade/apps/command.h"
-#include "forceshade/apps/length.h"
-#include "forceshade/reference/law.h"
+#include "forceshade/properties/thesis.h"
 #include "forceshade/reference/theta_critical.h"
 
 namespace forceshade::apps {
@@ -16,19 +15,12 @@ namespace {
 
 constexpr unsigned kDigits = 6;
 
-Parameters bump_of(const std::string& radius, const std::string& width) {
-  const Parameters bump{parse_length("--radius", radius), parse_length("--width", width), 1};
-  const auto law = reference::Law::build(LawId::bump_cylinder, bump);
-  if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput("--" + error->message());
-  return bump;
-}
-
 // The five radii of the thesis's experiments, on its bump's width.
 void print_figure_5_5() {
   std::printf("degrees that each polygon subtends, w = 1000 mil (thesis, figure 5-5)\n");
   std::printf("%10s %14s %14s %14s\n", "R, mil", "one polygon", "two polygons", "three polygons");
-  for (const int mil : {600, 800, 1000, 1200, 1400}) {
-    const Parameters bump = bump_of(std::to_string(mil) + "mil", "1000mil");
+  for (const auto& [mil, mm] : properties::kThesisRadii) {
+    const Parameters bump{mm, properties::kThesisWidth, 1};
     std::printf("%10d", mil);
     for (const unsigned polygons : {1U, 2U, 3U})
       std::printf(" %14s", reference::subtended_degrees(bump, polygons, kDigits).c_str());
@@ -40,23 +32,20 @@ void print_figure_5_5() {
 
 void add_polygons(CLI::App& app, int&) {
   struct Options {
-    std::string radius, width, json;
+    std::string json;
     double theta_critical = 0;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("polygons", "How many shaded polygons a bump needs, each to subtend less than theta-critical");
-  command->add_option("--radius", options->radius, "R: mm, or with a unit (mm, mil, in, cm, m)")
-      ->type_name("VALUE")
-      ->required();
-  command->add_option("--width", options->width, "w: mm, or with a unit")->type_name("VALUE")->required();
+  const auto bump_options = std::make_shared<BumpOptions>(*command);
   command->add_option("--theta-critical", options->theta_critical, "degrees")
       ->type_name("DEG")
       ->check(CLI::Range(reference::kLeastThetaCritical, 180.0))
       ->required();
   command->add_option("--json", options->json, "the answer for programs, - for standard output")->type_name("FILE");
-  command->callback([options] {
-    const Parameters bump = bump_of(options->radius, options->width);
+  command->callback([options, bump_options] {
+    const Parameters bump = bump_options->bump();
     const unsigned polygons = reference::polygons_needed(bump, options->theta_critical);
     const std::string all = reference::subtended_degrees(bump, 1, kDigits);
     const std::string each = reference::subtended_degrees(bump, polygons, kDigits);

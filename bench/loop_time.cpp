@@ -11,6 +11,7 @@
 
 #include "forceshade/device/open_device.h"
 #include "forceshade/device/servo_loop.h"
+#include "forceshade/tests/kept_samples.h"
 
 namespace {
 
@@ -18,12 +19,6 @@ using namespace forceshade;
 
 constexpr double kSeconds = 60;
 constexpr int kRuns = 5;
-
-struct Times : device::SampleSink {
-  Times() { samples.reserve(static_cast<std::size_t>(1000 * kSeconds) + 1); }
-  void push(const device::Sample& sample) noexcept override { samples.push_back(sample); }
-  std::vector<device::Sample> samples;
-};
 
 struct Least {
   std::vector<std::int64_t> computing, tick;  // ns
@@ -35,7 +30,7 @@ Least least_times(LawId id) {
   Least least;
   for (int run = 0; run < kRuns; ++run) {
     const auto simulated = device::open_device("simulated");
-    Times times;
+    tests::KeptSamples times(static_cast<std::size_t>(1000 * kSeconds) + 1);
     run_servo_loop(*simulated, law, {.max_seconds = kSeconds, .paced = false, .sinks = {&times}}, never);
     const std::size_t ticks = times.samples.size() - 1;
     least.computing.resize(ticks, INT64_MAX);

@@ -37,6 +37,9 @@ struct PassivityAccount {
   double longest_step = 0;    // mm, seen
   double largest_change = 0;  // N: the farthest that a force was altered
   std::size_t altered = 0;    // ticks
+
+  double net() const noexcept { return rubbed - balance; }  // given to the hand, less taken from it
+  double taken() const noexcept { return given - net(); }
 };
 
 class PassivityController {

@@ -140,7 +140,7 @@ class Run {
 
   void push(Sample sample) noexcept {
     sample.tick = result.ticks;
-    sample.energy = controller_->account().rubbed - controller_->account().balance;
+    sample.energy = controller_->account().net();
     for (SampleSink* sink : options_.sinks) sink->push(sample);
   }
 

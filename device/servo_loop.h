@@ -75,7 +75,7 @@ struct ServoResult {
   PassivitySettings passivity_settings;
   PassivityAccount account;
   double energy_given_mJ() const noexcept { return account.given; }
-  double energy_taken_mJ() const noexcept { return account.balance - account.rubbed + account.given; }
+  double energy_taken_mJ() const noexcept { return account.taken(); }
 
   Privileges privileges;  // asked for only when paced
 };

@@ -10,18 +10,17 @@
 #include "forceshade/properties/html.h"
 #include "forceshade/properties/panels.h"
 #include "forceshade/properties/pictures.h"
+#include "forceshade/properties/thesis.h"
 #include "forceshade/reference/theta_critical.h"
 
 namespace forceshade::properties {
 namespace {
 
-constexpr float kWidth = 25.4F;                           // mm: 1000 mil
-constexpr double kMil = 0.0254;                           // mm
-constexpr std::array kRadii{600, 800, 1000, 1200, 1400};  // mil
+constexpr double kMil = 0.0254;  // mm
 constexpr std::array<const char*, 3> kColours{"#0072b2", "#d55e00", "#009e73"};
 
 Parameters bump_of(double mil) {
-  return {static_cast<float>(mil * kMil), kWidth, 0.5F};
+  return {static_cast<float>(mil * kMil), kThesisWidth, 0.5F};
 }
 
 LawResult law_of(LawId id, const Parameters& parameters) {
@@ -39,7 +38,7 @@ std::vector<double> radii() {
 }
 
 bool is_of_the_thesis(double mil) {
-  return std::find(kRadii.begin(), kRadii.end(), std::lround(mil)) != kRadii.end();
+  return std::any_of(kThesisRadii.begin(), kThesisRadii.end(), [&](const ThesisRadius& radius) { return radius.mil == mil; });
 }
 
 // 4-2: the nominal surfaces of the four bumps, R = 600 mil.
@@ -81,7 +80,7 @@ ThesisFigure nominal_geometries() {
 // 5-1: three constant-curvature bumps of one width. The thesis names the angles of the outer two; the middle one is ours.
 ThesisFigure constant_curvature() {
   constexpr std::array kAngles{70, 113, 180};  // degrees subtended
-  const double half = static_cast<double>(kWidth) / 2;
+  const double half = static_cast<double>(kThesisWidth) / 2;
   std::string csv = "theta_deg,radius_mm,centre_z_mm,x_mm,z_mm\n", script = kPlain;
   std::string panels =
       "set multiplot layout 1, 3\nset size ratio -1\nunset border\nunset tics\n" + range("x", -19, 19) + range("y", -22, 14);

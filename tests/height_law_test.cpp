@@ -6,35 +6,14 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <atomic>
 #include <bit>
-#include <cstdlib>
 #include <limits>
-#include <new>
 #include <random>
 
 #include "forceshade/fast/height_batch.h"
 #include "forceshade/properties/binary32.h"
 #include "forceshade/reference/height_law.h"
-
-namespace {
-
-std::atomic<std::size_t> allocations{0};
-
-}  // namespace
-
-// Counts, for allocates_nothing. Not inlined, or g++ takes malloc and delete for a mismatched pair.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
+#include "forceshade/tests/allocations.h"
 
 namespace forceshade {
 namespace {
@@ -364,10 +343,10 @@ TEST(height_law, allocates_nothing) {
     Positions positions(one, law, 3);
     std::vector<Vector3f> all;
     for (int i = 0; i < 100; ++i) all.push_back(positions.next());
-    const std::size_t before = allocations;
+    const std::size_t before = tests::allocations();
     float sum = 0;
     for (const Vector3f& position : all) sum += law.force(position).z();
-    EXPECT_EQ(allocations, before) << one.name << ' ' << sum;
+    EXPECT_EQ(tests::allocations(), before) << one.name << ' ' << sum;
   }
 }
 

@@ -2,35 +2,14 @@
 #include "forceshade/tests/law_suite.h"
 
 #include <array>
-#include <atomic>
-#include <cstdlib>
-#include <new>
 
 #include "forceshade/fast/law.h"
 #include "forceshade/properties/binary32.h"
 #include "forceshade/properties/equivalence.h"
 #include "forceshade/properties/positions.h"
 #include "forceshade/properties/run.h"
+#include "forceshade/tests/allocations.h"
 #include "forceshade/tests/cases.h"
-
-namespace {
-
-std::atomic<std::size_t> allocations{0};
-
-}  // namespace
-
-// Counts, for allocates_nothing. Not inlined, or g++ takes malloc and delete for a mismatched pair.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace forceshade::tests {
 namespace {
@@ -287,12 +266,12 @@ void allocates_nothing(LawId law) {
     z[i] = positions[i].z();
   }
   fast::best_instruction_set();
-  const std::size_t before = allocations;
+  const std::size_t before = tests::allocations();
   const fast::Law fast = build(law, p);
   float sum = 0;
   for (const Eigen::Vector3f& position : positions) sum += fast.force(position).norm();
   fast.force(x, z, fx, fz);
-  EXPECT_EQ(allocations - before, 0U);
+  EXPECT_EQ(tests::allocations() - before, 0U);
   EXPECT_GT(sum, 0);
 }
 

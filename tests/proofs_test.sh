@@ -6,6 +6,7 @@
 # "# from FILE PREFIX" after a hypothesis: it follows from the bounds of those pieces, and that is checked too.
 # With "store" the intervals are written instead of compared.
 set -euo pipefail
+. "$(dirname "$0")/gappa_pieces.sh"
 gappa=$1
 fast=$2/fast
 store=${3:-}
@@ -16,13 +17,11 @@ fail() { echo "FAILED: $*"; failures=$((failures + 1)); }
 # One line per proved interval: "piece: expression in [low, high]", the ends to the six digits that Gappa prints of them (their
 # 60-bit fractions differ from run to run in the last places).
 prove() {  # script
-  local definitions piece proposition
-  definitions=$(awk '/^#! piece /{exit} {print}' "$1")
-  sed -n 's/^#! piece //p' "$1" | while read -r piece; do
-    proposition=$(awk -v head="#! piece $piece" '$0 == head {on = 1; next} /^#! piece /{on = 0} on' "$1")
-    printf '%s\n%s\n' "$definitions" "$proposition" | "$gappa" -Wno-null-denominator 2>&1 |
+  local name
+  pieces_of "$1" | while read -r name; do
+    piece "$1" "$name" | "$gappa" -Wno-null-denominator 2>&1 |
       sed -E 's/-?[0-9]+(b-?[0-9]+)? \{([^,]*),[^}]*\}/\2/g' |
-      sed -n "s/^  *\(.* in \[.*\]\)\$/$piece: \1/p; s/^Error.*/$piece: &/p"
+      sed -n "s/^  *\(.* in \[.*\]\)\$/$name: \1/p; s/^Error.*/$name: &/p"
   done
 }
 
@@ -60,7 +59,7 @@ check() {  # script's basename, bound that its intervals must imply, or "" if on
   [ -f "$script" ] || { fail "$1: no proof, fast/$1.g is missing"; return; }
   proved=$(prove "$script")
   [ -z "$store" ] || printf '%s\n' "$proved" >"$stored"
-  [ "$(printf '%s\n' "$proved" | cut -d: -f1 | sort -u)" = "$(sed -n 's/^#! piece //p' "$script" | sort)" ] ||
+  [ "$(printf '%s\n' "$proved" | cut -d: -f1 | sort -u)" = "$(pieces_of "$script" | sort)" ] ||
     fail "$1: a piece proved nothing"
   [ "$proved" = "$(cat "$stored")" ] || { fail "$1: the proved intervals are not the stored ones"; diff <(printf '%s\n' "$proved") "$stored" || true; }
   while read -r line; do

@@ -7,32 +7,14 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <new>
 #include <thread>
 
 #include "forceshade/recorder/recording.h"
+#include "forceshade/tests/allocations.h"
 #include "forceshade/tests/faulty_disk.h"
 #include "forceshade/tests/temporary_directory.h"
-
-namespace {
-thread_local std::size_t allocations = 0;
-}
-
-// Never inlined: where only one of a pair is, the compiler takes new and free() for a mismatch.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace forceshade::recorder {
 namespace {
@@ -103,11 +85,11 @@ TEST(recorder, gives_back_every_sample_to_the_bit) {
 TEST(recorder, allocates_nothing_in_push) {
   const TemporaryDirectory directory;
   Recorder recorder(directory.file("run.fsr"), {}, {.ring = 100});
-  const std::size_t before = allocations;
+  const std::size_t before = tests::allocations();
   for (std::uint64_t tick = 0; tick < 100'000; ++tick) recorder.push(sample(tick));
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(tests::allocations(), before);
   recorder.close("time up");
-  EXPECT_GT(allocations, before) << "the trap does not see allocations";
+  EXPECT_GT(tests::allocations(), before) << "the trap does not see allocations";
 }
 
 // Nothing is written before the ring is full: the first hundred are kept, the rest is a gap that the file tells of.

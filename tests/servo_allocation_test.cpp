@@ -6,44 +6,13 @@
 #include <chrono>
 #include <cstdlib>
 #include <memory>
-#include <new>
 #include <thread>
 
 #include "forceshade/device/open_device.h"
 #include "forceshade/device/phantom.h"
+#include "forceshade/tests/allocations.h"
 #include "forceshade/tests/servo_loop_fixture.h"
 #include "forceshade/tests/stand_in_hd/stand_in_hd.h"
-
-namespace {
-thread_local std::size_t allocations = 0;
-}
-
-// Never inlined: where only one of a pair is, the compiler takes new and free() for a mismatch.
-#define REPLACED [[gnu::noinline]]
-
-REPLACED void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-REPLACED void* operator new(std::size_t size, std::align_val_t alignment) {
-  ++allocations;
-  const auto step = static_cast<std::size_t>(alignment);
-  if (void* memory = std::aligned_alloc(step, (size + step - 1) / step * step)) return memory;
-  throw std::bad_alloc();
-}
-REPLACED void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-REPLACED void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-REPLACED void operator delete(void* memory, std::align_val_t) noexcept {
-  std::free(memory);
-}
-REPLACED void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-  std::free(memory);
-}
 
 namespace forceshade::device {
 namespace {
@@ -54,12 +23,12 @@ class Watching : public Still {
 
  protected:
   ReadResult at(std::size_t reading) noexcept override {
-    if (reading == 0) at_first_read_ = allocations;
+    if (reading == 0) at_first_read_ = tests::allocations();
     if (reading == 500) return EndOfData{};
     return here();
   }
   std::optional<Fault> on_command() noexcept override {
-    at_last_command_ = allocations;
+    at_last_command_ = tests::allocations();
     return std::nullopt;
   }
 
@@ -81,12 +50,12 @@ TEST(servo_loop, allocates_nothing_after_the_first_reading) {
 TEST(servo_loop, simulated_device_allocates_nothing_once_started) {
   const auto device = open_device("simulated");
   device->start(1000);
-  const std::size_t before = allocations;
+  const std::size_t before = tests::allocations();
   for (int tick = 0; tick < 2000; ++tick) {
     device->read();
     device->command({0, 0, 0.1F});
   }
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(tests::allocations(), before);
 }
 
 // Neither while it runs nor when it fails.
@@ -95,16 +64,16 @@ TEST(servo_loop, phantom_allocates_nothing_once_started) {
   stand_in_hd::reset();
   Phantom device("", {.patience = std::chrono::seconds(20), .start = std::chrono::seconds(20)});
   ASSERT_FALSE(device.start(1000));
-  const std::size_t before = allocations;
+  const std::size_t before = tests::allocations();
   for (int tick = 0; tick < 2000; ++tick) {
     device.read();
     device.command({0, 0, 0.1F});
   }
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(tests::allocations(), before);
   stand_in_hd::tell({.begin = hdapi::kCommunication});
-  const std::size_t told = allocations;
+  const std::size_t told = tests::allocations();
   while (!std::holds_alternative<Fault>(device.read())) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  EXPECT_EQ(allocations, told);
+  EXPECT_EQ(tests::allocations(), told);
 }
 
 TEST(servo_loop, allocation_by_a_device_is_seen) {
