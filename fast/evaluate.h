@@ -21,6 +21,11 @@ struct Evaluation {
   Stage stage = Stage::binary64;
 };
 
+// Where not even wide numbers tell, which no law's do (docs/proofs.md): no force, and a status on which a loop stops.
+inline Evaluation undecided_evaluation() noexcept {
+  return {{0, 0, 0}, Status::invalid, Stage::wide};
+}
+
 // A law's definition with what building it yields: the geometry in double-double, kept for the second stage.
 template <class Definition>
 struct Built {
@@ -49,7 +54,7 @@ std::optional<Evaluation> decide(const Definition& law, const Parameters& p,
 template <class Definition>
 [[gnu::noinline]] Evaluation evaluate_wide(const Definition& law, const Parameters& p, float x, float z) noexcept {
   using N = Wide<Definition::kWideLimbs>;
-  return decide<N>(law, p, Definition::template geometry<N>(p), x, z, Stage::wide).value_or(Evaluation{});
+  return decide<N>(law, p, Definition::template geometry<N>(p), x, z, Stage::wide).value_or(undecided_evaluation());
 }
 
 // p: those the law was built from.

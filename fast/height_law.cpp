@@ -78,7 +78,7 @@ FORCESHADE_INLINE Jet<N> HeightLaw::jet_at(const Place& at) const noexcept {
   if (first.contact != Sign::unknown) return evaluation_of(first);
   if (const auto second = height_force(jet_at<DoubleDouble>(at), rendering_, stiffness_, z, Stage::double_double))
     return *second;
-  return height_force(jet_at<Wide<32>>(at), rendering_, stiffness_, z, Stage::wide).value_or(Evaluation{});
+  return height_force(jet_at<Wide<32>>(at), rendering_, stiffness_, z, Stage::wide).value_or(undecided_evaluation());
 }
 
 Evaluation HeightLaw::evaluate(const Eigen::Vector3f& position) const noexcept {
