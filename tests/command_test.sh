@@ -155,6 +155,10 @@ expect 2 "replay" -- "$forceshade" drive --law wall --uncertified --device teapo
 expect 0 "(time up)" -- "$forceshade" drive --law wall --uncertified --device simulated --seconds 0.1 --unpaced
 expect 0 "(end of data)" -- "$forceshade" drive --law wall --uncertified --device simulated:omni:hand.csv --unpaced
 expect 0 "(time up)" -- "$forceshade" drive --law wall --uncertified --device null --seconds 0.1 --unpaced
+# A line follows the run in a terminal, and nowhere else.
+watched="$forceshade drive --law wall --uncertified --device null --seconds 0.5 --patience 1"
+expect 0 " Hz  late " -- script -qec "$watched" /dev/null
+same "" "$($watched 2>&1 | grep " Hz  late ")"
 expect 0 "passivity         tank: account" -- "$forceshade" drive --law wall --uncertified --device simulated --seconds 0.1 --unpaced --passivity tank
 expect 2 "--passivity" -- drive --law wall --uncertified --passivity teapot
 expect 2 "dead-man button: expected one of the device's 0" -- drive --law wall --uncertified --dead-man 1
