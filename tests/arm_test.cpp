@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-#include "forceshade/device/model.h"
+#include "forceshade/tests/each_model.h"
 
 namespace forceshade::device {
 namespace {
@@ -39,15 +39,6 @@ auto derivative(const F& f, const Joints& angles, int joint) {
   };
   constexpr double h = 1e-3;
   return ((4 * difference(h / 2) - difference(h)) / 3).eval();
-}
-
-template <class Check>
-void for_each_model(const Check& check) {
-  for (const auto& make : kModels) {
-    const Model model = make();
-    SCOPED_TRACE(model.name);
-    check(model);
-  }
 }
 
 TEST(arm, tip_is_at_the_origin_in_the_reset_pose_of_a_premium) {

@@ -15,6 +15,7 @@
 #include "forceshade/csv/csv.h"
 #include "forceshade/device/open_device.h"
 #include "forceshade/device/servo_loop.h"
+#include "forceshade/tests/each_model.h"
 #include "forceshade/tests/kept_samples.h"
 #include "forceshade/tests/temporary_directory.h"
 
@@ -39,15 +40,6 @@ Operator hand_towards(std::vector<Intention::Point> points) {
 
 Reading read(Device& device) {
   return std::get<Reading>(device.read());
-}
-
-template <class Check>
-void for_each_model(const Check& check) {
-  for (const auto& make : kModels) {
-    const Model model = make();
-    SCOPED_TRACE(model.name);
-    check(model);
-  }
 }
 
 TEST(model, resolves_what_its_sheet_says) {
