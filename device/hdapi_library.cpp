@@ -28,14 +28,14 @@ Functions load(const std::vector<std::string>& names) {
     if (!library) {
       // Of the library itself, or of one that it needs.
       const std::string why = dlerror();
-      tried += "\n  " + (why.starts_with(name) ? why : name + ": " + why);
+      tried.append("\n  ").append(why.starts_with(name) ? why : name + ": " + why);
       continue;
     }
     Functions functions{};
     std::string missing;
 #define FORCESHADE_LOOK_UP(function)                                                              \
   functions.function = reinterpret_cast<decltype(functions.function)>(dlsym(library, #function)); \
-  if (!functions.function) missing += std::string(missing.empty() ? "" : ", ") + #function;
+  if (!functions.function) missing.append(missing.empty() ? "" : ", ").append(#function);
     FORCESHADE_HDAPI_FUNCTIONS(FORCESHADE_LOOK_UP)
 #undef FORCESHADE_LOOK_UP
     if (missing.empty()) return functions;

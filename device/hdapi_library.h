@@ -10,6 +10,7 @@
 namespace forceshade::device::hdapi {
 
 struct Functions {
+// NOLINTNEXTLINE(bugprone-macro-parentheses)
 #define FORCESHADE_MEMBER(name) decltype(&hdapi::name) name;
   FORCESHADE_HDAPI_FUNCTIONS(FORCESHADE_MEMBER)
 #undef FORCESHADE_MEMBER

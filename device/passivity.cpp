@@ -42,7 +42,7 @@ Eigen::Vector3f PassivityController::passed(const Eigen::Vector3f& position, con
   last_position_ = valid ? std::optional(here) : std::nullopt;
   Commanded commanded;
   if (settings_.latency) acting_ = std::exchange(pending_, {});
-  const Eigen::Vector3f force = valid ? limited(wanted, step) : Eigen::Vector3f::Zero();
+  Eigen::Vector3f force = valid ? limited(wanted, step) : Eigen::Vector3f::Zero();
   if (valid) commanded = {wanted.cast<double>(), force.cast<double>()};
   (settings_.latency ? pending_ : acting_) = commanded;
   const double change = (commanded.force - commanded.wanted).norm();

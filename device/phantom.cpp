@@ -129,7 +129,7 @@ Phantom::~Phantom() {
   hd_.hdDisableDevice(device_);
   hdapi::drained(hd_);
   // A driver that hung may come to and call back after all.
-  static auto& kept = *new std::deque<std::unique_ptr<PhantomFrames>>;
+  static auto& kept = *new std::deque<std::unique_ptr<PhantomFrames>>;  // NOLINT(bugprone-unhandled-exception-at-new)
   if (hung) kept.push_back(std::move(frames_));
 }
 
