@@ -13,11 +13,12 @@ using MaybeError = std::optional<ParameterError>;
 
 constexpr float kLargestHeight = 1e4F;                          // mm
 constexpr float kLargestSlope = 1e3F;                           // mm/mm, and rad/mm, rad of a grating
-constexpr float kSmallestReach = 1e-3F, kLargestReach = 1e4F;   // mm: rim of a cone, sigma
+constexpr float kSmallestReach = 1e-3F, kLargestReach = 1e4F;   // mm: rim of a cone, sigma, step of knots
 constexpr float kSmallestRadius = 0.1F, kLargestRadius = 1e4F;  // mm: of the cylinder or sphere of a cap
 constexpr float kSmallestWidth = 1e-3F;                         // mm
 constexpr float kSmallestPitch = 1e-3F, kLargestPitch = 1e2F;   // mm
 constexpr std::uint32_t kFewestSamples = 2, kMostSamples = 1U << 15;
+constexpr float kFewestKnots = 2, kMostKnots = 1025;
 constexpr std::size_t kMostParts = 16;
 
 MaybeError first_outside(std::initializer_list<ParameterError> numbers) noexcept {
@@ -69,6 +70,26 @@ MaybeError error_of(const height::Grating& g) noexcept {
                         symmetric("wave y", "rad/mm", g.wave_y, kLargestSlope),
                         symmetric("phase", "rad", g.phase, kLargestSlope)});
 }
+// Of a sample or a knot.
+MaybeError error_of_value(float value) noexcept {
+  const float size = std::fabs(value);
+  if (value == 0 || (size >= kPositionQuantum && size <= kLargestHeight)) return std::nullopt;
+  return ParameterError{"size of a value", "mm", size, kPositionQuantum, kLargestHeight};
+}
+MaybeError error_of(const height::Polygons& p) noexcept {
+  if (const auto error = first_outside({{"number of knots", "", static_cast<float>(p.knots.size()), kFewestKnots, kMostKnots}}))
+    return error;
+  for (const height::Knot& knot : p.knots) {
+    if (const auto error = first_outside({symmetric("knot x", "mm", knot.x, kLargestCoordinate)})) return error;
+    if (const auto error = error_of_value(knot.height)) return error;
+  }
+  for (std::size_t i = 1; i < p.knots.size(); ++i) {
+    const double step = static_cast<double>(p.knots[i].x) - static_cast<double>(p.knots[i - 1].x);
+    if (!(step >= static_cast<double>(kSmallestReach)))
+      return ParameterError{"step between knots", "mm", static_cast<float>(step), kSmallestReach, 2 * kLargestCoordinate};
+  }
+  return std::nullopt;
+}
 MaybeError error_of(const std::shared_ptr<const height::Grid>& grid) noexcept {
   if (grid == nullptr) return ParameterError{"grid", "", 0, 1, 1};
   const auto samples = [](const char* name, std::uint32_t count) {
@@ -83,21 +104,23 @@ MaybeError error_of(const std::shared_ptr<const height::Grid>& grid) noexcept {
     const auto wanted = static_cast<float>(count);
     return ParameterError{"number of values", "", static_cast<float>(grid->values.size()), wanted, wanted};
   }
-  for (const float value : grid->values) {
-    const float size = std::fabs(value);
-    if (!(value == 0 || (size >= kPositionQuantum && size <= kLargestHeight)))
-      return ParameterError{"size of a value", "mm", size, kPositionQuantum, kLargestHeight};
-  }
+  for (const float value : grid->values)
+    if (const auto error = error_of_value(value)) return error;
   return std::nullopt;
 }
 
 }  // namespace
 
-MaybeError first_error(const HeightMap& map, float stiffness) noexcept {
+MaybeError first_error(const HeightMap& map, height::Rendering rendering, float stiffness) noexcept {
   if (const auto error = first_outside({{"stiffness", "N/mm", stiffness, 1e-3F, 1e3F},
                                         {"number of parts", "", static_cast<float>(map.parts.size()), 1, kMostParts}}))
     return error;
   for (const height::Part& part : map.parts)
+    if (const auto error = std::visit([](const auto& shape) { return error_of(shape); }, part.shape)) return error;
+  const float most = rendering == height::Rendering::force_shaded ? kMostParts : 0;
+  if (const auto error = first_outside({{"number of surface parts", "", static_cast<float>(map.surface.size()), 0, most}}))
+    return error;
+  for (const height::Part& part : map.surface)
     if (const auto error = std::visit([](const auto& shape) { return error_of(shape); }, part.shape)) return error;
   return std::nullopt;
 }

@@ -20,16 +20,14 @@ struct HeightForce {
   Sign contact;   // unknown: binary64 cannot tell, or not how to round
 };
 
-// K: N/mm; z: mm.
+// U: of the surface that the depth is measured from; K: N/mm; z: mm.
 //
 // With M = K·gap/n, n = √(1 + U_x² + U_y²) and e the errors of the jet: |n - n'| <= e_x + e_y, for a length changes by no more
 // than its vector, so M is within (K·e_U + M(e_x + e_y))/n of its exact value (n >= 1 is left out), and M·U_x within that times
 // |U_x| and M·e_x; products of two errors are below 2^-22 of these where an answer is given at all, which kSlack pays for.
 FORCESHADE_INLINE HeightForce height_force(const Jet<Tracked>& map, height::Rendering rendering, double K, double z) noexcept {
   constexpr double kSlack = 1 + 0x1p-20;
-  const bool is_shaded = rendering == height::Rendering::force_shaded;
-  const double gap = is_shaded ? -z : map.U.value - z;
-  const double gap_error = is_shaded ? 0 : map.U.error;
+  const double gap = map.U.value - z, gap_error = map.U.error;
   if (!map.decided) return {0, 0, 0, Sign::unknown};
   if (!(gap > kSlack * gap_error)) return {0, 0, 0, gap <= -kSlack * gap_error ? Sign::negative : Sign::unknown};
   const double Ux = map.Ux.value, Uy = map.Uy.value;
@@ -40,7 +38,7 @@ FORCESHADE_INLINE HeightForce height_force(const Jet<Tracked>& map, height::Rend
   }
   // Over a flat place all is exact as often as not, ties included, which no error bound could tell from their neighbours.
   const bool is_exact = Ux == 0 && Uy == 0 && gap_error + map.Ux.error + map.Uy.error == 0 &&
-                        (is_shaded || two_sum(map.U.value, -z).lo == 0) && two_product(K, gap).lo == 0;
+                        two_sum(map.U.value, -z).lo == 0 && two_product(K, gap).lo == 0;
   error = is_exact ? 0 : kSlack * error + kHeightForceError * M;
   const auto rounded = [&](const Tracked& slope) -> RoundedComponent {
     const double value = M * -slope.value, reach = error * __builtin_fabs(slope.value) + kSlack * (M * slope.error);

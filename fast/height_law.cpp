@@ -12,6 +12,7 @@
 #include "forceshade/fast/height_gaussian.h"
 #include "forceshade/fast/height_grating.h"
 #include "forceshade/fast/height_plane.h"
+#include "forceshade/fast/height_polygons.h"
 #include "forceshade/fast/height_spline.h"
 
 namespace forceshade::fast {
@@ -25,7 +26,7 @@ template <class N>
 std::optional<Evaluation> height_force(const Jet<N>& map, height::Rendering rendering, double stiffness, double z,
                                        Stage stage) noexcept {
   if (!map.decided) return std::nullopt;
-  const N gap = rendering == height::Rendering::force_shaded ? N::exactly(-z) : map.U - N::exactly(z);
+  const N gap = map.U - N::exactly(z);
   const Sign contact = sign(gap);
   if (contact == Sign::unknown) return std::nullopt;
   if (contact != Sign::positive) return Evaluation{{0, 0, 0}, Status::free, stage};
@@ -63,14 +64,23 @@ const char* height_arithmetic_fault() noexcept {
 }  // namespace
 
 template <class N>
-FORCESHADE_INLINE Jet<N> HeightLaw::jet_at(const Place& at) const noexcept {
+FORCESHADE_INLINE Jet<N> HeightLaw::sum_at(const Place& at, const std::vector<Part>& parts) noexcept {
   const auto jet_of = [&](const Part& part) {
     const Jet<N> one = std::visit([&](const auto& shape) { return jet<N>(shape, at); }, part.shape);
     return part.negated ? -one : one;
   };
-  Jet<N> map = jet_of(parts_.front());
-  for (std::size_t i = 1; i < parts_.size(); ++i) map = map + jet_of(parts_[i]);
+  Jet<N> map = jet_of(parts.front());
+  for (std::size_t i = 1; i < parts.size(); ++i) map = map + jet_of(parts[i]);
   return map;
+}
+
+// The map's gradient, with the height that the depth is measured from.
+template <class N>
+FORCESHADE_INLINE Jet<N> HeightLaw::jet_at(const Place& at) const noexcept {
+  Jet<N> map = sum_at<N>(at, parts_);
+  if (rendering_ != Rendering::force_shaded) return map;
+  const Jet<N> surface = surface_.empty() ? flat<N>() : sum_at<N>(at, surface_);
+  return {surface.U, map.Ux, map.Uy, map.decided && surface.decided};
 }
 
 [[gnu::noinline]] Evaluation HeightLaw::evaluate_in_stages(const Place& at, double z) const noexcept {
@@ -129,19 +139,31 @@ BatchResult HeightLaw::force(std::span<const Eigen::Vector3f> positions, std::sp
 
 // A part as it is evaluated: a centre quantised, a grid measured.
 template <class T>
-HeightLaw::Shape HeightLaw::real_time(T shape) noexcept {
+HeightLaw::Shape HeightLaw::real_time(T shape) {
   if constexpr (requires { shape.x; }) shape.x = quantised(shape.x);
   if constexpr (requires { shape.y; }) shape.y = quantised(shape.y);
+  if constexpr (requires { shape.knots; })
+    for (height::Knot& knot : shape.knots) knot.x = quantised(knot.x);
   if constexpr (std::is_constructible_v<HeightGrid, T>)
     return HeightGrid(shape);
   else
     return shape;
 }
 
-HeightLaw::HeightLaw(std::vector<Part> parts, Rendering rendering, float stiffness) noexcept
-    : parts_(std::move(parts)), rendering_(rendering), stiffness_(static_cast<double>(stiffness)) {
+std::vector<HeightLaw::Part> HeightLaw::real_time(const std::vector<height::Part>& parts) {
+  std::vector<Part> all;
+  for (const height::Part& part : parts)
+    all.push_back({std::visit([](const auto& shape) { return real_time(shape); }, part.shape), part.negated});
+  return all;
+}
+
+HeightLaw::HeightLaw(std::vector<Part> parts, std::vector<Part> surface, Rendering rendering, float stiffness) noexcept
+    : parts_(std::move(parts)),
+      surface_(std::move(surface)),
+      rendering_(rendering),
+      stiffness_(static_cast<double>(stiffness)) {
   const auto* grid = std::get_if<HeightGrid>(&parts_.front().shape);
-  is_only_spline_ = parts_.size() == 1 && !parts_.front().negated && grid != nullptr &&
+  is_only_spline_ = parts_.size() == 1 && surface_.empty() && !parts_.front().negated && grid != nullptr &&
                     grid->interpolant() == height::Interpolant::cubic_spline;
   if (!is_only_spline_) return;
   const SplineErrors error(*grid, grid->largest_value(), grid->largest_step_along(), grid->largest_step_across());
@@ -150,11 +172,8 @@ HeightLaw::HeightLaw(std::vector<Part> parts, Rendering rendering, float stiffne
 
 std::variant<HeightLaw, ParameterError> HeightLaw::build(const HeightMap& map, Rendering rendering, float stiffness) {
   if (const char* fault = height_arithmetic_fault()) return ParameterError{fault, "", 1, 0, 0};
-  if (const auto error = first_error(map, stiffness)) return *error;
-  std::vector<Part> parts;
-  for (const height::Part& part : map.parts)
-    parts.push_back({std::visit([](const auto& shape) { return real_time(shape); }, part.shape), part.negated});
-  return HeightLaw(std::move(parts), rendering, stiffness);
+  if (const auto error = first_error(map, rendering, stiffness)) return *error;
+  return HeightLaw(real_time(map.parts), real_time(map.surface), rendering, stiffness);
 }
 
 }  // namespace forceshade::fast

@@ -34,16 +34,19 @@ class HeightLaw {
 
  private:
   using Shape = std::variant<height::Plane, height::Cone, height::CylinderCap, height::SphereCap, height::Gaussian,
-                             height::Grating, HeightGrid>;
+                             height::Grating, height::Polygons, HeightGrid>;
   struct Part {
     Shape shape;
     bool negated;
   };
 
   template <class T>
-  static Shape real_time(T shape) noexcept;
-  HeightLaw(std::vector<Part> parts, height::Rendering rendering, float stiffness) noexcept;
+  static Shape real_time(T shape);
+  static std::vector<Part> real_time(const std::vector<height::Part>& parts);
+  HeightLaw(std::vector<Part> parts, std::vector<Part> surface, height::Rendering rendering, float stiffness) noexcept;
 
+  template <class N>
+  static Jet<N> sum_at(const Place& at, const std::vector<Part>& parts) noexcept;
   template <class N>
   Jet<N> jet_at(const Place& at) const noexcept;
   Evaluation evaluate_in_stages(const Place& at, double z) const noexcept;
@@ -54,7 +57,7 @@ class HeightLaw {
     return grid != nullptr && is_only_spline_ ? grid : nullptr;
   }
 
-  std::vector<Part> parts_;
+  std::vector<Part> parts_, surface_;
   height::Rendering rendering_;
   double stiffness_;  // N/mm
   bool is_only_spline_;

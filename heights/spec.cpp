@@ -47,6 +47,22 @@ class Table {
     return *value;
   }
 
+  std::vector<height::Knot> knots(const char* key) {
+    const toml::node* node = find(key, false);
+    const toml::array* list = node->as_array();
+    std::vector<height::Knot> all;
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+      const toml::array* pair = (*list)[i].as_array();
+      const auto number = [&](std::size_t k) {
+        return pair != nullptr && pair->size() == 2 ? (*pair)[k].value<double>() : std::nullopt;
+      };
+      if (!number(0) || !number(1)) fail((*list)[i], key, "pairs of numbers [x, height]");
+      all.push_back({static_cast<float>(*number(0)), static_cast<float>(*number(1))});
+    }
+    if (list == nullptr) fail(*node, key, "a list of pairs [x, height]");
+    return all;
+  }
+
   template <class T>
   T word(const char* key, Words<T> words, std::optional<T> otherwise = std::nullopt) {
     const toml::node* node = find(key, otherwise.has_value());
@@ -107,7 +123,7 @@ height::Shape grid(Table& table, const fs::path& file) {
        .interpolant = table.word<height::Interpolant>("interpolant", kInterpolants, height::Interpolant::cubic_spline)});
 }
 
-constexpr std::array<std::pair<std::string_view, Read>, 7> kShapes{{
+constexpr std::array<std::pair<std::string_view, Read>, 8> kShapes{{
     {"plane",
      [](Table& t, const fs::path&) -> height::Shape {
        return height::Plane{t.number("slope_x", 0), t.number("slope_y", 0), t.number("height_mm", 0)};
@@ -133,6 +149,7 @@ constexpr std::array<std::pair<std::string_view, Read>, 7> kShapes{{
        return height::Grating{t.number("height_mm"), t.number("wave_x_rad_per_mm", 0), t.number("wave_y_rad_per_mm", 0),
                               t.number("phase_rad", 0)};
      }},
+    {"polygons", [](Table& t, const fs::path&) -> height::Shape { return height::Polygons{t.knots("knots_mm")}; }},
     {"grid", grid},
 }};
 
@@ -164,11 +181,15 @@ Spec read_spec(const fs::path& file) {
   Spec spec{{}, keys.word<height::Rendering>("render", renderings)};
   for (const auto& [key, node] : root) {
     if (key.str() == "render") continue;
-    const toml::array* parts = key.str() == "part" ? node.as_array() : nullptr;
-    if (!parts) throw Error(file, keys.line_of(node) + "expected render and [[part]], got " + std::string(key.str()));
+    const bool is_surface = key.str() == "surface";
+    const toml::array* parts = key.str() == "part" || is_surface ? node.as_array() : nullptr;
+    if (!parts)
+      throw Error(file, keys.line_of(node) + "expected render, [[part]] and [[surface]], got " + std::string(key.str()));
+    if (is_surface && spec.rendering != height::Rendering::force_shaded)
+      throw Error(file, keys.line_of(node) + "only render = \"height-map-shaded\" has a [[surface]]");
     for (const toml::node& element : *parts) {
-      if (!element.is_table()) keys.fail(element, "part", "a table");
-      spec.map.parts.push_back(part(file, *element.as_table()));
+      if (!element.is_table()) keys.fail(element, std::string(key.str()), "a table");
+      (is_surface ? spec.map.surface : spec.map.parts).push_back(part(file, *element.as_table()));
     }
   }
   if (spec.map.parts.empty()) throw Error(file, "expected at least one [[part]], got none");

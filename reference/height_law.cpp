@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/reference/height_law.h"
 
+#include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "forceshade/reference/height_grating.h"
 #include "forceshade/reference/height_grid.h"
 #include "forceshade/reference/height_plane.h"
+#include "forceshade/reference/height_polygons.h"
 #include "forceshade/reference/tie.h"
 
 namespace forceshade::reference {
@@ -30,7 +32,8 @@ struct HeightForce {
 template <class T>
 constexpr bool kIsTranscendental = std::is_same_v<T, height::Gaussian> || std::is_same_v<T, height::Grating>;
 template <class T>
-constexpr bool kIsRational = std::is_same_v<T, height::Plane> || std::is_same_v<T, std::shared_ptr<const height::Grid>>;
+constexpr bool kIsRational = std::is_same_v<T, height::Plane> || std::is_same_v<T, height::Polygons> ||
+                             std::is_same_v<T, std::shared_ptr<const height::Grid>>;
 
 const height::Grid& as_shape(const std::shared_ptr<const height::Grid>& grid) {
   return *grid;
@@ -60,11 +63,17 @@ Jet<N> part_jet(const height::Part& part, const Point2& at) {
 }
 
 template <class N>
+Jet<N> sum(const std::vector<height::Part>& parts, const Point2& at) {
+  Jet<N> all = Jet<N>::flat();
+  for (const height::Part& part : parts) all = all + part_jet<N>(part, at);
+  return all;
+}
+
+template <class N>
 HeightForce<N> force(const HeightLaw& law, const Point2& at, double z) {
+  const Jet<N> map = sum<N>(law.map().parts, at);
   const bool is_shaded = law.rendering() == Rendering::force_shaded;
-  Jet<N> map = Jet<N>::flat();
-  for (const height::Part& part : law.map().parts) map = map + part_jet<N>(part, at);
-  const N gap = is_shaded ? N(-z) : N(map.U - N(z));
+  const N gap = is_shaded ? N(sum<N>(law.map().surface, at).U - N(z)) : N(map.U - N(z));
   N magnitude = N(static_cast<double>(law.stiffness())) * gap;
   if (law.rendering() != Rendering::conservative) magnitude = magnitude / sqrt(N(map.Ux * map.Ux + map.Uy * map.Uy + N(1.0)));
   return {gap, -magnitude * map.Ux, -magnitude * map.Uy, magnitude};
@@ -109,9 +118,10 @@ Rounded round_by_enclosures(const HeightLaw& law, const Point2& at, double z) {
 }
 
 bool is_transcendental(const HeightMap& map) {
-  for (const height::Part& part : map.parts)
-    if (std::visit([]<class T>(const T&) { return kIsTranscendental<T>; }, part.shape)) return true;
-  return false;
+  const auto is = [](const height::Part& part) {
+    return std::visit([]<class T>(const T&) { return kIsTranscendental<T>; }, part.shape);
+  };
+  return std::ranges::any_of(map.parts, is) || std::ranges::any_of(map.surface, is);
 }
 
 double quantised(float coordinate) {
@@ -121,7 +131,7 @@ double quantised(float coordinate) {
 }  // namespace
 
 std::variant<HeightLaw, ParameterError> HeightLaw::build(HeightMap map, Rendering rendering, float stiffness) {
-  if (const auto error = first_error(map, stiffness)) return *error;
+  if (const auto error = first_error(map, rendering, stiffness)) return *error;
   return HeightLaw(std::move(map), rendering, stiffness);
 }
 

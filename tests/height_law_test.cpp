@@ -83,7 +83,24 @@ std::vector<Case> cases() {
                  {{{height::SphereCap{2, 0, 5, 8}}, {height::Cone{-3, 1, 2, 3}, true}, all[7].map.parts[0]}},
                  {2, 6, -2, -3, 0, 1, 0.3F},
                  8});
+  const height::Polygons roof{{{-4, 0.5F}, {-1.5F, 3}, {0x1p-40F, 3}, {2, -1.0F / 3}, {7, 0}}};
+  const height::Polygons cliff{{{-1, 1e4F}, {-0.9985F, -1e4F}, {0, 0x1p-30F}, {0.015625F, 0}}};
+  all.push_back({"polygons", {{{roof}}}, {-4, -1.5F, 0, 2, 7}, 9});
+  all.push_back({"cliff", {{{cliff, true}, {height::Plane{0, 0.5F, 0}}}}, {-1, -0.9985F, 0, 0.015625F}, 2});
+  all.push_back(
+      {"texture on two polygons", {all[7].map.parts, {{height::Polygons{{{-6, 0}, {0, 2}, {6, 0}}}}}}, {0, 6, -6, 0.3F}, 7});
+  all.push_back({"cap on cap less cone",
+                 {{{height::SphereCap{0, 0, 9, 12}}}, {{height::SphereCap{0, 0, 9, 10}}, {height::Cone{0, 0, 1, 4}, true}}},
+                 {0, 6, 5, -4},
+                 8});
+  all.push_back(
+      {"waves on a hill", {{{height::Grating{0.5F, 3, -4, 0.5F}}}, {{height::Gaussian{1, -1, 3, 1.5F}}}}, {0, 1, -1}, 4});
   return all;
+}
+
+std::span<const height::RenderingName> renderings_of(const HeightMap& map) {
+  const std::span<const height::RenderingName> all = height::kRenderings;
+  return map.surface.empty() ? all : all.subspan(1, 1);  // the force-shaded
 }
 
 class Positions {
@@ -149,7 +166,7 @@ fast::HeightLaw fast_law(const HeightMap& map, height::Rendering rendering, floa
 TEST(height_law, equals_the_rounded_reference) {
   constexpr int kPoints = 600;
   for (const Case& one : cases())
-    for (const auto& [rendering, name] : height::kRenderings) {
+    for (const auto& [rendering, name] : renderings_of(one.map)) {
       const fast::HeightLaw fast = fast_law(one.map, rendering);
       const auto reference = std::get<reference::HeightLaw>(reference::HeightLaw::build(one.map, rendering, 0.5F));
       Positions positions(one, fast, 11);
@@ -263,12 +280,18 @@ TEST(height_law, refuses_what_the_reference_refuses) {
     add(height::SphereCap{0, odd, 5, 8});
     add(height::SphereCap{0, 0, odd, 0.15F});
     add(height::SphereCap{0, 0, 5, odd});
+    add(height::Polygons{{{odd, 0}, {1e4F, 0}}});
+    add(height::Polygons{{{0, 0}, {odd, 1}}});
+    add(height::Polygons{{{0, 0}, {1, odd}}});
     for (const float pitch : {odd, 1.0F})
       add(grid(3, 3, pitch, Edge::tile, Interpolant::bilinear,
                [&](auto i, auto) { return i == 1 && pitch == 1 ? odd : 1.0F; }));
   }
   add(std::make_shared<const height::Grid>(height::Grid{3, 3, 1, Edge::tile, Interpolant::bilinear, {1, 2, 3}}));
   add(std::make_shared<const height::Grid>(height::Grid{1, 3, 1, Edge::tile, Interpolant::bilinear, {1, 2, 3}}));
+  add(height::Polygons{{{0, 0}}});
+  add(height::Polygons{std::vector<height::Knot>(1026)});
+  maps.push_back({{{height::Plane{}}}, {{height::Plane{}}}});
   int refused = 0;
   for (const HeightMap& map : maps)
     for (const float stiffness : {1.0F, 0.0F}) {
@@ -315,7 +338,7 @@ TEST(height_law, is_in_contact_with_the_farthest_tail_of_a_gaussian) {
 
 TEST(height_law, equals_scalar_at_every_simd_width) {
   for (const Case& one : cases())
-    for (const auto& [rendering, name] : height::kRenderings) {
+    for (const auto& [rendering, name] : renderings_of(one.map)) {
       const fast::HeightLaw law = fast_law(one.map, rendering);
       Positions positions(one, law, 21);
       std::vector<Vector3f> all;
@@ -339,7 +362,7 @@ TEST(height_law, equals_scalar_at_every_simd_width) {
 
 TEST(height_law, allocates_nothing) {
   for (const Case& one : cases()) {
-    const fast::HeightLaw law = fast_law(one.map, height::Rendering::true_height);
+    const fast::HeightLaw law = fast_law(one.map, renderings_of(one.map).front().rendering);
     Positions positions(one, law, 3);
     std::vector<Vector3f> all;
     for (int i = 0; i < 100; ++i) all.push_back(positions.next());

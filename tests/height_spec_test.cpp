@@ -73,6 +73,26 @@ wave_y_rad_per_mm = 3
   for (std::size_t i = 0; i < parts.size(); ++i) EXPECT_EQ(parts[i].negated, i == 2);
 }
 
+TEST(height_spec, reads_a_surface_beside_the_parts) {
+  const TemporaryDirectory directory;
+  const Spec spec = read_spec(directory.write("map.toml", R"(
+render = "height-map-shaded"
+[[surface]]
+shape = "polygons"
+knots_mm = [[-4, 0], [0, 1.5], [4, 0]]
+[[part]]
+shape = "cylinder-cap"
+radius_mm = 8
+width_mm = 8
+)"));
+  ASSERT_EQ(spec.map.parts.size(), 1U);
+  ASSERT_EQ(spec.map.surface.size(), 1U);
+  const auto& knots = std::get<height::Polygons>(spec.map.surface[0].shape).knots;
+  ASSERT_EQ(knots.size(), 3U);
+  EXPECT_EQ(knots[1].height, 1.5F);
+  EXPECT_EQ(knots[2].x, 4);
+}
+
 TEST(height_spec, says_what_is_wrong_and_where) {
   const std::string good = "render = \"height-map\"\n[[part]]\nshape = \"gaussian\"\nheight_mm = 1\nsigma_mm = 2\n";
   EXPECT_EQ(words_of(good), "");
@@ -84,17 +104,27 @@ TEST(height_spec, says_what_is_wrong_and_where) {
   EXPECT_EQ(words_of("render = \"height-map\"\n"), "expected at least one [[part]], got none");
   EXPECT_EQ(with("\"height-map\"", "\"flat\""),
             "line 1: render: expected one of height-map, height-map-shaded, height-map-conservative, got 'flat'");
-  EXPECT_EQ(with("\"gaussian\"", "\"teapot\""),
-            "line 3: shape: expected one of plane, cone, cylinder-cap, sphere-cap, gaussian, grating, grid, got 'teapot'");
+  EXPECT_EQ(
+      with("\"gaussian\"", "\"teapot\""),
+      "line 3: shape: expected one of plane, cone, cylinder-cap, sphere-cap, gaussian, grating, polygons, grid, got 'teapot'");
   EXPECT_EQ(with("height_mm = 1", "height_mm = \"1\""), "line 4: height_mm: expected a number, got '1'");
   EXPECT_EQ(with("height_mm = 1", "height_mm = [1]"), "line 4: height_mm: expected a number, got a list or table");
   EXPECT_EQ(with("sigma_mm = 2", "sigma = 2"), "line 2: key sigma_mm is missing");
   EXPECT_EQ(with("sigma_mm = 2", "sigma_mm = 2\nradius_mm = 3"), "line 6: unknown key radius_mm");
   EXPECT_EQ(with("sigma_mm = 2", "sigma_mm = 2\nnegated = 1"), "line 6: negated: expected true or false, got 1");
-  EXPECT_EQ(with("[[part]]", "[part]"), "line 2: expected render and [[part]], got part");
-  EXPECT_EQ(with("[[part]]", "[[parts]]"), "line 2: expected render and [[part]], got parts");
+  EXPECT_EQ(with("[[part]]", "[part]"), "line 2: expected render, [[part]] and [[surface]], got part");
+  EXPECT_EQ(with("[[part]]", "[[parts]]"), "line 2: expected render, [[part]] and [[surface]], got parts");
   EXPECT_NE(with("sigma_mm = 2", "sigma_mm = ").find("line 5: "), std::string::npos);
   EXPECT_NE(with("\"gaussian\"", "\"grid\"\npitch_mm = 1\nscale_mm = 1"), "");
+  EXPECT_EQ(with("[[part]]", "[[surface]]\nshape = \"plane\"\n[[part]]"),
+            "line 2: only render = \"height-map-shaded\" has a [[surface]]");
+  const auto knots = [&](const std::string& list) {
+    return with("\"gaussian\"\nheight_mm = 1\nsigma_mm = 2", "\"polygons\"\nknots_mm = " + list);
+  };
+  EXPECT_EQ(knots("[[0, 1], [2.5, -1]]"), "");
+  EXPECT_EQ(knots("[[0, 1], [2]]"), "line 4: knots_mm: expected pairs of numbers [x, height], got a list or table");
+  EXPECT_EQ(knots("[[0, 1], 2]"), "line 4: knots_mm: expected pairs of numbers [x, height], got 2");
+  EXPECT_EQ(knots("1"), "line 4: knots_mm: expected a list of pairs [x, height], got 1");
   EXPECT_THROW(read_spec("nowhere/map.toml"), Error);
 }
 

@@ -38,6 +38,14 @@ struct Grating {
   float phase = 0;               // rad
 };
 
+// Straight lines from knot to knot, level beyond the first and the last; the same for every y.
+struct Knot {
+  float x = 0, height = 0;  // mm
+};
+struct Polygons {
+  std::vector<Knot> knots;  // by x
+};
+
 enum class Interpolant { bilinear, cubic_spline };
 enum class Edge { clamp, tile };
 
@@ -51,7 +59,7 @@ struct Grid {
   std::vector<float> values;  // mm
 };
 
-using Shape = std::variant<Plane, Cone, CylinderCap, SphereCap, Gaussian, Grating, std::shared_ptr<const Grid>>;
+using Shape = std::variant<Plane, Cone, CylinderCap, SphereCap, Gaussian, Grating, Polygons, std::shared_ptr<const Grid>>;
 
 struct Part {
   Shape shape;
@@ -79,6 +87,7 @@ namespace forceshade {
 // The sum of its parts.
 struct HeightMap {
   std::vector<height::Part> parts;
+  std::vector<height::Part> surface{};  // what a force-shaded map's depth is measured from, a sum too; empty: the flat plane
 };
 
 }  // namespace forceshade
