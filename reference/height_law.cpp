@@ -2,6 +2,7 @@
 #include "forceshade/reference/height_law.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <mutex>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "forceshade/reference/height_grid.h"
 #include "forceshade/reference/height_plane.h"
 #include "forceshade/reference/height_polygons.h"
+#include "forceshade/reference/slow_geometry.h"
 #include "forceshade/reference/tie.h"
 
 namespace forceshade::reference {
@@ -26,6 +28,7 @@ using height::Rendering;
 template <class N>
 struct HeightForce {
   N gap;      // mm: the penetration
+  N Ux, Uy;   // mm/mm
   N x, y, z;  // N, where the gap is positive
 };
 
@@ -76,7 +79,7 @@ HeightForce<N> force(const HeightLaw& law, const Point2& at, double z) {
   const N gap = is_shaded ? N(sum<N>(law.map().surface, at).U - N(z)) : N(map.U - N(z));
   N magnitude = N(static_cast<double>(law.stiffness())) * gap;
   if (law.rendering() != Rendering::conservative) magnitude = magnitude / sqrt(N(map.Ux * map.Ux + map.Uy * map.Uy + N(1.0)));
-  return {gap, -magnitude * map.Ux, -magnitude * map.Uy, magnitude};
+  return {gap, map.Ux, map.Uy, -magnitude * map.Ux, -magnitude * map.Uy, magnitude};
 }
 
 // By exact comparison with the middle between two neighbours.
@@ -87,6 +90,12 @@ float nearest_binary32(const Exact& value) {
   const float below = is_below ? std::nextafter(near, -HUGE_VALF) : near, above = std::nextafter(below, HUGE_VALF);
   const double tie = 0.5 * (static_cast<double>(below) + static_cast<double>(above));
   return rounded_between(below, above, (value - Exact(tie)).sign());
+}
+
+float nearest_tie(const std::array<Filter, 3>& force, const Eigen::Vector3f& rounded) {
+  float ulps = 1;
+  for (int i = 0; i < 3; ++i) ulps = std::min(ulps, ulps_from_tie(force[static_cast<std::size_t>(i)], rounded[i]));
+  return ulps;
 }
 
 Rounded round_exactly(const HeightLaw& law, const Point2& at, double z) {
@@ -111,7 +120,11 @@ Rounded round_by_enclosures(const HeightLaw& law, const Point2& at, double z) {
     if (upper(enclosed.gap) <= 0) return {{0, 0, 0}, Status::free, Method::enclosure};
     if (lower(enclosed.gap) <= 0) continue;
     const auto x = agreed_binary32(enclosed.x), y = agreed_binary32(enclosed.y), fz = agreed_binary32(enclosed.z);
-    if (x && y && fz) return {{*x, *y, *fz}, Status::contact, Method::enclosure};
+    if (x && y && fz)
+      return {{*x, *y, *fz},
+              Status::contact,
+              Method::enclosure,
+              nearest_tie({filter_of(enclosed.x), filter_of(enclosed.y), filter_of(enclosed.z)}, {*x, *y, *fz})};
   }
   throw std::domain_error("height map: 3072 bits do not decide the force at (" + std::to_string(at.x) + ", " +
                           std::to_string(at.y) + ", " + std::to_string(z) + ") mm");
@@ -145,10 +158,26 @@ Rounded HeightLaw::round_to_binary32(const Eigen::Vector3f& position) const {
   try {
     const HeightForce<Filter> quick = force<Filter>(*this, at, z);
     if (!(quick.gap > Filter(0.0))) return {};
-    return {{quick.x.round(), quick.y.round(), quick.z.round()}, Status::contact, Method::filter};
+    const Eigen::Vector3f rounded(quick.x.round(), quick.y.round(), quick.z.round());
+    return {rounded, Status::contact, Method::filter, nearest_tie({quick.x, quick.y, quick.z}, rounded)};
   } catch (const Undecided&) {
     return round_exactly(*this, at, z);
   }
+}
+
+HeightLaw::Estimate HeightLaw::estimate(const Eigen::Vector3f& position) const {
+  const Point2 at{quantised(position.x()), quantised(position.y())};
+  const double z = quantised(position.z());
+  const std::lock_guard lock(slow_numbers);
+  if (!is_transcendental(map_)) try {
+      const HeightForce<Filter> quick = force<Filter>(*this, at, z);
+      return {quick.gap, quick.Ux, quick.Uy, quick.x, quick.y, quick.z};
+    } catch (const Undecided&) {
+    }
+  mpfr_set_emin(mpfr_get_emin_min());
+  set_precision(128);
+  const HeightForce<Enclosure> slow = force<Enclosure>(*this, at, z);
+  return {filter_of(slow.gap), filter_of(slow.Ux), filter_of(slow.Uy), filter_of(slow.x), filter_of(slow.y), filter_of(slow.z)};
 }
 
 }  // namespace forceshade::reference

@@ -23,6 +23,15 @@ class HeightLaw {
   // bits do not decide throws std::domain_error, which names it: none is known but sums whose parts cancel.
   Rounded round_to_binary32(const Eigen::Vector3f& position) const;
 
+  // The force at a valid position to about 17 digits, and what it is made of, for properties that need a size, not a proof.
+  // Where the gap is not positive there is no force, whatever x, y and z say.
+  struct Estimate {
+    Filter gap;      // mm: the penetration
+    Filter Ux, Uy;   // mm/mm: the gradient that the direction comes from
+    Filter x, y, z;  // N
+  };
+  Estimate estimate(const Eigen::Vector3f& position) const;
+
  private:
   HeightLaw(HeightMap map, height::Rendering rendering, float stiffness)
       : map_(std::move(map)), rendering_(rendering), stiffness_(stiffness) {}

@@ -37,14 +37,6 @@ Law::Estimate filtered(LawId id, const BumpGeometry<Filter>& geometry, const Poi
   });
 }
 
-// How far `value` is from the tie nearest to it, in units in the last place of `rounded`, the binary32 nearest to it.
-float ulps_from_tie(const Filter& value, float rounded) {
-  if (rounded == 0) return 0.5F;
-  const float size = std::fabs(rounded);
-  const long double ulp = static_cast<long double>(std::nextafter(size, 2 * size)) - static_cast<long double>(size);
-  return static_cast<float>(0.5L - std::fabs(value.mid() - static_cast<long double>(rounded)) / ulp);
-}
-
 // The exact facet and force at one point. Not for more than one thread at a time; holds CORE numbers, so it is made and
 // destroyed under the lock.
 class SlowForce {
