@@ -22,8 +22,4 @@ Violation difference(const Eigen::Vector3f& position, const Rendered& answer, co
          "), got " + show(answer.force) + " N (" + std::string(word(answer.status)) + ")";
 }
 
-Violation equivalence(const Subject& subject, const Eigen::Vector3f& position) {
-  return difference(position, subject.renderer(position), subject.law.round_to_binary32(position));
-}
-
 }  // namespace forceshade::properties

@@ -6,9 +6,12 @@
 
 namespace forceshade::properties {
 
-Violation equivalence(const Subject& subject, const Eigen::Vector3f& position);
-
-// The same for an answer already given, against a rounding already done.
+// For an answer already given, against a rounding already done.
 Violation difference(const Eigen::Vector3f& position, const Rendered& answer, const reference::Rounded& exact);
+
+template <class Reference>
+Violation equivalence(const SubjectOf<Reference>& subject, const Eigen::Vector3f& position) {
+  return difference(position, subject.renderer(position), subject.law.round_to_binary32(position));
+}
 
 }  // namespace forceshade::properties

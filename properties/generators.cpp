@@ -37,11 +37,22 @@ bool is_valid(const Eigen::Vector3f& position) {
   return (position.array().abs() <= 1e4F).all();
 }
 
-Eigen::Vector3f valid_position(PositionSource& source) {
+template <class Source>
+Eigen::Vector3f valid_position(Source& source) {
   for (;;) {
     const Eigen::Vector3f position = source.next().position;
     if (is_valid(position)) return position;
   }
+}
+
+template <class Corner>
+rc::Seq<std::vector<Corner>> with_fewer_corners(const std::vector<Corner>& polygon) {
+  std::vector<std::vector<Corner>> smaller;
+  for (std::size_t i = 0; polygon.size() > 3 && i < polygon.size(); ++i) {
+    smaller.push_back(polygon);
+    smaller.back().erase(smaller.back().begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  return rc::seq::fromContainer(std::move(smaller));
 }
 
 }  // namespace
@@ -79,6 +90,59 @@ rc::Gen<NearbyPair> pair_of(const reference::Law& law) {
   };
 }
 
+Eigen::Vector3f Neighbours::b() const {
+  return {neighbour(a.x(), steps[0]), neighbour(a.y(), steps[1]), neighbour(a.z(), steps[2])};
+}
+
+rc::Gen<Eigen::Vector3f> position_of(const HeightTarget& map) {
+  return [map](const rc::Random& random, int) {
+    HeightPositionSource source(map.law, map.shape, rc::Random(random).next());
+    return rc::shrinkable::shrinkRecur(source.next().position, &simpler_positions);
+  };
+}
+
+rc::Gen<Neighbours> neighbours_on(const HeightTarget& map) {
+  return [map](const rc::Random& random, int) {
+    rc::Random r(random);
+    HeightPositionSource source(map.law, map.shape, r.next());
+    const std::uint64_t steps = r.next();
+    Neighbours pair{valid_position(source), {}};
+    if (steps % 2 == 0) {
+      const std::array<float, 2> line = source.on_a_line();
+      const Eigen::Vector3f moved(line[0], line[1], pair.a.z());
+      if (is_valid(moved)) pair.a = moved;
+    }
+    std::uint64_t rest = steps / 2;
+    for (int& step : pair.steps) {
+      step = static_cast<int>(rest % 7) - 3;
+      rest /= 7;
+    }
+    return rc::shrinkable::shrinkRecur(pair, [](const Neighbours& p) {
+      return rc::seq::map(simpler_positions(p.a), [p](const Eigen::Vector3f& a) { return Neighbours{a, p.steps}; });
+    });
+  };
+}
+
+rc::Gen<std::vector<Eigen::Vector3f>> polygon_of(const HeightTarget& map) {
+  return [map](const rc::Random& random, int) {
+    rc::Random r(random);
+    HeightPositionSource source(map.law, map.shape, r.next());
+    const auto uniform = [&r](double low, double high) {
+      return low + (high - low) * static_cast<double>(r.next() >> 11) * 0x1p-53;
+    };
+    const std::array<float, 2> middle = r.next() % 2 == 0 ? source.on_a_line() : source.anywhere();
+    const double size = map.shape.parts[r.next() % map.shape.parts.size()].reach * std::exp2(-uniform(0, 10));
+    std::vector<Eigen::Vector3f> polygon(3 + r.next() % 4);
+    for (Eigen::Vector3f& corner : polygon) {
+      const auto within = [](double coordinate) { return static_cast<float>(std::clamp(coordinate, -1e4, 1e4)); };
+      const float x = within(static_cast<double>(middle[0]) + uniform(-1, 1) * size);
+      const float y = within(static_cast<double>(middle[1]) + uniform(-1, 1) * size);
+      corner = {x, y, within(source.surface({x, y}) - uniform(-0.2, 1) * std::min(size, 5.0))};
+    }
+    return rc::shrinkable::shrinkRecur(polygon, &with_fewer_corners<Eigen::Vector3f>);
+  };
+}
+
 rc::Gen<std::vector<PathPoint>> polygon_of(const reference::Law& law) {
   return [law](const rc::Random& random, int) {
     rc::Random r(random);
@@ -94,14 +158,7 @@ rc::Gen<std::vector<PathPoint>> polygon_of(const reference::Law& law) {
       const double z = static_cast<double>(shape.surface(static_cast<long double>(x))) - uniform(-0.2, 1) * depth;
       corner = {std::clamp(x, -1e4, 1e4), std::clamp(z, -1e4, 1e4)};  // outside there is no force
     }
-    return rc::shrinkable::shrinkRecur(polygon, [](const std::vector<PathPoint>& p) {
-      std::vector<std::vector<PathPoint>> smaller;
-      for (std::size_t i = 0; p.size() > 3 && i < p.size(); ++i) {
-        smaller.push_back(p);
-        smaller.back().erase(smaller.back().begin() + static_cast<std::ptrdiff_t>(i));
-      }
-      return rc::seq::fromContainer(std::move(smaller));
-    });
+    return rc::shrinkable::shrinkRecur(polygon, &with_fewer_corners<PathPoint>);
   };
 }
 
@@ -109,6 +166,11 @@ std::ostream& operator<<(std::ostream& out, const NearbyPair& pair) {
   out << show(pair.a);
   if (pair.across_axis) return out << ", and its mirror image in the axis";
   return out << ", and " << pair.x_steps << " and " << pair.z_steps << " binary32 steps away in x and z";
+}
+
+std::ostream& operator<<(std::ostream& out, const Neighbours& pair) {
+  return out << show(pair.a) << ", and " << pair.steps[0] << ", " << pair.steps[1] << " and " << pair.steps[2]
+             << " binary32 steps away";
 }
 
 std::ostream& operator<<(std::ostream& out, const PathPoint& point) {

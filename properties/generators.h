@@ -4,8 +4,10 @@
 
 #include <rapidcheck.h>
 
+#include <array>
 #include <vector>
 
+#include "forceshade/properties/height_positions.h"
 #include "forceshade/properties/positions.h"
 #include "forceshade/properties/work.h"
 
@@ -24,11 +26,31 @@ struct NearbyPair {
 };
 rc::Gen<NearbyPair> pair_of(const reference::Law& law);
 
+// On a height map. The law and its shape must outlive the generator.
+struct HeightTarget {
+  const reference::HeightLaw& law;
+  const HeightShape& shape;
+};
+rc::Gen<Eigen::Vector3f> position_of(const HeightTarget& map);
+
+// A valid position, on a line or rim of the map as often as not, and one a few binary32 steps away.
+struct Neighbours {
+  Eigen::Vector3f a;
+  std::array<int, 3> steps{};
+
+  Eigen::Vector3f b() const;
+};
+rc::Gen<Neighbours> neighbours_on(const HeightTarget& map);
+
+// A closed polygon of 3 to 6 corners in and around the surface, as large as a part or much smaller.
+rc::Gen<std::vector<Eigen::Vector3f>> polygon_of(const HeightTarget& map);
+
 // A closed polygon of 3 to 8 corners in and around the object, self-crossing or not.
 rc::Gen<std::vector<PathPoint>> polygon_of(const reference::Law& law);
 
 // For RapidCheck's own messages.
 std::ostream& operator<<(std::ostream& out, const NearbyPair& pair);
 std::ostream& operator<<(std::ostream& out, const PathPoint& point);
+std::ostream& operator<<(std::ostream& out, const Neighbours& pair);
 
 }  // namespace forceshade::properties

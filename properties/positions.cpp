@@ -26,20 +26,35 @@ std::string_view name_of(Aim aim) {
   return names[static_cast<std::size_t>(aim)];
 }
 
-double PositionSource::uniform(double low, double high) {
+double Draws::uniform(double low, double high) {
   return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
 }
 
-int PositionSource::small_step() {
+int Draws::small_step() {
   return static_cast<int>(bits() % 7) - 3;
 }
 
-float PositionSource::any_float() {
+float Draws::any_float() {
   return std::bit_cast<float>(static_cast<std::uint32_t>(bits()));
 }
 
-float PositionSource::any_binade() {
+float Draws::any_binade() {
   const auto size = static_cast<float>(std::ldexp(uniform(1, 2), static_cast<int>(bits() % 34) - 30));
+  return (bits() & 1) != 0 ? size : -size;
+}
+
+float Draws::few_bits(double reach) {
+  const int places = static_cast<int>(bits() % 24);
+  return static_cast<float>(std::ldexp(std::round(std::ldexp(uniform(-reach, reach), places)), -places));
+}
+
+float Draws::tiny() {
+  const float size = neighbour(0x1p-30F, small_step());
+  return (bits() & 1) != 0 ? size : -size;
+}
+
+float Draws::domain_end() {
+  const float size = neighbour(1e4F, small_step());
   return (bits() & 1) != 0 ? size : -size;
 }
 
@@ -97,13 +112,13 @@ Aimed PositionSource::next() {
     return {{x, y, choice % 3 == 0 ? any_binade() : below_surface(x)}, Aim::facet_line};
   }
   if (choice < 51) {
-    const float tiny = neighbour(0x1p-30F, small_step()) * ((bits() & 1) != 0 ? 1.0F : -1.0F);
-    if (choice == 48) return {{tiny, y, (bits() & 1) != 0 ? near_surface(tiny) : below_surface(0)}, Aim::quantum};
-    if (choice == 49) return {{near_line(), y, tiny}, Aim::quantum};
+    const float small = tiny();
+    if (choice == 48) return {{small, y, (bits() & 1) != 0 ? near_surface(small) : below_surface(0)}, Aim::quantum};
+    if (choice == 49) return {{near_line(), y, small}, Aim::quantum};
     return {{neighbour(0, small_step()), y, neighbour(0, small_step())}, Aim::quantum};
   }
   if (choice < 53) {
-    const float end = neighbour(1e4F, small_step()) * ((bits() & 1) != 0 ? 1.0F : -1.0F);
+    const float end = domain_end();
     const float x = in_volume_x();
     return choice == 51 ? Aimed{{end, y, below_surface(0)}, Aim::domain_end} : Aimed{{x, y, end}, Aim::domain_end};
   }
@@ -116,10 +131,6 @@ Aimed PositionSource::next() {
     const float x = choice == 55 ? 0.0F : choice == 56 ? neighbour(0, small_step()) * 0x1p120F : in_volume_x() * 0x1p-20F;
     return {{x, y, neighbour(axis, small_step())}, Aim::axis};
   }
-  const auto few_bits = [&](double reach) {
-    const int places = static_cast<int>(bits() % 24);
-    return static_cast<float>(std::ldexp(std::round(std::ldexp(uniform(-reach, reach), places)), -places));
-  };
   return {{few_bits(shape_.R > 0 ? 0.6 * static_cast<double>(shape_.w) : 20), y, few_bits(depth)}, Aim::few_bits};
 }
 

@@ -20,20 +20,33 @@ struct Aimed {
   Aim aim;
 };
 
+// Numbers of the kinds that positions are made of, repeatable.
+class Draws {
+ public:
+  explicit Draws(std::uint64_t seed) : random_(seed) {}
+
+  std::uint64_t bits() { return random_(); }
+  double uniform(double low, double high);
+  int small_step();    // -3 to 3
+  float any_float();   // any bits
+  float any_binade();  // 2^-30 to 16 mm, every binade as likely
+  float few_bits(double reach);
+  float tiny();        // within three steps of the position quantum
+  float domain_end();  // of an end of the domain
+
+ private:
+  std::mt19937_64 random_;
+};
+
 // An endless, repeatable stream: half by bit pattern or spread over the working volume, half aimed at surface neighbours,
 // facet lines, the position quantum, domain ends, rounding ties, the axis, and numbers of few bits (which make exact ties).
-class PositionSource {
+class PositionSource : private Draws {
  public:
-  PositionSource(const reference::Law& law, std::uint64_t seed) : law_(law), shape_(law), random_(seed) {}
+  PositionSource(const reference::Law& law, std::uint64_t seed) : Draws(seed), law_(law), shape_(law) {}
 
   Aimed next();
 
  private:
-  std::uint64_t bits() { return random_(); }
-  double uniform(double low, double high);
-  int small_step();
-  float any_float();
-  float any_binade();  // 2^-30 to 16 mm, every binade as likely
   float in_volume_x();
   float near_surface(float x);
   float near_line();
@@ -41,7 +54,6 @@ class PositionSource {
 
   reference::Law law_;
   Shape shape_;
-  std::mt19937_64 random_;
 };
 
 }  // namespace forceshade::properties

@@ -6,6 +6,7 @@
 #include "forceshade/properties/continuity.h"
 #include "forceshade/properties/equivalence.h"
 #include "forceshade/properties/generators.h"
+#include "forceshade/properties/height_properties.h"
 #include "forceshade/properties/passivity.h"
 #include "forceshade/properties/unit_normals.h"
 
@@ -19,9 +20,10 @@ class Silent : public rc::detail::TestListener {
   void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
 };
 
-// `property` draws its case with RapidCheck's operator* and returns what is violated.
-template <class Property>
-PropertyResult run(const std::string& name, int cases, std::uint64_t seed, const Property& property) {
+}  // namespace
+
+PropertyResult run_property(const std::string& name, int cases, std::uint64_t seed,
+                            const std::function<Violation()>& property) {
   rc::detail::TestParams params;
   params.seed = seed;
   params.maxSuccess = cases;
@@ -42,8 +44,6 @@ PropertyResult run(const std::string& name, int cases, std::uint64_t seed, const
   return {name, static_cast<std::uint64_t>(failure.numSuccess) + 1, false, text};
 }
 
-}  // namespace
-
 std::vector<float> witness_depths(const Subject& subject) {
   const float R = subject.law.parameters().radius;
   const float deepest = has_bump_geometry(subject.law.id()) ? std::clamp(2.0F, R / 1000, R / 8) : 2;
@@ -54,15 +54,15 @@ std::vector<PropertyResult> run_properties(const Subject& subject, int cases, st
   const reference::Law& law = subject.law;
   const Shape shape(law);
   std::vector<PropertyResult> results;
-  results.push_back(run("equivalence", cases, seed, [&] { return equivalence(subject, *position_of(law)); }));
-  results.push_back(run("continuity", cases, seed, [&]() -> Violation {
+  results.push_back(run_property("equivalence", cases, seed, [&] { return equivalence(subject, *position_of(law)); }));
+  results.push_back(run_property("continuity", cases, seed, [&]() -> Violation {
     const NearbyPair pair = *pair_of(law);
     const Eigen::Vector3f b = pair.b(shape);
     return (b.array().abs() <= 1e4F).all() ? continuity(subject, shape, pair.a, b) : std::nullopt;
   }));
-  results.push_back(run("unit normals", cases, seed, [&] { return unit_normals(subject, *position_of(law)); }));
+  results.push_back(run_property("unit normals", cases, seed, [&] { return unit_normals(subject, *position_of(law)); }));
   PropertyResult passive =
-      run("passivity", std::max(1, cases / 10), seed, [&] { return passivity(subject, shape, *polygon_of(law)); });
+      run_property("passivity", std::max(1, cases / 10), seed, [&] { return passivity(subject, shape, *polygon_of(law)); });
   for (const float depth : witness_depths(subject)) {
     if (!passive.held) break;
     ++passive.cases;
@@ -72,6 +72,31 @@ std::vector<PropertyResult> run_properties(const Subject& subject, int cases, st
     }
   }
   results.push_back(passive);
+  return results;
+}
+
+std::vector<PropertyResult> run_properties(const HeightSubject& subject, int cases, std::uint64_t seed) {
+  const HeightShape shape(subject.law);
+  const HeightTarget map{subject.law, shape};
+  const auto is_valid = [](const Eigen::Vector3f& position) { return (position.array().abs() <= 1e4F).all(); };
+  std::vector<PropertyResult> results;
+  results.push_back(run_property("equivalence", cases, seed, [&] { return equivalence(subject, *position_of(map)); }));
+  results.push_back(run_property("continuity", cases, seed, [&]() -> Violation {
+    const Neighbours pair = *neighbours_on(map);
+    const Eigen::Vector3f b = pair.b();
+    return is_valid(b) ? continuity(subject, shape, pair.a, b) : std::nullopt;
+  }));
+  results.push_back(run_property("unit normals", cases, seed, [&] { return unit_normals(subject, *position_of(map)); }));
+  results.push_back(
+      run_property("passivity", std::max(1, cases / 10), seed, [&] { return passivity(subject, shape, *polygon_of(map)); }));
+  if (std::any_of(shape.parts.begin(), shape.parts.end(), [](const PartShape& part) { return part.columns.has_value(); }))
+    results.push_back(run_property("cell lines", cases, seed, [&]() -> Violation {
+      Neighbours pair = *neighbours_on(map);
+      const double surface = static_cast<double>(subject.law.estimate({pair.a.x(), pair.a.y(), 0}).gap.mid());
+      pair.a.z() = static_cast<float>(surface - 1);  // deep enough that both are in contact
+      const Eigen::Vector3f b = pair.b();
+      return is_valid(pair.a) && is_valid(b) ? gradient_across_cells(subject, shape, pair.a, b) : std::nullopt;
+    }));
   return results;
 }
 

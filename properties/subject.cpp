@@ -1,19 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/properties/subject.h"
 
+#include "forceshade/fast/height_law.h"
 #include "forceshade/fast/law.h"
 
 namespace forceshade::properties {
+namespace {
+
+// From what both sides are built from.
+template <class Fast, class Reference, class... From>
+std::variant<SubjectOf<Reference>, ParameterError> built(const From&... from) {
+  auto reference = Reference::build(from...);
+  if (const auto* error = std::get_if<ParameterError>(&reference)) return *error;
+  auto fast = Fast::build(from...);
+  if (const auto* error = std::get_if<ParameterError>(&fast)) return *error;
+  return SubjectOf<Reference>{std::get<Reference>(std::move(reference)),
+                              [law = std::get<Fast>(std::move(fast))](const Eigen::Vector3f& position) {
+                                const fast::Evaluation answer = law.evaluate(position);
+                                return Rendered{answer.force, answer.status};
+                              }};
+}
+
+}  // namespace
 
 std::variant<Subject, ParameterError> fast_subject(LawId id, const Parameters& parameters) {
-  const auto reference = reference::Law::build(id, parameters);
-  if (const auto* error = std::get_if<ParameterError>(&reference)) return *error;
-  const auto fast = fast::Law::build(id, parameters);
-  if (const auto* error = std::get_if<ParameterError>(&fast)) return *error;
-  return Subject{std::get<reference::Law>(reference), [law = std::get<fast::Law>(fast)](const Eigen::Vector3f& position) {
-                   const fast::Evaluation answer = law.evaluate(position);
-                   return Rendered{answer.force, answer.status};
-                 }};
+  return built<fast::Law, reference::Law>(id, parameters);
+}
+
+std::variant<HeightSubject, ParameterError> fast_subject(const HeightMap& map, height::Rendering rendering, float stiffness) {
+  return built<fast::HeightLaw, reference::HeightLaw>(map, rendering, stiffness);
 }
 
 }  // namespace forceshade::properties

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a property is checked on: a renderer, ours or anyone's, and the law it claims to render.
+// What a property is checked on: a renderer, ours or anyone's, and the law or height map it claims to render.
 
 #include <Eigen/Core>
 #include <functional>
@@ -8,6 +8,7 @@
 #include <string>
 #include <variant>
 
+#include "forceshade/reference/height_law.h"
 #include "forceshade/reference/law.h"
 #include "forceshade/vocabulary/law.h"
 
@@ -21,15 +22,19 @@ struct Rendered {
 // position (mm) -> force; called from several threads at once by certify().
 using Renderer = std::function<Rendered(const Eigen::Vector3f& position)>;
 
-struct Subject {
-  reference::Law law;
+template <class Reference>
+struct SubjectOf {
+  Reference law;
   Renderer renderer;
 };
+using Subject = SubjectOf<reference::Law>;
+using HeightSubject = SubjectOf<reference::HeightLaw>;
 
 // What went wrong, in words with numbers in hexfloat and decimal; empty where the property holds.
 using Violation = std::optional<std::string>;
 
 // The fast path as a renderer, beside its reference.
 std::variant<Subject, ParameterError> fast_subject(LawId id, const Parameters& parameters);
+std::variant<HeightSubject, ParameterError> fast_subject(const HeightMap& map, height::Rendering rendering, float stiffness);
 
 }  // namespace forceshade::properties

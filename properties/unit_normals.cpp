@@ -7,24 +7,47 @@
 #include "forceshade/properties/binary32.h"
 
 namespace forceshade::properties {
+namespace {
+
+using Real = long double;
+
+// exact: N, of the magnitude, with what is not known of it.
+Violation difference_in_length(const Eigen::Vector3f& position, const Eigen::Vector3f& force, Real length,
+                               const reference::Filter& exact) {
+  const Real rounding = std::hypot(half_spacing(force.x()), half_spacing(force.y()), half_spacing(force.z())) + exact.rad() +
+                        0x1p-60L * (length + std::fabs(static_cast<Real>(force.z())));
+  if (std::fabs(length - exact.mid()) <= rounding) return std::nullopt;
+  char numbers[160];
+  std::snprintf(numbers, sizeof numbers, "expected %.17Lg N within %.3Lg N, got %.17Lg N", exact.mid(), rounding, length);
+  return "at " + show(position) + " mm the force's length is not the law's magnitude: " + numbers;
+}
+
+}  // namespace
 
 Violation unit_normals(const Subject& subject, const Eigen::Vector3f& position) {
   if (subject.law.round_to_binary32(position).status == Status::invalid) return std::nullopt;
   const reference::Law::Estimate exact = subject.law.estimate(position);
   const Eigen::Vector3f force = subject.renderer(position).force;
 
-  long double z = force.z();
+  Real z = force.z();
   const bool is_sum = exact.facet == reference::Facet::cylinder_and_plane ||
                       (subject.law.id() == LawId::bump_cylinder && exact.facet == reference::Facet::axis);
-  if (is_sum) z -= subject.law.geometry().K.mid() * -static_cast<long double>(position.z());
-  const long double length = std::hypot(static_cast<long double>(force.x()), static_cast<long double>(force.y()), z);
-  const long double magnitude = exact.force.magnitude.mid();
-  const long double rounding = std::hypot(half_spacing(force.x()), half_spacing(force.z())) + exact.force.magnitude.rad() +
-                               0x1p-60L * (length + std::fabs(static_cast<long double>(force.z())));
-  if (std::fabs(length - magnitude) <= rounding) return std::nullopt;
-  char numbers[160];
-  std::snprintf(numbers, sizeof numbers, "expected %.17Lg N within %.3Lg N, got %.17Lg N", magnitude, rounding, length);
-  return "at " + show(position) + " mm the force's length is not the law's magnitude: " + numbers;
+  if (is_sum) z -= subject.law.geometry().K.mid() * -static_cast<Real>(position.z());
+  const Real length = std::hypot(static_cast<Real>(force.x()), static_cast<Real>(force.y()), z);
+  return difference_in_length(position, force, length, exact.force.magnitude);
+}
+
+Violation unit_normals(const HeightSubject& subject, const Eigen::Vector3f& position) {
+  const reference::HeightLaw& law = subject.law;
+  if (law.round_to_binary32(position).status == Status::invalid) return std::nullopt;
+  const reference::HeightLaw::Estimate exact = law.estimate(position);
+  const Eigen::Vector3f force = subject.renderer(position).force;
+  reference::Filter magnitude(0.0);
+  if (exact.gap.mid() > 0) magnitude = reference::Filter(static_cast<double>(law.stiffness())) * exact.gap;
+  if (law.rendering() == height::Rendering::conservative)
+    magnitude = magnitude * sqrt(exact.Ux * exact.Ux + exact.Uy * exact.Uy + reference::Filter(1.0));
+  const Real length = std::hypot(static_cast<Real>(force.x()), static_cast<Real>(force.y()), static_cast<Real>(force.z()));
+  return difference_in_length(position, force, length, magnitude);
 }
 
 }  // namespace forceshade::properties

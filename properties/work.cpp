@@ -59,6 +59,12 @@ std::vector<double> cuts(const Shape& shape, const PathPoint& a, const PathPoint
 
 }  // namespace
 
+void Work::add(const Eigen::Vector3f& force, const Eigen::Matrix<long double, 3, 1>& exact_force, const Eigen::Vector3d& step) {
+  rendered += force.cast<double>().dot(step);
+  exact += static_cast<double>(exact_force.dot(step.cast<long double>()));
+  for (const int axis : {0, 1, 2}) rounding += half_spacing(force[axis]) * std::fabs(step[axis]);
+}
+
 Work work_around(const Subject& subject, const Shape& shape, const std::vector<PathPoint>& vertices) {
   using Rule = boost::math::quadrature::gauss<double, 15>;
   const auto K = static_cast<double>(shape.K), R = static_cast<double>(shape.R), d = static_cast<double>(shape.d);
@@ -66,12 +72,8 @@ Work work_around(const Subject& subject, const Shape& shape, const std::vector<P
   const auto visit = [&](const PathPoint& a, const PathPoint& b, double t, double weight) {
     const double dx = b.x - a.x, dz = b.z - a.z;
     const Eigen::Vector3f position(static_cast<float>(a.x + t * dx), 0, static_cast<float>(a.z + t * dz));
-    const Eigen::Vector3f rendered = subject.renderer(position).force;
     const auto exact = subject.law.estimate(position).force;
-    work.rendered += weight * (static_cast<double>(rendered.x()) * dx + static_cast<double>(rendered.z()) * dz);
-    work.exact += weight * static_cast<double>(exact.x.mid() * static_cast<long double>(dx) +
-                                               exact.z.mid() * static_cast<long double>(dz));
-    work.rounding += weight * (half_spacing(rendered.x()) * std::fabs(dx) + half_spacing(rendered.z()) * std::fabs(dz));
+    work.add(subject.renderer(position).force, {exact.x.mid(), 0, exact.z.mid()}, weight * Eigen::Vector3d(dx, 0, dz));
     const double off = std::hypot(half_spacing(position.x()), half_spacing(position.z()));
     const double rho =
         shape.has_cylinder() ? std::hypot(static_cast<double>(position.x()), static_cast<double>(position.z()) + d) : 0;

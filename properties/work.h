@@ -19,6 +19,9 @@ struct Work {
   double exact = 0;     // mJ by the exact law at the same binary32 positions, with the same weights
   double rounding = 0;  // mJ: how far the two may differ when every force component is off by half a unit in its last place
   double placing = 0;   // mJ: what rounding the positions themselves to binary32 may have done to either
+
+  // One point of a quadrature: the force there, along the step that it stands for, mm.
+  void add(const Eigen::Vector3f& force, const Eigen::Matrix<long double, 3, 1>& exact_force, const Eigen::Vector3d& step);
 };
 
 // Along the closed polygon through `vertices`. Each edge is cut where the force has a kink or a jump and each piece is

@@ -171,11 +171,12 @@ HeightLaw::Estimate HeightLaw::estimate(const Eigen::Vector3f& position) const {
   const std::lock_guard lock(slow_numbers);
   if (!is_transcendental(map_)) try {
       const HeightForce<Filter> quick = force<Filter>(*this, at, z);
-      return {quick.gap, quick.Ux, quick.Uy, quick.x, quick.y, quick.z};
+      if (quick.gap.rad() <= 0x1p-30L * std::fabs(quick.gap.mid()))
+        return {quick.gap, quick.Ux, quick.Uy, quick.x, quick.y, quick.z};
     } catch (const Undecided&) {
     }
   mpfr_set_emin(mpfr_get_emin_min());
-  set_precision(128);
+  set_precision(768);  // parts may cancel
   const HeightForce<Enclosure> slow = force<Enclosure>(*this, at, z);
   return {filter_of(slow.gap), filter_of(slow.Ux), filter_of(slow.Uy), filter_of(slow.x), filter_of(slow.y), filter_of(slow.z)};
 }

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/properties/height_generators.h"
+
+#include <bit>
+#include <cmath>
+
+#include "forceshade/properties/height_identity.h"
+#include "forceshade/properties/html.h"
+#include "forceshade/properties/positions.h"
+
+namespace forceshade::properties {
+namespace {
+
+class Shapes {
+ public:
+  explicit Shapes(std::uint64_t seed) : draws_(seed) {}
+
+  AnyHeightMap next() {
+    AnyHeightMap any;
+    for (std::uint64_t i = draws_.bits() % 3 + 1; i > 0; --i) any.map.parts.push_back({shape(), draws_.bits() % 4 == 0});
+    any.rendering = height::kRenderings[draws_.bits() % height::kRenderings.size()].rendering;
+    any.stiffness = size(1e-3F, 1e3F, 0.5F);
+    return any;
+  }
+
+ private:
+  // Within [low, high], positive: any bit pattern, or up to some times `usual`.
+  float size(float low, float high, float usual) {
+    if (draws_.bits() % 2 == 0) return std::clamp(static_cast<float>(draws_.uniform(0.1, 4)) * usual, low, high);
+    const auto first = std::bit_cast<std::uint32_t>(low), last = std::bit_cast<std::uint32_t>(high);
+    return std::bit_cast<float>(first + static_cast<std::uint32_t>(draws_.bits() % (last - first + 1)));
+  }
+  // Of either sign, or zero.
+  float number(float largest, float usual) {
+    const std::uint64_t choice = draws_.bits() % 8;
+    if (choice == 0) return 0;
+    const float value = size(0x1p-126F, largest, usual);
+    return choice % 2 == 0 ? value : -value;
+  }
+  float coordinate() { return number(1e4F, 3); }
+  float height() { return number(1e4F, 1); }
+
+  height::Shape shape() {
+    switch (draws_.bits() % std::variant_size_v<height::Shape>) {
+      case 0: return height::Plane{number(1e3F, 0.5F), number(1e3F, 0.5F), height()};
+      case 1: return height::Cone{coordinate(), coordinate(), height(), size(1e-3F, 1e4F, 3)};
+      case 2: {
+        const float radius = size(0.1F, 1e4F, 5);
+        return height::CylinderCap{coordinate(), radius, width(radius)};
+      }
+      case 3: {
+        const float radius = size(0.1F, 1e4F, 5);
+        return height::SphereCap{coordinate(), coordinate(), radius, width(radius)};
+      }
+      case 4: return height::Gaussian{coordinate(), coordinate(), height(), size(1e-3F, 1e4F, 2)};
+      case 5: return height::Grating{height(), number(1e3F, 3), number(1e3F, 3), number(1e3F, 1)};
+      default: return grid();
+    }
+  }
+  float width(float radius) { return size(1e-3F, std::nextafter(2 * radius, 0.0F), radius); }
+
+  height::Shape grid() {
+    height::Grid grid{static_cast<std::uint32_t>(2 + draws_.bits() % 8),
+                      static_cast<std::uint32_t>(2 + draws_.bits() % 8),
+                      size(1e-3F, 1e2F, 0.5F),
+                      draws_.bits() % 2 == 0 ? height::Edge::clamp : height::Edge::tile,
+                      draws_.bits() % 2 == 0 ? height::Interpolant::bilinear : height::Interpolant::cubic_spline,
+                      {}};
+    const float usual = size(0x1p-30F, 1e4F, 0.5F);
+    for (std::size_t i = 0; i < std::size_t{grid.columns} * grid.rows; ++i) {
+      const std::uint64_t choice = draws_.bits() % 8;
+      const float value = size(0x1p-30F, 1e4F, usual);
+      grid.values.push_back(choice == 0 ? 0 : choice % 2 == 0 ? value : -value);
+    }
+    return std::make_shared<const height::Grid>(std::move(grid));
+  }
+
+  Draws draws_;
+};
+
+rc::Seq<AnyHeightMap> with_fewer_parts(const AnyHeightMap& any) {
+  std::vector<AnyHeightMap> smaller;
+  for (std::size_t i = 0; any.map.parts.size() > 1 && i < any.map.parts.size(); ++i) {
+    smaller.push_back(any);
+    smaller.back().map.parts.erase(smaller.back().map.parts.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  return rc::seq::fromContainer(std::move(smaller));
+}
+
+}  // namespace
+
+rc::Gen<AnyHeightMap> any_height_map() {
+  return [](const rc::Random& random, int) {
+    return rc::shrinkable::shrinkRecur(Shapes(rc::Random(random).next()).next(), &with_fewer_parts);
+  };
+}
+
+std::ostream& operator<<(std::ostream& out, const AnyHeightMap& any) {
+  for (const std::string& words : words_of(any.map)) out << words << "; ";
+  return out << height::kRenderings[static_cast<std::size_t>(any.rendering)].name << ", stiffness " << shortest(any.stiffness);
+}
+
+}  // namespace forceshade::properties

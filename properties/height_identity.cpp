@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/properties/height_identity.h"
+
+#include <openssl/evp.h>
+
+#include <bit>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+
+#include "forceshade/properties/html.h"
+
+namespace forceshade::properties {
+namespace {
+
+// A part as it is told: its kind, its numbers under their keys in a TOML file, and a grid's samples.
+struct Told {
+  std::string kind;
+  std::vector<std::pair<std::string_view, float>> numbers;
+  std::vector<std::pair<std::string_view, std::string_view>> words = {};
+  std::span<const float> samples = {};
+};
+
+Told told(const height::Plane& p) {
+  return {"plane", {{"slope_x", p.slope_x}, {"slope_y", p.slope_y}, {"height_mm", p.height}}};
+}
+Told told(const height::Cone& c) {
+  return {"cone", {{"x_mm", c.x}, {"y_mm", c.y}, {"height_mm", c.height}, {"radius_mm", c.radius}}};
+}
+Told told(const height::CylinderCap& c) {
+  return {"cylinder-cap", {{"x_mm", c.x}, {"radius_mm", c.radius}, {"width_mm", c.width}}};
+}
+Told told(const height::SphereCap& c) {
+  return {"sphere-cap", {{"x_mm", c.x}, {"y_mm", c.y}, {"radius_mm", c.radius}, {"width_mm", c.width}}};
+}
+Told told(const height::Gaussian& g) {
+  return {"gaussian", {{"x_mm", g.x}, {"y_mm", g.y}, {"height_mm", g.height}, {"sigma_mm", g.sigma}}};
+}
+Told told(const height::Grating& g) {
+  return {"grating",
+          {{"height_mm", g.height}, {"wave_x_rad_per_mm", g.wave_x}, {"wave_y_rad_per_mm", g.wave_y}, {"phase_rad", g.phase}}};
+}
+Told told(const std::shared_ptr<const height::Grid>& g) {
+  // At most 2^15 columns and rows: binary32 numbers.
+  return {"grid",
+          {{"columns", static_cast<float>(g->columns)}, {"rows", static_cast<float>(g->rows)}, {"pitch_mm", g->pitch}},
+          {{"edge", g->edge == height::Edge::tile ? "tile" : "clamp"},
+           {"interpolant", g->interpolant == height::Interpolant::bilinear ? "bilinear" : "cubic-spline"}},
+          g->values};
+}
+
+Told told(const height::Part& part) {
+  Told words = std::visit([](const auto& shape) { return told(shape); }, part.shape);
+  if (part.negated) words.words.emplace_back("negated", "true");
+  return words;
+}
+
+// Fed with lines of text, and with numbers as their four bytes, the least significant first.
+class Digest {
+ public:
+  Digest() { EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr); }
+
+  void line(const std::string& text) {
+    EVP_DigestUpdate(context_.get(), text.data(), text.size());
+    EVP_DigestUpdate(context_.get(), "\n", 1);
+  }
+  void number(float value) {
+    const auto bits = std::bit_cast<std::uint32_t>(value);
+    const unsigned char bytes[]{static_cast<unsigned char>(bits), static_cast<unsigned char>(bits >> 8),
+                                static_cast<unsigned char>(bits >> 16), static_cast<unsigned char>(bits >> 24)};
+    EVP_DigestUpdate(context_.get(), bytes, sizeof bytes);
+  }
+  std::string hex() {
+    unsigned char bytes[EVP_MAX_MD_SIZE];
+    unsigned size = 0;
+    EVP_DigestFinal_ex(context_.get(), bytes, &size);
+    std::string text;
+    for (unsigned i = 0; i < size; ++i) text += {"0123456789abcdef"[bytes[i] >> 4], "0123456789abcdef"[bytes[i] & 15]};
+    return text;
+  }
+
+ private:
+  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_{EVP_MD_CTX_new(), &EVP_MD_CTX_free};
+};
+
+}  // namespace
+
+HeightIdentity identity_of(const HeightMap& map, height::Rendering rendering, float stiffness) {
+  Digest digest;
+  for (const height::Part& part : map.parts) {
+    const Told words = told(part);
+    digest.line(words.kind);
+    for (const auto& [key, value] : words.numbers) {
+      digest.line(std::string(key));
+      digest.number(value);
+    }
+    for (const auto& [key, word] : words.words) digest.line(std::string(key) + ' ' + std::string(word));
+    digest.line(std::to_string(words.samples.size()));
+    for (const float sample : words.samples) digest.number(sample);
+  }
+  return {digest.hex(), rendering, stiffness};
+}
+
+std::vector<std::string> words_of(const HeightMap& map) {
+  std::vector<std::string> lines;
+  for (const height::Part& part : map.parts) {
+    const Told words = told(part);
+    std::string line = words.kind + ':';
+    for (const auto& [key, value] : words.numbers) line += ' ' + std::string(key) + ' ' + shortest(value) + ',';
+    for (const auto& [key, word] : words.words) line += ' ' + std::string(key) + ' ' + std::string(word) + ',';
+    line.pop_back();
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+}  // namespace forceshade::properties

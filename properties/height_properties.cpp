@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/properties/height_properties.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "forceshade/properties/binary32.h"
+
+namespace forceshade::properties {
+namespace {
+
+using Real = long double;
+using Vector = Eigen::Matrix<Real, 3, 1>;
+using Exact = reference::HeightLaw::Estimate;
+
+// A coordinate below a picometre is read as 0, so that is where such a position is.
+Vector placed(const Eigen::Vector3f& position) {
+  return position.unaryExpr([](float c) { return std::fabs(c) < 0x1p-30F ? 0.0F : c; }).cast<Real>();
+}
+
+Real rounding(const Eigen::Vector3f& force) {
+  return std::hypot(half_spacing(force.x()), half_spacing(force.y()), half_spacing(force.z()));
+}
+
+// What the magnitude is given: a unit normal, or, where the map is conservative, a vector as long as that is steep.
+Vector direction(const HeightShape& shape, const Exact& exact) {
+  const Vector normal(-exact.Ux.mid(), -exact.Uy.mid(), 1);
+  return shape.rendering == height::Rendering::conservative ? normal : normal.normalized();
+}
+
+Vector force_of(const Exact& exact) {
+  if (!(exact.gap.mid() > 0)) return Vector::Zero();
+  return {exact.x.mid(), exact.y.mid(), exact.z.mid()};
+}
+
+Real magnitude(const HeightShape& shape, const Exact& exact) {
+  return static_cast<Real>(shape.stiffness) * std::max(Real(0), exact.gap.mid());
+}
+
+// How much the magnitude's part of the force may change on a way of `apart` mm where no slope is steeper, N.
+Real change_of_magnitude(const HeightShape& shape, Real apart, Real steepest) {
+  const Real slope = std::hypot(Real(1), steepest);
+  const Real longest = shape.rendering == height::Rendering::conservative ? slope : 1;
+  return static_cast<Real>(shape.stiffness) * slope * apart * longest;
+}
+
+Bend bend_between(const HeightShape& shape, const Vector& a, const Vector& b) {
+  const auto middle = static_cast<Eigen::Vector3d>((0.5L * (a + b)).cast<double>());
+  return shape.bend(middle.x(), middle.y(), static_cast<double>((a - b).head<2>().norm()));
+}
+
+std::string between(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+  return "between " + show(a) + " and " + show(b) + " mm ";
+}
+
+}  // namespace
+
+Violation continuity(const HeightSubject& subject, const HeightShape& shape, const Eigen::Vector3f& a,
+                     const Eigen::Vector3f& b) {
+  const Exact exact_a = subject.law.estimate(a), exact_b = subject.law.estimate(b);
+  const Vector at_a = placed(a), at_b = placed(b);
+  const Real apart = (at_a - at_b).norm(), size = std::max(magnitude(shape, exact_a), magnitude(shape, exact_b));
+  const Bend bend = bend_between(shape, at_a, at_b);
+  const Eigen::Vector3f force_a = subject.renderer(a).force, force_b = subject.renderer(b).force;
+  const Real change = (force_a.cast<Real>() - force_b.cast<Real>()).norm();
+
+  const Real jump = bend.kink ? size * (direction(shape, exact_a) - direction(shape, exact_b)).norm() : 0;
+  const Real turning = bend.kink ? 0 : size * static_cast<Real>(bend.rate) * (at_a - at_b).head<2>().norm();
+  const Real reach =
+      (change_of_magnitude(shape, apart, static_cast<Real>(shape.steepest)) + turning + rounding(force_a) + rounding(force_b)) *
+      (1 + Real(1e-9));
+  if (std::fabs(change - jump) <= reach) return std::nullopt;
+  char numbers[200];
+  std::snprintf(numbers, sizeof numbers, "the force changes by %.9Lg N; expected %.9Lg N within %.3Lg N", change, jump, reach);
+  return between(a, b) + numbers;
+}
+
+Violation gradient_across_cells(const HeightSubject& subject, const HeightShape& shape, const Eigen::Vector3f& a,
+                                const Eigen::Vector3f& b) {
+  const Vector at_a = placed(a), at_b = placed(b);
+  const auto apart = static_cast<double>((at_a - at_b).head<2>().norm());
+  const auto x = static_cast<double>(at_a.x()), y = static_cast<double>(at_a.y());
+  double rate = 0;
+  std::string line;
+  for (std::size_t i = 0; i < shape.parts.size(); ++i) {
+    const PartShape& part = shape.parts[i];
+    const Bend bend = part.bend(x, y, apart);
+    rate += bend.rate;
+    if (!part.columns) {
+      if (bend.kink) return std::nullopt;
+      continue;
+    }
+    const bool is_column = part.columns->distance(x) <= part.rows->distance(y);
+    line = std::string("across a cell line at ") + (is_column ? "x = " + show(a.x()) : "y = " + show(a.y())) + " mm of part " +
+           std::to_string(i + 1) + ", ";
+  }
+  const Eigen::Vector3f force_a = subject.renderer(a).force, force_b = subject.renderer(b).force;
+  if (!(force_a.z() > 0 && force_b.z() > 0)) return std::nullopt;
+  const auto felt = [](const Eigen::Vector3f& force) {
+    return Eigen::Vector2d(-force.cast<double>().head<2>() / static_cast<double>(force.z()));
+  };
+  const auto error = [&](const Eigen::Vector3f& force) {
+    return static_cast<double>(rounding(force)) / static_cast<double>(force.z()) * (1 + felt(force).norm());
+  };
+  const double jump = (felt(force_a) - felt(force_b)).norm();
+  const double allowed = (rate * apart + error(force_a) + error(force_b)) * (1 + 1e-6);
+  if (jump <= allowed) return std::nullopt;
+  char numbers[160];
+  std::snprintf(numbers, sizeof numbers, "the gradient jumps by %.6g; a continuous one changes by %.3g at most", jump, allowed);
+  return between(a, b) + line + numbers;
+}
+
+Violation passivity(const HeightSubject& subject, const HeightShape& shape, const std::vector<Eigen::Vector3f>& corners) {
+  constexpr int kPieces = 24;  // of each edge, each taken at its middle
+  Work work;
+  Real quadrature = 0;  // mJ: how far that may be from the exact law's work
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Eigen::Vector3d from = corners[i].cast<double>(), to = corners[(i + 1) % corners.size()].cast<double>();
+    const Eigen::Vector3d step = (to - from) / kPieces;
+    for (int piece = 0; piece < kPieces; ++piece) {
+      const Eigen::Vector3f middle = (from + (piece + 0.5) * step).cast<float>();
+      const Exact exact = subject.law.estimate(middle);
+      work.add(subject.renderer(middle).force, force_of(exact), step);
+      if (!shape.is_conservative) continue;
+      // No position of the piece is farther than this from where the force was taken, rounded to binary32.
+      const Real length = step.norm(), far = length / 2 + rounding(middle);
+      const Bend bend = shape.bend(static_cast<double>(middle.x()), static_cast<double>(middle.y()), static_cast<double>(far));
+      const Real rate = static_cast<Real>(bend.rate) * far, global = static_cast<Real>(shape.steepest);
+      const Real steepest = bend.kink ? global : std::min(global, std::hypot(exact.Ux.mid(), exact.Uy.mid()) + rate);
+      const Real change = change_of_magnitude(shape, far, steepest);
+      quadrature += length * (change + (magnitude(shape, exact) + change) * (bend.kink ? 2 * global : rate));
+    }
+  }
+  const double slack = work.rounding * (1 + 1e-9) + 1e-15;
+  const bool pays = work.rendered > work.exact + slack;
+  const bool pays_though_conservative = shape.is_conservative && work.rendered > static_cast<double>(quadrature) + slack;
+  if (!pays && !pays_though_conservative) return std::nullopt;
+  std::string loop;
+  for (const Eigen::Vector3f& corner : corners) loop += (loop.empty() ? "" : ", ") + show(corner);
+  char numbers[200];
+  std::snprintf(numbers, sizeof numbers, "gives %.9g mJ to the hand; the exact law gives %.9g mJ and rounding may add %.3g mJ",
+                work.rendered, pays ? work.exact : static_cast<double>(quadrature), work.rounding);
+  return "the closed path " + loop + " mm " + numbers;
+}
+
+}  // namespace forceshade::properties

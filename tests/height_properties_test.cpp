@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The properties hold on height maps of every kind, and each of them can fail.
+
+#include "forceshade/properties/height_properties.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "forceshade/properties/equivalence.h"
+#include "forceshade/properties/generators.h"
+#include "forceshade/properties/height_generators.h"
+#include "forceshade/properties/run.h"
+#include "forceshade/properties/unit_normals.h"
+
+namespace forceshade::properties {
+namespace {
+
+using height::Edge;
+using height::Interpolant;
+using height::Rendering;
+
+constexpr int kCases = 600;
+constexpr std::uint64_t kSeed = 3;
+
+std::shared_ptr<const height::Grid> texture(Interpolant interpolant, Edge edge = Edge::tile) {
+  height::Grid grid{16, 12, 0.25F, edge, interpolant, {}};
+  for (std::uint32_t j = 0; j < grid.rows; ++j)
+    for (std::uint32_t i = 0; i < grid.columns; ++i)
+      grid.values.push_back(0.125F * static_cast<float>((3 * i + 5 * j * j) % 7));
+  return std::make_shared<const height::Grid>(std::move(grid));
+}
+
+struct Named {
+  const char* name;
+  HeightMap map;
+};
+
+std::vector<Named> maps() {
+  return {{"plane", {{{height::Plane{0.75F, -0.25F, 1}}}}},
+          {"cone", {{{height::Cone{0.5F, -0.25F, 2.5F, 4}}}}},
+          {"dent", {{{height::SphereCap{1, -1, 5, 8}, true}}}},
+          {"cylinder cap", {{{height::CylinderCap{1, 15.24F, 25.4F}}}}},
+          {"Gaussian", {{{height::Gaussian{1, -1, 3, 1.5F}}}}},
+          {"grating", {{{height::Grating{0.5F, 3, 2, 0.25F}}}}},
+          {"bilinear", {{{texture(Interpolant::bilinear)}}}},
+          {"spline", {{{texture(Interpolant::cubic_spline)}}}},
+          {"clamped spline", {{{texture(Interpolant::cubic_spline, Edge::clamp), true}}}},
+          {"bump and texture", {{{height::SphereCap{0, 0, 5, 8}}, {texture(Interpolant::cubic_spline)}}}}};
+}
+
+HeightSubject subject_of(const HeightMap& map, Rendering rendering) {
+  return std::get<HeightSubject>(fast_subject(map, rendering, 0.5F));
+}
+
+PropertyResult result_of(const HeightSubject& subject, const std::string& property) {
+  for (const PropertyResult& result : run_properties(subject, kCases, kSeed))
+    if (result.name == property) return result;
+  throw std::invalid_argument(property);
+}
+
+TEST(height_properties, hold_on_maps_of_every_kind) {
+  for (const auto& [name, map] : maps())
+    for (const auto& [rendering, word] : height::kRenderings) {
+      const std::vector<PropertyResult> results = run_properties(subject_of(map, rendering), kCases, kSeed);
+      EXPECT_GE(results.size(), 4U);
+      for (const PropertyResult& result : results)
+        EXPECT_EQ(result.held, result.name != "cell lines" || std::string(name) != "bilinear")
+            << name << ", " << word << ", " << result.name << ": " << result.counterexample;
+    }
+}
+
+// The fast path of `map` with its answers changed by `change(right, position, answer)`, `right` being the fast path itself.
+template <class Change>
+HeightSubject changed(const HeightMap& map, Rendering rendering, const Change& change) {
+  HeightSubject subject = subject_of(map, rendering);
+  subject.renderer = [right = subject.renderer, change](const Eigen::Vector3f& position) {
+    return change(right, position, right(position));
+  };
+  return subject;
+}
+
+void expect_refused(const HeightSubject& subject, const std::vector<std::string>& properties, const std::string& what) {
+  for (const std::string& property : properties) EXPECT_FALSE(result_of(subject, property).held) << what << ": " << property;
+}
+
+TEST(height_properties, refuse_a_gradient_of_the_wrong_sign) {
+  const auto mirrored = [](const Renderer&, const Eigen::Vector3f&, Rendered answer) {
+    answer.force.head<2>() *= -1;
+    return answer;
+  };
+  for (const auto& [name, map] : maps())
+    for (const auto& [rendering, word] : height::kRenderings)
+      expect_refused(changed(map, rendering, mirrored), {"equivalence", "passivity"},
+                     std::string(name) + ", " + std::string(word));
+}
+
+TEST(height_properties, refuse_x_and_y_exchanged) {
+  const auto exchanged = [](const Renderer&, const Eigen::Vector3f&, Rendered answer) {
+    std::swap(answer.force.x(), answer.force.y());
+    return answer;
+  };
+  for (const auto& [name, map] : maps())
+    expect_refused(changed(map, Rendering::conservative, exchanged), {"equivalence", "passivity"}, name);
+}
+
+TEST(height_properties, refuse_a_normal_that_was_not_normalised_and_one_that_was) {
+  const auto with_length = [](double power) {
+    return [power](const Renderer&, const Eigen::Vector3f&, Rendered answer) {
+      const Eigen::Vector3d force = answer.force.cast<double>();
+      if (force.z() > 0) answer.force = (force * std::pow(force.norm() / force.z(), power)).cast<float>();
+      return answer;
+    };
+  };
+  for (const auto& [name, map] : maps()) {
+    expect_refused(changed(map, Rendering::true_height, with_length(1)), {"equivalence", "unit normals", "passivity"}, name);
+    expect_refused(changed(map, Rendering::force_shaded, with_length(1)), {"equivalence", "unit normals", "passivity"}, name);
+    expect_refused(changed(map, Rendering::conservative, with_length(-1)), {"equivalence", "unit normals"}, name);
+  }
+}
+
+TEST(height_properties, refuse_a_force_from_the_wrong_cell) {
+  const auto late = [](const Renderer& right, const Eigen::Vector3f& position, const Rendered& answer) {
+    const double place = static_cast<double>(position.x()) / 0.25 - 0.5, beyond = place - std::floor(place);
+    return beyond < 1e-3 ? right(position - Eigen::Vector3f(0.25F, 0, 0)) : answer;
+  };
+  for (const Interpolant interpolant : {Interpolant::bilinear, Interpolant::cubic_spline})
+    for (const auto& [rendering, word] : height::kRenderings)
+      expect_refused(changed({{{texture(interpolant)}}}, rendering, late), {"equivalence", "continuity", "cell lines"},
+                     std::string(word));
+}
+
+// Force shading gives energy away: small loops show it, if the bound of the quadrature is no wider than it must be.
+TEST(height_properties, refuse_energy_from_a_map_that_should_have_a_potential) {
+  for (const auto& [name, map] : maps()) {
+    const HeightSubject subject = subject_of(map, Rendering::force_shaded);
+    HeightShape shape(subject.law);
+    shape.is_conservative = true;
+    const HeightTarget target{subject.law, shape};
+    EXPECT_FALSE(run_property("passivity", kCases, kSeed, [&] { return passivity(subject, shape, *polygon_of(target)); }).held)
+        << name;
+  }
+}
+
+TEST(height_properties, find_where_the_gradient_of_a_bilinear_map_jumps_and_by_how_much) {
+  const HeightMap roof{
+      {{std::make_shared<const height::Grid>(height::Grid{3, 2, 2, Edge::clamp, Interpolant::bilinear, {0, 1, 0, 0, 1, 0}})}}};
+  const HeightSubject subject = subject_of(roof, Rendering::true_height);
+  const HeightShape shape(subject.law);
+  EXPECT_EQ(shape.jumps(),
+            std::vector<std::string>{"part 1, bilinear grid: its cell lines, the gradient by up to 1 at (0, -1) mm"});
+  const auto found = gradient_across_cells(subject, shape, {-0x1p-20F, 0.5F, -1}, {0x1p-20F, 0.5F, -1});
+  ASSERT_TRUE(found);
+  EXPECT_NE(found->find("across a cell line at x = -0x1p-20"), std::string::npos) << *found;
+  EXPECT_NE(found->find("the gradient jumps by 1;"), std::string::npos) << *found;
+  EXPECT_EQ(continuity(subject, shape, {-0x1p-20F, 0.5F, -1}, {0x1p-20F, 0.5F, -1}), std::nullopt) << "a known kink";
+  const PropertyResult result = result_of(subject, "cell lines");
+  EXPECT_FALSE(result.held);
+  EXPECT_NE(result.counterexample.find("the gradient jumps by"), std::string::npos) << result.counterexample;
+  std::printf("  %s\n", result.counterexample.c_str());
+}
+
+// Each property on a generated position, pair or path of a generated map.
+TEST(height_properties, hold_on_generated_maps) {
+  std::array<int, 3> statuses{};
+  const PropertyResult result = run_property("any map", 500, kSeed, [&]() -> Violation {
+    const AnyHeightMap any = *any_height_map();
+    const auto subject = std::get<HeightSubject>(fast_subject(any.map, any.rendering, any.stiffness));
+    const HeightShape shape(subject.law);
+    const HeightTarget target{subject.law, shape};
+    for (int i = 0; i < 8; ++i) {
+      const Eigen::Vector3f position = *position_of(target);
+      ++statuses[static_cast<std::size_t>(subject.renderer(position).status)];
+      if (const Violation violation = equivalence(subject, position)) return violation;
+      if (const Violation violation = unit_normals(subject, position)) return violation;
+    }
+    const Neighbours pair = *neighbours_on(target);
+    if ((pair.b().array().abs() <= 1e4F).all())
+      if (const Violation violation = continuity(subject, shape, pair.a, pair.b())) return violation;
+    return passivity(subject, shape, *polygon_of(target));
+  });
+  EXPECT_TRUE(result.held) << result.counterexample;
+  std::printf("  %llu maps; free %d, contact %d, invalid %d\n", static_cast<unsigned long long>(result.cases), statuses[0],
+              statuses[1], statuses[2]);
+  for (const int count : statuses) EXPECT_GT(count, 100) << "a status was hardly ever reached";
+}
+
+}  // namespace
+}  // namespace forceshade::properties
