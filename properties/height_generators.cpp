@@ -19,6 +19,9 @@ class Shapes {
     AnyHeightMap any;
     for (std::uint64_t i = draws_.bits() % 3 + 1; i > 0; --i) any.map.parts.push_back({shape(), draws_.bits() % 4 == 0});
     any.rendering = height::kRenderings[draws_.bits() % height::kRenderings.size()].rendering;
+    const bool is_shaded = any.rendering == height::Rendering::force_shaded;
+    for (std::uint64_t i = is_shaded ? draws_.bits() % 3 : 0; i > 0; --i)
+      any.map.surface.push_back({shape(), draws_.bits() % 4 == 0});
     any.stiffness = size(1e-3F, 1e3F, 0.5F);
     return any;
   }
@@ -31,10 +34,10 @@ class Shapes {
     return std::bit_cast<float>(first + static_cast<std::uint32_t>(draws_.bits() % (last - first + 1)));
   }
   // Of either sign, or zero.
-  float number(float largest, float usual) {
+  float number(float largest, float usual, float smallest = 0x1p-126F) {
     const std::uint64_t choice = draws_.bits() % 8;
     if (choice == 0) return 0;
-    const float value = size(0x1p-126F, largest, usual);
+    const float value = size(smallest, largest, usual);
     return choice % 2 == 0 ? value : -value;
   }
   float coordinate() { return number(1e4F, 3); }
@@ -54,10 +57,21 @@ class Shapes {
       }
       case 4: return height::Gaussian{coordinate(), coordinate(), height(), size(1e-3F, 1e4F, 2)};
       case 5: return height::Grating{height(), number(1e3F, 3), number(1e3F, 3), number(1e3F, 1)};
+      case 6: return polygons();
       default: return grid();
     }
   }
   float width(float radius) { return size(1e-3F, std::nextafter(2 * radius, 0.0F), radius); }
+
+  height::Shape polygons() {
+    height::Polygons polygons;
+    float x = number(5e3F, 3);
+    for (std::uint64_t i = 2 + draws_.bits() % 5; i > 0; --i) {
+      polygons.knots.push_back({x, number(1e4F, 1, 0x1p-30F)});
+      x += size(2e-3F, 500, 2);
+    }
+    return polygons;
+  }
 
   height::Shape grid() {
     height::Grid grid{static_cast<std::uint32_t>(2 + draws_.bits() % 8),

@@ -3,6 +3,7 @@
 
 #include <openssl/evp.h>
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <memory>
@@ -41,6 +42,14 @@ Told told(const height::Grating& g) {
   return {"grating",
           {{"height_mm", g.height}, {"wave_x_rad_per_mm", g.wave_x}, {"wave_y_rad_per_mm", g.wave_y}, {"phase_rad", g.phase}}};
 }
+Told told(const height::Polygons& p) {
+  Told words{"polygons", {}};
+  for (const height::Knot& knot : p.knots) {
+    words.numbers.emplace_back("x_mm", knot.x);
+    words.numbers.emplace_back("height_mm", knot.height);
+  }
+  return words;
+}
 Told told(const std::shared_ptr<const height::Grid>& g) {
   // At most 2^15 columns and rows: binary32 numbers.
   return {"grid",
@@ -54,6 +63,14 @@ Told told(const height::Part& part) {
   Told words = std::visit([](const auto& shape) { return told(shape); }, part.shape);
   if (part.negated) words.words.emplace_back("negated", "true");
   return words;
+}
+
+struct Role {
+  std::string words;
+  const std::vector<height::Part>* parts;
+};
+std::array<Role, 2> roles(const HeightMap& map) {
+  return {{{"", &map.parts}, {"depth from ", &map.surface}}};
 }
 
 // Fed with lines of text, and with numbers as their four bytes, the least significant first.
@@ -88,30 +105,32 @@ class Digest {
 
 HeightIdentity identity_of(const HeightMap& map, height::Rendering rendering, float stiffness) {
   Digest digest;
-  for (const height::Part& part : map.parts) {
-    const Told words = told(part);
-    digest.line(words.kind);
-    for (const auto& [key, value] : words.numbers) {
-      digest.line(std::string(key));
-      digest.number(value);
+  for (const auto& [role, parts] : roles(map))
+    for (const height::Part& part : *parts) {
+      const Told words = told(part);
+      digest.line(role + words.kind);
+      for (const auto& [key, value] : words.numbers) {
+        digest.line(std::string(key));
+        digest.number(value);
+      }
+      for (const auto& [key, word] : words.words) digest.line(std::string(key) + ' ' + std::string(word));
+      digest.line(std::to_string(words.samples.size()));
+      for (const float sample : words.samples) digest.number(sample);
     }
-    for (const auto& [key, word] : words.words) digest.line(std::string(key) + ' ' + std::string(word));
-    digest.line(std::to_string(words.samples.size()));
-    for (const float sample : words.samples) digest.number(sample);
-  }
   return {digest.hex(), rendering, stiffness};
 }
 
 std::vector<std::string> words_of(const HeightMap& map) {
   std::vector<std::string> lines;
-  for (const height::Part& part : map.parts) {
-    const Told words = told(part);
-    std::string line = words.kind + ':';
-    for (const auto& [key, value] : words.numbers) line += ' ' + std::string(key) + ' ' + shortest(value) + ',';
-    for (const auto& [key, word] : words.words) line += ' ' + std::string(key) + ' ' + std::string(word) + ',';
-    line.pop_back();
-    lines.push_back(std::move(line));
-  }
+  for (const auto& [role, parts] : roles(map))
+    for (const height::Part& part : *parts) {
+      const Told words = told(part);
+      std::string line = role + words.kind + ':';
+      for (const auto& [key, value] : words.numbers) line += ' ' + std::string(key) + ' ' + shortest(value) + ',';
+      for (const auto& [key, word] : words.words) line += ' ' + std::string(key) + ' ' + std::string(word) + ',';
+      line.pop_back();
+      lines.push_back(std::move(line));
+    }
   return lines;
 }
 

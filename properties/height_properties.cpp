@@ -38,7 +38,8 @@ Real magnitude(const HeightShape& shape, const Exact& exact) {
   return static_cast<Real>(shape.stiffness) * std::max(Real(0), exact.gap.mid());
 }
 
-// How much the magnitude's part of the force may change on a way of `apart` mm where no slope is steeper, N.
+// How much the magnitude's part of the force may change on a way of `apart` mm where the surface that depth is measured from is
+// nowhere steeper, N.
 Real change_of_magnitude(const HeightShape& shape, Real apart, Real steepest) {
   const Real slope = std::hypot(Real(1), steepest);
   const Real longest = shape.rendering == height::Rendering::conservative ? slope : 1;
@@ -67,9 +68,9 @@ Violation continuity(const HeightSubject& subject, const HeightShape& shape, con
 
   const Real jump = bend.kink ? size * (direction(shape, exact_a) - direction(shape, exact_b)).norm() : 0;
   const Real turning = bend.kink ? 0 : size * static_cast<Real>(bend.rate) * (at_a - at_b).head<2>().norm();
-  const Real reach =
-      (change_of_magnitude(shape, apart, static_cast<Real>(shape.steepest)) + turning + rounding(force_a) + rounding(force_b)) *
-      (1 + Real(1e-9));
+  const Real reach = (change_of_magnitude(shape, apart, static_cast<Real>(shape.steepest_surface)) + turning +
+                      rounding(force_a) + rounding(force_b)) *
+                     (1 + Real(1e-9));
   if (std::fabs(change - jump) <= reach) return std::nullopt;
   char numbers[200];
   std::snprintf(numbers, sizeof numbers, "the force changes by %.9Lg N; expected %.9Lg N within %.3Lg N", change, jump, reach);
@@ -83,7 +84,7 @@ Violation gradient_across_cells(const HeightSubject& subject, const HeightShape&
   const auto x = static_cast<double>(at_a.x()), y = static_cast<double>(at_a.y());
   double rate = 0;
   std::string line;
-  for (std::size_t i = 0; i < shape.parts.size(); ++i) {
+  for (std::size_t i = 0; i < shape.map_parts; ++i) {
     const PartShape& part = shape.parts[i];
     const Bend bend = part.bend(x, y, apart);
     rate += bend.rate;

@@ -78,6 +78,25 @@ PartShape shape_of(const height::CylinderCap& cap) {
   return shape;
 }
 
+PartShape shape_of(const height::Polygons& polygons) {
+  PartShape shape{.kind = "polygons"};
+  const std::vector<height::Knot>& knots = polygons.knots;
+  const auto slope = [&](std::size_t i) {
+    const double run = static_cast<double>(placed(knots[i + 1].x)) - static_cast<double>(placed(knots[i].x));
+    return (static_cast<double>(knots[i + 1].height) - static_cast<double>(knots[i].height)) / run;
+  };
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) shape.steepest = std::max(shape.steepest, std::fabs(slope(i)));
+  for (const height::Knot& knot : knots) shape.xs.push_back(placed(knot.x));
+  shape.x = 0.5 * (static_cast<double>(shape.xs.front()) + static_cast<double>(shape.xs.back()));
+  shape.reach = 1.3 * (static_cast<double>(shape.xs.back()) - shape.x);
+  if (shape.steepest > 0) shape.kinks = {"its knots"};
+  shape.bend = [xs = shape.xs](double x, double, double reach) {
+    const auto is_near = [&](float knot) { return std::fabs(static_cast<double>(knot) - x) <= reach + kSlack; };
+    return Bend{0, std::any_of(xs.begin(), xs.end(), is_near)};
+  };
+  return shape;
+}
+
 PartShape shape_of(const height::Gaussian& hill) {
   PartShape shape = round_shape("gaussian", hill.x, hill.y, hill.sigma);
   shape.reach *= 3;
@@ -169,7 +188,7 @@ PartShape shape_of(const std::shared_ptr<const height::Grid>& grid) {
 template <class T>
 constexpr bool kIsPlane = std::is_same_v<std::decay_t<T>, height::Plane>;
 
-// True height over planes has one normal; shaded planes have one too, but depth is measured along z.
+// True height over planes has one normal; so has shading over planes, but its depth is measured from another one.
 bool has_a_potential(const reference::HeightLaw& law, double steepest) {
   if (law.rendering() == height::Rendering::conservative) return true;
   const bool is_plane = std::all_of(law.map().parts.begin(), law.map().parts.end(), [](const height::Part& part) {
@@ -187,17 +206,23 @@ double Lines::distance(double coordinate) const {
 
 HeightShape::HeightShape(const reference::HeightLaw& law)
     : rendering(law.rendering()), stiffness(static_cast<double>(law.stiffness())) {
-  for (const height::Part& part : law.map().parts) {
-    parts.push_back(std::visit([](const auto& shape) { return shape_of(shape); }, part.shape));
-    steepest += parts.back().steepest;
-  }
-  is_conservative = has_a_potential(law, steepest);
+  const auto add = [&](const std::vector<height::Part>& all, double& sum) {
+    for (const height::Part& part : all) {
+      parts.push_back(std::visit([](const auto& shape) { return shape_of(shape); }, part.shape));
+      sum += parts.back().steepest;
+    }
+  };
+  add(law.map().parts, steepest);
+  map_parts = parts.size();
+  add(law.map().surface, steepest_surface);
+  if (rendering != height::Rendering::force_shaded) steepest_surface = steepest;
+  is_conservative = has_a_potential(law, steepest + steepest_surface);
 }
 
 Bend HeightShape::bend(double x, double y, double reach) const {
   Bend sum;
-  for (const PartShape& part : parts) {
-    const Bend one = part.bend(x, y, reach);
+  for (std::size_t i = 0; i < map_parts; ++i) {
+    const Bend one = parts[i].bend(x, y, reach);
     sum.rate += one.rate;
     sum.kink = sum.kink || one.kink;
   }
@@ -206,7 +231,7 @@ Bend HeightShape::bend(double x, double y, double reach) const {
 
 std::vector<std::string> HeightShape::jumps() const {
   std::vector<std::string> words;
-  for (std::size_t i = 0; i < parts.size(); ++i)
+  for (std::size_t i = 0; i < map_parts; ++i)
     for (const std::string& kink : parts[i].kinks)
       words.push_back("part " + std::to_string(i + 1) + ", " + parts[i].kind + ": " + kink);
   return words;

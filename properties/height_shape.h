@@ -45,13 +45,16 @@ struct PartShape {
 
 struct HeightShape {
   height::Rendering rendering;
-  double stiffness;     // N/mm
-  double steepest = 0;  // mm/mm: bounds the gradient's length
-  std::vector<PartShape> parts;
+  double stiffness;              // N/mm
+  double steepest = 0;           // mm/mm: bounds the length of the gradient that the direction comes from
+  double steepest_surface = 0;   // and of that of the surface which depth is measured from
+  std::vector<PartShape> parts;  // of the map, then of a surface of its own
+  std::size_t map_parts;
   bool is_conservative;
 
   explicit HeightShape(const reference::HeightLaw& law);
 
+  // Of the gradient that the direction comes from.
   Bend bend(double x, double y, double reach) const;
 
   // Where the force jumps, in words; none where it is continuous.

@@ -89,7 +89,8 @@ std::vector<PropertyResult> run_properties(const HeightSubject& subject, int cas
   results.push_back(run_property("unit normals", cases, seed, [&] { return unit_normals(subject, *position_of(map)); }));
   results.push_back(
       run_property("passivity", std::max(1, cases / 10), seed, [&] { return passivity(subject, shape, *polygon_of(map)); }));
-  if (std::any_of(shape.parts.begin(), shape.parts.end(), [](const PartShape& part) { return part.columns.has_value(); }))
+  const auto has_cells = [](const PartShape& part) { return part.columns.has_value(); };
+  if (std::any_of(shape.parts.begin(), shape.parts.begin() + static_cast<std::ptrdiff_t>(shape.map_parts), has_cells))
     results.push_back(run_property("cell lines", cases, seed, [&]() -> Violation {
       Neighbours pair = *neighbours_on(map);
       const double surface = static_cast<double>(subject.law.estimate({pair.a.x(), pair.a.y(), 0}).gap.mid());

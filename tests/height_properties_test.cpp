@@ -20,7 +20,7 @@ using height::Edge;
 using height::Interpolant;
 using height::Rendering;
 
-constexpr int kCases = 600;
+constexpr int kCases = 300;
 constexpr std::uint64_t kSeed = 3;
 
 std::shared_ptr<const height::Grid> texture(Interpolant interpolant, Edge edge = Edge::tile) {
@@ -41,6 +41,7 @@ std::vector<Named> maps() {
           {"cone", {{{height::Cone{0.5F, -0.25F, 2.5F, 4}}}}},
           {"dent", {{{height::SphereCap{1, -1, 5, 8}, true}}}},
           {"cylinder cap", {{{height::CylinderCap{1, 15.24F, 25.4F}}}}},
+          {"polygons", {{{height::Polygons{{{-4, 0}, {0, 2}, {1, 2}, {4, 0}}}}}}},
           {"Gaussian", {{{height::Gaussian{1, -1, 3, 1.5F}}}}},
           {"grating", {{{height::Grating{0.5F, 3, 2, 0.25F}}}}},
           {"bilinear", {{{texture(Interpolant::bilinear)}}}},
@@ -140,6 +141,14 @@ TEST(height_properties, refuse_energy_from_a_map_that_should_have_a_potential) {
     EXPECT_FALSE(run_property("passivity", kCases, kSeed, [&] { return passivity(subject, shape, *polygon_of(target)); }).held)
         << name;
   }
+}
+
+TEST(height_properties, hold_where_depth_is_measured_from_another_surface) {
+  const HeightMap map{{{height::CylinderCap{0, 5, 8}}}, {{height::Polygons{{{-4, 0}, {0, 2}, {4, 0}}}}}};
+  const HeightSubject subject = subject_of(map, Rendering::force_shaded);
+  for (const PropertyResult& result : run_properties(subject, kCases, kSeed))
+    EXPECT_TRUE(result.held) << result.name << ": " << result.counterexample;
+  EXPECT_EQ(HeightShape(subject.law).jumps(), std::vector<std::string>{"part 1, cylinder-cap: its two edges"});
 }
 
 TEST(height_properties, find_where_the_gradient_of_a_bilinear_map_jumps_and_by_how_much) {
