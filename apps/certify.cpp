@@ -28,7 +28,7 @@ struct Options {
 };
 
 // One line, drawn over itself, on a terminal only.
-void draw_progress(LawId law, double done) {
+void draw_progress(std::string_view name, double done) {
   constexpr int kWidth = 40;
   const int filled = static_cast<int>(done * kWidth);
   std::fprintf(stderr, "\r[%.*s%*s] %3.0f %%  %-15s", filled, "########################################", kWidth - filled, "",

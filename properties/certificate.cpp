@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "forceshade/properties/html.h"
+
 namespace forceshade::properties {
 namespace {
 
@@ -15,7 +17,9 @@ constexpr const char* kStatement =
 constexpr const char* kMethod =
     "Each answer is compared, bit for bit, with the rounded reference: a 64-bit enclosure where it decides, MPFI intervals of "
     "growing precision where it does not, CGAL's exact algebraic numbers for facets and rounding ties. Half of the points are "
-    "aimed at surface neighbours, facet lines, the position quantum, domain ends, near-ties, the axis and few-bit numbers. "
+    "aimed at surface neighbours, facet lines (of a height map: cell lines, edges and rims), the position quantum, domain "
+    "ends, "
+    "near-ties, the axis (centres, apexes and crests) and few-bit numbers. "
     "Every instruction set of the machine gave the same bits.";
 
 Json domain() {
@@ -44,7 +48,8 @@ Parameters parameters_from(LawId law, const Json& json) {
   return p;
 }
 
-Json law_json(const LawResult& law) {
+// After what names the law or the map.
+void add_findings(Json& json, const Findings& law, bool is_unit) {
   Json properties = Json::array();
   for (const PropertyResult& p : law.properties)
     properties.push_back({{"name", p.name}, {"cases", p.cases}, {"held", p.held}, {"counterexample", p.counterexample}});
@@ -52,27 +57,45 @@ Json law_json(const LawResult& law) {
   for (const LoopEnergy& e : law.energy)
     energy.push_back(
         {{"depth_mm", e.depth_mm}, {"bound_mJ", e.bound_mJ}, {"witness_mJ", e.witness_mJ}, {"measured_mJ", e.measured_mJ}});
-  return {{"law", name_of(law.law)},
-          {"held", law.held()},
-          {"parameters", parameters_json(law.law, law.parameters)},
-          {"continuous", law.jumps.empty()},
-          {"jumps", law.jumps},
-          {"unit", law.has_held("unit normals")},
-          {"conservative", law.conservative},
-          {"points", law.points},
-          {"mismatches", law.mismatches},
-          {"points_by_aim", law.points_by_aim},
-          {"points_by_stage", law.points_by_stage},
-          {"points_by_method", law.points_by_method},
-          {"points_by_status", law.points_by_status},
-          {"closest_call",
-           {{"x_mm", static_cast<double>(law.closest_call.x)},
-            {"y_mm", static_cast<double>(law.closest_call.y)},
-            {"z_mm", static_cast<double>(law.closest_call.z)},
-            {"ulps_from_tie", law.closest_call.ulps_from_tie}}},
-          {"counterexamples", law.counterexamples},
-          {"properties", properties},
-          {"energy_per_loop", energy}};
+  json.update({{"continuous", law.jumps.empty()},
+               {"jumps", law.jumps},
+               {"unit", is_unit},
+               {"conservative", law.conservative},
+               {"points", law.points},
+               {"mismatches", law.mismatches},
+               {"points_by_aim", law.points_by_aim},
+               {"points_by_stage", law.points_by_stage},
+               {"points_by_method", law.points_by_method},
+               {"points_by_status", law.points_by_status},
+               {"closest_call",
+                {{"x_mm", static_cast<double>(law.closest_call.x)},
+                 {"y_mm", static_cast<double>(law.closest_call.y)},
+                 {"z_mm", static_cast<double>(law.closest_call.z)},
+                 {"ulps_from_tie", law.closest_call.ulps_from_tie}}},
+               {"counterexamples", law.counterexamples},
+               {"properties", properties},
+               {"energy_per_loop", energy}});
+}
+
+Json law_json(const LawResult& law) {
+  Json json{{"law", name_of(law.law)}, {"held", law.held()}, {"parameters", parameters_json(law.law, law.parameters)}};
+  add_findings(json, law, law.is_unit());
+  return json;
+}
+
+std::string_view name_of(height::Rendering rendering) {
+  return height::kRenderings[static_cast<std::size_t>(rendering)].name;
+}
+
+Json height_map_json(const HeightMapResult& map) {
+  Json json{{"height_map", map.file},
+            {"held", map.held()},
+            {"map_digest", map.identity.map_digest},
+            {"rendering", name_of(map.identity.rendering)},
+            {"stiffness_N_per_mm", static_cast<double>(map.identity.stiffness)},
+            {"parts", map.parts}};
+  add_findings(json, map, map.is_unit());
+  return json;
 }
 
 LawId id_from(const Json& json) {
@@ -81,10 +104,8 @@ LawId id_from(const Json& json) {
   throw std::runtime_error("unknown law \"" + name + "\"");
 }
 
-LawResult law_from(const Json& json) {
-  LawResult law;
-  law.law = id_from(json);
-  law.parameters = parameters_from(law.law, json.at("parameters"));
+Findings findings_from(const Json& json) {
+  Findings law;
   law.jumps = json.at("jumps").get<std::vector<std::string>>();
   law.conservative = json.at("conservative");
   law.points = json.at("points");
@@ -102,6 +123,22 @@ LawResult law_from(const Json& json) {
   for (const Json& e : json.at("energy_per_loop"))
     law.energy.push_back({e.at("depth_mm"), e.at("bound_mJ"), e.at("witness_mJ"), e.at("measured_mJ")});
   return law;
+}
+
+LawResult law_from(const Json& json) {
+  const LawId id = id_from(json);
+  return {findings_from(json), id, parameters_from(id, json.at("parameters"))};
+}
+
+HeightMapResult height_map_from(const Json& json) {
+  const std::string word = json.at("rendering");
+  const auto* rendering = std::find_if(height::kRenderings.begin(), height::kRenderings.end(),
+                                       [&](const height::RenderingName& name) { return name.name == word; });
+  if (rendering == height::kRenderings.end()) throw std::runtime_error("unknown rendering \"" + word + "\"");
+  return {findings_from(json),
+          json.at("height_map"),
+          {json.at("map_digest"), rendering->rendering, static_cast<float>(json.at("stiffness_N_per_mm").get<double>())},
+          json.at("parts").get<std::vector<std::string>>()};
 }
 
 Json sweeps_json(const Sweeps& sweeps) {
@@ -152,27 +189,31 @@ Sweeps sweeps_from(const Json& json) {
 
 }  // namespace
 
-bool LawResult::has_held(std::string_view property) const {
+bool Findings::has_held(std::string_view property) const {
   return std::any_of(properties.begin(), properties.end(),
                      [&](const PropertyResult& p) { return p.name == property && p.held; });
 }
 
-bool LawResult::held() const {
+bool Findings::held() const {
   return points > 0 && mismatches == 0 &&
          std::all_of(kPropertyNames.begin(), kPropertyNames.end(),
                      [&](std::string_view property) { return has_held(property); });
 }
 
 bool Certificate::held() const {
-  const bool is_empty = laws.empty() && sweeps.results.empty();
+  const bool is_empty = !has_points() && sweeps.results.empty();
   const bool swept = sweeps.results.empty() || (sweeps.is_whole() && sweeps.mismatches() == 0);
-  return !is_empty && swept && std::all_of(laws.begin(), laws.end(), [](const LawResult& law) { return law.held(); });
+  bool all = true;
+  for_each([&](const Findings& one) { all = all && one.held(); });
+  return !is_empty && swept && all;
 }
 
 std::string to_json(const Certificate& certificate) {
   const Build& build = certificate.build;
   Json laws = Json::array();
   for (const LawResult& law : certificate.laws) laws.push_back(law_json(law));
+  Json height_maps = Json::array();
+  for (const HeightMapResult& map : certificate.height_maps) height_maps.push_back(height_map_json(map));
   Json json{{"schema", kCertificateSchema},
             {"held", certificate.held()},
             {"statement", kStatement},
@@ -187,7 +228,8 @@ std::string to_json(const Certificate& certificate) {
               {"library_digest", build.library_digest}}},
             {"seed", certificate.seed},
             {"seconds", certificate.seconds},
-            {"laws", laws}};
+            {"laws", laws},
+            {"height_maps", height_maps}};
   if (!certificate.sweeps.results.empty()) json["exhaustive"] = sweeps_json(certificate.sweeps);
   return json.dump(2) + "\n";
 }
@@ -206,6 +248,7 @@ Certificate from_json(const std::string& text, const std::string& file) {
     certificate.seed = json.at("seed");
     certificate.seconds = json.at("seconds");
     for (const Json& law : json.at("laws")) certificate.laws.push_back(law_from(law));
+    for (const Json& map : json.at("height_maps")) certificate.height_maps.push_back(height_map_from(map));
     if (json.contains("exhaustive")) certificate.sweeps = sweeps_from(json.at("exhaustive"));
     return certificate;
   } catch (const std::exception& error) {
@@ -214,12 +257,20 @@ Certificate from_json(const std::string& text, const std::string& file) {
   }
 }
 
+namespace {
+
+std::optional<std::string> other_build(const Certificate& certificate, const Build& build) {
+  if (certificate.build.library_digest == build.library_digest) return std::nullopt;
+  return "the certificate is for another build of the renderer: expected digest " + build.library_digest + ", got " +
+         certificate.build.library_digest;
+}
+
+}  // namespace
+
 std::optional<std::string> refusal(const Certificate& certificate, const Build& build, LawId law,
                                    const Parameters& parameters) {
   const std::string name(name_of(law));
-  if (certificate.build.library_digest != build.library_digest)
-    return "the certificate is for another build of the renderer: expected digest " + build.library_digest + ", got " +
-           certificate.build.library_digest;
+  if (auto other = other_build(certificate, build)) return other;
   const auto same_law = [&](const LawResult& result) { return result.law == law; };
   const auto same_parameters = [&](const LawResult& result) {
     return result.parameters.stiffness == parameters.stiffness &&
@@ -237,6 +288,30 @@ std::optional<std::string> refusal(const Certificate& certificate, const Build& 
   const bool sweep_failed = std::any_of(certificate.sweeps.results.begin(), certificate.sweeps.results.end(),
                                         [&](const SweepResult& r) { return r.sweep.law == law && r.mismatches > 0; });
   if (!covered->held() || sweep_failed) return "the certificate says that " + name + " failed";
+  return std::nullopt;
+}
+
+std::optional<std::string> refusal(const Certificate& certificate, const Build& build, const HeightIdentity& map) {
+  if (auto other = other_build(certificate, build)) return other;
+  if (certificate.height_maps.empty()) return "the certificate covers no height map";
+  // The one that is most alike tells best what differs.
+  const auto likeness = [&](const HeightMapResult& covered) {
+    const HeightIdentity& its = covered.identity;
+    return 4 * (its.map_digest == map.map_digest) + 2 * (its.rendering == map.rendering) + (its.stiffness == map.stiffness);
+  };
+  const auto covered = std::max_element(certificate.height_maps.begin(), certificate.height_maps.end(),
+                                        [&](const auto& a, const auto& b) { return likeness(a) < likeness(b); });
+  const HeightIdentity& its = covered->identity;
+  const auto differs = [](const std::string& what, const std::string& expected, const std::string& got) {
+    return "the certificate covers a height map with another " + what + ": expected " + expected + ", got " + got;
+  };
+  if (its.map_digest != map.map_digest)
+    return differs("shape", "map digest " + map.map_digest, its.map_digest + " (" + covered->file + ')');
+  if (its.rendering != map.rendering)
+    return differs("rendering", std::string(name_of(map.rendering)), std::string(name_of(its.rendering)));
+  if (its.stiffness != map.stiffness)
+    return differs("stiffness", shortest(map.stiffness) + " N/mm", shortest(its.stiffness) + " N/mm");
+  if (!covered->held()) return "the certificate says that the height map " + covered->file + " failed";
   return std::nullopt;
 }
 

@@ -11,12 +11,13 @@
 #include <string_view>
 #include <vector>
 
+#include "forceshade/properties/height_identity.h"
 #include "forceshade/properties/sweep.h"
 #include "forceshade/vocabulary/law.h"
 
 namespace forceshade::properties {
 
-inline constexpr int kCertificateSchema = 3;
+inline constexpr int kCertificateSchema = 4;
 
 // What was checked is this build and no other.
 struct Build {
@@ -54,9 +55,8 @@ struct ClosestCall {
   double ulps_from_tie = 1;   // units in the last place of the binary32 result
 };
 
-struct LawResult {
-  LawId law = LawId::wall;
-  Parameters parameters;
+// What was found out about a law or a height map.
+struct Findings {
   std::vector<std::string> jumps;  // where the force jumps, in words
   bool conservative = false;
   std::uint64_t points = 0;
@@ -74,14 +74,41 @@ struct LawResult {
   bool has_held(std::string_view property) const;
 };
 
+struct LawResult : Findings {
+  LawId law = LawId::wall;
+  Parameters parameters;
+
+  std::string name() const { return std::string(name_of(law)); }
+  bool is_unit() const { return has_held("unit normals"); }
+};
+
+struct HeightMapResult : Findings {
+  std::string file;  // as it was called; the identity does not hang on it
+  HeightIdentity identity;
+  std::vector<std::string> parts;  // in words
+
+  std::string name() const { return file; }
+  // A conservative map's normal is not one, and should not be.
+  bool is_unit() const { return identity.rendering != height::Rendering::conservative && has_held("unit normals"); }
+};
+
 struct Certificate {
   Build build;
   std::uint64_t seed = 0;
   double seconds = 0;
   std::vector<LawResult> laws;  // checked by points and properties
   Sweeps sweeps;                // checked exhaustively; without results where nothing was
+  std::vector<HeightMapResult> height_maps = {};
 
   bool held() const;
+  bool has_points() const { return !laws.empty() || !height_maps.empty(); }
+
+  // visit(law) for each of the laws, then for each of the height maps.
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for (const LawResult& law : laws) visit(law);
+    for (const HeightMapResult& map : height_maps) visit(map);
+  }
 };
 
 // Names the file, the place in it and what was expected.
@@ -95,5 +122,6 @@ Certificate from_json(const std::string& text, const std::string& file);
 // Why `certificate` does not let this build drive this law with these parameters; empty if it does. For the wall, only the
 // stiffness counts.
 std::optional<std::string> refusal(const Certificate& certificate, const Build& build, LawId law, const Parameters& parameters);
+std::optional<std::string> refusal(const Certificate& certificate, const Build& build, const HeightIdentity& map);
 
 }  // namespace forceshade::properties

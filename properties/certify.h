@@ -12,6 +12,13 @@
 
 namespace forceshade::properties {
 
+// A height map, and what its file is called.
+struct NamedHeightMap {
+  std::string file;
+  HeightMap map;
+  height::Rendering rendering;
+};
+
 struct CertifyOptions {
   std::vector<LawId> laws;
   Parameters parameters;
@@ -19,13 +26,15 @@ struct CertifyOptions {
   int cases = 0;             // per property
   std::uint64_t seed = 0;
   unsigned threads = 1;
+  std::vector<NamedHeightMap> height_maps = {};  // with the stiffness of `parameters`
 };
 
 // done in [0, 1]; called from one thread at a time.
-using Progress = std::function<void(LawId law, double done)>;
+using Progress = std::function<void(std::string_view name, double done)>;
 
-// The points do not depend on the number of threads. Empty when `stop` was set before the end. The parameters must be in
-// every law's domain (fast::Law::build says so). Throws std::runtime_error on a fast::arithmetic_fault(): the threads inherit it.
+// The points do not depend on the number of threads. Empty when `stop` was set before the end. The parameters must be in every
+// law's and map's domain (build() of fast::Law and fast::HeightLaw says so). Throws std::runtime_error on a
+// fast::arithmetic_fault(): the threads inherit it.
 std::optional<Certificate> certify(const CertifyOptions& options, const Progress& progress, const std::atomic<bool>& stop);
 
 }  // namespace forceshade::properties

@@ -112,16 +112,20 @@ figcaption { font-size: 14.5px; line-height: 1.5; color: var(--quiet); max-width
 
 constexpr std::array<const char*, 4> kProperties{"equivalence", "continuity", "unit normals", "passivity"};
 
-std::uint64_t total(const Certificate& certificate, std::uint64_t LawResult::*count) {
+std::uint64_t total(const Certificate& certificate, std::uint64_t Findings::*count) {
   std::uint64_t sum = 0;
-  for (const LawResult& law : certificate.laws) sum += law.*count;
+  certificate.for_each([&](const Findings& law) { sum += law.*count; });
   return sum;
 }
 
 std::string points_per_law(const Certificate& certificate) {
-  const auto [fewest, most] = std::minmax_element(certificate.laws.begin(), certificate.laws.end(),
-                                                  [](const LawResult& a, const LawResult& b) { return a.points < b.points; });
-  return fewest->points == most->points ? grouped(most->points) : grouped(fewest->points) + " to " + grouped(most->points);
+  std::uint64_t fewest = UINT64_MAX, most = 0;
+  certificate.for_each([&](const Findings& law) {
+    fewest = std::min(fewest, law.points);
+    most = std::max(most, law.points);
+  });
+  return (fewest == most ? "" : grouped(fewest) + " to ") + grouped(most) +
+         (certificate.laws.empty() ? " points per height map" : " points per law");
 }
 
 std::string plural(std::uint64_t count, const std::string& word) {
@@ -131,20 +135,21 @@ std::string plural(std::uint64_t count, const std::string& word) {
 // "continuity of bump-2p, passivity of bump-3p".
 std::string failed_properties(const Certificate& certificate) {
   std::string list;
-  for (const LawResult& law : certificate.laws)
+  certificate.for_each([&](const auto& law) {
     for (const PropertyResult& property : law.properties)
-      if (!property.held) list += (list.empty() ? "" : ", ") + escaped(property.name) + " of " + std::string(name_of(law.law));
+      if (!property.held) list += (list.empty() ? "" : ", ") + escaped(property.name) + " of " + escaped(law.name());
+  });
   return list;
 }
 
 std::string statements(const Certificate& certificate) {
-  if (certificate.laws.empty() && !certificate.sweeps.results.empty()) return "";
-  if (certificate.laws.empty()) return "<p class=\"statement\">No law was checked.</p>\n";
+  if (!certificate.has_points() && !certificate.sweeps.results.empty()) return "";
+  if (!certificate.has_points()) return "<p class=\"statement\">No law was checked.</p>\n";
   const std::string rule = "the exact force rounded to binary32 (nearest, ties to even)";
-  const std::uint64_t mismatches = total(certificate, &LawResult::mismatches);
-  const std::string points = points_per_law(certificate) + " points per law";
+  const std::uint64_t mismatches = total(certificate, &Findings::mismatches);
+  const std::string points = points_per_law(certificate);
   std::string html = "<p class=\"statement\">";
-  if (total(certificate, &LawResult::points) == 0)
+  if (total(certificate, &Findings::points) == 0)
     html += "No point was compared with the exact force.";
   else if (mismatches == 0)
     html += "At every one of " + points + ", each component of the fast path’s force equals " + rule + '.';
@@ -153,8 +158,8 @@ std::string statements(const Certificate& certificate) {
             (mismatches == 1 ? "differs" : "differ") + " from " + rule + '.';
   html += "</p>\n<p class=\"statement\">";
   const std::string failed = failed_properties(certificate);
-  const bool is_unchecked = std::any_of(certificate.laws.begin(), certificate.laws.end(),
-                                        [](const LawResult& law) { return law.properties.size() < kProperties.size(); });
+  bool is_unchecked = false;
+  certificate.for_each([&](const Findings& law) { is_unchecked = is_unchecked || law.properties.size() < kProperties.size(); });
   if (!failed.empty())
     html += "A counterexample was found to: " + failed + '.';
   else if (is_unchecked)
@@ -190,7 +195,7 @@ std::string count_cell(const char* label, const std::map<std::string, std::uint6
   return cell(label, found == counts.end() ? "not counted" : grouped(found->second), "number");
 }
 
-std::string property_cell(const char* name, const LawResult& law) {
+std::string property_cell(const char* name, const Findings& law) {
   const auto property =
       std::find_if(law.properties.begin(), law.properties.end(), [&](const PropertyResult& p) { return p.name == name; });
   if (property == law.properties.end()) return cell(name, "not checked");
@@ -206,24 +211,31 @@ std::string parameters_of(const LawResult& law) {
   return text + "<i>K</i>\u202F=\u202F" + shortest(law.parameters.stiffness) + "\u202FN/mm";
 }
 
-// No law looks at y.
-std::string closest_call_of(const LawResult& law) {
+std::string parameters_of(const HeightMapResult& map) {
+  return std::string(height::kRenderings[static_cast<std::size_t>(map.identity.rendering)].name) + "<br><i>K</i>\u202F=\u202F" +
+         shortest(map.identity.stiffness) + "\u202FN/mm";
+}
+
+// No law looks at y, every height map does.
+std::string closest_call_of(const Findings& law, bool has_y) {
   const ClosestCall& call = law.closest_call;
   if (!(call.ulps_from_tie < 1)) return "none seen";
   return html_number(call.ulps_from_tie, 2) + "\u202Fulp<small><i>x</i>\u202F=\u202F" + shortest(call.x) +
-         "<br><i>z</i>\u202F=\u202F" + shortest(call.z) + "</small>";
+         (has_y ? "<br><i>y</i>\u202F=\u202F" + shortest(call.y) : "") + "<br><i>z</i>\u202F=\u202F" + shortest(call.z) +
+         "</small>";
 }
 
-std::string summary_row(const LawResult& law) {
+template <class Result>
+std::string summary_row(const Result& law) {
   std::string properties;
   for (const char* name : kProperties) properties += property_cell(name, law);
-  return "<tr><th scope=\"row\">" + std::string(name_of(law.law)) + "</th>" + cell("parameters", parameters_of(law)) +
+  return "<tr><th scope=\"row\">" + escaped(law.name()) + "</th>" + cell("parameters", parameters_of(law)) +
          cell("points", grouped(law.points), "number") +
          cell("mismatches", law.mismatches == 0 ? "0" : "<span class=\"no\">" + grouped(law.mismatches) + "</span>", "number") +
          count_cell("by binary64", law.points_by_stage, "binary64") +
          count_cell("by double-double", law.points_by_stage, "double-double") +
-         count_cell("by wide", law.points_by_stage, "wide") + properties + cell("closest call", closest_call_of(law)) +
-         "</tr>\n";
+         count_cell("by wide", law.points_by_stage, "wide") + properties +
+         cell("closest call", closest_call_of(law, std::is_same_v<Result, HeightMapResult>)) + "</tr>\n";
 }
 
 std::string summary(const Certificate& certificate) {
@@ -236,13 +248,25 @@ std::string summary(const Certificate& certificate) {
       "<th scope=\"col\">equivalence</th><th scope=\"col\">continuity</th><th scope=\"col\">unit normals</th>"
       "<th scope=\"col\">passivity</th><th scope=\"col\">closest call</th></tr>\n"
       "</thead>\n<tbody>\n";
-  for (const LawResult& law : certificate.laws) html += summary_row(law);
+  certificate.for_each([&](const auto& law) { html += summary_row(law); });
   return html +
          "</tbody>\n</table>\n<p class=\"note\">Decided by: the cheapest arithmetic of the fast path that was sure of every "
          "rounding. Closest call: the point, in mm, whose exact force came nearest to the middle between two neighbouring "
          "binary32 numbers without being there, and how near, in units of the last place (ulp). Where a law is not "
          "conservative, "
          "passivity says that the fast path gives no more energy than the exact law does plus its rounding.</p>\n</section>\n";
+}
+
+// What each height map is, exactly and in words.
+std::string height_maps_table(const Certificate& certificate) {
+  if (certificate.height_maps.empty()) return "";
+  std::string html = "<section>\n<h2>The height maps</h2>\n<table class=\"facts\">\n";
+  for (const HeightMapResult& map : certificate.height_maps) {
+    html += "<tr><th scope=\"row\">" + escaped(map.file) + "</th><td>";
+    for (const std::string& part : map.parts) html += escaped(part) + "<br>";
+    html += "SHA-256 of its numbers <code>" + escaped(map.identity.map_digest) + "</code></td></tr>\n";
+  }
+  return html + "</table>\n</section>\n";
 }
 
 // One row for each law and kind of sweep.
@@ -275,17 +299,17 @@ std::string sweeps_table(const Sweeps& sweeps) {
 
 std::string counterexamples(const Certificate& certificate) {
   std::string html;
-  const auto add = [&](const LawResult& law, const std::string& what, const std::string& words) {
-    html += "<h3>" + std::string(name_of(law.law)) + ": " + escaped(what) + "</h3>\n<pre>" + escaped(words) + "</pre>\n";
+  const auto add = [&](const auto& law, const std::string& what, const std::string& words) {
+    html += "<h3>" + escaped(law.name()) + ": " + escaped(what) + "</h3>\n<pre>" + escaped(words) + "</pre>\n";
   };
-  for (const LawResult& law : certificate.laws) {
+  certificate.for_each([&](const auto& law) {
     std::string mismatches;
     for (const std::string& words : law.counterexamples) mismatches += (mismatches.empty() ? "" : "\n") + words;
     if (!mismatches.empty())
       add(law, "first " + grouped(law.counterexamples.size()) + " of " + plural(law.mismatches, "wrong answer"), mismatches);
     for (const PropertyResult& property : law.properties)
       if (!property.held) add(law, property.name, property.counterexample);
-  }
+  });
   std::string swept;
   for (const std::string& words : certificate.sweeps.counterexamples) swept += (swept.empty() ? "" : "\n") + words;
   if (!swept.empty()) html += "<h3>Exhaustive sweeps</h3>\n<pre>" + escaped(swept) + "</pre>\n";
@@ -315,7 +339,7 @@ constexpr const char* kLimits = R"html(<section>
 <ul class="limits">
 <li>Points were checked, not all inputs. Many were aimed at what is hard: surfaces, edges, near-ties, ends of the domain. That every
 input is right is a matter of proof, by a machine and separate from this page.</li>
-<li>It covers the parameters in the table above. For any other radius, width or stiffness, certify again.</li>
+<li>It covers the parameters and height maps in the tables above. For any other radius, width, stiffness or map, certify again.</li>
 <li>It covers this build: these compiled objects on this kind of machine. Another compiler, flag or revision has another digest and
 needs its own certificate.</li>
 <li>Lengths are in mm, forces in N, stiffness in N/mm, energy in mJ. A position is three binary32 numbers within ±10<sup>4</sup> mm;
@@ -333,10 +357,10 @@ std::string to_html(const Certificate& certificate) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>forceshade certificate: " +
          std::string(certificate.held() ? "held" : "failed") + "</title>\n<style>" + kStyle +
-         "</style>\n</head>\n<body>\n<main>\n" + header(certificate) + (certificate.laws.empty() ? "" : summary(certificate)) +
-         matrix(certificate) + sweeps_table(certificate.sweeps) + counterexamples(certificate) +
-         (pictures.empty() ? "" : "<section>\n<h2>Figures</h2>\n" + pictures + "</section>\n") + build_table(certificate) +
-         kLimits + "</main>\n</body>\n</html>\n";
+         "</style>\n</head>\n<body>\n<main>\n" + header(certificate) + (certificate.has_points() ? summary(certificate) : "") +
+         height_maps_table(certificate) + matrix(certificate) + sweeps_table(certificate.sweeps) +
+         counterexamples(certificate) + (pictures.empty() ? "" : "<section>\n<h2>Figures</h2>\n" + pictures + "</section>\n") +
+         build_table(certificate) + kLimits + "</main>\n</body>\n</html>\n";
 }
 
 }  // namespace forceshade::properties

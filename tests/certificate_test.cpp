@@ -18,7 +18,7 @@ constexpr Parameters kBump{15.24F, 25.4F, 0.5F};
 Certificate small_certificate(unsigned threads = 2) {
   static const std::atomic<bool> never{false};
   return certify(
-             {{LawId::wall, LawId::bump_2p}, kBump, 20000, 200, 3, threads}, [](LawId, double) {}, never)
+             {{LawId::wall, LawId::bump_2p}, kBump, 20000, 200, 3, threads}, [](std::string_view, double) {}, never)
       .value();
 }
 
@@ -80,7 +80,7 @@ TEST(certificate, reads_back_what_it_wrote) {
 TEST(certificate, is_not_made_when_stopped) {
   const std::atomic<bool> stop{true};
   EXPECT_FALSE(certify(
-      {{LawId::wall}, kBump, 20000, 200, 3, 2}, [](LawId, double) {}, stop));
+      {{LawId::wall}, kBump, 20000, 200, 3, 2}, [](std::string_view, double) {}, stop));
 }
 
 TEST(certificate, allows_what_it_covers_and_says_why_not) {
@@ -123,7 +123,7 @@ TEST(certificate, names_the_file_and_what_is_wrong_with_it) {
   };
   EXPECT_NE(message("").find("here.json: expected a forceshade certificate"), std::string::npos);
   EXPECT_NE(message("{}").find("schema"), std::string::npos);
-  EXPECT_NE(message(R"({"schema": 2})").find("schema is 2; expected 3: certify again"), std::string::npos);
+  EXPECT_NE(message(R"({"schema": 3})").find("schema is 3; expected 4: certify again"), std::string::npos);
   std::string text = to_json(small_certificate());
   text.replace(text.find("\"bump-2p\""), 9, "\"bump-9p\"");
   EXPECT_NE(message(text).find("unknown law \"bump-9p\""), std::string::npos);
