@@ -13,14 +13,17 @@
 
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/exhaustive.h"
+#include "forceshade/apps/height_map_option.h"
 #include "forceshade/properties/report.h"
 #include "forceshade/properties/thesis.h"
 
 namespace forceshade::apps {
 namespace {
 
+constexpr std::uint64_t kPointsOfALaw = 1000000, kPointsOfAHeightMap = 200000;  // the reference is slower for maps
+
 struct Options {
-  std::uint64_t points = 1000000, seed = 1;
+  std::uint64_t points = 0, seed = 1;
   int cases = 2000;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   std::string out;
@@ -32,12 +35,12 @@ void draw_progress(std::string_view name, double done) {
   constexpr int kWidth = 40;
   const int filled = static_cast<int>(done * kWidth);
   std::fprintf(stderr, "\r[%.*s%*s] %3.0f %%  %-15s", filled, "########################################", kWidth - filled, "",
-               100 * done, name_of(law).data());
+               100 * done, std::string(name).c_str());
   if (done >= 1) std::fprintf(stderr, "\n");
 }
 
-void print(const properties::LawResult& law) {
-  std::printf("%-15s %s  %llu points, %llu mismatches", name_of(law.law).data(), law.held() ? "held  " : "FAILED",
+void print(const std::string& name, const properties::Findings& law) {
+  std::printf("%-15s %s  %llu points, %llu mismatches", name.c_str(), law.held() ? "held  " : "FAILED",
               static_cast<unsigned long long>(law.points), static_cast<unsigned long long>(law.mismatches));
   for (const char* stage : {"binary64", "double-double", "wide"})
     std::printf(", %llu %s", static_cast<unsigned long long>(law.points_by_stage.at(stage)), stage);
@@ -47,12 +50,16 @@ void print(const properties::LawResult& law) {
     if (!property.held) std::printf("  %s: %s\n", property.name.c_str(), property.counterexample.c_str());
 }
 
-int run_points(const Options& options, const LawOptions& law_options, const Parameters& parameters) {
+int run_points(const Options& options, properties::CertifyOptions what) {
   const bool terminal = isatty(STDERR_FILENO) != 0;
+  what.points = options.points > 0 ? options.points : what.height_maps.empty() ? kPointsOfALaw : kPointsOfAHeightMap;
+  what.cases = options.cases;
+  what.seed = options.seed;
+  what.threads = options.threads;
   const auto certificate = properties::certify(
-      {law_options.laws(), parameters, options.points, options.cases, options.seed, options.threads},
-      [&](LawId law, double done) {
-        if (terminal) draw_progress(law, done);
+      what,
+      [&](std::string_view name, double done) {
+        if (terminal) draw_progress(name, done);
       },
       interrupted());
   if (!certificate) {
@@ -63,25 +70,34 @@ int run_points(const Options& options, const LawOptions& law_options, const Para
   write_file(directory / "certificate.html", properties::to_html(*certificate));
   write_file(directory / "certificate.json", properties::to_json(*certificate));
   std::uint64_t points = 0;
-  for (const properties::LawResult& law : certificate->laws) {
-    print(law);
+  certificate->for_each([&](const auto& law) {
+    print(law.name(), law);
     points += law.points;
-  }
+  });
   std::printf("%s: %llu points in %.1f s, seed %llu\n%s\n", certificate->held() ? "certified" : "NOT certified",
               static_cast<unsigned long long>(points), certificate->seconds, static_cast<unsigned long long>(options.seed),
               (directory / "certificate.html").c_str());
   return certificate->held() ? kHeld : kFailed;
 }
 
-int run(const Options& options, const LawOptions& law_options, bool radius_is_given) {
+int run(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map, bool radius_is_given) {
   watch_for_interrupt();
-  const Parameters parameters = law_options.parameters();
+  properties::CertifyOptions what;
+  if (height_map.is_given()) {
+    what.parameters.stiffness = law_options.stiffness();
+    heights::Spec spec = height_map.read(what.parameters.stiffness);
+    what.height_maps.push_back({height_map.name(), std::move(spec.map), spec.rendering});
+  } else {
+    what.laws = law_options.laws();
+    what.parameters = law_options.parameters();
+  }
   if (options.out.empty()) throw CLI::RequiredError("--out");
   make_directory("--out", options.out);  // before the work, so that a path that cannot be written to is said at once
-  if (!options.exhaustive.wanted) return run_points(options, law_options, parameters);
-  properties::SweepPlan plan{law_options.laws(), parameters, {}};
+  if (!options.exhaustive.wanted) return run_points(options, std::move(what));
+  if (height_map.is_given()) throw BadInput("--exhaustive: expected --law; a height map has too many inputs to sweep");
+  properties::SweepPlan plan{what.laws, what.parameters, {}};
   for (const properties::ThesisRadius& radius : properties::kThesisRadii) plan.radii.push_back(radius.mm);
-  if (radius_is_given) plan.radii = {parameters.radius};
+  if (radius_is_given) plan.radii = {what.parameters.radius};
   return run_exhaustive(options.exhaustive, plan, options.threads, options.out);
 }
 
@@ -91,10 +107,13 @@ void add_certify(CLI::App& app, int& result) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("certify", "Check the fast path against the reference and write a certificate");
   const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all, LawOptions::Defaults::thesis);
-  command->add_option("--points", options->points, "points per law, half of them aimed")
+  const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
+  command
+      ->add_option("--points", options->points,
+                   "points per law, half of them aimed; " + std::to_string(kPointsOfALaw) + " unless said, for a height map " +
+                       std::to_string(kPointsOfAHeightMap))
       ->type_name("N")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000000}))
-      ->capture_default_str();
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000000}));
   command->add_option("--cases", options->cases, "cases per property (passivity: a tenth)")
       ->type_name("N")
       ->check(CLI::Range(1, 1000000000))
@@ -107,8 +126,8 @@ void add_certify(CLI::App& app, int& result) {
   command->add_option("--out", options->out, "directory for certificate.json and certificate.html")->type_name("DIR");
   options->exhaustive.add_to(*command);
   add_merge(*command, result);
-  command->callback([options, law, command, &result] {
-    if (!command->got_subcommand("merge")) result = run(*options, *law, command->count("--radius") > 0);
+  command->callback([options, law, height_map, command, &result] {
+    if (!command->got_subcommand("merge")) result = run(*options, *law, *height_map, command->count("--radius") > 0);
   });
 }
 

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <stdexcept>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "forceshade/vocabulary/law.h"
@@ -56,6 +57,13 @@ class BumpOptions {
  private:
   std::string radius_, width_;
 };
+
+// Of what both sides' build() give; throws BadInput, which begins with `what`.
+template <class L>
+L built(std::variant<L, ParameterError> law, const std::string& what = "--") {
+  if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput(what + error->message());
+  return std::get<L>(std::move(law));
+}
 
 // Set by SIGINT and SIGTERM once watch_for_interrupt() was called; a second signal ends the program at once.
 const std::atomic<bool>& interrupted();

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/drive_summary.h"
+#include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/live_view.h"
 #include "forceshade/apps/run_record.h"
 #include "forceshade/csv/csv.h"
@@ -46,41 +48,69 @@ std::string sha256(const std::string& text) {
   return hex;
 }
 
+// What is driven: a law or a height map.
+struct Driven {
+  fast::Renderer renderer;
+  std::function<std::optional<std::string>(const properties::Certificate&, const properties::Build&)> refusal;
+  nlohmann::ordered_json summary;
+  recorder::Metadata metadata;
+};
+
+Driven driven(LawId law, const Parameters& p) {
+  nlohmann::ordered_json parameters{{"stiffness_N_per_mm", static_cast<double>(p.stiffness)}};
+  recorder::Metadata metadata{{"law", std::string(name_of(law))}, {"stiffness_N_per_mm", csv::shortest(p.stiffness)}};
+  if (has_bump_geometry(law)) {
+    parameters["radius_mm"] = static_cast<double>(p.radius);
+    parameters["width_mm"] = static_cast<double>(p.width);
+    metadata["radius_mm"] = csv::shortest(p.radius);
+    metadata["width_mm"] = csv::shortest(p.width);
+  }
+  return {built(fast::Law::build(law, p)),
+          [law, p](const auto& certificate, const auto& build) { return properties::refusal(certificate, build, law, p); },
+          {{"law", name_of(law)}, {"parameters", parameters}},
+          std::move(metadata)};
+}
+
+Driven driven(const std::string& name, const heights::Spec& spec, float stiffness) {
+  const properties::HeightIdentity identity = properties::identity_of(spec.map, spec.rendering, stiffness);
+  const std::string rendering(name_of(spec.rendering));
+  return {built(fast::HeightLaw::build(spec.map, spec.rendering, stiffness)),
+          [identity](const auto& certificate, const auto& build) { return properties::refusal(certificate, build, identity); },
+          {{"height_map", name},
+           {"map_digest", identity.map_digest},
+           {"rendering", rendering},
+           {"parameters", {{"stiffness_N_per_mm", static_cast<double>(stiffness)}}}},
+          {{"height_map", name},
+           {"map_digest", identity.map_digest},
+           {"rendering", rendering},
+           {"stiffness_N_per_mm", csv::shortest(stiffness)}}};
+}
+
 // The certificate's digest; nothing where there is none or it does not cover what is to be driven, with the reason why.
-std::optional<std::string> certified(const Options& options, LawId law, const Parameters& parameters, std::string& why) {
+std::optional<std::string> certified(const Options& options, const Driven& what, std::string& why) {
   if (options.certificate.empty()) {
     why = "no certificate was given; expected --certificate FILE, as written by 'forceshade certify'";
     return std::nullopt;
   }
   const std::string text = read_file(options.certificate);
   const properties::Certificate certificate = properties::from_json(text, options.certificate);
-  const auto refused = properties::refusal(certificate, properties::current_build(), law, parameters);
+  const auto refused = what.refusal(certificate, properties::current_build());
   if (!refused) return sha256(text);
   why = options.certificate + ": " + *refused;
   return std::nullopt;
 }
 
-nlohmann::ordered_json summary(const device::ServoResult& run, LawId law, const Parameters& p,
-                               const std::optional<std::string>& digest) {
-  nlohmann::ordered_json parameters{{"stiffness_N_per_mm", static_cast<double>(p.stiffness)}};
-  if (has_bump_geometry(law)) {
-    parameters["radius_mm"] = static_cast<double>(p.radius);
-    parameters["width_mm"] = static_cast<double>(p.width);
-  }
-  nlohmann::ordered_json json{
-      {"law", name_of(law)},
-      {"parameters", parameters},
-      {"certificate_digest", digest ? nlohmann::ordered_json(*digest) : nlohmann::ordered_json(nullptr)},
-      {"library_digest", properties::current_build().library_digest}};
+nlohmann::ordered_json summary(const device::ServoResult& run, const Driven& what, const std::optional<std::string>& digest) {
+  nlohmann::ordered_json json = what.summary;
+  json["certificate_digest"] = digest ? nlohmann::ordered_json(*digest) : nlohmann::ordered_json(nullptr);
+  json["library_digest"] = properties::current_build().library_digest;
   json.update(to_json(run));
   return json;
 }
 
-recorder::Metadata metadata(const Options& options, LawId law, const Parameters& p, const std::optional<std::string>& digest) {
+recorder::Metadata metadata(const Options& options, const Driven& what, const std::optional<std::string>& digest) {
   const properties::Build build = properties::current_build();
-  recorder::Metadata metadata{{"law", std::string(name_of(law))},
-                              {"stiffness_N_per_mm", csv::shortest(p.stiffness)},
-                              {"certificate_digest", digest.value_or("none")},
+  recorder::Metadata metadata{{"certificate_digest", digest.value_or("none")},
                               {"library_digest", build.library_digest},
                               {"version", build.version},
                               {"revision", build.revision},
@@ -91,10 +121,7 @@ recorder::Metadata metadata(const Options& options, LawId law, const Parameters&
                               {"rate_hz", csv::shortest(options.rate)},
                               {"paced", options.unpaced ? "no" : "yes"},
                               {"passivity", std::string(name_of(options.passivity))}};
-  if (has_bump_geometry(law)) {
-    metadata["radius_mm"] = csv::shortest(p.radius);
-    metadata["width_mm"] = csv::shortest(p.width);
-  }
+  metadata.insert(what.metadata.begin(), what.metadata.end());
   return metadata;
 }
 
@@ -108,11 +135,12 @@ bool is_watched() {
   return isatty(STDERR_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
 }
 
-int run(const Options& options, const LawOptions& law_options) {
-  const LawId id = law_options.law();
-  const Parameters parameters = law_options.parameters();
+int run(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map) {
+  const float stiffness = law_options.stiffness();
+  const Driven what = height_map.is_given() ? driven(height_map.name(), height_map.read(stiffness), stiffness)
+                                            : driven(law_options.law(), law_options.parameters());
   std::string why;
-  const std::optional<std::string> digest = certified(options, id, parameters, why);
+  const std::optional<std::string> digest = certified(options, what, why);
   if (!digest && !options.uncertified) {
     std::fprintf(stderr, "forceshade: refused to drive: %s\n", why.c_str());
     return kFailed;
@@ -120,9 +148,8 @@ int run(const Options& options, const LawOptions& law_options) {
   if (!digest) std::fprintf(stderr, "*** DRIVING UNCERTIFIED, as told by --uncertified: %s ***\n", why.c_str());
 
   const std::unique_ptr<device::Device> device = device::open_device(options.device);
-  const auto law = std::get<fast::Law>(fast::Law::build(id, parameters));
   std::optional<RunRecord> record;
-  if (!options.record.empty()) record.emplace(options.record, metadata(options, id, parameters, digest), !options.unpaced);
+  if (!options.record.empty()) record.emplace(options.record, metadata(options, what, digest), !options.unpaced);
   watch_for_interrupt();
   std::optional<LiveView> view;
   if (is_watched()) view.emplace(bar_of(device->capabilities()));
@@ -135,10 +162,10 @@ int run(const Options& options, const LawOptions& law_options) {
                              .dead_man_button = options.dead_man};
   if (record) servo.sinks.push_back(&record->sink());
   if (view) servo.sinks.push_back(&*view);
-  const device::ServoResult result = device::run_servo_loop(*device, law, servo, interrupted());
+  const device::ServoResult result = device::run_servo_loop(*device, what.renderer, servo, interrupted());
   view.reset();
   const bool recorded = !record || record->close(std::string(name_of(result.end_reason)));
-  if (!options.json.empty()) write_file(options.json, summary(result, id, parameters, digest).dump(2) + "\n");
+  if (!options.json.empty()) write_file(options.json, summary(result, what, digest).dump(2) + "\n");
   if (options.record != "-" && options.json != "-") print(result);
   if (result.trip) std::fprintf(stderr, "forceshade: the supervisor stopped the run: %s\n", name_of(result.trip->rule).data());
   if (result.end_reason == device::EndReason::device_fault)
@@ -153,6 +180,7 @@ void add_drive(CLI::App& app, int& result) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("drive", "Drive a device with a certified renderer");
   const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one, LawOptions::Defaults::thesis);
+  const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
   command->add_option("--certificate", options->certificate, "certificate.json of this build")->type_name("FILE");
   command
       ->add_option("--device", options->device,
@@ -192,7 +220,7 @@ void add_drive(CLI::App& app, int& result) {
                    "every tick: FILE.fsr, a recording that survives a crash; else its CSV, - for standard output")
       ->type_name("FILE");
   command->add_option("--json", options->json, "summary for programs, - for standard output")->type_name("FILE");
-  command->callback([options, law, &result] { result = run(*options, *law); });
+  command->callback([options, law, height_map, &result] { result = run(*options, *law, *height_map); });
 }
 
 }  // namespace forceshade::apps

@@ -6,17 +6,17 @@
 #include <memory>
 
 #include "forceshade/apps/command.h"
+#include "forceshade/apps/height_map_option.h"
 #include "forceshade/csv/csv.h"
 #include "forceshade/csv/output_file.h"
 #include "forceshade/fast/height_law.h"
-#include "forceshade/heights/spec.h"
 #include "forceshade/reference/height_law.h"
 
 namespace forceshade::apps {
 namespace {
 
 struct Options {
-  std::string path = "fast", input = "-", output = "-", height_map;
+  std::string path = "fast", input = "-", output = "-";
   unsigned digits = 30;
 };
 
@@ -46,45 +46,38 @@ void write(const Eigen::Vector3f& force, Status status, std::ostream& out) {
 // The law or height map of either path, built before anything is read.
 using Answer = std::function<void(const Eigen::Vector3f&, std::ostream&)>;
 
-template <class L>
-L built(std::variant<L, ParameterError> law, const std::string& what) {
-  if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput(what + error->message());
-  return std::get<L>(std::move(law));
-}
-
 Answer answer_of_law(const Options& options, const LawOptions& law_options) {
   const Parameters parameters = law_options.parameters();
   if (options.path == "fast")
-    return [law = built(fast::Law::build(law_options.law(), parameters), "--")](const auto& position, std::ostream& out) {
+    return [law = built(fast::Law::build(law_options.law(), parameters))](const auto& position, std::ostream& out) {
       const fast::Evaluation answer = law.evaluate(position);
       write(answer.force, answer.status, out);
     };
-  return [law = built(reference::Law::build(law_options.law(), parameters), "--"), digits = options.digits](
-             const auto& position, std::ostream& out) {
+  return [law = built(reference::Law::build(law_options.law(), parameters)), digits = options.digits](const auto& position,
+                                                                                                      std::ostream& out) {
     const reference::DecimalForce answer = law.decimal(position, digits);
     out << answer.x << ",0," << answer.z << ',' << word(answer.status);
   };
 }
 
-Answer answer_of_height_map(const Options& options, float stiffness) {
-  const auto [map, rendering] = heights::read_spec(options.height_map);
-  const std::string what = options.height_map + ": ";
+Answer answer_of_height_map(const Options& options, const HeightMapOption& height_map, float stiffness) {
+  const auto [map, rendering] = height_map.read(stiffness);
   if (options.path == "fast")
-    return [law = built(fast::HeightLaw::build(map, rendering, stiffness), what)](const auto& position, std::ostream& out) {
+    return [law = built(fast::HeightLaw::build(map, rendering, stiffness))](const auto& position, std::ostream& out) {
       const fast::Evaluation answer = law.evaluate(position);
       write(answer.force, answer.status, out);
     };
-  return [law = built(reference::HeightLaw::build(map, rendering, stiffness), what)](const auto& position, std::ostream& out) {
+  return [law = built(reference::HeightLaw::build(map, rendering, stiffness))](const auto& position, std::ostream& out) {
     const reference::Rounded answer = law.round_to_binary32(position);
     write(answer.force, answer.status, out);
   };
 }
 
-void run(const Options& options, const LawOptions& law_options) {
+void run(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map) {
   watch_for_interrupt();
   std::ios::sync_with_stdio(false);
-  const Answer answer =
-      options.height_map.empty() ? answer_of_law(options, law_options) : answer_of_height_map(options, law_options.stiffness());
+  const Answer answer = height_map.is_given() ? answer_of_height_map(options, height_map, law_options.stiffness())
+                                              : answer_of_law(options, law_options);
   std::ifstream file;
   if (options.input != "-") file = csv::open_input(options.input);
   std::istream& in = options.input == "-" ? std::cin : file;
@@ -99,11 +92,7 @@ void add_force(CLI::App& app, int&) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("force", "Read positions as CSV (x_mm, y_mm, z_mm), write forces as CSV");
   const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one, LawOptions::Defaults::none);
-  CLI::Option* height_map =
-      command
-          ->add_option("--height-map", options->height_map, "instead of a law: a height map, a TOML file (docs/height-maps.md)")
-          ->type_name("SPEC");
-  law->allow_instead(height_map);
+  const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
   command->add_option("--path", options->path, "fast: binary32, shortest form; reference: exact, to N digits")
       ->check(CLI::IsMember({"fast", "reference"}))
       ->capture_default_str();
@@ -113,7 +102,7 @@ void add_force(CLI::App& app, int&) {
       ->capture_default_str();
   command->add_option("--input", options->input, "CSV file, - for standard input")->type_name("FILE")->capture_default_str();
   command->add_option("--output", options->output, "CSV file, - for standard output")->type_name("FILE")->capture_default_str();
-  command->callback([options, law] { run(*options, *law); });
+  command->callback([options, law, height_map] { run(*options, *law, *height_map); });
 }
 
 }  // namespace forceshade::apps

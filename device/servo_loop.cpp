@@ -89,9 +89,9 @@ Sample sample_of(const Reading& reading) noexcept {
 // Everything that a run needs, made before its first tick.
 class Run {
  public:
-  Run(Device& device, const fast::Law& law, const ServoOptions& options, const std::atomic<bool>& stop)
+  Run(Device& device, const fast::Renderer& renderer, const ServoOptions& options, const std::atomic<bool>& stop)
       : device_(device),
-        law_(law),
+        renderer_(renderer),
         options_(options),
         stop_(stop),
         period_(std::llround(1e9 / options.rate_hz)),
@@ -145,7 +145,7 @@ class Run {
   }
 
   Device& device_;
-  const fast::Law& law_;
+  const fast::Renderer& renderer_;
   const ServoOptions& options_;
   const std::atomic<bool>& stop_;
   std::int64_t period_, start_ = 0, computed_ = 0;  // ns; the last: processor time when the tick began
@@ -183,7 +183,7 @@ void Run::tick() noexcept {
 
 void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t read_at) noexcept {
   const std::int64_t latency = options_.paced ? woken_at - due(result.ticks) : 0;
-  const fast::Evaluation evaluation = law_.evaluate(reading.position);
+  const fast::Evaluation evaluation = renderer_.evaluate(reading.position);
   Verdict verdict{.force = evaluation.force};
   if (supervisor_)
     verdict = supervisor_->supervise(reading, device_.state(), evaluation.force, evaluation.status,
@@ -241,10 +241,11 @@ std::string_view name_of(EndReason reason) noexcept {
   return "device fault";
 }
 
-ServoResult run_servo_loop(Device& device, const fast::Law& law, const ServoOptions& options, const std::atomic<bool>& stop) {
+ServoResult run_servo_loop(Device& device, const fast::Renderer& renderer, const ServoOptions& options,
+                           const std::atomic<bool>& stop) {
   if (const char* fault = fast::arithmetic_fault()) throw FloatingPointModeError(fault);
   check(options, device.capabilities());
-  const auto run = std::make_unique<Run>(device, law, options, stop);
+  const auto run = std::make_unique<Run>(device, renderer, options, stop);
   {
     std::optional<RealTime> real_time;
     if (options.paced) run->result.privileges = real_time.emplace(options.cpu).granted();

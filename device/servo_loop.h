@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Runs a law on a device at a fixed rate. A tick: position, law, supervisor, passivity controller, command.
+// Runs a law or a height map on a device at a fixed rate. A tick: position, force, supervisor, passivity controller, command.
 
 #include <array>
 #include <atomic>
@@ -16,7 +16,7 @@
 #include "forceshade/device/sample.h"
 #include "forceshade/device/supervisor.h"
 #include "forceshade/device/timing.h"
-#include "forceshade/fast/law.h"
+#include "forceshade/fast/renderer.h"
 
 namespace forceshade::device {
 
@@ -91,6 +91,7 @@ struct FloatingPointModeError : std::runtime_error {
 // Between the first reading and that command nothing is allocated, locked, written or thrown.
 // Before them, throws FloatingPointModeError, or std::invalid_argument for an option out of range or a device that does not
 // know its own limits.
-ServoResult run_servo_loop(Device& device, const fast::Law& law, const ServoOptions& options, const std::atomic<bool>& stop);
+ServoResult run_servo_loop(Device& device, const fast::Renderer& renderer, const ServoOptions& options,
+                           const std::atomic<bool>& stop);
 
 }  // namespace forceshade::device

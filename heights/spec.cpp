@@ -172,6 +172,17 @@ toml::table parsed(const fs::path& file) {
 
 }  // namespace
 
+PartLines lines_of_parts(const fs::path& file) {
+  const toml::table root = parsed(file);
+  const auto lines = [&](const char* key) {
+    std::vector<std::uint32_t> all;
+    if (const toml::array* list = root[key].as_array())
+      for (const toml::node& element : *list) all.push_back(element.source().begin.line);
+    return all;
+  };
+  return {lines("part"), lines("surface")};
+}
+
 Spec read_spec(const fs::path& file) {
   const toml::table root = parsed(file);
   Table keys(file, root);

@@ -2,7 +2,9 @@
 #pragma once
 // A height map as a small TOML file: how it is rendered, and its parts. The keys: docs/height-maps.md, "As a file".
 
+#include <cstdint>
 #include <filesystem>
+#include <vector>
 
 #include "forceshade/heights/load.h"
 #include "forceshade/vocabulary/height_map.h"
@@ -17,5 +19,11 @@ struct Spec {
 // Files of grids are taken relative to `file`. Throws Error, which names the line, the key, what was expected and what was got;
 // whether a number is in its domain is for who builds a law to say.
 Spec read_spec(const std::filesystem::path& file);
+
+// On which line each part begins, for messages about a number that is out of its domain. Throws Error.
+struct PartLines {
+  std::vector<std::uint32_t> parts, surface;
+};
+PartLines lines_of_parts(const std::filesystem::path& file);
 
 }  // namespace forceshade::heights

@@ -111,7 +111,7 @@ rc::Gen<AnyHeightMap> any_height_map() {
 
 std::ostream& operator<<(std::ostream& out, const AnyHeightMap& any) {
   for (const std::string& words : words_of(any.map)) out << words << "; ";
-  return out << height::kRenderings[static_cast<std::size_t>(any.rendering)].name << ", stiffness " << shortest(any.stiffness);
+  return out << name_of(any.rendering) << ", stiffness " << shortest(any.stiffness);
 }
 
 }  // namespace forceshade::properties

@@ -212,8 +212,8 @@ std::string parameters_of(const LawResult& law) {
 }
 
 std::string parameters_of(const HeightMapResult& map) {
-  return std::string(height::kRenderings[static_cast<std::size_t>(map.identity.rendering)].name) + "<br><i>K</i>\u202F=\u202F" +
-         shortest(map.identity.stiffness) + "\u202FN/mm";
+  return std::string(name_of(map.identity.rendering)) + "<br><i>K</i>\u202F=\u202F" + shortest(map.identity.stiffness) +
+         "\u202FN/mm";
 }
 
 // No law looks at y, every height map does.

@@ -95,6 +95,26 @@ expect 2 "flat.toml: " -- "$forceshade" force --stiffness 1 --height-map flat.to
 sed 's/sigma_mm/sigma/' hill.toml > misspelt.toml
 expect 2 "misspelt.toml: line 2: key sigma_mm is missing" -- "$forceshade" force --stiffness 1 --height-map misspelt.toml --input in.csv
 
+expect 2 "flat.toml: line 2: sigma is 0 mm; expected 0.001 to 10000 mm" -- "$forceshade" certify --stiffness 1 --height-map flat.toml --out map
+expect 2 "--stiffness is 0 N/mm" -- "$forceshade" properties --stiffness 0 --height-map hill.toml
+expect 2 "--radius excludes --height-map" -- "$forceshade" properties --height-map hill.toml --radius 1
+expect 2 "missing.toml" -- "$forceshade" properties --height-map missing.toml
+expect 0 "hill.toml       passivity     held" -- "$forceshade" properties --height-map hill.toml --cases 100
+expect 2 "too many inputs to sweep" -- "$forceshade" certify --exhaustive --height-map hill.toml --out map
+expect 0 "certified: 3000 points" -- "$forceshade" certify --height-map hill.toml --points 3000 --cases 100 --out map
+press() { "$forceshade" drive --device simulated --unpaced --seconds 1 --certificate map/certificate.json "$@"; }
+expect 0 "(time up)" -- press --height-map hill.toml --record press.fsr --json press.json
+grep -q '"rendering": "height-map"' press.json || { echo "FAILED: $(cat press.json)"; exit 1; }
+expect 0 "map_digest           $(sed -n 's/.*"map_digest": "\(.*\)".*/\1/p' press.json)" -- "$forceshade" record info press.fsr
+cp hill.toml same.toml
+expect 0 "(time up)" -- press --height-map same.toml
+sed 's/sigma_mm = 5/sigma_mm = 5.000001/' hill.toml > other.toml
+expect 1 "covers a height map with another shape: expected map digest" -- press --height-map other.toml
+sed 's/"height-map"/"height-map-shaded"/' hill.toml > shaded.toml
+expect 1 "another rendering: expected height-map-shaded, got height-map" -- press --height-map shaded.toml
+expect 1 "another stiffness: expected 0.6 N/mm, got 0.5 N/mm" -- press --height-map hill.toml --stiffness 0.6
+expect 1 "does not cover the law wall" -- press --law wall
+
 # plot and figures
 expect 0 "drawn/bump-3p-directions.svg" -- "$forceshade" plot --law bump-3p --what directions --out drawn
 same "PNG" "$(head -c 4 drawn/bump-3p-directions.png | tail -c 3)"

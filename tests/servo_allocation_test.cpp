@@ -47,6 +47,23 @@ TEST(servo_loop, allocates_nothing_after_the_first_reading) {
   }
 }
 
+TEST(servo_loop, allocates_nothing_after_the_first_reading_of_a_height_map) {
+  height::Grid grid{64, 64, 0.25F, height::Edge::tile, height::Interpolant::cubic_spline, {}};
+  for (std::uint32_t i = 0; i < 64 * 64; ++i) grid.values.push_back(0.1F * static_cast<float>(i % 7));
+  const auto texture = std::make_shared<const height::Grid>(std::move(grid));
+  // One part alone has a path of its own; the apex of the cone, where the device stays, needs more than the first stage.
+  for (const HeightMap& map : {HeightMap{{{texture}}}, HeightMap{{{texture}, {height::Cone{3, 4, 1, 2}}}},
+                               HeightMap{{{height::Gaussian{3, 4, 1, 2}}, {height::Grating{0.1F, 3, 0, 0}}}}})
+    for (const auto& [rendering, name] : height::kRenderings) {
+      Watching device;
+      const Kept result(device, std::get<fast::HeightLaw>(fast::HeightLaw::build(map, rendering, 0.5F)),
+                        {.rate_hz = kHighestRateHz});
+      EXPECT_EQ(result.ticks, 500U);
+      EXPECT_GT(result.peak_force_N, 0) << name;
+      EXPECT_EQ(device.allocations_between_first_read_and_last_command(), 0U) << name;
+    }
+}
+
 TEST(servo_loop, simulated_device_allocates_nothing_once_started) {
   const auto device = open_device("simulated");
   device->start(1000);

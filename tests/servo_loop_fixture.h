@@ -67,10 +67,10 @@ class Endless final : public Still {
 
 // A run with all of its samples.
 struct Kept : ServoResult {
-  Kept(Device& device, const fast::Law& law, ServoOptions options, const std::atomic<bool>& stop = kNeverStop) {
+  Kept(Device& device, const fast::Renderer& renderer, ServoOptions options, const std::atomic<bool>& stop = kNeverStop) {
     tests::KeptSamples kept;
     options.sinks.push_back(&kept);
-    static_cast<ServoResult&>(*this) = run_servo_loop(device, law, options, stop);
+    static_cast<ServoResult&>(*this) = run_servo_loop(device, renderer, options, stop);
     samples = std::move(kept.samples);
   }
   std::vector<Sample> samples;

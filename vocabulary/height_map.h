@@ -80,6 +80,10 @@ inline constexpr std::array<RenderingName, 3> kRenderings{{
     {Rendering::conservative, "height-map-conservative"},
 }};
 
+constexpr std::string_view name_of(Rendering rendering) {
+  return kRenderings[static_cast<std::size_t>(rendering)].name;
+}
+
 }  // namespace forceshade::height
 
 namespace forceshade {

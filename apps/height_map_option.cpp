@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/apps/height_map_option.h"
+
+#include <filesystem>
+
+#include "forceshade/fast/height_law.h"
+
+namespace forceshade::apps {
+namespace {
+
+std::optional<ParameterError> error_of(const HeightMap& map, height::Rendering rendering, float stiffness) {
+  const auto law = fast::HeightLaw::build(map, rendering, stiffness);
+  const auto* error = std::get_if<ParameterError>(&law);
+  return error == nullptr ? std::nullopt : std::optional(*error);
+}
+
+// The line of the part that is at fault by itself.
+std::string place(const std::string& file, const HeightMap& map) {
+  const heights::PartLines lines = heights::lines_of_parts(file);
+  const auto search = [&](const std::vector<height::Part>& parts, const std::vector<std::uint32_t>& at) -> std::string {
+    for (std::size_t i = 0; i < parts.size() && i < at.size(); ++i)
+      if (error_of({{parts[i]}}, height::Rendering::true_height, 1)) return "line " + std::to_string(at[i]) + ": ";
+    return "";
+  };
+  const std::string line = search(map.parts, lines.parts);
+  return line.empty() ? search(map.surface, lines.surface) : line;
+}
+
+}  // namespace
+
+HeightMapOption::HeightMapOption(CLI::App& command, LawOptions& law) {
+  CLI::Option* option =
+      command.add_option("--height-map", file_, "instead of a law: a height map, a TOML file (docs/height-maps.md)")
+          ->type_name("SPEC");
+  law.allow_instead(option);
+  for (const char* of_a_bump : {"--radius", "--width"}) command.get_option(of_a_bump)->excludes(option);
+}
+
+std::string HeightMapOption::name() const {
+  return std::filesystem::path(file_).filename();
+}
+
+heights::Spec HeightMapOption::read(float stiffness) const {
+  heights::Spec spec = heights::read_spec(file_);
+  if (const auto error = error_of({{{height::Plane{}}}}, height::Rendering::true_height, stiffness))
+    throw BadInput("--" + error->message());
+  if (const auto error = error_of(spec.map, spec.rendering, stiffness))
+    throw BadInput(file_ + ": " + place(file_, spec.map) + error->message());
+  return spec;
+}
+
+}  // namespace forceshade::apps

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// --height-map SPEC, which stands for a law.
+
+#include <string>
+
+#include "forceshade/apps/command.h"
+#include "forceshade/heights/spec.h"
+
+namespace forceshade::apps {
+
+class HeightMapOption {
+ public:
+  // From then on the command takes either: --law, --radius and --width are refused beside it.
+  HeightMapOption(CLI::App& command, LawOptions& law);
+
+  bool is_given() const { return !file_.empty(); }
+
+  // For people and records; no claim hangs on it.
+  std::string name() const;
+
+  // What can be built, on both sides. Throws heights::Error or BadInput with file, line, value and what was expected.
+  heights::Spec read(float stiffness) const;
+
+ private:
+  std::string file_;
+};
+
+}  // namespace forceshade::apps
