@@ -46,6 +46,44 @@ void proved(benchmark::State& state, height::Rendering rendering) {
   for (auto _ : state) benchmark::DoNotOptimize(law.evaluate(positions[i++ % positions.size()]));
 }
 
+// The same where each position waits for the force before it, as a servo loop's do: all of what a call takes, which in a row
+// of independent calls the processor overlaps with the next.
+void proved_in_turn(benchmark::State& state) {
+  const auto law =
+      std::get<fast::HeightLaw>(fast::HeightLaw::build({{{texture()}}}, height::Rendering::true_height, kStiffness));
+  const auto positions = stroke();
+  std::size_t i = 0;
+  float last = 0;
+  for (auto _ : state) {
+    Eigen::Vector3f position = positions[i++ % positions.size()];
+    position.x() += 0 * last;
+    last = law.evaluate(position).force.x();
+    benchmark::DoNotOptimize(last);
+  }
+}
+
+// The least that a force needs on this machine: its window's sixteen numbers; a square root and a division.
+void sixteen_numbers(benchmark::State& state) {
+  const auto grid = texture();
+  const auto positions = stroke();
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const Eigen::Vector3f& p = positions[i++ % positions.size()];
+    const auto column = static_cast<std::size_t>(p.x() * 10 + 510.5F), row = static_cast<std::size_t>(p.y() * 10 + 510.5F);
+    const float* from = &grid->values[row * kSamples + column];
+    using Row = Eigen::Map<const Eigen::Array4f>;
+    const Eigen::Array4f sum = (Row(from) + Row(from + kSamples)) + (Row(from + 2 * kSamples) + Row(from + 3 * kSamples));
+    benchmark::DoNotOptimize(sum);
+  }
+}
+void root_and_quotient(benchmark::State& state) {
+  double squares = 1.25;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(squares);
+    benchmark::DoNotOptimize(3 / std::sqrt(squares));
+  }
+}
+
 // Per position of a batch.
 void batch(benchmark::State& state, fast::InstructionSet set) {
   if (!fast::is_available(set)) return state.SkipWithError("not on this machine");
@@ -73,6 +111,9 @@ BENCHMARK_CAPTURE(proved, height_map_conservative, height::Rendering::conservati
 BENCHMARK_CAPTURE(batch, avx2, fast::InstructionSet::avx2);
 BENCHMARK_CAPTURE(batch, avx512, fast::InstructionSet::avx512);
 BENCHMARK(naive);
+BENCHMARK(proved_in_turn);
+BENCHMARK(sixteen_numbers);
+BENCHMARK(root_and_quotient);
 
 }  // namespace
 }  // namespace forceshade::bench

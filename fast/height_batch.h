@@ -23,6 +23,9 @@ struct HeightBlocks {
   // A spline's first stage at every position of a block. K: N/mm.
   void (*answer)(const HeightGrid& grid, const SureSizes& sure, height::Rendering rendering, double K,
                  const HeightBlock& positions, HeightAnswers& answers);
+  // The same at one position, mm, in a tick of its own: unknown where stages without vectors must answer.
+  HeightForce (*answer_one)(const HeightGrid& grid, const SureSizes& sure, height::Rendering rendering, double K, float x,
+                            float y, float z);
   const char* (*arithmetic_fault_here)();
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The batch loop of a spline, included once by each fast/height_batch_<set>.cpp inside namespace forceshade::fast: the first
-// stage of fast/height_spline.h and fast/height_force.h, one position a lane. Cells on an edge, or that binary64 misplaces, are
-// left to the scalar call.
+// A spline's first stage in vectors, included once by each fast/height_batch_<set>.cpp inside namespace forceshade::fast: what
+// fast/height_spline.h and fast/height_force.h do, for a batch with one position a lane, for one position with one row of its
+// window a vector. Cells on an edge, or that binary64 misplaces, are left to the scalar call.
 
 namespace {
 
@@ -148,10 +148,48 @@ void answer_block(const HeightGrid& grid, const SureSizes& sure, height::Renderi
   }
 }
 
+// Lanes 0 and 2, 1 and 3: how a sum begins.
+FORCESHADE_INLINE Pair64 halves_of(Lanes a) {
+  return __builtin_shufflevector(a, a, 0, 1) + __builtin_shufflevector(a, a, 2, 3);
+}
+
+HeightForce answer_one(const HeightGrid& grid, const SureSizes& sure, height::Rendering rendering, double K, float x, float y,
+                       float z) {
+  constexpr HeightForce kUnknown{0, 0, 0, Sign::unknown};
+  if (!is_plain(x) || !is_plain(y) || !is_plain(z)) [[unlikely]]
+    return kUnknown;
+  const Pair64 at{static_cast<double>(x), static_cast<double>(y)};
+  const Pair64 index = _mm_floor_pd(at * grid.per_pitch() + grid.centre());
+  const Pair64 past = at - (index - grid.centre()) * grid.pitch();  // mm, into the cell
+  const auto k = static_cast<std::int64_t>(index[0]), l = static_cast<std::int64_t>(index[1]), stride = grid.columns();
+  const bool is_inside = (k >= 1) && (l >= 1) && (k + 2 < stride) && (l + 2 < grid.rows());
+  if (!is_inside || _mm_movemask_pd(reinterpret_cast<__m128d>((past >= 0) & (past < grid.pitch()))) != 3) [[unlikely]]
+    return kUnknown;
+  const Pair64 t = past * grid.per_pitch();
+  const SplineWeights<Lanes> wy(Lanes{} + t[1]);
+  const SplineWeights<double> wx(t[0]);
+  const Lanes cubic{wx.cubic[0], wx.cubic[1], wx.cubic[2], wx.cubic[3]};
+  const Lanes quadratic{wx.quadratic[0], wx.quadratic[1], wx.quadratic[2], 0};
+  const float* corner = grid.values() + ((l - 1) * stride + (k - 1));
+  const auto c = static_cast<double>(corner[stride + 1]);
+  Lanes d[4];
+  for (int i = 0; i < 4; ++i) {
+    Floats row;
+    __builtin_memcpy(&row, corner + i * stride, sizeof row);
+    d[i] = to_binary64(row) - c;
+  }
+  const Lanes height = (wy.cubic[0] * d[0] + wy.cubic[1] * d[1]) + (wy.cubic[2] * d[2] + wy.cubic[3] * d[3]);
+  const Lanes across = (wy.quadratic[0] * (d[1] - d[0]) + wy.quadratic[1] * (d[2] - d[1])) + wy.quadratic[2] * (d[3] - d[2]);
+  const Pair64 along = halves_of(quadratic * (__builtin_shufflevector(height, height, 1, 2, 3, 3) - height));
+  const Pair64 upward = halves_of(cubic * across), terms = halves_of(cubic * height);
+  const Pair64 slopes = (Pair64{along[0], upward[0]} + Pair64{along[1], upward[1]}) * grid.per_twelve_pitches();
+  return height_force(c + (terms[0] + terms[1]) * (1.0 / 36), slopes[0], slopes[1], sure, rendering, K, static_cast<double>(z));
+}
+
 const char* fault_here() {
   return arithmetic_fault_here();
 }
 
-constexpr HeightBlocks kBlocks{&answer_block, &fault_here};
+constexpr HeightBlocks kBlocks{&answer_block, &answer_one, &fault_here};
 
 }  // namespace

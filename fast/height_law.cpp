@@ -91,12 +91,20 @@ FORCESHADE_INLINE Jet<N> HeightLaw::jet_at(const Place& at) const noexcept {
   return height_force(jet_at<Wide<32>>(at), rendering_, stiffness_, z, Stage::wide).value_or(undecided_evaluation());
 }
 
-Evaluation HeightLaw::evaluate(const Eigen::Vector3f& position) const noexcept {
+FORCESHADE_INLINE Evaluation HeightLaw::evaluate_with(const HeightBlocks* vectors,
+                                                      const Eigen::Vector3f& position) const noexcept {
+  const HeightGrid* spline = only_spline();
+  if (vectors != nullptr && spline != nullptr) {
+    const HeightForce first =
+        vectors->answer_one(*spline, sure_, rendering_, stiffness_, position.x(), position.y(), position.z());
+    if (first.contact != Sign::unknown) [[likely]]
+      return evaluation_of(first);
+  }
   if (!in_domain(position.x()) || !in_domain(position.y()) || !in_domain(position.z()))
     return {{0, 0, 0}, Status::invalid, Stage::binary64};
   const Place at(quantised(position.x()), quantised(position.y()));
   const auto z = static_cast<double>(quantised(position.z()));
-  if (const auto* spline = only_spline()) {
+  if (spline != nullptr) {
     const SplineValues jet(*spline, at);
     const HeightForce first = height_force(jet.U, jet.Ux, jet.Uy, sure_, rendering_, stiffness_, z);
     if (first.contact != Sign::unknown) [[likely]]
@@ -105,16 +113,20 @@ Evaluation HeightLaw::evaluate(const Eigen::Vector3f& position) const noexcept {
   return evaluate_in_stages(at, z);
 }
 
+Evaluation HeightLaw::evaluate(const Eigen::Vector3f& position) const noexcept {
+  return evaluate_with(vectors_, position);
+}
+
 BatchResult HeightLaw::force(std::span<const Eigen::Vector3f> positions, std::span<Eigen::Vector3f> to,
                              InstructionSet instructions) const noexcept {
   const std::size_t count = std::min(positions.size(), to.size());
   const HeightGrid* spline = only_spline();
-  const HeightBlocks* vectors = spline == nullptr ? nullptr : blocks(instructions);
+  const HeightBlocks* vectors = blocks(instructions);
   BatchResult result;
   for (std::size_t begin = 0; begin < count; begin += kHeightBlock) {
     const std::size_t size = std::min(kHeightBlock, count - begin);
     HeightAnswers answers;
-    const bool in_block = vectors != nullptr && size == kHeightBlock;
+    const bool in_block = vectors != nullptr && spline != nullptr && size == kHeightBlock;
     if (in_block) {
       HeightBlock block;
       for (std::size_t i = 0; i < size; ++i) {
@@ -129,7 +141,7 @@ BatchResult HeightLaw::force(std::span<const Eigen::Vector3f> positions, std::sp
         to[begin + i] = {answers.x[i], answers.y[i], answers.z[i]};
         continue;
       }
-      const Evaluation one = evaluate(positions[begin + i]);
+      const Evaluation one = evaluate_with(vectors, positions[begin + i]);
       to[begin + i] = one.force;
       result.invalid += one.status == Status::invalid;
     }
@@ -161,7 +173,8 @@ HeightLaw::HeightLaw(std::vector<Part> parts, std::vector<Part> surface, Renderi
     : parts_(std::move(parts)),
       surface_(std::move(surface)),
       rendering_(rendering),
-      stiffness_(static_cast<double>(stiffness)) {
+      stiffness_(static_cast<double>(stiffness)),
+      vectors_(blocks(best_instruction_set())) {
   const auto* grid = std::get_if<HeightGrid>(&parts_.front().shape);
   is_only_spline_ = parts_.size() == 1 && surface_.empty() && !parts_.front().negated && grid != nullptr &&
                     grid->interpolant() == height::Interpolant::cubic_spline;

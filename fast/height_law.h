@@ -16,6 +16,8 @@
 
 namespace forceshade::fast {
 
+struct HeightBlocks;  // fast/height_batch.h
+
 // Evaluates without allocation, lock or exception; immutable, safe to share between threads. A grid is shared, not copied.
 class HeightLaw {
  public:
@@ -49,6 +51,7 @@ class HeightLaw {
   static Jet<N> sum_at(const Place& at, const std::vector<Part>& parts) noexcept;
   template <class N>
   Jet<N> jet_at(const Place& at) const noexcept;
+  Evaluation evaluate_with(const HeightBlocks* vectors, const Eigen::Vector3f& position) const noexcept;
   Evaluation evaluate_in_stages(const Place& at, double z) const noexcept;
 
   // The one part of a map that is a B-spline and no more: the case with a path of its own. Null for any other.
@@ -59,7 +62,8 @@ class HeightLaw {
 
   std::vector<Part> parts_, surface_;
   height::Rendering rendering_;
-  double stiffness_;  // N/mm
+  double stiffness_;             // N/mm
+  const HeightBlocks* vectors_;  // the best of this machine, null where it has none
   bool is_only_spline_;
   SureSizes sure_;  // of the spline that is_only_spline_ tells of
 };

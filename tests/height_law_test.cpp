@@ -360,6 +360,39 @@ TEST(height_law, equals_scalar_at_every_simd_width) {
     }
 }
 
+#if defined(__x86_64__)
+// So that evaluate() is as fast as it is: one position in vectors is answered there, and as without them, bit for bit.
+TEST(height_law, answers_one_position_in_vectors_as_without) {
+  Random random(8);
+  const auto rough = [&](std::uint32_t, std::uint32_t) { return uniform(random, -0.5F, 0.5F); };
+  const fast::HeightGrid g(grid(37, 29, 0.3F, Edge::tile, Interpolant::cubic_spline, rough));
+  const fast::SplineErrors error(g, g.largest_value(), g.largest_step_along(), g.largest_step_across());
+  const fast::SureSizes sure{0x1p36 * error.U, 0x1p36 * error.Ux, 0x1p36 * error.Uy};
+  int answered = 0, asked = 0;
+  for (const auto& [set, table] : {std::pair{fast::InstructionSet::avx2, &fast::kAvx2HeightBlocks},
+                                   std::pair{fast::InstructionSet::avx512, &fast::kAvx512HeightBlocks}})
+    for (int i = 0; fast::is_available(set) && i < 3000; ++i) {
+      const float x = uniform(random, -5, 5), y = uniform(random, -3.8F, 3.8F), z = uniform(random, -1, 0.5F);
+      const auto rendering = height::kRenderings[random() % 3].rendering;
+      const fast::SplineValues jet(g, fast::Place(x, y));
+      const auto without = fast::height_force(jet.U, jet.Ux, jet.Uy, sure, rendering, 0.5, static_cast<double>(z));
+      const auto with = table->answer_one(g, sure, rendering, 0.5, x, y, z);
+      ASSERT_EQ(with.contact, without.contact) << x << ' ' << y << ' ' << z;
+      answered += with.contact != fast::Sign::unknown;
+      ++asked;
+      if (with.contact == fast::Sign::positive) {
+        ASSERT_TRUE(same_bits(with.x, without.x) && same_bits(with.y, without.y) && same_bits(with.z, without.z));
+      }
+    }
+  EXPECT_GE(100 * answered, 95 * asked);
+  if (!fast::is_available(fast::InstructionSet::avx2)) return;
+  for (const float odd : {5.6F, -5.5F, 6.0F, 1e5F, NAN, 0x1p-40F})
+    EXPECT_EQ(fast::kAvx2HeightBlocks.answer_one(g, sure, height::Rendering::true_height, 0.5, odd, 0, -1).contact,
+              fast::Sign::unknown)
+        << odd;
+}
+#endif
+
 TEST(height_law, allocates_nothing) {
   for (const Case& one : cases()) {
     const fast::HeightLaw law = fast_law(one.map, renderings_of(one.map).front().rendering);
