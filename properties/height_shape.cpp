@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "forceshade/properties/html.h"
+#include "forceshade/reference/height_energy.h"
 
 namespace forceshade::properties {
 namespace {
@@ -185,18 +186,6 @@ PartShape shape_of(const std::shared_ptr<const height::Grid>& grid) {
   return shape;
 }
 
-template <class T>
-constexpr bool kIsPlane = std::is_same_v<std::decay_t<T>, height::Plane>;
-
-// True height over planes has one normal; so has shading over planes, but its depth is measured from another one.
-bool has_a_potential(const reference::HeightLaw& law, double steepest) {
-  if (law.rendering() == height::Rendering::conservative) return true;
-  const bool is_plane = std::all_of(law.map().parts.begin(), law.map().parts.end(), [](const height::Part& part) {
-    return std::visit([](const auto& shape) { return kIsPlane<decltype(shape)>; }, part.shape);
-  });
-  return is_plane && (law.rendering() == height::Rendering::true_height || steepest == 0);
-}
-
 }  // namespace
 
 double Lines::distance(double coordinate) const {
@@ -216,7 +205,7 @@ HeightShape::HeightShape(const reference::HeightLaw& law)
   map_parts = parts.size();
   add(law.map().surface, steepest_surface);
   if (rendering != height::Rendering::force_shaded) steepest_surface = steepest;
-  is_conservative = has_a_potential(law, steepest + steepest_surface);
+  is_conservative = reference::potential(law).has_value();
 }
 
 Bend HeightShape::bend(double x, double y, double reach) const {

@@ -11,7 +11,7 @@
 namespace forceshade::reference {
 
 // The formula of the field's potential, mJ; nothing where no closed path is known to pay nothing: true heights have one where
-// every part is a plane or level, shaded ones where every part is level.
+// every part is a plane or level, shaded ones where that holds of the surface too, and both have one gradient.
 std::optional<std::string> potential(const HeightLaw& law);
 
 }  // namespace forceshade::reference

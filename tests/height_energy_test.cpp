@@ -31,6 +31,14 @@ TEST(height_energy, only_planes_and_the_gradient_have_a_potential) {
   EXPECT_EQ(of(slope, Rendering::force_shaded), "none") << "sideways force that grows with the depth below the flat plane";
   EXPECT_EQ(of(level, Rendering::force_shaded), "K/2 max(0, -z)^2");
   EXPECT_EQ(of(plate, Rendering::force_shaded), "K/2 max(0, -z)^2");
+
+  const height::Polygons ridge{{{-1, 0}, {0, 1}, {1, 0}}}, shelf{{{-1, 2}, {1, 2}}};
+  EXPECT_EQ(of({{{ridge}}}, Rendering::true_height), "none");
+  EXPECT_EQ(of({{{shelf}}}, Rendering::true_height), "K/2 max(0, U(x, y) - z)^2");
+  EXPECT_EQ(of({{{shelf}}, {{ridge}}}, Rendering::force_shaded), "none") << "a normal that stays, a depth that does not";
+  EXPECT_EQ(of({{{shelf}}, {{shelf}}}, Rendering::force_shaded), "K/2 max(0, S(x, y) - z)^2");
+  EXPECT_EQ(of({slope.parts, slope.parts}, Rendering::force_shaded),
+            "K/2 max(0, S(x, y) - z)^2 / n, where n = sqrt(1 + U_x^2 + U_y^2) is the same everywhere");
 }
 
 }  // namespace
