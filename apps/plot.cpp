@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// forceshade plot and forceshade figures: pictures of a law, and figures of the thesis drawn again.
+// forceshade plot and forceshade figures: pictures of a law or a height map, and figures of the thesis drawn again.
 
 #include <array>
 #include <cstdio>
@@ -7,26 +7,44 @@
 #include <memory>
 
 #include "forceshade/apps/command.h"
+#include "forceshade/apps/height_map_option.h"
+#include "forceshade/apps/length.h"
 #include "forceshade/properties/pictures.h"
 #include "forceshade/properties/thesis_figures.h"
 
 namespace forceshade::apps {
 namespace {
 
-using properties::Drawn;
 using properties::Picture;
+using properties::SideView;
 
-Picture force_of(const Drawn& drawn) {
-  const properties::ForceProfile profile(drawn, properties::profile_depths({drawn}));
-  return force_profile(drawn, profile, profile.side, profile.up);
+Picture force_of(const SideView& view) {
+  const properties::ForceProfile profile(view, view.depths);
+  return force_profile(view, profile, profile.side, profile.up);
 }
 
 struct Kind {
   const char* name;
-  Picture (*draw)(const Drawn& drawn);
+  Picture (*draw)(const SideView& view);
 };
 constexpr std::array kKinds{Kind{"force", force_of}, Kind{"directions", properties::direction_field},
                             Kind{"geometry", properties::cross_section}, Kind{"energy", properties::energy_map}};
+
+struct Options {
+  std::string what = "all", out;
+  std::string y = "0", from = "-12.7mm", to = "12.7mm";
+
+  properties::Range range() const {
+    const properties::Range range{parse_length("--at", y), parse_length("--from", from), parse_length("--to", to)};
+    const auto check = [](const std::string& option, float got, float low, float high) {
+      if (!(got >= low && got <= high)) throw BadInput("--" + ParameterError{option.c_str(), "mm", got, low, high}.message());
+    };
+    check("at", range.y, -9999, 9999);
+    check("from", range.from, -9999, 9999);
+    check("to", range.to, range.from + 0.01F, 9999);
+    return range;
+  }
+};
 
 void write(const Picture& picture, const std::filesystem::path& stem) {
   write_file(stem.string() + ".svg", svg_file(picture));
@@ -37,25 +55,43 @@ void write(const Picture& picture, const std::filesystem::path& stem) {
 }  // namespace
 
 void add_plot(CLI::App& app, int&) {
-  CLI::App* command = app.add_subcommand("plot", "Draw a law: force profile, directions, nominal geometry, energy map");
+  CLI::App* command =
+      app.add_subcommand("plot", "Draw a law or a height map: force profile, directions, nominal geometry, energy map");
   const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all, LawOptions::Defaults::thesis);
-  const auto out = std::make_shared<std::string>(), what = std::make_shared<std::string>("all");
-  command->add_option("--what", *what, "force, directions, geometry, energy or all")
+  const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
+  const auto options = std::make_shared<Options>();
+  const auto add = [&](const char* name, std::string& value, const char* help) {
+    command->add_option(name, value, help)->type_name("VALUE")->capture_default_str();
+  };
+  add("--at", options->y, "y of the section of a height map that is drawn: mm, or with a unit");
+  add("--from", options->from, "x where the section begins");
+  add("--to", options->to, "x where it ends");
+  command->add_option("--what", options->what, "force, directions, geometry, energy or all")
       ->type_name("PICTURE")
       ->check(CLI::IsMember({"force", "directions", "geometry", "energy", "all"}))
       ->capture_default_str();
-  command->add_option("--out", *out, "directory for LAW-PICTURE.svg and .png")->type_name("DIR")->required();
-  command->callback([law, out, what] {
+  command->add_option("--out", options->out, "directory for NAME-PICTURE.svg and .png")->type_name("DIR")->required();
+  command->callback([law, height_map, options] {
+    const auto draw = [&](const SideView& view) {
+      for (const Kind& kind : kKinds)
+        if (options->what == "all" || options->what == kind.name)
+          write(kind.draw(view), std::filesystem::path(options->out) / (view.name + '-' + kind.name));
+    };
+    if (height_map->is_given()) {
+      const float stiffness = law->stiffness();
+      const auto [map, rendering] = height_map->read(stiffness);
+      const properties::Range range = options->range();
+      make_directory("--out", options->out);
+      const std::string name = std::filesystem::path(height_map->name()).stem();
+      return draw(side_view(built(properties::fast_subject(map, rendering, stiffness)), name, range));
+    }
     const Parameters parameters = law->parameters();
-    make_directory("--out", *out);
+    make_directory("--out", options->out);
     for (const LawId id : law->laws()) {
       properties::LawResult result;
       result.law = id;
       result.parameters = parameters;
-      const Drawn drawn(result);
-      for (const Kind& kind : kKinds)
-        if (*what == "all" || *what == kind.name)
-          write(kind.draw(drawn), std::filesystem::path(*out) / (drawn.name() + '-' + kind.name));
+      draw(side_view(properties::Drawn(result)));
     }
   });
 }

@@ -24,7 +24,7 @@ constexpr const char *kBelow = "#2166ac", *kNone = "#ece7dc", *kAbove = "#b35806
 std::string force_figure(int number, const std::vector<Drawn>& laws) {
   const std::array<double, 3> depths = profile_depths(laws);
   std::vector<ForceProfile> profiles;
-  for (const Drawn& drawn : laws) profiles.emplace_back(drawn, depths);
+  for (const Drawn& drawn : laws) profiles.emplace_back(side_view(drawn), depths);
   const bool shared = are_one_size(laws);
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < laws.size(); ++i) {
@@ -33,7 +33,7 @@ std::string force_figure(int number, const std::vector<Drawn>& laws) {
       side = std::max(side, profile.side);
       up = std::max(up, profile.up);
     }
-    panels.push_back({laws[i].name(), svg_plot(force_profile(laws[i], profiles[i], side, up))});
+    panels.push_back({laws[i].name(), svg_plot(force_profile(side_view(laws[i]), profiles[i], side, up))});
   }
 
   std::string legend = "depth of the hand below the nominal surface:";
@@ -75,7 +75,7 @@ std::string surface_figure(int number, const Parameters& parameters) {
   std::vector<Panel> panels;
   for (const auto& [id, heading] : kPanels) {
     const LawResult result = result_of(id);
-    panels.push_back({heading, svg_plot(cross_section(Drawn(result)))});
+    panels.push_back({heading, svg_plot(cross_section(side_view(Drawn(result))))});
   }
   const auto mm = [](long double size) { return html_number(static_cast<double>(size), 5) + "\u202Fmm"; };
   const Shape& shape = cylinder.shape;

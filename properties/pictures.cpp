@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "forceshade/properties/binary32.h"
 #include "forceshade/properties/html.h"
-#include "forceshade/reference/energy.h"
 
 namespace forceshade::properties {
 
@@ -18,21 +16,27 @@ struct Frame {
   int width;
   double left, right, top, bottom;  // px
 
-  int height(double reach, const Heights& shown) const {
-    return static_cast<int>(std::ceil(top + bottom + (width - left - right) * (shown.high - shown.low) / (2 * reach)));
+  // px
+  double up(const SideView& view, const Heights& shown) const {
+    return (width - left - right) * (shown.high - shown.low) / (view.right - view.left);
   }
-  std::string axes(double reach, const Heights& shown) const {
-    const double across = width, up = height(reach, shown);
-    return margins(left / across, 1 - right / across, 1 - top / up, bottom / up) + range("x", -reach, reach) +
-           range("y", shown.low, shown.high) + kXName + vertical_name("{/:Italic z} (mm)");
+  int height(const SideView& view, const Heights& shown) const {
+    return static_cast<int>(std::ceil(top + bottom + up(view, shown)));
+  }
+  std::string axes(const SideView& view, const Heights& shown) const {
+    const double across = width, high = height(view, shown);
+    return margins(left / across, 1 - right / across, 1 - top / high, bottom / high) + range("x", view.left, view.right) +
+           range("y", shown.low, shown.high) +
+           ticks("y", shown.high - shown.low, std::clamp(static_cast<int>(up(view, shown) / 20), 1, 5)) + kXName +
+           vertical_name("{/:Italic z} (mm)");
   }
 };
 
-std::string surface_block(const Drawn& drawn) {
+std::string surface_block(const SideView& view) {
   std::string block = "$surface << EOD\n";
-  for (const Sample& sample : across(drawn)) {
+  for (const Sample& sample : view.across) {
     const auto x = static_cast<double>(sample.x);
-    block += plotted(x) + ' ' + plotted(drawn.surface(x)) + '\n';
+    block += plotted(x) + ' ' + plotted(view.surface(x)) + '\n';
   }
   return block + "EOD\n";
 }
@@ -46,10 +50,10 @@ std::array<double, 3> profile_depths(const std::vector<Drawn>& laws) {
   return {deepest / 4, deepest / 2, deepest};
 }
 
-ForceProfile::ForceProfile(const Drawn& drawn, const std::array<double, 3>& depths) {
+ForceProfile::ForceProfile(const SideView& view, const std::array<double, 3>& depths) {
   for (const double depth : depths) {
-    for (const auto& [x, after_jump] : across(drawn)) {
-      const Eigen::Vector3f force = drawn.law.force({x, 0, static_cast<float>(drawn.surface(static_cast<double>(x)) - depth)});
+    for (const auto& [x, after_jump] : view.across) {
+      const Eigen::Vector3f force = view.force(x, static_cast<float>(view.surface(static_cast<double>(x)) - depth));
       if (after_jump) block += '\n';
       block += digits(static_cast<double>(x), 9) + ' ' + plotted(static_cast<double>(force.x())) + ' ' +
                plotted(static_cast<double>(force.z())) + '\n';
@@ -60,7 +64,7 @@ ForceProfile::ForceProfile(const Drawn& drawn, const std::array<double, 3>& dept
   }
 }
 
-Picture force_profile(const Drawn& drawn, const ForceProfile& profile, double side, double up) {
+Picture force_profile(const SideView& view, const ForceProfile& profile, double side, double up) {
   side = 1.08 * (side > 0 ? side : 1);
   up = 1.08 * (up > 0 ? up : 1);
   const auto plots = [](int column) {
@@ -70,53 +74,46 @@ Picture force_profile(const Drawn& drawn, const ForceProfile& profile, double si
               " with lines lw 1.8 lc rgb '" + kDepthColours[i] + "'";
     return text + '\n';
   };
-  const std::string script = "$force << EOD\n" + profile.block + "EOD\n" + kPlain + range("x", -drawn.reach(), drawn.reach()) +
+  const std::string script = "$force << EOD\n" + profile.block + "EOD\n" + kPlain + range("x", view.left, view.right) +
                              "set multiplot\n" + margins(0.145, 0.975, 0.91, 0.595) + range("y", 0, up) + ticks("y", up, 4) +
                              "set format x ''\n" + vertical_name("{/:Italic F}_z (N)") + plots(3) +
                              margins(0.145, 0.975, 0.475, 0.15) + range("y", -side, side) + ticks("y", side, 2) +
                              "set format x '%g'\n" + kXName + "set xzeroaxis lc rgb '#bbbbbb' lt 1\n" +
                              vertical_name("{/:Italic F}_x (N)") + plots(2) + "unset multiplot\n";
-  return {{350, 290, "force-" + drawn.name(), "Force of " + drawn.name() + " against x at three depths: F_z above, F_x below"},
+  return {{350, 290, "force-" + view.name, "Force of " + view.name + " against x at three depths: F_z above, F_x below"},
           script};
 }
 
-Picture cross_section(const Drawn& drawn) {
-  const bool is_bump = drawn.shape.w > 0;
-  LawResult round = drawn.result;
-  round.law = LawId::bump_cylinder;
-  const std::optional<Drawn> cylinder = is_bump && drawn.result.law != round.law ? std::optional<Drawn>(round) : std::nullopt;
-  const auto w = static_cast<double>(drawn.shape.w), h = static_cast<double>(drawn.shape.h);
-  const double low = is_bump ? -0.12 * w : -3, high = is_bump ? h + 0.06 * w : 1;
-  std::vector<double> xs;
-  for (int i = 0; i <= 160; ++i) xs.push_back(drawn.reach() * (i / 80.0 - 1));
-  for (const long double corner : {drawn.shape.w / 2, drawn.shape.w_prime / 2})
-    for (const double sign : {-1.0, 1.0}) xs.push_back(sign * static_cast<double>(corner));
-  std::sort(xs.begin(), xs.end());
+Picture cross_section(const SideView& view) {
   std::string block;
-  for (const double x : xs)
-    block += plotted(x) + ' ' + plotted(drawn.surface(x)) + ' ' +
-             plotted(cylinder && std::fabs(x) <= w / 2 ? cylinder->surface(x) : std::nan("")) + '\n';
-
+  bool stands_for_another = false;
+  for (const Sample& sample : view.across) {
+    const auto x = static_cast<double>(sample.x);
+    const double other = view.stands_for(x);
+    stands_for_another = stands_for_another || !std::isnan(other);
+    block += plotted(x) + ' ' + plotted(view.surface(x)) + ' ' + plotted(other) + '\n';
+  }
+  const Heights& shown = view.nominal;
   const Frame frame{270, 48, 8, 26, 47};
   const std::string script =
-      "$surface << EOD\n" + block + "EOD\n" + kPlain + frame.axes(drawn.reach(), {low, high}) + ticks("y", high - low, 5) +
-      "plot $surface using 1:2 with filledcurves y=" + plotted(low) +
+      "$surface << EOD\n" + block + "EOD\n" + kPlain + frame.axes(view, shown) +
+      "plot $surface using 1:2 with filledcurves y=" + plotted(shown.low) +
       " fc rgb '#e3ecf4', '' using 1:2 with lines lw 2 lc rgb '" + kDepthColours[2] + "'" +
-      (cylinder ? std::string(", '' using 1:3 with lines lw 1.4 dt (4,3) lc rgb '") + kCurveColour + "'" : "") + '\n';
-  return {{frame.width, frame.height(drawn.reach(), {low, high}), "surface-" + drawn.name(),
-           "Cross section of the nominal surface of " + drawn.name()},
-          script};
+      (stands_for_another ? std::string(", '' using 1:3 with lines lw 1.4 dt (4,3) lc rgb '") + kCurveColour + "'" : "") + '\n';
+  return {
+      {frame.width, frame.height(view, shown), "surface-" + view.name, "Cross section of the nominal surface of " + view.name},
+      script};
 }
 
-Picture direction_field(const Drawn& drawn) {
+Picture direction_field(const SideView& view) {
   constexpr int kColumns = 33;
-  const Heights shown = heights(drawn);
-  const double step = 2 * drawn.reach() / kColumns;
+  const Heights& shown = view.shown;
+  const double step = (view.right - view.left) / kColumns;
   std::string arrows;
   for (double z = shown.low + step / 2; z < shown.high; z += step)
     for (int column = 0; column < kColumns; ++column) {
-      const double x = (column + 0.5) * step - drawn.reach();
-      const Eigen::Vector3d force = drawn.law.force({static_cast<float>(x), 0, static_cast<float>(z)}).cast<double>();
+      const double x = view.left + (column + 0.5) * step;
+      const Eigen::Vector3d force = view.force(static_cast<float>(x), static_cast<float>(z)).cast<double>();
       const double size = force.norm();
       if (size == 0) continue;
       const Eigen::Vector3d arrow = 0.85 * step / size * force;
@@ -124,32 +121,30 @@ Picture direction_field(const Drawn& drawn) {
           plotted(x) + ' ' + plotted(z) + ' ' + plotted(arrow.x()) + ' ' + plotted(arrow.z()) + ' ' + plotted(size) + '\n';
     }
   const Frame frame{680, 52, 118, 26, 47};
-  const std::string script = "$arrows << EOD\n" + arrows + "EOD\n" + surface_block(drawn) + kPlain +
-                             frame.axes(drawn.reach(), shown) + ticks("y", shown.high - shown.low, 5) +
-                             "set palette defined (0 '" + kDepthColours[0] + "', 1 '" + kDepthColours[1] + "', 2 '" +
-                             kDepthColours[2] + "')\nset cblabel 'N' offset 0.2\nset cbrange [0:*]\n" +
+  const std::string script = "$arrows << EOD\n" + arrows + "EOD\n" + surface_block(view) + kPlain + frame.axes(view, shown) +
+                             ticks("y", shown.high - shown.low, 5) + "set palette defined (0 '" + kDepthColours[0] + "', 1 '" +
+                             kDepthColours[1] + "', 2 '" + kDepthColours[2] +
+                             "')\nset cblabel 'N' offset 0.2\nset cbrange [0:*]\n" +
                              "plot $arrows using 1:2:3:4:5 with vectors head size graph 0.008,22 filled lw 1.2 lc palette, "
                              "$surface with lines lw 1.4 lc rgb '#222222'\n";
-  return {{frame.width, frame.height(drawn.reach(), shown), "directions-" + drawn.name(),
-           "Directions and sizes of the force of " + drawn.name() + " over x and z"},
+  return {{frame.width, frame.height(view, shown), "directions-" + view.name,
+           "Directions and sizes of the force of " + view.name + " over x and z"},
           script};
 }
 
-Picture energy_map(const Drawn& drawn) {
+Picture energy_map(const SideView& view) {
   constexpr int kColumns = 84, kRows = 42;
-  const Heights shown = heights(drawn);
-  const double dx = 2 * drawn.reach() / kColumns, dz = (shown.high - shown.low) / kRows;
-  const double left = dx / 2 - drawn.reach(), bottom = shown.low + dz / 2;
+  const Heights& shown = view.shown;
+  const double dx = (view.right - view.left) / kColumns, dz = (shown.high - shown.low) / kRows;
+  const double left = view.left + dx / 2, bottom = shown.low + dz / 2;
   std::string matrix;
   std::vector<double> sizes;
   for (int row = 0; row < kRows; ++row)
     for (int column = 0; column < kColumns; ++column) {
       const double x = left + dx * column, z = bottom + dz * row;
       double density = std::nan("");
-      if (z < drawn.surface(x)) {
-        const auto [low, high] = reference::binary64(
-            reference::circulation_density(drawn.reference, {static_cast<float>(x), static_cast<float>(z)}));
-        density = low + (high - low) / 2;
+      if (z < view.surface(x)) {
+        density = view.density(x, z);
         sizes.push_back(std::fabs(density));
       }
       matrix += plotted(density) + (column + 1 < kColumns ? ' ' : '\n');
@@ -160,22 +155,19 @@ Picture energy_map(const Drawn& drawn) {
   const double scale = *nearly_all > 0 ? *nearly_all : 1;
 
   std::string lines;
-  for (const reference::LineTerm& line : reference::line_terms(drawn.reference))
-    for (const double sign : {-1.0, 1.0}) {
-      const double x = sign * reference::binary64(line.x)[0];
-      lines += plotted(x) + ' ' + plotted(shown.low) + '\n' + plotted(x) + ' ' + plotted(drawn.surface(x)) + "\n\n";
-    }
+  for (const double x : view.jumps)
+    lines += plotted(x) + ' ' + plotted(shown.low) + '\n' + plotted(x) + ' ' + plotted(view.surface(x)) + "\n\n";
   const Frame frame{680, 52, 118, 26, 47};
   const std::string script =
       "$density << EOD\n" + matrix + "EOD\n$lines << EOD\n" + (lines.empty() ? "NaN NaN\n" : lines) + "EOD\n" +
-      surface_block(drawn) + kPlain + frame.axes(drawn.reach(), shown) + ticks("y", shown.high - shown.low, 5) +
+      surface_block(view) + kPlain + frame.axes(view, shown) +
       "set palette defined (0 '#2166ac', 1 '#f4f1ea', 2 '#b35806')\nset cbrange [" + plotted(-scale) + ':' + plotted(scale) +
       "]\nset cblabel 'mJ/mm²' offset 0.2\nplot $density using (" + plotted(left) + "+$1*" + plotted(dx) + "):(" +
       plotted(bottom) + "+$2*" + plotted(dz) +
       "):3 matrix with image, $lines with lines lw 1.6 dt (5,4) lc rgb '#222222', $surface with lines lw 1.4 lc rgb "
       "'#222222'\n";
-  return {{frame.width, frame.height(drawn.reach(), shown), "energy-" + drawn.name(),
-           "Energy that small loops are paid for their area by " + drawn.name() + ", over x and z"},
+  return {{frame.width, frame.height(view, shown), "energy-" + view.name,
+           "Energy that small loops are paid for their area by " + view.name + ", over x and z"},
           script};
 }
 

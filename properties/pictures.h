@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// One picture of one law each, from the fast path of this program; for a certificate's page and for files.
+// One picture of one law or height map each, from the fast path of this program; for a certificate's page and for files.
 
 #include <array>
 #include <string>
@@ -8,6 +8,7 @@
 
 #include "forceshade/properties/gnuplot.h"
 #include "forceshade/properties/panels.h"
+#include "forceshade/properties/side_view.h"
 
 namespace forceshade::properties {
 
@@ -23,20 +24,20 @@ struct ForceProfile {
   std::string block;        // x F_x F_z: a blank line at a jump, two between depths
   double side = 0, up = 0;  // N: largest |F_x|, largest F_z
 
-  ForceProfile(const Drawn& drawn, const std::array<double, 3>& depths);
+  ForceProfile(const SideView& view, const std::array<double, 3>& depths);
 };
 
 // F_z above, F_x below, on axes with room for `side` and `up`, in N.
-Picture force_profile(const Drawn& drawn, const ForceProfile& profile, double side, double up);
+Picture force_profile(const SideView& view, const ForceProfile& profile, double side, double up);
 
-// The nominal surface, as long up as across, with the cylinder it stands for.
-Picture cross_section(const Drawn& drawn);
+// The surface on which the force begins, as long up as across, with the shape it stands for.
+Picture cross_section(const SideView& view);
 
 // Where the force points, and how hard it pushes, over x and z.
-Picture direction_field(const Drawn& drawn);
+Picture direction_field(const SideView& view);
 
 // The circulation density κ over x and z: what a small counter-clockwise loop is paid for its area, by the exact law; and the
 // lines on which the force jumps, which pay by their length.
-Picture energy_map(const Drawn& drawn);
+Picture energy_map(const SideView& view);
 
 }  // namespace forceshade::properties

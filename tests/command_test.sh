@@ -120,6 +120,9 @@ expect 0 "drawn/bump-3p-directions.svg" -- "$forceshade" plot --law bump-3p --wh
 same "PNG" "$(head -c 4 drawn/bump-3p-directions.png | tail -c 3)"
 grep -q "<svg " drawn/bump-3p-directions.svg || { echo "FAILED: no SVG was drawn"; exit 1; }
 expect 2 "--what" -- "$forceshade" plot --law wall --what teapot --out drawn
+expect 0 "drawn/hill-energy.png" -- "$forceshade" plot --height-map hill.toml --at 1 --from=-1cm --to 10mm --out drawn
+expect 2 "--to is -1 mm; expected 0.01 to 9999 mm" -- "$forceshade" plot --height-map hill.toml --from 0 --to=-1 --out drawn
+expect 2 "--law excludes --height-map" -- "$forceshade" plot --law wall --height-map hill.toml --out drawn
 expect 2 "expected a directory" -- "$forceshade" plot --law wall --what force --out in.csv/no
 expect 0 "drawn/figure-5-5.csv" -- "$forceshade" figures --out drawn
 same "600 112.885" "$(sed -n 's/^\(600\),\(112.885\).*/\1 \2/p' drawn/figure-5-5.csv)"
