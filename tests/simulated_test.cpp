@@ -207,6 +207,31 @@ std::vector<Sample> stroked(std::uint64_t seed) {
   return kept.samples;
 }
 
+// One stroke, 40 mm, across ridges 2 mm apart that are shaded on a flat plate: twenty times left and right, on a steady depth.
+TEST(simulated, hand_is_pushed_left_and_right_by_every_ridge_it_strokes) {
+  Simulated device(premium_1_5(), Operator{Grip{}, strokes(), Tremor(1, 0), false});
+  const HeightMap ridges{{{height::Grating{0.1F, 3.14159265F, 0, 0}}}};
+  const auto map = std::get<fast::HeightLaw>(fast::HeightLaw::build(ridges, height::Rendering::force_shaded, 0.5F));
+  const std::atomic<bool> never = false;
+  tests::KeptSamples kept;
+  const ServoResult run = run_servo_loop(device, map, {.max_seconds = 1.9, .paced = false, .sinks = {&kept}}, never);
+  EXPECT_EQ(run.end_reason, EndReason::time_up) << "nothing was tripped";
+  int turns = 0, before = 0;
+  double shallowest = HUGE_VAL, deepest = 0;
+  for (const Sample& sample : kept.samples) {
+    if (sample.device_time < 1.1 || std::fabs(sample.position[0]) > 18) continue;
+    const int side = sample.law_force[0] > 0 ? 1 : -1;
+    turns += before != 0 && side != before;
+    before = side;
+    shallowest = std::min(shallowest, static_cast<double>(-sample.position[2]));
+    deepest = std::max(deepest, static_cast<double>(-sample.position[2]));
+  }
+  std::printf("  %d turns at depths of %.2f to %.2f mm\n", turns, shallowest, deepest);
+  EXPECT_NEAR(turns, 36, 3);
+  EXPECT_GT(shallowest, 0.2);
+  EXPECT_LT(deepest - shallowest, 0.3);
+}
+
 TEST(simulated, run_is_repeated_to_the_bit) {
   const auto once = stroked(1), again = stroked(1), other = stroked(2);
   ASSERT_EQ(once.size(), 3001U);
