@@ -65,11 +65,20 @@ float LawOptions::stiffness() const {
 }
 
 BumpOptions::BumpOptions(CLI::App& command) {
-  command.add_option("--radius", radius_, "R: mm, or with a unit (mm, mil, in, cm, m)")->type_name("VALUE")->required();
-  command.add_option("--width", width_, "w: mm, or with a unit")->type_name("VALUE")->required();
+  const auto add = [&](const char* name, std::string& value, const char* help) {
+    return command.add_option(name, value, help)->type_name("VALUE")->required();
+  };
+  options_ = {add("--radius", radius_, "R: mm, or with a unit (mm, mil, in, cm, m)"),
+              add("--width", width_, "w: mm, or with a unit")};
+}
+
+void BumpOptions::allow_instead(CLI::Option* other) {
+  for (CLI::Option* option : options_) option->required(false)->excludes(other);
 }
 
 Parameters BumpOptions::bump() const {
+  for (const CLI::Option* option : options_)
+    if (option->empty()) throw CLI::RequiredError(option->get_name());
   const Parameters bump{parse_length("--radius", radius_), parse_length("--width", width_), 1};
   const auto law = reference::Law::build(LawId::bump_cylinder, bump);
   if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput("--" + error->message());

@@ -3,6 +3,7 @@
 // What the subcommands share: exit codes, the options that name a law and its parameters, Ctrl-C, whole output files.
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <atomic>
 #include <stdexcept>
 #include <string>
@@ -51,10 +52,14 @@ class BumpOptions {
  public:
   explicit BumpOptions(CLI::App& command);
 
+  // From then on they are needed only without this option, and refused beside it.
+  void allow_instead(CLI::Option* other);
+
   // With a stiffness of 1 N/mm, which the geometry does not ask for. Throws BadInput.
   Parameters bump() const;
 
  private:
+  std::array<CLI::Option*, 2> options_;
   std::string radius_, width_;
 };
 

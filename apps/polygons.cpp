@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // forceshade polygons: how many polygons a bump needs by the theta-critical hypothesis, and figure 5-5 of the thesis as a
-// table.
+// table; or how many the section y = 0 of a height map needs, and those polygons as a height map.
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "forceshade/apps/command.h"
+#include "forceshade/apps/length.h"
+#include "forceshade/heights/spec.h"
 #include "forceshade/properties/thesis.h"
+#include "forceshade/reference/height_law.h"
+#include "forceshade/reference/section.h"
 #include "forceshade/reference/theta_critical.h"
 
 namespace forceshade::apps {
@@ -28,40 +33,95 @@ void print_figure_5_5() {
   }
 }
 
+struct Options {
+  std::string json, height_map, from, to, toml;
+  double theta_critical = 0;
+};
+
+void of_bump(const Options& options, const Parameters& bump) {
+  const unsigned polygons = reference::polygons_needed(bump, options.theta_critical);
+  const std::string all = reference::subtended_degrees(bump, 1, kDigits);
+  const std::string each = reference::subtended_degrees(bump, polygons, kDigits);
+  if (!options.json.empty())
+    write_file(options.json, nlohmann::ordered_json{{"radius_mm", static_cast<double>(bump.radius)},
+                                                    {"width_mm", static_cast<double>(bump.width)},
+                                                    {"theta_critical_deg", options.theta_critical},
+                                                    {"subtended_deg", all},
+                                                    {"polygons", polygons},
+                                                    {"subtended_each_deg", each}}
+                                     .dump() +
+                                 "\n");
+  if (options.json == "-") return;
+  std::printf("%u polygon%s: the bump subtends %s degrees, each of %s %s\n\n", polygons, polygons == 1 ? "" : "s", all.c_str(),
+              polygons == 1 ? "one" : "them", each.c_str());
+  print_figure_5_5();
+}
+
+// Every piece between knots that were rounded to binary32 still turns by less than theta-critical, surely.
+bool turns_little(const HeightMap& map, const std::vector<height::Knot>& knots, double theta_critical) {
+  for (std::size_t i = 1; i < knots.size(); ++i)
+    if (!(reference::Section(map.parts, knots[i - 1].x, knots[i].x).most_turning() < theta_critical)) return false;
+  return true;
+}
+
+void of_height_map(const Options& options) {
+  const HeightMap map{heights::read_spec(options.height_map).map.parts};
+  const auto law = reference::HeightLaw::build(map, height::Rendering::force_shaded, 1);
+  if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput(options.height_map + ": " + error->message());
+  try {
+    const reference::Section section(map.parts, parse_length("--from", options.from), parse_length("--to", options.to));
+    const auto [polygons, is_fewest] = section.polygons_needed(options.theta_critical);
+    const double turning = section.most_turning();
+    if (!options.json.empty())
+      write_file(options.json, nlohmann::ordered_json{{"height_map", options.height_map},
+                                                      {"theta_critical_deg", options.theta_critical},
+                                                      {"turning_deg", turning},
+                                                      {"polygons", polygons},
+                                                      {"surely_fewest", is_fewest},
+                                                      {"turning_each_deg", turning / polygons}}
+                                       .dump() +
+                                   "\n");
+    if (options.json != "-")
+      std::printf("%u polygon%s%s: the normal turns by %.6g degrees, over each of %s by %.6g\n", polygons,
+                  polygons == 1 ? "" : "s",
+                  is_fewest ? "" : " (or one fewer, which misses by less than 1e-18 degrees or nothing)", turning,
+                  polygons == 1 ? "one" : "them", turning / polygons);
+    if (options.toml.empty()) return;
+    auto knots = section.knots(polygons);
+    if (!turns_little(map, knots, options.theta_critical)) knots = section.knots(polygons + 1);
+    write_file(options.toml,
+               heights::shading_polygons(options.height_map, knots, std::filesystem::absolute(options.toml).parent_path()));
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(options.height_map + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 void add_polygons(CLI::App& app, int&) {
-  struct Options {
-    std::string json;
-    double theta_critical = 0;
-  };
   const auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("polygons", "How many shaded polygons a bump needs, each to subtend less than theta-critical");
+  CLI::App* command = app.add_subcommand(
+      "polygons", "How many shaded polygons a bump or profile needs, each to turn by less than theta-critical");
   const auto bump_options = std::make_shared<BumpOptions>(*command);
+  CLI::Option* height_map =
+      command->add_option("--height-map", options->height_map, "instead of a bump: the section y = 0 of a map")
+          ->type_name("SPEC");
+  bump_options->allow_instead(height_map);
+  command->add_option("--from", options->from, "the section's left end")->type_name("LENGTH")->needs(height_map);
+  command->add_option("--to", options->to, "its right end")->type_name("LENGTH")->needs(height_map);
+  command->add_option("--toml", options->toml, "the map shading its polygons, for --height-map elsewhere")
+      ->type_name("FILE")
+      ->needs(height_map);
   command->add_option("--theta-critical", options->theta_critical, "degrees")
       ->type_name("DEG")
       ->check(CLI::Range(reference::kLeastThetaCritical, 180.0))
       ->required();
   command->add_option("--json", options->json, "the answer for programs, - for standard output")->type_name("FILE");
   command->callback([options, bump_options] {
-    const Parameters bump = bump_options->bump();
-    const unsigned polygons = reference::polygons_needed(bump, options->theta_critical);
-    const std::string all = reference::subtended_degrees(bump, 1, kDigits);
-    const std::string each = reference::subtended_degrees(bump, polygons, kDigits);
-    if (!options->json.empty())
-      write_file(options->json, nlohmann::ordered_json{{"radius_mm", static_cast<double>(bump.radius)},
-                                                       {"width_mm", static_cast<double>(bump.width)},
-                                                       {"theta_critical_deg", options->theta_critical},
-                                                       {"subtended_deg", all},
-                                                       {"polygons", polygons},
-                                                       {"subtended_each_deg", each}}
-                                        .dump() +
-                                    "\n");
-    if (options->json == "-") return;
-    std::printf("%u polygon%s: the bump subtends %s degrees, each of %s %s\n\n", polygons, polygons == 1 ? "" : "s",
-                all.c_str(), polygons == 1 ? "one" : "them", each.c_str());
-    print_figure_5_5();
+    if (options->height_map.empty())
+      of_bump(*options, bump_options->bump());
+    else
+      of_height_map(*options);
   });
 }
 

@@ -207,4 +207,21 @@ Spec read_spec(const fs::path& file) {
   return spec;
 }
 
+std::string shading_polygons(const fs::path& file, const std::vector<height::Knot>& knots, const fs::path& directory) {
+  toml::table root = parsed(file);
+  for (toml::node& part : *root["part"].as_array())
+    if (auto grid = part.as_table()->at_path("file"); grid.is_string()) {
+      const fs::path from = fs::absolute(file).parent_path() / *grid.value<std::string>();
+      grid.as_string()->get() = fs::relative(from, fs::absolute(directory)).string();
+    }
+  toml::array pairs;
+  for (const height::Knot& knot : knots)
+    pairs.push_back(toml::array{static_cast<double>(knot.x), static_cast<double>(knot.height)});
+  root.insert_or_assign("render", "height-map-shaded");
+  root.insert_or_assign("surface", toml::array{toml::table{{"shape", "polygons"}, {"knots_mm", std::move(pairs)}}});
+  std::ostringstream text;
+  text << toml::toml_formatter{root} << '\n';
+  return text.str();
+}
+
 }  // namespace forceshade::heights

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "forceshade/heights/load.h"
@@ -25,5 +26,9 @@ struct PartLines {
   std::vector<std::uint32_t> parts, surface;
 };
 PartLines lines_of_parts(const std::filesystem::path& file);
+
+// The same file as a text that stands in `directory`: its map shading polygons with these knots, whatever it was before.
+std::string shading_polygons(const std::filesystem::path& file, const std::vector<height::Knot>& knots,
+                             const std::filesystem::path& directory);
 
 }  // namespace forceshade::heights

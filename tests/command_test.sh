@@ -3,6 +3,7 @@
 set -u
 forceshade=$(realpath "$1")
 stand_in_hd=$(realpath "$2")
+examples=$(realpath "$(dirname "$0")/../examples")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
@@ -82,6 +83,14 @@ expect 0 "3 polygons: the bump subtends 112.885 degrees, each of them 37.6285" -
 expect 0 '"polygons":4' -- "$forceshade" polygons --radius 12.7 --width 25.4 --theta-critical 60 --json -
 expect 2 "--width is 11 mm" -- "$forceshade" polygons --radius 5 --width 11 --theta-critical 40
 expect 2 "not in range" -- "$forceshade" polygons --radius 5 --width 5 --theta-critical 0
+expect 2 "--radius is required" -- "$forceshade" polygons --theta-critical 40
+expect 2 "excludes" -- "$forceshade" polygons --radius 5 --height-map x.toml --theta-critical 40
+expect 2 "rim of a cap" -- "$forceshade" polygons --height-map "$examples/groove.toml" --from -6 --to 6 --theta-critical 40
+expect 0 "6 polygons: the normal turns by" -- "$forceshade" polygons --height-map "$examples/gaussian.toml" --from -15 --to 15 \
+  --theta-critical 15 --toml "polygons.toml"
+expect 0 ",ok" -- sh -c "printf 'x_mm,y_mm,z_mm\n3,0,-1\n' | '$forceshade' force --height-map 'polygons.toml' --stiffness 1"
+expect 0 "polygon" -- "$forceshade" polygons --height-map "$examples/leather.toml" --from -2 --to 2 --theta-critical 90 --toml "leather.toml"
+expect 0 ",ok" -- sh -c "printf 'x_mm,y_mm,z_mm\n1,0,-1\n' | '$forceshade' force --height-map 'leather.toml' --stiffness 1"
 
 # height maps
 felt() { printf 'x_mm,y_mm,z_mm\n0,0,2\n1,0,-0.5\n' | "$forceshade" force --stiffness 1 --height-map "$@"; }

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/reference/section.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+
+#include "forceshade/reference/bend.h"
+#include "forceshade/reference/height_cap.h"
+#include "forceshade/reference/height_cone.h"
+#include "forceshade/reference/height_gaussian.h"
+#include "forceshade/reference/height_grating.h"
+#include "forceshade/reference/height_grid.h"
+#include "forceshade/reference/height_plane.h"
+#include "forceshade/reference/height_polygons.h"
+
+namespace forceshade::reference {
+namespace {
+
+constexpr unsigned kBits = 192;
+constexpr std::size_t kMostPieces = 20'000;
+
+Enclosure between(double low, double high) {
+  return {Multiprecision(low), Multiprecision(high)};
+}
+
+Enclosure degrees(const Enclosure& radians) {
+  return radians * 180 / acos(Enclosure(-1));
+}
+
+Enclosure height(const height::Part& part, const Point2& at) {
+  const Enclosure U = std::visit(
+      [&]<class T>(const T& shape) {
+        if constexpr (requires { jet(shape, at); })
+          return jet(shape, at).U;
+        else if constexpr (requires { *shape; })
+          return jet<Enclosure>(*shape, at).U;
+        else
+          return jet<Enclosure>(shape, at).U;
+      },
+      part.shape);
+  return part.negated ? -U : U;
+}
+
+// A stretch of the section, without kinks.
+struct Piece {
+  double from, to;    // mm
+  Enclosure turning;  // radians
+  bool is_one_way;    // the normal turns in one direction only, and `turning` is that of its ends
+};
+
+Enclosure angle(const std::vector<height::Part>& parts, double x, double inside) {
+  return atan(bend(parts, Enclosure(x), inside).slope);
+}
+
+Piece piece(const std::vector<height::Part>& parts, double from, double to) {
+  const double inside = 0.5 * (from + to);
+  const Enclosure change = abs(Enclosure(angle(parts, to, inside) - angle(parts, from, inside)));
+  const Enclosure curvature = bend(parts, between(from, to), inside).curvature;
+  if (lower(curvature) >= 0 || upper(curvature) <= 0) return {from, to, change, true};
+  // The angle changes no faster than the slope.
+  const Multiprecision most = upper(Enclosure(abs(curvature) * (Enclosure(to) - Enclosure(from))));
+  return {from, to, {lower(change), std::max(Multiprecision(upper(change)), most)}, false};
+}
+
+}  // namespace
+
+struct Section::Pieces {
+  std::vector<height::Part> parts;
+  std::vector<Piece> all;  // by x
+  Enclosure turning;       // degrees
+
+  Pieces(const std::vector<height::Part>& of, float from, float to) : parts(of) {
+    set_precision(kBits);
+    std::vector<double> ends{static_cast<double>(from), static_cast<double>(to)};
+    for (const height::Part& part : parts) {
+      if (const auto kink = kink_between(part, ends[0], ends[1]))
+        throw std::invalid_argument("the section has a kink between its ends: " + std::string(*kink));
+      add_grid_lines(part, ends[0], ends[1], kMostPieces, ends);
+    }
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    for (std::size_t i = 1; i < ends.size(); ++i) all.push_back(piece(parts, ends[i - 1], ends[i]));
+    while (halve()) {
+    }
+    Enclosure sum(0);
+    for (const Piece& one : all) sum += one.turning;
+    turning = degrees(sum);
+  }
+
+  // Halves what turns both ways, as long as that could matter: around an inflexion what is not known shrinks by 4 each time.
+  bool halve() {
+    std::vector<Piece> halves;
+    for (const Piece& one : all) {
+      const double middle = 0.5 * (one.from + one.to);
+      const bool matters = !one.is_one_way && upper(one.turning) - lower(one.turning) > 0x1p-85;
+      if (matters && one.from < middle && middle < one.to) {
+        halves.push_back(piece(parts, one.from, middle));
+        halves.push_back(piece(parts, middle, one.to));
+      } else {
+        halves.push_back(one);
+      }
+    }
+    if (halves.size() > kMostPieces) throw std::invalid_argument("the section turns to and fro too often");
+    const bool changed = halves.size() > all.size();
+    all = std::move(halves);
+    return changed;
+  }
+
+  // Where `radians` of turning lie behind within a piece: by bisection where it is one-way; no other is wider than a hair.
+  double within(const Piece& one, const Multiprecision& radians) const {
+    const double inside = 0.5 * (one.from + one.to);
+    const Enclosure start = angle(parts, one.from, inside);
+    double low = one.from, high = one.to;
+    while (one.is_one_way) {
+      const double middle = 0.5 * (low + high);
+      if (middle <= low || middle >= high) break;
+      (median(abs(Enclosure(angle(parts, middle, inside) - start))) < radians ? low : high) = middle;
+    }
+    return high;
+  }
+};
+
+Section::Section(const std::vector<height::Part>& parts, float from, float to) {
+  if (!(from < to)) throw std::invalid_argument("the section's end is not beyond its beginning");
+  const std::lock_guard lock(slow_numbers);
+  pieces_ = std::make_unique<const Pieces>(parts, from, to);
+}
+
+Section::~Section() = default;
+
+double Section::least_turning() const {
+  const std::lock_guard lock(slow_numbers);
+  return mpfr_get_d(Multiprecision(lower(pieces_->turning)).backend().data(), MPFR_RNDD);
+}
+
+double Section::most_turning() const {
+  const std::lock_guard lock(slow_numbers);
+  return mpfr_get_d(Multiprecision(upper(pieces_->turning)).backend().data(), MPFR_RNDU);
+}
+
+Section::Needed Section::polygons_needed(double theta_critical) const {
+  const std::lock_guard lock(slow_numbers);
+  set_precision(kBits);
+  const Enclosure shares = pieces_->turning / Enclosure(theta_critical);
+  const Multiprecision low = floor(lower(shares)), high = floor(upper(shares));
+  if (high >= 1e9) throw std::invalid_argument("the section needs a thousand million polygons or more");
+  return {high.convert_to<unsigned>() + 1, low == high};
+}
+
+std::vector<height::Knot> Section::knots(unsigned polygons) const {
+  const std::lock_guard lock(slow_numbers);
+  set_precision(kBits);
+  Multiprecision all(0);
+  for (const Piece& one : pieces_->all) all += median(one.turning);
+  std::vector<height::Knot> knots;
+  const auto add = [&](double x) {
+    const auto at = static_cast<float>(x);
+    Enclosure U(0);
+    for (const height::Part& part : pieces_->parts) U += height(part, {static_cast<double>(at), 0});
+    const auto rounded = median(U).convert_to<float>();
+    knots.push_back({at, std::fabs(rounded) < std::ldexp(1.0F, -30) ? 0.0F : rounded});
+  };
+  add(pieces_->all.front().from);
+  Multiprecision behind(0);
+  for (const Piece& one : pieces_->all) {
+    const Multiprecision here = median(one.turning);
+    while (knots.size() < polygons) {
+      const Multiprecision wanted = all * static_cast<unsigned>(knots.size()) / polygons - behind;
+      if (wanted > here) break;
+      add(pieces_->within(one, wanted));
+    }
+    behind += here;
+  }
+  while (knots.size() < polygons) add(pieces_->all.back().to);  // left over by a rounding of the last sum
+  add(pieces_->all.back().to);
+  return knots;
+}
+
+}  // namespace forceshade::reference

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The section y = 0 of a height map between two x, and polygons under it: what the theta-critical hypothesis (5.2), stated
+// for a cylinder, asks of any smooth profile.
+
+#include <memory>
+#include <vector>
+
+#include "forceshade/vocabulary/height_map.h"
+
+namespace forceshade::reference {
+
+// Holds slow_numbers while it computes. Throws std::invalid_argument, which says why, for a section that it cannot answer for.
+class Section {
+ public:
+  // Of the sum of parts in their domains, from < to in mm. Refuses kinks strictly between the two, and more than 20 000
+  // changes of the curvature's sign or cells of a grid.
+  Section(const std::vector<height::Part>& parts, float from, float to);
+  ~Section();
+
+  // How far the normal turns on the way, there and back counted alike: the total variation of arctan U_x, degrees. The two
+  // enclose it, and are less than 1e-12 apart.
+  double least_turning() const;
+  double most_turning() const;
+
+  struct Needed {
+    unsigned polygons;  // each of as many equal shares of the turning is surely less than theta-critical
+    bool is_fewest;     // surely; false means that one fewer would have shares within 1e-18 degrees of it or at it
+  };
+  // theta_critical: degrees, at least kLeastThetaCritical.
+  Needed polygons_needed(double theta_critical) const;
+
+  // Ends of `polygons` pieces that turn equally, each from the binary32 nearest to where it belongs; heights rounded likewise.
+  std::vector<height::Knot> knots(unsigned polygons) const;
+
+ private:
+  struct Pieces;
+  std::unique_ptr<const Pieces> pieces_;
+};
+
+}  // namespace forceshade::reference
