@@ -5,6 +5,7 @@
 #include <fstream>
 #include <string>
 
+#include "forceshade/heights/band_limit.h"
 #include "forceshade/heights/coefficients.h"
 #include "forceshade/heights/samples.h"
 
@@ -38,6 +39,26 @@ void to_millimetres(Samples& samples, const Source& source) {
   }
 }
 
+std::uint32_t largest_prime_factor(std::uint32_t n) {
+  for (std::uint32_t factor = 2; factor * factor <= n; ++factor)
+    while (n % factor == 0 && n > factor) n /= factor;
+  return n;
+}
+
+// Shorter waves than four samples a spline does not hold, and the transform's time grows with the largest prime factor.
+void take_out_short_waves(Samples& samples, const Source& source) {
+  const float shortest = *source.shortest_wavelength, least = 4 * source.pitch;
+  if (!(shortest >= least && shortest <= kLargest))
+    throw Error(source.file, "is to lose waves shorter than " + std::to_string(shortest) + " mm; expected 4 pitches, " +
+                                 std::to_string(least) + " mm, to 10000 mm");
+  for (const std::uint32_t count : {samples.columns, samples.rows})
+    if (largest_prime_factor(count) > 100)
+      throw Error(source.file, std::to_string(count) + " columns or rows cannot be band-limited in reasonable time; cut some " +
+                                   "off until no prime factor is over 100");
+  limit_band(samples.values, samples.columns, samples.rows, source.edge,
+             static_cast<double>(shortest) / static_cast<double>(source.pitch));
+}
+
 }  // namespace
 
 Samples allocate(const std::filesystem::path& file, std::uint64_t columns, std::uint64_t rows, std::uint64_t bytes_per_sample,
@@ -55,6 +76,7 @@ Samples allocate(const std::filesystem::path& file, std::uint64_t columns, std::
 std::shared_ptr<const height::Grid> load(const Source& source) {
   Samples samples = read(source.file);
   to_millimetres(samples, source);
+  if (source.shortest_wavelength) take_out_short_waves(samples, source);
   if (source.interpolant == height::Interpolant::cubic_spline) {
     make_coefficients(samples.values, samples.columns, samples.rows, source.edge);
     for (float& value : samples.values) {

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "forceshade/vocabulary/height_map.h"
@@ -23,6 +24,7 @@ struct Source {
   float scale = 0;  // mm: the height of white in a PNG, where black is 0; of 1 in the other formats
   height::Edge edge = height::Edge::clamp;
   height::Interpolant interpolant = height::Interpolant::cubic_spline;
+  std::optional<float> shortest_wavelength = std::nullopt;  // mm: shorter waves are taken out first (heights/band_limit.h)
 };
 
 // The picture as it is seen from above: its first row has the largest y. For a spline the values are the coefficients that

@@ -111,16 +111,19 @@ using Read = height::Shape (*)(Table&, const fs::path& file);
 
 constexpr std::array<std::pair<std::string_view, height::Edge>, 2> kEdges{
     {{"clamp", height::Edge::clamp}, {"tile", height::Edge::tile}}};
-constexpr std::array<std::pair<std::string_view, height::Interpolant>, 2> kInterpolants{
-    {{"bilinear", height::Interpolant::bilinear}, {"cubic-spline", height::Interpolant::cubic_spline}}};
+enum class Sampled { bilinear, cubic_spline, band_limited };
+constexpr std::array<std::pair<std::string_view, Sampled>, 3> kInterpolants{
+    {{"bilinear", Sampled::bilinear}, {"cubic-spline", Sampled::cubic_spline}, {"band-limited", Sampled::band_limited}}};
 
 height::Shape grid(Table& table, const fs::path& file) {
-  return load(
-      {.file = file.parent_path() / table.text("file"),
-       .pitch = table.number("pitch_mm"),
-       .scale = table.number("scale_mm"),
-       .edge = table.word<height::Edge>("edge", kEdges, height::Edge::clamp),
-       .interpolant = table.word<height::Interpolant>("interpolant", kInterpolants, height::Interpolant::cubic_spline)});
+  const auto sampled = table.word<Sampled>("interpolant", kInterpolants, Sampled::cubic_spline);
+  Source source{.file = file.parent_path() / table.text("file"),
+                .pitch = table.number("pitch_mm"),
+                .scale = table.number("scale_mm"),
+                .edge = table.word<height::Edge>("edge", kEdges, height::Edge::clamp)};
+  if (sampled == Sampled::bilinear) source.interpolant = height::Interpolant::bilinear;
+  if (sampled == Sampled::band_limited) source.shortest_wavelength = table.number("shortest_wavelength_mm");
+  return load(source);
 }
 
 constexpr std::array<std::pair<std::string_view, Read>, 8> kShapes{{

@@ -16,6 +16,17 @@ namespace {
 
 using tests::TemporaryDirectory;
 
+// What reading a spec of this text says, whatever file it is about.
+std::string words_of_anything(const std::string& text) {
+  const TemporaryDirectory directory;
+  try {
+    read_spec(directory.write("map.toml", text));
+    return ": ";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
 std::string words_of(const std::string& text) {
   const TemporaryDirectory directory;
   const std::string file = directory.write("map.toml", text);
@@ -71,6 +82,22 @@ wave_y_rad_per_mm = 3
   EXPECT_EQ(std::get<height::Gaussian>(parts[4].shape).x, 7);
   EXPECT_EQ(std::get<height::Grating>(parts[5].shape).wave_y, 3);
   for (std::size_t i = 0; i < parts.size(); ++i) EXPECT_EQ(parts[i].negated, i == 2);
+}
+
+// examples/smooth_leather.toml with other numbers.
+TEST(height_spec, band_limits_a_grid) {
+  const std::string start = "render = \"height-map\"\n[[part]]\nshape = \"grid\"\nfile = \"" FORCESHADE_SOURCE_DIR
+                            "/examples/leather.png\"\npitch_mm = 0.15\nscale_mm = 0.4\ninterpolant = ";
+  const auto words = [&](const std::string& rest) {
+    const std::string all = words_of_anything(start + rest);
+    return all.substr(all.find(": ") + 2);
+  };
+  EXPECT_EQ(words("\"band-limited\"\nshortest_wavelength_mm = 0.6\n"), "");
+  EXPECT_EQ(words("\"band-limited\"\n"), "line 2: key shortest_wavelength_mm is missing");
+  EXPECT_EQ(words("\"cubic-spline\"\nshortest_wavelength_mm = 0.6\n"), "line 8: unknown key shortest_wavelength_mm");
+  EXPECT_EQ(words("\"band-limited\"\nshortest_wavelength_mm = 0.59\n"),
+            "is to lose waves shorter than 0.590000 mm; expected 4 pitches, 0.600000 mm, to 10000 mm");
+  EXPECT_EQ(words("\"band-limited\"\nshortest_wavelength_mm = nan\n").substr(0, 33), "is to lose waves shorter than nan");
 }
 
 TEST(height_spec, reads_a_surface_beside_the_parts) {
