@@ -113,6 +113,8 @@ TEST(section, refuses_kinks_and_says_which) {
   EXPECT_EQ(words(height::CylinderCap{1, 5, 8}, 5, 9), "");
   EXPECT_EQ(words(height::CylinderCap{1, 5, 8}, std::nextafter(-3.0F, -4.0F), 5), kink + "the rim of a cap or cone");
   EXPECT_EQ(words(height::CylinderCap{1, 5, 8}, -4, 6), kink + "the rim of a cap or cone");
+  EXPECT_EQ(words(height::CylinderCap{1, 5, 8}, 2, 6), kink + "the rim of a cap or cone");
+  EXPECT_EQ(words(height::CylinderCap{1, 5, 8}, -4, 0), kink + "the rim of a cap or cone");
   EXPECT_EQ(words(height::SphereCap{0, 4, 5, 8}, -4, 6), "") << "it touches the disk in a point";
   EXPECT_EQ(words(height::Cone{0, 0, 2, 3}, -1, 1), kink + "the apex of a cone");
   EXPECT_EQ(words(height::Polygons{{{0, 0}, {1, 1}, {2, 0}}}, 0.5F, 1.5F), kink + "a knot of polygons");
