@@ -57,6 +57,11 @@ void of_bump(const Options& options, const Parameters& bump) {
   print_figure_5_5();
 }
 
+void expect_valid(const HeightMap& map, const std::string& file) {
+  const auto law = reference::HeightLaw::build(map, height::Rendering::force_shaded, 1);
+  if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput(file + ": " + error->message());
+}
+
 // Every piece between knots that were rounded to binary32 still turns by less than theta-critical, surely.
 bool turns_little(const HeightMap& map, const std::vector<height::Knot>& knots, double theta_critical) {
   for (std::size_t i = 1; i < knots.size(); ++i)
@@ -66,8 +71,7 @@ bool turns_little(const HeightMap& map, const std::vector<height::Knot>& knots, 
 
 void of_height_map(const Options& options) {
   const HeightMap map{heights::read_spec(options.height_map).map.parts};
-  const auto law = reference::HeightLaw::build(map, height::Rendering::force_shaded, 1);
-  if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput(options.height_map + ": " + error->message());
+  expect_valid(map, options.height_map);
   try {
     const reference::Section section(map.parts, parse_length("--from", options.from), parse_length("--to", options.to));
     const auto [polygons, is_fewest] = section.polygons_needed(options.theta_critical);
@@ -89,6 +93,7 @@ void of_height_map(const Options& options) {
     if (options.toml.empty()) return;
     auto knots = section.knots(polygons);
     if (!turns_little(map, knots, options.theta_critical)) knots = section.knots(polygons + 1);
+    expect_valid({map.parts, {{height::Polygons{knots}}}}, options.toml);
     write_file(options.toml,
                heights::shading_polygons(options.height_map, knots, std::filesystem::absolute(options.toml).parent_path()));
   } catch (const std::invalid_argument& error) {

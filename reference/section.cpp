@@ -124,7 +124,8 @@ struct Section::Pieces {
 };
 
 Section::Section(const std::vector<height::Part>& parts, float from, float to) {
-  if (!(from < to)) throw std::invalid_argument("the section's end is not beyond its beginning");
+  if (!(from < to && from >= -1e4F && to <= 1e4F))
+    throw std::invalid_argument("the section's ends are not one beyond the other, within 10000 mm");
   const std::lock_guard lock(slow_numbers);
   pieces_ = std::make_unique<const Pieces>(parts, from, to);
 }
@@ -151,6 +152,7 @@ Section::Needed Section::polygons_needed(double theta_critical) const {
 }
 
 std::vector<height::Knot> Section::knots(unsigned polygons) const {
+  if (polygons > kMostPieces) throw std::invalid_argument("too many polygons to place their knots");
   const std::lock_guard lock(slow_numbers);
   set_precision(kBits);
   Multiprecision all(0);

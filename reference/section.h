@@ -30,7 +30,8 @@ class Section {
   // theta_critical: degrees, at least kLeastThetaCritical.
   Needed polygons_needed(double theta_critical) const;
 
-  // Ends of `polygons` pieces that turn equally, each from the binary32 nearest to where it belongs; heights rounded likewise.
+  // The ends of up to 20 000 `polygons`, pieces that turn equally, each at the binary32 nearest to where it belongs; heights
+  // rounded likewise.
   std::vector<height::Knot> knots(unsigned polygons) const;
 
  private:

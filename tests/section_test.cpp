@@ -123,7 +123,9 @@ TEST(section, refuses_kinks_and_says_which) {
                       height::Grid{2, 2, 1, height::Edge::clamp, height::Interpolant::bilinear, {0, 1, 0, 1}}),
                   0, 1),
             kink + "grid lines of a bilinear map");
-  EXPECT_EQ(words(height::Plane{}, 1, 1), "the section's end is not beyond its beginning");
+  EXPECT_EQ(words(height::Plane{}, 1, 1), "the section's ends are not one beyond the other, within 10000 mm");
+  EXPECT_NE(words(height::Plane{}, 1, 10001), "");
+  EXPECT_THROW(Section({{height::Plane{}}}, 1, 2).knots(20'001), std::invalid_argument);
   EXPECT_EQ(words(height::Grating{1, 1000, 0, 0}, -5000, 5000), "the section turns to and fro too often");
 }
 
