@@ -120,6 +120,41 @@ width_mm = 8
   EXPECT_EQ(knots[2].x, 4);
 }
 
+TEST(height_spec, writes_a_map_that_shades_polygons_and_can_be_read_elsewhere) {
+  const TemporaryDirectory here, there;
+  std::filesystem::create_directory(here.file("pictures"));
+  std::filesystem::copy(FORCESHADE_SOURCE_DIR "/examples/leather.png", here.file("pictures/leather.png"));
+  const std::string file = here.write("map.toml", R"(
+render = "height-map-conservative"
+[[part]]
+shape = "gaussian"
+height_mm = 0.1
+sigma_mm = 0.7
+negated = true
+[[part]]
+shape = "grid"
+file = "pictures/leather.png"
+pitch_mm = 0.15
+scale_mm = 0.4
+)");
+  const std::vector<height::Knot> knots{{-0.1F, 0x1.8p-29F}, {1.0F / 3, 1e4F}, {9999.999F, -2.0F / 3}};
+  const Spec before = read_spec(file);
+  const Spec after = read_spec(there.write("shading.toml", shading_polygons(file, knots, there.file(""))));
+  EXPECT_EQ(after.rendering, height::Rendering::force_shaded);
+  ASSERT_EQ(after.map.parts.size(), 2U);
+  EXPECT_TRUE(after.map.parts[0].negated);
+  EXPECT_EQ(std::get<height::Gaussian>(after.map.parts[0].shape).sigma, 0.7F);
+  EXPECT_EQ(std::get<std::shared_ptr<const height::Grid>>(after.map.parts[1].shape)->values,
+            std::get<std::shared_ptr<const height::Grid>>(before.map.parts[1].shape)->values);
+  ASSERT_EQ(after.map.surface.size(), 1U);
+  const auto& read = std::get<height::Polygons>(after.map.surface[0].shape).knots;
+  ASSERT_EQ(read.size(), knots.size());
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    EXPECT_EQ(read[i].x, knots[i].x);
+    EXPECT_EQ(read[i].height, knots[i].height);
+  }
+}
+
 TEST(height_spec, says_what_is_wrong_and_where) {
   const std::string good = "render = \"height-map\"\n[[part]]\nshape = \"gaussian\"\nheight_mm = 1\nsigma_mm = 2\n";
   EXPECT_EQ(words_of(good), "");
