@@ -12,9 +12,9 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// The waves along one axis as n real numbers, and back: of a repeated line the cosine of harmonic h at 2h and its sine at 2h -
-// 1, of a mirrored one its cosines. As the axes are transformed apart, number (i, j) belongs to waves (±frequency(i),
-// ±frequency(j)).
+// The waves along one axis as n real numbers, and back: of a repeated line harmonic h has its cosine at 2h, its sine before
+// that; of a mirrored one there are cosines alone. The shortest wave of all, two samples long, is left out: nothing keeps it.
+// As the axes are transformed apart, number (i, j) belongs to waves (±frequency(i), ±frequency(j)).
 class Axis {
  public:
   Axis(std::size_t n, height::Edge edge)
@@ -36,8 +36,6 @@ class Axis {
       const Complex& wave = spectrum_[is_mirrored() ? i : (i + 1) / 2];
       data[i] = is_mirrored() ? (turn_[i] * wave).real() : i % 2 == 0 ? wave.real() : wave.imag();
     }
-    // The shortest wave of an even number of samples has no sine: its cosine stands where that would.
-    if (!is_mirrored() && n_ % 2 == 0) data[n_ - 1] = spectrum_[n_ / 2].real();
   }
 
   void to_heights(const double* data) {
@@ -48,7 +46,6 @@ class Axis {
       else
         spectrum_[(i + 1) / 2] += i % 2 == 0 ? Complex(data[i], 0) : Complex(0, data[i]);
     }
-    if (!is_mirrored() && n_ % 2 == 0) spectrum_[n_ / 2] = data[n_ - 1];
     fft_.inv(line_.data(), spectrum_.data(), static_cast<Eigen::Index>(length_));
   }
   const std::vector<double>& heights() const { return line_; }
