@@ -38,7 +38,7 @@ class Axis {
     }
   }
 
-  void to_heights(const double* data) {
+  void to_heights(double* data) {
     std::fill(spectrum_.begin(), spectrum_.end(), 0);
     for (std::size_t i = 0; i < n_; ++i) {
       if (is_mirrored())
@@ -47,8 +47,8 @@ class Axis {
         spectrum_[(i + 1) / 2] += i % 2 == 0 ? Complex(data[i], 0) : Complex(0, data[i]);
     }
     fft_.inv(line_.data(), spectrum_.data(), static_cast<Eigen::Index>(length_));
+    std::copy_n(line_.begin(), n_, data);
   }
-  const std::vector<double>& heights() const { return line_; }
 
  private:
   bool is_mirrored() const { return length_ != n_; }
@@ -85,12 +85,10 @@ void limit_band(std::vector<float>& heights, std::uint32_t columns, std::uint32_
       column[j] *= passed(x * x + y * y);
     }
     up.to_heights(column.data());
-    for (std::size_t j = 0; j < rows; ++j) waves[j * columns + i] = up.heights()[j];
+    for (std::size_t j = 0; j < rows; ++j) waves[j * columns + i] = column[j];
   }
-  for (std::size_t j = 0; j < rows; ++j) {
-    across.to_heights(&waves[j * columns]);
-    for (std::size_t i = 0; i < columns; ++i) heights[j * columns + i] = static_cast<float>(across.heights()[i]);
-  }
+  for (std::size_t j = 0; j < rows; ++j) across.to_heights(&waves[j * columns]);
+  for (std::size_t i = 0; i < waves.size(); ++i) heights[i] = static_cast<float>(waves[i]);
 }
 
 }  // namespace forceshade::heights
