@@ -108,6 +108,7 @@ void naive(benchmark::State& state) {
 BENCHMARK_CAPTURE(proved, height_map, height::Rendering::true_height);
 BENCHMARK_CAPTURE(proved, height_map_shaded, height::Rendering::force_shaded);
 BENCHMARK_CAPTURE(proved, height_map_conservative, height::Rendering::conservative);
+BENCHMARK_CAPTURE(batch, scalar, fast::InstructionSet::scalar);
 BENCHMARK_CAPTURE(batch, avx2, fast::InstructionSet::avx2);
 BENCHMARK_CAPTURE(batch, avx512, fast::InstructionSet::avx512);
 BENCHMARK(naive);

@@ -106,9 +106,16 @@ FORCESHADE_INLINE Evaluation HeightLaw::evaluate_with(const HeightBlocks* vector
   const auto z = static_cast<double>(quantised(position.z()));
   if (spline != nullptr) {
     const SplineValues jet(*spline, at);
-    const HeightForce first = height_force(jet.U, jet.Ux, jet.Uy, sure_, rendering_, stiffness_, z);
-    if (first.contact != Sign::unknown) [[likely]]
-      return evaluation_of(first);
+    if (vectors == nullptr) {
+      const HeightForce first = height_force(jet.U, jet.Ux, jet.Uy, sure_, rendering_, stiffness_, z);
+      if (first.contact != Sign::unknown) [[likely]]
+        return evaluation_of(first);
+    }
+    // Nearly all that is left is settled by the map's own errors where sure_ asks for too much.
+    const Tracked U = rendering_ == Rendering::force_shaded ? Tracked::exactly(0) : Tracked{jet.U, 0x1p-36 * sure_.gap};
+    const HeightForce bounded =
+        height_force({U, {jet.Ux, 0x1p-36 * sure_.Ux}, {jet.Uy, 0x1p-36 * sure_.Uy}}, rendering_, stiffness_, z);
+    if (bounded.contact != Sign::unknown) return evaluation_of(bounded);
   }
   return evaluate_in_stages(at, z);
 }
