@@ -12,7 +12,7 @@
 #include "forceshade/heights/spec.h"
 #include "forceshade/properties/thesis.h"
 #include "forceshade/reference/height_law.h"
-#include "forceshade/reference/section.h"
+#include "forceshade/reference/profile.h"
 #include "forceshade/reference/theta_critical.h"
 
 namespace forceshade::apps {
@@ -65,7 +65,7 @@ void expect_valid(const HeightMap& map, const std::string& file) {
 // Every piece between knots that were rounded to binary32 still turns by less than theta-critical, surely.
 bool turns_little(const HeightMap& map, const std::vector<height::Knot>& knots, double theta_critical) {
   for (std::size_t i = 1; i < knots.size(); ++i)
-    if (!(reference::Section(map.parts, knots[i - 1].x, knots[i].x).most_turning() < theta_critical)) return false;
+    if (!(reference::Profile(map.parts, knots[i - 1].x, knots[i].x).most_turning() < theta_critical)) return false;
   return true;
 }
 
@@ -73,9 +73,9 @@ void of_height_map(const Options& options) {
   const HeightMap map{heights::read_spec(options.height_map).map.parts};
   expect_valid(map, options.height_map);
   try {
-    const reference::Section section(map.parts, parse_length("--from", options.from), parse_length("--to", options.to));
-    const auto [polygons, is_fewest] = section.polygons_needed(options.theta_critical);
-    const double turning = section.most_turning();
+    const reference::Profile profile(map.parts, parse_length("--from", options.from), parse_length("--to", options.to));
+    const auto [polygons, is_fewest] = profile.polygons_needed(options.theta_critical);
+    const double turning = profile.most_turning();
     if (!options.json.empty())
       write_file(options.json, nlohmann::ordered_json{{"height_map", options.height_map},
                                                       {"theta_critical_deg", options.theta_critical},
@@ -91,8 +91,8 @@ void of_height_map(const Options& options) {
                   is_fewest ? "" : " (or one fewer, which misses by less than 1e-18 degrees or nothing)", turning,
                   polygons == 1 ? "one" : "them", turning / polygons);
     if (options.toml.empty()) return;
-    auto knots = section.knots(polygons);
-    if (!turns_little(map, knots, options.theta_critical)) knots = section.knots(polygons + 1);
+    auto knots = profile.knots(polygons);
+    if (!turns_little(map, knots, options.theta_critical)) knots = profile.knots(polygons + 1);
     expect_valid({map.parts, {{height::Polygons{knots}}}}, options.toml);
     write_file(options.toml,
                heights::shading_polygons(options.height_map, knots, std::filesystem::absolute(options.toml).parent_path()));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The section y = 0 of a height map between two x, and polygons under it: what the theta-critical hypothesis (5.2), stated
-// for a cylinder, asks of any smooth profile.
+// The profile of a height map, its section y = 0 between two x, and polygons under it: what the theta-critical hypothesis
+// (5.2), stated for a cylinder, asks of any smooth profile.
 
 #include <memory>
 #include <vector>
@@ -11,12 +11,12 @@
 namespace forceshade::reference {
 
 // Holds slow_numbers while it computes. Throws std::invalid_argument, which says why, for a section that it cannot answer for.
-class Section {
+class Profile {
  public:
   // Of the sum of parts in their domains, from < to in mm. Refuses kinks strictly between the two, and more than 20 000
   // changes of the curvature's sign or cells of a grid.
-  Section(const std::vector<height::Part>& parts, float from, float to);
-  ~Section();
+  Profile(const std::vector<height::Part>& parts, float from, float to);
+  ~Profile();
 
   // How far the normal turns on the way, there and back counted alike: the total variation of arctan U_x, degrees. The two
   // enclose it, and are less than 1e-12 apart.

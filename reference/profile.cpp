@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/section.h"
+#include "forceshade/reference/profile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +67,7 @@ Piece piece(const std::vector<height::Part>& parts, double from, double to) {
 
 }  // namespace
 
-struct Section::Pieces {
+struct Profile::Pieces {
   std::vector<height::Part> parts;
   std::vector<Piece> all;  // by x
   Enclosure turning;       // degrees
@@ -123,26 +123,26 @@ struct Section::Pieces {
   }
 };
 
-Section::Section(const std::vector<height::Part>& parts, float from, float to) {
+Profile::Profile(const std::vector<height::Part>& parts, float from, float to) {
   if (!(from < to && from >= -1e4F && to <= 1e4F))
     throw std::invalid_argument("the section's ends are not one beyond the other, within 10000 mm");
   const std::lock_guard lock(slow_numbers);
   pieces_ = std::make_unique<const Pieces>(parts, from, to);
 }
 
-Section::~Section() = default;
+Profile::~Profile() = default;
 
-double Section::least_turning() const {
+double Profile::least_turning() const {
   const std::lock_guard lock(slow_numbers);
   return mpfr_get_d(Multiprecision(lower(pieces_->turning)).backend().data(), MPFR_RNDD);
 }
 
-double Section::most_turning() const {
+double Profile::most_turning() const {
   const std::lock_guard lock(slow_numbers);
   return mpfr_get_d(Multiprecision(upper(pieces_->turning)).backend().data(), MPFR_RNDU);
 }
 
-Section::Needed Section::polygons_needed(double theta_critical) const {
+Profile::Needed Profile::polygons_needed(double theta_critical) const {
   const std::lock_guard lock(slow_numbers);
   set_precision(kBits);
   const Enclosure shares = pieces_->turning / Enclosure(theta_critical);
@@ -151,7 +151,7 @@ Section::Needed Section::polygons_needed(double theta_critical) const {
   return {high.convert_to<unsigned>() + 1, low == high};
 }
 
-std::vector<height::Knot> Section::knots(unsigned polygons) const {
+std::vector<height::Knot> Profile::knots(unsigned polygons) const {
   if (polygons > kMostPieces) throw std::invalid_argument("too many polygons to place their knots");
   const std::lock_guard lock(slow_numbers);
   set_precision(kBits);
