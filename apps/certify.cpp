@@ -44,6 +44,9 @@ void print(const std::string& name, const properties::Findings& law) {
               static_cast<unsigned long long>(law.points), static_cast<unsigned long long>(law.mismatches));
   for (const char* stage : {"binary64", "double-double", "wide"})
     std::printf(", %llu %s", static_cast<unsigned long long>(law.points_by_stage.at(stage)), stage);
+  if (law.undecided > 0)
+    std::printf("; %llu more where parts cancel so far that the reference cannot tell",
+                static_cast<unsigned long long>(law.undecided));
   std::printf("\n");
   for (const std::string& words : law.counterexamples) std::printf("  %s\n", words.c_str());
   for (const properties::PropertyResult& property : law.properties)

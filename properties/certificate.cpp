@@ -60,6 +60,7 @@ void add_findings(Json& json, const Findings& law, bool is_unit) {
                {"unit", is_unit},
                {"conservative", law.conservative},
                {"points", law.points},
+               {"undecided", law.undecided},
                {"mismatches", law.mismatches},
                {"points_by_aim", law.points_by_aim},
                {"points_by_stage", law.points_by_stage},
@@ -103,6 +104,7 @@ Findings findings_from(const Json& json) {
   law.jumps = json.at("jumps").get<std::vector<std::string>>();
   law.conservative = json.at("conservative");
   law.points = json.at("points");
+  law.undecided = json.at("undecided");
   law.mismatches = json.at("mismatches");
   law.points_by_aim = json.at("points_by_aim");
   law.points_by_stage = json.at("points_by_stage");

@@ -59,7 +59,8 @@ struct ClosestCall {
 struct Findings {
   std::vector<std::string> jumps;  // where the force jumps, in words
   bool conservative = false;
-  std::uint64_t points = 0;
+  std::uint64_t points = 0;     // compared
+  std::uint64_t undecided = 0;  // not compared: the reference could not tell
   std::uint64_t mismatches = 0;
   std::map<std::string, std::uint64_t> points_by_aim;     // how positions were chosen
   std::map<std::string, std::uint64_t> points_by_stage;   // which stage of the fast path decided

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "forceshade/properties/binary32.h"
 
@@ -67,6 +68,15 @@ float HeightPositionSource::near_surface(const std::array<float, 2>& at) {
   return neighbour(static_cast<float>(surface(at)), small_step());
 }
 
+// In units in the last place; 1 where the reference cannot tell.
+float HeightPositionSource::distance_from_tie(const Eigen::Vector3f& position) const {
+  try {
+    return law_.round_to_binary32(position).ulps_from_tie;
+  } catch (const std::domain_error&) {
+    return 1;
+  }
+}
+
 // Of eight neighbours in one coordinate, the one whose force comes closest to a tie.
 Eigen::Vector3f HeightPositionSource::near_tie(Eigen::Vector3f position) {
   Eigen::Vector3f best = position;
@@ -74,7 +84,7 @@ Eigen::Vector3f HeightPositionSource::near_tie(Eigen::Vector3f position) {
   float& moved = position[static_cast<Eigen::Index>(bits() % 3)];
   for (int i = 0; i < 8; ++i) {
     moved = neighbour(moved, 1);
-    const float distance = law_.round_to_binary32(position).ulps_from_tie;
+    const float distance = distance_from_tie(position);
     if (distance >= nearest) continue;
     nearest = distance;
     best = position;

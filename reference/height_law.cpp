@@ -52,6 +52,8 @@ Jet<N> part_jet(const height::Part& part, const Point2& at) {
       [&]<class T>(const T& shape) -> Jet<N> {
         if constexpr (kIsTranscendental<T> && !std::is_same_v<N, Enclosure>) {
           throw std::logic_error("a transcendental height in an algebraic number");
+        } else if constexpr (!kIsRational<T> && std::is_same_v<N, Rational>) {
+          throw std::logic_error("a root in a rational number");
         } else if constexpr (kIsRational<T> && std::is_same_v<N, Exact>) {
           const Jet<Rational> value = jet<Rational>(as_shape(shape), at);
           return {Exact(value.U), Exact(value.Ux), Exact(value.Uy)};
@@ -112,6 +114,22 @@ std::optional<float> agreed_binary32(const Enclosure& value) {
   return low + 0.0F;
 }
 
+// What is rational added up before it is rounded: so a surface that z lies on, and whatever is 0 beside it, cancel.
+Enclosure gap_of_few_roundings(const HeightLaw& law, const Point2& at, double z) {
+  Rational rational(-z);
+  Enclosure rest(0);
+  for (const height::Part& part : law.rendering() == Rendering::force_shaded ? law.map().surface : law.map().parts) {
+    const bool is_rational = std::visit([]<class T>(const T&) { return kIsRational<T>; }, part.shape);
+    if (is_rational)
+      rational = rational + part_jet<Rational>(part, at).U;
+    else
+      rest += part_jet<Enclosure>(part, at).U;
+  }
+  Enclosure gap;
+  mpfi_set_q(gap.backend().data(), rational.get_mp());
+  return gap + rest;
+}
+
 Rounded round_by_enclosures(const HeightLaw& law, const Point2& at, double z) {
   mpfr_set_emin(mpfr_get_emin_min());  // the tail of a Gaussian goes down to exp(-2·10^14)
   for (const unsigned bits : {128U, 768U, 3072U}) {
@@ -126,6 +144,7 @@ Rounded round_by_enclosures(const HeightLaw& law, const Point2& at, double z) {
               Method::enclosure,
               nearest_tie({filter_of(enclosed.x), filter_of(enclosed.y), filter_of(enclosed.z)}, {*x, *y, *fz})};
   }
+  if (upper(gap_of_few_roundings(law, at, z)) <= 0) return {{0, 0, 0}, Status::free, Method::exact};
   throw std::domain_error("height map: 3072 bits do not decide the force at (" + std::to_string(at.x) + ", " +
                           std::to_string(at.y) + ", " + std::to_string(z) + ") mm");
 }

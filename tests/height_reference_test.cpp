@@ -153,5 +153,21 @@ TEST(height_reference, refuses_numbers_outside_the_domain) {
   EXPECT_TRUE(std::holds_alternative<ParameterError>(HeightLaw::build({}, Rendering::true_height, 1))) << "no parts";
 }
 
+// A level surface that z lies on, beside numbers that are 0 or nearly so.
+TEST(height_reference, tells_what_cancels_from_what_all_but_cancels) {
+  const auto level = std::make_shared<const height::Grid>(
+      height::Grid{2, 2, 0.3F, height::Edge::clamp, height::Interpolant::bilinear, {0.3F, 0.3F, 0.3F, 0.3F}});
+  const auto rounded = [&](const height::Gaussian& hill, bool negated) {
+    const HeightMap map{{{level}, {hill, negated}}};
+    const auto law = std::get<HeightLaw>(HeightLaw::build(map, Rendering::true_height, 1));
+    return law.round_to_binary32({0.1F, 10, 0.3F}).status;
+  };
+  EXPECT_EQ(rounded({0, 0, 0, 1}, false), Status::free) << "a hill that is none";
+  EXPECT_EQ(rounded({0, 0, 1, 1}, true), Status::free) << "a dent 10 sigmas off, 10^-22 deep";
+  EXPECT_EQ(rounded({0, 0, 1, 1}, false), Status::contact);
+  EXPECT_EQ(rounded({0, 0, 1, 1e-3F}, true), Status::free) << "10^-21714738 deep";
+  EXPECT_THROW(rounded({0, 0, 1, 1e-3F}, false), std::domain_error);
+}
+
 }  // namespace
 }  // namespace forceshade
