@@ -66,8 +66,8 @@ struct BendAt {
   Bend operator()(const height::Polygons& p) const { return {jet<Enclosure>(p, {inside, 0}).Ux, Enclosure(0)}; }
   // A quadratic in each cell, of the differences between columns.
   Bend operator()(const std::shared_ptr<const height::Grid>& grid) const {
-    const GridCell column(inside, grid->pitch, grid->columns), row(0, grid->pitch, grid->rows);
-    const auto weights = cubic_basis(row.t<Enclosure>()).value;
+    const auto column = GridCell::at(inside, grid->pitch, grid->columns), row = GridCell::at(0, grid->pitch, grid->rows);
+    const auto weights = cubic_basis(row.t(Enclosure(0))).value;
     Enclosure value[4];
     for (std::size_t k = 0; k < 4; ++k) {
       value[k] = Enclosure(0);
@@ -78,7 +78,7 @@ struct BendAt {
       }
     }
     const Enclosure pitch = exactly(grid->pitch);
-    const Enclosure t = x / pitch + (0.5 * (grid->columns - 1.0) - static_cast<double>(column.index)), s = 1 - t;
+    const Enclosure t = column.t(x), s = 1 - t;
     const Enclosure a = value[1] - value[0], b = value[2] - value[1], c = value[3] - value[2];
     return {(s * s * a + (1 + 2 * t * s) * b + t * t * c) / (2 * pitch), (s * (b - a) + t * (c - b)) / (pitch * pitch)};
   }

@@ -18,6 +18,9 @@ class Filter {
 
   long double mid() const { return mid_; }
   long double rad() const { return rad_; }
+  // Nothing it may stand for lies beyond.
+  long double low() const { return mid_ - reach(); }
+  long double high() const { return mid_ + reach(); }
 
   friend Filter operator-(const Filter& a) { return {-a.mid_, a.rad_}; }
   friend Filter operator+(const Filter& a, const Filter& b) { return rounded(a.mid_ + b.mid_, a.rad_ + b.rad_); }
@@ -51,14 +54,13 @@ class Filter {
 
   // The binary32 both ends round to; throws Undecided when they differ.
   float round() const {
-    const long double reach = rad_ * (1 + kUnit) + std::fabs(mid_) * (rad_ == 0 ? 0 : kUnit);
-    const auto low = static_cast<float>(mid_ - reach);
-    const auto high = static_cast<float>(mid_ + reach);
-    if (low != high) throw Undecided{};
-    return low + 0.0F;
+    const auto least = static_cast<float>(low()), most = static_cast<float>(high());
+    if (least != most) throw Undecided{};
+    return least + 0.0F;
   }
 
  private:
+  long double reach() const { return rad_ * (1 + kUnit) + std::fabs(mid_) * (rad_ == 0 ? 0 : kUnit); }
   bool is_binary32() const { return rad_ == 0 && static_cast<long double>(static_cast<float>(mid_)) == mid_; }
 
   // Twice the unit roundoff: covers the operation and the arithmetic of its radius.

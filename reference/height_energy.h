@@ -5,7 +5,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "forceshade/reference/enclosure.h"
 #include "forceshade/reference/height_law.h"
 
 namespace forceshade::reference {
@@ -13,5 +15,33 @@ namespace forceshade::reference {
 // The formula of the field's potential, mJ; nothing where no closed path is known to pay nothing: true heights have one where
 // every part is a plane or level, shaded ones where that holds of the surface too, and both have one gradient.
 std::optional<std::string> potential(const HeightLaw& law);
+
+// mJ, along the polyline through the points, mm, in the position domain; to ten digits or more of each segment. Throws
+// std::domain_error, as HeightLaw::round_to_binary32, where the map's steepness cannot be decided.
+Interval work(const HeightLaw& law, const std::vector<Eigen::Vector3f>& path);
+
+// A vertical plane through the map. The stroke of a hand lies in one.
+struct Slice {
+  enum class Along { x, y };
+  Along along = Along::x;
+  float at = 0;                     // mm: the other coordinate
+  float from = -12.7F, to = 12.7F;  // mm
+};
+
+// The suprema, in mJ, over simple loops in the slice, from one end of it to the other, that are nowhere deeper than `depth`
+// below the surface that the depth is measured from. Counter-clockwise: along the slice to the right, z up.
+struct SliceBound {
+  Interval counter_clockwise, clockwise;
+  Interval most() const;  // the larger
+};
+SliceBound loop_bound(const HeightLaw& law, const Slice& slice, float depth);
+
+// What is wrong with a slice or a depth. The least depth is 10^-4 of the largest coordinate a loop may have: below, the
+// binary32 points of a witness are too coarse.
+std::optional<ParameterError> slice_error(const HeightLaw& law, const Slice& slice, float depth);
+
+// A simple polygon in the slice, closed and no deeper than `depth`, that is paid nearly the bound, for most maps 99 % of it
+// (docs/energy.md); no point where no loop is paid.
+std::vector<Eigen::Vector3f> witness(const HeightLaw& law, const Slice& slice, float depth);
 
 }  // namespace forceshade::reference

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Gaussian: U = height·exp(-ρ²/2σ²). Enclosures alone: off the centre its height is transcendental.
+// Gaussian: U = height·exp(-ρ²/2σ²). At a position by enclosures alone: off the centre its height is transcendental.
 
 #include "forceshade/reference/height_jet.h"
 
 namespace forceshade::reference {
 
-inline Jet<Enclosure> jet(const height::Gaussian& gaussian, const Point2& at) {
-  const auto x = from_centre<Enclosure>(at.x, gaussian.x), y = from_centre<Enclosure>(at.y, gaussian.y);
-  const Enclosure sigma(gaussian.sigma);
-  const Enclosure variance = sigma * sigma;
-  const Enclosure U = Enclosure(gaussian.height) * exp(Enclosure(-(x * x + y * y) / (2 * variance)));
+// x, y: from the centre.
+template <class N>
+Jet<N> hill_jet(const height::Gaussian& gaussian, const N& x, const N& y) {
+  const N sigma(static_cast<double>(gaussian.sigma));
+  const N variance = sigma * sigma;
+  const N U = N(static_cast<double>(gaussian.height)) * exp(N(-(x * x + y * y) / (N(2.0) * variance)));
   return {U, -x / variance * U, -y / variance * U};
+}
+
+inline Jet<Enclosure> jet(const height::Gaussian& gaussian, const Point2& at) {
+  return hill_jet(gaussian, from_centre<Enclosure>(at.x, gaussian.x), from_centre<Enclosure>(at.y, gaussian.y));
 }
 
 }  // namespace forceshade::reference

@@ -10,24 +10,25 @@
 
 namespace forceshade::reference {
 
-// One axis of a grid at a coordinate: cell ⌊coordinate/pitch + (count - 1)/2⌋, and what is left of that, in [0, 1).
+// One axis of a grid.
 struct GridCell {
   long index;
-  float coordinate, pitch;
+  float pitch;
   std::uint32_t count;
 
-  GridCell(double where, float p, std::uint32_t samples) : coordinate(static_cast<float>(where)), pitch(p), count(samples) {
-    const Rational place = Rational(where) / Rational(static_cast<double>(p)) + Rational(samples - 1.0) / Rational(2);
+  // Cell ⌊where/pitch + (samples - 1)/2⌋.
+  static GridCell at(double where, float pitch, std::uint32_t samples) {
+    const Rational place = Rational(where) / Rational(static_cast<double>(pitch)) + Rational(samples - 1.0) / Rational(2);
     // Truncated by the division of whole numbers, then corrected to the floor.
     const CORE::BigInt whole = CORE::numerator(place) / CORE::denominator(place);
-    index = whole.longValue();
-    if (place < Rational(static_cast<double>(index))) --index;
+    const long index = whole.longValue();
+    return {place < Rational(static_cast<double>(index)) ? index - 1 : index, pitch, samples};
   }
 
+  // What is left of that: in [0, 1) inside the cell.
   template <class N>
-  N t() const {
-    return N(static_cast<double>(coordinate)) / N(static_cast<double>(pitch)) +
-           N(0.5 * (count - 1.0) - static_cast<double>(index));
+  N t(const N& coordinate) const {
+    return coordinate / N(static_cast<double>(pitch)) + N(0.5 * (count - 1.0) - static_cast<double>(index));
   }
 
   // Where sample index + k is kept.
@@ -64,23 +65,32 @@ Jet<N> tensor_product(const height::Grid& grid, long first, const GridCell& colu
                       const Basis<N, kOrder>& bx, const Basis<N, kOrder>& by) {
   const N pitch(static_cast<double>(grid.pitch));
   Jet<N> sum = Jet<N>::flat();
-  for (std::size_t l = 0; l < kOrder; ++l)
+  for (std::size_t l = 0; l < kOrder; ++l) {
+    const std::size_t j = row.sample(first + static_cast<long>(l), grid.edge);
+    N value(0.0), slope(0.0);
     for (std::size_t k = 0; k < kOrder; ++k) {
-      const std::size_t j = row.sample(first + static_cast<long>(l), grid.edge);
       const std::size_t i = column.sample(first + static_cast<long>(k), grid.edge);
       const N c(static_cast<double>(grid.values[j * grid.columns + i]));
-      sum = sum + Jet<N>{c * bx.value[k] * by.value[l], c * bx.slope[k] * by.value[l], c * bx.value[k] * by.slope[l]};
+      value = value + c * bx.value[k];
+      slope = slope + c * bx.slope[k];
     }
+    sum = sum + Jet<N>{value * by.value[l], slope * by.value[l], value * by.slope[l]};
+  }
   return {sum.U, sum.Ux / pitch, sum.Uy / pitch};
 }
 
 template <class N>
-Jet<N> jet(const height::Grid& grid, const Point2& at) {
-  const GridCell column(at.x, grid.pitch, grid.columns), row(at.y, grid.pitch, grid.rows);
-  const N t = column.template t<N>(), s = row.template t<N>();
+Jet<N> cell_jet(const height::Grid& grid, const GridCell& column, const GridCell& row, const N& x, const N& y) {
+  const N t = column.t(x), s = row.t(y);
   if (grid.interpolant == height::Interpolant::bilinear)
     return tensor_product<N, 2>(grid, 0, column, row, linear_basis(t), linear_basis(s));
   return tensor_product<N, 4>(grid, -1, column, row, cubic_basis(t), cubic_basis(s));
+}
+
+template <class N>
+Jet<N> jet(const height::Grid& grid, const Point2& at) {
+  return cell_jet(grid, GridCell::at(at.x, grid.pitch, grid.columns), GridCell::at(at.y, grid.pitch, grid.rows), N(at.x),
+                  N(at.y));
 }
 
 }  // namespace forceshade::reference

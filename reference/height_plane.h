@@ -7,9 +7,14 @@
 namespace forceshade::reference {
 
 template <class N>
-Jet<N> jet(const height::Plane& plane, const Point2& at) {
+Jet<N> plane_jet(const height::Plane& plane, const N& x, const N& y) {
   const N a(static_cast<double>(plane.slope_x)), b(static_cast<double>(plane.slope_y));
-  return {N(static_cast<double>(plane.height)) + a * N(at.x) + b * N(at.y), a, b};
+  return {N(static_cast<double>(plane.height)) + a * x + b * y, a, b};
+}
+
+template <class N>
+Jet<N> jet(const height::Plane& plane, const Point2& at) {
+  return plane_jet(plane, N(at.x), N(at.y));
 }
 
 }  // namespace forceshade::reference

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/reference/height_circulation.h"
+
+namespace forceshade::reference {
+namespace {
+
+// The positive part of a function that is linear in the depth, integrated over it: it grows with either end's value.
+long double positive_part(long double at_surface, long double at_depth, long double depth) {
+  if (at_surface <= 0 && at_depth <= 0) return 0;
+  if (at_surface >= 0 && at_depth >= 0) return depth * (at_surface + at_depth) / 2;
+  const long double positive = std::max(at_surface, at_depth);
+  return depth * positive * positive / (2 * std::fabs(at_surface - at_depth));
+}
+
+Filter positive(const Filter& value) {
+  return ball(std::max(0.0L, value.low()), std::max(0.0L, value.high()));
+}
+
+// Pays for the few roundings above.
+constexpr long double kSlack = 0x1p-60L;
+
+}  // namespace
+
+Circulation::Circulation(const HeightLaw& law, const Slice& slice, float depth)
+    : line_(law, way_of(slice)), depth_(static_cast<double>(depth)) {}
+
+std::array<Filter, 2> Circulation::density(const HeightLine::Piece& piece, const Filter& t) const {
+  const auto at = line_.ground(piece, GroundSeries::variable(t, 1.0));
+  const Filter surface = (at.excess * at.upright)[0];
+  return {surface, surface + depth_ * at.upright[1]};
+}
+
+Filter Circulation::rise(std::size_t piece) const {
+  const HeightLine::Piece &left = line_.pieces()[piece - 1], &right = line_.pieces()[piece];
+  return line_.ground(right, right.from).upright - line_.ground(left, right.from).upright;
+}
+
+void Circulation::judge(Stretch& stretch) const {
+  using Ground = Ground<GroundSeries>;
+  using Function = Local::Function;
+  const Local local(line_, stretch);
+  const Filter two(2.0);
+  const auto surface = local.function([&](const Ground& g, const auto&) { return (g.excess * g.upright).shorter(); });
+  const auto slope = local.function([&](const Ground& g, const auto&) { return g.upright.derivative(); });
+  const auto bottom = surface + depth_ * slope;
+  const Range shallow = local.range(surface), deep = local.range(bottom);
+  const Filter total = local.integral(depth_ / two * (surface + bottom));
+  if (shallow.high <= 0 && deep.high <= 0) {
+    stretch.cost = -total;
+    return;
+  }
+  if (shallow.low >= 0 && deep.low >= 0) {
+    stretch.enclosed = Enclosed::all;
+    stretch.paid = total;
+    return;
+  }
+  stretch.enclosed = total.low() > 0 ? Enclosed::all : Enclosed::nothing;
+  stretch.change = local.change(shallow.low < 0 && shallow.high > 0 ? surface : bottom);
+  const long double D = depth_.mid(), width = stretch.width() * (1 + kSlack);
+  const long double paid = positive_part(shallow.high, deep.high, D) * width,
+                    cost = positive_part(-shallow.low, -deep.low, D) * width;
+  stretch.paid = ball(std::max(0.0L, total.low()), std::max(0.0L, std::min(paid, total.high() + cost)));
+  const bool is_top = shallow.low > 0 && deep.high < 0;
+  if (is_top || (shallow.high < 0 && deep.low > 0)) {
+    // A triangle over the depths that pay.
+    try {
+      const Function& f = is_top ? surface : bottom;
+      const Filter triangle = local.integral(f * f / (is_top ? -two * slope : two * slope));
+      stretch.enclosed = is_top ? Enclosed::top : Enclosed::bottom;
+      if (triangle.rad() < stretch.paid.rad()) stretch.paid = triangle;
+    } catch (const Undecided&) {
+    }
+  }
+  stretch.cost = stretch.paid - total;
+}
+
+Paid Circulation::lines() const {
+  Paid sum;
+  const Filter half = depth_ * depth_ / Filter(2.0);
+  for (std::size_t i = 1; i < line_.pieces().size(); ++i) {
+    const Filter one = half * rise(i);
+    sum.counter_clockwise = sum.counter_clockwise + positive(one);
+    sum.clockwise = sum.clockwise + positive(-one);
+  }
+  return sum;
+}
+
+std::vector<Stretch> Circulation::stretches(long double relative) const {
+  const Paid on_lines = lines();
+  const long double D = depth_.mid(), floor = std::max(D * D * 0x1p-44L, relative * std::max(on_lines.counter_clockwise.mid(),
+                                                                                             on_lines.clockwise.mid()));
+  return refine(
+      line_, [this](Stretch& s) { judge(s); }, relative, floor);
+}
+
+}  // namespace forceshade::reference

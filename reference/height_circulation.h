@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The circulation under a slice of a height map. With t along it, the depth δ and 1/n the normal's share upwards, it is
+// K·f per t and δ, f = δ·(1/n)_t + (surface - U)_t/n, and ½Kδ² times the jump of 1/n on a line. Callers hold slow_numbers.
+
+#include "forceshade/reference/height_energy.h"
+#include "forceshade/reference/height_stretch.h"
+
+namespace forceshade::reference {
+
+inline Way way_of(const Slice& s) {
+  return s.along == Slice::Along::x ? Way{s.from, s.at, s.to, s.at} : Way{s.at, s.from, s.at, s.to};
+}
+
+// No height of the surface that depths are measured from is larger in size, mm.
+double tallest(const HeightLaw& law, const Slice& slice);
+
+struct Paid {
+  Filter counter_clockwise, clockwise;
+};
+
+class Circulation {
+ public:
+  // depth: mm.
+  Circulation(const HeightLaw& law, const Slice& slice, float depth);
+
+  const HeightLine& line() const { return line_; }
+
+  // What the lines on which 1/n jumps pay, over K.
+  Paid lines() const;
+
+  // What is paid between them, over K; certain to `relative` of all. In order of t.
+  std::vector<Stretch> stretches(long double relative) const;
+
+  // By how much 1/n rises where a piece begins; not the first.
+  Filter rise(std::size_t piece) const;
+
+  // f at the surface and at the depth, at one t.
+  std::array<Filter, 2> density(const HeightLine::Piece& piece, const Filter& t) const;
+
+  Filter depth() const { return depth_; }
+
+ private:
+  void judge(Stretch& stretch) const;
+
+  HeightLine line_;
+  Filter depth_;
+};
+
+}  // namespace forceshade::reference

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/reference/height_cap.h"
+#include "forceshade/reference/height_cone.h"
+#include "forceshade/reference/height_energy.h"
+#include "forceshade/reference/height_gaussian.h"
+#include "forceshade/reference/height_grating.h"
+#include "forceshade/reference/height_grid.h"
+#include "forceshade/reference/height_plane.h"
+#include "forceshade/reference/height_polygons.h"
+#include "forceshade/reference/height_stretch.h"
+#include "forceshade/reference/intervals.h"
+#include "forceshade/reference/strips.h"
+
+namespace forceshade::reference {
+namespace {
+
+using height::Rendering;
+
+struct AtShape {
+  const Point2& at;
+
+  Jet<Enclosure> operator()(const height::Gaussian& shape) const { return jet(shape, at); }
+  Jet<Enclosure> operator()(const height::Grating& shape) const { return jet(shape, at); }
+  Jet<Enclosure> operator()(const std::shared_ptr<const height::Grid>& grid) const { return jet<Enclosure>(*grid, at); }
+  template <class T>
+  Jet<Enclosure> operator()(const T& shape) const {
+    return jet<Enclosure>(shape, at);
+  }
+};
+
+Jet<Enclosure> sum_at(const std::vector<height::Part>& parts, const Point2& at) {
+  Jet<Enclosure> sum = Jet<Enclosure>::flat();
+  for (const height::Part& part : parts) {
+    const Jet<Enclosure> one = std::visit(AtShape{at}, part.shape);
+    sum = sum + (part.negated ? -one : one);
+  }
+  return sum;
+}
+
+Point2 plan(const Eigen::Vector3f& point) {
+  return {static_cast<double>(point.x()), static_cast<double>(point.y())};
+}
+
+// ½K·depth² there.
+Enclosure spring(const HeightLaw& law, const Eigen::Vector3f& point) {
+  const bool is_shaded = law.rendering() == Rendering::force_shaded;
+  const Enclosure surface = sum_at(is_shaded ? law.map().surface : law.map().parts, plan(point)).U;
+  const Enclosure depth = larger(0, surface - Enclosure(point.z()));
+  return Enclosure(law.stiffness()) * depth * depth / 2;
+}
+
+// From a straight up or down to b, and anywhere in a field that is minus the gradient of the spring.
+Enclosure work_of_spring(const HeightLaw& law, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+  const Enclosure released = spring(law, a) - spring(law, b);
+  if (law.rendering() == Rendering::conservative) return released;
+  const Jet<Enclosure> map = sum_at(law.map().parts, plan(a));
+  return released / sqrt(Enclosure(map.Ux * map.Ux + map.Uy * map.Uy + 1));
+}
+
+Filter work_across(const HeightLaw& law, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+  const HeightLine line(law, {a.x(), a.y(), b.x(), b.y()});
+  const Filter z0(static_cast<double>(a.z())), dz = Filter(static_cast<double>(b.z())) - z0;
+  const auto judge = [&](Stretch& stretch) {
+    using Ground = Ground<GroundSeries>;
+    const Local local(line, stretch);
+    const auto depth = [&](const Ground& g, const GroundSeries& t) {
+      return (g.surface - GroundSeries(z0) - GroundSeries(dz) * t).shorter();
+    };
+    const auto share = [&](const Ground& g, const auto&) { return ((GroundSeries(dz) - g.climb) * g.upright).shorter(); };
+    const auto force = [&](const Ground& g, const auto& t) { return depth(g, t) * share(g, t); };
+    const Range below = local.range(local.function(depth));
+    if (below.high <= 0) return;
+    const Filter total = below.low < -below.high ? Filter() : local.integral(local.function(force));
+    stretch.paid = total;
+    if (below.low >= 0) return;
+    // Within what the part on the other side of the surface would add.
+    stretch.change = local.change(local.function(depth));
+    const Range along = local.range(local.function(share));
+    const long double most = std::min(-below.low, below.high) * stretch.width() * (1 + 0x1p-60L);
+    stretch.paid = total + ball(std::min(0.0L, along.low) * most, std::max(0.0L, along.high) * most);
+  };
+  // What 64 bits cannot do better.
+  const long double floor = static_cast<long double>((b - a).norm() * (1 + a.cwiseAbs().maxCoeff())) * 0x1p-50L;
+  Filter sum;
+  for (const Stretch& stretch : refine(line, judge, 1e-10L, floor)) sum = sum + stretch.paid;
+  return Filter(static_cast<double>(law.stiffness())) * sum;
+}
+
+}  // namespace
+
+Interval work(const HeightLaw& law, const std::vector<Eigen::Vector3f>& path) {
+  const std::lock_guard lock(slow_numbers);
+  set_precision(kEnergyBits);
+  Enclosure sum = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Eigen::Vector3f &a = path[i - 1], &b = path[i];
+    if (law.rendering() == Rendering::conservative || (a.x() == b.x() && a.y() == b.y())) {
+      sum += work_of_spring(law, a, b);
+    } else {
+      const Filter across = work_across(law, a, b);
+      sum += Enclosure(Multiprecision(across.low()), Multiprecision(across.high()));
+    }
+  }
+  return {lower(sum), upper(sum)};
+}
+
+}  // namespace forceshade::reference

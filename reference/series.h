@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The Taylor coefficients of a function of one variable, in balls: those at a point, or a ball around those at every point of a
+// stretch. A map's own formulas, evaluated on this number, give its derivatives and, with the remainder's coefficient taken
+// over the stretch, integrals with proof.
+
+#include <array>
+
+#include "forceshade/reference/filter.h"
+
+namespace forceshade::reference {
+
+// Callers hold slow_numbers: the last digits come from MPFI.
+Filter exp(const Filter& x);
+Filter sin(const Filter& x);
+Filter cos(const Filter& x);
+
+// [k] is the k-th derivative over k!, up to kOrder.
+template <std::size_t kOrder>
+class Series {
+ public:
+  static constexpr std::size_t kLength = kOrder + 1;
+
+  Series(double constant = 0) : Series(Filter(constant)) {}
+  explicit Series(const Filter& constant) { c_[0] = constant; }
+
+  // at + rate·(t - t0).
+  static Series variable(const Filter& at, const Filter& rate) {
+    Series s(at);
+    s.c_[1] = rate;
+    return s;
+  }
+
+  const Filter& operator[](std::size_t k) const { return c_[k]; }
+
+  Series<kOrder - 1> derivative() const {
+    Series<kOrder - 1> d;
+    for (std::size_t k = 0; k < kOrder; ++k) d.c_[k] = number(k + 1) * c_[k + 1];
+    return d;
+  }
+  Series<kOrder - 1> shorter() const {
+    Series<kOrder - 1> s;
+    for (std::size_t k = 0; k < kOrder; ++k) s.c_[k] = c_[k];
+    return s;
+  }
+
+  friend Series operator-(const Series& a) {
+    Series s;
+    for (std::size_t k = 0; k <= kOrder; ++k) s.c_[k] = -a.c_[k];
+    return s;
+  }
+  friend Series operator+(const Series& a, const Series& b) {
+    Series s;
+    for (std::size_t k = 0; k <= kOrder; ++k) s.c_[k] = is_zero(b.c_[k]) ? a.c_[k] : a.c_[k] + b.c_[k];
+    return s;
+  }
+  friend Series operator-(const Series& a, const Series& b) { return a + (-b); }
+  friend Series operator*(const Series& a, const Series& b) {
+    Series s;
+    for (std::size_t i = 0; i <= kOrder; ++i) {
+      if (is_zero(a.c_[i])) continue;
+      for (std::size_t k = 0; i + k <= kOrder; ++k)
+        if (!is_zero(b.c_[k])) s.c_[i + k] = s.c_[i + k] + a.c_[i] * b.c_[k];
+    }
+    return s;
+  }
+
+  friend Series operator*(const Filter& a, const Series& b) {
+    Series s;
+    for (std::size_t k = 0; k <= kOrder; ++k)
+      if (!is_zero(b.c_[k])) s.c_[k] = a * b.c_[k];
+    return s;
+  }
+
+  // From q·b = a.
+  friend Series operator/(const Series& a, const Series& b) {
+    Series q;
+    const Filter inverse = Filter(1.0) / b.c_[0];
+    for (std::size_t k = 0; k <= kOrder; ++k) {
+      Filter left = a.c_[k];
+      for (std::size_t i = 1; i <= k; ++i)
+        if (!is_zero(b.c_[i])) left = left - b.c_[i] * q.c_[k - i];
+      if (!is_zero(left)) q.c_[k] = inverse * left;
+    }
+    return q;
+  }
+
+  // From r·r = a.
+  friend Series sqrt(const Series& a) {
+    Series r(sqrt(a.c_[0]));
+    const Filter inverse = Filter(0.5) / r.c_[0];
+    for (std::size_t k = 1; k <= kOrder; ++k) {
+      Filter left = a.c_[k];
+      for (std::size_t i = 1; i < k; ++i) left = left - r.c_[i] * r.c_[k - i];
+      if (!is_zero(left)) r.c_[k] = inverse * left;
+    }
+    return r;
+  }
+
+  // From e' = a'·e.
+  friend Series exp(const Series& a) {
+    Series e(exp(a.c_[0]));
+    for (std::size_t k = 1; k <= kOrder; ++k) e.c_[k] = a.chained(e, k);
+    return e;
+  }
+
+  // From s' = a'·c and c' = -a'·s.
+  friend Series sin(const Series& a) { return a.sine_and_cosine()[0]; }
+  friend Series cos(const Series& a) { return a.sine_and_cosine()[1]; }
+
+ private:
+  template <std::size_t>
+  friend class Series;
+
+  static Filter number(std::size_t k) { return Filter(static_cast<double>(k)); }
+  static bool is_zero(const Filter& a) { return a.mid() == 0 && a.rad() == 0; }
+
+  // Coefficient k of the integral of this one's derivative times f.
+  Filter chained(const Series& f, std::size_t k) const {
+    Filter sum;
+    for (std::size_t i = 1; i <= k; ++i)
+      if (!is_zero(c_[i])) sum = sum + number(i) * c_[i] * f.c_[k - i];
+    return sum / number(k);
+  }
+
+  std::array<Series, 2> sine_and_cosine() const {
+    Series s(sin(c_[0])), c(cos(c_[0]));
+    for (std::size_t k = 1; k <= kOrder; ++k) {
+      s.c_[k] = chained(c, k);
+      c.c_[k] = -chained(s, k);
+    }
+    return {s, c};
+  }
+
+  std::array<Filter, kOrder + 1> c_{};
+};
+
+}  // namespace forceshade::reference
