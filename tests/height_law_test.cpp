@@ -83,7 +83,7 @@ std::vector<Case> cases() {
                  {{{height::SphereCap{2, 0, 5, 8}}, {height::Cone{-3, 1, 2, 3}, true}, all[7].map.parts[0]}},
                  {2, 6, -2, -3, 0, 1, 0.3F},
                  8});
-  const height::Polygons roof{{{-4, 0.5F}, {-1.5F, 3}, {0x1p-40F, 3}, {2, -1.0F / 3}, {7, 0}}};
+  const height::Polygons roof{{{-4, 0.5F}, {-1.5F, 3}, {0x1p-40F, 3}, {2, -1.0F / 3}, {7, 0.25F}}};
   const height::Polygons cliff{{{-1, 1e4F}, {-0.9985F, -1e4F}, {0, 0x1p-30F}, {0.015625F, 0}}};
   all.push_back({"polygons", {{{roof}}}, {-4, -1.5F, 0, 2, 7}, 9});
   all.push_back({"cliff", {{{cliff, true}, {height::Plane{0, 0.5F, 0}}}}, {-1, -0.9985F, 0, 0.015625F}, 2});
