@@ -13,6 +13,8 @@
 
 #include "forceshade/fast/height_spline.h"
 #include "forceshade/heights/coefficients.h"
+#include "forceshade/heights/load.h"
+#include "forceshade/tests/temporary_directory.h"
 
 namespace forceshade::heights {
 namespace {
@@ -89,6 +91,24 @@ TEST(band_limit, works_for_odd_and_tiny_grids) {
       const Picture limited = Picture(columns, rows, [](double i, double) { return i; }).limited(edge, 1000);
       for (const float height : limited.heights) EXPECT_NEAR(height, 0.5 * (columns - 1), 1e-5);
     }
+}
+
+TEST(band_limit, grids_with_large_prime_factors_are_refused) {
+  const tests::TemporaryDirectory directory;
+  const auto words = [&](std::uint32_t columns, std::uint32_t rows) -> std::string {
+    std::string file = "Pf " + std::to_string(columns) + " " + std::to_string(rows) + " -1\n";
+    file.resize(file.size() + std::size_t{4} * columns * rows);  // zeros
+    try {
+      load({.file = directory.write("flat.pfm", file), .pitch = 0.5F, .scale = 1, .shortest_wavelength = 2.0F});
+      return "";
+    } catch (const Error& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(words(128, 97), "");
+  EXPECT_EQ(words(97 * 97, 4), "");
+  EXPECT_NE(words(202, 4).find("202 columns or rows cannot be band-limited"), std::string::npos);
+  EXPECT_NE(words(4, 101).find("101 columns or rows cannot be band-limited"), std::string::npos);
 }
 
 TEST(band_limit, clamped_edges_do_not_ring_across_and_tiled_ones_do) {

@@ -163,25 +163,6 @@ TEST_F(Heights, too_small_to_matter_are_zero) {
             (std::vector<float>{0x1p-30F, -0x1p-30F, 0, 0}));
 }
 
-TEST_F(Heights, with_large_prime_factors_are_not_band_limited) {
-  const auto words = [&](const std::string& shape, std::size_t count) -> std::string {
-    const std::vector<float> heights(count, 1.0F);
-    try {
-      heights::load({.file = write("x.npy", npy_of("<f4", shape, bytes(heights))),
-                     .pitch = 0.5F,
-                     .scale = 1,
-                     .shortest_wavelength = 2.0F});
-      return "";
-    } catch (const heights::Error& error) {
-      return error.what();
-    }
-  };
-  EXPECT_EQ(words("(97, 128)", 97 * 128), "");
-  EXPECT_EQ(words("(4, 9409)", 4 * 9409), "") << "97 squared";
-  EXPECT_NE(words("(4, 202)", 4 * 202).find("202 columns or rows cannot be band-limited"), std::string::npos);
-  EXPECT_NE(words("(101, 4)", 101 * 4).find("101 columns or rows cannot be band-limited"), std::string::npos);
-}
-
 TEST_F(Heights, that_are_no_numbers_are_named_by_row_and_column) {
   for (const float odd : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 5001.0F}) {
     std::vector<float> numbers = kNumbers;
