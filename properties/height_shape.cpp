@@ -194,7 +194,9 @@ double Lines::distance(double coordinate) const {
 }
 
 HeightShape::HeightShape(const reference::HeightLaw& law)
-    : rendering(law.rendering()), stiffness(static_cast<double>(law.stiffness())) {
+    : rendering(law.rendering()),
+      stiffness(static_cast<double>(law.stiffness())),
+      is_conservative(reference::potential(law).has_value()) {
   const auto add = [&](const std::vector<height::Part>& all, double& sum) {
     for (const height::Part& part : all) {
       parts.push_back(std::visit([](const auto& shape) { return shape_of(shape); }, part.shape));
@@ -205,7 +207,6 @@ HeightShape::HeightShape(const reference::HeightLaw& law)
   map_parts = parts.size();
   add(law.map().surface, steepest_surface);
   if (rendering != height::Rendering::force_shaded) steepest_surface = steepest;
-  is_conservative = reference::potential(law).has_value();
 }
 
 Bend HeightShape::bend(double x, double y, double reach) const {

@@ -45,12 +45,12 @@ struct PartShape {
 
 struct HeightShape {
   height::Rendering rendering;
-  double stiffness;              // N/mm
+  double stiffness;  // N/mm
+  bool is_conservative;
   double steepest = 0;           // mm/mm: bounds the length of the gradient that the direction comes from
   double steepest_surface = 0;   // and of that of the surface which depth is measured from
   std::vector<PartShape> parts;  // of the map, then of a surface of its own
   std::size_t map_parts;
-  bool is_conservative;
 
   explicit HeightShape(const reference::HeightLaw& law);
 
