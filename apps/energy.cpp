@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// forceshade energy: whether a law is passive: its potential, or the most a loop can be paid and a loop that is paid it.
+// forceshade energy: whether a law or a height map is passive: its potential, or the most a loop can be paid and a loop that is
+// paid it.
 
 #include "forceshade/reference/energy.h"
 
@@ -8,13 +9,19 @@
 #include <nlohmann/json.hpp>
 
 #include "forceshade/apps/command.h"
+#include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/length.h"
+#include "forceshade/reference/height_energy.h"
 
 namespace forceshade::apps {
 namespace {
 
 using Json = nlohmann::ordered_json;
 using reference::binary64;
+
+struct Options {
+  std::string depth, json, along = "x", at = "0", from = "-12.7mm", to = "12.7mm";
+};
 
 struct Verdict {
   const reference::Law& law;
@@ -61,27 +68,107 @@ void print(const Verdict& verdict) {
               verdict.witness_mJ, 100 * verdict.witness_mJ / bound);
 }
 
+struct HeightVerdict {
+  std::string name;
+  const reference::HeightLaw& law;
+  reference::Slice slice;
+  float depth;
+  std::optional<std::string> potential = reference::potential(law);
+  reference::SliceBound bound = reference::loop_bound(law, slice, depth);
+  std::vector<Eigen::Vector3f> witness = reference::witness(law, slice, depth);
+  double witness_mJ = binary64(reference::work(law, witness))[0];
+};
+
+Json json_of(const HeightVerdict& verdict) {
+  const auto& [along, at, from, to] = verdict.slice;
+  Json json{{"height_map", verdict.name},
+            {"rendering", name_of(verdict.law.rendering())},
+            {"parameters", {{"stiffness_N_per_mm", static_cast<double>(verdict.law.stiffness())}}},
+            {"slice",
+             {{"along", along == reference::Slice::Along::x ? "x" : "y"},
+              {"at_mm", static_cast<double>(at)},
+              {"from_mm", static_cast<double>(from)},
+              {"to_mm", static_cast<double>(to)}}},
+            {"depth_mm", static_cast<double>(verdict.depth)},
+            {"conservative", verdict.potential.has_value()}};
+  if (verdict.potential) json["potential"] = *verdict.potential;
+  json["bound_mJ"] = binary64(verdict.bound.most());
+  json["counter_clockwise_mJ"] = binary64(verdict.bound.counter_clockwise);
+  json["clockwise_mJ"] = binary64(verdict.bound.clockwise);
+  json["witness_mJ"] = verdict.witness_mJ;
+  json["witness"] = Json::array();
+  for (const Eigen::Vector3f& corner : verdict.witness)
+    json["witness"].push_back(
+        {static_cast<double>(corner.x()), static_cast<double>(corner.y()), static_cast<double>(corner.z())});
+  return json;
+}
+
+void print(const HeightVerdict& verdict) {
+  const char *name = verdict.name.c_str(), *rendering = name_of(verdict.law.rendering()).data();
+  if (verdict.potential) {
+    std::printf("%s, %s: conservative: no loop is paid anything; the force is minus the gradient of %s\n", name, rendering,
+                verdict.potential->c_str());
+    return;
+  }
+  const auto& [along, at, from, to] = verdict.slice;
+  const bool is_x = along == reference::Slice::Along::x;
+  const double bound = binary64(verdict.bound.most())[1];
+  std::printf("%s, %s: %s: over %s = %g mm, %s from %g to %g mm, a simple loop no deeper than %g mm is paid up to %.6g mJ\n",
+              name, rendering, bound > 0 ? "active" : "nothing to gain", is_x ? "y" : "x", static_cast<double>(at),
+              is_x ? "x" : "y", static_cast<double>(from), static_cast<double>(to), static_cast<double>(verdict.depth), bound);
+  if (verdict.witness.empty()) return;
+  std::printf("%.6g mJ counter-clockwise, %.6g mJ clockwise (%s right, z up)\n", binary64(verdict.bound.counter_clockwise)[1],
+              binary64(verdict.bound.clockwise)[1], is_x ? "x" : "y");
+  std::printf("witness: %zu corners, paid %.6g mJ, %.2f %% of the bound; --json - lists them\n", verdict.witness.size() - 1,
+              verdict.witness_mJ, 100 * verdict.witness_mJ / bound);
+}
+
+template <class V>
+void answer(const V& verdict, const Options& options) {
+  if (!options.json.empty()) write_file(options.json, json_of(verdict).dump() + "\n");
+  if (options.json != "-") print(verdict);
+}
+
+void run(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map) {
+  const float depth = parse_length("--depth", options.depth);
+  if (!height_map.is_given()) {
+    const auto law = std::get<reference::Law>(reference::Law::build(law_options.law(), law_options.parameters()));
+    if (const auto error = reference::depth_error(law, depth)) throw BadInput("--" + error->message());
+    answer(Verdict{law, depth}, options);
+    return;
+  }
+  const float stiffness = law_options.stiffness();
+  const heights::Spec spec = height_map.read(stiffness);
+  const auto law = std::get<reference::HeightLaw>(reference::HeightLaw::build(spec.map, spec.rendering, stiffness));
+  const reference::Slice slice{options.along == "x" ? reference::Slice::Along::x : reference::Slice::Along::y,
+                               parse_length("--at", options.at), parse_length("--from", options.from),
+                               parse_length("--to", options.to)};
+  if (const auto error = reference::slice_error(law, slice, depth))
+    throw BadInput(height_map.name() + ": " + error->message());
+  answer(HeightVerdict{height_map.name(), law, slice, depth}, options);
+}
+
 }  // namespace
 
 void add_energy(CLI::App& app, int&) {
-  struct Options {
-    std::string depth, json;
-  };
   const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("energy", "Whether a law is passive, and the most energy a loop can draw from it");
+  CLI::App* command =
+      app.add_subcommand("energy", "Whether a law or a height map is passive, and the most energy a loop can draw from it");
   const auto law_options = std::make_shared<LawOptions>(*command, LawOptions::Laws::one, LawOptions::Defaults::thesis);
+  const auto height_map = std::make_shared<HeightMapOption>(*command, *law_options);
   command->add_option("--depth", options->depth, "of the loops, below the nominal surface: mm, or with a unit")
       ->type_name("VALUE")
       ->required();
   command->add_option("--json", options->json, "verdict for programs, - for standard output")->type_name("FILE");
-  command->callback([options, law_options] {
-    const auto law = std::get<reference::Law>(reference::Law::build(law_options->law(), law_options->parameters()));
-    const float depth = parse_length("--depth", options->depth);
-    if (const auto error = reference::depth_error(law, depth)) throw BadInput("--" + error->message());
-    const Verdict verdict{law, depth};
-    if (!options->json.empty()) write_file(options->json, json_of(verdict).dump() + "\n");
-    if (options->json != "-") print(verdict);
-  });
+  CLI::Option* map_option = command->get_option("--height-map");
+  const auto add = [&](const char* name, std::string& value, const char* help) {
+    return command->add_option(name, value, help)->type_name("VALUE")->capture_default_str()->needs(map_option);
+  };
+  add("--along", options->along, "of a height map, the axis that its loops lie along")->check(CLI::IsMember({"x", "y"}));
+  add("--at", options->at, "where on the other axis: mm, or with a unit");
+  add("--from", options->from, "where the loops may begin");
+  add("--to", options->to, "and where they end");
+  command->callback([options, law_options, height_map] { run(*options, *law_options, *height_map); });
 }
 
 }  // namespace forceshade::apps

@@ -133,11 +133,19 @@ expect 2 "--what" -- "$forceshade" plot --law wall --what teapot --out drawn
 expect 0 "drawn/hill-energy.png" -- "$forceshade" plot --height-map hill.toml --at 1 --from=-1cm --to 10mm --out drawn
 expect 2 "--to is -1 mm; expected 0.01 to 9999 mm" -- "$forceshade" plot --height-map hill.toml --from 0 --to=-1 --out drawn
 expect 2 "--law excludes --height-map" -- "$forceshade" plot --law wall --height-map hill.toml --out drawn
+expect 0 "paid up to 0.118756 mJ" -- energy --height-map hill.toml --depth 2
+same '{"height_map":"shaded.toml","rendering":"height-map-shaded","parameters":{"stiffness_N_per_mm":2.0},"slice":{"along":"y","at_mm":1.0,"from_mm":0.0,"to_mm":10.0},"depth_mm":2.0,"conservative":false,' \
+  "$(energy --height-map shaded.toml --stiffness 2 --depth 2mm --along y --at 1 --from 0 --to 1cm --json - | grep -o '^.*"bound_mJ"' | sed 's/"bound_mJ"//')"
+sed 's/"height-map"/"height-map-conservative"/' hill.toml > conservative.toml
+expect 0 "conservative.toml, height-map-conservative: conservative" -- energy --height-map conservative.toml --depth 2
+expect 2 "hill.toml: depth is 0 mm; expected 0.00127 to 4998.5 mm" -- energy --height-map hill.toml --depth 0
+expect 2 "--at requires --height-map" -- energy --law wall --depth 2 --at 3
 expect 2 "expected a directory" -- "$forceshade" plot --law wall --what force --out in.csv/no
 expect 0 "drawn/figure-5-5.csv" -- "$forceshade" figures --out drawn
 same "600 112.885" "$(sed -n 's/^\(600\),\(112.885\).*/\1 \2/p' drawn/figure-5-5.csv)"
 same "600 6.8157" "$(sed -n 's/^\(600\),\(......\).*/\1 \2/p' drawn/figure-5-4.csv)"
 same 6 "$(wc -l < drawn/figure-5-4.csv)"
+same "-3,-3,3.99665867" "$(grep -o '^-3,-3,3.99665867' drawn/figure-2-3.csv)"
 
 # properties
 expect 0 "equivalence   held" -- "$forceshade" properties --law bump-3p --cases 200 --seed 5

@@ -141,9 +141,9 @@ TEST(height_energy, polygons_shaded_by_a_ridge_are_the_law_bump_2p_shaded) {
   }
 }
 
-// Of columns 1/1000 mm wide or so, each of which takes in what pays, with the slopes of the second program's heights.
+// Of 20 000 columns, each of which takes in what pays, with the slopes of the second program's heights.
 std::array<double, 2> bound_by_columns(const HeightExample& example, Rendering rendering, const Slice& slice, double D) {
-  constexpr int kColumns = 40000;
+  constexpr int kColumns = 20000;
   const auto [along, at, from, to] = slice;
   const bool is_x = along == Along::x;
   const double c = static_cast<double>(at), start = static_cast<double>(from),
@@ -162,7 +162,7 @@ std::array<double, 2> bound_by_columns(const HeightExample& example, Rendering r
                  excess = rendering == Rendering::true_height ? 0 : -slope(middle, false) * upright(middle) * step;
     left = right;
     // K·(depth·rise + excess), its positive and its negative part over the depth.
-    constexpr int kDepths = 64;
+    constexpr int kDepths = 32;
     for (int k = 0; k < kDepths; ++k) {
       const double pay = D * (k + 0.5) / kDepths * rise + excess;
       paid[pay > 0 ? 0 : 1] += std::fabs(pay) * D / kDepths;

@@ -20,7 +20,7 @@ using height::Rendering;
 using Path = std::vector<Vector3f>;
 
 constexpr std::array kActive{Rendering::true_height, Rendering::force_shaded};
-constexpr std::array kSlices{Slice{Along::x, 1.3F, -7, 6}, Slice{Along::y, 0.7F, -5, 6}, Slice{Along::x, 2, -14, 14}};
+constexpr std::array kSlices{Slice{Along::x, 1.3F, -7, 6}, Slice{Along::y, 0.7F, -5, 6}};
 
 HeightLaw build(const HeightMap& map, Rendering rendering, float K) {
   return std::get<HeightLaw>(HeightLaw::build(map, rendering, K));
@@ -53,7 +53,7 @@ TEST(height_witness, is_a_simple_loop_no_deeper_than_asked_that_is_paid_99_perce
   for (const HeightExample& example : height_examples())
     for (const Rendering rendering : kActive)
       for (const Slice& slice : kSlices)
-        for (const float depth : {0.01F, 0.5F, 20.0F}) {
+        for (const float depth : {0.05F, 0.5F, 20.0F}) {
           const std::string what =
               std::string(example.name) + ' ' + std::to_string(depth) + (slice.along == Along::x ? " x" : " y");
           const HeightLaw law = build(example.map, rendering, 0.5F);
@@ -88,9 +88,9 @@ TEST(height_witness, of_a_field_with_a_potential_is_none) {
     EXPECT_TRUE(witness(build(example.map, Rendering::conservative, 1), {}, 2).empty());
 }
 
-// Walked at no more than 10^-4 mm a step, the hand is paid the force at the middle of each.
+// Walked at no more than 2·10^-4 mm a step, the hand is paid the force at the middle of each.
 TEST(height_witness, walked_on_the_fast_path_is_paid_the_same) {
-  constexpr double kStep = 1e-4, K = 0.5, D = 0.5;
+  constexpr double kStep = 2e-4, K = 0.5, D = 0.5;
   for (const HeightExample& example : height_examples())
     for (const Rendering rendering : kActive)
       for (const Slice& slice : kSlices) {

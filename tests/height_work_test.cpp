@@ -98,6 +98,18 @@ TEST(height_work, does_not_depend_on_where_a_straight_path_is_cut) {
     }
 }
 
+TEST(height_work, there_and_back_is_nothing) {
+  // The ends lie on cell lines, knots, rims and the apex.
+  for (const HeightExample& example : height_examples())
+    for (const auto& [rendering, name] : height::kRenderings)
+      for (const auto& [from, to] : {std::pair{Vector3f(0.375F, 2, -0.5F), Vector3f(-5, 2, -0.25F)},
+                                     {{3, 1.125F, -0.5F}, {-1, -1.125F, 0.25F}},
+                                     {{5, -0.5F, -0.5F}, {-3, -0.5F, -0.5F}}}) {
+        const Interval paid = work(build(example.map, rendering), {from, to, from});
+        EXPECT_LT(std::fabs(low(paid)), 1e-9) << example.name << ' ' << name;
+      }
+}
+
 TEST(height_work, straight_up_on_a_kink_is_that_of_the_side_with_larger_x) {
   const auto share = [](const HeightMap& map, float x, float y) {
     return low(work(build(map, Rendering::force_shaded), {{x, y, -1}, {x, y, 0}})) / (0.5 * static_cast<double>(kStiffness));
