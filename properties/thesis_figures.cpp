@@ -11,6 +11,7 @@
 #include "forceshade/properties/panels.h"
 #include "forceshade/properties/pictures.h"
 #include "forceshade/properties/thesis.h"
+#include "forceshade/reference/height_law.h"
 #include "forceshade/reference/theta_critical.h"
 
 namespace forceshade::properties {
@@ -39,6 +40,36 @@ std::vector<double> radii() {
 
 bool is_of_the_thesis(double mil) {
   return std::any_of(kThesisRadii.begin(), kThesisRadii.end(), [&](const ThesisRadius& radius) { return radius.mil == mil; });
+}
+
+// 2-3: a height map; its heights need not be positive. Which function the thesis drew it does not say: these hills are ours.
+ThesisFigure height_map_function() {
+  const HeightMap map{{{height::Gaussian{-3, -3, 4, 3}}, {height::Gaussian{4, 3, 3, 2.5F}, true}}};
+  const auto law = std::get<reference::HeightLaw>(reference::HeightLaw::build(map, height::Rendering::true_height, 1));
+  constexpr int kLines = 20;  // from the middle to an edge
+  constexpr float kStep = 0.5F;
+  std::string csv = "x_mm,y_mm,u_mm\n", block;
+  for (int j = -kLines; j <= kLines; ++j) {
+    for (int i = -kLines; i <= kLines; ++i) {
+      const float x = static_cast<float>(i) * kStep, y = static_cast<float>(j) * kStep;
+      const auto U = static_cast<double>(law.estimate({x, y, 0}).gap.mid());
+      csv += digits(x, 9) + ',' + digits(y, 9) + ',' + digits(U, 9) + '\n';
+      block += plotted(x) + ' ' + plotted(y) + ' ' + plotted(U) + '\n';
+    }
+    block += '\n';
+  }
+  const std::string script = "$surface << EOD\n" + block + "EOD\n" + kPlain +
+                             "set border 127 lc rgb '#cccccc'\nset xyplane at -4\nset hidden3d\nset view 55, 30, 1, 1.4\n" +
+                             range("x", -10, 10) + range("y", -10, 10) +
+                             "set xtics offset 0, -0.3\nset zrange [-4:4]\nset ztics 2\n" +
+                             "set xlabel '{/:Italic x} (mm)'\nset ylabel '{/:Italic y} (mm)'\n" +
+                             "set label 1 '{/:Italic U} (mm)' at graph 0, 0, 1.25 center\n" +
+                             "splot $surface with lines lw 0.8 lc rgb '" + kDepthColours[1] + "'\n";
+  return {"figure-2-3",
+          {{560, 420, "figure-2-3",
+            "A height map: a hill of 4 mm and a hollow of 3 mm (not the thesis's own function, which is not printed)"},
+           script},
+          csv};
 }
 
 // 4-2: the nominal surfaces of the four bumps, R = 600 mil.
@@ -154,7 +185,7 @@ ThesisFigure angles_over_radius() {
 }  // namespace
 
 std::vector<ThesisFigure> thesis_figures() {
-  return {nominal_geometries(), constant_curvature(), heights_over_radius(), angles_over_radius()};
+  return {height_map_function(), nominal_geometries(), constant_curvature(), heights_over_radius(), angles_over_radius()};
 }
 
 }  // namespace forceshade::properties
