@@ -29,7 +29,7 @@ std::vector<LoopEnergy> stroke_energies(const HeightSubject& subject) {
   const reference::Slice slice;
   std::vector<LoopEnergy> energies;
   try {
-    for (const float depth : {0.25F, 0.5F, 1.0F, 1.5F, 2.0F}) {
+    for (const float depth : {0.5F, 1.0F, 2.0F}) {
       const std::vector<Eigen::Vector3f> loop = reference::witness(subject.law, slice, depth);
       LoopEnergy energy{.depth_mm = static_cast<double>(depth),
                         .bound_mJ = reference::binary64(reference::loop_bound(subject.law, slice, depth).most())};

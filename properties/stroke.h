@@ -9,7 +9,7 @@
 
 namespace forceshade::properties {
 
-// In the slice of reference::Slice{}, at five depths; none where the reference cannot decide the map's steepness.
+// In the slice of reference::Slice{}, at three depths; none where the reference cannot decide the map's steepness.
 std::vector<LoopEnergy> stroke_energies(const HeightSubject& subject);
 
 }  // namespace forceshade::properties
