@@ -21,7 +21,6 @@
 #include "forceshade/properties/passivity.h"
 #include "forceshade/properties/positions.h"
 #include "forceshade/properties/run.h"
-#include "forceshade/properties/stroke.h"
 #include "forceshade/reference/energy.h"
 
 namespace forceshade::properties {
@@ -221,7 +220,6 @@ HeightMapResult checked(const NamedHeightMap& named, const CertifyOptions& optio
       result.properties.push_back(std::move(property));
   result.jumps = shape.jumps();
   result.conservative = shape.is_conservative;
-  result.energy = stroke_energies(subject);
   return result;
 }
 

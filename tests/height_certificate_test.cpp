@@ -52,12 +52,6 @@ TEST(height_certificate, covers_every_example) {
     for (const auto& [status, count] : map.points_by_status) EXPECT_GT(count, 500U) << map.file << ": " << status;
     std::printf("  %-15s closest call %.2g ulp\n", map.file.c_str(), map.closest_call.ulps_from_tie);
     EXPECT_LT(map.closest_call.ulps_from_tie, 1e-3) << "ties are aimed at";
-    EXPECT_EQ(map.energy.size(), 3U) << map.file;
-    for (const LoopEnergy& loop : map.energy) {
-      EXPECT_EQ(loop.bound_mJ[1] > 0, !map.conservative) << map.file;
-      EXPECT_GE(loop.witness_mJ, 0.99 * loop.bound_mJ[1]) << map.file;
-      EXPECT_NEAR(loop.measured_mJ, loop.witness_mJ, 1e-3 * loop.witness_mJ) << map.file;
-    }
   }
 }
 
