@@ -17,6 +17,7 @@
 #include "forceshade/properties/binary32.h"
 #include "forceshade/properties/build.h"
 #include "forceshade/properties/equivalence.h"
+#include "forceshade/properties/height_loops.h"
 #include "forceshade/properties/height_positions.h"
 #include "forceshade/properties/passivity.h"
 #include "forceshade/properties/positions.h"
@@ -220,6 +221,7 @@ HeightMapResult checked(const NamedHeightMap& named, const CertifyOptions& optio
       result.properties.push_back(std::move(property));
   result.jumps = shape.jumps();
   result.conservative = shape.is_conservative;
+  result.energy = loop_energies(subject.law, law);
   return result;
 }
 

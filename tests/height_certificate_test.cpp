@@ -66,6 +66,14 @@ TEST(height_certificate, says_what_kind_of_force_each_map_is) {
   EXPECT_TRUE(second.jumps.empty());
   EXPECT_FALSE(second.conservative);
   EXPECT_TRUE(second.is_unit());
+  ASSERT_EQ(first.energy.size(), 2U);
+  for (const LoopEnergy& loop : first.energy) EXPECT_EQ(loop.bound_mJ[1], 0);
+  ASSERT_EQ(second.energy.size(), 2U);
+  for (const LoopEnergy& loop : second.energy) {
+    EXPECT_GE(loop.witness_mJ, 0.99 * loop.bound_mJ[1]);
+    EXPECT_LE(loop.witness_mJ, loop.bound_mJ[1]);
+    EXPECT_NEAR(loop.measured_mJ, loop.witness_mJ, 1e-4 * loop.bound_mJ[1]);
+  }
 }
 
 TEST(height_certificate, reads_back_what_it_wrote_whatever_the_number_of_threads) {
