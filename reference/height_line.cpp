@@ -116,7 +116,6 @@ class Cuts {
     };
     long cell = GridCell::at(static_cast<double>(from), grid.pitch, count).index;
     const bool is_backwards = to < from;
-    if (is_backwards && place(cell) == static_cast<double>(from)) --cell;
     if (is_clamped) cell = std::clamp(cell, least, most);
     const long step = is_backwards ? -1 : 1;
     for (long line = is_backwards ? cell : cell + 1;; line += step) {
