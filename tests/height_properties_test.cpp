@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "forceshade/properties/equivalence.h"
 #include "forceshade/properties/generators.h"
@@ -83,6 +84,18 @@ HeightSubject changed(const HeightMap& map, Rendering rendering, const Change& c
 
 void expect_refused(const HeightSubject& subject, const std::vector<std::string>& properties, const std::string& what) {
   for (const std::string& property : properties) EXPECT_FALSE(result_of(subject, property).held) << what << ": " << property;
+}
+
+TEST(height_properties, name_every_kink) {
+  std::map<std::string, std::string> words;
+  for (const auto& [name, map] : maps())
+    for (const std::string& jump : HeightShape(subject_of(map, Rendering::true_height).law).jumps()) words[name] += jump + "; ";
+  EXPECT_EQ(words["cone"], "part 1, cone: its apex; part 1, cone: its rim; ");
+  EXPECT_EQ(words["dent"], "part 1, sphere-cap: its rim; ");
+  EXPECT_EQ(words["polygons"], "part 1, polygons: its knots; ");
+  EXPECT_EQ(words["bilinear"].find("part 1, bilinear grid: its cell lines, the gradient by up to"), 0U) << words["bilinear"];
+  EXPECT_EQ(words["bump and texture"], "part 1, sphere-cap: its rim; ");
+  for (const char* smooth : {"plane", "Gaussian", "grating", "spline"}) EXPECT_EQ(words[smooth], "");
 }
 
 TEST(height_properties, refuse_a_gradient_of_the_wrong_sign) {
