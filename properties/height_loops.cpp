@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace forceshade::properties {
 namespace {
@@ -33,13 +34,17 @@ reference::Slice certified_slice(const HeightMap& map) {
 std::vector<LoopEnergy> loop_energies(const reference::HeightLaw& law, const fast::HeightLaw& fast) {
   const reference::Slice slice = certified_slice(law.map());
   std::vector<LoopEnergy> energies;
-  for (const float depth : {0.5F, 2.0F}) {
-    if (slice_error(law, slice, depth)) continue;
-    const std::vector<Eigen::Vector3f> loop = witness(law, slice, depth);
-    energies.push_back({static_cast<double>(depth), binary64(loop_bound(law, slice, depth).most()),
-                        binary64(work(law, loop))[0], walked(fast, loop)});
+  try {
+    for (const float depth : {0.5F, 2.0F}) {
+      if (slice_error(law, slice, depth)) continue;
+      const std::vector<Eigen::Vector3f> loop = witness(law, slice, depth);
+      energies.push_back({static_cast<double>(depth), binary64(loop_bound(law, slice, depth).most()),
+                          binary64(work(law, loop))[0], walked(fast, loop)});
+    }
+    return energies;
+  } catch (const std::domain_error&) {
+    return {};
   }
-  return energies;
 }
 
 }  // namespace forceshade::properties

@@ -11,7 +11,8 @@ namespace forceshade::properties {
 // Over y = 0, 12.7 mm to both sides of x = 0 or as far as 250 cells of the finest grid go.
 reference::Slice certified_slice(const HeightMap& map);
 
-// At depths of 0.5 and 2 mm, as far as they are in the domain. `fast` renders the same map.
+// At depths of 0.5 and 2 mm, as far as they are in the domain; none where the map's steepness cannot be decided. `fast` renders
+// the same map.
 std::vector<LoopEnergy> loop_energies(const reference::HeightLaw& law, const fast::HeightLaw& fast);
 
 }  // namespace forceshade::properties

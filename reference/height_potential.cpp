@@ -54,7 +54,7 @@ std::optional<std::string> potential(const HeightLaw& law) {
   const std::lock_guard lock(slow_numbers);
   const auto gradient = constant_gradient(law.map().parts);
   const auto surface = is_shaded ? constant_gradient(law.map().surface) : gradient;
-  if (!gradient || !surface || sign(gradient->x - surface->x) != 0 || sign(gradient->y - surface->y) != 0) return std::nullopt;
+  if (!gradient || !surface || surface->x != gradient->x || surface->y != gradient->y) return std::nullopt;
   const bool is_level = sign(gradient->x) == 0 && sign(gradient->y) == 0;
   return is_level ? spring : spring + " / n, where n = sqrt(1 + U_x^2 + U_y^2) is the same everywhere";
 }
