@@ -41,7 +41,7 @@ SliceBound loop_bound(const HeightLaw& law, const Slice& slice, float depth);
 std::optional<ParameterError> slice_error(const HeightLaw& law, const Slice& slice, float depth);
 
 // A simple polygon in the slice, closed and no deeper than `depth`, that is paid nearly the bound, for most maps 99 % of it
-// (docs/energy.md); no point where no loop is paid.
+// (docs/energy.md); no point where no loop is paid as much as 10^-12 K·depth².
 std::vector<Eigen::Vector3f> witness(const HeightLaw& law, const Slice& slice, float depth);
 
 }  // namespace forceshade::reference

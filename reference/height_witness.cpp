@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kSagitta = 0x1p-11;  // of the depth: how far a chord may leave the surface's shape
 constexpr double kPassage = 0x1p-8;   // of the depth: stays open below what is left out at the top
+constexpr double kLeast = 1e-12;      // of K·depth²: what is paid less for binary32 corners to show
 constexpr int kChords = 6;            // along where the circulation changes its sign
 
 struct Corner {
@@ -52,14 +53,15 @@ class Columns {
     top_ = up(static_cast<long double>(top + D / 4));
     const auto& pieces = circulation.line().pieces();
     const std::vector<Stretch> stretches = circulation.stretches(1e-4L);
-    for (std::size_t i = 0; i < stretches.size(); ++i) {
-      const Stretch& stretch = stretches[i];
-      const bool is_first = i == 0 || stretches[i - 1].piece != stretch.piece,
-                 is_last = i + 1 == stretches.size() || stretches[i + 1].piece != stretch.piece;
-      const auto piece = static_cast<std::size_t>(stretch.piece - pieces.data());
-      if (is_first && i > 0) add_line(piece);
-      add(stretch, is_first && i > 0 ? right_of(stretch.from) : at(stretch.from),
-          is_last && i + 1 < stretches.size() ? left_of(stretch.to) : at(stretch.to));
+    const HeightLine::Piece* last = pieces.data();
+    for (const Stretch& stretch : stretches) {
+      const HeightLine::Piece* piece = stretch.piece;
+      if (piece != last) add_line(static_cast<std::size_t>(piece - pieces.data()));
+      last = piece;
+      // Strictly between the lines, where the piece's formulas hold.
+      const float low = piece == &pieces.front() ? slice.from : right_of(piece->from),
+                  high = piece == &pieces.back() ? slice.to : left_of(piece->to);
+      if (low < high) add(stretch, std::clamp(at(stretch.from), low, high), std::clamp(at(stretch.to), low, high));
     }
   }
 
@@ -103,9 +105,13 @@ class Columns {
     const float from = left_of(right.from), to = right_of(right.from);
     const bool is_paid = !is_smooth && (rise.mid() > 0) != is_clockwise_;
     // The surface bends on the line, and is as good as straight beside it.
-    const float highest =
-        std::max({surface(left, from), surface(right, to), up(circulation_.line().ground(right, right.from).surface.high())});
-    const float bottom = up(static_cast<long double>(highest) - static_cast<long double>(depth() * (1 - kSagitta)));
+    const auto before = circulation_.line().ground(left, right.from), after = circulation_.line().ground(right, right.from);
+    const auto steepness = [&](const Ground<Filter>& g) {
+      const Filter slope = g.climb + g.excess;
+      return std::max(std::fabs(slope.low()), std::fabs(slope.high())) / (slice_.to - slice_.from);
+    };
+    const long double highest = after.surface.high() + 2 * std::max(steepness(before), steepness(after)) * (to - from);
+    const float bottom = up(highest - static_cast<long double>(depth() * (1 - kSagitta)));
     if (is_paid || (is_smooth && !columns_.empty() && columns_.back().enclosed != Enclosed::nothing))
       push({{{from, bottom}, {to, bottom}}, {{from, top_}, {to, top_}}, Enclosed::all});
     else
@@ -114,6 +120,7 @@ class Columns {
 
   void add(const Stretch& stretch, float from, float to) {
     const Enclosed enclosed = is_clockwise_ ? other_way_round(stretch.enclosed) : stretch.enclosed;
+    if (to <= from) return;
     if (enclosed == Enclosed::nothing) return push_nothing(from, to);
     // On a chord of length l the surface leaves it by |second derivative|·l²/8 at most.
     const long double middle = (stretch.from.mid() + stretch.to.mid()) / 2, D = circulation_.depth().mid();
@@ -217,7 +224,8 @@ class Columns {
 
 std::vector<Eigen::Vector3f> witness(const HeightLaw& law, const Slice& slice, float depth) {
   const SliceBound bound = loop_bound(law, slice, depth);
-  if (bound.most().high == 0) return {};
+  const auto K = static_cast<double>(law.stiffness()), D = static_cast<double>(depth);
+  if (bound.most().high <= K * D * D * kLeast) return {};
   const std::lock_guard lock(slow_numbers);
   set_precision(kEnergyBits);
   const Circulation circulation(law, slice, depth);

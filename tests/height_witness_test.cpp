@@ -83,6 +83,17 @@ TEST(height_witness, is_a_simple_loop_no_deeper_than_asked_that_is_paid_99_perce
   std::printf("  paid %.2f %% of the bound or more; at most %zu corners\n", 100 * worst, longest);
 }
 
+TEST(height_witness, goes_round_kinks_closer_than_a_binary32_step) {
+  // Half a step between the rim, where the ridge is as good as upright, and the knot beyond it.
+  const HeightMap map{
+      {{height::CylinderCap{0, 0.5F, std::nextafter(1.0F, 0.0F)}}, {height::Polygons{{{-0.5F, 0}, {0, 0.25F}, {0.5F, 0}}}}}};
+  const Slice slice{Along::x, 0.25F, -1, 1};
+  const HeightLaw law = build(map, Rendering::force_shaded, 1);
+  const Path loop = witness(law, slice, 0.5F);
+  EXPECT_TRUE(is_simple(slice, loop));
+  EXPECT_GE(work(law, loop).low, 0.99 * loop_bound(law, slice, 0.5F).most().high);
+}
+
 TEST(height_witness, of_a_field_with_a_potential_is_none) {
   for (const HeightExample& example : height_examples())
     EXPECT_TRUE(witness(build(example.map, Rendering::conservative, 1), {}, 2).empty());
