@@ -143,8 +143,7 @@ void run(const Options& options, const LawOptions& law_options, const HeightMapO
   const reference::Slice slice{options.along == "x" ? reference::Slice::Along::x : reference::Slice::Along::y,
                                parse_length("--at", options.at), parse_length("--from", options.from),
                                parse_length("--to", options.to)};
-  if (const auto error = reference::slice_error(law, slice, depth))
-    throw BadInput(height_map.name() + ": " + error->message());
+  if (const auto error = reference::slice_error(law, slice, depth)) throw BadInput(height_map.name() + ": " + error->message());
   answer(HeightVerdict{height_map.name(), law, slice, depth}, options);
 }
 

@@ -66,7 +66,9 @@ inline std::vector<HeightExample> height_examples() {
       {"waves", {{{height::Grating{0.25F, 2, 0.5F, 0.3F}}}}, waves},
       {"tent",
        {{{height::Polygons{{{-5, 0}, {-1, 2}, {3, 1}, {5, 0}}}}}},
-       [](double x, double) { return x < -5 || x > 5 ? 0 : x < -1 ? (x + 5) / 2 : x < 3 ? 2 - (x + 1) / 4 : (5 - x) / 2; }},
+       [](double x, double) {
+         return x < -5 || x > 5 ? 0 : x < -1 ? (x + 5) / 2 : x < 3 ? 2 - (x + 1) / 4 : (5 - x) / 2;
+       }},
       {"dent in waves",
        {{{height::SphereCap{1, -0.5F, 5, 8}, true}, {height::Grating{0.25F, 2, 0.5F, 0.3F}}}},
        [=](double x, double y) { return waves(x, y) - ball(x, y); }},
