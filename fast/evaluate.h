@@ -21,7 +21,7 @@ struct Evaluation {
   Stage stage = Stage::binary64;
 };
 
-// Where not even wide numbers tell, which no law's do (docs/proofs.md): no force, and a status on which a loop stops.
+// Wide numbers always tell (fast/wide.h). Should they not: no force, and a status on which a loop stops.
 inline Evaluation undecided_evaluation() noexcept {
   return {{0, 0, 0}, Status::invalid, Stage::wide};
 }

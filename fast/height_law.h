@@ -25,7 +25,7 @@ class HeightLaw {
   // nothing is built.
   static std::variant<HeightLaw, ParameterError> build(const HeightMap& map, height::Rendering rendering, float stiffness);
 
-  // Each component is the exact force rounded to binary32. A sum of parts within 2^-1900 of a tie is Status::invalid.
+  // Each component is the exact force rounded to binary32, but for a sum of parts within 2^-1900 of a tie; as Law::evaluate.
   Evaluation evaluate(const Eigen::Vector3f& position) const noexcept;
   Eigen::Vector3f force(const Eigen::Vector3f& position) const noexcept { return evaluate(position).force; }
 
