@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // forceshade drive: run a certified renderer on a device, and refuse one that is not certified.
 
-#include <openssl/sha.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -21,6 +20,7 @@
 #include "forceshade/device/open_device.h"
 #include "forceshade/properties/build.h"
 #include "forceshade/properties/certificate.h"
+#include "forceshade/properties/digest.h"
 
 namespace forceshade::apps {
 namespace {
@@ -35,18 +35,6 @@ struct Options {
   Controller passivity = Controller::damping;
   bool unpaced = false, uncertified = false;
 };
-
-std::string sha256(const std::string& text) {
-  unsigned char digest[SHA256_DIGEST_LENGTH];
-  SHA256(reinterpret_cast<const unsigned char*>(text.data()), text.size(), digest);
-  std::string hex;
-  for (const unsigned char byte : digest) {
-    char pair[3];
-    std::snprintf(pair, sizeof pair, "%02x", byte);
-    hex += pair;
-  }
-  return hex;
-}
 
 // What is driven: a law or a height map.
 struct Driven {
@@ -95,7 +83,11 @@ std::optional<std::string> certified(const Options& options, const Driven& what,
   const std::string text = read_file(options.certificate);
   const properties::Certificate certificate = properties::from_json(text, options.certificate);
   const auto refused = what.refusal(certificate, properties::current_build());
-  if (!refused) return sha256(text);
+  if (!refused) {
+    properties::Digest digest;
+    digest.text(text);
+    return digest.hex();
+  }
   why = options.certificate + ": " + *refused;
   return std::nullopt;
 }

@@ -33,10 +33,6 @@ rc::Seq<Eigen::Vector3f> simpler_positions(const Eigen::Vector3f& position) {
   return rc::seq::fromContainer(std::move(candidates));
 }
 
-bool is_valid(const Eigen::Vector3f& position) {
-  return (position.array().abs() <= 1e4F).all();
-}
-
 template <class Source>
 Eigen::Vector3f valid_position(Source& source) {
   for (;;) {

@@ -15,6 +15,11 @@ enum class Aim { any_bits, volume, surface, facet_line, quantum, domain_end, tie
 inline constexpr std::size_t kAims = 9;
 std::string_view name_of(Aim aim);
 
+// In the domain of positions: ±10^4 mm.
+inline bool is_valid(const Eigen::Vector3f& position) {
+  return (position.array().abs() <= 1e4F).all();
+}
+
 struct Aimed {
   Eigen::Vector3f position;
   Aim aim;

@@ -58,7 +58,7 @@ std::vector<PropertyResult> run_properties(const Subject& subject, int cases, st
   results.push_back(run_property("continuity", cases, seed, [&]() -> Violation {
     const NearbyPair pair = *pair_of(law);
     const Eigen::Vector3f b = pair.b(shape);
-    return (b.array().abs() <= 1e4F).all() ? continuity(subject, shape, pair.a, b) : std::nullopt;
+    return is_valid(b) ? continuity(subject, shape, pair.a, b) : std::nullopt;
   }));
   results.push_back(run_property("unit normals", cases, seed, [&] { return unit_normals(subject, *position_of(law)); }));
   PropertyResult passive =
@@ -78,7 +78,6 @@ std::vector<PropertyResult> run_properties(const Subject& subject, int cases, st
 std::vector<PropertyResult> run_properties(const HeightSubject& subject, int cases, std::uint64_t seed) {
   const HeightShape shape(subject.law);
   const HeightTarget map{subject.law, shape};
-  const auto is_valid = [](const Eigen::Vector3f& position) { return (position.array().abs() <= 1e4F).all(); };
   std::vector<PropertyResult> results;
   results.push_back(run_property("equivalence", cases, seed, [&] { return equivalence(subject, *position_of(map)); }));
   results.push_back(run_property("continuity", cases, seed, [&]() -> Violation {

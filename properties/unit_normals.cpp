@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "forceshade/properties/binary32.h"
+#include "forceshade/properties/positions.h"
 
 namespace forceshade::properties {
 namespace {
@@ -39,7 +40,7 @@ Violation unit_normals(const Subject& subject, const Eigen::Vector3f& position) 
 
 Violation unit_normals(const HeightSubject& subject, const Eigen::Vector3f& position) {
   const reference::HeightLaw& law = subject.law;
-  if (!((position.array().abs() <= 1e4F).all())) return std::nullopt;
+  if (!is_valid(position)) return std::nullopt;
   const reference::HeightLaw::Estimate exact = law.estimate(position);
   const Eigen::Vector3f force = subject.renderer(position).force;
   reference::Filter magnitude(0.0);

@@ -9,14 +9,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "forceshade/reference/height_cap.h"
-#include "forceshade/reference/height_cone.h"
 #include "forceshade/reference/height_domain.h"
-#include "forceshade/reference/height_gaussian.h"
-#include "forceshade/reference/height_grating.h"
-#include "forceshade/reference/height_grid.h"
-#include "forceshade/reference/height_plane.h"
-#include "forceshade/reference/height_polygons.h"
+#include "forceshade/reference/height_sum.h"
 #include "forceshade/reference/slow_geometry.h"
 #include "forceshade/reference/tie.h"
 
@@ -32,53 +26,11 @@ struct HeightForce {
   N x, y, z;  // N, where the gap is positive
 };
 
-template <class T>
-constexpr bool kIsTranscendental = std::is_same_v<T, height::Gaussian> || std::is_same_v<T, height::Grating>;
-template <class T>
-constexpr bool kIsRational = std::is_same_v<T, height::Plane> || std::is_same_v<T, height::Polygons> ||
-                             std::is_same_v<T, std::shared_ptr<const height::Grid>>;
-
-const height::Grid& as_shape(const std::shared_ptr<const height::Grid>& grid) {
-  return *grid;
-}
-template <class T>
-const T& as_shape(const T& shape) {
-  return shape;
-}
-
-template <class N>
-Jet<N> part_jet(const height::Part& part, const Point2& at) {
-  const Jet<N> one = std::visit(
-      [&]<class T>(const T& shape) -> Jet<N> {
-        if constexpr (kIsTranscendental<T> && !std::is_same_v<N, Enclosure>) {
-          throw std::logic_error("a transcendental height in an algebraic number");
-        } else if constexpr (!kIsRational<T> && std::is_same_v<N, Rational>) {
-          throw std::logic_error("a root in a rational number");
-        } else if constexpr (kIsRational<T> && std::is_same_v<N, Exact>) {
-          const Jet<Rational> value = jet<Rational>(as_shape(shape), at);
-          return {Exact(value.U), Exact(value.Ux), Exact(value.Uy)};
-        } else if constexpr (kIsTranscendental<T>) {
-          return jet(shape, at);
-        } else {
-          return jet<N>(as_shape(shape), at);
-        }
-      },
-      part.shape);
-  return part.negated ? -one : one;
-}
-
-template <class N>
-Jet<N> sum(const std::vector<height::Part>& parts, const Point2& at) {
-  Jet<N> all = Jet<N>::flat();
-  for (const height::Part& part : parts) all = all + part_jet<N>(part, at);
-  return all;
-}
-
 template <class N>
 HeightForce<N> force(const HeightLaw& law, const Point2& at, double z) {
-  const Jet<N> map = sum<N>(law.map().parts, at);
+  const Jet<N> map = sum_jet<N>(law.map().parts, at);
   const bool is_shaded = law.rendering() == Rendering::force_shaded;
-  const N gap = is_shaded ? N(sum<N>(law.map().surface, at).U - N(z)) : N(map.U - N(z));
+  const N gap = is_shaded ? N(sum_jet<N>(law.map().surface, at).U - N(z)) : N(map.U - N(z));
   N magnitude = N(static_cast<double>(law.stiffness())) * gap;
   if (law.rendering() != Rendering::conservative) magnitude = magnitude / sqrt(N(map.Ux * map.Ux + map.Uy * map.Uy + N(1.0)));
   return {gap, map.Ux, map.Uy, -magnitude * map.Ux, -magnitude * map.Uy, magnitude};

@@ -8,13 +8,7 @@
 #include <string>
 
 #include "forceshade/reference/bend.h"
-#include "forceshade/reference/height_cap.h"
-#include "forceshade/reference/height_cone.h"
-#include "forceshade/reference/height_gaussian.h"
-#include "forceshade/reference/height_grating.h"
-#include "forceshade/reference/height_grid.h"
-#include "forceshade/reference/height_plane.h"
-#include "forceshade/reference/height_polygons.h"
+#include "forceshade/reference/height_sum.h"
 
 namespace forceshade::reference {
 namespace {
@@ -28,20 +22,6 @@ Enclosure between(double low, double high) {
 
 Enclosure degrees(const Enclosure& radians) {
   return radians * 180 / acos(Enclosure(-1));
-}
-
-Enclosure height(const height::Part& part, const Point2& at) {
-  const Enclosure U = std::visit(
-      [&]<class T>(const T& shape) {
-        if constexpr (requires { jet(shape, at); })
-          return jet(shape, at).U;
-        else if constexpr (requires { *shape; })
-          return jet<Enclosure>(*shape, at).U;
-        else
-          return jet<Enclosure>(shape, at).U;
-      },
-      part.shape);
-  return part.negated ? -U : U;
 }
 
 // A stretch of the section, without kinks.
@@ -160,8 +140,7 @@ std::vector<height::Knot> Profile::knots(unsigned polygons) const {
   std::vector<height::Knot> knots;
   const auto add = [&](double x) {
     const auto at = static_cast<float>(x);
-    Enclosure U(0);
-    for (const height::Part& part : pieces_->parts) U += height(part, {static_cast<double>(at), 0});
+    const Enclosure U = sum_jet<Enclosure>(pieces_->parts, {static_cast<double>(at), 0}).U;
     const auto rounded = median(U).convert_to<float>();
     knots.push_back({at, std::fabs(rounded) < std::ldexp(1.0F, -30) ? 0.0F : rounded});
   };

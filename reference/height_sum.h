@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Any part of a height map at a point, and their sum. Callers hold slow_numbers.
+
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+#include "forceshade/reference/height_cap.h"
+#include "forceshade/reference/height_cone.h"
+#include "forceshade/reference/height_gaussian.h"
+#include "forceshade/reference/height_grating.h"
+#include "forceshade/reference/height_grid.h"
+#include "forceshade/reference/height_plane.h"
+#include "forceshade/reference/height_polygons.h"
+
+namespace forceshade::reference {
+
+template <class T>
+inline constexpr bool kIsTranscendental = std::is_same_v<T, height::Gaussian> || std::is_same_v<T, height::Grating>;
+template <class T>
+inline constexpr bool kIsRational = std::is_same_v<T, height::Plane> || std::is_same_v<T, height::Polygons> ||
+                                    std::is_same_v<T, std::shared_ptr<const height::Grid>>;
+
+inline const height::Grid& as_shape(const std::shared_ptr<const height::Grid>& grid) {
+  return *grid;
+}
+template <class T>
+const T& as_shape(const T& shape) {
+  return shape;
+}
+
+template <class N>
+Jet<N> part_jet(const height::Part& part, const Point2& at) {
+  const Jet<N> one = std::visit(
+      [&]<class T>(const T& shape) -> Jet<N> {
+        if constexpr (kIsTranscendental<T> && !std::is_same_v<N, Enclosure>) {
+          throw std::logic_error("a transcendental height in an algebraic number");
+        } else if constexpr (!kIsRational<T> && std::is_same_v<N, Rational>) {
+          throw std::logic_error("a root in a rational number");
+        } else if constexpr (kIsRational<T> && std::is_same_v<N, Exact>) {
+          const Jet<Rational> value = jet<Rational>(as_shape(shape), at);
+          return {Exact(value.U), Exact(value.Ux), Exact(value.Uy)};
+        } else if constexpr (kIsTranscendental<T>) {
+          return jet(shape, at);
+        } else {
+          return jet<N>(as_shape(shape), at);
+        }
+      },
+      part.shape);
+  return part.negated ? -one : one;
+}
+
+template <class N>
+Jet<N> sum_jet(const std::vector<height::Part>& parts, const Point2& at) {
+  Jet<N> all = Jet<N>::flat();
+  for (const height::Part& part : parts) all = all + part_jet<N>(part, at);
+  return all;
+}
+
+}  // namespace forceshade::reference
