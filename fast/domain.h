@@ -2,6 +2,8 @@
 #pragma once
 // The domain of positions and the position quantum, as the real-time side applies them.
 
+#include <cstdint>
+
 #include "forceshade/fast/inline.h"
 
 namespace forceshade::fast {
@@ -12,6 +14,14 @@ inline constexpr float kPositionQuantum = 0x1p-30F;  // mm: a smaller coordinate
 // False for NaN.
 FORCESHADE_INLINE bool in_domain(float coordinate) {
   return __builtin_fabsf(coordinate) <= kLargestCoordinate;
+}
+
+// In the domain and as quantised already: in integers, which leave the floating-point units free.
+FORCESHADE_INLINE bool is_plain(float coordinate) {
+  constexpr auto kLeast = __builtin_bit_cast(std::uint32_t, kPositionQuantum);
+  constexpr auto kMost = __builtin_bit_cast(std::uint32_t, kLargestCoordinate);
+  const std::uint32_t size = __builtin_bit_cast(std::uint32_t, coordinate) & INT32_MAX;
+  return size - kLeast <= kMost - kLeast || size == 0;
 }
 
 FORCESHADE_INLINE float quantised(float coordinate) {

@@ -49,26 +49,26 @@ FORCESHADE_INLINE HeightForce height_force(const Jet<Tracked>& map, height::Rend
   return {x.value, y.value, up.value, x.is_sure && y.is_sure && up.is_sure ? Sign::positive : Sign::unknown};
 }
 
-// Sizes of gap and slopes from which on the errors of a jet are below 2^-36 of them.
+// Sizes of gap and slopes from which on their errors are small beside them.
+inline constexpr double kSmallShare = 0x1p-35;
 struct SureSizes {
   double gap = HUGE_VAL, Ux = HUGE_VAL, Uy = HUGE_VAL;
 };
 
-// The force where the jet's errors are small beside it: then each component is good to 2^-34, for errors of gap, n and slope
-// add up to three times 2^-36, and roundings to kHeightForceError. Unknown elsewhere, and next to ties.
-FORCESHADE_INLINE HeightForce height_force(double U, double Ux, double Uy, const SureSizes& sure, height::Rendering rendering,
-                                           double K, double z) noexcept {
-  constexpr int kWindow = doubt_window(0x1p-34);
-  const bool is_shaded = rendering == height::Rendering::force_shaded;
-  const double gap = is_shaded ? -z : U - z, least_gap = is_shaded ? 0 : sure.gap;
-  if (gap <= -least_gap) return {0, 0, 0, Sign::negative};
+// The force of a gap (U - z, mm) where their errors are small beside gap and slopes: then each component is good to 2^-33, for
+// those of gap, n and slope add up to three times 2^-35, and roundings to kHeightForceError. Unknown elsewhere, and next to
+// ties.
+FORCESHADE_INLINE HeightForce height_force(double gap, double Ux, double Uy, const SureSizes& sure, height::Rendering rendering,
+                                           double K) noexcept {
+  constexpr int kWindow = doubt_window(4 * kSmallShare);
+  if (gap <= -sure.gap) return {0, 0, 0, Sign::negative};
   double M = K * gap;
   if (rendering != height::Rendering::conservative) M = M / __builtin_sqrt(1 + (Ux * Ux + Uy * Uy));
-  const double x = M * -Ux, y = M * -Uy;
-  const bool is_sure = gap >= least_gap && __builtin_fabs(Ux) >= sure.Ux && __builtin_fabs(Uy) >= sure.Uy &&
+  const double x = M * Ux, y = M * Uy;
+  const bool is_sure = gap >= sure.gap && __builtin_fabs(Ux) >= sure.Ux && __builtin_fabs(Uy) >= sure.Uy &&
                        !rounding_is_in_doubt<kWindow>(x) && !rounding_is_in_doubt<kWindow>(y) &&
                        !rounding_is_in_doubt<kWindow>(M);
-  return {static_cast<float>(x) + 0.0F, static_cast<float>(y) + 0.0F, static_cast<float>(M),
+  return {0.0F - static_cast<float>(x), 0.0F - static_cast<float>(y), static_cast<float>(M),  // never -0
           is_sure ? Sign::positive : Sign::unknown};
 }
 

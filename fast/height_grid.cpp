@@ -5,29 +5,36 @@
 #include <cmath>
 
 namespace forceshade::fast {
+namespace {
+
+// The largest difference between a value and the one (right, up) samples from it, beyond the edge as if tiled.
+double largest_step(const height::Grid& grid, std::size_t right, std::size_t up) noexcept {
+  double largest = 0;
+  for (std::size_t j = 0; j < grid.rows; ++j) {
+    const float *row = grid.values.data() + j * grid.columns, *other = grid.values.data() + (j + up) % grid.rows * grid.columns;
+    for (std::size_t i = 0; i < grid.columns; ++i) {
+      const float next = other[i + right < grid.columns ? i + right : 0];
+      largest = std::max(largest, std::fabs(static_cast<double>(row[i]) - static_cast<double>(next)));
+    }
+  }
+  return largest;
+}
+
+}  // namespace
 
 HeightGrid::HeightGrid(std::shared_ptr<const height::Grid> grid) noexcept
     : grid_(std::move(grid)),
       values_(grid_->values.data()),
       columns_(grid_->columns),
       rows_(grid_->rows),
+      inner_columns_(grid_->columns > 3 ? grid_->columns - 3 : 0),
+      inner_rows_(grid_->rows > 3 ? grid_->rows - 3 : 0),
       pitch_(static_cast<double>(grid_->pitch)),
       per_pitch_(1 / pitch_),
-      per_twelve_pitches_(1 / (12 * pitch_)),
-      centre_{0.5 * static_cast<double>(columns_ - 1), 0.5 * static_cast<double>(rows_ - 1)} {
-  for (std::int64_t j = 0; j < rows_; ++j) {
-    const float* row = values_ + j * columns_;
-    const float* next = values_ + (j + 1) % rows_ * columns_;
-    const auto raise = [](double& largest, float a, float b) {
-      largest = std::max(largest, std::fabs(static_cast<double>(a) - static_cast<double>(b)));
-    };
-    for (std::int64_t i = 0; i < columns_; ++i) {
-      raise(largest_value_, row[i], 0);
-      raise(largest_step_along_, row[i], row[i + 1 < columns_ ? i + 1 : 0]);
-      raise(largest_step_across_, row[i], next[i]);
-    }
-  }
-}
+      centre_{0.5 * static_cast<double>(columns_ - 1), 0.5 * static_cast<double>(rows_ - 1)},
+      largest_step_along_(largest_step(*grid_, 1, 0)),
+      largest_step_across_(largest_step(*grid_, 0, 1)),
+      per_slope_{largest_step_along_ > 0 ? per_pitch_ : 0, per_pitch_ / 2} {}
 
 [[gnu::noinline]] HeightGrid::Cell HeightGrid::corrected(std::int64_t column, std::int64_t row,
                                                          const Place& at) const noexcept {

@@ -19,7 +19,7 @@ class HeightGrid {
   };
   // The product is off by far less than 1, so the cell by one at most, which comparing with its exact ends puts right.
   FORCESHADE_INLINE Cell cell(const Place& at) const noexcept {
-    const Pair64 place = at.coordinates * per_pitch_ + (centre_ + kAbove);
+    const Pair64 place = at.coordinates * per_pitch() + (centre_ + kAbove);
     const auto column = static_cast<std::int32_t>(place[0]) - kAbove, row = static_cast<std::int32_t>(place[1]) - kAbove;
     const Pair64 index{static_cast<double>(column), static_cast<double>(row)};
     const Pair64 start = (index - centre_) * pitch_, end = (index + 1 - centre_) * pitch_;
@@ -28,16 +28,21 @@ class HeightGrid {
     return {column, row, start};
   }
 
-  FORCESHADE_INLINE double pitch() const noexcept { return pitch_; }                            // mm
-  FORCESHADE_INLINE double per_pitch() const noexcept { return per_pitch_; }                    // 1/mm, relative error 2^-53
-  FORCESHADE_INLINE double per_twelve_pitches() const noexcept { return per_twelve_pitches_; }  // 1/mm, relative error 2^-53
-  // Of all values, and of the differences between values side by side, tiled or not; mm.
-  double largest_value() const noexcept { return largest_value_; }
+  FORCESHADE_INLINE double pitch() const noexcept { return pitch_; }  // mm
+  FORCESHADE_INLINE Pair64 pitches() const noexcept { return Pair64{pitch_, pitch_}; }
+  FORCESHADE_INLINE Pair64 per_pitch() const noexcept { return Pair64{per_pitch_, per_pitch_}; }  // 1/mm, relative error 2^-53
+  // What turns p U_x and 2 p U_y into slopes: 1/p and 1/2p. 0 instead of 1/p where no step goes along x: then U_x is 0, not
+  // what rounding leaves of it.
+  FORCESHADE_INLINE Pair64 per_slope() const noexcept { return per_slope_; }
+  // Of the differences between values side by side, tiled or not; mm.
   double largest_step_along() const noexcept { return largest_step_along_; }
   double largest_step_across() const noexcept { return largest_step_across_; }
+  // Whether the four by four values around a cell are all inside the grid.
+  FORCESHADE_INLINE bool has_window_around(std::int32_t column, std::int32_t row) const noexcept {
+    return static_cast<std::uint32_t>(column) - 1 < inner_columns_ && static_cast<std::uint32_t>(row) - 1 < inner_rows_;
+  }
   FORCESHADE_INLINE const float* values() const noexcept { return values_; }
   FORCESHADE_INLINE std::int64_t columns() const noexcept { return columns_; }
-  FORCESHADE_INLINE std::int64_t rows() const noexcept { return rows_; }
   FORCESHADE_INLINE Pair64 centre() const noexcept { return centre_; }  // (columns - 1)/2, (rows - 1)/2
   height::Interpolant interpolant() const noexcept { return grid_->interpolant; }
 
@@ -63,6 +68,7 @@ class HeightGrid {
     FORCESHADE_INLINE const float* operator[](std::size_t row) const noexcept {
       return from_ + static_cast<std::int64_t>(row) * stride_;
     }
+    FORCESHADE_INLINE std::int64_t stride() const noexcept { return stride_; }
 
    private:
     const float* from_;
@@ -79,9 +85,11 @@ class HeightGrid {
   std::shared_ptr<const height::Grid> grid_;
   const float* values_;
   std::int64_t columns_, rows_;
-  double pitch_, per_pitch_, per_twelve_pitches_;
+  std::uint32_t inner_columns_, inner_rows_;
+  double pitch_, per_pitch_;
   Pair64 centre_;
-  double largest_value_ = 0, largest_step_along_ = 0, largest_step_across_ = 0;
+  double largest_step_along_, largest_step_across_;
+  Pair64 per_slope_;
 };
 
 // Where a position lies in its cell, 0 to 1 (t in x, s in y).

@@ -8,15 +8,12 @@
 #include <vector>
 
 #include "forceshade/fast/evaluate.h"
-#include "forceshade/fast/height_force.h"
-#include "forceshade/fast/height_grid.h"
 #include "forceshade/fast/law.h"
+#include "forceshade/fast/spline_force.h"
 #include "forceshade/vocabulary/height_map.h"
 #include "forceshade/vocabulary/law.h"
 
 namespace forceshade::fast {
-
-struct HeightBlocks;  // fast/height_batch.h
 
 // Evaluates without allocation, lock or exception; immutable, safe to share between threads. A grid is shared, not copied.
 class HeightLaw {
@@ -26,7 +23,17 @@ class HeightLaw {
   static std::variant<HeightLaw, ParameterError> build(const HeightMap& map, height::Rendering rendering, float stiffness);
 
   // Each component is the exact force rounded to binary32, but for a sum of parts within 2^-1900 of a tie; as Law::evaluate.
-  Evaluation evaluate(const Eigen::Vector3f& position) const noexcept;
+  Evaluation evaluate(const Eigen::Vector3f& position) const noexcept {
+    Evaluation answer;  // one object, built where the caller wants it: a copy would wait for what was just written
+    if (spline_ != nullptr) {
+      const Sign contact = first_stage_(*spline_, position.data(), answer.force.data());
+      answer.status = contact == Sign::positive ? Status::contact : Status::free;
+      if (contact != Sign::unknown) [[likely]]
+        return answer;
+    }
+    answer = evaluate_in_stages(position);
+    return answer;
+  }
   Eigen::Vector3f force(const Eigen::Vector3f& position) const noexcept { return evaluate(position).force; }
 
   // to[i] = force at positions[i], bit for bit what evaluate() gives, whatever the instruction set; as many as the shorter span
@@ -45,27 +52,20 @@ class HeightLaw {
   template <class T>
   static Shape real_time(T shape);
   static std::vector<Part> real_time(const std::vector<height::Part>& parts);
-  HeightLaw(std::vector<Part> parts, std::vector<Part> surface, height::Rendering rendering, float stiffness) noexcept;
+  HeightLaw(std::vector<Part> parts, std::vector<Part> surface, height::Rendering rendering, float stiffness);
 
   template <class N>
   static Jet<N> sum_at(const Place& at, const std::vector<Part>& parts) noexcept;
   template <class N>
   Jet<N> jet_at(const Place& at) const noexcept;
-  Evaluation evaluate_with(const HeightBlocks* vectors, const Eigen::Vector3f& position) const noexcept;
-  Evaluation evaluate_in_stages(const Place& at, double z) const noexcept;
-
-  // The one part of a map that is a B-spline and no more: the case with a path of its own. Null for any other.
-  const HeightGrid* only_spline() const noexcept {
-    const auto* grid = std::get_if<HeightGrid>(&parts_.front().shape);
-    return grid != nullptr && is_only_spline_ ? grid : nullptr;
-  }
+  Evaluation evaluate_in_stages(const Eigen::Vector3f& position) const noexcept;
 
   std::vector<Part> parts_, surface_;
   height::Rendering rendering_;
-  double stiffness_;             // N/mm
-  const HeightBlocks* vectors_;  // the best of this machine, null where it has none
-  bool is_only_spline_;
-  SureSizes sure_;  // of the spline that is_only_spline_ tells of
+  double stiffness_;         // N/mm
+  SplineForce first_stage_;  // the best of this machine
+  // The map once more if it is one B-spline and no more, the case with a path of its own; null for any other.
+  std::shared_ptr<const SplineMap> spline_;
 };
 
 }  // namespace forceshade::fast

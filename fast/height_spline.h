@@ -9,14 +9,14 @@
 namespace forceshade::fast {
 
 // Six times the cubic B-splines at t, and two times the quadratic ones, whose sums with the differences of coefficients are
-// the spline's derivative. T: a Ball, or binary64 side by side.
-template <class T>
+// the spline's derivative. N: a Ball.
+template <class N>
 struct SplineWeights {
-  T cubic[4], quadratic[3];
+  N cubic[4], quadratic[3];
 
-  FORCESHADE_INLINE explicit SplineWeights(const T& t) noexcept {
-    const T one = exactly(1), two = exactly(2), three = exactly(3), four = exactly(4);
-    const T s = one - t, tt = t * t, ss = s * s;
+  explicit SplineWeights(const N& t) noexcept {
+    const N one = N::exactly(1), two = N::exactly(2), three = N::exactly(3), four = N::exactly(4);
+    const N s = one - t, tt = t * t, ss = s * s;
     cubic[0] = ss * s;
     cubic[1] = four - (three * tt) * (two - t);
     cubic[2] = four - (three * ss) * (one + t);
@@ -24,13 +24,6 @@ struct SplineWeights {
     quadratic[0] = ss;
     quadratic[1] = one + (two * t) * s;
     quadratic[2] = tt;
-  }
-
-  FORCESHADE_INLINE static T exactly(double value) noexcept {
-    if constexpr (requires { T::exactly(value); })
-      return T::exactly(value);
-    else
-      return T{} + value;
   }
 };
 
@@ -55,59 +48,78 @@ Jet<N> spline_jet(const HeightGrid& grid, const Place& at) noexcept {
           (cubic * across).sum() / twelve_pitches};
 }
 
-// height_spline.g: 12(U - c) and 12 p U_x in binary64 are within this times the largest step of their exact values; c is the
-// coefficient at the cell's own sample, a step the difference of two coefficients side by side.
-inline constexpr double kSplineError = 0x1.cp-42;
+// The cubic B-splines as polynomials of t, and their derivatives: coefficients by column, the lowest power first.
+alignas(32) inline constexpr double kValues[4][4] = {
+    {1 / 6.0, 2 / 3.0, 1 / 6.0, 0}, {-0.5, 0, 0.5, 0}, {0.5, -1, 0.5, 0}, {-1 / 6.0, 0.5, -0.5, 1 / 6.0}};
+alignas(32) inline constexpr double kSlopes[3][4] = {{-0.5, 0, 0.5, 0}, {1, -2, 1, 0}, {-0.5, 1.5, -1.5, 0.5}};
+
+// The jet in binary64, from differences with c, the coefficient at the cell's own sample: its errors are small where the map is
+// flat, however high it lies. Four: binary64 side by side, one lane a column of the window; its multiply_add may round once or
+// twice.
+template <class Four>
+struct SplineValues {
+  double c;       // mm, exact
+  double rise;    // U - c, mm
+  double Ux, Uy;  // mm/mm
+
+  // past: the position less the cell's start, mm. from: the window's first coefficient, stride: from row to row.
+  FORCESHADE_INLINE SplineValues(const HeightGrid& grid, const Pair64& past, const float* from, std::int64_t stride) noexcept
+      : c(static_cast<double>(from[stride + 1])) {
+    const Pair64 t = past * grid.per_pitch();
+    const Four x(t[0]), y(t[1]);
+    const Four slope_x =
+        multiply_add(multiply_add(Four::load(kSlopes[2]), x, Four::load(kSlopes[1])), x, Four::load(kSlopes[0]));
+    const Four value_x =
+        multiply_add(multiply_add(multiply_add(Four::load(kValues[3]), x, Four::load(kValues[2])), x, Four::load(kValues[1])),
+                     x, Four::load(kValues[0]));
+    // Along y by steps s from row to row and their differences: U - row 1 = s'/6 + (y/2)(s0 + s1) + (y^2/2) s' + (y^3/6) s'',
+    // where s' = s1 - s0 and s'' = s0 - 2 s1 + s2.
+    const Four row0 = Four::load(from), row1 = Four::load(from + stride), row2 = Four::load(from + 2 * stride),
+               row3 = Four::load(from + 3 * stride);
+    const Four step0 = row1 - row0, step1 = row2 - row1, step2 = row3 - row2;
+    const Four two_steps = step0 + step1, second = step1 - step0, third = (step2 - step1) - second;
+    const Four y_2 = y * Four(0.5), y_3 = y * Four(1 / 3.0);
+    const Four value = multiply_add(y_2, multiply_add(y, multiply_add(y_3, third, second), two_steps),
+                                    multiply_add(second, Four(1 / 6.0), row1 - Four(c)));
+    const Four twice_slope = multiply_add(y, multiply_add(y, third, second + second), two_steps);
+    rise = sum(value_x * value);
+    const Pair64 slopes = sums(slope_x * value, value_x * twice_slope) * grid.per_slope();
+    Ux = slopes[0];
+    Uy = slopes[1];
+  }
+};
+
+// height_spline.g: U - c and p U_x in binary64 are within this times the largest step of their exact values, a step being the
+// difference of two coefficients side by side.
+inline constexpr double kSplineError = 0x1.4p-46;
 
 // The errors of the first stage's jet, given the largest steps. Where no step goes along an axis, the gradient along it is
 // exactly 0; otherwise a step in either direction counts.
 struct SplineErrors {
-  double U, Ux, Uy;
+  double rise, Ux, Uy;
 
-  SplineErrors(const HeightGrid& grid, double largest_value, double along, double across) noexcept {
-    const double step = kSplineError * (along > across ? along : across);
-    U = step > 0 ? step / 12 + 0x1.01p-53 * largest_value : 0;  // the second is for adding c
-    Ux = along > 0 ? step * grid.per_twelve_pitches() : 0;
-    Uy = across > 0 ? step * grid.per_twelve_pitches() : 0;
-  }
-};
-
-// The jet in binary64. From differences with c: its errors are small where the map is flat, however high it lies.
-struct SplineValues {
-  double U, Ux, Uy;
-
-  FORCESHADE_INLINE SplineValues(const HeightGrid& grid, const Place& at) noexcept {
-    using R = Row<double>;
-    const HeightGrid::Cell cell = grid.cell(at);
-    const HeightGrid::Window<4> window(grid, cell.column - 1, cell.row - 1);
-    const SplineWeights<Pair64> w((at.coordinates - cell.start) * grid.per_pitch());
-    const auto c = static_cast<double>(window[1][1]);
-    const R c0 = R::of(window[0]) - c, c1 = R::of(window[1]) - c, c2 = R::of(window[2]) - c, c3 = R::of(window[3]) - c;
-    const R height = (w.cubic[0][1] * c0 + w.cubic[1][1] * c1) + (w.cubic[2][1] * c2 + w.cubic[3][1] * c3);
-    const R across = (w.quadratic[0][1] * (c1 - c0) + w.quadratic[1][1] * (c2 - c1)) + w.quadratic[2][1] * (c3 - c2);
-    const R cubic{Pair64{w.cubic[0][0], w.cubic[1][0]}, Pair64{w.cubic[2][0], w.cubic[3][0]}};
-    const R quadratic{Pair64{w.quadratic[0][0], w.quadratic[1][0]}, Pair64{w.quadratic[2][0], 0}};
-    U = c + (cubic * height).sum() * (1.0 / 36);
-    Ux = (quadratic * (height.shifted() - height)).sum() * grid.per_twelve_pitches();
-    Uy = (cubic * across).sum() * grid.per_twelve_pitches();
-  }
+  SplineErrors(const HeightGrid& grid, double along, double across) noexcept
+      : rise(kSplineError * (along > across ? along : across)),
+        Ux(along > 0 ? rise * grid.per_pitch()[0] : 0),
+        Uy(across > 0 ? rise * grid.per_pitch()[0] : 0) {}
 };
 
 // With the errors of this very cell.
 inline Jet<Tracked> tracked_spline_jet(const HeightGrid& grid, const Place& at) noexcept {
   const HeightGrid::Cell cell = grid.cell(at);
   const HeightGrid::Window<4> w(grid, cell.column - 1, cell.row - 1);
-  double value = 0, along = 0, across = 0;
+  double along = 0, across = 0;
   for (std::size_t l = 0; l < 4; ++l)
     for (std::size_t k = 0; k < 4; ++k) {
       const auto c = static_cast<double>(w[l][k]);
-      value = larger(value, absolute(c));
       if (k > 0) along = larger(along, absolute(c - static_cast<double>(w[l][k - 1])));
       if (l > 0) across = larger(across, absolute(c - static_cast<double>(w[l - 1][k])));
     }
-  const SplineValues jet(grid, at);
-  const SplineErrors error(grid, value, along, across);
-  return {{jet.U, error.U}, {jet.Ux, error.Ux}, {jet.Uy, error.Uy}};
+  const SplineValues<Quad> jet(grid, at.coordinates - cell.start, w[0], w.stride());
+  const SplineErrors error(grid, along, across);
+  const Tracked c = Tracked::exactly(jet.c);
+  return {error.rise > 0 ? c + Tracked{jet.rise, error.rise} : c, along > 0 ? Tracked{jet.Ux, error.Ux} : Tracked::exactly(0),
+          across > 0 ? Tracked{jet.Uy, error.Uy} : Tracked::exactly(0)};
 }
 
 template <class N>

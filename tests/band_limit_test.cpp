@@ -159,8 +159,8 @@ TEST(band_limit, images_of_a_sampled_wave_are_as_high_as_the_formula_says) {
       std::complex<double> sum = 0;
       for (int i = 0; i < 16 * kFine; ++i) {
         const double x = static_cast<double>(i) / kFine;
-        const fast::SplineValues jet(grid, fast::Place(static_cast<float>(x), 0));
-        sum += (of_slope ? jet.Ux : jet.U) * std::polar(1.0, -kTurn * frequency * x);
+        const auto jet = fast::tracked_spline_jet(grid, fast::Place(static_cast<float>(x), 0));
+        sum += (of_slope ? jet.Ux : jet.U).value * std::polar(1.0, -kTurn * frequency * x);
       }
       return std::abs(sum);
     };

@@ -10,7 +10,6 @@
 #include <limits>
 #include <random>
 
-#include "forceshade/fast/height_batch.h"
 #include "forceshade/properties/binary32.h"
 #include "forceshade/reference/height_law.h"
 #include "forceshade/tests/allocations.h"
@@ -193,22 +192,28 @@ TEST(height_law, equals_the_rounded_reference) {
 
 // A spline that is flat in one direction, or all over a window, is answered in binary64: its bounds vanish with its steps.
 TEST(height_law, answers_flat_places_of_a_spline_at_once) {
-  const auto ridges = [](std::uint32_t i, std::uint32_t) { return 0.25F * static_cast<float>(i % 5); };
+  const auto ridge = [](std::uint32_t i) { return 0.3F * static_cast<float>(i % 5); };
+  const auto along_y = [&](std::uint32_t i, std::uint32_t) { return ridge(i); };
+  const auto along_x = [&](std::uint32_t, std::uint32_t j) { return ridge(j); };
   const auto plate = [](std::uint32_t i, std::uint32_t j) { return i < 4 && j < 4 ? 1.0F : 5.0F; };
   const fast::HeightLaw lines =
-      fast_law({{{grid(64, 64, 0.5F, Edge::tile, Interpolant::cubic_spline, ridges)}}}, height::Rendering::true_height);
+      fast_law({{{grid(64, 64, 0.5F, Edge::tile, Interpolant::cubic_spline, along_y)}}}, height::Rendering::true_height);
+  const fast::HeightLaw other_lines =
+      fast_law({{{grid(64, 64, 0.5F, Edge::tile, Interpolant::cubic_spline, along_x)}}}, height::Rendering::true_height);
   const fast::HeightLaw flat =
       fast_law({{{grid(64, 64, 0.5F, Edge::clamp, Interpolant::cubic_spline, plate)}}}, height::Rendering::true_height);
   Random random(2);
   int in_binary64 = 0;
   for (int i = 0; i < 1000; ++i) {
     const Vector3f position(uniform(random, 0, 9), uniform(random, 0, 9), uniform(random, -1, 0));
-    const fast::Evaluation on_lines = lines.evaluate(position), on_plate = flat.evaluate(position);
+    const fast::Evaluation on_lines = lines.evaluate(position), on_plate = flat.evaluate(position),
+                           on_other_lines = other_lines.evaluate(position);
     EXPECT_EQ(on_lines.force.y(), 0);
+    EXPECT_EQ(on_other_lines.force.x(), 0);
     EXPECT_EQ(on_plate.force.head<2>(), Eigen::Vector2f(0, 0));
-    in_binary64 += (on_lines.stage == fast::Stage::binary64) + (on_plate.stage == fast::Stage::binary64);
+    for (const fast::Evaluation& one : {on_lines, on_other_lines, on_plate}) in_binary64 += one.stage == fast::Stage::binary64;
   }
-  EXPECT_GT(in_binary64, 1990);
+  EXPECT_GT(in_binary64, 2985);
 }
 
 // The bounds of height_spline.g hold, and are not idle.
@@ -221,24 +226,30 @@ TEST(height_law, spline_first_stage_stays_within_its_bound) {
       return base + size * (map % 4 < 2 ? uniform(random, -1, 1) : static_cast<float>(random() % 2));
     };
     const fast::HeightGrid g(grid(9, 9, uniform(random, 0.01F, 3), Edge::clamp, Interpolant::cubic_spline, value));
-    const fast::SplineErrors error(g, g.largest_value(), g.largest_step_along(), g.largest_step_across());
-    for (int i = 0; i < 150; ++i) {
-      const float reach = static_cast<float>(6 * g.pitch());
-      const fast::Place at(uniform(random, -reach, reach), uniform(random, -reach, reach));
-      const fast::SplineValues quick(g, at);
+    const fast::SplineErrors error(g, g.largest_step_along(), g.largest_step_across());
+    const auto pitch = static_cast<float>(g.pitch());
+    for (int i = 0; i < 300; ++i) {
+      // Anywhere, or next to where cells meet.
+      const auto coordinate = [&] {
+        if (i % 2 == 0) return uniform(random, -2.99F * pitch, 2.99F * pitch);
+        return neighbour(static_cast<float>(static_cast<int>(random() % 5) - 2) * pitch, static_cast<int>(random() % 5) - 2);
+      };
+      const fast::Place at(coordinate(), coordinate());
+      const fast::NearCell<fast::Quad> cell(g, at.coordinates);
+      ASSERT_TRUE(g.has_window_around(cell.column, cell.row));
+      const fast::SplineValues<fast::Quad> quick(g, cell.past, g.values() + ((cell.row - 1) * 9 + cell.column - 1), 9);
       const auto exact = fast::spline_jet<fast::Wide<32>>(g, at);
       const auto share = [](double value, const fast::Wide<32>& truth, double bound) {
         return std::fabs(approximately(fast::Wide<32>::exactly(value) - truth)) / bound;
       };
-      worst = std::max(worst, share(quick.U, exact.U, error.U));
+      worst = std::max(worst, share(quick.rise, exact.U - fast::Wide<32>::exactly(quick.c), error.rise));
       worst_slope = std::max({worst_slope, share(quick.Ux, exact.Ux, error.Ux), share(quick.Uy, exact.Uy, error.Uy)});
     }
   }
   std::printf("  worst error of the first stage: height %.3f, slopes %.3f of their bounds\n", worst, worst_slope);
   EXPECT_LE(worst, 1);
   EXPECT_LE(worst_slope, 1);
-  EXPECT_GE(worst, 0.25);
-  EXPECT_GE(worst_slope, 1.0 / 256) << "loose: intervals add up what never comes together";
+  EXPECT_GE(std::min(worst, worst_slope), 1.0 / 128) << "loose: intervals add up what never comes together";
 }
 
 TEST(height_law, finds_the_cell_of_every_grid_line_and_its_neighbours) {
@@ -342,7 +353,7 @@ TEST(height_law, equals_scalar_at_every_simd_width) {
       const fast::HeightLaw law = fast_law(one.map, rendering);
       Positions positions(one, law, 21);
       std::vector<Vector3f> all;
-      while (all.size() < 2 * fast::kHeightBlock + 17) all.push_back(positions.next());
+      while (all.size() < 273) all.push_back(positions.next());
       for (const fast::InstructionSet set : fast::kInstructionSets) {
         if (!fast::is_available(set)) continue;
         std::vector<Vector3f> forces(all.size(), Vector3f::Constant(-7));
@@ -360,38 +371,54 @@ TEST(height_law, equals_scalar_at_every_simd_width) {
     }
 }
 
-#if defined(__x86_64__)
-// So that evaluate() is as fast as it is: one position in vectors is answered there, and as without them, bit for bit.
-TEST(height_law, answers_one_position_in_vectors_as_without) {
+// The first stage itself, which evaluate() hides: with and without vectors it answers nearly everything, and the same.
+TEST(height_law, first_stage_answers_a_spline_with_and_without_vectors) {
   Random random(8);
   const auto rough = [&](std::uint32_t, std::uint32_t) { return uniform(random, -0.5F, 0.5F); };
   const fast::HeightGrid g(grid(37, 29, 0.3F, Edge::tile, Interpolant::cubic_spline, rough));
-  const fast::SplineErrors error(g, g.largest_value(), g.largest_step_along(), g.largest_step_across());
-  const fast::SureSizes sure{0x1p36 * error.U, 0x1p36 * error.Ux, 0x1p36 * error.Uy};
-  int answered = 0, asked = 0;
-  for (const auto& [set, table] : {std::pair{fast::InstructionSet::avx2, &fast::kAvx2HeightBlocks},
-                                   std::pair{fast::InstructionSet::avx512, &fast::kAvx512HeightBlocks}})
-    for (int i = 0; fast::is_available(set) && i < 3000; ++i) {
-      const float x = uniform(random, -5, 5), y = uniform(random, -3.8F, 3.8F), z = uniform(random, -1, 0.5F);
-      const auto rendering = height::kRenderings[random() % 3].rendering;
-      const fast::SplineValues jet(g, fast::Place(x, y));
-      const auto without = fast::height_force(jet.U, jet.Ux, jet.Uy, sure, rendering, 0.5, static_cast<double>(z));
-      const auto with = table->answer_one(g, sure, rendering, 0.5, x, y, z);
-      ASSERT_EQ(with.contact, without.contact) << x << ' ' << y << ' ' << z;
-      answered += with.contact != fast::Sign::unknown;
-      ++asked;
-      if (with.contact == fast::Sign::positive) {
-        ASSERT_TRUE(same_bits(with.x, without.x) && same_bits(with.y, without.y) && same_bits(with.z, without.z));
+  for (const auto& [rendering, name] : height::kRenderings) {
+    const fast::SplineMap map(g, rendering, 0.5);
+    std::vector<fast::SplineForce> functions{&fast::spline_force<fast::Quad>};
+#if defined(__x86_64__)
+    if (fast::is_available(fast::InstructionSet::avx2)) functions.push_back(fast::kAvx2SplineFunctions.force);
+#endif
+    int answered = 0, asked = 0;
+    for (int i = 0; i < 3000; ++i) {
+      const Vector3f position(uniform(random, -5, 5), uniform(random, -3.8F, 3.8F), uniform(random, -1, 0.5F));
+      std::vector<fast::Evaluation> answers;
+      for (const fast::SplineForce function : functions) {
+        Vector3f force;
+        const fast::Sign contact = function(map, position.data(), force.data());
+        ++asked;
+        if (contact == fast::Sign::unknown) continue;
+        ++answered;
+        answers.push_back({force, contact == fast::Sign::positive ? Status::contact : Status::free, fast::Stage::binary64});
+      }
+      for (const fast::Evaluation& answer : answers) {
+        ASSERT_EQ(answer.status, answers.front().status) << name << ' ' << show(position);
+        ASSERT_EQ(answer.force, answers.front().force) << name << ' ' << show(position);
       }
     }
-  EXPECT_GE(100 * answered, 95 * asked);
-  if (!fast::is_available(fast::InstructionSet::avx2)) return;
-  for (const float odd : {5.6F, -5.5F, 6.0F, 1e5F, NAN, 0x1p-40F})
-    EXPECT_EQ(fast::kAvx2HeightBlocks.answer_one(g, sure, height::Rendering::true_height, 0.5, odd, 0, -1).contact,
-              fast::Sign::unknown)
-        << odd;
+    EXPECT_GE(1000 * answered, 995 * asked) << name;
+    for (const float odd : {5.6F, -5.5F, 6.0F, 1e5F, NAN, 0x1p-40F})
+      for (const fast::SplineForce function : functions)
+        for (int axis = 0; axis < 2; ++axis) {
+          Vector3f position(0, 0, -1), force;
+          position[axis] = odd;
+          EXPECT_EQ(function(map, position.data(), force.data()), fast::Sign::unknown) << odd;
+        }
+    // A tie, K (1 - z) = 1/2 + 2^-25, is left to a later stage, and what stands where the force would go is left alone.
+    const auto level = [](auto, auto) { return 1.0F; };
+    const fast::SplineMap plane(fast::HeightGrid(grid(8, 8, 1, Edge::tile, Interpolant::cubic_spline, level)), rendering, 0.5);
+    if (rendering == height::Rendering::force_shaded) continue;
+    for (const fast::SplineForce function : functions) {
+      const Vector3f tie(0.25F, 0.25F, -0x1p-24F);
+      Vector3f force(-7, -7, -7);
+      EXPECT_EQ(function(plane, tie.data(), force.data()), fast::Sign::unknown) << name;
+      EXPECT_EQ(force, Vector3f(-7, -7, -7)) << name;
+    }
+  }
 }
-#endif
 
 TEST(height_law, allocates_nothing) {
   for (const Case& one : cases()) {
