@@ -41,6 +41,8 @@ class HeightGrid {
   FORCESHADE_INLINE bool has_window_around(std::int32_t column, std::int32_t row) const noexcept {
     return static_cast<std::uint32_t>(column) - 1 < inner_columns_ && static_cast<std::uint32_t>(row) - 1 < inner_rows_;
   }
+  FORCESHADE_INLINE std::uint32_t inner_columns() const noexcept { return inner_columns_; }
+  FORCESHADE_INLINE std::uint32_t inner_rows() const noexcept { return inner_rows_; }
   FORCESHADE_INLINE const float* values() const noexcept { return values_; }
   FORCESHADE_INLINE std::int64_t columns() const noexcept { return columns_; }
   FORCESHADE_INLINE Pair64 centre() const noexcept { return centre_; }  // (columns - 1)/2, (rows - 1)/2

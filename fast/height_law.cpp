@@ -46,18 +46,30 @@ Sign force_without_vectors(const SplineMap& map, const float* position, float* f
 
 constexpr SplineFunctions kScalarSplineFunctions{&force_without_vectors, [] { return arithmetic_fault_here(); }};
 
+// One at a time. A row of a window fills a vector of AVX2: wider ones have nothing to add.
 const SplineFunctions& functions(InstructionSet set) noexcept {
 #if defined(__x86_64__)
-  // A row of a window fills a vector of AVX2: wider ones have nothing to add.
   if (set != InstructionSet::scalar && is_available(InstructionSet::avx2)) return kAvx2SplineFunctions;
 #endif
   return kScalarSplineFunctions;
 }
 
+// Null where there is nothing faster than one at a time.
+const SplineBatchFunctions* batch_functions(InstructionSet set) noexcept {
+#if defined(__x86_64__)
+  if (!is_available(set)) set = best_instruction_set();
+  if (set == InstructionSet::avx512) return &kAvx512SplineFunctions;
+#endif
+  return nullptr;
+}
+
 // Each file asks for itself: fast/arithmetic.h.
 const char* height_arithmetic_fault() noexcept {
-  const char* fault = functions(InstructionSet::scalar).arithmetic_fault_here();
-  return fault != nullptr ? fault : functions(best_instruction_set()).arithmetic_fault_here();
+  const InstructionSet best = best_instruction_set();
+  if (const char* fault = functions(InstructionSet::scalar).arithmetic_fault_here()) return fault;
+  if (const char* fault = functions(best).arithmetic_fault_here()) return fault;
+  const SplineBatchFunctions* batch = batch_functions(best);
+  return batch != nullptr ? batch->arithmetic_fault_here() : nullptr;
 }
 
 }  // namespace
@@ -97,14 +109,27 @@ FORCESHADE_INLINE Jet<N> HeightLaw::jet_at(const Place& at) const noexcept {
 BatchResult HeightLaw::force(std::span<const Eigen::Vector3f> positions, std::span<Eigen::Vector3f> to,
                              InstructionSet instructions) const noexcept {
   const SplineForce first_stage = functions(instructions).force;
+  const std::size_t count = std::min(positions.size(), to.size());
   BatchResult result;
-  for (std::size_t i = 0; i < std::min(positions.size(), to.size()); ++i) {
+  const auto answer_one = [&](std::size_t i) {
     if (spline_ != nullptr && first_stage(*spline_, positions[i].data(), to[i].data()) != Sign::unknown) [[likely]]
-      continue;
+      return;
     const Evaluation one = evaluate_in_stages(positions[i]);
     to[i] = one.force;
     result.invalid += one.status == Status::invalid;
-  }
+  };
+  std::size_t next = 0;
+  if (const SplineBatchFunctions* batch = batch_functions(instructions); batch != nullptr && spline_ != nullptr)
+    for (; next + kSplineBatch <= count; next += kSplineBatch) {
+      float forces[3 * kSplineBatch];
+      const unsigned known = batch->forces(*spline_, positions[next].data(), forces);
+      for (std::size_t i = 0; i < kSplineBatch; ++i)
+        if ((known >> i & 1) != 0)
+          to[next + i] = Eigen::Vector3f::Map(forces + 3 * i);
+        else
+          answer_one(next + i);
+    }
+  for (; next < count; ++next) answer_one(next);
   return result;
 }
 

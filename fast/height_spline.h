@@ -53,9 +53,38 @@ alignas(32) inline constexpr double kValues[4][4] = {
     {1 / 6.0, 2 / 3.0, 1 / 6.0, 0}, {-0.5, 0, 0.5, 0}, {0.5, -1, 0.5, 0}, {-1 / 6.0, 0.5, -0.5, 1 / 6.0}};
 alignas(32) inline constexpr double kSlopes[3][4] = {{-0.5, 0, 0.5, 0}, {1, -2, 1, 0}, {-0.5, 1.5, -1.5, 0.5}};
 
-// The jet in binary64, from differences with c, the coefficient at the cell's own sample: its errors are small where the map is
-// flat, however high it lies. Four: binary64 side by side, one lane a column of the window; its multiply_add may round once or
-// twice.
+template <class Real, class Coefficient>
+FORCESHADE_INLINE Real value_weight(const Real& x, const Coefficient& a) {
+  return multiply_add(multiply_add(multiply_add(a(kValues[3]), x, a(kValues[2])), x, a(kValues[1])), x, a(kValues[0]));
+}
+template <class Real, class Coefficient>
+FORCESHADE_INLINE Real slope_weight(const Real& x, const Coefficient& a) {
+  return multiply_add(multiply_add(a(kSlopes[2]), x, a(kSlopes[1])), x, a(kSlopes[0]));
+}
+
+// A column of the window, or several side by side, as a function of y alone: from differences with c, the coefficient at the
+// cell's own sample, so that errors are small where the map is flat, however high it lies. Real: binary64 side by side; its
+// multiply_add may round once or twice.
+template <class Real>
+struct SplineColumn {
+  Real value;        // less c, mm
+  Real twice_slope;  // in pitches, mm
+
+  // By steps s from row to row and their differences: value - row 1 = s'/6 + (y/2)(s0 + s1) + (y^2/2) s' + (y^3/6) s'', where
+  // s' = s1 - s0 and s'' = s0 - 2 s1 + s2.
+  FORCESHADE_INLINE SplineColumn(const Real& row0, const Real& row1, const Real& row2, const Real& row3, const Real& c,
+                                 const Real& y) noexcept
+      : value(row1), twice_slope(row1) {
+    const Real step0 = row1 - row0, step1 = row2 - row1, step2 = row3 - row2;
+    const Real two_steps = step0 + step1, second = step1 - step0, third = (step2 - step1) - second;
+    const Real y_2 = y * Real(0.5), y_3 = y * Real(1 / 3.0);
+    value = multiply_add(y_2, multiply_add(y, multiply_add(y_3, third, second), two_steps),
+                         multiply_add(second, Real(1 / 6.0), row1 - c));
+    twice_slope = multiply_add(y, multiply_add(y, third, second + second), two_steps);
+  }
+};
+
+// The jet in binary64. Four: one lane a column of the window.
 template <class Four>
 struct SplineValues {
   double c;       // mm, exact
@@ -67,23 +96,12 @@ struct SplineValues {
       : c(static_cast<double>(from[stride + 1])) {
     const Pair64 t = past * grid.per_pitch();
     const Four x(t[0]), y(t[1]);
-    const Four slope_x =
-        multiply_add(multiply_add(Four::load(kSlopes[2]), x, Four::load(kSlopes[1])), x, Four::load(kSlopes[0]));
-    const Four value_x =
-        multiply_add(multiply_add(multiply_add(Four::load(kValues[3]), x, Four::load(kValues[2])), x, Four::load(kValues[1])),
-                     x, Four::load(kValues[0]));
-    // Along y by steps s from row to row and their differences: U - row 1 = s'/6 + (y/2)(s0 + s1) + (y^2/2) s' + (y^3/6) s'',
-    // where s' = s1 - s0 and s'' = s0 - 2 s1 + s2.
-    const Four row0 = Four::load(from), row1 = Four::load(from + stride), row2 = Four::load(from + 2 * stride),
-               row3 = Four::load(from + 3 * stride);
-    const Four step0 = row1 - row0, step1 = row2 - row1, step2 = row3 - row2;
-    const Four two_steps = step0 + step1, second = step1 - step0, third = (step2 - step1) - second;
-    const Four y_2 = y * Four(0.5), y_3 = y * Four(1 / 3.0);
-    const Four value = multiply_add(y_2, multiply_add(y, multiply_add(y_3, third, second), two_steps),
-                                    multiply_add(second, Four(1 / 6.0), row1 - Four(c)));
-    const Four twice_slope = multiply_add(y, multiply_add(y, third, second + second), two_steps);
-    rise = sum(value_x * value);
-    const Pair64 slopes = sums(slope_x * value, value_x * twice_slope) * grid.per_slope();
+    const auto by_column = [](const double(&a)[4]) { return Four::load(a); };
+    const Four value_x = value_weight(x, by_column);
+    const SplineColumn<Four> columns(Four::load(from), Four::load(from + stride), Four::load(from + 2 * stride),
+                                     Four::load(from + 3 * stride), Four(c), y);
+    rise = sum(value_x * columns.value);
+    const Pair64 slopes = sums(slope_weight(x, by_column) * columns.value, value_x * columns.twice_slope) * grid.per_slope();
     Ux = slopes[0];
     Uy = slopes[1];
   }

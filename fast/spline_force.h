@@ -77,4 +77,14 @@ struct SplineFunctions {
 
 extern const SplineFunctions kAvx2SplineFunctions;
 
+// Several at a time: x, y, z of each position one after the other, forces likewise. Those whose bit is set in the answer are
+// known, the others mean nothing.
+inline constexpr std::size_t kSplineBatch = 8;
+struct SplineBatchFunctions {
+  unsigned (*forces)(const SplineMap& map, const float* positions, float* forces) noexcept;
+  const char* (*arithmetic_fault_here)();
+};
+
+extern const SplineBatchFunctions kAvx512SplineFunctions;
+
 }  // namespace forceshade::fast

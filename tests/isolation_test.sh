@@ -11,4 +11,4 @@ for object in "$@"; do
   [ "$count" = 1 ] && printf '%s' "$symbols" | grep -q 'forceshade::fast::kAvx[0-9]*\(Blocks\|SplineFunctions\)$' || { echo "expected one table, got $count symbols"; exit 1; }
   checked=$((checked + 1))
 done
-[ "$checked" = 3 ] || { echo "expected 3 vector objects, got $checked"; exit 1; }
+[ "$checked" = 4 ] || { echo "expected 4 vector objects, got $checked"; exit 1; }
