@@ -67,7 +67,7 @@ struct Row {
   }
 };
 
-// Four binary64: two pairs. What a vector of four (fast/pack_avx2.h) offers, for every machine.
+// Four binary64 for every machine: two pairs. With AVX2 a vector of four takes its place (fast/spline_force_avx2.cpp).
 struct Quad {
   Pair64 low, high;
 

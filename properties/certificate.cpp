@@ -16,9 +16,8 @@ constexpr const char* kMethod =
     "Each answer is compared, bit for bit, with the rounded reference: a 64-bit enclosure where it decides, MPFI intervals of "
     "growing precision where it does not, CGAL's exact algebraic numbers for facets and rounding ties. Half of the points are "
     "aimed at surface neighbours, facet lines (of a height map: cell lines, edges and rims), the position quantum, domain "
-    "ends, "
-    "near-ties, the axis (centres, apexes and crests) and few-bit numbers. "
-    "Every instruction set of the machine gave the same bits.";
+    "ends, near-ties, the axis (centres, apexes and crests) and few-bit numbers. Every instruction set of the machine gave "
+    "the same bits.";
 
 Json domain() {
   return {{"radius_mm", {0.1, 1e4}},
