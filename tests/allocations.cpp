@@ -5,16 +5,18 @@
 #include <new>
 
 namespace {
-thread_local std::size_t count = 0;
+thread_local std::size_t count = 0, bytes = 0;
 }
 
 void* operator new(std::size_t size) {
   ++count;
+  bytes += size;
   if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
   throw std::bad_alloc();
 }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   ++count;
+  bytes += size;
   const auto step = static_cast<std::size_t>(alignment);
   if (void* memory = std::aligned_alloc(step, (size + step - 1) / step * step)) return memory;
   throw std::bad_alloc();
@@ -36,6 +38,9 @@ namespace forceshade::tests {
 
 std::size_t allocations() noexcept {
   return count;
+}
+std::size_t allocated_bytes() noexcept {
+  return bytes;
 }
 
 }  // namespace forceshade::tests

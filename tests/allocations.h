@@ -6,7 +6,8 @@
 
 namespace forceshade::tests {
 
-// How many this thread has made.
+// How many this thread has made, and how many bytes it has asked for in all.
 std::size_t allocations() noexcept;
+std::size_t allocated_bytes() noexcept;
 
 }  // namespace forceshade::tests

@@ -420,6 +420,15 @@ TEST(height_law, first_stage_answers_a_spline_with_and_without_vectors) {
   }
 }
 
+// A renderer is a grid and little more: at most 1.1 times its numbers, 64 by 64 of them being the fewest that one would sample.
+TEST(height_law, shares_its_grid) {
+  const auto values =
+      grid(64, 64, 0.5F, Edge::tile, Interpolant::cubic_spline, [](auto i, auto j) { return 0.1F * float(i ^ j); });
+  const std::size_t before = tests::allocated_bytes();
+  const fast::HeightLaw law = fast_law({{{values}}}, height::Rendering::true_height);
+  EXPECT_LT(sizeof law + (tests::allocated_bytes() - before), values->values.size() * sizeof(float) / 10);
+}
+
 TEST(height_law, allocates_nothing) {
   for (const Case& one : cases()) {
     const fast::HeightLaw law = fast_law(one.map, renderings_of(one.map).front().rendering);
