@@ -5,9 +5,10 @@
 #
 # All that is used of an operation is that it is within 2^-53 of its result, relative: multiply_add, rounded once or twice, is a
 # product and a sum of that kind. So step and pitch may be taken as 1. Hypotheses proved by hand: t, of a difference, 1/p and a
-# product, is within 3.01·2^-53, relative; the weights along y are those of the B-splines, which are not negative and sum to 1,
-# so column k of the window is at most |k - 1| + 1 steps from c, and the slope along y at most one step; the same of BEND and TILT, sums of steps with weights of sizes that
-# sum to at most 2. The place may be 2^-36 outside of its cell: docs/proofs.md.
+# product, is within 3.003·2^-53, relative; column k of the window is at most |k - 1| + T + (1 - T)^3/3 <= |k - 1| + 1 steps from c,
+# for the weights along y are the B-splines; the sizes of the weights of the three steps sum to 2 - 2T/3 in BEND, to 2 in TILT and
+# TWICE_SLOPE, to 4 - 2T in TWICE_BEND. The place may be 2^-36 outside of its cell (docs/proofs.md), where each of these grows by
+# less than 2^-34, which their .0001 pays for.
 
 t = t_; a0 = a0_; a3 = a3_;
 outer = add_rel<53>(mul_rel<53>(add_rel<53>(mul_rel<53>(add_rel<53>(mul_rel<53>(a3, t), A2), t), A1), t), a0);
@@ -76,7 +77,9 @@ scaled = mul_rel<53>(sum, p);
 /\ |w1 - W1| <= 0x1.8b6p-50 # from height_spline weight_1
 /\ |w2 - W2| <= 0x1.5b5p-50 # from height_spline weight_2
 /\ |w3 - W3| <= 0x1.15fp-52 # from height_spline weight_3
-/\ |h0 - H0| <= 0x1.cb6p-49 /\ |h1 - H1| <= 0x1.cb6p-49 /\ |h2 - H2| <= 0x1.cb6p-49
+/\ |h0 - H0| <= 0x1.cb6p-49 # from height_spline value
+/\ |h1 - H1| <= 0x1.cb6p-49 # from height_spline value
+/\ |h2 - H2| <= 0x1.cb6p-49 # from height_spline value
 /\ |h3 - H3| <= 0x1.cb6p-49 # from height_spline value
 -> rise - RISE in ? }
 #! piece along
@@ -86,7 +89,9 @@ scaled = mul_rel<53>(sum, p);
 /\ |w1 - W1| <= 0x1.208p-49 # from height_spline slope_1
 /\ |w2 - W2| <= 0x1.90bp-50 # from height_spline slope_2
 /\ |w3 - W3| <= 0x1.40ap-51 # from height_spline slope_3
-/\ |h0 - H0| <= 0x1.cb6p-49 /\ |h1 - H1| <= 0x1.cb6p-49 /\ |h2 - H2| <= 0x1.cb6p-49
+/\ |h0 - H0| <= 0x1.cb6p-49 # from height_spline value
+/\ |h1 - H1| <= 0x1.cb6p-49 # from height_spline value
+/\ |h2 - H2| <= 0x1.cb6p-49 # from height_spline value
 /\ |h3 - H3| <= 0x1.cb6p-49 # from height_spline value
 -> scaled - SUM in ? }
 scaled - SUM -> (scaled - sum * p) + sum * (p - 1) + (sum - SUM);
@@ -97,7 +102,9 @@ scaled - SUM -> (scaled - sum * p) + sum * (p - 1) + (sum - SUM);
 /\ |w1 - W1| <= 0x1.8b6p-50 # from height_spline weight_1
 /\ |w2 - W2| <= 0x1.5b5p-50 # from height_spline weight_2
 /\ |w3 - W3| <= 0x1.15fp-52 # from height_spline weight_3
-/\ |h0 - H0| <= 0x1.f0ap-48 /\ |h1 - H1| <= 0x1.f0ap-48 /\ |h2 - H2| <= 0x1.f0ap-48
+/\ |h0 - H0| <= 0x1.f0ap-48 # from height_spline twice_slope
+/\ |h1 - H1| <= 0x1.f0ap-48 # from height_spline twice_slope
+/\ |h2 - H2| <= 0x1.f0ap-48 # from height_spline twice_slope
 /\ |h3 - H3| <= 0x1.f0ap-48 # from height_spline twice_slope
 -> (scaled - SUM) / 2 in ? }
 scaled - SUM -> (scaled - sum * p) + sum * (p - 1) + (sum - SUM);

@@ -17,7 +17,10 @@ struct SplineMap {
 
   SplineMap(const HeightGrid& spline, height::Rendering how, double stiffness) noexcept
       : grid(spline), rendering(how), K(stiffness) {
-    const SplineErrors error(grid, grid.largest_step_along(), grid.largest_step_across());
+    // As steps of 2^-40 mm at least: then no component that binary32 holds as a subnormal is sure, for which
+    // rounding_is_in_doubt was not made.
+    const auto counted = [](double step) { return step > 0 ? larger(step, 0x1p-40) : 0; };
+    const SplineErrors error(grid, counted(grid.largest_step_along()), counted(grid.largest_step_across()));
     sure = {error.rise / kSmallShare, error.Ux / kSmallShare, error.Uy / kSmallShare};
   }
 };
@@ -57,7 +60,7 @@ FORCESHADE_INLINE Sign spline_force(const SplineMap& map, const float* position,
   HeightForce answer = height_force(gap, jet.Ux, jet.Uy, sure, map.rendering, map.K);
   if (answer.contact == Sign::unknown) [[unlikely]] {
     // Near a tie, level ground or the surface: too near for one bound of all that is lost, mostly not for a bound of each part.
-    const double gap_error = is_shaded ? 0 : kSmallShare * sure.gap + 0x1p-51 * absolute(gap);  // the second: for adding c - z
+    const double gap_error = is_shaded ? 0 : kSmallShare * sure.gap + 0x1p-51 * absolute(gap);  // the second: for c - z
     const Jet<Tracked> bounded{{gap, gap_error}, {jet.Ux, kSmallShare * sure.Ux}, {jet.Uy, kSmallShare * sure.Uy}};
     answer = height_force(bounded, map.rendering, map.K, 0);
     if (answer.contact == Sign::unknown) return Sign::unknown;
