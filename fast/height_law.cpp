@@ -148,6 +148,7 @@ HeightLaw::Shape HeightLaw::real_time(T shape) {
 
 std::vector<HeightLaw::Part> HeightLaw::real_time(const std::vector<height::Part>& parts) {
   std::vector<Part> all;
+  all.reserve(parts.size());
   for (const height::Part& part : parts)
     all.push_back({std::visit([](const auto& shape) { return real_time(shape); }, part.shape), part.negated});
   return all;
