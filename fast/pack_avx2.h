@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Four binary64 numbers with AVX2: a Real in the sense of fast/first_stage.h. For fast/batch_avx2.cpp alone.
+// Four binary64 numbers with AVX2: a Real in the sense of fast/first_stage.h. For fast/*_avx2.cpp alone.
 
 #include <immintrin.h>
 
@@ -29,7 +29,7 @@ struct Pack {
   FORCESHADE_INLINE Pack(__m256d a) : lanes(a) {}
 
   FORCESHADE_INLINE static Pack load(const float* from) { return _mm256_cvtps_pd(_mm_loadu_ps(from)); }
-  // From and to memory aligned to 64 bytes.
+  // From and to memory aligned to 32 bytes.
   FORCESHADE_INLINE static Pack load(const double* from) { return _mm256_load_pd(from); }
   FORCESHADE_INLINE void store(double* to) const { _mm256_store_pd(to, lanes); }
   // Rounds to binary32.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Eight binary64 numbers with AVX-512 (F and DQ): a Real in the sense of fast/first_stage.h. For fast/batch_avx512.cpp alone.
+// Eight binary64 numbers with AVX-512 (F and DQ): a Real in the sense of fast/first_stage.h. For fast/*_avx512.cpp alone.
 
 #include <immintrin.h>
 
