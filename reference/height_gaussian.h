@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Gaussian: U = height·exp(-ρ²/2σ²). At a position by enclosures alone: off the centre its height is transcendental.
+// Gaussian: U = height·exp(-ρ²/2σ²). Off the centre its height is transcendental:
+// at a position an Enclosure or an ExponentialSum.
 
 #include "forceshade/reference/height_jet.h"
 
@@ -15,8 +16,9 @@ Jet<N> hill_jet(const height::Gaussian& gaussian, const N& x, const N& y) {
   return {U, -x / variance * U, -y / variance * U};
 }
 
-inline Jet<Enclosure> jet(const height::Gaussian& gaussian, const Point2& at) {
-  return hill_jet(gaussian, from_centre<Enclosure>(at.x, gaussian.x), from_centre<Enclosure>(at.y, gaussian.y));
+template <class N>
+Jet<N> jet(const height::Gaussian& gaussian, const Point2& at) {
+  return hill_jet(gaussian, from_centre<N>(at.x, gaussian.x), from_centre<N>(at.y, gaussian.y));
 }
 
 }  // namespace forceshade::reference

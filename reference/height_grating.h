@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// grating: U = height·cos(wave_x·x + wave_y·y + phase). At a position by enclosures alone: where the angle is
-// not 0 its height is transcendental.
+// grating: U = height·cos(wave_x·x + wave_y·y + phase). Where the angle is not 0 its height is transcendental: at a position an
+// Enclosure or an ExponentialSum.
 
 #include "forceshade/reference/height_jet.h"
 
@@ -16,8 +16,9 @@ Jet<N> wave_jet(const height::Grating& grating, const N& x, const N& y) {
   return {height * cos(angle), wave_x * steepness, wave_y * steepness};
 }
 
-inline Jet<Enclosure> jet(const height::Grating& grating, const Point2& at) {
-  return wave_jet(grating, Enclosure(at.x), Enclosure(at.y));
+template <class N>
+Jet<N> jet(const height::Grating& grating, const Point2& at) {
+  return wave_jet(grating, N(at.x), N(at.y));
 }
 
 }  // namespace forceshade::reference

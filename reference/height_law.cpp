@@ -5,9 +5,6 @@
 #include <array>
 #include <cmath>
 #include <mutex>
-#include <optional>
-#include <stdexcept>
-#include <string>
 
 #include "forceshade/reference/height_domain.h"
 #include "forceshade/reference/height_sum.h"
@@ -19,86 +16,94 @@ namespace {
 
 using height::Rendering;
 
+// What the force at a position is made of.
 template <class N>
-struct HeightForce {
-  N gap;      // mm: the penetration
-  N Ux, Uy;   // mm/mm
-  N x, y, z;  // N, where the gap is positive
+struct Local {
+  N gap;     // mm: the penetration
+  N Ux, Uy;  // mm/mm
 };
 
 template <class N>
-HeightForce<N> force(const HeightLaw& law, const Point2& at, double z) {
+Local<N> local(const HeightLaw& law, const Point2& at, double z) {
   const Jet<N> map = sum_jet<N>(law.map().parts, at);
   const bool is_shaded = law.rendering() == Rendering::force_shaded;
-  const N gap = is_shaded ? N(sum_jet<N>(law.map().surface, at).U - N(z)) : N(map.U - N(z));
-  N magnitude = N(static_cast<double>(law.stiffness())) * gap;
-  if (law.rendering() != Rendering::conservative) magnitude = magnitude / sqrt(N(map.Ux * map.Ux + map.Uy * map.Uy + N(1.0)));
-  return {gap, map.Ux, map.Uy, -magnitude * map.Ux, -magnitude * map.Uy, magnitude};
+  return {is_shaded ? N(sum_jet<N>(law.map().surface, at).U - N(z)) : N(map.U - N(z)), map.Ux, map.Uy};
 }
 
-// By exact comparison with the middle between two neighbours.
-float nearest_binary32(const Exact& value) {
-  if (value.sign() == 0) return 0;
-  const auto near = static_cast<float>(CGAL::to_double(value));
-  const bool is_below = (value - Exact(static_cast<double>(near))).sign() < 0;
-  const float below = is_below ? std::nextafter(near, -HUGE_VALF) : near, above = std::nextafter(below, HUGE_VALF);
-  const double tie = 0.5 * (static_cast<double>(below) + static_cast<double>(above));
-  return rounded_between(below, above, (value - Exact(tie)).sign());
+// N, where the gap is positive.
+template <class N>
+using Components = std::array<N, 3>;
+
+template <class N>
+Components<N> force(const HeightLaw& law, const Local<N>& at) {
+  N magnitude = N(static_cast<double>(law.stiffness())) * at.gap;
+  if (law.rendering() != Rendering::conservative) magnitude = magnitude / sqrt(N(at.Ux * at.Ux + at.Uy * at.Uy + N(1.0)));
+  return {-magnitude * at.Ux, -magnitude * at.Uy, magnitude};
 }
 
-float nearest_tie(const std::array<Filter, 3>& force, const Eigen::Vector3f& rounded) {
+// The sign of a component of the force less `tie`, exactly. With F = K·gap·s/n and n = √(1 + U_x² + U_y²), F and tie are
+// compared by their signs first, then by their squares.
+int sign_of_excess(const HeightLaw& law, const Local<ExponentialSum>& at, std::size_t axis, double tie) {
+  const ExponentialSum slopes[] = {-at.Ux, -at.Uy, 1.0};
+  const ExponentialSum push = ExponentialSum(static_cast<double>(law.stiffness())) * at.gap * slopes[axis];
+  if (law.rendering() == Rendering::conservative) return (push - tie).sign();
+  const int sign = push.sign(), sign_of_tie = (tie > 0) - (tie < 0);
+  if (sign != sign_of_tie || sign == 0) return sign - sign_of_tie;
+  return sign * (push * push - ExponentialSum(tie) * tie * (at.Ux * at.Ux + at.Uy * at.Uy + 1.0)).sign();
+}
+
+float nearest_tie(const Components<Filter>& force, const Eigen::Vector3f& rounded) {
   float ulps = 1;
   for (int i = 0; i < 3; ++i) ulps = std::min(ulps, ulps_from_tie(force[static_cast<std::size_t>(i)], rounded[i]));
   return ulps;
 }
 
+// The binary32 that the ends of an enclosure round to.
+struct RoundedEnds {
+  float low, high;
+
+  explicit RoundedEnds(const Enclosure& value)
+      : low(mpfr_get_flt(lower(value).backend().data(), MPFR_RNDN) + 0.0F),
+        high(mpfr_get_flt(upper(value).backend().data(), MPFR_RNDN) + 0.0F) {}
+  bool agree() const { return low == high; }
+  bool are_neighbours() const { return std::nextafter(low, high) == high; }
+};
+
+// Enclosures narrow the force down to two neighbours at most; exact numbers then compare it with the middle of the two.
 Rounded round_exactly(const HeightLaw& law, const Point2& at, double z) {
-  const HeightForce<Exact> exact = force<Exact>(law, at, z);
-  if (exact.gap.sign() <= 0) return {{0, 0, 0}, Status::free, Method::exact};
-  return {{nearest_binary32(exact.x), nearest_binary32(exact.y), nearest_binary32(exact.z)}, Status::contact, Method::exact, 0};
-}
-
-// The binary32 both ends round to, or nothing.
-std::optional<float> agreed_binary32(const Enclosure& value) {
-  const float low = mpfr_get_flt(lower(value).backend().data(), MPFR_RNDN);
-  const float high = mpfr_get_flt(upper(value).backend().data(), MPFR_RNDN);
-  if (low != high) return std::nullopt;
-  return low + 0.0F;
-}
-
-// What is rational added up before it is rounded: so a surface that z lies on, and whatever is 0 beside it, cancel.
-Enclosure gap_of_few_roundings(const HeightLaw& law, const Point2& at, double z) {
-  Rational rational(-z);
-  Enclosure rest(0);
-  for (const height::Part& part : law.rendering() == Rendering::force_shaded ? law.map().surface : law.map().parts) {
-    const bool is_rational = std::visit([]<class T>(const T&) { return kIsRational<T>; }, part.shape);
-    if (is_rational)
-      rational = rational + part_jet<Rational>(part, at).U;
-    else
-      rest += part_jet<Enclosure>(part, at).U;
+  const Local<ExponentialSum> exact = local<ExponentialSum>(law, at, z);
+  if (exact.gap.sign() <= 0) return {{0, 0, 0}, Status::free, Method::exact, 1};
+  for (unsigned bits = 768;; bits *= 2) {
+    set_precision(bits);
+    const Components<Enclosure> enclosed = force(law, local<Enclosure>(law, at, z));
+    const std::array<RoundedEnds, 3> ends{RoundedEnds(enclosed[0]), RoundedEnds(enclosed[1]), RoundedEnds(enclosed[2])};
+    if (!std::ranges::all_of(ends, &RoundedEnds::are_neighbours)) continue;
+    Eigen::Vector3f answer;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto [low, high] = ends[axis];
+      const double tie = 0.5 * (static_cast<double>(low) + static_cast<double>(high));
+      answer[static_cast<int>(axis)] =
+          ends[axis].agree() ? low : rounded_between(low, high, sign_of_excess(law, exact, axis, tie));
+    }
+    return {answer, Status::contact, Method::exact, 0};
   }
-  Enclosure gap;
-  mpfi_set_q(gap.backend().data(), rational.get_mp());
-  return gap + rest;
 }
 
 Rounded round_by_enclosures(const HeightLaw& law, const Point2& at, double z) {
   mpfr_set_emin(mpfr_get_emin_min());  // the tail of a Gaussian goes down to exp(-2·10^14)
-  for (const unsigned bits : {128U, 768U, 3072U}) {
+  for (const unsigned bits : {128U, 768U}) {
     set_precision(bits);
-    const HeightForce<Enclosure> enclosed = force<Enclosure>(law, at, z);
+    const Local<Enclosure> enclosed = local<Enclosure>(law, at, z);
     if (upper(enclosed.gap) <= 0) return {{0, 0, 0}, Status::free, Method::enclosure};
     if (lower(enclosed.gap) <= 0) continue;
-    const auto x = agreed_binary32(enclosed.x), y = agreed_binary32(enclosed.y), fz = agreed_binary32(enclosed.z);
-    if (x && y && fz)
-      return {{*x, *y, *fz},
-              Status::contact,
-              Method::enclosure,
-              nearest_tie({filter_of(enclosed.x), filter_of(enclosed.y), filter_of(enclosed.z)}, {*x, *y, *fz})};
+    const Components<Enclosure> components = force(law, enclosed);
+    const std::array<RoundedEnds, 3> ends{RoundedEnds(components[0]), RoundedEnds(components[1]), RoundedEnds(components[2])};
+    if (!std::ranges::all_of(ends, &RoundedEnds::agree)) continue;
+    const Eigen::Vector3f answer(ends[0].low, ends[1].low, ends[2].low);
+    return {answer, Status::contact, Method::enclosure,
+            nearest_tie({filter_of(components[0]), filter_of(components[1]), filter_of(components[2])}, answer)};
   }
-  if (upper(gap_of_few_roundings(law, at, z)) <= 0) return {{0, 0, 0}, Status::free, Method::exact};
-  throw std::domain_error("height map: 3072 bits do not decide the force at (" + std::to_string(at.x) + ", " +
-                          std::to_string(at.y) + ", " + std::to_string(z) + ") mm");
+  return round_exactly(law, at, z);
 }
 
 bool is_transcendental(const HeightMap& map) {
@@ -127,12 +132,13 @@ Rounded HeightLaw::round_to_binary32(const Eigen::Vector3f& position) const {
   const std::lock_guard lock(slow_numbers);
   if (is_transcendental(map_)) return round_by_enclosures(*this, at, z);
   try {
-    const HeightForce<Filter> quick = force<Filter>(*this, at, z);
+    const Local<Filter> quick = local<Filter>(*this, at, z);
     if (!(quick.gap > Filter(0.0))) return {};
-    const Eigen::Vector3f rounded(quick.x.round(), quick.y.round(), quick.z.round());
-    return {rounded, Status::contact, Method::filter, nearest_tie({quick.x, quick.y, quick.z}, rounded)};
+    const Components<Filter> components = force(*this, quick);
+    const Eigen::Vector3f rounded(components[0].round(), components[1].round(), components[2].round());
+    return {rounded, Status::contact, Method::filter, nearest_tie(components, rounded)};
   } catch (const Undecided&) {
-    return round_exactly(*this, at, z);
+    return round_by_enclosures(*this, at, z);
   }
 }
 
@@ -141,15 +147,18 @@ HeightLaw::Estimate HeightLaw::estimate(const Eigen::Vector3f& position) const {
   const double z = quantised(position.z());
   const std::lock_guard lock(slow_numbers);
   if (!is_transcendental(map_)) try {
-      const HeightForce<Filter> quick = force<Filter>(*this, at, z);
-      if (quick.gap.rad() <= 0x1p-30L * std::fabs(quick.gap.mid()))
-        return {quick.gap, quick.Ux, quick.Uy, quick.x, quick.y, quick.z};
+      const Local<Filter> quick = local<Filter>(*this, at, z);
+      if (quick.gap.rad() <= 0x1p-30L * std::fabs(quick.gap.mid())) {
+        const Components<Filter> F = force(*this, quick);
+        return {quick.gap, quick.Ux, quick.Uy, F[0], F[1], F[2]};
+      }
     } catch (const Undecided&) {
     }
   mpfr_set_emin(mpfr_get_emin_min());
   set_precision(768);  // parts may cancel
-  const HeightForce<Enclosure> slow = force<Enclosure>(*this, at, z);
-  return {filter_of(slow.gap), filter_of(slow.Ux), filter_of(slow.Uy), filter_of(slow.x), filter_of(slow.y), filter_of(slow.z)};
+  const Local<Enclosure> slow = local<Enclosure>(*this, at, z);
+  const Components<Enclosure> F = force(*this, slow);
+  return {filter_of(slow.gap), filter_of(slow.Ux), filter_of(slow.Uy), filter_of(F[0]), filter_of(F[1]), filter_of(F[2])};
 }
 
 }  // namespace forceshade::reference

@@ -19,8 +19,7 @@ class HeightLaw {
   height::Rendering rendering() const { return rendering_; }
   float stiffness() const { return stiffness_; }
 
-  // As Law::round_to_binary32. Every answer is decided for maps without Gaussian or grating; with one, a position that 3072
-  // bits do not decide throws std::domain_error, which names it: none is known but sums whose parts cancel.
+  // As Law::round_to_binary32: every answer is decided. What enclosures of 768 bits leave open, exact sums decide.
   Rounded round_to_binary32(const Eigen::Vector3f& position) const;
 
   // The force at a valid position to about 17 digits, and what it is made of, for properties that need a size, not a proof.

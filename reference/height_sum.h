@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "forceshade/reference/exponential_sum.h"
 #include "forceshade/reference/height_cap.h"
 #include "forceshade/reference/height_cone.h"
 #include "forceshade/reference/height_gaussian.h"
@@ -18,9 +19,6 @@ namespace forceshade::reference {
 
 template <class T>
 inline constexpr bool kIsTranscendental = std::is_same_v<T, height::Gaussian> || std::is_same_v<T, height::Grating>;
-template <class T>
-inline constexpr bool kIsRational = std::is_same_v<T, height::Plane> || std::is_same_v<T, height::Polygons> ||
-                                    std::is_same_v<T, std::shared_ptr<const height::Grid>>;
 
 inline const height::Grid& as_shape(const std::shared_ptr<const height::Grid>& grid) {
   return *grid;
@@ -34,18 +32,10 @@ template <class N>
 Jet<N> part_jet(const height::Part& part, const Point2& at) {
   const Jet<N> one = std::visit(
       [&]<class T>(const T& shape) -> Jet<N> {
-        if constexpr (kIsTranscendental<T> && !std::is_same_v<N, Enclosure>) {
+        if constexpr (kIsTranscendental<T> && std::is_same_v<N, Filter>)
           throw std::logic_error("a transcendental height in an algebraic number");
-        } else if constexpr (!kIsRational<T> && std::is_same_v<N, Rational>) {
-          throw std::logic_error("a root in a rational number");
-        } else if constexpr (kIsRational<T> && std::is_same_v<N, Exact>) {
-          const Jet<Rational> value = jet<Rational>(as_shape(shape), at);
-          return {Exact(value.U), Exact(value.Ux), Exact(value.Uy)};
-        } else if constexpr (kIsTranscendental<T>) {
-          return jet(shape, at);
-        } else {
+        else
           return jet<N>(as_shape(shape), at);
-        }
       },
       part.shape);
   return part.negated ? -one : one;

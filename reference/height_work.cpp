@@ -19,8 +19,8 @@ using height::Rendering;
 struct AtShape {
   const Point2& at;
 
-  Jet<Enclosure> operator()(const height::Gaussian& shape) const { return jet(shape, at); }
-  Jet<Enclosure> operator()(const height::Grating& shape) const { return jet(shape, at); }
+  Jet<Enclosure> operator()(const height::Gaussian& shape) const { return jet<Enclosure>(shape, at); }
+  Jet<Enclosure> operator()(const height::Grating& shape) const { return jet<Enclosure>(shape, at); }
   Jet<Enclosure> operator()(const std::shared_ptr<const height::Grid>& grid) const { return jet<Enclosure>(*grid, at); }
   template <class T>
   Jet<Enclosure> operator()(const T& shape) const {
