@@ -7,6 +7,7 @@
 #include "forceshade/fast/height_cap.h"
 #include "forceshade/fast/height_cone.h"
 #include "forceshade/fast/height_domain.h"
+#include "forceshade/fast/height_exact.h"
 #include "forceshade/fast/height_gaussian.h"
 #include "forceshade/fast/height_grating.h"
 #include "forceshade/fast/height_plane.h"
@@ -18,20 +19,26 @@ using height::Rendering;
 
 namespace {
 
-// As height_force, in Ball arithmetic.
-template <class N>
-std::optional<Evaluation> height_force(const Jet<N>& map, height::Rendering rendering, double stiffness, double z,
-                                       Stage stage) noexcept {
+// As height_force, in Ball arithmetic. exact(): an ExactPlace, which is there for what the numbers leave open.
+template <class N, class Exact>
+std::optional<Evaluation> height_force(const Jet<N>& map, height::Rendering rendering, double stiffness, double z, Stage stage,
+                                       const Exact& exact) noexcept {
   if (!map.decided) return std::nullopt;
   const N gap = map.U - N::exactly(z);
-  const Sign contact = sign(gap);
+  Sign contact = proved_sign(gap);
+  if (contact == Sign::unknown) contact = exact([](const ExactPlace& place) { return place.sign_of_gap(); });
   if (contact == Sign::unknown) return std::nullopt;
   if (contact != Sign::positive) return Evaluation{{0, 0, 0}, Status::free, stage};
   N magnitude = N::exactly(stiffness) * gap;
   if (rendering != height::Rendering::conservative)
     magnitude = magnitude / square_root(N::exactly(1) + (map.Ux * map.Ux + map.Uy * map.Uy));
-  const auto x = round_to_binary32(-(magnitude * map.Ux)), y = round_to_binary32(-(magnitude * map.Uy)),
-             fz = round_to_binary32(magnitude);
+  const auto rounded = [&](std::size_t axis, const N& value) {
+    return round_to_binary32(approximately(value), [&](double tie) {
+      const Sign sign = proved_sign(value - N::exactly(tie));
+      return sign != Sign::unknown ? sign : exact([&](const ExactPlace& place) { return place.sign_of_excess(axis, tie); });
+    });
+  };
+  const auto x = rounded(0, -(magnitude * map.Ux)), y = rounded(1, -(magnitude * map.Uy)), fz = rounded(2, magnitude);
   if (!x || !y || !fz) return std::nullopt;
   return Evaluation{{*x, *y, *fz}, Status::contact, stage};
 }
@@ -101,9 +108,30 @@ FORCESHADE_INLINE Jet<N> HeightLaw::jet_at(const Place& at) const noexcept {
   const auto z = static_cast<double>(quantised(position.z()));
   const HeightForce first = height_force(jet_at<Tracked>(at), rendering_, stiffness_, z);
   if (first.contact != Sign::unknown) return evaluation_of(first);
-  if (const auto second = height_force(jet_at<DoubleDouble>(at), rendering_, stiffness_, z, Stage::double_double))
+  const auto nobody = [](const auto&) { return Sign::unknown; };
+  if (const auto second = height_force(jet_at<DoubleDouble>(at), rendering_, stiffness_, z, Stage::double_double, nobody))
     return *second;
-  return height_force(jet_at<Wide<32>>(at), rendering_, stiffness_, z, Stage::wide).value_or(undecided_evaluation());
+  return evaluate_wide(at, z);
+}
+
+// Kept out of line: its stack frame is some 300 KiB, for one position in many millions.
+[[gnu::noinline]] Evaluation HeightLaw::evaluate_wide(const Place& at, double z) const noexcept {
+  std::optional<ExactPlace> place;
+  const auto exact = [&](const auto& question) {
+    if (!place) describe(place.emplace(at, z, rendering_, stiffness_));
+    return question(*place);
+  };
+  return height_force(jet_at<Wide<32>>(at), rendering_, stiffness_, z, Stage::wide, exact).value_or(undecided_evaluation());
+}
+
+void HeightLaw::describe(ExactPlace& place) const noexcept {
+  const auto add = [&](const std::vector<Part>& parts, bool gap, bool slopes) {
+    for (const Part& part : parts)
+      std::visit([&](const auto& shape) { place.add(shape, {gap, slopes, part.negated ? -1.0 : 1.0}); }, part.shape);
+  };
+  const bool is_shaded = rendering_ == Rendering::force_shaded;
+  add(parts_, !is_shaded, true);
+  add(surface_, true, false);
 }
 
 BatchResult HeightLaw::force(std::span<const Eigen::Vector3f> positions, std::span<Eigen::Vector3f> to,

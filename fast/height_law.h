@@ -15,6 +15,8 @@
 
 namespace forceshade::fast {
 
+class ExactPlace;
+
 // Evaluates without allocation, lock or exception; immutable, safe to share between threads. A grid is shared, not copied.
 class HeightLaw {
  public:
@@ -22,7 +24,8 @@ class HeightLaw {
   // nothing is built.
   static std::variant<HeightLaw, ParameterError> build(const HeightMap& map, height::Rendering rendering, float stiffness);
 
-  // Each component is the exact force rounded to binary32, but for a sum of parts within 2^-1900 of a tie; as Law::evaluate.
+  // Each component is the exact force rounded to binary32; as Law::evaluate. Should the numbers of the last stage not decide
+  // (docs/proofs.md says for which identities that could be; no input is known), Status::invalid and no force.
   Evaluation evaluate(const Eigen::Vector3f& position) const noexcept {
     Evaluation answer;  // one object, built where the caller wants it: a copy would wait for what was just written
     if (spline_ != nullptr) {
@@ -59,6 +62,8 @@ class HeightLaw {
   template <class N>
   Jet<N> jet_at(const Place& at) const noexcept;
   Evaluation evaluate_in_stages(const Eigen::Vector3f& position) const noexcept;
+  Evaluation evaluate_wide(const Place& at, double z) const noexcept;
+  void describe(ExactPlace& place) const noexcept;
 
   std::vector<Part> parts_, surface_;
   height::Rendering rendering_;

@@ -4,7 +4,9 @@
 // as often. No constant, no library function: the bounds are those of sums and products, which double with each squaring.
 
 #include <cmath>
+#include <type_traits>
 
+#include "forceshade/fast/double_double.h"
 #include "forceshade/fast/tracked.h"
 #include "forceshade/fast/wide.h"
 

@@ -17,6 +17,9 @@ namespace forceshade::fast {
 
 template <std::size_t kLimbs>
 class Wide {
+  template <std::size_t kOther>
+  friend class Wide;
+
  public:
   static constexpr int kNewtonSteps = 7;  // from 2^-50 past 2^-6000
 
@@ -74,8 +77,12 @@ class Wide {
     result.negative_ = a.negative_ != b.negative_;
     result.exponent_ = a.exponent_ + b.exponent_;
     for (std::size_t i = 0; i < kLimbs; ++i) result.limbs_[i] = product[i + kLimbs];
-    result.normalise(product[kLimbs - 1]);
-    return result.with_error(larger(propagated, result.exponent_ - kBits + 2) + 2);
+    const std::uint64_t below = product[kLimbs - 1];
+    result.normalise(below);
+    const std::int64_t taken = a.exponent_ + b.exponent_ - result.exponent_;  // bits of `below` that found room: 0 or 1
+    bool lost = (below << taken) != 0;
+    for (std::size_t i = 0; i + 1 < kLimbs; ++i) lost |= product[i] != 0;
+    return result.with_error(larger(propagated, lost ? result.exponent_ - kBits + 2 : kExact) + 2);
   }
 
   // Newton for 1/b, then one correction; the bound comes from the remainder a - q b, so it does not lean on Newton's.
@@ -117,6 +124,10 @@ class Wide {
     if (a.may_be_zero()) return Sign::zero;
     return a.negative_ ? Sign::negative : Sign::positive;
   }
+  // For numbers that nothing separates from zero: zero only if that is all there is.
+  friend Sign proved_sign(const Wide& a) noexcept {
+    return a.may_be_zero() && !a.is_exact_zero() ? Sign::unknown : sign(a);
+  }
 
   friend Wide midpoint(const Wide& a) noexcept {
     Wide result = a;
@@ -140,6 +151,32 @@ class Wide {
 
   // |true value - this value| <= 2^error_exponent().
   std::int64_t error_exponent() const noexcept { return error_; }
+  // Nothing was rounded on the way here.
+  bool is_exact() const noexcept { return error_ < kExact / 2; }
+  // Of a number that is not 0: 2^(exponent() - 1) <= |value| < 2^exponent().
+  std::int64_t exponent() const noexcept { return exponent_; }
+  // Times 2^k.
+  Wide scaled(std::int64_t k) const noexcept {
+    Wide result = *this;
+    result.exponent_ += k;
+    return result.with_error(error_ + k);
+  }
+  // The same value, whatever the errors.
+  friend bool operator==(const Wide& a, const Wide& b) noexcept {
+    return a.negative_ == b.negative_ && a.exponent_ == b.exponent_ && a.limbs_ == b.limbs_;
+  }
+
+  // The same number in more or fewer bits.
+  template <std::size_t kOther>
+  explicit Wide(const Wide<kOther>& other) noexcept
+      : exponent_(other.exponent_), error_(other.error_), negative_(other.negative_) {
+    constexpr std::size_t kKept = kLimbs < kOther ? kLimbs : kOther;
+    for (std::size_t i = 1; i <= kKept; ++i) limbs_[kLimbs - i] = other.limbs_[kOther - i];
+    bool lost = false;
+    for (std::size_t i = 0; i + kLimbs < kOther; ++i) lost |= other.limbs_[i] != 0;
+    if (lost) error_ = larger(error_, exponent_ - kBits + 1) + 1;
+  }
+  Wide() noexcept = default;
 
  private:
   __extension__ using Product = unsigned __int128;
@@ -155,18 +192,12 @@ class Wide {
     return i;
   }
   bool is_zero() const noexcept { return limbs_[kLimbs - 1] == 0; }
-  bool is_exact_zero() const noexcept { return is_zero() && error_ < kExact / 2; }
+  bool is_exact_zero() const noexcept { return is_zero() && is_exact(); }
   // |value| >= 2^(exponent - 1), so an error below 2^(exponent - 2) keeps it away from zero by half of that at least.
   bool may_be_zero() const noexcept { return is_zero() || error_ > exponent_ - 2; }
   // The smallest e known with |true value| < 2^e.
   std::int64_t magnitude() const noexcept { return larger(is_zero() ? kExact : exponent_, error_) + 1; }
   double fraction() const noexcept { return std::ldexp(static_cast<double>(limbs_[kLimbs - 1]), -64); }
-  Wide scaled(std::int64_t k) const noexcept {
-    Wide result = *this;
-    result.exponent_ += k;
-    result.error_ += k;
-    return result;
-  }
   Wide with_error(std::int64_t error) const noexcept {
     Wide result = *this;
     result.error_ = error < kExact / 2 ? kExact : error;
