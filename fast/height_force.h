@@ -22,9 +22,9 @@ struct HeightForce {
 
 // U: of the surface that the depth is measured from; K: N/mm; z: mm.
 //
-// With M = K·gap/n, n = √(1 + U_x² + U_y²) and e the errors of the jet: |n - n'| <= e_x + e_y, for a length changes by no more
-// than its vector, so M is within (K·e_U + M(e_x + e_y))/n of its exact value (n >= 1 is left out), and M·U_x within that times
-// |U_x| and M·e_x; products of two errors are below 2^-22 of these where an answer is given at all, which kSlack pays for.
+// With M = K·gap/n, n = √(1 + U_x² + U_y²), e the errors of the jet and primes for exact numbers: |n - n'| <= e_x + e_y, for a
+// length changes by no more than its vector, so |M - M'| <= K·e_U/n' + M|n - n'|/n' <= e_M = K·e_U + M(e_x + e_y), and
+// |M·U_x - M'·U_x'| <= e_M(|U_x| + e_x) + M·e_x. kSlack covers the roundings of these bounds.
 FORCESHADE_INLINE HeightForce height_force(const Jet<Tracked>& map, height::Rendering rendering, double K, double z) noexcept {
   constexpr double kSlack = 1 + 0x1p-20;
   const double gap = map.U.value - z, gap_error = map.U.error;
@@ -41,7 +41,8 @@ FORCESHADE_INLINE HeightForce height_force(const Jet<Tracked>& map, height::Rend
                         two_sum(map.U.value, -z).lo == 0 && two_product(K, gap).lo == 0;
   error = is_exact ? 0 : kSlack * error + kHeightForceError * M;
   const auto rounded = [&](const Tracked& slope) -> RoundedComponent {
-    const double value = M * -slope.value, reach = error * __builtin_fabs(slope.value) + kSlack * (M * slope.error);
+    const double value = M * -slope.value,
+                 reach = kSlack * (error * (__builtin_fabs(slope.value) + slope.error) + M * slope.error);
     const auto low = static_cast<float>(value - reach), high = static_cast<float>(value + reach);
     return {low + 0.0F, low == high};  // -0 becomes +0
   };
