@@ -7,11 +7,12 @@
 
 namespace forceshade::fast {
 
-// Numerator and denominator have 4096 bits at most. A fraction that would need more, or whose divisor was 0, is not exact, and
+// Numerator and denominator have kMostBits at most. A fraction that would need more, or whose divisor was 0, is not exact, and
 // so is whatever is computed from it; the sign of such a fraction is unknown.
 class Fraction {
  public:
-  using Integer = Wide<64>;  // times a power of two
+  static constexpr std::size_t kMostBits = 12288;
+  using Integer = Wide<kMostBits / 64>;  // times a power of two
 
   Fraction() noexcept = default;
   static Fraction exactly(double value) noexcept { return whole(Integer::exactly(value)); }

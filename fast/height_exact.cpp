@@ -2,6 +2,7 @@
 #include "forceshade/fast/height_exact.h"
 
 #include <algorithm>
+#include <bit>
 #include <span>
 
 #include "forceshade/fast/height_plane.h"
@@ -92,7 +93,41 @@ N size_of(const Fraction& a) noexcept {
 // slopes are below 2³⁰, the stiffness below 2¹⁰, a tie below 2⁷⁰.
 constexpr double kFromSecondOrderOn = 0x1p144, kFromThirdOrderOn = 0x1p60;
 
+// Bits of the denominators of a part's height and slopes, powers of two left out, for parts that are everywhere: the other
+// kinds are rational numbers with short denominators, or one of the few roots and exponentials that kOtherBits counts.
+struct BitsOfDenominator {
+  template <class T>
+  std::size_t operator()(const T&) const {
+    return 0;
+  }
+  // The step between knots, a multiple of 2⁻⁵³ below 2¹⁶.
+  std::size_t operator()(const height::Polygons&) const { return 69; }
+  // A spline's weights are cubic in x/p and in y/p, divided by 36.
+  std::size_t operator()(const std::shared_ptr<const height::Grid>& grid) const {
+    const std::uint32_t significand = (std::bit_cast<std::uint32_t>(grid->pitch) & 0x7FFFFF) | 0x800000;
+    const std::size_t odd_bits = 24 - static_cast<std::size_t>(std::countr_zero(significand));
+    return grid->interpolant == height::Interpolant::cubic_spline ? 6 * odd_bits + 4 : 2 * odd_bits;
+  }
+};
+
+// Beside the denominators a numerator of gap or slope has at most 450 bits (a spline's: (x/p)³(y/p)³ and a value), a tie 174, a
+// stiffness 24; three radicands have 138 bits each in every one of the four factors of a product, and stand in its
+// denominators; radii and variances of parts that meet in one term have 48 each.
+constexpr std::size_t kOtherBits = 4 * 450 + 2 * (174 + 24) + 4 * 3 * (138 + 48);
+
+std::size_t bits_of_denominators(const std::vector<height::Part>& parts) noexcept {
+  std::size_t sum = 0;
+  for (const height::Part& part : parts) sum += std::visit(BitsOfDenominator(), part.shape);
+  return sum;
+}
+
 }  // namespace
+
+std::size_t bits_of_exact_numbers(const HeightMap& map) noexcept {
+  const std::size_t slopes = bits_of_denominators(map.parts),
+                    gap = map.surface.empty() ? slopes : bits_of_denominators(map.surface);
+  return 2 * gap + 4 * slopes + kOtherBits;
+}
 
 ExactPlace::ExactPlace(const Place& at, double z, height::Rendering rendering, double stiffness) noexcept
     : at_(at), rendering_(rendering), stiffness_(Fraction::exactly(stiffness)) {

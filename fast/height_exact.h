@@ -21,6 +21,10 @@
 
 namespace forceshade::fast {
 
+// How many bits exact numbers take where all grids and polygons of a map meet three roots and an exponential (docs/proofs.md). Maps
+// that take more than a Fraction has are not built.
+std::size_t bits_of_exact_numbers(const HeightMap& map) noexcept;
+
 // Gap, U_x and U_y as factors of one term.
 using GapAndSlopes = std::array<Fraction, 3>;
 

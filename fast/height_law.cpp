@@ -114,7 +114,7 @@ FORCESHADE_INLINE Jet<N> HeightLaw::jet_at(const Place& at) const noexcept {
   return evaluate_wide(at, z);
 }
 
-// Kept out of line: its stack frame is some 300 KiB, for one position in many millions.
+// Kept out of line: its stack frame is some 2 MiB, for one position in many millions.
 [[gnu::noinline]] Evaluation HeightLaw::evaluate_wide(const Place& at, double z) const noexcept {
   std::optional<ExactPlace> place;
   const auto exact = [&](const auto& question) {
@@ -197,6 +197,10 @@ HeightLaw::HeightLaw(std::vector<Part> parts, std::vector<Part> surface, Renderi
 std::variant<HeightLaw, ParameterError> HeightLaw::build(const HeightMap& map, Rendering rendering, float stiffness) {
   if (const char* fault = height_arithmetic_fault()) return ParameterError{fault, "", 1, 0, 0};
   if (const auto error = first_error(map, rendering, stiffness)) return *error;
+  constexpr std::size_t kRoom = Fraction::kMostBits;
+  if (const std::size_t bits = bits_of_exact_numbers(map); bits > kRoom)
+    return ParameterError{"size of the sum's exact numbers (fewer parts, or pitches of fewer digits, make it smaller)", "bits",
+                          static_cast<float>(bits), 0, static_cast<float>(kRoom)};
   return HeightLaw(real_time(map.parts), real_time(map.surface), rendering, stiffness);
 }
 

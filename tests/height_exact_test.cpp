@@ -45,13 +45,14 @@ TEST(fraction, says_so_where_it_has_no_room) {
     power = power * power;
     ++doublings;
   }
-  EXPECT_EQ(doublings, 12) << "3^(2^11) has 3247 bits, its square has 6493";
+  EXPECT_EQ(doublings, 13) << "3^(2^12) has 6493 bits, its square has 12985";
   EXPECT_EQ(sign(power), Sign::unknown);
   EXPECT_EQ(sign(power - power), Sign::unknown);
   EXPECT_EQ(sign(whole(1) / whole(0)), Sign::unknown);
-  const Fraction far_apart = whole(1) + whole(0x1p-1000) * whole(0x1p-1000) * whole(0x1p-1000) * whole(0x1p-1000);
-  EXPECT_EQ(sign(far_apart - whole(1)), Sign::positive);
-  EXPECT_EQ(sign(far_apart + whole(0x1p-1000) * whole(0x1p-1000) * (far_apart - whole(1))), Sign::unknown);
+  Fraction tiny = whole(0x1p-1000);
+  for (int i = 0; i < 3; ++i) tiny = tiny * tiny;  // 2^-8000
+  EXPECT_EQ(sign(whole(1) + tiny - whole(1)), Sign::positive);
+  EXPECT_EQ(sign(whole(1) + tiny * tiny), Sign::unknown) << "16001 bits";
 }
 
 TEST(root_field, finds_roots_that_are_related) {
@@ -187,6 +188,31 @@ TEST(height_exact, moves_a_tie_off_by_any_tail) {
     EXPECT_EQ(z_force({{half}}, Rendering::force_shaded, 1.5F, {x, 0, -0x1.000002p+0F}), 0x1.800004p+0F);
     EXPECT_EQ(z_force({{half}, {hill}}, Rendering::force_shaded, 1.5F, {x, 0, -0x1.000002p+0F}), 0x1.800002p+0F);
   }
+}
+
+// Level places of grids whose pitches have no common measure, where each part's height is a quotient of long numbers.
+TEST(height_exact, has_room_for_every_map_that_is_built) {
+  HeightMap map;
+  const auto add_grid = [&](float pitch) {
+    map.parts.push_back({std::make_shared<const height::Grid>(
+        height::Grid{2, 2, pitch, height::Edge::tile, height::Interpolant::cubic_spline, {0.25F, 0.25F, 0.25F, 0.25F}})});
+  };
+  const auto build = [&] { return fast::HeightLaw::build(map, Rendering::true_height, 1.5F); };
+  while (map.parts.size() < 6) {
+    add_grid(0.3F + static_cast<float>(map.parts.size()) * 0x1p-20F);
+    const auto law = build();
+    ASSERT_TRUE(std::holds_alternative<fast::HeightLaw>(law)) << map.parts.size();
+    const float top = 0.25F * static_cast<float>(map.parts.size());
+    const auto evaluate = [&](float z) { return std::get<fast::HeightLaw>(law).evaluate({1.1F, 0x1.234566p-13F, z}); };
+    EXPECT_EQ(evaluate(top).status, Status::free) << map.parts.size();
+    const fast::Evaluation tie = evaluate(top - 2 - 0x1p-22F);
+    EXPECT_EQ(tie.stage, map.parts.size() == 1 ? fast::Stage::binary64 : fast::Stage::wide);
+    EXPECT_EQ(tie.force, Vector3f(0, 0, 0x1.800004p+1F)) << map.parts.size();
+  }
+  while (map.parts.size() < 16) add_grid(0.7F);
+  const auto refused = build();
+  ASSERT_TRUE(std::holds_alternative<ParameterError>(refused));
+  EXPECT_NE(std::get<ParameterError>(refused).message().find("exact numbers"), std::string::npos);
 }
 
 // Waves that are left are not its affair.
