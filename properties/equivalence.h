@@ -2,8 +2,6 @@
 #pragma once
 // Equivalence: the renderer's force is the exact force rounded to binary32, bit for bit, and its status is right.
 
-#include <stdexcept>
-
 #include "forceshade/properties/subject.h"
 
 namespace forceshade::properties {
@@ -11,14 +9,9 @@ namespace forceshade::properties {
 // For an answer already given, against a rounding already done.
 Violation difference(const Eigen::Vector3f& position, const Rendered& answer, const reference::Rounded& exact);
 
-// Nothing is said where the reference cannot tell: HeightLaw::round_to_binary32.
 template <class Reference>
 Violation equivalence(const SubjectOf<Reference>& subject, const Eigen::Vector3f& position) {
-  try {
-    return difference(position, subject.renderer(position), subject.law.round_to_binary32(position));
-  } catch (const std::domain_error&) {
-    return std::nullopt;
-  }
+  return difference(position, subject.renderer(position), subject.law.round_to_binary32(position));
 }
 
 }  // namespace forceshade::properties

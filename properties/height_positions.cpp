@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "forceshade/properties/binary32.h"
 
@@ -68,15 +67,6 @@ float HeightPositionSource::near_surface(const std::array<float, 2>& at) {
   return neighbour(static_cast<float>(surface(at)), small_step());
 }
 
-// In units in the last place; 1 where the reference cannot tell.
-float HeightPositionSource::distance_from_tie(const Eigen::Vector3f& position) const {
-  try {
-    return law_.round_to_binary32(position).ulps_from_tie;
-  } catch (const std::domain_error&) {
-    return 1;
-  }
-}
-
 // Of eight neighbours in one coordinate, the one whose force comes closest to a tie.
 Eigen::Vector3f HeightPositionSource::near_tie(Eigen::Vector3f position) {
   Eigen::Vector3f best = position;
@@ -84,7 +74,7 @@ Eigen::Vector3f HeightPositionSource::near_tie(Eigen::Vector3f position) {
   float& moved = position[static_cast<Eigen::Index>(bits() % 3)];
   for (int i = 0; i < 8; ++i) {
     moved = neighbour(moved, 1);
-    const float distance = distance_from_tie(position);
+    const float distance = law_.round_to_binary32(position).ulps_from_tie;
     if (distance >= nearest) continue;
     nearest = distance;
     best = position;

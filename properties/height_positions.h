@@ -34,7 +34,6 @@ class HeightPositionSource : private Draws {
   std::array<float, 2> at_a_centre();
   float below(const std::array<float, 2>& at);
   float near_surface(const std::array<float, 2>& at);
-  float distance_from_tie(const Eigen::Vector3f& position) const;
   Eigen::Vector3f near_tie(Eigen::Vector3f position);
 
   const reference::HeightLaw& law_;
