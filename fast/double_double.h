@@ -102,8 +102,7 @@ struct DoubleDouble {
   friend DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) noexcept { return a + (-b); }
 
   friend DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) noexcept {
-    return rounded(product_of(a.terms(), b.terms()),
-                   std::fabs(a.hi) * b.error + std::fabs(b.hi) * a.error + a.error * b.error);
+    return rounded(product_of(a.terms(), b.terms()), std::fabs(a.hi) * b.error + std::fabs(b.hi) * a.error + a.error * b.error);
   }
 
   // A divisor that may be zero gives an infinite error, not a trap.
