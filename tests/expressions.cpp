@@ -128,14 +128,14 @@ Scaled Expressions::square_root(const Scaled& a) {
   return {add({Kind::root, false, {{a.node, 1, odd}}, "", kMany}), 1, (a.exponent - odd) / 2};
 }
 
-// Dekker: with s = a + q rounded, (a - s) + q, each rounded, is the residual of s.
+// Dekker: with s = a + q rounded and |a| >= |q|, (a - s) + q, each rounded, is the residual of s.
 Scaled Expressions::residual_of_sum(const Scaled& a, const Scaled& b) {
   for (const auto& [difference, q] : {std::pair{a, b}, std::pair{b, a}}) {
     if (!is_rounded(difference, Kind::sum)) continue;
     const std::vector<Scaled> parts = terms(difference);
     for (const auto& [from, less] : {std::pair{parts[0], parts[1]}, std::pair{parts[1], parts[0]}}) {
       const Scaled s = -less;
-      if (!is_rounded(s, Kind::sum)) continue;
+      if (!is_rounded(s, Kind::sum) || !larger_.contains({from.node, q.node})) continue;
       const std::vector<Scaled> added = terms(s);
       if ((added[0] == from && added[1] == q) || (added[1] == from && added[0] == q)) return residual(s);
     }
@@ -161,8 +161,7 @@ Scaled Expressions::rounded(const Scaled& a) {
   if (node(a).bits <= 53 || node(a).is_rounded) return a;
   if (node(a).kind == Kind::sum) {
     const std::vector<Scaled> parts = terms(a);
-    if (sums_have_residuals)
-      if (const Scaled found = residual_of_sum(parts[0], parts[1]); !is_zero(found)) return found;
+    if (const Scaled found = residual_of_sum(parts[0], parts[1]); !is_zero(found)) return found;
     if (const Scaled found = remainder_of_quotient(parts[0], parts[1]); !is_zero(found)) return found;
   }
   Node copy = node(a);

@@ -6,10 +6,11 @@
 // The form leaves open only what changes no bit of a result: the order of the two operands of a sum or product; signs and
 // powers of two, which move out of every operation; sums with 0, products with 1; the rounding of a product whose factors
 // have 53 bits at most together. All this but for underflow, which the scripts' domains exclude. Beyond it there are three
-// theorems, applied where their pattern is met: a rounding error found by subtraction is exact (Dekker for sums, by fma for
-// products), and so is the remainder of a quotient or root. Their hypotheses are argued in docs/proofs.md.
+// theorems, applied where their pattern is met: a rounding error found by subtraction is exact (Dekker for sums of which the
+// larger term is known, by fma for products), and so is the remainder of a quotient or root.
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,6 @@ class Expressions {
  public:
   Expressions();
 
-  // Off: what is subtracted is only known to be rounded. For scripts of places where Dekker's condition does not hold.
-  bool sums_have_residuals = true;
   // On: every product of a fused operation is rounded too. For scripts that charge one rounding to the product and one to the
   // sum, which covers both.
   bool products_always_round = false;
@@ -55,6 +54,8 @@ class Expressions {
 
   // `a` is a binary64 number, and rounding it does nothing: for a script that argues so.
   void assume_binary64(const Scaled& a);
+  // Dekker's condition holds for their sum and difference: `a` is not below `b` in size. Argued in docs/proofs.md.
+  void assume_larger(const Scaled& a, const Scaled& b) { larger_.insert({a.node, b.node}); }
 
   // Of an expression of rounded operations, given the inputs' values by node.
   double evaluate(const Scaled& a, const std::map<int, double>& inputs) const;
@@ -92,6 +93,7 @@ class Expressions {
   std::vector<Node> nodes_;
   std::map<std::string, int> known_;
   std::map<double, Scaled> named_;  // by odd significand
+  std::set<std::pair<int, int>> larger_;
 };
 
 }  // namespace forceshade::tests

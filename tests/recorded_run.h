@@ -43,6 +43,8 @@ struct RecordedRun {
 
   Scaled value(const std::string& expression) { return of.script.value(expression, expressions, bindings); }
 
+  void assume_larger(const char* a, const char* b) { expressions.assume_larger(value(a), value(b)); }
+
   void expect(const std::string& piece, const Recorded& found, std::size_t conclusion = 0) {
     expect(piece, found.expression(), conclusion);
   }
