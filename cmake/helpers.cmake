@@ -13,3 +13,15 @@ function(forceshade_compile_options name)
     target_compile_options(${name} PRIVATE -Werror)
   endif()
 endfunction()
+
+# Sources for one instruction set alone.
+function(forceshade_vector_sources set)
+  if(set STREQUAL "avx2")
+    set(options "-mavx2;-mfma")
+  else()
+    # g++ 12 warns about its own intrinsics header (GCC bug 105593).
+    set(options
+        "-mavx512f;-mavx512dq;-mavx512vl;-mavx512bw;$<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized>")
+  endif()
+  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${options}")
+endfunction()

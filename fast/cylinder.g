@@ -45,7 +45,7 @@ a_back rnd= anchored - a;
 b_back rnd= a - b;
 a_far rnd= a_back - xx;
 b_far rnd= b_back - zz;
-low_far rnd= (a_far + b_far) + (rest - zt);
+low_far rnd= (a_far + b_far) + (rest - rnd(zt));
 v_far rnd= p_rough + low_far;
 
 l1 rnd= z + d_head;

@@ -6,35 +6,78 @@
 #include <cstdint>
 
 #include "forceshade/fast/ball.h"
+#include "forceshade/fast/inline.h"
 
 namespace forceshade::fast {
 
-struct TwoTerms {
-  double hi, lo;
+// Real: binary64, or a number that writes down what is done with it (tests/recorded_number.h).
+template <class Real>
+struct Terms {
+  Real hi, lo;
 };
+using TwoTerms = Terms<double>;
+
+// a·b + c, rounded once.
+FORCESHADE_INLINE double fused(double a, double b, double c) noexcept {
+  return std::fma(a, b, c);
+}
+FORCESHADE_INLINE double square_root(double a) noexcept {
+  return __builtin_sqrt(a);
+}
 
 // hi + lo == a + b exactly (Knuth).
-inline TwoTerms two_sum(double a, double b) noexcept {
-  const double s = a + b;
-  const double t = s - a;
+template <class Real>
+FORCESHADE_INLINE Terms<Real> two_sum(Real a, Real b) noexcept {
+  const Real s = a + b;
+  const Real t = s - a;
   return {s, (a - (s - t)) + (b - t)};
 }
 
 // As two_sum, for |a| >= |b| or a == 0 (Dekker).
-inline TwoTerms fast_two_sum(double a, double b) noexcept {
-  const double s = a + b;
+template <class Real>
+FORCESHADE_INLINE Terms<Real> fast_two_sum(Real a, Real b) noexcept {
+  const Real s = a + b;
   return {s, b - (s - a)};
 }
 
 // hi + lo == a * b exactly, while the product's last bit is above 2^-1074.
-inline TwoTerms two_product(double a, double b) noexcept {
-  const double p = a * b;
-  return {p, std::fma(a, b, -p)};
+template <class Real>
+FORCESHADE_INLINE Terms<Real> two_product(Real a, Real b) noexcept {
+  const Real p = a * b;
+  return {p, fused(a, b, -p)};
 }
 
-// |true value - (hi + lo)| <= error. Relative errors of the operations below: sum at most 3·2^-106 and a little (Joldes,
-// Muller and Popescu 2017, theorem 3.1); product, quotient and root proved in double_double.g. All are charged as 2^-101; the
-// bound's own arithmetic is rounded up by the factor kSlack.
+// The values of double-double's operations. Relative errors: sum at most 3·2^-106 and a little (Joldes, Muller and Popescu
+// 2017, theorem 3.1); product, quotient and root proved in double_double.g.
+template <class Real>
+inline Terms<Real> sum_of(const Terms<Real>& a, const Terms<Real>& b) noexcept {
+  const Terms<Real> s = two_sum(a.hi, b.hi);
+  const Terms<Real> t = two_sum(a.lo, b.lo);
+  const Terms<Real> v = fast_two_sum(s.hi, s.lo + t.hi);
+  return fast_two_sum(v.hi, t.lo + v.lo);
+}
+template <class Real>
+inline Terms<Real> product_of(const Terms<Real>& a, const Terms<Real>& b) noexcept {
+  const Terms<Real> p = two_product(a.hi, b.hi);
+  const Real low = fused(a.hi, b.lo, fused(a.lo, b.hi, a.lo * b.lo));
+  return fast_two_sum(p.hi, p.lo + low);
+}
+template <class Real>
+inline Terms<Real> quotient_of(const Terms<Real>& a, const Terms<Real>& b) noexcept {
+  const Real quotient = a.hi / b.hi;
+  const Terms<Real> p = two_product(quotient, b.hi);
+  const Real remainder = ((a.hi - p.hi) - p.lo) + fused(-quotient, b.lo, a.lo);
+  return fast_two_sum(quotient, remainder / b.hi);
+}
+template <class Real>
+inline Terms<Real> square_root_of(const Terms<Real>& a) noexcept {
+  const Real root = square_root(a.hi);
+  const Real remainder = fused(-root, root, a.hi) + a.lo;
+  return fast_two_sum(root, remainder / (root + root));
+}
+
+// |true value - (hi + lo)| <= error. The relative errors of all operations are charged as 2^-101; the bound's own arithmetic
+// is rounded up by the factor kSlack.
 struct DoubleDouble {
   double hi = 0, lo = 0, error = 0;
 
@@ -50,38 +93,31 @@ struct DoubleDouble {
 
   DoubleDouble operator-() const noexcept { return {-hi, -lo, error}; }
 
+  TwoTerms terms() const noexcept { return {hi, lo}; }
+
   friend DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) noexcept {
-    const TwoTerms s = two_sum(a.hi, b.hi);
-    const TwoTerms t = two_sum(a.lo, b.lo);
-    const TwoTerms v = fast_two_sum(s.hi, s.lo + t.hi);
-    return rounded(fast_two_sum(v.hi, t.lo + v.lo), a.error + b.error);
+    return rounded(sum_of(a.terms(), b.terms()), a.error + b.error);
   }
 
   friend DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) noexcept { return a + (-b); }
 
   friend DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) noexcept {
-    const TwoTerms p = two_product(a.hi, b.hi);
-    const double low = std::fma(a.hi, b.lo, std::fma(a.lo, b.hi, a.lo * b.lo));
-    return rounded(fast_two_sum(p.hi, p.lo + low), std::fabs(a.hi) * b.error + std::fabs(b.hi) * a.error + a.error * b.error);
+    return rounded(product_of(a.terms(), b.terms()), std::fabs(a.hi) * b.error + std::fabs(b.hi) * a.error + a.error * b.error);
   }
 
   // A divisor that may be zero gives an infinite error, not a trap.
   friend DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) noexcept {
     const double size = std::fabs(b.hi) * (1 - 0x1p-50) - b.error;
     if (!(size > 0)) return {0, 0, HUGE_VAL};
-    const double quotient = a.hi / b.hi;
-    const TwoTerms p = two_product(quotient, b.hi);
-    const double remainder = ((a.hi - p.hi) - p.lo) + std::fma(-quotient, b.lo, a.lo);
-    const TwoTerms q = fast_two_sum(quotient, remainder / b.hi);
+    const TwoTerms q = quotient_of(a.terms(), b.terms());
     return rounded(q, (a.error + std::fabs(q.hi) * b.error) / size);
   }
 
   friend DoubleDouble square_root(const DoubleDouble& a) noexcept {
     if (a.hi == 0 && a.error == 0) return a;
     if (!(a.hi * (1 - 0x1p-50) > a.error)) return {0, 0, kSlack * std::sqrt(std::fabs(a.hi) + a.error)};
-    const double root = std::sqrt(a.hi);
-    const double remainder = std::fma(-root, root, a.hi) + a.lo;
-    return rounded(fast_two_sum(root, remainder / (2 * root)), a.error / root);
+    const TwoTerms root = square_root_of(a.terms());
+    return rounded(root, a.error / root.hi);
   }
 
   friend Sign sign(const DoubleDouble& a) noexcept {

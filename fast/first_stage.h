@@ -4,7 +4,7 @@
 //
 // A law's first stage is a template over Real: double, or a pack of them in a batch (fast/pack_<set>.h). A Real offers
 // Real(double), + - * /, comparisons that give a MaskOf<Real> with & | !, and absolute, square_root, larger, select,
-// multiply_add, multiply_subtract and never as declared here for double.
+// multiply_add, multiply_subtract and never as declared here (square_root: fast/double_double.h) for double.
 
 #include <cstdint>
 
@@ -37,9 +37,6 @@ struct FirstStage {
 
 FORCESHADE_INLINE double absolute(double a) {
   return __builtin_fabs(a);
-}
-FORCESHADE_INLINE double square_root(double a) {
-  return __builtin_sqrt(a);
 }
 FORCESHADE_INLINE double larger(double a, double b) {
   return a > b ? a : b;

@@ -20,6 +20,19 @@ struct HeightForce {
   Sign contact;   // unknown: binary64 cannot tell, or not how to round
 };
 
+// Minus the force of a gap (mm) over slopes, along x and y, and the force up: K·gap·(U_x, U_y, 1)/n, n = √(1 + U_x² + U_y²), or
+// without n. Real: binary64 or a pack of them.
+template <class Real>
+struct GapForce {
+  Real x, y, up;  // N
+};
+template <class Real>
+FORCESHADE_INLINE GapForce<Real> gap_force(Real gap, Real Ux, Real Uy, height::Rendering rendering, Real K) noexcept {
+  Real M = K * gap;
+  if (rendering != height::Rendering::conservative) M = M / square_root(Real(1) + (Ux * Ux + Uy * Uy));
+  return {M * Ux, M * Uy, M};
+}
+
 // U: of the surface that the depth is measured from; K: N/mm; z: mm.
 //
 // With M = K·gap/n, n = √(1 + U_x² + U_y²), e the errors of the jet and primes for exact numbers: |n - n'| <= e_x + e_y, for a
@@ -31,22 +44,20 @@ FORCESHADE_INLINE HeightForce height_force(const Jet<Tracked>& map, height::Rend
   if (!map.decided) return {0, 0, 0, Sign::unknown};
   if (!(gap > kSlack * gap_error)) return {0, 0, 0, gap <= -kSlack * gap_error ? Sign::negative : Sign::unknown};
   const double Ux = map.Ux.value, Uy = map.Uy.value;
-  double M = K * gap, error = K * gap_error;
-  if (rendering != height::Rendering::conservative) {
-    M = M / __builtin_sqrt(1 + (Ux * Ux + Uy * Uy));
-    error = error + M * (map.Ux.error + map.Uy.error);
-  }
+  const GapForce<double> of_jet = gap_force(gap, Ux, Uy, rendering, K);
+  const double M = of_jet.up;
+  double error = K * gap_error;
+  if (rendering != height::Rendering::conservative) error = error + M * (map.Ux.error + map.Uy.error);
   // Over a flat place all is exact as often as not, ties included, which no error bound could tell from their neighbours.
   const bool is_exact = Ux == 0 && Uy == 0 && gap_error + map.Ux.error + map.Uy.error == 0 &&
                         two_sum(map.U.value, -z).lo == 0 && two_product(K, gap).lo == 0;
   error = is_exact ? 0 : kSlack * error + kHeightForceError * M;
-  const auto rounded = [&](const Tracked& slope) -> RoundedComponent {
-    const double value = M * -slope.value,
-                 reach = kSlack * (error * (__builtin_fabs(slope.value) + slope.error) + M * slope.error);
+  const auto rounded = [&](double value, const Tracked& slope) -> RoundedComponent {
+    const double reach = kSlack * (error * (__builtin_fabs(slope.value) + slope.error) + M * slope.error);
     const auto low = static_cast<float>(value - reach), high = static_cast<float>(value + reach);
     return {low + 0.0F, low == high};  // -0 becomes +0
   };
-  const RoundedComponent x = rounded(map.Ux), y = rounded(map.Uy), up = rounded({-1, 0});
+  const RoundedComponent x = rounded(-of_jet.x, map.Ux), y = rounded(-of_jet.y, map.Uy), up = rounded(M, {-1, 0});
   return {x.value, y.value, up.value, x.is_sure && y.is_sure && up.is_sure ? Sign::positive : Sign::unknown};
 }
 
@@ -63,9 +74,7 @@ FORCESHADE_INLINE HeightForce height_force(double gap, double Ux, double Uy, con
                                            double K) noexcept {
   constexpr int kWindow = doubt_window(4 * kSmallShare);
   if (gap <= -sure.gap) return {0, 0, 0, Sign::negative};
-  double M = K * gap;
-  if (rendering != height::Rendering::conservative) M = M / __builtin_sqrt(1 + (Ux * Ux + Uy * Uy));
-  const double x = M * Ux, y = M * Uy;
+  const auto [x, y, M] = gap_force(gap, Ux, Uy, rendering, K);
   const bool is_sure = gap >= sure.gap && __builtin_fabs(Ux) >= sure.Ux && __builtin_fabs(Uy) >= sure.Uy &&
                        !rounding_is_in_doubt<kWindow>(x) && !rounding_is_in_doubt<kWindow>(y) &&
                        !rounding_is_in_doubt<kWindow>(M);

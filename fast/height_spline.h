@@ -84,26 +84,55 @@ struct SplineColumn {
   }
 };
 
-// The jet in binary64. Four: one lane a column of the window.
+// The jet in binary64. Four: one lane a column of the window; its Number is what a lane holds, its Two a pair of them.
 template <class Four>
 struct SplineValues {
-  double c;       // mm, exact
-  double rise;    // U - c, mm
-  double Ux, Uy;  // mm/mm
+  using Number = typename Four::Number;
+  using Two = typename Four::Two;
+
+  Number c;       // mm, exact
+  Number rise;    // U - c, mm
+  Number Ux, Uy;  // mm/mm
 
   // past: the position less the cell's start, mm. from: the window's first coefficient, stride: from row to row.
-  FORCESHADE_INLINE SplineValues(const HeightGrid& grid, const Pair64& past, const float* from, std::int64_t stride) noexcept
+  FORCESHADE_INLINE SplineValues(const HeightGrid& grid, const Two& past, const float* from, std::int64_t stride) noexcept
       : c(static_cast<double>(from[stride + 1])) {
-    const Pair64 t = past * grid.per_pitch();
+    const Two t = past * grid.per_pitch();
     const Four x(t[0]), y(t[1]);
     const auto by_column = [](const double(&a)[4]) { return Four::load(a); };
     const Four value_x = value_weight(x, by_column);
     const SplineColumn<Four> columns(Four::load(from), Four::load(from + stride), Four::load(from + 2 * stride),
                                      Four::load(from + 3 * stride), Four(c), y);
     rise = sum(value_x * columns.value);
-    const Pair64 slopes = sums(slope_weight(x, by_column) * columns.value, value_x * columns.twice_slope) * grid.per_slope();
+    const Two slopes = sums(slope_weight(x, by_column) * columns.value, value_x * columns.twice_slope) * grid.per_slope();
     Ux = slopes[0];
     Uy = slopes[1];
+  }
+};
+
+// The same at as many positions at a time as Real has lanes. coefficient(k, l): of the k-th column and l-th row of the windows;
+// x, y: in cells, 0 to 1.
+template <class Real>
+struct SplineJets {
+  Real rise, Ux, Uy;
+
+  template <class Coefficient>
+  FORCESHADE_INLINE SplineJets(const Coefficient& coefficient, const Real& x, const Real& y, const Pair64& per_slope) noexcept
+      : rise(x), Ux(x), Uy(x) {
+    const Real c = coefficient(1, 1);
+    Real values[4]{c, c, c, c}, slopes_x[4]{c, c, c, c}, slopes_y[4]{c, c, c, c};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto of_column = [k](const double(&a)[4]) { return Real(a[k]); };
+      const Real weight = value_weight(x, of_column);
+      const SplineColumn<Real> column(coefficient(k, 0), coefficient(k, 1), coefficient(k, 2), coefficient(k, 3), c, y);
+      values[k] = weight * column.value;
+      slopes_x[k] = slope_weight(x, of_column) * column.value;
+      slopes_y[k] = weight * column.twice_slope;
+    }
+    const auto sum = [](const Real a[4]) { return (a[0] + a[1]) + (a[2] + a[3]); };
+    rise = (values[0] + values[2]) + (values[1] + values[3]);
+    Ux = sum(slopes_x) * Real(per_slope[0]);
+    Uy = sum(slopes_y) * Real(per_slope[1]);
   }
 };
 

@@ -67,8 +67,11 @@ struct Row {
   }
 };
 
-// Four binary64 for every machine: two pairs. With AVX2 a vector of four takes its place (fast/spline_force_avx2.cpp).
+// Four binary64 for every machine: two pairs. With AVX2 a vector of four takes its place (fast/row_avx2.h).
 struct Quad {
+  using Number = double;
+  using Two = Pair64;
+
   Pair64 low, high;
 
   FORCESHADE_INLINE explicit Quad(double a) : low{a, a}, high{a, a} {}

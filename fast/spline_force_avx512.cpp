@@ -95,30 +95,17 @@ unsigned forces(const SplineMap& map, const float* positions, float* to) noexcep
                      _mm256_maskz_add_epi32(is_inside, _mm256_mullo_epi32(low, columns), left));
   __m512d d[4][4];
   for (int l = 0; l < 4; ++l) load_row(grid.values() + l * grid.columns(), windows, l, d);
-  const Pack c = d[1][1];
-  Pack values[4]{c, c, c, c}, slopes_x[4]{c, c, c, c}, slopes_y[4]{c, c, c, c};
-  for (std::size_t k = 0; k < 4; ++k) {
-    const auto of_column = [k](const double(&a)[4]) { return Pack(a[k]); };
-    const Pack weight = value_weight(across.t, of_column);
-    const SplineColumn<Pack> column(d[k][0], d[k][1], d[k][2], d[k][3], c, along.t);
-    values[k] = weight * column.value;
-    slopes_x[k] = slope_weight(across.t, of_column) * column.value;
-    slopes_y[k] = weight * column.twice_slope;
-  }
-  const Pack rise = (values[0] + values[2]) + (values[1] + values[3]);
-  const auto sum = [](const Pack a[4]) { return (a[0] + a[1]) + (a[2] + a[3]); };
-  const Pack Ux = sum(slopes_x) * Pack(grid.per_slope()[0]), Uy = sum(slopes_y) * Pack(grid.per_slope()[1]);
+  const auto coefficient = [&](std::size_t k, std::size_t l) { return Pack(d[k][l]); };
+  const auto [rise, Ux, Uy] = SplineJets<Pack>(coefficient, across.t, along.t, grid.per_slope());
 
   constexpr int kWindow = doubt_window(4 * kSmallShare);  // from here on as height_force
   const bool is_shaded = map.rendering == height::Rendering::force_shaded;
-  const Pack depth = -Pack(_mm512_cvtps_pd(at.z)), gap = is_shaded ? depth : rise + (c + depth),
+  const Pack depth = -Pack(_mm512_cvtps_pd(at.z)), gap = is_shaded ? depth : rise + (coefficient(1, 1) + depth),
              sure_gap(is_shaded ? 0 : map.sure.gap);
   const Pack::Mask is_free = gap <= -sure_gap;
   const Pack::Mask is_deep = (gap >= sure_gap) & (absolute(Ux) >= Pack(map.sure.Ux)) & (absolute(Uy) >= Pack(map.sure.Uy));
-  Pack M = Pack(map.K) * gap;
-  if (map.rendering != height::Rendering::conservative) M = M / square_root(Pack(1) + (Ux * Ux + Uy * Uy));
-  M = select(is_free, Pack(0), M);
-  const Pack x = M * Ux, y = M * Uy;
+  // Over free lanes no depth, for a force of exactly 0.
+  const auto [x, y, M] = gap_force(select(is_free, Pack(0), gap), Ux, Uy, map.rendering, Pack(map.K));
   const auto doubt = roundings_in_doubt<kWindow>(x) | roundings_in_doubt<kWindow>(y) | roundings_in_doubt<kWindow>(M);
   const auto negated = [](Pack a) { return _mm256_sub_ps(_mm256_setzero_ps(), _mm512_cvtpd_ps(a.lanes)); };
   Triples(negated(x), negated(y), _mm512_cvtpd_ps(M.lanes)).store(to);

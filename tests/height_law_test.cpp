@@ -68,6 +68,21 @@ std::vector<Case> cases() {
       all.push_back({"plate", {{{grid(20, 9, 100, edge, interpolant, plate)}}}, {0, 50, -100, 950, -400}, 1200});
       all.push_back({"steps", {{{grid(3, 40, 1e-3F, edge, interpolant, steps), true}}}, {0, 5e-4F, -1e-3F}, 0.03F});
     }
+  // Where the errors of a spline's first stage hang on what is small or missing: no step along one axis, steps of one unit in
+  // the last place high above the plane, one step in a map that is level otherwise.
+  std::array<float, 40> profile;
+  for (float& value : profile) value = uniform(random, -0.5F, 0.5F);
+  const auto rows_only = [&](std::uint32_t, std::uint32_t j) { return profile[j]; };
+  const auto columns_only = [&](std::uint32_t i, std::uint32_t) { return profile[i]; };
+  const auto high = [&](std::uint32_t, std::uint32_t) { return 8192 + 0x1p-10F * static_cast<float>(random() % 4); };
+  const auto one_step = [](std::uint32_t i, std::uint32_t j) { return i == 12 && j == 12 ? 900.0F : 0.7F; };
+  for (const Edge edge : {Edge::clamp, Edge::tile}) {
+    const auto spline = [&](const auto& value) { return grid(24, 24, 0.3F, edge, Interpolant::cubic_spline, value); };
+    all.push_back({"rows only", {{{spline(rows_only)}}}, {0, 0.15F, -0.45F, 3.45F}, 4});
+    all.push_back({"columns only", {{{spline(columns_only)}}}, {0, 0.15F, -0.45F, 3.45F}, 4});
+    all.push_back({"high and nearly flat", {{{spline(high)}}}, {0, 0.15F, -0.45F, 3.45F}, 4});
+    all.push_back({"one big step", {{{spline(one_step)}}}, {0, 0.15F, -0.45F, 0.6F, -0.3F}, 4});
+  }
   all.push_back({"Gaussian", {{{height::Gaussian{1, -1, 3, 1.5F}}}}, {0, 1, -1, 26, 31, 38, -30}, 10});
   all.push_back({"narrow hole", {{{height::Gaussian{0, 0, -1e4F, 1e-3F}}}}, {0, 1e-3F, 0.03F, 1e4F}, 0.01F});
   all.push_back({"grating", {{{height::Grating{0.5F, 6.5F, 0, 0.25F}}}}, {0, 1, 0.24166097F, -0.038461538F}, 20});
