@@ -11,13 +11,15 @@ namespace forceshade::properties {
 // For an answer already given, against a rounding already done.
 Violation difference(const Eigen::Vector3f& position, const Rendered& answer, const reference::Rounded& exact);
 
-// Nothing is said where the reference cannot tell: HeightLaw::round_to_binary32.
+// The violation where the reference throws: an answer that is not known is not known to be right.
+std::string not_decided(const Eigen::Vector3f& position, const std::domain_error& error);
+
 template <class Reference>
 Violation equivalence(const SubjectOf<Reference>& subject, const Eigen::Vector3f& position) {
   try {
     return difference(position, subject.renderer(position), subject.law.round_to_binary32(position));
-  } catch (const std::domain_error&) {
-    return std::nullopt;
+  } catch (const std::domain_error& error) {
+    return not_decided(position, error);
   }
 }
 
