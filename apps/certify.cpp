@@ -7,24 +7,26 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <thread>
 
+#include "forceshade/apps/certificate_files.h"
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/exhaustive.h"
 #include "forceshade/apps/height_map_option.h"
-#include "forceshade/properties/report.h"
+#include "forceshade/apps/output_directory.h"
+#include "forceshade/apps/whole_number.h"
 #include "forceshade/properties/thesis.h"
 
 namespace forceshade::apps {
 namespace {
 
-constexpr std::uint64_t kPointsOfALaw = 1000000, kPointsOfAHeightMap = 200000;  // the reference is slower for maps
+using properties::kCases;
+using properties::kPointsOfAHeightMap;
+using properties::kPointsOfALaw;
 
 struct Options {
-  std::uint64_t points = 0, seed = 1;
-  int cases = 2000;
+  std::uint64_t points = 0, cases = kCases, seed = 1;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   std::string out;
   ExhaustiveOptions exhaustive;
@@ -44,11 +46,12 @@ void print(const std::string& name, const properties::Findings& law) {
               static_cast<unsigned long long>(law.points), static_cast<unsigned long long>(law.mismatches));
   for (const char* stage : {"binary64", "double-double", "wide"})
     std::printf(", %llu %s", static_cast<unsigned long long>(law.points_by_stage.at(stage)), stage);
-  if (law.undecided > 0)
-    std::printf("; %llu more where parts cancel so far that the reference cannot tell",
-                static_cast<unsigned long long>(law.undecided));
-  std::printf("\n");
-  for (const std::string& words : law.counterexamples) std::printf("  %s\n", words.c_str());
+  std::printf("; with %llu other parameters %llu points, %llu mismatches\n",
+              static_cast<unsigned long long>(law.spread.parameter_sets), static_cast<unsigned long long>(law.spread.points),
+              static_cast<unsigned long long>(law.spread.mismatches));
+  for (const properties::Comparison* found :
+       {static_cast<const properties::Comparison*>(&law), static_cast<const properties::Comparison*>(&law.spread)})
+    for (const std::string& words : found->counterexamples) std::printf("  %s\n", words.c_str());
   for (const properties::PropertyResult& property : law.properties)
     if (!property.held) std::printf("  %s: %s\n", property.name.c_str(), property.counterexample.c_str());
 }
@@ -56,7 +59,7 @@ void print(const std::string& name, const properties::Findings& law) {
 int run_points(const Options& options, properties::CertifyOptions what) {
   const bool terminal = isatty(STDERR_FILENO) != 0;
   what.points = options.points > 0 ? options.points : what.height_maps.empty() ? kPointsOfALaw : kPointsOfAHeightMap;
-  what.cases = options.cases;
+  what.cases = static_cast<int>(options.cases);
   what.seed = options.seed;
   what.threads = options.threads;
   const auto certificate = properties::certify(
@@ -67,20 +70,10 @@ int run_points(const Options& options, properties::CertifyOptions what) {
       interrupted());
   if (!certificate) {
     std::fprintf(stderr, "%sforceshade: interrupted: no certificate was written\n", terminal ? "\n" : "");
-    return kFailed;
+    return kInterrupted;
   }
-  const std::filesystem::path directory(options.out);
-  write_file(directory / "certificate.html", properties::to_html(*certificate));
-  write_file(directory / "certificate.json", properties::to_json(*certificate));
-  std::uint64_t points = 0;
-  certificate->for_each([&](const auto& law) {
-    print(law.name(), law);
-    points += law.points;
-  });
-  std::printf("%s: %llu points in %.1f s, seed %llu\n%s\n", certificate->held() ? "certified" : "NOT certified",
-              static_cast<unsigned long long>(points), certificate->seconds, static_cast<unsigned long long>(options.seed),
-              (directory / "certificate.html").c_str());
-  return certificate->held() ? kHeld : kFailed;
+  certificate->for_each([](const auto& law) { print(law.name(), law); });
+  return write_certificate(*certificate, options.out);
 }
 
 int run(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map, bool radius_is_given) {
@@ -95,9 +88,11 @@ int run(const Options& options, const LawOptions& law_options, const HeightMapOp
     what.parameters = law_options.parameters();
   }
   if (options.out.empty()) throw CLI::RequiredError("--out");
-  make_directory("--out", options.out);  // before the work, so that a path that cannot be written to is said at once
+  if (options.exhaustive.wanted && height_map.is_given())
+    throw BadInput("--exhaustive: expected --law; a height map has too many inputs to sweep");
+  // Before the work, so that a path that cannot be written to is said at once.
+  const OutputDirectory directory("--out", options.out);
   if (!options.exhaustive.wanted) return run_points(options, std::move(what));
-  if (height_map.is_given()) throw BadInput("--exhaustive: expected --law; a height map has too many inputs to sweep");
   properties::SweepPlan plan{what.laws, what.parameters, {}};
   for (const properties::ThesisRadius& radius : properties::kThesisRadii) plan.radii.push_back(radius.mm);
   if (radius_is_given) plan.radii = {what.parameters.radius};
@@ -111,26 +106,29 @@ void add_certify(CLI::App& app, int& result) {
   CLI::App* command = app.add_subcommand("certify", "Check the fast path against the reference and write a certificate");
   const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all, LawOptions::Defaults::thesis);
   const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
-  command
-      ->add_option("--points", options->points,
-                   "points per law, half of them aimed; " + std::to_string(kPointsOfALaw) + " unless said, for a height map " +
-                       std::to_string(kPointsOfAHeightMap))
-      ->type_name("N")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000000}));
-  command->add_option("--cases", options->cases, "cases per property (passivity: a tenth)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000000000))
-      ->capture_default_str();
-  command->add_option("--seed", options->seed, "seed of points and cases")->type_name("S")->capture_default_str();
+  CLI::Option* points = add_whole_number(*command, "--points", options->points, 1, 1000000000000,
+                                         "points per law, half of them aimed, and a quarter as many with other parameters; " +
+                                             std::to_string(kPointsOfALaw) + " unless said, for a height map " +
+                                             std::to_string(kPointsOfAHeightMap));
+  points->default_str("");
+  CLI::Option* cases =
+      add_whole_number(*command, "--cases", options->cases, 1, 1000000000, "cases per property (passivity: a tenth)");
+  CLI::Option* seed = add_whole_number(*command, "--seed", options->seed, 0, UINT64_MAX, "seed of points and cases");
   command->add_option("--threads", options->threads, "threads")
       ->type_name("T")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command->add_option("--out", options->out, "directory for certificate.json and certificate.html")->type_name("DIR");
   options->exhaustive.add_to(*command);
+  for (CLI::Option* of_points : {points, cases, seed}) command->get_option("--exhaustive")->excludes(of_points);
   add_merge(*command, result);
   command->callback([options, law, height_map, command, &result] {
-    if (!command->got_subcommand("merge")) result = run(*options, *law, *height_map, command->count("--radius") > 0);
+    if (!command->got_subcommand("merge")) {
+      result = run(*options, *law, *height_map, command->count("--radius") > 0);
+      return;
+    }
+    for (const CLI::Option* option : command->get_options())
+      if (!option->empty()) throw BadInput(option->get_name() + ": expected after 'certify merge', or not at all");
   });
 }
 

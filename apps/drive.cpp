@@ -80,7 +80,7 @@ std::optional<std::string> certified(const Options& options, const Driven& what,
     why = "no certificate was given; expected --certificate FILE, as written by 'forceshade certify'";
     return std::nullopt;
   }
-  const std::string text = read_file(options.certificate);
+  const std::string text = properties::read_certificate(options.certificate);
   const properties::Certificate certificate = properties::from_json(text, options.certificate);
   const auto refused = what.refusal(certificate, properties::current_build());
   if (!refused) {

@@ -10,10 +10,11 @@
 #include <filesystem>
 #include <memory>
 
+#include "forceshade/apps/certificate_files.h"
 #include "forceshade/apps/command.h"
+#include "forceshade/apps/output_directory.h"
 #include "forceshade/properties/build.h"
 #include "forceshade/properties/merge.h"
-#include "forceshade/properties/report.h"
 
 namespace forceshade::apps {
 namespace {
@@ -41,8 +42,8 @@ Shard parse_shard(const std::string& text) {
 // What is left of a part: the file of an earlier run if there is one.
 Certificate begin_or_resume(const std::string& file, const Sweeps& part) {
   const properties::Build build = properties::current_build();
-  if (!std::filesystem::exists(file)) return {build, 0, 0, {}, part};
-  const Certificate earlier = properties::from_json(read_file(file), file);
+  if (!std::filesystem::exists(file)) return {build, 0, 0, {}, part, {}, properties::utc_now(), properties::processor_name()};
+  const Certificate earlier = properties::from_json(properties::read_certificate(file), file);
   const auto sweep_of = [](const properties::SweepResult& result) { return result.sweep; };
   const bool same = std::ranges::equal(earlier.sweeps.results, part.results, {}, sweep_of, sweep_of) &&
                     earlier.sweeps.first == part.first && earlier.sweeps.end == part.end;
@@ -70,13 +71,6 @@ void print(const Sweeps& sweeps) {
   for (const std::string& words : sweeps.counterexamples) std::printf("  %s\n", words.c_str());
   std::printf("%" PRIu64 " inputs in %.0f s (%.0f M/s), %" PRIu64 " mismatches\n", sweeps.inputs(), sweeps.seconds,
               static_cast<double>(sweeps.inputs()) / std::max(sweeps.seconds, 1e-9) / 1e6, sweeps.mismatches());
-}
-
-int write_certificate(const Certificate& certificate, const std::filesystem::path& directory) {
-  write_file(directory / "certificate.html", properties::to_html(certificate));
-  write_file(directory / "certificate.json", properties::to_json(certificate));
-  std::printf("%s: %s\n", certificate.held() ? "certified" : "NOT certified", (directory / "certificate.html").c_str());
-  return certificate.held() ? kHeld : kFailed;
 }
 
 }  // namespace
@@ -124,11 +118,12 @@ int run_exhaustive(const ExhaustiveOptions& options, properties::SweepPlan plan,
     if (terminal) draw_progress(sweeps, static_cast<double>(sweeps.next - begun_at) / (sweeps.seconds - seconds_before));
   }
   part.seconds = sweeps.seconds;
+  part.date = properties::utc_now();
   write_file(file, properties::to_json(part));
   if (terminal) std::fprintf(stderr, "\n");
   if (!sweeps.is_finished()) {
     std::fprintf(stderr, "forceshade: stopped; the same command goes on from %s\n", file.c_str());
-    return kFailed;
+    return kInterrupted;
   }
   print(sweeps);
   if (sweeps.is_whole()) {
@@ -156,9 +151,10 @@ void add_merge(CLI::App& certify, int& result) {
       ->required();
   command->callback([options, &result] {
     std::vector<properties::CertificateFile> files;
-    for (const std::string& name : options->files) files.push_back({name, properties::from_json(read_file(name), name)});
+    for (const std::string& name : options->files)
+      files.push_back({name, properties::from_json(properties::read_certificate(name), name)});
     const Certificate certificate = properties::merged(std::move(files));
-    make_directory("--out", options->out);
+    const OutputDirectory directory("--out", options->out);
     print(certificate.sweeps);
     result = write_certificate(certificate, options->out);
   });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The forceshade command. Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault.
+// The forceshade command. Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault, 130 a check was
+// interrupted.
 
 #include <algorithm>
 #include <exception>
@@ -18,7 +19,8 @@ int main(int argc, char** argv) {
   });
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault or safety trip.\n"
+      "Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault or safety trip, 130 certify was\n"
+      "interrupted.\n"
       "'forceshade COMMAND --help' explains a command.");
   int result = apps::kHeld;
   apps::add_laws(app, result);

@@ -8,7 +8,9 @@
 #include <optional>
 #include <vector>
 
+#include "forceshade/properties/calls.h"
 #include "forceshade/properties/certificate.h"
+#include "forceshade/properties/evidence.h"
 
 namespace forceshade::properties {
 
@@ -22,11 +24,12 @@ struct NamedHeightMap {
 struct CertifyOptions {
   std::vector<LawId> laws;
   Parameters parameters;
-  std::uint64_t points = 0;  // per law
-  int cases = 0;             // per property
+  std::uint64_t points = kPointsOfALaw;  // per law; and a quarter as many with drawn parameters
+  int cases = static_cast<int>(kCases);  // per property
   std::uint64_t seed = 0;
   unsigned threads = 1;
   std::vector<NamedHeightMap> height_maps = {};  // with the stiffness of `parameters`
+  MakeCalls calls = calls_of_the_fast_path();    // what is compared with the reference
 };
 
 // done in [0, 1]; called from one thread at a time.

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/properties/equivalence.h"
 
-#include <array>
-
 #include "forceshade/properties/binary32.h"
+#include "forceshade/properties/breakdown.h"
 
 namespace forceshade::properties {
 namespace {
 
 std::string_view word(Status status) {
-  return std::array<std::string_view, 3>{"free", "contact", "invalid"}[static_cast<std::size_t>(status)];
+  return kStatusNames[static_cast<std::size_t>(status)];
 }
 
 }  // namespace
+
+std::string not_decided(const Eigen::Vector3f& position, const std::domain_error& error) {
+  return "at " + show(position) + " mm the reference does not decide: " + error.what();
+}
 
 Violation difference(const Eigen::Vector3f& position, const Rendered& answer, const reference::Rounded& exact) {
   const bool same = same_bits(answer.force.x(), exact.force.x()) && same_bits(answer.force.y(), exact.force.y()) &&

@@ -2,6 +2,8 @@
 #pragma once
 // Equivalence: the renderer's force is the exact force rounded to binary32, bit for bit, and its status is right.
 
+#include <stdexcept>
+
 #include "forceshade/properties/subject.h"
 
 namespace forceshade::properties {
@@ -9,9 +11,16 @@ namespace forceshade::properties {
 // For an answer already given, against a rounding already done.
 Violation difference(const Eigen::Vector3f& position, const Rendered& answer, const reference::Rounded& exact);
 
+// The violation where the reference throws: an answer that is not known is not known to be right.
+std::string not_decided(const Eigen::Vector3f& position, const std::domain_error& error);
+
 template <class Reference>
 Violation equivalence(const SubjectOf<Reference>& subject, const Eigen::Vector3f& position) {
-  return difference(position, subject.renderer(position), subject.law.round_to_binary32(position));
+  try {
+    return difference(position, subject.renderer(position), subject.law.round_to_binary32(position));
+  } catch (const std::domain_error& error) {
+    return not_decided(position, error);
+  }
 }
 
 }  // namespace forceshade::properties

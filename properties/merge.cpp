@@ -79,6 +79,11 @@ Certificate merged(std::vector<CertificateFile> files) {
   Certificate result =
       certificate_of_points.empty() ? of_sweeps.front().certificate : certificate_of_points.front().certificate;
   result.sweeps = joined(of_sweeps);
+  for (const CertificateFile& file : files) {
+    const Certificate& part = file.certificate;
+    result.date = std::max(result.date, part.date);
+    if (result.processor.find(part.processor) == std::string::npos) result.processor += "; " + part.processor;
+  }
   return result;
 }
 

@@ -21,9 +21,7 @@ long double distance_to_tie(const reference::Filter& component) {
 }  // namespace
 
 std::string_view name_of(Aim aim) {
-  static constexpr std::array<std::string_view, kAims> names{"any bits",   "volume", "surface", "facet line", "quantum",
-                                                             "domain end", "tie",    "axis",    "few bits"};
-  return names[static_cast<std::size_t>(aim)];
+  return kAimNames[static_cast<std::size_t>(aim)];
 }
 
 double Draws::uniform(double low, double high) {

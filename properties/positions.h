@@ -6,13 +6,14 @@
 #include <cstdint>
 #include <random>
 
+#include "forceshade/properties/breakdown.h"
 #include "forceshade/properties/shape.h"
 
 namespace forceshade::properties {
 
 // How a position was chosen; every count of a run is broken down by it.
 enum class Aim { any_bits, volume, surface, facet_line, quantum, domain_end, tie, axis, few_bits };
-inline constexpr std::size_t kAims = 9;
+inline constexpr std::size_t kAims = kAimNames.size();
 std::string_view name_of(Aim aim);
 
 // In the domain of positions: ±10^4 mm.

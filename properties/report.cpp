@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "forceshade/fast/instruction_set.h"
 #include "forceshade/properties/figures.h"
 #include "forceshade/properties/html.h"
 #include "forceshade/properties/matrix.h"
@@ -110,11 +111,9 @@ figcaption { font-size: 14.5px; line-height: 1.5; color: var(--quiet); max-width
 }
 )css";
 
-constexpr std::array<const char*, 4> kProperties{"equivalence", "continuity", "unit normals", "passivity"};
-
-std::uint64_t total(const Certificate& certificate, std::uint64_t Findings::*count) {
+std::uint64_t spread_points_of(const Certificate& certificate) {
   std::uint64_t sum = 0;
-  certificate.for_each([&](const Findings& law) { sum += law.*count; });
+  certificate.for_each([&](const Findings& law) { sum += law.spread.points; });
   return sum;
 }
 
@@ -124,8 +123,10 @@ std::string points_per_law(const Certificate& certificate) {
     fewest = std::min(fewest, law.points);
     most = std::max(most, law.points);
   });
+  const bool has_spread = spread_points_of(certificate) > 0;
   return (fewest == most ? "" : grouped(fewest) + " to ") + grouped(most) +
-         (certificate.laws.empty() ? " points per height map" : " points per law");
+         (certificate.laws.empty() ? " points per height map" : " points per law") +
+         (has_spread ? ", and of " + grouped(spread_points_of(certificate)) + " with other parameters" : "");
 }
 
 std::string plural(std::uint64_t count, const std::string& word) {
@@ -146,10 +147,13 @@ std::string statements(const Certificate& certificate) {
   if (!certificate.has_points() && !certificate.sweeps.results.empty()) return "";
   if (!certificate.has_points()) return "<p class=\"statement\">No law was checked.</p>\n";
   const std::string rule = "the exact force rounded to binary32 (nearest, ties to even)";
-  const std::uint64_t mismatches = total(certificate, &Findings::mismatches);
+  std::uint64_t mismatches = 0;
+  certificate.for_each([&](const Findings& law) { mismatches += law.mismatches + law.spread.mismatches; });
   const std::string points = points_per_law(certificate);
   std::string html = "<p class=\"statement\">";
-  if (total(certificate, &Findings::points) == 0)
+  bool is_compared = false;
+  certificate.for_each([&](const Findings& law) { is_compared = is_compared || law.points > 0; });
+  if (!is_compared)
     html += "No point was compared with the exact force.";
   else if (mismatches == 0)
     html += "At every one of " + points + ", each component of the fast path’s force equals " + rule + '.';
@@ -159,7 +163,8 @@ std::string statements(const Certificate& certificate) {
   html += "</p>\n<p class=\"statement\">";
   const std::string failed = failed_properties(certificate);
   bool is_unchecked = false;
-  certificate.for_each([&](const Findings& law) { is_unchecked = is_unchecked || law.properties.size() < kProperties.size(); });
+  certificate.for_each(
+      [&](const Findings& law) { is_unchecked = is_unchecked || law.properties.size() < kPropertyNames.size(); });
   if (!failed.empty())
     html += "A counterexample was found to: " + failed + '.';
   else if (is_unchecked)
@@ -169,19 +174,23 @@ std::string statements(const Certificate& certificate) {
   return html + "</p>\n";
 }
 
-std::string sweep_statement(const Sweeps& sweeps) {
+std::string sweep_statement(const Sweeps& sweeps, bool has_points) {
   if (sweeps.results.empty()) return "";
   const std::uint64_t mismatches = sweeps.mismatches();
   return "<p class=\"statement\">" + std::string(sweeps.is_whole() ? "" : "As far as they went, ") +
          (sweeps.is_whole() ? "E" : "e") + "xhaustive sweeps over " + grouped(sweeps.inputs()) + " inputs found " +
-         (mismatches == 0 ? "no mismatch" : plural(mismatches, "wrong answer")) + ".</p>\n";
+         (mismatches == 0 ? "no mismatch" : plural(mismatches, "wrong answer")) + ".</p>\n" +
+         (has_points ? ""
+                     : "<p class=\"statement\">They do not let a device be driven: no point was compared, and no property "
+                       "was checked.</p>\n");
 }
 
 std::string header(const Certificate& certificate) {
   const bool held = certificate.held();
   return std::string("<header") + (held ? "" : " class=\"failed\"") + ">\n<h1>forceshade " +
          escaped(certificate.build.version) + ": certificate of the fast path</h1>\n<p class=\"verdict\">" +
-         (held ? "Held" : "Failed") + "</p>\n" + statements(certificate) + sweep_statement(certificate.sweeps) + "</header>\n";
+         (held ? "Held" : "Failed") + "</p>\n" + statements(certificate) +
+         sweep_statement(certificate.sweeps, certificate.has_points()) + "</header>\n";
 }
 
 // On a phone a row becomes a card, and every cell needs its own label.
@@ -225,13 +234,22 @@ std::string closest_call_of(const Findings& law, bool has_y) {
          "</small>";
 }
 
+std::string mismatches(std::uint64_t count) {
+  return count == 0 ? "0" : "<span class=\"no\">" + grouped(count) + "</span>";
+}
+
+std::string small(bool is_there, const std::string& words) {
+  return is_there ? "<small>" + words + "</small>" : "";
+}
+
 template <class Result>
 std::string summary_row(const Result& law) {
   std::string properties;
-  for (const char* name : kProperties) properties += property_cell(name, law);
+  for (const std::string_view name : kPropertyNames) properties += property_cell(name.data(), law);
   return "<tr><th scope=\"row\">" + escaped(law.name()) + "</th>" + cell("parameters", parameters_of(law)) +
-         cell("points", grouped(law.points), "number") +
-         cell("mismatches", law.mismatches == 0 ? "0" : "<span class=\"no\">" + grouped(law.mismatches) + "</span>", "number") +
+         cell("points", grouped(law.points) + small(law.spread.points > 0, "and " + grouped(law.spread.points)), "number") +
+         cell("mismatches",
+              mismatches(law.mismatches) + small(law.spread.points > 0, "and " + mismatches(law.spread.mismatches)), "number") +
          count_cell("by binary64", law.points_by_stage, "binary64") +
          count_cell("by double-double", law.points_by_stage, "double-double") +
          count_cell("by wide", law.points_by_stage, "wide") + properties +
@@ -250,7 +268,8 @@ std::string summary(const Certificate& certificate) {
       "</thead>\n<tbody>\n";
   certificate.for_each([&](const auto& law) { html += summary_row(law); });
   return html +
-         "</tbody>\n</table>\n<p class=\"note\">Decided by: the cheapest arithmetic of the fast path that was sure of every "
+         "</tbody>\n</table>\n<p class=\"note\">Points, mismatches: with the parameters on the left, and with others that were "
+         "drawn from all of the domain. Decided by: the cheapest arithmetic of the fast path that was sure of every "
          "rounding. Closest call: the point, in mm, whose exact force came nearest to the middle between two neighbouring "
          "binary32 numbers without being there, and how near, in units of the last place (ulp). Where a law is not "
          "conservative, "
@@ -286,9 +305,7 @@ std::string sweeps_table(const Sweeps& sweeps) {
     html += "<tr><th scope=\"row\">" + std::string(name_of(total.law)) + "</th>" +
             cell("swept", kSwept[static_cast<std::size_t>(total.kind)]) + cell("radii, mm", radii.empty() ? "any" : radii) +
             cell("sweeps", grouped(total.sweeps), "number") + cell("inputs", grouped(total.inputs), "number") +
-            cell("mismatches", total.mismatches == 0 ? "0" : "<span class=\"no\">" + grouped(total.mismatches) + "</span>",
-                 "number") +
-            "</tr>\n";
+            cell("mismatches", mismatches(total.mismatches), "number") + "</tr>\n";
   }
   return html +
          "</tbody>\n</table>\n<p class=\"note\">Every binary32 of one coordinate, numbers below the quantum included (on lines "
@@ -307,6 +324,13 @@ std::string counterexamples(const Certificate& certificate) {
     for (const std::string& words : law.counterexamples) mismatches += (mismatches.empty() ? "" : "\n") + words;
     if (!mismatches.empty())
       add(law, "first " + grouped(law.counterexamples.size()) + " of " + plural(law.mismatches, "wrong answer"), mismatches);
+    std::string spread;
+    for (const std::string& words : law.spread.counterexamples) spread += (spread.empty() ? "" : "\n") + words;
+    if (!spread.empty())
+      add(law,
+          "with other parameters, first " + grouped(law.spread.counterexamples.size()) + " of " +
+              plural(law.spread.mismatches, "wrong answer"),
+          spread);
     for (const PropertyResult& property : law.properties)
       if (!property.held) add(law, property.name, property.counterexample);
   });
@@ -316,15 +340,30 @@ std::string counterexamples(const Certificate& certificate) {
   return html.empty() ? "" : "<section class=\"counterexamples\">\n<h2>Counterexamples</h2>\n" + html + "</section>\n";
 }
 
+// The sets of code that were compared for every law and map.
+std::string compared_sets(const Certificate& certificate) {
+  std::string list;
+  for (const fast::InstructionSet set : fast::kInstructionSets) {
+    const std::string name(fast::name_of(set));
+    bool covered = certificate.has_points();
+    certificate.for_each([&](const Findings& law) { covered = covered && law.covers(name); });
+    if (covered) list += (list.empty() ? "" : ", ") + name;
+  }
+  return list.empty() ? "none" : list;
+}
+
 std::string build_table(const Certificate& certificate) {
   const Build& build = certificate.build;
-  const std::array<std::pair<const char*, std::string>, 8> rows{{
+  const std::array<std::pair<const char*, std::string>, 11> rows{{
       {"version", escaped(build.version)},
       {"revision", "<code>" + escaped(build.revision) + "</code>"},
       {"compiler", escaped(build.compiler)},
       {"flags", "<code>" + escaped(build.flags) + "</code>"},
-      {"instruction set", escaped(build.instruction_set)},
+      {"instruction set", escaped(build.instruction_set) + " is the widest of the machine"},
+      {"compared at the points", compared_sets(certificate)},
       {"library digest", "<code>" + escaped(build.library_digest) + "</code>"},
+      {"processor", escaped(certificate.processor)},
+      {"date", escaped(certificate.date)},
       {"seed", "<code>" + std::to_string(certificate.seed) + "</code>"},
       {"time taken", html_number(certificate.seconds, 3) + "\u202Fs"},
   }};
@@ -352,8 +391,8 @@ rounded correctly: it can pay energy out, and only the loop around it can take t
 
 }  // namespace
 
-std::string to_html(const Certificate& certificate) {
-  const std::string pictures = figures(certificate);
+std::string to_html(const Certificate& certificate, Pictures wanted) {
+  const std::string pictures = wanted == Pictures::none ? "" : figures(certificate);
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>forceshade certificate: " +
          std::string(certificate.held() ? "held" : "failed") + "</title>\n<style>" + kStyle +

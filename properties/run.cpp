@@ -5,6 +5,7 @@
 
 #include "forceshade/properties/continuity.h"
 #include "forceshade/properties/equivalence.h"
+#include "forceshade/properties/evidence.h"
 #include "forceshade/properties/generators.h"
 #include "forceshade/properties/height_properties.h"
 #include "forceshade/properties/passivity.h"
@@ -19,6 +20,10 @@ class Silent : public rc::detail::TestListener {
   void onShrinkTried(const rc::detail::CaseDescription&, bool) override {}
   void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
 };
+
+int passivity_cases(int cases) {
+  return static_cast<int>(cases_of("passivity", static_cast<std::uint64_t>(cases)));
+}
 
 }  // namespace
 
@@ -62,7 +67,7 @@ std::vector<PropertyResult> run_properties(const Subject& subject, int cases, st
   }));
   results.push_back(run_property("unit normals", cases, seed, [&] { return unit_normals(subject, *position_of(law)); }));
   PropertyResult passive =
-      run_property("passivity", std::max(1, cases / 10), seed, [&] { return passivity(subject, shape, *polygon_of(law)); });
+      run_property("passivity", passivity_cases(cases), seed, [&] { return passivity(subject, shape, *polygon_of(law)); });
   for (const float depth : witness_depths(subject)) {
     if (!passive.held) break;
     ++passive.cases;
@@ -87,7 +92,7 @@ std::vector<PropertyResult> run_properties(const HeightSubject& subject, int cas
   }));
   results.push_back(run_property("unit normals", cases, seed, [&] { return unit_normals(subject, *position_of(map)); }));
   results.push_back(
-      run_property("passivity", std::max(1, cases / 10), seed, [&] { return passivity(subject, shape, *polygon_of(map)); }));
+      run_property("passivity", passivity_cases(cases), seed, [&] { return passivity(subject, shape, *polygon_of(map)); }));
   const auto has_cells = [](const PartShape& part) { return part.columns.has_value(); };
   if (std::any_of(shape.parts.begin(), shape.parts.begin() + static_cast<std::ptrdiff_t>(shape.map_parts), has_cells))
     results.push_back(run_property("cell lines", cases, seed, [&]() -> Violation {

@@ -14,14 +14,17 @@ std::variant<SubjectOf<Reference>, ParameterError> built(const From&... from) {
   if (const auto* error = std::get_if<ParameterError>(&reference)) return *error;
   auto fast = Fast::build(from...);
   if (const auto* error = std::get_if<ParameterError>(&fast)) return *error;
-  return SubjectOf<Reference>{std::get<Reference>(std::move(reference)),
-                              [law = std::get<Fast>(std::move(fast))](const Eigen::Vector3f& position) {
-                                const fast::Evaluation answer = law.evaluate(position);
-                                return Rendered{answer.force, answer.status};
-                              }};
+  return SubjectOf<Reference>{std::get<Reference>(std::move(reference)), renderer_of(calls_of(std::get<Fast>(fast)))};
 }
 
 }  // namespace
+
+Renderer renderer_of(const Calls& calls) {
+  return [evaluate = calls.evaluate](const Eigen::Vector3f& position) {
+    const fast::Evaluation answer = evaluate(position);
+    return Rendered{answer.force, answer.status};
+  };
+}
 
 std::variant<Subject, ParameterError> fast_subject(LawId id, const Parameters& parameters) {
   return built<fast::Law, reference::Law>(id, parameters);

@@ -8,6 +8,7 @@
 #include <string>
 #include <variant>
 
+#include "forceshade/properties/calls.h"
 #include "forceshade/reference/height_law.h"
 #include "forceshade/reference/law.h"
 #include "forceshade/vocabulary/law.h"
@@ -32,6 +33,9 @@ using HeightSubject = SubjectOf<reference::HeightLaw>;
 
 // What went wrong, in words with numbers in hexfloat and decimal; empty where the property holds.
 using Violation = std::optional<std::string>;
+
+// Its call for one position.
+Renderer renderer_of(const Calls& calls);
 
 // The fast path as a renderer, beside its reference.
 std::variant<Subject, ParameterError> fast_subject(LawId id, const Parameters& parameters);

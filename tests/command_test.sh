@@ -111,19 +111,26 @@ expect 2 "--radius excludes --height-map" -- "$forceshade" properties --height-m
 expect 2 "missing.toml" -- "$forceshade" properties --height-map missing.toml
 expect 0 "hill.toml       passivity     held" -- "$forceshade" properties --height-map hill.toml --cases 100
 expect 2 "too many inputs to sweep" -- "$forceshade" certify --exhaustive --height-map hill.toml --out map
-expect 0 "certified: 3000 points" -- "$forceshade" certify --height-map hill.toml --points 3000 --cases 100 --out map
+# Enough for driving, and too little, which is said.
+expect 0 "too little for drive: the certificate has 3000 points for hill.toml; driving needs at least 200000" -- \
+  "$forceshade" certify --height-map hill.toml --points 3000 --cases 100 --out little
+expect 1 "the certificate has 3000 points for hill.toml; driving needs at least 200000" -- \
+  "$forceshade" drive --height-map hill.toml --device null --certificate little/certificate.json
+printf 'render = "height-map"\n[[part]]\nshape = "sphere-cap"\nradius_mm = 20\nwidth_mm = 12\n' > cap.toml
+expect 0 "certified: 250000 points" -- "$forceshade" certify --height-map cap.toml --out map
 press() { "$forceshade" drive --device simulated --unpaced --seconds 1 --certificate map/certificate.json "$@"; }
-expect 0 "(time up)" -- press --height-map hill.toml --record press.fsr --json press.json
+expect 0 "(time up)" -- press --height-map cap.toml --record press.fsr --json press.json
 grep -q '"rendering": "height-map"' press.json || { echo "FAILED: $(cat press.json)"; exit 1; }
 expect 0 "map_digest           $(sed -n 's/.*"map_digest": "\(.*\)".*/\1/p' press.json)" -- "$forceshade" record info press.fsr
-cp hill.toml same.toml
+cp cap.toml same.toml
 expect 0 "(time up)" -- press --height-map same.toml
-sed 's/sigma_mm = 5/sigma_mm = 5.000001/' hill.toml > other.toml
+sed 's/radius_mm = 20/radius_mm = 20.000002/' cap.toml > other.toml
 expect 1 "covers a height map with another shape: expected map digest" -- press --height-map other.toml
-sed 's/"height-map"/"height-map-shaded"/' hill.toml > shaded.toml
-expect 1 "another rendering: expected height-map-shaded, got height-map" -- press --height-map shaded.toml
-expect 1 "another stiffness: expected 0.6 N/mm, got 0.5 N/mm" -- press --height-map hill.toml --stiffness 0.6
+sed 's/"height-map"/"height-map-shaded"/' cap.toml > cap_shaded.toml
+expect 1 "another rendering: expected height-map-shaded, got height-map" -- press --height-map cap_shaded.toml
+expect 1 "another stiffness: expected 0.6 N/mm, got 0.5 N/mm" -- press --height-map cap.toml --stiffness 0.6
 expect 1 "does not cover the law wall" -- press --law wall
+sed 's/"height-map"/"height-map-shaded"/' hill.toml > shaded.toml
 
 # plot and figures
 expect 0 "drawn/bump-3p-directions.svg" -- "$forceshade" plot --law bump-3p --what directions --out drawn
@@ -153,21 +160,47 @@ same 37 "$("$forceshade" properties --cases 20 | wc -l)"
 
 record() { "$forceshade" record "$@"; }
 # certify and drive: certified, other parameters, other law, no certificate, a certificate of another build.
-expect 0 "certified" -- "$forceshade" certify --law bump-1p-shaded --points 5000 --cases 100 --out here
+expect 0 "certified: 1250000 points" -- "$forceshade" certify --law bump-1p-shaded --out here
 [ -s here/certificate.json ] && [ -s here/certificate.html ] || { echo "FAILED: certify wrote nothing"; exit 1; }
 expect 2 "expected a directory" -- "$forceshade" certify --law wall --points 1 --out in.csv/no
+# Its options: what is no whole number, what does not fit, what goes with something else.
+certify() { "$forceshade" certify --law wall "$@"; }
+expect 2 '--points: expected a whole number from 1 to 1000000000000, in digits; got "1e6"' -- certify --points 1e6 --out no
+expect 2 '--points: expected a whole number from 1' -- certify --points 0 --out no
+expect 2 '--cases: expected a whole number from 1 to 1000000000, in digits; got "-1"' -- certify --cases -1 --out no
+expect 2 '--seed: expected a whole number from 0 to 18446744073709551615, in digits; got "18446744073709551616"' -- \
+  certify --seed 18446744073709551616 --out no
+for option in --points --cases --seed; do expect 2 "--exhaustive excludes $option" -- certify --exhaustive $option 3 --out no; done
+expect 2 "--points: expected after 'certify merge'" -- certify --points 3 merge in.csv --out no
+expect 2 "too many inputs to sweep" -- "$forceshade" certify --exhaustive --height-map hill.toml --out new/no
+expect 2 "has no such sweep" -- "$forceshade" certify --exhaustive --law wall --sweeps lines --out new/no
+same "" "$(ls -d no new 2> /dev/null)"
+# Without gnuplot the page has no pictures, and the certificate is whole.
+expect 0 "certificate.html has no pictures: gnuplot was not found" -- env PATH=/nonexistent "$forceshade" certify --law wall \
+  --points 1000 --cases 10 --seed 18446744073709551615 --out plain
+grep -q '"seed": 18446744073709551615' plain/certificate.json && grep -q "Summary" plain/certificate.html ||
+  { echo "FAILED: no certificate without gnuplot"; exit 1; }
+same 0 "$(grep -c "<figure>" plain/certificate.html)"
+expect 1 "the certificate has 1000 points for wall; driving needs at least 1000000" -- \
+  "$forceshade" drive --law wall --device null --certificate plain/certificate.json
 printf 't_s,x_mm,y_mm,z_mm\n0,3,0,-1\n0.001,4,0,-1\n0.002,4,0,1\n' > hand.csv
 # certify --exhaustive: a small shard of a quick sweep, stopped and resumed, refused when it does not fit.
 sweep() { "$forceshade" certify --exhaustive --law wall --sweeps heights "$@"; }
 for k in 1 2; do expect 0 "8388608 inputs" -- sweep --shards $k/512 --out parts; done
 expect 2 "missing part: units 2 to 512" -- "$forceshade" certify merge parts/exhaustive-1-of-512.json parts/exhaustive-2-of-512.json --out whole
+# As if all of it had been swept: a certificate of sweeps alone drives nothing, which is said twice.
+sed -e '0,/"held": false/s//"held": true/' -e 's/"end": 1,/"end": 512,/' -e 's/"next": 1,/"next": 512,/' \
+  parts/exhaustive-1-of-512.json > swept.json
+expect 0 "drive needs points and properties too" -- "$forceshade" certify merge swept.json --out swept
+expect 0 "swept, no mismatch" -- "$forceshade" certify merge swept.json --out swept
+expect 1 "the certificate has sweeps only" -- "$forceshade" drive --law wall --device null --certificate swept/certificate.json
 expect 2 "overlaps" -- "$forceshade" certify merge parts/exhaustive-1-of-512.json parts/exhaustive-1-of-512.json --out whole
 expect 2 "exhaustive-1-of-512.json: is of other sweeps" -- "$forceshade" certify --exhaustive --law bump-1p --sweeps heights --shards 1/512 --out parts
 expect 2 "expected k/n" -- sweep --shards 3/2 --out parts
 expect 2 "the law has no such sweep" -- "$forceshade" certify --exhaustive --law wall --sweeps lines --out parts
 expect 2 "--out is required" -- "$forceshade" certify --law wall
 "$forceshade" certify --exhaustive --out stopped_sweep > stopped.txt 2>&1 &
-sleep 2; kill -INT $!; wait $!; same 1 $?
+sleep 2; kill -INT $!; wait $!; same 130 $?
 grep -q "the same command goes on from" stopped.txt || { echo "FAILED: $(cat stopped.txt)"; exit 1; }
 grep -q '"finished": false' stopped_sweep/exhaustive-1-of-1.json || { echo "FAILED: no checkpoint"; exit 1; }
 drive() { "$forceshade" drive --device replay:hand.csv --unpaced "$@"; }
@@ -189,7 +222,12 @@ expect 0 "UNCERTIFIED" -- drive --law wall --uncertified
 sed 's/\("library_digest": "\)......../\1deadbeef/' here/certificate.json > other.json
 expect 1 "another build" -- drive --law bump-1p-shaded --certificate other.json
 sed 's/"mismatches": 0/"mismatches": 1/' here/certificate.json > failed.json
-expect 1 "failed" -- drive --law bump-1p-shaded --certificate failed.json
+expect 2 "laws[0].counterexamples is an array; expected the first of 1 mismatches" -- drive --law bump-1p-shaded --certificate failed.json
+sed -e '0,/"held": true/s//"held": false/' -e '0,/"held": true/s//"held": false/' -e '0,/"mismatches": 0/s//"mismatches": 1/' \
+  -e '0,/"counterexamples": \[\]/s//"counterexamples": ["at 0"]/' here/certificate.json > failed.json
+expect 1 "the certificate says that bump-1p-shaded failed" -- drive --law bump-1p-shaded --certificate failed.json
+: > nothing.json
+expect 2 "nothing.json: cannot be read: it is empty" -- drive --law wall --certificate nothing.json
 expect 2 "expected a forceshade certificate" -- drive --law wall --certificate in.csv
 expect 2 "cannot be read" -- drive --law wall --certificate missing.json
 expect 2 "replay" -- "$forceshade" drive --law wall --uncertified --device teapot:x
@@ -258,7 +296,7 @@ grep -q "(stopped)" stopped.txt || { echo "FAILED: not stopped: $(cat stopped.tx
 same "0,0,0,end" "$(tail -1 stopped.csv | cut -d, -f7-10)"
 same "$(($(sed -n 's/^ticks *\([0-9]*\).*/\1/p' stopped.txt) + 2))" "$(wc -l < stopped.csv)"
 "$forceshade" certify --points 1000000000 --out stopped > stopped.txt 2>&1 &
-sleep 1; kill -INT $!; wait $!; same 1 $?
+sleep 1; kill -INT $!; wait $!; same 130 $?
 grep -q "interrupted" stopped.txt || { echo "FAILED: $(cat stopped.txt)"; exit 1; }
-same "" "$(ls stopped)"
+same "" "$(ls -d stopped 2> /dev/null)"
 echo "$checks checks passed"

@@ -143,6 +143,31 @@ TEST(report, says_failed_when_a_law_has_a_mismatch) {
   EXPECT_TRUE(has(html, "1 answer of the fast path differs"));
 }
 
+TEST(report, says_failed_when_other_parameters_failed) {
+  Certificate certificate = certificate_of_every_law();
+  for (LawResult& law : certificate.laws) law.spread.points = 500;
+  law_of(certificate, LawId::wall).spread.mismatches = 3;
+  law_of(certificate, LawId::wall).spread.counterexamples = {"K = 3: wrong"};
+  const std::string html = to_html(certificate, Pictures::none);
+  EXPECT_TRUE(has(html, ">Failed</p>"));
+  EXPECT_TRUE(
+      has(html, "Among 2\u202F000 points per law, and of 4\u202F500 with other parameters, 3 answers of the fast path differ"));
+  EXPECT_TRUE(has(html, "<pre>K = 3: wrong</pre>"));
+}
+
+TEST(report, says_when_where_and_by_what_code) {
+  Certificate certificate = certificate_of_every_law();
+  certificate.date = "2026-01-31T23:59:59Z";
+  certificate.processor = "a <fast> one";
+  for (LawResult& law : certificate.laws) law.points_by_instruction_set = {{"scalar", 2000}, {"avx2", 2000}};
+  law_of(certificate, LawId::wall).points_by_instruction_set["avx512"] = 2000;
+  const std::string html = to_html(certificate, Pictures::none);
+  EXPECT_TRUE(has(html, "<td>2026-01-31T23:59:59Z</td>"));
+  EXPECT_TRUE(has(html, "<td>a &lt;fast&gt; one</td>"));
+  EXPECT_TRUE(has(html, "<th scope=\"row\">compared at the points</th><td>scalar, avx2</td>")) << "what every law was";
+  EXPECT_EQ(count(html, "<figure>"), 0U);
+}
+
 TEST(report, says_failed_when_a_property_failed) {
   Certificate certificate = certificate_of_every_law();
   law_of(certificate, LawId::bump_3p).properties.at(3) = {"passivity", 4, false, "a loop gives 2 mJ"};

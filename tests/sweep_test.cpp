@@ -76,7 +76,7 @@ Sweeps small_plan() {
 
 std::string text_of(Sweeps sweeps) {
   sweeps.seconds = 0;
-  return to_json({current_build(), 0, 0, {}, sweeps});
+  return to_json({current_build(), 0, 0, {}, sweeps, {}, "2026-01-31T23:59:59Z"});
 }
 
 TEST(sweep, goes_on_where_it_was_stopped_with_any_number_of_threads) {
@@ -107,7 +107,7 @@ CertificateFile finished_part(std::uint64_t k, std::uint64_t n) {
   part.next = part.end;
   part.seconds = 1;
   part.results[0].inputs = k;
-  return {"part " + std::to_string(k), {current_build(), 0, 1, {}, part}};
+  return {"part " + std::to_string(k), {current_build(), 0, 1, {}, part, {}, "2026-01-31T23:59:59Z", "one"}};
 }
 
 std::string refusal_to_merge(const std::vector<CertificateFile>& files) {
@@ -130,6 +130,13 @@ TEST(merge, joins_parts_in_any_order_and_a_certificate_of_points) {
   EXPECT_EQ(both.seed, 7U);
   EXPECT_EQ(both.laws.size(), 1U);
   EXPECT_TRUE(both.sweeps.is_whole());
+  CertificateFile elsewhere = finished_part(2, 2), here = finished_part(1, 2);
+  elsewhere.certificate.date = "2026-02-01T00:00:00Z";
+  here.certificate.processor = "one";
+  elsewhere.certificate.processor = "another";
+  const Certificate two = merged({elsewhere, here});
+  EXPECT_EQ(two.date, "2026-02-01T00:00:00Z") << "the latest";
+  EXPECT_EQ(two.processor, "one; another");
 }
 
 TEST(merge, refuses_what_does_not_fit_and_names_it) {

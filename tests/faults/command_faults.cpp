@@ -84,14 +84,22 @@ Fault bad_input(std::string what, std::string reaction, Words arguments, Prepare
   return refused(Kind::input, std::move(what), "exit 2 ... " + std::move(reaction), std::move(arguments), std::move(prepare));
 }
 
-// A certificate of the wall, with one thing in it replaced.
-Fault uncertified(std::string what, std::string reaction, std::string replaced, std::string by, std::string law = "wall") {
+struct Replacement {
+  std::string text, by;  // the first place of a text; by nothing: all from there on goes
+  std::size_t more = 0;  // characters after it that go too
+};
+
+// A certificate of the wall, with something in it replaced.
+Fault uncertified(std::string what, std::string reaction, std::vector<Replacement> replacements, std::string law = "wall") {
   return refused(Kind::input, std::move(what), std::move(reaction),
                  drive("null", law) + Words{"--certificate", "certificate.json"}, [=](const TemporaryDirectory& directory) {
                    Command(directory, {"certify", "--law", "wall", "--points", "2000", "--cases", "20", "--out", "."}).end();
                    std::string text = directory.read("certificate.json");
-                   const auto at = replaced.empty() ? std::string::npos : text.find(replaced);
-                   if (at != std::string::npos) text.replace(at, by.empty() ? text.size() : by.size(), by);
+                   for (const auto& [replaced, by, more] : replacements) {
+                     const std::size_t at = text.find(replaced);
+                     if (at == std::string::npos) throw std::runtime_error("the certificate has no " + replaced);
+                     text.replace(at, by.empty() ? text.size() : replaced.size() + more, by);
+                   }
                    directory.write("certificate.json", text);
                  });
 }
@@ -195,12 +203,20 @@ std::vector<Fault> command_faults() {
       bad_input("the certificate is missing", "certificate.json: cannot be read",
                 drive("null") + Words{"--certificate", "certificate.json"}),
       uncertified("the certificate is of another build", "exit 1 ... the certificate is for another build",
-                  "\"library_digest\": \"", "\"library_digest\": \"dead"),
-      uncertified("the certificate is cut short", "exit 2 ... expected a forceshade certificate", "\"library_digest\"", ""),
-      uncertified("the certificate is of another law", "exit 1 ... the certificate does not cover the law bump-1p", "", "",
+                  {{"\"library_digest\": \"", "\"library_digest\": \"dead", 4}}),
+      uncertified("the certificate is cut short", "exit 2 ... expected a forceshade certificate", {{"\"library_digest\"", ""}}),
+      uncertified("the certificate is of another law", "exit 1 ... the certificate does not cover the law bump-1p", {},
                   "bump-1p"),
       uncertified("the certificate is of a check that failed", "exit 1 ... the certificate says that wall failed",
-                  "\"mismatches\": 0", "\"mismatches\": 1"),
+                  {{"\"held\": true", "\"held\": false"},
+                   {"\"held\": true", "\"held\": false"},
+                   {"\"mismatches\": 0", "\"mismatches\": 1"},
+                   {"\"counterexamples\": []", "\"counterexamples\": [\"at 0\"]"}}),
+      uncertified("the certificate contradicts itself",
+                  "exit 2 ... laws[0].counterexamples is an array; expected the first of 1",
+                  {{"\"mismatches\": 0", "\"mismatches\": 1"}}),
+      uncertified("the certificate is of 2000 points",
+                  "exit 1 ... the certificate has 2000 points for wall; driving needs at least 1000000", {}),
       bad_hand("the recorded hand is empty", "hand.csv:1: expected a header row", ""),
       bad_hand("the recorded hand has no rows", "hand.csv: expected at least one recorded position", "t_s,x_mm,y_mm,z_mm\n"),
       bad_hand("the recorded hand's time goes backwards", "hand.csv:3: column 1 (t_s): expected a time not before 1",

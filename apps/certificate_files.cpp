@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/apps/certificate_files.h"
+
+#include <cstdio>
+
+#include "forceshade/apps/command.h"
+#include "forceshade/properties/evidence.h"
+#include "forceshade/properties/report.h"
+
+namespace forceshade::apps {
+namespace {
+
+std::string page(const properties::Certificate& certificate) {
+  try {
+    return to_html(certificate);
+  } catch (const properties::PlotError& error) {
+    std::fprintf(stderr, "forceshade: certificate.html has no pictures: %s\n", error.what());
+    return to_html(certificate, properties::Pictures::none);
+  }
+}
+
+std::string verdict(const properties::Certificate& certificate) {
+  if (!certificate.has_points()) return certificate.held() ? "swept, no mismatch" : "NOT certified";
+  std::uint64_t points = 0;
+  certificate.for_each([&](const auto& law) { points += law.points + law.spread.points; });
+  char words[160];
+  std::snprintf(words, sizeof words, "%s: %llu points in %.1f s, seed %llu", certificate.held() ? "certified" : "NOT certified",
+                static_cast<unsigned long long>(points), certificate.seconds,
+                static_cast<unsigned long long>(certificate.seed));
+  return words;
+}
+
+void print_what_drive_lacks(const properties::Certificate& certificate) {
+  if (!certificate.held()) return;
+  if (!certificate.has_points())
+    std::printf(
+        "drive needs points and properties too: join these sweeps to a certificate that has them with 'certify merge'\n");
+  std::optional<std::string> lacks;
+  certificate.for_each([&](const auto& law) {
+    if (!lacks) lacks = lacking(law);
+  });
+  if (lacks) std::printf("too little for drive: %s\n", lacks->c_str());
+}
+
+}  // namespace
+
+int write_certificate(const properties::Certificate& certificate, const std::filesystem::path& directory) {
+  write_file(directory / "certificate.json", to_json(certificate));
+  write_file(directory / "certificate.html", page(certificate));
+  std::printf("%s\n", verdict(certificate).c_str());
+  print_what_drive_lacks(certificate);
+  std::printf("%s\n", (directory / "certificate.html").c_str());
+  return certificate.held() ? kHeld : kFailed;
+}
+
+}  // namespace forceshade::apps

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What certify writes and says when it has checked.
+
+#include <filesystem>
+
+#include "forceshade/properties/certificate.h"
+
+namespace forceshade::apps {
+
+// certificate.json, then certificate.html: without pictures, and a warning, where gnuplot does not draw them. Prints the
+// verdict, and what drive would find lacking. Returns the exit code.
+int write_certificate(const properties::Certificate& certificate, const std::filesystem::path& directory);
+
+}  // namespace forceshade::apps

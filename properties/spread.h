@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Parameters from all of the domain, for what a certificate checks besides the ones asked for.
+
+#include <cstdint>
+#include <random>
+
+#include "forceshade/vocabulary/law.h"
+
+namespace forceshade::properties {
+
+// Repeatable. Each number is spread evenly over the binades of its domain. Three sets of four have numbers of all 24 bits, so
+// that products round; the fourth has numbers of at most 6 bits, with which sums can be ties and contacts exact. In one of
+// eight, one number is an end of its domain.
+class ParameterSource {
+ public:
+  explicit ParameterSource(std::uint64_t seed) : random_(seed) {}
+
+  Parameters next();
+
+ private:
+  float drawn(float low, float high, bool few_bits);
+  double uniform(double low, double high);
+
+  std::mt19937_64 random_;
+};
+
+}  // namespace forceshade::properties
