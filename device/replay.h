@@ -9,30 +9,43 @@
 
 namespace forceshade::device {
 
-// The k-th reading is the k-th recorded one, whatever the rate: no recorded point is missed, and the loop sets the pace.
+// Plays at the pace of its own time stamps, whatever the rate: the k-th reading is where the hand was k periods after the first
+// time stamp. At a time stamp, within kSameTime, that is the recorded position to the bit; between two of them it is on the
+// straight line from one to the other, in proportion to the time, and buttons, gimbal and encoder are those of the earlier.
+// Nothing is read beyond the last time stamp. A recording of a higher rate than the loop's loses the positions between ticks.
 class Replay final : public Device {
  public:
-  explicit Replay(std::vector<Reading> recording) noexcept;
+  static constexpr double kSameTime = 1e-9;  // s: more than rounding moves a multiple of a period, less than any hand does
 
-  // Reads a CSV with columns t_s, x_mm, y_mm and z_mm; t_s is finite and never decreases. Positions are taken as they are,
-  // NaN too: to judge them is the law's business. Throws csv::Error, also when there is no row.
+  // Times are finite and increase from each reading to the next; throws std::invalid_argument where they do not, or when there
+  // is no reading.
+  explicit Replay(std::vector<Reading> recording);
+
+  // Reads a CSV with columns t_s, x_mm, y_mm and z_mm. Positions are taken as they are, NaN too: to judge them is the law's
+  // business. Throws csv::Error with the line of a time that is not finite or does not increase, also when there is no row.
   static Replay load(const std::string& path);
 
   Capabilities capabilities() const noexcept override { return {.model = "replay"}; }
-  std::optional<Fault> start(double) noexcept override { return std::nullopt; }
+  std::optional<Fault> start(double rate) noexcept override;
   ReadResult read() noexcept override;
   std::optional<Fault> command(const Eigen::Vector3f& force) noexcept override {
     last_command_ = force;
     return std::nullopt;
   }
-  std::optional<std::size_t> readings_left() const noexcept override { return recording_.size() - next_; }
+  // Not known until it is started.
+  std::optional<std::size_t> readings_left() const noexcept override;
 
   const std::vector<Reading>& recording() const noexcept { return recording_; }
   const Eigen::Vector3f& last_command() const noexcept { return last_command_; }
 
  private:
+  // s since the first time stamp
+  double time_of(std::size_t recorded) const noexcept { return recording_[recorded].time - recording_.front().time; }
+
   std::vector<Reading> recording_;
-  std::size_t next_ = 0;
+  double period_ = 0;                    // s; 0 until started
+  std::size_t readings_ = 0, read_ = 0;  // how many there are at this period, and have been
+  std::size_t last_ = 0;                 // the last recorded one that is not after the time of the reading
   Eigen::Vector3f last_command_{0, 0, 0};
 };
 

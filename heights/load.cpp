@@ -67,6 +67,8 @@ Samples allocate(const std::filesystem::path& file, std::uint64_t columns, std::
   const std::string size = std::to_string(columns) + " x " + std::to_string(rows);
   if (columns < 2 || rows < 2 || columns > kMost || rows > kMost)
     throw Error(file, "declares " + size + " samples; expected 2 to 32768 each way");
+  if (columns * rows > kMostSamples)
+    throw Error(file, "declares " + size + " samples; expected " + std::to_string(kMostSamples) + " in all at most");
   const std::uint64_t bytes = std::filesystem::file_size(file);
   if (columns * rows * bytes_per_sample > bytes * most_expansion)
     throw Error(file, "declares " + size + " samples, more than its " + std::to_string(bytes) + " bytes can hold");
@@ -74,6 +76,9 @@ Samples allocate(const std::filesystem::path& file, std::uint64_t columns, std::
 }
 
 std::shared_ptr<const height::Grid> load(const Source& source) {
+  if (!(std::fabs(source.scale) >= kSmallest && std::isfinite(source.scale)))
+    throw Error(source.file, "is to be scaled by " + std::to_string(source.scale) +
+                                 " mm; expected a finite number of at least 2^-30 mm in size");
   Samples samples = read(source.file);
   to_millimetres(samples, source);
   if (source.shortest_wavelength) take_out_short_waves(samples, source);

@@ -23,6 +23,11 @@ class Reader {
   explicit Reader(const std::filesystem::path& file) : file_(file), stream_(std::fopen(file.c_str(), "rb"), &std::fclose) {
     png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, message_, &keep_message, &ignore_warning);
     info_ = png_ == nullptr ? nullptr : png_create_info_struct(png_);
+    if (info_ == nullptr) return;
+    // A chunk that was changed, or left over, is an error: what it said may have mattered.
+    png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
+    png_set_benign_errors(png_, 0);
+    png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_ALWAYS, reinterpret_cast<png_const_bytep>("acTL"), 1);
   }
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
@@ -44,10 +49,25 @@ class Reader {
         to[k] = static_cast<float>(bytes == 1 ? row[k] : 256 * row[2 * k] + row[2 * k + 1]) / white;
     }
     if (!read_end()) throw Error(file_, message_);
+    if (std::fgetc(stream_.get()) != EOF) throw Error(file_, "goes on after its end");
+    expect_heights_alone();
     return samples;
   }
 
  private:
+  // That no chunk, wherever in the file, says that a sample is no height, or not where it stands. How bright a sample is shown
+  // (gAMA, sRGB, cHRM, iCCP) changes no height: a height is the sample's number.
+  void expect_heights_alone() const {
+    const auto refuse = [&](const char* what) { throw Error(file_, what); };
+    if (png_get_valid(png_, info_, PNG_INFO_tRNS) != 0) refuse("has a transparent level (tRNS); expected greyscale alone");
+    if (png_get_valid(png_, info_, PNG_INFO_pCAL) != 0) refuse("has a scale of its own (pCAL); expected none");
+    if (png_get_valid(png_, info_, PNG_INFO_eXIf) != 0) refuse("has Exif data (eXIf), which may turn it; expected none");
+    if (png_get_x_pixels_per_meter(png_, info_) != png_get_y_pixels_per_meter(png_, info_))
+      refuse("has pixels that are not square (pHYs); expected one pitch");
+    png_unknown_chunkp other = nullptr;
+    if (png_get_unknown_chunks(png_, info_, &other) > 0) refuse("is animated (acTL); expected one picture");
+  }
+
   bool read_header() {
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
     png_init_io(png_, stream_.get());
@@ -61,7 +81,7 @@ class Reader {
   }
   bool read_end() {
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
-    png_read_end(png_, nullptr);
+    png_read_end(png_, info_);
     return true;
   }
 

@@ -4,12 +4,18 @@
 #include <toml++/toml.h>
 
 #include <array>
+#include <cerrno>
+#include <cmath>
+#include <fstream>
 #include <optional>
 #include <set>
 #include <span>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <utility>
+
+#include "forceshade/heights/nesting.h"
 
 namespace forceshade::heights {
 namespace {
@@ -30,6 +36,14 @@ class Table {
     const auto value = node->value<double>();  // a whole number, too
     if (!value) fail(*node, key, "a number");
     return static_cast<float>(*value);
+  }
+
+  // A scale of 0, or one so small that every height would be read as 0, leaves nothing of a grid.
+  float scale(const char* key) {
+    const float value = number(key);
+    if (!(std::fabs(value) >= 0x1p-30F && std::isfinite(value)))
+      fail(*table_.get(key), key, "a finite number of at least 2^-30 mm in size");
+    return value;
   }
 
   std::string text(const char* key) {
@@ -119,7 +133,7 @@ height::Shape grid(Table& table, const fs::path& file) {
   const auto sampled = table.word<Sampled>("interpolant", kInterpolants, Sampled::cubic_spline);
   Source source{.file = file.parent_path() / table.text("file"),
                 .pitch = table.number("pitch_mm"),
-                .scale = table.number("scale_mm"),
+                .scale = table.scale("scale_mm"),
                 .edge = table.word<height::Edge>("edge", kEdges, height::Edge::clamp)};
   if (sampled == Sampled::bilinear) source.interpolant = height::Interpolant::bilinear;
   if (sampled == Sampled::band_limited) source.shortest_wavelength = table.number("shortest_wavelength_mm");
@@ -164,9 +178,31 @@ height::Part part(const fs::path& file, const toml::table& table) {
   return part;
 }
 
+// 16 parts and 16 surfaces of 1025 knots each, at 40 bytes a knot, take a third of it.
+constexpr std::size_t kLargestFile = 4 << 20;
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw Error(file, "cannot be opened: " + std::generic_category().message(errno));
+  std::string text;
+  std::array<char, 1 << 16> bytes;
+  do {
+    in.read(bytes.data(), bytes.size());
+    text.append(bytes.data(), static_cast<std::size_t>(in.gcount()));
+    if (text.size() > kLargestFile)
+      throw Error(file, "is larger than " + std::to_string(kLargestFile) + " bytes, the most that a height map may take");
+  } while (in);
+  if (in.bad()) throw Error(file, "cannot be read: " + std::generic_category().message(errno));
+  return text;
+}
+
 toml::table parsed(const fs::path& file) {
+  const std::string text = text_of(file);
+  if (const auto line = line_nested_too_deep(text))
+    throw Error(file, "line " + std::to_string(*line) + ": expected at most " + std::to_string(kMostBrackets) +
+                          " brackets within each other and " + std::to_string(kMostDots) + " dots in a key, got more");
   try {
-    return toml::parse_file(file.string());
+    return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
     if (error.source().begin.line == 0) throw Error(file, std::string(error.description()));
     throw Error(file, "line " + std::to_string(error.source().begin.line) + ": " + std::string(error.description()));

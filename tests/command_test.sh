@@ -214,6 +214,13 @@ for key in ticks missed_deadlines overruns compute_us p50 p99 p999 p9999 max his
   grep -q "\"$key\"" run.json || { echo "FAILED: run.json lacks $key"; exit 1; }
 done
 same "$(sha256sum here/certificate.json | cut -d' ' -f1)" "$(sed -n 's/.*"certificate_digest": "\(.*\)".*/\1/p' run.json)"
+# A recording of 100 Hz takes as long as it took: 20 ms are 21 readings at 1 kHz.
+printf 't_s,x_mm,y_mm,z_mm\n5,0,0,-1\n5.01,1,0,-1\n5.02,2,0,-1\n' > slow.csv
+expect 0 "ticks             21 (end of data)" -- "$forceshade" drive --law wall --uncertified --unpaced --device replay:slow.csv --record slow_run.csv
+same "5.005,0.5,0,-1" "$(sed -n 7p slow_run.csv | cut -d, -f3-6)"
+printf '5.02,3,0,-1\n' >> slow.csv
+expect 2 'slow.csv:5: column 1 (t_s): expected a time after 5.02, got "5.02"' -- \
+  "$forceshade" drive --law wall --uncertified --unpaced --device replay:slow.csv
 expect 1 "refused to drive: here/certificate.json: the certificate covers bump-1p-shaded with other parameters" -- \
   drive --law bump-1p-shaded --stiffness 0.6 --certificate here/certificate.json
 expect 1 "does not cover the law wall" -- drive --law wall --certificate here/certificate.json

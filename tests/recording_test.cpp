@@ -30,7 +30,7 @@ Kept drive(Recorder& recorder) {
   std::vector<device::Reading> path;
   for (int k = 0; k < 200; ++k)
     path.push_back({.position = {1, 2, std::sin(0.1F * static_cast<float>(k))},
-                    .time = 0.001 * k,
+                    .time = 0.0001 * k,
                     .buttons = static_cast<std::uint16_t>(k % 2),
                     .gimbal = Eigen::Vector3f(0.1F, 0.2F, 0.3F),
                     .encoder = {{7, -8, 9}}});

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
+#include <random>
+#include <stdexcept>
 #include <variant>
 
 #include "forceshade/csv/csv.h"
@@ -28,22 +31,127 @@ std::string error_of(const std::string& rows) {
   return "no error";
 }
 
-TEST(replay, gives_every_row_once) {
+// All readings at this rate, which are as many as the replay said.
+std::vector<Reading> played(Replay replay, double rate) {
+  EXPECT_EQ(replay.readings_left(), std::nullopt) << "not known before it is started";
+  EXPECT_FALSE(replay.start(rate));
+  const std::size_t expected = replay.readings_left().value();
+  std::vector<Reading> readings;
+  ReadResult result = replay.read();
+  for (; std::holds_alternative<Reading>(result); result = replay.read()) {
+    readings.push_back(std::get<Reading>(result));
+    EXPECT_EQ(replay.readings_left(), expected - readings.size());
+  }
+  EXPECT_TRUE(std::holds_alternative<EndOfData>(result));
+  EXPECT_TRUE(std::holds_alternative<EndOfData>(replay.read()));
+  EXPECT_EQ(readings.size(), expected);
+  return readings;
+}
+
+bool same_bits(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+  return std::memcmp(a.data(), b.data(), 3 * sizeof(float)) == 0;
+}
+
+// A hand that goes 1 mm in each 10 ms.
+std::vector<Reading> at_100_hz(double begin) {
+  std::vector<Reading> recording;
+  for (int k = 0; k <= 50; ++k) recording.push_back({{static_cast<float>(k), 1, -1}, begin + 0.01 * k});
+  return recording;
+}
+
+TEST(replay, at_the_recordings_own_rate_gives_every_row_to_the_bit) {
   const TemporaryDirectory directory;
-  Replay replay = Replay::load(directory.write("hand.csv", std::string(kHeader) + "0,1,2,3\n0.25,4,5,6\n0.25,7,8,nan\n"));
-  EXPECT_EQ(replay.readings_left(), 3U);
+  const auto readings =
+      played(Replay::load(directory.write("hand.csv", std::string(kHeader) + "0,1,2,3\n0.25,4,5,6\n0.5,7,8,nan\n")), 4);
+  ASSERT_EQ(readings.size(), 3U);
+  EXPECT_EQ(readings[0].time, 0);
+  EXPECT_EQ(readings[0].position, Eigen::Vector3f(1, 2, 3));
+  EXPECT_EQ(readings[1].time, 0.25);
+  EXPECT_EQ(readings[1].position, Eigen::Vector3f(4, 5, 6));
+  EXPECT_TRUE(std::isnan(readings[2].position.z()));
 
-  const auto first = std::get<Reading>(replay.read());
-  EXPECT_EQ(first.time, 0);
-  EXPECT_EQ(first.position, Eigen::Vector3f(1, 2, 3));
-  const auto second = std::get<Reading>(replay.read());
-  EXPECT_EQ(second.time, 0.25);
-  EXPECT_EQ(second.position, Eigen::Vector3f(4, 5, 6));
-  EXPECT_TRUE(std::isnan(std::get<Reading>(replay.read()).position.z()));
+  // Time stamps are decimal, periods are not: rounding moves them apart, and the recorded bits are given nevertheless.
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> uniform(-1, 1);
+  for (const double rate : {100.0, 333.0, 1000.0, 1024.0, 10000.0})
+    for (const double begin : {0.0, -3.7, 1234.56789}) {
+      std::vector<Reading> recording;
+      for (int k = 0; k < 3000; ++k)
+        recording.push_back({{uniform(random), uniform(random), uniform(random)}, begin + k / rate});
+      const auto same = played(Replay(recording), rate);
+      ASSERT_EQ(same.size(), recording.size()) << rate << ' ' << begin;
+      for (std::size_t k = 0; k < same.size(); ++k) {
+        ASSERT_TRUE(same_bits(same[k].position, recording[k].position)) << rate << ' ' << begin << ' ' << k;
+        ASSERT_EQ(same[k].time, recording[k].time);
+      }
+    }
+}
 
-  EXPECT_EQ(replay.readings_left(), 0U);
-  EXPECT_TRUE(std::holds_alternative<EndOfData>(replay.read()));
-  EXPECT_TRUE(std::holds_alternative<EndOfData>(replay.read()));
+TEST(replay, of_100_hz_takes_as_long_at_any_rate) {
+  for (const double rate : {100.0, 500.0, 1000.0, 3000.0, 30.0})
+    for (const double begin : {0.0, 17.5, -2.0}) {
+      const auto readings = played(Replay(at_100_hz(begin)), rate);
+      ASSERT_EQ(readings.size(), static_cast<std::size_t>(std::floor(0.5 * rate + 1e-6)) + 1) << rate;
+      for (std::size_t k = 0; k < readings.size(); ++k) {
+        const double time = static_cast<double>(k) / rate;
+        EXPECT_NEAR(readings[k].time, begin + time, 1e-9);
+        EXPECT_NEAR(static_cast<double>(readings[k].position.x()), 100 * time, 1e-5);
+        EXPECT_EQ(readings[k].position.y(), 1);
+      }
+    }
+}
+
+// A clock that wakes when it can: the pace is that of the time stamps, not of the rows.
+TEST(replay, of_uneven_time_stamps_goes_straight_between_them) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> gap(1e-4, 0.02);
+  std::vector<Reading> recording;
+  for (double time = 0; recording.size() < 500; time += gap(random)) {
+    const auto t = static_cast<float>(time);
+    recording.push_back(
+        {.position = {3 * t, -2 * t, 1}, .time = time, .buttons = static_cast<std::uint16_t>(recording.size())});
+  }
+  std::size_t last = 0;
+  for (const Reading& reading : played(Replay(recording), 1000)) {
+    EXPECT_NEAR(static_cast<double>(reading.position.x()), 3 * reading.time, 1e-5);
+    EXPECT_NEAR(static_cast<double>(reading.position.y()), -2 * reading.time, 1e-5);
+    while (last + 1 < recording.size() && recording[last + 1].time <= reading.time) ++last;
+    EXPECT_EQ(reading.buttons, last) << "what cannot be between is the earlier one's";
+  }
+  EXPECT_GE(last, 490U);
+}
+
+TEST(replay, is_invalid_only_between_the_neighbours_of_an_invalid_position) {
+  std::vector<Reading> recording = at_100_hz(0);
+  recording[20].position.z() = std::nanf("");
+  const auto readings = played(Replay(recording), 1000);
+  ASSERT_EQ(readings.size(), 501U);
+  for (std::size_t k = 0; k < readings.size(); ++k) EXPECT_EQ(std::isnan(readings[k].position.z()), k > 190 && k < 210) << k;
+}
+
+TEST(replay, gives_nothing_before_it_is_started) {
+  Replay replay(at_100_hz(0));
+  EXPECT_TRUE(std::holds_alternative<Fault>(replay.read()));
+}
+
+TEST(replay, of_one_row_gives_one_reading) {
+  EXPECT_EQ(played(Replay({Reading{}}), 1000).size(), 1U);
+}
+
+// Times whose difference is beyond binary64, and some that are as near as two numbers can be.
+TEST(replay, of_extreme_times_stays_finite) {
+  Replay endless({{{1, 0, 0}, -1e308}, {{2, 0, 0}, 1e308}});
+  EXPECT_FALSE(endless.start(1000));
+  for (int k = 0; k < 3; ++k) {
+    const auto reading = std::get<Reading>(endless.read());
+    EXPECT_EQ(reading.position.x(), 1);
+    EXPECT_TRUE(std::isfinite(reading.time));
+  }
+  const auto close = played(Replay({{{1, 0, 0}, 0}, {{2, 0, 0}, 5e-324}, {{3, 0, 0}, 1e-300}, {{4, 0, 0}, 0.002}}), 1000);
+  ASSERT_EQ(close.size(), 3U);
+  EXPECT_EQ(close[0].position.x(), 3);
+  EXPECT_NEAR(static_cast<double>(close[1].position.x()), 3.5, 1e-6);
+  EXPECT_EQ(close[2].position.x(), 4);
 }
 
 TEST(replay, keeps_the_last_command) {
@@ -54,12 +162,17 @@ TEST(replay, keeps_the_last_command) {
   EXPECT_EQ(replay.last_command(), Eigen::Vector3f(4, 5, 6));
 }
 
-TEST(replay, refuses_a_time_that_decreases_or_is_not_finite) {
+TEST(replay, refuses_a_time_that_does_not_increase_or_is_not_finite) {
   EXPECT_EQ(error_of(std::string(kHeader) + "0,0,0,0\n0.5,0,0,0\n0.25,0,0,0\n"),
-            "hand.csv:4: column 1 (t_s): expected a time not before 0.5, got \"0.25\"");
+            "hand.csv:4: column 1 (t_s): expected a time after 0.5, got \"0.25\"");
+  EXPECT_EQ(error_of(std::string(kHeader) + "0,0,0,0\n\n0.5,0,0,0\n0.5,0,0,0\n"),
+            "hand.csv:5: column 1 (t_s): expected a time after 0.5, got \"0.5\"");
   EXPECT_EQ(error_of(std::string(kHeader) + "nan,0,0,0\n"), "hand.csv:2: column 1 (t_s): expected a finite time, got \"nan\"");
   EXPECT_EQ(error_of(std::string(kHeader) + "1e999,0,0,0\n"),
             "hand.csv:2: column 1 (t_s): expected a finite time, got \"1e999\"");
+  EXPECT_THROW(Replay({{{0, 0, 0}, 1}, {{0, 0, 0}, 1}}), std::invalid_argument);
+  EXPECT_THROW(Replay({{{0, 0, 0}, std::nan("")}}), std::invalid_argument);
+  EXPECT_THROW(Replay({}), std::invalid_argument);
 }
 
 TEST(replay, refuses_an_empty_recording) {
@@ -73,7 +186,9 @@ TEST(replay, names_the_field_that_is_no_number) {
 TEST(open_device, opens_a_replay) {
   const TemporaryDirectory directory;
   const std::string path = directory.write("hand.csv", std::string(kHeader) + "0,1,2,3\n");
-  EXPECT_EQ(open_device("replay:" + path)->readings_left(), 1U);
+  const auto device = open_device("replay:" + path);
+  device->start(1000);
+  EXPECT_EQ(device->readings_left(), 1U);
 }
 
 TEST(open_device, opens_a_device_that_is_none) {

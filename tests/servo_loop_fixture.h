@@ -24,10 +24,11 @@ inline fast::Law wall() {
   return law_of(LawId::wall, 0.5F);
 }
 
+// One position a tick at 1 kHz.
 inline std::vector<Reading> path_of(const std::vector<Eigen::Vector3f>& positions) {
   std::vector<Reading> path;
   path.reserve(positions.size());
-  for (const Eigen::Vector3f& position : positions) path.push_back({position, 0.5 * static_cast<double>(path.size())});
+  for (const Eigen::Vector3f& position : positions) path.push_back({position, 0.001 * static_cast<double>(path.size())});
   return path;
 }
 

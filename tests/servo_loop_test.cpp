@@ -38,7 +38,7 @@ TEST(servo_loop, commands_the_force_of_every_recorded_position) {
     const Sample& sample = result.samples[k];
     EXPECT_EQ(sample.tick, k);
     EXPECT_EQ(vector(sample.position), positions[k]);
-    EXPECT_EQ(sample.device_time, 0.5 * static_cast<double>(k));
+    EXPECT_EQ(sample.device_time, 0.001 * static_cast<double>(k));
     EXPECT_EQ(vector(sample.force), law.force(positions[k]));
     EXPECT_EQ(sample.law_force, sample.force);
     EXPECT_EQ(sample.status, static_cast<int>(law.evaluate(positions[k]).status));

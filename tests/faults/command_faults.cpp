@@ -219,7 +219,7 @@ std::vector<Fault> command_faults() {
                   "exit 1 ... the certificate has 2000 points for wall; driving needs at least 1000000", {}),
       bad_hand("the recorded hand is empty", "hand.csv:1: expected a header row", ""),
       bad_hand("the recorded hand has no rows", "hand.csv: expected at least one recorded position", "t_s,x_mm,y_mm,z_mm\n"),
-      bad_hand("the recorded hand's time goes backwards", "hand.csv:3: column 1 (t_s): expected a time not before 1",
+      bad_hand("the recorded hand's time goes backwards", "hand.csv:3: column 1 (t_s): expected a time after 1",
                "t_s,x_mm,y_mm,z_mm\n1,0,0,0\n0,0,0,0\n"),
       bad_hand("the recorded hand has words in it", "hand.csv:2: column 4 (z_mm): expected a number, got \"deep\"",
                "t_s,x_mm,y_mm,z_mm\n0,0,0,deep\n"),

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/apps/length.h"
+
+#include <cmath>
+
+#include "forceshade/apps/command.h"
+#include "forceshade/tests/fuzz/input_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace forceshade;
+  const std::string text(fuzz::text_of(data, size));
+  fuzz::read_or_refuse<apps::BadInput>(
+      "--radius", [&] { fuzz::require(!std::isnan(apps::parse_length("--radius", text)), "a length is a number"); });
+  fuzz::read_or_refuse<apps::BadInput>("--stiffness", [&] {
+    fuzz::require(!std::isnan(apps::parse_stiffness("--stiffness", text)), "a stiffness is a number");
+  });
+  return 0;
+}
