@@ -14,6 +14,8 @@
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/exhaustive.h"
 #include "forceshade/apps/height_map_option.h"
+#include "forceshade/apps/live_line.h"
+#include "forceshade/apps/options.h"
 #include "forceshade/properties/report.h"
 #include "forceshade/properties/thesis.h"
 
@@ -30,12 +32,13 @@ struct Options {
   ExhaustiveOptions exhaustive;
 };
 
-// One line, drawn over itself, on a terminal only.
+// On a terminal only.
 void draw_progress(std::string_view name, double done) {
-  constexpr int kWidth = 40;
-  const int filled = static_cast<int>(done * kWidth);
-  std::fprintf(stderr, "\r[%.*s%*s] %3.0f %%  %-15s", filled, "########################################", kWidth - filled, "",
-               100 * done, std::string(name).c_str());
+  char percent[16];
+  std::snprintf(percent, sizeof percent, "%3.0f %%", 100 * done);
+  std::string bar(40, ' ');
+  std::fill_n(bar.begin(), static_cast<int>(done * 40), '#');
+  draw_line(percent + ("  " + std::string(name)) + "  [" + bar + ']');
   if (done >= 1) std::fprintf(stderr, "\n");
 }
 
@@ -111,21 +114,13 @@ void add_certify(CLI::App& app, int& result) {
   CLI::App* command = app.add_subcommand("certify", "Check the fast path against the reference and write a certificate");
   const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all, LawOptions::Defaults::thesis);
   const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
-  command
-      ->add_option("--points", options->points,
-                   "points per law, half of them aimed; " + std::to_string(kPointsOfALaw) + " unless said, for a height map " +
-                       std::to_string(kPointsOfAHeightMap))
-      ->type_name("N")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000000}));
-  command->add_option("--cases", options->cases, "cases per property (passivity: a tenth)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000000000))
-      ->capture_default_str();
-  command->add_option("--seed", options->seed, "seed of points and cases")->type_name("S")->capture_default_str();
-  command->add_option("--threads", options->threads, "threads")
-      ->type_name("T")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  add_whole(*command, "--points",
+            "points per law, half of them aimed; " + std::to_string(kPointsOfALaw) + " unless said, for a height map " +
+                std::to_string(kPointsOfAHeightMap),
+            {1, 1000000000000}, [options](std::uint64_t points) { options->points = points; });
+  add_whole(*command, "--cases", options->cases, "cases per property (passivity: a tenth)", kCases);
+  add_whole(*command, "--seed", options->seed, "seed of points and cases", kSeeds);
+  add_whole(*command, "--threads", options->threads, "threads", {1, 1024});
   command->add_option("--out", options->out, "directory for certificate.json and certificate.html")->type_name("DIR");
   options->exhaustive.add_to(*command);
   add_merge(*command, result);

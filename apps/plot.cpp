@@ -9,6 +9,7 @@
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/length.h"
+#include "forceshade/apps/options.h"
 #include "forceshade/properties/pictures.h"
 #include "forceshade/properties/thesis_figures.h"
 
@@ -61,15 +62,12 @@ void add_plot(CLI::App& app, int&) {
   const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
   const auto options = std::make_shared<Options>();
   const auto add = [&](const char* name, std::string& value, const char* help) {
-    command->add_option(name, value, help)->type_name("VALUE")->capture_default_str();
+    command->add_option(name, value, help)->type_name("VALUE")->capture_default_str()->needs("--height-map");
   };
   add("--at", options->y, "y of the section of a height map that is drawn: mm, or with a unit");
   add("--from", options->from, "x where the section begins");
   add("--to", options->to, "x where it ends");
-  command->add_option("--what", options->what, "force, directions, geometry, energy or all")
-      ->type_name("PICTURE")
-      ->check(CLI::IsMember({"force", "directions", "geometry", "energy", "all"}))
-      ->capture_default_str();
+  add_word(*command, "--what", options->what, "which picture", {"force", "directions", "geometry", "energy", "all"});
   command->add_option("--out", options->out, "directory for NAME-PICTURE.svg and .png")->type_name("DIR")->required();
   command->callback([law, height_map, options] {
     const auto draw = [&](const SideView& view) {

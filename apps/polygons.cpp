@@ -2,6 +2,7 @@
 // forceshade polygons: how many polygons a bump needs by the theta-critical hypothesis, and figure 5-5 of the thesis as a
 // table; or how many the section y = 0 of a height map needs, and those polygons as a height map.
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -9,6 +10,7 @@
 
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/length.h"
+#include "forceshade/apps/options.h"
 #include "forceshade/heights/spec.h"
 #include "forceshade/properties/thesis.h"
 #include "forceshade/reference/height_law.h"
@@ -52,8 +54,11 @@ void of_bump(const Options& options, const Parameters& bump) {
                                      .dump() +
                                  "\n");
   if (options.json == "-") return;
-  std::printf("%u polygon%s: the bump subtends %s degrees, each of %s %s\n\n", polygons, polygons == 1 ? "" : "s", all.c_str(),
-              polygons == 1 ? "one" : "them", each.c_str());
+  std::printf("%u polygon%s: the bump subtends %s degrees", polygons, polygons == 1 ? "" : "s", all.c_str());
+  std::printf(polygons == 1 ? "\n" : ", each of them %s\n", each.c_str());
+  const auto is_its_radius = [&](const properties::ThesisRadius& thesis) { return thesis.mm == bump.radius; };
+  if (bump.width != properties::kThesisWidth || std::ranges::none_of(properties::kThesisRadii, is_its_radius)) return;
+  std::printf("\n");
   print_figure_5_5();
 }
 
@@ -86,10 +91,10 @@ void of_height_map(const Options& options) {
                                        .dump() +
                                    "\n");
     if (options.json != "-")
-      std::printf("%u polygon%s%s: the normal turns by %.6g degrees, over each of %s by %.6g\n", polygons,
-                  polygons == 1 ? "" : "s",
-                  is_fewest ? "" : " (or one fewer, which misses by less than 1e-18 degrees or nothing)", turning,
-                  polygons == 1 ? "one" : "them", turning / polygons);
+      std::printf(polygons == 1 ? "%u polygon%s: the normal turns by %.6g degrees\n"
+                                : "%u polygons%s: the normal turns by %.6g degrees, over each of them by %.6g\n",
+                  polygons, is_fewest ? "" : " (or one fewer, which misses by less than 1e-18 degrees or nothing)", turning,
+                  turning / polygons);
     if (options.toml.empty()) return;
     auto knots = profile.knots(polygons);
     if (!turns_little(map, knots, options.theta_critical)) knots = profile.knots(polygons + 1);
@@ -117,16 +122,15 @@ void add_polygons(CLI::App& app, int&) {
   command->add_option("--toml", options->toml, "the map shading its polygons, for --height-map elsewhere")
       ->type_name("FILE")
       ->needs(height_map);
-  command->add_option("--theta-critical", options->theta_critical, "degrees")
-      ->type_name("DEG")
-      ->check(CLI::Range(reference::kLeastThetaCritical, 180.0))
+  add_number(*command, "--theta-critical", "degrees", {reference::kLeastThetaCritical, 180},
+             [options](double degrees) { options->theta_critical = degrees; })
       ->required();
   command->add_option("--json", options->json, "the answer for programs, - for standard output")->type_name("FILE");
   command->callback([options, bump_options] {
-    if (options->height_map.empty())
-      of_bump(*options, bump_options->bump());
-    else
-      of_height_map(*options);
+    if (options->height_map.empty()) return of_bump(*options, bump_options->bump());
+    if (options->from.empty()) throw CLI::RequiredError("--from beside --height-map");
+    if (options->to.empty()) throw CLI::RequiredError("--to beside --height-map");
+    of_height_map(*options);
   });
 }
 
