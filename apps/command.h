@@ -14,10 +14,15 @@
 
 namespace forceshade::apps {
 
-enum ExitCode { kHeld = 0, kFailed = 1, kBadInput = 2, kDeviceFault = 3 };
+enum ExitCode { kHeld = 0, kFailed = 1, kBadInput = 2, kDeviceFault = 3, kInterrupted = 130 };
 
 // Becomes exit code 2; what() says what was expected and what was got.
 struct BadInput : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// By a signal, before the work was done; becomes exit code 130. what() says what was not done.
+struct Interrupted : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 

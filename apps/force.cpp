@@ -31,7 +31,7 @@ void for_each_row(std::istream& in, const std::string& file, std::ostream& out, 
   csv::Reader rows(in, file, {"x_mm", "y_mm", "z_mm"});
   out << "x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status\n";
   while (rows.next()) {
-    if (interrupted()) throw BadInput("interrupted: no output file was written");
+    if (interrupted()) throw Interrupted("no output file was written");
     const Eigen::Vector3f position(rows.binary32(0), rows.binary32(1), rows.binary32(2));
     for (const float coordinate : position) out << csv::shortest(coordinate) << ',';
     answer(position, out);

@@ -44,21 +44,22 @@ int room_for_a_line() {
 }
 
 std::string live_line(const LiveLine& shown, int room) {
-  std::vector<Piece> pieces{{number("%7.1f s", shown.seconds), 3},       {number("%6.0f Hz", shown.rate), 4},
-                            {number("late %5.0f us", shown.late), 5},    {bar(shown.force / shown.full_force), 6},
-                            {number("%6.3f N", shown.force), 0},         {number("%+9.3f mJ", shown.energy), 2}};
+  std::vector<Piece> pieces{{number("%7.1f s", shown.seconds), 3},    {number("%6.0f Hz", shown.rate), 4},
+                            {number("late %5.0f us", shown.late), 5}, {bar(shown.force / shown.full_force), 6},
+                            {number("%6.3f N", shown.force), 0},      {number("%+9.3f mJ", shown.energy), 2}};
   if (!shown.limits.empty()) pieces.push_back({shown.limits, 1});
   const auto most = static_cast<std::size_t>(std::max(room, 0));
   while (pieces.size() > 1 && joined(pieces).size() > most)
-    pieces.erase(std::max_element(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.rank < b.rank; }));
+    pieces.erase(
+        std::max_element(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.rank < b.rank; }));
   return joined(pieces).substr(0, most);
 }
 
 void draw_line(const std::string& text) {
   std::size_t end = 0;
   const auto is_inside_character = [&](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U; };
-  for (int room = room_for_a_line(); room > 0 && end < text.size(); --room)
-    do ++end;
+  for (int room = room_for_a_line(); room > 0 && end < text.size(); --room) do
+      ++end;
     while (end < text.size() && is_inside_character(end));
   std::fprintf(stderr, "\r%.*s\033[K", static_cast<int>(end), text.c_str());
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The forceshade command. Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault.
+// The forceshade command. Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault, 130 interrupted.
 
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <iostream>
+#include <sstream>
 
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/options.h"
@@ -23,7 +25,8 @@ int run(int argc, char** argv) {
   });
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault or safety trip.\n"
+      "Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault or safety trip,\n"
+      "130 interrupted.\n"
       "'forceshade COMMAND --help' explains a command.");
   app.failure_message(failure_message);
   int result = kHeld;
@@ -52,10 +55,16 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kHeld : kBadInput;
+    std::ostringstream help;  // not std::cout: it would be flushed where nobody sees whether that fails
+    const int code = app.exit(error, help, std::cerr);
+    std::fputs(help.str().c_str(), stdout);
+    return code == 0 ? kHeld : kBadInput;
   } catch (const device::DeviceError& error) {
     std::cerr << "forceshade: device fault: " << error.what() << '\n';
     return kDeviceFault;
+  } catch (const Interrupted& error) {
+    std::cerr << "forceshade: interrupted: " << error.what() << '\n';
+    return kInterrupted;
   } catch (const std::exception& error) {
     std::cerr << "forceshade: " << error.what() << '\n';
     return kBadInput;

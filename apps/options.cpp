@@ -88,7 +88,8 @@ std::string failure_message(const CLI::App*, const CLI::Error& error) {
   std::string words = error.what();
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
     const bool repeated = words.find("received") != std::string::npos;
-    words = words.substr(0, words.find(':')) + (repeated ? ": expected once, got several times" : ": expected a value after it");
+    words =
+        words.substr(0, words.find(':')) + (repeated ? ": expected once, got several times" : ": expected a value after it");
   }
   return "forceshade: " + words + "\nRun with --help for more information.\n";
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Options whose value is a number or one of several words. The whole text is read; what is refused is said as `--cases: expected
-// a whole number from 1 to 1000, got "1e3"`.
+// Options whose value is a number or one of several words. The whole text is read; what is refused is said as `--cases:
+// expected a whole number from 1 to 1000, got "1e3"`.
 
 #include <CLI/CLI.hpp>
 #include <concepts>

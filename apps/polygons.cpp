@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "forceshade/apps/command.h"
+#include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/length.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/heights/spec.h"
@@ -62,11 +63,6 @@ void of_bump(const Options& options, const Parameters& bump) {
   print_figure_5_5();
 }
 
-void expect_valid(const HeightMap& map, const std::string& file) {
-  const auto law = reference::HeightLaw::build(map, height::Rendering::force_shaded, 1);
-  if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput(file + ": " + error->message());
-}
-
 // Every piece between knots that were rounded to binary32 still turns by less than theta-critical, surely.
 bool turns_little(const HeightMap& map, const std::vector<height::Knot>& knots, double theta_critical) {
   for (std::size_t i = 1; i < knots.size(); ++i)
@@ -75,8 +71,10 @@ bool turns_little(const HeightMap& map, const std::vector<height::Knot>& knots, 
 }
 
 void of_height_map(const Options& options) {
+  if (!options.json.empty() && options.json == options.toml)
+    throw BadInput("--json and --toml: expected two files, got \"" + options.json + "\" for both");
   const HeightMap map{heights::read_spec(options.height_map).map.parts};
-  expect_valid(map, options.height_map);
+  expect_valid(options.height_map, {map, height::Rendering::force_shaded}, 1);
   try {
     const reference::Profile profile(map.parts, parse_length("--from", options.from), parse_length("--to", options.to));
     const auto [polygons, is_fewest] = profile.polygons_needed(options.theta_critical);
@@ -98,7 +96,9 @@ void of_height_map(const Options& options) {
     if (options.toml.empty()) return;
     auto knots = profile.knots(polygons);
     if (!turns_little(map, knots, options.theta_critical)) knots = profile.knots(polygons + 1);
-    expect_valid({map.parts, {{height::Polygons{knots}}}}, options.toml);
+    const auto shaded =
+        reference::HeightLaw::build({map.parts, {{height::Polygons{knots}}}}, height::Rendering::force_shaded, 1);
+    if (const auto* error = std::get_if<ParameterError>(&shaded)) throw BadInput(options.toml + ": " + error->message());
     write_file(options.toml,
                heights::shading_polygons(options.height_map, knots, std::filesystem::absolute(options.toml).parent_path()));
   } catch (const std::invalid_argument& error) {
@@ -122,9 +122,9 @@ void add_polygons(CLI::App& app, int&) {
   command->add_option("--toml", options->toml, "the map shading its polygons, for --height-map elsewhere")
       ->type_name("FILE")
       ->needs(height_map);
-  add_number(*command, "--theta-critical", "degrees", {reference::kLeastThetaCritical, 180},
-             [options](double degrees) { options->theta_critical = degrees; })
-      ->required();
+  add_number(*command, "--theta-critical", "degrees", {reference::kLeastThetaCritical, 180}, [options](double degrees) {
+    options->theta_critical = degrees;
+  })->required();
   command->add_option("--json", options->json, "the answer for programs, - for standard output")->type_name("FILE");
   command->callback([options, bump_options] {
     if (options->height_map.empty()) return of_bump(*options, bump_options->bump());

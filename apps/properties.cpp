@@ -7,6 +7,7 @@
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/options.h"
+#include "forceshade/apps/standard_streams.h"
 #include "forceshade/properties/run.h"
 
 namespace forceshade::apps {
@@ -25,7 +26,7 @@ bool check(const std::string& name, const Subject& subject, const Options& optio
     std::printf("%-15s %-13s %s  %llu cases\n", name.c_str(), property.name.c_str(), property.held ? "held  " : "FAILED",
                 static_cast<unsigned long long>(property.cases));
     if (!property.held) std::printf("  counterexample: %s\n", property.counterexample.c_str());
-    std::fflush(stdout);
+    flush_standard_output();
     held = held && property.held;
   }
   return held;

@@ -68,9 +68,9 @@ void check(const ServoOptions& options, const Capabilities& capabilities) {
   expect_number("friction", !std::isnan(capabilities.friction));
   expect_number("workspace", !capabilities.workspace_low.hasNaN() && !capabilities.workspace_high.hasNaN());
   if (const auto button = options.dead_man_button; button && !(*button >= 0 && *button < capabilities.buttons))
-    refuse(capabilities.buttons == 0 ? "dead-man button: expected none, because the device has no buttons"
-                                     : "dead-man button: expected 0 to " + std::to_string(capabilities.buttons - 1) +
-                                           ", a button of the device",
+    refuse(capabilities.buttons == 0
+               ? "dead-man button: expected none, because the device has no buttons"
+               : "dead-man button: expected 0 to " + std::to_string(capabilities.buttons - 1) + ", a button of the device",
            *button);
 }
 
