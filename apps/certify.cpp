@@ -14,30 +14,30 @@
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/exhaustive.h"
 #include "forceshade/apps/height_map_option.h"
-#include "forceshade/apps/output_directory.h"
-#include "forceshade/apps/whole_number.h"
+#include "forceshade/apps/live_line.h"
+#include "forceshade/apps/options.h"
 #include "forceshade/properties/thesis.h"
 
 namespace forceshade::apps {
 namespace {
 
-using properties::kCases;
 using properties::kPointsOfAHeightMap;
 using properties::kPointsOfALaw;
 
 struct Options {
-  std::uint64_t points = 0, cases = kCases, seed = 1;
+  std::uint64_t points = 0, cases = properties::kCases, seed = 1;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   std::string out;
   ExhaustiveOptions exhaustive;
 };
 
-// One line, drawn over itself, on a terminal only.
+// On a terminal only.
 void draw_progress(std::string_view name, double done) {
-  constexpr int kWidth = 40;
-  const int filled = static_cast<int>(done * kWidth);
-  std::fprintf(stderr, "\r[%.*s%*s] %3.0f %%  %-15s", filled, "########################################", kWidth - filled, "",
-               100 * done, std::string(name).c_str());
+  char percent[16];
+  std::snprintf(percent, sizeof percent, "%3.0f %%", 100 * done);
+  std::string bar(40, ' ');
+  std::fill_n(bar.begin(), static_cast<int>(done * 40), '#');
+  draw_line(percent + ("  " + std::string(name)) + "  [" + bar + ']');
   if (done >= 1) std::fprintf(stderr, "\n");
 }
 
@@ -91,7 +91,7 @@ int run(const Options& options, const LawOptions& law_options, const HeightMapOp
   if (options.exhaustive.wanted && height_map.is_given())
     throw BadInput("--exhaustive: expected --law; a height map has too many inputs to sweep");
   // Before the work, so that a path that cannot be written to is said at once.
-  const OutputDirectory directory("--out", options.out);
+  make_directory("--out", options.out);
   if (!options.exhaustive.wanted) return run_points(options, std::move(what));
   properties::SweepPlan plan{what.laws, what.parameters, {}};
   for (const properties::ThesisRadius& radius : properties::kThesisRadii) plan.radii.push_back(radius.mm);
@@ -106,18 +106,14 @@ void add_certify(CLI::App& app, int& result) {
   CLI::App* command = app.add_subcommand("certify", "Check the fast path against the reference and write a certificate");
   const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all, LawOptions::Defaults::thesis);
   const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
-  CLI::Option* points = add_whole_number(*command, "--points", options->points, 1, 1000000000000,
-                                         "points per law, half of them aimed, and a quarter as many with other parameters; " +
-                                             std::to_string(kPointsOfALaw) + " unless said, for a height map " +
-                                             std::to_string(kPointsOfAHeightMap));
-  points->default_str("");
-  CLI::Option* cases =
-      add_whole_number(*command, "--cases", options->cases, 1, 1000000000, "cases per property (passivity: a tenth)");
-  CLI::Option* seed = add_whole_number(*command, "--seed", options->seed, 0, UINT64_MAX, "seed of points and cases");
-  command->add_option("--threads", options->threads, "threads")
-      ->type_name("T")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  CLI::Option* points =
+      add_whole(*command, "--points",
+                "points per law, half of them aimed, and a quarter as many with other parameters; " +
+                    std::to_string(kPointsOfALaw) + " unless said, for a height map " + std::to_string(kPointsOfAHeightMap),
+                {1, 1000000000000}, [options](std::uint64_t given) { options->points = given; });
+  CLI::Option* cases = add_whole(*command, "--cases", options->cases, "cases per property (passivity: a tenth)", kCases);
+  CLI::Option* seed = add_whole(*command, "--seed", options->seed, "seed of points and cases", kSeeds);
+  add_whole(*command, "--threads", options->threads, "threads", {1, 1024});
   command->add_option("--out", options->out, "directory for certificate.json and certificate.html")->type_name("DIR");
   options->exhaustive.add_to(*command);
   for (CLI::Option* of_points : {points, cases, seed}) command->get_option("--exhaustive")->excludes(of_points);

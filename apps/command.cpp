@@ -3,11 +3,11 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "forceshade/apps/length.h"
 #include "forceshade/csv/output_file.h"
@@ -19,6 +19,8 @@ namespace {
 
 std::atomic<bool> interrupt_flag{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
+
+std::vector<std::filesystem::path> made_directories;  // each after the one that it is in
 
 std::string law_list() {
   std::string list;
@@ -128,19 +130,39 @@ void write_file(const std::string& path, const std::string& text) {
 }
 
 std::string read_file(const std::string& path) {
+  const auto failure = [&] { return BadInput(path + ": cannot be read: " + std::strerror(errno)); };
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (file) text << file.rdbuf();
-  if (!file || !text) throw BadInput(path + ": cannot be read: " + std::strerror(errno));
-  return text.str();
+  if (!file) throw failure();
+  std::string text;
+  std::array<char, 1 << 16> bytes;
+  do {
+    file.read(bytes.data(), bytes.size());
+    text.append(bytes.data(), static_cast<std::size_t>(file.gcount()));
+  } while (file);
+  if (file.bad()) throw failure();  // a directory opens, and fails here
+  return text;
 }
 
 void make_directory(const std::string& option, const std::string& path) {
+  namespace fs = std::filesystem;
   std::error_code error;
-  std::filesystem::create_directories(path, error);
+  const fs::path directory = fs::absolute(path, error).lexically_normal();
+  fs::path so_far;
+  for (const fs::path& part : directory) {
+    so_far /= part;
+    if (!error && fs::create_directory(so_far, error)) made_directories.push_back(so_far);
+  }
   if (error || access(path.c_str(), W_OK) != 0)
-    throw BadInput(option + " " + path + ": expected a directory that can be written to" +
+    throw BadInput(option + ' ' + path + ": expected a directory that can be written to" +
                    (error ? ": " + error.message() : ""));
+}
+
+void remove_unused_directories() {
+  // From the innermost outwards; a directory that is not empty stays.
+  for (; !made_directories.empty(); made_directories.pop_back()) {
+    std::error_code not_empty;
+    std::filesystem::remove(made_directories.back(), not_empty);
+  }
 }
 
 }  // namespace forceshade::apps

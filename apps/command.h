@@ -21,6 +21,11 @@ struct BadInput : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// By a signal, before the work was done; becomes exit code 130. what() says what was not done.
+struct Interrupted : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 // --law, --radius, --width and --stiffness.
 class LawOptions {
  public:
@@ -76,10 +81,14 @@ void watch_for_interrupt();
 
 // Writes the file whole or not at all; "-" is standard output. Throws csv::OutputError.
 void write_file(const std::string& path, const std::string& text);
+// Throws BadInput with the system's reason.
 std::string read_file(const std::string& path);
 
 // Throws BadInput, naming the option, unless the directory is there or can be made, and can be written to.
 void make_directory(const std::string& option, const std::string& path);
+
+// Of what make_directory() made, removes the directories in which nothing was written: a command that fails leaves none behind.
+void remove_unused_directories();
 
 // One function per subcommand; each runs through `result` when the user calls it.
 void add_laws(CLI::App& app, int& result);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // forceshade drive: run a certified renderer on a device, and refuse one that is not certified.
 
+#include <sched.h>
 #include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <map>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "forceshade/apps/drive_summary.h"
 #include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/live_view.h"
+#include "forceshade/apps/options.h"
 #include "forceshade/apps/run_record.h"
 #include "forceshade/csv/csv.h"
 #include "forceshade/device/open_device.h"
@@ -27,14 +29,41 @@ namespace {
 
 using Controller = device::PassivityController::Kind;
 
+constexpr NumberRange kSeconds{1 / device::kHighestRateHz, 1e9};
+constexpr NumberRange kPatience{1 / device::kHighestRateHz, device::kLongestPatience};
+constexpr WholeRange kButtons{0, std::numeric_limits<decltype(device::Reading::buttons)>::digits - 1};
+constexpr WholeRange kProcessors{0, CPU_SETSIZE - 1};
+
 struct Options {
   std::string certificate, device, record, json;
   double rate = 1000;
   std::optional<double> seconds, patience;
   std::optional<int> cpu, dead_man;
-  Controller passivity = Controller::damping;
+  std::string passivity = "damping";
   bool unpaced = false, uncertified = false;
 };
+
+Controller controller_named(const std::string& name) {
+  for (const Controller kind : {Controller::tank, Controller::observer})
+    if (name == name_of(kind)) return kind;
+  return Controller::damping;
+}
+
+// Each of them alone is fine.
+void expect_consistent(const Options& options) {
+  if (!options.record.empty() && options.record == options.json)
+    throw BadInput("--record and --json: expected two files, got \"" + options.json + "\" for both");
+  if (!options.cpu) return;
+  cpu_set_t allowed;
+  CPU_ZERO(&allowed);
+  sched_getaffinity(0, sizeof allowed, &allowed);
+  if (CPU_ISSET(*options.cpu, &allowed)) return;
+  std::string processors;
+  for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu)
+    if (CPU_ISSET(cpu, &allowed)) processors += (processors.empty() ? "" : ", ") + std::to_string(cpu);
+  throw BadInput("--cpu: expected one of the processors that the command may run on (" + processors + "), got " +
+                 std::to_string(*options.cpu));
+}
 
 // What is driven: a law or a height map.
 struct Driven {
@@ -112,7 +141,7 @@ recorder::Metadata metadata(const Options& options, const Driven& what, const st
                               {"device", options.device},
                               {"rate_hz", csv::shortest(options.rate)},
                               {"paced", options.unpaced ? "no" : "yes"},
-                              {"passivity", std::string(name_of(options.passivity))}};
+                              {"passivity", options.passivity}};
   metadata.insert(what.metadata.begin(), what.metadata.end());
   return metadata;
 }
@@ -128,6 +157,7 @@ bool is_watched() {
 }
 
 int run(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map) {
+  expect_consistent(options);
   const float stiffness = law_options.stiffness();
   const Driven what = height_map.is_given() ? driven(height_map.name(), height_map.read(stiffness), stiffness)
                                             : driven(law_options.law(), law_options.parameters());
@@ -149,7 +179,7 @@ int run(const Options& options, const LawOptions& law_options, const HeightMapOp
                              .max_seconds = options.seconds,
                              .paced = !options.unpaced,
                              .cpu = options.cpu,
-                             .passivity = options.passivity,
+                             .passivity = controller_named(options.passivity),
                              .patience = options.patience,
                              .dead_man_button = options.dead_man};
   if (record) servo.sinks.push_back(&record->sink());
@@ -181,31 +211,22 @@ void add_drive(CLI::App& app, int& result) {
                    "phantom[:NAME], a real one through the vendor's driver")
       ->type_name("DEVICE")
       ->required();
-  command->add_option("--rate", options->rate, "ticks per second")
-      ->type_name("HZ")
-      ->check(CLI::Range(device::kLowestRateHz, device::kHighestRateHz))
-      ->capture_default_str();
-  command->add_option("--seconds", options->seconds, "stop after so many seconds' worth of ticks")
-      ->type_name("N")
-      ->check(CLI::PositiveNumber);
-  std::map<std::string, Controller> controllers;
-  for (const Controller kind : {Controller::damping, Controller::tank, Controller::observer})
-    controllers[std::string(name_of(kind))] = kind;
-  command
-      ->add_option("--passivity", options->passivity,
-                   "what keeps the force from giving energy: damping, tank (shortens it) or observer (nothing: for measuring)")
-      ->type_name("CONTROLLER")
-      ->transform(CLI::CheckedTransformer(controllers, CLI::ignore_case))
-      ->default_str("damping");
-  command
-      ->add_option("--patience", options->patience,
-                   "for how long ticks may be late before the run is stopped; 0.02 unless said")
-      ->type_name("SECONDS")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--dead-man", options->dead_man, "button of the device to be held down, from 0; else there is no force")
-      ->type_name("BUTTON");
-  command->add_option("--cpu", options->cpu, "processor to run the loop on; the last one unless said")->type_name("N");
-  command->add_flag("--unpaced", options->unpaced, "as fast as it goes: for checks, not for hands");
+  add_number(*command, "--rate", "ticks per second; 1000 unless said", {device::kLowestRateHz, device::kHighestRateHz},
+             [options](double rate) { options->rate = rate; });
+  add_number(*command, "--seconds", "stop after so many seconds' worth of ticks", kSeconds,
+             [options](double seconds) { options->seconds = seconds; });
+  add_word(*command, "--passivity", options->passivity,
+           "what keeps the force from giving energy: damping, tank (shortens it) or observer (nothing: for measuring)",
+           {"damping", "tank", "observer"});
+  add_number(*command, "--patience", "for how many seconds ticks may be late before the run is stopped; 0.02 unless said",
+             kPatience, [options](double patience) { options->patience = patience; });
+  add_whole(*command, "--dead-man", "button of the device to be held down, from 0; else there is no force", kButtons,
+            [options](std::uint64_t button) { options->dead_man = static_cast<int>(button); });
+  add_whole(*command, "--cpu", "processor to run the loop on; the last one unless said", kProcessors,
+            [options](std::uint64_t cpu) { options->cpu = static_cast<int>(cpu); });
+  command->add_flag("--unpaced", options->unpaced, "as fast as it goes: for checks, not for hands")
+      ->excludes("--cpu")
+      ->excludes("--patience");
   command->add_flag("--uncertified", options->uncertified, "drive even where the certificate does not allow it");
   command
       ->add_option("--record", options->record,

@@ -11,6 +11,7 @@
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/length.h"
+#include "forceshade/apps/options.h"
 #include "forceshade/reference/height_energy.h"
 
 namespace forceshade::apps {
@@ -161,9 +162,10 @@ void add_energy(CLI::App& app, int&) {
   command->add_option("--json", options->json, "verdict for programs, - for standard output")->type_name("FILE");
   CLI::Option* map_option = command->get_option("--height-map");
   const auto add = [&](const char* name, std::string& value, const char* help) {
-    return command->add_option(name, value, help)->type_name("VALUE")->capture_default_str()->needs(map_option);
+    command->add_option(name, value, help)->type_name("VALUE")->capture_default_str()->needs(map_option);
   };
-  add("--along", options->along, "of a height map, the axis that its loops lie along")->check(CLI::IsMember({"x", "y"}));
+  add_word(*command, "--along", options->along, "of a height map, the axis that its loops lie along", {"x", "y"})
+      ->needs(map_option);
   add("--at", options->at, "where on the other axis: mm, or with a unit");
   add("--from", options->from, "where the loops may begin");
   add("--to", options->to, "and where they end");

@@ -12,7 +12,8 @@
 
 #include "forceshade/apps/certificate_files.h"
 #include "forceshade/apps/command.h"
-#include "forceshade/apps/output_directory.h"
+#include "forceshade/apps/live_line.h"
+#include "forceshade/apps/options.h"
 #include "forceshade/properties/build.h"
 #include "forceshade/properties/merge.h"
 
@@ -56,11 +57,13 @@ void draw_progress(const Sweeps& sweeps, double units_per_second) {
   const double left = static_cast<double>(sweeps.end - sweeps.next) / units_per_second;
   const auto& sweep =
       sweeps.results[std::min<std::size_t>(sweeps.next / properties::kUnitsPerSweep, sweeps.results.size() - 1)].sweep;
-  std::fprintf(stderr, "\r%5.1f %%  %.0f M inputs/s  %d:%02d:%02d left  %-15s %-9s ",
-               100 * static_cast<double>(sweeps.next - sweeps.first) / static_cast<double>(sweeps.end - sweeps.first),
-               static_cast<double>(sweeps.inputs()) / sweeps.seconds / 1e6, static_cast<int>(left / 3600),
-               static_cast<int>(left / 60) % 60, static_cast<int>(left) % 60, name_of(sweep.law).data(),
-               properties::kSweepKinds[static_cast<std::size_t>(sweep.kind)].data());
+  char line[160];
+  std::snprintf(line, sizeof line, "%5.1f %%  %.0f M inputs/s  %d:%02d:%02d left  %s %s",
+                100 * static_cast<double>(sweeps.next - sweeps.first) / static_cast<double>(sweeps.end - sweeps.first),
+                static_cast<double>(sweeps.inputs()) / sweeps.seconds / 1e6, static_cast<int>(left / 3600),
+                static_cast<int>(left / 60) % 60, static_cast<int>(left) % 60, name_of(sweep.law).data(),
+                properties::kSweepKinds[static_cast<std::size_t>(sweep.kind)].data());
+  draw_line(line);
 }
 
 void print(const Sweeps& sweeps) {
@@ -83,7 +86,7 @@ void ExhaustiveOptions::add_to(CLI::App& command) {
                   "with --exhaustive: directions, heights (the five radii of the thesis unless --radius is given), lines")
       ->type_name("LIST")
       ->delimiter(',')
-      ->check(CLI::IsMember({"directions", "heights", "lines"}))
+      ->check(one_of({"directions", "heights", "lines"}))
       ->needs(flag)
       ->capture_default_str();
   command.add_option("--shards", shards, "with --exhaustive: do part k of n, to be joined by 'certify merge'")
@@ -154,7 +157,7 @@ void add_merge(CLI::App& certify, int& result) {
     for (const std::string& name : options->files)
       files.push_back({name, properties::from_json(properties::read_certificate(name), name)});
     const Certificate certificate = properties::merged(std::move(files));
-    const OutputDirectory directory("--out", options->out);
+    make_directory("--out", options->out);
     print(certificate.sweeps);
     result = write_certificate(certificate, options->out);
   });

@@ -7,6 +7,7 @@
 
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/height_map_option.h"
+#include "forceshade/apps/options.h"
 #include "forceshade/csv/csv.h"
 #include "forceshade/csv/output_file.h"
 #include "forceshade/fast/height_law.h"
@@ -30,7 +31,7 @@ void for_each_row(std::istream& in, const std::string& file, std::ostream& out, 
   csv::Reader rows(in, file, {"x_mm", "y_mm", "z_mm"});
   out << "x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status\n";
   while (rows.next()) {
-    if (interrupted()) throw BadInput("interrupted: no output file was written");
+    if (interrupted()) throw Interrupted("no output file was written");
     const Eigen::Vector3f position(rows.binary32(0), rows.binary32(1), rows.binary32(2));
     for (const float coordinate : position) out << csv::shortest(coordinate) << ',';
     answer(position, out);
@@ -93,16 +94,18 @@ void add_force(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("force", "Read positions as CSV (x_mm, y_mm, z_mm), write forces as CSV");
   const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one, LawOptions::Defaults::none);
   const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
-  command->add_option("--path", options->path, "fast: binary32, shortest form; reference: exact, to N digits")
-      ->check(CLI::IsMember({"fast", "reference"}))
-      ->capture_default_str();
-  command->add_option("--digits", options->digits, "significant decimal digits of a law's reference")
-      ->type_name("N")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
+  add_word(*command, "--path", options->path, "fast: binary32, shortest form; reference: exact, to N digits",
+           {"fast", "reference"});
+  CLI::Option* digits =
+      add_whole(*command, "--digits", options->digits, "significant decimal digits of a law's reference", kDigits);
+  digits->excludes(command->get_option("--height-map"));
   command->add_option("--input", options->input, "CSV file, - for standard input")->type_name("FILE")->capture_default_str();
   command->add_option("--output", options->output, "CSV file, - for standard output")->type_name("FILE")->capture_default_str();
-  command->callback([options, law, height_map] { run(*options, *law, *height_map); });
+  command->callback([options, law, height_map, digits] {
+    if (!digits->empty() && options->path != "reference")
+      throw BadInput("--digits: expected --path reference beside it; the fast path prints the shortest form");
+    run(*options, *law, *height_map);
+  });
 }
 
 }  // namespace forceshade::apps

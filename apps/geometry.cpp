@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "forceshade/apps/command.h"
+#include "forceshade/apps/options.h"
 #include "forceshade/reference/law.h"
 
 namespace forceshade::apps {
@@ -14,10 +15,7 @@ void add_geometry(CLI::App& app, int&) {
   const auto digits = std::make_shared<unsigned>(30);
   CLI::App* command = app.add_subcommand("geometry", "Print the geometry of a bump as JSON, correctly rounded");
   const auto options = std::make_shared<BumpOptions>(*command);
-  command->add_option("--digits", *digits, "significant decimal digits")
-      ->type_name("N")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
+  add_whole(*command, "--digits", *digits, "significant decimal digits", kDigits);
   command->callback([options, digits] {
     const reference::DecimalGeometry g = reference::geometry(options->bump(), *digits);
     std::cout << nlohmann::ordered_json{{"d_mm", g.d},

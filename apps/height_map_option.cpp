@@ -14,12 +14,13 @@ std::optional<ParameterError> error_of(const HeightMap& map, height::Rendering r
   return error == nullptr ? std::nullopt : std::optional(*error);
 }
 
-// The line of the part that is at fault by itself.
+// The line of the number that is at fault, or of its part.
 std::string place(const std::string& file, const HeightMap& map) {
-  const heights::PartLines lines = heights::lines_of_parts(file);
-  const auto search = [&](const std::vector<height::Part>& parts, const std::vector<std::uint32_t>& at) -> std::string {
+  const heights::Lines lines = heights::lines_of_parts(file);
+  const auto search = [&](const std::vector<height::Part>& parts, const std::vector<heights::PartLines>& at) -> std::string {
     for (std::size_t i = 0; i < parts.size() && i < at.size(); ++i)
-      if (error_of({{parts[i]}}, height::Rendering::true_height, 1)) return "line " + std::to_string(at[i]) + ": ";
+      if (const auto error = error_of({{parts[i]}}, height::Rendering::true_height, 1))
+        return "line " + std::to_string(at[i].of(error->parameter)) + ": ";
     return "";
   };
   const std::string line = search(map.parts, lines.parts);
@@ -27,6 +28,11 @@ std::string place(const std::string& file, const HeightMap& map) {
 }
 
 }  // namespace
+
+void expect_valid(const std::string& file, const heights::Spec& spec, float stiffness) {
+  if (const auto error = error_of(spec.map, spec.rendering, stiffness))
+    throw BadInput(file + ": " + place(file, spec.map) + error->message());
+}
 
 HeightMapOption::HeightMapOption(CLI::App& command, LawOptions& law) {
   CLI::Option* option =
@@ -44,8 +50,7 @@ heights::Spec HeightMapOption::read(float stiffness) const {
   heights::Spec spec = heights::read_spec(file_);
   if (const auto error = error_of({{{height::Plane{}}}}, height::Rendering::true_height, stiffness))
     throw BadInput("--" + error->message());
-  if (const auto error = error_of(spec.map, spec.rendering, stiffness))
-    throw BadInput(file_ + ": " + place(file_, spec.map) + error->message());
+  expect_valid(file_, spec, stiffness);
   return spec;
 }
 

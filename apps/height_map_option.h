@@ -9,6 +9,9 @@
 
 namespace forceshade::apps {
 
+// Throws BadInput with the file, the line of the number that is out of its domain, and the domain.
+void expect_valid(const std::string& file, const heights::Spec& spec, float stiffness);
+
 class HeightMapOption {
  public:
   // From then on the command takes either: --law, --radius and --width are refused beside it.

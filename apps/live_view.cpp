@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string>
 
+#include "forceshade/apps/live_line.h"
 #include "forceshade/device/supervisor.h"
 
 namespace forceshade::apps {
@@ -58,14 +59,11 @@ void LiveView::follow() {
 }
 
 void LiveView::draw(const Shown& before, const Shown& now) const {
-  constexpr int kWidth = 20;
   const double seconds = static_cast<double>(now.last.wall_ns - before.last.wall_ns) / 1e9;
   const double rate = static_cast<double>(now.last.tick - before.last.tick) / std::max(seconds, 1e-9);
-  const double force = length_of(now.last.force);
-  const int filled = static_cast<int>(std::lround(kWidth * std::min(force / full_force_, 1.0)));
-  std::fprintf(stderr, "\r\033[K%7.1f s %6.0f Hz  late %5.0f us  [%.*s%*s] %6.3f N  %+9.3f mJ  %s",
-               static_cast<double>(now.last.wall_ns) / 1e9, rate, static_cast<double>(now.worst_wakeup) / 1e3, filled,
-               "####################", kWidth - filled, "", force, now.last.energy, names_of(now.limited).c_str());
+  draw_line(live_line({static_cast<double>(now.last.wall_ns) / 1e9, rate, static_cast<double>(now.worst_wakeup) / 1e3,
+                       length_of(now.last.force), full_force_, now.last.energy, names_of(now.limited)},
+                      room_for_a_line()));
 }
 
 }  // namespace forceshade::apps

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The forceshade command. Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault, 130 a check was
-// interrupted.
+// The forceshade command. Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault, 130 interrupted.
 
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <iostream>
+#include <sstream>
 
 #include "forceshade/apps/command.h"
+#include "forceshade/apps/options.h"
+#include "forceshade/apps/standard_streams.h"
+#include "forceshade/csv/output_file.h"
 #include "forceshade/device/open_device.h"
 #include "forceshade/properties/build.h"
 
-int main(int argc, char** argv) {
-  using namespace forceshade;
+namespace forceshade::apps {
+namespace {
+
+int run(int argc, char** argv) {
   CLI::App app("Haptic force laws, correctly rounded in real time: evaluate, check, certify and drive.", "forceshade");
   app.set_version_flag("--version", [] {
     const properties::Build build = properties::current_build();
@@ -19,21 +25,23 @@ int main(int argc, char** argv) {
   });
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault or safety trip, 130 certify was\n"
-      "interrupted.\n"
+      "Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault or safety trip,\n"
+      "130 interrupted.\n"
       "'forceshade COMMAND --help' explains a command.");
-  int result = apps::kHeld;
-  apps::add_laws(app, result);
-  apps::add_geometry(app, result);
-  apps::add_polygons(app, result);
-  apps::add_force(app, result);
-  apps::add_energy(app, result);
-  apps::add_plot(app, result);
-  apps::add_figures(app, result);
-  apps::add_properties(app, result);
-  apps::add_certify(app, result);
-  apps::add_drive(app, result);
-  apps::add_record(app, result);
+  app.failure_message(failure_message);
+  int result = kHeld;
+  add_laws(app, result);
+  add_geometry(app, result);
+  add_polygons(app, result);
+  add_force(app, result);
+  add_energy(app, result);
+  add_plot(app, result);
+  add_figures(app, result);
+  add_properties(app, result);
+  add_certify(app, result);
+  add_drive(app, result);
+  add_record(app, result);
+  refuse_empty_values(app);
   if (argc > 1 && argv[1][0] != '-') {
     const std::vector<CLI::App*> commands = app.get_subcommands([](const CLI::App*) { return true; });
     const auto is_named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
@@ -41,19 +49,42 @@ int main(int argc, char** argv) {
       std::cerr << "forceshade: unknown command \"" << argv[1] << "\"; expected one of:";
       for (const CLI::App* command : commands) std::cerr << ' ' << command->get_name();
       std::cerr << '\n';
-      return apps::kBadInput;
+      return kBadInput;
     }
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? apps::kHeld : apps::kBadInput;
+    std::ostringstream help;  // not std::cout: it would be flushed where nobody sees whether that fails
+    const int code = app.exit(error, help, std::cerr);
+    std::fputs(help.str().c_str(), stdout);
+    return code == 0 ? kHeld : kBadInput;
   } catch (const device::DeviceError& error) {
     std::cerr << "forceshade: device fault: " << error.what() << '\n';
-    return apps::kDeviceFault;
+    return kDeviceFault;
+  } catch (const Interrupted& error) {
+    std::cerr << "forceshade: interrupted: " << error.what() << '\n';
+    return kInterrupted;
   } catch (const std::exception& error) {
     std::cerr << "forceshade: " << error.what() << '\n';
-    return apps::kBadInput;
+    return kBadInput;
+  }
+  return result;
+}
+
+}  // namespace
+}  // namespace forceshade::apps
+
+int main(int argc, char** argv) {
+  using namespace forceshade;
+  apps::open_standard_streams();
+  const int result = apps::run(argc, argv);
+  apps::remove_unused_directories();
+  try {
+    apps::flush_standard_output();
+  } catch (const csv::OutputError& error) {
+    std::cerr << "forceshade: " << error.what() << '\n';
+    return result == apps::kHeld ? apps::kBadInput : result;
   }
   return result;
 }

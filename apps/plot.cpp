@@ -9,6 +9,8 @@
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/length.h"
+#include "forceshade/apps/options.h"
+#include "forceshade/csv/csv.h"
 #include "forceshade/properties/pictures.h"
 #include "forceshade/properties/thesis_figures.h"
 
@@ -47,8 +49,17 @@ struct Options {
 };
 
 void write(const Picture& picture, const std::filesystem::path& stem) {
-  write_file(stem.string() + ".svg", svg_file(picture));
-  write_file(stem.string() + ".png", png_file(picture));
+  const auto drawn = [&](std::string (*file)(const Picture&)) {
+    try {
+      std::string bytes = file(picture);
+      if (!interrupted()) return bytes;
+    } catch (const properties::PlotError&) {  // a terminal's Ctrl-C ends gnuplot, too
+      if (!interrupted()) throw;
+    }
+    throw Interrupted("not all pictures were drawn");
+  };
+  write_file(stem.string() + ".svg", drawn(properties::svg_file));
+  write_file(stem.string() + ".png", drawn(properties::png_file));
   std::printf("%s.svg\n%s.png\n", stem.c_str(), stem.c_str());
 }
 
@@ -61,17 +72,15 @@ void add_plot(CLI::App& app, int&) {
   const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
   const auto options = std::make_shared<Options>();
   const auto add = [&](const char* name, std::string& value, const char* help) {
-    command->add_option(name, value, help)->type_name("VALUE")->capture_default_str();
+    command->add_option(name, value, help)->type_name("VALUE")->capture_default_str()->needs("--height-map");
   };
   add("--at", options->y, "y of the section of a height map that is drawn: mm, or with a unit");
   add("--from", options->from, "x where the section begins");
   add("--to", options->to, "x where it ends");
-  command->add_option("--what", options->what, "force, directions, geometry, energy or all")
-      ->type_name("PICTURE")
-      ->check(CLI::IsMember({"force", "directions", "geometry", "energy", "all"}))
-      ->capture_default_str();
+  add_word(*command, "--what", options->what, "which picture", {"force", "directions", "geometry", "energy", "all"});
   command->add_option("--out", options->out, "directory for NAME-PICTURE.svg and .png")->type_name("DIR")->required();
   command->callback([law, height_map, options] {
+    watch_for_interrupt();
     const auto draw = [&](const SideView& view) {
       for (const Kind& kind : kKinds)
         if (options->what == "all" || options->what == kind.name)
@@ -83,7 +92,10 @@ void add_plot(CLI::App& app, int&) {
       const properties::Range range = options->range();
       make_directory("--out", options->out);
       const std::string name = std::filesystem::path(height_map->name()).stem();
-      return draw(side_view(built(properties::fast_subject(map, rendering, stiffness)), name, range));
+      SideView view = side_view(built(properties::fast_subject(map, rendering, stiffness)), name, range);
+      view.heading = {height_map->name(), std::string(name_of(rendering)) + ", K = " + csv::shortest(stiffness) +
+                                              " N/mm, y = " + csv::shortest(range.y) + " mm"};
+      return draw(view);
     }
     const Parameters parameters = law->parameters();
     make_directory("--out", options->out);
@@ -91,7 +103,12 @@ void add_plot(CLI::App& app, int&) {
       properties::LawResult result;
       result.law = id;
       result.parameters = parameters;
-      draw(side_view(properties::Drawn(result)));
+      SideView view = side_view(properties::Drawn(result));
+      view.heading = {view.name, has_bump_geometry(id) ? "R = " + csv::shortest(parameters.radius) +
+                                                             " mm, w = " + csv::shortest(parameters.width) + " mm, "
+                                                       : ""};
+      view.heading.parameters += "K = " + csv::shortest(parameters.stiffness) + " N/mm";
+      draw(view);
     }
   });
 }
@@ -101,6 +118,7 @@ void add_figures(CLI::App& app, int&) {
   const auto out = std::make_shared<std::string>();
   command->add_option("--out", *out, "directory for figure-N-M.svg, .png and .csv")->type_name("DIR")->required();
   command->callback([out] {
+    watch_for_interrupt();
     make_directory("--out", *out);
     for (const properties::ThesisFigure& figure : properties::thesis_figures()) {
       const std::filesystem::path stem = std::filesystem::path(*out) / figure.name;

@@ -2,13 +2,16 @@
 // forceshade polygons: how many polygons a bump needs by the theta-critical hypothesis, and figure 5-5 of the thesis as a
 // table; or how many the section y = 0 of a height map needs, and those polygons as a height map.
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "forceshade/apps/command.h"
+#include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/length.h"
+#include "forceshade/apps/options.h"
 #include "forceshade/heights/spec.h"
 #include "forceshade/properties/thesis.h"
 #include "forceshade/reference/height_law.h"
@@ -52,14 +55,12 @@ void of_bump(const Options& options, const Parameters& bump) {
                                      .dump() +
                                  "\n");
   if (options.json == "-") return;
-  std::printf("%u polygon%s: the bump subtends %s degrees, each of %s %s\n\n", polygons, polygons == 1 ? "" : "s", all.c_str(),
-              polygons == 1 ? "one" : "them", each.c_str());
+  std::printf("%u polygon%s: the bump subtends %s degrees", polygons, polygons == 1 ? "" : "s", all.c_str());
+  std::printf(polygons == 1 ? "\n" : ", each of them %s\n", each.c_str());
+  const auto is_its_radius = [&](const properties::ThesisRadius& thesis) { return thesis.mm == bump.radius; };
+  if (bump.width != properties::kThesisWidth || std::ranges::none_of(properties::kThesisRadii, is_its_radius)) return;
+  std::printf("\n");
   print_figure_5_5();
-}
-
-void expect_valid(const HeightMap& map, const std::string& file) {
-  const auto law = reference::HeightLaw::build(map, height::Rendering::force_shaded, 1);
-  if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput(file + ": " + error->message());
 }
 
 // Every piece between knots that were rounded to binary32 still turns by less than theta-critical, surely.
@@ -70,8 +71,10 @@ bool turns_little(const HeightMap& map, const std::vector<height::Knot>& knots, 
 }
 
 void of_height_map(const Options& options) {
+  if (!options.json.empty() && options.json == options.toml)
+    throw BadInput("--json and --toml: expected two files, got \"" + options.json + "\" for both");
   const HeightMap map{heights::read_spec(options.height_map).map.parts};
-  expect_valid(map, options.height_map);
+  expect_valid(options.height_map, {map, height::Rendering::force_shaded}, 1);
   try {
     const reference::Profile profile(map.parts, parse_length("--from", options.from), parse_length("--to", options.to));
     const auto [polygons, is_fewest] = profile.polygons_needed(options.theta_critical);
@@ -86,14 +89,16 @@ void of_height_map(const Options& options) {
                                        .dump() +
                                    "\n");
     if (options.json != "-")
-      std::printf("%u polygon%s%s: the normal turns by %.6g degrees, over each of %s by %.6g\n", polygons,
-                  polygons == 1 ? "" : "s",
-                  is_fewest ? "" : " (or one fewer, which misses by less than 1e-18 degrees or nothing)", turning,
-                  polygons == 1 ? "one" : "them", turning / polygons);
+      std::printf(polygons == 1 ? "%u polygon%s: the normal turns by %.6g degrees\n"
+                                : "%u polygons%s: the normal turns by %.6g degrees, over each of them by %.6g\n",
+                  polygons, is_fewest ? "" : " (or one fewer, which misses by less than 1e-18 degrees or nothing)", turning,
+                  turning / polygons);
     if (options.toml.empty()) return;
     auto knots = profile.knots(polygons);
     if (!turns_little(map, knots, options.theta_critical)) knots = profile.knots(polygons + 1);
-    expect_valid({map.parts, {{height::Polygons{knots}}}}, options.toml);
+    const auto shaded =
+        reference::HeightLaw::build({map.parts, {{height::Polygons{knots}}}}, height::Rendering::force_shaded, 1);
+    if (const auto* error = std::get_if<ParameterError>(&shaded)) throw BadInput(options.toml + ": " + error->message());
     write_file(options.toml,
                heights::shading_polygons(options.height_map, knots, std::filesystem::absolute(options.toml).parent_path()));
   } catch (const std::invalid_argument& error) {
@@ -117,16 +122,15 @@ void add_polygons(CLI::App& app, int&) {
   command->add_option("--toml", options->toml, "the map shading its polygons, for --height-map elsewhere")
       ->type_name("FILE")
       ->needs(height_map);
-  command->add_option("--theta-critical", options->theta_critical, "degrees")
-      ->type_name("DEG")
-      ->check(CLI::Range(reference::kLeastThetaCritical, 180.0))
-      ->required();
+  add_number(*command, "--theta-critical", "degrees", {reference::kLeastThetaCritical, 180}, [options](double degrees) {
+    options->theta_critical = degrees;
+  })->required();
   command->add_option("--json", options->json, "the answer for programs, - for standard output")->type_name("FILE");
   command->callback([options, bump_options] {
-    if (options->height_map.empty())
-      of_bump(*options, bump_options->bump());
-    else
-      of_height_map(*options);
+    if (options->height_map.empty()) return of_bump(*options, bump_options->bump());
+    if (options->from.empty()) throw CLI::RequiredError("--from beside --height-map");
+    if (options->to.empty()) throw CLI::RequiredError("--to beside --height-map");
+    of_height_map(*options);
   });
 }
 

@@ -6,6 +6,8 @@
 
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/height_map_option.h"
+#include "forceshade/apps/options.h"
+#include "forceshade/apps/standard_streams.h"
 #include "forceshade/properties/run.h"
 
 namespace forceshade::apps {
@@ -24,7 +26,7 @@ bool check(const std::string& name, const Subject& subject, const Options& optio
     std::printf("%-15s %-13s %s  %llu cases\n", name.c_str(), property.name.c_str(), property.held ? "held  " : "FAILED",
                 static_cast<unsigned long long>(property.cases));
     if (!property.held) std::printf("  counterexample: %s\n", property.counterexample.c_str());
-    std::fflush(stdout);
+    flush_standard_output();
     held = held && property.held;
   }
   return held;
@@ -53,11 +55,8 @@ void add_properties(CLI::App& app, int& result) {
   CLI::App* command = app.add_subcommand("properties", "Check the properties of the fast path on generated cases");
   const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all, LawOptions::Defaults::thesis);
   const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
-  command->add_option("--cases", options->cases, "cases per law and property (passivity: a tenth)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000000000))
-      ->capture_default_str();
-  command->add_option("--seed", options->seed, "seed of the cases")->type_name("S")->capture_default_str();
+  add_whole(*command, "--cases", options->cases, "cases per law and property (passivity: a tenth)", kCases);
+  add_whole(*command, "--seed", options->seed, "seed of the cases", kSeeds);
   command->callback([options, law, height_map, &result] { result = run(*options, *law, *height_map); });
 }
 

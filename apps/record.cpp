@@ -49,6 +49,7 @@ int verify(const Options& options) {
 
 int write(const Options& options) {
   if (options.csv.empty() && options.npy.empty()) throw BadInput("expected --csv FILE or --npy FILE, got neither");
+  if (options.csv == options.npy) throw BadInput("--csv and --npy: expected two files, got \"" + options.csv + "\" for both");
   recorder::Recording recording(options.file);
   if (!options.csv.empty()) export_csv(recording, options.csv);
   if (!options.npy.empty()) export_npy(recording, options.npy);

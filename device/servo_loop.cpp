@@ -19,7 +19,6 @@ namespace {
 static_assert(std::atomic<bool>::is_always_lock_free, "the stop flag is set from signal handlers");
 
 constexpr std::int64_t kSecond = 1'000'000'000;  // ns
-constexpr double kLongestPatience = 10;          // s
 
 std::int64_t time_of(clockid_t clock) noexcept {
   timespec time{};
@@ -69,7 +68,9 @@ void check(const ServoOptions& options, const Capabilities& capabilities) {
   expect_number("friction", !std::isnan(capabilities.friction));
   expect_number("workspace", !capabilities.workspace_low.hasNaN() && !capabilities.workspace_high.hasNaN());
   if (const auto button = options.dead_man_button; button && !(*button >= 0 && *button < capabilities.buttons))
-    refuse("dead-man button: expected one of the device's " + std::to_string(capabilities.buttons) + ", counted from 0",
+    refuse(capabilities.buttons == 0
+               ? "dead-man button: expected none, because the device has no buttons"
+               : "dead-man button: expected 0 to " + std::to_string(capabilities.buttons - 1) + ", a button of the device",
            *button);
 }
 

@@ -22,6 +22,7 @@ namespace forceshade::device {
 
 inline constexpr double kLowestRateHz = 100;
 inline constexpr double kHighestRateHz = 10000;
+inline constexpr double kLongestPatience = 10;  // s
 
 struct ServoOptions {
   double rate_hz = 1000;  // in [kLowestRateHz, kHighestRateHz]

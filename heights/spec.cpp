@@ -3,6 +3,7 @@
 
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
@@ -211,12 +212,26 @@ toml::table parsed(const fs::path& file) {
 
 }  // namespace
 
-PartLines lines_of_parts(const fs::path& file) {
+std::uint32_t PartLines::of(std::string parameter) const {
+  if (parameter.find("knot") != std::string::npos) parameter = "knots";
+  if (parameter.starts_with("centre ")) parameter.erase(0, std::string("centre ").size());
+  std::replace(parameter.begin(), parameter.end(), ' ', '_');
+  for (const char* unit : {"", "_mm", "_rad", "_rad_per_mm"})
+    if (const auto found = keys.find(parameter + unit); found != keys.end()) return found->second;
+  return part;
+}
+
+Lines lines_of_parts(const fs::path& file) {
   const toml::table root = parsed(file);
-  const auto lines = [&](const char* key) {
-    std::vector<std::uint32_t> all;
-    if (const toml::array* list = root[key].as_array())
-      for (const toml::node& element : *list) all.push_back(element.source().begin.line);
+  const auto lines = [&](const char* list) {
+    std::vector<PartLines> all;
+    const toml::array* parts = root[list].as_array();
+    for (std::size_t i = 0; parts != nullptr && i < parts->size(); ++i) {
+      PartLines& lines_of_part = all.emplace_back();
+      lines_of_part.part = (*parts)[i].source().begin.line;
+      if (const toml::table* keys = (*parts)[i].as_table())
+        for (const auto& [key, value] : *keys) lines_of_part.keys[std::string(key.str())] = value.source().begin.line;
+    }
     return all;
   };
   return {lines("part"), lines("surface")};

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,11 +22,20 @@ struct Spec {
 // whether a number is in its domain is for who builds a law to say.
 Spec read_spec(const std::filesystem::path& file);
 
-// On which line each part begins, for messages about a number that is out of its domain. Throws Error.
+// On which lines each part and each of its keys stand, for messages about a number that is out of its domain.
 struct PartLines {
-  std::vector<std::uint32_t> parts, surface;
+  std::uint32_t part = 0;
+  std::map<std::string, std::uint32_t> keys;
+
+  // Of the number that a ParameterError calls so, "sigma" for sigma_mm; of the part where no one key has it.
+  std::uint32_t of(std::string parameter) const;
 };
-PartLines lines_of_parts(const std::filesystem::path& file);
+struct Lines {
+  std::vector<PartLines> parts, surface;
+};
+
+// Throws Error.
+Lines lines_of_parts(const std::filesystem::path& file);
 
 // The same file as a text that stands in `directory`: its map shading polygons with these knots, whatever it was before.
 std::string shading_polygons(const std::filesystem::path& file, const std::vector<height::Knot>& knots,

@@ -107,6 +107,15 @@ std::string vertical_name(const char* text) {
   return std::string("set label 1 \"") + text + "\" at graph 0, graph 1 offset character -3.6, 0.9 textcolor rgb '#333333'\n";
 }
 
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) {
+    if (c == '\'') result += c;
+    result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return result + '\'';
+}
+
 std::string legend_line(const std::string& border_colour, const std::string& words) {
   return "<span class=\"key\"><i style=\"border-color:" + border_colour + "\"></i>" + words + "</span>";
 }

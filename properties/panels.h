@@ -71,6 +71,9 @@ std::string ticks(const char* axis, double length, int count);
 // Names the vertical axis above its upper end, to be read without turning the head.
 std::string vertical_name(const char* text);
 
+// In single quotes, as it stands; a control character becomes a space.
+std::string quoted(const std::string& text);
+
 struct Panel {
   std::string heading;  // HTML
   std::string svg;

@@ -11,6 +11,22 @@ namespace forceshade::properties {
 
 namespace {
 
+// Rows of text above a picture, in px: two of the heading, one of the legend; none without a heading.
+constexpr int kHeadingHeight = 66;
+
+int heading_height(const SideView& view) {
+  return view.heading.title.empty() ? 0 : kHeadingHeight;
+}
+
+// The heading of a picture of this many pixels, and its legend in the row below.
+std::string heading(const SideView& view, int width, int height) {
+  if (heading_height(view) == 0) return "";
+  const auto row = [&](int px) { return "screen " + plotted(8.0 / width) + ", screen " + plotted(1 - px / double(height)); };
+  return "set label 101 " + quoted(view.heading.title) + " noenhanced at " + row(14) + " left font ',13'\n" + "set label 102 " +
+         quoted(view.heading.parameters) + " noenhanced at " + row(33) + " left font ',10'\n" + "set key at " + row(52) +
+         " left center vertical maxrows 1 Left reverse samplen 1.5 width -1 font ',10'\n";
+}
+
 // A plot of this many pixels across, with these margins, in which one millimetre is as long up as across.
 struct Frame {
   int width;
@@ -21,14 +37,24 @@ struct Frame {
     return (width - left - right) * (shown.high - shown.low) / (view.right - view.left);
   }
   int height(const SideView& view, const Heights& shown) const {
-    return static_cast<int>(std::ceil(top + bottom + up(view, shown)));
+    return heading_height(view) + static_cast<int>(std::ceil(top + bottom + up(view, shown)));
   }
   std::string axes(const SideView& view, const Heights& shown) const {
     const double across = width, high = height(view, shown);
-    return margins(left / across, 1 - right / across, 1 - top / high, bottom / high) + range("x", view.left, view.right) +
-           range("y", shown.low, shown.high) +
+    return margins(left / across, 1 - right / across, 1 - (heading_height(view) + top) / high, bottom / high) +
+           range("x", view.left, view.right) + range("y", shown.low, shown.high) +
+           ticks("x", view.right - view.left, std::clamp(static_cast<int>((across - left - right) / 44), 1, 8)) +
            ticks("y", shown.high - shown.low, std::clamp(static_cast<int>(up(view, shown) / 20), 1, 5)) + kXName +
-           vertical_name("{/:Italic z} (mm)");
+           vertical_name("{/:Italic z} (mm)") + heading(view, width, static_cast<int>(high));
+  }
+  // A box of colours beside the plot, with what they mean above it, where no number of its own can be.
+  std::string colours(const SideView& view, const Heights& shown, const std::string& meaning) const {
+    const double across = width, high = height(view, shown);
+    const std::string x = plotted(1 - (right - 16) / across);
+    return "set colorbox user origin screen " + x + ", screen " + plotted(bottom / high) + " size screen " +
+           plotted(18 / across) + ", screen " + plotted(up(view, shown) / high) + "\nset label 103 " + quoted(meaning) +
+           " at screen " + x + ", screen " + plotted(1 - (heading_height(view) + top - 14) / high) +
+           " left textcolor rgb '#333333'\n";
   }
 };
 
@@ -67,20 +93,28 @@ ForceProfile::ForceProfile(const SideView& view, const std::array<double, 3>& de
 Picture force_profile(const SideView& view, const ForceProfile& profile, double side, double up) {
   side = 1.08 * (side > 0 ? side : 1);
   up = 1.08 * (up > 0 ? up : 1);
-  const auto plots = [](int column) {
+  const auto plots = [&](int column) {
     std::string text;
     for (std::size_t i = 0; i < kDepthColours.size(); ++i)
       text += (i == 0 ? "plot " : ", ") + ("$force index " + std::to_string(i)) + " using 1:" + std::to_string(column) +
-              " with lines lw 1.8 lc rgb '" + kDepthColours[i] + "'";
+              " with lines lw 1.8 lc rgb '" + kDepthColours[i] + "' title '" + digits(view.depths[i], 3) + " mm deep'";
     return text + '\n';
   };
+  // px; without a heading there is no legend either.
+  constexpr int kWidth = 350, kLeft = 58, kRight = 9, kTop = 27, kPanel = 91, kBetween = 35, kBottom = 48;
+  const int above = heading_height(view), height = above + kTop + 2 * kPanel + kBetween + kBottom;
+  const auto panel = [&](int from_top) {
+    return margins(kLeft / double(kWidth), 1 - kRight / double(kWidth), 1 - from_top / double(height),
+                   1 - (from_top + kPanel) / double(height));
+  };
   const std::string script = "$force << EOD\n" + profile.block + "EOD\n" + kPlain + range("x", view.left, view.right) +
-                             "set multiplot\n" + margins(0.145, 0.975, 0.91, 0.595) + range("y", 0, up) + ticks("y", up, 4) +
-                             "set format x ''\n" + vertical_name("{/:Italic F}_z (N)") + plots(3) +
-                             margins(0.145, 0.975, 0.475, 0.15) + range("y", -side, side) + ticks("y", side, 2) +
+                             ticks("x", view.right - view.left, 7) + heading(view, kWidth, height) + "set multiplot\n" +
+                             panel(above + kTop) + range("y", 0, up) + ticks("y", up, 4) + "set format x ''\n" +
+                             vertical_name("{/:Italic F}_z (N)") + plots(3) + "unset key\nunset label 101\nunset label 102\n" +
+                             panel(above + kTop + kPanel + kBetween) + range("y", -side, side) + ticks("y", side, 2) +
                              "set format x '%g'\n" + kXName + "set xzeroaxis lc rgb '#bbbbbb' lt 1\n" +
                              vertical_name("{/:Italic F}_x (N)") + plots(2) + "unset multiplot\n";
-  return {{350, 290, "force-" + view.name, "Force of " + view.name + " against x at three depths: F_z above, F_x below"},
+  return {{kWidth, height, "force-" + view.name, "Force of " + view.name + " against x at three depths: F_z above, F_x below"},
           script};
 }
 
@@ -94,12 +128,15 @@ Picture cross_section(const SideView& view) {
     block += plotted(x) + ' ' + plotted(view.surface(x)) + ' ' + plotted(other) + '\n';
   }
   const Heights& shown = view.nominal;
-  const Frame frame{270, 48, 8, 26, 47};
-  const std::string script =
-      "$surface << EOD\n" + block + "EOD\n" + kPlain + frame.axes(view, shown) +
-      "plot $surface using 1:2 with filledcurves y=" + plotted(shown.low) +
-      " fc rgb '#e3ecf4', '' using 1:2 with lines lw 2 lc rgb '" + kDepthColours[2] + "'" +
-      (stands_for_another ? std::string(", '' using 1:3 with lines lw 1.4 dt (4,3) lc rgb '") + kCurveColour + "'" : "") + '\n';
+  const Frame frame{heading_height(view) > 0 ? 400 : 270, 48, 8, 26, 47};
+  const std::string script = "$surface << EOD\n" + block + "EOD\n" + kPlain + frame.axes(view, shown) +
+                             "plot $surface using 1:2 with filledcurves y=" + plotted(shown.low) +
+                             " fc rgb '#e3ecf4' notitle, '' using 1:2 with lines lw 2 lc rgb '" + kDepthColours[2] +
+                             "' title 'where the force begins'" +
+                             (stands_for_another ? std::string(", '' using 1:3 with lines lw 1.4 dt (4,3) lc rgb '") +
+                                                       kCurveColour + "' title 'the shape it stands for'"
+                                                 : "") +
+                             '\n';
   return {
       {frame.width, frame.height(view, shown), "surface-" + view.name, "Cross section of the nominal surface of " + view.name},
       script};
@@ -122,11 +159,10 @@ Picture direction_field(const SideView& view) {
     }
   const Frame frame{680, 52, 118, 26, 47};
   const std::string script = "$arrows << EOD\n" + arrows + "EOD\n" + surface_block(view) + kPlain + frame.axes(view, shown) +
-                             ticks("y", shown.high - shown.low, 5) + "set palette defined (0 '" + kDepthColours[0] + "', 1 '" +
-                             kDepthColours[1] + "', 2 '" + kDepthColours[2] +
-                             "')\nset cblabel 'N' offset 0.2\nset cbrange [0:*]\n" +
-                             "plot $arrows using 1:2:3:4:5 with vectors head size graph 0.008,22 filled lw 1.2 lc palette, "
-                             "$surface with lines lw 1.4 lc rgb '#222222'\n";
+                             frame.colours(view, shown, "force (N)") + "set palette defined (0 '" + kDepthColours[0] +
+                             "', 1 '" + kDepthColours[1] + "', 2 '" + kDepthColours[2] + "')\nset cbrange [0:*]\n" +
+                             "plot $arrows using 1:2:3:4:5 with vectors head size graph 0.008,22 filled lw 1.2 lc palette "
+                             "title 'force', $surface with lines lw 1.4 lc rgb '#222222' title 'where the force begins'\n";
   return {{frame.width, frame.height(view, shown), "directions-" + view.name,
            "Directions and sizes of the force of " + view.name + " over x and z"},
           script};
@@ -160,12 +196,12 @@ Picture energy_map(const SideView& view) {
   const Frame frame{680, 52, 118, 26, 47};
   const std::string script =
       "$density << EOD\n" + matrix + "EOD\n$lines << EOD\n" + (lines.empty() ? "NaN NaN\n" : lines) + "EOD\n" +
-      surface_block(view) + kPlain + frame.axes(view, shown) +
+      surface_block(view) + kPlain + frame.axes(view, shown) + frame.colours(view, shown, "energy (mJ/mm²)") +
       "set palette defined (0 '#2166ac', 1 '#f4f1ea', 2 '#b35806')\nset cbrange [" + plotted(-scale) + ':' + plotted(scale) +
-      "]\nset cblabel 'mJ/mm²' offset 0.2\nplot $density using (" + plotted(left) + "+$1*" + plotted(dx) + "):(" +
-      plotted(bottom) + "+$2*" + plotted(dz) +
-      "):3 matrix with image, $lines with lines lw 1.6 dt (5,4) lc rgb '#222222', $surface with lines lw 1.4 lc rgb "
-      "'#222222'\n";
+      "]\nplot $density using (" + plotted(left) + "+$1*" + plotted(dx) + "):(" + plotted(bottom) + "+$2*" + plotted(dz) +
+      "):3 matrix with image notitle, $surface with lines lw 1.4 lc rgb '#222222' title 'where the force begins', $lines with "
+      "lines lw 1.6 dt (5,4) lc rgb '#222222' " +
+      (lines.empty() ? "notitle" : "title 'where it jumps'") + '\n';
   return {{frame.width, frame.height(view, shown), "energy-" + view.name,
            "Energy that small loops are paid for their area by " + view.name + ", over x and z"},
           script};

@@ -13,6 +13,11 @@
 
 namespace forceshade::properties {
 
+// What stands above a picture in a file of its own; a page says it beside the picture. Empty: nothing.
+struct Heading {
+  std::string title, parameters;
+};
+
 struct SideView {
   std::string name;
   double left, right;            // mm, what is shown
@@ -25,6 +30,7 @@ struct SideView {
   std::function<double(double x)> stands_for;              // mm: the shape that it is felt as; NaN where that is no other
   std::function<Eigen::Vector3f(float x, float z)> force;  // N, by the fast path
   std::function<double(double x, double z)> density;       // mJ/mm²: what a small counter-clockwise loop is paid for its area
+  Heading heading{};
 };
 
 SideView side_view(const Drawn& law);

@@ -17,6 +17,11 @@
 namespace forceshade::properties {
 namespace {
 
+// Above the figure, in one row or more.
+std::string title(const std::string& rows) {
+  return "set title \"" + rows + "\" font ',11'\n";
+}
+
 constexpr double kMil = 0.0254;  // mm
 constexpr std::array<const char*, 3> kColours{"#0072b2", "#d55e00", "#009e73"};
 
@@ -59,6 +64,9 @@ ThesisFigure height_map_function() {
     block += '\n';
   }
   const std::string script = "$surface << EOD\n" + block + "EOD\n" + kPlain +
+                             title(
+                                 "Figure 2-3: a height map, U = a hill of 4 mm and a hollow of 3 mm\\n(ours: the thesis does "
+                                 "not print its function)") +
                              "set border 127 lc rgb '#cccccc'\nset xyplane at -4\nset hidden3d\nset view 55, 30, 1, 1.4\n" +
                              range("x", -10, 10) + range("y", -10, 10) +
                              "set xtics offset 0, -0.3\nset zrange [-4:4]\nset ztics 2\n" +
@@ -96,8 +104,11 @@ ThesisFigure nominal_geometries() {
     csv += '\n';
     block += '\n';
   }
-  std::string script = "$surface << EOD\n" + block + "EOD\n" + kPlain + "set multiplot layout 2, 2\nset size ratio -1\n" +
-                       range("x", -laws[0].reach(), laws[0].reach()) + range("y", -3, 8) + kXName;
+  std::string script = "$surface << EOD\n" + block + "EOD\n" + kPlain +
+                       "set multiplot layout 2, 2 title 'Figure 4-2: nominal geometries, R = 600 mil, w = 1000 mil' font "
+                       "',13'\nset size ratio -1\n" +
+                       vertical_name("{/:Italic z} (mm)") + range("x", -laws[0].reach(), laws[0].reach()) + range("y", -3, 8) +
+                       kXName;
   for (std::size_t i = 0; i < kIds.size(); ++i)
     script += std::string("set title '") + kNames[i] + "' offset 0, -0.5\nplot $surface using 1:" + std::to_string(i + 2) +
               " with filledcurves y=-3 fc rgb '#e3ecf4', '' using 1:" + std::to_string(i + 2) + " with lines lw 2 lc rgb '" +
@@ -114,7 +125,10 @@ ThesisFigure constant_curvature() {
   const double half = static_cast<double>(kThesisWidth) / 2;
   std::string csv = "theta_deg,radius_mm,centre_z_mm,x_mm,z_mm\n", script = kPlain;
   std::string panels =
-      "set multiplot layout 1, 3\nset size ratio -1\nunset border\nunset tics\n" + range("x", -19, 19) + range("y", -22, 14);
+      "set multiplot layout 1, 3 title 'Figure 5-1: constant-curvature bumps, w = 1000 mil; the dot is the centre of "
+      "curvature' "
+      "font ',13'\nset size ratio -1\nunset border\nunset tics\n" +
+      range("x", -19, 19) + range("y", -22, 14);
   for (const int angle : kAngles) {
     const double alpha = angle * std::numbers::pi / 360, radius = half / std::sin(alpha), centre = -radius * std::cos(alpha);
     std::string block = "-19 0\n";
@@ -140,8 +154,9 @@ ThesisFigure constant_curvature() {
 }
 
 // Curves over the radius, with the thesis's five radii as points.
-ThesisFigure over_radius(const std::string& name, const std::string& description, const std::string& vertical,
-                         const std::vector<std::string>& columns, const std::vector<std::string>& titles,
+ThesisFigure over_radius(const std::string& name, const std::string& heading, const std::string& description,
+                         const std::string& vertical, const std::vector<std::string>& columns,
+                         const std::vector<std::string>& titles,
                          const std::function<std::string(double mil, std::size_t column)>& value) {
   std::string csv = "radius_mil", block, points;
   for (const std::string& column : columns) csv += ',' + column;
@@ -155,9 +170,9 @@ ThesisFigure over_radius(const std::string& name, const std::string& description
     std::replace(row.begin(), row.end(), ' ', ',');
     csv += row + '\n';
   }
-  std::string script = "$curve << EOD\n" + block + "EOD\n$points << EOD\n" + points + "EOD\n" + kPlain +
+  std::string script = "$curve << EOD\n" + block + "EOD\n$points << EOD\n" + points + "EOD\n" + kPlain + title(heading) +
                        "set xlabel 'radius (mil)' textcolor rgb '#333333'\n" + range("x", 550, 1450) + "set yrange [0:*]\n" +
-                       "set lmargin 9\nset tmargin 3\n" + vertical_name(vertical.c_str()) +
+                       "set lmargin 9\nset tmargin 5\n" + vertical_name(vertical.c_str()) +
                        (titles.size() > 1 ? "set key top right\n" : "") + "plot ";
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const std::string column = std::to_string(i + 2), colour = kColours[i];
@@ -169,17 +184,19 @@ ThesisFigure over_radius(const std::string& name, const std::string& description
 
 // 5-4: the height of the bump.
 ThesisFigure heights_over_radius() {
-  return over_radius("figure-5-4", "The height of the bump against its radius, w = 1000 mil", "height (mm)", {"height_mm"},
-                     {"height"}, [](double mil, std::size_t) { return reference::geometry(bump_of(mil), 9).h; });
+  return over_radius("figure-5-4", "Figure 5-4: height of the bump, w = 1000 mil\\npoints: the radii of the thesis",
+                     "The height of the bump against its radius, w = 1000 mil", "height (mm)", {"height_mm"}, {"height"},
+                     [](double mil, std::size_t) { return reference::geometry(bump_of(mil), 9).h; });
 }
 
 // 5-5: the angle that each polygon subtends.
 ThesisFigure angles_over_radius() {
-  return over_radius(
-      "figure-5-5", "The angle that the bump subtends over its number of polygons, against its radius, w = 1000 mil",
-      "degrees for each polygon", {"one_polygon_deg", "two_polygons_deg", "three_polygons_deg"},
-      {"one polygon", "two polygons", "three polygons"},
-      [](double mil, std::size_t i) { return reference::subtended_degrees(bump_of(mil), static_cast<unsigned>(i) + 1, 9); });
+  return over_radius("figure-5-5", "Figure 5-5: angle for each polygon, w = 1000 mil\\npoints: the radii of the thesis",
+                     "The angle that the bump subtends over its number of polygons, against its radius, w = 1000 mil",
+                     "degrees for each polygon", {"one_polygon_deg", "two_polygons_deg", "three_polygons_deg"},
+                     {"one polygon", "two polygons", "three polygons"}, [](double mil, std::size_t i) {
+                       return reference::subtended_degrees(bump_of(mil), static_cast<unsigned>(i) + 1, 9);
+                     });
 }
 
 }  // namespace

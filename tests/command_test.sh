@@ -82,7 +82,7 @@ expect 2 "--depth is -2 mm; expected" -- energy --law bump-2p --depth=-2
 expect 0 "3 polygons: the bump subtends 112.885 degrees, each of them 37.6285" -- "$forceshade" polygons --radius 600mil --width 1in --theta-critical 40
 expect 0 '"polygons":4' -- "$forceshade" polygons --radius 12.7 --width 25.4 --theta-critical 60 --json -
 expect 2 "--width is 11 mm" -- "$forceshade" polygons --radius 5 --width 11 --theta-critical 40
-expect 2 "not in range" -- "$forceshade" polygons --radius 5 --width 5 --theta-critical 0
+expect 2 "expected a number from 0.000001 to 180" -- "$forceshade" polygons --radius 5 --width 5 --theta-critical 0
 expect 2 "--radius is required" -- "$forceshade" polygons --theta-critical 40
 expect 2 "excludes" -- "$forceshade" polygons --radius 5 --height-map x.toml --theta-critical 40
 expect 2 "rim of a cap" -- "$forceshade" polygons --height-map "$examples/groove.toml" --from -6 --to 6 --theta-critical 40
@@ -245,9 +245,12 @@ expect 0 "(time up)" -- "$forceshade" drive --law wall --uncertified --device nu
 watched="$forceshade drive --law wall --uncertified --device null --seconds 0.5 --patience 1"
 expect 0 " Hz  late " -- script -qec "$watched" /dev/null
 same "" "$($watched 2>&1 | grep " Hz  late ")"
+# In a narrow terminal it is as narrow, so that it does not wrap.
+script -qec "stty cols 40; $watched" /dev/null | tr '\r' '\n' | sed 's/\x1b\[K//' | grep -a ' mJ$\| N ' > narrow.txt
+same 39 "$(awk '{ if (length($0) > most) most = length($0) } END { print (most <= 39 && most > 20) ? 39 : most }' narrow.txt)"
 expect 0 "passivity         tank: account" -- "$forceshade" drive --law wall --uncertified --device simulated --seconds 0.1 --unpaced --passivity tank
 expect 2 "--passivity" -- drive --law wall --uncertified --passivity teapot
-expect 2 "dead-man button: expected one of the device's 0" -- drive --law wall --uncertified --dead-man 1
+expect 2 "dead-man button: expected none, because the device has no buttons" -- drive --law wall --uncertified --dead-man 1
 expect 2 "dead-man button" -- drive --law wall --uncertified --dead-man 1 --record never.fsr
 same "" "$(ls | grep never)"
 expect 0 "not supervised" -- drive --law wall --uncertified

@@ -71,9 +71,14 @@ struct ParameterError {
 
   // For people: the parameter, its value and the range. Allocates; not for the real-time path.
   std::string message() const {
+    // The shortest that reads back as the same number, without an exponent where a person would write none.
     const auto shortest = [](float number) {
+      const bool is_plain = number == 0 || (number >= 1e-5F && number < 1e9F) || (number <= -1e-5F && number > -1e9F);
       char text[32];
-      return std::string(text, std::to_chars(text, text + sizeof text, number).ptr);
+      char* const end =
+          std::to_chars(text, text + sizeof text, number, is_plain ? std::chars_format::fixed : std::chars_format::scientific)
+              .ptr;
+      return std::string(text, end);
     };
     const std::string in_unit = *unit == '\0' ? "" : std::string(" ") + unit;
     return std::string(parameter) + " is " + shortest(value) + in_unit + "; expected " + shortest(low) + " to " +

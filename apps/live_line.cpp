@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/apps/live_line.h"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace forceshade::apps {
+namespace {
+
+struct Piece {
+  std::string text;
+  int rank;  // the piece of the highest rank is left out first
+};
+
+std::string number(const char* format, double value) {
+  char text[400];  // the longest binary64 without an exponent has 309 digits
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string bar(double share) {
+  constexpr std::size_t kWidth = 20;
+  const auto filled = static_cast<std::size_t>(std::lround(kWidth * (share > 0 ? std::min(share, 1.0) : 0)));
+  return '[' + std::string(filled, '#') + std::string(kWidth - filled, ' ') + ']';
+}
+
+std::string joined(const std::vector<Piece>& pieces) {
+  std::string line;
+  for (const Piece& piece : pieces) line += (line.empty() ? "" : "  ") + piece.text;
+  return line;
+}
+
+}  // namespace
+
+int room_for_a_line() {
+  winsize size{};
+  const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col - 1 : 79;
+}
+
+std::string live_line(const LiveLine& shown, int room) {
+  std::vector<Piece> pieces{{number("%7.1f s", shown.seconds), 3},    {number("%6.0f Hz", shown.rate), 4},
+                            {number("late %5.0f us", shown.late), 5}, {bar(shown.force / shown.full_force), 6},
+                            {number("%6.3f N", shown.force), 0},      {number("%+9.3f mJ", shown.energy), 2}};
+  if (!shown.limits.empty()) pieces.push_back({shown.limits, 1});
+  const auto most = static_cast<std::size_t>(std::max(room, 0));
+  while (pieces.size() > 1 && joined(pieces).size() > most)
+    pieces.erase(
+        std::max_element(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.rank < b.rank; }));
+  return joined(pieces).substr(0, most);
+}
+
+void draw_line(const std::string& text) {
+  std::size_t end = 0;
+  const auto is_inside_character = [&](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U; };
+  for (int room = room_for_a_line(); room > 0 && end < text.size(); --room) do
+      ++end;
+    while (end < text.size() && is_inside_character(end));
+  std::fprintf(stderr, "\r%.*s\033[K", static_cast<int>(end), text.c_str());
+}
+
+}  // namespace forceshade::apps

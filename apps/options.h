@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Options whose value is a number or one of several words. The whole text is read; what is refused is said as `--cases:
+// expected a whole number from 1 to 1000, got "1e3"`.
+
+#include <CLI/CLI.hpp>
+#include <concepts>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace forceshade::apps {
+
+struct WholeRange {
+  std::uint64_t least, most;
+};
+struct NumberRange {
+  double least, most;
+};
+
+inline constexpr WholeRange kDigits{1, 10000};
+inline constexpr WholeRange kCases{1, 1000000000};
+inline constexpr WholeRange kSeeds{0, std::numeric_limits<std::uint64_t>::max()};
+
+// Decimal digits and nothing else. `name` is what a message calls it. Throws CLI::ValidationError.
+std::uint64_t parse_whole(const std::string& name, const std::string& text, WholeRange range);
+// As from_chars reads it, so neither a hexfloat nor a sign in front but -. Throws CLI::ValidationError.
+double parse_number(const std::string& name, const std::string& text, NumberRange range);
+
+CLI::Option* add_whole(CLI::App& command, const std::string& name, const std::string& help, WholeRange range,
+                       std::function<void(std::uint64_t)> keep);
+CLI::Option* add_number(CLI::App& command, const std::string& name, const std::string& help, NumberRange range,
+                        std::function<void(double)> keep);
+
+// `value` is what it is unless the option is given, and the help says so.
+template <std::integral T>
+CLI::Option* add_whole(CLI::App& command, const std::string& name, T& value, const std::string& help, WholeRange range) {
+  return add_whole(command, name, help, range, [&value](std::uint64_t given) { value = static_cast<T>(given); })
+      ->default_str(std::to_string(value));
+}
+
+CLI::Option* add_word(CLI::App& command, const std::string& name, std::string& value, const std::string& help,
+                      std::vector<std::string> words);
+
+// For ->check(): one of the words.
+CLI::Validator one_of(std::vector<std::string> words);
+
+// Every option of the command and of its subcommands then refuses an empty value, and one that is given twice says so.
+void refuse_empty_values(CLI::App& command);
+
+// What is said on standard error about a command line that cannot be read.
+std::string failure_message(const CLI::App* app, const CLI::Error& error);
+
+}  // namespace forceshade::apps

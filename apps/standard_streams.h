@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Standard input, output and error of the command.
+
+namespace forceshade::apps {
+
+// Where one of the three is closed, a file that is opened later would get its number and what is printed. Afterwards all three
+// are open; reading or writing a formerly closed one fails. Call first.
+void open_standard_streams();
+
+// What was printed and std::cout reach standard output. Throws csv::OutputError if they do not, or if an earlier write failed.
+void flush_standard_output();
+
+}  // namespace forceshade::apps
