@@ -5,21 +5,13 @@
 #include <initializer_list>
 
 #include "forceshade/fast/domain.h"
+#include "forceshade/fast/height_limits.h"
 
 namespace forceshade::fast {
 namespace {
 
+using namespace height_limits;
 using MaybeError = std::optional<ParameterError>;
-
-constexpr float kLargestHeight = 1e4F;                          // mm
-constexpr float kLargestSlope = 1e3F;                           // mm/mm, and rad/mm, rad of a grating
-constexpr float kSmallestReach = 1e-3F, kLargestReach = 1e4F;   // mm: rim of a cone, sigma, step of knots
-constexpr float kSmallestRadius = 0.1F, kLargestRadius = 1e4F;  // mm: of the cylinder or sphere of a cap
-constexpr float kSmallestWidth = 1e-3F;                         // mm
-constexpr float kSmallestPitch = 1e-3F, kLargestPitch = 1e2F;   // mm
-constexpr std::uint32_t kFewestSamples = 2, kMostSamples = 1U << 15;
-constexpr float kFewestKnots = 2, kMostKnots = 1025;
-constexpr std::size_t kMostParts = 16;
 
 MaybeError first_outside(std::initializer_list<ParameterError> numbers) noexcept {
   for (const ParameterError& number : numbers)
@@ -112,7 +104,7 @@ MaybeError error_of(const std::shared_ptr<const height::Grid>& grid) noexcept {
 }  // namespace
 
 MaybeError first_error(const HeightMap& map, height::Rendering rendering, float stiffness) noexcept {
-  if (const auto error = first_outside({{"stiffness", "N/mm", stiffness, 1e-3F, 1e3F},
+  if (const auto error = first_outside({{"stiffness", "N/mm", stiffness, kSmallestStiffness, kLargestStiffness},
                                         {"number of parts", "", static_cast<float>(map.parts.size()), 1, kMostParts}}))
     return error;
   for (const height::Part& part : map.parts)

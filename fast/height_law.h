@@ -24,8 +24,9 @@ class HeightLaw {
   // nothing is built.
   static std::variant<HeightLaw, ParameterError> build(const HeightMap& map, height::Rendering rendering, float stiffness);
 
-  // Each component is the exact force rounded to binary32; as Law::evaluate. Should the numbers of the last stage not decide
-  // (docs/proofs.md says for which identities that could be; no input is known), Status::invalid and no force.
+  // Each component is the exact force rounded to binary32; as Law::evaluate, also in what it takes of the calling thread's
+  // rounding mode. Should the numbers of the last stage not decide (docs/proofs.md says for which identities that could be; no
+  // input is known), Status::invalid and no force.
   Evaluation evaluate(const Eigen::Vector3f& position) const noexcept {
     Evaluation answer;  // one object, built where the caller wants it: a copy would wait for what was just written
     if (spline_ != nullptr) {
@@ -40,7 +41,8 @@ class HeightLaw {
   Eigen::Vector3f force(const Eigen::Vector3f& position) const noexcept { return evaluate(position).force; }
 
   // to[i] = force at positions[i], bit for bit what evaluate() gives, whatever the instruction set; as many as the shorter span
-  // has. An instruction set this machine lacks falls back to the best it has. Vectors speed up a map that is one B-spline.
+  // has. `to` may begin where `positions` begins, and then takes their place; any other overlap is not allowed. An instruction
+  // set this machine lacks falls back to the best it has. Vectors speed up a map that is one B-spline.
   BatchResult force(std::span<const Eigen::Vector3f> positions, std::span<Eigen::Vector3f> to,
                     InstructionSet instructions = best_instruction_set()) const noexcept;
 

@@ -84,16 +84,25 @@ BatchResult Law::force(std::span<const float> x, std::span<const float> z, std::
       [&]<class Definition>(const Built<Definition>& law) {
         const BlockFunction<Definition> answer_block = block_function<Definition>(blocks(instructions));
         const std::size_t count = std::min(std::min(x.size(), z.size()), std::min(fx.size(), fz.size()));
+        const auto overwrites = [&](std::span<float> out) { return out.data() == x.data() || out.data() == z.data(); };
+        const bool is_in_place = overwrites(fx) || overwrites(fz);
+        float kept_x[kBlock], kept_z[kBlock];  // in place: a block writes its answers before it knows whether they hold
         BatchResult result;
         for (std::size_t begin = 0; begin < count; begin += kBlock) {
           const std::size_t size = std::min(kBlock, count - begin);
-          if (answer_block != nullptr && size == kBlock &&
-              answer_block(law.definition, &x[begin], &z[begin], &fx[begin], &fz[begin]))
+          const float *at_x = &x[begin], *at_z = &z[begin];
+          if (is_in_place) {
+            std::copy_n(at_x, size, kept_x);
+            std::copy_n(at_z, size, kept_z);
+            at_x = kept_x;
+            at_z = kept_z;
+          }
+          if (answer_block != nullptr && size == kBlock && answer_block(law.definition, at_x, at_z, &fx[begin], &fz[begin]))
             continue;
-          for (std::size_t i = begin; i < begin + size; ++i) {
-            const Evaluation one = fast::evaluate(law, parameters_, Eigen::Vector3f(x[i], 0, z[i]));
-            fx[i] = one.force.x();
-            fz[i] = one.force.z();
+          for (std::size_t i = 0; i < size; ++i) {
+            const Evaluation one = fast::evaluate(law, parameters_, Eigen::Vector3f(at_x[i], 0, at_z[i]));
+            fx[begin + i] = one.force.x();
+            fz[begin + i] = one.force.z();
             result.invalid += one.status == Status::invalid;
           }
         }

@@ -30,12 +30,17 @@ class Law {
   const Parameters& parameters() const noexcept { return parameters_; }
 
   // position: mm, each coordinate in [-1e4, 1e4]; a coordinate below 2^-30 mm in size is read as 0.
+  //
+  // Here and in all calls below the calling thread must round to nearest and keep subnormals. build() looks at its own thread;
+  // a mode set later, or on another thread (fesetround, flush to zero, a library that does either), makes answers wrong, and
+  // nothing in them shows it. A caller that runs beside code that is not its own looks with arithmetic_fault() on the calling
+  // thread first, as servo_loop (device/servo_loop.h) does at every tick.
   Evaluation evaluate(const Eigen::Vector3f& position) const noexcept;
   Eigen::Vector3f force(const Eigen::Vector3f& position) const noexcept { return evaluate(position).force; }
 
   // fx[i], fz[i] = force at (x[i], 0, z[i]), bit for bit what evaluate() gives, whatever the instruction set.
-  // All four spans have the same length; outputs may not overlap inputs. An instruction set this machine lacks
-  // falls back to the best it has.
+  // As many as the shortest span has. An output may begin where an input begins, which it then takes the place of; any other
+  // overlap is not allowed. An instruction set this machine lacks falls back to the best it has.
   BatchResult force(std::span<const float> x, std::span<const float> z, std::span<float> fx, std::span<float> fz,
                     InstructionSet instructions = best_instruction_set()) const noexcept;
 

@@ -10,14 +10,17 @@
 
 namespace forceshade::fast {
 
-// |true value - value| <= error. An operation charges 2^-53 of its result, which holds unless that is subnormal (no number of
-// a height map is below 2^-480 in size without being 0), and what it hands on; kSlack pays for the bound's own roundings, at
-// most six.
+// |true value - value| <= error. An operation charges 2^-53 of its result, which holds unless that is subnormal, and what it
+// hands on; kSlack pays for the bound's own roundings, at most six. No result within a jet is below kLeastResult in size
+// without being 0: tests/height_bounds_test.cpp derives it from the domain. The bound's own products may be subnormal, and
+// lose 2^-1075 then, which kSlack pays for too.
 struct Tracked {
   double value = 0, error = 0;
 
   static constexpr double kUnit = 0x1p-53;
   static constexpr double kSlack = 1 + 0x1p-50;
+  static constexpr double kLeastResult = 0x1p-720;
+  static_assert((kSlack - 1) * kUnit * kLeastResult > 16 * 0x1p-1074);
 
   FORCESHADE_INLINE static Tracked exactly(double value) noexcept { return {value, 0}; }
   FORCESHADE_INLINE static Tracked rounded(double value, double propagated) noexcept {

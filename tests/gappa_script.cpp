@@ -70,9 +70,6 @@ class Parser {
   void expect(const std::string& text) {
     if (!take_if(text)) fail(text);
   }
-  void skip_past(const std::string& text) {
-    while (!take_if(text)) take();
-  }
   [[noreturn]] void fail(const std::string& expected) const {
     const bool at_end = is_done();
     const Token& found = at_end ? tokens_.back() : tokens_[next_];
@@ -178,6 +175,14 @@ class Parser {
   std::size_t next_ = 0;
 };
 
+// A number written as a quotient, as "-1 / 6".
+double number_of(const Syntax& s) {
+  if (s.operation == "number") return s.number;
+  if (s.operation == "negate") return -number_of(s.operands[0]);
+  if (s.operation == "/") return number_of(s.operands[0]) / number_of(s.operands[1]);
+  throw std::runtime_error("found " + s.operation + ", expected a number or a quotient of numbers");
+}
+
 GappaScript::Piece proposition(Parser& in, const std::string& name) {
   GappaScript::Piece piece{name, {}, {}};
   in.expect("{");
@@ -188,8 +193,12 @@ GappaScript::Piece proposition(Parser& in, const std::string& name) {
         if (!is_conclusion) in.fail("an interval, for this is a hypothesis");
         piece.conclusions.push_back(left);
       } else {
-        in.skip_past("]");
-        piece.hypotheses.push_back({"in", left, {}});
+        in.expect("[");
+        const double low = number_of(in.sum());
+        in.expect(",");
+        const double high = number_of(in.sum());
+        in.expect("]");
+        piece.hypotheses.push_back({"in", left, {}, low, high});
       }
     } else if (in.take_if("=")) {
       piece.hypotheses.push_back({"=", left, in.sum()});
@@ -206,14 +215,6 @@ GappaScript::Piece proposition(Parser& in, const std::string& name) {
   in.expect("}");
   if (piece.conclusions.empty()) in.fail("a conclusion of piece " + name);
   return piece;
-}
-
-// A number written as a quotient, as "-1 / 6".
-double number_of(const Syntax& s) {
-  if (s.operation == "number") return s.number;
-  if (s.operation == "negate") return -number_of(s.operands[0]);
-  if (s.operation == "/") return number_of(s.operands[0]) / number_of(s.operands[1]);
-  throw std::runtime_error("found " + s.operation + ", expected a number or a quotient of numbers");
 }
 
 }  // namespace
@@ -297,6 +298,14 @@ Scaled GappaScript::computed(const std::string& piece_name, std::size_t i, Expre
   if (of->operation != "-" && of->operation != "-/")
     throw std::runtime_error(file_ + ": piece " + piece_name + ": expected an error, a difference from a true number");
   return expressions.quotient(value(of->operands[0], false, expressions, bindings), expressions.constant(divisor));
+}
+
+std::pair<double, double> GappaScript::interval(const std::string& piece_name, const std::string& name) const {
+  for (const Relation& one : piece(piece_name).hypotheses) {
+    const Syntax& of = one.left.operation == "absolute" ? one.left.operands[0] : one.left;
+    if (one.is == "in" && of.operation == "name" && of.name == name) return {one.low, one.high};
+  }
+  throw std::runtime_error(file_ + ": piece " + piece_name + ": expected a hypothesis on " + name);
 }
 
 GappaScript::Bindings GappaScript::constants(const std::string& piece_name, Expressions& expressions) const {

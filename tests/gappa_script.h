@@ -25,8 +25,9 @@ struct Syntax {
 class GappaScript {
  public:
   struct Relation {
-    std::string is;  // "in ?", "in", "=", "<="
+    std::string is;  // "in", "=", "<="
     Syntax left, right;
+    double low = 0, high = 0;  // of "in"
   };
   struct Piece {
     std::string name;
@@ -47,6 +48,8 @@ class GappaScript {
   Scaled value(const std::string& expression, Expressions& expressions, const Bindings& bindings) const;
   // What the piece's i-th conclusion bounds the error of: the computed number, before "-" or "-/".
   Scaled computed(const std::string& piece, std::size_t i, Expressions& expressions, const Bindings& bindings) const;
+  // The ends of a piece's hypothesis on a name, or on its size: "x in [low, high]", "|y| in [low, high]".
+  std::pair<double, double> interval(const std::string& piece, const std::string& name) const;
   // The names that a piece's hypotheses give a value ("A1 = -1 / 2"), and the rounded numbers beside them ("a1").
   Bindings constants(const std::string& piece, Expressions& expressions) const;
 

@@ -411,6 +411,11 @@ TEST(height_law, equals_scalar_at_every_simd_width) {
                 << one.name << ", " << name << ", " << fast::name_of(set) << " at " << show(all[i]) << ": " << show(forces[i]);
         }
         EXPECT_EQ(result.invalid, invalid);
+        std::vector<Vector3f> in_place = all;
+        EXPECT_EQ(law.force(in_place, in_place, set).invalid, invalid);
+        for (std::size_t i = 0; i < all.size(); ++i)
+          for (int axis = 0; axis < 3; ++axis)
+            ASSERT_TRUE(same_bits(in_place[i][axis], forces[i][axis])) << one.name << ", in place, " << fast::name_of(set);
       }
     }
 }

@@ -173,6 +173,19 @@ void equals_scalar_at_every_simd_width(LawId law) {
       }
       EXPECT_EQ(result.invalid, invalid);
       EXPECT_GT(invalid, 0U);
+      // In place of the positions, each output in place of either input.
+      for (const bool is_crossed : {false, true}) {
+        std::vector<float> a = x, b = z;
+        EXPECT_EQ(fast.force(a, b, is_crossed ? b : a, is_crossed ? a : b, set).invalid, invalid);
+        EXPECT_TRUE(std::ranges::equal(is_crossed ? b : a, fx, same_bits) &&
+                    std::ranges::equal(is_crossed ? a : b, fz, same_bits))
+            << fast::name_of(set) << ", in place";
+      }
+      std::vector<float> a = x, b = z, other(kCount);
+      fast.force(a, z, other, a, set);
+      fast.force(x, b, b, fz, set);
+      EXPECT_TRUE(std::ranges::equal(a, fz, same_bits) && std::ranges::equal(b, fx, same_bits))
+          << fast::name_of(set) << ", one output in place";
     }
   }
 }

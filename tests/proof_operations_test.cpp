@@ -12,6 +12,7 @@
 #include "forceshade/fast/height_force.h"
 #include "forceshade/fast/height_spline.h"
 #include "forceshade/fast/law.h"
+#include "forceshade/fast/spline_force.h"
 #include "forceshade/tests/pack_operations.h"
 #include "forceshade/tests/recorded_row.h"
 #include "forceshade/tests/recorded_run.h"
@@ -230,14 +231,24 @@ void double_double(ComparedScript& script, bool is_fused) {
 // The map's gradient along one axis is the script's x, that along the other its y.
 void height_force(ComparedScript& script, bool is_fused) {
   for (const bool is_along_x : {true, false})
-    for (const auto& [rendering, name] : height::kRenderings) {
-      RecordedRun run(script, is_fused);
-      const Recorded K = run.input("K", 0.7), gap = run.input("gap", 0.3), x = run.input("x", 1.1), y = run.input("y", -0.4);
-      const auto force = is_along_x ? fast::gap_force(gap, x, y, rendering, K) : fast::gap_force(gap, y, x, rendering, K);
-      const bool is_conservative = rendering == height::Rendering::conservative;
-      run.expect(is_conservative ? "conservative" : "force", is_along_x ? force.x : force.y);
-      run.expect_value(is_conservative ? "rnd(K * gap)" : "up", force.up.expression());
-    }
+    for (const bool is_level : {true, false})
+      for (const auto& [rendering, name] : height::kRenderings) {
+        RecordedRun run(script, is_fused);
+        const Recorded K = run.input("K", 0.7), gap = run.input("gap", 0.3), x = run.input("x", 1.1),
+                       y = is_level ? Recorded(0) : run.input("y", -0.4);
+        const auto force = is_along_x ? fast::gap_force(gap, x, y, rendering, K) : fast::gap_force(gap, y, x, rendering, K);
+        const Recorded& along = is_along_x ? force.x : force.y;
+        if (rendering == height::Rendering::conservative) {
+          run.expect("conservative", along);
+          run.expect_value("rnd(K * gap)", force.up.expression());
+        } else {
+          run.expect(is_level ? "level" : "force", along, 0);
+          run.expect(is_level ? "level" : "force", force.up, 1);
+        }
+        if (is_level) {
+          EXPECT_EQ((is_along_x ? force.y : force.x).expression(), run.expressions.zero());
+        }
+      }
 }
 
 std::string numbered(const char* name, std::size_t i) {
@@ -361,6 +372,23 @@ TEST(proof_operations, of_the_sum_of_double_double_are_those_of_the_cited_algori
   const Two v = fast_two_sum(s.high, sum(s.low, t.high)), expected = fast_two_sum(v.high, sum(t.low, v.low));
   EXPECT_EQ(run.expressions.difference(z.hi.expression(), expected.high), "");
   EXPECT_EQ(run.expressions.difference(z.lo.expression(), expected.low), "");
+}
+
+// height_spline.g counts errors in steps, the largest difference of coefficients side by side along either axis.
+TEST(proof_operations, bounds_of_a_spline_are_in_its_largest_steps) {
+  for (const auto& [along, across] :
+       {std::pair{0.0F, 0.5F}, std::pair{0.5F, 0.0F}, std::pair{0.25F, 0.5F}, std::pair{2.0F, 0.5F}}) {
+    height::Grid values{6, 5, 0.25F, height::Edge::clamp, height::Interpolant::cubic_spline, {}};
+    for (std::uint32_t j = 0; j < values.rows; ++j)
+      for (std::uint32_t i = 0; i < values.columns; ++i)
+        values.values.push_back(3 + along * static_cast<float>(i % 2) + across * static_cast<float>(j % 2));
+    const fast::SplineMap map(fast::HeightGrid(std::make_shared<const height::Grid>(values)), height::Rendering::true_height,
+                              1);
+    const double error = fast::kSplineError * static_cast<double>(std::max(along, across)), slope_error = error / 0.25;
+    EXPECT_EQ(map.sure.gap * fast::kSmallShare, error);
+    EXPECT_EQ(map.sure.Ux * fast::kSmallShare, along > 0 ? slope_error : 0);
+    EXPECT_EQ(map.sure.Uy * fast::kSmallShare, across > 0 ? slope_error : 0);
+  }
 }
 
 // That the numbers the headers really run on do what the recording number writes down.

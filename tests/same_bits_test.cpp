@@ -56,6 +56,25 @@ TEST(same_bits, no_law_is_built_while_rounding_is_not_to_nearest) {
   }
 }
 
+// What a caller looks at: a law does not.
+TEST(same_bits, a_mode_set_after_building_is_a_fault_while_it_lasts) {
+  const auto law = std::get<fast::Law>(fast::Law::build(LawId::bump_1p_shaded, {15.24F, 25.4F, 0.7F}));
+  const auto forces = [&] {
+    std::vector<Eigen::Vector3f> all;
+    for (int i = 1; i < 100; ++i) all.push_back(law.force({0.1F * static_cast<float>(i), 0, -0.3F}));
+    return all;
+  };
+  const auto right = forces();
+  std::fesetround(FE_UPWARD);
+  const auto wrong = forces();
+  const char* fault = fast::arithmetic_fault();
+  std::fesetround(FE_TONEAREST);
+  EXPECT_STREQ(fault, "rounding other than to nearest");
+  EXPECT_NE(wrong, right);
+  EXPECT_EQ(fast::arithmetic_fault(), nullptr);
+  EXPECT_EQ(forces(), right);
+}
+
 #if defined(__SSE2__)
 TEST(same_bits, no_law_is_built_while_subnormals_are_flushed) {
   const unsigned mode = _mm_getcsr();
