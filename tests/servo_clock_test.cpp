@@ -118,7 +118,7 @@ TEST(servo_loop, does_not_sleep_on_after_the_signal_that_stops_it) {
     stop = true;
     clock.interrupt(1);
   });
-  const Kept run(device, wall(), {.rate_hz = 100}, stop);
+  const Kept run(device, wall(), {.rate_hz = 100, .max_seconds = 0.5}, stop);
   EXPECT_EQ(run.end_reason, EndReason::stopped);
   EXPECT_EQ(run.ticks, 4U);
   EXPECT_EQ(run.samples.back().wall_ns, 3 * 10 * kMillisecond + kMillisecond / 10);

@@ -31,8 +31,9 @@ inline std::vector<Reading> path_of(const std::vector<Eigen::Vector3f>& position
   return path;
 }
 
+// Ends after five thousand ticks where nothing else ends it.
 inline ServoOptions unpaced() {
-  return {.paced = false};
+  return {.max_seconds = 5, .paced = false};
 }
 
 // Stays at z = -1 and does what the test says at a given reading, from 0.

@@ -121,7 +121,7 @@ TEST(servo_loop, ends_when_stopped) {
     }
     std::atomic<bool> stop = false;
   } device;
-  const Kept result(device, wall(), {.rate_hz = kHighestRateHz}, device.stop);
+  const Kept result(device, wall(), {.rate_hz = kHighestRateHz, .max_seconds = 0.5}, device.stop);
   EXPECT_EQ(result.end_reason, EndReason::stopped);
   EXPECT_EQ(result.ticks, 5U);
   EXPECT_EQ(device.commands.back(), Eigen::Vector3f(0, 0, 0));
@@ -131,7 +131,7 @@ TEST(servo_loop, ends_when_stopped) {
 TEST(servo_loop, reads_nothing_when_stopped_before_it_starts) {
   Endless device;
   const std::atomic<bool> stop = true;
-  const Kept result(device, wall(), {}, stop);
+  const Kept result(device, wall(), {.max_seconds = 0.5}, stop);
   EXPECT_EQ(result.ticks, 0U);
   EXPECT_EQ(device.commands.size(), 1U);
   EXPECT_TRUE(std::isnan(result.samples.back().position[2]));
