@@ -308,6 +308,7 @@ TEST_F(phantom_frames, close_with_zero_sent_and_the_output_off_for_good) {
   EXPECT_FALSE(sample.forces_on);
   EXPECT_EQ(sample.phase, Phase::closed);
   EXPECT_FALSE(sample.trouble);
+  frame(100);
   order(kForce);
   EXPECT_EQ(frame(100).phase, Phase::closed);
   EXPECT_EQ(driver.sent, kNone);
