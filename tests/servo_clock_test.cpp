@@ -81,6 +81,16 @@ TEST(servo_loop, owns_an_overrun_only_if_it_computed_for_longer_than_a_period) {
   }
 }
 
+TEST(servo_loop, has_no_deadlines_and_no_overruns_where_it_is_not_paced) {
+  VirtualClock clock;
+  Timed device(clock, [&](std::size_t) { clock.compute(3); });
+  const Kept run(device, wall(), {.max_seconds = 0.01, .paced = false});
+  EXPECT_EQ(run.ticks, 10U);
+  EXPECT_EQ(run.missed_deadlines, 0U);
+  EXPECT_EQ(run.overruns, 0U);
+  EXPECT_FALSE(run.trip);
+}
+
 // Tick 6 is late by `late` ms, and those after it make up for it.
 std::optional<Rule> trip_of(double rate, double late, std::optional<double> patience = std::nullopt) {
   VirtualClock clock;

@@ -134,7 +134,7 @@ TEST(servo_loop, keeps_a_device_passive_as_told) {
 
 TEST(servo_loop, gives_the_device_and_the_record_the_force_that_the_controller_left) {
   Harvester device;
-  const Kept run(device, wall(), {.max_seconds = 1, .paced = false});
+  const Kept run(device, law_of(LawId::wall, 8), {.max_seconds = 1, .paced = false});
   ASSERT_GT(run.account.altered, 10U);
   ASSERT_EQ(device.commands.size(), run.samples.size());
   double peak = 0, given = 0;
