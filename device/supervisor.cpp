@@ -156,7 +156,7 @@ Eigen::Vector3f Supervisor::limited(const Reading& reading, const State& state, 
   replace(force * static_cast<float>(nearness(reading.position)), Rule::workspace);
   if (memory_.late_ticks > 0) {
     const int ramped = std::max(0, memory_.late_ticks - limits_.held_ticks);
-    const double left = 1 - ramped / static_cast<double>(ticks_in(limits_.ramp_down));
+    const double left = std::max(0.0, 1 - ramped / static_cast<double>(ticks_in(limits_.ramp_down)));
     const double held = left * memory_.punctual_force.cast<double>().norm();
     replace(shortened(memory_.punctual_force, std::min(held, force.cast<double>().norm())), Rule::missed_deadlines);
   }

@@ -81,6 +81,24 @@ TEST(arm, says_what_is_out_of_reach) {
   EXPECT_FALSE(omni().arm.inverse(omni().arm.shoulder));  // as long as each other, so that its two links could fold to nothing
 }
 
+// There the cosines of its angles are 1, and rounding may take them beyond; an angle of such a cosine has half the digits.
+TEST(arm, stretched_out_has_angles_that_are_numbers) {
+  for_each_model([](const Model& model) {
+    Random random;
+    const double longest = model.arm.upper_length + model.arm.fore_length;
+    int found = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const Eigen::Vector3d way = Eigen::Vector3d(random(-1, 1), random(-1, 1), random(0.1, 1)).normalized();
+      const auto angles = model.arm.inverse(model.arm.shoulder + longest * way);
+      if (!angles) continue;
+      ++found;
+      ASSERT_TRUE(angles->allFinite()) << way.transpose();
+      ASSERT_LE((model.arm.forward(*angles) - model.arm.shoulder - longest * way).norm(), 0x1p-25 * longest);
+    }
+    EXPECT_GT(found, 100);
+  });
+}
+
 TEST(arm, jacobian_is_the_derivative_of_forward) {
   for_each_model([](const Model& model) {
     Random random;

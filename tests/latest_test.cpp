@@ -27,6 +27,17 @@ TEST(latest, gives_the_last_value_again_and_again) {
   }
 }
 
+TEST(latest, leaves_a_value_alone_until_the_next_is_asked_for) {
+  Latest<int> mailbox;
+  for (int i = 0; i < 10; ++i) {
+    const int& value = mailbox.latest();
+    for (int j = 1; j <= 4; ++j) {
+      mailbox.publish(10 * i + j);
+      EXPECT_EQ(value, i == 0 ? 0 : 10 * (i - 1) + 4);
+    }
+  }
+}
+
 TEST(latest, is_never_torn_and_never_goes_back) {
   using Wide = std::array<std::uint64_t, 32>;
   Latest<Wide> mailbox;

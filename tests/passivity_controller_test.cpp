@@ -329,6 +329,7 @@ TEST(passivity_controller, friction_pays_debts_and_saves_nothing) {
   hand.go_round(stroke(kBump, 2), 0.02);
   EXPECT_GT(hand.controller.account().rubbed, 0.1);
   EXPECT_NEAR(static_cast<double>(hand.balance) + hand.controller.account().rubbed, hand.controller.account().balance, 1e-9);
+  EXPECT_NEAR(hand.controller.account().net(), -static_cast<double>(hand.balance), 1e-9) << "given to the hand, less taken";
   hand.go_to({0, 0, 50}, 0.1);
   EXPECT_EQ(hand.controller.account().balance, 0);
 }
@@ -343,6 +344,53 @@ TEST(passivity_controller, gives_no_force_at_what_is_no_position_and_assumes_the
   EXPECT_EQ(controller.account().balance, -2);
   EXPECT_EQ(controller.passed({0, 0, 5}, {0, 0, HUGE_VALF}), Eigen::Vector3f(0, 0, 0));
   EXPECT_EQ(controller.account().balance, -3);
+}
+
+TEST(passivity_controller, lets_friction_pay_nothing_of_a_step_that_was_not_seen) {
+  PassivityController controller({.longest_step = 1, .epsilon = 10, .friction = 0.5});
+  controller.passed({0, 0, -1}, {0, 0, 2});
+  controller.passed({0, std::nanf(""), -1}, {0, 0, 2});
+  EXPECT_EQ(controller.account().rubbed, 0);
+  EXPECT_EQ(controller.account().balance, -2);
+}
+
+// A hand that was faster than any may be has got more than epsilon.
+TEST(passivity_controller, gives_no_force_at_all_to_a_hand_that_owes_more_than_epsilon) {
+  for (const Kind kind : {Kind::tank, Kind::damping})
+    for (const bool latency : {false, true}) {
+      PassivityController controller({.longest_step = 1, .epsilon = 2, .latency = latency}, kind);
+      for (int tick = 0; tick < 3; ++tick) controller.passed({0, 0, 0}, {0, 0, 1});
+      for (const float z : {5.0F, 5.5F, 5.0F})
+        EXPECT_EQ(controller.passed({0, 0, z}, {0, 0, 1}), Eigen::Vector3f(0, 0, 0)) << z;
+      EXPECT_LT(controller.account().balance, -2);
+    }
+}
+
+// By hand: wanted 3 N, of which epsilon allows one on a step of 1 mm; half a millimetre along it, a quarter back, and then as
+// much as was wanted.
+TEST(passivity_controller, accounts_for_what_it_altered) {
+  PassivityController controller({.longest_step = 1, .epsilon = 1}, Kind::tank);
+  controller.passed({0, 0, 0}, {0, 0, 3});
+  controller.passed({0, 0, 0.5F}, {0, 0, 0.1F});
+  controller.passed({0, 0, 0.25F}, {0, 0, 0.1F});
+  const PassivityAccount& account = controller.account();
+  EXPECT_EQ(account.altered, 2U) << "what is wanted along a motion is given from half of epsilon, and that is spent";
+  EXPECT_NEAR(account.largest_change, 2, 1e-6);
+  EXPECT_NEAR(account.withheld, 3 * 0.5 - 1 * 0.5 - 0.1 * 0.25, 1e-6);
+  EXPECT_NEAR(account.given, 0.5, 1e-6);
+  EXPECT_NEAR(account.balance, -0.5, 1e-6);
+  EXPECT_NEAR(account.lowest_balance, -0.5, 1e-6);
+  EXPECT_EQ(account.longest_step, 0.5);
+}
+
+TEST(passivity_controller, is_set_for_a_hand_at_a_metre_a_second_and_half_of_the_devices_friction) {
+  for (const bool latency : {false, true}) {
+    const PassivitySettings settings = passivity_settings({.resolution = 0.03F, .latency = latency, .friction = 0.04F}, 500);
+    EXPECT_NEAR(settings.longest_step, 2.06, 1e-6);
+    EXPECT_NEAR(settings.epsilon, (latency ? 4 : 1) * 2.06 * 2.06, 1e-5);
+    EXPECT_NEAR(settings.friction, 0.02, 1e-9);
+    EXPECT_EQ(settings.latency, latency);
+  }
 }
 
 // Ten minutes at 1 kHz, against sums of twice the precision.

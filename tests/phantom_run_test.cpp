@@ -46,6 +46,7 @@ TEST_F(phantom, speaks_in_the_laws_frame) {
   EXPECT_EQ(reading.position, Eigen::Vector3f(1, -3, 2));
   EXPECT_EQ(reading.buttons, 2U);
   EXPECT_EQ(reading.gimbal, Eigen::Vector3f(0.1F, 0.2F, 0.3F));
+  EXPECT_TRUE(reading.encoder);
   EXPECT_TRUE(device.state().calibrated);
   EXPECT_TRUE(device.state().forces_on);
   EXPECT_EQ(device.state().temperature, 0.25F);
@@ -64,9 +65,11 @@ TEST_F(phantom, force_commanded_before_the_start_is_not_remembered) {
 
 TEST_F(phantom, clock_goes_with_the_frames) {
   Phantom device("", kPatient);
+  const auto before = Clock::now();
   ASSERT_FALSE(device.start(1000));
   double last = std::get<Reading>(device.read()).time;
   EXPECT_GE(last, 0);
+  EXPECT_LE(last, std::chrono::duration<double>(Clock::now() - before).count()) << "counted from the start";
   const double first = last;
   EXPECT_TRUE(comes_true([&] {
     const double time = std::get<Reading>(device.read()).time;

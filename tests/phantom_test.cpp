@@ -100,6 +100,32 @@ TEST_F(phantom, says_what_the_driver_says_it_can_do) {
   EXPECT_TRUE(can.gimbal);
 }
 
+TEST_F(phantom, assumes_the_coarsest_encoders_a_frame_of_latency_and_every_button_of_the_driver) {
+  const Phantom device("");
+  const Capabilities can = device.capabilities();
+  EXPECT_EQ(can.resolution, 0.055F);
+  EXPECT_TRUE(can.latency);
+  EXPECT_EQ(can.buttons, 4);
+}
+
+TEST_F(phantom, without_a_measured_gimbal_has_none) {
+  tell({.input_degrees = 3});
+  Phantom device("", kPatient);
+  EXPECT_FALSE(device.capabilities().gimbal);
+  ASSERT_FALSE(device.start(1000));
+  EXPECT_EQ(std::get<Reading>(device.read()).gimbal, std::nullopt);
+}
+
+TEST_F(phantom, is_not_blamed_for_an_error_that_another_user_of_the_driver_left) {
+  const hdapi::Functions& hd = hdapi::vendor();
+  hd.hdEnable(1);
+  EXPECT_NO_THROW(Phantom(""));
+}
+
+TEST_F(phantom, init_that_fails_without_an_error_says_so) {
+  expect_words(why_not_opened({.init_fails_silently = true}), {"the driver says no more", "permission"});
+}
+
 TEST_F(phantom, is_driven_once_at_a_time) {
   const Phantom first("");
   try {
@@ -143,6 +169,17 @@ TEST_F(phantom, start_names_the_step_that_failed) {
   expect_words(why_not_started({.begin = hdapi::kCommunication}), {"beginning a frame", "communication", "0x0302"});
   expect_words(why_not_started({.get_position = hdapi::kDeviceFault}), {"reading the position", "0x0300"});
   expect_words(why_not_started({.output_stays_off = true}), {"is still off"});
+}
+
+TEST_F(phantom, is_not_started_again_after_a_start_that_failed) {
+  tell({.schedule = hdapi::kSchedulerFull});
+  Phantom device("", kPatient);
+  EXPECT_TRUE(device.start(1000));
+  tell({});
+  const auto fault = device.start(1000);
+  ASSERT_TRUE(fault);
+  EXPECT_STREQ(fault->words, "the PHANToM was started before");
+  EXPECT_FALSE(seen().scheduler);
 }
 
 TEST_F(phantom, start_asks_for_the_loops_rate_and_says_when_it_is_refused) {

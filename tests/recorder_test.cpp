@@ -112,6 +112,16 @@ TEST(recorder, counts_what_a_full_ring_refuses_and_shows_the_gap) {
             (std::vector<std::string>{path + ": missing: ticks 100 to 149", path + ": 50 samples were lost while recording"}));
 }
 
+TEST(recorder, waits_for_the_disk_if_it_may) {
+  const TemporaryDirectory directory;
+  Recorder recorder(directory.file("run.fsr"), {}, {.ring = 100, .interval = 10ms, .waits = true});
+  for (std::uint64_t tick = 0; tick < 1000; ++tick) recorder.push(sample(tick));
+  const auto [written, lost, error] = recorder.close("time up");
+  EXPECT_EQ(written, 1000U);
+  EXPECT_EQ(lost, 0U);
+  expect_ticks(samples_of(directory.file("run.fsr")));
+}
+
 // All pushes together take less than one write of this disk, of which every chunk needs several.
 TEST(recorder, loses_nothing_to_a_slow_disk_and_never_waits_for_it) {
   const TemporaryDirectory directory;

@@ -204,7 +204,7 @@ TEST(open_device, opens_a_device_that_is_none) {
 }
 
 TEST(open_device, lists_the_kinds_it_knows) {
-  for (const std::string name : {"", "replay", "replay:", "phantom:", "null:1"}) {
+  for (const std::string name : {"", "replay", "replay:", "phantom:", "phantomx", "simulatedx", "null:1"}) {
     try {
       open_device(name);
       FAIL() << name;

@@ -32,8 +32,9 @@ inline std::vector<Reading> path_of(const std::vector<Eigen::Vector3f>& position
   return path;
 }
 
+// Ends after five thousand ticks where nothing else ends it.
 inline ServoOptions unpaced() {
-  return {.paced = false};
+  return {.max_seconds = 5, .paced = false};
 }
 
 // Stays at z = -1 and does what the test says at a given reading, from 0.
@@ -64,6 +65,22 @@ class Still : public Device {
 
 class Endless final : public Still {
   ReadResult at(std::size_t) noexcept override { return here(); }
+};
+
+// A device that can push: in free space for its first `kFree` readings, then 0.3 mm inside the wall and trembling by a count.
+class Pushing : public Still {
+ public:
+  Capabilities capabilities() const noexcept override {
+    return {.resolution = 0.03F, .peak_force = 8.5F, .continuous_force = 1.4F, .buttons = 2};
+  }
+
+ protected:
+  static constexpr std::size_t kFree = 100;
+  ReadResult at(std::size_t reading) noexcept override { return place(reading); }
+  static Reading place(std::size_t reading) {
+    const float z = reading < kFree ? 0.4F : -0.3F;
+    return {{3, 0.03F * static_cast<float>(reading % 2), z}, 1e-3 * static_cast<double>(reading)};
+  }
 };
 
 // A run with all of its samples.

@@ -2,6 +2,7 @@
 #include "forceshade/device/servo_loop.h"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
 #include <sched.h>
 
 #include <atomic>
@@ -9,7 +10,11 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <set>
+#include <string_view>
 #include <thread>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "forceshade/device/replay.h"
@@ -43,6 +48,7 @@ TEST(servo_loop, commands_the_force_of_every_recorded_position) {
     EXPECT_EQ(sample.law_force, sample.force);
     EXPECT_EQ(sample.status, static_cast<int>(law.evaluate(positions[k]).status));
     EXPECT_GE(sample.compute_ns, 0);
+    EXPECT_EQ(sample.wakeup_ns, 0) << "nothing is due";
   }
   expect_ends_at_zero_force(result);
   EXPECT_EQ(replay.last_command(), Eigen::Vector3f(0, 0, 0));
@@ -62,6 +68,9 @@ TEST(servo_loop, counts_the_energy_of_a_held_force) {
   const Kept result(replay, wall(), unpaced());
   EXPECT_EQ(result.energy_given_mJ(), 4.5);
   EXPECT_EQ(result.energy_taken_mJ(), 1.5);
+  std::vector<double> energies;
+  for (const Sample& sample : result.samples) energies.push_back(sample.energy);
+  EXPECT_EQ(energies, (std::vector<double>{0, 0, -0.5, -1.5, 1.5, 3, 3}));
   EXPECT_EQ(result.peak_force_N, 1.5);
   EXPECT_EQ(result.invalid_positions, 0U);
 }
@@ -88,6 +97,22 @@ TEST(servo_loop, ends_when_time_is_up) {
   expect_ends_at_zero_force(result);
 }
 
+TEST(servo_loop, runs_for_the_nearest_whole_number_of_ticks_and_at_least_one) {
+  Endless device;
+  for (const auto& [seconds, rate, ticks] : {std::tuple{1e-9, 1000.0, 1U}, std::tuple{0.29, 1000.0, 290U},
+                                             std::tuple{0.57, 100.0, 57U}, std::tuple{0.0126, 100.0, 1U}})
+    EXPECT_EQ(run_servo_loop(device, wall(), {.rate_hz = rate, .max_seconds = seconds, .paced = false}, kNeverStop).ticks,
+              ticks)
+        << seconds;
+}
+
+TEST(servo_loop, has_a_name_for_every_way_to_end) {
+  const std::set<std::string_view> names{name_of(EndReason::end_of_data), name_of(EndReason::time_up),
+                                         name_of(EndReason::stopped), name_of(EndReason::tripped),
+                                         name_of(EndReason::device_fault)};
+  EXPECT_EQ(names.size(), 5U);
+}
+
 TEST(servo_loop, ends_when_stopped) {
   struct Stopping final : Still {
     ReadResult at(std::size_t reading) noexcept override {
@@ -96,7 +121,7 @@ TEST(servo_loop, ends_when_stopped) {
     }
     std::atomic<bool> stop = false;
   } device;
-  const Kept result(device, wall(), {.rate_hz = kHighestRateHz}, device.stop);
+  const Kept result(device, wall(), {.rate_hz = kHighestRateHz, .max_seconds = 0.5}, device.stop);
   EXPECT_EQ(result.end_reason, EndReason::stopped);
   EXPECT_EQ(result.ticks, 5U);
   EXPECT_EQ(device.commands.back(), Eigen::Vector3f(0, 0, 0));
@@ -106,7 +131,7 @@ TEST(servo_loop, ends_when_stopped) {
 TEST(servo_loop, reads_nothing_when_stopped_before_it_starts) {
   Endless device;
   const std::atomic<bool> stop = true;
-  const Kept result(device, wall(), {}, stop);
+  const Kept result(device, wall(), {.max_seconds = 0.5}, stop);
   EXPECT_EQ(result.ticks, 0U);
   EXPECT_EQ(device.commands.size(), 1U);
   EXPECT_TRUE(std::isnan(result.samples.back().position[2]));
@@ -161,6 +186,46 @@ TEST(servo_loop, ends_when_the_device_refuses_a_command) {
   EXPECT_EQ(result.ticks, 3U);
   EXPECT_EQ(device.commands.back(), Eigen::Vector3f(0, 0, 0));
   expect_ends_at_zero_force(result);
+}
+
+// It is what leaves the device without force: a refusal is told, whatever else has ended the run.
+TEST(servo_loop, tells_when_the_device_refuses_the_zero_force_at_the_end) {
+  struct Stubborn final : Still {
+    ReadResult at(std::size_t) noexcept override { return here(); }
+    std::optional<Fault> on_command() noexcept override {
+      if (!commands.back().isZero(0)) return std::nullopt;
+      return Fault{"the device does not answer"};
+    }
+  } device;
+  const Kept result(device, wall(), {.max_seconds = 0.01, .paced = false});
+  EXPECT_EQ(result.ticks, 10U);
+  EXPECT_EQ(result.end_reason, EndReason::device_fault);
+  EXPECT_STREQ(result.fault, "the device does not answer");
+}
+
+TEST(servo_loop, leaves_the_thread_as_it_was) {
+  const auto scheduling = [] {
+    sched_param parameters{};
+    int policy = 0;
+    EXPECT_EQ(pthread_getschedparam(pthread_self(), &policy, &parameters), 0);
+    return std::pair{policy, parameters.sched_priority};
+  };
+  const auto before = scheduling();
+  Endless device;
+  const Kept run(device, wall(), {.max_seconds = 0.005});
+  EXPECT_EQ(scheduling(), before);
+  // The last processor it may run on, unless told.
+  cpu_set_t cpus;
+  ASSERT_EQ(sched_getaffinity(0, sizeof cpus, &cpus), 0);
+  int last = CPU_SETSIZE - 1;
+  while (!CPU_ISSET(last, &cpus)) --last;
+  EXPECT_EQ(run.privileges.cpu, last);
+}
+
+TEST(servo_loop, asks_for_no_privileges_unless_it_is_paced) {
+  Endless device;
+  const Kept run(device, wall(), {.max_seconds = 0.005, .paced = false, .cpu = 0});
+  EXPECT_FALSE(run.privileges.scheduling || run.privileges.memory_locked || run.privileges.cpu);
 }
 
 TEST(servo_loop, runs_on_the_processor_it_is_told) {
@@ -220,13 +285,15 @@ TEST(servo_loop, counts_a_deadline_missed_and_whose_fault_it_was) {
   EXPECT_EQ(run_servo_loop(unhurried, wall(), {.max_seconds = 0.05, .paced = false}, kNeverStop).missed_deadlines, 0U);
 }
 
-TEST(servo_loop, refuses_a_rate_or_duration_out_of_range) {
+TEST(servo_loop, refuses_a_rate_duration_or_patience_out_of_range) {
   Endless device;
   const double nan = std::nan("");
   for (const double rate : {0.0, -1000.0, 99.9, 10000.1, nan})
     EXPECT_THROW(run_servo_loop(device, wall(), {.rate_hz = rate}, kNeverStop), std::invalid_argument) << rate;
   for (const double seconds : {0.0, -1.0, nan, HUGE_VAL})
     EXPECT_THROW(run_servo_loop(device, wall(), {.max_seconds = seconds}, kNeverStop), std::invalid_argument) << seconds;
+  for (const double patience : {0.0, -1.0, nan, 10.1, HUGE_VAL})
+    EXPECT_THROW(run_servo_loop(device, wall(), {.patience = patience}, kNeverStop), std::invalid_argument) << patience;
   EXPECT_TRUE(device.commands.empty());
 }
 
@@ -270,8 +337,6 @@ TEST(servo_loop, refuses_flushed_subnormals_and_a_rounding_mode_that_only_sse_ha
   EXPECT_TRUE(device.commands.empty());
 }
 #endif
-
-// Notes how many allocations this thread had made at each command.
 
 }  // namespace
 }  // namespace forceshade::device

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstdio>
+#include <string>
 #include <thread>
 
 #include "forceshade/device/simulated.h"
@@ -13,22 +16,6 @@ namespace forceshade::device {
 namespace {
 
 using tests::vector;
-
-// A device that can push: in free space for its first `free_readings`, then 1 mm inside the wall and trembling by a count.
-class Pushing : public Still {
- public:
-  Capabilities capabilities() const noexcept override {
-    return {.resolution = 0.03F, .peak_force = 8.5F, .continuous_force = 1.4F, .buttons = 2};
-  }
-
- protected:
-  static constexpr std::size_t kFree = 100;
-  ReadResult at(std::size_t reading) noexcept override { return place(reading); }
-  static Reading place(std::size_t reading) {
-    const float z = reading < kFree ? 0.4F : -0.3F;
-    return {{3, 0.03F * static_cast<float>(reading % 2), z}, 1e-3 * static_cast<double>(reading)};
-  }
-};
 
 TEST(servo_loop, supervises_a_device_that_can_push) {
   Pushing device;
@@ -119,16 +106,17 @@ TEST(servo_loop, gives_no_force_without_the_dead_man_button) {
     EXPECT_THROW(run_servo_loop(same, wall(), {.dead_man_button = button}, kNeverStop), std::invalid_argument) << button;
 }
 
-// Pressed in and let out a little higher, in turns, against a wall that the loop's hold makes active: what is asked for is
-// what is done.
+// Pressed in and let out a little higher, in turns, against a wall that the loop's hold makes active.
+struct Harvester final : Pushing {
+  ReadResult at(std::size_t reading) noexcept override {
+    Reading there = place(reading);
+    if (reading > 700) there.position.z() = reading % 2 == 0 ? -1.2F : -0.3F;
+    return there;
+  }
+};
+
+// What is asked for is what is done.
 TEST(servo_loop, keeps_a_device_passive_as_told) {
-  struct Harvester final : Pushing {
-    ReadResult at(std::size_t reading) noexcept override {
-      Reading there = place(reading);
-      if (reading > 700) there.position.z() = reading % 2 == 0 ? -1.2F : -0.3F;
-      return there;
-    }
-  };
   const auto lowest = [](PassivityController::Kind kind) {
     Harvester device;
     const Kept run(device, wall(), {.max_seconds = 1, .paced = false, .passivity = kind});
@@ -142,6 +130,102 @@ TEST(servo_loop, keeps_a_device_passive_as_told) {
   EXPECT_LT(lowest(PassivityController::Kind::observer), -20);
   EXPECT_GE(lowest(PassivityController::Kind::damping), -1);
   EXPECT_GE(lowest(PassivityController::Kind::tank), -1);
+}
+
+TEST(servo_loop, gives_the_device_and_the_record_the_force_that_the_controller_left) {
+  Harvester device;
+  const Kept run(device, law_of(LawId::wall, 8), {.max_seconds = 1, .paced = false});
+  ASSERT_GT(run.account.altered, 10U);
+  ASSERT_EQ(device.commands.size(), run.samples.size());
+  double peak = 0, given = 0;
+  for (std::size_t k = 0; k < run.samples.size(); ++k) {
+    const Eigen::Vector3f force = vector(run.samples[k].force);
+    ASSERT_EQ(device.commands[k], force) << k;
+    peak = std::max(peak, force.cast<double>().norm());
+    // What was held moved the hand from reading to reading; the last sample repeats the last position.
+    if (k > 0)
+      given += vector(run.samples[k - 1].force)
+                   .cast<double>()
+                   .dot(vector(run.samples[k].position).cast<double>() - vector(run.samples[k - 1].position).cast<double>());
+  }
+  EXPECT_EQ(run.peak_force_N, peak);
+  EXPECT_NEAR(run.energy_given_mJ() - run.energy_taken_mJ(), given, 1e-9);
+}
+
+// A hand that rests in a stiff wall is given little force, for want of energy; then it presses on and pays for more at once.
+// The supervisor goes by the force that was commanded, not by the one that it had allowed.
+TEST(servo_loop, lets_the_commanded_force_grow_no_faster_than_the_supervisor_allows) {
+  struct Presser final : Pushing {
+    ReadResult at(std::size_t reading) noexcept override {
+      Reading there = place(reading);
+      if (reading > 700) there.position.z() -= static_cast<float>(std::min<std::size_t>(reading - 700, 8));
+      return there;
+    }
+  };
+  for (const PassivityController::Kind kind : {PassivityController::Kind::damping, PassivityController::Kind::tank}) {
+    Presser device;
+    const Kept run(device, law_of(LawId::wall, 8), {.max_seconds = 1, .paced = false, .passivity = kind});
+    ASSERT_FALSE(run.trip) << name_of(run.trip->rule);
+    double last = 0, most = 0;
+    std::size_t withheld = 0;
+    for (const Sample& sample : run.samples) {
+      const double force = vector(sample.force).cast<double>().norm();
+      withheld += sample.altered;
+      most = std::max(most, force - last);
+      last = force;
+    }
+    std::printf("  %s: altered in %zu ticks, grows by %.4f N at most\n", std::string(name_of(kind)).c_str(), withheld, most);
+    EXPECT_GT(withheld, 50U);
+    EXPECT_LE(most, 1 + 1e-6);
+    EXPECT_GT(most, 0.99);
+  }
+}
+
+// To and fro in a wall far too stiff for it, until nothing is left of the force; a hand is then free to go faster than any may
+// under force.
+TEST(servo_loop, holds_no_speed_against_a_hand_that_was_given_no_force) {
+  struct Leaver final : Pushing {
+    ReadResult at(std::size_t reading) noexcept override {
+      Reading there = place(reading);
+      if (reading > 700) there.position.z() = reading % 2 == 0 ? -0.3F : -1.2F;
+      if (reading > 900) there.position.x() += 2 * static_cast<float>(reading - 900);
+      return there;
+    }
+  } device;
+  const Kept run(device, law_of(LawId::wall, 8), {.max_seconds = 0.95, .paced = false});
+  EXPECT_EQ(vector(run.samples[900].force), Eigen::Vector3f(0, 0, 0));
+  EXPECT_NE(vector(run.samples[900].law_force), Eigen::Vector3f(0, 0, 0));
+  EXPECT_FALSE(run.trip) << name_of(run.trip->rule);
+}
+
+TEST(servo_loop, heeds_what_a_device_knows_of_itself) {
+  struct Knowing final : Pushing {
+    State state() const noexcept override { return known; }
+    State known;
+  };
+  Knowing uncalibrated;
+  uncalibrated.known.calibrated = false;
+  const Kept none(uncalibrated, wall(), unpaced());
+  ASSERT_TRUE(none.trip);
+  EXPECT_EQ(none.trip->rule, Rule::uncalibrated);
+  EXPECT_EQ(none.ticks, 1U);
+  Knowing off;
+  off.known.forces_on = false;
+  const Kept limited(off, wall(), {.max_seconds = 0.8, .paced = false});
+  EXPECT_EQ(limited.peak_force_N, 0);
+  EXPECT_EQ(limited.limited_ticks[static_cast<std::size_t>(Rule::dead_man)], 700U) << "wherever the law has a force";
+}
+
+// The gentle start is 50 ms of free space and half a second of ramp, whatever the rate; and a step of the energy account is
+// what a hand goes in one period.
+TEST(servo_loop, counts_seconds_at_its_own_rate) {
+  Pushing device;
+  const Kept run(device, wall(), {.rate_hz = 2000, .max_seconds = 0.8, .paced = false});
+  ASSERT_EQ(run.ticks, 1600U);
+  // 100 free ticks, then a thousand of ramp.
+  EXPECT_NE(run.samples[100 + 998].force, run.samples[100 + 998].law_force);
+  EXPECT_EQ(run.samples[100 + 999].force, run.samples[100 + 999].law_force);
+  EXPECT_EQ(run.passivity_settings.longest_step, passivity_settings(device.capabilities(), 2000).longest_step);
 }
 
 TEST(servo_loop, refuses_a_device_that_does_not_know_its_limits) {

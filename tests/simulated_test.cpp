@@ -91,6 +91,9 @@ TEST(simulated, says_what_its_sheet_says) {
   EXPECT_EQ(can.peak_force, 3.3F);
   EXPECT_EQ(can.continuous_force, 0.88F);
   EXPECT_EQ(can.resolution, 0.055F);
+  EXPECT_EQ(can.friction, 0.26F);
+  EXPECT_TRUE(can.latency);
+  EXPECT_FALSE(Simulated(omni(), std::nullopt, {.latency = false}).capabilities().latency);
 }
 
 TEST(simulated, gives_no_position_and_no_force_before_it_is_started) {
@@ -123,13 +126,16 @@ TEST(simulated, sees_its_joints_in_whole_counts) {
   device.start(1000);
   double farthest = 0;
   for (int tick = 0; tick < 3000; ++tick) {
-    const Eigen::Vector3d seen = read(device).position.cast<double>();
+    const Reading reading = read(device);
+    const Eigen::Vector3d seen = reading.position.cast<double>();
     farthest = std::max(farthest, (seen - device.tip()).norm());
     const auto angles = model.arm.inverse(kMillimetre * turned_to_arm(seen));
     ASSERT_TRUE(angles);
     // A binary32 position of 20 mm is 1e-6 mm wide, some thousandths of a count.
     const Eigen::Array3d counts = angles->cwiseQuotient(model.quantum);
     ASSERT_LE((counts - counts.round()).abs().maxCoeff(), 5e-3);
+    ASSERT_TRUE(reading.encoder);
+    for (int i = 0; i < 3; ++i) ASSERT_EQ((*reading.encoder)[static_cast<std::size_t>(i)], std::llround(counts[i]));
   }
   EXPECT_LE(farthest, model.sheet.resolution);
   EXPECT_GE(farthest, 0.3 * model.sheet.resolution);
@@ -152,6 +158,24 @@ TEST(simulated, feels_a_command_one_sample_late_and_holds_it) {
       const double expected = latency ? (k == 0 ? 0 : after[k - 1]) : after[k];
       EXPECT_NEAR(up[k], expected, 1e-3 * step) << k << latency;
     }
+  }
+}
+
+// What a hand means goes on between two readings as it does at them: by the slopes of its way and of its tremor, too.
+TEST(simulated, hand_goes_the_same_way_at_every_rate) {
+  const auto tip_after_a_second_at = [](double rate) -> Eigen::Vector3d {
+    Operator hand = hand_towards({{0, {0, 0, 0}}, {0.6, {10, -5, 8}}, {1.4, {0, 0, 0}}});
+    hand.tremor = Tremor(1, 0.3);
+    Simulated device(frictionless(), hand);
+    device.start(rate);
+    for (int k = 0; k <= static_cast<int>(rate); ++k) read(device);
+    return device.tip();
+  };
+  const Eigen::Vector3d fine = tip_after_a_second_at(4000);
+  for (const double rate : {500.0, 1000.0}) {
+    const double difference = (tip_after_a_second_at(rate) - fine).norm();
+    std::printf("  %.0f Hz: %.1e mm from where it is at 4000 Hz\n", rate, difference);
+    EXPECT_LE(difference, 1e-5);
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The rules that shorten a force.
 
+#include <random>
+
 #include "forceshade/device/simulated.h"
 #include "forceshade/tests/supervised_hand.h"
 
@@ -33,6 +35,7 @@ TEST(supervisor, takes_its_limits_from_the_device_and_the_rate) {
   EXPECT_EQ(limits.peak_force, 8.5);
   EXPECT_NEAR(limits.continuous_force, 1.4, 1e-7);
   EXPECT_EQ(limits.workspace_high, limits.workspace_low * -1);
+  EXPECT_EQ(limits.resolution, static_cast<double>(0.03F));
   EXPECT_EQ(limits.patience, 0.05);
   EXPECT_EQ(supervisor_limits({}, 1000).peak_force, SupervisorLimits::kNone);
 }
@@ -117,6 +120,43 @@ TEST(supervisor, lets_a_force_grow_slowly_and_fall_at_once) {
   EXPECT_EQ(hand.supervise({0, 0, 0}).force, Force(0, 0, 0));
 }
 
+TEST(supervisor, lets_a_force_grow_by_a_newton_a_millisecond_unless_told_otherwise) {
+  for (const double rate : {500.0, 1000.0, 4000.0}) {
+    SupervisorLimits limits;
+    limits.felt_free = limits.ramp_up = 0;
+    Hand hand(limits, rate);
+    const Verdict grown = hand.supervise({0, 0, 5});
+    expect_only(grown, Rule::slew);
+    EXPECT_NEAR(grown.force.z(), 1000 / rate, 1e-6) << rate;
+  }
+}
+
+// Under every rule at once, to the last bit: to hold one back never gives more than the law does, nor more than a newton
+// above the last.
+TEST(supervisor, never_lengthens_a_force_nor_lets_it_grow_faster_than_it_may) {
+  std::mt19937 bits(1);
+  const auto uniform = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(bits); };
+  SupervisorLimits limits = supervisor_limits(Simulated(premium_1_5(), std::nullopt).capabilities(), kRate);
+  limits.felt_free = 0;
+  Hand hand(limits);
+  double last = 0;
+  std::size_t limited = 0;
+  for (int tick = 0; tick < 20'000; ++tick) {
+    hand.late = uniform(0, 1) < 0.2F ? 0.0011 : 0;
+    hand.state.temperature = uniform(0, 1);
+    const Force wanted = uniform(0, 12) * Force(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+    const Verdict verdict = hand.supervise(wanted);
+    ASSERT_FALSE(verdict.trip) << name_of(*verdict.trip);
+    ASSERT_LE(length_of(verdict.force), length_of(wanted)) << tick;
+    ASSERT_LE(length_of(verdict.force), last + 1 + 1e-6) << tick;
+    last = length_of(verdict.force);
+    limited += verdict.limited.none() ? 0 : 1;
+  }
+  EXPECT_GT(limited, 10'000U);
+  for (const Rule rule : {Rule::peak_force, Rule::warm_motors, Rule::slew, Rule::missed_deadlines, Rule::gentle_start})
+    EXPECT_GT(hand.supervisor.count(rule), 100U) << name_of(rule);
+}
+
 TEST(supervisor, never_turns_a_force_faster_than_it_grows) {
   SupervisorLimits limits = lenient();
   limits.slew = 1000;
@@ -155,6 +195,14 @@ TEST(supervisor, fades_the_force_outside_the_workspace) {
   EXPECT_FALSE(hand.supervisor.tripped());
 }
 
+TEST(supervisor, fades_the_force_over_ten_millimetres_unless_told_otherwise) {
+  SupervisorLimits limits = lenient();
+  limits.workspace_high.x() = 0;
+  Hand hand(limits);
+  hand.reading.position.x() = 5;
+  EXPECT_EQ(hand.supervise({0, 0, 2}).force.z(), 1);
+}
+
 TEST(supervisor, gives_no_force_before_free_space_was_felt_and_then_ramps_it_in) {
   SupervisorLimits limits = lenient();
   limits.felt_free = 0.05;
@@ -190,6 +238,9 @@ TEST(supervisor, gives_no_force_without_the_dead_man_button_and_starts_gently_wi
   EXPECT_EQ(hand.supervise_for(100, {0, 0, 1}).force.z(), 1);
   hand.reading.buttons = 0;
   EXPECT_EQ(hand.supervise({0, 0, 1}).force.z(), 0);
+  hand.reading.buttons = 2;
+  hand.supervise({0, 0, 0}, Status::free);
+  EXPECT_NEAR(hand.supervise({0, 0, 1}).force.z(), 0.01, 1e-6) << "gently again";
   EXPECT_FALSE(hand.supervisor.tripped());
 }
 

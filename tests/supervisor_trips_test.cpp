@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The rules that end a run, and the user who alone begins another.
 
+#include <tuple>
+
 #include "forceshade/tests/supervised_hand.h"
 
 namespace forceshade::device {
@@ -28,11 +30,26 @@ TEST(supervisor, comes_back_from_a_few_late_ticks_and_never_holds_more_than_is_w
   hand.late = 0.0015;
   EXPECT_NEAR(hand.supervise({0, 0, 0.25F}).force.z(), 0.25, 1e-6);
   EXPECT_EQ(hand.supervise({0, 0, 0}).force.z(), 0);
+  EXPECT_EQ(hand.supervise({0, 0, 2}).force.z(), 1) << "held is the force of the last tick in time";
   hand.supervise_for(10, {0, 0, 1});
   hand.late = 0;
   EXPECT_EQ(hand.supervise({0, 0, 2}).force.z(), 2);
   hand.late = 0.0015;
   EXPECT_EQ(hand.supervise_for(3, {0, 0, 3}).force.z(), 2);
+}
+
+TEST(supervisor, gives_late_ticks_no_force_after_the_ramp_and_trips_no_earlier_than_its_patience_ends) {
+  SupervisorLimits limits = lenient();
+  limits.patience = 0.05;
+  Hand hand(limits);
+  hand.supervise({0, 0, 1});
+  hand.late = 0.0011;
+  for (int tick = 1; tick < 50; ++tick) {
+    const Verdict verdict = hand.supervise({0, 0, 2});
+    ASSERT_FALSE(verdict.trip) << tick;
+    ASSERT_EQ(verdict.force.z() == 0, tick >= 3 + 20) << tick;
+  }
+  expect_tripped(hand.supervise({0, 0, 2}), Rule::missed_deadlines);
 }
 
 TEST(supervisor, trips_at_once_after_a_long_stall) {
@@ -95,6 +112,40 @@ TEST(supervisor, trips_at_a_jump_faster_than_a_hand) {
   expect_tripped(after_step(10.001, 0.001, none, 0), Rule::jump);
 }
 
+// By the loop's clock or by the device's, whichever is longer; to every rule about speed, with and without an encoder.
+TEST(supervisor, holds_a_step_against_the_time_since_the_last_reading) {
+  struct Case {
+    double late_before, late, by_device, expected;  // s
+  };
+  for (const auto& [late_before, late, by_device, expected] :
+       {Case{0, 0, 0.001, 0.001}, Case{0, 0.0009, 0.001, 0.0019}, Case{0.0004, 0.0009, 0.001, 0.0015},
+        Case{0.0009, 0.0009, 0.001, 0.001}, Case{0.0009, 0.0002, 0.001, 0.001}, Case{0.0009, 0.0002, 0.0005, 0.001},
+        Case{0, 0, 0.003, 0.003}, Case{0, 0.0009, 0.0015, 0.0019}, Case{0, 0, 0.020, 0.020}, Case{0, 0, 1, 0.021}})
+    for (const auto& [speed, force, rule] : {std::tuple{5000.0, 0.0F, Rule::jump}, std::tuple{1000.0, 0.01F, Rule::velocity}})
+      for (const double resolution : {0.0, 0.025})
+        for (const double share : {0.9999, 1.0001}) {
+          SupervisorLimits limits = lenient();
+          limits.resolution = resolution;
+          Hand hand(limits);
+          hand.reading.position.setZero();
+          const auto next = [&](double seconds) {
+            hand.reading.time += seconds;
+            return hand.supervise({0, 0, force});
+          };
+          for (int tick = 0; tick < 30; ++tick) next(0.001);
+          hand.late = late_before;
+          next(0.001);
+          hand.tremor = 0;
+          hand.late = late;
+          hand.reading.position.x() += static_cast<float>(share * (speed * expected + 2 * resolution));
+          const Verdict verdict = next(by_device);
+          if (share < 1)
+            EXPECT_FALSE(verdict.trip) << name_of(rule) << late_before << ' ' << late << ' ' << by_device;
+          else
+            expect_tripped(verdict, rule);
+        }
+}
+
 TEST(supervisor, excuses_no_step_by_a_clock_that_leaps) {
   const auto after_leap = [](float step) {
     Hand hand(lenient());
@@ -149,6 +200,66 @@ TEST(supervisor, trips_at_an_encoder_that_stops_dead_under_force) {
   EXPECT_EQ(ticks_until_frozen(0.159, 0.03, 1), 0) << "a hand can stop from there";
   EXPECT_EQ(ticks_until_frozen(0.161, 0.03, 0), 0) << "no force";
   EXPECT_EQ(ticks_until_frozen(0.161, 0, 1), 0) << "no encoder";
+}
+
+SupervisorLimits with_encoder() {
+  SupervisorLimits limits = lenient();
+  limits.resolution = 0.03;
+  return limits;
+}
+
+// A hand that steps on by `step` mm for as many ticks, or rests, and whether that trips.
+class Stepping {
+ public:
+  Stepping() { hand_.tremor = 0; }
+  void step(int ticks, double step, double late = 0, float force = 1) {
+    hand_.late = late;
+    for (int tick = 0; tick < ticks; ++tick) {
+      hand_.reading.position.x() += static_cast<float>(step);
+      trips_ = hand_.supervise({0, 0, force}).trip.has_value();
+    }
+  }
+  void rest(int ticks, float force = 1) { step(ticks, 0, 0, force); }
+  bool trips() const { return trips_; }
+
+ private:
+  Hand hand_{with_encoder()};
+  bool trips_ = false;
+};
+
+TEST(supervisor, counts_the_ticks_of_a_frozen_encoder_anew_when_it_moves) {
+  Stepping hand;
+  hand.step(5, 0.161);
+  for (int again = 0; again < 3; ++again) {
+    hand.rest(19);
+    EXPECT_FALSE(hand.trips()) << again;
+    hand.step(1, 0.161);
+  }
+  hand.rest(20);
+  EXPECT_TRUE(hand.trips());
+}
+
+TEST(supervisor, takes_a_long_step_of_a_late_tick_for_no_fast_one) {
+  for (const auto& [step, trips] : {std::pair{0.161, false}, std::pair{0.259, false}, std::pair{0.261, true}}) {
+    Stepping hand;
+    hand.step(5, 0.01);
+    hand.step(1, step, 0.001);
+    hand.rest(20);
+    EXPECT_EQ(hand.trips(), trips) << step;
+  }
+}
+
+TEST(supervisor, forgives_a_resting_encoder_a_force_that_changed_and_came_back) {
+  Stepping hand;
+  hand.step(1, 0.01);
+  hand.rest(5);
+  for (int again = 0; again < 3; ++again) {
+    hand.rest(19, 1.6F);
+    hand.rest(1);
+  }
+  EXPECT_FALSE(hand.trips());
+  hand.rest(21, 1.6F);  // felt from the second of these on
+  EXPECT_TRUE(hand.trips());
 }
 
 TEST(supervisor, trips_at_an_encoder_that_a_changing_force_does_not_move) {

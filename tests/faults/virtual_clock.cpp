@@ -16,8 +16,9 @@ int __real_clock_gettime(clockid_t clock, timespec* time);
 int __real_clock_nanosleep(clockid_t clock, int flags, const timespec* time, timespec* left);
 
 int __wrap_clock_gettime(clockid_t clock, timespec* time) {
-  if (!current || clock != CLOCK_MONOTONIC) return __real_clock_gettime(clock, time);
-  *time = {.tv_sec = current->now() / kSecond, .tv_nsec = current->now() % kSecond};
+  if (!current || (clock != CLOCK_MONOTONIC && clock != CLOCK_THREAD_CPUTIME_ID)) return __real_clock_gettime(clock, time);
+  const std::int64_t now = clock == CLOCK_MONOTONIC ? current->now() : current->processor_time();
+  *time = {.tv_sec = now / kSecond, .tv_nsec = now % kSecond};
   return 0;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The clock that the servo loop paces itself by, as a test wants it. While one of these lives, sleeping until an absolute time
-// takes none, and nothing else takes any but what pass() says: a run is late by as much as it is told, on a machine under any
-// load. Linked with --wrap=clock_gettime,--wrap=clock_nanosleep; other threads keep the real clock.
+// takes none, and nothing else takes any but what pass() and compute() say: a run is late by as much as it is told, on a
+// machine under any load. Linked with --wrap=clock_gettime,--wrap=clock_nanosleep; other threads keep the real clock.
 
 #include <algorithm>
 #include <cstdint>
@@ -18,6 +18,12 @@ class VirtualClock {
 
   std::int64_t now() const noexcept { return now_; }  // ns
   void pass(double milliseconds) noexcept { now_ += static_cast<std::int64_t>(milliseconds * 1e6); }
+  // The same, by the thread's own work: its processor time passes, too.
+  std::int64_t processor_time() const noexcept { return processor_time_; }  // ns
+  void compute(double milliseconds) noexcept {
+    pass(milliseconds);
+    processor_time_ += static_cast<std::int64_t>(milliseconds * 1e6);
+  }
   void sleep_until(std::int64_t due) noexcept { now_ = std::max(now_, due); }
 
   // As many times, a signal cuts a sleep short at its beginning.
@@ -26,7 +32,7 @@ class VirtualClock {
 
  private:
   VirtualClock* outer_;
-  std::int64_t now_ = 1'000'000'000;
+  std::int64_t now_ = 1'000'000'000, processor_time_ = 1'000'000'000;
   int interruptions_ = 0;
 };
 

@@ -26,6 +26,7 @@ HHD hdInitDevice(const char* name) {
     call.fail(d.orders.init);
     return kInvalidDevice;
   }
+  if (d.orders.init_fails_silently) return kInvalidDevice;
   d.seen.initialised = true;
   // No latency of its own: what comes late here is what the caller takes its time for.
   d.phantom = std::make_unique<Simulated>(premium_1_5(), Operator{Grip{}, strokes(), Tremor(1, 0.03), false},
@@ -112,7 +113,7 @@ void hdGetIntegerv(HDenum what, int* value) {
   Call call("hdGetIntegerv", what == kButtons ? Where::in_frame : Where::not_beside_scheduler);
   switch (what) {
     case kButtons: *value = 2; break;
-    case kInputDegrees: *value = 6; break;
+    case kInputDegrees: *value = call.d.orders.input_degrees; break;
     case kCalibrationStyles: *value = call.d.orders.styles; break;
     case kUpdateRate: *value = 1000; break;
     default: call.fail(kInvalidEnum);

@@ -21,6 +21,8 @@ struct Orders {
   hdapi::HDerror init = 0, rate = 0, schedule = 0, start = 0, peak = 0;                        // given by these calls
   hdapi::HDerror begin = 0, get_position = 0, get_temperature = 0, get_encoders = 0, set = 0;  // in every frame
   std::array<hdapi::HDerror, 3> end = {};                                                      // in every frame, in this order
+  bool init_fails_silently = false;                                                            // no device and no error
+  int input_degrees = 6;
   hdapi::HDenum calibration = hdapi::kCalibrated;
   int styles = hdapi::kCalibratesInInkwell;
   bool update_helps = true;                                // whether hdUpdateCalibration leads to kCalibrated
