@@ -27,18 +27,20 @@ class Fraction {
   friend Fraction operator+(const Fraction& a, const Fraction& b) noexcept {
     if (a.is_zero()) return b;
     if (b.is_zero()) return a;
-    if (a.denominator_ == b.denominator_) return Fraction(a.numerator_ + b.numerator_, a.denominator_);
+    if (a.is_exact() && b.is_exact() && a.denominator_ == b.denominator_)
+      return Fraction(a.numerator_ + b.numerator_, a.denominator_);
     return Fraction(a.numerator_ * b.denominator_ + b.numerator_ * a.denominator_, a.denominator_ * b.denominator_);
   }
   friend Fraction operator-(const Fraction& a, const Fraction& b) noexcept { return a + -b; }
   friend Fraction operator*(const Fraction& a, const Fraction& b) noexcept {
+    if (!a.is_exact() || !b.is_exact()) return not_exact();
     return Fraction(a.numerator_ * b.numerator_, a.denominator_ * b.denominator_);
   }
   friend Fraction operator/(const Fraction& a, const Fraction& b) noexcept {
     switch (sign(b)) {
       case Sign::positive: return a * Fraction(b.denominator_, b.numerator_);
       case Sign::negative: return a * Fraction(-b.denominator_, -b.numerator_);
-      default: return Fraction(widened(Integer::exactly(1), 0), Integer::exactly(1));
+      default: return not_exact();
     }
   }
   friend Sign sign(const Fraction& a) noexcept { return a.is_exact() ? sign(a.numerator_) : Sign::unknown; }
@@ -50,6 +52,7 @@ class Fraction {
   const Integer& denominator() const noexcept { return denominator_; }
 
  private:
+  static Fraction not_exact() noexcept { return whole(widened(Integer::exactly(1), 0)); }
   // The denominator: positive; brought to [1, 2), so that one which is a power of two is 1.
   Fraction(const Integer& numerator, const Integer& denominator) noexcept : numerator_(numerator), denominator_(denominator) {
     if (is_exact() && sign(numerator_) == Sign::zero) {

@@ -93,40 +93,59 @@ N size_of(const Fraction& a) noexcept {
 // slopes are below 2³⁰, the stiffness below 2¹⁰, a tie below 2⁷⁰.
 constexpr double kFromSecondOrderOn = 0x1p144, kFromThirdOrderOn = 0x1p60;
 
-// Bits of the denominators of a part's height and slopes, powers of two left out, for parts that are everywhere: the other
-// kinds are rational numbers with short denominators, or one of the few roots and exponentials that kOtherBits counts.
-struct BitsOfDenominator {
-  template <class T>
-  std::size_t operator()(const T&) const {
-    return 0;
-  }
+// Bits of the denominators that a part brings into the sum's height and into its slopes, powers of two left out, where
+// denominators multiply and nothing is reduced.
+struct DenominatorBits {
+  std::size_t height = 0, slopes = 0;
+  bool has_roots = false;
+};
+struct DenominatorBitsOf {
+  DenominatorBits operator()(const height::Plane&) const { return {}; }
+  DenominatorBits operator()(const height::Grating&) const { return {}; }
+  DenominatorBits operator()(const height::Cone& cone) const { return {odd_bits(cone.radius), odd_bits(cone.radius), true}; }
+  DenominatorBits operator()(const height::CylinderCap&) const { return {0, 0, true}; }
+  DenominatorBits operator()(const height::SphereCap&) const { return {0, 0, true}; }
+  DenominatorBits operator()(const height::Gaussian& gaussian) const { return {0, 2 * odd_bits(gaussian.sigma)}; }
   // The step between knots, a multiple of 2⁻⁵³ below 2¹⁶.
-  std::size_t operator()(const height::Polygons&) const { return 69; }
+  DenominatorBits operator()(const height::Polygons&) const { return {69, 69}; }
   // A spline's weights are cubic in x/p and in y/p, divided by 36.
-  std::size_t operator()(const std::shared_ptr<const height::Grid>& grid) const {
-    const std::uint32_t significand = (std::bit_cast<std::uint32_t>(grid->pitch) & 0x7FFFFF) | 0x800000;
-    const std::size_t odd_bits = 24 - static_cast<std::size_t>(std::countr_zero(significand));
-    return grid->interpolant == height::Interpolant::cubic_spline ? 6 * odd_bits + 4 : 2 * odd_bits;
+  DenominatorBits operator()(const std::shared_ptr<const height::Grid>& grid) const {
+    const std::size_t bits = odd_bits(grid->pitch);
+    if (grid->interpolant == height::Interpolant::bilinear) return {3 * bits, 2 * bits};
+    return {6 * bits + 4, 6 * bits + 4};
+  }
+
+ private:
+  static std::size_t odd_bits(float value) {
+    const std::uint32_t significand = (std::bit_cast<std::uint32_t>(value) & 0x7FFFFF) | 0x800000;
+    return 24 - static_cast<std::size_t>(std::countr_zero(significand));
   }
 };
 
-// Beside the denominators a numerator of gap or slope has at most 450 bits (a spline's: (x/p)³(y/p)³ and a value), a tie 174, a
-// stiffness 24; three radicands have 138 bits each in every one of the four factors of a product, and stand in its
-// denominators; radii and variances of parts that meet in one term have 48 each.
-constexpr std::size_t kOtherBits = 4 * 450 + 2 * (174 + 24) + 4 * 3 * (138 + 48);
+// A numerator of gap or slope has at most this many bits more than its denominator: a spline's, of (x/p)³(y/p)³ and a value.
+constexpr std::size_t kNumeratorBits = 450;
+constexpr std::size_t kTieBits = 174, kStiffnessBits = 24;
+// Three radicands, squares of coordinates, which are multiples of 2⁻⁵³ below 2¹⁵·⁵.
+constexpr std::size_t kRadicandBits = 3 * 138;
 
-std::size_t bits_of_denominators(const std::vector<height::Part>& parts) noexcept {
-  std::size_t sum = 0;
-  for (const height::Part& part : parts) sum += std::visit(BitsOfDenominator(), part.shape);
+DenominatorBits sum_of(const std::vector<height::Part>& parts) noexcept {
+  DenominatorBits sum;
+  for (const height::Part& part : parts) {
+    const DenominatorBits one = std::visit(DenominatorBitsOf(), part.shape);
+    sum = {sum.height + one.height, sum.slopes + one.slopes, sum.has_roots || one.has_roots};
+  }
   return sum;
 }
 
 }  // namespace
 
+// P = K²·gap²·s² - m²(1 + U_x² + U_y²): gap², s², U_x² and U_y² bring their denominators, each of the roots' radicands stands
+// in those of the slopes, and once more in each factor of a numerator.
 std::size_t bits_of_exact_numbers(const HeightMap& map) noexcept {
-  const std::size_t slopes = bits_of_denominators(map.parts),
-                    gap = map.surface.empty() ? slopes : bits_of_denominators(map.surface);
-  return 2 * gap + 4 * slopes + kOtherBits;
+  const DenominatorBits direction = sum_of(map.parts), depth = map.surface.empty() ? direction : sum_of(map.surface);
+  const bool has_roots = direction.has_roots || depth.has_roots;
+  const std::size_t roots = has_roots ? kRadicandBits : 0;
+  return 2 * depth.height + 6 * (direction.slopes + roots) + 4 * roots + 4 * kNumeratorBits + 2 * (kTieBits + kStiffnessBits);
 }
 
 ExactPlace::ExactPlace(const Place& at, double z, height::Rendering rendering, double stiffness) noexcept
@@ -162,7 +181,7 @@ void ExactPlace::add(const HeightGrid& grid, const Use& use) noexcept {
   add_rational(grid, use);
 }
 
-// height - fall·ρ, with the gradient -fall·(X, Y)·ρ/ρ².
+// height - fall·ρ, with the gradient -fall·(X, Y)·ρ/ρ²: its division by the radicand is left to sign_of().
 void ExactPlace::add(const height::Cone& cone, const Use& use) noexcept {
   const Fraction height = Fraction::exactly(static_cast<double>(cone.height)),
                  radius = Fraction::exactly(static_cast<double>(cone.radius));
@@ -170,18 +189,17 @@ void ExactPlace::add(const height::Cone& cone, const Use& use) noexcept {
   const Fraction rho_squared = X * X + Y * Y;
   if (rho_squared.is_zero()) return add_term(Kind::rational, {}, {height, -fall, {}}, use);
   if (side_of_rim(radius * radius - rho_squared, sign(X) == Sign::negative) != Side::inside) return;
-  const Fraction steepness = -(fall / rho_squared);
   add_term(Kind::rational, {}, {height, {}, {}}, use);
-  add_term(Kind::root, rho_squared, {-fall, steepness * X, steepness * Y}, use);
+  add_term(Kind::root, rho_squared, {-fall, -fall * X, -fall * Y}, use);
 }
 
-// √(R² - ρ²) - √(R² - (w/2)²), with the gradient -(X, Y)·√(R² - ρ²)/(R² - ρ²).
+// √(R² - ρ²) - √(R² - (w/2)²), with the gradient -(X, Y)·√(R² - ρ²)/(R² - ρ²), as a cone's.
 void ExactPlace::add_cap(float radius, float width, const Fraction& X, const Fraction& Y, bool is_left_of_centre,
                          const Use& use) noexcept {
   const Fraction R = Fraction::exactly(static_cast<double>(radius)), half = Fraction::exactly(0.5 * static_cast<double>(width));
   const Fraction rho_squared = X * X + Y * Y, above_axis = R * R - rho_squared;
   if (side_of_rim(half * half - rho_squared, is_left_of_centre) != Side::inside) return;
-  add_term(Kind::root, above_axis, {Fraction::exactly(1), -(X / above_axis), -(Y / above_axis)}, use);
+  add_term(Kind::root, above_axis, {Fraction::exactly(1), -X, -Y}, use);
   add_term(Kind::root, R * R - half * half, {Fraction::exactly(-1), {}, {}}, use);
 }
 
@@ -232,7 +250,8 @@ Sign ExactPlace::sign_of(const Polynomial& polynomial, const std::array<bool, 3>
     }
     const auto root = term.kind == Kind::root ? field.root(term.key) : RootField::Root{Fraction::exactly(1), 0};
     if (!root) return Sign::unknown;
-    for (std::size_t i = 0; i < base.size(); ++i) base[i].add(*root, term.factors[i]);
+    for (std::size_t i = 0; i < base.size(); ++i)
+      base[i].add(*root, i > 0 && term.kind == Kind::root ? term.factors[i] / term.key : term.factors[i]);
   }
   // Along base + t·(sign·factors of one decay + factors of another).
   const auto expanded = [&](const Term& one, const Term* other, double sign) {

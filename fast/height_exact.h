@@ -21,8 +21,8 @@
 
 namespace forceshade::fast {
 
-// How many bits exact numbers take where all grids and polygons of a map meet three roots and an exponential (docs/proofs.md). Maps
-// that take more than a Fraction has are not built.
+// A bound of the bits that the exact numbers of a map take, at any position. Maps that take more than a Fraction has are not
+// built.
 std::size_t bits_of_exact_numbers(const HeightMap& map) noexcept;
 
 // Gap, U_x and U_y as factors of one term.
@@ -55,8 +55,8 @@ class ExactPlace {
   enum class Kind { rational, root, decay, wave };
   struct Term {
     Kind kind = Kind::rational;
-    Fraction key;  // of a root: the radicand; of e^(-q): q; of a wave: the size of its angle
-    GapAndSlopes factors;
+    Fraction key;          // of a root: the radicand; of e^(-q): q; of a wave: the size of its angle
+    GapAndSlopes factors;  // of a root: the slopes times the radicand, whose square would else stand in every denominator
   };
   // As many as there can be: a cap has two roots.
   static constexpr std::size_t kMostParts = 32, kMostTerms = 2 * kMostParts + 1;

@@ -114,14 +114,16 @@ FORCESHADE_INLINE Jet<N> HeightLaw::jet_at(const Place& at) const noexcept {
   return evaluate_wide(at, z);
 }
 
-// Kept out of line: its stack frame is some 2 MiB, for one position in many millions.
+// Kept out of line: with what it calls it takes up to 3 MiB of stack, for one position in many millions.
 [[gnu::noinline]] Evaluation HeightLaw::evaluate_wide(const Place& at, double z) const noexcept {
   std::optional<ExactPlace> place;
   const auto exact = [&](const auto& question) {
     if (!place) describe(place.emplace(at, z, rendering_, stiffness_));
     return question(*place);
   };
-  return height_force(jet_at<Wide<32>>(at), rendering_, stiffness_, z, Stage::wide, exact).value_or(undecided_evaluation());
+  if (const auto third = height_force(jet_at<Wide<32>>(at), rendering_, stiffness_, z, Stage::wide, exact)) return *third;
+  // Waves that all but cancel: more bits once more.
+  return height_force(jet_at<Wide<128>>(at), rendering_, stiffness_, z, Stage::wide, exact).value_or(undecided_evaluation());
 }
 
 void HeightLaw::describe(ExactPlace& place) const noexcept {

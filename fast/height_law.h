@@ -25,8 +25,8 @@ class HeightLaw {
   static std::variant<HeightLaw, ParameterError> build(const HeightMap& map, height::Rendering rendering, float stiffness);
 
   // Each component is the exact force rounded to binary32; as Law::evaluate, also in what it takes of the calling thread's
-  // rounding mode. Should the numbers of the last stage not decide (docs/proofs.md says for which identities that could be; no
-  // input is known), Status::invalid and no force.
+  // rounding mode. The last stage takes up to 3 MiB of stack. Should its numbers not decide (docs/proofs.md says for which
+  // identities that could be), Status::invalid and no force.
   Evaluation evaluate(const Eigen::Vector3f& position) const noexcept {
     Evaluation answer;  // one object, built where the caller wants it: a copy would wait for what was just written
     if (spline_ != nullptr) {

@@ -182,7 +182,7 @@ class Wide {
   __extension__ using Product = unsigned __int128;
   static constexpr std::int64_t kBits = 64 * static_cast<std::int64_t>(kLimbs);
   static constexpr std::int64_t kExact = -(std::int64_t{1} << 60);
-  static constexpr std::int64_t kInfinite = std::int64_t{1} << 30;
+  static constexpr std::int64_t kInfinite = std::int64_t{1} << 58;  // stays far above 0 beside any exponent
 
   static std::int64_t larger(std::int64_t a, std::int64_t b) noexcept { return a > b ? a : b; }
 
@@ -200,7 +200,7 @@ class Wide {
   double fraction() const noexcept { return std::ldexp(static_cast<double>(limbs_[kLimbs - 1]), -64); }
   Wide with_error(std::int64_t error) const noexcept {
     Wide result = *this;
-    result.error_ = error < kExact / 2 ? kExact : error;
+    result.error_ = error < kExact / 2 ? kExact : error > kInfinite ? kInfinite : error;
     return result;
   }
 

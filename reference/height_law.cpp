@@ -90,7 +90,7 @@ Rounded round_exactly(const HeightLaw& law, const Point2& at, double z) {
 }
 
 Rounded round_by_enclosures(const HeightLaw& law, const Point2& at, double z) {
-  mpfr_set_emin(mpfr_get_emin_min());  // the tail of a Gaussian goes down to exp(-2·10^14)
+  mpfr_set_emin(mpfr_get_emin_min());  // the tail of a Gaussian goes down to exp(-4·10^14)
   for (const unsigned bits : {128U, 768U}) {
     set_precision(bits);
     const Local<Enclosure> enclosed = local<Enclosure>(law, at, z);

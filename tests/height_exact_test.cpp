@@ -49,6 +49,7 @@ TEST(fraction, says_so_where_it_has_no_room) {
   EXPECT_EQ(sign(power), Sign::unknown);
   EXPECT_EQ(sign(power - power), Sign::unknown);
   EXPECT_EQ(sign(whole(1) / whole(0)), Sign::unknown);
+  EXPECT_EQ(sign(whole(1) / whole(0) * whole(0)), Sign::unknown);
   Fraction tiny = whole(0x1p-1000);
   for (int i = 0; i < 3; ++i) tiny = tiny * tiny;  // 2^-8000
   EXPECT_EQ(sign(whole(1) + tiny - whole(1)), Sign::positive);
@@ -213,6 +214,46 @@ TEST(height_exact, has_room_for_every_map_that_is_built) {
   const auto refused = build();
   ASSERT_TRUE(std::holds_alternative<ParameterError>(refused));
   EXPECT_NE(std::get<ParameterError>(refused).message().find("exact numbers"), std::string::npos);
+}
+
+// Fourteen cones that cancel bring their radii and the square of their distance, none of which divides another, into one sum;
+// the cone that is left has a slope of 5/8, the polygons one of 11/8.
+TEST(height_exact, has_room_for_what_meets_in_one_root) {
+  constexpr double kUnit = 2796203 * 0x1p-53, kPlace = 1950 * 1024 + 1;
+  const auto x = static_cast<float>(3 * kUnit), y = static_cast<float>(4 * kUnit);
+  HeightMap map{{{height::Cone{x, y, 5 * 1254401 * 0x1p-10F, 8 * 1254401 * 0x1p-10F}}}};
+  for (const bool negated : {false, true})
+    for (int i = 0; i < 7; ++i) {
+      const auto radius = static_cast<float>((9800 * 1024 + 2 * i + 1) / 1024.0);
+      map.parts.push_back({height::Cone{x, y, static_cast<float>(1000 + i), radius}, negated});
+    }
+  map.parts.push_back({height::Polygons{{{5000, 0}, {8072, 4224}}}});
+  const auto law = std::get<fast::HeightLaw>(fast::HeightLaw::build(map, Rendering::force_shaded, 2.25F));
+  const Vector3f position(static_cast<float>(3 * kPlace / 1024), static_cast<float>(4 * kPlace / 1024), -0x1.000002p+0F);
+  const fast::Evaluation answer = law.evaluate(position);
+  EXPECT_EQ(answer.status, Status::contact);
+  EXPECT_EQ(answer.force, Vector3f(-0x1.800004p+0F, 0x1.800004p-1F, 0x1.800004p+0F));
+}
+
+// The central difference of a cosine: (2 sin ε/2)^2n with ε = 2^-149, in terms of a size of 1.
+TEST(height_exact, sees_waves_that_all_but_cancel) {
+  const auto binomial = [](int n, int k) {
+    double value = 1;
+    for (int i = 1; i <= k; ++i) value = value * (n - k + i) / i;
+    return value;
+  };
+  for (const int n : {6, 7, 8, 13}) {
+    HeightMap map{{{height::Plane{0, 0, static_cast<float>(binomial(2 * n, n) * 0x1p-10)}}}};
+    for (int k = 1; k <= n; ++k) {
+      const double height = (k % 2 == 0 ? 2 : -2) * binomial(2 * n, n + k) * 0x1p-10;
+      map.parts.push_back({height::Grating{static_cast<float>(height), 0, 0, static_cast<float>(k) * 0x1p-149F}});
+    }
+    const auto law = std::get<fast::HeightLaw>(fast::HeightLaw::build(map, Rendering::true_height, 1));
+    EXPECT_EQ(law.evaluate({0, 0, 0}).status, Status::contact) << n;
+    EXPECT_EQ(law.evaluate({0, 0, 0}).force, Vector3f(0, 0, 0)) << n;
+    const auto reference = std::get<reference::HeightLaw>(reference::HeightLaw::build(map, Rendering::true_height, 1));
+    EXPECT_EQ(reference.round_to_binary32({0, 0, 0}).status, Status::contact) << n;
+  }
 }
 
 // Waves that are left are not its affair.

@@ -45,14 +45,19 @@ float HostileMaps::reach() {
   }
 }
 
+// Down to the smallest binary32: a number that the domain bounds from above only.
+float HostileMaps::tiny_or_any() {
+  return either_sign(any_size(0x1p-149F, 1e3F));
+}
+
 height::Shape HostileMaps::shape() {
   const auto slope = [&] {
     return once_in(2) ? 0 : once_in(2) ? either_sign(one_of({0.75F, 1, 0.5F, 2, 1e3F})) : uniform(-2, 2);
   };
   switch (pick(9)) {
-    case 0: return height::Plane{0, 0, height()};
-    case 1: return height::Plane{slope(), slope(), height()};
-    case 2: return height::Cone{coordinate(), coordinate(), height(), reach()};
+    case 0: return height::Plane{0, 0, high()};
+    case 1: return height::Plane{slope(), slope(), high()};
+    case 2: return height::Cone{coordinate(), coordinate(), high(), reach()};
     case 3:
     case 4: {
       const float radius = std::max(reach(), 0.1F);
@@ -61,16 +66,12 @@ height::Shape HostileMaps::shape() {
       if (once_in(2)) return height::CylinderCap{coordinate(), radius, width};
       return height::SphereCap{coordinate(), coordinate(), radius, width};
     }
-    case 5: {
-      // Heights down to the smallest binary32: a Gaussian's has no least size.
-      const float high = once_in(6) ? either_sign(any_size(0x1p-149F, 1e4F)) : height();
-      return height::Gaussian{coordinate(), coordinate(), high, reach()};
-    }
+    case 5: return height::Gaussian{coordinate(), coordinate(), high(), reach()};
     case 6: {
       const auto wave = [&] {
         return once_in(3) ? 0 : once_in(2) ? either_sign(one_of({1, 2, 0.5F, 1e3F})) : uniform(-20, 20);
       };
-      return height::Grating{height(), wave(), wave(), once_in(2) ? 0 : uniform(-3, 3)};
+      return height::Grating{high(), wave(), wave(), once_in(2) ? 0 : uniform(-3, 3)};
     }
     case 7: return polygons();
     default: return grid();

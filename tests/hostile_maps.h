@@ -50,6 +50,7 @@ class HostileMaps {
 
   float coordinate();
   float height();
+  float tiny_or_any();
   float reach();
   height::Shape shape();
   height::Shape polygons();
