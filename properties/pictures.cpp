@@ -24,7 +24,7 @@ std::string heading(const SideView& view, int width, int height) {
   const auto row = [&](int px) { return "screen " + plotted(8.0 / width) + ", screen " + plotted(1 - px / double(height)); };
   return "set label 101 " + quoted(view.heading.title) + " noenhanced at " + row(14) + " left font ',13'\n" + "set label 102 " +
          quoted(view.heading.parameters) + " noenhanced at " + row(33) + " left font ',10'\n" + "set key at " + row(52) +
-         " left center vertical maxrows 1 Left reverse samplen 1.5 width -2 font ',10'\n";
+         " left center vertical maxrows 1 Left reverse samplen 1.5 width 0 font ',10'\n";
 }
 
 // A plot of this many pixels across, with these margins, in which one millimetre is as long up as across.
