@@ -98,12 +98,14 @@ std::vector<LawId> LawOptions::laws() const {
 Parameters LawOptions::parameters() const {
   Parameters p;
   p.stiffness = stiffness();
+  const float radius = radius_.empty() ? 0 : parse_length("--radius", radius_);
+  const float width = width_.empty() ? 0 : parse_length("--width", width_);
   for (const LawId id : laws()) {
     if (has_bump_geometry(id)) {
       if (radius_.empty()) throw BadInput("--radius: the law " + std::string(name_of(id)) + " needs it");
       if (width_.empty()) throw BadInput("--width: the law " + std::string(name_of(id)) + " needs it");
-      p.radius = parse_length("--radius", radius_);
-      p.width = parse_length("--width", width_);
+      p.radius = radius;
+      p.width = width;
     }
     const auto law = fast::Law::build(id, p);
     if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput("--" + error->message());

@@ -91,6 +91,12 @@ std::string failure_message(const CLI::App*, const CLI::Error& error) {
     words =
         words.substr(0, words.find(':')) + (repeated ? ": expected once, got several times" : ": expected a value after it");
   }
+  // The value of an option is converted by its own function, so this is of a flag: "Could not convert: --unpaced = x".
+  if (const std::string got = " = "; dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) {
+    const std::size_t name = words.find("--"), value = words.find(got, name);
+    if (name != std::string::npos && value != std::string::npos)
+      words = words.substr(name, value - name) + ": expected no value, got \"" + words.substr(value + got.size()) + '"';
+  }
   return "forceshade: " + words + "\nRun with --help for more information.\n";
 }
 

@@ -135,8 +135,7 @@ std::string without_titles(std::string_view svg) {
 }  // namespace
 
 std::string svg_file(const Picture& picture) {
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +
-         svg_plot(picture).replace(0, 4, "<svg xmlns:xlink=\"http://www.w3.org/1999/xlink\"");
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg_plot(picture);
 }
 
 std::string png_file(const Picture& picture) {

@@ -24,7 +24,7 @@ std::string heading(const SideView& view, int width, int height) {
   const auto row = [&](int px) { return "screen " + plotted(8.0 / width) + ", screen " + plotted(1 - px / double(height)); };
   return "set label 101 " + quoted(view.heading.title) + " noenhanced at " + row(14) + " left font ',13'\n" + "set label 102 " +
          quoted(view.heading.parameters) + " noenhanced at " + row(33) + " left font ',10'\n" + "set key at " + row(52) +
-         " left center vertical maxrows 1 Left reverse samplen 1.5 width -1 font ',10'\n";
+         " left center vertical maxrows 1 Left reverse samplen 1.5 width 0 font ',10'\n";
 }
 
 // A plot of this many pixels across, with these margins, in which one millimetre is as long up as across.
@@ -53,7 +53,7 @@ struct Frame {
     const std::string x = plotted(1 - (right - 16) / across);
     return "set colorbox user origin screen " + x + ", screen " + plotted(bottom / high) + " size screen " +
            plotted(18 / across) + ", screen " + plotted(up(view, shown) / high) + "\nset label 103 " + quoted(meaning) +
-           " at screen " + x + ", screen " + plotted(1 - (heading_height(view) + top - 14) / high) +
+           " at screen " + x + ", screen " + plotted(1 - (heading_height(view) + top - 18) / high) +
            " left textcolor rgb '#333333'\n";
   }
 };
@@ -101,20 +101,21 @@ Picture force_profile(const SideView& view, const ForceProfile& profile, double 
     return text + '\n';
   };
   // px; without a heading there is no legend either.
-  constexpr int kWidth = 350, kLeft = 58, kRight = 9, kTop = 27, kPanel = 91, kBetween = 35, kBottom = 48;
+  constexpr int kLeft = 58, kRight = 9, kTop = 27, kPanel = 91, kBetween = 35, kBottom = 48;
+  const int width = heading_height(view) > 0 ? 430 : 350;
   const int above = heading_height(view), height = above + kTop + 2 * kPanel + kBetween + kBottom;
   const auto panel = [&](int from_top) {
-    return margins(kLeft / double(kWidth), 1 - kRight / double(kWidth), 1 - from_top / double(height),
+    return margins(kLeft / double(width), 1 - kRight / double(width), 1 - from_top / double(height),
                    1 - (from_top + kPanel) / double(height));
   };
   const std::string script = "$force << EOD\n" + profile.block + "EOD\n" + kPlain + range("x", view.left, view.right) +
-                             ticks("x", view.right - view.left, 7) + heading(view, kWidth, height) + "set multiplot\n" +
+                             ticks("x", view.right - view.left, 7) + heading(view, width, height) + "set multiplot\n" +
                              panel(above + kTop) + range("y", 0, up) + ticks("y", up, 4) + "set format x ''\n" +
                              vertical_name("{/:Italic F}_z (N)") + plots(3) + "unset key\nunset label 101\nunset label 102\n" +
                              panel(above + kTop + kPanel + kBetween) + range("y", -side, side) + ticks("y", side, 2) +
                              "set format x '%g'\n" + kXName + "set xzeroaxis lc rgb '#bbbbbb' lt 1\n" +
                              vertical_name("{/:Italic F}_x (N)") + plots(2) + "unset multiplot\n";
-  return {{kWidth, height, "force-" + view.name, "Force of " + view.name + " against x at three depths: F_z above, F_x below"},
+  return {{width, height, "force-" + view.name, "Force of " + view.name + " against x at three depths: F_z above, F_x below"},
           script};
 }
 
@@ -128,7 +129,7 @@ Picture cross_section(const SideView& view) {
     block += plotted(x) + ' ' + plotted(view.surface(x)) + ' ' + plotted(other) + '\n';
   }
   const Heights& shown = view.nominal;
-  const Frame frame{heading_height(view) > 0 ? 400 : 270, 48, 8, 26, 47};
+  const Frame frame{heading_height(view) > 0 ? 460 : 270, 48, 8, 26, 47};
   const std::string script = "$surface << EOD\n" + block + "EOD\n" + kPlain + frame.axes(view, shown) +
                              "plot $surface using 1:2 with filledcurves y=" + plotted(shown.low) +
                              " fc rgb '#e3ecf4' notitle, '' using 1:2 with lines lw 2 lc rgb '" + kDepthColours[2] +
@@ -196,7 +197,7 @@ Picture energy_map(const SideView& view) {
   const Frame frame{680, 52, 118, 26, 47};
   const std::string script =
       "$density << EOD\n" + matrix + "EOD\n$lines << EOD\n" + (lines.empty() ? "NaN NaN\n" : lines) + "EOD\n" +
-      surface_block(view) + kPlain + frame.axes(view, shown) + frame.colours(view, shown, "energy (mJ/mm²)") +
+      surface_block(view) + kPlain + frame.axes(view, shown) + frame.colours(view, shown, "mJ/mm²") +
       "set palette defined (0 '#2166ac', 1 '#f4f1ea', 2 '#b35806')\nset cbrange [" + plotted(-scale) + ':' + plotted(scale) +
       "]\nplot $density using (" + plotted(left) + "+$1*" + plotted(dx) + "):(" + plotted(bottom) + "+$2*" + plotted(dz) +
       "):3 matrix with image notitle, $surface with lines lw 1.4 lc rgb '#222222' title 'where the force begins', $lines with "

@@ -19,7 +19,7 @@ namespace {
 
 // Above the figure, in one row or more.
 std::string title(const std::string& rows) {
-  return "set title \"" + rows + "\" font ',11'\n";
+  return "set title \"" + rows + "\" font ',11' offset 0, 1.5\n";
 }
 
 constexpr double kMil = 0.0254;  // mm
@@ -67,7 +67,7 @@ ThesisFigure height_map_function() {
                              title(
                                  "Figure 2-3: a height map, U = a hill of 4 mm and a hollow of 3 mm\\n(ours: the thesis does "
                                  "not print its function)") +
-                             "set border 127 lc rgb '#cccccc'\nset xyplane at -4\nset hidden3d\nset view 55, 30, 1, 1.4\n" +
+                             "set border 95 lc rgb '#cccccc'\nset xyplane at -4\nset hidden3d\nset view 55, 30, 1, 1.4\n" +
                              range("x", -10, 10) + range("y", -10, 10) +
                              "set xtics offset 0, -0.3\nset zrange [-4:4]\nset ztics 2\n" +
                              "set xlabel '{/:Italic x} (mm)'\nset ylabel '{/:Italic y} (mm)'\n" +
@@ -125,9 +125,8 @@ ThesisFigure constant_curvature() {
   const double half = static_cast<double>(kThesisWidth) / 2;
   std::string csv = "theta_deg,radius_mm,centre_z_mm,x_mm,z_mm\n", script = kPlain;
   std::string panels =
-      "set multiplot layout 1, 3 title 'Figure 5-1: constant-curvature bumps, w = 1000 mil; the dot is the centre of "
-      "curvature' "
-      "font ',13'\nset size ratio -1\nunset border\nunset tics\n" +
+      "set multiplot layout 1, 3 title 'Figure 5-1: bumps of constant curvature, w = 1000 mil' font ',13'\nset size ratio "
+      "-1\nunset border\nunset tics\n" +
       range("x", -19, 19) + range("y", -22, 14);
   for (const int angle : kAngles) {
     const double alpha = angle * std::numbers::pi / 360, radius = half / std::sin(alpha), centre = -radius * std::cos(alpha);
@@ -172,7 +171,7 @@ ThesisFigure over_radius(const std::string& name, const std::string& heading, co
   }
   std::string script = "$curve << EOD\n" + block + "EOD\n$points << EOD\n" + points + "EOD\n" + kPlain + title(heading) +
                        "set xlabel 'radius (mil)' textcolor rgb '#333333'\n" + range("x", 550, 1450) + "set yrange [0:*]\n" +
-                       "set lmargin 9\nset tmargin 5\n" + vertical_name(vertical.c_str()) +
+                       "set lmargin 9\nset tmargin 6\n" + vertical_name(vertical.c_str()) +
                        (titles.size() > 1 ? "set key top right\n" : "") + "plot ";
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const std::string column = std::to_string(i + 2), colour = kColours[i];

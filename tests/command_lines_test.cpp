@@ -14,7 +14,10 @@ namespace forceshade::tests {
 namespace {
 
 // What no message may hold: a library's notation, a number that nobody can read, an error that is none.
-void expect_readable(const std::string& message, const std::string& line) {
+void expect_readable(std::string message, const std::string& line, const std::string& users_own = "") {
+  message = std::regex_replace(message, std::regex("got \"[^\"]*\""), "");
+  for (std::size_t at; !users_own.empty() && (at = message.find(users_own)) != std::string::npos;)
+    message.erase(at, users_own.size());
   for (const char* unreadable : {"->", "[0-9]{21}", "Success", "std::", "basic_", "bad_alloc", "e\\+0[0-8]\\b", "FAILED",
                                  "Could not convert", "\\bINT\\b|\\bUINT\\b", "0\\.0000000"})
     EXPECT_FALSE(std::regex_search(message, std::regex(unreadable))) << line << "\nholds " << unreadable << ": " << message;
@@ -73,6 +76,7 @@ TEST(command_lines, a_refusal_says_what_was_expected_and_what_was_got) {
       {"polygons --height-map hill.toml --theta-critical 9", {"--from beside --height-map is required"}, {"got \"\""}},
       {"polygons --height-map hill.toml --from 0 --theta-critical 9", {"--to beside --height-map is required"}},
       {"polygons --radius 1 --width 1 --theta-critical nan", {"--theta-critical: expected a number from 0.000001 to 180"}},
+      {"energy --law wall --depth 1 --radius nan", {"--radius: expected a length such as", "got \"nan\""}},
       {"energy --law wall --depth 1 --along y", {"--along requires --height-map"}},
       {"energy --height-map hill.toml --depth 1 --along z", {"--along: expected one of x, y; got \"z\""}},
       {"plot --law wall --from 1 --out o", {"--from requires --height-map"}},
@@ -92,6 +96,7 @@ TEST(command_lines, a_refusal_says_what_was_expected_and_what_was_got) {
       {"drive --law wall --device null --certificate none", {"none: cannot be read: No such file or directory"}},
       {"drive --law wall --device null --certificate empty", {"empty: expected a forceshade certificate"}},
       {"record export x.fsr --csv - --npy -", {"--csv and --npy: expected two files"}},
+      {"drive --law wall --device null --unpaced=x", {"--unpaced: expected no value, got \"x\""}},
       {"laws extra", {"not expected: extra"}},
       {"lawss", {"unknown command \"lawss\"; expected one of: laws"}},
   };
@@ -117,21 +122,23 @@ TEST(command_lines, every_option_of_every_command_refuses_what_it_cannot_read) {
       {"polygons", "--radius 1 --width 1 --theta-critical 170"},
       {"force", "--law wall --stiffness 1 --input in.csv"},
       {"energy", "--law wall --depth 1"},
-      {"plot", "--law wall --out in.csv/none"},
+      {"plot", "--law bump-1p --out in.csv/none"},
       {"figures", "--out in.csv/none"},
       {"properties", "--law wall --cases 1"},
-      {"certify", "--law wall --points 1 --cases 1 --out in.csv/none"},
+      {"certify", "--law bump-1p --points 1 --cases 1 --out in.csv/none"},
       {"drive", "--law wall --uncertified --device null --seconds 0.001 --unpaced"},
       {"record info", "none.fsr"},
       {"record export", "none.fsr"},
   };
-  const std::vector<std::string> values{"",    "x",  "nan", "-inf", "1e999", "-1e999", "99999999999999999999999",
-                                        "1e3", "-1", "0x1", "1,5",  "1 2",   "1abc",   "\xff\xfe",
-                                        "%n%s"};
+  const std::vector<std::string> values{"",    "x",   "nan", "-inf",     "1e999", "99999999999999999999999", "1e3", "-1",
+                                        "0x1", "1,5", "1 2", "\xff\xfe", "%n%s"};
   int refused = 0;
   for (const auto& [command, line] : commands) {
     std::vector<std::string> help = words_of(command);
     help.emplace_back("--help");
+    std::vector<std::string> fine = words_of(command);
+    for (const std::string& word : words_of(line)) fine.push_back(word);
+    const std::string err_of_fine = run_command(here, fine).err;  // of a file or folder that is missing
     const std::set<std::string> options = options_in_help(run_command(here, help).out);
     EXPECT_FALSE(options.empty()) << command;
     for (const std::string& option : options)
@@ -152,9 +159,9 @@ TEST(command_lines, every_option_of_every_command_refuses_what_it_cannot_read) {
         const std::string what = command + ' ' + option + " \"" + value + "\"\n" + run.err;
         EXPECT_TRUE(run.code == 0 || run.code == 2) << what << run.code;
         EXPECT_TRUE(run.code == 2 || !value.empty()) << what;
-        if (run.code != 2) continue;
+        if (run.code != 2 || run.err == err_of_fine) continue;
         ++refused;
-        expect_readable(run.err, what);
+        expect_readable(run.err, what, value);
         EXPECT_EQ(run.out, "") << what;
         const std::string name = option.substr(2);
         EXPECT_TRUE(run.err.find(name) != std::string::npos || run.err.find(value) != std::string::npos) << what;
