@@ -119,12 +119,7 @@ void add_certify(CLI::App& app, int& result) {
   for (CLI::Option* of_points : {points, cases, seed}) command->get_option("--exhaustive")->excludes(of_points);
   add_merge(*command, result);
   command->callback([options, law, height_map, command, &result] {
-    if (!command->got_subcommand("merge")) {
-      result = run(*options, *law, *height_map, command->count("--radius") > 0);
-      return;
-    }
-    for (const CLI::Option* option : command->get_options())
-      if (!option->empty()) throw BadInput(option->get_name() + ": expected after 'certify merge', or not at all");
+    if (!command->got_subcommand("merge")) result = run(*options, *law, *height_map, command->count("--radius") > 0);
   });
 }
 

@@ -152,7 +152,9 @@ void add_merge(CLI::App& certify, int& result) {
   command->add_option("--out", options->out, "directory for certificate.json and certificate.html")
       ->type_name("DIR")
       ->required();
-  command->callback([options, &result] {
+  command->callback([options, &certify, &result] {
+    for (const CLI::Option* option : certify.get_options())
+      if (!option->empty()) throw BadInput(option->get_name() + ": expected after 'certify merge', or not at all");
     std::vector<properties::CertificateFile> files;
     for (const std::string& name : options->files)
       files.push_back({name, properties::from_json(properties::read_certificate(name), name)});

@@ -2,6 +2,7 @@
 #include "forceshade/properties/spread.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace forceshade::properties {
@@ -27,13 +28,23 @@ float ParameterSource::drawn(float low, float high, bool few_bits) {
   return std::clamp(static_cast<float>(value), low, high);
 }
 
+// R, w/2 and d are a Pythagorean triple times a power of two.
+void ParameterSource::make_rational(Parameters& p) {
+  constexpr std::array<std::array<float, 2>, 8> kTriples{
+      {{5, 3}, {5, 4}, {13, 5}, {13, 12}, {17, 8}, {17, 15}, {25, 7}, {25, 24}}};
+  const auto [hypotenuse, leg] = kTriples[random_() % kTriples.size()];
+  const int scale = static_cast<int>(random_() % 14) - 5;  // 2^-5 · 5 to 2^8 · 25 mm
+  p.radius = std::ldexp(hypotenuse, scale);
+  p.width = std::ldexp(2 * leg, scale);
+}
+
 Parameters ParameterSource::next() {
   const std::uint64_t choice = random_();
-  const bool few_bits = choice % 4 == 0;
+  const bool few_bits = choice % 8 == 0, is_rational = choice % 8 == 1;
   Parameters p;
   p.radius = drawn(kSmallestRadius, kLargestRadius, few_bits);
   p.stiffness = drawn(kSmallestStiffness, kLargestStiffness, few_bits);
-  const std::uint64_t end = choice / 4 % 48;  // of 48, six are an end
+  const std::uint64_t end = choice / 8 % 48;  // of 48, six are an end
   if (end == 0) p.radius = kSmallestRadius;
   if (end == 1) p.radius = kLargestRadius;
   if (end == 2) p.stiffness = kSmallestStiffness;
@@ -41,6 +52,7 @@ Parameters ParameterSource::next() {
   p.width = drawn(kSmallestWidth, 2 * p.radius, few_bits);
   if (end == 4) p.width = kSmallestWidth;
   if (end == 5) p.width = 2 * p.radius;
+  if (is_rational) make_rational(p);
   return p;
 }
 

@@ -9,9 +9,9 @@
 
 namespace forceshade::properties {
 
-// Repeatable. Each number is spread evenly over the binades of its domain. Three sets of four have numbers of all 24 bits, so
-// that products round; the fourth has numbers of at most 6 bits, with which sums can be ties and contacts exact. In one of
-// eight, one number is an end of its domain.
+// Repeatable. Each number is spread evenly over the binades of its domain. Of eight sets, six have numbers of all 24 bits, so
+// that products round; one has numbers of at most 6 bits; and one is a bump whose depth of axis is rational too, on which ties
+// and exact contacts are common. In one of eight, one number is an end of its domain.
 class ParameterSource {
  public:
   explicit ParameterSource(std::uint64_t seed) : random_(seed) {}
@@ -19,6 +19,7 @@ class ParameterSource {
   Parameters next();
 
  private:
+  void make_rational(Parameters& p);
   float drawn(float low, float high, bool few_bits);
   double uniform(double low, double high);
 
