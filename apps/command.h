@@ -14,7 +14,7 @@
 
 namespace forceshade::apps {
 
-enum ExitCode { kHeld = 0, kFailed = 1, kBadInput = 2, kDeviceFault = 3 };
+enum ExitCode { kHeld = 0, kFailed = 1, kBadInput = 2, kDeviceFault = 3, kInterrupted = 130 };
 
 // Becomes exit code 2; what() says what was expected and what was got.
 struct BadInput : std::runtime_error {

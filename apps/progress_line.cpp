@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/apps/progress_line.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <utility>
+
+namespace forceshade::apps {
+
+ProgressLine::ProgressLine(std::string name) : name_(std::move(name)), is_terminal_(isatty(STDERR_FILENO) != 0) {}
+
+ProgressLine::~ProgressLine() {
+  if (percent_ >= 0) std::fprintf(stderr, "\r\033[K");
+}
+
+void ProgressLine::draw(double done) {
+  const int percent = static_cast<int>(100 * done);
+  if (!is_terminal_ || percent == percent_) return;
+  if (std::chrono::steady_clock::now() - start_ < std::chrono::milliseconds(500)) return;
+  percent_ = percent;
+  std::fprintf(stderr, "\r%3d %%  %.60s  Ctrl-C stops\033[K", percent, name_.c_str());
+}
+
+}  // namespace forceshade::apps
