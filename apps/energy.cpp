@@ -12,6 +12,7 @@
 #include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/length.h"
 #include "forceshade/apps/options.h"
+#include "forceshade/apps/progress_line.h"
 #include "forceshade/reference/height_energy.h"
 
 namespace forceshade::apps {
@@ -31,7 +32,31 @@ struct Verdict {
   reference::LoopBound bound = reference::loop_bound(law, depth);
   std::vector<reference::PathPoint> witness = reference::witness(law, depth);
   double witness_mJ = binary64(reference::work(law, witness))[0];
+  double most_mJ = binary64(bound.anywhere)[1];
 };
+
+// A bound that its witness is paid less of is not known to be met by any loop.
+constexpr double kMet = 0.99;
+
+template <class V>
+void add_witness(Json& json, const V& verdict) {
+  json["witness_mJ"] = verdict.witness_mJ;
+  if (verdict.most_mJ == 0) return;
+  json["witness_share_of_bound"] = verdict.witness_mJ / verdict.most_mJ;
+  json["bound_is_met"] = verdict.witness_mJ >= kMet * verdict.most_mJ;
+}
+
+template <class V>
+void print_witness(const V& verdict) {
+  if (!verdict.witness.empty())
+    std::printf("witness: %zu corners, paid %.6g mJ, %.2f %% of the bound; --json - lists them\n", verdict.witness.size() - 1,
+                verdict.witness_mJ, 100 * verdict.witness_mJ / verdict.most_mJ);
+  if (verdict.witness_mJ < kMet * verdict.most_mJ)
+    std::printf(
+        "the bound is not met: no loop was found that is paid %g %% of it; the most that a loop can be paid lies between %.6g "
+        "and %.6g mJ\n",
+        100 * kMet, verdict.witness_mJ, verdict.most_mJ);
+}
 
 Json json_of(const Verdict& verdict) {
   const Parameters& p = verdict.law.parameters();
@@ -47,7 +72,7 @@ Json json_of(const Verdict& verdict) {
   json["bound_mJ"] = binary64(verdict.bound.anywhere);
   json["right_half_mJ"] = {{"counter_clockwise", binary64(verdict.bound.counter_clockwise)},
                            {"clockwise", binary64(verdict.bound.clockwise)}};
-  json["witness_mJ"] = verdict.witness_mJ;
+  add_witness(json, verdict);
   json["witness"] = Json::array();
   for (const auto& [x, z] : verdict.witness) json["witness"].push_back({static_cast<double>(x), static_cast<double>(z)});
   return json;
@@ -60,13 +85,11 @@ void print(const Verdict& verdict) {
                 verdict.potential->c_str());
     return;
   }
-  const double bound = binary64(verdict.bound.anywhere)[1];
   std::printf("%s: active: a simple loop no deeper than %g mm is paid up to %.6g mJ\n", name,
-              static_cast<double>(verdict.depth), bound);
+              static_cast<double>(verdict.depth), verdict.most_mJ);
   std::printf("on the half x >= 0 alone: %.6g mJ counter-clockwise, %.6g mJ clockwise (x right, z up)\n",
               binary64(verdict.bound.counter_clockwise)[1], binary64(verdict.bound.clockwise)[1]);
-  std::printf("witness: %zu corners, paid %.6g mJ, %.2f %% of the bound; --json - lists them\n", verdict.witness.size() - 1,
-              verdict.witness_mJ, 100 * verdict.witness_mJ / bound);
+  print_witness(verdict);
 }
 
 struct HeightVerdict {
@@ -74,11 +97,20 @@ struct HeightVerdict {
   const reference::HeightLaw& law;
   reference::Slice slice;
   float depth;
-  std::optional<std::string> potential = reference::potential(law);
-  reference::SliceBound bound = reference::loop_bound(law, slice, depth);
-  std::vector<Eigen::Vector3f> witness = reference::witness(law, slice, depth);
-  double witness_mJ = binary64(reference::work(law, witness))[0];
+  std::optional<std::string> potential;
+  reference::SliceBound bound;
+  std::vector<Eigen::Vector3f> witness;
+  double witness_mJ, most_mJ;
 };
+
+HeightVerdict verdict_on(const reference::HeightLaw& law, const std::string& name, const reference::Slice& slice, float depth) {
+  ProgressLine line(name);
+  const reference::Watch watch([&](double done) { line.draw(done); }, interrupted());
+  const auto bound = reference::loop_bound(law, slice, depth, watch.part(0, 0.4));
+  const auto witness = reference::witness(law, slice, depth, watch.part(0.4, 0.7));
+  const double witness_mJ = binary64(reference::work(law, witness, watch.part(0.7, 1)))[0];
+  return {name, law, slice, depth, reference::potential(law), bound, witness, witness_mJ, binary64(bound.most())[1]};
+}
 
 Json json_of(const HeightVerdict& verdict) {
   const auto& [along, at, from, to] = verdict.slice;
@@ -96,7 +128,7 @@ Json json_of(const HeightVerdict& verdict) {
   json["bound_mJ"] = binary64(verdict.bound.most());
   json["counter_clockwise_mJ"] = binary64(verdict.bound.counter_clockwise);
   json["clockwise_mJ"] = binary64(verdict.bound.clockwise);
-  json["witness_mJ"] = verdict.witness_mJ;
+  add_witness(json, verdict);
   json["witness"] = Json::array();
   for (const Eigen::Vector3f& corner : verdict.witness)
     json["witness"].push_back(
@@ -113,15 +145,14 @@ void print(const HeightVerdict& verdict) {
   }
   const auto& [along, at, from, to] = verdict.slice;
   const bool is_x = along == reference::Slice::Along::x;
-  const double bound = binary64(verdict.bound.most())[1];
   std::printf("%s, %s: %s: over %s = %g mm, %s from %g to %g mm, a simple loop no deeper than %g mm is paid up to %.6g mJ\n",
-              name, rendering, bound > 0 ? "active" : "nothing to gain", is_x ? "y" : "x", static_cast<double>(at),
-              is_x ? "x" : "y", static_cast<double>(from), static_cast<double>(to), static_cast<double>(verdict.depth), bound);
-  if (verdict.witness.empty()) return;
+              name, rendering, verdict.most_mJ > 0 ? "active" : "nothing to gain", is_x ? "y" : "x", static_cast<double>(at),
+              is_x ? "x" : "y", static_cast<double>(from), static_cast<double>(to), static_cast<double>(verdict.depth),
+              verdict.most_mJ);
+  if (verdict.most_mJ == 0) return;
   std::printf("%.6g mJ counter-clockwise, %.6g mJ clockwise (%s right, z up)\n", binary64(verdict.bound.counter_clockwise)[1],
               binary64(verdict.bound.clockwise)[1], is_x ? "x" : "y");
-  std::printf("witness: %zu corners, paid %.6g mJ, %.2f %% of the bound; --json - lists them\n", verdict.witness.size() - 1,
-              verdict.witness_mJ, 100 * verdict.witness_mJ / bound);
+  print_witness(verdict);
 }
 
 template <class V>
@@ -130,27 +161,36 @@ void answer(const V& verdict, const Options& options) {
   if (options.json != "-") print(verdict);
 }
 
-void run(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map) {
-  const float depth = parse_length("--depth", options.depth);
-  if (!height_map.is_given()) {
-    const auto law = std::get<reference::Law>(reference::Law::build(law_options.law(), law_options.parameters()));
-    if (const auto error = reference::depth_error(law, depth)) throw BadInput("--" + error->message());
-    answer(Verdict{law, depth}, options);
-    return;
-  }
+void run_law(const Options& options, const LawOptions& law_options, float depth) {
+  const auto law = std::get<reference::Law>(reference::Law::build(law_options.law(), law_options.parameters()));
+  if (const auto error = reference::depth_error(law, depth)) throw BadInput("--" + error->message());
+  answer(Verdict{law, depth}, options);
+}
+
+int run_height_map(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map, float depth) {
   const float stiffness = law_options.stiffness();
   const heights::Spec spec = height_map.read(stiffness);
   const auto law = std::get<reference::HeightLaw>(reference::HeightLaw::build(spec.map, spec.rendering, stiffness));
   const reference::Slice slice{options.along == "x" ? reference::Slice::Along::x : reference::Slice::Along::y,
                                parse_length("--at", options.at), parse_length("--from", options.from),
                                parse_length("--to", options.to)};
-  if (const auto error = reference::slice_error(law, slice, depth)) throw BadInput(height_map.name() + ": " + error->message());
-  answer(HeightVerdict{height_map.name(), law, slice, depth}, options);
+  const std::string name = height_map.name();
+  if (const auto error = reference::slice_error(law, slice, depth)) throw BadInput(name + ": " + error->message());
+  watch_for_interrupt();
+  try {
+    answer(verdict_on(law, name, slice, depth), options);
+    return kHeld;
+  } catch (const reference::Interrupted&) {
+    throw Interrupted(name + " has no verdict, and nothing was written");
+  } catch (const reference::NotEnclosed& error) {
+    std::fprintf(stderr, "forceshade: %s: no verdict: %s\n", name.c_str(), error.what());
+    return kFailed;
+  }
 }
 
 }  // namespace
 
-void add_energy(CLI::App& app, int&) {
+void add_energy(CLI::App& app, int& result) {
   const auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("energy", "Whether a law or a height map is passive, and the most energy a loop can draw from it");
@@ -169,7 +209,13 @@ void add_energy(CLI::App& app, int&) {
   add("--at", options->at, "where on the other axis: mm, or with a unit");
   add("--from", options->from, "where the loops may begin");
   add("--to", options->to, "and where they end");
-  command->callback([options, law_options, height_map] { run(*options, *law_options, *height_map); });
+  command->callback([options, law_options, height_map, &result] {
+    const float depth = parse_length("--depth", options->depth);
+    if (height_map->is_given())
+      result = run_height_map(*options, *law_options, *height_map, depth);
+    else
+      run_law(*options, *law_options, depth);
+  });
 }
 
 }  // namespace forceshade::apps

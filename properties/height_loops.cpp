@@ -3,15 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <utility>
 
 namespace forceshade::properties {
 namespace {
 
 // By the force at the middle of steps no longer than 1 µm.
-double walked(const fast::HeightLaw& law, const std::vector<Eigen::Vector3f>& path) {
+double walked(const fast::HeightLaw& law, const std::vector<Eigen::Vector3f>& path, const reference::Watch& watch) {
   double paid = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {
+    watch.at(static_cast<double>(i) / static_cast<double>(path.size()));
     const Eigen::Vector3d from = path[i - 1].cast<double>(), way = path[i].cast<double>() - from;
     const int steps = static_cast<int>(std::ceil(way.norm() * 1000));
     for (int k = 0; k < steps; ++k)
@@ -31,19 +32,31 @@ reference::Slice certified_slice(const HeightMap& map) {
   return {reference::Slice::Along::x, 0, -reach, reach};
 }
 
-std::vector<LoopEnergy> loop_energies(const reference::HeightLaw& law, const fast::HeightLaw& fast) {
+std::vector<LoopEnergy> loop_energies(const reference::HeightLaw& law, const fast::HeightLaw& fast,
+                                      const reference::Watch& watch) {
   const reference::Slice slice = certified_slice(law.map());
   std::vector<LoopEnergy> energies;
+  for (const auto& [depth, half] : {std::pair{0.5F, watch.part(0, 0.5)}, {2.0F, watch.part(0.5, 1)}}) {
+    if (slice_error(law, slice, depth)) continue;
+    const auto bound = loop_bound(law, slice, depth, half.part(0, 0.4));
+    const auto loop = witness(law, slice, depth, half.part(0.4, 0.6));
+    const auto paid = work(law, loop, half.part(0.6, 0.8));
+    energies.push_back(
+        {static_cast<double>(depth), binary64(bound.most()), binary64(paid)[0], walked(fast, loop, half.part(0.8, 1))});
+  }
+  return energies;
+}
+
+void add_loop_energies(Findings& findings, const std::function<std::vector<LoopEnergy>()>& energies) {
   try {
-    for (const float depth : {0.5F, 2.0F}) {
-      if (slice_error(law, slice, depth)) continue;
-      const std::vector<Eigen::Vector3f> loop = witness(law, slice, depth);
-      energies.push_back({static_cast<double>(depth), binary64(loop_bound(law, slice, depth).most()),
-                          binary64(work(law, loop))[0], walked(fast, loop)});
+    findings.energy = energies();
+  } catch (const reference::NotEnclosed& error) {
+    for (PropertyResult& property : findings.properties) {
+      if (property.name != "passivity") continue;
+      property.held = false;
+      property.counterexample +=
+          std::string(property.counterexample.empty() ? "" : "; ") + "what a loop can be paid is " + error.what();
     }
-    return energies;
-  } catch (const std::domain_error&) {
-    return {};
   }
 }
 

@@ -3,16 +3,27 @@
 // The exact force as a guaranteed enclosure of any width, in multiprecision numbers.
 
 #include <array>
+#include <stdexcept>
+#include <string>
 
 #include "forceshade/reference/law.h"
 #include "forceshade/reference/numbers.h"
 
 namespace forceshade::reference {
 
-// low <= exact <= high.
+// low <= exact <= high, both finite.
 struct Interval {
   Multiprecision low, high;
 };
+
+// Thrown where a number cannot be enclosed between two finite ones: there is no verdict then.
+struct NotEnclosed : std::domain_error {
+  explicit NotEnclosed(const std::string& why) : std::domain_error("not enclosed: " + why) {}
+};
+
+// Throws NotEnclosed unless both ends are finite and in order.
+Interval interval(const Multiprecision& low, const Multiprecision& high);
+Interval interval(const Enclosure& value);
 
 // The binary64 interval around it, [low, high].
 inline std::array<double, 2> binary64(const Interval& interval) {

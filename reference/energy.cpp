@@ -9,10 +9,6 @@
 namespace forceshade::reference {
 namespace {
 
-Interval ends(const Enclosure& value) {
-  return {lower(value), upper(value)};
-}
-
 // Where two strips meet and their directions differ, inside the domain: nobody goes round its end.
 struct Line {
   Enclosure x, rise;
@@ -46,16 +42,16 @@ Interval circulation_density(const Law& law, const PathPoint& at) {
     const Enclosure depth = strip.height(x) - Enclosure(at.z);
     if (!strip.is_shaded || surely_at_most(depth, 0)) break;
     const Enclosure density = ShadedStrip(half.g, strip, depth).density(x, depth);
-    return ends(at.x < 0 ? -density : density);
+    return interval(at.x < 0 ? -density : density);
   }
-  return ends(zero);
+  return interval(zero);
 }
 
 std::vector<LineTerm> line_terms(const Law& law) {
   const std::lock_guard lock(slow_numbers);
   set_precision(kEnergyBits);
   std::vector<LineTerm> terms;
-  for (const Line& line : lines_of(half_of(law))) terms.push_back({ends(line.x), ends(line.rise)});
+  for (const Line& line : lines_of(half_of(law))) terms.push_back({interval(line.x), interval(line.rise)});
   return terms;
 }
 
@@ -88,7 +84,7 @@ LoopBound loop_bound(const Law& law, float depth) {
     positive += shaded.positive();
     negative += shaded.negative();
   }
-  return {ends(positive), ends(negative), ends(positive + negative)};
+  return {interval(positive), interval(negative), interval(positive + negative)};
 }
 
 std::optional<ParameterError> depth_error(const Law& law, float depth) {

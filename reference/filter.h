@@ -3,6 +3,7 @@
 // The cheap enclosure: a 64-bit (or longer) midpoint with a radius, enough to round all but a few points in a million.
 // A comparison it cannot decide throws Undecided; the exact kernel then decides.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -29,6 +30,13 @@ class Filter {
     // The positions and parameters themselves: 24 bits each, so their product is exact. Edges such as 2|x| = w need that.
     if (a.is_binary32() && b.is_binary32()) return {a.mid_ * b.mid_, 0};
     return rounded(a.mid_ * b.mid_, std::fabs(a.mid_) * b.rad_ + a.rad_ * (std::fabs(b.mid_) + b.rad_));
+  }
+  // Negative by no more than a rounding, where the product of a wide ball with itself would be.
+  friend Filter square(const Filter& a) {
+    if (a.rad_ <= 0x1p-8L * std::fabs(a.mid_)) return a * a;
+    const long double most = std::fabs(a.mid_) + a.rad_, least = std::max(0.0L, std::fabs(a.mid_) - a.rad_);
+    const long double low = least * least * (1 - 4 * kUnit), high = most * most * (1 + 4 * kUnit), mid = low + (high - low) / 2;
+    return {mid, std::max(high - mid, mid - low) * (1 + 4 * kUnit)};
   }
   friend Filter operator/(const Filter& a, const Filter& b) {
     if (a.mid_ == b.mid_ && a.rad_ == 0 && b.rad_ == 0 && a.mid_ != 0) return 1.0;

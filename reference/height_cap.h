@@ -10,7 +10,7 @@ namespace forceshade::reference {
 template <class N>
 Jet<N> cap_jet(float radius, float width, const N& x, const N& y) {
   const N R(static_cast<double>(radius)), half = N(static_cast<double>(width)) / N(2.0);
-  const N above_axis = sqrt(N(R * R - x * x - y * y));
+  const N above_axis = sqrt(N(R * R - square(x) - square(y)));
   return {above_axis - sqrt(N(R * R - half * half)), -x / above_axis, -y / above_axis};
 }
 

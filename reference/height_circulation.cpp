@@ -12,6 +12,11 @@ long double positive_part(long double at_surface, long double at_depth, long dou
   return depth * positive * positive / (2 * std::fabs(at_surface - at_depth));
 }
 
+// Of a function's values, and those of one that has its sign everywhere.
+Range with_sign(const Range& values, const Range& sign) {
+  return {sign.low >= 0 ? std::max(0.0L, values.low) : values.low, sign.high <= 0 ? std::min(0.0L, values.high) : values.high};
+}
+
 Filter positive(const Filter& value) {
   return ball(std::max(0.0L, value.low()), std::max(0.0L, value.high()));
 }
@@ -39,12 +44,19 @@ void Circulation::judge(Stretch& stretch) const {
   using Ground = Ground<GroundSeries>;
   using Function = Local::Function;
   const Local local(line_, stretch);
-  const Filter two(2.0);
+  const Filter two(2.0), half = depth_ / two;
   const auto surface = local.function([&](const Ground& g, const auto&) { return (g.excess * g.upright).shorter(); });
   const auto slope = local.function([&](const Ground& g, const auto&) { return g.upright.derivative(); });
   const auto bottom = surface + depth_ * slope;
-  const Range shallow = local.range(surface), deep = local.range(bottom);
-  const Filter total = local.integral(depth_ / two * (surface + bottom));
+  // Of the same signs, n and n³ times as large: without a root, so that they are certain on longer stretches.
+  const auto excess = local.function([&](const Ground& g, const auto&) { return g.excess.shorter(); });
+  const auto below = local.function(
+      [&](const Ground& g, const auto&) { return (g.excess * g.squared).shorter() + -half * g.squared.derivative(); });
+  const Range shallow = with_sign(local.range(surface), local.range(excess)),
+              deep = with_sign(local.range(bottom), local.range(below));
+  const Filter turned = line_.ground(*stretch.piece, stretch.to).upright - line_.ground(*stretch.piece, stretch.from).upright;
+  const Filter by_slope = local.integral(slope);  // exactly 0 where 1/n is constant
+  const Filter total = depth_ * local.integral(surface) + half * depth_ * (by_slope.rad() < turned.rad() ? by_slope : turned);
   if (shallow.high <= 0 && deep.high <= 0) {
     stretch.cost = -total;
     return;
@@ -55,7 +67,7 @@ void Circulation::judge(Stretch& stretch) const {
     return;
   }
   stretch.enclosed = total.low() > 0 ? Enclosed::all : Enclosed::nothing;
-  stretch.change = local.change(shallow.low < 0 && shallow.high > 0 ? surface : bottom);
+  stretch.change = local.change(shallow.low < 0 && shallow.high > 0 ? excess : below);
   const long double D = depth_.mid(), width = stretch.width() * (1 + kSlack);
   const long double paid = positive_part(shallow.high, deep.high, D) * width,
                     cost = positive_part(-shallow.low, -deep.low, D) * width;
@@ -85,12 +97,21 @@ Paid Circulation::lines() const {
   return sum;
 }
 
-std::vector<Stretch> Circulation::stretches(long double relative) const {
+Paid Circulation::paid(const std::vector<Stretch>& stretches) const {
+  Paid sum = lines();
+  for (const Stretch& stretch : stretches) {
+    sum.counter_clockwise = sum.counter_clockwise + stretch.paid;
+    sum.clockwise = sum.clockwise + stretch.cost;
+  }
+  return sum;
+}
+
+std::vector<Stretch> Circulation::stretches(long double relative, const Watch& watch) const {
   const Paid on_lines = lines();
   const long double D = depth_.mid(), floor = std::max(D * D * 0x1p-44L, relative * std::max(on_lines.counter_clockwise.mid(),
                                                                                              on_lines.clockwise.mid()));
   return refine(
-      line_, [this](Stretch& s) { judge(s); }, relative, floor);
+      line_, [this](Stretch& s) { judge(s); }, relative, floor, watch);
 }
 
 }  // namespace forceshade::reference

@@ -17,7 +17,7 @@ Jet<N> ray_jet(const height::Cone& cone, const N& rho, const N& direction_x, con
 // Inside the rim, off the apex; x, y: from the centre.
 template <class N>
 Jet<N> slope_jet(const height::Cone& cone, const N& x, const N& y) {
-  const N rho = sqrt(N(x * x + y * y));
+  const N rho = sqrt(N(square(x) + square(y)));
   return ray_jet(cone, rho, N(x / rho), N(y / rho));
 }
 

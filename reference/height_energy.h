@@ -9,6 +9,7 @@
 
 #include "forceshade/reference/enclosure.h"
 #include "forceshade/reference/height_law.h"
+#include "forceshade/reference/watch.h"
 
 namespace forceshade::reference {
 
@@ -16,16 +17,18 @@ namespace forceshade::reference {
 // every part is a plane or level, shaded ones where that holds of the surface too, and both have one gradient.
 std::optional<std::string> potential(const HeightLaw& law);
 
-// mJ, along the polyline through the points, mm, in the position domain; to ten digits or more of each segment. Throws
-// std::domain_error, as HeightLaw::round_to_binary32, where the map's steepness cannot be decided.
-Interval work(const HeightLaw& law, const std::vector<Eigen::Vector3f>& path);
+// All that follows throws NotEnclosed where a map is too steep or too fine to be enclosed at all, and Interrupted when the
+// watch is told to stop.
+
+// mJ, along the polyline through the points, mm, in the position domain; to ten digits or more of each segment.
+Interval work(const HeightLaw& law, const std::vector<Eigen::Vector3f>& path, const Watch& watch = {});
 
 // A vertical plane through the map. The stroke of a hand lies in one.
 struct Slice {
   enum class Along { x, y };
   Along along = Along::x;
   float at = 0;                     // mm: the other coordinate
-  float from = -12.7F, to = 12.7F;  // mm
+  float from = -12.7F, to = 12.7F;  // mm; `to` is not in it: a line there belongs to what lies beyond
 };
 
 // The suprema, in mJ, over simple loops in the slice, from one end of it to the other, that are nowhere deeper than `depth`
@@ -34,7 +37,7 @@ struct SliceBound {
   Interval counter_clockwise, clockwise;
   Interval most() const;  // the larger
 };
-SliceBound loop_bound(const HeightLaw& law, const Slice& slice, float depth);
+SliceBound loop_bound(const HeightLaw& law, const Slice& slice, float depth, const Watch& watch = {});
 
 // What is wrong with a slice or a depth. The least depth is 10^-4 of the largest coordinate a loop may have: below, the
 // binary32 points of a witness are too coarse.
@@ -42,6 +45,6 @@ std::optional<ParameterError> slice_error(const HeightLaw& law, const Slice& sli
 
 // A simple polygon in the slice, closed and no deeper than `depth`, that is paid nearly the bound, for most maps 99 % of it
 // (docs/energy.md); no point where no loop is paid as much as 10^-12 K·depth².
-std::vector<Eigen::Vector3f> witness(const HeightLaw& law, const Slice& slice, float depth);
+std::vector<Eigen::Vector3f> witness(const HeightLaw& law, const Slice& slice, float depth, const Watch& watch = {});
 
 }  // namespace forceshade::reference

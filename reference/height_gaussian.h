@@ -12,7 +12,7 @@ template <class N>
 Jet<N> hill_jet(const height::Gaussian& gaussian, const N& x, const N& y) {
   const N sigma(static_cast<double>(gaussian.sigma));
   const N variance = sigma * sigma;
-  const N U = N(static_cast<double>(gaussian.height)) * exp(N(-(x * x + y * y) / (N(2.0) * variance)));
+  const N U = N(static_cast<double>(gaussian.height)) * exp(N(-(square(x) + square(y)) / (N(2.0) * variance)));
   return {U, -x / variance * U, -y / variance * U};
 }
 

@@ -12,8 +12,9 @@ Jet<N> wave_jet(const height::Grating& grating, const N& x, const N& y) {
   const N height(static_cast<double>(grating.height)), wave_x(static_cast<double>(grating.wave_x)),
       wave_y(static_cast<double>(grating.wave_y));
   const N angle = wave_x * x + wave_y * y + N(static_cast<double>(grating.phase));
-  const N steepness = -height * sin(angle);
-  return {height * cos(angle), wave_x * steepness, wave_y * steepness};
+  const auto [sine, cosine] = sine_and_cosine(angle);
+  const N steepness = -height * sine;
+  return {height * cosine, wave_x * steepness, wave_y * steepness};
 }
 
 template <class N>

@@ -2,6 +2,8 @@
 #pragma once
 // What a height map is at a point: its height and its gradient, in any of the reference's numbers.
 
+#include <array>
+
 #include "forceshade/reference/filter.h"
 #include "forceshade/reference/numbers.h"
 #include "forceshade/vocabulary/height_map.h"
@@ -19,6 +21,16 @@ struct Jet {
   friend Jet operator+(const Jet& a, const Jet& b) { return {a.U + b.U, a.Ux + b.Ux, a.Uy + b.Uy}; }
   friend Jet operator-(const Jet& a) { return {-a.U, -a.Ux, -a.Uy}; }
 };
+
+// Of an enclosure; balls have their own.
+template <class N>
+N square(const N& x) {
+  return x * x;
+}
+template <class N>
+std::array<N, 2> sine_and_cosine(const N& angle) {
+  return {sin(angle), cos(angle)};
+}
 
 // A position in the plane, quantised, mm.
 struct Point2 {

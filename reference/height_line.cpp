@@ -278,7 +278,7 @@ template <class N>
 Ground<N> HeightLine::ground(const Piece& piece, const N& t) const {
   const auto at = [s = t - N(piece.middle)](const GroundSeries& polynomial) {
     N sum(0.0);
-    for (std::size_t k = GroundSeries::kLength; k-- > 0;) sum = s * sum + N(polynomial[k]);
+    for (std::size_t k = polynomial.length(); k-- > 0;) sum = s * sum + N(polynomial[k]);
     return sum;
   };
   const auto jet = [&](const std::vector<height::Part>& parts, std::size_t first, const Jet<GroundSeries>& polynomial) {
@@ -287,10 +287,10 @@ Ground<N> HeightLine::ground(const Piece& piece, const N& t) const {
   const auto slope = [&](const Jet<N>& jet) -> N { return N(along_.x) * jet.Ux + N(along_.y) * jet.Uy; };
   const HeightMap& map = law_.map();
   const Jet<N> U = jet(map.parts, 0, piece.polynomial[0]);
-  const N climb = slope(U), upright = N(1.0) / sqrt(N(U.Ux * U.Ux + U.Uy * U.Uy + N(1.0)));
-  if (law_.rendering() != Rendering::force_shaded) return {U.U, climb, N(0.0), upright};
+  const N climb = slope(U), squared = square(U.Ux) + square(U.Uy) + N(1.0), upright = N(1.0) / sqrt(squared);
+  if (law_.rendering() != Rendering::force_shaded) return {U.U, climb, N(0.0), squared, upright};
   const Jet<N> surface = jet(map.surface, map.parts.size(), piece.polynomial[1]);
-  return {surface.U, climb, slope(surface) - climb, upright};
+  return {surface.U, climb, slope(surface) - climb, squared, upright};
 }
 
 template Ground<Filter> HeightLine::ground(const Piece& piece, const Filter& t) const;

@@ -30,7 +30,8 @@ struct Ground {
   N surface;  // mm: what the depth is measured from
   N climb;    // mm per unit of t: U_t
   N excess;   // mm per unit of t: that of the surface, less U_t
-  N upright;  // 1/n = 1/sqrt(1 + U_x^2 + U_y^2)
+  N squared;  // n^2 = 1 + U_x^2 + U_y^2
+  N upright;  // 1/n
 };
 
 class HeightLine {

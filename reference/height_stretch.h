@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
+#include <string>
 
+#include "forceshade/reference/enclosure.h"
 #include "forceshade/reference/height_line.h"
+#include "forceshade/reference/watch.h"
 
 namespace forceshade::reference {
 
@@ -29,6 +31,7 @@ struct Stretch {
     const long double low = from.mid(), high = to.mid(), margin = (high - low) / 64;
     return change > low + margin && change < high - margin ? change : low + (high - low) / 2;
   }
+  bool can_be_cut() const { return cut() > from.high() && cut() < to.low(); }
 };
 
 struct Range {
@@ -63,6 +66,7 @@ class Local {
             f(over_, GroundSeries::variable(Filter(middle_, reach_), 1.0))};
   }
 
+  // Not wider than the width times all values, however bad the series is.
   Filter integral(const Function& f) const {
     Filter sum, low = from_, high = to_;
     for (std::size_t k = 0; k <= kOrder; ++k) {
@@ -70,14 +74,21 @@ class Local {
       low = low * from_;
       high = high * to_;
     }
+    const Filter whole = f.over[0] * (to_ - from_);
+    if (!(sum.rad() <= whole.rad())) sum = whole;
+    if (!is_finite(sum)) throw Undecided{};
     return sum;
   }
 
+  // Finite and in order, or Undecided is thrown: what is compared with it is decided.
   Range range(const Function& f) const {
     const Filter s(0, reach_);
     Filter sum = f.over[kOrder];
     for (std::size_t k = kOrder; k-- > 0;) sum = f.at_middle[k] + s * sum;
-    return {std::max(sum.low(), f.over[0].low()), std::min(sum.high(), f.over[0].high())};
+    if (!is_finite(sum)) sum = f.over[0];
+    const Range range{std::max(sum.low(), f.over[0].low()), std::min(sum.high(), f.over[0].high())};
+    if (!std::isfinite(range.low) || !std::isfinite(range.high) || !(range.low <= range.high)) throw Undecided{};
+    return range;
   }
 
   // About where it changes its sign, if it does: five of Newton's steps from the middle.
@@ -100,54 +111,72 @@ class Local {
   Ground<GroundSeries> at_middle_, over_;
 };
 
-// The ball around [low, high].
-inline Filter ball(long double low, long double high) {
-  const long double mid = low + (high - low) / 2;
-  return Filter(mid, std::max(high - mid, mid - low)) + Filter(0, std::fabs(high - low) * 0x1p-60L);
+// f(), with what a formula leaves open where nothing can be cut said as NotEnclosed.
+template <class F>
+auto decided(const F& f) {
+  try {
+    return f();
+  } catch (const Undecided&) {
+    throw NotEnclosed("64-bit arithmetic leaves the height map's steepness at a kink open; expected a gentler one there");
+  }
 }
 
 // All of the line in order of t, the least certain stretches cut in two until what is paid and what it costs are certain to
-// `relative` of the larger, or to `floor`. judge(stretch) sets what is not its place; where it throws Undecided the stretch is
-// cut.
+// `relative` of the larger, or to `floor`. From kMany stretches on, and 64 more a piece, kFair of the larger is enough; from
+// kMost on the answer is right but less certain. judge(stretch) sets what is not its place; where it throws Undecided the
+// stretch is cut. Throws NotEnclosed where one remains that is not finite.
+constexpr std::size_t kMany = 16384, kMost = 16 * kMany;
+constexpr long double kFair = 1e-5L;
 template <class Judge>
-std::vector<Stretch> refine(const HeightLine& line, const Judge& judge, long double relative, long double floor) {
-  const std::size_t most = 16384 + 64 * line.pieces().size();  // from there on the answer is right but less certain
+std::vector<Stretch> refine(const HeightLine& line, const Judge& judge, long double relative, long double floor,
+                            const Watch& watch) {
+  const std::size_t many = kMany + 64 * line.pieces().size(), most = kMost + 64 * line.pieces().size();
   constexpr long double kInfinity = std::numeric_limits<long double>::infinity();
+  double done = 0;
   const auto judged = [&](const HeightLine::Piece* piece, const Filter& from, const Filter& to) {
+    watch.at(done);
     Stretch s{piece, from, to};
     try {
       judge(s);
+      if (is_finite(s.paid) && is_finite(s.cost)) return s;
     } catch (const Undecided&) {
-      s.paid = {0, kInfinity};
     }
-    if (!std::isfinite(s.paid.mid()) || !(s.doubt() < kInfinity)) s.paid = {0, kInfinity};
-    return s;
+    return Stretch{piece, from, to, {0, kInfinity}};
   };
   std::vector<Stretch> all;
   for (const HeightLine::Piece& piece : line.pieces()) all.push_back(judged(&piece, piece.from, piece.to));
+  long double first = 0;
   for (;;) {
-    long double paid = 0, cost = 0, doubt = 0;
+    long double paid = 0, cost = 0, doubt = 0, worst = 0;
     for (const Stretch& s : all) {
       paid += s.paid.mid();
       cost += s.cost.mid();
       doubt += s.doubt();
+      if (s.can_be_cut()) worst = std::max(worst, s.doubt());
     }
-    const long double allowed = std::max({relative * std::fabs(paid), relative * std::fabs(cost), floor});
-    if (doubt <= allowed || all.size() >= most) return all;
+    const long double larger = std::max(std::fabs(paid), std::fabs(cost)), allowed = std::max(relative * larger, floor);
+    if (doubt <= allowed) return all;
+    const long double enough = allowed / (2 * static_cast<long double>(all.size()));
+    const bool is_enough = all.size() >= most || (all.size() >= many && doubt <= kFair * larger);
+    if (is_enough || worst <= enough) {
+      if (doubt < kInfinity) return all;
+      throw NotEnclosed("the height map is so steep or so fine along the path that " + std::to_string(all.size()) +
+                        " stretches in 64-bit arithmetic leave its energy open; expected a shorter path or a gentler map");
+    }
+    if (first == 0 && doubt < kInfinity) first = doubt;
+    const double by_number = static_cast<double>(all.size()) / static_cast<double>(most + most / 64);
+    const double by_doubt = first > 0 ? static_cast<double>(std::log(first / doubt) / std::log(first / allowed)) : 0;
+    done = std::clamp(std::max(by_number, by_doubt), done, 1.0);
+    // The worst first: what there is of stretches goes where it gains most.
     std::vector<Stretch> finer;
     for (const Stretch& s : all) {
-      const bool is_certain = s.doubt() <= allowed / (2 * static_cast<long double>(all.size()));
-      const Filter cut(s.cut(), 0);
-      if (is_certain || cut.mid() <= s.from.high() || cut.mid() >= s.to.low()) {
+      if (s.doubt() <= enough || s.doubt() < worst / 16 || !s.can_be_cut()) {
         finer.push_back(s);
       } else {
+        const Filter cut(s.cut(), 0);
         finer.push_back(judged(s.piece, s.from, cut));
         finer.push_back(judged(s.piece, cut, s.to));
       }
-    }
-    if (finer.size() == all.size()) {
-      if (doubt < kInfinity) return all;
-      throw std::domain_error("height map: 64 bits do not decide its steepness along the path");
     }
     all.swap(finer);
   }

@@ -11,10 +11,10 @@
 namespace forceshade::reference {
 namespace {
 
-constexpr double kSagitta = 0x1p-11;  // of the depth: how far a chord may leave the surface's shape
-constexpr double kPassage = 0x1p-8;   // of the depth: stays open below what is left out at the top
-constexpr double kLeast = 1e-12;      // of K·depth²: what is paid less for binary32 corners to show
-constexpr int kChords = 6;            // along where the circulation changes its sign
+constexpr double kSagitta = 0x1p-11;    // of the depth: how far a chord may leave the surface's shape
+constexpr double kPassage = 0x1p-8;     // of the depth: stays open below what is left out at the top
+constexpr long double kLeast = 1e-12L;  // of K·depth²: what is paid less for binary32 corners to show
+constexpr int kChords = 6;              // along where the circulation changes its sign
 
 struct Corner {
   float s, z;
@@ -46,21 +46,22 @@ Enclosed other_way_round(Enclosed enclosed) {
 
 class Columns {
  public:
-  Columns(const HeightLaw& law, const Slice& slice, const Circulation& circulation, bool is_clockwise)
-      : slice_(slice), circulation_(circulation), is_clockwise_(is_clockwise) {
+  Columns(const HeightLaw& law, const Slice& slice, const Circulation& circulation, const std::vector<Stretch>& stretches,
+          bool is_clockwise, const Watch& watch)
+      : slice_(slice), to_(std::nextafter(slice.to, slice.from)), circulation_(circulation), is_clockwise_(is_clockwise) {
     const double D = depth(), top = tallest(law, slice);
     middle_ = up(static_cast<long double>(top + D / 8));
     top_ = up(static_cast<long double>(top + D / 4));
     const auto& pieces = circulation.line().pieces();
-    const std::vector<Stretch> stretches = circulation.stretches(1e-4L);
     const HeightLine::Piece* last = pieces.data();
     for (const Stretch& stretch : stretches) {
+      watch.at(static_cast<double>(&stretch - stretches.data()) / static_cast<double>(stretches.size()));
       const HeightLine::Piece* piece = stretch.piece;
       if (piece != last) add_line(static_cast<std::size_t>(piece - pieces.data()));
       last = piece;
       // Strictly between the lines, where the piece's formulas hold.
       const float low = piece == &pieces.front() ? slice.from : right_of(piece->from),
-                  high = piece == &pieces.back() ? slice.to : left_of(piece->to);
+                  high = piece == &pieces.back() ? to_ : left_of(piece->to);
       if (low < high) add(stretch, std::clamp(at(stretch.from), low, high), std::clamp(at(stretch.to), low, high));
     }
   }
@@ -88,7 +89,7 @@ class Columns {
     const Filter from(static_cast<double>(slice_.from)), to(static_cast<double>(slice_.to));
     return (Filter(static_cast<double>(s)) - from) / (to - from);
   }
-  float at(const Filter& t) const { return std::clamp(static_cast<float>(place(t).mid()), slice_.from, slice_.to) + 0.0F; }
+  float at(const Filter& t) const { return std::clamp(static_cast<float>(place(t).mid()), slice_.from, to_) + 0.0F; }
   float left_of(const Filter& t) const { return down(place(t).low()) + 0.0F; }
   float right_of(const Filter& t) const { return up(place(t).high()); }
 
@@ -128,8 +129,9 @@ class Columns {
     const Filter bend =
         circulation_.line().ground(*stretch.piece, GroundSeries::variable(Filter(middle, half), 1.0)).surface[2];
     const long double most = std::max(std::fabs(bend.low()), std::fabs(bend.high())) * stretch.width() * stretch.width() / 4;
-    const int chords =
-        std::max(enclosed == Enclosed::all ? 1 : kChords, static_cast<int>(std::ceil(std::sqrt(most / (D * kSagitta)))));
+    const long double leaves = enclosed == Enclosed::all ? 0 : bend_of_change(*stretch.piece, from, to);
+    const auto chords_for = [&](long double height) { return static_cast<int>(std::ceil(std::sqrt(height / (D * kSagitta)))); };
+    const int chords = std::max({1, chords_for(most), std::min(kChords, chords_for(leaves))});
     const long double sagitta = most / (static_cast<long double>(chords) * chords) * (1 + 0x1p-20L);
     float left = from;
     for (int i = 1; i <= chords; ++i) {
@@ -146,13 +148,25 @@ class Columns {
     }
   }
 
+  // The depth at which the circulation changes its sign, from 0 to D.
+  long double change_of_sign(const HeightLine::Piece& piece, float s) const {
+    const auto [shallow, deep] = circulation_.density(piece, t_of(s));
+    const long double D = circulation_.depth().mid(), change = D * shallow.mid() / (shallow.mid() - deep.mid());
+    return change > 0 ? std::min(change, D) : 0;
+  }
+
+  // By how much its chord leaves it, about.
+  long double bend_of_change(const HeightLine::Piece& piece, float from, float to) const {
+    const float middle = from + (to - from) / 2;
+    const long double chord = (change_of_sign(piece, from) + change_of_sign(piece, to)) / 2;
+    return std::fabs(change_of_sign(piece, middle) - chord);
+  }
+
   // Of what is taken in at a place: its lower and its upper end.
   std::array<Corner, 2> sides(const HeightLine::Piece& piece, float s, Enclosed enclosed, long double sagitta) const {
     const long double D = circulation_.depth().mid(), height = static_cast<long double>(surface(piece, s));
-    const auto [shallow, deep] = circulation_.density(piece, t_of(s));
-    const long double change = D * shallow.mid() / (shallow.mid() - deep.mid());  // its depth
-    const long double bottom = enclosed == Enclosed::top ? std::clamp(change, 0.0L, D) : D;
-    const long double roof = std::clamp(change, 0.0L, D * (1 - static_cast<long double>(kPassage)));
+    const long double change = change_of_sign(piece, s), bottom = enclosed == Enclosed::top ? change : D;
+    const long double roof = std::min(change, D * (1 - static_cast<long double>(kPassage)));
     return {Corner{s, up(height - bottom + sagitta)}, Corner{s, enclosed == Enclosed::bottom ? up(height - roof) : top_}};
   }
 
@@ -214,6 +228,7 @@ class Columns {
   }
 
   const Slice& slice_;
+  float to_;  // mm: the last place in the slice
   const Circulation& circulation_;
   bool is_clockwise_;
   float middle_, top_;  // mm: two heights above the surface
@@ -222,21 +237,25 @@ class Columns {
 
 }  // namespace
 
-std::vector<Eigen::Vector3f> witness(const HeightLaw& law, const Slice& slice, float depth) {
-  const SliceBound bound = loop_bound(law, slice, depth);
-  const auto K = static_cast<double>(law.stiffness()), D = static_cast<double>(depth);
-  if (bound.most().high <= K * D * D * kLeast) return {};
+std::vector<Eigen::Vector3f> witness(const HeightLaw& law, const Slice& slice, float depth, const Watch& watch) {
+  if (potential(law)) return {};
   const std::lock_guard lock(slow_numbers);
   set_precision(kEnergyBits);
-  const Circulation circulation(law, slice, depth);
-  const bool is_clockwise = bound.counter_clockwise.high < bound.clockwise.high;
-  std::vector<Corner> corners = Columns(law, slice, circulation, is_clockwise).polygon();
-  if (is_clockwise) std::reverse(corners.begin(), corners.end());
-  if (!corners.empty()) corners.push_back(corners.front());
-  std::vector<Eigen::Vector3f> loop;
-  for (const auto& [s, z] : corners)
-    loop.push_back(slice.along == Slice::Along::x ? Eigen::Vector3f(s, slice.at, z) : Eigen::Vector3f(slice.at, s, z));
-  return loop;
+  return decided([&] {
+    const Circulation circulation(law, slice, depth);
+    const std::vector<Stretch> stretches = circulation.stretches(1e-4L, watch.part(0, 0.75));
+    const Paid paid = circulation.paid(stretches);
+    const long double D = circulation.depth().mid(), most = std::max(paid.counter_clockwise.high(), paid.clockwise.high());
+    if (most <= D * D * kLeast) return std::vector<Eigen::Vector3f>{};
+    const bool is_clockwise = paid.counter_clockwise.high() < paid.clockwise.high();
+    std::vector<Corner> corners = Columns(law, slice, circulation, stretches, is_clockwise, watch.part(0.75, 1)).polygon();
+    if (is_clockwise) std::reverse(corners.begin(), corners.end());
+    if (!corners.empty()) corners.push_back(corners.front());
+    std::vector<Eigen::Vector3f> loop;
+    for (const auto& [s, z] : corners)
+      loop.push_back(slice.along == Slice::Along::x ? Eigen::Vector3f(s, slice.at, z) : Eigen::Vector3f(slice.at, s, z));
+    return loop;
+  });
 }
 
 }  // namespace forceshade::reference

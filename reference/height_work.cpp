@@ -57,7 +57,7 @@ Enclosure work_of_spring(const HeightLaw& law, const Eigen::Vector3f& a, const E
   return released / sqrt(Enclosure(map.Ux * map.Ux + map.Uy * map.Uy + 1));
 }
 
-Filter work_across(const HeightLaw& law, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+Filter work_across(const HeightLaw& law, const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Watch& watch) {
   const HeightLine line(law, {a.x(), a.y(), b.x(), b.y()});
   const Filter z0(static_cast<double>(a.z())), dz = Filter(static_cast<double>(b.z())) - z0;
   const auto judge = [&](Stretch& stretch) {
@@ -82,26 +82,29 @@ Filter work_across(const HeightLaw& law, const Eigen::Vector3f& a, const Eigen::
   // What 64 bits cannot do better.
   const long double floor = static_cast<long double>((b - a).norm() * (1 + a.cwiseAbs().maxCoeff())) * 0x1p-50L;
   Filter sum;
-  for (const Stretch& stretch : refine(line, judge, 1e-10L, floor)) sum = sum + stretch.paid;
+  for (const Stretch& stretch : refine(line, judge, 1e-10L, floor, watch)) sum = sum + stretch.paid;
   return Filter(static_cast<double>(law.stiffness())) * sum;
 }
 
 }  // namespace
 
-Interval work(const HeightLaw& law, const std::vector<Eigen::Vector3f>& path) {
+Interval work(const HeightLaw& law, const std::vector<Eigen::Vector3f>& path, const Watch& watch) {
   const std::lock_guard lock(slow_numbers);
   set_precision(kEnergyBits);
   Enclosure sum = 0;
+  const auto share = [&](std::size_t i) { return static_cast<double>(i) / static_cast<double>(path.size()); };
   for (std::size_t i = 1; i < path.size(); ++i) {
     const Eigen::Vector3f &a = path[i - 1], &b = path[i];
+    const Watch segment = watch.part(share(i - 1), share(i));
+    segment.at(0);
     if (law.rendering() == Rendering::conservative || (a.x() == b.x() && a.y() == b.y())) {
       sum += work_of_spring(law, a, b);
     } else {
-      const Filter across = work_across(law, a, b);
+      const Filter across = decided([&] { return work_across(law, a, b, segment); });
       sum += Enclosure(Multiprecision(across.low()), Multiprecision(across.high()));
     }
   }
-  return {lower(sum), upper(sum)};
+  return interval(sum);
 }
 
 }  // namespace forceshade::reference

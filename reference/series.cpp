@@ -1,36 +1,77 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/reference/series.h"
 
-#include "forceshade/reference/numbers.h"
-#include "forceshade/reference/slow_geometry.h"
+#include <mpfr.h>
+
+#include <algorithm>
 
 namespace forceshade::reference {
 namespace {
 
-Enclosure enclosure_of(const Filter& x) {
-  if (!std::isfinite(x.mid()) || !std::isfinite(x.rad())) throw Undecided{};
-  return Enclosure(Multiprecision(x.low()), Multiprecision(x.high()));
+constexpr long double kUnit = std::numeric_limits<long double>::epsilon();
+
+// A number of as many bits as a long double.
+class Correct {
+ public:
+  Correct() { mpfr_init2(value_, std::numeric_limits<long double>::digits); }
+  explicit Correct(long double value) : Correct() { mpfr_set_ld(value_, value, MPFR_RNDN); }
+  Correct(const Correct&) = delete;
+  Correct& operator=(const Correct&) = delete;
+  ~Correct() { mpfr_clear(value_); }
+
+  operator mpfr_ptr() { return value_; }
+
+  // Around what was rounded to it once, with room for a number too small for a long double.
+  Filter around() const {
+    const long double mid = mpfr_get_ld(value_, MPFR_RNDN);
+    return {mid, std::fabs(mid) * kUnit + std::numeric_limits<long double>::min()};
+  }
+
+ private:
+  mpfr_t value_;
+};
+
+Filter exp_of(long double x) {
+  Correct value(x);
+  mpfr_exp(value, value, MPFR_RNDN);
+  return value.around();
 }
 
-// With room for a number too small for a long double.
-Filter ball_of(const Enclosure& value) {
-  const Filter ball = filter_of(value);
-  if (!std::isfinite(ball.mid()) || !std::isfinite(ball.rad())) throw Undecided{};
-  return {ball.mid(), ball.rad() + std::numeric_limits<long double>::min()};
+// What `spread` around the value leaves of [-1, 1].
+Filter of_a_wave(const Filter& value, long double spread) {
+  const Filter all = value + Filter(0, spread);
+  if (spread < 0x1p-8L) return all;
+  return ball(std::max(-1.0L, all.low()), std::min(1.0L, all.high()));
 }
 
 }  // namespace
 
+Filter ball(long double low, long double high) {
+  if (!std::isfinite(low) || !std::isfinite(high) || !(low <= high)) throw Undecided{};
+  const long double mid = low + (high - low) / 2;
+  return Filter(mid, std::max(high - mid, mid - low)) + Filter(0, std::fabs(high - low) * 0x1p-60L);
+}
+
 Filter exp(const Filter& x) {
-  return ball_of(exp(enclosure_of(x)));
+  if (!is_finite(x)) throw Undecided{};
+  // e^r - 1 <= r + r² for r <= 1.
+  const long double r = x.rad();
+  const Filter value = r <= 0x1p-8L ? exp_of(x.mid()) * (Filter(1.0) + Filter(0, (r + r * r) * (1 + 4 * kUnit)))
+                                    : ball(exp_of(x.low()).low(), exp_of(x.high()).high());
+  if (!is_finite(value)) throw Undecided{};
+  return value;
 }
 
-Filter sin(const Filter& x) {
-  return ball_of(sin(enclosure_of(x)));
-}
-
-Filter cos(const Filter& x) {
-  return ball_of(cos(enclosure_of(x)));
+std::array<Filter, 2> sine_and_cosine(const Filter& x) {
+  if (!is_finite(x)) return {Filter(0, 1), Filter(0, 1)};
+  Correct angle(x.mid()), s, c;
+  mpfr_sin_cos(s, c, angle, MPFR_RNDN);
+  const Filter sine = s.around(), cosine = c.around();
+  // |sin(x + h) - sin(x)| <= |cos(x)||h| + |sin(x)|h²/2, and so for the cosine.
+  const long double r = x.rad(), half = r * r / 2, slack = 1 + 8 * kUnit;
+  const auto size = [](const Filter& v) { return std::max(std::fabs(v.low()), std::fabs(v.high())); };
+  return {of_a_wave(sine, std::min(2.0L, (size(cosine) * r + size(sine) * half) * slack)),
+          of_a_wave(cosine, std::min(2.0L, (size(sine) * r + size(cosine) * half) * slack))};
 }
 
 }  // namespace forceshade::reference

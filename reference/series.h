@@ -10,10 +10,17 @@
 
 namespace forceshade::reference {
 
-// Callers hold slow_numbers: the last digits come from MPFI.
+inline bool is_finite(const Filter& x) {
+  return std::isfinite(x.mid()) && std::isfinite(x.rad());
+}
+
+// The ball around [low, high]. Throws Undecided unless both are finite and in order.
+Filter ball(long double low, long double high);
+
+// Rounded once, by MPFR, at the middle; around that, a bound of what the radius adds. A sine is beyond 1 by no more than 2^-8,
+// however wide the ball. exp throws Undecided for what is not finite.
 Filter exp(const Filter& x);
-Filter sin(const Filter& x);
-Filter cos(const Filter& x);
+std::array<Filter, 2> sine_and_cosine(const Filter& x);
 
 // [k] is the k-th derivative over k!, up to kOrder.
 template <std::size_t kOrder>
@@ -32,6 +39,13 @@ class Series {
   }
 
   const Filter& operator[](std::size_t k) const { return c_[k]; }
+
+  // From there on all coefficients are zero.
+  std::size_t length() const {
+    std::size_t length = kLength;
+    while (length > 0 && is_zero(c_[length - 1])) --length;
+    return length;
+  }
 
   Series<kOrder - 1> derivative() const {
     Series<kOrder - 1> d;
@@ -61,6 +75,17 @@ class Series {
       if (is_zero(a.c_[i])) continue;
       for (std::size_t k = 0; i + k <= kOrder; ++k)
         if (!is_zero(b.c_[k])) s.c_[i + k] = s.c_[i + k] + a.c_[i] * b.c_[k];
+    }
+    return s;
+  }
+
+  friend Series square(const Series& a) {
+    Series s;
+    for (std::size_t k = 0; k <= kOrder; ++k) {
+      for (std::size_t i = 0; 2 * i < k; ++i)
+        if (!is_zero(a.c_[i]) && !is_zero(a.c_[k - i])) s.c_[k] = s.c_[k] + a.c_[i] * a.c_[k - i];
+      if (!is_zero(s.c_[k])) s.c_[k] = Filter(2.0) * s.c_[k];
+      if (k % 2 == 0 && !is_zero(a.c_[k / 2])) s.c_[k] = s.c_[k] + square(a.c_[k / 2]);
     }
     return s;
   }
@@ -105,8 +130,15 @@ class Series {
   }
 
   // From s' = a'·c and c' = -a'·s.
-  friend Series sin(const Series& a) { return a.sine_and_cosine()[0]; }
-  friend Series cos(const Series& a) { return a.sine_and_cosine()[1]; }
+  friend std::array<Series, 2> sine_and_cosine(const Series& a) {
+    const auto [sine, cosine] = sine_and_cosine(a.c_[0]);
+    Series s(sine), c(cosine);
+    for (std::size_t k = 1; k <= kOrder; ++k) {
+      s.c_[k] = a.chained(c, k);
+      c.c_[k] = -a.chained(s, k);
+    }
+    return {s, c};
+  }
 
  private:
   template <std::size_t>
@@ -121,15 +153,6 @@ class Series {
     for (std::size_t i = 1; i <= k; ++i)
       if (!is_zero(c_[i])) sum = sum + number(i) * c_[i] * f.c_[k - i];
     return sum / number(k);
-  }
-
-  std::array<Series, 2> sine_and_cosine() const {
-    Series s(sin(c_[0])), c(cos(c_[0]));
-    for (std::size_t k = 1; k <= kOrder; ++k) {
-      s.c_[k] = chained(c, k);
-      c.c_[k] = -chained(s, k);
-    }
-    return {s, c};
   }
 
   std::array<Filter, kOrder + 1> c_{};

@@ -120,7 +120,7 @@ Interval work(const Law& law, const std::vector<PathPoint>& path) {
   const Field field(law);
   Enclosure sum = 0;
   for (std::size_t i = 1; i < path.size(); ++i) sum += field.work(path[i - 1], path[i]);
-  return {lower(sum), upper(sum)};
+  return interval(sum);
 }
 
 }  // namespace forceshade::reference

@@ -9,6 +9,7 @@
 #include "forceshade/heights/spec.h"
 #include "forceshade/properties/build.h"
 #include "forceshade/properties/certify.h"
+#include "forceshade/properties/height_loops.h"
 #include "forceshade/properties/merge.h"
 #include "forceshade/properties/report.h"
 
@@ -74,6 +75,34 @@ TEST(height_certificate, says_what_kind_of_force_each_map_is) {
     EXPECT_LE(loop.witness_mJ, loop.bound_mJ[1]);
     EXPECT_NEAR(loop.measured_mJ, loop.witness_mJ, 1e-4 * loop.bound_mJ[1]);
   }
+}
+
+TEST(height_certificate, fails_in_words_where_the_energy_of_a_loop_is_not_enclosed) {
+  HeightMapResult map = certificate_of({cone()}).height_maps[0];
+  ASSERT_TRUE(map.held());
+  map.energy.clear();
+  add_loop_energies(map, []() -> std::vector<LoopEnergy> { throw reference::NotEnclosed("too steep"); });
+  EXPECT_FALSE(map.held());
+  EXPECT_TRUE(map.energy.empty());
+  for (const PropertyResult& property : map.properties) {
+    EXPECT_EQ(property.held, property.name != "passivity") << property.name;
+    if (!property.held) EXPECT_EQ(property.counterexample, "what a loop can be paid is not enclosed: too steep");
+  }
+  add_loop_energies(map, [] { return std::vector<LoopEnergy>(3); });
+  EXPECT_EQ(map.energy.size(), 3U);
+}
+
+TEST(height_certificate, is_none_if_stopped_while_the_energy_of_loops_is_computed) {
+  std::atomic<bool> stop{false};
+  double last = 0;
+  const CertifyOptions options{{}, {.stiffness = 0.5F}, 4000, 20, 3, 1, {cone()}};
+  const auto watch = [&](std::string_view, double done) {
+    EXPECT_GE(done, last);
+    last = done;
+    if (done > 0.93) stop = true;
+  };
+  EXPECT_FALSE(certify(options, watch, stop));
+  EXPECT_GT(last, 0.93);
 }
 
 TEST(height_certificate, reads_back_what_it_wrote_whatever_the_number_of_threads) {

@@ -10,6 +10,7 @@
 
 #include "forceshade/reference/energy.h"
 #include "forceshade/tests/height_examples.h"
+#include "forceshade/tests/random_loop.h"
 
 namespace forceshade::reference {
 namespace {
@@ -186,21 +187,6 @@ TEST(height_energy, bounds_equal_columns_summed) {
           if (most > 0) worst = std::max(worst, std::fabs(low(bound.counter_clockwise) - columns[0]) / most);
         }
   std::printf("  worst difference %.1e of the bound\n", worst);
-}
-
-Path random_loop(std::mt19937& random, const Slice& slice, float bottom, float top) {
-  const auto uniform = [&](float from, float to) { return std::uniform_real_distribution<float>(from, to)(random); };
-  Path loop;
-  const float middle = uniform(slice.from, slice.to),
-              reach = std::min({uniform(0.2F, 6), middle - slice.from, slice.to - middle});
-  for (int corner = 0; corner < 12; ++corner) {
-    const float angle = (static_cast<float>(corner) + uniform(0, 0.9F)) * static_cast<float>(M_PI) / 6, size = uniform(0.5F, 1);
-    const float s = middle + reach * size * std::cos(angle),
-                z = (top + bottom) / 2 + (top - bottom) / 2 * size * std::sin(angle);
-    loop.push_back(slice.along == Along::x ? Vector3f(s, slice.at, z) : Vector3f(slice.at, s, z));
-  }
-  loop.push_back(loop.front());
-  return loop;
 }
 
 TEST(height_energy, no_simple_loop_is_paid_more_than_the_bound) {
