@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "forceshade/apps/command.h"
+#include "forceshade/csv/printable.h"
 #include "forceshade/device/open_device.h"
 #include "forceshade/properties/build.h"
 
@@ -47,10 +48,10 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? apps::kHeld : apps::kBadInput;
   } catch (const device::DeviceError& error) {
-    std::cerr << "forceshade: device fault: " << error.what() << '\n';
+    std::cerr << "forceshade: device fault: " << csv::printable(error.what()) << '\n';
     return apps::kDeviceFault;
   } catch (const std::exception& error) {
-    std::cerr << "forceshade: " << error.what() << '\n';
+    std::cerr << "forceshade: " << csv::printable(error.what()) << '\n';
     return apps::kBadInput;
   }
   return result;
