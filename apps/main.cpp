@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <exception>
 #include <iostream>
+#include <sstream>
+#include <string>
 
 #include "forceshade/apps/command.h"
 #include "forceshade/csv/printable.h"
@@ -48,7 +50,10 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? apps::kHeld : apps::kBadInput;
   } catch (const device::DeviceError& error) {
-    std::cerr << "forceshade: device fault: " << csv::printable(error.what()) << '\n';
+    // Several lines: what was tried and what to check.
+    std::cerr << "forceshade: device fault: ";
+    std::istringstream words(error.what());
+    for (std::string line; std::getline(words, line);) std::cerr << csv::printable(line) << '\n';
     return apps::kDeviceFault;
   } catch (const std::exception& error) {
     std::cerr << "forceshade: " << csv::printable(error.what()) << '\n';

@@ -91,7 +91,7 @@ Recording::Extent Recording::extent() {
     if (is_first) extent.first_tick = next = first;
     extent.samples += samples;
     if (first < next) {
-      extent.repeated += std::min(samples, std::min(next, last + 1) - first);
+      extent.repeated += std::min(samples, next - first);
       extent.first_tick = std::min(extent.first_tick, first);
     } else {
       extent.missing += first - next + (last - first + 1 - samples);
