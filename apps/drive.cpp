@@ -19,6 +19,7 @@
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/run_record.h"
 #include "forceshade/csv/csv.h"
+#include "forceshade/csv/printable.h"
 #include "forceshade/device/open_device.h"
 #include "forceshade/properties/build.h"
 #include "forceshade/properties/certificate.h"
@@ -164,10 +165,10 @@ int run(const Options& options, const LawOptions& law_options, const HeightMapOp
   std::string why;
   const std::optional<std::string> digest = certified(options, what, why);
   if (!digest && !options.uncertified) {
-    std::fprintf(stderr, "forceshade: refused to drive: %s\n", why.c_str());
+    std::fprintf(stderr, "forceshade: refused to drive: %s\n", csv::printable(why).c_str());
     return kFailed;
   }
-  if (!digest) std::fprintf(stderr, "*** DRIVING UNCERTIFIED, as told by --uncertified: %s ***\n", why.c_str());
+  if (!digest) std::fprintf(stderr, "*** DRIVING UNCERTIFIED, as told by --uncertified: %s ***\n", csv::printable(why).c_str());
 
   const std::unique_ptr<device::Device> device = device::open_device(options.device);
   std::optional<RunRecord> record;

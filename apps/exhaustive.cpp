@@ -14,6 +14,7 @@
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/live_line.h"
 #include "forceshade/apps/options.h"
+#include "forceshade/csv/printable.h"
 #include "forceshade/properties/build.h"
 #include "forceshade/properties/merge.h"
 
@@ -71,7 +72,7 @@ void print(const Sweeps& sweeps) {
     std::printf("%-15s %-9s %4" PRIu64 " sweeps %14" PRIu64 " inputs %" PRIu64 " mismatches\n", name_of(total.law).data(),
                 properties::kSweepKinds[static_cast<std::size_t>(total.kind)].data(), total.sweeps, total.inputs,
                 total.mismatches);
-  for (const std::string& words : sweeps.counterexamples) std::printf("  %s\n", words.c_str());
+  for (const std::string& words : sweeps.counterexamples) std::printf("  %s\n", csv::printable(words).c_str());
   std::printf("%" PRIu64 " inputs in %.0f s (%.0f M/s), %" PRIu64 " mismatches\n", sweeps.inputs(), sweeps.seconds,
               static_cast<double>(sweeps.inputs()) / std::max(sweeps.seconds, 1e-9) / 1e6, sweeps.mismatches());
 }

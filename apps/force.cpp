@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // forceshade force: the force of a law or of a height map at every position of a CSV, by the fast path or by the reference.
 
-#include <functional>
 #include <iostream>
 #include <memory>
 
 #include "forceshade/apps/command.h"
+#include "forceshade/apps/force_rows.h"
 #include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/csv/csv.h"
@@ -25,28 +25,12 @@ const char* word(Status status) {
   return status == Status::contact ? "ok" : status == Status::free ? "free" : "invalid";
 }
 
-// Calls answer(position, out), which writes fx,fy,fz,status, for each row.
-template <class Answer>
-void for_each_row(std::istream& in, const std::string& file, std::ostream& out, const Answer& answer) {
-  csv::Reader rows(in, file, {"x_mm", "y_mm", "z_mm"});
-  out << "x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status\n";
-  while (rows.next()) {
-    if (interrupted()) throw Interrupted("no output file was written");
-    const Eigen::Vector3f position(rows.binary32(0), rows.binary32(1), rows.binary32(2));
-    for (const float coordinate : position) out << csv::shortest(coordinate) << ',';
-    answer(position, out);
-    out << '\n';
-  }
-}
-
 void write(const Eigen::Vector3f& force, Status status, std::ostream& out) {
   for (const float component : force) out << csv::shortest(component) << ',';
   out << word(status);
 }
 
 // The law or height map of either path, built before anything is read.
-using Answer = std::function<void(const Eigen::Vector3f&, std::ostream&)>;
-
 Answer answer_of_law(const Options& options, const LawOptions& law_options) {
   const Parameters parameters = law_options.parameters();
   if (options.path == "fast")
@@ -74,7 +58,7 @@ Answer answer_of_height_map(const Options& options, const HeightMapOption& heigh
   };
 }
 
-void run(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map) {
+ExitCode run(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map) {
   watch_for_interrupt();
   std::ios::sync_with_stdio(false);
   const Answer answer = height_map.is_given() ? answer_of_height_map(options, height_map, law_options.stiffness())
@@ -83,13 +67,17 @@ void run(const Options& options, const LawOptions& law_options, const HeightMapO
   if (options.input != "-") file = csv::open_input(options.input);
   std::istream& in = options.input == "-" ? std::cin : file;
   csv::OutputFile output(options.output);
-  for_each_row(in, options.input == "-" ? "standard input" : options.input, output.stream(), answer);
+  const RowCount count =
+      answer_rows(in, options.input == "-" ? "standard input" : options.input, output.stream(), std::cerr, answer);
   output.commit();
+  if (count.unanswered == 0) return kHeld;
+  std::cerr << "forceshade: " << count.unanswered << " of " << count.rows << " rows could not be answered\n";
+  return kFailed;
 }
 
 }  // namespace
 
-void add_force(CLI::App& app, int&) {
+void add_force(CLI::App& app, int& result) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("force", "Read positions as CSV (x_mm, y_mm, z_mm), write forces as CSV");
   const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one, LawOptions::Defaults::none);
@@ -101,10 +89,10 @@ void add_force(CLI::App& app, int&) {
   digits->excludes(command->get_option("--height-map"));
   command->add_option("--input", options->input, "CSV file, - for standard input")->type_name("FILE")->capture_default_str();
   command->add_option("--output", options->output, "CSV file, - for standard output")->type_name("FILE")->capture_default_str();
-  command->callback([options, law, height_map, digits] {
+  command->callback([options, law, height_map, digits, &result] {
     if (!digits->empty() && options->path != "reference")
       throw BadInput("--digits: expected --path reference beside it; the fast path prints the shortest form");
-    run(*options, *law, *height_map);
+    result = run(*options, *law, *height_map);
   });
 }
 

@@ -6,11 +6,13 @@
 #include <exception>
 #include <iostream>
 #include <sstream>
+#include <string>
 
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/standard_streams.h"
 #include "forceshade/csv/output_file.h"
+#include "forceshade/csv/printable.h"
 #include "forceshade/device/open_device.h"
 #include "forceshade/properties/build.h"
 
@@ -60,13 +62,16 @@ int run(int argc, char** argv) {
     std::fputs(help.str().c_str(), stdout);
     return code == 0 ? kHeld : kBadInput;
   } catch (const device::DeviceError& error) {
-    std::cerr << "forceshade: device fault: " << error.what() << '\n';
+    // Several lines: what was tried and what to check.
+    std::cerr << "forceshade: device fault: ";
+    std::istringstream words(error.what());
+    for (std::string line; std::getline(words, line);) std::cerr << csv::printable(line) << '\n';
     return kDeviceFault;
   } catch (const Interrupted& error) {
-    std::cerr << "forceshade: interrupted: " << error.what() << '\n';
+    std::cerr << "forceshade: interrupted: " << csv::printable(error.what()) << '\n';
     return kInterrupted;
   } catch (const std::exception& error) {
-    std::cerr << "forceshade: " << error.what() << '\n';
+    std::cerr << "forceshade: " << csv::printable(error.what()) << '\n';
     return kBadInput;
   }
   return result;
@@ -83,7 +88,7 @@ int main(int argc, char** argv) {
   try {
     apps::flush_standard_output();
   } catch (const csv::OutputError& error) {
-    std::cerr << "forceshade: " << error.what() << '\n';
+    std::cerr << "forceshade: " << csv::printable(error.what()) << '\n';
     return result == apps::kHeld ? apps::kBadInput : result;
   }
   return result;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "forceshade/apps/command.h"
+#include "forceshade/csv/printable.h"
 #include "forceshade/recorder/export.h"
 #include "forceshade/recorder/recording.h"
 
@@ -16,34 +17,53 @@ struct Options {
   std::string file, csv, npy, json;
 };
 
+void complain(const std::string& words) {
+  std::fprintf(stderr, "forceshade: %s\n", csv::printable(words).c_str());
+}
+
 nlohmann::ordered_json described(recorder::Recording& recording) {
   const auto extent = recording.extent();
-  return {{"file", recording.path()},        {"ended", recording.ended()},    {"samples", extent.samples},
-          {"first_tick", extent.first_tick}, {"last_tick", extent.last_tick}, {"missing_ticks", extent.missing()},
+  return {{"file", recording.path()},
+          {"ended", recording.ended()},
+          {"samples", extent.samples},
+          {"first_tick", extent.first_tick},
+          {"last_tick", extent.last_tick},
+          {"missing_ticks", extent.missing},
+          {"repeated_samples", extent.repeated},
+          {"metadata_problem", recording.metadata_problem()},
           {"metadata", recording.metadata()}};
 }
 
 int info(const Options& options) {
   recorder::Recording recording(options.file);
-  if (!options.json.empty()) write_file(options.json, described(recording).dump(2) + "\n");
-  if (options.json == "-") return kHeld;
+  const int result = recording.metadata_problem().empty() ? kHeld : kFailed;
+  if (result == kFailed) complain(recording.path() + ": " + recording.metadata_problem());
+  // What is not ASCII is escaped, and what is not UTF-8 replaced, so that the text is JSON and shown by any terminal.
+  if (!options.json.empty())
+    write_file(options.json, described(recording).dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  if (options.json == "-") return result;
   const auto extent = recording.extent();
-  std::printf("%-20s %llu (ticks %llu to %llu, %llu missing)\n", "samples", static_cast<unsigned long long>(extent.samples),
-              static_cast<unsigned long long>(extent.first_tick), static_cast<unsigned long long>(extent.last_tick),
-              static_cast<unsigned long long>(extent.missing()));
+  std::printf("%-20s %llu (ticks %llu to %llu, %llu missing, %llu repeated)\n", "samples",
+              static_cast<unsigned long long>(extent.samples), static_cast<unsigned long long>(extent.first_tick),
+              static_cast<unsigned long long>(extent.last_tick), static_cast<unsigned long long>(extent.missing),
+              static_cast<unsigned long long>(extent.repeated));
   for (const auto& [key, value] : recording.metadata())
-    if (key != "samples" && key != "layout") std::printf("%-20s %s\n", key.c_str(), value.c_str());
+    if (key != "samples" && key != "layout")
+      std::printf("%-20s %s\n", csv::printable(key).c_str(), csv::printable(value).c_str());
   if (!recording.ended()) std::printf("%-20s no: cut off, or still being made\n", "ended");
-  return kHeld;
+  return result;
 }
 
 int verify(const Options& options) {
   recorder::Recording recording(options.file);
   const std::vector<std::string> problems = problems_of(recording);
-  for (const std::string& problem : problems) std::fprintf(stderr, "forceshade: %s\n", problem.c_str());
+  for (const std::string& problem : problems) complain(problem);
   if (!problems.empty()) return kFailed;
-  std::printf("whole: %llu samples, every tick and every checksum\n",
-              static_cast<unsigned long long>(recording.extent().samples));
+  std::printf("whole: %llu samples, every tick and every checksum%s\n",
+              static_cast<unsigned long long>(recording.extent().samples),
+              recording.has_digest() ? ", and the metadata"
+                                     : "; format 2 has no checksum of the metadata: that the law, its parameters, the "
+                                       "certificate and the device are those of the run cannot be verified");
   return kHeld;
 }
 
@@ -53,8 +73,7 @@ int write(const Options& options) {
   recorder::Recording recording(options.file);
   if (!options.csv.empty()) export_csv(recording, options.csv);
   if (!options.npy.empty()) export_npy(recording, options.npy);
-  if (!recording.ended())
-    std::fprintf(stderr, "forceshade: %s: the recording has no end: cut off, or still being made\n", options.file.c_str());
+  if (!recording.ended()) complain(options.file + ": the recording has no end: cut off, or still being made");
   return kHeld;
 }
 

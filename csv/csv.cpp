@@ -17,30 +17,12 @@
 #include <system_error>
 #include <utility>
 
+#include "forceshade/csv/printable.h"
+
 namespace forceshade::csv {
 namespace {
 
 constexpr int kEnd = std::char_traits<char>::eof();
-
-// Bytes of the UTF-8 character at the front of `text`; 0 if there is none (Unicode 15, table 3-7).
-std::size_t character_size(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
-  const auto follows = [&](std::size_t i) { return (byte(i) & 0xC0U) == 0x80U; };
-  const unsigned first = byte(0);
-  if (first < 0x80) return 1;
-  if (first >= 0xC2 && first <= 0xDF) return follows(1) ? 2 : 0;
-  if (first >= 0xE0 && first <= 0xEF) {
-    const bool overlong = first == 0xE0 && byte(1) < 0xA0;
-    const bool surrogate = first == 0xED && byte(1) > 0x9F;
-    return follows(1) && follows(2) && !overlong && !surrogate ? 3 : 0;
-  }
-  if (first >= 0xF0 && first <= 0xF4) {
-    const bool overlong = first == 0xF0 && byte(1) < 0x90;
-    const bool beyond_unicode = first == 0xF4 && byte(1) > 0x8F;
-    return follows(1) && follows(2) && follows(3) && !overlong && !beyond_unicode ? 4 : 0;
-  }
-  return 0;
-}
 
 std::optional<std::size_t> first_byte_not_utf8(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
@@ -60,20 +42,9 @@ std::string hex(unsigned char byte) {
 // In quotes, on one line, and short enough to read.
 std::string quoted(std::string_view text) {
   constexpr std::size_t kLongest = 60;
-  std::string result = "\"";
-  for (std::size_t at = 0; at < text.size();) {
-    if (at >= kLongest) {
-      result += "...";
-      break;
-    }
-    const std::size_t size = character_size(text.substr(at));
-    if (text[at] == '\n')
-      result += "\\n";
-    else
-      result += text.substr(at, size);
-    at += size;
-  }
-  return result + '"';
+  std::size_t size = 0;
+  while (size < text.size() && size < kLongest) size += std::max<std::size_t>(character_size(text.substr(size)), 1);
+  return '"' + printable(text.substr(0, size)) + (size < text.size() ? "...\"" : "\"");
 }
 
 std::string listed(const std::vector<std::string>& names) {

@@ -13,9 +13,17 @@
 namespace forceshade::recorder {
 namespace {
 
+void expect_written_metadata(const Recording& recording) {
+  if (const std::string& problem = recording.metadata_problem(); !problem.empty())
+    throw RecordingError(recording.path() + ": " + problem);
+}
+
 constexpr std::array<std::string_view, 4> kStatuses{"free", "contact", "invalid", "end"};
 
-void write_row(std::ostream& out, const Sample& sample) {
+void write_row(std::ostream& out, const Sample& sample, const std::string& path) {
+  if (sample.status >= kStatuses.size())
+    throw RecordingError(path + ": tick " + std::to_string(sample.tick) + " has status " + std::to_string(sample.status) +
+                         "; expected 0 to " + std::to_string(kStatuses.size() - 1));
   const auto number = [&](auto value) { out << ',' << csv::shortest(value); };
   const auto scaled = [&](std::int64_t value, double unit) { number(static_cast<double>(value) / unit); };
   out << sample.tick;
@@ -23,7 +31,7 @@ void write_row(std::ostream& out, const Sample& sample) {
   number(sample.device_time);
   for (const float coordinate : sample.position) number(coordinate);
   for (const float component : sample.force) number(component);
-  out << ',' << kStatuses.at(sample.status);
+  out << ',' << kStatuses[sample.status];
   scaled(sample.compute_ns, 1e3);
   for (const float component : sample.law_force) number(component);
   for (const std::int64_t count : sample.encoder) out << ',' << (count == Sample::kNoCount ? "" : std::to_string(count));
@@ -50,17 +58,19 @@ std::string npy_header(std::uint64_t rows) {
 }  // namespace
 
 void export_csv(Recording& recording, const std::string& path) {
+  expect_written_metadata(recording);
   csv::OutputFile file(path);
   file.stream() << "tick,t_s,device_t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status,compute_us,law_fx_N,law_fy_N,law_fz_N,encoder_1,"
                    "encoder_2,encoder_3,gimbal_1_rad,gimbal_2_rad,gimbal_3_rad,energy_mJ,wakeup_us,buttons,late,limited,"
                    "altered,tripped\n";
   recording.for_each_chunk([&](std::span<const Sample> chunk) {
-    for (const Sample& sample : chunk) write_row(file.stream(), sample);
+    for (const Sample& sample : chunk) write_row(file.stream(), sample, recording.path());
   });
   file.commit();
 }
 
 void export_npy(Recording& recording, const std::string& path) {
+  expect_written_metadata(recording);
   csv::OutputFile file(path);
   file.stream() << npy_header(recording.extent().samples);
   recording.for_each_chunk([&](std::span<const Sample> chunk) {

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "forceshade/device/sample.h"
 
@@ -12,9 +14,22 @@ namespace forceshade::recorder {
 
 using device::Sample;
 
-// In the header of every recording: "FSHR", and the version that a change of the schema or of a sample's bytes raises.
+// In the header of every recording: "FSHR", and the version that a change of the schema, of a sample's bytes or of the metadata
+// raises. Format 3 is format 2 with a digest of the metadata; no other is read.
 inline constexpr int kApplicationId = 0x46534852;
-inline constexpr int kFormatVersion = 2;
+inline constexpr int kFormatVersion = 3, kFormatWithoutDigest = 2;
+
+// As SQLite keeps them, word for word: a file with any other table, a view or a trigger is no recording.
+inline constexpr std::array<std::string_view, 2> kTables{
+    "CREATE TABLE metadata(key TEXT PRIMARY KEY, value TEXT NOT NULL)",
+    "CREATE TABLE chunk(id INTEGER PRIMARY KEY, first_tick INTEGER NOT NULL, last_tick INTEGER NOT NULL,"
+    "                   samples INTEGER NOT NULL, sha256 BLOB NOT NULL, data BLOB NOT NULL)"};
+
+// The most samples in one row of the table of chunks: half a megabyte, when a backlog is written.
+inline constexpr std::size_t kLongestChunk = 4096;
+
+// The key under which the digest of all other metadata stands.
+inline constexpr const char* kDigestKey = "metadata_sha256";
 
 static_assert(std::endian::native == std::endian::little, "samples are stored as they are in memory");
 

@@ -22,14 +22,6 @@
 namespace forceshade::recorder {
 namespace {
 
-// The most samples in one row of the file: half a megabyte, when a backlog is written.
-constexpr std::size_t kLongestChunk = 4096;
-
-constexpr const char* kSchema =
-    "CREATE TABLE metadata(key TEXT PRIMARY KEY, value TEXT NOT NULL);"
-    "CREATE TABLE chunk(id INTEGER PRIMARY KEY, first_tick INTEGER NOT NULL, last_tick INTEGER NOT NULL,"
-    "                   samples INTEGER NOT NULL, sha256 BLOB NOT NULL, data BLOB NOT NULL);";
-
 std::string now_utc() {
   const std::time_t now = std::time(nullptr);
   std::tm utc{};
@@ -44,13 +36,19 @@ void make_new_file(const std::string& path) {
   ::close(descriptor);
 }
 
-void insert(Database& database, const Metadata& metadata) {
+// The new metadata, and the digest of these and those before, at once.
+void insert(Database& database, Metadata& metadata, const Metadata& more) {
+  metadata.insert(more.begin(), more.end());
   Statement statement = database.prepare("INSERT INTO metadata VALUES(?, ?)");
-  for (const auto& [key, value] : metadata) statement.bind(0, key).bind(1, value).run();
+  for (const auto& [key, value] : more) statement.bind(0, key).bind(1, value).run();
+  Statement replace = database.prepare("INSERT OR REPLACE INTO metadata VALUES(?, ?)");
+  replace.bind(0, kDigestKey).bind(1, digest_of(metadata, kDigestKey)).run();
 }
 
-Database make_database(const std::string& path, Metadata metadata) {
-  metadata["layout"] = layout();
+// Adds what it writes to the metadata.
+Database make_database(const std::string& path, Metadata& metadata) {
+  Metadata given = std::exchange(metadata, {});
+  given["layout"] = layout();
   make_new_file(path);
   try {
     Database database(path, Database::Access::write);
@@ -60,11 +58,14 @@ Database make_database(const std::string& path, Metadata metadata) {
     // and the log is moved into the file, which needs two fsyncs, only now, for the metadata, and by close().
     database.execute("PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = 0");
     database.execute("BEGIN; PRAGMA application_id = " + std::to_string(kApplicationId) +
-                     "; PRAGMA user_version = " + std::to_string(kFormatVersion) + ";" + kSchema);
-    insert(database, metadata);
+                     "; PRAGMA user_version = " + std::to_string(kFormatVersion));
+    for (const std::string_view table : kTables) database.execute(std::string(table));
+    insert(database, metadata, given);
     database.execute("COMMIT; PRAGMA wal_checkpoint(TRUNCATE)");
     // The first commit to an empty log waits for the disk: here, not with samples behind it.
-    insert(database, {{"started", now_utc()}});
+    database.execute("BEGIN");
+    insert(database, metadata, {{"started", now_utc()}});
+    database.execute("COMMIT");
     return database;
   } catch (...) {
     for (const char* suffix : {"", "-wal", "-shm"}) ::unlink((path + suffix).c_str());
@@ -77,7 +78,8 @@ Database make_database(const std::string& path, Metadata metadata) {
 class Recorder::Writer {
  public:
   Writer(const std::string& path, Metadata metadata, const Options& options)
-      : database_(make_database(path, std::move(metadata))),
+      : metadata_(std::move(metadata)),
+        database_(make_database(path, metadata_)),
         insert_chunk_(
             database_.prepare("INSERT INTO chunk(first_tick, last_tick, samples, sha256, data) VALUES(?, ?, ?, ?, ?)")),
         interval_(options.interval),
@@ -115,10 +117,11 @@ class Recorder::Writer {
     }
     try {
       database_.execute("BEGIN");
-      insert(database_, {{"ended", now_utc()},
-                         {"end_reason", end_reason},
-                         {"samples", std::to_string(result.written)},
-                         {"lost", std::to_string(result.lost)}});
+      insert(database_, metadata_,
+             {{"ended", now_utc()},
+              {"end_reason", end_reason},
+              {"samples", std::to_string(result.written)},
+              {"lost", std::to_string(result.lost)}});
       database_.execute("COMMIT");
     } catch (const RecordingError& error) {
       result.error = error.what();
@@ -182,6 +185,7 @@ class Recorder::Writer {
         .run();
   }
 
+  Metadata metadata_;  // as it is in the file
   Database database_;
   Statement insert_chunk_;
   std::chrono::milliseconds interval_;

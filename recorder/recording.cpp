@@ -12,6 +12,9 @@
 namespace forceshade::recorder {
 namespace {
 
+// Of a text from the file, in a message.
+constexpr std::size_t kLongestQuote = 200;
+
 std::string ticks(std::uint64_t first, std::uint64_t last) {
   return first == last ? "tick " + std::to_string(first) : "ticks " + std::to_string(first) + " to " + std::to_string(last);
 }
@@ -32,20 +35,71 @@ Recording::Recording(const std::string& path) : database_(readable(path), Databa
   database_.execute("BEGIN");
   if (database_.integer("PRAGMA application_id") != kApplicationId)
     throw RecordingError(path + ": a database, but not a forceshade recording");
-  if (const auto version = database_.integer("PRAGMA user_version"); version != kFormatVersion)
-    throw RecordingError(path + ": expected a recording of format " + std::to_string(kFormatVersion) + ", got format " +
-                         std::to_string(version));
+  const auto version = database_.integer("PRAGMA user_version");
+  if (version != kFormatVersion && version != kFormatWithoutDigest)
+    throw RecordingError(path + ": expected a recording of format " + std::to_string(kFormatWithoutDigest) + " or " +
+                         std::to_string(kFormatVersion) + ", got format " + std::to_string(version));
+  expect_tables_of_a_recording();
+  read_metadata();
+  if (const auto found = metadata_.find("layout"); found == metadata_.end() || found->second != layout())
+    throw RecordingError(path + ": expected samples of " + layout() + ", got " +
+                         (found == metadata_.end() ? "none" : found->second.substr(0, kLongestQuote)));
+  if (has_digest() != (version == kFormatVersion))
+    metadata_problem_ = std::string("of format ") + std::to_string(version) + (has_digest() ? " with" : " without") +
+                        " a digest of its metadata: one of the two is not what was written";
+  else if (has_digest() && metadata_.at(kDigestKey) != digest_of(metadata_, kDigestKey))
+    metadata_problem_ = "the metadata (law, parameters, certificate, device and so on) are not what was written";
+}
+
+// Before anything else is read: a view or a trigger could make a reading of any length of it.
+void Recording::expect_tables_of_a_recording() {
+  Statement rows = database_.prepare(
+      "SELECT type, name, sql FROM sqlite_schema "
+      "WHERE type <> 'index' OR name <> 'sqlite_autoindex_metadata_1'");
+  std::size_t found = 0;
+  while (rows.step()) {
+    if (rows.text(0) != "table" || std::ranges::find(kTables, rows.text(2)) == kTables.end())
+      throw RecordingError(path() + ": expected the tables metadata and chunk of a recording alone, got the " +
+                           rows.text(0).substr(0, kLongestQuote) + ' ' + rows.text(1).substr(0, kLongestQuote));
+    ++found;
+  }
+  if (found != kTables.size())
+    throw RecordingError(path() + ": expected the tables metadata and chunk of a recording, got " + std::to_string(found) +
+                         " tables");
+}
+
+void Recording::read_metadata() {
   Statement rows = database_.prepare("SELECT key, value FROM metadata");
-  while (rows.step()) metadata_[rows.text(0)] = rows.text(1);
-  if (metadata_["layout"] != layout())
-    throw RecordingError(path + ": expected samples of " + layout() + ", got " + metadata_["layout"]);
+  while (rows.step())
+    if (!metadata_.emplace(rows.text(0), rows.text(1)).second)
+      throw RecordingError(path() + ": has " + rows.text(0).substr(0, kLongestQuote) + " twice in its metadata");
 }
 
 Recording::Extent Recording::extent() {
-  Statement row = database_.prepare("SELECT sum(samples), min(first_tick), max(last_tick) FROM chunk");
-  row.step();
-  const auto number = [&](int column) { return static_cast<std::uint64_t>(row.integer(column)); };
-  return {number(0), number(1), number(2)};
+  Statement row = database_.prepare("SELECT first_tick, last_tick, samples FROM chunk ORDER BY id");
+  Extent extent;
+  std::uint64_t next = 0;  // behind the last tick so far
+  for (bool is_first = true; row.step(); is_first = false) {
+    const std::int64_t begin = row.integer(0), end = row.integer(1), count = row.integer(2);
+    // In this order no difference overflows.
+    if (begin < 0 || end < begin || count < 1 || count > static_cast<std::int64_t>(kLongestChunk) || count - 1 > end - begin)
+      throw RecordingError(path() + ": a chunk of " + std::to_string(count) + " samples from tick " + std::to_string(begin) +
+                           " to " + std::to_string(end) + "; expected 1 to " + std::to_string(kLongestChunk) +
+                           " samples, of as many ticks or more");
+    const auto first = static_cast<std::uint64_t>(begin), last = static_cast<std::uint64_t>(end),
+               samples = static_cast<std::uint64_t>(count);
+    if (is_first) extent.first_tick = next = first;
+    extent.samples += samples;
+    if (first < next) {
+      extent.repeated += std::min(samples, next - first);
+      extent.first_tick = std::min(extent.first_tick, first);
+    } else {
+      extent.missing += first - next + (last - first + 1 - samples);
+    }
+    next = std::max(next, last + 1);
+    extent.last_tick = next - 1;
+  }
+  return extent;
 }
 
 void Recording::for_each_chunk(const std::function<void(std::span<const device::Sample>)>& take) {
@@ -89,14 +143,15 @@ std::vector<std::string> problems_of(Recording& recording) {
     problems.emplace_back(error.what());
   }
   const Metadata& metadata = recording.metadata();
-  const auto said = [&](const char* key) { return metadata.contains(key) ? metadata.at(key) : "no"; };
+  const auto said = [&](const char* key) { return metadata.contains(key) ? metadata.at(key).substr(0, kLongestQuote) : "no"; };
   const std::string got = std::to_string(samples) + " samples";
   if (!recording.ended()) {
     found("no end: cut off, or still being made, after " + got);
-    return problems;
+  } else {
+    if (said("samples") != std::to_string(samples)) found("expected " + said("samples") + ", got " + got);
+    if (said("lost") != "0") found(said("lost") + " samples were lost while recording");
   }
-  if (said("samples") != std::to_string(samples)) found("expected " + said("samples") + ", got " + got);
-  if (said("lost") != "0") found(said("lost") + " samples were lost while recording");
+  if (!recording.metadata_problem().empty()) found(recording.metadata_problem());
   return problems;
 }
 

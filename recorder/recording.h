@@ -8,14 +8,17 @@
 #include <string>
 #include <vector>
 
+#include "forceshade/recorder/layout.h"
 #include "forceshade/recorder/recorder.h"
 
 namespace forceshade::recorder {
 
-// What the file held when it was opened. Nothing in it is changed.
+// What the file held when it was opened. Nothing in it is changed, and nothing in it is trusted: a file that someone else made
+// costs no more time and memory than a recording of its size.
 class Recording {
  public:
-  // Throws RecordingError when the file cannot be read, is no recording, or is one of another format.
+  // Throws RecordingError when the file cannot be read, is no recording (also one with a table too many, a view or a trigger),
+  // or is one of another format.
   explicit Recording(const std::string& path);
 
   const std::string& path() const noexcept { return database_.path(); }
@@ -24,10 +27,18 @@ class Recording {
   // Whether the run came to its end and all its samples were pushed into the file or counted as lost.
   bool ended() const { return metadata_.contains("ended"); }
 
-  // From the table of chunks, without looking into them; all zero if there is none.
+  // Whether there is a digest that covers the metadata. Recordings of format 2 have none: a change of their law or stiffness
+  // would not be seen.
+  bool has_digest() const { return metadata_.contains(kDigestKey); }
+
+  // Why the metadata are not those that were written; empty if they are, or if no digest tells.
+  const std::string& metadata_problem() const noexcept { return metadata_problem_; }
+
+  // From the table of chunks, without looking into them; all zero if there is none. `missing` ticks were left out on
+  // the way to the last; `repeated` samples are of ticks not after those of an earlier chunk. Throws RecordingError for a
+  // chunk that cannot be: more samples than ticks, or a first tick after its last.
   struct Extent {
-    std::uint64_t samples = 0, first_tick = 0, last_tick = 0;
-    std::uint64_t missing() const { return samples == 0 ? 0 : last_tick - first_tick + 1 - samples; }
+    std::uint64_t samples = 0, first_tick = 0, last_tick = 0, missing = 0, repeated = 0;
   };
   Extent extent();
 
@@ -36,12 +47,16 @@ class Recording {
 
  private:
   friend std::vector<std::string> problems_of(Recording& recording);
+  void expect_tables_of_a_recording();
+  void read_metadata();
+
   Database database_;
   Metadata metadata_;
+  std::string metadata_problem_;
 };
 
 // In words, whatever keeps the recording from being a whole run as it was written: SQLite's own integrity check, chunks that
-// differ from their checksum, missing ticks, a missing end. Empty if it is whole.
+// differ from their checksum, metadata that differ from theirs, missing ticks, a missing end. Empty if it is whole.
 std::vector<std::string> problems_of(Recording& recording);
 
 }  // namespace forceshade::recorder

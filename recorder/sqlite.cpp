@@ -3,6 +3,8 @@
 
 #include <sqlite3.h>
 
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace forceshade::recorder {
@@ -10,6 +12,24 @@ namespace {
 
 // How long a reader and the writer of one recording wait for each other.
 constexpr int kPatience = 1000;  // ms
+
+// SQLite calls back every so many steps of its machine; a call that returns anything but 0 ends the statement.
+constexpr int kSteps = 1000;
+int count_down(void* left) {
+  return --*static_cast<std::int64_t*>(left) < 0 ? 1 : 0;
+}
+
+// The steps, in thousands, that reading a recording of this size may take in all. Its tables have some ten rows of metadata and
+// a row for each chunk of at least 128 bytes; SQLite takes some 20 steps for a row, and its integrity check some 100.
+std::int64_t steps_for(const std::string& path) {
+  std::uintmax_t bytes = 0;
+  for (const char* suffix : {"", "-wal"}) {
+    std::error_code none;
+    const std::uintmax_t size = std::filesystem::file_size(path + suffix, none);
+    if (!none) bytes += size;
+  }
+  return 1000 + static_cast<std::int64_t>(bytes / 128);
+}
 
 }  // namespace
 
@@ -24,9 +44,34 @@ Database::Database(std::string path, Access access) : path_(std::move(path)) {
   handle_.reset(handle);
   if (code != SQLITE_OK) throw error();
   sqlite3_busy_timeout(handle, kPatience);
+  if (access == Access::read) distrust();
+}
+
+void Database::distrust() {
+  sqlite3* handle = handle_.get();
+  for (const auto& [option, value] : {std::pair{SQLITE_DBCONFIG_DEFENSIVE, 1},
+                                      {SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0},
+                                      {SQLITE_DBCONFIG_ENABLE_VIEW, 0},
+                                      {SQLITE_DBCONFIG_ENABLE_TRIGGER, 0},
+                                      {SQLITE_DBCONFIG_DQS_DDL, 0},
+                                      {SQLITE_DBCONFIG_DQS_DML, 0}})
+    if (sqlite3_db_config(handle, option, value, nullptr) != SQLITE_OK) throw error();
+  for (const auto& [limit, value] : {std::pair{SQLITE_LIMIT_LENGTH, 1 << 20},
+                                     {SQLITE_LIMIT_SQL_LENGTH, 10'000},
+                                     {SQLITE_LIMIT_COLUMN, 16},
+                                     {SQLITE_LIMIT_EXPR_DEPTH, 10},
+                                     {SQLITE_LIMIT_COMPOUND_SELECT, 2},
+                                     {SQLITE_LIMIT_ATTACHED, 0},
+                                     {SQLITE_LIMIT_TRIGGER_DEPTH, 1},
+                                     {SQLITE_LIMIT_WORKER_THREADS, 0}})
+    sqlite3_limit(handle, limit, value);
+  steps_left_ = std::make_unique<std::int64_t>(steps_for(path_));
+  sqlite3_progress_handler(handle, kSteps, &count_down, steps_left_.get());
 }
 
 RecordingError Database::error() const {
+  if (steps_left_ && *steps_left_ < 0)
+    return RecordingError(path_ + ": reading it takes more steps than a recording of its size needs");
   return RecordingError(path_ + ": " + sqlite3_errmsg(handle_.get()));
 }
 

@@ -26,6 +26,8 @@ class Database {
  public:
   enum class Access { read, write };
 
+  // For reading, nothing in the file is trusted: no view, no trigger and no function of its schema is run, nothing longer than
+  // a chunk is taken into memory, and a statement that takes more steps than a file of its size needs is stopped.
   Database(std::string path, Access access);
 
   // Throws RecordingError with SQLite's words, as all below.
@@ -41,7 +43,10 @@ class Database {
   struct Close {
     void operator()(sqlite3* handle) const noexcept;
   };
+  void distrust();
+
   std::string path_;
+  std::unique_ptr<std::int64_t> steps_left_;  // where it stays when the database is moved
   std::unique_ptr<sqlite3, Close> handle_;
 };
 

@@ -56,6 +56,8 @@ expect 2 "stiffness is 0 N/mm; expected" -- "$forceshade" force --law wall --sti
 printf 'x_mm,y_mm,z_mm\n1,2,3\n1,oops,3\n' > bad.csv
 expect 2 'bad.csv:3: column 2 (y_mm): expected a number, got "oops"' -- "$forceshade" force --law wall --stiffness 1 --input bad.csv --output never.csv
 same "" "$(ls | grep never)"
+printf 'x_mm,y_mm,z_mm\n\302\2332J,0,0\n' > bad.csv
+expect 2 'got "\xc2\x9b2J"' -- "$forceshade" force --law wall --stiffness 1 --input bad.csv --output never.csv
 printf '' > empty.csv
 expect 2 "empty.csv" -- "$forceshade" force --law wall --stiffness 1 --input empty.csv
 printf 'x_mm,y_mm\n1,2\n' > short.csv
@@ -301,6 +303,20 @@ same "NUMPY" "$(head -c 6 run.npy | tail -c 5)"
 expect 2 "expected --csv FILE or --npy FILE, got neither" -- record export run.fsr
 expect 2 "nowhere" -- record export run.fsr --csv nowhere/run.csv
 expect 2 "in.csv: file is not a database" -- record verify in.csv
+# A file that someone else made: nothing in it commands the terminal, and one that is damaged says so.
+corpus="$(dirname "$examples")/tests/fuzz/corpus"
+expect 0 'law                  \x1b[2Jwall' -- record info "$corpus/recording/escape.fsr"
+expect 0 '"\u009bkey": "\u202egpj"' -- record info "$corpus/recording/escape.fsr" --json -
+same "" "$(record info "$corpus/recording/escape.fsr" | tr -d '[:print:]\n')"
+expect 1 "the metadata (law, parameters, certificate, device and so on) are not what was written" -- record verify "$corpus/recording/changed_stiffness.fsr"
+expect 1 "are not what was written" -- record info "$corpus/recording/changed_stiffness.fsr"
+expect 2 "are not what was written" -- record export "$corpus/recording/changed_stiffness.fsr" --csv never.csv
+same "" "$(ls | grep never)"
+expect 0 "0 missing, 2 repeated" -- record info "$corpus/recording/twice.fsr"
+expect 0 "format 2 has no checksum of the metadata" -- record verify "$corpus/recording/format2.fsr"
+expect 0 "every checksum, and the metadata" -- record verify "$corpus/recording/whole.fsr"
+expect 2 "got the view metadata" -- record info "$corpus/recording/endless_view.fsr"
+expect 2 "got the view chunk" -- record verify "$corpus/recording/endless_chunks.fsr"
 expect 2 "missing.fsr: cannot open: No such file" -- record info missing.fsr
 expect 2 "subcommand is required" -- record
 small_disk() { (trap '' XFSZ; ulimit -f 200; "$@"); }

@@ -50,6 +50,8 @@ TEST(nesting, is_counted_up_to_its_limits) {
   EXPECT_EQ(line_nested_too_deep("a . 'b' . \"c\"" + repeated(" . d", 15)), 1U);
   // Neighbours do not add up, and a stray closing bracket takes nothing back.
   EXPECT_EQ(line_nested_too_deep(repeated("[a]\n", 100) + "b = [" + repeated("[0.5, 0.5], ", 100) + "]"), std::nullopt);
+  EXPECT_EQ(line_nested_too_deep("a = [" + repeated("0.5, ", 100) + "]"), std::nullopt);
+  EXPECT_EQ(line_nested_too_deep(repeated("]", 100)), std::nullopt);
   EXPECT_EQ(line_nested_too_deep(repeated("]", 100) + repeated("[", 17)), 1U);
 }
 

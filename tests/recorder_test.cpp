@@ -107,7 +107,7 @@ TEST(recorder, counts_what_a_full_ring_refuses_and_shows_the_gap) {
     EXPECT_EQ(error, "");
   }
   Recording recording(path);
-  EXPECT_EQ(recording.extent().missing(), 50U);
+  EXPECT_EQ(recording.extent().missing, 50U);
   EXPECT_EQ(problems_of(recording),
             (std::vector<std::string>{path + ": missing: ticks 100 to 149", path + ": 50 samples were lost while recording"}));
 }

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/properties/certificate.h"
+
+#include "forceshade/tests/fuzz/input_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace forceshade;
+  fuzz::read_or_refuse<properties::CertificateError>("certificate.json", [&] {
+    const properties::Certificate certificate =
+        properties::from_json(std::string(fuzz::text_of(data, size)), "certificate.json");
+    // What is read once is read the same again.
+    const std::string json = properties::to_json(certificate);
+    fuzz::require(properties::to_json(properties::from_json(json, "certificate.json")) == json, "a certificate reads back");
+  });
+  return 0;
+}
