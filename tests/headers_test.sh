@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# headers_test.sh COMPILER SOURCE_DIR INCLUDE_DIR SYSTEM_INCLUDE_DIR...: every header that a program can include compiles by
-# itself. Those of reference/, properties/ and recorder/ have heavy libraries below them and are left to structure_test, which
-# wants each included first by its own source file.
+# headers_test.sh COMPILER SOURCE_DIR INCLUDE_DIR SYSTEM_INCLUDE_DIR...: every header that an installed program can include
+# compiles by itself. One that a source file of its name includes first is compiled so by every build (structure_test looks
+# that it is first, in these folders and the others); the rest is compiled here.
 set -euo pipefail
 compiler=$1 source=$2 include=$3
 shift 3
@@ -23,8 +23,9 @@ compiles() {
 if [ "${HEADER:-}" ]; then compiles "$HEADER"; exit; fi
 
 cd "$source"
-headers=$(ls {vocabulary,fast,csv,heights,device}/*.h)
-[ "$(wc -w <<<"$headers")" -ge 80 ] || { echo "expected 80 headers or more, found: $headers"; exit 1; }
+headers=""
+for header in {vocabulary,fast,csv,heights,device}/*.h; do [ -f "${header%.h}.cpp" ] || headers+=" $header"; done
+[ "$(wc -w <<<"$headers")" -ge 45 ] || { echo "expected 45 headers or more, found:$headers"; exit 1; }
 # shellcheck disable=SC2086
 printf '%s\n' $headers | xargs -P "$(nproc)" -I{} env HEADER={} "$0" "$compiler" "$source" "$include" "$@" || exit 1
 echo "$(wc -w <<<"$headers") headers compile by themselves"
