@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The relative errors of the height maps' last step (gap_force in fast/height_force.h): what rounding adds to a force whose jet
 # is exact. The end of the enclosure is rounded once more, by at most 2^-53 of the component and a little, which the header's
-# constant pays for too.
+# constant covers too.
 #
 # The upper ends are those of the domain; tests/height_bounds_test.cpp computes them. Below the lower ends nothing is to be
 # shown: a component of less than 2^-160 rounds to 0, and a slope below 2^-500 is as good as 0 (docs/proofs.md).

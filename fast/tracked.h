@@ -11,9 +11,9 @@
 namespace forceshade::fast {
 
 // |true value - value| <= error. An operation charges 2^-53 of its result, which holds unless that is subnormal, and what it
-// hands on; kSlack pays for the bound's own roundings, at most six. No result within a jet is below kLeastResult in size
+// hands on; kSlack covers the bound's own roundings, at most six. No result within a jet is below kLeastResult in size
 // without being 0: tests/height_bounds_test.cpp derives it from the domain. The bound's own products may be subnormal, and
-// lose 2^-1075 then, which kSlack pays for too.
+// lose 2^-1075 then, which kSlack covers too.
 struct Tracked {
   double value = 0, error = 0;
 

@@ -81,10 +81,34 @@ class Shapes {
                       draws_.bits() % 2 == 0 ? height::Interpolant::bilinear : height::Interpolant::cubic_spline,
                       {}};
     const float usual = size(0x1p-30F, 1e4F, 0.5F);
-    for (std::size_t i = 0; i < std::size_t{grid.columns} * grid.rows; ++i) {
+    const auto any_value = [&] {
       const std::uint64_t choice = draws_.bits() % 8;
       const float value = size(0x1p-30F, 1e4F, usual);
-      grid.values.push_back(choice == 0 ? 0 : choice % 2 == 0 ? value : -value);
+      return choice == 0 ? 0 : choice % 2 == 0 ? value : -value;
+    };
+    for (std::size_t i = 0; i < std::size_t{grid.columns} * grid.rows; ++i) grid.values.push_back(any_value());
+    const auto at = [&](std::uint32_t i, std::uint32_t j) -> float& { return grid.values[std::size_t{j} * grid.columns + i]; };
+    const auto change = [&](const auto& value) {
+      for (std::uint32_t j = 0; j < grid.rows; ++j)
+        for (std::uint32_t i = 0; i < grid.columns; ++i) at(i, j) = value(i, j);
+    };
+    // Where errors hang on what is small or missing: level along one axis, steps in the last places only, one step.
+    const float base = any_value();
+    switch (draws_.bits() % 8) {
+      case 0: change([&](std::uint32_t i, std::uint32_t) { return at(i, 0); }); break;
+      case 1: change([&](std::uint32_t, std::uint32_t j) { return at(0, j); }); break;
+      case 2:
+        change([&](std::uint32_t, std::uint32_t) {
+          const float value = std::fabs(base) * (1 - 0x1p-23F * static_cast<float>(draws_.bits() % 4));
+          return base == 0 ? 0 : std::copysign(std::max(value, 0x1p-30F), base);
+        });
+        break;
+      case 3: {
+        const float step = any_value();
+        change([&](std::uint32_t i, std::uint32_t j) { return i == grid.columns / 2 && j == grid.rows / 2 ? step : base; });
+        break;
+      }
+      default: break;
     }
     return std::make_shared<const height::Grid>(std::move(grid));
   }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/reference/bump_geometry.h"
+
 #include <CGAL/Algebraic_kernel_d_1.h>
 #include <CGAL/CORE_BigInt.h>
 #include <CGAL/CORE_arithmetic_kernel.h>

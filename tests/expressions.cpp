@@ -47,9 +47,11 @@ Scaled Expressions::input(const std::string& name, int bits) {
 }
 
 void Expressions::name_constant(double value, const Scaled& expression) {
+  if (value == 0 || !std::isfinite(value))
+    throw std::runtime_error(text(expression) + ": found " + std::to_string(value) + ", expected a finite value other than 0");
   const auto [odd, sign, exponent] = odd_times_power(value);
   if (odd == 1 || named_.contains(odd))
-    throw std::runtime_error(text(expression) + ": expected a value that tells it from other constants");
+    throw std::runtime_error(text(expression) + ": expected a value that no other constant has");
   if (bits_of(odd) > node(expression).bits)
     throw std::runtime_error(text(expression) + ": found a value of more bits than the script says");
   named_.emplace(odd, expression.times(sign, -exponent));
@@ -194,12 +196,14 @@ double Expressions::evaluate(const Scaled& a, const std::map<int, double>& input
   }
 }
 
-std::string Expressions::text(const Scaled& a) const {
+std::string Expressions::text(const Scaled& a, int depth) const {
+  if (depth == 0) return "...";
   const Node& n = node(a);
+  const auto operand = [&](std::size_t i) { return text(n.operands[i], depth - 1); };
   const auto operands = [&](const char* operation) {
-    return std::string("(").append(text(n.operands[0])).append(operation).append(text(n.operands[1])).append(")");
+    return std::string("(").append(operand(0)).append(operation).append(operand(1)).append(")");
   };
-  const auto function = [&](const char* name) { return std::string(name).append("(").append(text(n.operands[0])).append(")"); };
+  const auto function = [&](const char* name) { return std::string(name).append("(").append(operand(0)).append(")"); };
   std::string inside = n.name;
   switch (n.kind) {
     case Kind::sum: inside = operands(" + "); break;
@@ -220,16 +224,10 @@ std::string Expressions::difference(const Scaled& found, const Scaled& expected)
   const Node &f = node(found), &e = node(expected);
   const bool is_same_operation = f.kind == e.kind && f.is_rounded == e.is_rounded && f.operands.size() == e.operands.size() &&
                                  found.sign == expected.sign && found.exponent == expected.exponent;
-  if (is_same_operation) {
-    int differing = 0;
-    std::string inside;
-    for (std::size_t i = 0; i < f.operands.size(); ++i) {
-      const std::string one = difference(f.operands[i], e.operands[i]);
-      differing += one.empty() ? 0 : 1;
-      inside = one.empty() ? inside : one;
-    }
-    if (differing == 1) return inside;
-  }
+  std::vector<std::size_t> differing;
+  for (std::size_t i = 0; is_same_operation && i < f.operands.size(); ++i)
+    if (f.operands[i] != e.operands[i]) differing.push_back(i);
+  if (differing.size() == 1) return difference(f.operands[differing[0]], e.operands[differing[0]]);
   return "the header computes\n    " + text(found) + "\n  where the script has\n    " + text(expected);
 }
 

@@ -60,7 +60,8 @@ class Expressions {
   // Of an expression of rounded operations, given the inputs' values by node.
   double evaluate(const Scaled& a, const std::map<int, double>& inputs) const;
 
-  std::string text(const Scaled& a) const;
+  // What lies more than `depth` operations deep is left out: shared parts would be written again and again.
+  std::string text(const Scaled& a, int depth = 8) const;
   // The innermost place where two expressions differ; empty where they are equal.
   std::string difference(const Scaled& found, const Scaled& expected) const;
 

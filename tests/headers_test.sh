@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# headers_test.sh COMPILER SOURCE_DIR INCLUDE_DIR SYSTEM_INCLUDE_DIR...: every header that a program can include compiles by
-# itself. Those of reference/, properties/ and recorder/ have heavy libraries below them and are left to structure_test, which
-# wants each included first by its own source file.
+# headers_test.sh COMPILER SOURCE_DIR INCLUDE_DIR SYSTEM_INCLUDE_DIR...: every header that an installed program can include
+# compiles by itself. One that a source file of its name includes first is compiled so by every build (structure_test looks
+# that it is first, in these folders and the others); the rest is compiled here.
 set -euo pipefail
 compiler=$1 source=$2 include=$3
 shift 3
-options=(-std=c++20 -fsyntax-only -Wall -Wextra -Werror -Wno-unused-function "-I$include")
+options=(-std=c++20 -fsyntax-only -Wall -Wextra -Werror -Wno-unused-function -Wno-unknown-warning-option "-I$include")
 for folder in "$@"; do options+=(-isystem "$folder"); done
 
 compiles() {
@@ -20,11 +20,12 @@ compiles() {
   esac
   echo "#include \"forceshade/$header\"" | "$compiler" "${options[@]}" "${flags[@]}" -x c++ - 2>&1 || { echo "FAILED: $header"; return 1; }
 }
-if [ "${HEADER:-}" ]; then compiles "$HEADER"; exit; fi
+if [ "${FORCESHADE_HEADER:-}" ]; then compiles "$FORCESHADE_HEADER"; exit; fi
 
 cd "$source"
-headers=$(ls {vocabulary,fast,csv,heights,device}/*.h)
-[ "$(wc -w <<<"$headers")" -ge 80 ] || { echo "expected 80 headers or more, found: $headers"; exit 1; }
+headers=""
+for header in {vocabulary,fast,csv,heights,device}/*.h; do [ -f "${header%.h}.cpp" ] || headers+=" $header"; done
+[ "$(wc -w <<<"$headers")" -ge 45 ] || { echo "expected 45 headers or more, found:$headers"; exit 1; }
 # shellcheck disable=SC2086
-printf '%s\n' $headers | xargs -P "$(nproc)" -I{} env HEADER={} "$0" "$compiler" "$source" "$include" "$@" || exit 1
+printf '%s\n' $headers | xargs -P "$(nproc)" -I{} env FORCESHADE_HEADER={} "$0" "$compiler" "$source" "$include" "$@" || exit 1
 echo "$(wc -w <<<"$headers") headers compile by themselves"

@@ -246,6 +246,7 @@ TEST(height_bounds, the_denominators_of_rational_maps_are_those_of_the_domain) {
   const double unit = -std::log2(kLeastDifference), number = -log2_of(kLeastFloat);
   // t = (x - start)/pitch: of the pitch in units of the last place of x.
   const double pitch = log2_of(kLargestPitch), t = pitch + unit;
+  const double stiffness = 23 - std::floor(log2_of(kSmallestStiffness));
   for (const auto interpolant : {height::Interpolant::bilinear, height::Interpolant::cubic_spline}) {
     const bool is_spline = interpolant == height::Interpolant::cubic_spline;
     const auto any = [&] {
@@ -254,9 +255,11 @@ TEST(height_bounds, the_denominators_of_rational_maps_are_those_of_the_domain) {
       return fast::HeightGrid(std::make_shared<const height::Grid>(grid));
     };
     // Cubes of both t over 36 for a spline, whose slopes take the place of one t by the pitch over 12.
-    expect(is_spline ? "spline" : "bilinear", denominators<fast::HeightGrid>(any, coordinate),
-           is_spline ? Denominators{6 * t + std::log2(36) + unit, 5 * t + std::log2(12) + unit + pitch}
-                     : Denominators{2 * t + unit, t + unit + pitch});
+    const Denominators bound = is_spline ? Denominators{6 * t + std::log2(36) + unit, 5 * t + std::log2(12) + unit + pitch}
+                                         : Denominators{2 * t + unit, t + unit + pitch};
+    expect(is_spline ? "spline" : "bilinear", denominators<fast::HeightGrid>(any, coordinate), bound);
+    // The denominator of a component squared and times n²: docs/proofs.md, stage 3 of height maps.
+    EXPECT_LE(2 * (stiffness + bound.U + bound.slopes), 1700);
   }
   const auto any_polygons = [&] {
     const float far = kLargestCoordinate;

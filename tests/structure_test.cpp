@@ -46,6 +46,25 @@ TEST(structure, every_law_has_its_file_in_every_folder) {
     }
 }
 
+// So that every build compiles the header by itself; the others are for tests/headers_test.sh.
+TEST(structure, each_source_file_includes_the_header_of_its_name_first) {
+  int found = 0;
+  for (const char* folder : {"fast", "csv", "heights", "device", "recorder", "reference", "properties", "apps"})
+    for (const auto& entry : std::filesystem::directory_iterator(kRoot / folder)) {
+      if (entry.path().extension() != ".cpp") continue;
+      std::filesystem::path header = entry.path();
+      if (!std::filesystem::exists(header.replace_extension(".h"))) continue;
+      ++found;
+      std::ifstream file(entry.path());
+      std::string line;
+      while (std::getline(file, line) && !line.starts_with("#include")) continue;
+      std::string expected = "#include \"forceshade/";
+      expected.append(folder).append("/").append(header.filename().string()).append("\"");
+      EXPECT_EQ(line, expected) << entry.path();
+    }
+  EXPECT_GT(found, 60);
+}
+
 TEST(structure, the_two_sides_never_meet) {
   expect_no_include("fast",
                     {"forceshade/reference/", "forceshade/properties/", "forceshade/device/", "CGAL", "boost", "mpfr", "gmp"});
