@@ -238,13 +238,43 @@ TEST(recording, that_was_changed_is_found_out) {
   EXPECT_EQ(problem(""), "");
   EXPECT_NE(problem("UPDATE chunk SET data = zeroblob(length(data)) WHERE id = 1").find(damaged), std::string::npos);
   EXPECT_NE(problem("UPDATE chunk SET data = x'', samples = 0 WHERE id = 1").find(damaged), std::string::npos);
+  // The digest is that of no bytes at all.
+  EXPECT_NE(problem("UPDATE chunk SET data = x'', samples = 0, sha256 = "
+                    "x'e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855' WHERE id = 1")
+                .find(damaged),
+            std::string::npos);
   EXPECT_NE(problem("UPDATE chunk SET first_tick = 1 WHERE id = 1").find(damaged), std::string::npos);
+  EXPECT_NE(problem("UPDATE chunk SET last_tick = last_tick + 1 WHERE id = 1").find(damaged), std::string::npos);
   EXPECT_NE(problem("UPDATE chunk SET sha256 = x'00' WHERE id = 1").find(damaged), std::string::npos);
   EXPECT_EQ(problem("DELETE FROM chunk"), path + ": expected 201, got 0 samples");
   EXPECT_EQ(problem("INSERT INTO chunk SELECT 1000, first_tick, last_tick, samples, sha256, data FROM chunk WHERE id = 1"),
             path + ": twice or too late: tick 0");
   EXPECT_EQ(problem("DELETE FROM metadata WHERE key = 'ended'"),
             path + ": no end: cut off, or still being made, after 201 samples");
+}
+
+TEST(recording, with_ticks_left_out_repeated_or_out_of_order_says_which) {
+  const TemporaryDirectory directory;
+  int made = 0;
+  const auto problems = [&](const std::vector<std::uint64_t>& ticks) {
+    const std::string path = directory.file(std::to_string(made++) + ".fsr");
+    {
+      Recorder recorder(path, {});
+      for (const std::uint64_t tick : ticks) recorder.push({.tick = tick});
+      recorder.close("time up");
+    }
+    Recording recording(path);
+    std::vector<std::string> words = problems_of(recording);
+    for (std::string& word : words) word.erase(0, path.size() + 2);
+    return words;
+  };
+  using Words = std::vector<std::string>;
+  EXPECT_EQ(problems({0, 1, 2}), Words{});
+  EXPECT_EQ(problems({1, 2}), Words{"missing: tick 0"});
+  EXPECT_EQ(problems({5, 6}), Words{"missing: ticks 0 to 4"});
+  EXPECT_EQ(problems({0, 1, 3}), Words{"missing: tick 2"});
+  EXPECT_EQ(problems({0, 1, 1, 2}), Words{"twice or too late: tick 1"});
+  EXPECT_EQ(problems({0, 1, 2, 1}), Words{"twice or too late: tick 1"});
 }
 
 TEST(recording, that_was_damaged_or_truncated_on_disk_is_found_out) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The rules that shorten a force.
 
+#include <Eigen/Geometry>
 #include <random>
 
 #include "forceshade/device/simulated.h"
@@ -170,6 +171,28 @@ TEST(supervisor, never_turns_a_force_faster_than_it_grows) {
     last = force;
   }
   EXPECT_NEAR(last.x(), 0, 1e-4);
+}
+
+// Aimed at where only rounding decides: forces that turn by a little more than they may.
+TEST(supervisor, rounds_no_force_to_a_longer_one) {
+  std::mt19937 bits(1);
+  std::uniform_real_distribution<float> component(-5, 5), chord(1, 1.000001F);
+  SupervisorLimits limits = lenient();
+  limits.slew = 1000;
+  Hand hand(limits);
+  std::size_t limited = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Force from{component(bits), component(bits), component(bits)};
+    if (from.norm() < 1) continue;
+    hand.supervise_for(20, from);
+    const Force beside = from.cross(Force(component(bits), component(bits), component(bits))).normalized();
+    const float half = std::asin(chord(bits) / (2 * from.norm()));
+    const Force wanted = std::cos(2 * half) * from + std::sin(2 * half) * from.norm() * beside;
+    const Verdict verdict = hand.supervise(wanted);
+    ASSERT_LE(length_of(verdict.force), length_of(wanted)) << from.transpose();
+    limited += verdict.limited.has(Rule::slew) ? 1 : 0;
+  }
+  EXPECT_GT(limited, 1000U);
 }
 
 TEST(supervisor, fades_the_force_outside_the_workspace) {
