@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The numbers of the exact stages on a random walk beside the same walk in 6000 bits. Wide is cut to two limbs, so that every
+// The numbers of the exact stages on a random walk beside the same walk in 1600 bits. Wide is cut to two limbs, so that every
 // operation rounds.
 
 #include "forceshade/fast/ball.h"
@@ -7,42 +7,18 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <boost/multiprecision/mpfr.hpp>
 #include <random>
 
-#include "forceshade/fast/double_double.h"
-#include "forceshade/fast/wide.h"
+#include "forceshade/tests/multiprecision.h"
 
 namespace forceshade::fast {
 namespace {
 
-using Multiprecision =
-    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<1800>, boost::multiprecision::et_off>;
+using tests::bound_of;
+using tests::Multiprecision;
+using tests::value_of;
 using Wide2 = Wide<2>;
 constexpr int kLostBits = 9;  // by a quotient or a root of Wide2, of its 128
-
-// The midpoint, exactly.
-Multiprecision value_of(const DoubleDouble& ball) {
-  return Multiprecision(ball.hi) + Multiprecision(ball.lo);
-}
-// What binary64 takes off the front is left out of the rest without rounding; 128 bits are three pieces or four.
-Multiprecision value_of(const Wide2& ball) {
-  Multiprecision sum = 0;
-  Wide2 rest = midpoint(ball);
-  for (int piece = 0; piece < 8; ++piece) {
-    const double head = approximately(rest);
-    sum += head;
-    rest = midpoint(rest - Wide2::exactly(head));
-  }
-  return sum;
-}
-
-Multiprecision bound_of(const DoubleDouble& ball) {
-  return ball.error;
-}
-Multiprecision bound_of(const Wide2& ball) {
-  return ldexp(Multiprecision(1), static_cast<long>(ball.error_exponent()));
-}
 
 template <class N>
 struct Walker {
