@@ -149,14 +149,12 @@ sed 's/"height-map"/"height-map-conservative"/' hill.toml > conservative.toml
 expect 0 "conservative.toml, height-map-conservative: conservative" -- energy --height-map conservative.toml --depth 2
 expect 2 "hill.toml: depth is 0 mm; expected 0.00127 to 4998.5 mm" -- energy --height-map hill.toml --depth 0
 expect 2 "--at requires --height-map" -- energy --law wall --depth 2 --at 3
-# Steep and fine: met, known not to be met, not enclosed, interrupted.
+# Steep and fine: met, not enclosed, interrupted.
 grating() { printf 'render = "height-map-shaded"\n[[part]]\nshape = "grating"\nheight_mm = %s\nwave_x_rad_per_mm = %s\n' "$@"; }
 grating 20 19.44 > steep.toml
 expect 0 "active: over y = 0 mm, x from -0.5 to 0.5 mm" -- energy --height-map steep.toml --depth 0.5 --from=-0.5 --to 0.5
 expect 0 '"bound_is_met":true' -- energy --height-map steep.toml --depth 0.5 --from=-0.5 --to 0.5 --json -
 grating 1 1000 > far.toml
-expect 0 "the bound is not met: no loop was found that is paid 99 % of it" -- energy --height-map far.toml --depth 2 --from 9000 --to 9000.02
-expect 0 '"bound_is_met":false' -- energy --height-map far.toml --depth 2 --from 9000 --to 9000.02 --json -
 printf 'render = "height-map"\n[[part]]\nshape = "cone"\nheight_mm = 3\nradius_mm = 4\nx_mm = 0.3\n' > missed.toml
 expect 1 "missed.toml: no verdict: not enclosed: the height map is so steep or so fine" -- \
   energy --height-map missed.toml --depth 1 --at 1e-35 --json missed.json
