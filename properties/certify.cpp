@@ -139,7 +139,8 @@ HeightMapResult checked(const NamedHeightMap& named, const Run& run, const Done&
   result.jumps = shape.jumps();
   result.conservative = shape.is_conservative;
   if (run.stop) return result;
-  result.energy = loop_energies(subject.law, std::get<fast::HeightLaw>(fast::HeightLaw::build(map, rendering, stiffness)));
+  result.energy =
+      loop_energies(subject.law, std::get<fast::HeightLaw>(fast::HeightLaw::build(map, rendering, stiffness)), run.stop);
   return result;
 }
 

@@ -2,6 +2,7 @@
 #include "forceshade/properties/height_loops.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -31,15 +32,17 @@ reference::Slice certified_slice(const HeightMap& map) {
   return {reference::Slice::Along::x, 0, -reach, reach};
 }
 
-std::vector<LoopEnergy> loop_energies(const reference::HeightLaw& law, const fast::HeightLaw& fast) {
+std::vector<LoopEnergy> loop_energies(const reference::HeightLaw& law, const fast::HeightLaw& fast,
+                                      const std::atomic<bool>& stop) {
   const reference::Slice slice = certified_slice(law.map());
   std::vector<LoopEnergy> energies;
   try {
     for (const float depth : {0.5F, 2.0F}) {
-      if (slice_error(law, slice, depth)) continue;
+      if (stop || slice_error(law, slice, depth)) continue;
+      const std::array<double, 2> bound = binary64(loop_bound(law, slice, depth).most());
+      if (!std::isfinite(bound[0]) || !std::isfinite(bound[1])) continue;
       const std::vector<Eigen::Vector3f> loop = witness(law, slice, depth);
-      energies.push_back({static_cast<double>(depth), binary64(loop_bound(law, slice, depth).most()),
-                          binary64(work(law, loop))[0], walked(fast, loop)});
+      energies.push_back({static_cast<double>(depth), bound, binary64(work(law, loop))[0], walked(fast, loop)});
     }
     return energies;
   } catch (const std::domain_error&) {
