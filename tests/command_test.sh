@@ -187,7 +187,7 @@ expect 2 '--cases: expected a whole number from 1 to 1000000000, in digits; got 
 expect 2 '--seed: expected a whole number from 0 to 18446744073709551615, in digits; got "18446744073709551616"' -- \
   certify --seed 18446744073709551616 --out no
 for option in --points --cases --seed; do expect 2 "$option excludes --exhaustive" -- certify --exhaustive $option 3 --out no; done
-expect 2 "--points: expected after 'certify merge'" -- certify --points 3 merge in.csv --out no
+expect 2 "--points: expected after 'certify merge'" -- "$forceshade" certify --points 3 merge in.csv --out no
 expect 2 "too many inputs to sweep" -- "$forceshade" certify --exhaustive --height-map hill.toml --out new/no
 expect 2 "has no such sweep" -- "$forceshade" certify --exhaustive --law wall --sweeps lines --out new/no
 same "" "$(ls -d no new 2> /dev/null)"

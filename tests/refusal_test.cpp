@@ -130,6 +130,23 @@ TEST(refusal, takes_one_entry_that_is_enough_beside_one_that_is_not) {
   }
 }
 
+// Enough of the same shape with another stiffness is not enough of this one.
+TEST(refusal, counts_the_evidence_of_the_subject_alone) {
+  for (const bool other_first : {true, false}) {
+    Certificate certificate = tests::made_certificate();
+    static_cast<Comparison&>(certificate.height_maps[0]) = tests::made_comparison(10);
+    HeightMapResult other = tests::made_map();
+    other.identity.stiffness = 0.75F;
+    certificate.height_maps.insert(other_first ? certificate.height_maps.begin() : certificate.height_maps.end(), other);
+    expect_words(of_map(certificate), "has 10 points for hill.toml");
+    static_cast<Comparison&>(certificate.laws[0]) = tests::made_comparison(10);
+    LawResult law = tests::made_law();
+    law.parameters.stiffness = 0.75F;
+    certificate.laws.insert(other_first ? certificate.laws.begin() : certificate.laws.end(), law);
+    expect_words(of_law(certificate), "has 10 points for bump-2p");
+  }
+}
+
 TEST(refusal, says_what_evidence_is_lacking) {
   expect_both([](Findings& found) { static_cast<Comparison&>(found) = tests::made_comparison(1); },
               "the certificate has 1 point for bump-2p; driving needs at least 1000000",
@@ -209,6 +226,14 @@ TEST(refusal, names_what_differs_of_a_height_map) {
   other = tests::made_map().identity;
   other.stiffness = 0.6F;
   expect_words(of_map(certificate, tests::made_build(), other), "another stiffness: expected 0.6 N/mm, got 0.5 N/mm");
+  // Of two, the one of this shape says what differs.
+  Certificate two = certificate;
+  HeightMapResult another = tests::made_map();
+  another.identity.map_digest = std::string(64, 'd');
+  two.height_maps[0].identity.rendering = height::Rendering::conservative;
+  two.height_maps[0].identity.stiffness = 0.75F;
+  two.height_maps.push_back(another);
+  expect_words(of_map(two), "another rendering: expected height-map, got height-map-conservative");
   Certificate laws = certificate;
   laws.height_maps.clear();
   expect_words(of_map(laws), "covers no height map");
