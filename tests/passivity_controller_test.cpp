@@ -346,7 +346,7 @@ TEST(passivity_controller, gives_no_force_at_what_is_no_position_and_assumes_the
   EXPECT_EQ(controller.account().balance, -3);
 }
 
-TEST(passivity_controller, lets_friction_pay_nothing_of_a_step_that_was_not_seen) {
+TEST(passivity_controller, counts_no_friction_in_a_step_that_was_not_seen) {
   PassivityController controller({.longest_step = 1, .epsilon = 10, .friction = 0.5});
   controller.passed({0, 0, -1}, {0, 0, 2});
   controller.passed({0, std::nanf(""), -1}, {0, 0, 2});

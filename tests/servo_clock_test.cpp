@@ -38,7 +38,7 @@ class Timed final : public Pushing {
 
 // A command takes 0.2 ms, of which half is computing, but that of tick 5, which misses the deadline by 0.6 ms: tick 6 wakes up
 // that late and makes up for it.
-TEST(servo_loop, tells_how_long_each_part_of_a_tick_took) {
+TEST(servo_loop, measures_each_part_of_a_tick) {
   VirtualClock clock;
   Timed device(clock, [&](std::size_t tick) {
     clock.compute(0.1);
@@ -67,7 +67,7 @@ TEST(servo_loop, tells_how_long_each_part_of_a_tick_took) {
   EXPECT_NEAR(run.achieved_rate_hz, 10 / 0.0102, 1e-9);
 }
 
-TEST(servo_loop, owns_an_overrun_only_if_it_computed_for_longer_than_a_period) {
+TEST(servo_loop, counts_an_overrun_only_if_it_computed_for_longer_than_a_period) {
   for (const auto& [computed, overruns] : {std::pair{0.99, 0U}, std::pair{1.0, 0U}, std::pair{1.01, 1U}}) {
     VirtualClock clock;
     Timed device(clock, [&, computed = computed](std::size_t tick) {

@@ -188,8 +188,8 @@ TEST(servo_loop, ends_when_the_device_refuses_a_command) {
   expect_ends_at_zero_force(result);
 }
 
-// It is what leaves the device without force: a refusal is told, whatever else has ended the run.
-TEST(servo_loop, tells_when_the_device_refuses_the_zero_force_at_the_end) {
+// Without it the device may go on pushing: a refusal is reported, whatever else has ended the run.
+TEST(servo_loop, reports_a_device_that_refuses_the_zero_force_at_the_end) {
   struct Stubborn final : Still {
     ReadResult at(std::size_t) noexcept override { return here(); }
     std::optional<Fault> on_command() noexcept override {

@@ -152,7 +152,7 @@ TEST(servo_loop, gives_the_device_and_the_record_the_force_that_the_controller_l
   EXPECT_NEAR(run.energy_given_mJ() - run.energy_taken_mJ(), given, 1e-9);
 }
 
-// A hand that rests in a stiff wall is given little force, for want of energy; then it presses on and pays for more at once.
+// A hand that rests in a stiff wall is given little force, since it has put in no energy; then it presses on and puts in much.
 // The supervisor goes by the force that was commanded, not by the one that it had allowed.
 TEST(servo_loop, lets_the_commanded_force_grow_no_faster_than_the_supervisor_allows) {
   struct Presser final : Pushing {
@@ -198,7 +198,7 @@ TEST(servo_loop, holds_no_speed_against_a_hand_that_was_given_no_force) {
   EXPECT_FALSE(run.trip) << name_of(run.trip->rule);
 }
 
-TEST(servo_loop, heeds_what_a_device_knows_of_itself) {
+TEST(servo_loop, goes_by_what_a_device_reports_of_itself) {
   struct Knowing final : Pushing {
     State state() const noexcept override { return known; }
     State known;
