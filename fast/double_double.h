@@ -34,7 +34,7 @@ inline TwoTerms two_product(double a, double b) noexcept {
 
 // |true value - (hi + lo)| <= error. Relative errors of the operations below: sum at most 3·2^-106 and a little (Joldes,
 // Muller and Popescu 2017, theorem 3.1); product, quotient and root proved in double_double.g. All are charged as 2^-101; the
-// bound's own arithmetic is rounded up by the factor kSlack.
+// bound's own arithmetic is rounded up by the factor kSlack, of which 2^-49 would be enough.
 struct DoubleDouble {
   double hi = 0, lo = 0, error = 0;
 

@@ -12,7 +12,7 @@ namespace forceshade::fast {
 
 // |true value - value| <= error. An operation charges 2^-53 of its result, which holds unless that is subnormal (no number of
 // a height map is below 2^-480 in size without being 0), and what it hands on; kSlack pays for the bound's own roundings, at
-// most six.
+// most seven.
 struct Tracked {
   double value = 0, error = 0;
 
