@@ -77,7 +77,7 @@ inline Terms<Real> square_root_of(const Terms<Real>& a) noexcept {
 }
 
 // |true value - (hi + lo)| <= error. The relative errors of all operations are charged as 2^-101; the bound's own arithmetic
-// is rounded up by the factor kSlack.
+// is rounded up by the factor kSlack, of which 2^-49 would be enough.
 struct DoubleDouble {
   double hi = 0, lo = 0, error = 0;
 

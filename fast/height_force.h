@@ -37,7 +37,7 @@ FORCESHADE_INLINE GapForce<Real> gap_force(Real gap, Real Ux, Real Uy, height::R
 //
 // With M = K·gap/n, n = √(1 + U_x² + U_y²), e the errors of the jet and primes for exact numbers: |n - n'| <= e_x + e_y, for a
 // length changes by no more than its vector, so |M - M'| <= K·e_U/n' + M|n - n'|/n' <= e_M = K·e_U + M(e_x + e_y), and
-// |M·U_x - M'·U_x'| <= e_M(|U_x| + e_x) + M·e_x. kSlack covers the roundings of these bounds.
+// |M·U_x - M'·U_x'| <= e_M(|U_x| + e_x) + M·e_x. kSlack covers the roundings of these bounds; 2^-48 would.
 FORCESHADE_INLINE HeightForce height_force(const Jet<Tracked>& map, height::Rendering rendering, double K, double z) noexcept {
   constexpr double kSlack = 1 + 0x1p-20;
   const double gap = map.U.value - z, gap_error = map.U.error;

@@ -50,7 +50,7 @@ N factorial_series(const N& w, int first, int step) noexcept {
   return numerator / denominator + within<N>(Size::kBits * Size::kTerms);
 }
 
-// How often to halve a number below `size`; 0 < size.
+// How often to halve a number below `size`; 0 < size. Once more than its exponent takes: a number may be rounded up to `size`.
 template <class N>
 int halvings(double size) noexcept {
   const int k = std::ilogb(size) + 2 + SeriesSize<N>::kBits;

@@ -11,7 +11,7 @@
 namespace forceshade::fast {
 
 // |true value - value| <= error. An operation charges 2^-53 of its result, which holds unless that is subnormal, and what it
-// hands on; kSlack covers the bound's own roundings, at most six. No result within a jet is below kLeastResult in size
+// hands on; kSlack covers the bound's own roundings, at most seven. No result within a jet is below kLeastResult in size
 // without being 0: tests/height_bounds_test.cpp derives it from the domain. The bound's own products may be subnormal, and
 // lose 2^-1075 then, which kSlack covers too.
 struct Tracked {

@@ -180,6 +180,7 @@ class Wide {
 
  private:
   __extension__ using Product = unsigned __int128;
+  // The whole numbers that the operations add to exponents of errors are up to four larger than any operands are known to need.
   static constexpr std::int64_t kBits = 64 * static_cast<std::int64_t>(kLimbs);
   static constexpr std::int64_t kExact = -(std::int64_t{1} << 60);
   static constexpr std::int64_t kInfinite = std::int64_t{1} << 58;  // stays far above 0 beside any exponent
