@@ -65,6 +65,15 @@ TEST(exponential_sum, sees_what_no_enclosure_sees) {
   EXPECT_EQ((cos(Sum(1e7)) - cos(Sum(1e7) + Sum(0x1p-300))).sign(), std::sin(1e7) > 0 ? 1 : -1);
 }
 
+TEST(exponential_sum, has_the_sign_of_terms_that_are_alike_but_differ) {
+  const Sum one(1), two(2);
+  EXPECT_EQ((sin(one) - cos(one)).sign(), 1) << "a sine is no cosine of the same angle";
+  expect_zero(two * sin(one) - sin(one) * two, "a number times a sine, either way round");
+  EXPECT_EQ((two * exp(-one) - Sum(6) * exp(-two)).sign(), -1) << "2/e is less than 6/e^2";
+  EXPECT_EQ(cos(Sum(3)).sign(), -1) << "one wave, of a positive factor";
+  EXPECT_EQ((exp(-one - Sum(0x1p-300)) - exp(-one)).sign(), -1) << "less than 256 bits show";
+}
+
 TEST(exponential_sum, agrees_with_binary64_where_that_can_tell) {
   std::mt19937_64 random(8);
   std::uniform_real_distribution<double> number(-3, 3);

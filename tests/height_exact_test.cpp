@@ -8,7 +8,12 @@
 #include <bit>
 #include <random>
 
+#include "forceshade/fast/height_cap.h"
+#include "forceshade/fast/height_cone.h"
+#include "forceshade/fast/height_gaussian.h"
 #include "forceshade/fast/height_law.h"
+#include "forceshade/fast/height_plane.h"
+#include "forceshade/fast/height_polygons.h"
 #include "forceshade/properties/binary32.h"
 #include "forceshade/reference/height_law.h"
 
@@ -243,9 +248,9 @@ TEST(height_exact, sees_waves_that_all_but_cancel) {
     return value;
   };
   for (const int n : {6, 7, 8, 13}) {
-    HeightMap map{{{height::Plane{0, 0, static_cast<float>(binomial(2 * n, n) * 0x1p-10)}}}};
+    HeightMap map{{{height::Plane{0, 0, static_cast<float>(binomial(2 * n, n) * 0x1p-11)}}}};
     for (int k = 1; k <= n; ++k) {
-      const double height = (k % 2 == 0 ? 2 : -2) * binomial(2 * n, n + k) * 0x1p-10;
+      const double height = (k % 2 == 0 ? 2 : -2) * binomial(2 * n, n + k) * 0x1p-11;
       map.parts.push_back({height::Grating{static_cast<float>(height), 0, 0, static_cast<float>(k) * 0x1p-149F}});
     }
     const auto law = std::get<fast::HeightLaw>(fast::HeightLaw::build(map, Rendering::true_height, 1));
@@ -254,6 +259,143 @@ TEST(height_exact, sees_waves_that_all_but_cancel) {
     const auto reference = std::get<reference::HeightLaw>(reference::HeightLaw::build(map, Rendering::true_height, 1));
     EXPECT_EQ(reference.round_to_binary32({0, 0, 0}).status, Status::contact) << n;
   }
+}
+
+// Random parts at one place, as jets in 4096 bits and exactly.
+class PartsAtAPlace {
+ public:
+  PartsAtAPlace(const fast::Place& at, double z, Rendering rendering, double stiffness)
+      : place_(at, z, rendering, stiffness), at_(at), z_(z), rendering_(rendering), stiffness_(stiffness) {}
+
+  template <class Shape>
+  void add(const Shape& shape, bool negated) {
+    const bool is_shaded = rendering_ == Rendering::force_shaded;
+    place_.add(shape, {!is_shaded, true, negated ? -1.0 : 1.0});
+    const fast::Jet<N> one = fast::jet<N>(shape, at_);
+    jet_ = jet_ + (negated ? -one : one);
+  }
+  Sign exact_gap() const { return place_.sign_of_gap(); }
+  Sign enclosed_gap() const { return proved_sign(gap()); }
+  Sign exact_excess(std::size_t axis, double tie) const { return place_.sign_of_excess(axis, tie); }
+  Sign enclosed_excess(std::size_t axis, double tie) const { return proved_sign(component(axis) - N::exactly(tie)); }
+  double approximate_component(std::size_t axis) const { return approximately(component(axis)); }
+
+ private:
+  using N = fast::Wide<64>;
+
+  N gap() const { return (rendering_ == Rendering::force_shaded ? N::exactly(0) : jet_.U) - N::exactly(z_); }
+  N component(std::size_t axis) const {
+    N magnitude = N::exactly(stiffness_) * gap();
+    if (rendering_ != Rendering::conservative)
+      magnitude = magnitude / square_root(N::exactly(1) + (jet_.Ux * jet_.Ux + jet_.Uy * jet_.Uy));
+    return axis == 2 ? magnitude : -(magnitude * (axis == 0 ? jet_.Ux : jet_.Uy));
+  }
+
+  fast::ExactPlace place_;
+  fast::Place at_;
+  double z_;
+  Rendering rendering_;
+  double stiffness_;
+  fast::Jet<N> jet_ = fast::flat<N>();
+};
+
+struct Agreement {
+  int compared = 0, unknown = 0;
+
+  // An enclosure that can tell must not be contradicted.
+  void expect(Sign exact, Sign enclosed, const char* what) {
+    if (enclosed == Sign::unknown) return;
+    ++compared;
+    unknown += exact == Sign::unknown;
+    if (exact != Sign::unknown) {
+      EXPECT_EQ(exact, enclosed) << what;
+    }
+  }
+};
+
+// Of components whose polynomial is of degree 2: near a Gaussian nothing else is expanded far enough.
+void ask(const PartsAtAPlace& parts, std::size_t first_axis, std::mt19937& random, Agreement& agreement) {
+  agreement.expect(parts.exact_gap(), parts.enclosed_gap(), "gap");
+  if (parts.enclosed_gap() != Sign::positive) return;
+  for (std::size_t axis = first_axis; axis < 3; ++axis) {
+    const double value = parts.approximate_component(axis);
+    if (std::fabs(value) < 1e-200) continue;
+    const double tie = value * (1 + std::ldexp(static_cast<double>(random() % 5) - 2, -static_cast<int>(random() % 53)));
+    if (tie * value > 0) agreement.expect(parts.exact_excess(axis, tie), parts.enclosed_excess(axis, tie), "component");
+  }
+}
+
+TEST(height_exact, agrees_with_enclosures_that_can_tell) {
+  std::mt19937 random(6);
+  const auto few_bits = [&] { return static_cast<float>(static_cast<int>(random() % 33) - 16) / 4; };
+  const auto reach = [&] { return static_cast<float>(random() % 15 + 1) / 2; };
+  Agreement agreement;
+  for (int i = 0; i < 600; ++i) {
+    const auto rendering = height::kRenderings[random() % 3].rendering;
+    PartsAtAPlace parts(fast::Place(few_bits(), few_bits()), static_cast<double>(few_bits()) - 4, rendering, 0.75);
+    int roots = 0;
+    bool has_hill = false;
+    for (std::uint32_t part = random() % 3 + 1; part > 0; --part) {
+      const bool negated = random() % 3 == 0;
+      switch (random() % 5) {
+        case 0: parts.add(height::Plane{few_bits() / 4, few_bits() / 4, few_bits()}, negated); break;
+        case 1:
+          parts.add(height::Gaussian{few_bits(), few_bits(), few_bits(), reach() / 4}, negated);
+          has_hill = true;
+          break;
+        case 2: parts.add(height::Polygons{{{-3, 0}, {-1, few_bits()}, {2, 1}, {4, few_bits()}}}, negated); break;
+        case 3: {
+          if (++roots > 3) break;
+          parts.add(height::Cone{few_bits(), few_bits(), few_bits(), 2 * reach()}, negated);
+          break;
+        }
+        default: {
+          if ((roots += 2) > 3) break;
+          const float radius = reach() + 0.5F;
+          if (random() % 2 == 0)
+            parts.add(height::CylinderCap{few_bits(), radius, 1.5F * radius}, negated);
+          else
+            parts.add(height::SphereCap{few_bits(), few_bits(), radius, 1.5F * radius}, negated);
+        }
+      }
+    }
+    ask(parts, has_hill && rendering != Rendering::conservative ? 2 : 0, random, agreement);
+  }
+  std::printf("  %d compared, %d unknown\n", agreement.compared, agreement.unknown);
+  EXPECT_GT(agreement.compared, 1000);
+  EXPECT_EQ(agreement.unknown, 0);
+}
+
+// A tie of the plane, and Gaussians whose tails 4096 bits see to the second order.
+TEST(height_exact, agrees_with_enclosures_beside_ties) {
+  std::mt19937 random(7);
+  Agreement agreement;
+  for (int i = 0; i < 400; ++i) {
+    const auto rendering = height::kRenderings[random() % 3].rendering;
+    const bool is_sloped = random() % 2 == 0;
+    const double gap = 1 + static_cast<double>(random() % 64) / 64, stiffness = 1.25;
+    const float x = static_cast<float>(random() % 9) - 4;
+    PartsAtAPlace parts(fast::Place(x, 0),
+                        (rendering == Rendering::force_shaded || !is_sloped ? 0.0 : 0.75 * static_cast<double>(x)) - gap,
+                        rendering, stiffness);
+    if (is_sloped) parts.add(height::Plane{0.75F, 0, 0}, false);
+    for (std::uint32_t hill = random() % 4; hill > 0; --hill) {
+      const auto distance = static_cast<float>(random() % 4 + 8);
+      const auto y = static_cast<float>(random() % 3);
+      const height::Gaussian one{x + (random() % 2 == 0 ? distance : -distance), random() % 2 == 0 ? y : -y,
+                                 static_cast<float>(random() % 3) - 1, random() % 3 == 0 ? 0.25F : 0.5F};
+      parts.add(one, random() % 2 == 0);
+    }
+    const bool is_long = rendering == Rendering::conservative || !is_sloped;  // the normal's length is left out, or is 1
+    agreement.expect(parts.exact_excess(2, stiffness * gap / (is_long ? 1 : 1.25)),
+                     parts.enclosed_excess(2, stiffness * gap / (is_long ? 1 : 1.25)), "F_z");
+    if (is_sloped)
+      agreement.expect(parts.exact_excess(0, -stiffness * gap * 0.75 / (is_long ? 1 : 1.25)),
+                       parts.enclosed_excess(0, -stiffness * gap * 0.75 / (is_long ? 1 : 1.25)), "F_x");
+  }
+  std::printf("  %d compared, %d unknown\n", agreement.compared, agreement.unknown);
+  EXPECT_GT(agreement.compared, 300);
+  EXPECT_EQ(agreement.unknown, 0);
 }
 
 // Waves that are left are not its affair.

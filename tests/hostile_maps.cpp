@@ -51,8 +51,12 @@ float HostileMaps::tiny_or_any() {
 }
 
 height::Shape HostileMaps::shape() {
+  const auto high = [&] { return once_in(8) ? tiny_or_any() : height(); };
   const auto slope = [&] {
-    return once_in(2) ? 0 : once_in(2) ? either_sign(one_of({0.75F, 1, 0.5F, 2, 1e3F})) : uniform(-2, 2);
+    return once_in(12)  ? tiny_or_any()
+           : once_in(2) ? 0
+           : once_in(2) ? either_sign(one_of({0.75F, 1, 0.5F, 2, 1e3F}))
+                        : uniform(-2, 2);
   };
   switch (pick(9)) {
     case 0: return height::Plane{0, 0, high()};
