@@ -335,7 +335,7 @@ TEST(height_exact, agrees_with_enclosures_that_can_tell) {
     PartsAtAPlace parts(fast::Place(few_bits(), few_bits()), static_cast<double>(few_bits()) - 4, rendering, 0.75);
     int roots = 0;
     bool has_hill = false;
-    for (std::uint32_t part = random() % 3 + 1; part > 0; --part) {
+    for (auto part = random() % 3 + 1; part > 0; --part) {
       const bool negated = random() % 3 == 0;
       switch (random() % 5) {
         case 0: parts.add(height::Plane{few_bits() / 4, few_bits() / 4, few_bits()}, negated); break;
@@ -379,7 +379,7 @@ TEST(height_exact, agrees_with_enclosures_beside_ties) {
                         (rendering == Rendering::force_shaded || !is_sloped ? 0.0 : 0.75 * static_cast<double>(x)) - gap,
                         rendering, stiffness);
     if (is_sloped) parts.add(height::Plane{0.75F, 0, 0}, false);
-    for (std::uint32_t hill = random() % 4; hill > 0; --hill) {
+    for (auto hill = random() % 4; hill > 0; --hill) {
       const auto distance = static_cast<float>(random() % 4 + 8);
       const auto y = static_cast<float>(random() % 3);
       const height::Gaussian one{x + (random() % 2 == 0 ? distance : -distance), random() % 2 == 0 ? y : -y,

@@ -93,8 +93,8 @@ int run(std::uint64_t points, std::uint64_t seed) {
   while (counts.points < points) check(maps.next_map(), maps, counts);
   std::printf("%llu points on %llu maps (%llu more refused for their size), seed %llu: %llu mismatches, %llu undecided\n",
               static_cast<unsigned long long>(counts.points), static_cast<unsigned long long>(counts.maps),
-              static_cast<unsigned long long>(seed), static_cast<unsigned long long>(counts.mismatches),
-              static_cast<unsigned long long>(counts.undecided));
+              static_cast<unsigned long long>(counts.refused), static_cast<unsigned long long>(seed),
+              static_cast<unsigned long long>(counts.mismatches), static_cast<unsigned long long>(counts.undecided));
   const auto print = [](const char* what, const std::array<const char*, 3>& names,
                         const std::array<std::uint64_t, 3>& numbers) {
     std::printf("  %s:", what);
