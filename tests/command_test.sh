@@ -107,7 +107,7 @@ expect 2 "flat.toml: " -- "$forceshade" force --stiffness 1 --height-map flat.to
 sed 's/sigma_mm/sigma/' hill.toml > misspelt.toml
 expect 2 "misspelt.toml: line 2: key sigma_mm is missing" -- "$forceshade" force --stiffness 1 --height-map misspelt.toml --input in.csv
 
-expect 2 "flat.toml: line 2: sigma is 0 mm; expected 0.001 to 10000 mm" -- "$forceshade" certify --stiffness 1 --height-map flat.toml --out map
+expect 2 "flat.toml: line 5: sigma is 0 mm; expected 0.001 to 10000 mm" -- "$forceshade" certify --stiffness 1 --height-map flat.toml --out map
 expect 2 "--stiffness is 0 N/mm" -- "$forceshade" properties --stiffness 0 --height-map hill.toml
 expect 2 "--radius excludes --height-map" -- "$forceshade" properties --height-map hill.toml --radius 1
 expect 2 "missing.toml" -- "$forceshade" properties --height-map missing.toml
@@ -181,10 +181,10 @@ expect 0 "certified: 1250000 points" -- "$forceshade" certify --law bump-1p-shad
 expect 2 "expected a directory" -- "$forceshade" certify --law wall --points 1 --out in.csv/no
 # Its options: what is no whole number, what does not fit, what goes with something else.
 certify() { "$forceshade" certify --law wall "$@"; }
-expect 2 '--points: expected a whole number from 1 to 1000000000000, in digits; got "1e6"' -- certify --points 1e6 --out no
+expect 2 '--points: expected a whole number from 1 to 1000000000000, got "1e6"' -- certify --points 1e6 --out no
 expect 2 '--points: expected a whole number from 1' -- certify --points 0 --out no
-expect 2 '--cases: expected a whole number from 1 to 1000000000, in digits; got "-1"' -- certify --cases -1 --out no
-expect 2 '--seed: expected a whole number from 0 to 18446744073709551615, in digits; got "18446744073709551616"' -- \
+expect 2 '--cases: expected a whole number from 1 to 1000000000, got "-1"' -- certify --cases -1 --out no
+expect 2 '--seed: expected a whole number from 0 to 18446744073709551615, got "18446744073709551616"' -- \
   certify --seed 18446744073709551616 --out no
 for option in --points --cases --seed; do expect 2 "$option excludes --exhaustive" -- certify --exhaustive $option 3 --out no; done
 expect 2 "--points: expected after 'certify merge'" -- "$forceshade" certify --points 3 merge in.csv --out no

@@ -229,7 +229,7 @@ void refuses_parameters_outside_the_domain(LawId law) {
   expect({0.09F, 0.1F, 1}, "radius", "radius is 0.09 mm; expected 0.1 to 10000 mm");
   expect({10001, 1, 1}, "radius", "radius is 10001 mm; expected 0.1 to 10000 mm");
   expect({nan, 1, 1}, "radius", "radius is nan mm; expected 0.1 to 10000 mm");
-  expect({1, 9e-4F, 1}, "width", "width is 9e-04 mm; expected 0.001 to 2 mm");
+  expect({1, 9e-4F, 1}, "width", "width is 0.0009 mm; expected 0.001 to 2 mm");
   expect({1, properties::neighbour(2, 1), 1}, "width", "width is 2.0000002 mm; expected 0.001 to 2 mm");
   expect({1, -1, 1}, "width", "width is -1 mm; expected 0.001 to 2 mm");
 }
