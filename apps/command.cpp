@@ -3,11 +3,8 @@
 
 #include <unistd.h>
 
-#include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include "forceshade/apps/length.h"
 #include "forceshade/csv/output_file.h"
@@ -129,20 +126,6 @@ void write_file(const std::string& path, const std::string& text) {
   csv::OutputFile file(path);
   file.stream() << text;
   file.commit();
-}
-
-std::string read_file(const std::string& path) {
-  const auto failure = [&] { return BadInput(path + ": cannot be read: " + std::strerror(errno)); };
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw failure();
-  std::string text;
-  std::array<char, 1 << 16> bytes;
-  do {
-    file.read(bytes.data(), bytes.size());
-    text.append(bytes.data(), static_cast<std::size_t>(file.gcount()));
-  } while (file);
-  if (file.bad()) throw failure();  // a directory opens, and fails here
-  return text;
 }
 
 void make_directory(const std::string& option, const std::string& path) {

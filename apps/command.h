@@ -82,7 +82,6 @@ void watch_for_interrupt();
 // Writes the file whole or not at all; "-" is standard output. Throws csv::OutputError.
 void write_file(const std::string& path, const std::string& text);
 // Throws BadInput with the system's reason.
-std::string read_file(const std::string& path);
 
 // Throws BadInput, naming the option, unless the directory is there or can be made, and can be written to.
 void make_directory(const std::string& option, const std::string& path);

@@ -125,9 +125,7 @@ class Wide {
     return a.negative_ ? Sign::negative : Sign::positive;
   }
   // For numbers that nothing separates from zero: zero only if that is all there is.
-  friend Sign proved_sign(const Wide& a) noexcept {
-    return a.may_be_zero() && !a.is_exact_zero() ? Sign::unknown : sign(a);
-  }
+  friend Sign proved_sign(const Wide& a) noexcept { return a.may_be_zero() && !a.is_exact_zero() ? Sign::unknown : sign(a); }
 
   friend Wide midpoint(const Wide& a) noexcept {
     Wide result = a;
