@@ -175,6 +175,8 @@ TEST(certificate_reader, names_the_key_the_value_and_what_was_expected) {
       {"/schema", 4.9, "schema is 4.9; expected a whole number"},
       {"/schema", 4, "schema is 4; expected 5: certify again"},
       {"/laws/0/mismatches", 0.5, "laws[0].mismatches is 0.5; expected a whole number"},
+      {"/laws/0/mismatches", 1000000000000, "laws[0].mismatches is 1000000000000; expected no more than there are points"},
+      {"/laws/0/properties", Json::array(), "laws[0].properties is an array; expected all of "},
       {"/laws/0/mismatches", 1, "laws[0].counterexamples is an array; expected the first of 1 mismatches"},
       {"/laws/0/points", -1, "laws[0].points is -1; expected a whole number"},
       {"/laws/0/points", 0, "laws[0].points is 0; expected 1 or more"},
