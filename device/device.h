@@ -14,12 +14,27 @@
 
 namespace forceshade::device {
 
+// What became of the commands: the forces that the device's frames really sent, which are what a hand feels. A frame measures
+// a position x(j) and sends a force F(j), which acts until the next one.
+struct Sent {
+  Eigen::Vector3f acted{0, 0, 0};   // N: up to the position of this reading
+  Eigen::Vector3f acting{0, 0, 0};  // N: from there on; zero where it will be the command that answers this reading
+  double work = 0;  // mJ given to the hand since start(), less what it put in: the sum of F(j-1)·(x(j) - x(j-1))
+};
+
+// How much the hand may be given: a frame sends no force that could bring Sent::work above `work` within a step of this length.
+struct Allowance {
+  double work = std::numeric_limits<double>::infinity();  // mJ
+  double longest_step = 0;                                // mm
+};
+
 struct Reading {
   Eigen::Vector3f position{0, 0, 0};                                  // mm
   double time = 0;                                                    // s, by the device's own clock
   std::uint16_t buttons = 0;                                          // bit k is set while button k is down
   std::optional<Eigen::Vector3f> gimbal = std::nullopt;               // rad, from a device that has one
   std::optional<std::array<std::int64_t, 3>> encoder = std::nullopt;  // counts, from a device that shows them
+  std::optional<Sent> sent = std::nullopt;                            // from a device that keeps an account
 };
 
 // Nothing is wrong and nothing more will come.
@@ -35,7 +50,8 @@ using ReadResult = std::variant<Reading, EndOfData, Fault>;
 struct Capabilities {
   static constexpr float kNone = std::numeric_limits<float>::infinity();
 
-  std::string_view model = "unknown";  // lives as long as the device
+  std::string_view model = "unknown";  // as long as the device lives, like the next three
+  std::string_view serial = "", driver = "", firmware = "";
   Eigen::Vector3f workspace_low = Eigen::Vector3f::Constant(-kNone), workspace_high = Eigen::Vector3f::Constant(kNone);  // mm
   float resolution = 0;  // mm, as a data sheet has it
   // N, as a data sheet has them. Without a peak it gives no force that a hand could feel: nobody needs to be kept from it.
@@ -43,6 +59,9 @@ struct Capabilities {
   bool latency = false;  // a command acts through the period after the next reading, not up to it
   float friction = 0;    // N: the least at its tip, as a data sheet has it
   double highest_rate = std::numeric_limits<double>::infinity();  // Hz
+  // What the device's own driver ends a run for: mm/s, N/s.
+  double highest_speed = std::numeric_limits<double>::infinity(), highest_slew = std::numeric_limits<double>::infinity();
+  bool paces = false;  // it has frames of its own, which the servo loop can follow
   int buttons = 0;
   bool gimbal = false;
 };
@@ -66,6 +85,12 @@ class Device {
   virtual std::optional<Fault> start(double rate) noexcept = 0;
 
   virtual ReadResult read() noexcept = 0;
+
+  // Waits for the device's next frame, from a device that paces; no longer than until `deadline` (CLOCK_MONOTONIC, ns).
+  virtual void wait_for_frame(std::int64_t deadline) noexcept { static_cast<void>(deadline); }
+
+  // For the commands that follow. A device without an account of its own may ignore it.
+  virtual void allow(const Allowance& allowance) noexcept { static_cast<void>(allowance); }
 
   // Holds this force, in N, until the next command. Zero must be obeyed even after a fault. A device with real motors lets go
   // by itself when it hears nothing for some 25 ms: then nobody is left to say so.

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The person who prepares a device: what a device has to say to them, and what it needs them to do.
+
+#include <string>
+
+namespace forceshade::device {
+
+// This one is nobody: hears nothing and does nothing.
+class Attendant {
+ public:
+  virtual ~Attendant() = default;
+
+  virtual void told(const std::string& words) noexcept { static_cast<void>(words); }
+
+  // Shows what is to be done and waits. False if nobody did it.
+  virtual bool did(const std::string& words) noexcept {
+    static_cast<void>(words);
+    return false;
+  }
+};
+
+}  // namespace forceshade::device

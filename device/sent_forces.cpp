@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/device/sent_forces.h"
+
+#include <algorithm>
+
+namespace forceshade::device {
+
+void SentForces::arrived(const Eigen::Vector3d& position) noexcept {
+  acted_ = acting_;
+  acting_.setZero();
+  const bool seen = position.allFinite() && last_position_;
+  work_ += seen ? acted_.dot(position - *last_position_) : acted_.norm() * allowance_.longest_step;
+  if (position.allFinite())
+    last_position_ = position;
+  else
+    last_position_.reset();
+}
+
+Eigen::Vector3d SentForces::send(const Eigen::Vector3d& force) noexcept {
+  // Room for rounding: of a device that sends in binary32, and of the sums.
+  constexpr double kRoom = 0x1p-20;
+  acting_ = force;
+  const double reach = force.norm() * allowance_.longest_step * (1 + kRoom), left = std::max(0.0, allowance_.work - work_);
+  if (reach > left) acting_ *= left / reach;
+  return acting_;
+}
+
+}  // namespace forceshade::device

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The account that a device keeps where its frames are, whatever the servo loop does meanwhile: the forces that it sent, and
+// the work that they did. docs/device.md, "Passivity", proves from it what a hand can be given.
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "forceshade/device/device.h"
+
+namespace forceshade::device {
+
+class SentForces {
+ public:
+  // A frame has measured this position, in mm. Of a step whose beginning or end is not finite the worst is assumed: the longest
+  // one along the force.
+  void arrived(const Eigen::Vector3d& position) noexcept;
+
+  // The frame is to send this force, in N. What it may send, shortened as the allowance says; that force then acts.
+  Eigen::Vector3d send(const Eigen::Vector3d& force) noexcept;
+
+  void allow(const Allowance& allowance) noexcept { allowance_ = allowance; }
+
+  // The forces as of the last arrival: `acting` is zero until send() is called.
+  Sent report() const noexcept { return {acted_.cast<float>(), acting_.cast<float>(), work_}; }
+
+ private:
+  Allowance allowance_;
+  std::optional<Eigen::Vector3d> last_position_;
+  Eigen::Vector3d acted_{0, 0, 0}, acting_{0, 0, 0};
+  double work_ = 0;
+};
+
+}  // namespace forceshade::device
