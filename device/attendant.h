@@ -18,6 +18,9 @@ class Attendant {
     static_cast<void>(words);
     return false;
   }
+
+  // Whether they have given up waiting.
+  virtual bool has_left() const noexcept { return false; }
 };
 
 }  // namespace forceshade::device

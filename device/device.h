@@ -34,6 +34,7 @@ struct Reading {
   std::uint16_t buttons = 0;                                          // bit k is set while button k is down
   std::optional<Eigen::Vector3f> gimbal = std::nullopt;               // rad, from a device that has one
   std::optional<std::array<std::int64_t, 3>> encoder = std::nullopt;  // counts, from a device that shows them
+  std::optional<std::array<double, 3>> joints = std::nullopt;         // rad, from a device that shows them: its driver's angles
   std::optional<Sent> sent = std::nullopt;                            // from a device that keeps an account
 };
 
@@ -86,8 +87,9 @@ class Device {
 
   virtual ReadResult read() noexcept = 0;
 
-  // Waits for the device's next frame, from a device that paces; no longer than until `deadline` (CLOCK_MONOTONIC, ns).
-  virtual void wait_for_frame(std::int64_t deadline) noexcept { static_cast<void>(deadline); }
+  // Waits for the next frame of a device that paces, no longer than until `deadline`, and for a signal. When the last frame
+  // began. Both in ns of CLOCK_MONOTONIC.
+  virtual std::int64_t wait_for_frame(std::int64_t deadline) noexcept { return deadline; }
 
   // For the commands that follow. A device without an account of its own may ignore it.
   virtual void allow(const Allowance& allowance) noexcept { static_cast<void>(allowance); }

@@ -28,20 +28,31 @@ struct Trouble {
   explicit operator bool() const noexcept { return words != nullptr; }
 };
 
-// Written to `room` where it is not constant. Allocates nothing.
+// In `room`, or a constant. Allocates nothing.
 const char* sentence(const Trouble& trouble, std::span<char> room) noexcept;
 
 // Why hdInitDevice failed and what to check. The driver's error is often a general one, whatever the cause.
 std::string initialisation_advice(const std::string& name, const Trouble& trouble);
 
+inline constexpr const char* kHoldInResetPose =
+    "hold the arm in its reset pose (upper arm level, forearm straight down, all joints in the middle), as the vendor's "
+    "calibration program shows it";
+inline constexpr const char* kRestInInkwell = "rest the stylus in its inkwell until its light stops blinking";
+inline constexpr const char* kMoveItAbout = "move the arm slowly through its workspace until it is calibrated";
 inline constexpr const char* kNotCalibrated =
-    "the PHANToM is not calibrated: rest the stylus in its inkwell until the light stops blinking (an arm without inkwell: "
-    "hold "
-    "it in its reset pose and calibrate it with the vendor's diagnostic program), then start again";
+    "the PHANToM is not calibrated: hold it in its reset pose, rest its stylus in the inkwell or move it about, as its "
+    "manual says, then start again";
 inline constexpr const char* kUncalibratedPose =
     "the PHANToM's position stays at exactly (0, -110, -35) mm, where an uncalibrated Omni or Touch says it is: rest the "
     "stylus "
     "in its inkwell until the light stops blinking, move it once, then start again";
+inline constexpr const char* kNoTemperature =
+    "the driver gives motor temperatures that are no numbers from 0 on: the motors cannot be kept from burning";
+inline constexpr const char* kDriverEnded =
+    "the process of the PHANToM's driver has ended: the vendor's library failed in it, or it was killed. If the device still "
+    "pushes, switch it off";
+inline constexpr const char* kNoAnswer =
+    "the PHANToM no longer answers its driver (its update rate has fallen): check cable and power, then start again";
 inline constexpr const char* kNotFinite = "the PHANToM's position is not finite";
 inline constexpr const char* kStalled =
     "the servo loop stalled while a force was held: the force was switched off and stays off until the next start";
@@ -50,6 +61,5 @@ inline constexpr const char* kOutputStaysOff =
 inline constexpr const char* kNoFrames =
     "the driver's scheduler runs no frames: check the PHANToM's connection, and whether another program holds the device";
 inline constexpr const char* kSilent = "the driver's scheduler stopped running frames: communication with the PHANToM is lost";
-inline constexpr const char* kNotReady = "the PHANToM did not get ready in time: the driver runs its frames too slowly";
 
 }  // namespace forceshade::device::hdapi

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "forceshade/device/attendant.h"
 #include "forceshade/device/device.h"
 
 namespace forceshade::device {
@@ -20,8 +21,10 @@ struct DeviceError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// `name` is KIND or KIND:REST, for instance "replay:strokes.csv". No device moves by being opened. Throws UnknownDevice, or
-// what the kind's own opener throws.
+// `name` is KIND or KIND:REST, for instance "replay:strokes.csv". No device moves by being opened. The attendant, who lives as
+// long as the device, hears what it has to say; without one there is nobody. Throws UnknownDevice, or what the kind's own
+// opener throws.
+std::unique_ptr<Device> open_device(const std::string& name, Attendant& attendant);
 std::unique_ptr<Device> open_device(const std::string& name);
 
 }  // namespace forceshade::device

@@ -1,179 +1,233 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/device/phantom.h"
 
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
-#include <atomic>
+#include <cerrno>
 #include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
 #include <deque>
 #include <mutex>
+#include <new>
+#include <system_error>
 #include <thread>
-#include <utility>
 
 #include "forceshade/device/arm.h"
+#include "forceshade/device/futex.h"
+#include "forceshade/device/hdapi_words.h"
 #include "forceshade/device/open_device.h"
+#include "forceshade/device/phantom_host.h"
+#include "forceshade/device/phantom_messages.h"
 
 namespace forceshade::device {
 namespace {
 
-std::atomic<bool> in_use = false;
+using Kind = PhantomMessage::Kind;
+using std::chrono::milliseconds;
+using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kPoll{1}, kClosing{200};
+constexpr milliseconds kListen{50}, kPoll{1};
+constexpr milliseconds kEnding{1500};  // for the process to end by itself
 
 // Words of a fault live as long as the program, so that a result can be told after its device is gone.
-std::array<char, 512>* room_for_words() {
+std::array<char, 4096>* room_for_words() {
   static std::mutex mutex;
-  static std::deque<std::array<char, 512>> rooms;
+  static std::deque<std::array<char, 4096>> rooms;
   const std::lock_guard lock(mutex);
   return &rooms.emplace_back();
 }
 
+Attendant& nobody() {
+  static Attendant it;
+  return it;
+}
+
+// No process to hold the device could be made.
+[[noreturn]] void refuse(const char* what) {
+  throw DeviceError(std::string("the process that holds the PHANToM: ") + what + ": " + std::generic_category().message(errno));
+}
+
+PhantomShared* shared_memory() {
+  void* const memory = ::mmap(nullptr, sizeof(PhantomShared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) refuse("no shared memory");
+  return new (memory) PhantomShared;
+}
+
 }  // namespace
 
-Phantom::Turn::Turn() {
-  if (in_use.exchange(true))
-    throw DeviceError("this program drives a PHANToM already, and the driver has one scheduler for all");
-}
+Phantom::Phantom(const std::string& name, const PhantomOptions& options) : Phantom(name, options, nobody()) {}
 
-Phantom::Turn::~Turn() {
-  in_use = false;
-}
-
-bool Phantom::went_well(const char* step) noexcept {
-  const hdapi::HDErrorInfo error = hdapi::drained(hd_);
-  if (error.code == hdapi::kSuccess) return true;
-  if (!trouble_) trouble_ = {step, error, hd_.hdGetErrorString(error.code)};
-  return false;
-}
-
-Fault Phantom::fault() noexcept {
-  return Fault{hdapi::sentence(trouble_, *room_)};
-}
-
-Phantom::Phantom(const std::string& name, const Options& options)
-    : hd_(hdapi::vendor()), options_(options), room_(room_for_words()) {
-  // Of whoever used the driver before.
-  hdapi::drained(hd_);
-  device_ = hd_.hdInitDevice(name.empty() ? nullptr : name.c_str());
-  if (!went_well("initialising the PHANToM") || device_ == hdapi::kInvalidDevice) {
-    if (!trouble_) trouble_.words = "initialising the PHANToM failed, and the driver says no more";
-    throw DeviceError(hdapi::initialisation_advice(name, trouble_));
+Phantom::Phantom(const std::string& name, const PhantomOptions& options, Attendant& attendant)
+    : options_(options), attendant_(attendant), room_(room_for_words()) {
+  std::array<int, 2> ends{};
+  if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) refuse("no socket");
+  shared_ = shared_memory();
+  const pid_t self = ::getpid();
+  process_ = ::fork();
+  if (process_ == 0) {
+    ::close(ends[0]);
+    ::_exit(run_phantom_host(ends[1], self, *shared_, name, options));
   }
-  try {
-    ask_what_it_can();
-  } catch (...) {
-    hd_.hdDisableDevice(device_);
-    hdapi::drained(hd_);
-    throw;
+  ::close(ends[1]);
+  socket_ = ends[0];
+  if (process_ < 0) {
+    end_process();
+    refuse("cannot be made");
   }
-}
-
-// Whether the driver knew what it was just asked; what it does not know stays unlimited.
-bool Phantom::known() noexcept {
-  return hdapi::drained(hd_).code == hdapi::kSuccess;
-}
-
-void Phantom::ask_what_it_can() {
-  const char* model = hd_.hdGetString(hdapi::kModel);
-  if (known() && model) model_ = model;
-  capabilities_.model = model_;
-  capabilities_.latency = true;       // of a frame, now and then of two
-  capabilities_.buttons = 4;          // as many as the driver has bits for; it does not say how many there are
-  capabilities_.resolution = 0.055F;  // the driver does not say; the coarsest sheet's, Omni's and Touch's
-
-  std::array<double, 6> box{};
-  hd_.hdGetDoublev(hdapi::kUsableWorkspace, box.data());
-  if (known()) {
-    const Eigen::Vector3d a = turned_to_law({box[0], box[1], box[2]}), b = turned_to_law({box[3], box[4], box[5]});
-    capabilities_.workspace_low = a.cwiseMin(b).cast<float>();
-    capabilities_.workspace_high = a.cwiseMax(b).cast<float>();
+  const PhantomMessage message = answer(options_.open);
+  if (message.kind != Kind::described) {
+    end_process();
+    throw DeviceError(message.words.data());
   }
-  double continuous = 0;
-  hd_.hdGetDoublev(hdapi::kContinuousForce, &continuous);
-  if (known()) capabilities_.continuous_force = static_cast<float>(continuous);
-  int degrees = 0;
-  hd_.hdGetIntegerv(hdapi::kInputDegrees, &degrees);
-  capabilities_.gimbal = known() && degrees >= 6;
-  hd_.hdGetIntegerv(hdapi::kUpdateRate, &update_rate_);
-  if (known()) capabilities_.highest_rate = update_rate_;
-
-  // Without this one there would be no clamp.
-  double peak = 0;
-  hd_.hdGetDoublev(hdapi::kMaxForce, &peak);
-  if (!went_well("asking for the PHANToM's highest force")) throw DeviceError(fault().words);
-  if (!(peak > 0 && std::isfinite(peak)))
-    throw DeviceError("the PHANToM's highest force: expected a positive number, got " + std::to_string(peak) + " N");
-  capabilities_.peak_force = static_cast<float>(peak);
-  frames_ = std::make_unique<PhantomFrames>(hd_, device_, capabilities_.gimbal, options_.patience);
+  describe(message.description);
 }
 
 Phantom::~Phantom() {
-  PhantomFrames::Phase phase = PhantomFrames::Phase::closed;
-  if (running_) {
-    frames_->orders.publish({.time = Clock::now(), .close = true});
-    const auto deadline = Clock::now() + kClosing;
-    while ((phase = frames_->samples.latest().phase) != PhantomFrames::Phase::closed && Clock::now() < deadline)
-      std::this_thread::sleep_for(kPoll);
-    hd_.hdStopScheduler();
-    hdapi::drained(hd_);
+  end_process();
+}
+
+// The next message that is not for the attendant. Of kind failed, with why, where none came.
+PhantomMessage Phantom::answer(milliseconds patience) {
+  PhantomMessage message;
+  const auto failed = [&](const std::string& why) {
+    PhantomMessage it{.kind = Kind::failed};
+    std::snprintf(it.words.data(), it.words.size(), "%s", why.c_str());
+    return it;
+  };
+  auto deadline = Clock::now() + patience;
+  while (Clock::now() < deadline) {
+    if (attendant_.has_left()) return failed("stopped before the PHANToM was ready");
+    const Received received = receive_message(socket_, kListen, message);
+    if (received == Received::closed) return failed(how_it_ended());
+    if (received == Received::nothing_yet) continue;
+    if (message.kind == Kind::told) {
+      attendant_.told(message.words.data());
+    } else if (message.kind == Kind::asked) {
+      const bool done = attendant_.did(message.words.data());
+      send_message(socket_, {.kind = done ? Kind::yes : Kind::no});
+      deadline = Clock::now() + patience;
+    } else {
+      return message;
+    }
   }
-  // The scheduler ran no more frames; now that it is stopped, this thread may switch the output off.
-  const bool hung = phase != PhantomFrames::Phase::closed;
-  if (hung) {
-    hd_.hdDisable(hdapi::kForceOutput);
-    hdapi::drained(hd_);
+  return failed("the PHANToM's driver has not answered for " + std::to_string(patience.count() / 1000) +
+                " s: check cable and power, and whether another program holds the device");
+}
+
+std::string Phantom::how_it_ended() noexcept {
+  int status = 0;
+  pid_t ended = 0;
+  for (const auto deadline = Clock::now() + kEnding; Clock::now() < deadline; std::this_thread::sleep_for(kPoll))
+    if ((ended = ::waitpid(process_, &status, WNOHANG)) != 0) break;
+  if (ended == process_) process_ = -1;
+  const std::string how = ended <= 0            ? "closed its connection"
+                          : WIFSIGNALED(status) ? std::string("was ended by a signal (") + strsignal(WTERMSIG(status)) + ")"
+                                                : "ended with exit code " + std::to_string(WEXITSTATUS(status));
+  return "the process of the PHANToM's driver " + how + ": the vendor's library failed in it";
+}
+
+void Phantom::end_process() noexcept {
+  if (socket_ >= 0) ::close(socket_);
+  socket_ = -1;
+  if (process_ > 0) {
+    const auto deadline = Clock::now() + kEnding;
+    while (::waitpid(process_, nullptr, WNOHANG) == 0) {
+      if (Clock::now() < deadline) {
+        std::this_thread::sleep_for(kPoll);
+        continue;
+      }
+      ::kill(process_, SIGKILL);
+      ::waitpid(process_, nullptr, 0);
+      attendant_.told("the PHANToM's driver did not end and was killed: if the device still pushes, switch it off");
+      break;
+    }
   }
-  if (callback_ != hdapi::kInvalidSchedulerHandle) {
-    hd_.hdUnschedule(callback_);
-    hdapi::drained(hd_);
-  }
-  hd_.hdDisableDevice(device_);
-  hdapi::drained(hd_);
-  // A driver that hung may come to and call back after all.
-  static auto& kept = *new std::deque<std::unique_ptr<PhantomFrames>>;  // NOLINT(bugprone-unhandled-exception-at-new)
-  if (hung) kept.push_back(std::move(frames_));
+  process_ = -1;
+  if (shared_) ::munmap(shared_, sizeof *shared_);
+  shared_ = nullptr;
+}
+
+void Phantom::describe(const PhantomDescription& driver) {
+  description_ = driver;
+  capabilities_ = {.model = description_.model.data(),
+                   .serial = description_.serial.data(),
+                   .driver = description_.driver.data(),
+                   .firmware = description_.firmware.data(),
+                   .workspace_low = driver.low,
+                   .workspace_high = driver.high,
+                   .resolution = 0.055F,  // the driver does not say; the coarsest sheet's, Omni's and Touch's
+                   .peak_force = static_cast<float>(driver.peak),
+                   .continuous_force = static_cast<float>(driver.continuous),
+                   .latency = true,  // of a frame
+                   .highest_speed = driver.speed,
+                   .highest_slew = driver.slew,
+                   .paces = true,
+                   .buttons = 4,  // as many as the driver has bits for; it does not say how many there are
+                   .gimbal = driver.gimbal};
+  if (driver.rate > 0) capabilities_.highest_rate = driver.rate;
 }
 
 std::optional<Fault> Phantom::start(double rate) noexcept {
-  if (running_ || trouble_) return Fault{"the PHANToM was started before"};
-  if (const auto hz = std::lround(rate); hz != update_rate_) {
-    hd_.hdSetSchedulerRate(static_cast<hdapi::HDulong>(hz));
-    if (!went_well("setting the driver's rate (most devices know 1000 and 500 Hz)")) return fault();
+  if (started_ || failed_) return Fault{"the PHANToM was started before"};
+  send_message(socket_, {.kind = Kind::start, .rate = rate});
+  // Each step of the driver's has a limit of its own, which it says more about.
+  const PhantomMessage message = answer(options_.start + options_.calibration + milliseconds(1000));
+  if (message.kind != Kind::ready) {
+    failed_ = true;
+    *room_ = message.words;
+    return fault();
   }
-  callback_ = hd_.hdScheduleAsynchronous(&PhantomFrames::tick, frames_.get(), hdapi::kDefaultPriority);
-  if (!went_well("scheduling the frames")) return fault();
-  hd_.hdStartScheduler();
-  if (!went_well("starting the driver's scheduler")) return fault();
-  running_ = true;
+  started_ = true;
+  first_ = shared_->samples.latest().time;
+  return std::nullopt;
+}
 
-  const auto deadline = Clock::now() + options_.start;
-  while (Clock::now() < deadline) {
-    const PhantomFrames::Sample& sample = frames_->samples.latest();
-    trouble_ = sample.trouble;
-    if (trouble_) return fault();
-    if (sample.phase == PhantomFrames::Phase::ready) {
-      first_ = sample.time;
-      return std::nullopt;
-    }
-    std::this_thread::sleep_for(kPoll);
-  }
-  trouble_.words = frames_->samples.latest().time == Clock::time_point{} ? hdapi::kNoFrames : hdapi::kNotReady;
-  return fault();
+Fault Phantom::fault() noexcept {
+  return Fault{room_->data()};
+}
+
+std::int64_t Phantom::wait_for_frame(std::int64_t deadline) noexcept {
+  const std::uint32_t frames = shared_->frames.load(std::memory_order_acquire);
+  if (frames == seen_frames_) wait_for_change(shared_->frames, frames, deadline);
+  seen_frames_ = shared_->frames.load(std::memory_order_acquire);
+  return shared_->samples.latest().time;
 }
 
 ReadResult Phantom::read() noexcept {
-  if (!running_ && !trouble_) return Fault{"the PHANToM was not started"};
-  if (trouble_) return fault();
-  const PhantomFrames::Sample& sample = frames_->samples.latest();
+  if (failed_) return fault();
+  if (!started_) return Fault{"the PHANToM was not started"};
+  const PhantomSample& sample = shared_->samples.latest();
   state_ = {
       .calibrated = sample.calibrated, .forces_on = sample.forces_on, .temperature = static_cast<float>(sample.temperature)};
-  trouble_ = sample.trouble;
-  if (!trouble_ && Clock::now() - sample.time > options_.patience) trouble_.words = hdapi::kSilent;
-  if (trouble_) return fault();
+  if (sample.troubled) {
+    failed_ = true;
+    std::snprintf(room_->data(), room_->size(), "%s", shared_->trouble.data());
+    return fault();
+  }
+  if (monotonic_now() - sample.time > std::chrono::nanoseconds(options_.patience).count()) {
+    failed_ = true;
+    int status = 0;
+    const bool ended = ::waitpid(process_, &status, WNOHANG) == process_;
+    if (ended) process_ = -1;
+    std::snprintf(room_->data(), room_->size(), "%s", ended ? hdapi::kDriverEnded : hdapi::kSilent);
+    return fault();
+  }
+  Sent sent = sample.sent;
+  sent.acted = turned_to_law(sent.acted.cast<double>()).cast<float>();
+  sent.acting = turned_to_law(sent.acting.cast<double>()).cast<float>();
   Reading reading{.position = turned_to_law(sample.position).cast<float>(),
-                  .time = std::chrono::duration<double>(sample.time - first_).count(),
-                  .buttons = static_cast<std::uint16_t>(sample.buttons)};
+                  .time = static_cast<double>(sample.time - first_) * 1e-9,
+                  .buttons = static_cast<std::uint16_t>(sample.buttons),
+                  .encoder = sample.encoder,
+                  .joints = sample.joints,
+                  .sent = sent};
   if (capabilities_.gimbal) reading.gimbal = sample.gimbal.cast<float>();
-  reading.encoder = sample.encoder;
   return reading;
 }
 
@@ -183,13 +237,13 @@ std::optional<Fault> Phantom::command(const Eigen::Vector3f& force) noexcept {
   if (finite) limited = turned_to_arm(force.cast<double>());
   const double size = limited.norm(), highest = static_cast<double>(capabilities_.peak_force);
   if (size > highest) limited *= highest / size;
-  if (running_) frames_->orders.publish({.force = limited, .time = Clock::now()});
+  if (started_) shared_->orders.publish({.force = limited, .time = monotonic_now(), .allowance = allowance_});
   if (!finite) return Fault{"a force that is not finite was commanded"};
   return std::nullopt;
 }
 
-std::unique_ptr<Device> open_phantom(const std::string& name) {
-  return std::make_unique<Phantom>(name);
+std::unique_ptr<Device> open_phantom(const std::string& name, Attendant& attendant) {
+  return std::make_unique<Phantom>(name, PhantomOptions{}, attendant);
 }
 
 }  // namespace forceshade::device

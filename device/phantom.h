@@ -1,80 +1,89 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A real PHANToM (Premium, Omni, Touch) through the vendor's HDAPI. docs/device.md says why it is driven the way it is.
+// A real PHANToM (Premium, Omni, Touch) through the vendor's HDAPI, which runs in a process of its own. docs/device.md says why
+// it is driven the way it is.
+
+#include <sys/types.h>
 
 #include <array>
 #include <chrono>
 #include <memory>
 #include <string>
 
+#include "forceshade/device/attendant.h"
 #include "forceshade/device/device.h"
-#include "forceshade/device/phantom_frames.h"
+#include "forceshade/device/phantom_shared.h"
 
 namespace forceshade::device {
 
-// One at a time in a process: the driver has one scheduler and one stack of errors.
+struct PhantomOptions {
+  // For how long a force is held without a new command (it fades from an eighth of it on), and for how long the driver may run
+  // no frame.
+  std::chrono::milliseconds patience{25};
+  // How long the driver may take to open the device, to run good frames, and the user to calibrate it.
+  std::chrono::milliseconds open{20'000}, start{5000}, calibration{120'000};
+  double rate_tolerance = 0.05;  // by which share the device's frames may miss the rate
+  bool force = true;             // false: the force output is never switched on
+};
+
 class Phantom final : public Device {
  public:
-  struct Options {
-    // For how long a force is held without a new command, and for how long the driver may run no frame.
-    std::chrono::milliseconds patience{25};
-    // For how long start() waits for the driver.
-    std::chrono::milliseconds start{3000};
-  };
+  using Options = PhantomOptions;
 
-  // `name` as in the vendor's set-up program; empty: the default device. Initialises the driver and asks what the device can
-  // do; switches no force on and runs no frame. Throws DeviceError, with what to check.
-  Phantom(const std::string& name, const Options& options);
-  explicit Phantom(const std::string& name) : Phantom(name, Options{}) {}
+  // `name` as in the vendor's set-up program; empty: the default device. Starts the process, which opens the device and reads
+  // what it can do; switches no force on and runs no frame. The attendant lives as long as this. Throws DeviceError, with what
+  // to check.
+  Phantom(const std::string& name, const PhantomOptions& options, Attendant& attendant);
+  Phantom(const std::string& name, const PhantomOptions& options);  // with nobody there
+  explicit Phantom(const std::string& name) : Phantom(name, PhantomOptions{}) {}
 
-  // Zero force, output off, scheduler stopped, device released, in this order. Waits for the driver a moment, not for ever.
+  // Zero force, output off, scheduler stopped, device released, in this order, and the process ended. Waits for the driver a
+  // moment, not for ever: then the process is killed, and the attendant told.
   ~Phantom() override;
   Phantom(const Phantom&) = delete;
   Phantom& operator=(const Phantom&) = delete;
 
   Capabilities capabilities() const noexcept override { return capabilities_; }
 
-  // Runs the driver's scheduler at this rate, rounded to Hz, looks at the device for a while, and switches forces on.
+  // Calibrates the device, with the attendant's help where it takes some; runs the driver's scheduler at this rate, rounded to
+  // Hz; and switches forces on once half a second of frames was good.
   std::optional<Fault> start(double rate) noexcept override;
 
+  std::int64_t wait_for_frame(std::int64_t deadline) noexcept override;
   ReadResult read() noexcept override;
+  void allow(const Allowance& allowance) noexcept override { allowance_ = allowance; }
 
   // Refuses, and holds no force, when one is not finite. A force beyond the device's highest is shortened to it.
   std::optional<Fault> command(const Eigen::Vector3f& force) noexcept override;
 
   State state() const noexcept override { return state_; }
 
+  // The process that holds the device.
+  pid_t process() const noexcept { return process_; }
+
  private:
-  using Clock = PhantomFrames::Clock;
-
-  // Taken before anything is asked of the driver, given back last.
-  struct Turn {
-    Turn();
-    ~Turn();
-  };
-
-  void ask_what_it_can();
-  bool went_well(const char* step) noexcept;
-  bool known() noexcept;
+  PhantomMessage answer(std::chrono::milliseconds patience);
+  void describe(const PhantomDescription& driver);
+  std::string how_it_ended() noexcept;
+  void end_process() noexcept;
   Fault fault() noexcept;
 
-  Turn turn_;
-  const hdapi::Functions& hd_;
-  Options options_;
-  hdapi::HHD device_ = hdapi::kInvalidDevice;
-  std::string model_;
+  PhantomOptions options_;
+  Attendant& attendant_;
+  PhantomShared* shared_ = nullptr;
+  int socket_ = -1;
+  pid_t process_ = -1;
+  PhantomDescription description_;
   Capabilities capabilities_;
-  int update_rate_ = 0;          // Hz
-  std::array<char, 512>* room_;  // for the words of a fault, which outlive this
-  hdapi::Trouble trouble_;
-  std::unique_ptr<PhantomFrames> frames_;
-  hdapi::HDSchedulerHandle callback_ = hdapi::kInvalidSchedulerHandle;
-  bool running_ = false;
-  Clock::time_point first_{};
+  std::array<char, 4096>* room_;  // for the words of a fault, which outlive this
+  bool started_ = false, failed_ = false;
+  std::uint32_t seen_frames_ = 0;
+  std::int64_t first_ = 0;  // ns
+  Allowance allowance_;
   State state_{.calibrated = false, .forces_on = false};
 };
 
 // "": the default device. Throws DeviceError.
-std::unique_ptr<Device> open_phantom(const std::string& name);
+std::unique_ptr<Device> open_phantom(const std::string& name, Attendant& attendant);
 
 }  // namespace forceshade::device

@@ -1,69 +1,76 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What is done with a PHANToM in its driver's thread: one frame a tick, the only place where the driver is asked or told
-// anything while its scheduler runs. Through the two mailboxes the servo loop gets samples and gives orders.
+// What is done with a PHANToM in its driver's thread: one frame a tick, the only place where the driver is called while its
+// scheduler runs.
 
 #include <Eigen/Core>
-#include <array>
+#include <atomic>
 #include <chrono>
 #include <cstdint>
-#include <optional>
+#include <string>
 
+#include "forceshade/device/frame_times.h"
 #include "forceshade/device/hdapi_library.h"
 #include "forceshade/device/hdapi_words.h"
-#include "forceshade/device/latest.h"
+#include "forceshade/device/phantom_shared.h"
+#include "forceshade/device/sent_forces.h"
 
 namespace forceshade::device {
 
+struct FrameSettings {
+  bool gimbal = false;
+  hdapi::HDenum style = 0;  // in which the driver calibrates the device while frames run; 0: in none
+  bool force = true;        // false: the force output is never switched on
+  // A force is held for an eighth of it without a new order, then fades, and at its end the output goes off for good.
+  std::chrono::nanoseconds patience{25'000'000};
+  double rate = 1000;  // Hz, that the scheduler was set to
+  // Forces are switched on after one window of good frames: calibrated, no error, this near to the rate, no longer gap.
+  int window = 500;
+  double rate_tolerance = 0.05;
+  double longest_gap = 0.0125;  // s
+};
+
 class PhantomFrames {
  public:
-  using Clock = std::chrono::steady_clock;
+  using Phase = PhantomSample::Phase;
 
-  // The driver's frame and units: x right, y up, z to the user; mm, N, rad.
-  enum class Phase { settling, ready, closed };  // closed: zero was sent last and the output is off, for good
-  struct Sample {
-    Phase phase = Phase::settling;
-    hdapi::Trouble trouble;  // the first; from then on the force is zero and the output off
-    Clock::time_point time{};
-    Eigen::Vector3d position{0, 0, 0}, gimbal{0, 0, 0};
-    int buttons = 0;
-    std::optional<std::array<std::int64_t, 3>> encoder = std::nullopt;
-    bool calibrated = false, forces_on = false;
-    double temperature = 0;
-  };
-  struct Order {
-    Eigen::Vector3d force{0, 0, 0};
-    Clock::time_point time{};
-    bool close = false;  // send zero, switch the output off, and keep it off
-  };
+  PhantomFrames(const hdapi::Functions& hd, hdapi::HHD device, const FrameSettings& settings, PhantomShared& shared) noexcept
+      : hd_(hd), device_(device), settings_(settings), shared_(shared), times_(settings.rate, settings.window) {}
 
-  // A force older than `patience` is not obeyed any more: its giver has stalled.
-  PhantomFrames(const hdapi::Functions& hd, hdapi::HHD device, bool gimbal, Clock::duration patience) noexcept
-      : hd_(hd), device_(device), has_gimbal_(gimbal), patience_(patience) {}
-
-  // To be scheduled with `self`. Forces are switched on once kSettling frames in a row were good.
+  // To be scheduled with `self`.
   static unsigned tick(void* self) noexcept;
-  static constexpr int kSettling = 50;
 
-  Latest<Sample> samples;
-  Latest<Order> orders;
+  // By any thread, and by a signal handler: zero is sent in the next frame and the output switched off, for good.
+  void close() noexcept { closing_ = true; }
+  bool closed() const noexcept { return closed_; }
+
+  Latest<PhantomSample> samples;  // for a thread of this process, as in the shared memory for the other one
 
  private:
-  void frame(const Order& order) noexcept;
+  void frame() noexcept;
   void measure() noexcept;
-  void check_calibration() noexcept;
+  void watch_calibration() noexcept;
+  void watch_rate() noexcept;
+  bool is_good() const noexcept;
   void switch_on() noexcept;
+  double share_of_force(std::int64_t age) const noexcept;
   bool went_well(const char* step) noexcept;
   bool went_well(const char* step, const hdapi::HDErrorInfo& error) noexcept;
   bool known_and_well(const char* step, bool& known) noexcept;
-  void note(const char* words) noexcept;
+  void note(const hdapi::Trouble& trouble) noexcept;
 
   const hdapi::Functions& hd_;
   hdapi::HHD device_;
-  bool has_gimbal_, has_temperature_ = true, has_encoders_ = true, updated_calibration_ = false;
-  Clock::duration patience_;
-  Sample sample_;
-  int good_frames_ = 0, at_uncalibrated_pose_ = 0;
+  FrameSettings settings_;
+  PhantomShared& shared_;
+  std::atomic<bool> closing_ = false, closed_ = false;
+
+  PhantomSample sample_;
+  SentForces sent_;
+  FrameTimes times_;
+  bool has_temperature_ = true, has_encoders_ = true, has_joints_ = true, has_rate_ = true;
+  int at_uncalibrated_pose_ = 0, silent_frames_ = 0;
+  int since_update_ = 1 << 20;  // frames
 };
 
 }  // namespace forceshade::device

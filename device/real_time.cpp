@@ -15,10 +15,10 @@ std::optional<int> last_of(const cpu_set_t& cpus) noexcept {
 
 }  // namespace
 
-RealTime::RealTime(std::optional<int> cpu) noexcept {
+RealTime::RealTime(std::optional<int> cpu, int priority) noexcept {
   const pthread_t self = pthread_self();
   pthread_getschedparam(self, &old_policy_, &old_parameters_);
-  const sched_param parameters{.sched_priority = kPriority};
+  const sched_param parameters{.sched_priority = priority};
   granted_.scheduling = pthread_setschedparam(self, SCHED_FIFO, &parameters) == 0;
   granted_.memory_locked = mlockall(MCL_CURRENT) == 0;
 

@@ -18,16 +18,16 @@ struct Privileges {
 // Takes them for as long as it lives, as far as the system allows, and gives them back.
 class RealTime {
  public:
+  // Above the interrupt threads of a real-time kernel (50), below its watchdogs (99).
+  static constexpr int kPriority = 80;
+
   // Pins to this processor; without one, to the last that the thread may run on, since the first serves most interrupts.
-  explicit RealTime(std::optional<int> cpu) noexcept;
+  explicit RealTime(std::optional<int> cpu, int priority = kPriority) noexcept;
   ~RealTime();
   RealTime(const RealTime&) = delete;
   RealTime& operator=(const RealTime&) = delete;
 
   const Privileges& granted() const noexcept { return granted_; }
-
-  // Above the interrupt threads of a real-time kernel (50), below its watchdogs (99).
-  static constexpr int kPriority = 80;
 
  private:
   int old_policy_ = SCHED_OTHER;
