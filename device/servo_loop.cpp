@@ -12,27 +12,18 @@
 #include <memory>
 
 #include "forceshade/csv/csv.h"
+#include "forceshade/device/monotonic.h"
 
 namespace forceshade::device {
 namespace {
 
 static_assert(std::atomic<bool>::is_always_lock_free, "the stop flag is set from signal handlers");
 
-constexpr std::int64_t kSecond = 1'000'000'000;  // ns
-
-std::int64_t time_of(clockid_t clock) noexcept {
-  timespec time{};
-  clock_gettime(clock, &time);
-  return time.tv_sec * kSecond + time.tv_nsec;
-}
-
-std::int64_t now() noexcept {
-  return time_of(CLOCK_MONOTONIC);
-}
-
 // What this thread has computed, whoever else had the processor meanwhile.
 std::int64_t processor_time() noexcept {
-  return time_of(CLOCK_THREAD_CPUTIME_ID);
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return time.tv_sec * kSecond + time.tv_nsec;
 }
 
 void sleep_until(std::int64_t due, const std::atomic<bool>& stop) noexcept {
@@ -98,12 +89,15 @@ class Run {
         period_(std::llround(1e9 / options.rate_hz)),
         ticks_(ticks_in(options.max_seconds, options.rate_hz)) {
     const Capabilities capabilities = device.capabilities();
+    result.followed_device = options.paced && options.follows_device && capabilities.paces;
     result.supervised = std::isfinite(capabilities.peak_force);
     if (result.supervised) {
       SupervisorLimits limits = supervisor_limits(capabilities, options.rate_hz);
       limits.dead_man_button = options.dead_man_button;
       limits.patience = options.patience.value_or(limits.patience);
       supervisor_.emplace(limits, options.rate_hz);
+      // Longer than the device itself waits for its frames, so that it is the one to say what happened.
+      longest_wait_ = std::llround(2e9 * limits.patience);
       result.passivity = options.passivity;
     }
     result.passivity_settings = passivity_settings(capabilities, options.rate_hz);
@@ -129,6 +123,8 @@ class Run {
 
  private:
   std::int64_t due(std::size_t tick) const noexcept { return start_ + static_cast<std::int64_t>(tick) * period_; }
+  // Waits until a tick is due. When that was, in ns.
+  std::int64_t wait() noexcept;
   void end_with(EndReason reason) noexcept { end_ = reason; }
   void end_with(const std::optional<Fault>& fault) noexcept {
     if (!fault || end_ == EndReason::device_fault) return;
@@ -149,7 +145,8 @@ class Run {
   const fast::Renderer& renderer_;
   const ServoOptions& options_;
   const std::atomic<bool>& stop_;
-  std::int64_t period_, start_ = 0, computed_ = 0;  // ns; the last: processor time when the tick began
+  std::int64_t period_, start_ = 0, due_ = 0, computed_ = 0;  // ns; the last: processor time when the tick began
+  std::int64_t longest_wait_ = 0;                             // ns, for a frame of the device's
   std::size_t ticks_;
   std::optional<Supervisor> supervisor_;
   std::optional<PassivityController> controller_;
@@ -160,19 +157,31 @@ class Run {
 
 void Run::run() noexcept {
   end_with(device_.start(options_.rate_hz));
-  start_ = now();
+  start_ = monotonic_now();
   while (!end_) tick();
   finish();
 }
 
+std::int64_t Run::wait() noexcept {
+  if (!options_.paced) return monotonic_now();
+  if (!result.followed_device) {
+    sleep_until(due(result.ticks), stop_);
+    return due(result.ticks);
+  }
+  const std::int64_t deadline = monotonic_now() + longest_wait_;
+  std::int64_t frame = due_;
+  while (frame == due_ && !stop_ && monotonic_now() < deadline) frame = device_.wait_for_frame(deadline);
+  return frame;
+}
+
 void Run::tick() noexcept {
-  if (options_.paced) sleep_until(due(result.ticks), stop_);
-  const std::int64_t woken_at = now();
+  due_ = wait();
+  const std::int64_t woken_at = monotonic_now();
   if (options_.paced) computed_ = processor_time();
   if (stop_) return end_with(EndReason::stopped);
   if (result.ticks == ticks_) return end_with(EndReason::time_up);
   const ReadResult read = device_.read();
-  const std::int64_t read_at = now();
+  const std::int64_t read_at = monotonic_now();
   if (const Fault* fault = std::get_if<Fault>(&read)) return end_with(*fault);
   if (std::holds_alternative<EndOfData>(read)) return end_with(EndReason::end_of_data);
   // The device's own code, or its driver's, may have changed it in this thread.
@@ -183,7 +192,7 @@ void Run::tick() noexcept {
 }
 
 void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t read_at) noexcept {
-  const std::int64_t latency = options_.paced ? woken_at - due(result.ticks) : 0;
+  const std::int64_t latency = options_.paced ? woken_at - due_ : 0;
   const fast::Evaluation evaluation = renderer_.evaluate(reading.position);
   Verdict verdict{.force = evaluation.force};
   if (supervisor_)
@@ -192,9 +201,9 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
   const Eigen::Vector3f force = controller_->passed(reading.position, verdict.force);
   if (supervisor_) supervisor_->commanded(force);
   const std::optional<Fault> refused = device_.command(force);
-  const std::int64_t commanded_at = now();
+  const std::int64_t commanded_at = monotonic_now();
 
-  const bool late = options_.paced && commanded_at > due(result.ticks + 1);
+  const bool late = options_.paced && commanded_at > due_ + period_;
   if (late) ++result.missed_deadlines;
   if (late && processor_time() - computed_ > period_) ++result.overruns;
   if (evaluation.status == Status::invalid) ++result.invalid_positions;
@@ -221,7 +230,7 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
 void Run::finish() noexcept {
   end_with(device_.command(Eigen::Vector3f::Zero()));
   result.end_reason = *end_;
-  const std::int64_t elapsed = std::max<std::int64_t>(now() - start_, 1);
+  const std::int64_t elapsed = std::max<std::int64_t>(monotonic_now() - start_, 1);
   result.achieved_rate_hz = static_cast<double>(result.ticks) / (static_cast<double>(elapsed) / 1e9);
   Sample sample = sample_of(last_);
   sample.wall_ns = elapsed;

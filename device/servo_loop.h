@@ -33,6 +33,10 @@ struct ServoOptions {
   // False: each tick follows the last at once, and there are no deadlines to miss.
   bool paced = true;
 
+  // When paced: a tick follows each frame of a device that has frames of its own (Capabilities::paces), so that no position is
+  // seen twice and none is missed where two clocks drift. False: this machine's clock, as for any other device.
+  bool follows_device = true;
+
   // The processor to run on when paced; none: RealTime chooses.
   std::optional<int> cpu = std::nullopt;
 
@@ -78,7 +82,8 @@ struct ServoResult {
   double energy_given_mJ() const noexcept { return account.given; }
   double energy_taken_mJ() const noexcept { return account.taken(); }
 
-  Privileges privileges;  // asked for only when paced
+  bool followed_device = false;  // as ServoOptions says, and the device paces
+  Privileges privileges;         // asked for only when paced
 };
 
 // fast::arithmetic_fault() found one: every proof about the fast path would be void.
@@ -86,7 +91,8 @@ struct FloatingPointModeError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Ticks are due at start + k/rate; a late tick is run at once and the schedule kept, so a stall is caught up with.
+// Ticks are due at start + k/rate; a late tick is run at once and the schedule kept, so a stall is caught up with. Where they
+// follow the device's frames, a tick is due when its frame begins, and frames that a stall missed stay missed.
 // `stop` may be set by a signal handler or another thread. However the run ends, the last command is zero force; once a rule
 // of the supervisor tripped, so is that very tick's, and only another call starts again.
 // Between the first reading and that command nothing is allocated, locked, written or thrown.
