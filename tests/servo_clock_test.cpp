@@ -134,5 +134,85 @@ TEST(servo_loop, does_not_sleep_on_after_the_signal_that_stops_it) {
   EXPECT_EQ(run.samples.back().wall_ns, 3 * 10 * kMillisecond + kMillisecond / 10);
 }
 
+// Frames every 1.02 ms from 0.7 ms after the start on, whatever the loop does; from frame `last` on there is none.
+class Framed final : public Pushing {
+ public:
+  Framed(VirtualClock& clock, std::function<void(std::size_t)> commanded, std::int64_t last = 1000)
+      : clock_(clock), commanded_(std::move(commanded)), last_(last) {}
+  Capabilities capabilities() const noexcept override {
+    Capabilities can = Pushing::capabilities();
+    can.paces = true;
+    return can;
+  }
+  std::int64_t wait_for_frame(std::int64_t deadline) noexcept override {
+    ++waits;
+    const std::int64_t seen = frame_;
+    frame_ = std::min(std::max(seen + 1, (clock_.now() - first_) / kPeriod), last_);
+    clock_.sleep_until(frame_ > seen ? first_ + frame_ * kPeriod : deadline);
+    return first_ + frame_ * kPeriod;
+  }
+  std::vector<std::int64_t> frames;  // that were read
+  int waits = 0;
+
+ private:
+  static constexpr std::int64_t kPeriod = 1'020'000;  // ns
+  ReadResult at(std::size_t reading) noexcept override {
+    frames.push_back(frame_);
+    if (clock_.now() - (first_ + frame_ * kPeriod) > 25 * kMillisecond) return Fault{"no frames"};
+    return place(reading);
+  }
+  std::optional<Fault> on_command() noexcept override {
+    commanded_(commands.size() - 1);
+    return std::nullopt;
+  }
+
+  VirtualClock& clock_;
+  std::function<void(std::size_t)> commanded_;
+  std::int64_t first_ = clock_.now() + 7 * kMillisecond / 10, frame_ = -1, last_;
+};
+
+TEST(servo_loop, follows_the_frames_of_a_device_that_paces) {
+  VirtualClock clock;
+  // Tick 5 takes as long as three frames and a bit: the two that began meanwhile and are over are missed.
+  Framed device(clock, [&](std::size_t tick) { clock.pass(tick == 5 ? 3.1 : 0.2); });
+  const Kept run(device, wall(), {.max_seconds = 0.01});
+  EXPECT_TRUE(run.followed_device);
+  EXPECT_EQ(device.frames, (std::vector<std::int64_t>{0, 1, 2, 3, 4, 5, 8, 9, 10, 11}));
+  EXPECT_EQ(run.missed_deadlines, 1U);
+  EXPECT_EQ(run.samples[4].wakeup_ns, 0);
+  EXPECT_EQ(run.samples[6].wakeup_ns, 40'000) << "frame 8 began then";
+}
+
+TEST(servo_loop, follows_its_own_clock_where_it_is_told_to_or_where_nothing_is_paced) {
+  for (const auto& [follows, paced] : {std::pair{false, true}, {true, false}}) {
+    VirtualClock clock;
+    Framed device(clock, [&](std::size_t) { clock.pass(0.2); });
+    const Kept run(device, wall(), {.max_seconds = 0.01, .paced = paced, .follows_device = follows});
+    EXPECT_FALSE(run.followed_device);
+    EXPECT_EQ(device.waits, 0);
+    EXPECT_EQ(run.ticks, 10U);
+  }
+}
+
+TEST(servo_loop, ends_with_the_devices_words_when_its_frames_end) {
+  VirtualClock clock;
+  Framed device(
+      clock, [&](std::size_t) { clock.pass(0.2); }, 200);
+  const Kept run(device, wall(), {.max_seconds = 1});
+  EXPECT_EQ(run.end_reason, EndReason::device_fault);
+  EXPECT_STREQ(run.fault, "no frames");
+  EXPECT_EQ(run.ticks, 201U);
+}
+
+TEST(servo_loop, waits_no_longer_for_a_frame_once_it_is_stopped) {
+  VirtualClock clock;
+  std::atomic<bool> stop = false;
+  Framed device(clock, [&](std::size_t tick) { stop = tick == 7; });
+  const Kept run(device, wall(), {.max_seconds = 1}, stop);
+  EXPECT_EQ(run.end_reason, EndReason::stopped);
+  EXPECT_EQ(run.ticks, 8U);
+  EXPECT_EQ(device.waits, 8);
+}
+
 }  // namespace
 }  // namespace forceshade::device
