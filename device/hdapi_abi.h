@@ -31,24 +31,30 @@ inline constexpr unsigned kCallbackContinue = 1;
 inline constexpr HDushort kDefaultPriority = 32767;  // of 0 to 65535
 
 // What hdGet and hdSet speak of. Doubles unless said otherwise.
-inline constexpr HDenum kButtons = 0x2000;       // int, one bit each
-inline constexpr HDenum kEncoders = 0x2010;      // 6 longs: the arm's three, the gimbal's
-inline constexpr HDenum kPosition = 0x2050;      // 3, mm
-inline constexpr HDenum kGimbalAngles = 0x2150;  // 3, rad
-inline constexpr HDenum kJointAngles = 0x2100;   // 3, rad
-inline constexpr HDenum kModel = 0x2501;         // string, as are the next three
-inline constexpr HDenum kDriverVersion = 0x2502, kSerialNumber = 0x2504, kFirmwareVersion = 0x2505;
+inline constexpr HDenum kButtons = 0x2000;            // int, one bit each
+inline constexpr HDenum kSafetySwitch = 0x2001;       // boolean
+inline constexpr HDenum kInkwellSwitch = 0x2002;      // boolean
+inline constexpr HDenum kEncoders = 0x2010;           // 6 longs: the arm's three, the gimbal's
+inline constexpr HDenum kPosition = 0x2050;           // 3, mm
+inline constexpr HDenum kJointAngles = 0x2100;        // 3, rad
+inline constexpr HDenum kGimbalAngles = 0x2150;       // 3, rad
+inline constexpr HDenum kVersion = 0x2500;            // string: the library's; those below are the device's
+inline constexpr HDenum kModel = 0x2501;              // string
+inline constexpr HDenum kDriverVersion = 0x2502;      // string
+inline constexpr HDenum kVendor = 0x2503;             // string
+inline constexpr HDenum kSerialNumber = 0x2504;       // string
+inline constexpr HDenum kFirmware = 0x2505;           // string (r)
 inline constexpr HDenum kUsableWorkspace = 0x2551;    // 6, mm: lowest x, y, z, highest x, y, z
 inline constexpr HDenum kInputDegrees = 0x2553;       // int: 6 with a gimbal that is measured
-inline constexpr HDenum kOutputDegrees = 0x2554;      // int: motors
+inline constexpr HDenum kOutputDegrees = 0x2554;      // int: the number of motors, 3 or 6
 inline constexpr HDenum kCalibrationStyles = 0x2555;  // int, bits below
 inline constexpr HDenum kUpdateRate = 0x2600;         // int, Hz
-inline constexpr HDenum kInstantaneousRate = 0x2601;  // int, Hz: falls when the device no longer answers
+inline constexpr HDenum kInstantaneousRate = 0x2601;  // int, Hz: 0 when the device does not answer
 inline constexpr HDenum kMaxForce = 0x2603;           // 1, N
 inline constexpr HDenum kContinuousForce = 0x2604;    // 1, N
-inline constexpr HDenum kMotorTemperature = 0x2605;   // one for each motor, 3 or 6: predicted, 0 to 1
-inline constexpr HDenum kVelocityLimit = 0x2606;      // 1, mm/s
-inline constexpr HDenum kImpulseLimit = 0x2607;       // 1, N/ms
+inline constexpr HDenum kMotorTemperature = 0x2605;   // as many as there are motors: predicted, 0 to 1
+inline constexpr HDenum kVelocityLimit = 0x2606;      // 1, mm/s: the driver ends a run beyond it
+inline constexpr HDenum kImpulseLimit = 0x2607;       // 1, N/ms: the driver ends a run beyond it
 inline constexpr HDenum kForce = 0x2700;              // 3, N
 
 inline constexpr HDenum kForceOutput = 0x4000;  // for hdEnable, hdDisable, hdIsEnabled
@@ -80,6 +86,7 @@ const char* hdGetErrorString(HDerror);
 void hdEnable(HDenum);
 void hdDisable(HDenum);
 HDboolean hdIsEnabled(HDenum);
+void hdGetBooleanv(HDenum, HDboolean*);
 void hdGetIntegerv(HDenum, int*);
 void hdGetLongv(HDenum, HDlong*);
 void hdGetDoublev(HDenum, double*);
@@ -104,6 +111,7 @@ void hdUnschedule(HDSchedulerHandle);
   X(hdEnable)                         \
   X(hdDisable)                        \
   X(hdIsEnabled)                      \
+  X(hdGetBooleanv)                    \
   X(hdGetIntegerv)                    \
   X(hdGetLongv)                       \
   X(hdGetDoublev)                     \

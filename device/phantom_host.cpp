@@ -218,7 +218,7 @@ PhantomDescription Host::described() {
   copy_words(hdapi::kModel, it.model);
   copy_words(hdapi::kSerialNumber, it.serial);
   copy_words(hdapi::kDriverVersion, it.driver);
-  copy_words(hdapi::kFirmwareVersion, it.firmware);
+  copy_words(hdapi::kFirmware, it.firmware);
 
   DriversLimits driver{.peak = number(hdapi::kMaxForce),
                        .continuous = number(hdapi::kContinuousForce),

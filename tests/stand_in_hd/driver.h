@@ -1,44 +1,72 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The stand-in's inside: what its functions and its scheduler share.
+// The stand-in's inside: what its functions and its scheduler share in the process that has loaded it.
+
+// First, so that what is declared in it can be found by its name.
+#pragma GCC visibility push(default)
+#include "forceshade/device/hdapi_abi.h"
+#pragma GCC visibility pop
 
 #include <atomic>
 #include <map>
 #include <memory>
-#include <mutex>
+#include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
+#include "forceshade/device/model.h"
 #include "forceshade/device/simulated.h"
-
-#pragma GCC visibility push(default)
-#include "forceshade/tests/stand_in_hd/stand_in_hd.h"
-#pragma GCC visibility pop
+#include "forceshade/tests/stand_in_hd/memory.h"
 
 namespace forceshade::stand_in_hd {
 
 using namespace hdapi;
+using Clock = std::chrono::steady_clock;
 
 constexpr HHD kDevice = 7;
+constexpr double kPeakForce = 8.5;  // N
 
 struct Callback {
   HDCallback function;
   void* data;
 };
 
+struct Error {
+  HDErrorInfo info;
+  std::thread::id caused_by;
+};
+
+// Guarded by the memory's lock, which is not held while a callback runs.
 struct Driver {
-  std::mutex mutex;  // guards all below, but is not held while a callback runs
-  Orders orders;
-  Seen seen;
-  std::vector<HDErrorInfo> errors;
+  explicit Driver(Memory& shared) : memory(shared) {}
+
+  Memory& memory;
+  Orders& orders = memory.orders;
+  Memory::Noted& noted = memory.noted;
+  std::uint64_t resets = memory.resets, tellings = memory.tellings;  // that this process knows of
+
+  std::vector<Error> errors;
+  std::set<std::pair<std::string_view, HDerror>> reported;   // in frames, since orders were given
+  bool device = false, running = false, calibrated = false;  // in this process; running: the scheduler
+  double rate = 1000;
   std::unique_ptr<device::Simulated> phantom;
-  bool in_frame = false, pushes = false;
+  device::Model model = device::premium_1_5();
+  bool in_frame = false;
   int frames_this_tick = 0;
   Eigen::Vector3d position{0, 0, 0}, force{0, 0, 0};
   std::array<HDlong, 6> encoder{};
+  Eigen::Vector3d joints{0, 0, 0};  // rad
+  // Frames since the start, since the output went on, in contact at a stretch, in contact ever.
+  std::uint64_t frames = 0, frames_on = 0, in_contact = 0, contacts = 0;
+  bool tripped = false;
+  std::array<Clock::time_point, 64> ticks{};
+  std::uint64_t tick_count = 0;
+
   std::map<HDSchedulerHandle, Callback> callbacks;
-  HDSchedulerHandle next_handle = 1;
   std::thread scheduler;
   std::thread::id scheduler_id;
   std::atomic<bool> stop = false;
@@ -49,31 +77,44 @@ Driver& driver();
 // What the arm feels from now on.
 void obey(Driver& driver, const Eigen::Vector3d& force);
 
-enum class Where { anywhere, not_beside_scheduler, in_frame };
+// Where the arm is, and what its encoders say.
+void look(Driver& driver);
+
+// Frames a second that are meant, and that were run lately.
+double meant_rate(const Driver& driver);
+int measured_rate(const Driver& driver);
+
+// What is to happen at this moment, noted as done; and it happening, without the lock.
+struct Due {
+  std::optional<Kill> kill;
+  std::optional<Crash> crash;
+};
+Due due(Driver& driver, std::optional<Moment> moment = std::nullopt);
+void happen(const Due& due);
+
+void block_if_told(Blocks here);
+
+enum class Where { anywhere, not_beside_scheduler, in_frame, in_frame_if_running };
 
 // One call to the driver: holds the lock, and notes what the caller should not have done.
 class Call {
  public:
-  Call(const char* name, Where where) : name_(name) {
-    const bool beside = d.seen.scheduler && std::this_thread::get_id() != d.scheduler_id;
-    if (where != Where::anywhere && beside) breach("beside the running scheduler");
-    // Beside it, the error may be the scheduler thread's own, about to be read there.
-    if (!beside && !d.errors.empty()) breach("with an error unread");
-    if (where == Where::in_frame && !d.in_frame) breach("outside a frame");
-  }
-  void breach(const std::string& words) { d.seen.breaches.push_back(std::string(name_) + " " + words); }
+  Call(const char* name, Where where);
+  void breach(const std::string& words);
   void fail(HDerror code) {
-    if (code != kSuccess) d.errors.push_back({code, 42, kDevice});
+    if (code != kSuccess) d.errors.push_back({{code, 42, kDevice}, std::this_thread::get_id()});
   }
+  // As in a frame: a condition that lasts is reported once.
+  void fail_in_frame(HDerror code);
 
   Driver& d = driver();
 
  private:
-  std::lock_guard<std::mutex> lock_{d.mutex};
+  Lock lock_{d.memory};
   const char* name_;
 };
 
-// Runs the callbacks at this rate until told to stop: the scheduler's thread.
-void run(double rate);
+// Runs the callbacks until told to stop: the scheduler's thread.
+void run();
 
 }  // namespace forceshade::stand_in_hd

@@ -16,6 +16,7 @@
 
 namespace forceshade::device {
 using namespace std::chrono_literals;
+using stand_in_hd::Answer;
 using stand_in_hd::Orders;
 using stand_in_hd::seen;
 using stand_in_hd::tell;
@@ -46,6 +47,7 @@ class phantom : public testing::Test {
     for (const std::string& breach : after.breaches) ADD_FAILURE() << breach;
     EXPECT_FALSE(after.initialised || after.scheduler || after.output);
     EXPECT_TRUE(after.frames.empty() || after.frames.back().force.isZero(0));
+    EXPECT_TRUE(stand_in_hd::arm().force.isZero(0));
   }
 };
 

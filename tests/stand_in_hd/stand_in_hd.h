@@ -1,58 +1,59 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // A stand-in for the vendor's libHD.so: the same binary interface over the simulated PHANToM, with a scheduler thread of its
-// own. It fails as told, and notes every breach of the discipline that the real one expects of its callers.
+// own. It behaves as the vendor's library was seen to, fails as told, and notes every breach of the discipline that the real
+// one expects of its callers.
+//
+// The library may be loaded by this process or by another that it starts: STAND_IN_HD is its path. Orders and what was seen
+// lie in memory that the two share. It stays readable however the other process ends.
+
+#include <sys/types.h>
 
 #include <Eigen/Core>
-#include <array>
 #include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "forceshade/device/hdapi_abi.h"
+#include "forceshade/tests/stand_in_hd/orders.h"
 
 namespace forceshade::stand_in_hd {
 
-namespace hdapi = device::hdapi;
-
-// What it does wrong; nothing by default, but for an init error named in the environment's STAND_IN_HD_INIT.
-struct Orders {
-  hdapi::HDerror init = 0, rate = 0, schedule = 0, start = 0, peak = 0;                        // given by these calls
-  hdapi::HDerror begin = 0, get_position = 0, get_temperature = 0, get_encoders = 0, set = 0;  // in every frame
-  std::array<hdapi::HDerror, 3> end = {};                                                      // in every frame, in this order
-  bool init_fails_silently = false;                                                            // no device and no error
-  int input_degrees = 6;
-  hdapi::HDenum calibration = hdapi::kCalibrated;
-  int styles = hdapi::kCalibratesInInkwell;
-  bool update_helps = true;                                // whether hdUpdateCalibration leads to kCalibrated
-  std::optional<Eigen::Vector3d> position = std::nullopt;  // mm, in the driver's frame, instead of the simulated one
-  double peak_force = 8.5, temperature = 0.25;
-  bool output_stays_off = false;
-  bool output_goes_off = false;             // as by an emergency switch
-  bool withholds_position = false;          // hdGet writes nothing and reports no error
-  bool hung = false;                        // the scheduler runs no callback
-  std::chrono::milliseconds frame_time{0};  // more than a frame takes anyway
-};
+using Clock = std::chrono::steady_clock;  // CLOCK_MONOTONIC: one clock for all processes
 
 // What it gave and got in a frame: mm, N, in the driver's frame.
 struct Frame {
   Eigen::Vector3d position, force;
+  Clock::time_point time;  // of its end
+  bool output;             // whether the arm got the force
+};
+
+// What the arm feels now: the force last sent while the output was on, also when the process that sent it is no more.
+struct Arm {
+  Eigen::Vector3d force;           // N, in the driver's frame
+  Clock::time_point changed{};     // the force
+  Clock::time_point pushed_until;  // the last moment at which it was not zero: now, where it is not
+  pid_t pid = 0;                   // of the process that initialised the device last
 };
 
 struct Seen {
-  std::vector<std::string> breaches;
-  std::optional<std::string> name;  // hdInitDevice's
-  bool initialised = false, scheduler = false, output = false;
-  int updates = 0;  // of the calibration
+  std::vector<std::string> breaches;                            // no more than 64, then their number
+  std::optional<std::string> name;                              // hdInitDevice's
+  bool initialised = false, scheduler = false, output = false;  // false if the driver's process is no more
+  bool died = false;                                            // it had the device when it ended
+  int updates = 0;                                              // of the calibration
   double rate = 1000;
-  std::vector<Frame> frames;
-  std::chrono::steady_clock::time_point pushed_until{};  // when the arm was last let go, by zero sent or the output off
+  std::vector<Frame> frames;                         // the last 65 536
+  Clock::time_point pushed_until{};                  // when the arm was last let go, by zero sent or the output off
+  std::optional<Clock::time_point> killed, crashed;  // when `kill` and `crash` were carried out
+  Eigen::Vector3d killed_under{0, 0, 0};             // what the arm felt then, N
 };
 
-// As though freshly loaded. Not while its scheduler runs.
+// As though freshly loaded. Not while its scheduler runs. The first of these calls names the memory in the environment's
+// STAND_IN_HD_MEMORY, for processes that are started from then on.
 void reset();
 void tell(const Orders& orders);
 Seen seen();
+Arm arm();
 
 }  // namespace forceshade::stand_in_hd
