@@ -34,7 +34,8 @@ struct Reading {
   std::uint16_t buttons = 0;                                          // bit k is set while button k is down
   std::optional<Eigen::Vector3f> gimbal = std::nullopt;               // rad, from a device that has one
   std::optional<std::array<std::int64_t, 3>> encoder = std::nullopt;  // counts, from a device that shows them
-  std::optional<Sent> sent = std::nullopt;                            // from a device that keeps an account
+  std::optional<std::array<double, 3>> joints = std::nullopt;  // rad, the driver's joint angles, from one that shows them
+  std::optional<Sent> sent = std::nullopt;                     // from a device that keeps an account
 };
 
 // Nothing is wrong and nothing more will come.
@@ -71,6 +72,7 @@ struct State {
   bool calibrated = true;  // else its positions mean nothing
   bool forces_on = true;   // else commands are taken and not obeyed: a dead-man switch, amplifiers off
   float temperature = 0;   // of the hottest motor: 0 is the room's, 1 the highest allowed
+  double update_rate = 0;  // Hz, by the driver's own count; 0 from a device that does not count
 };
 
 // read() and command() are called from the servo loop, in turns: they allocate nothing, throw nothing and return well within

@@ -50,6 +50,12 @@ Fault Phantom::fault() noexcept {
 }
 
 Phantom::Phantom(const std::string& name, const Options& options)
+    : Phantom(name, options, []() -> Attendant& {
+        static Attendant nobody;
+        return nobody;
+      }()) {}
+
+Phantom::Phantom(const std::string& name, const Options& options, Attendant&)
     : hd_(hdapi::vendor()), options_(options), room_(room_for_words()) {
   // Of whoever used the driver before.
   hdapi::drained(hd_);
@@ -188,8 +194,8 @@ std::optional<Fault> Phantom::command(const Eigen::Vector3f& force) noexcept {
   return std::nullopt;
 }
 
-std::unique_ptr<Device> open_phantom(const std::string& name) {
-  return std::make_unique<Phantom>(name);
+std::unique_ptr<Device> open_phantom(const std::string& name, Attendant& attendant, Forces forces) {
+  return std::make_unique<Phantom>(name, Phantom::Options{.force = forces == Forces::as_commanded}, attendant);
 }
 
 }  // namespace forceshade::device

@@ -7,7 +7,9 @@
 #include <memory>
 #include <string>
 
+#include "forceshade/device/attendant.h"
 #include "forceshade/device/device.h"
+#include "forceshade/device/open_device.h"
 #include "forceshade/device/phantom_frames.h"
 
 namespace forceshade::device {
@@ -20,10 +22,12 @@ class Phantom final : public Device {
     std::chrono::milliseconds patience{25};
     // For how long start() waits for the driver.
     std::chrono::milliseconds start{3000};
+    bool force = true;  // false: the force output is never switched on
   };
 
   // `name` as in the vendor's set-up program; empty: the default device. Initialises the driver and asks what the device can
   // do; switches no force on and runs no frame. Throws DeviceError, with what to check.
+  Phantom(const std::string& name, const Options& options, Attendant& attendant);
   Phantom(const std::string& name, const Options& options);
   explicit Phantom(const std::string& name) : Phantom(name, Options{}) {}
 
@@ -75,6 +79,6 @@ class Phantom final : public Device {
 };
 
 // "": the default device. Throws DeviceError.
-std::unique_ptr<Device> open_phantom(const std::string& name);
+std::unique_ptr<Device> open_phantom(const std::string& name, Attendant& attendant, Forces forces);
 
 }  // namespace forceshade::device
