@@ -16,6 +16,7 @@
 #include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/live_line.h"
 #include "forceshade/apps/options.h"
+#include "forceshade/apps/signals.h"
 #include "forceshade/properties/thesis.h"
 
 namespace forceshade::apps {

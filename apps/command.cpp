@@ -3,7 +3,6 @@
 
 #include <unistd.h>
 
-#include <csignal>
 #include <filesystem>
 
 #include "forceshade/apps/length.h"
@@ -13,9 +12,6 @@
 
 namespace forceshade::apps {
 namespace {
-
-std::atomic<bool> interrupt_flag{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
 
 std::vector<std::filesystem::path> made_directories;  // each after the one that it is in
 
@@ -108,18 +104,6 @@ Parameters LawOptions::parameters() const {
     if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput("--" + error->message());
   }
   return p;
-}
-
-const std::atomic<bool>& interrupted() {
-  return interrupt_flag;
-}
-
-void watch_for_interrupt() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { interrupt_flag.store(true); };
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
 }
 
 void write_file(const std::string& path, const std::string& text) {

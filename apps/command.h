@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the subcommands share: exit codes, the options that name a law and its parameters, Ctrl-C, whole output files.
+// What the subcommands share: exit codes, the options that name a law and its parameters, whole output files.
 
 #include <CLI/CLI.hpp>
 #include <array>
-#include <atomic>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -75,13 +74,8 @@ L built(std::variant<L, ParameterError> law, const std::string& what = "--") {
   return std::get<L>(std::move(law));
 }
 
-// Set by SIGINT and SIGTERM once watch_for_interrupt() was called; a second signal ends the program at once.
-const std::atomic<bool>& interrupted();
-void watch_for_interrupt();
-
 // Writes the file whole or not at all; "-" is standard output. Throws csv::OutputError.
 void write_file(const std::string& path, const std::string& text);
-// Throws BadInput with the system's reason.
 
 // Throws BadInput, naming the option, unless the directory is there or can be made, and can be written to.
 void make_directory(const std::string& option, const std::string& path);

@@ -13,6 +13,7 @@
 #include "forceshade/apps/length.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/progress_line.h"
+#include "forceshade/apps/signals.h"
 #include "forceshade/reference/height_energy.h"
 
 namespace forceshade::apps {

@@ -14,6 +14,7 @@
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/live_line.h"
 #include "forceshade/apps/options.h"
+#include "forceshade/apps/signals.h"
 #include "forceshade/csv/printable.h"
 #include "forceshade/properties/build.h"
 #include "forceshade/properties/merge.h"

@@ -8,6 +8,7 @@
 #include "forceshade/apps/force_rows.h"
 #include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/options.h"
+#include "forceshade/apps/signals.h"
 #include "forceshade/csv/csv.h"
 #include "forceshade/csv/output_file.h"
 #include "forceshade/fast/height_law.h"

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "forceshade/apps/live_line.h"
-#include "forceshade/device/supervisor.h"
+#include "forceshade/apps/rule_names.h"
 
 namespace forceshade::apps {
 namespace {
@@ -17,13 +17,6 @@ constexpr std::chrono::milliseconds kBetweenDrawings{100};
 
 double length_of(const std::array<float, 3>& force) {
   return std::hypot(static_cast<double>(force[0]), static_cast<double>(force[1]), static_cast<double>(force[2]));
-}
-
-std::string names_of(std::uint16_t rules) {
-  std::string names;
-  for (std::size_t rule = 0; rule < device::kRules; ++rule)
-    if ((rules >> rule & 1U) != 0) names += (names.empty() ? "" : ", ") + std::string(name_of(static_cast<device::Rule>(rule)));
-  return names;
 }
 
 }  // namespace
@@ -62,7 +55,7 @@ void LiveView::draw(const Shown& before, const Shown& now) const {
   const double seconds = static_cast<double>(now.last.wall_ns - before.last.wall_ns) / 1e9;
   const double rate = static_cast<double>(now.last.tick - before.last.tick) / std::max(seconds, 1e-9);
   draw_line(live_line({static_cast<double>(now.last.wall_ns) / 1e9, rate, static_cast<double>(now.worst_wakeup) / 1e3,
-                       length_of(now.last.force), full_force_, now.last.energy, names_of(now.limited)},
+                       length_of(now.last.force), full_force_, now.last.energy, joined_rule_names(now.limited)},
                       room_for_a_line()));
 }
 

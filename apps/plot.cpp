@@ -10,6 +10,7 @@
 #include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/length.h"
 #include "forceshade/apps/options.h"
+#include "forceshade/apps/signals.h"
 #include "forceshade/csv/csv.h"
 #include "forceshade/properties/pictures.h"
 #include "forceshade/properties/thesis_figures.h"

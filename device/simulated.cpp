@@ -84,6 +84,7 @@ ReadResult Simulated::read() noexcept {
   const Eigen::Vector3d position = turned_to_law(model_.arm.forward(measured_)) / kMillimetre;
   Reading reading{.position = position.cast<float>(), .time = static_cast<double>(readings_++) * period_};
   if (!model_.quantum.isZero(0)) reading.encoder = counts;
+  reading.joints = {measured_[0], measured_[1], measured_[2]};
   return reading;
 }
 

@@ -276,6 +276,10 @@ expect 0 "not supervised" -- drive --law wall --uncertified
 expect 3 "the supervisor stopped the run: velocity" -- "$forceshade" drive --law wall --uncertified --unpaced \
   --device simulated:premium-1.5:torn.csv --record torn.fsr --json torn.json
 expect 0 "end_reason           tripped" -- record info torn.fsr
+expect 0 "device_model         premium-1.5" -- record info torn.fsr
+same "" "$(record info torn.fsr | grep device_serial)"
+expect 3 "before the end    201 ticks kept" -- "$forceshade" drive --law wall --uncertified --unpaced --device simulated:premium-1.5:torn.csv
+expect 3 "mm/s; force 0.000 N, one tick before " -- "$forceshade" drive --law wall --uncertified --unpaced --device simulated:premium-1.5:torn.csv
 grep -q '"rule": "velocity"' torn.json || { echo "FAILED: torn.json has no trip"; exit 1; }
 expect 2 'unknown model "teapot"' -- "$forceshade" drive --law wall --uncertified --device simulated:teapot
 # A PHANToM: no driver library, one found by its name, one named, and a licence that is missing.

@@ -33,7 +33,7 @@ Command::~Command() {
 }
 
 void Command::send(int signal) const {
-  kill(process_, signal);
+  if (process_ > 0) kill(process_, signal);  // else it would go to every process there is
 }
 
 std::string Command::end() {

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/apps/device_run.h"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "forceshade/apps/command.h"
+#include "forceshade/apps/drive_summary.h"
+#include "forceshade/apps/last_ticks.h"
+#include "forceshade/apps/live_view.h"
+#include "forceshade/apps/run_record.h"
+#include "forceshade/apps/signals.h"
+#include "forceshade/apps/terminal_attendant.h"
+#include "forceshade/csv/csv.h"
+#include "forceshade/csv/output_file.h"
+#include "forceshade/csv/printable.h"
+#include "forceshade/device/last_samples.h"
+
+namespace forceshade::apps {
+namespace {
+
+constexpr const char* kNotBegun = "the run had not begun";
+
+// What the device says of itself; what it does not say is left out.
+std::vector<std::pair<std::string, std::string>> identity(const device::Capabilities& capabilities) {
+  std::vector<std::pair<std::string, std::string>> known;
+  for (const auto& [what, words] : {std::pair<const char*, std::string_view>{"model", capabilities.model},
+                                    {"serial", capabilities.serial},
+                                    {"driver", capabilities.driver},
+                                    {"firmware", capabilities.firmware}})
+    if (!words.empty()) known.emplace_back(what, words);
+  return known;
+}
+
+recorder::Metadata metadata(const RunPlan& plan, const Driven& what, const device::Capabilities& capabilities) {
+  const properties::Build build = properties::current_build();
+  recorder::Metadata metadata{{"certificate_digest", plan.digest.value_or("none")},
+                              {"library_digest", build.library_digest},
+                              {"version", build.version},
+                              {"revision", build.revision},
+                              {"compiler", build.compiler},
+                              {"flags", build.flags},
+                              {"instruction_set", build.instruction_set},
+                              {"device", plan.device},
+                              {"rate_hz", csv::shortest(plan.servo.rate_hz)},
+                              {"paced", plan.servo.paced ? "yes" : "no"},
+                              {"passivity", std::string(name_of(plan.servo.passivity))}};
+  for (const auto& [what_it_is, words] : identity(capabilities)) metadata["device_" + what_it_is] = words;
+  metadata.insert(what.metadata.begin(), what.metadata.end());
+  return metadata;
+}
+
+nlohmann::ordered_json summary(const device::ServoResult& run, const std::vector<device::Sample>& last_ticks,
+                               const RunPlan& plan, const Driven& what, const device::Capabilities& capabilities) {
+  nlohmann::ordered_json json = what.summary;
+  json["certificate_digest"] = plan.digest ? nlohmann::ordered_json(*plan.digest) : nlohmann::ordered_json(nullptr);
+  json["library_digest"] = properties::current_build().library_digest;
+  json["device"] = {{"name", plan.device}};
+  for (const auto& [what_it_is, words] : identity(capabilities)) json["device"][what_it_is] = words;
+  json.update(to_json(run));
+  const std::string signal = interrupting_signal();
+  json["signal"] = signal.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(signal);
+  json["last_ticks"] = last_ticks_json(last_ticks);
+  return json;
+}
+
+// N: more than these forces are is seldom commanded.
+double bar_of(const device::Capabilities& capabilities) {
+  return std::isfinite(capabilities.peak_force) ? static_cast<double>(capabilities.peak_force) : 5;
+}
+
+// Where nobody looks, or where the words of something else go, no line is drawn.
+bool is_watched() {
+  return isatty(STDERR_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
+}
+
+bool has_failed(const device::ServoResult& run) {
+  return run.trip || run.end_reason == device::EndReason::device_fault;
+}
+
+// Names and serial numbers come from a driver, which promises no encoding.
+bool wrote_json(const std::string& file, const nlohmann::ordered_json& json) {
+  try {
+    write_file(file, json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    return true;
+  } catch (const csv::OutputError& error) {
+    std::fprintf(stderr, "forceshade: %s\n", csv::printable(error.what()).c_str());
+    return false;
+  }
+}
+
+}  // namespace
+
+void add_in_reset_pose(CLI::App& command, bool& in_reset_pose) {
+  command.add_flag("--in-reset-pose", in_reset_pose,
+                   "the arm is held in its reset pose: a device that calibrates there waits for no confirmation");
+}
+
+std::unique_ptr<device::Attendant> attendant(bool in_reset_pose) {
+  if (in_reset_pose) return std::make_unique<HoldsResetPose>();
+  return std::make_unique<TerminalAttendant>("give --in-reset-pose if the arm is held in its reset pose");
+}
+
+std::unique_ptr<device::Device> open_for_a_run(const std::string& name, device::Attendant& attendant) {
+  try {
+    auto device = device::open_device(name, attendant);
+    if (!interrupted()) return device;
+  } catch (const device::DeviceError&) {
+    if (!interrupted()) throw;
+  }
+  throw Interrupted(kNotBegun);
+}
+
+RunOutcome run_on(device::Device& device, const Driven& what, RunPlan plan) {
+  const device::Capabilities capabilities = device.capabilities();
+  std::optional<RunRecord> record;
+  if (!plan.record.empty()) record.emplace(plan.record, metadata(plan, what, capabilities), plan.servo.paced);
+  std::optional<LiveView> view;
+  if (is_watched()) view.emplace(bar_of(capabilities));
+  device::LastSamples last(kKeptBeforeTheEnd, plan.servo.rate_hz);
+  plan.servo.sinks.push_back(&last);
+  if (record) plan.servo.sinks.push_back(&record->sink());
+  if (view) plan.servo.sinks.push_back(&*view);
+  if (interrupted()) throw Interrupted(kNotBegun);
+
+  device::ServoResult result = device::run_servo_loop(device, what.renderer, plan.servo, interrupted());
+  view.reset();
+  bool written = !record || record->close(std::string(name_of(result.end_reason)));
+  const std::vector<device::Sample> last_ticks = has_failed(result) ? last.samples() : std::vector<device::Sample>{};
+  if (!plan.json.empty()) written = wrote_json(plan.json, summary(result, last_ticks, plan, what, capabilities)) && written;
+  if (plan.record != "-" && plan.json != "-") {
+    print(result);
+    print_last_ticks(last_ticks);
+  }
+  if (const std::string signal = interrupting_signal(); !signal.empty() && result.end_reason == device::EndReason::stopped)
+    std::fprintf(stderr, "forceshade: %s ended the run\n", signal.c_str());
+  if (result.trip) std::fprintf(stderr, "forceshade: the supervisor stopped the run: %s\n", name_of(result.trip->rule).data());
+  if (result.end_reason == device::EndReason::device_fault)
+    std::fprintf(stderr, "forceshade: device fault: %s\n", result.fault);
+  const int code = has_failed(result) ? kDeviceFault : written ? kHeld : kBadInput;
+  return {std::move(result), code};
+}
+
+}  // namespace forceshade::apps

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A run of the servo loop with all that the command line keeps and says of it.
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "forceshade/apps/driven.h"
+#include "forceshade/device/open_device.h"
+#include "forceshade/device/servo_loop.h"
+
+namespace forceshade::apps {
+
+struct RunPlan {
+  std::string device;                 // as the command line names it
+  std::optional<std::string> digest;  // of the certificate
+  std::string record, json;           // files; - is standard output, empty is none
+  device::ServoOptions servo = {};
+};
+
+struct RunOutcome {
+  device::ServoResult result;
+  int code;  // exit code
+};
+
+// --in-reset-pose, and who then prepares the device: the person at the terminal, or nobody, because it was said beforehand.
+void add_in_reset_pose(CLI::App& command, bool& in_reset_pose);
+std::unique_ptr<device::Attendant> attendant(bool in_reset_pose);
+
+// The device by its name. Throws Interrupted where a signal came meanwhile, whatever the device then said.
+std::unique_ptr<device::Device> open_for_a_run(const std::string& name, device::Attendant& attendant);
+
+// Call end_runs_in_order() first. Records, runs, and writes the summary: to standard output unless something else goes there.
+// A file that cannot be written is said on standard error, and costs nothing of the rest. Throws Interrupted if a signal came
+// before the run.
+RunOutcome run_on(device::Device& device, const Driven& what, RunPlan plan);
+
+}  // namespace forceshade::apps

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The supervisor's rules as a sample holds them, by name.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "forceshade/device/supervisor.h"
+
+namespace forceshade::apps {
+
+// Of Sample::limited: bit k is rule k.
+inline std::vector<std::string> rule_names(std::uint16_t rules) {
+  std::vector<std::string> names;
+  for (std::size_t rule = 0; rule < device::kRules; ++rule)
+    if ((rules >> rule & 1U) != 0) names.emplace_back(name_of(static_cast<device::Rule>(rule)));
+  return names;
+}
+
+inline std::string joined_rule_names(std::uint16_t rules) {
+  std::string joined;
+  for (const std::string& name : rule_names(rules)) joined += (joined.empty() ? "" : ", ") + name;
+  return joined;
+}
+
+}  // namespace forceshade::apps

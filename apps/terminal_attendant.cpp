@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/apps/terminal_attendant.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <sstream>
+
+#include "forceshade/apps/signals.h"
+#include "forceshade/csv/printable.h"
+
+namespace forceshade::apps {
+namespace {
+
+constexpr int kBetweenLooks = 100;  // ms, at a signal that came just before poll()
+
+// The terminal that commands this process, whatever standard input is; else standard input if it is a terminal.
+class Terminal {
+ public:
+  Terminal() : own_(::open("/dev/tty", O_RDWR | O_NOCTTY | O_CLOEXEC)) {}
+  ~Terminal() {
+    if (own_ >= 0) ::close(own_);
+  }
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+
+  bool is_there() const { return own_ >= 0 || ::isatty(STDIN_FILENO) != 0; }
+
+  void show(const std::string& text) const {
+    const int to = own_ >= 0 ? own_ : STDERR_FILENO;
+    if (::write(to, text.data(), text.size()) < 0) return;  // then nobody reads it, and Enter will not come either
+  }
+
+  // False at the end of input, after an error or a signal.
+  bool waited_for_enter() const {
+    const int from = own_ >= 0 ? own_ : STDIN_FILENO;
+    ::tcflush(from, TCIFLUSH);
+    while (!interrupted()) {
+      pollfd input{.fd = from, .events = POLLIN, .revents = 0};
+      const int ready = ::poll(&input, 1, kBetweenLooks);
+      if (ready < 0 && errno != EINTR) return false;
+      if (ready <= 0) continue;
+      std::array<char, 256> line;
+      const ssize_t got = ::read(from, line.data(), line.size());
+      if (got < 0 && errno == EINTR) continue;
+      if (got <= 0) return false;
+      if (line[static_cast<std::size_t>(got) - 1] == '\n') return true;
+    }
+    return false;
+  }
+
+ private:
+  int own_;
+};
+
+// Line by line, because a line feed would be made visible too.
+std::string shown(const std::string& words) {
+  std::string all, line;
+  for (std::istringstream lines(words); std::getline(lines, line);) {
+    if (!all.empty()) all += '\n';
+    all += csv::printable(line);
+  }
+  return all;
+}
+
+void say(const std::string& words) {
+  std::fprintf(stderr, "forceshade: %s\n", words.c_str());
+}
+
+}  // namespace
+
+void TerminalAttendant::told(const std::string& words) noexcept {
+  say(shown(words));
+}
+
+bool TerminalAttendant::did(const std::string& words) noexcept {
+  const std::string what = shown(words);
+  const Terminal terminal;
+  if (!terminal.is_there()) {
+    say("this has to be done, and there is no terminal on which somebody could say that it was: " + what + "; " + what_else_);
+    return false;
+  }
+  terminal.show("\n" + what + "\nPress Enter when this is done, or Ctrl-C to end here. ");
+  if (terminal.waited_for_enter()) return true;
+  terminal.show("\n");
+  if (!interrupted()) say("nobody could say on the terminal that this was done: " + what + "; " + what_else_);
+  return false;
+}
+
+bool HoldsResetPose::did(const std::string& words) noexcept {
+  say(shown(words) + " (taken as done, as said by --in-reset-pose)");
+  return true;
+}
+
+}  // namespace forceshade::apps

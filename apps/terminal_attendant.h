@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The person who prepares a device, reached through the terminal.
+
+#include <string>
+
+#include "forceshade/device/attendant.h"
+
+namespace forceshade::apps {
+
+// What is told goes to standard error.
+class TerminalAttendant : public device::Attendant {
+ public:
+  // what_else: what to do where there is no terminal, for instance "give --in-reset-pose".
+  explicit TerminalAttendant(std::string what_else) : what_else_(std::move(what_else)) {}
+
+  void told(const std::string& words) noexcept override;
+
+  // Shows the words on the terminal and waits for Enter there; what was typed before does not count. False where there is no
+  // terminal, or it is another program's turn to read from it, which is said; and after a signal that ends the work.
+  bool did(const std::string& words) noexcept override;
+
+ private:
+  std::string what_else_;
+};
+
+// Said beforehand, by --in-reset-pose: the arm is held in its reset pose, so nothing has to be confirmed.
+class HoldsResetPose final : public TerminalAttendant {
+ public:
+  HoldsResetPose() : TerminalAttendant("") {}
+
+  bool did(const std::string& words) noexcept override;
+};
+
+}  // namespace forceshade::apps
