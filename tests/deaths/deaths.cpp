@@ -155,8 +155,9 @@ Outcome tried(const Death& death, Moment phase) {
   const auto moment = happened();
   outcome.took_effect = moment.has_value();
   outcome.force = stand_in_hd::arm().force.norm();
-  if (!is_gone(arm.pid)) outcome.end += ", and the driver's process is still there";
-  if (outcome.force > kFelt || !is_gone(arm.pid)) outcome.seen = Expected::stays_on;
+  outcome.driver_is_left = !is_gone(arm.pid);
+  if (outcome.driver_is_left) kill(arm.pid, SIGKILL);
+  if (outcome.force > kFelt) outcome.seen = Expected::stays_on;
   if (!outcome.took_effect || outcome.seen == Expected::stays_on) return outcome;
   const auto late = std::max(Clock::duration(0), stand_in_hd::arm().pushed_until - *moment);
   outcome.to_zero = std::chrono::duration<double, std::milli>(late).count();

@@ -37,9 +37,10 @@ std::vector<Death> catalogue();
 struct Outcome {
   bool took_effect = false;  // the moment came
   Expected seen = Expected::lets_go;
-  double force = 0;    // N, as long as nothing else happens to the device
-  double to_zero = 0;  // ms from the death to the last moment of force; 0 if there was none
-  std::string end;     // of the program: "exit 0", "signal 9"
+  double force = 0;             // N, as long as nothing else happens to the device
+  double to_zero = 0;           // ms from the death to the last moment of force; 0 if there was none
+  std::string end;              // of the program: "exit 0", "signal 9"
+  bool driver_is_left = false;  // its process, long after the program's end
 };
 
 // In this process, whose memory of the stand-in is used for it.
