@@ -48,12 +48,15 @@ struct Refused : std::runtime_error {
 std::atomic<PhantomFrames*> running = nullptr;
 thread_local bool is_driver = false;
 
-void let_go() noexcept {
+// Whether zero was sent; by any thread but the frames' own, and by a signal handler.
+bool let_go() noexcept {
   PhantomFrames* frames = running;
-  if (!frames || is_driver) return;
+  if (!frames) return true;
+  if (is_driver) return false;
   frames->close();
-  const std::int64_t deadline = monotonic_now() + 50'000'000;
+  const std::int64_t deadline = monotonic_now() + std::chrono::nanoseconds(kClosing).count();
   while (!frames->closed() && monotonic_now() < deadline) ::usleep(500);
+  return frames->closed();
 }
 
 bool is_alone(int socket, pid_t parent) noexcept {
@@ -62,14 +65,14 @@ bool is_alone(int socket, pid_t parent) noexcept {
   return closed || ::getppid() != parent;
 }
 
-// Ends the process when the other one is gone, whatever the driver's calls are stuck in.
+// Ends the process when the other one is gone, whatever the driver's calls are stuck in: where they let no zero be sent, at
+// once, since the device's port is then closed, which is the last that can be done.
 void watch(int socket, pid_t parent) {
   while (!is_alone(socket, parent)) {
     pollfd end{.fd = socket, .events = POLLRDHUP, .revents = 0};
     ::poll(&end, 1, static_cast<int>(kWatch.count()));
   }
-  let_go();
-  std::this_thread::sleep_for(kEnding);
+  if (let_go()) std::this_thread::sleep_for(kEnding);
   ::_exit(1);
 }
 
@@ -351,9 +354,7 @@ void Host::wait_until_ready() {
 
 void Host::close() noexcept {
   if (scheduler_) {
-    frames_->close();
-    const std::int64_t deadline = monotonic_now() + kClosing.count() * 1'000'000;
-    while (!frames_->closed() && monotonic_now() < deadline) std::this_thread::sleep_for(kPoll);
+    let_go();
     hd_.hdStopScheduler();
     hdapi::drained(hd_);
     // The scheduler ran no more frames; now that it is stopped, this thread may switch the output off.
@@ -377,7 +378,7 @@ void Host::close() noexcept {
 int run_phantom_host(int socket, pid_t parent, PhantomShared& shared, const std::string& name, const PhantomOptions& options) {
   be_a_process_of_its_own();
   have_files_of_its_own(socket);
-  std::atexit(let_go);  // a library that ends the process, ends the force first
+  std::atexit([] { let_go(); });  // a library that ends the process, ends the force first
   std::thread(watch, socket, parent).detach();
   std::optional<Host> host;
   try {
