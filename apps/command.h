@@ -95,5 +95,6 @@ void add_properties(CLI::App& app, int& result);
 void add_certify(CLI::App& app, int& result);
 void add_drive(CLI::App& app, int& result);
 void add_record(CLI::App& app, int& result);
+void add_device(CLI::App& app, int& result);
 
 }  // namespace forceshade::apps

@@ -103,9 +103,9 @@ std::unique_ptr<device::Attendant> attendant(bool in_reset_pose) {
   return std::make_unique<TerminalAttendant>("give --in-reset-pose if the arm is held in its reset pose");
 }
 
-std::unique_ptr<device::Device> open_for_a_run(const std::string& name, device::Attendant& attendant) {
+std::unique_ptr<device::Device> open_for_a_run(const std::string& name, device::Attendant& attendant, device::Forces forces) {
   try {
-    auto device = device::open_device(name, attendant);
+    auto device = device::open_device(name, attendant, forces);
     if (!interrupted()) return device;
   } catch (const device::DeviceError&) {
     if (!interrupted()) throw;

@@ -30,7 +30,8 @@ void add_in_reset_pose(CLI::App& command, bool& in_reset_pose);
 std::unique_ptr<device::Attendant> attendant(bool in_reset_pose);
 
 // The device by its name. Throws Interrupted where a signal came meanwhile, whatever the device then said.
-std::unique_ptr<device::Device> open_for_a_run(const std::string& name, device::Attendant& attendant);
+std::unique_ptr<device::Device> open_for_a_run(const std::string& name, device::Attendant& attendant,
+                                               device::Forces forces = device::Forces::as_commanded);
 
 // Call end_runs_in_order() first. Records, runs, and writes the summary: to standard output unless something else goes there.
 // A file that cannot be written is said on standard error, and costs nothing of the rest. Throws Interrupted if a signal came

@@ -43,6 +43,7 @@ int run(int argc, char** argv) {
   add_certify(app, result);
   add_drive(app, result);
   add_record(app, result);
+  add_device(app, result);
   refuse_empty_values(app);
   if (argc > 1 && argv[1][0] != '-') {
     const std::vector<CLI::App*> commands = app.get_subcommands([](const CLI::App*) { return true; });

@@ -82,13 +82,13 @@ bool TerminalAttendant::did(const std::string& words) noexcept {
   const std::string what = shown(words);
   const Terminal terminal;
   if (!terminal.is_there()) {
-    say("this has to be done, and there is no terminal on which somebody could say that it was: " + what + "; " + what_else_);
+    say("this has to be done, and there is no terminal on which somebody could say that it was: " + what + "\n" + what_else_);
     return false;
   }
   terminal.show("\n" + what + "\nPress Enter when this is done, or Ctrl-C to end here. ");
   if (terminal.waited_for_enter()) return true;
   terminal.show("\n");
-  if (!interrupted()) say("nobody could say on the terminal that this was done: " + what + "; " + what_else_);
+  if (!interrupted()) say("nobody could say on the terminal that this was done: " + what + "\n" + what_else_);
   return false;
 }
 

@@ -47,11 +47,13 @@ Functions load(const std::vector<std::string>& names) {
                     ".\nInstall OpenHaptics and the device's driver, or name the library's file in " + kEnvironment + ".");
 }
 
+std::vector<std::string> names_to_try() {
+  const std::string file = value_of(kEnvironment);
+  return file.empty() ? kNames : std::vector{file};
+}
+
 const Functions& vendor() {
-  static const Functions functions = [] {
-    const std::string file = value_of(kEnvironment);
-    return load(file.empty() ? kNames : std::vector{file});
-  }();
+  static const Functions functions = load(names_to_try());
   return functions;
 }
 

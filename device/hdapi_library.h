@@ -20,6 +20,9 @@ struct Functions {
 // the last call, and it does not load twice. Throws DeviceError, with what was tried and why each failed.
 Functions load(const std::vector<std::string>& names);
 
+// What vendor() tries, in this order.
+std::vector<std::string> names_to_try();
+
 // The file named in the environment's FORCESHADE_HD_LIBRARY, or libHD.so.3.4, libHD.so.3.0, libHD.so. Once loaded, the
 // process stays with it.
 const Functions& vendor();

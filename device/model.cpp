@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/device/model.h"
 
+#include <cctype>
 #include <numbers>
+#include <string>
 
 namespace forceshade::device {
 namespace {
@@ -123,6 +125,17 @@ Model omni() noexcept {
           .quantum = sheet.resolution * kMillimetre * levers(arm).cwiseInverse(),
           .coulomb = sheet.friction * levers(arm),
           .viscous = Joints::Constant(5e-4)};
+}
+
+std::optional<Model> model_named(std::string_view drivers_name) {
+  std::string name(drivers_name);
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const auto has = [&](const char* words) { return name.find(words) != std::string::npos; };
+  if (has("touch x")) return std::nullopt;
+  if (has("omni") || has("touch")) return omni();
+  if (has("premium") && has("1.5")) return premium_1_5();
+  if (has("premium") && has("1.0")) return premium_1_0();
+  return std::nullopt;
 }
 
 Model counterbalanced(Model model) noexcept {

@@ -3,6 +3,7 @@
 // The PHANToMs that can be simulated, by number: what is known of each, and docs/device.md says how surely.
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "forceshade/device/arm.h"
@@ -38,5 +39,9 @@ Model omni() noexcept;
 Model counterbalanced(Model model) noexcept;
 
 inline constexpr std::array kModels{premium_1_5, premium_1_0, omni};
+
+// The one with the kinematics of what a driver calls its device ("PHANTOM Premium 1.5", "Geomagic Touch"), or of that name
+// above. A Touch has an Omni's; a Touch X (Desktop) has none here.
+std::optional<Model> model_named(std::string_view drivers_name);
 
 }  // namespace forceshade::device

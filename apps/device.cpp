@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// forceshade device: which devices there are; its other parts are in device_check.cpp and device_try.cpp.
+
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "forceshade/apps/command.h"
+#include "forceshade/apps/device_command.h"
+#include "forceshade/csv/printable.h"
+#include "forceshade/device/driver_folder.h"
+#include "forceshade/device/model.h"
+
+namespace forceshade::apps {
+namespace {
+
+struct Kind {
+  const char *name, *what;
+};
+
+constexpr Kind kKinds[] = {
+    {"null", "at rest, feels nothing"},
+    {"replay:FILE.csv", "a recorded hand, whatever the force"},
+    {"simulated[:MODEL[:FILE.csv]]", "a simulated PHANToM in a simulated hand"},
+    {"phantom[:NAME]", "a real PHANToM (Premium, Omni, Touch) through the vendor's driver"},
+};
+
+nlohmann::ordered_json described(const device::DriverFolder& folder) {
+  nlohmann::ordered_json kinds = nlohmann::ordered_json::array(), models = nlohmann::ordered_json::array();
+  for (const Kind& kind : kKinds) kinds.push_back({{"device", kind.name}, {"what", kind.what}});
+  for (const auto& make : device::kModels) models.push_back(make().name);
+  return {{"kinds", kinds},
+          {"models", models},
+          {"folder", folder.path.string()},
+          {"problem", folder.problem},
+          {"names", folder.names}};
+}
+
+int list(const std::string& json) {
+  const device::DriverFolder folder = device::driver_folder();
+  if (!json.empty())
+    write_file(json, described(folder).dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  if (json == "-") return kHeld;
+  std::printf("Kinds of device, for --device:\n");
+  for (const Kind& kind : kKinds) std::printf("  %-30s %s\n", kind.name, kind.what);
+  std::printf("Models that can be simulated:");
+  for (const auto& make : device::kModels) std::printf(" %s", make().name.data());
+  const std::string path = csv::printable(folder.path.string());
+  if (!folder.problem.empty())
+    std::printf("\nNo device that the vendor's driver knows: %s\n", csv::printable(folder.problem).c_str());
+  else if (folder.names.empty())
+    std::printf("\nNo device that the vendor's driver knows: %s is empty\n", path.c_str());
+  else
+    std::printf("\nDevices that the vendor's driver knows, in %s:\n", path.c_str());
+  for (const std::string& name : folder.names) std::printf("  \"phantom:%s\"\n", csv::printable(name).c_str());
+  return kHeld;
+}
+
+void add_device_list_to(CLI::App& command, int& result) {
+  const auto json = std::make_shared<std::string>();
+  CLI::App* verb = command.add_subcommand("list", "Kinds of device, and the names that the vendor's driver knows");
+  verb->add_option("--json", *json, "for programs, - for standard output")->type_name("FILE");
+  verb->callback([json, &result] { result = list(*json); });
+}
+
+}  // namespace
+
+void add_device(CLI::App& app, int& result) {
+  CLI::App* command = app.add_subcommand("device", "List devices, check one, and try one for the first time");
+  command->require_subcommand(1);
+  add_device_list_to(*command, result);
+  add_device_check(*command, result);
+  add_device_try(*command, result);
+}
+
+}  // namespace forceshade::apps

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// forceshade device try: a guided first contact with a device, as gentle as can be felt.
+
+#include <time.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <limits>
+#include <memory>
+
+#include "forceshade/apps/command.h"
+#include "forceshade/apps/device_command.h"
+#include "forceshade/apps/device_run.h"
+#include "forceshade/apps/length.h"
+#include "forceshade/apps/options.h"
+#include "forceshade/apps/signals.h"
+#include "forceshade/apps/terminal_attendant.h"
+#include "forceshade/csv/csv.h"
+#include "forceshade/device/limited.h"
+#include "forceshade/fast/law.h"
+
+namespace forceshade::apps {
+namespace {
+
+// Chosen to be felt by a hand that searches for it, and to be held by two fingers whatever the device does with it.
+constexpr float kPeakForce = 0.5F;         // N
+constexpr float kHighestStiffness = 0.2F;  // N/mm
+constexpr const char* kNoButton = "none";
+
+struct Options {
+  std::string device, certificate, stiffness = "0.05", dead_man = "0", record, json;
+  double seconds = 30;
+  std::optional<double> patience;
+  bool uncertified = false, in_reset_pose = false;
+};
+
+// What a hand felt of it.
+class Felt final : public device::SampleSink {
+ public:
+  void push(const device::Sample& sample) noexcept override {
+    if (sample.status != static_cast<std::uint8_t>(Status::contact)) return;
+    ++ticks_;
+    deepest_ = std::max(deepest_, -sample.position[2]);
+  }
+  void print(const device::ServoResult& run) const {
+    std::printf("felt              a wall in %zu of %zu ticks, pressed %.3f mm deep at most; largest force %.3f N of %.1f N\n",
+                ticks_, run.ticks, static_cast<double>(deepest_), run.peak_force_N, static_cast<double>(kPeakForce));
+  }
+
+ private:
+  std::size_t ticks_ = 0;
+  float deepest_ = 0;  // mm
+};
+
+float gentle_stiffness(const std::string& text) {
+  const float stiffness = parse_stiffness("--stiffness", text);
+  if (stiffness <= kHighestStiffness) return stiffness;
+  throw BadInput("--stiffness: expected at most " + csv::shortest(kHighestStiffness) + " N/mm for a first contact, got " +
+                 csv::shortest(stiffness) + "; 'forceshade drive' renders stiffer walls");
+}
+
+std::string dated_name() {
+  const time_t now = ::time(nullptr);
+  tm utc{};
+  ::gmtime_r(&now, &utc);
+  std::array<char, 64> name;
+  return {name.data(), std::strftime(name.data(), name.size(), "forceshade-try-%Y%m%d-%H%M%SZ.fsr", &utc)};
+}
+
+std::optional<int> dead_man_button(const Options& options, int buttons) {
+  if (options.dead_man == kNoButton) {
+    if (buttons == 0) return std::nullopt;
+    throw BadInput(
+        "--dead-man none: expected a button, because the device has some: without it nothing but the stylus can be "
+        "let go of");
+  }
+  if (buttons == 0)
+    throw BadInput("--dead-man: the device has no button that could be held down; --dead-man none does without one");
+  return static_cast<int>(parse_whole("--dead-man", options.dead_man, {0, static_cast<std::uint64_t>(buttons) - 1}));
+}
+
+void expect_done(device::Attendant& person, const std::string& words) {
+  if (person.did(words)) return;
+  if (interrupted()) throw Interrupted("the run had not begun");
+  throw BadInput("a first contact needs somebody at the terminal who goes through its steps");
+}
+
+std::string first_step(float stiffness) {
+  return "First contact, step 1 of 2. Nothing pushes yet.\n"
+         "What will be felt is a wall: the horizontal plane at the height of the device's origin, " +
+         csv::shortest(stiffness) + " N/mm, never more than " + csv::shortest(kPeakForce) +
+         " N.\n"
+         "Clear the space around the arm. Have the power switch or the emergency switch of the device within reach.";
+}
+
+std::string second_step(const std::optional<int>& button, double seconds) {
+  const std::string hold = button ? "hold button " + std::to_string(*button) +
+                                        " down, and keep it down: without it there is no "
+                                        "force. To stop, let go of it, or press Ctrl-C."
+                                  : "the device has no button to hold down. To stop, let go of the stylus, or press Ctrl-C.";
+  return "First contact, step 2 of 2. The run begins when this is done, and lasts " + csv::shortest(seconds) +
+         " s.\n"
+         "Take the stylus with two fingers, well above the plane; " +
+         hold + "\nAfter half a second in the air, lower the tip slowly onto the wall, press a little, and rise again.";
+}
+
+int run(Options options) {
+  const float stiffness = gentle_stiffness(options.stiffness);
+  if (options.record.empty()) options.record = dated_name();
+  if (!options.record.ends_with(".fsr"))
+    throw BadInput("--record: expected FILE.fsr, a recording that survives a crash, got \"" + options.record + '"');
+  const Driven wall = driven(LawId::wall, {.stiffness = stiffness});
+  const Certified covered = certified(options.certificate, wall);
+  if (!may_be_driven(covered, options.uncertified)) {
+    std::fprintf(stderr, "forceshade: to have one: forceshade certify --law wall --stiffness %s --out DIR\n",
+                 csv::shortest(stiffness).c_str());
+    return kFailed;
+  }
+
+  end_runs_in_order();
+  TerminalAttendant person("a first contact needs somebody at a terminal");
+  expect_done(person, first_step(stiffness));
+  const auto prepares = attendant(options.in_reset_pose);
+  device::Limited device(open_for_a_run(options.device, *prepares), kPeakForce);
+  const std::optional<int> button = dead_man_button(options, device.capabilities().buttons);
+  expect_done(person, second_step(button, options.seconds));
+  Felt felt;
+  const RunOutcome outcome = run_on(
+      device, wall,
+      {.device = options.device,
+       .digest = covered.digest,
+       .record = options.record,
+       .json = options.json,
+       .servo = {.max_seconds = options.seconds, .patience = options.patience, .dead_man_button = button, .sinks = {&felt}}});
+  if (options.json != "-") felt.print(outcome.result);
+  person.told("the run is over and there is no force; its recording is " + options.record);
+  return outcome.code;
+}
+
+}  // namespace
+
+void add_device_try(CLI::App& device, int& result) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = device.add_subcommand(
+      "try", "A guided first contact: a gentle wall, at most 0.5 N, a button to be held down, everything recorded");
+  command->add_option("device", options->device, "as for drive --device")->type_name("DEVICE")->required();
+  command->add_option("--certificate", options->certificate, "certificate.json of this build, of the wall at this stiffness")
+      ->type_name("FILE");
+  command->add_option("--stiffness", options->stiffness, "K: N/mm, at most 0.2")->type_name("VALUE")->capture_default_str();
+  command->add_option("--dead-man", options->dead_man, "button to be held down, from 0; none for a device without buttons")
+      ->type_name("BUTTON")
+      ->capture_default_str()
+      ->check([](const std::string& text) {
+        if (text != kNoButton) parse_whole("--dead-man", text, {0, std::numeric_limits<std::uint16_t>::digits - 1});
+        return std::string();
+      });
+  add_number(*command, "--seconds", "stop after so many seconds' worth of ticks; 30 unless said", {0.1, 600},
+             [options](double seconds) { options->seconds = seconds; });
+  add_number(*command, "--patience", "for how many seconds ticks may be late before the run is stopped; 0.02 unless said",
+             {1 / device::kHighestRateHz, device::kLongestPatience},
+             [options](double patience) { options->patience = patience; });
+  add_in_reset_pose(*command, options->in_reset_pose);
+  command->add_flag("--uncertified", options->uncertified, "try even where the certificate does not allow it");
+  command->add_option("--record", options->record, "the recording, FILE.fsr; forceshade-try-DATE-TIME.fsr unless said")
+      ->type_name("FILE");
+  command->add_option("--json", options->json, "summary for programs, - for standard output")->type_name("FILE");
+  command->callback([options, &result] { result = run(*options); });
+}
+
+}  // namespace forceshade::apps

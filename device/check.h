@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What is checked of a device before the first force, each in one sentence: its verdicts, without the measuring.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "forceshade/device/device.h"
+#include "forceshade/device/device_nodes.h"
+#include "forceshade/device/driver_folder.h"
+#include "forceshade/device/quiet_watch.h"
+
+namespace forceshade::device {
+
+enum class Grade { ok, wrong, unknown };
+
+std::string_view name_of(Grade grade) noexcept;  // "ok", "wrong", "cannot be checked"
+
+struct Check {
+  std::string name;
+  Grade grade;
+  std::string words;
+};
+
+// The vendor's library: which file the loader would take for the first of these names, and what that file lacks. Two checks.
+std::vector<Check> check_library(const std::vector<std::string>& names);
+
+// `name`: the device's, empty for the default one.
+Check check_name(const DriverFolder& folder, const std::string& name);
+
+Check check_nodes(const std::vector<DeviceNode>& nodes);
+
+// Model, serial number, driver and firmware.
+Check check_identity(const Capabilities& capabilities);
+
+// Calibration, update rate, encoders, kinematics, buttons, noise. `rate` is what the device was started with, in Hz.
+std::vector<Check> check_readings(const Observed& seen, const Capabilities& capabilities, double rate);
+
+// Above this, in mm along an axis, an arm is not at rest, and its noise cannot be measured.
+inline constexpr double kAtRest = 0.5;
+
+// mm: two sources of an Omni's link lengths differ by 1.65 mm a link, which a position may differ by in sum and more; a pose
+// that is not calibrated, or the wrong model, is tens of mm away.
+inline constexpr double kKinematicTolerance = 5;
+
+}  // namespace forceshade::device
