@@ -72,6 +72,7 @@ struct State {
   bool calibrated = true;  // else its positions mean nothing
   bool forces_on = true;   // else commands are taken and not obeyed: a dead-man switch, amplifiers off
   float temperature = 0;   // of the hottest motor: 0 is the room's, 1 the highest allowed
+  double update_rate = 0;  // Hz, by the driver's own count; 0 from a device that does not count
 };
 
 // read() and command() are called from the servo loop, in turns: they allocate nothing, throw nothing and return well within

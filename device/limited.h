@@ -24,7 +24,7 @@ class Limited final : public Device {
   }
   std::optional<Fault> start(double rate) noexcept override { return device_->start(rate); }
   ReadResult read() noexcept override { return device_->read(); }
-  void wait_for_frame(std::int64_t deadline) noexcept override { device_->wait_for_frame(deadline); }
+  std::int64_t wait_for_frame(std::int64_t deadline) noexcept override { return device_->wait_for_frame(deadline); }
   void allow(const Allowance& allowance) noexcept override { device_->allow(allowance); }
 
   // What is not finite is passed on, for the device to refuse.

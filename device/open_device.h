@@ -21,10 +21,13 @@ struct DeviceError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// Whether a device may ever give a force. Where it is `never`, a real device's force output is never switched on.
+enum class Forces { as_commanded, never };
+
 // `name` is KIND or KIND:REST, for instance "replay:strokes.csv". No device moves by being opened. The attendant, who lives as
-// long as the device, hears what it has to say; without one there is nobody. Throws UnknownDevice, or what the kind's own
-// opener throws.
-std::unique_ptr<Device> open_device(const std::string& name, Attendant& attendant);
+// long as the device, prepares one that cannot prepare itself; without one it is nobody. Throws UnknownDevice, or what the
+// kind's own opener throws.
+std::unique_ptr<Device> open_device(const std::string& name, Attendant& attendant, Forces forces = Forces::as_commanded);
 std::unique_ptr<Device> open_device(const std::string& name);
 
 }  // namespace forceshade::device

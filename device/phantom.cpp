@@ -203,8 +203,10 @@ ReadResult Phantom::read() noexcept {
   if (failed_) return fault();
   if (!started_) return Fault{"the PHANToM was not started"};
   const PhantomSample& sample = shared_->samples.latest();
-  state_ = {
-      .calibrated = sample.calibrated, .forces_on = sample.forces_on, .temperature = static_cast<float>(sample.temperature)};
+  state_ = {.calibrated = sample.calibrated,
+            .forces_on = sample.forces_on,
+            .temperature = static_cast<float>(sample.temperature),
+            .update_rate = static_cast<double>(sample.update_rate)};
   if (sample.troubled) {
     failed_ = true;
     std::snprintf(room_->data(), room_->size(), "%s", shared_->trouble.data());
@@ -242,8 +244,8 @@ std::optional<Fault> Phantom::command(const Eigen::Vector3f& force) noexcept {
   return std::nullopt;
 }
 
-std::unique_ptr<Device> open_phantom(const std::string& name, Attendant& attendant) {
-  return std::make_unique<Phantom>(name, PhantomOptions{}, attendant);
+std::unique_ptr<Device> open_phantom(const std::string& name, Attendant& attendant, Forces forces) {
+  return std::make_unique<Phantom>(name, PhantomOptions{.force = forces == Forces::as_commanded}, attendant);
 }
 
 }  // namespace forceshade::device

@@ -12,6 +12,7 @@
 
 #include "forceshade/device/attendant.h"
 #include "forceshade/device/device.h"
+#include "forceshade/device/open_device.h"
 #include "forceshade/device/phantom_shared.h"
 
 namespace forceshade::device {
@@ -84,6 +85,6 @@ class Phantom final : public Device {
 };
 
 // "": the default device. Throws DeviceError.
-std::unique_ptr<Device> open_phantom(const std::string& name, Attendant& attendant);
+std::unique_ptr<Device> open_phantom(const std::string& name, Attendant& attendant, Forces forces);
 
 }  // namespace forceshade::device

@@ -169,6 +169,7 @@ void PhantomFrames::watch_rate() noexcept {
   int rate = 0;
   hd_.hdGetIntegerv(hdapi::kInstantaneousRate, &rate);
   if (!known_and_well("reading the device's update rate", has_rate_)) return;
+  sample_.update_rate = rate;
   silent_frames_ = rate < settings_.rate / 2 ? silent_frames_ + 1 : 0;
   if (sample_.phase == Phase::ready && silent_frames_ >= kSilent) note({hdapi::kNoAnswer});
 }

@@ -29,6 +29,7 @@ struct PhantomSample {
   int buttons = 0;
   bool calibrated = false, forces_on = false;
   double temperature = 0;
+  int update_rate = 0;  // Hz, as the driver counts; 0 where it does not
   Sent sent;
   std::optional<FrameTimes::Window> times = std::nullopt;  // of the last whole window
 };
