@@ -62,10 +62,14 @@ Memory& opened(const std::string& path) {
 }
 
 Lock::Lock(Memory& memory) : memory_(memory) {
-  timespec until{};
-  clock_gettime(CLOCK_REALTIME, &until);
-  until.tv_sec += 2;
-  const int result = pthread_mutex_timedlock(&memory.mutex, &until);
+  // Tried first: of the two calls it is the one of which the thread sanitizer knows that the owner may have died.
+  int result = pthread_mutex_trylock(&memory.mutex);
+  if (result == EBUSY) {
+    timespec until{};
+    clock_gettime(CLOCK_REALTIME, &until);
+    until.tv_sec += 2;
+    result = pthread_mutex_timedlock(&memory.mutex, &until);
+  }
   if (result == EOWNERDEAD) pthread_mutex_consistent(&memory.mutex);
   held_ = result == 0 || result == EOWNERDEAD;
 }
