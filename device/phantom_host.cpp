@@ -95,9 +95,11 @@ void be_a_process_of_its_own() {
   sigprocmask(SIG_SETMASK, &all, nullptr);
 }
 
-// What a vendor's library prints goes to standard error; no file of the other process's stays open.
-void have_files_of_its_own(int socket) {
+// What a vendor's library prints goes to standard error; no file of the other process's stays open. The socket, which may have a
+// new number.
+int have_files_of_its_own(int socket) {
   __fpurge(stdout);
+  if (socket <= STDERR_FILENO) socket = ::fcntl(socket, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
   ::dup2(STDERR_FILENO, STDOUT_FILENO);
   const int nothing = ::open("/dev/null", O_RDONLY);
   ::dup2(nothing, STDIN_FILENO);
@@ -105,6 +107,7 @@ void have_files_of_its_own(int socket) {
   const auto kept = static_cast<unsigned>(socket);
   if (kept > kFirst) ::close_range(kFirst, kept - 1, 0);
   ::close_range(kept + 1, kLast, 0);
+  return socket;
 }
 
 // The driver's thread answers every frame within some µs, and a frame that is late holds an old force: it comes before the
@@ -377,7 +380,7 @@ void Host::close() noexcept {
 
 int run_phantom_host(int socket, pid_t parent, PhantomShared& shared, const std::string& name, const PhantomOptions& options) {
   be_a_process_of_its_own();
-  have_files_of_its_own(socket);
+  socket = have_files_of_its_own(socket);
   std::atexit([] { let_go(); });  // a library that ends the process, ends the force first
   std::thread(watch, socket, parent).detach();
   std::optional<Host> host;
