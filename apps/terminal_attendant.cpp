@@ -92,6 +92,10 @@ bool TerminalAttendant::did(const std::string& words) noexcept {
   return false;
 }
 
+bool TerminalAttendant::has_left() const noexcept {
+  return interrupted();
+}
+
 bool HoldsResetPose::did(const std::string& words) noexcept {
   say(shown(words) + " (taken as done, as said by --in-reset-pose)");
   return true;

@@ -20,6 +20,9 @@ class TerminalAttendant : public device::Attendant {
   // terminal, or it is another program's turn to read from it, which is said; and after a signal that ends the work.
   bool did(const std::string& words) noexcept override;
 
+  // After such a signal.
+  bool has_left() const noexcept override;
+
  private:
   std::string what_else_;
 };
