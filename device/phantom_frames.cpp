@@ -36,6 +36,12 @@ unsigned PhantomFrames::tick(void* self) noexcept {
   return hdapi::kCallbackContinue;  // also after trouble: zero is to be sent on
 }
 
+void PhantomFrames::abandon() noexcept {
+  if (closed_ || abandoned_.exchange(true)) return;
+  hd_.hdDisableDevice(device_);
+  closed_ = true;
+}
+
 void PhantomFrames::note(const hdapi::Trouble& trouble) noexcept {
   if (sample_.troubled) return;
   sample_.troubled = true;

@@ -42,7 +42,11 @@ class PhantomFrames {
 
   // By any thread, and by a signal handler: zero is sent in the next frame and the output switched off, for good.
   void close() noexcept { closing_ = true; }
-  bool closed() const noexcept { return closed_; }
+  bool closed() const noexcept { return closed_; }  // or the device was released
+
+  // By the frames' own thread, in a frame that does not end: releases the device, which ends the force. No frame may follow.
+  void abandon() noexcept;
+  bool abandoned() const noexcept { return abandoned_; }
 
   Latest<PhantomSample> samples;  // for a thread of this process, as in the shared memory for the other one
 
@@ -63,7 +67,7 @@ class PhantomFrames {
   hdapi::HHD device_;
   FrameSettings settings_;
   PhantomShared& shared_;
-  std::atomic<bool> closing_ = false, closed_ = false;
+  std::atomic<bool> closing_ = false, closed_ = false, abandoned_ = false;
 
   PhantomSample sample_;
   SentForces sent_;

@@ -44,19 +44,53 @@ struct Refused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The frames that a crash of this process, on any thread but theirs, has time to close.
+// The frames that a crash of this process has time to close, and their own thread.
 std::atomic<PhantomFrames*> running = nullptr;
+std::atomic<pid_t> driver = 0;
+std::atomic<bool> interrupts = false;
 thread_local bool is_driver = false;
 
-// Whether zero was sent; by any thread but the frames' own, and by a signal handler.
+constexpr int kInterrupt = SIGUSR1;
+
+bool closes_in_time(const PhantomFrames& frames) noexcept {
+  const std::int64_t deadline = monotonic_now() + std::chrono::nanoseconds(kClosing).count();
+  while (!frames.closed() && monotonic_now() < deadline) ::usleep(500);
+  return frames.closed();
+}
+
+// Whether the force has ended; by any thread, and by a signal handler. A frame that does not end keeps the driver's locks, so
+// that every call of another thread waits for it: then the frames' own thread, which has the locks, releases the device.
 bool let_go() noexcept {
   PhantomFrames* frames = running;
   if (!frames) return true;
-  if (is_driver) return false;
+  if (is_driver) {
+    frames->abandon();
+    return true;
+  }
   frames->close();
-  const std::int64_t deadline = monotonic_now() + std::chrono::nanoseconds(kClosing).count();
-  while (!frames->closed() && monotonic_now() < deadline) ::usleep(500);
-  return frames->closed();
+  if (closes_in_time(*frames)) return true;
+  interrupts = true;
+  const pid_t thread = driver;
+  if (thread != 0) ::tgkill(::getpid(), thread, kInterrupt);
+  return closes_in_time(*frames);
+}
+
+// On the frames' own thread. Back in the library it would run a frame of a device that is released.
+void interrupted(int) {
+  const PhantomFrames* frames = running;
+  if (!is_driver || !interrupts || !frames || frames->closed()) return;
+  let_go();
+  for (;;) ::pause();
+}
+
+// Once, in the first frame.
+void meet_driver() noexcept {
+  is_driver = true;
+  driver = ::gettid();
+  sigset_t interrupt;
+  sigemptyset(&interrupt);
+  sigaddset(&interrupt, kInterrupt);
+  ::pthread_sigmask(SIG_UNBLOCK, &interrupt, nullptr);
 }
 
 bool is_alone(int socket, pid_t parent) noexcept {
@@ -92,11 +126,12 @@ void be_a_process_of_its_own() {
     sigdelset(&all, crash);
     std::signal(crash, crashed);
   }
+  std::signal(kInterrupt, interrupted);
   sigprocmask(SIG_SETMASK, &all, nullptr);
 }
 
-// What a vendor's library prints goes to standard error; no file of the other process's stays open. The socket, which may have a
-// new number.
+// What a vendor's library prints goes to standard error; no file of the other process's stays open. The socket, which may have
+// a new number.
 int have_files_of_its_own(int socket) {
   __fpurge(stdout);
   if (socket <= STDERR_FILENO) socket = ::fcntl(socket, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
@@ -291,7 +326,7 @@ void Host::start(double rate) {
   frames_ = std::make_unique<PhantomFrames>(hd_, device_, settings, shared_);
   running = frames_.get();
   const auto tick = [](void* self) -> unsigned {
-    is_driver = true;
+    if (!is_driver) meet_driver();
     return PhantomFrames::tick(self);
   };
   callback_ = hd_.hdScheduleAsynchronous(tick, frames_.get(), hdapi::kDefaultPriority);
@@ -358,9 +393,11 @@ void Host::wait_until_ready() {
 void Host::close() noexcept {
   if (scheduler_) {
     let_go();
+    if (frames_->abandoned()) return;  // nor does any call of the driver's return now
     hd_.hdStopScheduler();
     hdapi::drained(hd_);
-    // The scheduler ran no more frames; now that it is stopped, this thread may switch the output off.
+    // The scheduler ran no more frames. Now that it is stopped, this thread may switch the output off; a driver that does so at
+    // the next frame ends the force when it disables the device, below.
     if (!frames_->closed()) {
       hd_.hdDisable(hdapi::kForceOutput);
       hdapi::drained(hd_);

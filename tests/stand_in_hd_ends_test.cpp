@@ -207,5 +207,37 @@ TEST_F(stand_in, waits_for_a_callback_that_hangs_for_ever) {
   status_of(child);
 }
 
+TEST_F(stand_in, releases_the_device_for_no_other_thread_while_a_callback_hangs) {
+  tell({.crash = {.how = Crash::How::hang, .when = Moment::frame, .frame = 5}});
+  const pid_t child = forked([](const Functions& hd) {
+    Caller caller(hd);
+    caller.start();
+    EXPECT_TRUE(comes_true([] { return seen().crashed.has_value(); }));
+    hd.hdDisableDevice(caller.device);
+  });
+  EXPECT_TRUE(comes_true([] { return seen().crashed.has_value(); }));
+  std::this_thread::sleep_for(100ms);
+  EXPECT_EQ(waitpid(child, nullptr, WNOHANG), 0);
+  EXPECT_TRUE(seen().initialised);
+  kill(child, SIGKILL);
+  status_of(child);
+}
+
+TEST_F(stand_in, releases_the_device_inside_a_frame_of_its_own_thread_which_ends_the_force) {
+  tell({.position = Eigen::Vector3d(0, -0.5, 0)});
+  const int status = in_child([](const Functions& hd) {
+    Caller caller(hd);
+    caller.inside = [&] {
+      if (arm().force.norm() < kContact) return;
+      hd.hdDisableDevice(caller.device);
+      std::_Exit(arm().force.isZero(0) ? 0 : 1);
+    };
+    caller.start();
+    for (;;) pause();
+  });
+  EXPECT_EQ(status, 0);
+  EXPECT_FALSE(seen().initialised || seen().output);
+}
+
 }  // namespace
 }  // namespace forceshade::stand_in_hd

@@ -373,6 +373,7 @@ TEST_F(stand_in, sees_a_caller_without_discipline) {
     hd.hdEnable(kForceOutput);
     EXPECT_TRUE(comes_true([] { return seen().frames.size() >= 2; }));
     hd.hdDisableDevice(device);
+    hd.hdEnable(kForceOutput);
     hd.hdStopScheduler();
     hd.hdUnschedule(handle);
   });

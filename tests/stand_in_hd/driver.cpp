@@ -65,6 +65,7 @@ Eigen::Vector3d pressing(const Driver& d) {
 
 void tick() {
   Driver& d = driver();
+  const std::lock_guard others_wait(d.ticking);
   std::map<HDSchedulerHandle, Callback> callbacks;
   {
     const Lock lock(d.memory);

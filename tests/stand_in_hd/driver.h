@@ -10,6 +10,7 @@
 #include <atomic>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
@@ -67,6 +68,7 @@ struct Driver {
   std::uint64_t tick_count = 0;
 
   std::map<HDSchedulerHandle, Callback> callbacks;
+  std::recursive_mutex ticking;  // held while callbacks run
   std::thread scheduler;
   std::thread::id scheduler_id;
   std::atomic<bool> stop = false;

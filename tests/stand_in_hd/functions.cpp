@@ -67,14 +67,21 @@ HHD hdInitDevice(const char* name) {
   return kDevice;
 }
 
+// Ends the force. Waits for a callback that runs, unless it runs on this very thread: then no frame may follow.
 void hdDisableDevice(HHD) {
   block_if_told(Blocks::disable_device);
+  const std::lock_guard waits(driver().ticking);
   Call call("hdDisableDevice", Where::anywhere);
-  if (!call.d.device) call.breach("without a device");
-  if (call.d.running) call.breach("while the scheduler runs");
-  if (!call.d.callbacks.empty()) call.breach("with a callback scheduled");
-  if (call.d.noted.output) call.breach("with the force output on");
-  call.d.device = call.d.noted.initialised = false;
+  Driver& d = call.d;
+  const bool is_last_resort = d.running && std::this_thread::get_id() == d.scheduler_id;
+  if (!d.device) call.breach("without a device");
+  if (!is_last_resort) {
+    if (d.running) call.breach("while the scheduler runs");
+    if (!d.callbacks.empty()) call.breach("with a callback scheduled");
+    if (d.noted.output) call.breach("with the force output on");
+  }
+  if (d.phantom) obey(d, {0, 0, 0});
+  d.device = d.noted.initialised = d.noted.output = false;
 }
 
 void hdBeginFrame(HHD device) {
@@ -84,6 +91,7 @@ void hdBeginFrame(HHD device) {
     Call call("hdBeginFrame", Where::not_beside_scheduler);
     Driver& d = call.d;
     if (device != kDevice) return call.fail(kBadHandle);
+    if (!d.device) call.breach("without a device");
     if (!d.running) call.breach("without a scheduler");
     if (d.in_frame || d.frames_this_tick++ > 0) {
       call.breach("twice in a tick");
