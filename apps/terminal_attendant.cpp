@@ -36,10 +36,12 @@ class Terminal {
     if (::write(to, text.data(), text.size()) < 0) return;  // then nobody reads it, and Enter will not come either
   }
 
+  // What was typed until now. Before the prompt is shown: an answer to it must not be lost.
+  void forget_input() const { ::tcflush(own_ >= 0 ? own_ : STDIN_FILENO, TCIFLUSH); }
+
   // False at the end of input, after an error or a signal.
   bool waited_for_enter() const {
     const int from = own_ >= 0 ? own_ : STDIN_FILENO;
-    ::tcflush(from, TCIFLUSH);
     while (!interrupted()) {
       pollfd input{.fd = from, .events = POLLIN, .revents = 0};
       const int ready = ::poll(&input, 1, kBetweenLooks);
@@ -85,6 +87,7 @@ bool TerminalAttendant::did(const std::string& words) noexcept {
     say("this has to be done, and there is no terminal on which somebody could say that it was: " + what + "\n" + what_else_);
     return false;
   }
+  terminal.forget_input();
   terminal.show("\n" + what + "\nPress Enter when this is done, or Ctrl-C to end here. ");
   if (terminal.waited_for_enter()) return true;
   terminal.show("\n");

@@ -51,6 +51,13 @@ inline constexpr const char* kNoTemperature =
 inline constexpr const char* kDriverEnded =
     "the process of the PHANToM's driver has ended: the vendor's library failed in it, or it was killed. If the device still "
     "pushes, switch it off";
+inline constexpr const char* kTemperatureUnknown =
+    "the driver does not know this device's motor temperatures: nothing but the continuous force keeps the motors from burning";
+inline constexpr const char* kRateUnknown =
+    "the driver does not know this device's update rate: a lost connection that it reports to nobody is not noticed";
+inline constexpr const char* kNoEnd =
+    "the PHANToM's driver did not end as it should, and its process was ended: if the device still pushes, switch it off";
+inline constexpr const char* kNoStart = "the driver's scheduler does not start: check cable and power, then start again";
 inline constexpr const char* kNoAnswer =
     "the PHANToM no longer answers its driver (its update rate has fallen): check cable and power, then start again";
 inline constexpr const char* kNotFinite = "the PHANToM's position is not finite";

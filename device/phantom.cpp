@@ -120,15 +120,22 @@ PhantomMessage Phantom::answer(milliseconds patience) {
                 " s: check cable and power, and whether another program holds the device");
 }
 
-std::string Phantom::how_it_ended() noexcept {
+// The exit status of the process, once it has ended; 0 where the program has told the system that it does not care for those.
+std::optional<int> Phantom::ended_within(milliseconds patience) noexcept {
   int status = 0;
-  pid_t ended = 0;
-  for (const auto deadline = Clock::now() + kEnding; Clock::now() < deadline; std::this_thread::sleep_for(kPoll))
-    if ((ended = ::waitpid(process_, &status, WNOHANG)) != 0) break;
-  if (ended == process_) process_ = -1;
-  const std::string how = ended <= 0            ? "closed its connection"
-                          : WIFSIGNALED(status) ? std::string("was ended by a signal (") + strsignal(WTERMSIG(status)) + ")"
-                                                : "ended with exit code " + std::to_string(WEXITSTATUS(status));
+  for (const auto deadline = Clock::now() + patience; ::waitpid(process_, &status, WNOHANG) == 0;) {
+    if (Clock::now() > deadline) return std::nullopt;
+    std::this_thread::sleep_for(kPoll);
+  }
+  return status;
+}
+
+std::string Phantom::how_it_ended() {
+  const std::optional<int> status = ended_within(kEnding);
+  if (status) process_ = -1;
+  const std::string how = !status                ? "closed its connection"
+                          : WIFSIGNALED(*status) ? std::string("was ended by a signal (") + strsignal(WTERMSIG(*status)) + ")"
+                                                 : "ended with exit code " + std::to_string(WEXITSTATUS(*status));
   return "the process of the PHANToM's driver " + how + ": the vendor's library failed in it";
 }
 
@@ -136,17 +143,13 @@ void Phantom::end_process() noexcept {
   if (socket_ >= 0) ::close(socket_);
   socket_ = -1;
   if (process_ > 0) {
-    const auto deadline = Clock::now() + kEnding;
-    while (::waitpid(process_, nullptr, WNOHANG) == 0) {
-      if (Clock::now() < deadline) {
-        std::this_thread::sleep_for(kPoll);
-        continue;
-      }
+    std::optional<int> status = ended_within(kEnding);
+    if (!status) {
       ::kill(process_, SIGKILL);
-      ::waitpid(process_, nullptr, 0);
-      attendant_.told("the PHANToM's driver did not end and was killed: if the device still pushes, switch it off");
-      break;
+      status = ended_within(kEnding);  // not where it is stuck in the system itself
     }
+    const bool in_order = status && WIFEXITED(*status) && WEXITSTATUS(*status) != kStuck;
+    if (!in_order) attendant_.told(hdapi::kNoEnd);
   }
   process_ = -1;
   if (shared_) ::munmap(shared_, sizeof *shared_);
@@ -193,9 +196,10 @@ Fault Phantom::fault() noexcept {
 }
 
 std::int64_t Phantom::wait_for_frame(std::int64_t deadline) noexcept {
+  // The count first: a frame between the two is then not waited for. One that was read, though it began after the last wait,
+  // is not begun with again.
   const std::uint32_t frames = shared_->frames.load(std::memory_order_acquire);
-  if (frames == seen_frames_) wait_for_change(shared_->frames, frames, deadline);
-  seen_frames_ = shared_->frames.load(std::memory_order_acquire);
+  if (shared_->samples.latest().time == read_) wait_for_change(shared_->frames, frames, deadline);
   return shared_->samples.latest().time;
 }
 
@@ -203,6 +207,7 @@ ReadResult Phantom::read() noexcept {
   if (failed_) return fault();
   if (!started_) return Fault{"the PHANToM was not started"};
   const PhantomSample& sample = shared_->samples.latest();
+  read_ = sample.time;
   state_ = {.calibrated = sample.calibrated,
             .forces_on = sample.forces_on,
             .temperature = static_cast<float>(sample.temperature),

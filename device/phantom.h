@@ -39,7 +39,7 @@ class Phantom final : public Device {
   explicit Phantom(const std::string& name) : Phantom(name, PhantomOptions{}) {}
 
   // Zero force, output off, scheduler stopped, device released, in this order, and the process ended. Waits for the driver a
-  // moment, not for ever: then the process is killed, and the attendant told.
+  // moment, not for ever: then the process is ended all the same, and the attendant told.
   ~Phantom() override;
   Phantom(const Phantom&) = delete;
   Phantom& operator=(const Phantom&) = delete;
@@ -65,7 +65,8 @@ class Phantom final : public Device {
  private:
   PhantomMessage answer(std::chrono::milliseconds patience);
   void describe(const PhantomDescription& driver);
-  std::string how_it_ended() noexcept;
+  std::optional<int> ended_within(std::chrono::milliseconds patience) noexcept;
+  std::string how_it_ended();
   void end_process() noexcept;
   Fault fault() noexcept;
 
@@ -78,8 +79,7 @@ class Phantom final : public Device {
   Capabilities capabilities_;
   std::array<char, 4096>* room_;  // for the words of a fault, which outlive this
   bool started_ = false, failed_ = false;
-  std::uint32_t seen_frames_ = 0;
-  std::int64_t first_ = 0;  // ns
+  std::int64_t first_ = 0, read_ = 0;  // ns: of the first sample, and of the last that was read
   Allowance allowance_;
   State state_{.calibrated = false, .forces_on = false};
 };

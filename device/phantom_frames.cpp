@@ -120,11 +120,11 @@ void PhantomFrames::measure() noexcept {
     hd_.hdGetDoublev(hdapi::kGimbalAngles, sample_.gimbal.data());
     went_well("reading the gimbal");
   }
-  if (has_temperature_) {
+  if (sample_.tells_temperature) {
     std::array<double, kMostDegrees> temperatures{};
     temperatures[0] = kUnknown;
     hd_.hdGetDoublev(hdapi::kMotorTemperature, temperatures.data());
-    if (known_and_well("reading the motors' temperatures", has_temperature_)) {
+    if (known_and_well("reading the motors' temperatures", sample_.tells_temperature)) {
       const auto is_one = [](double t) { return std::isfinite(t) && t >= 0; };
       if (!std::all_of(temperatures.begin(), temperatures.end(), is_one)) note({hdapi::kNoTemperature});
       sample_.temperature = *std::max_element(temperatures.begin(), temperatures.end());
@@ -171,18 +171,19 @@ void PhantomFrames::watch_calibration() noexcept {
 
 // A driver reports a lost connection once, and only to the first who asks for errors; from then on the position stands still.
 void PhantomFrames::watch_rate() noexcept {
-  if (!has_rate_) return;
+  if (!sample_.tells_rate) return;
   int rate = 0;
   hd_.hdGetIntegerv(hdapi::kInstantaneousRate, &rate);
-  if (!known_and_well("reading the device's update rate", has_rate_)) return;
+  if (!known_and_well("reading the device's update rate", sample_.tells_rate)) return;
   sample_.update_rate = rate;
   silent_frames_ = rate < settings_.rate / 2 ? silent_frames_ + 1 : 0;
+  sample_.answers = silent_frames_ == 0;
   if (sample_.phase == Phase::ready && silent_frames_ >= kSilent) note({hdapi::kNoAnswer});
 }
 
 bool PhantomFrames::is_good() const noexcept {
   const FrameTimes::Window& seen = *sample_.times;
-  return !sample_.troubled && sample_.calibrated && silent_frames_ == 0 &&
+  return !sample_.troubled && sample_.calibrated && sample_.answers &&
          std::fabs(seen.rate - settings_.rate) <= settings_.rate_tolerance * settings_.rate &&
          seen.longest_gap <= settings_.longest_gap;
 }

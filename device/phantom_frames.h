@@ -72,7 +72,7 @@ class PhantomFrames {
   PhantomSample sample_;
   SentForces sent_;
   FrameTimes times_;
-  bool has_temperature_ = true, has_encoders_ = true, has_joints_ = true, has_rate_ = true;
+  bool has_encoders_ = true, has_joints_ = true;
   int at_uncalibrated_pose_ = 0, silent_frames_ = 0;
   int since_update_ = 1 << 20;  // frames
 };

@@ -14,8 +14,10 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <thread>
 
@@ -99,15 +101,45 @@ bool is_alone(int socket, pid_t parent) noexcept {
   return closed || ::getppid() != parent;
 }
 
+// What the watch says for the process, and ends it, where the driver's call does not return in time.
+class LastWords {
+ public:
+  void say_unless_taken_back(const std::string& words, milliseconds patience) {
+    const std::lock_guard lock(mutex_);
+    words_ = words;
+    due_ = Clock::now() + patience;
+  }
+  void take_back() {
+    const std::lock_guard lock(mutex_);
+    due_.reset();
+  }
+  std::optional<std::string> due() {
+    const std::lock_guard lock(mutex_);
+    return due_ && Clock::now() > *due_ ? std::optional(words_) : std::nullopt;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::mutex mutex_;
+  std::string words_;
+  std::optional<Clock::time_point> due_;
+};
+
 // Ends the process when the other one is gone, whatever the driver's calls are stuck in: where they let no zero be sent, at
 // once, since the device's port is then closed, which is the last that can be done.
-void watch(int socket, pid_t parent) {
-  while (!is_alone(socket, parent)) {
+void watch(int socket, pid_t parent, LastWords& last_words) {
+  std::optional<std::string> words;
+  while (!(words = last_words.due()) && !is_alone(socket, parent)) {
     pollfd end{.fd = socket, .events = POLLRDHUP, .revents = 0};
     ::poll(&end, 1, static_cast<int>(kWatch.count()));
   }
-  if (let_go()) std::this_thread::sleep_for(kEnding);
-  ::_exit(1);
+  const bool zero_was_sent = let_go();
+  if (words)
+    send_words(socket, Kind::failed, *words);
+  else if (zero_was_sent)
+    std::this_thread::sleep_for(kEnding);
+  ::_exit(kStuck);
 }
 
 void crashed(int signal) {
@@ -161,8 +193,15 @@ std::optional<int> processor_of_driver() {
 
 class Host {
  public:
-  Host(int socket, pid_t parent, PhantomShared& shared, const std::string& name, const PhantomOptions& options)
-      : socket_(socket), parent_(parent), shared_(shared), name_(name), options_(options), hd_(hdapi::vendor()) {}
+  Host(int socket, pid_t parent, PhantomShared& shared, const std::string& name, const PhantomOptions& options,
+       LastWords& last_words)
+      : socket_(socket),
+        parent_(parent),
+        shared_(shared),
+        name_(name),
+        options_(options),
+        last_words_(last_words),
+        hd_(hdapi::vendor()) {}
 
   // Opens the device, starts it when told to, and holds it until the other process is gone. Throws Refused.
   void hold() {
@@ -229,6 +268,7 @@ class Host {
   PhantomShared& shared_;
   const std::string& name_;
   const PhantomOptions& options_;
+  LastWords& last_words_;
   const hdapi::Functions& hd_;
   hdapi::HHD device_ = hdapi::kInvalidDevice;
   PhantomDescription description_;
@@ -337,7 +377,9 @@ void Host::start(double rate) {
   real_time_.emplace(processor_of_driver(), RealTime::kPriority + 5);
   // It may run although an error is reported: it is stopped either way.
   scheduler_ = true;
+  last_words_.say_unless_taken_back(hdapi::kNoStart, options_.start);
   hd_.hdStartScheduler();
+  last_words_.take_back();
   expect_success("starting the driver's scheduler");
   wait_until_ready();
 }
@@ -357,6 +399,7 @@ std::string words_of(const FrameTimes::Window& seen) {
 std::string why_not_ready(const PhantomSample& sample, double rate) {
   if (sample.time == 0) return hdapi::kNoFrames;
   if (!sample.times) return "the PHANToM did not get ready in time: the driver runs its frames too slowly";
+  if (!sample.answers && sample.times->rate > rate / 2) return hdapi::kNoAnswer;
   return "communication with the PHANToM is too irregular to switch forces on: expected " + csv::shortest(rate) +
          " frames a second and no long gap, got " + words_of(*sample.times) +
          ": check cable and power, and what else this machine computes";
@@ -376,7 +419,11 @@ void Host::wait_until_ready() {
     const PhantomSample& sample = frames_->samples.latest();
     const auto now = std::chrono::steady_clock::now();
     if (sample.troubled) throw Refused(shared_.trouble.data());
-    if (sample.phase == PhantomSample::Phase::ready) return tell(words_of(*sample.times) + ": " + grade_of(*sample.times));
+    if (sample.phase == PhantomSample::Phase::ready) {
+      if (!sample.tells_temperature) tell(hdapi::kTemperatureUnknown);
+      if (!sample.tells_rate) tell(hdapi::kRateUnknown);
+      return tell(words_of(*sample.times) + ": " + grade_of(*sample.times));
+    }
     if (sample.time == 0 || sample.calibrated) {
       if (now - calibrated_at > options_.start) throw Refused(why_not_ready(sample, rate_));
       continue;
@@ -418,18 +465,21 @@ void Host::close() noexcept {
 int run_phantom_host(int socket, pid_t parent, PhantomShared& shared, const std::string& name, const PhantomOptions& options) {
   be_a_process_of_its_own();
   socket = have_files_of_its_own(socket);
-  std::atexit([] { let_go(); });  // a library that ends the process, ends the force first
-  std::thread(watch, socket, parent).detach();
+  std::atexit([] { let_go(); });      // a library that ends the process, ends the force first
+  auto& last_words = *new LastWords;  // as long as the process, like the thread
+  std::thread(watch, socket, parent, std::ref(last_words)).detach();
   std::optional<Host> host;
   try {
-    host.emplace(socket, parent, shared, name, options).hold();
+    host.emplace(socket, parent, shared, name, options, last_words).hold();
     host->close();
-    return 0;
+    return kLetGo;
   } catch (const std::exception& error) {
-    const std::string why = error.what();
+    const bool of_ours = dynamic_cast<const Refused*>(&error) || dynamic_cast<const DeviceError*>(&error);
+    const std::string why = (of_ours ? "" : "the vendor's library failed: ") + std::string(error.what());
+    last_words.say_unless_taken_back(why, kEnding);
     if (host) host->close();
     send_words(socket, Kind::failed, why);
-    return 1;
+    return kRefused;
   }
 }
 

@@ -28,6 +28,8 @@ struct PhantomSample {
   std::optional<std::array<std::int64_t, 3>> encoder = std::nullopt;
   int buttons = 0;
   bool calibrated = false, forces_on = false;
+  bool answers = true;                               // by the driver's count of its frames
+  bool tells_temperature = true, tells_rate = true;  // else it has no such thing, and nothing is watched there
   double temperature = 0;
   int update_rate = 0;  // Hz, as the driver counts; 0 where it does not
   Sent sent;

@@ -27,7 +27,9 @@ struct Watch {
     const auto period = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / rate));
     const auto most = static_cast<std::size_t>(std::lround(seconds * rate));
     const bool paces = device.capabilities().paces;
-    for (std::size_t k = 0; k <= most && !stop; ++k) {
+    // A device whose frames do not come must not be waited for as often as there should be frames.
+    const auto latest = begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(2 * seconds + 1));
+    for (std::size_t k = 0; k <= most && !stop && Clock::now() < latest; ++k) {
       if (paces)
         device.wait_for_frame((Clock::now() + kLongestFrame).time_since_epoch() / std::chrono::nanoseconds(1));
       else

@@ -198,8 +198,9 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
   if (supervisor_)
     verdict = supervisor_->supervise(reading, device_.state(), evaluation.force, evaluation.status,
                                      static_cast<double>(latency) / 1e9);
-  const Eigen::Vector3f force = controller_->passed(reading.position, verdict.force);
-  if (supervisor_) supervisor_->commanded(force);
+  const Eigen::Vector3f force = controller_->passed(reading, verdict.force);
+  if (supervisor_) supervisor_->commanded(force, controller_->account().forgiven);
+  device_.allow(controller_->allowance());
   const std::optional<Fault> refused = device_.command(force);
   const std::int64_t commanded_at = monotonic_now();
 

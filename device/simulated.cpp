@@ -63,12 +63,11 @@ ReadResult Simulated::read() noexcept {
       const Target from = meant_at(readings_ - 1), to = meant_at(readings_);
       way = {metres(from.position), metres(from.velocity), metres(to.position), metres(to.velocity)};
     }
-    const Joints torque = options_.latency ? std::exchange(held_, next_) : next_;
     const int steps = std::max(1, static_cast<int>(std::ceil(options_.step_rate * period_ - 1e-9)));
-    motion_ = plant_.advanced(motion_, torque, way, period_, steps);
+    motion_ = plant_.advanced(motion_, torque_, way, period_, steps);
     for (std::size_t i = 0; i < 3; ++i) {
       const auto joint = static_cast<Eigen::Index>(i);
-      heat_[i] = heated(model_.motor, heat_[i], torque[joint] / model_.gears[joint], period_);
+      heat_[i] = heated(model_.motor, heat_[i], torque_[joint] / model_.gears[joint], period_);
     }
   }
   if (!motion_.angles.allFinite()) return Fault{"the simulated arm's position is no longer finite"};
@@ -85,16 +84,26 @@ ReadResult Simulated::read() noexcept {
   Reading reading{.position = position.cast<float>(), .time = static_cast<double>(readings_++) * period_};
   if (!model_.quantum.isZero(0)) reading.encoder = counts;
   reading.joints = {measured_[0], measured_[1], measured_[2]};
+  sent_.arrived(reading.position.cast<double>());
+  torque_.setZero();
+  if (options_.latency) send(commanded_);
+  reading.sent = sent_.report();
   return reading;
 }
 
-std::optional<Fault> Simulated::command(const Eigen::Vector3f& force) noexcept {
-  next_.setZero();
-  if (!force.allFinite()) return Fault{"a force that is not finite was commanded"};
+void Simulated::send(const Eigen::Vector3d& force) noexcept {
   Eigen::Vector3d limits;
   for (std::size_t i = 0; i < 3; ++i) limits[static_cast<Eigen::Index>(i)] = torque_limit(model_.motor, heat_[i]);
-  const Joints torque = model_.arm.jacobian(measured_).transpose() * turned_to_arm(force.cast<double>());
-  next_ = delivered(model_.motor, model_.gears, limits, torque);
+  const Joints torque = model_.arm.jacobian(measured_).transpose() * turned_to_arm(sent_.send(force));
+  torque_ = delivered(model_.motor, model_.gears, limits, torque);
+}
+
+std::optional<Fault> Simulated::command(const Eigen::Vector3f& force) noexcept {
+  const bool finite = force.allFinite();
+  commanded_.setZero();
+  if (finite) commanded_ = force.cast<double>();
+  if (!options_.latency) send(commanded_);
+  if (!finite) return Fault{"a force that is not finite was commanded"};
   return std::nullopt;
 }
 

@@ -8,6 +8,7 @@
 #include "forceshade/device/device.h"
 #include "forceshade/device/model.h"
 #include "forceshade/device/plant.h"
+#include "forceshade/device/sent_forces.h"
 
 namespace forceshade::device {
 
@@ -39,6 +40,8 @@ class Simulated final : public Device {
 
   ReadResult read() noexcept override;
 
+  void allow(const Allowance& allowance) noexcept override { sent_.allow(allowance); }
+
   // Refuses, and holds no force, when one is not finite.
   std::optional<Fault> command(const Eigen::Vector3f& force) noexcept override;
 
@@ -50,6 +53,7 @@ class Simulated final : public Device {
 
  private:
   Target meant_at(std::size_t reading) const noexcept;
+  void send(const Eigen::Vector3d& force) noexcept;
 
   Model model_;
   std::optional<Operator> hand_;
@@ -58,8 +62,10 @@ class Simulated final : public Device {
   Motion motion_;
   double period_ = 0;  // s; 0 before start
   std::size_t readings_ = 0;
-  Joints measured_{0, 0, 0};              // angles as the encoders have them
-  Joints held_{0, 0, 0}, next_{0, 0, 0};  // N·m: under this period's torque, under the next one's
+  Joints measured_{0, 0, 0};  // angles as the encoders have them
+  SentForces sent_;
+  Eigen::Vector3d commanded_{0, 0, 0};  // N, to be sent in the next frame, with latency
+  Joints torque_{0, 0, 0};              // N·m, held until the next reading
   std::array<Heat, 3> heat_{};
 };
 

@@ -40,9 +40,11 @@ std::string_view name_of(Rule rule) noexcept {
     case Rule::jump: return "jump";
     case Rule::velocity: return "velocity";
     case Rule::frozen_encoder: return "frozen encoder";
-    case Rule::watchdog: break;
+    case Rule::watchdog: return "watchdog";
+    case Rule::oscillation: return "oscillation";
+    case Rule::energy: break;
   }
-  return "watchdog";
+  return "energy";
 }
 
 SupervisorLimits supervisor_limits(const Capabilities& capabilities, double rate) noexcept {
@@ -77,7 +79,7 @@ Verdict Supervisor::supervise(const Reading& reading, const State& state, const 
   }
   if (trip_) verdict.trip = trip_->rule;
   heat_ = heated(motor_, heat_, verdict.force.cast<double>().norm(), period_);
-  commanded(verdict.force);
+  commanded(verdict.force, forgiven_);
   memory_.position = reading.position;
   memory_.time = reading.time;
   memory_.late = late;
@@ -85,7 +87,8 @@ Verdict Supervisor::supervise(const Reading& reading, const State& state, const 
   return verdict;
 }
 
-void Supervisor::commanded(const Eigen::Vector3f& force) noexcept {
+void Supervisor::commanded(const Eigen::Vector3f& force, double forgiven) noexcept {
+  forgiven_ = forgiven;
   memory_.force = force;
   if (memory_.late_ticks == 0) memory_.punctual_force = force;
 }
@@ -93,6 +96,7 @@ void Supervisor::commanded(const Eigen::Vector3f& force) noexcept {
 void Supervisor::rearm() noexcept {
   trip_.reset();
   memory_ = Memory{};
+  excused_ = forgiven_;
 }
 
 int Supervisor::ticks_in(double seconds) const noexcept {
@@ -107,6 +111,7 @@ std::optional<Rule> Supervisor::forbidden(const Reading& reading, const State& s
   if (late > limits_.patience || std::isnan(late)) return Rule::watchdog;
   if (memory_.late_ticks >= std::max(limits_.held_ticks + ticks_in(limits_.ramp_down), ticks_in(limits_.patience)))
     return Rule::missed_deadlines;
+  if (forgiven_ - excused_ > limits_.forgiven) return Rule::energy;
   if (!memory_.position) return std::nullopt;
 
   // A late tick saw a longer step, and so did one whose device was late by its own clock; a tick that catches up is not held
@@ -115,23 +120,23 @@ std::optional<Rule> Supervisor::forbidden(const Reading& reading, const State& s
   const double elapsed = std::max(period_ + std::max(0.0, late - memory_.late), by_device);
   const double step = (reading.position.cast<double>() - memory_.position->cast<double>()).norm();
   if (step > longest_step(limits_.speed, elapsed, limits_.resolution)) return Rule::jump;
-  const bool forced = !memory_.force.isZero(0);
-  if (forced && step > longest_step(limits_.speed_under_force, elapsed, limits_.resolution)) return Rule::velocity;
-  if (is_frozen(step, elapsed)) return Rule::frozen_encoder;
+  const Eigen::Vector3f felt = reading.sent ? reading.sent->acted : memory_.force;
+  if (!felt.isZero(0) && step > longest_step(limits_.speed_under_force, elapsed, limits_.resolution)) return Rule::velocity;
+  if (is_frozen(step, elapsed, felt)) return Rule::frozen_encoder;
   return std::nullopt;
 }
 
 // Time alone does not tell a frozen encoder from a hand at rest: friction holds a device still for minutes. But no hand stops
 // dead from 100 mm/s, within one period and on every axis; and none stays where it was after its force has changed by
 // half a newton, which is a millimetre of its flesh.
-bool Supervisor::is_frozen(double step, double elapsed) noexcept {
-  if (step > 0 || memory_.force.isZero(0) || !(limits_.resolution > 0)) {
+bool Supervisor::is_frozen(double step, double elapsed, const Eigen::Vector3f& felt) noexcept {
+  if (step > 0 || felt.isZero(0) || !(limits_.resolution > 0)) {
     memory_.still_ticks = memory_.changed_ticks = 0;
     memory_.was_fast = step > longest_step(limits_.frozen_speed, elapsed, limits_.resolution);
     return false;
   }
-  if (memory_.still_ticks++ == 0) memory_.still_force = memory_.force;
-  const double change = (memory_.force - memory_.still_force).cast<double>().norm();
+  if (memory_.still_ticks++ == 0) memory_.still_force = felt;
+  const double change = (felt - memory_.still_force).cast<double>().norm();
   memory_.changed_ticks = change > limits_.frozen_force ? memory_.changed_ticks + 1 : 0;
   return (memory_.was_fast ? memory_.still_ticks : memory_.changed_ticks) >= ticks_in(limits_.frozen);
 }

@@ -38,13 +38,17 @@ enum class Rule : std::uint8_t {
   velocity,
   frozen_encoder,
   watchdog,
+  // This limits; it is the last that has a bit in a Rules.
+  oscillation,
+  // This trips.
+  energy,
 };
-inline constexpr std::size_t kRules = static_cast<std::size_t>(Rule::watchdog) + 1;
-static_assert(kRules <= 16, "Sample::limited has a bit for each");
+inline constexpr std::size_t kRules = static_cast<std::size_t>(Rule::energy) + 1;
+static_assert(static_cast<std::size_t>(Rule::oscillation) < 16, "Sample::limited has a bit for each rule that limits");
 
 std::string_view name_of(Rule rule) noexcept;
 
-// A set of rules.
+// A set of rules that limit.
 class Rules {
  public:
   void add(Rule rule) noexcept { bits_ = static_cast<std::uint16_t>(bits_ | bit(rule)); }
@@ -72,6 +76,7 @@ struct SupervisorLimits {
   double frozen = 0.02;                               // s without a change of any bit of the position ...
   double frozen_speed = 100;                          // ... mm/s, right after a step as fast as this
   double frozen_force = 0.5;                          // ... or N, after the force has changed by as much
+  double forgiven = 100;                              // mJ, in all: PassivityAccount::forgiven
   int held_ticks = 3;                                 // ticks in a row that may be late, with the force held
   double ramp_down = 0.02;                            // s, over which it then falls to zero
   double patience = 0.02;                             // s: the latest that a tick may be, and the longest that all may be
@@ -103,9 +108,10 @@ class Supervisor {
   Verdict supervise(const Reading& reading, const State& state, const Eigen::Vector3f& wanted, Status status,
                     double late) noexcept;
 
-  // What was in the end commanded this tick, where that is not the verdict's force: the next tick's rules go by what the hand
-  // was given.
-  void commanded(const Eigen::Vector3f& force) noexcept;
+  // What was in the end commanded this tick, where that is not the verdict's force, and what the account has forgiven so far,
+  // in mJ. The next tick's rules go by what the hand was given: by what the device says it sent or, where it says nothing, by
+  // this.
+  void commanded(const Eigen::Vector3f& force, double forgiven = 0) noexcept;
 
   std::optional<Trip> tripped() const noexcept { return trip_; }
 
@@ -118,7 +124,7 @@ class Supervisor {
  private:
   std::optional<Rule> forbidden(const Reading& reading, const State& state, const Eigen::Vector3f& wanted, Status status,
                                 double late) noexcept;
-  bool is_frozen(double step, double elapsed) noexcept;
+  bool is_frozen(double step, double elapsed, const Eigen::Vector3f& felt) noexcept;
   Eigen::Vector3f limited(const Reading& reading, const State& state, const Eigen::Vector3f& wanted, Status status,
                           Rules& rules) noexcept;
   double gentleness(Status status) noexcept;
@@ -133,6 +139,7 @@ class Supervisor {
   std::optional<Trip> trip_;
   std::array<std::size_t, kRules> counts_{};
   Heat heat_;
+  double forgiven_ = 0, excused_ = 0;  // mJ; of that, what rearm() excused
 
   // What rearm() forgets.
   struct Memory {

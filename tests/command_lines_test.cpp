@@ -127,6 +127,9 @@ TEST(command_lines, every_option_of_every_command_refuses_what_it_cannot_read) {
       {"properties", "--law wall --cases 1"},
       {"certify", "--law bump-1p --points 1 --cases 1 --out in.csv/none"},
       {"drive", "--law wall --uncertified --device null --seconds 0.001 --unpaced"},
+      {"device list", ""},
+      {"device check", "null --seconds 0.1"},
+      {"device try", "null --stiffness 1"},
       {"record info", "none.fsr"},
       {"record export", "none.fsr"},
   };

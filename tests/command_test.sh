@@ -25,10 +25,10 @@ same() {
 # Help, version, wrong usage.
 expect 0 "Usage: forceshade" -- "$forceshade" --help
 expect 0 "forceshade " -- "$forceshade" --version
-for command in laws geometry polygons force energy plot figures properties certify drive record; do expect 0 "$command" -- "$forceshade" $command --help; done
+for command in laws geometry polygons force energy plot figures properties certify drive record device; do expect 0 "$command" -- "$forceshade" $command --help; done
 expect 2 "subcommand is required" -- "$forceshade"
 expect 2 "--wrong" -- "$forceshade" laws --wrong
-expect 2 "expected one of: laws geometry polygons force energy plot figures properties certify drive record" -- "$forceshade" nonsense
+expect 2 "expected one of: laws geometry polygons force energy plot figures properties certify drive record device" -- "$forceshade" nonsense
 expect 2 'got "bump-9p"' -- "$forceshade" properties --law bump-9p
 
 # laws

@@ -12,6 +12,7 @@
 #include "forceshade/device/simulated.h"
 #include "forceshade/fast/law.h"
 #include "forceshade/properties/passivity.h"
+#include "forceshade/tests/chatter.h"
 
 namespace forceshade::device {
 namespace {
@@ -34,27 +35,38 @@ fast::Law law_of(LawId id, const Parameters& parameters = kBump) {
   return std::get<fast::Law>(fast::Law::build(id, parameters));
 }
 
-// A hand that the force does not move, and an account of its own to hold against the controller's.
+// On its own, because g++ 12 at -O3 was seen to leave out the rounding of a number that is widened again.
+[[gnu::noinline]] Eigen::Vector3f rounded(const Position& position) {
+  return position.cast<float>();
+}
+
+// A hand that the force does not move, and an account of its own to hold against the controller's. With latency the forces
+// pass through a device's frames, one a tick, which clamp them and report.
 class Hand {
  public:
   Hand(const fast::Law& law, Kind kind, const PassivitySettings& settings = passivity_settings({}, 1000))
       : controller(settings, kind), settings(settings), law_(law) {}
 
   void go_to(const Position& position) {
-    const Eigen::Vector3f here = position.cast<float>();
+    Reading reading{.position = rounded(position)};
+    const Position here = reading.position.cast<double>();
     if (begun_) {
-      balance -= (settings.latency ? before_ : force).cast<long double>().dot(here.cast<long double>() - here_);
+      balance -= acting.cast<long double>().dot(here.cast<long double>() - at.cast<long double>());
       lowest = std::min(lowest, balance);
     }
     begun_ = true;
-    here_ = here.cast<long double>();
-    wanted = law_.force(here);
-    before_ = force;
-    force = controller.passed(here, wanted);
-    const Position step = here.cast<double>() - at;
-    at = here.cast<double>();
+    at = here;
+    if (settings.latency) {
+      frames_.arrived(here);
+      acting = frames_.send(force.cast<double>());
+      reading.sent = frames_.report();
+    }
+    wanted = law_.force(reading.position);
+    force = controller.passed(reading, wanted);
+    frames_.allow(controller.allowance());
+    if (!settings.latency) acting = force.cast<double>();
     lengthened |= force.cast<double>().norm() > (1 + 1e-15) * wanted.cast<double>().norm();  // two ways to sum
-    overturned |= (force + wanted).cast<double>().dot(step) < -1e-6 && wanted.cast<double>().dot(step) > 0;
+    chatter.next(force, wanted);
   }
   // Straight there, in equal steps of at most `step` mm.
   void go_to(const Position& position, double step) {
@@ -71,15 +83,15 @@ class Hand {
   PassivitySettings settings;
   Position at{0, 0, 0};  // mm
   Eigen::Vector3f wanted{0, 0, 0}, force{0, 0, 0};
+  Position acting{0, 0, 0};             // N, from this reading to the next
   long double balance = 0, lowest = 0;  // mJ
   bool lengthened = false;              // some force was longer than the wanted one
-  bool overturned = false;              // some force brakes more than the wanted one drives
+  tests::Chatter chatter;
 
  private:
   fast::Law law_;
   bool begun_ = false;
-  Eigen::Vector3f before_{0, 0, 0};
-  Eigen::Matrix<long double, 3, 1> here_{0, 0, 0};
+  SentForces frames_;
 };
 
 // Out at the depth D, up just beyond the edge, back along the surface, down.
@@ -211,7 +223,7 @@ TEST(passivity_controller, gives_no_more_than_epsilon_whatever_the_hand_does) {
               lowest = std::min(lowest, static_cast<double>(hand.lowest));
               RC_ASSERT(std::fabs(static_cast<double>(hand.balance) - account.balance) <= kRounding);
               RC_ASSERT(account.longest_step <= settings.longest_step);
-              RC_ASSERT(!hand.lengthened && !hand.overturned);
+              RC_ASSERT(!hand.lengthened);
               RC_ASSERT(kind == Kind::observer || hand.lowest >= -settings.epsilon - kRounding);
             },
             rc::detail::TestMetadata{}, params, silent, std::unordered_map<std::string, rc::detail::Reproduce>{});
@@ -274,8 +286,8 @@ TEST(passivity_controller, trembling_on_encoder_counts_harvests_a_little_from_a_
     PassivityController controller(settings, Kind::observer);
     double begin = 0;
     for (int tick = 0; tick < 22'000; ++tick) {
-      const Eigen::Vector3f position = std::get<Reading>(device.read()).position;
-      device.command(controller.passed(position, law_of(LawId::wall).force(position)));
+      const Reading reading = std::get<Reading>(device.read());
+      device.command(controller.passed(reading, law_of(LawId::wall).force(reading.position)));
       if (tick == 2000) begin = controller.account().balance;
     }
     const double harvested = (begin - controller.account().balance) / 20;
@@ -337,49 +349,52 @@ TEST(passivity_controller, friction_pays_debts_and_saves_nothing) {
 TEST(passivity_controller, gives_no_force_at_what_is_no_position_and_assumes_the_worst_of_it) {
   const float nan = std::nanf("");
   PassivityController controller({.longest_step = 1, .epsilon = 10});
-  EXPECT_EQ(controller.passed({0, 0, -1}, {0, 0, 2}), Eigen::Vector3f(0, 0, 2));
-  EXPECT_EQ(controller.passed({0, nan, -1}, {0, 0, 2}), Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(controller.passed({.position = {0, 0, -1}}, {0, 0, 2}), Eigen::Vector3f(0, 0, 2));
+  EXPECT_EQ(controller.passed({.position = {0, nan, -1}}, {0, 0, 2}), Eigen::Vector3f(0, 0, 0));
   EXPECT_EQ(controller.account().balance, -2);
-  EXPECT_EQ(controller.passed({0, 0, 5}, {0, 0, 1}), Eigen::Vector3f(0, 0, 1));
+  EXPECT_EQ(controller.passed({.position = {0, 0, 5}}, {0, 0, 1}), Eigen::Vector3f(0, 0, 1));
   EXPECT_EQ(controller.account().balance, -2);
-  EXPECT_EQ(controller.passed({0, 0, 5}, {0, 0, HUGE_VALF}), Eigen::Vector3f(0, 0, 0));
-  EXPECT_EQ(controller.account().balance, -3);
+  EXPECT_EQ(controller.passed({.position = {0, 0, 5.5F}}, {0, 0, HUGE_VALF}), Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(controller.account().balance, -2.5) << "the step was seen";
 }
 
 TEST(passivity_controller, counts_no_friction_in_a_step_that_was_not_seen) {
   PassivityController controller({.longest_step = 1, .epsilon = 10, .friction = 0.5});
-  controller.passed({0, 0, -1}, {0, 0, 2});
-  controller.passed({0, std::nanf(""), -1}, {0, 0, 2});
+  controller.passed({.position = {0, 0, -1}}, {0, 0, 2});
+  controller.passed({.position = {0, std::nanf(""), -1}}, {0, 0, 2});
   EXPECT_EQ(controller.account().rubbed, 0);
   EXPECT_EQ(controller.account().balance, -2);
 }
 
-// A hand that was faster than any may be has got more than epsilon.
-TEST(passivity_controller, gives_no_force_at_all_to_a_hand_that_owes_more_than_epsilon) {
-  for (const Kind kind : {Kind::tank, Kind::damping})
-    for (const bool latency : {false, true}) {
-      PassivityController controller({.longest_step = 1, .epsilon = 2, .latency = latency}, kind);
-      for (int tick = 0; tick < 3; ++tick) controller.passed({0, 0, 0}, {0, 0, 1});
-      for (const float z : {5.0F, 5.5F, 5.0F})
-        EXPECT_EQ(controller.passed({0, 0, z}, {0, 0, 1}), Eigen::Vector3f(0, 0, 0)) << z;
-      EXPECT_LT(controller.account().balance, -2);
-    }
+// A step of 5 mm where 1 mm is the longest: as after a stall of a device that clamps nothing by itself. 1 N x 5 mm are given,
+// of which 2 mJ were allowed; what is forgiven leaves half of that.
+TEST(passivity_controller, forgives_what_a_stall_took_and_says_how_much) {
+  for (const Kind kind : {Kind::tank, Kind::damping}) {
+    PassivityController controller({.longest_step = 1, .epsilon = 2}, kind);
+    controller.passed({.position = {0, 0, 0}}, {0, 0, 1});
+    EXPECT_GT(controller.passed({.position = {0, 0, 5}}, {0, 0, 1}).norm(), 0) << "it is not lost for ever";
+    EXPECT_EQ(controller.account().lowest_balance, -5);
+    EXPECT_EQ(controller.account().forgiven, 4);
+    EXPECT_EQ(controller.account().balance, -1);
+    EXPECT_EQ(controller.account().net(), 5) << "it was given all the same";
+    EXPECT_EQ(controller.allowance().work, 2 + 4);
+  }
 }
 
-// By hand: wanted 3 N, of which epsilon allows one on a step of 1 mm; half a millimetre along it, a quarter back, and then as
+// By hand: wanted 3 N, of which epsilon allows 1/1.25 on a step of 1 mm; half a millimetre along it, a quarter back, with as
 // much as was wanted.
 TEST(passivity_controller, accounts_for_what_it_altered) {
   PassivityController controller({.longest_step = 1, .epsilon = 1}, Kind::tank);
-  controller.passed({0, 0, 0}, {0, 0, 3});
-  controller.passed({0, 0, 0.5F}, {0, 0, 0.1F});
-  controller.passed({0, 0, 0.25F}, {0, 0, 0.1F});
+  controller.passed({.position = {0, 0, 0}}, {0, 0, 3});
+  controller.passed({.position = {0, 0, 0.5F}}, {0, 0, 0.1F});
+  controller.passed({.position = {0, 0, 0.25F}}, {0, 0, 0.1F});
   const PassivityAccount& account = controller.account();
-  EXPECT_EQ(account.altered, 2U) << "what is wanted along a motion is given from half of epsilon, and that is spent";
-  EXPECT_NEAR(account.largest_change, 2, 1e-6);
-  EXPECT_NEAR(account.withheld, 3 * 0.5 - 1 * 0.5 - 0.1 * 0.25, 1e-6);
-  EXPECT_NEAR(account.given, 0.5, 1e-6);
-  EXPECT_NEAR(account.balance, -0.5, 1e-6);
-  EXPECT_NEAR(account.lowest_balance, -0.5, 1e-6);
+  EXPECT_EQ(account.altered, 1U);
+  EXPECT_NEAR(account.largest_change, 3 - 0.8, 1e-5);
+  EXPECT_NEAR(account.withheld, (3 - 0.8) * 0.5, 1e-5);
+  EXPECT_NEAR(account.given, 0.8 * 0.5, 1e-5);
+  EXPECT_NEAR(account.balance, -0.8 * 0.5 + 0.1 * 0.25, 1e-5);
+  EXPECT_NEAR(account.lowest_balance, -0.8 * 0.5, 1e-5);
   EXPECT_EQ(account.longest_step, 0.5);
 }
 
@@ -410,7 +425,7 @@ TEST(passivity_controller, alters_ordinary_strokes_little) {
     Kind kind;
     double friction;  // N
   };
-  std::printf("  law            kind     friction  balance   lowest  altered  rms, N  most, N  of rms, N\n");
+  std::printf("  law            kind     friction  balance   lowest  altered  rms, N  most, N  of rms, N  chatter\n");
   for (const LawId id : {LawId::wall, LawId::bump_1p_shaded, LawId::bump_2p_shaded, LawId::bump_3p_shaded})
     for (const auto& [kind, friction] :
          {Case{Kind::observer, 0}, Case{Kind::tank, 0}, Case{Kind::damping, 0}, Case{Kind::damping, 0.02}}) {
@@ -421,11 +436,14 @@ TEST(passivity_controller, alters_ordinary_strokes_little) {
       PassivityController controller(settings, kind);
       double changes = 0, forces = 0;  // N²
       int contacts = 0;
+      tests::Chatter chatter;
       for (int tick = 0; tick < 20'000; ++tick) {
-        const Eigen::Vector3f position = std::get<Reading>(device.read()).position;
-        const fast::Evaluation wanted = law_of(id).evaluate(position);
-        const Eigen::Vector3f force = controller.passed(position, wanted.force);
+        const Reading reading = std::get<Reading>(device.read());
+        const fast::Evaluation wanted = law_of(id).evaluate(reading.position);
+        const Eigen::Vector3f force = controller.passed(reading, wanted.force);
+        device.allow(controller.allowance());
         device.command(force);
+        chatter.next(force, wanted.force);
         if (wanted.status != Status::contact) continue;
         ++contacts;
         changes += (force - wanted.force).cast<double>().squaredNorm();
@@ -433,13 +451,14 @@ TEST(passivity_controller, alters_ordinary_strokes_little) {
       }
       const PassivityAccount& account = controller.account();
       const double altered = static_cast<double>(account.altered) / contacts;
-      std::printf("  %-14s %-8s %8.2f %8.3f %8.3f %7.2f%% %7.4f %8.3f %10.3f\n", words_of(id).c_str(), words_of(kind), friction,
-                  account.balance, account.lowest_balance, 100 * altered, std::sqrt(changes / contacts), account.largest_change,
-                  std::sqrt(forces / contacts));
+      std::printf("  %-14s %-8s %8.2f %8.3f %8.3f %7.2f%% %7.4f %8.3f %10.3f %8zu\n", words_of(id).c_str(), words_of(kind),
+                  friction, account.balance, account.lowest_balance, 100 * altered, std::sqrt(changes / contacts),
+                  account.largest_change, std::sqrt(forces / contacts), chatter.ticks);
       if (kind == Kind::observer) continue;
       EXPECT_GE(account.lowest_balance, -settings.epsilon);
-      EXPECT_LE(altered, 0.1);
-      EXPECT_LE(changes, 0.04 * forces);
+      EXPECT_EQ(chatter.ticks, 0U);
+      EXPECT_LE(altered, kind == Kind::tank ? 0.12 : 0.03);
+      EXPECT_LE(changes, (kind == Kind::tank ? 0.015 : 0.004) * forces);
       const bool gives_energy = id == LawId::bump_2p_shaded || id == LawId::bump_3p_shaded;
       EXPECT_TRUE(friction > 0 || account.altered > 0 || !gives_energy) << words_of(id);
       EXPECT_TRUE(gives_energy || account.altered == 0) << words_of(id);

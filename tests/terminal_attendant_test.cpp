@@ -4,6 +4,7 @@
 #include "forceshade/apps/terminal_attendant.h"
 
 #include <gtest/gtest.h>
+#include <poll.h>
 
 #include <csignal>
 
@@ -47,6 +48,19 @@ TEST(terminal_attendant, takes_ctrl_c_for_no) {
 
 TEST(terminal_attendant, takes_the_end_of_input_for_no) {
   PseudoTerminal terminal(ask_a_person);
+  terminal.shown_until(kPrompt);
+  terminal.type("\x04");
+  EXPECT_EQ(terminal.end(), kNotDone);
+}
+
+// An Enter that was typed too early, then the end of input: had the first one counted, it would be done.
+TEST(terminal_attendant, does_not_count_what_was_typed_before) {
+  PseudoTerminal terminal([] {
+    pollfd typed{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
+    ::poll(&typed, 1, -1);
+    return ask_a_person();
+  });
+  terminal.type("\n");
   terminal.shown_until(kPrompt);
   terminal.type("\x04");
   EXPECT_EQ(terminal.end(), kNotDone);

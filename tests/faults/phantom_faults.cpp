@@ -108,7 +108,7 @@ Outcome drive(const Orders& before, const Trouble& trouble, Unit unit, const Ben
   Clock::time_point since{};
   bool goes_on = false;
   try {
-    Phantom phantom("", {.patience = kPatience, .start = 5s});
+    Phantom phantom("", {.patience = kPatience, .start = 5s, .calibration = 200ms, .rate_tolerance = 1});
     FrameByFrame device(phantom, trouble, bench);
     const auto law = std::get<fast::Law>(fast::Law::build(LawId::wall, {.stiffness = 1.5F}));
     const auto run = run_servo_loop(device, law, {.max_seconds = kTicks / 1000.0, .paced = false, .sinks = {&told, &recorder}},
@@ -202,7 +202,7 @@ std::vector<Fault> phantom_faults() {
       at_start("force output stays off", "is still off: check its power supply", [](Orders& o) { o.output_stays_off = true; }),
       at_start("no licence", "refused ... the vendor's licence is missing", [](Orders& o) { o.init = hdapi::kNoLicence; }),
       at_start("the scheduler does not start", "starting the driver's scheduler", [](Orders& o) { o.start = hdapi::kTimer; }),
-      at_start("highest force is NaN", "refused ... the PHANToM's highest force: expected a positive number",
+      at_start("highest force is NaN", "refused ... the PHANToM's highest force: expected a number of newtons above 0",
                [](Orders& o) { o.peak_force = std::nan(""); }),
   };
 }

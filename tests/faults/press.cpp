@@ -67,6 +67,7 @@ class WrongDevice final : public device::Device {
     if (wrong_.read && is_wrong()) wrong_.read(result, tick() - wrong_.tick);
     return result;
   }
+  void allow(const device::Allowance& allowance) noexcept override { arm_.allow(allowance); }
   std::optional<Fault> command(const Eigen::Vector3f& force) noexcept override {
     Eigen::Vector3f obeyed = force;
     std::optional<Fault> fault;

@@ -30,7 +30,7 @@ void catch_up(Driver& d) {
   if (d.resets != d.memory.resets) {
     d.errors.clear();
     d.force.setZero();
-    d.device = d.running = d.calibrated = false;
+    d.device = d.running = d.starting = d.calibrated = false;
     d.rate = d.noted.rate;
   }
   if (d.resets != d.memory.resets || d.tellings != d.memory.tellings) d.reported.clear();

@@ -52,7 +52,8 @@ struct Driver {
 
   std::vector<Error> errors;
   std::set<std::pair<std::string_view, HDerror>> reported;   // in frames, since orders were given
-  bool device = false, running = false, calibrated = false;  // in this process; running: the scheduler
+  // In this process; running: the scheduler; starting: it was told to run, whether it does or not.
+  bool device = false, running = false, starting = false, calibrated = false;
   double rate = 1000;
   std::unique_ptr<device::Simulated> phantom;
   device::Model model = device::premium_1_5();

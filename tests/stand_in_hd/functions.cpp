@@ -202,6 +202,7 @@ void hdStartScheduler() {
   Call call("hdStartScheduler", Where::anywhere);
   Driver& d = call.d;
   if (d.running) call.breach("twice");
+  d.starting = true;
   if (d.orders.start != kSuccess) return call.fail(d.orders.start);
   if (d.orders.prints) print();
   if (d.orders.steals_signals) std::signal(SIGTERM, [](int) { _exit(0); });
@@ -220,7 +221,7 @@ void hdStopScheduler() {
   Due due;
   {
     Call call("hdStopScheduler", Where::anywhere);
-    if (!d.running) call.breach("before it was started");
+    if (!d.starting) call.breach("before it was started");
     // A caller cannot send anything through a scheduler that hangs.
     if (!d.orders.hung && d.noted.output) call.breach("with the force output on");
     if (!d.orders.hung && !d.force.isZero(0)) call.breach("with a force sent last");
@@ -230,7 +231,7 @@ void hdStopScheduler() {
   happen(due);
   if (d.scheduler.joinable()) d.scheduler.join();
   const Lock lock(d.memory);
-  d.running = d.noted.scheduler = false;
+  d.running = d.starting = d.noted.scheduler = false;
 }
 
 void hdSetSchedulerRate(HDulong hz) {

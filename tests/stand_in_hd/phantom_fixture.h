@@ -22,8 +22,27 @@ using stand_in_hd::seen;
 using stand_in_hd::tell;
 using Clock = std::chrono::steady_clock;
 
-// A busy machine may keep either thread waiting; where it does not matter, patience is long.
-inline constexpr Phantom::Options kPatient{.patience = 20s, .start = 20s};
+// A busy machine may keep either thread waiting and makes frames come late; where it does not matter, patience is long.
+inline constexpr Phantom::Options kPatient{.patience = 20s, .start = 20s, .rate_tolerance = 1};
+
+// Who keeps what is said to them, and does what the test says.
+class Listener final : public Attendant {
+ public:
+  void told(const std::string& words) noexcept override {
+    heard += words + "\n";
+    if (on_words) on_words(words);
+  }
+  bool did(const std::string& words) noexcept override {
+    asked.push_back(words);
+    return does;
+  }
+  bool has_left() const noexcept override { return leaves; }
+
+  std::string heard;
+  std::vector<std::string> asked;
+  bool does = false, leaves = false;
+  std::function<void(const std::string&)> on_words;
+};
 
 inline bool comes_true(const std::function<bool()>& condition) {
   for (const auto deadline = Clock::now() + 20s; Clock::now() < deadline; std::this_thread::sleep_for(1ms))
