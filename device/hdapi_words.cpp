@@ -69,6 +69,9 @@ std::string initialisation_advice(const std::string& name, const Trouble& troubl
               ? "the default device was asked for; try phantom:NAME with \"Default PHANToM\", \"Default Device\" or a name"
               : "\"" + name + "\" must be written as") +
          " in the vendor's set-up program, which keeps them in " + (home ? home : "~/.3dsystems, or where GTDD_HOME says") +
+         ", or for FireWire in /etc/SensAble/PHANToMDeviceDrivers" +
+         (trouble.error.code == kInvalidValue ? "; this error is what version 3.0 says of a name that it does not find there"
+                                              : "") +
          "\n  permission: you must be able to read and write the device's port (USB: /dev/ttyACM* or /dev/hidraw*, FireWire: "
          "/dev/fw*)"
          "\n  licence: the vendor's own examples must start\n  power and cable: the vendor's diagnostic program must see the "

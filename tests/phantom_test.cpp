@@ -88,6 +88,7 @@ TEST_F(phantom, init_failure_says_what_to_check) {
   expect_words(why_not_opened({.init = hdapi::kDeviceFault}, "Left arm"),
                {"0x0300", "internal 42", "Some error.", "\"Left arm\" must be written", "permission", "licence", "cable"});
   expect_words(why_not_opened({.init = hdapi::kCommunication}), {"the default device was asked for", "Default PHANToM"});
+  expect_words(why_not_opened({.init = hdapi::kInvalidValue}), {"0x0101", "a name that it does not find there"});
 }
 
 TEST_F(phantom, missing_licence_and_busy_device_are_said_without_guessing) {
