@@ -28,7 +28,7 @@ struct Options {
   double rate = 1000;
   std::optional<double> seconds, patience;
   std::optional<int> cpu, dead_man;
-  std::string passivity = "damping";
+  std::string passivity = "damping", pace = "device";
   bool unpaced = false, uncertified = false, in_reset_pose = false;
 };
 
@@ -73,6 +73,7 @@ int run(const Options& options, const LawOptions& law_options, const HeightMapOp
                  .servo = {.rate_hz = options.rate,
                            .max_seconds = options.seconds,
                            .paced = !options.unpaced,
+                           .follows_device = options.pace == "device",
                            .cpu = options.cpu,
                            .passivity = controller_named(options.passivity),
                            .patience = options.patience,
@@ -102,6 +103,10 @@ void add_drive(CLI::App& app, int& result) {
   add_word(*command, "--passivity", options->passivity,
            "what keeps the force from giving energy: damping, tank (shortens it) or observer (nothing: for measuring)",
            {"damping", "tank", "observer"});
+  add_word(*command, "--pace", options->pace,
+           "what a tick follows: device, the frames of one that has its own (a PHANToM), or clock, this machine's, as for any "
+           "other device",
+           {"device", "clock"});
   add_number(*command, "--patience", "for how many seconds ticks may be late before the run is stopped; 0.02 unless said",
              kPatience, [options](double patience) { options->patience = patience; });
   add_whole(*command, "--dead-man", "button of the device to be held down, from 0; else there is no force", kButtons,
@@ -110,6 +115,7 @@ void add_drive(CLI::App& app, int& result) {
             [options](std::uint64_t cpu) { options->cpu = static_cast<int>(cpu); });
   command->add_flag("--unpaced", options->unpaced, "as fast as it goes: for checks, not for hands")
       ->excludes("--cpu")
+      ->excludes("--pace")
       ->excludes("--patience");
   add_in_reset_pose(*command, options->in_reset_pose);
   command->add_flag("--uncertified", options->uncertified, "drive even where the certificate does not allow it");

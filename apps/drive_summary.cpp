@@ -30,6 +30,12 @@ ordered_json times(const device::Durations& us) {
   return json;
 }
 
+// What each tick followed; none where they followed one another.
+const char* pacer_of(const ServoResult& run) {
+  if (run.wakeup_us.histogram.empty()) return nullptr;
+  return run.followed_device ? "device" : "clock";
+}
+
 void print_safety(const ServoResult& run) {
   if (!run.supervised) {
     std::printf("safety            a device that gives no force: not supervised\n");
@@ -49,7 +55,8 @@ void print_safety(const ServoResult& run) {
 
 void print(const ServoResult& run) {
   std::printf("ticks             %zu (%s)\n", run.ticks, words(run.end_reason));
-  std::printf("rate              %.1f Hz\n", run.achieved_rate_hz);
+  const char* pacer = pacer_of(run);
+  std::printf("rate              %.1f Hz%s%s\n", run.achieved_rate_hz, pacer ? ", paced by the " : "", pacer ? pacer : "");
   std::printf("missed deadlines  %zu, of them %zu by our own computing\n", run.missed_deadlines, run.overruns);
   print_times("compute time", run.compute_us);
   print_times("with the device", run.tick_us);
@@ -76,12 +83,14 @@ ordered_json to_json(const ServoResult& run) {
   ordered_json trip = nullptr;
   if (run.trip) trip = {{"rule", words(run.trip->rule)}, {"tick", run.trip->tick}};
   const device::PassivityAccount& account = run.account;
+  const char* pacer = pacer_of(run);
   return {{"end_reason", words(run.end_reason)},
           {"ticks", run.ticks},
           {"missed_deadlines", run.missed_deadlines},
           {"overruns", run.overruns},
           {"invalid_positions", run.invalid_positions},
           {"rate_hz", run.achieved_rate_hz},
+          {"paced_by", pacer ? ordered_json(pacer) : ordered_json(nullptr)},
           {"compute_us", times(run.compute_us)},
           {"tick_us", times(run.tick_us)},
           {"wakeup_us", times(run.wakeup_us)},

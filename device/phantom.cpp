@@ -18,6 +18,7 @@
 #include <system_error>
 #include <thread>
 
+#include "forceshade/csv/csv.h"
 #include "forceshade/device/arm.h"
 #include "forceshade/device/futex.h"
 #include "forceshade/device/hdapi_words.h"
@@ -116,7 +117,8 @@ PhantomMessage Phantom::answer(milliseconds patience) {
       return message;
     }
   }
-  return failed("the PHANToM's driver has not answered for " + std::to_string(patience.count() / 1000) +
+  const std::string seconds = csv::shortest(std::chrono::duration<double>(patience).count());
+  return failed("the PHANToM's driver has not answered for " + seconds +
                 " s: check cable and power, and whether another program holds the device");
 }
 

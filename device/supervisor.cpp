@@ -59,7 +59,7 @@ SupervisorLimits supervisor_limits(const Capabilities& capabilities, double rate
 }
 
 Supervisor::Supervisor(const SupervisorLimits& limits, double rate) noexcept
-    : limits_(limits), period_(1 / rate), motor_(as_one_motor(limits)) {}
+    : limits_(limits), period_(1 / rate), motor_(as_one_motor(limits)), oscillation_(limits.resolution, period_) {}
 
 Verdict Supervisor::supervise(const Reading& reading, const State& state, const Eigen::Vector3f& wanted, Status status,
                               double late) noexcept {
@@ -93,9 +93,14 @@ void Supervisor::commanded(const Eigen::Vector3f& force, double forgiven) noexce
   if (memory_.late_ticks == 0) memory_.punctual_force = force;
 }
 
+Eigen::Vector3f Supervisor::felt(const Reading& reading) const noexcept {
+  return reading.sent ? reading.sent->acted : memory_.force;
+}
+
 void Supervisor::rearm() noexcept {
   trip_.reset();
   memory_ = Memory{};
+  oscillation_ = OscillationWatch(limits_.resolution, period_);
   excused_ = forgiven_;
 }
 
@@ -120,9 +125,9 @@ std::optional<Rule> Supervisor::forbidden(const Reading& reading, const State& s
   const double elapsed = std::max(period_ + std::max(0.0, late - memory_.late), by_device);
   const double step = (reading.position.cast<double>() - memory_.position->cast<double>()).norm();
   if (step > longest_step(limits_.speed, elapsed, limits_.resolution)) return Rule::jump;
-  const Eigen::Vector3f felt = reading.sent ? reading.sent->acted : memory_.force;
-  if (!felt.isZero(0) && step > longest_step(limits_.speed_under_force, elapsed, limits_.resolution)) return Rule::velocity;
-  if (is_frozen(step, elapsed, felt)) return Rule::frozen_encoder;
+  const Eigen::Vector3f acted = felt(reading);
+  if (!acted.isZero(0) && step > longest_step(limits_.speed_under_force, elapsed, limits_.resolution)) return Rule::velocity;
+  if (is_frozen(step, elapsed, acted)) return Rule::frozen_encoder;
   return std::nullopt;
 }
 
@@ -149,6 +154,7 @@ Eigen::Vector3f Supervisor::limited(const Reading& reading, const State& state, 
     force = by;
   };
   const auto limit = [&](double most, Rule rule) { replace(shortened(force, most), rule); };
+  const double gain = oscillation_.next(reading.position, felt(reading));
 
   const bool held_down =
       !limits_.dead_man_button || (reading.buttons >> static_cast<unsigned>(*limits_.dead_man_button) & 1U) != 0;
@@ -159,6 +165,7 @@ Eigen::Vector3f Supervisor::limited(const Reading& reading, const State& state, 
   }
   replace(force * static_cast<float>(gentleness(status)), Rule::gentle_start);
   replace(force * static_cast<float>(nearness(reading.position)), Rule::workspace);
+  replace(force * static_cast<float>(gain), Rule::oscillation);
   if (memory_.late_ticks > 0) {
     const int ramped = std::max(0, memory_.late_ticks - limits_.held_ticks);
     const double left = std::max(0.0, 1 - ramped / static_cast<double>(ticks_in(limits_.ramp_down)));

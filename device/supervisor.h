@@ -15,6 +15,7 @@
 #include "forceshade/device/device.h"
 #include "forceshade/device/hand_speed.h"
 #include "forceshade/device/motor.h"
+#include "forceshade/device/oscillation.h"
 #include "forceshade/vocabulary/law.h"
 
 namespace forceshade::device {
@@ -124,6 +125,7 @@ class Supervisor {
  private:
   std::optional<Rule> forbidden(const Reading& reading, const State& state, const Eigen::Vector3f& wanted, Status status,
                                 double late) noexcept;
+  Eigen::Vector3f felt(const Reading& reading) const noexcept;
   bool is_frozen(double step, double elapsed, const Eigen::Vector3f& felt) noexcept;
   Eigen::Vector3f limited(const Reading& reading, const State& state, const Eigen::Vector3f& wanted, Status status,
                           Rules& rules) noexcept;
@@ -139,6 +141,7 @@ class Supervisor {
   std::optional<Trip> trip_;
   std::array<std::size_t, kRules> counts_{};
   Heat heat_;
+  OscillationWatch oscillation_;
   double forgiven_ = 0, excused_ = 0;  // mJ; of that, what rearm() excused
 
   // What rearm() forgets.

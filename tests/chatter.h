@@ -36,25 +36,27 @@ class Alternation {
 };
 
 struct Chatter {
-  // `of_law` is what the force was made from. Smooth is a force that did not change by more than kSmooth within a tick, and did
-  // not alternate, over these three changes and the one before, for a sample of latency.
-  static constexpr float kSmooth = 0.2F;  // N
+  // `of_law` is what the force was made from. It is smooth where it did not alternate, and no change differed from the one
+  // before by more than kSmooth: over these three changes and the one before, for a sample of latency.
+  static constexpr float kSmooth = 0.1F;  // N: twice what a count of 0.03 mm along each axis makes at 0.5 N/mm
 
   void next(const Eigen::Vector3f& force, const Eigen::Vector3f& of_law) {
-    const bool jumped = (of_law - last_).norm() > kSmooth, alternated = law_.next(of_law), alternates = force_.next(force);
+    const Eigen::Vector3f change = of_law - last_;
+    const bool jumped = (change - change_).norm() > kSmooth, alternated = law_.next(of_law), alternates = force_.next(force);
     last_ = of_law;
+    change_ = change;
     smooth_ = jumped || alternated ? 0 : smooth_ + 1;
-    if (smooth_ < 4 || !alternates) return;
-    ++ticks;
+    if (smooth_ < 4) return;
+    ticks += alternates;
     worst = std::max(worst, force_.size);
   }
 
   std::size_t ticks = 0;
-  float worst = 0;  // N
+  float worst = 0;  // N: the largest alternation, be it felt or not
 
  private:
   Alternation force_, law_;
-  Eigen::Vector3f last_{0, 0, 0};
+  Eigen::Vector3f last_{0, 0, 0}, change_{0, 0, 0};
   int smooth_ = 0;  // ticks
 };
 

@@ -89,6 +89,8 @@ TEST(command_lines, a_refusal_says_what_was_expected_and_what_was_got) {
       {"drive --law wall --uncertified --device null --cpu 1000", {"--cpu: expected one of the processors", "got 1000"}},
       {"drive --law wall --uncertified --device null --cpu=-1", {"--cpu", "got \"-1\""}},
       {"drive --law wall --uncertified --device null --unpaced --cpu 0", {"--cpu", "excludes"}},
+      {"drive --law wall --uncertified --device null --pace hand", {"--pace: expected one of device, clock; got \"hand\""}},
+      {"drive --law wall --uncertified --device null --unpaced --pace clock", {"--pace", "excludes"}},
       {"drive --law wall --uncertified --device null --dead-man 0", {"expected none, because the device has no buttons"}},
       {"drive --law wall --uncertified --device null --passivity 2", {"expected one of damping, tank, observer; got \"2\""}},
       {"drive --law wall --uncertified --device null --record - --json -", {"--record and --json: expected two files"}},

@@ -28,7 +28,10 @@ class Scripted final : public Device {
   Capabilities capabilities() const noexcept override { return capabilities_; }
   std::optional<Fault> start(double) noexcept override { return fault_; }
   ReadResult read() noexcept override { return reading_(readings_++); }
-  void wait_for_frame(std::int64_t) noexcept override { ++waits; }
+  std::int64_t wait_for_frame(std::int64_t deadline) noexcept override {
+    ++waits;
+    return deadline;
+  }
   std::optional<Fault> command(const Eigen::Vector3f& force) noexcept override {
     commanded = force;
     most = std::max(most, force.norm());

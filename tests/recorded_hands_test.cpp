@@ -47,7 +47,8 @@ TEST_P(recorded_hands, feel_no_buzz_and_lose_no_force) {
   if (!folder) GTEST_SKIP() << "FORCESHADE_RECORDINGS names no folder";
   const LawName& law = GetParam();
   std::printf(
-      "  law            recording       x    z  chatter  most, N   lowest, mJ (bound)  altered  without force, s  end\n");
+      "  law            recording       x    z  chatter  most, N   lowest, mJ (bound)  altered  without force, s  oscillation  "
+      "end\n");
   for (const std::string name : {"square_xz", "square_xy"}) {
     const Replay recorded = Replay::load(std::filesystem::path(folder) / (name + ".csv"));
     for (const double z : {0.0, -10.0, -30.0})
@@ -61,11 +62,12 @@ TEST_P(recorded_hands, feel_no_buzz_and_lose_no_force) {
           contacts += sample.status == 1;
         }
         const double away = longest_without_force(run.samples);
-        std::printf("  %-14s %-10s %6.0f %4.0f %8zu %8.3f %12.3f (%.3f) %7.2f%% %17.3f  %s\n", std::string(law.name).c_str(),
-                    name.c_str(), x, z, chatter.ticks, static_cast<double>(chatter.worst), run.account.lowest_balance,
-                    -run.passivity_settings.epsilon,
+        std::printf("  %-14s %-10s %6.0f %4.0f %8zu %8.3f %12.3f (%.3f) %7.2f%% %17.3f %12zu  %s\n",
+                    std::string(law.name).c_str(), name.c_str(), x, z, chatter.ticks, static_cast<double>(chatter.worst),
+                    run.account.lowest_balance, -run.passivity_settings.epsilon,
                     100 * static_cast<double>(run.account.altered) / static_cast<double>(std::max<std::size_t>(contacts, 1)),
-                    away, std::string(run.trip ? name_of(run.trip->rule) : name_of(run.end_reason)).c_str());
+                    away, run.limited_ticks[static_cast<std::size_t>(Rule::oscillation)],
+                    std::string(run.trip ? name_of(run.trip->rule) : name_of(run.end_reason)).c_str());
         EXPECT_EQ(chatter.ticks, 0U);
         EXPECT_GE(run.account.lowest_balance, -run.passivity_settings.epsilon);
         EXPECT_LE(away, kForgotten);
