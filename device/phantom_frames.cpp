@@ -19,6 +19,7 @@ constexpr double kExactly = 1e-3;                       // mm: the driver comput
 constexpr int kFrozen = 50;                             // frames at that pose
 constexpr int kSilent = 100;                            // frames at half the rate or less, by the driver's own count
 constexpr int kBetweenUpdates = 100;                    // frames
+constexpr int kSwitched = 50;  // frames without force after the safety switch has changed: for the servo loop to see one
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();  // so that a get that fails cannot pass for a value
 constexpr std::size_t kMostDegrees = 16;  // more than any device has, for a driver that writes more
@@ -143,13 +144,29 @@ void PhantomFrames::measure() noexcept {
     if (known_and_well("reading the joint angles", has_joints_)) sample_.joints = {angles[0], angles[1], angles[2]};
   }
   if (sample_.phase == Phase::ready && settings_.force) {
-    sample_.forces_on = hd_.hdIsEnabled(hdapi::kForceOutput) != 0;
+    const bool is_on = hd_.hdIsEnabled(hdapi::kForceOutput) != 0;
     went_well("reading whether the force output is on");
+    sample_.forces_on = is_on && !is_switched();
   }
   if (!sample_.position.allFinite()) note({hdapi::kNotFinite});
   const bool there = (sample_.position - kUncalibratedPose).cwiseAbs().maxCoeff() <= kExactly;
   at_uncalibrated_pose_ = there ? at_uncalibrated_pose_ + 1 : 0;
   if (at_uncalibrated_pose_ >= kFrozen) note({hdapi::kUncalibratedPose});
+}
+
+// The driver says whether the output should be on, also while a switch of the device keeps it off. Which of the switch's two
+// values lets forces through depends on the device, but either way they begin anew, gently, after it has changed.
+bool PhantomFrames::is_switched() noexcept {
+  hdapi::HDboolean value = 0;
+  if (has_switch_) {
+    hd_.hdGetBooleanv(hdapi::kSafetySwitch, &value);
+    if (!known_and_well("reading the safety switch", has_switch_)) value = 0;
+  }
+  if (switch_ && *switch_ != value) frames_switched_ = kSwitched;
+  switch_ = value;
+  if (frames_switched_ == 0) return false;
+  --frames_switched_;
+  return true;
 }
 
 // While it settles the user has time to do what the device needs; later only a driver that calibrates a moving device by itself

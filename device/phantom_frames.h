@@ -7,6 +7,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "forceshade/device/frame_times.h"
@@ -53,6 +54,7 @@ class PhantomFrames {
  private:
   void frame() noexcept;
   void measure() noexcept;
+  bool is_switched() noexcept;
   void watch_calibration() noexcept;
   void watch_rate() noexcept;
   bool is_good() const noexcept;
@@ -73,6 +75,9 @@ class PhantomFrames {
   SentForces sent_;
   FrameTimes times_;
   bool has_encoders_ = true, has_joints_ = true;
+  bool has_switch_ = true;
+  std::optional<hdapi::HDboolean> switch_ = std::nullopt;
+  int frames_switched_ = 0;  // that are still to come without force
   int at_uncalibrated_pose_ = 0, silent_frames_ = 0;
   int since_update_ = 1 << 20;  // frames
 };

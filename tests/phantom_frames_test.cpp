@@ -32,15 +32,15 @@ struct Driver {
   HDenum calibration = kCalibrated;
   int rate = 1000;
   bool update_helps = true;
-  bool stays_off = false, withholds_position = false;
+  bool stays_off = false, withholds_position = false, switched = false;
   HDerror begin = 0, get_position = 0, buttons = 0, temperature = 0, encoders = 0, joints = 0, rate_error = 0, set = 0, end = 0,
-          enable = 0;
+          enable = 0, safety_switch = 0;
 
   bool output = false;
   Eigen::Vector3d sent{0, 0, 0};
   std::vector<HDenum> updates;  // the styles of
   int readings = 0, temperature_readings = 0, encoder_readings = 0, joint_readings = 0, rate_readings = 0, checks = 0,
-      switched_on = 0, switched_off = 0;
+      switch_readings = 0, switched_on = 0, switched_off = 0;
   std::vector<HDErrorInfo> errors;
 
   void fail(HDerror code) {
@@ -74,6 +74,11 @@ const Functions& functions() {
       if (what == kInstantaneousRate) ++driver.rate_readings;
       *value = what == kButtons ? 2 : driver.rate;
       driver.fail(what == kButtons ? driver.buttons : driver.rate_error);
+    };
+    it.hdGetBooleanv = [](HDenum, HDboolean* value) {
+      ++driver.switch_readings;
+      driver.fail(driver.safety_switch);
+      *value = driver.switched ? 1 : 0;
     };
     it.hdGetLongv = [](HDenum, HDlong* values) {
       ++driver.encoder_readings;
@@ -455,6 +460,37 @@ TEST_F(phantom_frames, send_no_force_while_the_output_is_off) {
   driver.output = true;
   EXPECT_TRUE(frame().forces_on);
   EXPECT_EQ(driver.sent, kForce);
+}
+
+// For as long as the servo loop may take to see it.
+TEST_F(phantom_frames, send_no_force_for_a_while_after_the_safety_switch_has_changed_either_way) {
+  push();
+  for (const bool switched : {true, false}) {
+    driver.switched = switched;
+    for (int k = 0; k < 50; ++k) {
+      order(kForce);
+      EXPECT_FALSE(frame().forces_on) << k;
+      EXPECT_EQ(driver.sent, kNone) << k;
+    }
+    order(kForce);
+    EXPECT_TRUE(frame().forces_on);
+    EXPECT_EQ(driver.sent, kForce);
+    EXPECT_TRUE(driver.output) << "the driver is not told";
+  }
+}
+
+TEST_F(phantom_frames, do_without_a_safety_switch) {
+  driver.safety_switch = kInvalidInputType;
+  push();
+  EXPECT_EQ(driver.switch_readings, 1);
+  EXPECT_FALSE(is_troubled());
+}
+
+TEST_F(phantom_frames, whose_safety_switch_cannot_be_read_are_trouble) {
+  push();
+  driver.safety_switch = kCommunication;
+  frame();
+  expect_trouble("reading the safety switch: communication");
 }
 
 TEST_F(phantom_frames, after_trouble_with_a_force_sent_send_zero_before_they_are_closed) {
