@@ -93,8 +93,8 @@ void PhantomFrames::frame() noexcept {
   hd_.hdEndFrame(device_);
   went_well("ending a frame");
 
-  // After the frame: when the output goes on, or off as planned, zero has been sent. After trouble it goes off at once, and the
-  // next frame sends the zero.
+  // After the frame: when the output goes on, or off as planned, zero has been sent. After trouble it goes off at once, or
+  // when the next frame begins, and that frame sends the zero.
   if (stopping() && sample_.phase != Phase::closed) {
     hd_.hdDisable(hdapi::kForceOutput);
     went_well("switching the force output off");

@@ -350,6 +350,45 @@ TEST_F(stand_in, has_its_frames_at_the_rate_it_is_told) {
 
 Functions of_the_undisciplined;
 
+TEST_F(stand_in, ends_the_force_at_the_tick_after_the_output_was_switched_off) {
+  tell({.position = Eigen::Vector3d(0, -0.5, 0)});
+  const int status = in_child([](const Functions& hd) {
+    Caller caller(hd);
+    int frames = 0;
+    caller.inside = [&] {
+      const bool pushes = arm().force.norm() > kContact;
+      if (frames == 0 && !pushes) return;
+      if (frames++ == 0) hd.hdDisable(kForceOutput);
+      if (frames == 1 && !pushes) std::_Exit(1);
+      if (frames == 2) std::_Exit(pushes ? 2 : 0);
+    };
+    caller.start();
+    for (;;) pause();
+  });
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+TEST_F(stand_in, keeps_the_last_force_when_the_scheduler_has_stopped_until_the_device_is_disabled) {
+  tell({.position = Eigen::Vector3d(0, -0.5, 0)});
+  const int status = in_child([](const Functions& hd) {
+    Caller caller(hd);
+    caller.start();
+    EXPECT_TRUE(comes_true([] { return arm().force.norm() > kContact; }));
+    hd.hdStopScheduler();
+    EXPECT_GT(arm().force.norm(), kContact);
+    hd.hdDisable(kForceOutput);
+    EXPECT_GT(arm().force.norm(), kContact);
+    hd.hdUnschedule(caller.handle);
+    hd.hdDisableDevice(caller.device);
+    EXPECT_TRUE(arm().force.isZero(0));
+  });
+  EXPECT_EQ(status, 0);
+  const std::vector<std::string> breaches = seen().breaches;
+  EXPECT_EQ(breaches,
+            (std::vector<std::string>{"hdStopScheduler with the force output on", "hdStopScheduler with a force sent last"}));
+  reset();
+}
+
 TEST_F(stand_in, sees_a_caller_without_discipline) {
   tell({.end = {kFrame}});
   in_child([](const Functions& functions) {

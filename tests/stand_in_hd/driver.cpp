@@ -69,6 +69,7 @@ void tick() {
   std::map<HDSchedulerHandle, Callback> callbacks;
   {
     const Lock lock(d.memory);
+    if (!d.noted.output && d.phantom) obey(d, {0, 0, 0});
     if (d.orders.hung) return;
     callbacks = d.callbacks;
     d.frames_this_tick = 0;

@@ -156,6 +156,7 @@ void hdEnable(HDenum what) {
   call.d.frames_on = 0;
 }
 
+// The arm gets to know of it at the next tick: never, once the scheduler has stopped.
 void hdDisable(HDenum what) {
   Due due;
   {
@@ -166,7 +167,6 @@ void hdDisable(HDenum what) {
   Call call("hdDisable", Where::not_beside_scheduler);
   if (what != kForceOutput) return call.fail(kInvalidEnum);
   call.d.noted.output = false;
-  if (call.d.phantom) obey(call.d, {0, 0, 0});
 }
 
 void hdSetDoublev(HDenum what, const double* value) {
