@@ -47,18 +47,18 @@ int list(const std::string& json) {
   for (const auto& make : device::kModels) std::printf(" %s", make().name.data());
   const std::string path = csv::printable(folder.path.string());
   if (!folder.problem.empty())
-    std::printf("\nNo device that the vendor's driver knows: %s\n", csv::printable(folder.problem).c_str());
+    std::printf("\nNo device is set up for the vendor's driver: %s\n", csv::printable(folder.problem).c_str());
   else if (folder.names.empty())
-    std::printf("\nNo device that the vendor's driver knows: %s is empty\n", path.c_str());
+    std::printf("\nNo device is set up for the vendor's driver: %s is empty\n", path.c_str());
   else
-    std::printf("\nDevices that the vendor's driver knows, in %s:\n", path.c_str());
+    std::printf("\nDevices that are set up for the vendor's driver, in %s:\n", path.c_str());
   for (const std::string& name : folder.names) std::printf("  \"phantom:%s\"\n", csv::printable(name).c_str());
   return kHeld;
 }
 
 void add_device_list_to(CLI::App& command, int& result) {
   const auto json = std::make_shared<std::string>();
-  CLI::App* verb = command.add_subcommand("list", "Kinds of device, and the names that the vendor's driver knows");
+  CLI::App* verb = command.add_subcommand("list", "Kinds of device, and the devices that are set up for the vendor's driver");
   verb->add_option("--json", *json, "for programs, - for standard output")->type_name("FILE");
   verb->callback([json, &result] { result = list(*json); });
 }

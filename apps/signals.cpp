@@ -119,7 +119,7 @@ void end_runs_in_order() {
     const Reaction reaction = reaction_to(number);
     if (reaction == Reaction::ignored) react(number, SIG_IGN, 0);
     if (reaction != Reaction::ends_the_run) continue;
-    // As by nohup: whoever started the command wants it to outlive the terminal.
+    // As by nohup: whoever started the command lets it outlive the terminal.
     if (number == SIGHUP && is_ignored(number)) continue;
     react(number, end_in_order, SA_RESTART);
     sigaddset(&ending, number);

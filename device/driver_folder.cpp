@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where the vendor's guide tells users to put it, and to name it in GTDD_HOME.
+// Where the vendor's guide puts it, with its name in GTDD_HOME.
 constexpr const char* kGuides = "/usr/share/3DSystems";
 
 fs::path folder() {

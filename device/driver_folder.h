@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where the vendor's driver keeps one file for each device that its set-up program knows: the file's name is the device's.
+// Where the vendor's driver keeps one file for each device that was set up: the file's name is the device's.
 
 #include <filesystem>
 #include <string>

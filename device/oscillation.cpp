@@ -43,10 +43,6 @@ bool OscillationWatch::turned(Axis& axis, double position, const Eigen::Vector3f
   ++axis.last.ticks;
   ++axis.farthest.ticks;
   const double beyond = position - axis.farthest.position;
-  if (axis.direction == 0) {
-    if (std::fabs(beyond) <= shortest_) return false;
-    axis.direction = beyond > 0 ? 1 : -1;
-  }
   if (beyond * axis.direction >= 0) {
     axis.farthest = {position, acted, 0};
     return false;

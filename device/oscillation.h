@@ -27,7 +27,7 @@ class OscillationWatch {
   };
   struct Axis {
     Turn last, farthest;              // the last turn, and the place since that may be the next
-    int direction = 0, row = 0;       // of the motion; quick and driven swings so far
+    int direction = 1, row = 0;       // of the motion; quick and driven swings so far
     std::array<double, 4> lengths{};  // mm, of the last four of them
   };
 

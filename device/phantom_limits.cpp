@@ -60,8 +60,17 @@ std::variant<PhantomLimits, std::string> phantom_limits(const DriversLimits& dri
     limits.words += "continuous force: the driver " + said(driver.continuous) + "; " + csv::shortest(limits.continuous) +
                     " N is used, the lowest of all data sheets\n";
 
-  if (is_within(driver.speed, kMostSpeed)) limits.speed = kBelow * *driver.speed;
-  if (is_within(driver.impulse, kMostImpulse)) limits.slew = kBelow * 1000 * *driver.impulse;
+  const auto ours_alone = [&](const char* what, const std::optional<double>& value) {
+    limits.words += std::string(what) + ": the driver " + said(value) + "; the supervisor's own limit holds alone\n";
+  };
+  if (is_within(driver.speed, kMostSpeed))
+    limits.speed = kBelow * *driver.speed;
+  else
+    ours_alone("highest velocity", driver.speed);
+  if (is_within(driver.impulse, kMostImpulse))
+    limits.slew = kBelow * 1000 * *driver.impulse;
+  else
+    ours_alone("highest change of force", driver.impulse);
 
   const auto box = box_of(driver.workspace);
   limits.low = box ? box->min() : -0.5F * kLeastWorkspace;

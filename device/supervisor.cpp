@@ -54,6 +54,9 @@ SupervisorLimits supervisor_limits(const Capabilities& capabilities, double rate
   limits.workspace_low = capabilities.workspace_low;
   limits.workspace_high = capabilities.workspace_high;
   limits.resolution = static_cast<double>(capabilities.resolution);
+  limits.speed_under_force = std::min(limits.speed_under_force, capabilities.highest_speed);
+  limits.speed = std::min(limits.speed, capabilities.highest_speed);
+  limits.slew = std::min(limits.slew, capabilities.highest_slew);
   limits.patience = std::max(limits.patience, 5 / rate);
   return limits;
 }

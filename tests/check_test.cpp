@@ -138,6 +138,8 @@ TEST(check, of_device_nodes_finds_the_vendors_by_its_numbers) {
   EXPECT_EQ(vendors, std::vector<std::string>{"/dev/ttyACM3"});
   machine.write("sys/usb/keyboard/idProduct", "2988\n");
   EXPECT_TRUE(device_nodes(machine.path())[1].vendors);
+  machine.write("sys/usb/keyboard/idVendor", "046d\n");  // another vendor's number for one of its products
+  EXPECT_FALSE(device_nodes(machine.path())[1].vendors);
   EXPECT_EQ(device_nodes(machine.file("nowhere")).size(), 0U);
 }
 

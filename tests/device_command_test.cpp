@@ -39,13 +39,14 @@ PseudoTerminal on_terminal(const TemporaryDirectory& here, const std::string& li
   });
 }
 
-TEST(device_list, names_what_the_driver_has_and_where_it_was_looked_for) {
+TEST(device_list, names_the_devices_that_are_set_up_and_the_folder_that_was_read) {
   const TemporaryDirectory here;
   set_driver_folder(here);
   const CommandRun none = run_command(here, words_of("device list"));
   EXPECT_EQ(none.code, 0);
-  expect_holds(none.out, {"replay:FILE.csv", "simulated[:MODEL", "phantom[:NAME]", "premium-1.5 premium-1.0 omni",
-                          "No device that the vendor's driver knows: " + here.file("config") + ": No such file or directory"});
+  expect_holds(none.out,
+               {"replay:FILE.csv", "simulated[:MODEL", "phantom[:NAME]", "premium-1.5 premium-1.0 omni",
+                "No device is set up for the vendor's driver: " + here.file("config") + ": No such file or directory"});
   std::filesystem::create_directory(here.file("config"));
   expect_holds(run_command(here, words_of("device list")).out, {here.file("config") + " is empty"});
   here.write("config/Left arm.config", "");
@@ -148,7 +149,7 @@ TEST(device_try, leads_through_a_first_contact_and_keeps_its_recording) {
   EXPECT_FALSE(recording.metadata().contains("device_serial"));
 }
 
-// A hand that means to be 30 mm below the plane: the law wants 1.5 N and more, and the peak is 0.5 N.
+// A hand that means to be 30 mm below the plane: the law gives more than 2 N, and the peak is 0.5 N.
 TEST(device_try, never_pushes_with_more_than_half_a_newton) {
   const TemporaryDirectory here;
   here.write("deep.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,4\n1,0,0,4\n2,0,0,-30\n4,0,0,-30\n");

@@ -77,12 +77,14 @@ TEST(phantom_limits, without_a_continuous_force_take_the_lowest_of_all_sheets_an
   }
 }
 
-TEST(phantom_limits, without_speed_or_impulse_leave_both_to_the_supervisor) {
+TEST(phantom_limits, without_speed_or_impulse_leave_both_to_the_supervisor_and_say_so) {
   for (const auto& wrong : kWrong) {
     DriversLimits driver = kRight;
     driver.speed = driver.impulse = wrong;
     EXPECT_EQ(limits_of(driver).speed, kInfinite) << wrong.value_or(0);
     EXPECT_EQ(limits_of(driver).slew, kInfinite) << wrong.value_or(0);
+    EXPECT_TRUE(limits_of(driver).words.starts_with("highest velocity: the driver ")) << limits_of(driver).words;
+    EXPECT_NE(limits_of(driver).words.find("\nhighest change of force: the driver "), std::string::npos);
   }
 }
 

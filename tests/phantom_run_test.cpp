@@ -4,21 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdio>
-#include <memory>
-#include <set>
 #include <string>
 #include <thread>
-#include <utility>
 #include <vector>
 
-#include "forceshade/device/arm.h"
 #include "forceshade/device/hdapi_words.h"
 #include "forceshade/device/servo_loop.h"
-#include "forceshade/tests/kept_samples.h"
 #include "forceshade/tests/stand_in_hd/phantom_fixture.h"
 
 namespace forceshade::device {
@@ -142,7 +136,6 @@ TEST_F(phantom, trouble_while_it_runs_ends_it_in_words_and_without_force) {
       {{.end = {hdapi::kWarmMotors}}, {"ending a frame", "the motors are too warm", "0x0200", "cool"}},
       {{.end = {hdapi::kDeviceFault, hdapi::kFrame, hdapi::kForceError}}, {"0x0300", "power"}},  // the first of several
       {{.end = {0x9999}}, {"0x9999", "vendor's reference"}},
-      {{.withholds_position = true}, {"not finite"}},
       {{.position = Eigen::Vector3d(0, -110, -35)}, {"uncalibrated"}},
       {{.temperature = std::nan("")}, {"motor temperatures that are no numbers"}},
   };
@@ -245,44 +238,55 @@ TEST_F(phantom, that_loses_its_calibration_under_force_trips) {
   EXPECT_TRUE(frames.back().force.isZero(0));
 }
 
-// Every force sent is one that the loop commanded, whole, and answers a position that a frame before it gave.
-TEST_F(phantom, servo_loop_pushes_a_hand_out_of_a_wall) {
-  const auto law = std::get<fast::Law>(fast::Law::build(LawId::wall, {.stiffness = 0.5F}));
-  const std::atomic<bool> never = false;
-  tests::KeptSamples kept;
-  ServoResult result;
-  {
-    Phantom device("", kPatient);
-    result = run_servo_loop(device, law, {.max_seconds = 2.0, .patience = 10, .sinks = {&kept}}, never);
-  }
-  EXPECT_EQ(result.end_reason, EndReason::time_up) << result.fault;
-  EXPECT_TRUE(result.supervised);
-  EXPECT_TRUE(result.followed_device);
-  EXPECT_GE(result.peak_force_N, 0.1);
-
-  std::set<std::pair<std::array<float, 3>, std::array<float, 3>>> commanded;
-  for (const Sample& sample : kept.samples) commanded.emplace(sample.position, sample.force);
-  const auto array = [](const Eigen::Vector3d& v) {
-    const Eigen::Vector3f in_law = turned_to_law(v).cast<float>();
-    return std::array{in_law.x(), in_law.y(), in_law.z()};
+// The loop stalls, again and again, while the hand withdraws at 0.5 m/s along a force of 1 N that nobody takes back; then the
+// hand pushes in as far. Given is what was sent times the step that followed, counted here from the frames alone.
+TEST_F(phantom, gives_a_hand_that_withdraws_no_more_than_it_may_be_given_while_the_loop_stalls) {
+  constexpr double kAllowed = 2, kStep = 1;  // mJ, mm
+  const auto at = [](double height) { return Orders{.position = Eigen::Vector3d(0, height, 0), .instantaneous_rate = 1000}; };
+  tell(at(0));
+  Phantom device("", kPatient);
+  ASSERT_FALSE(device.start(1000));
+  const auto command = [&] {
+    ASSERT_TRUE(std::holds_alternative<Reading>(device.read()));
+    device.allow({.work = kAllowed, .longest_step = kStep});
+    ASSERT_FALSE(device.command({0, 0, 1}));
   };
-  const auto frames = seen().frames;
-  std::vector<std::size_t> lags;
-  for (std::size_t k = 0; k < frames.size(); ++k) {
-    if (frames[k].force.isZero(0)) continue;
-    const auto answers = [&](std::size_t lag) {
-      return commanded.contains({array(frames[k - lag].position), array(frames[k].force)});
-    };
-    std::size_t lag = 1;
-    while (lag < k && !answers(lag)) ++lag;
-    ASSERT_LT(lag, k) << "frame " << k << " sent a force that no position explains";
-    lags.push_back(lag);
+  double height = 0;
+  // Moves by a frame's way in every frame, whichever is later: the machine or the device.
+  const auto move = [&](int frames, double step) {
+    for (int k = 0; k < frames; ++k) {
+      const std::size_t before = seen().frames.size();
+      tell(at(height += step));
+      ASSERT_TRUE(comes_true([&] { return seen().frames.size() > before; }));
+    }
+  };
+  command();
+  ASSERT_TRUE(comes_true([] { return !last_force().isZero(0); }));
+  for (int stall = 0; stall < 2; ++stall) {
+    command();
+    move(12, 0.5);
   }
-  ASSERT_GE(lags.size(), 100U);
-  std::sort(lags.begin(), lags.end());
-  std::printf(
-      "  %zu frames, %zu with force, up to %.2f N; a force is sent %zu frames after its position (median), %zu (99 %%)\n",
-      frames.size(), lags.size(), result.peak_force_N, lags[lags.size() / 2], lags[lags.size() * 99 / 100]);
+  const std::size_t withdrawn = seen().frames.size();
+  command();
+  // What little is left of the force takes the energy back, by half as much again in each frame.
+  move(80, -0.5);
+  command();
+  EXPECT_TRUE(comes_true([] { return last_force() == Eigen::Vector3d(0, 1, 0); })) << "it comes back with the energy";
+
+  const auto frames = seen().frames;
+  double given = 0, most = 0, excess = 0;
+  for (std::size_t k = 1; k < frames.size(); ++k) {
+    const Eigen::Vector3d step = frames[k].position - frames[k - 1].position;
+    given += frames[k - 1].force.dot(step);
+    excess += frames[k - 1].force.norm() * std::max(0.0, step.norm() - kStep);  // of a step that is longer than agreed
+    EXPECT_LE(given, kAllowed + excess + 1e-6) << "frame " << k;
+    most = std::max(most, given);
+  }
+  EXPECT_GT(most, 0.9 * kAllowed) << "else nothing was held back";
+  EXPECT_LT(frames[withdrawn - 1].force.norm(), 0.2) << "of 1 N";
+  EXPECT_NEAR(std::get<Reading>(device.read()).sent->work, given, 0.02);
+  device.command({0, 0, 0});
+  std::printf("  %.3f mJ given at most, of %.3f allowed and %.3f for steps that were too long\n", most, kAllowed, excess);
 }
 
 }  // namespace

@@ -25,7 +25,9 @@ class PseudoTerminal {
   explicit PseudoTerminal(const std::function<int()>& program) {
     process_ = ::forkpty(&terminal_, nullptr, nullptr, nullptr);
     if (process_ < 0) throw std::runtime_error("no terminal to be had");
-    if (process_ == 0) ::_exit(program());
+    if (process_ != 0) return;
+    ::alarm(kLongest);
+    ::_exit(program());
   }
   ~PseudoTerminal() {
     if (process_ > 0) ::kill(process_, SIGKILL), ::waitpid(process_, nullptr, 0);
@@ -63,6 +65,9 @@ class PseudoTerminal {
   const std::string& shown() const { return shown_; }
 
  private:
+  // s: one that waits for keys that nobody types is ended by then, and the test fails instead of waiting with it.
+  static constexpr unsigned kLongest = 120;
+
   int terminal_ = -1;
   pid_t process_ = -1;
   std::string shown_;

@@ -19,7 +19,7 @@ namespace {
 const std::atomic<bool> kNever{false};
 constexpr double kRate = 1000;
 
-// Gives the readings that it is told to give, and notes what is commanded.
+// Gives scripted readings, and notes what is commanded.
 class Scripted final : public Device {
  public:
   Scripted(Capabilities capabilities, std::function<ReadResult(std::size_t)> reading)
@@ -180,7 +180,7 @@ TEST(quiet_watch, compares_positions_with_our_kinematics_of_the_joint_angles) {
   expect(check("kinematics", with_joints(omni(), 1, 0), {.model = "Phantom Desktop"}), Grade::unknown, "\"Phantom Desktop\"");
 }
 
-TEST(quiet_watch, knows_models_by_what_drivers_call_them) {
+TEST(quiet_watch, finds_models_by_what_drivers_call_them) {
   const auto named = [](const char* name) {
     const auto model = model_named(name);
     return model ? std::string(model->name) : "none";
@@ -226,7 +226,7 @@ TEST(quiet_watch, says_that_a_device_is_not_calibrated) {
   expect(check("calibration", observe_without_force(device, kRate, 0.1, kNever)), Grade::wrong, "not calibrated");
 }
 
-TEST(quiet_watch, stops_when_it_is_told_to) {
+TEST(quiet_watch, stops_when_the_flag_is_set) {
   const std::atomic<bool> at_once{true};
   Scripted device(kDevice, [](std::size_t k) { return Reading{.time = at(k)}; });
   EXPECT_EQ(observe_without_force(device, kRate, 5, at_once).readings, 0U);

@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "forceshade/device/sent_forces.h"
 #include "forceshade/device/simulated.h"
 #include "forceshade/tests/servo_loop_fixture.h"
 
@@ -127,7 +128,7 @@ TEST(servo_loop, keeps_a_device_passive_as_told) {
     EXPECT_EQ(altered, run.account.altered);
     return run.account.lowest_balance / run.passivity_settings.epsilon;
   };
-  EXPECT_LT(lowest(PassivityController::Kind::observer), -20);
+  EXPECT_LT(lowest(PassivityController::Kind::observer), -5) << "although the supervisor takes it for a limit cycle";
   EXPECT_GE(lowest(PassivityController::Kind::damping), -1);
   EXPECT_GE(lowest(PassivityController::Kind::tank), -1);
 }
@@ -196,6 +197,133 @@ TEST(servo_loop, holds_no_speed_against_a_hand_that_was_given_no_force) {
   EXPECT_EQ(vector(run.samples[900].force), Eigen::Vector3f(0, 0, 0));
   EXPECT_NE(vector(run.samples[900].law_force), Eigen::Vector3f(0, 0, 0));
   EXPECT_FALSE(run.trip) << name_of(run.trip->rule);
+}
+
+// Goes its own way, in mm and s, whatever the force. With latency it has frames: one a reading, which clamp and report.
+class OnItsWay final : public Device {
+ public:
+  struct Place {
+    double time;
+    Eigen::Vector3f position;
+  };
+  OnItsWay(std::vector<Place> way, bool latency) : latency_(latency), way_(std::move(way)) {}
+
+  Capabilities capabilities() const noexcept override {
+    return {.resolution = 0.03F, .peak_force = 8.5F, .continuous_force = 8.5F, .latency = latency_};
+  }
+  std::optional<Fault> start(double) noexcept override { return std::nullopt; }
+  ReadResult read() noexcept override {
+    if (next_ == way_.size()) return EndOfData{};
+    Reading reading{.position = way_[next_].position, .time = way_[next_].time};
+    ++next_;
+    if (!latency_) return reading;
+    frames_.arrived(reading.position.cast<double>());
+    frames_.send(command_.cast<double>());
+    reading.sent = frames_.report();
+    return reading;
+  }
+  void allow(const Allowance& allowance) noexcept override { frames_.allow(allowance); }
+  std::optional<Fault> command(const Eigen::Vector3f& force) noexcept override {
+    command_ = force;
+    return std::nullopt;
+  }
+
+ private:
+  bool latency_;
+  std::vector<Place> way_;
+  std::size_t next_ = 0;
+  SentForces frames_;
+  Eigen::Vector3f command_{0, 0, 0};
+};
+
+// From free space to a depth and back up, at so many mm/s, and down again at 100 mm/s for as long as it takes. Between two
+// readings on the way up, after `at` mm of it, so many ms are missing.
+std::vector<OnItsWay::Place> stalled(double depth, double speed, double at, int missing) {
+  std::vector<OnItsWay::Place> way;
+  double time = 0, z = 0.4;
+  const auto stay = [&] {
+    way.push_back({time, {3, 0, static_cast<float>(z)}});
+    time += 0.001;
+  };
+  for (int tick = 0; tick < 100; ++tick) stay();
+  for (; z > -depth; z -= 0.01) stay();
+  for (int tick = 0; tick < 100; ++tick) stay();
+  const double top = -depth + at;
+  for (; speed > 0 && z < top; z += 0.001 * speed) stay();
+  z += 0.001 * speed * missing;
+  time += 0.001 * missing;
+  for (int tick = 0; tick < 5; ++tick) stay();
+  for (const double bottom = -depth - 12; z > bottom; z -= 0.1) stay();
+  return way;
+}
+
+// After one stall of whatever length, the hand that pushes has half of the force
+// again 12 mm below where it came from, or the run says why not.
+// 12 ms at 0.5 m/s once left none for the rest of the run.
+TEST(servo_loop, gives_force_again_after_any_stall_or_says_why_not) {
+  std::size_t trips = 0, forgiving = 0;
+  double most_forgiven = 0;
+  for (const bool latency : {false, true})
+    for (const auto kind : {PassivityController::Kind::damping, PassivityController::Kind::tank})
+      for (const double depth : {4.0, 8.0})
+        for (const double speed : {50.0, 500.0, 990.0, -500.0})
+          for (const double at : {0.0, 2.0})
+            for (const int missing : {1, 3, 5, 12, 19}) {
+              OnItsWay device(stalled(depth, speed, speed > 0 ? at : 0, missing), latency);
+              const Kept run(device, wall(), {.paced = false, .passivity = kind});
+              const auto words = std::to_string(missing) + " ms at " + std::to_string(speed) + " mm/s, " +
+                                 std::string(name_of(kind)) + (latency ? ", latency" : "");
+              trips += run.end_reason == EndReason::tripped;
+              forgiving += run.account.forgiven > 0;
+              most_forgiven = std::max(most_forgiven, run.account.forgiven);
+              if (run.end_reason == EndReason::tripped) continue;
+              EXPECT_EQ(run.end_reason, EndReason::end_of_data) << words;
+              const Sample& last = run.samples[run.ticks - 1];
+              EXPECT_GT(last.force[2], 0.5F * last.law_force[2]) << words;
+              EXPECT_GE(run.account.lowest_balance, -run.passivity_settings.epsilon - run.account.forgiven) << words;
+              EXPECT_GE(-run.account.net(), -run.passivity_settings.epsilon - run.account.forgiven) << words;
+            }
+  std::printf("  %zu runs tripped, %zu forgave, at most %.1f mJ\n", trips, forgiving, most_forgiven);
+  EXPECT_GT(forgiving, 20U);
+}
+
+// The account is overdrawn by 8 N over 19 mm again and again: what is forgiven has an end, and the end has words.
+TEST(servo_loop, trips_when_too_much_is_forgiven) {
+  std::vector<OnItsWay::Place> way;
+  for (int again = 0; again < 10; ++again) {
+    for (const OnItsWay::Place& place : stalled(15, 900, 0.9, 12)) {
+      const double time = way.empty() ? 0 : way.back().time + 0.001;
+      const bool stalls = place.time > 0 && !way.empty() && place.position.z() - way.back().position.z() > 2;
+      way.push_back({time + (stalls ? 0.012 : 0), place.position});
+    }
+    while (way.back().position.z() < 0.4F)
+      way.push_back({way.back().time + 0.001, way.back().position + Eigen::Vector3f(0, 0, 0.1F)});
+  }
+  OnItsWay device(way, false);
+  const Kept run(device, wall(), {.paced = false});
+  ASSERT_TRUE(run.trip);
+  EXPECT_EQ(name_of(run.trip->rule), "energy");
+  EXPECT_GT(run.account.forgiven, 100);
+  EXPECT_LT(run.account.forgiven, 100 + 8.5 * 13);
+  expect_ends_at_zero_force(run);
+}
+
+// Out of a wall at 3 m/s: two readings after it was left, the force of the last reading in it has acted for the whole step.
+TEST(servo_loop, trips_where_a_hand_is_pushed_on_its_way_out_faster_than_any_may_be) {
+  std::vector<OnItsWay::Place> way = stalled(5, 900, 0, 0);
+  way.resize(way.size() - 100);  // still down there
+  const auto rise = [&](float step) {
+    way.push_back({way.back().time + 0.001, way.back().position + Eigen::Vector3f(0, 0, step)});
+  };
+  while (way.back().position.z() < 0) rise(0.9F);
+  rise(3);
+  rise(3);
+  OnItsWay device(way, true);
+  const Kept run(device, wall(), {.paced = false});
+  ASSERT_TRUE(run.trip);
+  EXPECT_EQ(name_of(run.trip->rule), "velocity");
+  EXPECT_EQ(run.trip->tick, way.size() - 2);
+  EXPECT_EQ(vector(run.samples[run.trip->tick - 1].law_force), Eigen::Vector3f(0, 0, 0)) << "nothing was commanded any more";
 }
 
 TEST(servo_loop, goes_by_what_a_device_reports_of_itself) {

@@ -24,12 +24,14 @@ using faults::Words;
 
 constexpr std::chrono::milliseconds kLook{10};
 
-// However busy the machine is, and however late the ticks are.
-const Words kDrive{"drive",     "--law",      "wall", "--uncertified", "--device",
-                   "simulated", "--patience", "10",   "--record",      "run.fsr"};
+// However busy the machine is, and however late the ticks are; a run that no signal ends is over after a minute.
+Words drive(const char* seconds = "60") {
+  return {"drive",      "--law", "wall",      "--uncertified", "--device", "simulated",
+          "--patience", "10",    "--seconds", seconds,         "--record", "run.fsr"};
+}
 
 // Waits until the run has written so many bytes more of its recording: its ticks go on.
-void wait_for_ticks(const TemporaryDirectory& here) {
+void wait_for_ticks(const TemporaryDirectory& here, const Command& run) {
   const std::string log = here.file("run.fsr-wal");
   const auto size = [&] {
     std::error_code none;
@@ -37,7 +39,7 @@ void wait_for_ticks(const TemporaryDirectory& here) {
     return none ? 0 : bytes;
   };
   const auto before = size();
-  while (size() < before + 20'000) std::this_thread::sleep_for(kLook);
+  while (run.is_running() && size() < before + 20'000) std::this_thread::sleep_for(kLook);
 }
 
 // In recordings, without their logs.
@@ -72,8 +74,8 @@ TEST(signals, each_that_would_end_or_stop_the_process_ends_the_run_in_order) {
   for (const int k : {0, 1, SIGRTMAX - SIGRTMIN}) all.emplace_back(SIGRTMIN + k, "SIGRTMIN+" + std::to_string(k));
   for (const auto& [number, name] : all) {
     const TemporaryDirectory here;
-    Command run(here, kDrive);
-    wait_for_ticks(here);
+    Command run(here, drive());
+    wait_for_ticks(here, run);
     run.send(number);
     expect_ended_in_order(here, run, name);
   }
@@ -81,11 +83,11 @@ TEST(signals, each_that_would_end_or_stop_the_process_ends_the_run_in_order) {
 
 TEST(signals, those_that_report_something_else_end_no_run) {
   const TemporaryDirectory here;
-  Command run(here, kDrive);
-  wait_for_ticks(here);
+  Command run(here, drive());
+  wait_for_ticks(here, run);
   for (const int number : {SIGPIPE, SIGXFSZ, SIGTTIN, SIGTTOU, SIGCHLD, SIGURG, SIGWINCH, SIGCONT}) {
     run.send(number);
-    wait_for_ticks(here);
+    wait_for_ticks(here, run);
   }
   run.send(SIGTERM);
   expect_ended_in_order(here, run, "SIGTERM");
@@ -94,8 +96,8 @@ TEST(signals, those_that_report_something_else_end_no_run) {
 TEST(signals, two_at_once_end_a_run_in_order_too) {
   for (const int second : {SIGINT, SIGTERM}) {
     const TemporaryDirectory here;
-    Command run(here, kDrive);
-    wait_for_ticks(here);
+    Command run(here, drive());
+    wait_for_ticks(here, run);
     for (const int number : {SIGINT, second, SIGINT, second}) run.send(number);
     const std::string end = run.end();
     EXPECT_TRUE(end.starts_with("exit 0: ")) << end;
@@ -114,7 +116,7 @@ TEST(signals, a_person_who_insists_ends_at_once_an_end_that_hangs) {
       {"drive", "--law", "wall", "--uncertified", "--device", "simulated", "--unpaced", "--seconds", "1", "--record", "nobody"},
       {"TMPDIR=" + here.file("kept")});
   // Closed, the recording holds a second of ticks, and its log is gone.
-  while (bytes_below(here.file("kept")) < 100'000) std::this_thread::sleep_for(kLook);
+  while (run.is_running() && bytes_below(here.file("kept")) < 100'000) std::this_thread::sleep_for(kLook);
   run.send(SIGINT);
   std::this_thread::sleep_for(std::chrono::seconds(3));  // two must have passed since it was taken
   // Not twice the same: of two that wait, one would be lost.
@@ -127,11 +129,11 @@ TEST(signals, a_person_who_insists_ends_at_once_an_end_that_hangs) {
 TEST(signals, of_a_terminal_that_hangs_up_is_ignored_under_nohup) {
   const TemporaryDirectory here;
   const auto before = std::signal(SIGHUP, SIG_IGN);
-  Command run(here, kDrive);
+  Command run(here, drive());
   std::signal(SIGHUP, before);
-  wait_for_ticks(here);
+  wait_for_ticks(here, run);
   run.send(SIGHUP);
-  wait_for_ticks(here);
+  wait_for_ticks(here, run);
   run.send(SIGINT);
   expect_ended_in_order(here, run, "SIGINT");
 }
@@ -143,10 +145,10 @@ TEST(signals, that_whoever_started_the_command_had_blocked_or_ignored_end_a_run)
   sigaddset(&blocked, SIGTERM);
   pthread_sigmask(SIG_BLOCK, &blocked, nullptr);
   const auto before = std::signal(SIGTERM, SIG_IGN);
-  Command run(here, kDrive);
+  Command run(here, drive());
   std::signal(SIGTERM, before);
   pthread_sigmask(SIG_UNBLOCK, &blocked, nullptr);
-  wait_for_ticks(here);
+  wait_for_ticks(here, run);
   run.send(SIGTERM);
   expect_ended_in_order(here, run, "SIGTERM");
 }
@@ -157,9 +159,9 @@ TEST(signals, of_a_fault_in_the_program_keep_the_systems_reaction) {
   ASSERT_EQ(::getrlimit(RLIMIT_CORE, &core), 0);
   const rlimit none{0, core.rlim_max};
   ::setrlimit(RLIMIT_CORE, &none);
-  Command run(here, kDrive);
+  Command run(here, drive());
   ::setrlimit(RLIMIT_CORE, &core);
-  wait_for_ticks(here);
+  wait_for_ticks(here, run);
   run.send(SIGABRT);
   EXPECT_TRUE(run.end().starts_with("signal " + std::to_string(SIGABRT)));
 }
@@ -185,8 +187,8 @@ TEST(signals, a_file_size_limit_costs_the_ticks_that_it_refuses_and_nothing_else
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &size), 0);
   const rlimit small{300'000, size.rlim_max};
   ::setrlimit(RLIMIT_FSIZE, &small);
-  Words limited = kDrive;
-  for (const char* word : {"--seconds", "3.5", "--json", "run.json"}) limited.emplace_back(word);
+  Words limited = drive("3.5");
+  for (const char* word : {"--json", "run.json"}) limited.emplace_back(word);
   Command run(here, limited);
   ::setrlimit(RLIMIT_FSIZE, &size);
   const std::string end = run.end();

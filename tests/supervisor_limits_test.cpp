@@ -39,6 +39,15 @@ TEST(supervisor, takes_its_limits_from_the_device_and_the_rate) {
   EXPECT_EQ(limits.resolution, static_cast<double>(0.03F));
   EXPECT_EQ(limits.patience, 0.05);
   EXPECT_EQ(supervisor_limits({}, 1000).peak_force, SupervisorLimits::kNone);
+  // Below what a driver ends a run for, and never above its own.
+  const SupervisorLimits low = supervisor_limits({.highest_speed = 760, .highest_slew = 400}, 1000);
+  EXPECT_EQ(low.speed_under_force, 760);
+  EXPECT_EQ(low.speed, 760);
+  EXPECT_EQ(low.slew, 400);
+  const SupervisorLimits high = supervisor_limits({.highest_speed = 1e6, .highest_slew = 1e6}, 1000);
+  EXPECT_EQ(high.speed_under_force, kFastestUnderForce);
+  EXPECT_EQ(high.speed, kFastest);
+  EXPECT_EQ(high.slew, SupervisorLimits{}.slew);
 }
 
 TEST(supervisor, shortens_to_the_peak_force_and_keeps_the_direction) {

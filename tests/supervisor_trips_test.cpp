@@ -168,6 +168,34 @@ TEST(supervisor, goes_by_the_force_commanded) {
   expect_tripped(hand.supervise({0, 0, 1}), Rule::velocity);
 }
 
+// A command acts a sample late: the hand that leaves a wall faster than any may is still pushed, when the law has no more
+// force.
+TEST(supervisor, goes_by_the_force_that_the_device_says_has_acted) {
+  for (const auto& [acted, commanded, trips] : {std::tuple{1.0F, 0.0F, true}, std::tuple{0.0F, 1.0F, false}}) {
+    Hand hand(lenient());
+    hand.reading.sent = Sent{};
+    hand.supervise({0, 0, commanded});
+    hand.reading.position.x() += 2;
+    hand.reading.sent = Sent{.acted = {0, 0, acted}};
+    const Verdict verdict = hand.supervise({0, 0, 0});
+    EXPECT_EQ(verdict.trip.has_value(), trips) << acted;
+    if (trips) expect_tripped(verdict, Rule::velocity);
+  }
+}
+
+TEST(supervisor, trips_when_more_energy_was_forgiven_than_brings_a_hand_to_a_metre_a_second) {
+  Hand hand(lenient());
+  hand.supervise({0, 0, 1});
+  hand.supervisor.commanded({0, 0, 1}, 100);
+  EXPECT_FALSE(hand.supervise({0, 0, 1}).trip);
+  hand.supervisor.commanded({0, 0, 1}, 100.1);
+  expect_tripped(hand.supervise({0, 0, 1}), Rule::energy);
+  hand.supervisor.rearm();
+  EXPECT_FALSE(hand.supervise({0, 0, 0}, Status::free).trip) << "the user's word excuses it";
+  hand.supervisor.commanded({0, 0, 1}, 200.2);
+  expect_tripped(hand.supervise({0, 0, 1}), Rule::energy);
+}
+
 TEST(supervisor, trips_at_a_velocity_that_no_hand_has_under_force) {
   const Force some{0, 0, 0.01F};
   EXPECT_FALSE(after_step(0.999, 0, some, 0).trip);

@@ -20,18 +20,18 @@ constexpr int kDone = 10, kNotDone = 11;
 constexpr const char* kWords = "Hold the arm in its reset pose.";
 constexpr const char* kPrompt = "Press Enter when this is done, or Ctrl-C to end here. ";
 
-int ask(device::Attendant& attendant) {
+int confirm(device::Attendant& attendant) {
   end_runs_in_order();
   return attendant.did(kWords) ? kDone : kNotDone;
 }
 
-int ask_a_person() {
+int confirm_by_a_person() {
   TerminalAttendant person("give --in-reset-pose");
-  return ask(person);
+  return confirm(person);
 }
 
 TEST(terminal_attendant, shows_what_is_to_be_done_and_waits_for_enter) {
-  PseudoTerminal terminal(ask_a_person);
+  PseudoTerminal terminal(confirm_by_a_person);
   const std::string shown = terminal.shown_until(kPrompt);
   EXPECT_NE(shown.find(kWords), std::string::npos) << shown;
   EXPECT_TRUE(terminal.is_running());
@@ -40,14 +40,14 @@ TEST(terminal_attendant, shows_what_is_to_be_done_and_waits_for_enter) {
 }
 
 TEST(terminal_attendant, takes_ctrl_c_for_no) {
-  PseudoTerminal terminal(ask_a_person);
+  PseudoTerminal terminal(confirm_by_a_person);
   terminal.shown_until(kPrompt);
   terminal.type("\x03");
   EXPECT_EQ(terminal.end(), kNotDone);
 }
 
 TEST(terminal_attendant, takes_the_end_of_input_for_no) {
-  PseudoTerminal terminal(ask_a_person);
+  PseudoTerminal terminal(confirm_by_a_person);
   terminal.shown_until(kPrompt);
   terminal.type("\x04");
   EXPECT_EQ(terminal.end(), kNotDone);
@@ -58,7 +58,7 @@ TEST(terminal_attendant, does_not_count_what_was_typed_before) {
   PseudoTerminal terminal([] {
     pollfd typed{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
     ::poll(&typed, 1, -1);
-    return ask_a_person();
+    return confirm_by_a_person();
   });
   terminal.type("\n");
   terminal.shown_until(kPrompt);
@@ -66,10 +66,10 @@ TEST(terminal_attendant, does_not_count_what_was_typed_before) {
   EXPECT_EQ(terminal.end(), kNotDone);
 }
 
-TEST(terminal_attendant, asks_on_the_terminal_whatever_the_standard_streams_are) {
+TEST(terminal_attendant, uses_the_terminal_whatever_the_standard_streams_are) {
   PseudoTerminal terminal([] {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) tests::send_to_null(stream);
-    return ask_a_person();
+    return confirm_by_a_person();
   });
   terminal.shown_until(kPrompt);
   terminal.type("\n");
@@ -82,7 +82,7 @@ TEST(terminal_attendant, says_so_where_there_is_no_terminal) {
     tests::send_to_null(STDIN_FILENO);
     if (::fork() == 0) {
       ::setsid();
-      ::_exit(ask_a_person());
+      ::_exit(confirm_by_a_person());
     }
     int status = 0;
     ::wait(&status);
@@ -97,7 +97,7 @@ TEST(terminal_attendant, says_so_where_there_is_no_terminal) {
 TEST(terminal_attendant, confirms_the_reset_pose_where_that_was_said_beforehand) {
   PseudoTerminal terminal([] {
     HoldsResetPose holds;
-    return ask(holds);
+    return confirm(holds);
   });
   const std::string shown = terminal.shown_until("--in-reset-pose");
   EXPECT_NE(shown.find(kWords), std::string::npos) << shown;

@@ -36,9 +36,15 @@ void Command::send(int signal) const {
   if (process_ > 0) kill(process_, signal);  // else it would go to every process there is
 }
 
+bool Command::is_running() const {
+  siginfo_t ended{};
+  return waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid == 0;
+}
+
 std::string Command::end() {
   int status = 0;
-  waitpid(process_, &status, 0);
+  waitpid(process_, &status, WUNTRACED);
+  if (WIFSTOPPED(status)) return "stopped by signal " + std::to_string(WSTOPSIG(status));
   process_ = -1;
   std::string output = directory_.read("output");
   if (output.starts_with("***")) output.erase(0, output.find('\n') + 1);

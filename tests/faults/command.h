@@ -23,7 +23,10 @@ class Command {
 
   void send(int signal) const;
 
-  // Waits for its end: "exit 0: " and all it printed, but for the warning of --uncertified.
+  bool is_running() const;
+
+  // Waits for its end: "exit 0: " and all it printed, but for the warning of --uncertified. A process that is stopped instead
+  // is left to the destructor.
   std::string end();
 
  private:

@@ -170,6 +170,10 @@ std::vector<Fault> phantom_faults() {
   return {
       in_frame("communication is lost", "communication with the device failed",
                [](Orders& o) { o.begin = hdapi::kCommunication; }),
+      in_frame("communication is lost, reported once", "communication with the device failed",
+               [](Orders& o) { o.comm_lost = true; }),
+      in_frame("motor temperatures are NaN", "motor temperatures that are no numbers",
+               [](Orders& o) { o.temperature = std::nan(""); }),
       in_frame("motors too warm for the driver", "the motors are too warm", [](Orders& o) { o.end = {hdapi::kWarmMotors}; }),
       in_frame("highest force exceeded", "the highest force was exceeded", [](Orders& o) { o.end = {hdapi::kExceededForce}; }),
       in_frame("highest velocity exceeded", "the highest velocity was exceeded",
@@ -187,6 +191,8 @@ std::vector<Fault> phantom_faults() {
               {.orders = [](Orders& o) { o.position = Eigen::Vector3d(0, -110, -35); }}),
       phantom("motors warmer than allowed", "limited: warm motors", kPatienceMs, Unit::ms,
               {.orders = [](Orders& o) { o.temperature = 1.1; }}),
+      phantom("the calibration is lost", "trip: uncalibrated", kPatienceMs, Unit::ms,
+              {.orders = [](Orders& o) { o.calibration = hdapi::kCalibrationNeedsUpdate; }}),
       // After 20 ticks without a changed bit, of a frame each.
       phantom("encoders freeze after a fast step", "trip: frozen encoder", 20 + kPatienceMs, Unit::ms,
               {.orders = [](Orders& o) { o.position = Eigen::Vector3d(0.4, -0.25, 0); }}),
@@ -197,11 +203,20 @@ std::vector<Fault> phantom_faults() {
       phantom("the loop stalls", "the servo loop stalled", 2 * kPatienceMs, Unit::ms, {.stall = 3 * kPatience}),
       phantom("frames take 20 ms", "goes on", std::nullopt, Unit::frames, {.orders = [](Orders& o) { o.frame_time = 20ms; }}),
       at_start("uncalibrated", "is not calibrated", [](Orders& o) { o.calibration = hdapi::kCalibrationNeedsHand; }),
+      at_start("nobody holds the arm in its reset pose", "is not calibrated: hold it in its reset pose",
+               [](Orders& o) {
+                 o.calibration = std::nullopt;
+                 o.styles = hdapi::kCalibratesAtResetPose;
+               }),
       at_start("stands frozen where an uncalibrated one says it is", "uncalibrated Omni or Touch",
                [](Orders& o) { o.position = Eigen::Vector3d(0, -110, -35); }),
       at_start("force output stays off", "is still off: check its power supply", [](Orders& o) { o.output_stays_off = true; }),
       at_start("no licence", "refused ... the vendor's licence is missing", [](Orders& o) { o.init = hdapi::kNoLicence; }),
       at_start("the scheduler does not start", "starting the driver's scheduler", [](Orders& o) { o.start = hdapi::kTimer; }),
+      at_start("the scheduler starts with an error", "starting the driver's scheduler",
+               [](Orders& o) { o.start_with_error = hdapi::kTimer; }),
+      at_start("the library crashes while the device is opened", "refused ... was ended by a signal (Segmentation fault)",
+               [](Orders& o) { o.crash = {.when = stand_in_hd::Moment::before_start}; }),
       at_start("highest force is NaN", "refused ... the PHANToM's highest force: expected a number of newtons above 0",
                [](Orders& o) { o.peak_force = std::nan(""); }),
   };

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/device/sent_forces.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <random>
+
+namespace forceshade::device {
+namespace {
+
+using Vector = Eigen::Vector3d;
+
+TEST(sent_forces, count_the_work_of_the_force_that_acted) {
+  SentForces sent;
+  sent.arrived({0, 0, 0});
+  EXPECT_EQ(sent.report().acting, Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(sent.send({0, 0, 2}), Vector(0, 0, 2));
+  EXPECT_EQ(sent.report().acting, Eigen::Vector3f(0, 0, 2));
+  sent.arrived({5, 0, 0.5});
+  EXPECT_EQ(sent.report().acted, Eigen::Vector3f(0, 0, 2));
+  EXPECT_EQ(sent.report().acting, Eigen::Vector3f(0, 0, 0)) << "until something is sent again";
+  EXPECT_EQ(sent.report().work, 1);
+  sent.arrived({5, 0, 9});
+  EXPECT_EQ(sent.report().work, 1);
+}
+
+TEST(sent_forces, assume_the_worst_of_a_step_that_was_not_seen) {
+  SentForces sent;
+  sent.allow({.work = 100, .longest_step = 3});
+  sent.arrived({0, 0, 0});
+  sent.send({0, 4, 0});
+  sent.arrived({0, std::nan(""), 0});
+  EXPECT_EQ(sent.report().work, 12);
+  sent.send({0, 1, 0});
+  sent.arrived({0, 0, 0});
+  EXPECT_EQ(sent.report().work, 15) << "where the step began is not known either";
+}
+
+TEST(sent_forces, are_shortened_to_what_is_left_over_the_longest_step) {
+  SentForces sent;
+  sent.allow({.work = 3, .longest_step = 2});
+  sent.arrived({0, 0, 0});
+  EXPECT_EQ(sent.send({0, 0, 1.4}), Vector(0, 0, 1.4));
+  const Vector shortened = sent.send({3, 0, 4});
+  EXPECT_NEAR(shortened.norm(), 1.5, 1e-5);
+  EXPECT_LE(shortened.norm(), 1.5);
+  EXPECT_LE(shortened.cross(Vector(3, 0, 4)).norm(), 1e-12) << "with their direction";
+  sent.send({0, 0, 1.5});
+  sent.arrived({0, 0, 4});
+  EXPECT_EQ(sent.send({0, 0, 1}), Vector(0, 0, 0)) << "more was given than is allowed: by a longer step";
+  sent.allow({.work = 8, .longest_step = 2});
+  EXPECT_EQ(sent.send({0, 0, 0.5}), Vector(0, 0, 0.5));
+}
+
+// Commands that come late, or never, or twice; a hand that runs along the force or anywhere, a step at most in each frame.
+TEST(sent_forces, give_no_more_than_is_allowed_whatever_is_commanded_when) {
+  std::mt19937 random(1);
+  const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+  double nearest = HUGE_VAL;
+  for (int run = 0; run < 300; ++run) {
+    const Allowance allowance{.work = uniform(0, 5), .longest_step = uniform(0.1, 10)};
+    SentForces sent;
+    sent.allow(allowance);
+    Vector position{0, 0, 0}, acting{0, 0, 0}, command{0, 0, 0};
+    double work = 0;
+    for (int frame = 0; frame < 300; ++frame) {
+      const Vector any = Vector(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)).normalized();
+      const Vector way = uniform(0, 1) < 0.5 && acting.norm() > 0 ? acting.normalized() : any;
+      const Vector step = allowance.longest_step * uniform(-0.2, 0.999999) * way;
+      position += step;
+      work += acting.dot(step);
+      sent.arrived(position);
+      if (uniform(0, 1) < 0.7) command = uniform(0, 20) * any;
+      acting = sent.send(command);
+      ASSERT_LE(acting.norm(), command.norm());
+      ASSERT_LE(work, allowance.work + 1e-9);
+      ASSERT_NEAR(sent.report().work, work, 1e-9);
+      nearest = std::min(nearest, allowance.work - work);
+    }
+  }
+  EXPECT_LT(nearest, 0.01) << "the bound was reached";
+}
+
+}  // namespace
+}  // namespace forceshade::device
