@@ -148,6 +148,17 @@ void crashed(int signal) {
   std::raise(signal);
 }
 
+// A library that ends the process ends the force first. What is registered last is called first, so this comes after all that
+// the library registers: its objects are not destroyed yet, and never are, since frames may use them.
+void end_force_at_exit() noexcept {
+  ::on_exit(
+      [](int code, void*) {
+        let_go();
+        ::_exit(code);
+      },
+      nullptr);
+}
+
 // Nothing that is sent to a terminal's programs reaches this process, and no handler of the driver's is ever called.
 void be_a_process_of_its_own() {
   ::setsid();
@@ -281,6 +292,7 @@ class Host {
 };
 
 void Host::open() {
+  end_force_at_exit();
   hdapi::drained(hd_);
   device_ = hd_.hdInitDevice(name_.empty() ? nullptr : name_.c_str());
   const hdapi::HDErrorInfo error = hdapi::drained(hd_);
@@ -379,6 +391,7 @@ void Host::start(double rate) {
   scheduler_ = true;
   last_words_.say_unless_taken_back(hdapi::kNoStart, options_.start);
   hd_.hdStartScheduler();
+  end_force_at_exit();
   last_words_.take_back();
   expect_success("starting the driver's scheduler");
   wait_until_ready();
@@ -465,7 +478,6 @@ void Host::close() noexcept {
 int run_phantom_host(int socket, pid_t parent, PhantomShared& shared, const std::string& name, const PhantomOptions& options) {
   be_a_process_of_its_own();
   socket = have_files_of_its_own(socket);
-  std::atexit([] { let_go(); });      // a library that ends the process, ends the force first
   auto& last_words = *new LastWords;  // as long as the process, like the thread
   std::thread(watch, socket, parent, std::ref(last_words)).detach();
   std::optional<Host> host;
