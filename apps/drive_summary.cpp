@@ -70,6 +70,9 @@ void print(const ServoResult& run) {
     std::printf("passivity         %s: account %.3f mJ, lowest %.3f (bound %.3f); %zu ticks altered, by at most %.3f N\n",
                 words(run.passivity), account.balance, account.lowest_balance, -run.passivity_settings.epsilon, account.altered,
                 account.largest_change);
+  if (account.forgiven > 0)
+    std::printf("                  %.3f mJ were forgiven: late ticks let the hand take more than the bound\n",
+                account.forgiven);
   if (run.invalid_positions > 0) std::printf("invalid positions %zu (zero force)\n", run.invalid_positions);
   const auto& [scheduling, memory_locked, cpu] = run.privileges;
   std::printf("scheduling        %s, memory %s, %s\n", scheduling ? "real-time (SCHED_FIFO)" : "ordinary",
@@ -106,6 +109,7 @@ ordered_json to_json(const ServoResult& run) {
             {"balance_mJ", account.balance},
             {"lowest_balance_mJ", account.lowest_balance},
             {"rubbed_mJ", account.rubbed},
+            {"forgiven_mJ", account.forgiven},
             {"withheld_mJ", account.withheld},
             {"altered_ticks", account.altered},
             {"largest_change_N", account.largest_change},

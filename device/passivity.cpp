@@ -40,7 +40,10 @@ std::string_view name_of(PassivityController::Kind kind) noexcept {
 }
 
 PassivityController::PassivityController(const PassivitySettings& settings, Kind kind) noexcept
-    : settings_(settings), kind_(kind), left_(settings.epsilon) {}
+    : settings_(settings), kind_(kind), left_(settings.epsilon) {
+  // What is sent is shortened here.
+  own_.allow({.longest_step = settings.longest_step});
+}
 
 Allowance PassivityController::allowance() const noexcept {
   if (kind_ == Kind::observer) return {};
@@ -48,17 +51,14 @@ Allowance PassivityController::allowance() const noexcept {
 }
 
 Eigen::Vector3f PassivityController::passed(const Reading& reading, const Eigen::Vector3f& wanted) noexcept {
-  constexpr double kRoom = 0x1p-19;  // for rounding, and more than SentForces takes
+  constexpr double kRoom = 0x1p-22;  // for rounding
   const Eigen::Vector3d here = reading.position.cast<double>();
   const bool seen = here.allFinite();
   Eigen::Vector3d step{0, 0, 0}, finite{0, 0, 0};
   if (seen && last_position_) step = here - *last_position_;
   if (seen && wanted.allFinite()) finite = wanted.cast<double>();
   last_position_ = seen ? std::optional(here) : std::nullopt;
-  if (!reading.sent) {
-    own_.allow({.work = allowance().work, .longest_step = settings_.longest_step});
-    own_.arrived(here);
-  }
+  if (!reading.sent) own_.arrived(here);
   settle(reading.sent.value_or(own_.report()), step);
 
   Eigen::Vector3f force = rounded(finite);

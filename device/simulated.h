@@ -22,6 +22,7 @@ struct Operator {
 
 // Its clock is the number of readings: each one moves the arm on by one period under the force last commanded, or, as on a
 // real device, under the one before (`latency`). Nothing depends on the time of day, so a run can be repeated to the bit.
+// Each reading is a frame: it reports the force that has acted and, with latency, sends the one that acts from there on.
 class Simulated final : public Device {
  public:
   struct Options {

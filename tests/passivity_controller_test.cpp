@@ -208,18 +208,23 @@ TEST(passivity_controller, trembling_on_encoder_counts_harvests_a_little_from_a_
   }
 }
 
-TEST(passivity_controller, leaves_a_wall_alone_that_is_pressed_slowly) {
+// To 3 mm, twice, while that costs no more than a quarter of epsilon: a press costs K D v T, three times that with latency.
+TEST(passivity_controller, leaves_a_wall_alone_that_is_pressed_at_the_speed_of_a_hand) {
   for (const Kind kind : {Kind::tank, Kind::damping})
     for (const bool latency : {false, true})
-      for (const float K : {0.2F, 0.5F, 0.8F}) {
-        Hand hand(law_of(LawId::wall, {.stiffness = K}), kind, passivity_settings({.latency = latency}, 1000));
-        hand.go_to({0, 0, 1});
-        for (int n = 0; n < 2; ++n) {
-          hand.go_to({0, 0, -3}, 0.02);
-          hand.go_to({0, 0, 1}, 0.02);
+      for (const float K : {0.2F, 0.5F, 0.8F, 1.0F})
+        for (const double step : {0.02, 0.05, 0.1, 0.2}) {
+          Hand hand(law_of(LawId::wall, {.stiffness = K}), kind, passivity_settings({.latency = latency}, 1000));
+          const double costs = 2 * static_cast<double>(K) * 3 * step * (latency ? 3 : 1);
+          if (costs > hand.settings.epsilon / 4) continue;
+          hand.go_to({0, 0, 1});
+          for (int n = 0; n < 2; ++n) {
+            hand.go_to({0, 0, -3}, step);
+            hand.go_to({0, 0, 1}, step);
+          }
+          EXPECT_EQ(hand.controller.account().altered, 0U)
+              << words_of(kind) << " K = " << K << ", " << 1000 * step << " mm/s" << (latency ? " latency" : "");
         }
-        EXPECT_EQ(hand.controller.account().altered, 0U) << words_of(kind) << " K = " << K << (latency ? " latency" : "");
-      }
 }
 
 // However long it was harvested, a wall that is pressed pushes back, in full from a few millimetres on.
@@ -266,6 +271,7 @@ TEST(passivity_controller, gives_no_force_at_what_is_no_position_and_assumes_the
   EXPECT_EQ(controller.account().balance, -2);
   EXPECT_EQ(controller.passed({.position = {0, 0, 5.5F}}, {0, 0, HUGE_VALF}), Eigen::Vector3f(0, 0, 0));
   EXPECT_EQ(controller.account().balance, -2.5) << "the step was seen";
+  EXPECT_EQ(controller.account().longest_step, 0.5) << "and the one to 5 mm was not";
 }
 
 TEST(passivity_controller, counts_no_friction_in_a_step_that_was_not_seen) {
@@ -288,6 +294,9 @@ TEST(passivity_controller, forgives_what_a_stall_took_and_says_how_much) {
     EXPECT_EQ(controller.account().balance, -1);
     EXPECT_EQ(controller.account().net(), 5) << "it was given all the same";
     EXPECT_EQ(controller.allowance().work, 2 + 4);
+    const Eigen::Vector3f acting = controller.passed({.position = {0, 0, 5}}, {0, 0, 1});
+    controller.passed({.position = {0, 0, 4.5F}}, {0, 0, 1});
+    EXPECT_EQ(controller.account().balance, -1 + 0.5 * static_cast<double>(acting.z())) << "and the account goes on";
   }
 }
 
@@ -306,6 +315,22 @@ TEST(passivity_controller, accounts_for_what_it_altered) {
   EXPECT_NEAR(account.balance, -0.8 * 0.5 + 0.1 * 0.25, 1e-5);
   EXPECT_NEAR(account.lowest_balance, -0.8 * 0.5, 1e-5);
   EXPECT_EQ(account.longest_step, 0.5);
+}
+
+// What was wanted at a reading acts from the next one on.
+TEST(passivity_controller, knows_which_force_was_withheld_where_it_is_felt_late) {
+  PassivityController controller({.longest_step = 1, .epsilon = 1, .latency = true});
+  const auto pass = [&](float z, float wanted, float acted, double work) {
+    controller.passed({.position = {0, 0, z}, .sent = Sent{.acted = {0, 0, acted}, .work = work}}, {0, 0, wanted});
+  };
+  pass(0, 3, 0, 0);
+  pass(0.25F, 0, 0, 0);
+  EXPECT_EQ(controller.account().withheld, 0);
+  pass(0.5F, 0, 0.5F, 0.125);
+  EXPECT_EQ(controller.account().withheld, 3 * 0.25 - 0.125);
+  EXPECT_EQ(controller.account().given, 0.125);
+  pass(0.75F, 0, 0, 0.125);
+  EXPECT_EQ(controller.account().withheld, 3 * 0.25 - 0.125);
 }
 
 TEST(passivity_controller, is_set_for_a_hand_at_a_metre_a_second_and_half_of_the_devices_friction) {

@@ -161,6 +161,46 @@ TEST(simulated, feels_a_command_one_sample_late_and_holds_it) {
   }
 }
 
+// One newton up from the first reading on, half of it later; a millijoule is a newton over a millimetre.
+TEST(simulated, reports_what_it_sent_and_the_work_that_did) {
+  for (const bool latency : {false, true}) {
+    Simulated device(frictionless(), std::nullopt, {.latency = latency});
+    device.start(1000);
+    double before = 0, work = 0;
+    for (int k = 0; k < 6; ++k) {
+      const Reading reading = read(device);
+      ASSERT_TRUE(reading.sent);
+      const auto sent_at = [&](int reading_number) {  // the command that answers a reading
+        return reading_number < 0 ? 0.0F : reading_number < 3 ? 1.0F : 0.5F;
+      };
+      const int late = latency ? 1 : 0;
+      EXPECT_EQ(reading.sent->acted.z(), sent_at(k - 1 - late)) << k;
+      EXPECT_EQ(reading.sent->acting.z(), latency ? sent_at(k - 1) : 0) << k;
+      work += static_cast<double>(sent_at(k - 1 - late)) * (static_cast<double>(reading.position.z()) - before);
+      before = static_cast<double>(reading.position.z());
+      EXPECT_NEAR(reading.sent->work, work, 1e-12) << k;
+      device.command({0, 0, sent_at(k)});
+    }
+    EXPECT_GT(work, 0);
+  }
+}
+
+TEST(simulated, sends_no_more_than_it_is_allowed) {
+  for (const bool latency : {false, true}) {
+    Simulated device(frictionless(), std::nullopt, {.latency = latency});
+    device.start(1000);
+    device.allow({.work = 0.5, .longest_step = 2});
+    float most = 0;
+    for (int k = 0; k < 400; ++k) {
+      const Reading reading = read(device);
+      most = std::max(most, reading.sent->acted.z());
+      EXPECT_LE(reading.sent->work, 0.5);
+      device.command({0, 0, 1});
+    }
+    EXPECT_NEAR(most, 0.25F, 1e-4F);
+  }
+}
+
 // What a hand means goes on between two readings as it does at them: by the slopes of its way and of its tremor, too.
 TEST(simulated, hand_goes_the_same_way_at_every_rate) {
   const auto tip_after_a_second_at = [](double rate) -> Eigen::Vector3d {
