@@ -10,7 +10,7 @@ namespace {
 constexpr double kQuick = 0.025;    // s
 constexpr float kDriven = 0.1F;     // N
 constexpr int kRow = 8, kMore = 4;  // swings
-constexpr double kDying = 0.7;      // of the swing four before: a hand's flesh alone makes that 0.4
+constexpr double kDying = 0.7;      // of the swing four before: a hand's flesh alone makes that 0.35
 constexpr double kLower = 0.7;
 constexpr double kQuiet = 0.5, kBack = 5;  // s
 constexpr double kSmoothing = 0.01;        // s, so that to lower it is no jerk
