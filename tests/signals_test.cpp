@@ -180,6 +180,18 @@ TEST(signals, before_the_run_leave_nothing_behind) {
   EXPECT_FALSE(std::filesystem::exists(here.file("run.fsr")));
 }
 
+TEST(signals, end_a_check_of_a_device_without_a_verdict) {
+  const TemporaryDirectory here;
+  Command check(here, {"device", "check", "null", "--seconds", "60", "--json", "check.json"});
+  while (check.is_running() && here.read("output").find("without any force") == std::string::npos)
+    std::this_thread::sleep_for(kLook);
+  check.send(SIGTERM);
+  const std::string end = check.end();
+  EXPECT_TRUE(end.starts_with("exit 130: ")) << end;
+  EXPECT_NE(end.find("interrupted: the check was not finished"), std::string::npos) << end;
+  EXPECT_FALSE(std::filesystem::exists(here.file("check.json")));
+}
+
 // A file-size limit: the write that meets it fails with words, and all else is as in any run.
 TEST(signals, a_file_size_limit_costs_the_ticks_that_it_refuses_and_nothing_else) {
   const TemporaryDirectory here;
