@@ -2,6 +2,7 @@
 // The process that holds a PHANToM: what reaches it, what it leaves alone, and the ways in which the vendor's library may fail
 // in it. What becomes of the force when a process dies under it, is the death matrix's (tests/deaths).
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -88,17 +89,22 @@ TEST_F(phantom, prints_nothing_of_the_librarys_to_standard_output) {
 TEST_F(phantom, whose_library_exits_prints_nothing_that_the_program_was_about_to) {
   tell({.crash = {.how = Crash::How::exit, .when = Moment::before_start}});
   testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
   std::fputs("once", stdout);
   EXPECT_THROW(Phantom(""), DeviceError);
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "once");
+  EXPECT_EQ(testing::internal::GetCapturedStderr().find("once"), std::string::npos);
 }
 
 TEST_F(phantom, keeps_no_file_of_the_program_open) {
   std::array<int, 2> ends{};
   ASSERT_EQ(::pipe(ends.data()), 0);
+  const int high = ::fcntl(ends[1], F_DUPFD, 500);  // also above those that the process itself needs
+  ASSERT_GE(high, 500);
   {
     const Phantom device("");
     ::close(ends[1]);
+    ::close(high);
     char nothing = 0;
     EXPECT_EQ(::read(ends[0], &nothing, 1), 0) << "the other end is closed";
   }
