@@ -43,8 +43,7 @@ Position counted(const Position& position) {
 
 // Strokes that empty the account, a second's way to where the hand begins, and three seconds of it.
 TEST(passivity_controller, lets_no_smooth_hand_feel_a_buzz) {
-  for (const LawId id :
-       {LawId::wall, LawId::bump_1p_shaded, LawId::bump_2p_shaded, LawId::bump_3p_shaded})
+  for (const LawId id : {LawId::wall, LawId::bump_1p_shaded, LawId::bump_2p_shaded, LawId::bump_3p_shaded})
     for (const Kind kind : {Kind::tank, Kind::damping})
       for (const bool latency : {false, true}) {
         const PassivitySettings settings = passivity_settings({.resolution = 0.03F, .latency = latency}, 1000);
