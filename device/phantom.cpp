@@ -150,7 +150,7 @@ void Phantom::end_process() noexcept {
       ::kill(process_, SIGKILL);
       status = ended_within(kEnding);  // not where it is stuck in the system itself
     }
-    const bool in_order = status && WIFEXITED(*status) && WEXITSTATUS(*status) != kStuck;
+    const bool in_order = status && WIFEXITED(*status) && (WEXITSTATUS(*status) == kLetGo || WEXITSTATUS(*status) == kRefused);
     if (!in_order) attendant_.told(hdapi::kNoEnd);
   }
   process_ = -1;

@@ -478,9 +478,10 @@ void Host::close() noexcept {
 int run_phantom_host(int socket, pid_t parent, PhantomShared& shared, const std::string& name, const PhantomOptions& options) {
   be_a_process_of_its_own();
   socket = have_files_of_its_own(socket);
-  auto& last_words = *new LastWords;  // as long as the process, like the thread
+  // What the other threads still look at when this one returns lives as long as the process.
+  auto& last_words = *new LastWords;
+  auto& host = *new std::optional<Host>;
   std::thread(watch, socket, parent, std::ref(last_words)).detach();
-  std::optional<Host> host;
   try {
     host.emplace(socket, parent, shared, name, options, last_words).hold();
     host->close();
