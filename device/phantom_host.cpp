@@ -226,6 +226,8 @@ class Host {
 
   // Zero force, output off, scheduler stopped, device released, in this order.
   void close() noexcept;
+  // A frame did not end, and the device was released from its thread: the last that can be done.
+  bool was_abandoned() const noexcept { return frames_ && frames_->abandoned(); }
 
  private:
   void open();
@@ -453,7 +455,7 @@ void Host::wait_until_ready() {
 void Host::close() noexcept {
   if (scheduler_) {
     let_go();
-    if (frames_->abandoned()) return;  // nor does any call of the driver's return now
+    if (was_abandoned()) return;  // nor does any call of the driver's return now
     hd_.hdStopScheduler();
     hdapi::drained(hd_);
     // The scheduler ran no more frames. Now that it is stopped, this thread may switch the output off; a driver that does so at
@@ -485,14 +487,14 @@ int run_phantom_host(int socket, pid_t parent, PhantomShared& shared, const std:
   try {
     host.emplace(socket, parent, shared, name, options, last_words).hold();
     host->close();
-    return kLetGo;
+    return host->was_abandoned() ? kStuck : kLetGo;
   } catch (const std::exception& error) {
     const bool of_ours = dynamic_cast<const Refused*>(&error) || dynamic_cast<const DeviceError*>(&error);
     const std::string why = (of_ours ? "" : "the vendor's library failed: ") + std::string(error.what());
     last_words.say_unless_taken_back(why, kEnding);
     if (host) host->close();
     send_words(socket, Kind::failed, why);
-    return kRefused;
+    return host && host->was_abandoned() ? kStuck : kRefused;
   }
 }
 

@@ -62,10 +62,11 @@ Seen seen() {
     seen.breaches.emplace_back(noted.breaches[i].data());
   if (noted.breach_count > noted.breaches.size()) seen.breaches.push_back(std::to_string(noted.breach_count) + " breaches");
   if (noted.named) seen.name = noted.name.data();
-  seen.died = noted.initialised && !lives(noted.pid);
-  seen.initialised = noted.initialised && !seen.died;
-  seen.scheduler = noted.scheduler && !seen.died;
-  seen.output = noted.output && !seen.died;
+  const bool is_there = lives(noted.pid);
+  seen.died = noted.initialised && !is_there;
+  seen.initialised = noted.initialised && is_there;
+  seen.scheduler = noted.scheduler && is_there;
+  seen.output = noted.output && is_there;
   seen.updates = noted.updates;
   seen.rate = noted.rate;
   seen.frames.reserve(frames.size());

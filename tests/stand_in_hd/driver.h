@@ -51,7 +51,7 @@ struct Driver {
   std::uint64_t resets = memory.resets, tellings = memory.tellings;  // that this process knows of
 
   std::vector<Error> errors;
-  std::set<std::pair<std::string_view, HDerror>> reported;   // in frames, since orders were given
+  std::set<std::pair<std::string_view, HDerror>> reported;  // in frames, since orders were given
   // In this process; running: the scheduler; starting: it was told to run, whether it does or not.
   bool device = false, running = false, starting = false, calibrated = false;
   double rate = 1000;
