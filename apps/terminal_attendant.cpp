@@ -88,7 +88,6 @@ bool TerminalAttendant::did(const std::string& words) noexcept {
     return false;
   }
   terminal.forget_input();
-  terminal.forget_what_was_typed();
   terminal.show("\n" + what + "\nPress Enter when this is done, or Ctrl-C to end here. ");
   if (terminal.waited_for_enter()) return true;
   terminal.show("\n");

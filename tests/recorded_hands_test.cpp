@@ -14,6 +14,15 @@
 #include "forceshade/tests/chatter.h"
 #include "forceshade/tests/servo_loop_fixture.h"
 
+namespace forceshade {
+
+// Google Test's name for a parameter.
+void PrintTo(const LawName& law, std::ostream* out) {
+  *out << law.name;
+}
+
+}  // namespace forceshade
+
 namespace forceshade::device {
 namespace {
 
