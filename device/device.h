@@ -52,7 +52,7 @@ struct Capabilities {
   static constexpr float kNone = std::numeric_limits<float>::infinity();
 
   std::string_view model = "unknown";  // as long as the device lives, like the next three
-  std::string_view serial = "", driver = "", firmware = "";
+  std::string_view serial = {}, driver = {}, firmware = {};
   Eigen::Vector3f workspace_low = Eigen::Vector3f::Constant(-kNone), workspace_high = Eigen::Vector3f::Constant(kNone);  // mm
   float resolution = 0;  // mm, as a data sheet has it
   // N, as a data sheet has them. Without a peak it gives no force that a hand could feel: nobody needs to be kept from it.

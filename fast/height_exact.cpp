@@ -5,6 +5,7 @@
 #include <bit>
 #include <span>
 
+#include "forceshade/fast/arithmetic.h"
 #include "forceshade/fast/height_plane.h"
 #include "forceshade/fast/height_polygons.h"
 #include "forceshade/fast/height_spline.h"
@@ -311,6 +312,10 @@ Sign ExactPlace::sign_of_excess(std::size_t axis, double tie) const noexcept {
       {true, true, true}, axis == 2);
   if (tie > 0 || of_squares == Sign::zero || of_squares == Sign::unknown) return of_squares;
   return of_squares == Sign::positive ? Sign::negative : Sign::positive;
+}
+
+const char* ExactPlace::arithmetic_fault() noexcept {
+  return arithmetic_fault_here();
 }
 
 }  // namespace forceshade::fast

@@ -32,6 +32,9 @@ class ExactPlace {
  public:
   ExactPlace(const Place& at, double z, height::Rendering rendering, double stiffness) noexcept;
 
+  // Of height_exact.cpp, as arithmetic_fault_here() of fast/arithmetic.h.
+  static const char* arithmetic_fault() noexcept;
+
   // Adds a part, times `factor`, to what is used of it: the gap, the slopes, or both. Of parts whose centres are quantised.
   struct Use {
     bool gap, slopes;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "forceshade/fast/arithmetic.h"
+
 namespace forceshade::fast {
 namespace {
 
@@ -56,6 +58,10 @@ HeightGrid::HeightGrid(std::shared_ptr<const height::Grid> grid) noexcept
   };
   for (std::int64_t l = 0; l < size; ++l)
     for (std::int64_t k = 0; k < size; ++k) *to++ = values_[kept(j + l, rows_) * columns_ + kept(i + k, columns_)];
+}
+
+const char* HeightGrid::arithmetic_fault() noexcept {
+  return arithmetic_fault_here();
 }
 
 }  // namespace forceshade::fast

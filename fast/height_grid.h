@@ -13,6 +13,9 @@ class HeightGrid {
  public:
   explicit HeightGrid(std::shared_ptr<const height::Grid> grid) noexcept;
 
+  // Of height_grid.cpp, as arithmetic_fault_here() of fast/arithmetic.h.
+  static const char* arithmetic_fault() noexcept;
+
   struct Cell {
     std::int64_t column, row;
     Pair64 start;  // mm, exact: a multiple of pitch/2, at most 26 bits times 24

@@ -70,9 +70,12 @@ const SplineBatchFunctions* batch_functions(InstructionSet set) noexcept {
   return nullptr;
 }
 
-// Each file asks for itself: fast/arithmetic.h.
+// Of every file that takes part in an answer: fast/arithmetic.h. Functions that several of them compile, the linker keeps once.
 const char* height_arithmetic_fault() noexcept {
   const InstructionSet best = best_instruction_set();
+  for (const char* fault :
+       {arithmetic_fault(), ExactPlace::arithmetic_fault(), RootField::arithmetic_fault(), HeightGrid::arithmetic_fault()})
+    if (fault != nullptr) return fault;
   if (const char* fault = functions(InstructionSet::scalar).arithmetic_fault_here()) return fault;
   if (const char* fault = functions(best).arithmetic_fault_here()) return fault;
   const SplineBatchFunctions* batch = batch_functions(best);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/fast/root_field.h"
 
+#include "forceshade/fast/arithmetic.h"
+
 namespace forceshade::fast {
 namespace {
 
@@ -32,6 +34,10 @@ std::optional<RootField::Root> RootField::root(const Fraction& radicand) noexcep
   const std::size_t added = std::size_t{1} << count_++;
   for (std::size_t s = 0; s < added; ++s) products_[added | s] = products_[s] * radicand;
   return Root{Fraction::exactly(1), added};
+}
+
+const char* RootField::arithmetic_fault() noexcept {
+  return arithmetic_fault_here();
 }
 
 }  // namespace forceshade::fast

@@ -24,6 +24,9 @@ class RootField {
   };
   std::optional<Root> root(const Fraction& radicand) noexcept;
 
+  // Of root_field.cpp, as arithmetic_fault_here() of fast/arithmetic.h.
+  static const char* arithmetic_fault() noexcept;
+
   // Π_{i in S} D_i.
   const Fraction& product(std::size_t subset) const noexcept { return products_[subset]; }
 

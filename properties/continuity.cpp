@@ -12,6 +12,13 @@ namespace {
 
 using Real = long double;
 
+// Relative: numbers of 2^-60 or better (long double) go through some dozen operations of 2^-64 and library functions of one
+// unit in the last place.
+constexpr Real kEvaluation = 0x1p-50L;
+// Which positions count as opposite sides of the axis, as 1 + the cosine of the angle between them. The angle that is left, at
+// most 4.5e-5 rad, is allowed for; a larger one would allow for more than there is to see.
+constexpr Real kOpposite = 1e-9L;
+
 // The law reads a coordinate below a picometre as 0, so that is where such a position is.
 Real placed(float coordinate) {
   return std::fabs(coordinate) < 0x1p-30F ? 0 : static_cast<Real>(coordinate);
@@ -56,21 +63,29 @@ AllowedChange allowed_change(const reference::Law& law, const Shape& shape, cons
 
   // How fast the force changes where it does not jump. A face or the plane: K·√(1 + slope²). The shaded normal turns on
   // top of that. The cylinder: K along the radius, K(R - ρ)/ρ across it. bump-cylinder adds the wall's K.
-  allowed.reach = shape.K * std::sqrt(1 + shape.steepest * shape.steepest) * apart;
-  if (shape.is_shaded() && lines == 0) allowed.reach += size * 2 * std::sin(turn(shape, ax, bx) / 2);
-  if (lines > 0) allowed.reach *= 3;  // the listed size is taken at a's z and on the line itself
-  if (lines > 0 && shape.is_shaded())
-    allowed.reach +=
-        size * 2 * std::sin(std::min(turn(shape, ax, shape.w / 2), turn(shape, bx, shape.w / 2)) / 2 + 2 * apart / shape.R);
+  //
+  // Across a line x = L the listed size is that at (L, az), which is |ax - L| from a and at most |bx - L| + |az - bz| from b:
+  // together |ax - bx| + |az - bz|, on the two sides, on each of which nothing jumps.
+  const Real rate = shape.K * std::sqrt(1 + shape.steepest * shape.steepest);
+  allowed.reach = rate * (lines == 0 ? apart : std::fabs(ax - bx) + std::fabs(az - bz));
+  if (shape.is_shaded()) {
+    // Of a and b the one inside the bump: its normal turns on the way to the line; that of the plane outside does not.
+    const auto to_the_edge = [&](Real x) { return turn(shape, std::fabs(x), shape.w / 2); };
+    const Real turned = lines == 0 ? turn(shape, ax, bx) : std::min(to_the_edge(ax), to_the_edge(bx));
+    allowed.reach += size * (2 * std::sin(turned / 2) + kEvaluation);  // the slopes' difference cancels, and is as good as that
+  }
   if (shape.has_cylinder()) {
     const Real rho_a = std::hypot(ax, az + shape.d), rho_b = std::hypot(bx, bz + shape.d);
     const Real nearest = std::min(rho_a, rho_b) - apart;
     if (nearest <= apart) {
       // Past the axis: from one side to the other the force turns round; only opposite sides have a listed size.
+      // With u and v the directions from the axis, F = K(R - ρ)u at a, K(R - ρ)v at b: their difference is 2KR less K times
+      // both ρ, as far as v is -u, and off by KR|u + v| at most where it is not.
       const Real across = (ax * bx + (az + shape.d) * (bz + shape.d)) / (rho_a * rho_b);
-      allowed.tells = across < -1 + Real(1e-9);
+      const Real skew = std::hypot(ax / rho_a + bx / rho_b, (az + shape.d) / rho_a + (bz + shape.d) / rho_b);
+      allowed.tells = across < -1 + kOpposite;
       allowed.jump = 2 * shape.K * shape.R;
-      allowed.reach = shape.K * (rho_a + rho_b) + shape.K * shape.R * Real(1e-4);
+      allowed.reach = shape.K * (rho_a + rho_b + shape.R * (skew + kEvaluation));
     } else {
       allowed.reach = shape.K * std::max(Real(1), shape.R / nearest - 1) * apart;
     }
@@ -88,7 +103,7 @@ Violation continuity(const Subject& subject, const Shape& shape, const Eigen::Ve
                                  static_cast<Real>(at_a.z()) - static_cast<Real>(at_b.z()));
   const Real rounding =
       std::hypot(half_spacing(at_a.x()), half_spacing(at_a.z())) + std::hypot(half_spacing(at_b.x()), half_spacing(at_b.z()));
-  const Real reach = (allowed.reach + rounding) * (1 + Real(1e-12)) + Real(0x1p-50) * change;
+  const Real reach = (allowed.reach + rounding) * (1 + kEvaluation) + kEvaluation * change;
   if (std::fabs(change - allowed.jump) <= reach) return std::nullopt;
   char numbers[200];
   std::snprintf(numbers, sizeof numbers, "the force changes by %.9Lg N; expected %.9Lg N within %.3Lg N", change, allowed.jump,

@@ -62,6 +62,7 @@ std::vector<double> cuts(const Shape& shape, const PathPoint& a, const PathPoint
 void Work::add(const Eigen::Vector3f& force, const Eigen::Matrix<long double, 3, 1>& exact_force, const Eigen::Vector3d& step) {
   rendered += force.cast<double>().dot(step);
   exact += static_cast<double>(exact_force.dot(step.cast<long double>()));
+  turnover += force.cast<double>().norm() * step.norm();
   for (const int axis : {0, 1, 2}) rounding += half_spacing(force[axis]) * std::fabs(step[axis]);
 }
 

@@ -19,6 +19,11 @@ struct Work {
   double exact = 0;     // mJ by the exact law at the same binary32 positions, with the same weights
   double rounding = 0;  // mJ: how far the two may differ when every force component is off by half a unit in its last place
   double placing = 0;   // mJ: what rounding the positions themselves to binary32 may have done to either
+  double turnover = 0;  // mJ: the sum of the sizes of all that was added up in `rendered`
+
+  // mJ: a bound of what adding up in binary64 loses of these sums: 2^-53 of all sizes for each of less than 2^16 additions,
+  // twice that for the terms' own roundings. The sizes that `exact` is made of add up to `turnover` and `rounding` at most.
+  double summing() const { return 0x1p-36 * (turnover + rounding); }
 
   // One point of a quadrature: the force there, along the step that it stands for, mm.
   void add(const Eigen::Vector3f& force, const Eigen::Matrix<long double, 3, 1>& exact_force, const Eigen::Vector3d& step);

@@ -13,6 +13,7 @@
 #include "forceshade/properties/binary32.h"
 #include "forceshade/reference/height_law.h"
 #include "forceshade/tests/allocations.h"
+#include "forceshade/tests/force_suite.h"
 
 namespace forceshade {
 namespace {
@@ -177,32 +178,61 @@ fast::HeightLaw fast_law(const HeightMap& map, height::Rendering rendering, floa
   return std::get<fast::HeightLaw>(fast::HeightLaw::build(map, rendering, stiffness));
 }
 
-TEST(height_law, equals_the_rounded_reference) {
-  constexpr int kPoints = 600;
+// As the common suite takes it.
+tests::Tested tested(const Case& one, const height::RenderingName& how) {
+  const fast::HeightLaw fast = fast_law(one.map, how.rendering);
+  return {std::string(one.name) + ", " + std::string(how.name),
+          [fast](const Vector3f& position) { return fast.evaluate(position); },
+          [reference = std::get<reference::HeightLaw>(reference::HeightLaw::build(one.map, how.rendering, 0.5F))](
+              const Vector3f& position) { return reference.round_to_binary32(position); },
+          [fast](std::span<const Vector3f> positions, std::span<Vector3f> to, fast::InstructionSet set) {
+            return fast.force(positions, to, set);
+          }};
+}
+
+// Calls claim(tested, positions) for every map and rendering.
+template <class Claim>
+void for_every_map(int count, std::uint64_t seed, const Claim& claim) {
   for (const Case& one : cases())
-    for (const auto& [rendering, name] : renderings_of(one.map)) {
-      const fast::HeightLaw fast = fast_law(one.map, rendering);
-      const auto reference = std::get<reference::HeightLaw>(reference::HeightLaw::build(one.map, rendering, 0.5F));
-      Positions positions(one, fast, 11);
-      std::array<int, 3> stages{}, statuses{}, methods{};
-      for (int i = 0; i < kPoints; ++i) {
-        const Vector3f position = positions.next();
-        const fast::Evaluation answer = fast.evaluate(position);
-        const reference::Rounded exact = reference.round_to_binary32(position);
-        ASSERT_EQ(answer.status, exact.status) << one.name << ", " << name << " at " << show(position);
-        for (int axis = 0; axis < 3; ++axis)
-          ASSERT_TRUE(same_bits(answer.force[axis], exact.force[axis]))
-              << one.name << ", " << name << " at " << show(position) << ": " << show(answer.force) << ", not "
-              << show(exact.force);
-        ++stages[static_cast<std::size_t>(answer.stage)];
-        ++statuses[static_cast<std::size_t>(answer.status)];
-        ++methods[static_cast<std::size_t>(exact.method)];
-      }
-      std::printf("  %-24s %-24s binary64 %d, double-double %d, wide %d; free %d, contact %d, invalid %d; exact reference %d\n",
-                  one.name, name.data(), stages[0], stages[1], stages[2], statuses[0], statuses[1], statuses[2], methods[2]);
-      for (const int count : statuses) EXPECT_GT(count, 0) << one.name << ": a status was never reached";
-      EXPECT_GT(stages[0], 0) << one.name;
+    for (const height::RenderingName& how : renderings_of(one.map)) {
+      const fast::HeightLaw law = fast_law(one.map, how.rendering);
+      Positions positions(one, law, seed);
+      std::vector<Vector3f> all;
+      for (int i = 0; i < count; ++i) all.push_back(positions.next());
+      claim(tested(one, how), all);
     }
+}
+
+TEST(height_law, equals_the_rounded_reference) {
+  for_every_map(600, 11, [](const tests::Tested& one, const std::vector<Vector3f>& positions) {
+    tests::Met met;
+    expect_rounded_reference(one, positions, met);
+    const auto& [stages, methods, statuses] = met;
+    std::printf("  %-48s binary64 %d, double-double %d, wide %d; free %d, contact %d, invalid %d; exact reference %d\n",
+                one.name.c_str(), stages[0], stages[1], stages[2], statuses[0], statuses[1], statuses[2], methods[2]);
+    for (const int count : statuses) EXPECT_GT(count, 0) << one.name << ": a status was never reached";
+    EXPECT_GT(stages[0], 0) << one.name;
+  });
+}
+
+TEST(height_law, reports_invalid_positions) {
+  for_every_map(0, 1, [](const tests::Tested& one, const auto&) { expect_invalid_positions_reported(one); });
+}
+
+TEST(height_law, reads_tiny_coordinates_as_zero) {
+  for_every_map(4, 1, [](const tests::Tested& one, const auto& at) { expect_tiny_coordinates_read_as_zero(one, at); });
+}
+
+TEST(height_law, gives_no_negative_zero) {
+  for_every_map(60, 4, [](const tests::Tested& one, const auto& at) { expect_no_negative_zero(one, at); });
+}
+
+TEST(height_law, equals_scalar_at_every_simd_width) {
+  for_every_map(273, 21, [](const tests::Tested& one, const auto& at) { expect_scalar_at_every_simd_width(one, at); });
+}
+
+TEST(height_law, allocates_nothing) {
+  for_every_map(60, 3, [](const tests::Tested& one, const auto& at) { expect_no_allocation(one, at); });
 }
 
 // A spline that is flat in one direction, or all over a window, is answered in binary64: its bounds vanish with its steps.
@@ -334,18 +364,11 @@ TEST(height_law, refuses_what_the_reference_refuses) {
   EXPECT_LT(refused, static_cast<int>(2 * maps.size()) - 50);
 }
 
-TEST(height_law, reads_tiny_coordinates_as_zero_and_reports_invalid_ones) {
+TEST(height_law, quantises_centres_and_positions_alike) {
   const fast::HeightLaw cone = fast_law({{{height::Cone{0x1p-31F, 0, 8, 6}}}}, height::Rendering::true_height);
   const Vector3f apex = cone.force({0, 0, 3});
   EXPECT_EQ(cone.force({-0x1.fffffep-31F, 0x1p-149F, 3}), apex);
   EXPECT_NE(cone.force({-0x1p-30F, 0, 3}), apex);
-  for (const float odd : {std::numeric_limits<float>::quiet_NaN(), 10001.0F, -std::numeric_limits<float>::infinity()})
-    for (int axis = 0; axis < 3; ++axis) {
-      Vector3f position(0, 0, -1);
-      position[axis] = odd;
-      EXPECT_EQ(cone.evaluate(position).status, Status::invalid);
-      EXPECT_EQ(cone.force(position), Vector3f(0, 0, 0));
-    }
 }
 
 TEST(height_law, is_in_contact_with_the_farthest_tail_of_a_gaussian) {
@@ -389,35 +412,6 @@ TEST(height_law, rounds_subnormal_forces) {
       EXPECT_EQ(law.evaluate(input.position).force, expected.force) << name;
     }
   }
-}
-
-TEST(height_law, equals_scalar_at_every_simd_width) {
-  for (const Case& one : cases())
-    for (const auto& [rendering, name] : renderings_of(one.map)) {
-      const fast::HeightLaw law = fast_law(one.map, rendering);
-      Positions positions(one, law, 21);
-      std::vector<Vector3f> all;
-      while (all.size() < 273) all.push_back(positions.next());
-      for (const fast::InstructionSet set : fast::kInstructionSets) {
-        if (!fast::is_available(set)) continue;
-        std::vector<Vector3f> forces(all.size(), Vector3f::Constant(-7));
-        const fast::BatchResult result = law.force(all, forces, set);
-        std::size_t invalid = 0;
-        for (std::size_t i = 0; i < all.size(); ++i) {
-          const fast::Evaluation scalar = law.evaluate(all[i]);
-          invalid += scalar.status == Status::invalid;
-          for (int axis = 0; axis < 3; ++axis)
-            ASSERT_TRUE(same_bits(forces[i][axis], scalar.force[axis]))
-                << one.name << ", " << name << ", " << fast::name_of(set) << " at " << show(all[i]) << ": " << show(forces[i]);
-        }
-        EXPECT_EQ(result.invalid, invalid);
-        std::vector<Vector3f> in_place = all;
-        EXPECT_EQ(law.force(in_place, in_place, set).invalid, invalid);
-        for (std::size_t i = 0; i < all.size(); ++i)
-          for (int axis = 0; axis < 3; ++axis)
-            ASSERT_TRUE(same_bits(in_place[i][axis], forces[i][axis])) << one.name << ", in place, " << fast::name_of(set);
-      }
-    }
 }
 
 // The first stage itself, which evaluate() hides: with and without vectors it answers nearly everything, and the same.
@@ -476,19 +470,6 @@ TEST(height_law, shares_its_grid) {
   const std::size_t before = tests::allocated_bytes();
   const fast::HeightLaw law = fast_law({{{values}}}, height::Rendering::true_height);
   EXPECT_LT(sizeof law + (tests::allocated_bytes() - before), values->values.size() * sizeof(float) / 10);
-}
-
-TEST(height_law, allocates_nothing) {
-  for (const Case& one : cases()) {
-    const fast::HeightLaw law = fast_law(one.map, renderings_of(one.map).front().rendering);
-    Positions positions(one, law, 3);
-    std::vector<Vector3f> all;
-    for (int i = 0; i < 100; ++i) all.push_back(positions.next());
-    const std::size_t before = tests::allocations();
-    float sum = 0;
-    for (const Vector3f& position : all) sum += law.force(position).z();
-    EXPECT_EQ(tests::allocations(), before) << one.name << ' ' << sum;
-  }
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "forceshade/properties/run.h"
 #include "forceshade/tests/allocations.h"
 #include "forceshade/tests/cases.h"
+#include "forceshade/tests/force_suite.h"
 
 namespace forceshade::tests {
 namespace {
@@ -21,6 +22,26 @@ constexpr std::uint64_t kSeed = 20260101;
 
 fast::Law build(LawId law, const Parameters& p) {
   return std::get<fast::Law>(fast::Law::build(law, p));
+}
+
+// As the common suite takes it. A batch goes through arrays of x and z, in place where the positions are.
+Tested tested(LawId law, const Parameters& p) {
+  const fast::Law fast = build(law, p);
+  return {std::string(name_of(law)) + ", R = " + show(p.radius) + ", w = " + show(p.width) + ", K = " + show(p.stiffness),
+          [fast](const Eigen::Vector3f& position) { return fast.evaluate(position); },
+          [reference = std::get<reference::Law>(reference::Law::build(law, p))](const Eigen::Vector3f& position) {
+            return reference.round_to_binary32(position);
+          },
+          [fast](std::span<const Eigen::Vector3f> positions, std::span<Eigen::Vector3f> to, fast::InstructionSet set) {
+            std::vector<float> x, z;
+            for (const Eigen::Vector3f& position : positions) {
+              x.push_back(position.x());
+              z.push_back(position.z());
+            }
+            const fast::BatchResult result = fast.force(x, z, x, z, set);
+            for (std::size_t i = 0; i < to.size(); ++i) to[i] = {x[i], 0, z[i]};
+            return result;
+          }};
 }
 
 }  // namespace
@@ -235,37 +256,19 @@ void refuses_parameters_outside_the_domain(LawId law) {
 }
 
 void reports_invalid_positions(LawId law) {
-  const fast::Law fast = build(law, {15.24F, 25.4F, 0.5F});
-  const float beyond = properties::neighbour(1e4F, 1);
-  for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
-                          -std::numeric_limits<float>::infinity(), beyond, -beyond, 3e38F})
-    for (int axis = 0; axis < 3; ++axis) {
-      Eigen::Vector3f position(1, 2, -1);
-      position[axis] = bad;
-      const fast::Evaluation answer = fast.evaluate(position);
-      EXPECT_EQ(answer.status, Status::invalid) << show(position);
-      EXPECT_EQ(answer.force, Eigen::Vector3f::Zero());
-    }
-  EXPECT_NE(fast.evaluate({1e4F, -1e4F, 1e4F}).status, Status::invalid) << "the ends belong to the domain";
+  expect_invalid_positions_reported(tested(law, {15.24F, 25.4F, 0.5F}));
 }
 
 void reads_tiny_coordinates_as_zero(LawId law) {
-  const fast::Law fast = build(law, {15.24F, 25.4F, 0.5F});
-  const float largest_tiny = properties::neighbour(0x1p-30F, -1);
-  const Eigen::Vector3f at_zero = fast.force({0, 0, -1});
-  for (const float tiny : {largest_tiny, -largest_tiny, std::numeric_limits<float>::denorm_min(), -0.0F}) {
-    EXPECT_EQ(fast.force({tiny, tiny, -1}), at_zero) << show(tiny);
-    EXPECT_EQ(fast.force({3, 0, tiny}), fast.force({3, 0, 0})) << show(tiny);
-  }
+  const std::vector<Eigen::Vector3f> positions{{0, 0, -1}, {3, 0, 0}, {1, 0, 1}, {-12.7F, 4, -2}};
+  expect_tiny_coordinates_read_as_zero(tested(law, {15.24F, 25.4F, 0.5F}), positions);
 }
 
 void gives_no_negative_zero(LawId law) {
-  const fast::Law fast = build(law, {15.24F, 25.4F, 0.5F});
+  std::vector<Eigen::Vector3f> positions;
   for (const float x : {-0.0F, 0.0F, -3.0F, 3.0F, 20.0F, -20.0F})
-    for (const float z : {-0.0F, 0.0F, -1.0F, 1.0F, 50.0F, -9.0F, -40.0F}) {
-      const Eigen::Vector3f force = fast.force({x, -0.0F, z});
-      for (const float component : force) EXPECT_FALSE(component == 0 && std::signbit(component)) << x << ' ' << z;
-    }
+    for (const float z : {-0.0F, 0.0F, -1.0F, 1.0F, 50.0F, -9.0F, -40.0F}) positions.emplace_back(x, -0.0F, z);
+  expect_no_negative_zero(tested(law, {15.24F, 25.4F, 0.5F}), positions);
 }
 
 void allocates_nothing(LawId law) {

@@ -124,6 +124,25 @@ TEST(properties, continuity_refuses_a_listed_jump_of_another_size) {
         << name_of(law);
 }
 
+// On either edge of a shaded bump the jump is known to a thousandth; also across the edge and down at once.
+TEST(properties, continuity_is_as_strict_on_the_left_edge_as_on_the_right) {
+  for (const LawId law : {LawId::bump_1p_shaded, LawId::bump_2p_shaded, LawId::bump_3p_shaded})
+    for (const float side : {1.0F, -1.0F}) {
+      const Subject wrong = changed(law, [side](const Eigen::Vector3f& position, Rendered answer) {
+        if (side * position.x() > kBump.width / 2) answer.force.x() += side * 1e-3F;
+        return answer;
+      });
+      const Subject right = std::get<Subject>(fast_subject(law, kBump));
+      const Shape shape(right.law);
+      const float edge = kBump.width / 2, beyond = neighbour(edge, 1);
+      for (const float below : {-1.5F, neighbour(-1.5F, -20)}) {
+        const Eigen::Vector3f a(side * edge, 0, -1.5F), b(side * beyond, 0, below);
+        EXPECT_EQ(continuity(right, shape, a, b), std::nullopt) << name_of(law);
+        EXPECT_NE(continuity(wrong, shape, a, b), std::nullopt) << name_of(law) << ", side " << side;
+      }
+    }
+}
+
 TEST(properties, continuity_knows_the_size_of_every_listed_jump) {
   // Straight across each line, on the fast path; the sizes are of the table in docs/laws.md.
   for (const LawId law :

@@ -5,16 +5,26 @@
 
 #include <exception>
 
+#include "same_bits_heights.h"
+
 int main() {
   using namespace forceshade;
   bool all_same = true;
-  for (const LawName& law : kLaws) try {
-      const tests::Bits bits = tests::bits_of(law.id);
-      std::printf("%s %s\n", std::string(law.name).c_str(), bits.hash.c_str());
-      for (const fast::InstructionSet set : fast::kInstructionSets)
-        all_same &= bits.different[static_cast<std::size_t>(set)] == 0;
-    } catch (const std::runtime_error& error) {
-      return std::fprintf(stderr, "refused: %s\n", error.what()), 1;
-    }
+  const auto print = [&](const std::string& name, const tests::Bits& bits) {
+    std::printf("%s %s\n", name.c_str(), bits.hash.c_str());
+    for (const std::size_t different : bits.different) all_same &= different == 0;
+  };
+  const auto scenes = tests::height_scenes();
+  try {
+    // First, so that an arithmetic that the height maps alone refuse is refused at once.
+    const auto built = fast::HeightLaw::build(scenes.front().map, height::Rendering::true_height, 1);
+    if (const auto* error = std::get_if<ParameterError>(&built)) throw std::runtime_error(error->message());
+    for (const LawName& law : kLaws) print(std::string(law.name), tests::bits_of(law.id));
+    for (const tests::HeightScene& scene : scenes)
+      for (const auto& [rendering, name] : height::kRenderings)
+        if (is_rendered(scene, rendering)) print(name_of(scene, rendering), bits_of(scene, rendering));
+  } catch (const std::runtime_error& error) {
+    return std::fprintf(stderr, "refused: %s\n", error.what()), 1;
+  }
   return all_same ? 0 : 1;
 }

@@ -8,6 +8,9 @@
 #include <cfenv>
 #include <fstream>
 #include <map>
+#include <set>
+
+#include "same_bits_heights.h"
 
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -26,7 +29,6 @@ std::map<std::string, std::string> stored_hashes() {
 
 TEST(same_bits, every_instruction_set_makes_the_stored_hashes) {
   const auto stored = stored_hashes();
-  ASSERT_EQ(stored.size(), kLaws.size());
   for (const LawName& law : kLaws) {
     const Bits bits = bits_of(law.id);
     const auto& [free, contact, invalid] = bits.statuses;
@@ -39,14 +41,49 @@ TEST(same_bits, every_instruction_set_makes_the_stored_hashes) {
   }
 }
 
-// Whether building was refused on account of the arithmetic.
-bool is_refused() {
-  const auto built = fast::Law::build(LawId::wall, {0, 0, 1});
-  const auto* error = std::get_if<ParameterError>(&built);
-  return error != nullptr && fast::arithmetic_fault() != nullptr && std::string(error->parameter) == fast::arithmetic_fault();
+TEST(same_bits, every_instruction_set_makes_the_stored_hashes_of_height_maps) {
+  const auto stored = stored_hashes();
+  std::size_t maps = 0;
+  for (const HeightScene& scene : height_scenes())
+    for (const auto& [rendering, name] : height::kRenderings) {
+      if (!is_rendered(scene, rendering)) continue;
+      ++maps;
+      const Bits bits = bits_of(scene, rendering);
+      const auto& [free, contact, invalid] = bits.statuses;
+      const std::string what = name_of(scene, rendering);
+      std::printf("  %-45s %s  %zu free, %zu contact, %zu invalid\n", what.c_str(), bits.hash.c_str(), free, contact, invalid);
+      ASSERT_TRUE(stored.contains(what)) << what;
+      EXPECT_EQ(bits.hash, stored.at(what)) << what;
+      for (const fast::InstructionSet set : fast::kInstructionSets)
+        EXPECT_EQ(bits.different[static_cast<std::size_t>(set)], 0U) << what << ", " << name_of(set);
+      EXPECT_EQ(bits.nans, 0U) << what;
+      for (const std::size_t count : bits.statuses) EXPECT_GT(count, 10U) << what;
+    }
+  EXPECT_EQ(stored.size(), kLaws.size() + maps);
 }
 
-TEST(same_bits, no_law_is_built_while_rounding_is_not_to_nearest) {
+// A kind that is added to height::Shape has to be among the scenes.
+TEST(same_bits, every_kind_of_height_map_has_a_hash) {
+  std::set<std::size_t> kinds;
+  for (const HeightScene& scene : height_scenes())
+    if (scene.map.parts.size() == 1) kinds.insert(scene.map.parts.front().shape.index());
+  EXPECT_EQ(kinds.size(), std::variant_size_v<height::Shape>);
+}
+
+// Whether building was refused on account of the arithmetic, of laws and of height maps alike.
+bool is_refused() {
+  const auto is_on_its_account = [](const auto& built) {
+    const auto* error = std::get_if<ParameterError>(&built);
+    return error != nullptr && fast::arithmetic_fault() != nullptr && std::string(error->parameter) == fast::arithmetic_fault();
+  };
+  const bool is_law = is_on_its_account(fast::Law::build(LawId::wall, {0, 0, 1}));
+  const bool is_height_map =
+      is_on_its_account(fast::HeightLaw::build({{{height::Plane{}}}}, height::Rendering::true_height, 1));
+  EXPECT_EQ(is_law, is_height_map);
+  return is_law && is_height_map;
+}
+
+TEST(same_bits, nothing_is_built_while_rounding_is_not_to_nearest) {
   EXPECT_FALSE(is_refused());
   for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
     std::fesetround(mode);
@@ -76,7 +113,7 @@ TEST(same_bits, a_mode_set_after_building_is_a_fault_while_it_lasts) {
 }
 
 #if defined(__SSE2__)
-TEST(same_bits, no_law_is_built_while_subnormals_are_flushed) {
+TEST(same_bits, nothing_is_built_while_subnormals_are_flushed) {
   const unsigned mode = _mm_getcsr();
   for (const unsigned bit : {0x8000U, 0x0040U}) {  // flush to zero, denormals are zero
     _mm_setcsr(mode | bit);
