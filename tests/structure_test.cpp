@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,29 @@ TEST(structure, each_source_file_includes_the_header_of_its_name_first) {
       EXPECT_EQ(line, expected) << entry.path();
     }
   EXPECT_GT(found, 60);
+}
+
+// A claim that no change of its code has ever broken is not known to be tested: lines of tests/mutants/mutants.txt.
+TEST(structure, every_file_that_evaluates_height_maps_has_its_mutants) {
+  std::map<std::string, int> mutants;  // by file without its extension: a header may have its code in a source file
+  std::ifstream list(kRoot / "tests/mutants/mutants.txt");
+  for (std::string line; std::getline(list, line);) {
+    const std::size_t from = line.find(" | "), to = line.find(" | ", from + 1);
+    if (to == std::string::npos) continue;
+    const std::filesystem::path file = line.substr(from + 3, to - from - 3);
+    ++mutants[file.parent_path() / file.stem()];
+  }
+  int found = 0;
+  for (const char* folder : {"fast", "reference"})
+    for (const auto& entry : std::filesystem::directory_iterator(kRoot / folder)) {
+      const std::string extension = entry.path().extension(), name = entry.path().stem();
+      const bool is_of_height_maps = name.starts_with("height_") || name.starts_with("spline_") || name == "fraction" ||
+                                     name == "root_field" || name == "exponential_sum";
+      if ((extension != ".h" && extension != ".cpp") || !is_of_height_maps) continue;
+      ++found;
+      EXPECT_GE(mutants[std::filesystem::path(folder) / name], 2) << folder << '/' << name;
+    }
+  EXPECT_GT(found, 40);
 }
 
 TEST(structure, the_two_sides_never_meet) {

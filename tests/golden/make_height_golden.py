@@ -100,7 +100,7 @@ def sqrt(x):
 
 
 def series(r, bits, is_alternating, start):
-    """Σ (±1)ⁿ r^(start + n·stride)/(…)! for 0 ≤ r ≤ 2⁻⁸, enclosed: the sum of all powers (e^r) or of every other one."""
+    """e^r; or, alternating, cos r (start 0) or sin r (start 1): enclosed, for 0 ≤ r ≤ 2⁻⁸."""
     stride = 2 if is_alternating else 1
     low = high = 0
     term_low = term_high = 1 << bits
@@ -262,10 +262,11 @@ SHAPES = {
 
 
 class Map:
-    """parts, surface: lists of (sign, shape, numbers); edges: where something changes, mm."""
+    """parts, surface: lists of (negated, shape, numbers); edges: coordinates at which something changes, mm; points: places
+    that the kink rule or a special case decides."""
 
-    def __init__(self, name, parts, edges, reach, surface=()):
-        self.name, self.parts, self.surface, self.edges, self.reach = name, parts, surface, edges, reach
+    def __init__(self, name, parts, edges, reach, surface=(), points=()):
+        self.name, self.parts, self.surface, self.edges, self.reach, self.points = name, parts, surface, edges, reach, points
 
     def jet(self, parts, x, y):
         total = FLAT
@@ -322,22 +323,25 @@ def coarse(name, count):
 
 
 def maps():
-    def one(name, shape, numbers, edges, reach, negated=0):
-        return Map(name, [(negated, shape, f32(*numbers))], f32(*edges), reach)
+    def one(name, shape, numbers, edges, reach, negated=0, points=()):
+        return Map(name, [(negated, shape, f32(*numbers))], f32(*edges), reach, (), [f32(*point) for point in points])
+    circle = (0, 0), (5, 0), (-5, 0), (0, 5), (0, -5), (3, 4), (-3, 4), (3, -4), (-3, -4)
     yield one('plane', 'plane', (0.3, -0.7, 1.25), (0, 1), 8)
     yield one('plane-3-4-5', 'plane', (0.75, 0, 2), (0, 1), 8)
     yield one('level', 'plane', (0, 0, 0.5), (0,), 4)
     yield one('cone', 'cone', (0.3, -0.2, 2.7, 3.9), (0.3, -0.2, 4.2, -3.6, 3.7), 6)
-    yield one('cone-3-4-5', 'cone', (0, 0, 3.75, 5), (0, 3, 4, 5, -3, -4, -5), 7)
-    yield one('dent', 'cone', (1, 2, 1.5, 2), (1, 2, 3, -1, 0, 2.2, 2.6, 3.6), 4, 1)
+    yield one('cone-3-4-5', 'cone', (0, 0, 3.75, 5), (0, 3, 4, 5, -3, -4, -5), 7, 0, circle)
+    yield one('dent', 'cone', (1, 2, 1.5, 2), (1, 2, 3, -1, 0, 2.2, 2.6, 3.6), 4, 1, ((1, 2), (3, 2), (-1, 2), (1, 4), (1, 0)))
     yield one('cylinder-cap', 'cylinder-cap', (0, 15.24, 25.4), (0, 12.7, -12.7), 16)
-    yield one('cylinder-cap-3-4-5', 'cylinder-cap', (1, 5, 8), (1, 4, -2, 5, -3), 7)
+    yield one('cylinder-cap-3-4-5', 'cylinder-cap', (1, 5, 8), (1, 4, -2, 5, -3), 7, 0,
+              ((1, 0), (5, 2), (-3, 2)))
     yield one('sphere-cap', 'sphere-cap', (0.7, 0.1, 4.4, 6.2), (0.7, 0.1, 3.8, -2.4), 5)
-    yield one('bowl-3-4-5', 'sphere-cap', (0, 0, 5, 8), (0, 2.4, 3.2, 4, -4, -2.4, -3.2), 6, 1)
-    yield one('gaussian', 'gaussian', (0.5, -1, 3, 1.7), (0.5, -1, 9, -12), 6)
+    yield one('bowl-3-4-5', 'sphere-cap', (0, 0, 5, 8), (0, 2.4, 3.2, 4, -4, -2.4, -3.2), 6, 1,
+              ((0, 0), (4, 0), (-4, 0), (0, 4), (0, -4)))
+    yield one('gaussian', 'gaussian', (0.5, -1, 3, 1.7), (0.5, -1, 9, -12), 6, 0, ((0.5, -1),))
     yield one('gaussian-hole', 'gaussian', (0, 0, -1, 0.25), (0, 0.25, 2, 15), 2)
     yield one('grating', 'grating', (0.45, 2.3, -1.1, 0.6), (0, 1, -2), 10)
-    yield one('grating-from-0', 'grating', (0.5, 3, -4, 0), (0, 4, 3, 100), 8)
+    yield one('grating-from-0', 'grating', (0.5, 3, -4, 0), (0, 4, 3, 100), 8, 0, ((0, 0), (4, 3)))
     yield one('polygons', 'polygons', (-3, 0.5, -1, 2.5, 0.5, 2.5, 2, -0.25, 6, 1), (-3, -1, 0.5, 2, 6), 7)
     yield one('polygons-3-4-5', 'polygons', (-4, 0, 0, 3, 4, 0), (-4, 0, 4), 5)
     for interpolant in 'bilinear', 'cubic-spline':
@@ -394,6 +398,10 @@ def coordinate(draw, a_map):
 
 
 def positions(draw, a_map, rendering, count):
+    for x, y in a_map.points:
+        yield x, y, -0.625
+        for z in heights(draw, a_map, rendering, x, y, 2):
+            yield x, y, z
     for _ in range(count):
         x, y = coordinate(draw, a_map), coordinate(draw, a_map)
         for z in heights(draw, a_map, rendering, x, y, 2):
