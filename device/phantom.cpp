@@ -23,6 +23,7 @@
 #include "forceshade/device/futex.h"
 #include "forceshade/device/hdapi_words.h"
 #include "forceshade/device/open_device.h"
+#include "forceshade/device/phantom_end.h"
 #include "forceshade/device/phantom_host.h"
 #include "forceshade/device/phantom_messages.h"
 

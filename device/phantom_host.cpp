@@ -1,30 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/device/phantom_host.h"
 
-#include <fcntl.h>
-#include <poll.h>
 #include <sched.h>
-#include <stdio_ext.h>
-#include <sys/prctl.h>
-#include <unistd.h>
 
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
-#include <cstdlib>
-#include <functional>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <stdexcept>
 #include <thread>
 
 #include "forceshade/csv/csv.h"
 #include "forceshade/device/hdapi_library.h"
-#include "forceshade/device/monotonic.h"
 #include "forceshade/device/open_device.h"
+#include "forceshade/device/phantom_end.h"
 #include "forceshade/device/phantom_frames.h"
 #include "forceshade/device/phantom_limits.h"
 #include "forceshade/device/phantom_messages.h"
@@ -37,156 +27,12 @@ using Kind = PhantomMessage::Kind;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kPoll{1}, kWatch{10};
-constexpr milliseconds kClosing{200};  // for the last frame
-constexpr milliseconds kEnding{1000};  // for the driver to stop, after which the process ends all the same
-constexpr int kMeasured = 2;           // Hz: a window of frames is half a second
+constexpr int kMeasured = 2;  // Hz: a window of frames is half a second
 
 // Why the device cannot be driven.
 struct Refused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-
-// The frames that a crash of this process has time to close, and their own thread.
-std::atomic<PhantomFrames*> running = nullptr;
-std::atomic<pid_t> driver = 0;
-std::atomic<bool> interrupts = false;
-thread_local bool is_driver = false;
-
-constexpr int kInterrupt = SIGUSR1;
-
-bool closes_in_time(const PhantomFrames& frames) noexcept {
-  const std::int64_t deadline = monotonic_now() + std::chrono::nanoseconds(kClosing).count();
-  while (!frames.closed() && monotonic_now() < deadline) ::usleep(500);
-  return frames.closed();
-}
-
-// Whether the force has ended; by any thread, and by a signal handler. A frame that does not end keeps the driver's locks, so
-// that every call of another thread waits for it: then the frames' own thread, which has the locks, releases the device.
-bool let_go() noexcept {
-  PhantomFrames* frames = running;
-  if (!frames) return true;
-  if (is_driver) {
-    frames->abandon();
-    return true;
-  }
-  frames->close();
-  if (closes_in_time(*frames)) return true;
-  interrupts = true;
-  const pid_t thread = driver;
-  if (thread != 0) ::tgkill(::getpid(), thread, kInterrupt);
-  return closes_in_time(*frames);
-}
-
-// On the frames' own thread. Back in the library it would run a frame of a device that is released.
-void interrupted(int) {
-  const PhantomFrames* frames = running;
-  if (!is_driver || !interrupts || !frames || frames->closed()) return;
-  let_go();
-  for (;;) ::pause();
-}
-
-// Once, in the first frame.
-void meet_driver() noexcept {
-  is_driver = true;
-  driver = ::gettid();
-  sigset_t interrupt;
-  sigemptyset(&interrupt);
-  sigaddset(&interrupt, kInterrupt);
-  ::pthread_sigmask(SIG_UNBLOCK, &interrupt, nullptr);
-}
-
-bool is_alone(int socket, pid_t parent) noexcept {
-  pollfd end{.fd = socket, .events = POLLRDHUP, .revents = 0};
-  const bool closed = ::poll(&end, 1, 0) > 0 && (end.revents & (POLLRDHUP | POLLHUP | POLLERR)) != 0;
-  return closed || ::getppid() != parent;
-}
-
-// What the watch says for the process, and ends it, where the driver's call does not return in time.
-class LastWords {
- public:
-  void say_unless_taken_back(const std::string& words, milliseconds patience) {
-    const std::lock_guard lock(mutex_);
-    words_ = words;
-    due_ = Clock::now() + patience;
-  }
-  void take_back() {
-    const std::lock_guard lock(mutex_);
-    due_.reset();
-  }
-  std::optional<std::string> due() {
-    const std::lock_guard lock(mutex_);
-    return due_ && Clock::now() > *due_ ? std::optional(words_) : std::nullopt;
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-
-  std::mutex mutex_;
-  std::string words_;
-  std::optional<Clock::time_point> due_;
-};
-
-// Ends the process when the other one is gone, whatever the driver's calls are stuck in: where they let no zero be sent, at
-// once, since the device's port is then closed, which is the last that can be done.
-void watch(int socket, pid_t parent, LastWords& last_words) {
-  std::optional<std::string> words;
-  while (!(words = last_words.due()) && !is_alone(socket, parent)) {
-    pollfd end{.fd = socket, .events = POLLRDHUP, .revents = 0};
-    ::poll(&end, 1, static_cast<int>(kWatch.count()));
-  }
-  const bool zero_was_sent = let_go();
-  if (words)
-    send_words(socket, Kind::failed, *words);
-  else if (zero_was_sent)
-    std::this_thread::sleep_for(kEnding);
-  ::_exit(kStuck);
-}
-
-void crashed(int signal) {
-  let_go();
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
-}
-
-// A library that ends the process ends the force first. What is registered last is called first, so this comes after all that
-// the library registers: its objects are not destroyed yet, and never are, since frames may use them.
-void end_force_at_exit() noexcept {
-  ::on_exit(
-      [](int code, void*) {
-        let_go();
-        ::_exit(code);
-      },
-      nullptr);
-}
-
-// Nothing that is sent to a terminal's programs reaches this process, and no handler of the driver's is ever called.
-void be_a_process_of_its_own() {
-  ::setsid();
-  ::prctl(PR_SET_NAME, "forceshade-hd");
-  sigset_t all;
-  sigfillset(&all);
-  for (const int crash : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT}) {
-    sigdelset(&all, crash);
-    std::signal(crash, crashed);
-  }
-  std::signal(kInterrupt, interrupted);
-  sigprocmask(SIG_SETMASK, &all, nullptr);
-}
-
-// What a vendor's library prints goes to standard error; no file of the other process's stays open. The socket, which may have
-// a new number.
-int have_files_of_its_own(int socket) {
-  __fpurge(stdout);
-  if (socket <= STDERR_FILENO) socket = ::fcntl(socket, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
-  ::dup2(STDERR_FILENO, STDOUT_FILENO);
-  const int nothing = ::open("/dev/null", O_RDONLY);
-  ::dup2(nothing, STDIN_FILENO);
-  constexpr unsigned kFirst = STDERR_FILENO + 1, kLast = ~0U;
-  const auto kept = static_cast<unsigned>(socket);
-  if (kept > kFirst) ::close_range(kFirst, kept - 1, 0);
-  ::close_range(kept + 1, kLast, 0);
-  return socket;
-}
 
 // The driver's thread answers every frame within some µs, and a frame that is late holds an old force: it comes before the
 // servo loop, and on another processor where there is one. The loop takes the last, so this takes the one before.
@@ -378,9 +224,9 @@ void Host::start(double rate) {
                          .rate_tolerance = options_.rate_tolerance,
                          .longest_gap = std::chrono::duration<double>(options_.patience).count() / 2};
   frames_ = std::make_unique<PhantomFrames>(hd_, device_, settings, shared_);
-  running = frames_.get();
+  hold_frames(frames_.get());
   const auto tick = [](void* self) -> unsigned {
-    if (!is_driver) meet_driver();
+    meet_driver();
     return PhantomFrames::tick(self);
   };
   callback_ = hd_.hdScheduleAsynchronous(tick, frames_.get(), hdapi::kDefaultPriority);
@@ -465,7 +311,7 @@ void Host::close() noexcept {
       hdapi::drained(hd_);
     }
   }
-  running = nullptr;
+  hold_frames(nullptr);
   if (callback_) {
     hd_.hdUnschedule(*callback_);
     hdapi::drained(hd_);
@@ -478,12 +324,11 @@ void Host::close() noexcept {
 }  // namespace
 
 int run_phantom_host(int socket, pid_t parent, PhantomShared& shared, const std::string& name, const PhantomOptions& options) {
-  be_a_process_of_its_own();
-  socket = have_files_of_its_own(socket);
+  socket = become_process_of_driver(socket);
   // What the other threads still look at when this one returns lives as long as the process.
   auto& last_words = *new LastWords;
   auto& host = *new std::optional<Host>;
-  std::thread(watch, socket, parent, std::ref(last_words)).detach();
+  watch_for_the_end(socket, parent, last_words);
   try {
     host.emplace(socket, parent, shared, name, options, last_words).hold();
     host->close();
@@ -491,7 +336,7 @@ int run_phantom_host(int socket, pid_t parent, PhantomShared& shared, const std:
   } catch (const std::exception& error) {
     const bool of_ours = dynamic_cast<const Refused*>(&error) || dynamic_cast<const DeviceError*>(&error);
     const std::string why = (of_ours ? "" : "the vendor's library failed: ") + std::string(error.what());
-    last_words.say_unless_taken_back(why, kEnding);
+    last_words.say_unless_taken_back(why, kTimeToEnd);
     if (host) host->close();
     send_words(socket, Kind::failed, why);
     return host && host->was_abandoned() ? kStuck : kRefused;

@@ -12,10 +12,8 @@
 
 namespace forceshade::device {
 
-// Exit codes: the device was let go; it was not opened or started, which was said; some call of the driver's did not return.
-inline constexpr int kLetGo = 0, kRefused = 1, kStuck = 2;
-
-// All that the new process does, until the other end of the socket is closed or `parent` is gone. Its exit code.
+// All that the new process does, until the other end of the socket is closed or `parent` is gone. Its exit code
+// (phantom_end.h).
 int run_phantom_host(int socket, pid_t parent, PhantomShared& shared, const std::string& name, const PhantomOptions& options);
 
 }  // namespace forceshade::device
