@@ -2,11 +2,12 @@
 #include "forceshade/apps/signals.h"
 
 #include <string.h>  // NOLINT(modernize-deprecated-headers): sigabbrev_np
-#include <time.h>
 
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
+
+#include "forceshade/device/monotonic.h"
 
 namespace forceshade::apps {
 namespace {
@@ -20,7 +21,7 @@ static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_alw
 
 // The end of a run is given this long before a person may cut it off: three signals by mistake come within it.
 constexpr int kRequestsThatInsist = 3;
-constexpr std::int64_t kUndisturbed = 2'000'000'000;  // ns
+constexpr std::int64_t kUndisturbed = 2 * device::kSecond;  // ns
 
 enum class Reaction {
   ends_the_run,
@@ -54,12 +55,6 @@ Reaction reaction_to(int number) {
   }
 }
 
-std::int64_t now() noexcept {
-  timespec time{};
-  clock_gettime(CLOCK_MONOTONIC, &time);
-  return time.tv_sec * std::int64_t{1'000'000'000} + time.tv_nsec;
-}
-
 void react(int number, void (*handler)(int), int flags) noexcept {
   struct sigaction action {};
   action.sa_handler = handler;
@@ -75,7 +70,7 @@ bool is_ignored(int number) noexcept {
 void note(int number) noexcept {
   std::int64_t no_time = 0;
   int none = 0;
-  time_of_first.compare_exchange_strong(no_time, now());
+  time_of_first.compare_exchange_strong(no_time, device::monotonic_now());
   first_signal.compare_exchange_strong(none, number);
   interrupt_flag = true;
 }
@@ -88,7 +83,7 @@ extern "C" void end_in_order(int number) {
   const int kept = errno;
   note(number);
   const bool from_a_person = number == SIGINT || number == SIGTERM || number == SIGQUIT;
-  if (from_a_person && ++requests >= kRequestsThatInsist && now() - time_of_first >= kUndisturbed) {
+  if (from_a_person && ++requests >= kRequestsThatInsist && device::monotonic_now() - time_of_first >= kUndisturbed) {
     react(number, SIG_DFL, 0);
     raise(number);  // delivered when this handler returns
   }

@@ -89,14 +89,14 @@ class Run {
         period_(std::llround(1e9 / options.rate_hz)),
         ticks_(ticks_in(options.max_seconds, options.rate_hz)) {
     const Capabilities capabilities = device.capabilities();
+    SupervisorLimits limits = supervisor_limits(capabilities, options.rate_hz);
+    limits.patience = options.patience.value_or(limits.patience);
     // Longer than the device itself waits for its frames, so that it is the one to say what happened.
-    longest_wait_ = std::llround(2e9 * options.patience.value_or(supervisor_limits(capabilities, options.rate_hz).patience));
+    longest_wait_ = std::llround(2e9 * limits.patience);
     result.followed_device = options.paced && options.follows_device && capabilities.paces;
     result.supervised = std::isfinite(capabilities.peak_force);
     if (result.supervised) {
-      SupervisorLimits limits = supervisor_limits(capabilities, options.rate_hz);
       limits.dead_man_button = options.dead_man_button;
-      limits.patience = options.patience.value_or(limits.patience);
       supervisor_.emplace(limits, options.rate_hz);
       result.passivity = options.passivity;
     }

@@ -90,6 +90,16 @@ struct Bits {
   std::array<std::size_t, 3> different;  // per instruction set: forces of the batch call that are not the single call's
 };
 
+// One single call's answer.
+inline void note(const fast::Evaluation& answer, Hash& hash, Bits& bits) {
+  for (const float component : answer.force) {
+    hash.add(component);
+    bits.nans += component != component;
+  }
+  hash.add(static_cast<std::uint32_t>(answer.status));
+  ++bits.statuses[static_cast<std::size_t>(answer.status)];
+}
+
 inline Bits bits_of(LawId id) {
   Positions positions;
   Hash hash;
@@ -106,12 +116,7 @@ inline Bits bits_of(LawId id) {
       z[i] = positions.coordinate(run, scene);
       const fast::Evaluation answer = law.evaluate({x[i], 0, z[i]});
       single[i] = answer.force;
-      for (const float component : answer.force) {
-        hash.add(component);
-        bits.nans += component != component;
-      }
-      hash.add(static_cast<std::uint32_t>(answer.status));
-      ++bits.statuses[static_cast<std::size_t>(answer.status)];
+      note(answer, hash, bits);
     }
     for (const fast::InstructionSet set : fast::kInstructionSets) {
       if (set == fast::InstructionSet::scalar || !fast::is_available(set)) continue;  // scalar: the batch is single calls

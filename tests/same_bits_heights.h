@@ -70,12 +70,7 @@ inline Bits bits_of(const HeightScene& scene, height::Rendering rendering) {
       at[i] = positions.next(run);
       const fast::Evaluation answer = law.evaluate(at[i]);
       single[i] = answer.force;
-      for (const float component : answer.force) {
-        hash.add(component);
-        bits.nans += component != component;
-      }
-      hash.add(static_cast<std::uint32_t>(answer.status));
-      ++bits.statuses[static_cast<std::size_t>(answer.status)];
+      note(answer, hash, bits);
     }
     for (const fast::InstructionSet set : fast::kInstructionSets) {
       if (!fast::is_available(set)) continue;
