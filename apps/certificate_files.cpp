@@ -20,9 +20,9 @@ std::string page(const properties::Certificate& certificate) {
 }
 
 std::string verdict(const properties::Certificate& certificate) {
-  if (!certificate.has_points()) return certificate.held() ? "swept, no mismatch" : "NOT certified";
+  if (certificate.subjects.empty()) return certificate.held() ? "swept, no mismatch" : "NOT certified";
   std::uint64_t points = 0;
-  certificate.for_each([&](const auto& law) { points += law.points + law.spread.points; });
+  for (const properties::Findings& subject : certificate.subjects) points += subject.points + subject.spread.points;
   char words[160];
   std::snprintf(words, sizeof words, "%s: %llu points in %.1f s, seed %llu", certificate.held() ? "certified" : "NOT certified",
                 static_cast<unsigned long long>(points), certificate.seconds,
@@ -32,13 +32,12 @@ std::string verdict(const properties::Certificate& certificate) {
 
 void print_what_drive_lacks(const properties::Certificate& certificate) {
   if (!certificate.held()) return;
-  if (!certificate.has_points())
+  if (certificate.subjects.empty())
     std::printf(
         "drive needs points and properties too: join these sweeps to a certificate that has them with 'certify merge'\n");
   std::optional<std::string> lacks;
-  certificate.for_each([&](const auto& law) {
-    if (!lacks) lacks = lacking(law);
-  });
+  for (const properties::SubjectResult& subject : certificate.subjects)
+    if (!lacks) lacks = lacking(subject);
   if (lacks) std::printf("too little for drive: %s\n", lacks->c_str());
 }
 

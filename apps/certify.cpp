@@ -13,17 +13,14 @@
 #include "forceshade/apps/certificate_files.h"
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/exhaustive.h"
-#include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/live_line.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/signals.h"
+#include "forceshade/apps/subject_option.h"
 #include "forceshade/report/thesis.h"
 
 namespace forceshade::apps {
 namespace {
-
-using properties::kPointsOfAHeightMap;
-using properties::kPointsOfALaw;
 
 struct Options {
   std::uint64_t points = 0, cases = properties::kCases, seed = 1;
@@ -59,7 +56,7 @@ void print(const std::string& name, const properties::Findings& law) {
 
 int run_points(const Options& options, properties::CertifyOptions what) {
   const bool terminal = isatty(STDERR_FILENO) != 0;
-  what.points = options.points > 0 ? options.points : what.height_maps.empty() ? kPointsOfALaw : kPointsOfAHeightMap;
+  what.points = options.points > 0 ? options.points : properties::points_of_kind(what.subjects.front()->identity().kind);
   what.cases = static_cast<int>(options.cases);
   what.seed = options.seed;
   what.threads = options.threads;
@@ -73,30 +70,22 @@ int run_points(const Options& options, properties::CertifyOptions what) {
     std::fprintf(stderr, "%sforceshade: interrupted: no certificate was written\n", terminal ? "\n" : "");
     return kInterrupted;
   }
-  certificate->for_each([](const auto& law) { print(law.name(), law); });
+  for (const properties::SubjectResult& subject : certificate->subjects) print(subject.name(), subject);
   return write_certificate(*certificate, options.out);
 }
 
-int run(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map, bool radius_is_given) {
+int run(const Options& options, const SubjectOption& subject, bool radius_is_given) {
   watch_for_interrupt();
-  properties::CertifyOptions what;
-  if (height_map.is_given()) {
-    what.parameters.stiffness = law_options.stiffness();
-    heights::Spec spec = height_map.read(what.parameters.stiffness);
-    what.height_maps.push_back({height_map.name(), std::move(spec.map), spec.rendering});
-  } else {
-    what.laws = law_options.laws();
-    what.parameters = law_options.parameters();
-  }
+  properties::CertifyOptions what{.subjects = subject.subjects()};
   if (options.out.empty()) throw CLI::RequiredError("--out");
-  if (options.exhaustive.wanted && height_map.is_given())
+  if (options.exhaustive.wanted && !subject.is_a_law())
     throw BadInput("--exhaustive: expected --law; a height map has too many inputs to sweep");
   // Before the work, so that a path that cannot be written to is said at once.
   make_directory("--out", options.out);
   if (!options.exhaustive.wanted) return run_points(options, std::move(what));
-  properties::SweepPlan plan{what.laws, what.parameters, {}};
+  properties::SweepPlan plan{subject.law().laws(), subject.law().parameters(), {}};
   for (const properties::ThesisRadius& radius : properties::kThesisRadii) plan.radii.push_back(radius.mm);
-  if (radius_is_given) plan.radii = {what.parameters.radius};
+  if (radius_is_given) plan.radii = {plan.parameters.radius};
   return run_exhaustive(options.exhaustive, plan, options.threads, options.out);
 }
 
@@ -105,12 +94,12 @@ int run(const Options& options, const LawOptions& law_options, const HeightMapOp
 void add_certify(CLI::App& app, int& result) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("certify", "Check the fast path against the reference and write a certificate");
-  const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all, LawOptions::Defaults::thesis);
-  const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
+  const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::one_or_all, LawOptions::Defaults::thesis);
   CLI::Option* points =
       add_whole(*command, "--points",
                 "points per law, half of them aimed, and a quarter as many with other parameters; " +
-                    std::to_string(kPointsOfALaw) + " unless said, for a height map " + std::to_string(kPointsOfAHeightMap),
+                    std::to_string(properties::points_of_kind(properties::kLawKind)) + " unless said, for a height map " +
+                    std::to_string(properties::points_of_kind(properties::kHeightMapKind)),
                 {1, 1000000000000}, [options](std::uint64_t given) { options->points = given; });
   CLI::Option* cases = add_whole(*command, "--cases", options->cases, "cases per property (passivity: a tenth)", kCases);
   CLI::Option* seed = add_whole(*command, "--seed", options->seed, "seed of points and cases", kSeeds);
@@ -119,8 +108,8 @@ void add_certify(CLI::App& app, int& result) {
   options->exhaustive.add_to(*command);
   for (CLI::Option* of_points : {points, cases, seed}) command->get_option("--exhaustive")->excludes(of_points);
   add_merge(*command, result);
-  command->callback([options, law, height_map, command, &result] {
-    if (!command->got_subcommand("merge")) result = run(*options, *law, *height_map, command->count("--radius") > 0);
+  command->callback([options, subject, command, &result] {
+    if (!command->got_subcommand("merge")) result = run(*options, *subject, command->count("--radius") > 0);
   });
 }
 

@@ -9,9 +9,9 @@
 
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/device_run.h"
-#include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/signals.h"
+#include "forceshade/apps/subject_option.h"
 
 namespace forceshade::apps {
 namespace {
@@ -54,12 +54,10 @@ void expect_consistent(const Options& options) {
                  std::to_string(*options.cpu));
 }
 
-int run(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map) {
+int run(const Options& options, const SubjectOption& subject) {
   expect_consistent(options);
-  const float stiffness = law_options.stiffness();
-  const Driven what = height_map.is_given() ? driven(height_map.name(), height_map.read(stiffness), stiffness)
-                                            : driven(law_options.law(), law_options.parameters());
-  const Certified covered = certified(options.certificate, what);
+  const Driven what(*subject.subject());
+  const Certified covered = certified(options.certificate, what.identity);
   if (!may_be_driven(covered, options.uncertified)) return kFailed;
 
   end_runs_in_order();
@@ -86,8 +84,7 @@ int run(const Options& options, const LawOptions& law_options, const HeightMapOp
 void add_drive(CLI::App& app, int& result) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("drive", "Drive a device with a certified renderer");
-  const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one, LawOptions::Defaults::thesis);
-  const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
+  const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::one, LawOptions::Defaults::thesis);
   command->add_option("--certificate", options->certificate, "certificate.json of this build")->type_name("FILE");
   command
       ->add_option("--device", options->device,
@@ -124,7 +121,7 @@ void add_drive(CLI::App& app, int& result) {
                    "every tick: FILE.fsr, a recording that survives a crash; else its CSV, - for standard output")
       ->type_name("FILE");
   command->add_option("--json", options->json, "summary for programs, - for standard output")->type_name("FILE");
-  command->callback([options, law, height_map, &result] { result = run(*options, *law, *height_map); });
+  command->callback([options, subject, &result] { result = run(*options, *subject); });
 }
 
 }  // namespace forceshade::apps

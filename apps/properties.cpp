@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "forceshade/apps/command.h"
-#include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/standard_streams.h"
+#include "forceshade/apps/subject_option.h"
 #include "forceshade/properties/run.h"
 
 namespace forceshade::apps {
@@ -19,32 +19,23 @@ struct Options {
 };
 
 // Whether all of them held.
-template <class Subject>
-bool check(const std::string& name, const Subject& subject, const Options& options) {
+bool check(const properties::Subject& subject, const Options& options) {
   bool held = true;
-  for (const properties::PropertyResult& property : properties::run_properties(subject, options.cases, options.seed)) {
-    std::printf("%-15s %-13s %s  %llu cases\n", name.c_str(), property.name.c_str(), property.held ? "held  " : "FAILED",
-                static_cast<unsigned long long>(property.cases));
+  run_properties(subject, options.cases, options.seed, [&](const properties::PropertyResult& property) {
+    std::printf("%-15s %-13s %s  %llu cases\n", subject.identity().name.c_str(), property.name.c_str(),
+                property.held ? "held  " : "FAILED", static_cast<unsigned long long>(property.cases));
     if (!property.held) std::printf("  counterexample: %s\n", property.counterexample.c_str());
     flush_standard_output();
     held = held && property.held;
-  }
+  });
   return held;
 }
 
-int run(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map) {
-  const auto say_seed = [&] { std::printf("seed %llu\n", static_cast<unsigned long long>(options.seed)); };
+int run(const Options& options, const SubjectOption& option) {
+  const auto subjects = option.subjects();
+  std::printf("seed %llu\n", static_cast<unsigned long long>(options.seed));
   bool held = true;
-  if (height_map.is_given()) {
-    const float stiffness = law_options.stiffness();
-    const auto [map, rendering] = height_map.read(stiffness);
-    say_seed();
-    return check(height_map.name(), built(properties::fast_subject(map, rendering, stiffness)), options) ? kHeld : kFailed;
-  }
-  const Parameters parameters = law_options.parameters();
-  say_seed();
-  for (const LawId id : law_options.laws())
-    held = check(std::string(name_of(id)), built(properties::fast_subject(id, parameters)), options) && held;
+  for (const auto& subject : subjects) held = check(*subject, options) && held;
   return held ? kHeld : kFailed;
 }
 
@@ -53,11 +44,10 @@ int run(const Options& options, const LawOptions& law_options, const HeightMapOp
 void add_properties(CLI::App& app, int& result) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("properties", "Check the properties of the fast path on generated cases");
-  const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all, LawOptions::Defaults::thesis);
-  const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
+  const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::one_or_all, LawOptions::Defaults::thesis);
   add_whole(*command, "--cases", options->cases, "cases per law and property (passivity: a tenth)", kCases);
   add_whole(*command, "--seed", options->seed, "seed of the cases", kSeeds);
-  command->callback([options, law, height_map, &result] { result = run(*options, *law, *height_map); });
+  command->callback([options, subject, &result] { result = run(*options, *subject); });
 }
 
 }  // namespace forceshade::apps

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/properties/subject.h"
+#include "forceshade/properties/rendered.h"
 
 namespace forceshade::tests {
 
