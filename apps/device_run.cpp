@@ -98,9 +98,14 @@ void add_in_reset_pose(CLI::App& command, bool& in_reset_pose) {
                    "the arm is held in its reset pose: a device that calibrates there waits for no confirmation");
 }
 
-std::unique_ptr<device::Attendant> attendant(bool in_reset_pose) {
-  if (in_reset_pose) return std::make_unique<HoldsResetPose>();
-  return std::make_unique<TerminalAttendant>("give --in-reset-pose if the arm is held in its reset pose");
+std::unique_ptr<device::Attendant> attendant(bool in_reset_pose, bool with_buttons) {
+  std::unique_ptr<TerminalAttendant> person;
+  if (in_reset_pose)
+    person = std::make_unique<HoldsResetPose>();
+  else
+    person = std::make_unique<TerminalAttendant>("give --in-reset-pose if the arm is held in its reset pose");
+  if (with_buttons) person->offer_buttons();
+  return person;
 }
 
 std::unique_ptr<device::Device> open_for_a_run(const std::string& name, device::Attendant& attendant, device::Forces forces) {

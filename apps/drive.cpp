@@ -63,7 +63,7 @@ int run(const Options& options, const LawOptions& law_options, const HeightMapOp
   if (!may_be_driven(covered, options.uncertified)) return kFailed;
 
   end_runs_in_order();
-  const auto prepares = attendant(options.in_reset_pose);
+  const auto prepares = attendant(options.in_reset_pose, options.dead_man.has_value());
   const std::unique_ptr<device::Device> device = open_for_a_run(options.device, *prepares);
   return run_on(*device, what,
                 {.device = options.device,
@@ -109,8 +109,11 @@ void add_drive(CLI::App& app, int& result) {
            {"device", "clock"});
   add_number(*command, "--patience", "for how many seconds ticks may be late before the run is stopped; 0.02 unless said",
              kPatience, [options](double patience) { options->patience = patience; });
-  add_whole(*command, "--dead-man", "button of the device to be held down, from 0; else there is no force", kButtons,
-            [options](std::uint64_t button) { options->dead_man = static_cast<int>(button); });
+  add_whole(
+      *command, "--dead-man",
+      "button of the device to be held down, from 0; else there is no force. Of a simulated device: a key of the terminal, "
+      "0 or 1, typed once to press and again to let go",
+      kButtons, [options](std::uint64_t button) { options->dead_man = static_cast<int>(button); });
   add_whole(*command, "--cpu", "processor to run the loop on; the last one unless said", kProcessors,
             [options](std::uint64_t cpu) { options->cpu = static_cast<int>(cpu); });
   command->add_flag("--unpaced", options->unpaced, "as fast as it goes: for checks, not for hands")
