@@ -10,6 +10,7 @@
 #include "forceshade/apps/drive_summary.h"
 #include "forceshade/apps/last_ticks.h"
 #include "forceshade/apps/live_view.h"
+#include "forceshade/apps/placement_options.h"
 #include "forceshade/apps/run_record.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/apps/terminal_attendant.h"
@@ -44,6 +45,8 @@ recorder::Metadata metadata(const RunPlan& plan, const Driven& what, const devic
                               {"flags", build.flags},
                               {"instruction_set", build.instruction_set},
                               {"device", plan.device},
+                              {"origin_mm", origin_words(plan.servo.placement)},
+                              {"axes", axes_words(plan.servo.placement)},
                               {"rate_hz", csv::shortest(plan.servo.rate_hz)},
                               {"paced", plan.servo.paced ? "yes" : "no"},
                               {"passivity", std::string(name_of(plan.servo.passivity))}};
@@ -57,6 +60,8 @@ nlohmann::ordered_json summary(const device::ServoResult& run, const std::vector
   nlohmann::ordered_json json = what.summary;
   json["certificate_digest"] = plan.digest ? nlohmann::ordered_json(*plan.digest) : nlohmann::ordered_json(nullptr);
   json["library_digest"] = properties::current_build().library_digest;
+  const Eigen::Vector3d origin = plan.servo.placement.origin().cast<double>();
+  json["placement"] = {{"origin_mm", {origin.x(), origin.y(), origin.z()}}, {"axes", axes_words(plan.servo.placement)}};
   json["device"] = {{"name", plan.device}};
   for (const auto& [what_it_is, words] : identity(capabilities)) json["device"][what_it_is] = words;
   json.update(to_json(run));
@@ -136,6 +141,9 @@ RunOutcome run_on(device::Device& device, const Driven& what, RunPlan plan) {
   const std::vector<device::Sample> last_ticks = has_failed(result) ? last.samples() : std::vector<device::Sample>{};
   if (!plan.json.empty()) written = wrote_json(plan.json, summary(result, last_ticks, plan, what, capabilities)) && written;
   if (plan.record != "-" && plan.json != "-") {
+    if (const device::Placement& placement = plan.servo.placement; !(placement == device::Placement{}))
+      std::printf("placement         origin at %s mm, x, y, z along %s of the device\n", origin_words(placement).c_str(),
+                  axes_words(placement).c_str());
     print(result);
     print_last_ticks(last_ticks);
   }

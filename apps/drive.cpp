@@ -11,6 +11,7 @@
 #include "forceshade/apps/device_run.h"
 #include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/options.h"
+#include "forceshade/apps/placement_options.h"
 #include "forceshade/apps/signals.h"
 
 namespace forceshade::apps {
@@ -54,8 +55,10 @@ void expect_consistent(const Options& options) {
                  std::to_string(*options.cpu));
 }
 
-int run(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map) {
+int run(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map,
+        const PlacementOptions& place) {
   expect_consistent(options);
+  const device::Placement placement = place.placement();
   const float stiffness = law_options.stiffness();
   const Driven what = height_map.is_given() ? driven(height_map.name(), height_map.read(stiffness), stiffness)
                                             : driven(law_options.law(), law_options.parameters());
@@ -77,7 +80,8 @@ int run(const Options& options, const LawOptions& law_options, const HeightMapOp
                            .cpu = options.cpu,
                            .passivity = controller_named(options.passivity),
                            .patience = options.patience,
-                           .dead_man_button = options.dead_man}})
+                           .dead_man_button = options.dead_man,
+                           .placement = placement}})
       .code;
 }
 
@@ -88,6 +92,7 @@ void add_drive(CLI::App& app, int& result) {
   CLI::App* command = app.add_subcommand("drive", "Drive a device with a certified renderer");
   const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one, LawOptions::Defaults::thesis);
   const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
+  const auto place = std::make_shared<PlacementOptions>(*command);
   command->add_option("--certificate", options->certificate, "certificate.json of this build")->type_name("FILE");
   command
       ->add_option("--device", options->device,
@@ -127,7 +132,7 @@ void add_drive(CLI::App& app, int& result) {
                    "every tick: FILE.fsr, a recording that survives a crash; else its CSV, - for standard output")
       ->type_name("FILE");
   command->add_option("--json", options->json, "summary for programs, - for standard output")->type_name("FILE");
-  command->callback([options, law, height_map, &result] { result = run(*options, *law, *height_map); });
+  command->callback([options, law, height_map, place, &result] { result = run(*options, *law, *height_map, *place); });
 }
 
 }  // namespace forceshade::apps

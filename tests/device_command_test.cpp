@@ -271,6 +271,30 @@ TEST(drive, gives_no_force_after_the_key_of_the_dead_man_switch_was_typed_again)
   EXPECT_TRUE(was_up_again);
 }
 
+TEST(drive, says_in_summary_and_recording_where_the_law_lies) {
+  const TemporaryDirectory here;
+  const std::string line =
+      "drive --law wall --uncertified --unpaced --device simulated --seconds 0.1 --record run.fsr --json run.json";
+  const CommandRun placed = run_command(here, words_of(line + " --origin=-5,1in,0.1 --turn x90,z-90deg"));
+  EXPECT_EQ(placed.code, 0) << placed.err;
+  expect_holds(placed.out, {"placement         origin at -5,25.4,0.1 mm, x, y, z along -y,+z,-x of the device\n"});
+  const json summary = json::parse(here.read("run.json"));
+  EXPECT_EQ(summary["placement"]["origin_mm"], (json{-5.0, static_cast<double>(25.4F), static_cast<double>(0.1F)}));
+  EXPECT_EQ(summary["placement"]["axes"], "-y,+z,-x");
+  const recorder::Recording recording(here.file("run.fsr"));
+  EXPECT_EQ(recording.metadata().at("origin_mm"), "-5,25.4,0.1");
+  EXPECT_EQ(recording.metadata().at("axes"), "-y,+z,-x");
+  std::filesystem::remove(here.file("run.fsr"));
+  const CommandRun usual = run_command(here, words_of(line));
+  EXPECT_EQ(usual.code, 0) << usual.err;
+  EXPECT_EQ(usual.out.find("placement"), std::string::npos);
+  EXPECT_EQ(json::parse(here.read("run.json"))["placement"], (json{{"origin_mm", {0.0, 0.0, 0.0}}, {"axes", "+x,+y,+z"}}));
+  EXPECT_EQ(recorder::Recording(here.file("run.fsr")).metadata().at("axes"), "+x,+y,+z");
+  const CommandRun refused = run_command(here, words_of("drive --law wall --uncertified --device null --turn z45"));
+  EXPECT_EQ(refused.code, 2);
+  expect_holds(refused.err, {"--turn: expected an axis and a multiple of 90 degrees, such as z90 or x-90,z180, got \"z45\""});
+}
+
 TEST(drive, says_that_a_simulated_device_has_no_buttons_where_there_is_no_terminal) {
   const TemporaryDirectory here;
   // In a session of its own, which has no terminal.
