@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "forceshade/properties/certificate.h"
+#include "forceshade/certificate/certificate.h"
 
 namespace forceshade::apps {
 

@@ -2,7 +2,7 @@
 // forceshade certify: check the fast path against the reference, at points or exhaustively, and write certificate.json and
 // certificate.html.
 
-#include "forceshade/properties/certify.h"
+#include "forceshade/certificate/certify.h"
 
 #include <unistd.h>
 
@@ -17,7 +17,7 @@
 #include "forceshade/apps/live_line.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/signals.h"
-#include "forceshade/properties/thesis.h"
+#include "forceshade/report/thesis.h"
 
 namespace forceshade::apps {
 namespace {

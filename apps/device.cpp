@@ -8,8 +8,8 @@
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/device_command.h"
 #include "forceshade/csv/printable.h"
-#include "forceshade/device/driver_folder.h"
-#include "forceshade/device/model.h"
+#include "forceshade/device/phantom/driver_folder.h"
+#include "forceshade/device/simulated/model.h"
 
 namespace forceshade::apps {
 namespace {

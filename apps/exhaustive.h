@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/properties/sweep.h"
+#include "forceshade/certificate/sweep.h"
 
 namespace forceshade::apps {
 

@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "forceshade/properties/certificate.h"
 #include "forceshade/properties/subject.h"
+#include "forceshade/vocabulary/results.h"
 
 namespace forceshade::properties {
 
