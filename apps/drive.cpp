@@ -10,6 +10,7 @@
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/device_run.h"
 #include "forceshade/apps/options.h"
+#include "forceshade/apps/placement_options.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/apps/subject_option.h"
 
@@ -54,14 +55,15 @@ void expect_consistent(const Options& options) {
                  std::to_string(*options.cpu));
 }
 
-int run(const Options& options, const SubjectOption& subject) {
+int run(const Options& options, const SubjectOption& subject, const PlacementOptions& place) {
   expect_consistent(options);
+  const device::Placement placement = place.placement();
   const Driven what(*subject.subject());
   const Certified covered = certified(options.certificate, what.identity);
   if (!may_be_driven(covered, options.uncertified)) return kFailed;
 
   end_runs_in_order();
-  const auto prepares = attendant(options.in_reset_pose);
+  const auto prepares = attendant(options.in_reset_pose, options.dead_man.has_value());
   const std::unique_ptr<device::Device> device = open_for_a_run(options.device, *prepares);
   return run_on(*device, what,
                 {.device = options.device,
@@ -75,7 +77,8 @@ int run(const Options& options, const SubjectOption& subject) {
                            .cpu = options.cpu,
                            .passivity = controller_named(options.passivity),
                            .patience = options.patience,
-                           .dead_man_button = options.dead_man}})
+                           .dead_man_button = options.dead_man,
+                           .placement = placement}})
       .code;
 }
 
@@ -85,6 +88,7 @@ void add_drive(CLI::App& app, int& result) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("drive", "Drive a device with a certified renderer");
   const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::one, LawOptions::Defaults::thesis);
+  const auto place = std::make_shared<PlacementOptions>(*command);
   command->add_option("--certificate", options->certificate, "certificate.json of this build")->type_name("FILE");
   command
       ->add_option("--device", options->device,
@@ -106,8 +110,11 @@ void add_drive(CLI::App& app, int& result) {
            {"device", "clock"});
   add_number(*command, "--patience", "for how many seconds ticks may be late before the run is stopped; 0.02 unless said",
              kPatience, [options](double patience) { options->patience = patience; });
-  add_whole(*command, "--dead-man", "button of the device to be held down, from 0; else there is no force", kButtons,
-            [options](std::uint64_t button) { options->dead_man = static_cast<int>(button); });
+  add_whole(
+      *command, "--dead-man",
+      "button of the device to be held down, from 0; else there is no force. Of a simulated device: a key of the terminal, "
+      "0 or 1, typed once to press and again to let go",
+      kButtons, [options](std::uint64_t button) { options->dead_man = static_cast<int>(button); });
   add_whole(*command, "--cpu", "processor to run the loop on; the last one unless said", kProcessors,
             [options](std::uint64_t cpu) { options->cpu = static_cast<int>(cpu); });
   command->add_flag("--unpaced", options->unpaced, "as fast as it goes: for checks, not for hands")
@@ -121,7 +128,7 @@ void add_drive(CLI::App& app, int& result) {
                    "every tick: FILE.fsr, a recording that survives a crash; else its CSV, - for standard output")
       ->type_name("FILE");
   command->add_option("--json", options->json, "summary for programs, - for standard output")->type_name("FILE");
-  command->callback([options, subject, &result] { result = run(*options, *subject); });
+  command->callback([options, subject, place, &result] { result = run(*options, *subject, *place); });
 }
 
 }  // namespace forceshade::apps

@@ -12,6 +12,7 @@
 
 #include "forceshade/device/device.h"
 #include "forceshade/device/passivity_controller.h"
+#include "forceshade/device/placement.h"
 #include "forceshade/device/real_time.h"
 #include "forceshade/device/sample.h"
 #include "forceshade/device/supervisor.h"
@@ -49,6 +50,10 @@ struct ServoOptions {
 
   // To be held down, else there is no force.
   std::optional<int> dead_man_button = std::nullopt;
+
+  // Where the law or map lies. The device, the supervisor and the passivity controller keep to the device's frame; the law is
+  // given the position in its own frame, rounded, and the samples hold that position, and forces, in the law's frame.
+  Placement placement = {};
 
   // Each given every tick as it happens, and the zero force that ends the run.
   std::vector<SampleSink*> sinks = {};
