@@ -28,7 +28,6 @@ using properties::kPointsOfALaw;
 struct Options {
   std::uint64_t points = 0, cases = properties::kCases, seed = 1;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
-  std::string out;
   ExhaustiveOptions exhaustive;
 };
 
@@ -57,7 +56,7 @@ void print(const std::string& name, const properties::Findings& law) {
     if (!property.held) std::printf("  %s: %s\n", property.name.c_str(), property.counterexample.c_str());
 }
 
-int run_points(const Options& options, properties::CertifyOptions what) {
+int run_points(const Options& options, properties::CertifyOptions what, const OutFolder& out) {
   const bool terminal = isatty(STDERR_FILENO) != 0;
   what.points = options.points > 0 ? options.points : what.height_maps.empty() ? kPointsOfALaw : kPointsOfAHeightMap;
   what.cases = static_cast<int>(options.cases);
@@ -74,10 +73,11 @@ int run_points(const Options& options, properties::CertifyOptions what) {
     return kInterrupted;
   }
   certificate->for_each([](const auto& law) { print(law.name(), law); });
-  return write_certificate(*certificate, options.out);
+  return write_certificate(*certificate, out.path());
 }
 
-int run(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map, bool radius_is_given) {
+int run(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map, const OutFolder& out,
+        bool radius_is_given) {
   watch_for_interrupt();
   properties::CertifyOptions what;
   if (height_map.is_given()) {
@@ -88,16 +88,15 @@ int run(const Options& options, const LawOptions& law_options, const HeightMapOp
     what.laws = law_options.laws();
     what.parameters = law_options.parameters();
   }
-  if (options.out.empty()) throw CLI::RequiredError("--out");
   if (options.exhaustive.wanted && height_map.is_given())
-    throw BadInput("--exhaustive: expected --law; a height map has too many inputs to sweep");
+    throw BadInput("--exhaustive: expected --law, got --height-map; a height map has too many inputs to sweep");
   // Before the work, so that a path that cannot be written to is said at once.
-  make_directory("--out", options.out);
-  if (!options.exhaustive.wanted) return run_points(options, std::move(what));
+  out.make(certificate_files());
+  if (!options.exhaustive.wanted) return run_points(options, std::move(what), out);
   properties::SweepPlan plan{what.laws, what.parameters, {}};
   for (const properties::ThesisRadius& radius : properties::kThesisRadii) plan.radii.push_back(radius.mm);
   if (radius_is_given) plan.radii = {what.parameters.radius};
-  return run_exhaustive(options.exhaustive, plan, options.threads, options.out);
+  return run_exhaustive(options.exhaustive, plan, options.threads, out);
 }
 
 }  // namespace
@@ -105,7 +104,7 @@ int run(const Options& options, const LawOptions& law_options, const HeightMapOp
 void add_certify(CLI::App& app, int& result) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("certify", "Check the fast path against the reference and write a certificate");
-  const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all, LawOptions::Defaults::thesis);
+  const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all);
   const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
   CLI::Option* points =
       add_whole(*command, "--points",
@@ -115,12 +114,12 @@ void add_certify(CLI::App& app, int& result) {
   CLI::Option* cases = add_whole(*command, "--cases", options->cases, "cases per property (passivity: a tenth)", kCases);
   CLI::Option* seed = add_whole(*command, "--seed", options->seed, "seed of points and cases", kSeeds);
   add_whole(*command, "--threads", options->threads, "threads", {1, 1024});
-  command->add_option("--out", options->out, "directory for certificate.json and certificate.html")->type_name("DIR");
+  const auto out = std::make_shared<OutFolder>(*command, kCertificateFolder);
   options->exhaustive.add_to(*command);
   for (CLI::Option* of_points : {points, cases, seed}) command->get_option("--exhaustive")->excludes(of_points);
   add_merge(*command, result);
-  command->callback([options, law, height_map, command, &result] {
-    if (!command->got_subcommand("merge")) result = run(*options, *law, *height_map, command->count("--radius") > 0);
+  command->callback([options, law, height_map, out, command, &result] {
+    if (!command->got_subcommand("merge")) result = run(*options, *law, *height_map, *out, command->count("--radius") > 0);
   });
 }
 

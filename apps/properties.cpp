@@ -53,7 +53,7 @@ int run(const Options& options, const LawOptions& law_options, const HeightMapOp
 void add_properties(CLI::App& app, int& result) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("properties", "Check the properties of the fast path on generated cases");
-  const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all, LawOptions::Defaults::thesis);
+  const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all);
   const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
   add_whole(*command, "--cases", options->cases, "cases per law and property (passivity: a tenth)", kCases);
   add_whole(*command, "--seed", options->seed, "seed of the cases", kSeeds);
