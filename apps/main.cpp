@@ -9,6 +9,7 @@
 #include <string>
 
 #include "forceshade/apps/command.h"
+#include "forceshade/apps/documentation.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/standard_streams.h"
 #include "forceshade/csv/output_file.h"
@@ -27,10 +28,8 @@ int run(int argc, char** argv) {
            "\ninstruction set  " + build.instruction_set + "\nlibrary digest   " + build.library_digest;
   });
   app.require_subcommand(1);
-  app.footer(
-      "Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault or safety trip,\n"
-      "130 interrupted.\n"
-      "'forceshade COMMAND --help' explains a command.");
+  app.footer(std::string(kQuantities) + '\n' + kFiles + '\n' + kExitCodes +
+             "\n'forceshade COMMAND --help' explains a command, and 'forceshade man COMMAND | man -l -' shows its page.");
   app.failure_message(failure_message);
   int result = kHeld;
   add_laws(app, result);
@@ -45,6 +44,8 @@ int run(int argc, char** argv) {
   add_drive(app, result);
   add_recording(app, result);
   add_device(app, result);
+  add_man(app);
+  add_completion(app);
   refuse_empty_values(app);
   if (argc > 1 && argv[1][0] != '-') {
     const std::vector<CLI::App*> commands = app.get_subcommands([](const CLI::App*) { return true; });
