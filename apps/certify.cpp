@@ -14,9 +14,12 @@
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/exhaustive.h"
 #include "forceshade/apps/height_map_option.h"
+#include "forceshade/apps/junit.h"
 #include "forceshade/apps/live_line.h"
 #include "forceshade/apps/options.h"
+#include "forceshade/apps/part_times.h"
 #include "forceshade/apps/signals.h"
+#include "forceshade/properties/plain_text.h"
 #include "forceshade/properties/thesis.h"
 
 namespace forceshade::apps {
@@ -29,6 +32,7 @@ struct Options {
   std::uint64_t points = 0, cases = properties::kCases, seed = 1;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   ExhaustiveOptions exhaustive;
+  std::string junit;
 };
 
 // On a terminal only.
@@ -56,15 +60,53 @@ void print(const std::string& name, const properties::Findings& law) {
     if (!property.held) std::printf("  %s: %s\n", property.name.c_str(), property.counterexample.c_str());
 }
 
+constexpr const char* kPoints = "points";
+
+// As a certificate calls it.
+std::string plain(std::string_view subject) {
+  return properties::made_plain(std::string(subject));
+}
+
+// One case for the points of a subject, with those of other parameters, and one for each property.
+std::string junit_of(const properties::Certificate& certificate, const PartTimes& times) {
+  std::vector<JunitCase> cases;
+  certificate.for_each([&](const auto& found) {
+    const std::string name = found.name();
+    std::optional<std::string> wrong;
+    for (const properties::Comparison* part :
+         {static_cast<const properties::Comparison*>(&found), static_cast<const properties::Comparison*>(&found.spread)}) {
+      if (part->mismatches == 0) continue;
+      wrong = wrong.value_or("") + std::to_string(part->mismatches) + " mismatches in " + std::to_string(part->points) +
+              " points: ";
+      for (const std::string& words : part->counterexamples) *wrong += words + "; ";
+    }
+    cases.push_back(
+        {name, kPoints, times.seconds(name, kPoints), wrong,
+         std::to_string(found.points) + " points, and " + std::to_string(found.spread.points) + " with other parameters"});
+    for (const properties::PropertyResult& property : found.properties)
+      cases.push_back({name, property.name, times.seconds(name, property.name),
+                       property.held ? std::nullopt : std::optional(property.counterexample),
+                       std::to_string(property.cases) + " cases"});
+  });
+  return to_junit("forceshade certify",
+                  {{"seed", std::to_string(certificate.seed)},
+                   {"version", certificate.build.version},
+                   {"library_digest", certificate.build.library_digest}},
+                  cases);
+}
+
 int run_points(const Options& options, properties::CertifyOptions what, const OutFolder& out) {
   const bool terminal = isatty(STDERR_FILENO) != 0;
   what.points = options.points > 0 ? options.points : what.height_maps.empty() ? kPointsOfALaw : kPointsOfAHeightMap;
   what.cases = static_cast<int>(options.cases);
   what.seed = options.seed;
   what.threads = options.threads;
+  PartTimes times;
+  what.on_case = [&](std::string_view subject, const std::string& property, double) { times.add(plain(subject), property); };
   const auto certificate = properties::certify(
       what,
       [&](std::string_view name, double done) {
+        times.add(plain(name), kPoints);
         if (terminal) draw_progress(name, done);
       },
       interrupted());
@@ -73,6 +115,7 @@ int run_points(const Options& options, properties::CertifyOptions what, const Ou
     return kInterrupted;
   }
   certificate->for_each([](const auto& law) { print(law.name(), law); });
+  if (!options.junit.empty()) write_file(options.junit, junit_of(*certificate, times));
   return write_certificate(*certificate, out.path());
 }
 
@@ -115,8 +158,10 @@ void add_certify(CLI::App& app, int& result) {
   CLI::Option* seed = add_whole(*command, "--seed", options->seed, "seed of points and cases", kSeeds);
   add_whole(*command, "--threads", options->threads, "threads", {1, 1024});
   const auto out = std::make_shared<OutFolder>(*command, kCertificateFolder);
+  CLI::Option* junit =
+      add_output(*command, "--junit", options->junit, "what was found as JUnit XML, for continuous integration");
   options->exhaustive.add_to(*command);
-  for (CLI::Option* of_points : {points, cases, seed}) command->get_option("--exhaustive")->excludes(of_points);
+  for (CLI::Option* of_points : {points, cases, seed, junit}) command->get_option("--exhaustive")->excludes(of_points);
   add_merge(*command, result);
   command->callback([options, law, height_map, out, command, &result] {
     if (!command->got_subcommand("merge")) result = run(*options, *law, *height_map, *out, command->count("--radius") > 0);

@@ -43,6 +43,11 @@ struct Run {
     return properties::in_parallel(chunks, options.threads, done, stop, work);
   }
 
+  OnCase on_case(std::string_view subject) const {
+    if (!options.on_case) return {};
+    return [this, subject](const std::string& property, double done) { options.on_case(subject, property, done); };
+  }
+
   // source(seed): a stream of positions on what the reference is.
   template <class Reference, class MakeSource>
   Findings at_points(const Calls& calls, const Reference& reference, const MakeSource& source, const Done& done) const {
@@ -107,7 +112,7 @@ LawResult checked(LawId id, const Run& run, const Done& done) {
   LawResult result{run.at_points(calls, subject.law, source, first_part(done)), id, options.parameters};
   result.spread = spread_of(id, run, second_part(done));
   if (run.stop) return result;
-  result.properties = run_properties(subject, options.cases, options.seed);
+  result.properties = run_properties(subject, options.cases, options.seed, run.on_case(name_of(id)));
   const Shape shape(subject.law);
   result.jumps = shape.jumps();
   result.conservative = reference::potential(subject.law).has_value();
@@ -133,7 +138,7 @@ HeightMapResult checked(const NamedHeightMap& named, const Run& run, const Done&
                          identity_of(map, rendering, stiffness), words_of(map)};
   result.spread = spread_of(named, shape, run, second_part(done));
   if (run.stop) return result;
-  for (PropertyResult& property : run_properties(subject, options.cases, options.seed))
+  for (PropertyResult& property : run_properties(subject, options.cases, options.seed, run.on_case(file)))
     if (std::find(kPropertyNames.begin(), kPropertyNames.end(), property.name) != kPropertyNames.end())
       result.properties.push_back(std::move(property));
   result.jumps = shape.jumps();

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "forceshade/properties/calls.h"
@@ -30,6 +32,8 @@ struct CertifyOptions {
   unsigned threads = 1;
   std::vector<NamedHeightMap> height_maps = {};  // with the stiffness of `parameters`
   MakeCalls calls = calls_of_the_fast_path();    // what is compared with the reference
+  // Called before each case of a property with the subject, the property, and the share of it that is done.
+  std::function<void(std::string_view subject, const std::string& property, double done)> on_case = {};
 };
 
 // done in [0, 1]; called from one thread at a time.

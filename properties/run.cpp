@@ -25,6 +25,18 @@ int passivity_cases(int cases) {
   return static_cast<int>(cases_of("passivity", static_cast<std::uint64_t>(cases)));
 }
 
+// run_property() with its progress. While a failure is shrunk, all is done.
+PropertyResult run_watched(const std::string& name, int cases, std::uint64_t seed, const OnCase& on_case,
+                           const std::function<Violation()>& property) {
+  double begun = 0;
+  PropertyResult result = run_property(name, cases, seed, [&] {
+    if (on_case) on_case(name, std::min(begun++ / cases, 1.0));
+    return property();
+  });
+  if (on_case) on_case(name, 1);
+  return result;
+}
+
 }  // namespace
 
 PropertyResult run_property(const std::string& name, int cases, std::uint64_t seed,
@@ -55,19 +67,20 @@ std::vector<float> witness_depths(const Subject& subject) {
   return {deepest / 8, deepest / 4, deepest / 2, deepest * 3 / 4, deepest};
 }
 
-std::vector<PropertyResult> run_properties(const Subject& subject, int cases, std::uint64_t seed) {
+std::vector<PropertyResult> run_properties(const Subject& subject, int cases, std::uint64_t seed, const OnCase& on_case) {
   const reference::Law& law = subject.law;
   const Shape shape(law);
   std::vector<PropertyResult> results;
-  results.push_back(run_property("equivalence", cases, seed, [&] { return equivalence(subject, *position_of(law)); }));
-  results.push_back(run_property("continuity", cases, seed, [&]() -> Violation {
+  results.push_back(run_watched("equivalence", cases, seed, on_case, [&] { return equivalence(subject, *position_of(law)); }));
+  results.push_back(run_watched("continuity", cases, seed, on_case, [&]() -> Violation {
     const NearbyPair pair = *pair_of(law);
     const Eigen::Vector3f b = pair.b(shape);
     return is_valid(b) ? continuity(subject, shape, pair.a, b) : std::nullopt;
   }));
-  results.push_back(run_property("unit normals", cases, seed, [&] { return unit_normals(subject, *position_of(law)); }));
-  PropertyResult passive =
-      run_property("passivity", passivity_cases(cases), seed, [&] { return passivity(subject, shape, *polygon_of(law)); });
+  results.push_back(
+      run_watched("unit normals", cases, seed, on_case, [&] { return unit_normals(subject, *position_of(law)); }));
+  PropertyResult passive = run_watched("passivity", passivity_cases(cases), seed, on_case,
+                                       [&] { return passivity(subject, shape, *polygon_of(law)); });
   for (const float depth : witness_depths(subject)) {
     if (!passive.held) break;
     ++passive.cases;
@@ -75,27 +88,29 @@ std::vector<PropertyResult> run_properties(const Subject& subject, int cases, st
       passive.held = false;
       passive.counterexample = *violation;
     }
+    if (on_case) on_case(passive.name, 1);
   }
   results.push_back(passive);
   return results;
 }
 
-std::vector<PropertyResult> run_properties(const HeightSubject& subject, int cases, std::uint64_t seed) {
+std::vector<PropertyResult> run_properties(const HeightSubject& subject, int cases, std::uint64_t seed, const OnCase& on_case) {
   const HeightShape shape(subject.law);
   const HeightTarget map{subject.law, shape};
   std::vector<PropertyResult> results;
-  results.push_back(run_property("equivalence", cases, seed, [&] { return equivalence(subject, *position_of(map)); }));
-  results.push_back(run_property("continuity", cases, seed, [&]() -> Violation {
+  results.push_back(run_watched("equivalence", cases, seed, on_case, [&] { return equivalence(subject, *position_of(map)); }));
+  results.push_back(run_watched("continuity", cases, seed, on_case, [&]() -> Violation {
     const Neighbours pair = *neighbours_on(map);
     const Eigen::Vector3f b = pair.b();
     return is_valid(b) ? continuity(subject, shape, pair.a, b) : std::nullopt;
   }));
-  results.push_back(run_property("unit normals", cases, seed, [&] { return unit_normals(subject, *position_of(map)); }));
   results.push_back(
-      run_property("passivity", passivity_cases(cases), seed, [&] { return passivity(subject, shape, *polygon_of(map)); }));
+      run_watched("unit normals", cases, seed, on_case, [&] { return unit_normals(subject, *position_of(map)); }));
+  results.push_back(run_watched("passivity", passivity_cases(cases), seed, on_case,
+                                [&] { return passivity(subject, shape, *polygon_of(map)); }));
   const auto has_cells = [](const PartShape& part) { return part.columns.has_value(); };
   if (std::any_of(shape.parts.begin(), shape.parts.begin() + static_cast<std::ptrdiff_t>(shape.map_parts), has_cells))
-    results.push_back(run_property("cell lines", cases, seed, [&]() -> Violation {
+    results.push_back(run_watched("cell lines", cases, seed, on_case, [&]() -> Violation {
       Neighbours pair = *neighbours_on(map);
       const double surface = static_cast<double>(subject.law.estimate({pair.a.x(), pair.a.y(), 0}).gap.mid());
       pair.a.z() = static_cast<float>(surface - 1);  // deep enough that both are in contact

@@ -180,6 +180,35 @@ same "-3,-3,3.99665867" "$(grep -o '^-3,-3,3.99665867' drawn/figure-2-3.csv)"
 # properties
 expect 0 "equivalence   held" -- "$forceshade" properties --law bump-3p --cases 200 --seed 5
 same 37 "$("$forceshade" properties --cases 20 | wc -l)"
+# For programs: the same results as JSON and as JUnit XML; a law that fails, and a name that is hostile to XML and to terminals.
+expect 0 "bump-2p         passivity     held" -- "$forceshade" properties --law bump-2p --cases 100 --json two.json --junit two.xml
+same '"bump-2p" 25.399999618530273 ["equivalence","continuity","unit normals","passivity"] true' \
+  "$(jq -c '.subjects[0] | .law, .parameters.width_mm, [.properties[].name], all(.properties[]; .held)' two.json | tr '\n' ' ' | sed 's/ $//')"
+same "true 1 100" "$(jq -r '"\(.held) \(.seed) \(.cases)"' two.json)"
+same 4 "$(grep -c '<testcase classname="forceshade properties.bump-2p" name="' two.xml)"
+same 0 "$(grep -c '<failure' two.xml)"
+same 9 "$("$forceshade" properties --cases 1 --json | jq '.subjects | length')"
+hostile=$(printf '<a>&"\001\033[2J\377.toml')
+cp hill.toml "$hostile"
+expect 0 "" -- "$forceshade" properties --height-map "./$hostile" --cases 50 --junit hostile.xml --json hostile.json
+grep -qF '<testsuite name="&lt;a&gt;&amp;&quot;\x01\x1b[2J\xff.toml"' hostile.xml || { echo "FAILED: $(cat hostile.xml)"; exit 1; }
+same 4 "$(jq '.subjects[0].properties | length' hostile.json)"
+# Facets: the gradient of a bilinear grid jumps on its lines, which one property finds.
+cp "$examples/leather.png" .
+sed 's/cubic-spline/bilinear/' "$examples/leather.toml" > facets.toml
+expect 1 "counterexample: " -- "$forceshade" properties --height-map facets.toml --cases 200 --junit facets.xml --json facets.json
+same 1 "$(grep -c '<failure type="counterexample" message="[^"]' facets.xml)"
+grep -q '<testsuite name="facets.toml" tests="5" failures="1"' facets.xml || { echo "FAILED: $(cat facets.xml)"; exit 1; }
+same "false cell lines" "$(jq -r '"\(.held) \(.subjects[0].properties[] | select(.counterexample) | .name)"' facets.json)"
+expect 2 "--json and --junit: expected two files" -- "$forceshade" properties --json - --junit -
+expect 0 "" -- "$forceshade" certify --law wall --points 1000 --cases 20 --out junit --junit certify.xml
+same "points equivalence continuity unit normals passivity" "$(sed -n 's/.*<testcase .* name="\([^"]*\)".*/\1/p' certify.xml | tr '\n' ' ' | sed 's/ $//')"
+grep -q '<system-out>1000 points, and 250 with other parameters</system-out>' certify.xml || { echo "FAILED: $(cat certify.xml)"; exit 1; }
+expect 2 "--junit: expected without --exhaustive" -- "$forceshade" certify --exhaustive --junit x.xml --out junit
+if command -v xmllint > /dev/null; then for file in two hostile facets certify; do expect 0 "" -- xmllint --noout $file.xml; done; fi
+# Both say how far they are, on a terminal and nowhere else.
+expect 0 " %  Ctrl-C stops  bump-3p" -- script -qec "$forceshade properties --law bump-3p --cases 200000" /dev/null
+same "" "$("$forceshade" properties --law bump-3p --cases 1000 2>&1 | grep Ctrl-C)"
 
 recording() { "$forceshade" recording "$@"; }
 # certify and drive: certified, other parameters, other law, no certificate, a certificate of another build.
