@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "forceshade/apps/command.h"
-#include "forceshade/properties/evidence.h"
-#include "forceshade/properties/report.h"
+#include "forceshade/certificate/evidence.h"
+#include "forceshade/report/report.h"
 
 namespace forceshade::apps {
 namespace {

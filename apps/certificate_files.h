@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/properties/certificate.h"
+#include "forceshade/certificate/certificate.h"
 
 namespace forceshade::apps {
 

@@ -2,7 +2,7 @@
 // forceshade certify: check the fast path against the reference, at points or exhaustively, and write certificate.json and
 // certificate.html.
 
-#include "forceshade/properties/certify.h"
+#include "forceshade/certificate/certify.h"
 
 #include <unistd.h>
 
@@ -19,8 +19,8 @@
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/part_times.h"
 #include "forceshade/apps/signals.h"
-#include "forceshade/properties/plain_text.h"
-#include "forceshade/properties/thesis.h"
+#include "forceshade/certificate/plain_text.h"
+#include "forceshade/report/thesis.h"
 
 namespace forceshade::apps {
 namespace {

@@ -9,8 +9,8 @@
 #include "forceshade/apps/device_command.h"
 #include "forceshade/apps/output_options.h"
 #include "forceshade/csv/printable.h"
-#include "forceshade/device/driver_folder.h"
-#include "forceshade/device/model.h"
+#include "forceshade/device/phantom/driver_folder.h"
+#include "forceshade/device/simulated/model.h"
 
 namespace forceshade::apps {
 namespace {

@@ -16,7 +16,7 @@
 #include "forceshade/csv/csv.h"
 #include "forceshade/csv/printable.h"
 #include "forceshade/device/check.h"
-#include "forceshade/device/hdapi_library.h"
+#include "forceshade/device/phantom/hdapi_library.h"
 
 namespace forceshade::apps {
 namespace {

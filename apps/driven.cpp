@@ -7,9 +7,9 @@
 #include "forceshade/apps/command.h"
 #include "forceshade/csv/csv.h"
 #include "forceshade/csv/printable.h"
-#include "forceshade/fast/height_law.h"
+#include "forceshade/fast/height_map_field.h"
 #include "forceshade/fast/law.h"
-#include "forceshade/properties/digest.h"
+#include "forceshade/identity/digest.h"
 
 namespace forceshade::apps {
 
@@ -31,7 +31,7 @@ Driven driven(LawId law, const Parameters& p) {
 Driven driven(const std::string& name, const heights::Spec& spec, float stiffness) {
   const properties::HeightIdentity identity = properties::identity_of(spec.map, spec.rendering, stiffness);
   const std::string rendering(name_of(spec.rendering));
-  return {built(fast::HeightLaw::build(spec.map, spec.rendering, stiffness)),
+  return {built(fast::HeightMapField::build(spec.map, spec.rendering, stiffness)),
           [identity](const auto& certificate, const auto& build) { return properties::refusal(certificate, build, identity); },
           {{"height_map", name},
            {"map_digest", identity.map_digest},

@@ -7,10 +7,10 @@
 #include <optional>
 #include <string>
 
+#include "forceshade/certificate/build.h"
+#include "forceshade/certificate/certificate.h"
 #include "forceshade/fast/renderer.h"
 #include "forceshade/heights/spec.h"
-#include "forceshade/properties/build.h"
-#include "forceshade/properties/certificate.h"
 #include "forceshade/recorder/recorder.h"
 #include "forceshade/vocabulary/law.h"
 

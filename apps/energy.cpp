@@ -96,7 +96,7 @@ void print(const Verdict& verdict) {
 
 struct HeightVerdict {
   std::string name;
-  const reference::HeightLaw& law;
+  const reference::HeightMapField& law;
   reference::Slice slice;
   float depth;
   std::optional<std::string> potential;
@@ -105,7 +105,8 @@ struct HeightVerdict {
   double witness_mJ, most_mJ;
 };
 
-HeightVerdict verdict_on(const reference::HeightLaw& law, const std::string& name, const reference::Slice& slice, float depth) {
+HeightVerdict verdict_on(const reference::HeightMapField& law, const std::string& name, const reference::Slice& slice,
+                         float depth) {
   ProgressLine line(name);
   const reference::Watch watch([&](double done) { line.draw(done); }, interrupted());
   const auto bound = reference::loop_bound(law, slice, depth, watch.part(0, 0.4));
@@ -172,7 +173,7 @@ void run_law(const Options& options, const LawOptions& law_options, float depth)
 int run_height_map(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map, float depth) {
   const float stiffness = law_options.stiffness();
   const heights::Spec spec = height_map.read(stiffness);
-  const auto law = std::get<reference::HeightLaw>(reference::HeightLaw::build(spec.map, spec.rendering, stiffness));
+  const auto law = std::get<reference::HeightMapField>(reference::HeightMapField::build(spec.map, spec.rendering, stiffness));
   const reference::Slice slice{options.along == "x" ? reference::Slice::Along::x : reference::Slice::Along::y,
                                parse_length("--at", options.at), parse_length("--from", options.from),
                                parse_length("--to", options.to)};

@@ -15,9 +15,9 @@
 #include "forceshade/apps/live_line.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/signals.h"
+#include "forceshade/certificate/build.h"
+#include "forceshade/certificate/merge.h"
 #include "forceshade/csv/printable.h"
-#include "forceshade/properties/build.h"
-#include "forceshade/properties/merge.h"
 
 namespace forceshade::apps {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "forceshade/apps/output_options.h"
-#include "forceshade/properties/sweep.h"
+#include "forceshade/certificate/sweep.h"
 
 namespace forceshade::apps {
 

@@ -12,8 +12,8 @@
 #include "forceshade/apps/signals.h"
 #include "forceshade/csv/csv.h"
 #include "forceshade/csv/output_file.h"
-#include "forceshade/fast/height_law.h"
-#include "forceshade/reference/height_law.h"
+#include "forceshade/fast/height_map_field.h"
+#include "forceshade/reference/height_map_field.h"
 
 namespace forceshade::apps {
 namespace {
@@ -50,11 +50,11 @@ Answer answer_of_law(const Options& options, const LawOptions& law_options) {
 Answer answer_of_height_map(const Options& options, const HeightMapOption& height_map, float stiffness) {
   const auto [map, rendering] = height_map.read(stiffness);
   if (options.path == "fast")
-    return [law = built(fast::HeightLaw::build(map, rendering, stiffness))](const auto& position, std::ostream& out) {
+    return [law = built(fast::HeightMapField::build(map, rendering, stiffness))](const auto& position, std::ostream& out) {
       const fast::Evaluation answer = law.evaluate(position);
       write(answer.force, answer.status, out);
     };
-  return [law = built(reference::HeightLaw::build(map, rendering, stiffness))](const auto& position, std::ostream& out) {
+  return [law = built(reference::HeightMapField::build(map, rendering, stiffness))](const auto& position, std::ostream& out) {
     const reference::Rounded answer = law.round_to_binary32(position);
     write(answer.force, answer.status, out);
   };

@@ -3,13 +3,13 @@
 
 #include <filesystem>
 
-#include "forceshade/fast/height_law.h"
+#include "forceshade/fast/height_map_field.h"
 
 namespace forceshade::apps {
 namespace {
 
 std::optional<ParameterError> error_of(const HeightMap& map, height::Rendering rendering, float stiffness) {
-  const auto law = fast::HeightLaw::build(map, rendering, stiffness);
+  const auto law = fast::HeightMapField::build(map, rendering, stiffness);
   const auto* error = std::get_if<ParameterError>(&law);
   return error == nullptr ? std::nullopt : std::optional(*error);
 }

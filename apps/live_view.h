@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <thread>
 
-#include "forceshade/device/latest.h"
 #include "forceshade/device/sample.h"
+#include "forceshade/device/triple_buffer.h"
 
 namespace forceshade::apps {
 
@@ -34,7 +34,7 @@ class LiveView final : public device::SampleSink {
   double full_force_;
   Shown shown_;                    // the servo loop's
   std::int64_t window_start_ = 0;  // ns
-  device::Latest<Shown> mailbox_;
+  device::TripleBuffer<Shown> mailbox_;
   std::atomic<bool> stopping_ = false;
   std::thread thread_;
 };

@@ -12,10 +12,10 @@
 #include "forceshade/apps/documentation.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/standard_streams.h"
+#include "forceshade/certificate/build.h"
 #include "forceshade/csv/output_file.h"
 #include "forceshade/csv/printable.h"
 #include "forceshade/device/open_device.h"
-#include "forceshade/properties/build.h"
 
 namespace forceshade::apps {
 namespace {

@@ -10,7 +10,7 @@
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/documentation.h"
 #include "forceshade/apps/output_options.h"
-#include "forceshade/properties/build.h"
+#include "forceshade/certificate/build.h"
 
 namespace forceshade::apps {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "forceshade/device/sampled_wall.h"
+#include "forceshade/device/simulated/sampled_wall.h"
 
 int main() {
   using namespace forceshade::device;

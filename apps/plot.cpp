@@ -13,8 +13,8 @@
 #include "forceshade/apps/output_options.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/csv/csv.h"
-#include "forceshade/properties/pictures.h"
-#include "forceshade/properties/thesis_figures.h"
+#include "forceshade/report/pictures.h"
+#include "forceshade/report/thesis_figures.h"
 
 namespace forceshade::apps {
 namespace {

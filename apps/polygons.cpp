@@ -14,10 +14,10 @@
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/output_options.h"
 #include "forceshade/heights/spec.h"
-#include "forceshade/properties/thesis.h"
-#include "forceshade/reference/height_law.h"
+#include "forceshade/reference/height_map_field.h"
 #include "forceshade/reference/profile.h"
 #include "forceshade/reference/theta_critical.h"
+#include "forceshade/report/thesis.h"
 
 namespace forceshade::apps {
 namespace {
@@ -98,7 +98,7 @@ void of_height_map(const Options& options) {
     auto knots = profile.knots(polygons);
     if (!turns_little(map, knots, options.theta_critical)) knots = profile.knots(polygons + 1);
     const auto shaded =
-        reference::HeightLaw::build({map.parts, {{height::Polygons{knots}}}}, height::Rendering::force_shaded, 1);
+        reference::HeightMapField::build({map.parts, {{height::Polygons{knots}}}}, height::Rendering::force_shaded, 1);
     if (const auto* error = std::get_if<ParameterError>(&shaded)) throw BadInput(options.out + ": " + error->message());
     write_file(options.out,
                heights::shading_polygons(options.height_map, knots, std::filesystem::absolute(options.out).parent_path()));

@@ -13,7 +13,7 @@
 #include "forceshade/apps/part_times.h"
 #include "forceshade/apps/progress_line.h"
 #include "forceshade/apps/standard_streams.h"
-#include "forceshade/properties/build.h"
+#include "forceshade/certificate/build.h"
 #include "forceshade/properties/run.h"
 
 namespace forceshade::apps {

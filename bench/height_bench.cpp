@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "forceshade/bench/naive_spline.h"
-#include "forceshade/fast/height_law.h"
+#include "forceshade/fast/height_map_field.h"
 
 namespace forceshade::bench {
 namespace {
@@ -42,7 +42,7 @@ std::vector<Eigen::Vector3f> stroke() {
 }
 
 void proved(benchmark::State& state, height::Rendering rendering) {
-  const auto law = std::get<fast::HeightLaw>(fast::HeightLaw::build({{{texture()}}}, rendering, kStiffness));
+  const auto law = std::get<fast::HeightMapField>(fast::HeightMapField::build({{{texture()}}}, rendering, kStiffness));
   const auto positions = stroke();
   std::size_t i = 0;
   for (auto _ : state) benchmark::DoNotOptimize(law.evaluate(positions[i++ % kPositions]));
@@ -52,7 +52,7 @@ void proved(benchmark::State& state, height::Rendering rendering) {
 // processor overlaps with the next in a row of independent calls.
 void proved_in_turn(benchmark::State& state) {
   const auto law =
-      std::get<fast::HeightLaw>(fast::HeightLaw::build({{{texture()}}}, height::Rendering::true_height, kStiffness));
+      std::get<fast::HeightMapField>(fast::HeightMapField::build({{{texture()}}}, height::Rendering::true_height, kStiffness));
   const auto positions = stroke();
   std::size_t i = 0;
   float last = 0;
@@ -87,7 +87,7 @@ void root_and_quotient(benchmark::State& state) {
 void batch(benchmark::State& state, fast::InstructionSet set) {
   if (!fast::is_available(set)) return state.SkipWithError("not on this machine");
   const auto law =
-      std::get<fast::HeightLaw>(fast::HeightLaw::build({{{texture()}}}, height::Rendering::true_height, kStiffness));
+      std::get<fast::HeightMapField>(fast::HeightMapField::build({{{texture()}}}, height::Rendering::true_height, kStiffness));
   const auto positions = stroke();
   std::vector<Eigen::Vector3f> forces(positions.size());
   while (state.KeepRunningBatch(static_cast<std::int64_t>(positions.size())))

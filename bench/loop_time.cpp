@@ -14,7 +14,7 @@
 
 #include "forceshade/device/open_device.h"
 #include "forceshade/device/servo_loop.h"
-#include "forceshade/tests/kept_samples.h"
+#include "forceshade/tests/support/kept_samples.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The naive loops with the instructions of fast/batch_avx512.cpp.
+// The naive loops with the instructions of fast/simd/batch_avx512.cpp.
 
 #include "forceshade/bench/naive.h"
 

@@ -4,9 +4,19 @@ function(forceshade_library name)
   forceshade_compile_options(${name})
 endfunction()
 
+# Lets a target, and what links it, include the headers of these modules as forceshade/<module>/<file>: include/<module> holds a
+# link to the module's folder and nothing else, so that no module can include what it does not link.
+function(forceshade_sees name)
+  foreach(module IN LISTS ARGN)
+    target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include/${module}>)
+  endforeach()
+endfunction()
+
 function(forceshade_compile_options name)
-  target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
-                                            $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE folder)
+  string(REGEX REPLACE "/.*" "" module ${folder})
+  forceshade_sees(${name} ${module} vocabulary)
+  target_include_directories(${name} PUBLIC $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_compile_features(${name} PUBLIC cxx_std_20)
   target_compile_options(${name} PUBLIC -ffp-contract=off PRIVATE -Wall -Wextra -Wconversion)
   if(FORCESHADE_WERROR)

@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <limits>
 
-#include "forceshade/device/model.h"
-#include "forceshade/device/shared_objects.h"
+#include "forceshade/device/phantom/shared_objects.h"
+#include "forceshade/device/simulated/model.h"
 
 namespace forceshade::device {
 namespace {

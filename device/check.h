@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "forceshade/device/device.h"
-#include "forceshade/device/device_nodes.h"
-#include "forceshade/device/driver_folder.h"
+#include "forceshade/device/phantom/device_nodes.h"
+#include "forceshade/device/phantom/driver_folder.h"
 #include "forceshade/device/quiet_watch.h"
 
 namespace forceshade::device {

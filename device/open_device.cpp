@@ -4,9 +4,9 @@
 #include <string_view>
 
 #include "forceshade/device/null.h"
-#include "forceshade/device/phantom.h"
+#include "forceshade/device/phantom/phantom.h"
 #include "forceshade/device/replay.h"
-#include "forceshade/device/simulated.h"
+#include "forceshade/device/simulated/simulated.h"
 
 namespace forceshade::device {
 

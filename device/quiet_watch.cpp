@@ -7,8 +7,8 @@
 #include <thread>
 #include <vector>
 
-#include "forceshade/device/model.h"
 #include "forceshade/device/real_time.h"
+#include "forceshade/device/simulated/model.h"
 
 namespace forceshade::device {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "forceshade/device/device.h"
-#include "forceshade/device/passivity.h"
+#include "forceshade/device/passivity_controller.h"
 #include "forceshade/device/real_time.h"
 #include "forceshade/device/sample.h"
 #include "forceshade/device/supervisor.h"

@@ -73,7 +73,7 @@ Verdict Supervisor::supervise(const Reading& reading, const State& state, const 
   };
   if (!trip_) {
     memory_.late_ticks = late > period_ ? memory_.late_ticks + 1 : 0;
-    if (const auto rule = forbidden(reading, state, wanted, status, late)) trip(*rule);
+    if (const auto rule = trip_rule(reading, state, wanted, status, late)) trip(*rule);
   }
   if (!trip_) {
     verdict.force = limited(reading, state, wanted, status, verdict.limited);
@@ -111,7 +111,7 @@ int Supervisor::ticks_in(double seconds) const noexcept {
   return std::max(1, static_cast<int>(std::lround(seconds / period_)));
 }
 
-std::optional<Rule> Supervisor::forbidden(const Reading& reading, const State& state, const Eigen::Vector3f& wanted,
+std::optional<Rule> Supervisor::trip_rule(const Reading& reading, const State& state, const Eigen::Vector3f& wanted,
                                           Status status, double late) noexcept {
   if (!state.calibrated) return Rule::uncalibrated;
   if (!reading.position.allFinite() || status == Status::invalid) return Rule::invalid_position;
@@ -166,8 +166,8 @@ Eigen::Vector3f Supervisor::limited(const Reading& reading, const State& state, 
     replace(Eigen::Vector3f::Zero(), Rule::dead_man);
     return force;
   }
-  replace(force * static_cast<float>(gentleness(status)), Rule::gentle_start);
-  replace(force * static_cast<float>(nearness(reading.position)), Rule::workspace);
+  replace(force * static_cast<float>(start_ramp(status)), Rule::gentle_start);
+  replace(force * static_cast<float>(workspace_fade(reading.position)), Rule::workspace);
   replace(force * static_cast<float>(gain), Rule::oscillation);
   if (memory_.late_ticks > 0) {
     const int ramped = std::max(0, memory_.late_ticks - limits_.held_ticks);
@@ -189,7 +189,7 @@ Eigen::Vector3f Supervisor::limited(const Reading& reading, const State& state, 
   return force;
 }
 
-double Supervisor::gentleness(Status status) noexcept {
+double Supervisor::start_ramp(Status status) noexcept {
   const int felt = ticks_in(limits_.felt_free), all = ticks_in(limits_.ramp_up);
   if (memory_.free_ticks < felt) {
     memory_.free_ticks = status == Status::free ? memory_.free_ticks + 1 : 0;
@@ -200,7 +200,7 @@ double Supervisor::gentleness(Status status) noexcept {
 }
 
 // 1 in the workspace, 0 from the margin on.
-double Supervisor::nearness(const Eigen::Vector3f& position) const noexcept {
+double Supervisor::workspace_fade(const Eigen::Vector3f& position) const noexcept {
   const Eigen::Vector3f inside = position.cwiseMax(limits_.workspace_low).cwiseMin(limits_.workspace_high);
   const double outside = (position - inside).cast<double>().norm();
   return outside > 0 ? std::max(0.0, 1 - outside / limits_.workspace_margin) : 1;

@@ -14,8 +14,8 @@
 
 #include "forceshade/device/device.h"
 #include "forceshade/device/hand_speed.h"
-#include "forceshade/device/motor.h"
 #include "forceshade/device/oscillation.h"
+#include "forceshade/device/simulated/motor.h"
 #include "forceshade/vocabulary/law.h"
 
 namespace forceshade::device {
@@ -123,14 +123,14 @@ class Supervisor {
   std::size_t count(Rule rule) const noexcept { return counts_[static_cast<std::size_t>(rule)]; }
 
  private:
-  std::optional<Rule> forbidden(const Reading& reading, const State& state, const Eigen::Vector3f& wanted, Status status,
+  std::optional<Rule> trip_rule(const Reading& reading, const State& state, const Eigen::Vector3f& wanted, Status status,
                                 double late) noexcept;
   Eigen::Vector3f felt(const Reading& reading) const noexcept;
   bool is_frozen(double step, double elapsed, const Eigen::Vector3f& felt) noexcept;
   Eigen::Vector3f limited(const Reading& reading, const State& state, const Eigen::Vector3f& wanted, Status status,
                           Rules& rules) noexcept;
-  double gentleness(Status status) noexcept;
-  double nearness(const Eigen::Vector3f& position) const noexcept;
+  double start_ramp(Status status) noexcept;
+  double workspace_fade(const Eigen::Vector3f& position) const noexcept;
   int ticks_in(double seconds) const noexcept;
 
   SupervisorLimits limits_;

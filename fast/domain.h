@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "forceshade/fast/inline.h"
+#include "forceshade/fast/numbers/inline.h"
 
 namespace forceshade::fast {
 

@@ -5,9 +5,9 @@
 #include <Eigen/Core>
 
 #include "forceshade/fast/domain.h"
-#include "forceshade/fast/first_stage.h"
-#include "forceshade/fast/outcome.h"
-#include "forceshade/fast/wide.h"
+#include "forceshade/fast/laws/outcome.h"
+#include "forceshade/fast/numbers/big_float_ball.h"
+#include "forceshade/fast/numbers/first_stage.h"
 #include "forceshade/vocabulary/law.h"
 
 namespace forceshade::fast {
@@ -21,7 +21,8 @@ struct Evaluation {
   Stage stage = Stage::binary64;
 };
 
-// Wide numbers always tell (fast/wide.h). Should they not: no force, and a status on which a loop stops.
+// BigFloatBall numbers always tell (fast/numbers/big_float_ball.h). Should they not: no force, and a status on which a loop
+// stops.
 inline Evaluation undecided_evaluation() noexcept {
   return {{0, 0, 0}, Status::invalid, Stage::wide};
 }
@@ -53,7 +54,7 @@ std::optional<Evaluation> decide(const Definition& law, const Parameters& p,
 // Kept out of line: it is reached for about one position in ten million, and its stack frame is large.
 template <class Definition>
 [[gnu::noinline]] Evaluation evaluate_wide(const Definition& law, const Parameters& p, float x, float z) noexcept {
-  using N = Wide<Definition::kWideLimbs>;
+  using N = BigFloatBall<Definition::kWideLimbs>;
   return decide<N>(law, p, Definition::template geometry<N>(p), x, z, Stage::wide).value_or(undecided_evaluation());
 }
 

@@ -8,9 +8,9 @@
 #include <span>
 #include <variant>
 
-#include "forceshade/fast/batch.h"
 #include "forceshade/fast/evaluate.h"
 #include "forceshade/fast/instruction_set.h"
+#include "forceshade/fast/simd/batch.h"
 #include "forceshade/vocabulary/law.h"
 
 namespace forceshade::fast {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "forceshade/fast/height_law.h"
+#include "forceshade/fast/height_map_field.h"
 #include "forceshade/fast/law.h"
 
 namespace forceshade::fast {
@@ -14,14 +14,14 @@ namespace forceshade::fast {
 class Renderer {
  public:
   Renderer(Law law) noexcept : law_(std::move(law)) {}
-  Renderer(HeightLaw map) noexcept : law_(std::move(map)) {}
+  Renderer(HeightMapField map) noexcept : law_(std::move(map)) {}
 
   Evaluation evaluate(const Eigen::Vector3f& position) const noexcept {
     return std::visit([&](const auto& law) { return law.evaluate(position); }, law_);
   }
 
  private:
-  std::variant<Law, HeightLaw> law_;
+  std::variant<Law, HeightMapField> law_;
 };
 
 }  // namespace forceshade::fast

@@ -22,7 +22,7 @@ Calls calls_of(const fast::Law& law) {
           }};
 }
 
-Calls calls_of(const fast::HeightLaw& law) {
+Calls calls_of(const fast::HeightMapField& law) {
   return {[law](const Eigen::Vector3f& position) { return law.evaluate(position); },
           [law](std::span<const Eigen::Vector3f> positions, std::span<Eigen::Vector3f> forces, fast::InstructionSet set) {
             return law.force(positions, forces, set);
@@ -34,7 +34,7 @@ MakeCalls calls_of_the_fast_path() {
   return {
       [](LawId law, const Parameters& parameters) { return calls_of(std::get<fast::Law>(fast::Law::build(law, parameters))); },
       [](const HeightMap& map, height::Rendering rendering, float stiffness) {
-        return calls_of(std::get<fast::HeightLaw>(fast::HeightLaw::build(map, rendering, stiffness)));
+        return calls_of(std::get<fast::HeightMapField>(fast::HeightMapField::build(map, rendering, stiffness)));
       }};
 }
 

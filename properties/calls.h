@@ -6,7 +6,7 @@
 #include <functional>
 #include <span>
 
-#include "forceshade/fast/height_law.h"
+#include "forceshade/fast/height_map_field.h"
 #include "forceshade/fast/law.h"
 
 namespace forceshade::properties {
@@ -26,7 +26,7 @@ struct Calls {
 };
 
 Calls calls_of(const fast::Law& law);
-Calls calls_of(const fast::HeightLaw& law);
+Calls calls_of(const fast::HeightMapField& law);
 
 // What certify compares, made for a law or map and its parameters, all in the domain.
 struct MakeCalls {

@@ -2,7 +2,7 @@
 #include "forceshade/properties/equivalence.h"
 
 #include "forceshade/properties/binary32.h"
-#include "forceshade/properties/breakdown.h"
+#include "forceshade/vocabulary/breakdown.h"
 
 namespace forceshade::properties {
 namespace {

@@ -28,7 +28,7 @@ rc::Gen<NearbyPair> pair_of(const reference::Law& law);
 
 // On a height map. The law and its shape must outlive the generator.
 struct HeightTarget {
-  const reference::HeightLaw& law;
+  const reference::HeightMapField& law;
   const HeightShape& shape;
 };
 rc::Gen<Eigen::Vector3f> position_of(const HeightTarget& map);

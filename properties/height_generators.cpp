@@ -4,9 +4,9 @@
 #include <bit>
 #include <cmath>
 
-#include "forceshade/properties/height_identity.h"
-#include "forceshade/properties/html.h"
+#include "forceshade/identity/height_identity.h"
 #include "forceshade/properties/positions.h"
+#include "forceshade/vocabulary/number_text.h"
 
 namespace forceshade::properties {
 namespace {

@@ -14,7 +14,7 @@ namespace forceshade::properties {
 class HeightPositionSource : private Draws {
  public:
   // Both must outlive this.
-  HeightPositionSource(const reference::HeightLaw& law, const HeightShape& shape, std::uint64_t seed)
+  HeightPositionSource(const reference::HeightMapField& law, const HeightShape& shape, std::uint64_t seed)
       : Draws(seed), law_(law), shape_(shape) {}
 
   Aimed next();
@@ -36,7 +36,7 @@ class HeightPositionSource : private Draws {
   float near_surface(const std::array<float, 2>& at);
   Eigen::Vector3f near_tie(Eigen::Vector3f position);
 
-  const reference::HeightLaw& law_;
+  const reference::HeightMapField& law_;
   const HeightShape& shape_;
 };
 

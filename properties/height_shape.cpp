@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "forceshade/properties/html.h"
 #include "forceshade/reference/height_energy.h"
+#include "forceshade/vocabulary/number_text.h"
 
 namespace forceshade::properties {
 namespace {
@@ -193,7 +193,7 @@ double Lines::distance(double coordinate) const {
   return std::fabs(place - std::round(place)) * pitch;
 }
 
-HeightShape::HeightShape(const reference::HeightLaw& law)
+HeightShape::HeightShape(const reference::HeightMapField& law)
     : rendering(law.rendering()),
       stiffness(static_cast<double>(law.stiffness())),
       is_conservative(reference::potential(law).has_value()) {

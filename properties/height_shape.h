@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/reference/height_law.h"
+#include "forceshade/reference/height_map_field.h"
 
 namespace forceshade::properties {
 
@@ -52,7 +52,7 @@ struct HeightShape {
   std::vector<PartShape> parts;  // of the map, then of a surface of its own
   std::size_t map_parts;
 
-  explicit HeightShape(const reference::HeightLaw& law);
+  explicit HeightShape(const reference::HeightMapField& law);
 
   // Of the gradient that the direction comes from.
   Bend bend(double x, double y, double reach) const;

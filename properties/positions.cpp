@@ -11,7 +11,7 @@ namespace forceshade::properties {
 namespace {
 
 // How far, in units of the last place of the binary32 result, a force component is from the nearest rounding tie.
-long double distance_to_tie(const reference::Filter& component) {
+long double distance_to_tie(const reference::Ball64& component) {
   const auto rounded = static_cast<float>(component.mid());
   const long double half = half_spacing(rounded);
   if (half == 0) return 1;
@@ -79,7 +79,7 @@ Eigen::Vector3f PositionSource::near_tie(Eigen::Vector3f position) {
   float& moved = (bits() & 1) != 0 ? position.x() : position.z();
   for (int i = 0; i < 8; ++i) {
     moved = neighbour(moved, 1);
-    const reference::Force<reference::Filter> force = law_.estimate(position).force;
+    const reference::Force<reference::Ball64> force = law_.estimate(position).force;
     const long double distance = std::min(distance_to_tie(force.x), distance_to_tie(force.z));
     if (distance < best_distance) {
       best_distance = distance;

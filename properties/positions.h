@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <random>
 
-#include "forceshade/properties/breakdown.h"
 #include "forceshade/properties/shape.h"
+#include "forceshade/vocabulary/breakdown.h"
 
 namespace forceshade::properties {
 

@@ -5,7 +5,6 @@
 
 #include "forceshade/properties/continuity.h"
 #include "forceshade/properties/equivalence.h"
-#include "forceshade/properties/evidence.h"
 #include "forceshade/properties/generators.h"
 #include "forceshade/properties/height_properties.h"
 #include "forceshade/properties/passivity.h"

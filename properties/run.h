@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/properties/certificate.h"
 #include "forceshade/properties/subject.h"
+#include "forceshade/vocabulary/results.h"
 
 namespace forceshade::properties {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/properties/subject.h"
 
-#include "forceshade/fast/height_law.h"
+#include "forceshade/fast/height_map_field.h"
 #include "forceshade/fast/law.h"
 
 namespace forceshade::properties {
@@ -31,7 +31,7 @@ std::variant<Subject, ParameterError> fast_subject(LawId id, const Parameters& p
 }
 
 std::variant<HeightSubject, ParameterError> fast_subject(const HeightMap& map, height::Rendering rendering, float stiffness) {
-  return built<fast::HeightLaw, reference::HeightLaw>(map, rendering, stiffness);
+  return built<fast::HeightMapField, reference::HeightMapField>(map, rendering, stiffness);
 }
 
 }  // namespace forceshade::properties

@@ -9,7 +9,7 @@
 #include <variant>
 
 #include "forceshade/properties/calls.h"
-#include "forceshade/reference/height_law.h"
+#include "forceshade/reference/height_map_field.h"
 #include "forceshade/reference/law.h"
 #include "forceshade/vocabulary/law.h"
 
@@ -29,7 +29,7 @@ struct SubjectOf {
   Renderer renderer;
 };
 using Subject = SubjectOf<reference::Law>;
-using HeightSubject = SubjectOf<reference::HeightLaw>;
+using HeightSubject = SubjectOf<reference::HeightMapField>;
 
 // What went wrong, in words with numbers in hexfloat and decimal; empty where the property holds.
 using Violation = std::optional<std::string>;

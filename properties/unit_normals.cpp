@@ -14,7 +14,7 @@ using Real = long double;
 
 // exact: N, of the magnitude, with what is not known of it.
 Violation difference_in_length(const Eigen::Vector3f& position, const Eigen::Vector3f& force, Real length,
-                               const reference::Filter& exact) {
+                               const reference::Ball64& exact) {
   const Real rounding = std::hypot(half_spacing(force.x()), half_spacing(force.y()), half_spacing(force.z())) + exact.rad() +
                         0x1p-60L * (length + std::fabs(static_cast<Real>(force.z())));
   if (std::fabs(length - exact.mid()) <= rounding) return std::nullopt;
@@ -39,14 +39,14 @@ Violation unit_normals(const Subject& subject, const Eigen::Vector3f& position) 
 }
 
 Violation unit_normals(const HeightSubject& subject, const Eigen::Vector3f& position) {
-  const reference::HeightLaw& law = subject.law;
+  const reference::HeightMapField& law = subject.law;
   if (!is_valid(position)) return std::nullopt;
-  const reference::HeightLaw::Estimate exact = law.estimate(position);
+  const reference::HeightMapField::Estimate exact = law.estimate(position);
   const Eigen::Vector3f force = subject.renderer(position).force;
-  reference::Filter magnitude(0.0);
-  if (exact.gap.mid() > 0) magnitude = reference::Filter(static_cast<double>(law.stiffness())) * exact.gap;
+  reference::Ball64 magnitude(0.0);
+  if (exact.gap.mid() > 0) magnitude = reference::Ball64(static_cast<double>(law.stiffness())) * exact.gap;
   if (law.rendering() == height::Rendering::conservative)
-    magnitude = magnitude * sqrt(exact.Ux * exact.Ux + exact.Uy * exact.Uy + reference::Filter(1.0));
+    magnitude = magnitude * sqrt(exact.Ux * exact.Ux + exact.Uy * exact.Uy + reference::Ball64(1.0));
   const Real length = std::hypot(static_cast<Real>(force.x()), static_cast<Real>(force.y()), static_cast<Real>(force.z()));
   return difference_in_length(position, force, length, magnitude);
 }

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "forceshade/recorder/digest.h"
+#include "forceshade/recorder/checksum.h"
 #include "forceshade/recorder/layout.h"
 
 namespace forceshade::recorder {

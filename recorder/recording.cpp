@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "forceshade/csv/csv.h"
-#include "forceshade/recorder/digest.h"
+#include "forceshade/recorder/checksum.h"
 #include "forceshade/recorder/layout.h"
 
 namespace forceshade::recorder {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "forceshade/reference/law.h"
-#include "forceshade/reference/numbers.h"
+#include "forceshade/reference/numbers/numbers.h"
 
 namespace forceshade::reference {
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "forceshade/reference/intervals.h"
-#include "forceshade/reference/shaded_strip.h"
+#include "forceshade/reference/energy/shaded_strip.h"
+#include "forceshade/reference/numbers/intervals.h"
 
 namespace forceshade::reference {
 namespace {
@@ -33,7 +33,7 @@ bool is_conservative(const Half& half) {
 }  // namespace
 
 Interval circulation_density(const Law& law, const PathPoint& at) {
-  const std::lock_guard lock(slow_numbers);
+  const std::lock_guard lock(exact_arithmetic);
   set_precision(kEnergyBits);
   const Half half = half_of(law);
   const Enclosure x = std::fabs(at.x), zero = 0;
@@ -48,7 +48,7 @@ Interval circulation_density(const Law& law, const PathPoint& at) {
 }
 
 std::vector<LineTerm> line_terms(const Law& law) {
-  const std::lock_guard lock(slow_numbers);
+  const std::lock_guard lock(exact_arithmetic);
   set_precision(kEnergyBits);
   std::vector<LineTerm> terms;
   for (const Line& line : lines_of(half_of(law))) terms.push_back({interval(line.x), interval(line.rise)});
@@ -56,7 +56,7 @@ std::vector<LineTerm> line_terms(const Law& law) {
 }
 
 std::optional<std::string> potential(const Law& law) {
-  const std::lock_guard lock(slow_numbers);
+  const std::lock_guard lock(exact_arithmetic);
   set_precision(kEnergyBits);
   if (!is_conservative(half_of(law))) return std::nullopt;
   const std::string plane = "K/2 max(0, -z)^2", cylinder = "K/2 max(0, R - sqrt(x^2 + (z + d)^2))^2";
@@ -69,7 +69,7 @@ std::optional<std::string> potential(const Law& law) {
 }
 
 LoopBound loop_bound(const Law& law, float depth) {
-  const std::lock_guard lock(slow_numbers);
+  const std::lock_guard lock(exact_arithmetic);
   set_precision(kEnergyBits);
   const Half half = half_of(law);
   const Enclosure D = depth, zero = 0, spring = half.g.K * D * D / 2;

@@ -3,14 +3,14 @@
 
 #include <cmath>
 
-#include "forceshade/reference/height_circulation.h"
-#include "forceshade/reference/strips.h"
+#include "forceshade/reference/energy/height_circulation.h"
+#include "forceshade/reference/energy/strips.h"
 
 namespace forceshade::reference {
 namespace {
 
-Interval paid(const HeightLaw& law, const Filter& over_stiffness) {
-  const Filter energy = Filter(static_cast<double>(law.stiffness())) * over_stiffness;
+Interval paid(const HeightMapField& law, const Ball64& over_stiffness) {
+  const Ball64 energy = Ball64(static_cast<double>(law.stiffness())) * over_stiffness;
   if (!is_finite(energy)) throw NotEnclosed("an energy that is not finite");
   return interval(Multiprecision(std::max(0.0L, energy.low())), Multiprecision(energy.high()));
 }
@@ -21,9 +21,9 @@ Interval SliceBound::most() const {
   return {std::max(counter_clockwise.low, clockwise.low), std::max(counter_clockwise.high, clockwise.high)};
 }
 
-SliceBound loop_bound(const HeightLaw& law, const Slice& slice, float depth, const Watch& watch) {
+SliceBound loop_bound(const HeightMapField& law, const Slice& slice, float depth, const Watch& watch) {
   if (potential(law)) return {{0, 0}, {0, 0}};
-  const std::lock_guard lock(slow_numbers);
+  const std::lock_guard lock(exact_arithmetic);
   set_precision(kEnergyBits);
   return decided([&] {
     const Circulation circulation(law, slice, depth);

@@ -8,20 +8,20 @@
 #include <vector>
 
 #include "forceshade/reference/enclosure.h"
-#include "forceshade/reference/height_law.h"
+#include "forceshade/reference/height_map_field.h"
 #include "forceshade/reference/watch.h"
 
 namespace forceshade::reference {
 
 // The formula of the field's potential, mJ; nothing where no closed path is known to pay nothing: true heights have one where
 // every part is a plane or level, shaded ones where that holds of the surface too, and both have one gradient.
-std::optional<std::string> potential(const HeightLaw& law);
+std::optional<std::string> potential(const HeightMapField& law);
 
 // All that follows throws NotEnclosed where a map is too steep or too fine to be enclosed at all, and Interrupted when the
 // watch is told to stop.
 
 // mJ, along the polyline through the points, mm, in the position domain; to ten digits or more of each segment.
-Interval work(const HeightLaw& law, const std::vector<Eigen::Vector3f>& path, const Watch& watch = {});
+Interval work(const HeightMapField& law, const std::vector<Eigen::Vector3f>& path, const Watch& watch = {});
 
 // A vertical plane through the map. The stroke of a hand lies in one.
 struct Slice {
@@ -37,14 +37,14 @@ struct SliceBound {
   Interval counter_clockwise, clockwise;
   Interval most() const;  // the larger
 };
-SliceBound loop_bound(const HeightLaw& law, const Slice& slice, float depth, const Watch& watch = {});
+SliceBound loop_bound(const HeightMapField& law, const Slice& slice, float depth, const Watch& watch = {});
 
 // What is wrong with a slice or a depth. The least depth is 10^-4 of the largest coordinate a loop may have: below, the
 // binary32 points of a witness are too coarse.
-std::optional<ParameterError> slice_error(const HeightLaw& law, const Slice& slice, float depth);
+std::optional<ParameterError> slice_error(const HeightMapField& law, const Slice& slice, float depth);
 
 // A simple polygon in the slice, closed and no deeper than `depth`, that is paid nearly the bound, for most maps 99 % of it
 // (docs/energy.md); no point where no loop is paid as much as 10^-12 K·depth².
-std::vector<Eigen::Vector3f> witness(const HeightLaw& law, const Slice& slice, float depth, const Watch& watch = {});
+std::vector<Eigen::Vector3f> witness(const HeightMapField& law, const Slice& slice, float depth, const Watch& watch = {});
 
 }  // namespace forceshade::reference

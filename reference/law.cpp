@@ -4,11 +4,11 @@
 #include <cmath>
 #include <optional>
 
-#include "forceshade/reference/decimal.h"
 #include "forceshade/reference/enclosure.h"
-#include "forceshade/reference/slow_geometry.h"
-#include "forceshade/reference/tie.h"
-#include "forceshade/reference/with_law.h"
+#include "forceshade/reference/laws/slow_geometry.h"
+#include "forceshade/reference/laws/with_law.h"
+#include "forceshade/reference/numbers/decimal.h"
+#include "forceshade/reference/numbers/tie.h"
 
 namespace forceshade::reference {
 namespace {
@@ -29,11 +29,11 @@ struct Point {
 };
 
 // Throws Undecided where 64 bits do not tell.
-Law::Estimate filtered(LawId id, const BumpGeometry<Filter>& geometry, const Point& point) {
+Law::Estimate filtered(LawId id, const BumpGeometry<Ball64>& geometry, const Point& point) {
   return with_law(id, [&](auto law) {
-    const Filter x(point.x), z(point.z);
-    const Facet facet = law.template facet<Filter>(geometry, x, z);
-    return Law::Estimate{facet, law.template force<Filter>(facet, geometry, x, z)};
+    const Ball64 x(point.x), z(point.z);
+    const Facet facet = law.template facet<Ball64>(geometry, x, z);
+    return Law::Estimate{facet, law.template force<Ball64>(facet, geometry, x, z)};
   });
 }
 
@@ -96,7 +96,7 @@ Component round_component(const SlowForce& force, Enclosure Force<Enclosure>::*e
 }
 
 Rounded round_slowly(LawId id, const Parameters& p, const Point& point) {
-  const std::lock_guard lock(slow_numbers);
+  const std::lock_guard lock(exact_arithmetic);
   const SlowForce force(id, p, point);
   if (force.facet() == Facet::none) return {{0, 0, 0}, Status::free, Method::exact};
   const Component x = round_component(force, &Force<Enclosure>::x, &Force<Exact>::x);
@@ -125,7 +125,7 @@ void set_precision(unsigned bits) {
 }
 
 DecimalGeometry geometry(const Parameters& p, unsigned digits) {
-  const std::lock_guard lock(slow_numbers);
+  const std::lock_guard lock(exact_arithmetic);
   const BumpGeometry<Exact> exact = exact_geometry(p);
   const auto member = [&](Enclosure BumpGeometry<Enclosure>::*enclosed, Exact BumpGeometry<Exact>::*value) {
     return correctly_rounded(
@@ -144,7 +144,7 @@ std::variant<Law, ParameterError> Law::build(LawId id, const Parameters& p) {
   if (const auto error = first_error(id, p)) return *error;
   Parameters used = p;
   if (!has_bump_geometry(id)) used.radius = used.width = 1;  // never looked at
-  const std::lock_guard lock(slow_numbers);
+  const std::lock_guard lock(exact_arithmetic);
   return Law(id, used, filter_geometry(used));
 }
 
@@ -164,7 +164,7 @@ Rounded Law::round_to_binary32(const Eigen::Vector3f& position) const {
 
 EnclosedForce enclosure(const Law& law, const Eigen::Vector3f& position, unsigned digits) {
   if (!is_valid(position)) return {{0, 0}, {0, 0}, Status::invalid};
-  const std::lock_guard lock(slow_numbers);
+  const std::lock_guard lock(exact_arithmetic);
   const SlowForce force(law.id(), law.parameters(), Point(position));
   if (force.facet() == Facet::none) return {{0, 0}, {0, 0}, Status::free};
   const auto is_narrow = [&](const Enclosure& value) {
@@ -186,7 +186,7 @@ EnclosedForce enclosure(const Law& law, const Eigen::Vector3f& position, unsigne
 
 DecimalForce Law::decimal(const Eigen::Vector3f& position, unsigned digits) const {
   if (!is_valid(position)) return {"0", "0", Status::invalid};
-  const std::lock_guard lock(slow_numbers);
+  const std::lock_guard lock(exact_arithmetic);
   const SlowForce force(id_, parameters_, Point(position));
   if (force.facet() == Facet::none) return {"0", "0", Status::free};
   const auto component = [&](Enclosure Force<Enclosure>::*enclosed, Exact Force<Exact>::*exact) -> std::string {
@@ -203,7 +203,7 @@ Law::Estimate Law::estimate(const Eigen::Vector3f& position) const {
   try {
     return filtered(id_, geometry_, point);
   } catch (const Undecided&) {
-    const std::lock_guard lock(slow_numbers);
+    const std::lock_guard lock(exact_arithmetic);
     set_precision(256);
     const SlowForce slow(id_, parameters_, point);
     const Force<Enclosure> force = slow.enclose();

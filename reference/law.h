@@ -6,7 +6,7 @@
 #include <string>
 #include <variant>
 
-#include "forceshade/reference/force.h"
+#include "forceshade/reference/laws/force.h"
 #include "forceshade/vocabulary/law.h"
 
 namespace forceshade::reference {
@@ -52,19 +52,19 @@ class Law {
   // The facet a valid position is on and the force there to about 17 digits, for properties that need a size, not a proof.
   struct Estimate {
     Facet facet;
-    Force<Filter> force;
+    Force<Ball64> force;
   };
   Estimate estimate(const Eigen::Vector3f& position) const;
 
-  const BumpGeometry<Filter>& geometry() const { return geometry_; }
+  const BumpGeometry<Ball64>& geometry() const { return geometry_; }
 
  private:
-  Law(LawId id, const Parameters& parameters, const BumpGeometry<Filter>& geometry)
+  Law(LawId id, const Parameters& parameters, const BumpGeometry<Ball64>& geometry)
       : id_(id), parameters_(parameters), geometry_(geometry) {}
 
   LawId id_;
   Parameters parameters_;
-  BumpGeometry<Filter> geometry_;
+  BumpGeometry<Ball64> geometry_;
 };
 
 }  // namespace forceshade::reference

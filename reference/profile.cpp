@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "forceshade/reference/bend.h"
-#include "forceshade/reference/height_sum.h"
+#include "forceshade/reference/energy/bend.h"
+#include "forceshade/reference/heights/sum.h"
 
 namespace forceshade::reference {
 namespace {
@@ -106,24 +106,24 @@ struct Profile::Pieces {
 Profile::Profile(const std::vector<height::Part>& parts, float from, float to) {
   if (!(from < to && from >= -1e4F && to <= 1e4F))
     throw std::invalid_argument("the section's ends are not one beyond the other, within 10000 mm");
-  const std::lock_guard lock(slow_numbers);
+  const std::lock_guard lock(exact_arithmetic);
   pieces_ = std::make_unique<const Pieces>(parts, from, to);
 }
 
 Profile::~Profile() = default;
 
 double Profile::least_turning() const {
-  const std::lock_guard lock(slow_numbers);
+  const std::lock_guard lock(exact_arithmetic);
   return mpfr_get_d(Multiprecision(lower(pieces_->turning)).backend().data(), MPFR_RNDD);
 }
 
 double Profile::most_turning() const {
-  const std::lock_guard lock(slow_numbers);
+  const std::lock_guard lock(exact_arithmetic);
   return mpfr_get_d(Multiprecision(upper(pieces_->turning)).backend().data(), MPFR_RNDU);
 }
 
 Profile::Needed Profile::polygons_needed(double theta_critical) const {
-  const std::lock_guard lock(slow_numbers);
+  const std::lock_guard lock(exact_arithmetic);
   set_precision(kBits);
   const Enclosure shares = pieces_->turning / Enclosure(theta_critical);
   const Multiprecision low = floor(lower(shares)), high = floor(upper(shares));
@@ -133,7 +133,7 @@ Profile::Needed Profile::polygons_needed(double theta_critical) const {
 
 std::vector<height::Knot> Profile::knots(unsigned polygons) const {
   if (polygons > kMostPieces) throw std::invalid_argument("too many polygons to place their knots");
-  const std::lock_guard lock(slow_numbers);
+  const std::lock_guard lock(exact_arithmetic);
   set_precision(kBits);
   Multiprecision all(0);
   for (const Piece& one : pieces_->all) all += median(one.turning);

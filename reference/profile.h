@@ -10,7 +10,8 @@
 
 namespace forceshade::reference {
 
-// Holds slow_numbers while it computes. Throws std::invalid_argument, which says why, for a section that it cannot answer for.
+// Holds exact_arithmetic while it computes. Throws std::invalid_argument, which says why, for a section that it cannot answer
+// for.
 class Profile {
  public:
   // Of the sum of parts in their domains, from < to in mm. Refuses kinks strictly between the two, and more than 20 000

@@ -4,8 +4,8 @@
 #include <mutex>
 #include <optional>
 
-#include "forceshade/reference/decimal.h"
-#include "forceshade/reference/slow_geometry.h"
+#include "forceshade/reference/laws/slow_geometry.h"
+#include "forceshade/reference/numbers/decimal.h"
 
 namespace forceshade::reference {
 namespace {
@@ -25,7 +25,7 @@ std::optional<unsigned> rational_degrees(const Parameters& bump) {
 }  // namespace
 
 std::string subtended_degrees(const Parameters& bump, unsigned polygons, unsigned digits) {
-  const std::lock_guard lock(slow_numbers);
+  const std::lock_guard lock(exact_arithmetic);
   return correctly_rounded(
       digits, [&] { return Enclosure(enclosing_degrees(bump) / polygons); },
       [&](const CORE::BigRat& q) {
@@ -36,7 +36,7 @@ std::string subtended_degrees(const Parameters& bump, unsigned polygons, unsigne
 }
 
 unsigned polygons_needed(const Parameters& bump, double theta_critical) {
-  const std::lock_guard lock(slow_numbers);
+  const std::lock_guard lock(exact_arithmetic);
   const auto rational = rational_degrees(bump);
   for (unsigned bits = 128;; bits *= 2) {
     set_precision(bits);

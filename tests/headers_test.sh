@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# headers_test.sh COMPILER SOURCE_DIR INCLUDE_DIR SYSTEM_INCLUDE_DIR...: every header that an installed program can include
+# headers_test.sh COMPILER SOURCE_DIR SYSTEM_INCLUDE_DIR...: every header that an installed program can include
 # compiles by itself. One that a source file of its name includes first is compiled so by every build (structure_test looks
 # that it is first, in these folders and the others); the rest is compiled here.
 set -euo pipefail
-compiler=$1 source=$2 include=$3
-shift 3
-options=(-std=c++20 -fsyntax-only -Wall -Wextra -Werror -Wno-unused-function -Wno-unknown-warning-option "-I$include")
+compiler=$1 source=$2
+shift 2
+options=(-std=c++20 -fsyntax-only -Wall -Wextra -Werror -Wno-unused-function -Wno-unknown-warning-option)
+for module in vocabulary fast csv heights device; do options+=("-I$source/include/$module"); done
 for folder in "$@"; do options+=(-isystem "$folder"); done
 
 compiles() {
@@ -24,8 +25,8 @@ if [ "${FORCESHADE_HEADER:-}" ]; then compiles "$FORCESHADE_HEADER"; exit; fi
 
 cd "$source"
 headers=""
-for header in {vocabulary,fast,csv,heights,device}/*.h; do [ -f "${header%.h}.cpp" ] || headers+=" $header"; done
+for header in $(find vocabulary fast csv heights device -name "*.h" | sort); do [ -f "${header%.h}.cpp" ] || headers+=" $header"; done
 [ "$(wc -w <<<"$headers")" -ge 45 ] || { echo "expected 45 headers or more, found:$headers"; exit 1; }
 # shellcheck disable=SC2086
-printf '%s\n' $headers | xargs -P "$(nproc)" -I{} env FORCESHADE_HEADER={} "$0" "$compiler" "$source" "$include" "$@" || exit 1
+printf '%s\n' $headers | xargs -P "$(nproc)" -I{} env FORCESHADE_HEADER={} "$0" "$compiler" "$source" "$@" || exit 1
 echo "$(wc -w <<<"$headers") headers compile by themselves"

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -40,7 +41,8 @@ void expect_no_include(const char* folder, const std::vector<std::string>& forbi
 
 TEST(structure, every_law_has_its_file_in_every_folder) {
   for (const LawName& law : kLaws)
-    for (const char* pattern : {"reference/%.h", "fast/%.h", "fast/%.g", "tests/%_test.cpp", "tests/%.cases"}) {
+    for (const char* pattern :
+         {"reference/laws/%.h", "fast/laws/%.h", "fast/laws/%.g", "tests/laws/%_test.cpp", "tests/laws/%.cases"}) {
       std::string path = pattern;
       path.replace(path.find('%'), 1, law.file);
       EXPECT_TRUE(std::filesystem::exists(kRoot / path)) << path;
@@ -50,8 +52,9 @@ TEST(structure, every_law_has_its_file_in_every_folder) {
 // So that every build compiles the header by itself; the others are for tests/headers_test.sh.
 TEST(structure, each_source_file_includes_the_header_of_its_name_first) {
   int found = 0;
-  for (const char* folder : {"fast", "csv", "heights", "device", "recorder", "reference", "properties", "apps"})
-    for (const auto& entry : std::filesystem::directory_iterator(kRoot / folder)) {
+  for (const char* folder :
+       {"fast", "csv", "heights", "device", "recorder", "reference", "identity", "properties", "certificate", "report", "apps"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / folder)) {
       if (entry.path().extension() != ".cpp") continue;
       std::filesystem::path header = entry.path();
       if (!std::filesystem::exists(header.replace_extension(".h"))) continue;
@@ -59,8 +62,7 @@ TEST(structure, each_source_file_includes_the_header_of_its_name_first) {
       std::ifstream file(entry.path());
       std::string line;
       while (std::getline(file, line) && !line.starts_with("#include")) continue;
-      std::string expected = "#include \"forceshade/";
-      expected.append(folder).append("/").append(header.filename().string()).append("\"");
+      const std::string expected = "#include \"forceshade/" + std::filesystem::relative(header, kRoot).string() + '"';
       EXPECT_EQ(line, expected) << entry.path();
     }
   EXPECT_GT(found, 60);
@@ -78,40 +80,67 @@ TEST(structure, every_file_that_evaluates_height_maps_has_its_mutants) {
   }
   int found = 0;
   for (const char* folder : {"fast", "reference"})
-    for (const auto& entry : std::filesystem::directory_iterator(kRoot / folder)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / folder)) {
       const std::string extension = entry.path().extension(), name = entry.path().stem();
-      const bool is_of_height_maps = name.starts_with("height_") || name.starts_with("spline_") || name == "fraction" ||
-                                     name == "root_field" || name == "exponential_sum";
+      const bool is_of_height_maps = entry.path().parent_path().filename() == "heights" || name.starts_with("height_") ||
+                                     name == "fraction" || name == "root_field" || name == "exponential_sum";
       if ((extension != ".h" && extension != ".cpp") || !is_of_height_maps) continue;
       ++found;
-      EXPECT_GE(mutants[std::filesystem::path(folder) / name], 2) << folder << '/' << name;
+      const std::filesystem::path file = std::filesystem::relative(entry.path(), kRoot);
+      EXPECT_GE(mutants[file.parent_path() / name], 2) << file;
     }
   EXPECT_GT(found, 40);
 }
 
-TEST(structure, the_two_sides_never_meet) {
-  expect_no_include("fast",
-                    {"forceshade/reference/", "forceshade/properties/", "forceshade/device/", "CGAL", "boost", "mpfr", "gmp"});
-  expect_no_include("reference", {"forceshade/fast/", "forceshade/properties/", "forceshade/device/"});
-  expect_no_include("vocabulary", {"forceshade/"});
+// The arrows of the diagram in CONTRIBUTING.md: what each module may include besides itself.
+const std::map<std::string, std::vector<std::string>> kMayInclude{
+    {"vocabulary", {}},
+    {"csv", {}},
+    {"identity", {"vocabulary"}},
+    {"reference", {"vocabulary"}},
+    {"fast", {"vocabulary"}},
+    {"heights", {"vocabulary"}},
+    {"properties", {"vocabulary", "identity", "reference", "fast"}},
+    {"certificate", {"vocabulary", "identity", "reference", "fast", "properties"}},
+    {"report", {"vocabulary", "identity", "reference", "fast", "properties", "certificate"}},
+    {"device", {"vocabulary", "fast", "csv"}},
+    {"recorder", {"vocabulary", "fast", "csv", "device"}},
+    {"apps",
+     {"vocabulary", "identity", "reference", "fast", "heights", "properties", "certificate", "report", "device", "recorder",
+      "csv"}},
+};
+
+TEST(structure, each_module_includes_only_what_it_may) {
+  for (const auto& [module, allowed] : kMayInclude)
+    for (const std::string& include : includes_of(kRoot / module)) {
+      if (!include.starts_with("forceshade/")) continue;
+      const std::string other = include.substr(11, include.find('/', 11) - 11);
+      EXPECT_TRUE(other == module || std::find(allowed.begin(), allowed.end(), other) != allowed.end())
+          << module << " includes " << include;
+    }
 }
 
-TEST(structure, the_device_side_knows_only_the_real_time_path) {
-  expect_no_include("device", {"forceshade/reference/", "forceshade/properties/", "CGAL", "boost"});
+// Every include can be followed before anything is configured: include/<module> holds a link to the module.
+TEST(structure, every_module_has_its_link_in_include) {
+  for (const auto& entry : kMayInclude) {
+    const std::filesystem::path link = kRoot / "include" / entry.first / "forceshade" / entry.first;
+    ASSERT_TRUE(std::filesystem::is_symlink(link)) << link;
+    EXPECT_TRUE(std::filesystem::equivalent(link, kRoot / entry.first)) << link;
+  }
 }
 
-TEST(structure, height_files_know_neither_side) {
-  expect_no_include("heights", {"forceshade/fast/", "forceshade/reference/", "forceshade/properties/"});
+TEST(structure, the_real_time_side_uses_no_library_of_the_exact_one) {
+  for (const char* folder : {"fast", "device", "heights"}) expect_no_include(folder, {"CGAL", "boost", "mpfr", "gmp"});
 }
 
 TEST(structure, the_recorder_takes_only_the_ring_of_boost) {
-  expect_no_include("recorder", {"forceshade/reference/", "forceshade/properties/", "CGAL"});
+  expect_no_include("recorder", {"CGAL"});
   for (const std::string& include : includes_of(kRoot / "recorder"))
     EXPECT_TRUE(!include.starts_with("boost") || include == "boost/lockfree/spsc_queue.hpp") << include;
 }
 
 TEST(structure, no_gpl_part_of_cgal_is_used) {
-  for (const char* folder : {"reference", "properties", "apps", "tests", "bench"})
+  for (const char* folder : {"reference", "properties", "certificate", "report", "apps", "tests", "bench"})
     expect_no_include(folder, {"CGAL/AABB", "CGAL/Polygon_mesh_processing", "CGAL/Surface_mesh"});
 }
 

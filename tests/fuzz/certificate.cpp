@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/certificate.h"
+#include "forceshade/certificate/certificate.h"
 
 #include "forceshade/tests/fuzz/input_file.h"
 

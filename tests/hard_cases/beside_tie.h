@@ -29,12 +29,13 @@ struct BesideTie {
   float depth() const { return std::ldexp(static_cast<float>(b), -11); }      // 4096 to 8192 mm
 };
 
-// Measures with Wide, for double-double cannot tell the nearest from ties.
+// Measures with BigFloatBall, for double-double cannot tell the nearest from ties.
 template <class Definition>
 void offer_beside_tie(Hardest& hardest, const Parameters& p, float x, float z) {
-  using Wide = fast::Wide<Definition::kWideLimbs>;
+  using BigFloatBall = fast::BigFloatBall<Definition::kWideLimbs>;
   const fast::Built<Definition> law(p);
-  const Wide exact = law.definition.template exact<Wide>(p, Definition::template geometry<Wide>(p), x, z).z;
+  const BigFloatBall exact =
+      law.definition.template exact<BigFloatBall>(p, Definition::template geometry<BigFloatBall>(p), x, z).z;
   const Truth known = truth(exact);
   if (known.from_tie == 0) return;
   hardest.offer("Fz: beside a tie and back", {p, x, z, -std::log2(known.from_tie)});

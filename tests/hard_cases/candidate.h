@@ -80,14 +80,15 @@ inline Truth presumed(const DoubleDouble& value) {
   return {static_cast<float>(tie.at + std::copysign(0.25 * tie.unit, off)), std::fabs(off / tie.at)};
 }
 // From an enclosure that is narrow enough.
-template <class Wide>
-Truth truth(const Wide& value) {
+template <class BigFloatBall>
+Truth truth(const BigFloatBall& value) {
   const Tie tie = tie_near(approximately(value));
-  const Wide off = value - Wide::exactly(tie.at);
+  const BigFloatBall off = value - BigFloatBall::exactly(tie.at);
   return {*fast::round_to_binary32(value), sign(off) == fast::Sign::zero ? 0 : std::fabs(approximately(off) / tie.at)};
 }
 
-// The doubt window (fast/first_stage.h) that this binary64 answer needs, in units of its last place: 0 where it rounds rightly.
+// The doubt window (fast/numbers/first_stage.h) that this binary64 answer needs, in units of its last place: 0 where it rounds
+// rightly.
 inline double needed_window(double answer, float right) {
   if (static_cast<float>(answer) == right) return 0;
   const auto dropped = static_cast<int>(std::bit_cast<std::uint64_t>(answer) & fast::kDroppedMask);

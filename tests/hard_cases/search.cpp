@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Searches for the hardest inputs of a law and prints them as its case file:
 //
-//   ninja -C build/release hard_cases_search && build/release/tests/hard_cases/hard_cases_search bump-2p > tests/bump_2p.cases
+//   ninja -C build/release hard_cases_search && build/release/tests/hard_cases_search bump-2p > tests/laws/bump_2p.cases
 //
 // Two methods: sweep.h (any position, all stiffnesses at once) and beside_tie.h (very near F_z). What each kept candidate
 // is worth to the stages goes to standard error; the force and the distance in the file are the reference's.
@@ -11,7 +11,7 @@
 
 #include "beside_tie.h"
 #include "forceshade/properties/positions.h"
-#include "forceshade/tests/cases.h"
+#include "forceshade/tests/laws/cases.h"
 #include "sweep.h"
 
 namespace forceshade::tests {

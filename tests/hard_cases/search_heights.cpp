@@ -2,7 +2,7 @@
 // Searches for the hardest inputs of a height map and prints them as its case file:
 //
 //   ninja -C build/release hard_cases_search_heights
-//   build/release/tests/hard_cases/hard_cases_search_heights cone > tests/height_cone.cases
+//   build/release/tests/hard_cases_search_heights cone > tests/height_maps/height_cone.cases
 //
 // Every force is K times a number that does not depend on K: at each position sweep.h finds the stiffnesses that bring it next
 // to a tie. Contact does not depend on K: there the positions are taken whose surface is nearest to a binary32 height. The
@@ -13,15 +13,15 @@
 #include <optional>
 #include <random>
 
-#include "forceshade/reference/height_law.h"
-#include "forceshade/tests/height_cases.h"
+#include "forceshade/reference/height_map_field.h"
+#include "forceshade/tests/height_maps/height_cases.h"
 #include "sweep.h"
 
 namespace forceshade::tests {
 namespace {
 
-using fast::Tracked;
-using Wide = fast::Wide<32>;
+using fast::DoubleWithError;
+using BigFloatBall = fast::BigFloatBall<32>;
 
 struct HeightCandidate {
   float K;
@@ -62,7 +62,7 @@ class HeightSearch {
     for (std::uint64_t i = 0; i < positions; ++i) {
       const bool has_few_bits = i % 8 == 0;
       Eigen::Vector3f at(coordinate(has_few_bits), coordinate(has_few_bits), 0);
-      const auto height = static_cast<float>(balls_.at<Tracked>(at, rendering_, 1).gap.value);
+      const auto height = static_cast<float>(balls_.at<DoubleWithError>(at, rendering_, 1).gap.value);
       contact(at, height);
       const std::uint64_t bits = random_();
       at.z() = fast::quantised(has_few_bits
@@ -94,7 +94,7 @@ class HeightSearch {
       if (may_be_zero) {
         if (wide_left_ == 0) continue;
         --wide_left_;
-        const fast::Sign sign = proved_sign(balls_.at<Wide>(at, rendering_, 1).gap);
+        const fast::Sign sign = proved_sign(balls_.at<BigFloatBall>(at, rendering_, 1).gap);
         hardest_.offer(sign == fast::Sign::zero ? "contact: on the surface" : "contact: as if on the surface",
                        {0.75F, at, static_cast<double>(random_() % 1000)});
       } else {
@@ -107,7 +107,7 @@ class HeightSearch {
   void force(const Eigen::Vector3f& at, bool may_tie) {
     const auto unit = balls_.at<DoubleDouble>(at, rendering_, 1);
     if (!unit.decided || !(unit.gap.hi > 4 * unit.gap.error)) return;
-    const auto first = balls_.at<Tracked>(at, rendering_, 1);
+    const auto first = balls_.at<DoubleWithError>(at, rendering_, 1);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const DoubleDouble& c = unit.force[axis];
       if (c.hi == 0 || !(c.error < 0x1p-76 * std::fabs(c.hi)) || std::fabs(c.hi) < 0x1p-100) continue;
@@ -128,8 +128,8 @@ class HeightSearch {
       if (!holds_its_tie(value)) return hardest_.offer(kind, {K, at, -std::log2(presumed(value).from_tie)});
       if (wide_left_ == 0) return;
       --wide_left_;
-      const Wide exact = balls_.at<Wide>(at, rendering_, static_cast<double>(K)).force[axis];
-      const Wide off = exact - Wide::exactly(tie_near(value.hi).at);
+      const BigFloatBall exact = balls_.at<BigFloatBall>(at, rendering_, static_cast<double>(K)).force[axis];
+      const BigFloatBall off = exact - BigFloatBall::exactly(tie_near(value.hi).at);
       if (sign(off) == fast::Sign::zero)
         hardest_.offer(component + ": a tie", {K, at, static_cast<double>(random_() % 1000)});
       else
@@ -146,7 +146,7 @@ class HeightSearch {
     for_stiffnesses_near_ties(c, error > 0 ? -width : 0, width, 4, [&](float K) {
       const DoubleDouble value = DoubleDouble::exactly(static_cast<double>(K)) * c;
       if (holds_its_tie(value)) return;
-      const double answer = balls_.at<Tracked>(at, rendering_, static_cast<double>(K)).force[axis].value;
+      const double answer = balls_.at<DoubleWithError>(at, rendering_, static_cast<double>(K)).force[axis].value;
       hardest_.offer(kind, {K, at, needed_window(answer, presumed(value).right)});
     });
   }
@@ -164,7 +164,7 @@ void print(const HeightScene& scene, height::Rendering rendering, const HardestO
   for (const auto& [kind, candidates] : hardest.kinds())
     for (const HeightCandidate& candidate : candidates) {
       if (candidate.score <= 0) continue;
-      const auto law = std::get<reference::HeightLaw>(reference::HeightLaw::build(scene.map, rendering, candidate.K));
+      const auto law = std::get<reference::HeightMapField>(reference::HeightMapField::build(scene.map, rendering, candidate.K));
       const reference::Rounded exact = law.round_to_binary32(candidate.at);
       const HeightCase one{rendering, candidate.K, candidate.at, exact.force, exact.status, "", kind, ""};
       std::string line;
@@ -190,7 +190,7 @@ int main(int argc, char** argv) {
   const auto scenes = tests::height_scenes();
   const auto scene = std::ranges::find(scenes, name, &tests::HeightScene::name);
   if (scene == scenes.end()) {
-    std::fprintf(stderr, "usage: hard_cases_search_heights MAP [POSITIONS]; a map of tests/height_scenes.h\n");
+    std::fprintf(stderr, "usage: hard_cases_search_heights MAP [POSITIONS]; a map of tests/height_maps/height_scenes.h\n");
     return 2;
   }
   std::printf("rendering,K,x,y,z,Fx,Fy,Fz,status,closest,why\n");

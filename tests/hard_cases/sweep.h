@@ -125,8 +125,8 @@ class Sweep {
     const auto score = [&] { return doubt ? 0.5 : std::max(0.5, needed_window(first, known.right)); };
     const auto share = [&] { return needed_error(second, known.right); };
     if (holds_its_tie(second) && (score() > hardest_.bar(where + kTie) || share() > hardest_.bar(across + "the tie"))) {
-      using Wide = fast::Wide<Definition::kWideLimbs>;
-      known = truth(pick(law.definition.template exact<Wide>(p, Definition::template geometry<Wide>(p), x, z)));
+      using BigFloatBall = fast::BigFloatBall<Definition::kWideLimbs>;
+      known = truth(pick(law.definition.template exact<BigFloatBall>(p, Definition::template geometry<BigFloatBall>(p), x, z)));
       if (known.from_tie > 0) hardest_.offer(where + kNearest, {p, x, z, -std::log2(known.from_tie)});
       if (share() > 0) hardest_.offer(across + (known.from_tie > 0 ? "a tie it is not on" : "the tie"), {p, x, z, share()});
     }

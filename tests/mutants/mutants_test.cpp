@@ -7,7 +7,7 @@
 
 #include "forceshade/properties/equivalence.h"
 #include "forceshade/properties/positions.h"
-#include "forceshade/tests/cases.h"
+#include "forceshade/tests/laws/cases.h"
 #include "mutant.h"
 
 namespace forceshade::tests {

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/certificate/build.h"
+
+#include <ctime>
+#include <fstream>
+
+#include "build_options.h"  // made by CMake when it configures
+#include "forceshade/certificate/plain_text.h"
+#include "forceshade/fast/instruction_set.h"
+#include "forceshade/fast/law.h"
+#include "revision.h"  // made by cmake/revision.cmake at every build
+
+namespace forceshade::properties {
+
+Build current_build() {
+  return {FORCESHADE_VERSION,
+          FORCESHADE_REVISION,
+          FORCESHADE_COMPILER,
+          FORCESHADE_FLAGS,
+          std::string(fast::name_of(fast::best_instruction_set())),
+          fast::library_digest()};
+}
+
+std::string processor_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (const std::size_t colon = line.find(": "); line.starts_with("model name") && colon != std::string::npos)
+      return made_plain(line.substr(colon + 2));
+  return "unknown";
+}
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  char text[32];
+  return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)};
+}
+
+}  // namespace forceshade::properties

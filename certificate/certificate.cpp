@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/certificate/certificate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "forceshade/certificate/certificate_text.h"
+#include "forceshade/vocabulary/number_text.h"
+
+namespace forceshade::properties {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// binary32 numbers are written as the binary64 numbers they are, so they come back the same.
+Json parameters_json(LawId law, const Parameters& p) {
+  Json json;
+  if (has_bump_geometry(law)) json = {{"radius_mm", static_cast<double>(p.radius)}, {"width_mm", static_cast<double>(p.width)}};
+  json["stiffness_N_per_mm"] = static_cast<double>(p.stiffness);
+  return json;
+}
+
+Json comparison_json(const Comparison& found) {
+  return {{"points", found.points},
+          {"mismatches", found.mismatches},
+          {"points_by_instruction_set", found.points_by_instruction_set},
+          {"points_by_aim", found.points_by_aim},
+          {"points_by_stage", found.points_by_stage},
+          {"points_by_method", found.points_by_method},
+          {"points_by_status", found.points_by_status},
+          {"counterexamples", found.counterexamples}};
+}
+
+// After what names the law or the map.
+void add_findings(Json& json, const Findings& law, bool is_unit) {
+  Json properties = Json::array();
+  for (const PropertyResult& p : law.properties)
+    properties.push_back({{"name", p.name}, {"cases", p.cases}, {"held", p.held}, {"counterexample", p.counterexample}});
+  Json energy = Json::array();
+  for (const LoopEnergy& e : law.energy)
+    energy.push_back(
+        {{"depth_mm", e.depth_mm}, {"bound_mJ", e.bound_mJ}, {"witness_mJ", e.witness_mJ}, {"measured_mJ", e.measured_mJ}});
+  json.update({{"continuous", law.jumps.empty()}, {"jumps", law.jumps}, {"unit", is_unit}, {"conservative", law.conservative}});
+  json.update(comparison_json(law));
+  Json spread{{"parameter_sets", law.spread.parameter_sets}};
+  spread.update(comparison_json(law.spread));
+  json.update({{"closest_call",
+                {{"x_mm", static_cast<double>(law.closest_call.x)},
+                 {"y_mm", static_cast<double>(law.closest_call.y)},
+                 {"z_mm", static_cast<double>(law.closest_call.z)},
+                 {"ulps_from_tie", law.closest_call.ulps_from_tie}}},
+               {"spread", spread},
+               {"properties", properties},
+               {"energy_per_loop", energy}});
+}
+
+Json law_json(const LawResult& law) {
+  Json json{{"law", name_of(law.law)}, {"held", law.held()}, {"parameters", parameters_json(law.law, law.parameters)}};
+  add_findings(json, law, law.is_unit());
+  return json;
+}
+
+Json height_map_json(const HeightMapResult& map) {
+  Json json{{"height_map", map.file},
+            {"held", map.held()},
+            {"map_digest", map.identity.map_digest},
+            {"rendering", name_of(map.identity.rendering)},
+            {"stiffness_N_per_mm", static_cast<double>(map.identity.stiffness)},
+            {"parts", map.parts}};
+  add_findings(json, map, map.is_unit());
+  return json;
+}
+
+Json sweeps_json(const Sweeps& sweeps) {
+  Json list = Json::array();
+  for (const SweepResult& result : sweeps.results)
+    list.push_back({{"law", name_of(result.sweep.law)},
+                    {"parameters", parameters_json(result.sweep.law, result.sweep.parameters)},
+                    {"kind", kSweepKinds[static_cast<std::size_t>(result.sweep.kind)]},
+                    {"at_mm", static_cast<double>(result.sweep.at)},
+                    {"inputs", result.inputs},
+                    {"mismatches", result.mismatches}});
+  return {{"finished", sweeps.is_finished()},
+          {"units", {{"first", sweeps.first}, {"end", sweeps.end}, {"next", sweeps.next}, {"of", sweeps.units()}}},
+          {"seconds", sweeps.seconds},
+          {"inputs", sweeps.inputs()},
+          {"mismatches", sweeps.mismatches()},
+          {"calls_by_stage", {{"binary64", sweeps.stages[0]}, {"double-double", sweeps.stages[1]}, {"wide", sweeps.stages[2]}}},
+          {"counterexamples", sweeps.counterexamples},
+          {"sweeps", list}};
+}
+
+// JSON has no infinity and no NaN: written, they would be null.
+void refuse_what_is_not_finite(const Json& json, const std::string& place) {
+  if (json.is_number_float() && !std::isfinite(json.get<double>()))
+    throw CertificateError("no certificate can be written: " + place + " is " + digits(json.get<double>(), 6) +
+                           "; expected a finite number");
+  if (!json.is_structured()) return;
+  for (const auto& member : json.items())
+    refuse_what_is_not_finite(member.value(), json.is_array() ? place + '[' + member.key() + ']'
+                                              : place.empty() ? member.key()
+                                                              : place + '.' + member.key());
+}
+
+}  // namespace
+
+bool Comparison::covers(const std::string& instruction_set) const {
+  const auto found = points_by_instruction_set.find(instruction_set);
+  return found != points_by_instruction_set.end() && points > 0 && found->second == points;
+}
+
+bool Findings::has_held(std::string_view property) const {
+  return std::any_of(properties.begin(), properties.end(),
+                     [&](const PropertyResult& p) { return p.name == property && p.held; });
+}
+
+bool Findings::held() const {
+  return points > 0 && mismatches == 0 && spread.mismatches == 0 &&
+         std::all_of(kPropertyNames.begin(), kPropertyNames.end(),
+                     [&](std::string_view property) { return has_held(property); });
+}
+
+bool Certificate::held() const {
+  const bool is_empty = !has_points() && sweeps.results.empty();
+  const bool swept = sweeps.results.empty() || (sweeps.is_whole() && sweeps.mismatches() == 0);
+  bool all = true;
+  for_each([&](const Findings& one) { all = all && one.held(); });
+  return !is_empty && swept && all;
+}
+
+std::string to_json(const Certificate& certificate) {
+  const Build& build = certificate.build;
+  Json laws = Json::array();
+  for (const LawResult& law : certificate.laws) laws.push_back(law_json(law));
+  Json height_maps = Json::array();
+  for (const HeightMapResult& map : certificate.height_maps) height_maps.push_back(height_map_json(map));
+  Json json{{"schema", kCertificateSchema},
+            {"held", certificate.held()},
+            {"statement", kStatement},
+            {"method", kMethod},
+            {"domain", Json::parse(kDomain)},
+            {"build",
+             {{"version", build.version},
+              {"revision", build.revision},
+              {"compiler", build.compiler},
+              {"flags", build.flags},
+              {"instruction_set", build.instruction_set},
+              {"library_digest", build.library_digest}}},
+            {"date", certificate.date},
+            {"processor", certificate.processor},
+            {"seed", certificate.seed},
+            {"seconds", certificate.seconds},
+            {"laws", laws},
+            {"height_maps", height_maps}};
+  if (!certificate.sweeps.results.empty()) json["exhaustive"] = sweeps_json(certificate.sweeps);
+  refuse_what_is_not_finite(json, "");
+  // A file's name need not be UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace forceshade::properties

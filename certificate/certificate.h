@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What certify found, as it is written to certificate.json (schema: docs/certificate.md) and read again by drive.
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "forceshade/certificate/sweep.h"
+#include "forceshade/identity/height_identity.h"
+#include "forceshade/vocabulary/breakdown.h"
+#include "forceshade/vocabulary/law.h"
+#include "forceshade/vocabulary/results.h"
+
+namespace forceshade::properties {
+
+inline constexpr int kCertificateSchema = 5;
+
+// What was checked is this build and no other.
+struct Build {
+  std::string version;   // of the library
+  std::string revision;  // git commit, "+" if the tree was changed; "unknown" outside git
+  std::string compiler;
+  std::string flags;
+  std::string instruction_set;  // the widest that this machine has: what single and batch calls use
+  std::string library_digest;   // SHA-256 of the compiled real-time library
+
+  friend bool operator==(const Build&, const Build&) = default;
+};
+
+// The point whose exact force came closest to a rounding tie without being one.
+struct ClosestCall {
+  float x = 0, y = 0, z = 0;  // mm
+  double ulps_from_tie = 1;   // units in the last place of the binary32 result
+};
+
+inline constexpr std::size_t kCounterexamples = 10;  // that are kept of one comparison, at most
+
+// Positions at which every call of the fast path was compared with the reference.
+struct Comparison {
+  using Counts = std::map<std::string, std::uint64_t>;
+
+  std::uint64_t points = 0;
+  std::uint64_t mismatches = 0;              // points at which a call differs, or which the reference could not decide
+  Counts points_by_instruction_set;          // whose code was compared there: all points or, where it is missing, none
+  Counts points_by_aim;                      // how positions were chosen
+  Counts points_by_stage;                    // which stage of the fast path decided
+  Counts points_by_method;                   // what the reference needed to be certain
+  Counts points_by_status;                   // free, contact, invalid
+  std::vector<std::string> counterexamples;  // the first mismatches
+
+  // Whether this set's code was compared at every point.
+  bool covers(const std::string& instruction_set) const;
+};
+
+// The same law or map with other parameters, drawn from the domain: the asked-for ones may make every product exact, and
+// then test no rounding.
+struct Spread : Comparison {
+  std::uint64_t parameter_sets = 0;
+};
+
+// What was found out about a law or a height map.
+struct Findings : Comparison {
+  std::vector<std::string> jumps = {};  // where the force jumps, in words
+  bool conservative = false;
+  ClosestCall closest_call = {};
+  std::vector<PropertyResult> properties = {};
+  std::vector<LoopEnergy> energy = {};
+  Spread spread = {};
+
+  bool held() const;
+  bool has_held(std::string_view property) const;
+};
+
+struct LawResult : Findings {
+  LawId law = LawId::wall;
+  Parameters parameters;
+
+  std::string name() const { return std::string(name_of(law)); }
+  bool is_unit() const { return has_held("unit normals"); }
+};
+
+struct HeightMapResult : Findings {
+  std::string file;  // as it was called; the identity does not hang on it
+  HeightIdentity identity;
+  std::vector<std::string> parts;  // in words
+
+  std::string name() const { return file; }
+  // A conservative map's normal is not one, and should not be.
+  bool is_unit() const { return identity.rendering != height::Rendering::conservative && has_held("unit normals"); }
+};
+
+struct Certificate {
+  Build build;
+  std::uint64_t seed = 0;
+  double seconds = 0;
+  std::vector<LawResult> laws;  // checked by points and properties
+  Sweeps sweeps;                // checked exhaustively; without results where nothing was
+  std::vector<HeightMapResult> height_maps = {};
+  std::string date = {};       // when it was finished, UTC: 2026-01-31T23:59:59Z
+  std::string processor = {};  // that it was made on, as the processor calls itself
+
+  bool held() const;
+  bool has_points() const { return !laws.empty() || !height_maps.empty(); }
+
+  // visit(law) for each of the laws, then for each of the height maps.
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for (const LawResult& law : laws) visit(law);
+    for (const HeightMapResult& map : height_maps) visit(map);
+  }
+};
+
+// Names the file, the key, its value and what was expected.
+struct CertificateError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Throws CertificateError, naming the key, where a number is not finite: JSON has none such.
+std::string to_json(const Certificate& certificate);
+
+// Strict: what is missing, unknown, twice there, of another type, out of its range, or contradicts the rest is refused with a
+// CertificateError. A seal against mistakes; that nobody forged the file it cannot say (docs/certificate.md).
+Certificate from_json(const std::string& text, const std::string& file);
+
+// The text of a certificate's file. Throws CertificateError, with the system's reason, where it cannot be read, is empty, or is
+// larger than a certificate can be.
+std::string read_certificate(const std::string& file);
+
+// Why `certificate` does not let `build` drive this law with these parameters; empty if it does. For the wall, only the
+// stiffness counts. What it must have: docs/certificate.md, "What drive refuses".
+std::optional<std::string> refusal(const Certificate& certificate, const Build& build, LawId law, const Parameters& parameters);
+std::optional<std::string> refusal(const Certificate& certificate, const Build& build, const HeightIdentity& map);
+
+}  // namespace forceshade::properties

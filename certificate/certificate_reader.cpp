@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// certificate.json as it is read: nothing is taken that is not in the schema or contradicts the rest.
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+#include "forceshade/certificate/certificate.h"
+#include "forceshade/certificate/certificate_text.h"
+#include "forceshade/certificate/json_fields.h"
+#include "forceshade/fast/law.h"
+
+namespace forceshade::properties {
+namespace {
+
+const std::string& in_words(bool value) {
+  static const std::string words[]{"false, as the rest of the certificate says", "true, as the rest of the certificate says"};
+  return words[value ? 1 : 0];
+}
+
+void read_flag(Fields& fields, const char* key, bool must_be) {
+  const bool is = fields.flag(key);
+  fields.expect(key, is == must_be, in_words(must_be));
+}
+
+template <std::size_t kCount>
+std::string one_of(const std::array<std::string_view, kCount>& names) {
+  std::string list;
+  for (const std::string_view name : names) list += (list.empty() ? "one of " : ", ") + std::string(name);
+  return list;
+}
+
+Parameters parameters_from(LawId law, Fields fields) {
+  Parameters p;
+  if (has_bump_geometry(law)) {
+    p.radius = fields.binary32("radius_mm");
+    p.width = fields.binary32("width_mm");
+  }
+  p.stiffness = fields.binary32("stiffness_N_per_mm");
+  const auto built = fast::Law::build(law, p);
+  if (const auto* error = std::get_if<ParameterError>(&built)) throw JsonError(error->message());
+  fields.end();
+  return p;
+}
+
+LawId law_id_from(Fields& fields) {
+  const std::string name = fields.text("law");
+  if (const auto id = law_named(name)) return *id;
+  throw JsonError("unknown law \"" + name + "\"");
+}
+
+std::string digest_from(Fields& fields, const char* key) {
+  std::string digest = fields.text(key);
+  const auto is_hex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
+  fields.expect(key, digest.size() == 64 && std::all_of(digest.begin(), digest.end(), is_hex), "a SHA-256 of 64 hex digits");
+  return digest;
+}
+
+// Each of `names` is counted, nothing else is, and the counts are those of all points.
+template <std::size_t kCount>
+Comparison::Counts breakdown(Fields& fields, const char* key, const std::array<std::string_view, kCount>& names,
+                             std::uint64_t points) {
+  Comparison::Counts counts = fields.counts(key);
+  std::uint64_t left = points;
+  bool fits = counts.size() == kCount;
+  for (const std::string_view name : names) {
+    const auto found = counts.find(std::string(name));
+    fits = fits && found != counts.end() && found->second <= left;
+    if (fits) left -= found->second;
+  }
+  fields.expect(key, fits && left == 0, "counts of " + one_of(names).substr(7) + " that add up to " + std::to_string(points));
+  return counts;
+}
+
+Comparison::Counts sets_from(Fields& fields, std::uint64_t points, const Build& build) {
+  constexpr const char* kKey = "points_by_instruction_set";
+  Comparison::Counts counts = fields.counts(kKey);
+  bool fits = counts.contains("scalar") && counts.contains(build.instruction_set);
+  for (const auto& [name, count] : counts) fits = fits && fast::instruction_set_named(name) && count == points;
+  fields.expect(
+      kKey, fits,
+      std::to_string(points) + " for each set that was compared, scalar and " + build.instruction_set + " among them");
+  return counts;
+}
+
+// most: how many may have been kept; the first kCounterexamples always are.
+void expect_counterexamples(Fields& fields, std::size_t count, std::uint64_t mismatches, std::size_t most) {
+  const std::uint64_t least = std::min<std::uint64_t>(mismatches, kCounterexamples);
+  fields.expect("counterexamples", count >= least && count <= std::min<std::uint64_t>(mismatches, most),
+                mismatches == 0 ? "none, as there is no mismatch"
+                                : "the first of " + std::to_string(mismatches) + " mismatches, " + std::to_string(least));
+}
+
+Comparison comparison_from(Fields& fields, const Build& build) {
+  Comparison found;
+  found.points = fields.count("points");
+  fields.expect("points", found.points > 0, "1 or more");
+  found.mismatches = fields.count("mismatches");
+  fields.expect("mismatches", found.mismatches <= found.points, "no more than there are points");
+  found.points_by_instruction_set = sets_from(fields, found.points, build);
+  found.points_by_aim = breakdown(fields, "points_by_aim", kAimNames, found.points);
+  found.points_by_stage = breakdown(fields, "points_by_stage", kStageNames, found.points);
+  found.points_by_method = breakdown(fields, "points_by_method", kMethodNames, found.points);
+  found.points_by_status = breakdown(fields, "points_by_status", kStatusNames, found.points);
+  found.counterexamples = fields.texts("counterexamples");
+  expect_counterexamples(fields, found.counterexamples.size(), found.mismatches, kCounterexamples);
+  return found;
+}
+
+std::vector<PropertyResult> properties_from(Fields& entry) {
+  std::vector<PropertyResult> all;
+  for (Fields& fields : entry.objects("properties")) {
+    PropertyResult one{fields.text("name"), fields.count("cases"), fields.flag("held"), fields.text("counterexample", true)};
+    fields.expect("name", all.size() < kPropertyNames.size() && one.name == kPropertyNames[all.size()],
+                  "each property once: " + one_of(kPropertyNames).substr(7));
+    fields.expect("cases", one.cases > 0, "1 or more");
+    fields.expect("counterexample", one.held == one.counterexample.empty(),
+                  one.held ? "none, as the property held" : "one, as the property did not hold");
+    fields.end();
+    all.push_back(std::move(one));
+  }
+  entry.expect("properties", all.size() == kPropertyNames.size(), "all of " + one_of(kPropertyNames).substr(7));
+  return all;
+}
+
+std::vector<LoopEnergy> energy_from(Fields& entry, bool conservative) {
+  std::vector<LoopEnergy> all;
+  for (Fields& fields : entry.objects("energy_per_loop")) {
+    const LoopEnergy one{fields.number("depth_mm"), fields.interval("bound_mJ"), fields.number("witness_mJ"),
+                         fields.number("measured_mJ")};
+    fields.expect("depth_mm", one.depth_mm > 0, "more than 0");
+    fields.expect("bound_mJ", one.bound_mJ[1] >= 0 && (!conservative || one.bound_mJ[1] == 0),
+                  conservative ? "[0, 0], as no loop is paid by a conservative law" : "no bound below 0");
+    fields.end();
+    all.push_back(one);
+  }
+  return all;
+}
+
+ClosestCall closest_call_from(Fields fields) {
+  const ClosestCall call{fields.binary32("x_mm"), fields.binary32("y_mm"), fields.binary32("z_mm"),
+                         fields.number("ulps_from_tie")};
+  fields.expect("ulps_from_tie", call.ulps_from_tie > 0 && call.ulps_from_tie <= 1, "more than 0 and at most 1");
+  fields.end();
+  return call;
+}
+
+Spread spread_from(Fields fields, const Build& build) {
+  Spread spread{comparison_from(fields, build), fields.count("parameter_sets")};
+  fields.expect("parameter_sets", spread.parameter_sets > 0 && spread.parameter_sets <= spread.points,
+                "1 or more, and no more than there are points");
+  fields.end();
+  return spread;
+}
+
+Findings findings_from(Fields& fields, const Build& build) {
+  Findings found{comparison_from(fields, build)};
+  found.jumps = fields.texts("jumps");
+  read_flag(fields, "continuous", found.jumps.empty());
+  found.conservative = fields.flag("conservative");
+  found.closest_call = closest_call_from(fields.object("closest_call"));
+  found.spread = spread_from(fields.object("spread"), build);
+  found.properties = properties_from(fields);
+  found.energy = energy_from(fields, found.conservative);
+  return found;
+}
+
+// What both say of themselves, when all else is read.
+template <class Result>
+Result with_verdict(Result result, Fields& fields) {
+  read_flag(fields, "held", result.held());
+  read_flag(fields, "unit", result.is_unit());
+  fields.end();
+  return result;
+}
+
+LawResult law_from(Fields& fields, const Build& build) {
+  const LawId id = law_id_from(fields);
+  const Parameters parameters = parameters_from(id, fields.object("parameters"));
+  return with_verdict(LawResult{findings_from(fields, build), id, parameters}, fields);
+}
+
+HeightMapResult height_map_from(Fields& fields, const Build& build) {
+  HeightMapResult result;
+  result.file = fields.text("height_map");
+  result.identity.map_digest = digest_from(fields, "map_digest");
+  const std::string word = fields.text("rendering");
+  const auto* rendering = std::find_if(height::kRenderings.begin(), height::kRenderings.end(),
+                                       [&](const height::RenderingName& name) { return name.name == word; });
+  if (rendering == height::kRenderings.end()) throw JsonError("unknown rendering \"" + word + "\"");
+  result.identity.rendering = rendering->rendering;
+  result.identity.stiffness = fields.binary32("stiffness_N_per_mm");
+  const auto wall = fast::Law::build(LawId::wall, {.stiffness = result.identity.stiffness});
+  if (const auto* error = std::get_if<ParameterError>(&wall)) throw JsonError(error->message());
+  result.parts = fields.texts("parts");
+  fields.expect("parts", !result.parts.empty(), "at least one part");
+  static_cast<Findings&>(result) = findings_from(fields, build);
+  return with_verdict(std::move(result), fields);
+}
+
+SweepResult sweep_from(Fields& fields) {
+  const LawId law = law_id_from(fields);
+  const Parameters parameters = parameters_from(law, fields.object("parameters"));
+  const std::string word = fields.text("kind");
+  const auto kind = std::find(kSweepKinds.begin(), kSweepKinds.end(), word);
+  if (kind == kSweepKinds.end()) throw JsonError("unknown kind of sweep \"" + word + "\"");
+  SweepResult result{{law, parameters, static_cast<SweepKind>(kind - kSweepKinds.begin()), fields.binary32("at_mm")},
+                     fields.count("inputs"),
+                     fields.count("mismatches")};
+  constexpr std::uint64_t kInputs = kUnitsPerSweep << (kUnitBits + 1);
+  fields.expect("inputs", result.inputs <= kInputs, "at most 2^32, which is every binary32");
+  // On both sides of a surface, by the scalar call and two vector sets: six.
+  fields.expect("mismatches", result.mismatches <= 6 * result.inputs, "no more than there are calls");
+  fields.end();
+  return result;
+}
+
+Sweeps sweeps_from(Fields fields) {
+  Sweeps sweeps;
+  for (Fields& row : fields.objects("sweeps")) sweeps.results.push_back(sweep_from(row));
+  fields.expect("sweeps", !sweeps.results.empty(), "at least one sweep");
+  Fields units = fields.object("units");
+  sweeps.first = units.count("first");
+  sweeps.end = units.count("end");
+  sweeps.next = units.count("next");
+  if (!(sweeps.first <= sweeps.next && sweeps.next <= sweeps.end && sweeps.end <= sweeps.units()) ||
+      units.count("of") != sweeps.units())
+    throw JsonError("units: expected first <= next <= end <= of = " + std::to_string(sweeps.units()) + ", got " +
+                    fields.any("units").dump());
+  units.end();
+  sweeps.seconds = fields.number("seconds");
+  fields.expect("seconds", sweeps.seconds >= 0, "0 or more");
+  Fields stages = fields.object("calls_by_stage");
+  sweeps.stages = {stages.count("binary64"), stages.count("double-double"), stages.count("wide")};
+  stages.end();
+  std::uint64_t calls = 0;  // on both sides of a surface
+  for (const SweepResult& result : sweeps.results) calls += result.inputs * (result.sweep.kind == SweepKind::height ? 2 : 1);
+  bool fits = true;
+  for (const std::uint64_t stage : sweeps.stages) fits = fits && stage <= std::exchange(calls, calls - stage);
+  fields.expect("calls_by_stage", fits && calls == 0, "counts that add up to the scalar calls: one an input, two on a surface");
+  sweeps.counterexamples = fields.texts("counterexamples");
+  const auto expect_total = [&](const char* key, std::uint64_t total) {
+    fields.expect(key, fields.count(key) == total, std::to_string(total) + ", the sum of the sweeps'");
+  };
+  expect_total("inputs", sweeps.inputs());
+  expect_total("mismatches", sweeps.mismatches());
+  expect_counterexamples(fields, sweeps.counterexamples.size(), sweeps.mismatches(), SIZE_MAX);
+  read_flag(fields, "finished", sweeps.is_finished());
+  fields.end();
+  return sweeps;
+}
+
+Build build_from(Fields fields) {
+  const Build build{fields.text("version"), fields.text("revision"),        fields.text("compiler"),
+                    fields.text("flags"),   fields.text("instruction_set"), digest_from(fields, "library_digest")};
+  fields.expect("instruction_set", fast::instruction_set_named(build.instruction_set).has_value(), "scalar, avx2 or avx512");
+  fields.end();
+  return build;
+}
+
+// 2026-01-31T23:59:59Z
+std::string date_from(Fields& fields) {
+  constexpr std::string_view kForm = "dddd-dd-ddTdd:dd:ddZ";
+  std::string date = fields.text("date");
+  bool fits = date.size() == kForm.size();
+  for (std::size_t i = 0; fits && i < kForm.size(); ++i)
+    fits = kForm[i] == 'd' ? date[i] >= '0' && date[i] <= '9' : date[i] == kForm[i];
+  fields.expect("date", fits, "one like 2026-01-31T23:59:59Z");
+  return date;
+}
+
+Certificate certificate_from(Fields fields) {
+  const std::uint64_t schema = fields.count("schema");
+  if (schema != kCertificateSchema)
+    throw JsonError("schema is " + std::to_string(schema) + "; expected " + std::to_string(kCertificateSchema) +
+                    ": certify again");
+  for (const auto& [key, words] : {std::pair{"statement", kStatement}, {"method", kMethod}}) {
+    const std::string text = fields.text(key);
+    fields.expect(key, text == words, "the words of schema " + std::to_string(kCertificateSchema));
+  }
+  const auto domain = nlohmann::json::parse(kDomain);
+  fields.expect("domain", fields.any("domain") == domain, domain.dump());
+  Certificate certificate{build_from(fields.object("build")), fields.count("seed"), fields.number("seconds"), {}, {}};
+  fields.expect("seconds", certificate.seconds >= 0, "0 or more");
+  certificate.date = date_from(fields);
+  certificate.processor = fields.text("processor");
+  for (Fields& law : fields.objects("laws")) certificate.laws.push_back(law_from(law, certificate.build));
+  for (Fields& map : fields.objects("height_maps")) certificate.height_maps.push_back(height_map_from(map, certificate.build));
+  if (fields.has("exhaustive")) certificate.sweeps = sweeps_from(fields.object("exhaustive"));
+  read_flag(fields, "held", certificate.held());
+  fields.end();
+  return certificate;
+}
+
+}  // namespace
+
+Certificate from_json(const std::string& text, const std::string& file) {
+  try {
+    const nlohmann::json json = json_from(text);
+    return certificate_from({json, ""});
+  } catch (const JsonError& error) {
+    throw CertificateError(file + ": expected a forceshade certificate (schema " + std::to_string(kCertificateSchema) +
+                           "): " + error.what());
+  }
+}
+
+std::string read_certificate(const std::string& file) {
+  const auto refuse = [&](const std::string& why) { throw CertificateError(file + ": cannot be read: " + why); };
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  std::string text(kLargestJson + 1, '\0');
+  if (stream) stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!stream.eof() && !stream) refuse(std::generic_category().message(errno));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.empty()) refuse(errno != 0 ? std::generic_category().message(errno) : "it is empty; expected a certificate");
+  if (text.size() > kLargestJson) refuse("it is larger than " + std::to_string(kLargestJson) + " bytes");
+  return text;
+}
+
+}  // namespace forceshade::properties

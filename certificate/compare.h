@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Every call of a renderer against the reference, at positions from a source.
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "forceshade/certificate/tally.h"
+#include "forceshade/properties/binary32.h"
+#include "forceshade/properties/calls.h"
+#include "forceshade/properties/equivalence.h"
+#include "forceshade/properties/positions.h"
+
+namespace forceshade::properties {
+
+// The next `count` positions of a source, each with what the reference says of it. A position is wrong for the first of its
+// calls that is.
+class Chunk {
+ public:
+  template <class Reference, class Source>
+  Chunk(const Calls& calls, const Reference& reference, Source& source, std::uint64_t count, Tally& tally)
+      : calls_(calls), wrong_(count) {
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const Aimed aimed = source.next();
+      positions_.push_back(aimed.position);
+      const fast::Evaluation answer = calls.evaluate(aimed.position);
+      ++tally.aims[static_cast<std::size_t>(aimed.aim)];
+      ++tally.stages[static_cast<std::size_t>(answer.stage)];
+      exact_.push_back(rounded(reference, answer, i));
+      const reference::Rounded& exact = exact_.back();
+      ++tally.methods[static_cast<std::size_t>(exact.method)];
+      ++tally.statuses[static_cast<std::size_t>(exact.status)];
+      const Eigen::Vector3f& at = aimed.position;
+      if (exact.ulps_from_tie > 0) tally.call({at.x(), at.y(), at.z(), static_cast<double>(exact.ulps_from_tie)});
+      if (auto words = difference(at, {answer.force, answer.status}, exact)) fault(i, *words);
+    }
+    tally.points += count;
+  }
+
+  // By the code of each instruction set that this machine has: all positions at once, and one by one where that is other code.
+  void compare_sets(Tally& tally) {
+    for (const fast::InstructionSet set : fast::kInstructionSets) {
+      if (!fast::is_available(set)) continue;
+      compare(set, positions_.size(), "the batch call (");
+      if (calls_.single_depends_on_set) compare(set, 1, "the single call (");
+      tally.sets[static_cast<std::size_t>(set)] += positions_.size();
+    }
+  }
+
+  // number: of the chunk; who: put before the words.
+  void count_mismatches(std::uint64_t number, const std::string& who, Tally& tally) {
+    for (std::optional<std::string>& words : wrong_)
+      if (words) tally.mismatch(number, who + *words);
+  }
+
+ private:
+  // Where the reference does not decide, that is a fault, and the answer stands for what is not known.
+  template <class Reference>
+  reference::Rounded rounded(const Reference& reference, const fast::Evaluation& answer, std::uint64_t i) {
+    try {
+      return reference.round_to_binary32(positions_[i]);
+    } catch (const std::domain_error& error) {
+      fault(i, not_decided(positions_[i], error));
+      reference::Rounded unknown{answer.force, answer.status};
+      unknown.method = reference::Method::exact;
+      return unknown;
+    }
+  }
+
+  // size: of each batch.
+  void compare(fast::InstructionSet set, std::size_t size, const char* call) {
+    const std::string who = call + std::string(name_of(set)) + ")";
+    std::vector<Eigen::Vector3f> forces(size);
+    for (std::size_t begin = 0; begin < positions_.size(); begin += size) {
+      // What a call leaves unwritten is not the answer of the call before.
+      std::fill(forces.begin(), forces.end(), Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
+      const fast::BatchResult result = calls_.batch(std::span(positions_).subspan(begin, size), forces, set);
+      std::size_t invalid = 0;
+      for (std::size_t i = 0; i < size; ++i) {
+        const reference::Rounded& exact = exact_[begin + i];
+        invalid += exact.status == Status::invalid;
+        if (auto words = difference(positions_[begin + i], {forces[i], exact.status}, exact))
+          fault(begin + i, who + ": " + *words);
+      }
+      if (result.invalid != invalid)
+        fault(begin, who + " counts " + std::to_string(result.invalid) + " invalid positions of " + std::to_string(size) +
+                         "; expected " + std::to_string(invalid));
+    }
+  }
+
+  void fault(std::size_t i, std::string words) {
+    if (!wrong_[i]) wrong_[i] = std::move(words);
+  }
+
+  const Calls& calls_;
+  std::vector<Eigen::Vector3f> positions_;
+  std::vector<reference::Rounded> exact_;
+  std::vector<std::optional<std::string>> wrong_;
+};
+
+// Compares `count` positions of `source`, in chunk `number`.
+template <class Reference, class Source>
+void compare_chunk(const Calls& calls, const Reference& reference, Source source, std::uint64_t count, std::uint64_t number,
+                   const std::string& who, Tally& tally) {
+  Chunk chunk(calls, reference, source, count, tally);
+  chunk.compare_sets(tally);
+  chunk.count_mismatches(number, who, tally);
+}
+
+}  // namespace forceshade::properties

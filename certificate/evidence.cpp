@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/certificate/evidence.h"
+
+#include <string_view>
+#include <vector>
+
+namespace forceshade::properties {
+namespace {
+
+using Names = std::vector<std::string_view>;
+
+std::uint64_t count_in(const Comparison::Counts& counts, std::string_view name) {
+  const auto found = counts.find(std::string(name));
+  return found == counts.end() ? 0 : found->second;
+}
+
+std::string some(std::uint64_t count, const std::string& word) {
+  return std::to_string(count) + ' ' + word + (count == 1 ? "" : "s");
+}
+
+// The product of wall and bump-1p is exact in binary64. The flat surface of bump-1p-shaded is decided by z alone; what its
+// binary64 leaves open is almost always a tie or nearly so, which only a wide number can decide.
+Names stages_of(LawId law) {
+  if (law == LawId::wall || law == LawId::bump_1p) return {"binary64"};
+  if (law == LawId::bump_1p_shaded) return {"binary64", "wide"};
+  return {kStageNames.begin(), kStageNames.end()};
+}
+
+// with: "" or the words for the spread.
+std::optional<std::string> too_few(const Comparison& found, const std::string& name, const std::string& with,
+                                   std::uint64_t least) {
+  const auto lacks = [&](const std::string& what, const std::string& needed) {
+    return "the certificate has " + what + " for " + name + with + "; driving needs " + needed;
+  };
+  if (found.points < least) return lacks(some(found.points, "point"), "at least " + std::to_string(least));
+  for (const std::string_view aim : kAimNames)
+    if (count_in(found.points_by_aim, aim) == 0)
+      return lacks("no point of the aim \"" + std::string(aim) + '"', "some of each aim");
+  return std::nullopt;
+}
+
+std::optional<std::string> lacking(const Findings& found, const std::string& name, std::uint64_t least, Names stages) {
+  if (auto words = too_few(found, name, "", least)) return words;
+  if (auto words = too_few(found.spread, name, " with other parameters", spread_points(least))) return words;
+  const auto lacks = [&](const std::string& what, const std::string& needed) {
+    return "the certificate has " + what + " for " + name + "; driving needs " + needed;
+  };
+  for (const std::string_view stage : stages)
+    if (count_in(found.points_by_stage, stage) + count_in(found.spread.points_by_stage, stage) == 0)
+      return lacks("no point that the stage \"" + std::string(stage) + "\" decided", "some of each stage");
+  for (const std::string_view status : kStatusNames)
+    if (count_in(found.points_by_status, status) + count_in(found.spread.points_by_status, status) == 0)
+      return lacks("no point of the status \"" + std::string(status) + '"', "some of each status");
+  for (const PropertyResult& property : found.properties)
+    if (const std::uint64_t needed = cases_of(property.name, kCases); property.cases < needed)
+      return lacks(some(property.cases, "case") + " of " + property.name, "at least " + std::to_string(needed));
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> lacking(const LawResult& law) {
+  return lacking(law, law.name(), kPointsOfALaw, stages_of(law.law));
+}
+
+std::optional<std::string> lacking(const HeightMapResult& map) {
+  return lacking(map, map.name(), kPointsOfAHeightMap, {"binary64"});
+}
+
+}  // namespace forceshade::properties

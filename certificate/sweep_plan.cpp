@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which sweeps there are, and what they add up to.
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+#include "forceshade/certificate/sweep.h"
+#include "forceshade/properties/binary32.h"
+#include "forceshade/properties/shape.h"
+
+namespace forceshade::properties {
+namespace {
+
+Shape shape_of(LawId law, const Parameters& parameters) {
+  const auto built = reference::Law::build(law, parameters);
+  if (const auto* error = std::get_if<ParameterError>(&built)) throw std::invalid_argument(error->message());
+  return Shape(std::get<reference::Law>(built));
+}
+
+bool is_flat(const Shape& shape) {
+  return shape.surface(0) == 0;
+}
+
+// Sixteen powers of two from 2^lowest on, and in each of their binades one number of 24 bits.
+std::vector<float> across_binades(int lowest, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::vector<float> values;
+  for (int i = 0; i < 16; ++i) {
+    values.push_back(std::ldexp(1.0F, lowest + i));
+    values.push_back(
+        std::bit_cast<float>(std::bit_cast<std::uint32_t>(values.back()) | (static_cast<std::uint32_t>(random()) & 0x7FFFFF)));
+  }
+  return values;
+}
+
+// 64 values of z: shallow to deep below the plane, from the plane to the top, from the plane to twice the axis's depth.
+std::vector<float> chosen_z(const Shape& shape) {
+  std::vector<float> values;
+  for (const float depth : across_binades(-12, 1)) values.push_back(-depth);
+  const long double top = is_flat(shape) ? shape.h : shape.surface(0);
+  for (int i = 0; i < 16; ++i) values.push_back(static_cast<float>(top * (i + 0.5L) / 16));
+  for (int i = 0; i < 16; ++i) values.push_back(static_cast<float>(-2 * shape.d * (i + 0.5L) / 16));
+  return values;
+}
+
+// 64 values of x, none negative: near the middle and across the binades, over the width, and at every edge.
+std::vector<float> chosen_x(const Shape& shape) {
+  std::vector<float> values = across_binades(-13, 2);
+  for (int i = 0; i < 16; ++i) values.push_back(static_cast<float>(shape.w / 2 * (i + 0.5L) / 16));
+  for (const long double edge : {shape.w / 2, shape.w_prime / 2, shape.R})
+    for (const int step : {-2, -1, 0, 1, 2}) values.push_back(neighbour(static_cast<float>(edge), step));
+  values.push_back(0);
+  return values;
+}
+
+}  // namespace
+
+Sweeps planned(const SweepPlan& plan) {
+  Sweeps sweeps;
+  const auto add = [&](LawId law, const Parameters& p, SweepKind kind, float at) {
+    sweeps.results.push_back({{law, p, kind, at}, 0, 0});
+  };
+  for (const LawId law : plan.laws) {
+    for (const float radius : plan.radii) {
+      Parameters p;  // the wall's radius and width stay unsaid
+      p.stiffness = plan.parameters.stiffness;
+      if (has_bump_geometry(law)) p = {radius, plan.parameters.width, p.stiffness};
+      const Shape shape = shape_of(law, p);
+      // Bumps that do not look at the radius, and the wall, are swept once.
+      const bool depends_on_radius = has_bump_geometry(law) && law != LawId::bump_1p;
+      if (!depends_on_radius && radius != plan.radii.front()) continue;
+      if (plan.directions && depends_on_radius) add(law, p, SweepKind::direction, -1);
+      if (plan.heights && is_flat(shape) && radius == plan.radii.front()) add(law, p, SweepKind::column, 0);
+      if (plan.heights && !is_flat(shape)) add(law, p, SweepKind::height, 0);
+    }
+    if (!plan.lines || !has_bump_geometry(law)) continue;
+    const Shape shape = shape_of(law, plan.parameters);
+    for (const float z : chosen_z(shape)) add(law, plan.parameters, SweepKind::line, z);
+    for (const float x : chosen_x(shape)) add(law, plan.parameters, SweepKind::column, x);
+  }
+  sweeps.end = sweeps.units();
+  return sweeps;
+}
+
+Sweeps part_of(Sweeps sweeps, std::uint64_t k, std::uint64_t n) {
+  const std::uint64_t units = sweeps.units();
+  sweeps.first = units * (k - 1) / n;
+  sweeps.end = units * k / n;
+  sweeps.next = sweeps.first;
+  return sweeps;
+}
+
+std::vector<SweepTotal> totals(const Sweeps& sweeps) {
+  std::vector<SweepTotal> rows;
+  for (const SweepResult& result : sweeps.results) {
+    const Sweep& sweep = result.sweep;
+    auto row = std::ranges::find_if(rows, [&](const SweepTotal& r) { return r.law == sweep.law && r.kind == sweep.kind; });
+    if (row == rows.end()) row = rows.insert(row, {sweep.law, sweep.kind, {}});
+    if (has_bump_geometry(sweep.law) && std::ranges::count(row->radii, sweep.parameters.radius) == 0)
+      row->radii.push_back(sweep.parameters.radius);
+    ++row->sweeps;
+    row->inputs += result.inputs;
+    row->mismatches += result.mismatches;
+  }
+  return rows;
+}
+
+}  // namespace forceshade::properties

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/device/phantom/phantom.h"
+
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <deque>
+#include <mutex>
+#include <new>
+#include <system_error>
+#include <thread>
+
+#include "forceshade/csv/csv.h"
+#include "forceshade/device/futex.h"
+#include "forceshade/device/open_device.h"
+#include "forceshade/device/phantom/hdapi_words.h"
+#include "forceshade/device/phantom/phantom_end.h"
+#include "forceshade/device/phantom/phantom_host.h"
+#include "forceshade/device/phantom/phantom_messages.h"
+#include "forceshade/device/simulated/arm.h"
+
+namespace forceshade::device {
+namespace {
+
+using Kind = PhantomMessage::Kind;
+using std::chrono::milliseconds;
+using Clock = std::chrono::steady_clock;
+
+constexpr milliseconds kListen{50}, kPoll{1};
+constexpr milliseconds kEnding{1500};  // for the process to end by itself
+
+// Words of a fault live as long as the program, so that a result can be told after its device is gone.
+std::array<char, 4096>* room_for_words() {
+  static std::mutex mutex;
+  static std::deque<std::array<char, 4096>> rooms;
+  const std::lock_guard lock(mutex);
+  return &rooms.emplace_back();
+}
+
+Attendant& nobody() {
+  static Attendant it;
+  return it;
+}
+
+// No process to hold the device could be made.
+[[noreturn]] void refuse(const char* what) {
+  throw DeviceError(std::string("the process that holds the PHANToM: ") + what + ": " + std::generic_category().message(errno));
+}
+
+PhantomShared* shared_memory() {
+  void* const memory = ::mmap(nullptr, sizeof(PhantomShared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) refuse("no shared memory");
+  return new (memory) PhantomShared;
+}
+
+}  // namespace
+
+Phantom::Phantom(const std::string& name, const PhantomOptions& options) : Phantom(name, options, nobody()) {}
+
+Phantom::Phantom(const std::string& name, const PhantomOptions& options, Attendant& attendant)
+    : options_(options), attendant_(attendant), room_(room_for_words()) {
+  std::array<int, 2> ends{};
+  if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) refuse("no socket");
+  shared_ = shared_memory();
+  const pid_t self = ::getpid();
+  process_ = ::fork();
+  if (process_ == 0) {
+    ::close(ends[0]);
+    ::_exit(run_phantom_host(ends[1], self, *shared_, name, options));
+  }
+  ::close(ends[1]);
+  socket_ = ends[0];
+  if (process_ < 0) {
+    end_process();
+    refuse("cannot be made");
+  }
+  const PhantomMessage message = answer(options_.open);
+  if (message.kind != Kind::described) {
+    end_process();
+    throw DeviceError(message.words.data());
+  }
+  describe(message.description);
+}
+
+Phantom::~Phantom() {
+  end_process();
+}
+
+// The next message that is not for the attendant. Of kind failed, with why, where none came.
+PhantomMessage Phantom::answer(milliseconds patience) {
+  PhantomMessage message;
+  const auto failed = [&](const std::string& why) {
+    PhantomMessage it{.kind = Kind::failed};
+    std::snprintf(it.words.data(), it.words.size(), "%s", why.c_str());
+    return it;
+  };
+  auto deadline = Clock::now() + patience;
+  while (Clock::now() < deadline) {
+    if (attendant_.has_left()) return failed("stopped before the PHANToM was ready");
+    const Received received = receive_message(socket_, kListen, message);
+    if (received == Received::closed) return failed(how_it_ended());
+    if (received == Received::nothing_yet) continue;
+    if (message.kind == Kind::told) {
+      attendant_.told(message.words.data());
+    } else if (message.kind == Kind::asked) {
+      const bool done = attendant_.did(message.words.data());
+      send_message(socket_, {.kind = done ? Kind::yes : Kind::no});
+      deadline = Clock::now() + patience;
+    } else {
+      return message;
+    }
+  }
+  const std::string seconds = csv::shortest(std::chrono::duration<double>(patience).count());
+  return failed("the PHANToM's driver has not answered for " + seconds +
+                " s: check cable and power, and whether another program holds the device");
+}
+
+// The exit status of the process, once it has ended; 0 where the program has told the system that it does not care for those.
+std::optional<int> Phantom::ended_within(milliseconds patience) noexcept {
+  int status = 0;
+  for (const auto deadline = Clock::now() + patience; ::waitpid(process_, &status, WNOHANG) == 0;) {
+    if (Clock::now() > deadline) return std::nullopt;
+    std::this_thread::sleep_for(kPoll);
+  }
+  return status;
+}
+
+std::string Phantom::how_it_ended() {
+  const std::optional<int> status = ended_within(kEnding);
+  if (status) process_ = -1;
+  const std::string how = !status                ? "closed its connection"
+                          : WIFSIGNALED(*status) ? std::string("was ended by a signal (") + strsignal(WTERMSIG(*status)) + ")"
+                                                 : "ended with exit code " + std::to_string(WEXITSTATUS(*status));
+  return "the process of the PHANToM's driver " + how + ": the vendor's library failed in it";
+}
+
+void Phantom::end_process() noexcept {
+  if (socket_ >= 0) ::close(socket_);
+  socket_ = -1;
+  if (process_ > 0) {
+    std::optional<int> status = ended_within(kEnding);
+    if (!status) {
+      ::kill(process_, SIGKILL);
+      status = ended_within(kEnding);  // not where it is stuck in the system itself
+    }
+    const bool in_order = status && WIFEXITED(*status) && (WEXITSTATUS(*status) == kLetGo || WEXITSTATUS(*status) == kRefused);
+    if (!in_order) attendant_.told(hdapi::kNoEnd);
+  }
+  process_ = -1;
+  if (shared_) ::munmap(shared_, sizeof *shared_);
+  shared_ = nullptr;
+}
+
+void Phantom::describe(const PhantomDescription& driver) {
+  description_ = driver;
+  capabilities_ = {.model = description_.model.data(),
+                   .serial = description_.serial.data(),
+                   .driver = description_.driver.data(),
+                   .firmware = description_.firmware.data(),
+                   .workspace_low = driver.low,
+                   .workspace_high = driver.high,
+                   .resolution = 0.055F,  // the driver does not say; the coarsest sheet's, Omni's and Touch's
+                   .peak_force = static_cast<float>(driver.peak),
+                   .continuous_force = static_cast<float>(driver.continuous),
+                   .latency = true,  // of a frame
+                   .highest_speed = driver.speed,
+                   .highest_slew = driver.slew,
+                   .paces = true,
+                   .buttons = 4,  // as many as the driver has bits for; it does not say how many there are
+                   .gimbal = driver.gimbal};
+  if (driver.rate > 0) capabilities_.highest_rate = driver.rate;
+}
+
+std::optional<Fault> Phantom::start(double rate) noexcept {
+  if (started_ || failed_) return Fault{"the PHANToM was started before"};
+  send_message(socket_, {.kind = Kind::start, .rate = rate});
+  // Each step of the driver's has a limit of its own, which it says more about.
+  const PhantomMessage message = answer(options_.start + options_.calibration + milliseconds(1000));
+  if (message.kind != Kind::ready) {
+    failed_ = true;
+    *room_ = message.words;
+    return fault();
+  }
+  started_ = true;
+  first_ = shared_->samples.latest().time;
+  return std::nullopt;
+}
+
+Fault Phantom::fault() noexcept {
+  return Fault{room_->data()};
+}
+
+std::int64_t Phantom::wait_for_frame(std::int64_t deadline) noexcept {
+  // The count first: a frame between the two is then not waited for. One that was read, though it began after the last wait,
+  // is not begun with again.
+  const std::uint32_t frames = shared_->frames.load(std::memory_order_acquire);
+  if (shared_->samples.latest().time == read_) wait_for_change(shared_->frames, frames, deadline);
+  return shared_->samples.latest().time;
+}
+
+ReadResult Phantom::read() noexcept {
+  if (failed_) return fault();
+  if (!started_) return Fault{"the PHANToM was not started"};
+  const PhantomSample& sample = shared_->samples.latest();
+  read_ = sample.time;
+  state_ = {.calibrated = sample.calibrated,
+            .forces_on = sample.forces_on,
+            .temperature = static_cast<float>(sample.temperature),
+            .update_rate = static_cast<double>(sample.update_rate)};
+  if (sample.troubled) {
+    failed_ = true;
+    std::snprintf(room_->data(), room_->size(), "%s", shared_->trouble.data());
+    return fault();
+  }
+  if (monotonic_now() - sample.time > std::chrono::nanoseconds(options_.patience).count()) {
+    failed_ = true;
+    int status = 0;
+    const bool ended = ::waitpid(process_, &status, WNOHANG) == process_;
+    if (ended) process_ = -1;
+    std::snprintf(room_->data(), room_->size(), "%s", ended ? hdapi::kDriverEnded : hdapi::kSilent);
+    return fault();
+  }
+  Sent sent = sample.sent;
+  sent.acted = turned_to_law(sent.acted.cast<double>()).cast<float>();
+  sent.acting = turned_to_law(sent.acting.cast<double>()).cast<float>();
+  Reading reading{.position = turned_to_law(sample.position).cast<float>(),
+                  .time = static_cast<double>(sample.time - first_) * 1e-9,
+                  .buttons = static_cast<std::uint16_t>(sample.buttons),
+                  .encoder = sample.encoder,
+                  .joints = sample.joints,
+                  .sent = sent};
+  if (capabilities_.gimbal) reading.gimbal = sample.gimbal.cast<float>();
+  return reading;
+}
+
+std::optional<Fault> Phantom::command(const Eigen::Vector3f& force) noexcept {
+  const bool finite = force.allFinite();
+  Eigen::Vector3d limited = Eigen::Vector3d::Zero();
+  if (finite) limited = turned_to_arm(force.cast<double>());
+  const double size = limited.norm(), highest = static_cast<double>(capabilities_.peak_force);
+  if (size > highest) limited *= highest / size;
+  if (started_) shared_->orders.publish({.force = limited, .time = monotonic_now(), .allowance = allowance_});
+  if (!finite) return Fault{"a force that is not finite was commanded"};
+  return std::nullopt;
+}
+
+std::unique_ptr<Device> open_phantom(const std::string& name, Attendant& attendant, Forces forces) {
+  return std::make_unique<Phantom>(name, PhantomOptions{.force = forces == Forces::as_commanded}, attendant);
+}
+
+}  // namespace forceshade::device

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A real PHANToM (Premium, Omni, Touch) through the vendor's HDAPI, which runs in a process of its own. docs/device.md says why
+// it is driven the way it is.
+
+#include <sys/types.h>
+
+#include <array>
+#include <chrono>
+#include <memory>
+#include <string>
+
+#include "forceshade/device/attendant.h"
+#include "forceshade/device/device.h"
+#include "forceshade/device/open_device.h"
+#include "forceshade/device/phantom/phantom_shared.h"
+
+namespace forceshade::device {
+
+struct PhantomOptions {
+  // For how long a force is held without a new command (it fades from an eighth of it on), and for how long the driver may run
+  // no frame.
+  std::chrono::milliseconds patience{25};
+  // How long the driver may take to open the device, to run good frames, and the user to calibrate it.
+  std::chrono::milliseconds open{20'000}, start{5000}, calibration{120'000};
+  double rate_tolerance = 0.05;  // by which share the device's frames may miss the rate
+  bool force = true;             // false: the force output is never switched on
+};
+
+class Phantom final : public Device {
+ public:
+  using Options = PhantomOptions;
+
+  // `name` as in the vendor's set-up program; empty: the default device. Starts the process, which opens the device and reads
+  // what it can do; switches no force on and runs no frame. The attendant lives as long as this. Throws DeviceError, with what
+  // to check.
+  Phantom(const std::string& name, const PhantomOptions& options, Attendant& attendant);
+  Phantom(const std::string& name, const PhantomOptions& options);  // with nobody there
+  explicit Phantom(const std::string& name) : Phantom(name, PhantomOptions{}) {}
+
+  // Zero force, output off, scheduler stopped, device released, in this order, and the process ended. Waits for the driver a
+  // moment, not for ever: then the process is ended all the same, and the attendant told.
+  ~Phantom() override;
+  Phantom(const Phantom&) = delete;
+  Phantom& operator=(const Phantom&) = delete;
+
+  Capabilities capabilities() const noexcept override { return capabilities_; }
+
+  // Calibrates the device, with the attendant's help where it takes some; runs the driver's scheduler at this rate, rounded to
+  // Hz; and switches forces on once half a second of frames was good.
+  std::optional<Fault> start(double rate) noexcept override;
+
+  std::int64_t wait_for_frame(std::int64_t deadline) noexcept override;
+  ReadResult read() noexcept override;
+  void allow(const Allowance& allowance) noexcept override { allowance_ = allowance; }
+
+  // Refuses, and holds no force, when one is not finite. A force beyond the device's highest is shortened to it.
+  std::optional<Fault> command(const Eigen::Vector3f& force) noexcept override;
+
+  State state() const noexcept override { return state_; }
+
+  // The process that holds the device.
+  pid_t process() const noexcept { return process_; }
+
+ private:
+  PhantomMessage answer(std::chrono::milliseconds patience);
+  void describe(const PhantomDescription& driver);
+  std::optional<int> ended_within(std::chrono::milliseconds patience) noexcept;
+  std::string how_it_ended();
+  void end_process() noexcept;
+  Fault fault() noexcept;
+
+  PhantomOptions options_;
+  Attendant& attendant_;
+  PhantomShared* shared_ = nullptr;
+  int socket_ = -1;
+  pid_t process_ = -1;
+  PhantomDescription description_;
+  Capabilities capabilities_;
+  std::array<char, 4096>* room_;  // for the words of a fault, which outlive this
+  bool started_ = false, failed_ = false;
+  std::int64_t first_ = 0, read_ = 0;  // ns: of the first sample, and of the last that was read
+  Allowance allowance_;
+  State state_{.calibrated = false, .forces_on = false};
+};
+
+// "": the default device. Throws DeviceError.
+std::unique_ptr<Device> open_phantom(const std::string& name, Attendant& attendant, Forces forces);
+
+}  // namespace forceshade::device

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// How the process that holds a PHANToM ends, whatever ends it: with zero force first, where that can still be done.
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "forceshade/device/phantom/phantom_frames.h"
+
+namespace forceshade::device {
+
+// Exit codes: the device was let go; it was not opened or started, which was said; some call of the driver's did not return.
+inline constexpr int kLetGo = 0, kRefused = 1, kStuck = 2;
+
+// For the driver to stop, after which the process ends all the same.
+inline constexpr std::chrono::milliseconds kTimeToEnd{1000};
+
+// Makes the forked process one of its own: nothing that is sent to a terminal's programs reaches it, no handler of the driver's
+// is ever called, no file of the other process's stays open, and what a library prints goes to standard error. Before the
+// library is loaded. The socket, which may have a new number.
+int become_process_of_driver(int socket);
+
+// A library that ends the process ends the force first. After the library has been loaded, so that this is called before its
+// objects are destroyed.
+void end_force_at_exit() noexcept;
+
+// The frames that are to be closed before the process ends; null: none. They live as long as the process.
+void hold_frames(PhantomFrames* frames) noexcept;
+// In each frame, by the driver's thread.
+void meet_driver() noexcept;
+// Whether the force has ended; by any thread, and by a signal handler.
+bool let_go() noexcept;
+
+// Whether the other process is gone, or has closed its end of the socket.
+bool is_alone(int socket, pid_t parent) noexcept;
+
+// What the watch says for the process, and ends it, where the driver's call does not return in time.
+class LastWords {
+ public:
+  void say_unless_taken_back(const std::string& words, std::chrono::milliseconds patience) {
+    const std::lock_guard lock(mutex_);
+    words_ = words;
+    due_ = Clock::now() + patience;
+  }
+  void take_back() {
+    const std::lock_guard lock(mutex_);
+    due_.reset();
+  }
+  std::optional<std::string> due() {
+    const std::lock_guard lock(mutex_);
+    return due_ && Clock::now() > *due_ ? std::optional(words_) : std::nullopt;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::mutex mutex_;
+  std::string words_;
+  std::optional<Clock::time_point> due_;
+};
+
+// A thread that ends the process when it is alone or its last words are due, whatever the driver's calls are stuck in. Both
+// live as long as the process.
+void watch_for_the_end(int socket, pid_t parent, LastWords& last_words);
+
+}  // namespace forceshade::device

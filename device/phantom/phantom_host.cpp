@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/device/phantom/phantom_host.h"
+
+#include <sched.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+
+#include "forceshade/csv/csv.h"
+#include "forceshade/device/open_device.h"
+#include "forceshade/device/phantom/hdapi_library.h"
+#include "forceshade/device/phantom/phantom_end.h"
+#include "forceshade/device/phantom/phantom_frames.h"
+#include "forceshade/device/phantom/phantom_limits.h"
+#include "forceshade/device/phantom/phantom_messages.h"
+#include "forceshade/device/real_time.h"
+
+namespace forceshade::device {
+namespace {
+
+using Kind = PhantomMessage::Kind;
+using std::chrono::milliseconds;
+
+constexpr milliseconds kPoll{1}, kWatch{10};
+constexpr int kMeasured = 2;  // Hz: a window of frames is half a second
+
+// Why the device cannot be driven.
+struct Refused : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// The driver's thread answers every frame within some µs, and a frame that is late holds an old force: it comes before the
+// servo loop, and on another processor where there is one. The loop takes the last, so this takes the one before.
+std::optional<int> processor_of_driver() {
+  cpu_set_t allowed;
+  if (::sched_getaffinity(0, sizeof allowed, &allowed) != 0) return std::nullopt;
+  std::optional<int> last, before;
+  for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu)
+    if (CPU_ISSET(cpu, &allowed)) {
+      before = last;
+      last = cpu;
+    }
+  return before ? before : last;
+}
+
+class Host {
+ public:
+  Host(int socket, pid_t parent, PhantomShared& shared, const std::string& name, const PhantomOptions& options,
+       LastWords& last_words)
+      : socket_(socket),
+        parent_(parent),
+        shared_(shared),
+        name_(name),
+        options_(options),
+        last_words_(last_words),
+        hd_(hdapi::vendor()) {}
+
+  // Opens the device, starts it when told to, and holds it until the other process is gone. Throws Refused.
+  void hold() {
+    open();
+    PhantomMessage message;
+    if (next(message) != Kind::start) return;
+    start(message.rate);
+    send_words(socket_, Kind::ready, "");
+    next(message);
+  }
+
+  // Zero force, output off, scheduler stopped, device released, in this order.
+  void close() noexcept;
+  // A frame did not end, and the device was released from its thread: the last that can be done.
+  bool was_abandoned() const noexcept { return frames_ && frames_->abandoned(); }
+
+ private:
+  void open();
+  PhantomDescription described();
+  void start(double rate);
+  hdapi::HDenum preferred_style();
+  void calibrate_by_hand();
+  void wait_until_ready();
+
+  // The next message's kind; none where the other end is closed.
+  std::optional<Kind> next(PhantomMessage& message) const {
+    Received received = Received::nothing_yet;
+    while (received == Received::nothing_yet && !is_alone(socket_, parent_))
+      received = receive_message(socket_, kWatch, message);
+    return received == Received::message ? std::optional(message.kind) : std::nullopt;
+  }
+  void tell(const std::string& words) const { send_words(socket_, Kind::told, words); }
+  bool ask(const std::string& words) const {
+    send_words(socket_, Kind::asked, words);
+    PhantomMessage answer;
+    return next(answer) == Kind::yes;
+  }
+
+  void expect_success(const char* step) {
+    const hdapi::HDErrorInfo error = hdapi::drained(hd_);
+    if (error.code == hdapi::kSuccess) return;
+    std::array<char, 512> room{};
+    throw Refused(hdapi::sentence({step, error, hd_.hdGetErrorString(error.code)}, room));
+  }
+  // What the driver has no answer to, stays unknown.
+  bool knows() noexcept { return hdapi::drained(hd_).code == hdapi::kSuccess; }
+  std::optional<double> number(hdapi::HDenum what) noexcept {
+    std::array<double, 16> value{};
+    value[0] = std::numeric_limits<double>::quiet_NaN();
+    hd_.hdGetDoublev(what, value.data());
+    return knows() ? std::optional(value[0]) : std::nullopt;
+  }
+  int whole(hdapi::HDenum what) noexcept {
+    int value = 0;
+    hd_.hdGetIntegerv(what, &value);
+    return knows() ? value : 0;
+  }
+  template <std::size_t size>
+  void copy_words(hdapi::HDenum what, std::array<char, size>& to) noexcept {
+    const char* words = hd_.hdGetString(what);
+    if (knows() && words) std::snprintf(to.data(), to.size(), "%s", words);
+  }
+
+  int socket_;
+  pid_t parent_;
+  PhantomShared& shared_;
+  const std::string& name_;
+  const PhantomOptions& options_;
+  LastWords& last_words_;
+  const hdapi::Functions& hd_;
+  hdapi::HHD device_ = hdapi::kInvalidDevice;
+  PhantomDescription description_;
+  std::optional<RealTime> real_time_;
+  std::unique_ptr<PhantomFrames> frames_;
+  std::optional<hdapi::HDSchedulerHandle> callback_;
+  hdapi::HDenum style_ = 0;
+  double rate_ = 0;  // Hz
+  bool scheduler_ = false;
+};
+
+void Host::open() {
+  end_force_at_exit();
+  hdapi::drained(hd_);
+  device_ = hd_.hdInitDevice(name_.empty() ? nullptr : name_.c_str());
+  const hdapi::HDErrorInfo error = hdapi::drained(hd_);
+  if (error.code != hdapi::kSuccess || device_ == hdapi::kInvalidDevice) {
+    hdapi::Trouble trouble{"initialising the PHANToM failed, and the driver says no more"};
+    if (error.code != hdapi::kSuccess) trouble = {"initialising the PHANToM", error, hd_.hdGetErrorString(error.code)};
+    throw Refused(hdapi::initialisation_advice(name_, trouble));
+  }
+  PhantomMessage message{.kind = Kind::described, .description = described()};
+  description_ = message.description;
+  send_message(socket_, message);
+}
+
+PhantomDescription Host::described() {
+  PhantomDescription it;
+  copy_words(hdapi::kModel, it.model);
+  copy_words(hdapi::kSerialNumber, it.serial);
+  copy_words(hdapi::kDriverVersion, it.driver);
+  copy_words(hdapi::kFirmware, it.firmware);
+
+  DriversLimits driver{.peak = number(hdapi::kMaxForce),
+                       .continuous = number(hdapi::kContinuousForce),
+                       .speed = number(hdapi::kVelocityLimit),
+                       .impulse = number(hdapi::kImpulseLimit)};
+  std::array<double, 16> box{};
+  box.fill(std::numeric_limits<double>::quiet_NaN());
+  hd_.hdGetDoublev(hdapi::kUsableWorkspace, box.data());
+  if (knows()) driver.workspace = {box[0], box[1], box[2], box[3], box[4], box[5]};
+  const auto limits = phantom_limits(driver);
+  if (const auto* why = std::get_if<std::string>(&limits)) throw Refused(*why);
+  const auto& [peak, continuous, speed, slew, low, high, words] = std::get<PhantomLimits>(limits);
+  it.peak = peak;
+  it.continuous = continuous;
+  it.speed = speed;
+  it.slew = slew;
+  it.low = low;
+  it.high = high;
+  if (!words.empty()) tell(words);
+  it.rate = std::max(0, whole(hdapi::kUpdateRate));
+  it.gimbal = whole(hdapi::kInputDegrees) == 6;
+  return it;
+}
+
+// In the vendor's order of preference, where a device has several: one that needs nobody first.
+hdapi::HDenum Host::preferred_style() {
+  const auto styles = static_cast<hdapi::HDenum>(whole(hdapi::kCalibrationStyles));
+  for (const hdapi::HDenum style : {hdapi::kCalibratesItself, hdapi::kCalibratesInInkwell, hdapi::kCalibratesAtResetPose})
+    if ((styles & style) != 0) return style;
+  return 0;
+}
+
+// Before the scheduler runs. Each process has to, and no other program can do it for this one.
+void Host::calibrate_by_hand() {
+  for (int tries = 0; tries < 3; ++tries) {
+    const hdapi::HDenum status = hd_.hdCheckCalibration();
+    expect_success("checking the calibration");
+    if (status == hdapi::kCalibrated) return;
+    if (!ask(hdapi::kHoldInResetPose)) break;
+    hd_.hdUpdateCalibration(hdapi::kCalibratesAtResetPose);
+    expect_success("updating the calibration");
+  }
+  const hdapi::HDenum status = hd_.hdCheckCalibration();
+  expect_success("checking the calibration");
+  if (status != hdapi::kCalibrated) throw Refused(hdapi::kNotCalibrated);
+}
+
+void Host::start(double rate) {
+  style_ = preferred_style();
+  if (style_ == hdapi::kCalibratesAtResetPose) calibrate_by_hand();
+  rate_ = std::round(rate);
+  if (rate_ != description_.rate) {
+    hd_.hdSetSchedulerRate(static_cast<hdapi::HDulong>(rate_));
+    expect_success("setting the driver's rate (most devices have 1000 and 500 Hz)");
+  }
+  FrameSettings settings{.gimbal = description_.gimbal,
+                         .style = style_,
+                         .force = options_.force,
+                         .patience = options_.patience,
+                         .rate = rate_,
+                         .window = std::max(1, static_cast<int>(rate_) / kMeasured),
+                         .rate_tolerance = options_.rate_tolerance,
+                         .longest_gap = std::chrono::duration<double>(options_.patience).count() / 2};
+  frames_ = std::make_unique<PhantomFrames>(hd_, device_, settings, shared_);
+  hold_frames(frames_.get());
+  const auto tick = [](void* self) -> unsigned {
+    meet_driver();
+    return PhantomFrames::tick(self);
+  };
+  callback_ = hd_.hdScheduleAsynchronous(tick, frames_.get(), hdapi::kDefaultPriority);
+  if (*callback_ == hdapi::kInvalidSchedulerHandle) callback_.reset();
+  expect_success("scheduling the frames");
+
+  // The driver's thread inherits this one's priority and processor.
+  real_time_.emplace(processor_of_driver(), RealTime::kPriority + 5);
+  // It may run although an error is reported: it is stopped either way.
+  scheduler_ = true;
+  last_words_.say_unless_taken_back(hdapi::kNoStart, options_.start);
+  hd_.hdStartScheduler();
+  end_force_at_exit();
+  last_words_.take_back();
+  expect_success("starting the driver's scheduler");
+  wait_until_ready();
+}
+
+// What the user can expect of the device's frames.
+const char* grade_of(const FrameTimes::Window& seen) noexcept {
+  return seen.late <= 0.001 ? "good" : seen.late <= 0.02 ? "fair" : "poor: forces are held too long now and then";
+}
+
+std::string words_of(const FrameTimes::Window& seen) {
+  std::array<char, 160> words{};
+  std::snprintf(words.data(), words.size(), "%.1f frames a second, %.2f %% of them late, longest gap %.2f ms", seen.rate,
+                100 * seen.late, 1000 * seen.longest_gap);
+  return words.data();
+}
+
+std::string why_not_ready(const PhantomSample& sample, double rate) {
+  if (sample.time == 0) return hdapi::kNoFrames;
+  if (!sample.times) return "the PHANToM did not get ready in time: the driver runs its frames too slowly";
+  if (!sample.answers && sample.times->rate > rate / 2) return hdapi::kNoAnswer;
+  return "communication with the PHANToM is too irregular to switch forces on: expected " + csv::shortest(rate) +
+         " frames a second and no long gap, got " + words_of(*sample.times) +
+         ": check cable and power, and what else this machine computes";
+}
+
+void Host::wait_until_ready() {
+  const Privileges& granted = real_time_->granted();
+  tell(std::string("the driver's thread has ") +
+       (granted.scheduling ? "real-time priority" : "ordinary priority, because real-time priority was refused") +
+       (granted.cpu ? ", on processor " + std::to_string(*granted.cpu) : ""));
+  const auto begin = std::chrono::steady_clock::now();
+  auto calibrated_at = begin;
+  bool told = false;
+  for (;;) {
+    std::this_thread::sleep_for(kPoll);
+    if (is_alone(socket_, parent_)) throw Refused("the other process is gone");
+    const PhantomSample& sample = frames_->samples.latest();
+    const auto now = std::chrono::steady_clock::now();
+    if (sample.troubled) throw Refused(shared_.trouble.data());
+    if (sample.phase == PhantomSample::Phase::ready) {
+      if (!sample.tells_temperature) tell(hdapi::kTemperatureUnknown);
+      if (!sample.tells_rate) tell(hdapi::kRateUnknown);
+      return tell(words_of(*sample.times) + ": " + grade_of(*sample.times));
+    }
+    if (sample.time == 0 || sample.calibrated) {
+      if (now - calibrated_at > options_.start) throw Refused(why_not_ready(sample, rate_));
+      continue;
+    }
+    if (!told)
+      tell(std::string("waiting for the PHANToM's calibration: ") +
+           (style_ == hdapi::kCalibratesItself ? hdapi::kMoveItAbout : hdapi::kRestInInkwell));
+    told = true;
+    calibrated_at = now;
+    if (now - begin > options_.calibration) throw Refused(hdapi::kNotCalibrated);
+  }
+}
+
+void Host::close() noexcept {
+  if (scheduler_) {
+    let_go();
+    if (was_abandoned()) return;  // nor does any call of the driver's return now
+    hd_.hdStopScheduler();
+    hdapi::drained(hd_);
+    // The scheduler ran no more frames. Now that it is stopped, this thread may switch the output off; a driver that does so at
+    // the next frame ends the force when it disables the device, below.
+    if (!frames_->closed()) {
+      hd_.hdDisable(hdapi::kForceOutput);
+      hdapi::drained(hd_);
+    }
+  }
+  hold_frames(nullptr);
+  if (callback_) {
+    hd_.hdUnschedule(*callback_);
+    hdapi::drained(hd_);
+  }
+  if (device_ == hdapi::kInvalidDevice) return;
+  hd_.hdDisableDevice(device_);
+  hdapi::drained(hd_);
+}
+
+}  // namespace
+
+int run_phantom_host(int socket, pid_t parent, PhantomShared& shared, const std::string& name, const PhantomOptions& options) {
+  socket = become_process_of_driver(socket);
+  // What the other threads still look at when this one returns lives as long as the process.
+  auto& last_words = *new LastWords;
+  auto& host = *new std::optional<Host>;
+  watch_for_the_end(socket, parent, last_words);
+  try {
+    host.emplace(socket, parent, shared, name, options, last_words).hold();
+    host->close();
+    return host->was_abandoned() ? kStuck : kLetGo;
+  } catch (const std::exception& error) {
+    const bool of_ours = dynamic_cast<const Refused*>(&error) || dynamic_cast<const DeviceError*>(&error);
+    const std::string why = (of_ours ? "" : "the vendor's library failed: ") + std::string(error.what());
+    last_words.say_unless_taken_back(why, kTimeToEnd);
+    if (host) host->close();
+    send_words(socket, Kind::failed, why);
+    return host && host->was_abandoned() ? kStuck : kRefused;
+  }
+}
+
+}  // namespace forceshade::device

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What the process of a PHANToM's driver and that of the servo loop have in common: memory that both map, where samples go one
+// way and orders the other, and messages about all that is not urgent. Plain data, since either process may die at any moment.
+
+#include <Eigen/Core>
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <optional>
+
+#include "forceshade/device/device.h"
+#include "forceshade/device/frame_times.h"
+#include "forceshade/device/triple_buffer.h"
+
+namespace forceshade::device {
+
+// Of one frame, in the driver's frame of reference and units: x right, y up, z to the user; mm, N, rad.
+struct PhantomSample {
+  // Closed: zero was sent last and the output is off, for good.
+  enum class Phase { settling, ready, closed };
+
+  Phase phase = Phase::settling;
+  bool troubled = false;  // why, is in PhantomShared::trouble; from then on the force is zero and the output off
+  std::int64_t time = 0;  // CLOCK_MONOTONIC, ns; 0: there was no frame
+  Eigen::Vector3d position{0, 0, 0}, gimbal{0, 0, 0};
+  std::optional<std::array<double, 3>> joints = std::nullopt;
+  std::optional<std::array<std::int64_t, 3>> encoder = std::nullopt;
+  int buttons = 0;
+  bool calibrated = false, forces_on = false;
+  bool answers = true;                               // by the driver's count of its frames
+  bool tells_temperature = true, tells_rate = true;  // else it has no such thing, and nothing is watched there
+  double temperature = 0;
+  int update_rate = 0;  // Hz, as the driver counts; 0 where it does not
+  Sent sent;
+  std::optional<FrameTimes::Window> times = std::nullopt;  // of the last whole window
+};
+
+struct PhantomOrder {
+  Eigen::Vector3d force{0, 0, 0};
+  std::int64_t time = 0;  // CLOCK_MONOTONIC, ns
+  Allowance allowance;
+};
+
+struct PhantomShared {
+  TripleBuffer<PhantomSample> samples;
+  TripleBuffer<PhantomOrder> orders;
+  std::atomic<std::uint32_t> frames = 0;  // published; a futex
+  std::array<char, 512> trouble{};        // written once, before the sample that is troubled
+};
+static_assert(std::atomic<std::uint32_t>::is_always_lock_free, "shared between processes");
+
+// What the driver said of the device when it was opened.
+struct PhantomDescription {
+  std::array<char, 96> model{}, serial{}, driver{}, firmware{};
+  double peak = 0, continuous = 0, speed = 0, slew = 0;
+  Eigen::Vector3f low{0, 0, 0}, high{0, 0, 0};
+  int rate = 0;  // Hz; 0: the driver does not say
+  bool gimbal = false;
+};
+
+struct PhantomMessage {
+  enum class Kind {
+    start,      // to the driver: with `rate`
+    yes,        // to the driver: what the attendant was asked to do is done
+    no,         //
+    described,  // from the driver: it is open
+    told,       // from the driver: words for the attendant
+    asked,      // from the driver: words for the attendant, who answers
+    ready,      // from the driver: frames run, and a force that is ordered is sent
+    failed,     // from the driver: why; it has closed
+  };
+  Kind kind = Kind::failed;
+  double rate = 0;  // Hz
+  PhantomDescription description = {};
+  std::array<char, 4096> words{};
+};
+
+}  // namespace forceshade::device

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/device/simulated/plant.h"
+
+namespace forceshade::device {
+namespace {
+
+struct Rates {
+  Joints velocity, acceleration;
+  Eigen::Vector3d hand_velocity, hand_acceleration;
+};
+
+// Where the way is at the share s of its period, and how fast.
+struct Point {
+  Eigen::Vector3d position, velocity;
+};
+
+Point point_of(const Way& way, double period, double s) noexcept {
+  const double u = 1 - s;
+  const Eigen::Vector3d rise = way.to - way.from;
+  return {way.from + s * s * (3 - 2 * s) * rise + period * s * u * (u * way.from_velocity - s * way.to_velocity),
+          6 * s * u / period * rise + u * (1 - 3 * s) * way.from_velocity + s * (3 * s - 2) * way.to_velocity};
+}
+
+Motion moved(const Motion& m, const Rates& r, double h) noexcept {
+  return {m.angles + h * r.velocity, m.velocity + h * r.acceleration, m.hand + h * r.hand_velocity,
+          m.hand_velocity + h * r.hand_acceleration};
+}
+
+// All torque but Coulomb friction's, inertial torque included, and how the hand's mass is pulled.
+struct Pull {
+  Joints torque;
+  Eigen::Vector3d hand_acceleration{0, 0, 0};
+};
+
+Pull pull_on(const Plant& plant, const Motion& m, const Pose& pose, const Joints& torque, const Point& meant) noexcept {
+  const Arm& arm = plant.arm;
+  Pull pull{torque - arm.coriolis(pose, m.velocity) * m.velocity - arm.gravity(pose) - plant.viscous.cwiseProduct(m.velocity)};
+  if (!plant.grip) return pull;
+  const Grip& g = *plant.grip;
+  const Eigen::Matrix3d jacobian = arm.jacobian(pose);
+  const Eigen::Vector3d on_tip =
+      g.flesh_stiffness * (m.hand - arm.forward(pose)) + g.flesh_damping * (m.hand_velocity - jacobian * m.velocity);
+  pull.torque += jacobian.transpose() * on_tip;
+  pull.hand_acceleration =
+      (g.arm_stiffness * (meant.position - m.hand) + g.arm_damping * (meant.velocity - m.hand_velocity) - on_tip) / g.mass;
+  return pull;
+}
+
+}  // namespace
+
+Motion Plant::advanced(Motion m, const Joints& torque, const Way& way, double period, int steps) const noexcept {
+  const double h = period / steps;
+  for (int k = 0; k < steps; ++k) {
+    const Point begin = point_of(way, period, static_cast<double>(k) / steps),
+                middle = point_of(way, period, (k + 0.5) / steps),
+                end = point_of(way, period, static_cast<double>(k + 1) / steps);
+    const Pose pose = m.angles;
+    const Slip slip = slip_of(arm.mass(pose), pull_on(*this, m, pose, torque, begin).torque, m.velocity, coulomb);
+    const auto rates = [&](const Motion& at, const Point& meant) -> Rates {
+      const Pose there = at.angles;
+      const Pull pull = pull_on(*this, at, there, torque, meant);
+      return {at.velocity, acceleration(arm.mass(there), pull.torque, slip, coulomb), at.hand_velocity, pull.hand_acceleration};
+    };
+    const Rates a = rates(m, begin), b = rates(moved(m, a, h / 2), middle), c = rates(moved(m, b, h / 2), middle),
+                d = rates(moved(m, c, h), end);
+    m.angles += h / 6 * (a.velocity + 2 * (b.velocity + c.velocity) + d.velocity);
+    m.velocity += h / 6 * (a.acceleration + 2 * (b.acceleration + c.acceleration) + d.acceleration);
+    m.hand += h / 6 * (a.hand_velocity + 2 * (b.hand_velocity + c.hand_velocity) + d.hand_velocity);
+    m.hand_velocity += h / 6 * (a.hand_acceleration + 2 * (b.hand_acceleration + c.hand_acceleration) + d.hand_acceleration);
+    m.velocity = stopped_where_reversed(arm.mass(m.angles), m.velocity, slip, coulomb);
+  }
+  return m;
+}
+
+}  // namespace forceshade::device

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/device/simulated/simulated.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "forceshade/device/open_device.h"
+#include "forceshade/device/replay.h"
+
+namespace forceshade::device {
+namespace {
+
+Eigen::Vector3d metres(const Eigen::Vector3d& millimetres_in_law) noexcept {
+  return kMillimetre * turned_to_arm(millimetres_in_law);
+}
+
+}  // namespace
+
+Simulated::Simulated(const Model& model, std::optional<Operator> hand, const Options& options)
+    : model_(model), hand_(std::move(hand)), options_(options), plant_{model.arm, model.coulomb, model.viscous, std::nullopt} {
+  if (hand_) plant_.grip = hand_->grip;
+  motion_.angles = options_.start;
+}
+
+Capabilities Simulated::capabilities() const noexcept {
+  const Sheet& sheet = model_.sheet;
+  const Eigen::Vector3f corner = 0.5F * sheet.workspace.cast<float>();
+  return {.model = model_.name,
+          .workspace_low = -corner,
+          .workspace_high = corner,
+          .resolution = static_cast<float>(sheet.resolution),
+          .peak_force = static_cast<float>(sheet.peak_force),
+          .continuous_force = static_cast<float>(sheet.continuous_force),
+          .latency = options_.latency,
+          .friction = static_cast<float>(sheet.friction)};
+}
+
+Target Simulated::meant_at(std::size_t reading) const noexcept {
+  const double time = static_cast<double>(reading) * period_;
+  const Target meant = hand_->intention.at(time), shake = hand_->tremor.at(time);
+  return {meant.position + shake.position, meant.velocity + shake.velocity};
+}
+
+std::optional<Fault> Simulated::start(double rate) noexcept {
+  period_ = 1 / rate;
+  if (!hand_) return std::nullopt;
+  const Target meant = meant_at(0);
+  motion_.hand = metres(meant.position);
+  motion_.hand_velocity.setZero();
+  const auto angles = model_.arm.inverse(motion_.hand);
+  if (!angles) return Fault{"the simulated hand starts where the arm does not reach"};
+  motion_.angles = *angles;
+  return std::nullopt;
+}
+
+ReadResult Simulated::read() noexcept {
+  if (period_ == 0) return Fault{"the simulated device was not started"};
+  if (hand_ && hand_->ends && static_cast<double>(readings_) * period_ > hand_->intention.end()) return EndOfData{};
+  if (readings_ > 0) {
+    Way way;
+    if (hand_) {
+      const Target from = meant_at(readings_ - 1), to = meant_at(readings_);
+      way = {metres(from.position), metres(from.velocity), metres(to.position), metres(to.velocity)};
+    }
+    const int steps = std::max(1, static_cast<int>(std::ceil(options_.step_rate * period_ - 1e-9)));
+    motion_ = plant_.advanced(motion_, torque_, way, period_, steps);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto joint = static_cast<Eigen::Index>(i);
+      heat_[i] = heated(model_.motor, heat_[i], torque_[joint] / model_.gears[joint], period_);
+    }
+  }
+  if (!motion_.angles.allFinite()) return Fault{"the simulated arm's position is no longer finite"};
+  std::array<std::int64_t, 3> counts{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto joint = static_cast<Eigen::Index>(i);
+    const double q = model_.quantum[joint];
+    measured_[joint] = motion_.angles[joint];
+    if (q == 0) continue;
+    counts[i] = std::llround(motion_.angles[joint] / q);
+    measured_[joint] = static_cast<double>(counts[i]) * q;
+  }
+  const Eigen::Vector3d position = turned_to_law(model_.arm.forward(measured_)) / kMillimetre;
+  Reading reading{.position = position.cast<float>(), .time = static_cast<double>(readings_++) * period_};
+  if (!model_.quantum.isZero(0)) reading.encoder = counts;
+  reading.joints = {measured_[0], measured_[1], measured_[2]};
+  sent_.arrived(reading.position.cast<double>());
+  torque_.setZero();
+  if (options_.latency) send(commanded_);
+  reading.sent = sent_.report();
+  return reading;
+}
+
+void Simulated::send(const Eigen::Vector3d& force) noexcept {
+  Eigen::Vector3d limits;
+  for (std::size_t i = 0; i < 3; ++i) limits[static_cast<Eigen::Index>(i)] = torque_limit(model_.motor, heat_[i]);
+  const Joints torque = model_.arm.jacobian(measured_).transpose() * turned_to_arm(sent_.send(force));
+  torque_ = delivered(model_.motor, model_.gears, limits, torque);
+}
+
+std::optional<Fault> Simulated::command(const Eigen::Vector3f& force) noexcept {
+  const bool finite = force.allFinite();
+  commanded_.setZero();
+  if (finite) commanded_ = force.cast<double>();
+  if (!options_.latency) send(commanded_);
+  if (!finite) return Fault{"a force that is not finite was commanded"};
+  return std::nullopt;
+}
+
+State Simulated::state() const noexcept {
+  double hottest = 0;
+  for (const Heat& heat : heat_) hottest = std::max(hottest, heat.total());
+  return {.forces_on = period_ > 0, .temperature = static_cast<float>(hottest)};
+}
+
+Eigen::Vector3d Simulated::tip() const noexcept {
+  return turned_to_law(model_.arm.forward(motion_.angles)) / kMillimetre;
+}
+
+std::unique_ptr<Device> open_simulated(const std::string& rest) {
+  const std::size_t colon = std::min(rest.find(':'), rest.size());
+  const std::string name = rest.substr(0, colon);
+  std::string known;
+  for (const auto& make : kModels) {
+    const Model model = make();
+    known += (known.empty() ? "" : ", ") + std::string(model.name);
+    if (!name.empty() && name != model.name) continue;
+    if (colon == rest.size()) return std::make_unique<Simulated>(model, Operator{Grip{}, strokes(), Tremor(1, 0.03), false});
+    std::vector<Intention::Point> points;
+    // A recorded hand trembles already.
+    const Replay replay = Replay::load(rest.substr(colon + 1));
+    for (const Reading& reading : replay.recording())
+      points.push_back({reading.time - replay.recording().front().time, reading.position.cast<double>()});
+    return std::make_unique<Simulated>(
+        model, Operator{Grip{}, Intention(std::move(points), Intention::Between::straight), Tremor(1, 0), true});
+  }
+  throw UnknownDevice("unknown model \"" + name + "\" to simulate: expected one of " + known);
+}
+
+}  // namespace forceshade::device

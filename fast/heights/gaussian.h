@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Gaussian: U = height·exp(-ρ²/2σ²).
+
+#include "forceshade/fast/heights/jet.h"
+#include "forceshade/fast/numbers/exp_cos_sin.h"
+
+namespace forceshade::fast {
+
+template <class N>
+Jet<N> jet(const height::Gaussian& gaussian, const Place& at) noexcept {
+  const N height = N::exactly(static_cast<double>(gaussian.height));
+  const auto x = static_cast<double>(gaussian.x), y = static_cast<double>(gaussian.y),
+             sigma = static_cast<double>(gaussian.sigma);
+  if (at.x() == x && at.y() == y) return {height, N::exactly(0), N::exactly(0)};
+  const N X = difference<N>(at.x(), gaussian.x), Y = difference<N>(at.y(), gaussian.y);
+  const N variance = N::exactly(sigma) * N::exactly(sigma);
+  const double size = ((at.x() - x) * (at.x() - x) + (at.y() - y) * (at.y() - y)) / (sigma * sigma);  // twice the exponent
+  const N U = height * exp_of_minus((X * X + Y * Y) / (variance + variance), size);
+  const N steepness = -(U / variance);
+  return {U, steepness * X, steepness * Y};
+}
+
+}  // namespace forceshade::fast

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The absolute errors of the B-spline's first stage (SplineValues in fast/heights/spline.h): of U - c in steps, of U_x and U_y in
+# steps per pitch; a step is the largest difference of coefficients side by side. How the scripts are written and run:
+# docs/proofs.md.
+#
+# All that is used of an operation is that it is within 2^-53 of its result, relative: multiply_add, rounded once or twice, is a
+# product and a sum of that kind. So step and pitch may be taken as 1. Hypotheses proved by hand: t, of a difference, 1/p and a
+# product, is within 3.003·2^-53, relative; column k of the window is at most |k - 1| + T + (1 - T)^3/3 <= |k - 1| + 1 steps from c,
+# for the weights along y are the B-splines; the sizes of the weights of the three steps sum to 2 - 2T/3 in BEND, to 2 in TILT and
+# TWICE_SLOPE, to 4 - 2T in TWICE_BEND. The place may be 2^-36 outside of its cell (docs/proofs.md), where each of these grows by
+# less than 2^-34, which their .0001 pays for.
+
+t = t_; a0 = a0_; a3 = a3_;
+outer = add_rel<53>(mul_rel<53>(add_rel<53>(mul_rel<53>(add_rel<53>(mul_rel<53>(a3, t), A2), t), A1), t), a0);
+OUTER = ((A3 * T + A2) * T + A1) * T + A0;
+inner = add_rel<53>(mul_rel<53>(mul_rel<53>(add_rel<53>(mul_rel<53>(A3, t), A2), t), t), a0);  # no linear term
+INNER = ((A3 * T + A2) * T) * T + A0;
+cube = mul_rel<53>(mul_rel<53>(mul_rel<53>(a3, t), t), t);
+CUBE = ((A3 * T) * T) * T;
+slope = add_rel<53>(mul_rel<53>(add_rel<53>(mul_rel<53>(A2, t), A1), t), A0);
+SLOPE = (A2 * T + A1) * T + A0;
+
+# One column: s are the steps from row to row, b from c to row 1.
+s0 = s0_; s1 = s1_; s2 = s2_; b = b_; third = third_; sixth = sixth_;
+two_steps = add_rel<53>(s0, s1);
+second = sub_rel<53>(s1, s0);
+difference = sub_rel<53>(sub_rel<53>(s2, s1), second);
+t_2 = t / 2;
+t_3 = mul_rel<53>(t, third);
+value = add_rel<53>(mul_rel<53>(t_2, add_rel<53>(mul_rel<53>(t, add_rel<53>(mul_rel<53>(t_3, difference), second)), two_steps)),
+                    add_rel<53>(mul_rel<53>(second, sixth), b));
+BEND = (T * THIRD) * ((S2 - S1) - (S1 - S0)) + (S1 - S0);
+TILT = T * BEND + (S0 + S1);
+VALUE = T / 2 * TILT + ((S1 - S0) * SIXTH + B);
+twice_slope = add_rel<53>(mul_rel<53>(t, add_rel<53>(mul_rel<53>(t, difference), 2 * second)), two_steps);
+TWICE_BEND = T * ((S2 - S1) - (S1 - S0)) + 2 * (S1 - S0);
+TWICE_SLOPE = T * TWICE_BEND + (S0 + S1);
+
+# The sums of four columns with their weights, and what turns them into slopes.
+w0 = w0_; w1 = w1_; w2 = w2_; w3 = w3_; h0 = h0_; h1 = h1_; h2 = h2_; h3 = h3_; p = p_;
+p0 = mul_rel<53>(w0, h0); p1 = mul_rel<53>(w1, h1); p2 = mul_rel<53>(w2, h2); p3 = mul_rel<53>(w3, h3);
+rise = add_rel<53>(add_rel<53>(p0, p2), add_rel<53>(p1, p3));
+RISE = (W0 * H0 + W2 * H2) + (W1 * H1 + W3 * H3);
+sum = add_rel<53>(add_rel<53>(p0, p1), add_rel<53>(p2, p3));
+SUM = (W0 * H0 + W1 * H1) + (W2 * H2 + W3 * H3);
+scaled = mul_rel<53>(sum, p);
+#! piece weight_0
+{ T in [-1b-36, 1.0001] /\ |t -/ T| <= 0x1.81p-52 /\ A0 = 1 / 6 /\ A1 = -1 / 2 /\ A2 = 1 / 2 /\ A3 = -1 / 6
+/\ |a0 -/ A0| <= 1b-53 /\ |a3 -/ A3| <= 1b-53 -> outer - OUTER in ? }
+#! piece weight_1
+{ T in [-1b-36, 1.0001] /\ |t -/ T| <= 0x1.81p-52 /\ A0 = 2 / 3 /\ A2 = -1 /\ A3 = 1 / 2 /\ |a0 -/ A0| <= 1b-53
+-> inner - INNER in ? }
+#! piece weight_2
+{ T in [-1b-36, 1.0001] /\ |t -/ T| <= 0x1.81p-52 /\ A0 = 1 / 6 /\ A1 = 1 / 2 /\ A2 = 1 / 2 /\ A3 = -1 / 2
+/\ |a0 -/ A0| <= 1b-53 /\ a3 = A3 -> outer - OUTER in ? }
+#! piece weight_3
+{ T in [-1b-36, 1.0001] /\ |t -/ T| <= 0x1.81p-52 /\ A3 = 1 / 6 /\ |a3 -/ A3| <= 1b-53 -> cube - CUBE in ? }
+#! piece slope_0
+{ T in [-1b-36, 1.0001] /\ |t -/ T| <= 0x1.81p-52 /\ A0 = -1 / 2 /\ A1 = 1 /\ A2 = -1 / 2 -> slope - SLOPE in ? }
+#! piece slope_1
+{ T in [-1b-36, 1.0001] /\ |t -/ T| <= 0x1.81p-52 /\ A0 = 0 /\ A1 = -2 /\ A2 = 3 / 2 -> slope - SLOPE in ? }
+#! piece slope_2
+{ T in [-1b-36, 1.0001] /\ |t -/ T| <= 0x1.81p-52 /\ A0 = 1 / 2 /\ A1 = 1 /\ A2 = -3 / 2 -> slope - SLOPE in ? }
+#! piece slope_3
+{ T in [-1b-36, 1.0001] /\ |t -/ T| <= 0x1.81p-52 /\ A0 = 0 /\ A1 = 0 /\ A2 = 1 / 2 -> slope - SLOPE in ? }
+#! piece value
+{ T in [-1b-36, 1.0001] /\ |t -/ T| <= 0x1.81p-52 /\ |S0| <= 1 /\ |S1| <= 1 /\ |S2| <= 1 /\ |B| <= 2 /\ |BEND| <= 2.0001 /\ |TILT| <= 2.0001 /\ |VALUE| <= 3.0001
+/\ |s0 -/ S0| <= 1b-53 /\ |s1 -/ S1| <= 1b-53 /\ |s2 -/ S2| <= 1b-53 /\ |b -/ B| <= 1b-53
+/\ THIRD in [0.333, 0.334] /\ SIXTH in [0.166, 0.167] /\ |third -/ THIRD| <= 1b-53 /\ |sixth -/ SIXTH| <= 1b-53 -> value - VALUE in ? }
+#! piece twice_slope
+{ T in [-1b-36, 1.0001] /\ |t -/ T| <= 0x1.81p-52 /\ |S0| <= 1 /\ |S1| <= 1 /\ |S2| <= 1 /\ |TWICE_BEND| <= 4.0001 /\ |TWICE_SLOPE| <= 2.0001
+/\ |s0 -/ S0| <= 1b-53 /\ |s1 -/ S1| <= 1b-53 /\ |s2 -/ S2| <= 1b-53 -> twice_slope - TWICE_SLOPE in ? }
+#! piece rise
+{ |W0| <= 0.1667 /\ |W1| <= 0.6667 /\ |W2| <= 0.6667 /\ |W3| <= 0.1667
+/\ |H0| <= 2.0001 /\ |H1| <= 1.0001 /\ |H2| <= 2.0001 /\ |H3| <= 3.0001 /\ |RISE| <= 2.0001
+/\ |w0 - W0| <= 0x1.961p-51 # from spline weight_0
+/\ |w1 - W1| <= 0x1.8b6p-50 # from spline weight_1
+/\ |w2 - W2| <= 0x1.5b5p-50 # from spline weight_2
+/\ |w3 - W3| <= 0x1.15fp-52 # from spline weight_3
+/\ |h0 - H0| <= 0x1.cb6p-49 # from spline value
+/\ |h1 - H1| <= 0x1.cb6p-49 # from spline value
+/\ |h2 - H2| <= 0x1.cb6p-49 # from spline value
+/\ |h3 - H3| <= 0x1.cb6p-49 # from spline value
+-> rise - RISE in ? }
+#! piece along
+{ |W0| <= 0.5001 /\ |W1| <= 0.6667 /\ |W2| <= 0.6667 /\ |W3| <= 0.5001
+/\ |H0| <= 2.0001 /\ |H1| <= 1.0001 /\ |H2| <= 2.0001 /\ |H3| <= 3.0001 /\ |SUM| <= 1.0001 /\ |p - 1| <= 1b-53
+/\ |w0 - W0| <= 0x1.e1p-51 # from spline slope_0
+/\ |w1 - W1| <= 0x1.208p-49 # from spline slope_1
+/\ |w2 - W2| <= 0x1.90bp-50 # from spline slope_2
+/\ |w3 - W3| <= 0x1.40ap-51 # from spline slope_3
+/\ |h0 - H0| <= 0x1.cb6p-49 # from spline value
+/\ |h1 - H1| <= 0x1.cb6p-49 # from spline value
+/\ |h2 - H2| <= 0x1.cb6p-49 # from spline value
+/\ |h3 - H3| <= 0x1.cb6p-49 # from spline value
+-> scaled - SUM in ? }
+scaled - SUM -> (scaled - sum * p) + sum * (p - 1) + (sum - SUM);
+#! piece aside
+{ |W0| <= 0.1667 /\ |W1| <= 0.6667 /\ |W2| <= 0.6667 /\ |W3| <= 0.1667
+/\ |H0| <= 2.0001 /\ |H1| <= 2.0001 /\ |H2| <= 2.0001 /\ |H3| <= 2.0001 /\ |SUM| <= 2.0001 /\ |p - 1| <= 1b-53
+/\ |w0 - W0| <= 0x1.961p-51 # from spline weight_0
+/\ |w1 - W1| <= 0x1.8b6p-50 # from spline weight_1
+/\ |w2 - W2| <= 0x1.5b5p-50 # from spline weight_2
+/\ |w3 - W3| <= 0x1.15fp-52 # from spline weight_3
+/\ |h0 - H0| <= 0x1.f0ap-48 # from spline twice_slope
+/\ |h1 - H1| <= 0x1.f0ap-48 # from spline twice_slope
+/\ |h2 - H2| <= 0x1.f0ap-48 # from spline twice_slope
+/\ |h3 - H3| <= 0x1.f0ap-48 # from spline twice_slope
+-> (scaled - SUM) / 2 in ? }
+scaled - SUM -> (scaled - sum * p) + sum * (p - 1) + (sum - SUM);

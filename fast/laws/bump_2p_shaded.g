@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# bump-2p-shaded: the relative error of the first stage (fast/laws/bump_2p_shaded.h), over the whole bump and the plane beside it.
+# How the scripts are written and run, and the hypotheses they share: docs/proofs.md.
+
+@rnd = float<ieee_64, ne>;
+K = float<ieee_32, ne>(K_);
+R = float<ieee_32, ne>(R_);
+x = float<ieee_32, ne>(x_);
+z = float<ieee_32, ne>(z_);
+gap = rnd(gap_);
+K_over_R rnd= K / R;
+scale rnd= gap * K_over_R;
+fx rnd= scale * x;
+fz rnd= scale * sqrt((R - x) * (R + x));
+fz_beside rnd= scale * sqrt(R * R);
+FX = GAP * (K / R) * x;
+FZ = GAP * (K / R) * sqrt((R - x) * (R + x));
+FZ_BESIDE = GAP * (K / R) * sqrt(R * R);
+# The bump: x > 0, the other side being its mirror image; where |x| = R, F_z is exactly 0.
+#! piece inside
+{ |gap -/ GAP| <= 0x1.bp-52 # from polygon_gap
+/\ GAP in [1b-66, 20001] /\ K in [1b-10, 1000] /\ R in [0x1.9p-4, 10000] /\ x in [1b-30, 10000] /\ R - x in [1b-28, 10000]
+-> fx -/ FX in ? /\ fz -/ FZ in ? }
+# Beside the bump, and on x = 0: F_x = 0, and F_z goes through the same steps with 0 for x.
+#! piece beside
+{ K in [1b-10, 1000] /\ R in [0x1.9p-4, 10000] /\ |gap -/ GAP| <= 0x1.bp-52 # from polygon_gap
+/\ GAP in [1b-66, 20001] -> fz_beside -/ FZ_BESIDE in ? }

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Whether arithmetic rounds as the proofs assume. No macro tells of contraction, nor clang's of reordering, and the mode
+// belongs to the thread: so the processor is asked. Each file that evaluates a law asks for itself, for flags go by file.
+
+#include "forceshade/fast/numbers/inline.h"
+
+namespace forceshade::fast {
+
+// The optimiser does not see through it, and so cannot fold what the processor is to compute.
+FORCESHADE_INLINE double hidden(double value) {
+  const volatile double copy = value;
+  return copy;
+}
+
+// What this file's code, on this thread, does otherwise than IEEE 754 rounding to nearest; null if nothing was found.
+FORCESHADE_INLINE const char* arithmetic_fault_here() {
+  const double one = hidden(1), small = hidden(0x1p-54), larger = hidden(0x1.8p-53);
+  if (one + small != 1 || -one - small != -1 || one + larger != 1 + 0x1p-52) return "rounding other than to nearest";
+  const double least_normal = hidden(0x1p-1022), subnormal = hidden(0x1p-1074);
+  if (least_normal * hidden(0.5) == 0 || subnormal * hidden(0x1p1000) != 0x1p-74) return "flushed subnormals";
+  const double a = hidden(1 + 0x1p-30);  // its square is 1 + 2^-29 + 2^-60, which rounds
+  if (a * a - hidden(1 + 0x1p-29) != 0) return "fused a*b - c (compile with -ffp-contract=off)";
+  if ((one + small) - one != 0) return "reordered sum (compile without -fassociative-math)";
+  if (hidden(5) / 3 != 0x1.aaaaaaaaaaaabp+0) return "reciprocal for a quotient (compile without -freciprocal-math)";
+  if (1 / (hidden(-0.0) + 0.0) < 0) return "lost sign of zero (compile without -fno-signed-zeros)";
+  return nullptr;
+}
+
+}  // namespace forceshade::fast

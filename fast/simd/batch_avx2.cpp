@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The batch loop, compiled with -mavx2 -mfma: four binary64 numbers at a time.
+
+#include "forceshade/fast/simd/batch.h"
+#include "forceshade/fast/simd/pack_avx2.h"
+#include "forceshade/fast/simd/pack_pair.h"
+
+namespace forceshade::fast {
+
+#include "forceshade/fast/simd/batch_loop.inl"
+
+const BlockTable kAvx2Blocks = kBlocks;
+
+}  // namespace forceshade::fast

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The batch loop, compiled with -mavx512f -mavx512dq -mavx512vl -mavx512bw: eight binary64 numbers at a time.
+
+#include "forceshade/fast/simd/batch.h"
+#include "forceshade/fast/simd/pack_avx512.h"
+#include "forceshade/fast/simd/pack_pair.h"
+
+namespace forceshade::fast {
+
+#include "forceshade/fast/simd/batch_loop.inl"
+
+const BlockTable kAvx512Blocks = kBlocks;
+
+}  // namespace forceshade::fast

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The circulation under a slice of a height map. With t along it, the depth δ and 1/n the normal's share upwards, it is
+// K·f per t and δ, f = δ·(1/n)_t + (surface - U)_t/n, and ½Kδ² times the jump of 1/n on a line. Callers hold exact_arithmetic.
+
+#include "forceshade/reference/energy/height_stretch.h"
+#include "forceshade/reference/height_energy.h"
+
+namespace forceshade::reference {
+
+inline Way way_of(const Slice& s) {
+  return s.along == Slice::Along::x ? Way{s.from, s.at, s.to, s.at} : Way{s.at, s.from, s.at, s.to};
+}
+
+// No height of the surface that depths are measured from is larger in size, mm.
+double tallest(const HeightMapField& law, const Slice& slice);
+
+struct Paid {
+  Ball64 counter_clockwise, clockwise;
+};
+
+class Circulation {
+ public:
+  // depth: mm.
+  Circulation(const HeightMapField& law, const Slice& slice, float depth);
+
+  const HeightLine& line() const { return line_; }
+
+  // What the lines on which 1/n jumps pay, over K; and with them, the stretches between.
+  Paid lines() const;
+  Paid paid(const std::vector<Stretch>& stretches) const;
+
+  // What is paid between them, over K; certain to `relative` of all. In order of t.
+  std::vector<Stretch> stretches(long double relative, const Watch& watch = {}) const;
+
+  // By how much 1/n rises where a piece begins; not the first.
+  Ball64 rise(std::size_t piece) const;
+
+  // f at the surface and at the depth, at one t.
+  std::array<Ball64, 2> density(const HeightLine::Piece& piece, const Ball64& t) const;
+
+  Ball64 depth() const { return depth_; }
+
+ private:
+  void judge(Stretch& stretch) const;
+
+  HeightLine line_;
+  Ball64 depth_;
+};
+
+}  // namespace forceshade::reference

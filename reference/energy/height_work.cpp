@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/reference/energy/height_stretch.h"
+#include "forceshade/reference/energy/strips.h"
+#include "forceshade/reference/height_energy.h"
+#include "forceshade/reference/heights/cap.h"
+#include "forceshade/reference/heights/cone.h"
+#include "forceshade/reference/heights/gaussian.h"
+#include "forceshade/reference/heights/grating.h"
+#include "forceshade/reference/heights/grid.h"
+#include "forceshade/reference/heights/plane.h"
+#include "forceshade/reference/heights/polygons.h"
+#include "forceshade/reference/numbers/intervals.h"
+
+namespace forceshade::reference {
+namespace {
+
+using height::Rendering;
+
+struct AtShape {
+  const Point2& at;
+
+  Jet<Enclosure> operator()(const height::Gaussian& shape) const { return jet<Enclosure>(shape, at); }
+  Jet<Enclosure> operator()(const height::Grating& shape) const { return jet<Enclosure>(shape, at); }
+  Jet<Enclosure> operator()(const std::shared_ptr<const height::Grid>& grid) const { return jet<Enclosure>(*grid, at); }
+  template <class T>
+  Jet<Enclosure> operator()(const T& shape) const {
+    return jet<Enclosure>(shape, at);
+  }
+};
+
+Jet<Enclosure> sum_at(const std::vector<height::Part>& parts, const Point2& at) {
+  Jet<Enclosure> sum = Jet<Enclosure>::flat();
+  for (const height::Part& part : parts) {
+    const Jet<Enclosure> one = std::visit(AtShape{at}, part.shape);
+    sum = sum + (part.negated ? -one : one);
+  }
+  return sum;
+}
+
+Point2 plan(const Eigen::Vector3f& point) {
+  return {static_cast<double>(point.x()), static_cast<double>(point.y())};
+}
+
+// ½K·depth² there.
+Enclosure spring(const HeightMapField& law, const Eigen::Vector3f& point) {
+  const bool is_shaded = law.rendering() == Rendering::force_shaded;
+  const Enclosure surface = sum_at(is_shaded ? law.map().surface : law.map().parts, plan(point)).U;
+  const Enclosure depth = larger(0, surface - Enclosure(point.z()));
+  return Enclosure(law.stiffness()) * depth * depth / 2;
+}
+
+// From a straight up or down to b, and anywhere in a field that is minus the gradient of the spring.
+Enclosure work_of_spring(const HeightMapField& law, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+  const Enclosure released = spring(law, a) - spring(law, b);
+  if (law.rendering() == Rendering::conservative) return released;
+  const Jet<Enclosure> map = sum_at(law.map().parts, plan(a));
+  return released / sqrt(Enclosure(map.Ux * map.Ux + map.Uy * map.Uy + 1));
+}
+
+Ball64 work_across(const HeightMapField& law, const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Watch& watch) {
+  const HeightLine line(law, {a.x(), a.y(), b.x(), b.y()});
+  const Ball64 z0(static_cast<double>(a.z())), dz = Ball64(static_cast<double>(b.z())) - z0;
+  const auto judge = [&](Stretch& stretch) {
+    using Ground = Ground<GroundSeries>;
+    const Local local(line, stretch);
+    const auto depth = [&](const Ground& g, const GroundSeries& t) {
+      return (g.surface - GroundSeries(z0) - GroundSeries(dz) * t).shorter();
+    };
+    const auto share = [&](const Ground& g, const auto&) { return ((GroundSeries(dz) - g.climb) * g.upright).shorter(); };
+    const auto force = [&](const Ground& g, const auto& t) { return depth(g, t) * share(g, t); };
+    const Range below = local.range(local.function(depth));
+    if (below.high <= 0) return;
+    const Ball64 total = below.low < -below.high ? Ball64() : local.integral(local.function(force));
+    stretch.paid = total;
+    if (below.low >= 0) return;
+    // Within what the part on the other side of the surface would add.
+    stretch.change = local.change(local.function(depth));
+    const Range along = local.range(local.function(share));
+    const long double most = std::min(-below.low, below.high) * stretch.width() * (1 + 0x1p-60L);
+    stretch.paid = total + ball(std::min(0.0L, along.low) * most, std::max(0.0L, along.high) * most);
+  };
+  // What 64 bits cannot do better.
+  const long double floor = static_cast<long double>((b - a).norm() * (1 + a.cwiseAbs().maxCoeff())) * 0x1p-50L;
+  Ball64 sum;
+  for (const Stretch& stretch : refine(line, judge, 1e-10L, floor, watch)) sum = sum + stretch.paid;
+  return Ball64(static_cast<double>(law.stiffness())) * sum;
+}
+
+}  // namespace
+
+Interval work(const HeightMapField& law, const std::vector<Eigen::Vector3f>& path, const Watch& watch) {
+  const std::lock_guard lock(exact_arithmetic);
+  set_precision(kEnergyBits);
+  Enclosure sum = 0;
+  const auto share = [&](std::size_t i) { return static_cast<double>(i) / static_cast<double>(path.size()); };
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Eigen::Vector3f &a = path[i - 1], &b = path[i];
+    const Watch segment = watch.part(share(i - 1), share(i));
+    segment.at(0);
+    if (law.rendering() == Rendering::conservative || (a.x() == b.x() && a.y() == b.y())) {
+      sum += work_of_spring(law, a, b);
+    } else {
+      const Ball64 across = decided([&] { return work_across(law, a, b, segment); });
+      sum += Enclosure(Multiprecision(across.low()), Multiprecision(across.high()));
+    }
+  }
+  return interval(sum);
+}
+
+}  // namespace forceshade::reference

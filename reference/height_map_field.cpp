@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/reference/height_map_field.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <mutex>
+
+#include "forceshade/reference/heights/domain.h"
+#include "forceshade/reference/heights/sum.h"
+#include "forceshade/reference/laws/slow_geometry.h"
+#include "forceshade/reference/numbers/tie.h"
+
+namespace forceshade::reference {
+namespace {
+
+using height::Rendering;
+
+// What the force at a position is made of.
+template <class N>
+struct Local {
+  N gap;     // mm: the penetration
+  N Ux, Uy;  // mm/mm
+};
+
+template <class N>
+Local<N> local(const HeightMapField& law, const Point2& at, double z) {
+  const Jet<N> map = sum_jet<N>(law.map().parts, at);
+  const bool is_shaded = law.rendering() == Rendering::force_shaded;
+  return {is_shaded ? N(sum_jet<N>(law.map().surface, at).U - N(z)) : N(map.U - N(z)), map.Ux, map.Uy};
+}
+
+// N, where the gap is positive.
+template <class N>
+using Components = std::array<N, 3>;
+
+template <class N>
+Components<N> force(const HeightMapField& law, const Local<N>& at) {
+  N magnitude = N(static_cast<double>(law.stiffness())) * at.gap;
+  if (law.rendering() != Rendering::conservative) magnitude = magnitude / sqrt(N(at.Ux * at.Ux + at.Uy * at.Uy + N(1.0)));
+  return {-magnitude * at.Ux, -magnitude * at.Uy, magnitude};
+}
+
+// The sign of a component of the force less `tie`, exactly. With F = K·gap·s/n and n = √(1 + U_x² + U_y²), F and tie are
+// compared by their signs first, then by their squares.
+int sign_of_excess(const HeightMapField& law, const Local<ExponentialSum>& at, std::size_t axis, double tie) {
+  const ExponentialSum slopes[] = {-at.Ux, -at.Uy, 1.0};
+  const ExponentialSum push = ExponentialSum(static_cast<double>(law.stiffness())) * at.gap * slopes[axis];
+  if (law.rendering() == Rendering::conservative) return (push - tie).sign();
+  const int sign = push.sign(), sign_of_tie = (tie > 0) - (tie < 0);
+  if (sign != sign_of_tie || sign == 0) return sign - sign_of_tie;
+  return sign * (push * push - ExponentialSum(tie) * tie * (at.Ux * at.Ux + at.Uy * at.Uy + 1.0)).sign();
+}
+
+float nearest_tie(const Components<Ball64>& force, const Eigen::Vector3f& rounded) {
+  float ulps = 1;
+  for (int i = 0; i < 3; ++i) ulps = std::min(ulps, ulps_from_tie(force[static_cast<std::size_t>(i)], rounded[i]));
+  return ulps;
+}
+
+// The binary32 that the ends of an enclosure round to.
+struct RoundedEnds {
+  float low, high;
+
+  explicit RoundedEnds(const Enclosure& value)
+      : low(mpfr_get_flt(lower(value).backend().data(), MPFR_RNDN) + 0.0F),
+        high(mpfr_get_flt(upper(value).backend().data(), MPFR_RNDN) + 0.0F) {}
+  bool agree() const { return low == high; }
+  bool are_neighbours() const { return std::nextafter(low, high) == high; }
+};
+
+// Enclosures narrow the force down to two neighbours at most; exact numbers then compare it with the middle of the two.
+Rounded round_exactly(const HeightMapField& law, const Point2& at, double z) {
+  const Local<ExponentialSum> exact = local<ExponentialSum>(law, at, z);
+  if (exact.gap.sign() <= 0) return {{0, 0, 0}, Status::free, Method::exact, 1};
+  for (unsigned bits = 768;; bits *= 2) {
+    set_precision(bits);
+    const Components<Enclosure> enclosed = force(law, local<Enclosure>(law, at, z));
+    const std::array<RoundedEnds, 3> ends{RoundedEnds(enclosed[0]), RoundedEnds(enclosed[1]), RoundedEnds(enclosed[2])};
+    if (!std::ranges::all_of(ends, &RoundedEnds::are_neighbours)) continue;
+    Eigen::Vector3f answer;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto [low, high] = ends[axis];
+      const double tie = 0.5 * (static_cast<double>(low) + static_cast<double>(high));
+      answer[static_cast<int>(axis)] =
+          ends[axis].agree() ? low : rounded_between(low, high, sign_of_excess(law, exact, axis, tie));
+    }
+    return {answer, Status::contact, Method::exact, 0};
+  }
+}
+
+Rounded round_by_enclosures(const HeightMapField& law, const Point2& at, double z) {
+  mpfr_set_emin(mpfr_get_emin_min());  // the tail of a Gaussian goes down to exp(-4·10^14)
+  for (const unsigned bits : {128U, 768U}) {
+    set_precision(bits);
+    const Local<Enclosure> enclosed = local<Enclosure>(law, at, z);
+    if (upper(enclosed.gap) <= 0) return {{0, 0, 0}, Status::free, Method::enclosure};
+    if (lower(enclosed.gap) <= 0) continue;
+    const Components<Enclosure> components = force(law, enclosed);
+    const std::array<RoundedEnds, 3> ends{RoundedEnds(components[0]), RoundedEnds(components[1]), RoundedEnds(components[2])};
+    if (!std::ranges::all_of(ends, &RoundedEnds::agree)) continue;
+    const Eigen::Vector3f answer(ends[0].low, ends[1].low, ends[2].low);
+    return {answer, Status::contact, Method::enclosure,
+            nearest_tie({filter_of(components[0]), filter_of(components[1]), filter_of(components[2])}, answer)};
+  }
+  return round_exactly(law, at, z);
+}
+
+bool is_transcendental(const HeightMap& map) {
+  const auto is = [](const height::Part& part) {
+    return std::visit([]<class T>(const T&) { return kIsTranscendental<T>; }, part.shape);
+  };
+  return std::ranges::any_of(map.parts, is) || std::ranges::any_of(map.surface, is);
+}
+
+double quantised(float coordinate) {
+  return std::fabs(coordinate) < std::ldexp(1.0F, -30) ? 0.0 : static_cast<double>(coordinate);
+}
+
+}  // namespace
+
+std::variant<HeightMapField, ParameterError> HeightMapField::build(HeightMap map, Rendering rendering, float stiffness) {
+  if (const auto error = first_error(map, rendering, stiffness)) return *error;
+  return HeightMapField(std::move(map), rendering, stiffness);
+}
+
+Rounded HeightMapField::round_to_binary32(const Eigen::Vector3f& position) const {
+  if (!((position.array() >= -1e4F).all() && (position.array() <= 1e4F).all())) return {{0, 0, 0}, Status::invalid};
+  const Point2 at{quantised(position.x()), quantised(position.y())};
+  const double z = quantised(position.z());
+  // Even where the force is a Ball64's, CORE's rationals decide which cell it comes from.
+  const std::lock_guard lock(exact_arithmetic);
+  if (is_transcendental(map_)) return round_by_enclosures(*this, at, z);
+  try {
+    const Local<Ball64> quick = local<Ball64>(*this, at, z);
+    if (!(quick.gap > Ball64(0.0))) return {};
+    const Components<Ball64> components = force(*this, quick);
+    const Eigen::Vector3f rounded(components[0].round(), components[1].round(), components[2].round());
+    return {rounded, Status::contact, Method::filter, nearest_tie(components, rounded)};
+  } catch (const Undecided&) {
+    return round_by_enclosures(*this, at, z);
+  }
+}
+
+HeightMapField::Estimate HeightMapField::estimate(const Eigen::Vector3f& position) const {
+  const Point2 at{quantised(position.x()), quantised(position.y())};
+  const double z = quantised(position.z());
+  const std::lock_guard lock(exact_arithmetic);
+  if (!is_transcendental(map_)) try {
+      const Local<Ball64> quick = local<Ball64>(*this, at, z);
+      if (quick.gap.rad() <= 0x1p-30L * std::fabs(quick.gap.mid())) {
+        const Components<Ball64> F = force(*this, quick);
+        return {quick.gap, quick.Ux, quick.Uy, F[0], F[1], F[2]};
+      }
+    } catch (const Undecided&) {
+    }
+  mpfr_set_emin(mpfr_get_emin_min());
+  set_precision(768);  // parts may cancel
+  const Local<Enclosure> slow = local<Enclosure>(*this, at, z);
+  const Components<Enclosure> F = force(*this, slow);
+  return {filter_of(slow.gap), filter_of(slow.Ux), filter_of(slow.Uy), filter_of(F[0]), filter_of(F[1]), filter_of(F[2])};
+}
+
+}  // namespace forceshade::reference

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A height map along a straight line over the plane, cut wherever a part changes its formula. Callers hold exact_arithmetic and
+// have set the precision to kEnergyBits.
+
+#include <vector>
+
+#include "forceshade/reference/height_map_field.h"
+#include "forceshade/reference/heights/jet.h"
+#include "forceshade/reference/numbers/taylor_coefficients.h"
+
+namespace forceshade::reference {
+
+// One order more than is integrated, for a derivative; enough for what two cubics make along a diagonal.
+using GroundSeries = Series<7>;
+
+// Over the plane from (x0, y0) at t = 0 to (x1, y1) at t = 1, two different points; mm.
+struct Way {
+  float x0, y0, x1, y1;
+};
+
+// Which formula of a part holds: the cell of a grid; of what has a rim, a column of HeightLine's own.
+struct Cell {
+  long column = 0, row = 0;
+};
+
+// What the force is made of, at a t or over a stretch of it.
+template <class N>
+struct Ground {
+  N surface;  // mm: what the depth is measured from
+  N climb;    // mm per unit of t: U_t
+  N excess;   // mm per unit of t: that of the surface, less U_t
+  N squared;  // n^2 = 1 + U_x^2 + U_y^2
+  N upright;  // 1/n
+};
+
+class HeightLine {
+ public:
+  // Between two cuts: every part has one formula.
+  struct Piece {
+    Ball64 from, to;          // t
+    std::vector<Cell> cells;  // of each part
+    // Of the map and of the surface, the sum of the parts that are polynomials: its series about the middle is all of it.
+    double middle = 0;
+    std::array<Jet<GroundSeries>, 2> polynomial;
+  };
+
+  // Both must outlive it.
+  HeightLine(const HeightMapField& law, const Way& way);
+
+  // In order of t. Cuts at one and the same place are one.
+  const std::vector<Piece>& pieces() const { return pieces_; }
+
+  template <class N>
+  Ground<N> ground(const Piece& piece, const N& t) const;
+
+ private:
+  // The sum of those parts that are polynomials along the way, or of those that are not; piece.cells[first] is the first's.
+  template <class N>
+  Jet<N> sum(const std::vector<height::Part>& parts, std::size_t first, const Piece& piece, const N& t,
+             bool of_polynomials) const;
+
+  const HeightMapField& law_;
+  Way way_;
+  struct {
+    Ball64 x, y;  // mm per unit of t
+  } along_;
+  std::vector<Piece> pieces_;
+};
+
+extern template Ground<Ball64> HeightLine::ground(const Piece& piece, const Ball64& t) const;
+extern template Ground<GroundSeries> HeightLine::ground(const Piece& piece, const GroundSeries& t) const;
+
+}  // namespace forceshade::reference

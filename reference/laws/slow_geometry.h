@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The geometry of a bump in the two slow number types. Callers hold exact_arithmetic.
+
+#include "forceshade/reference/laws/bump_geometry.h"
+#include "forceshade/reference/numbers/numbers.h"
+
+namespace forceshade::reference {
+
+// From the printed formulas, θ = (2/3) arcsin(w/2R), at the precision last set by set_precision().
+BumpGeometry<Enclosure> enclosing_geometry(const Parameters& parameters);
+Enclosure enclosing_theta(const Parameters& parameters);
+
+// From t = sin(α/3): the root of 4t³ - 3t + w/2R in (0, ½], isolated by CGAL's algebraic kernel.
+BumpGeometry<Exact> exact_geometry(const Parameters& parameters);
+
+// Rounded outwards.
+Ball64 filter_of(const Enclosure& value);
+
+}  // namespace forceshade::reference

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/report/matrix.h"
+
+#include "forceshade/report/html.h"
+
+namespace forceshade::properties {
+namespace {
+
+std::string yes_or_no(bool yes, const std::string& words = "") {
+  return std::string(yes ? "yes" : "no") + (words.empty() ? "" : "<small>" + words + "</small>");
+}
+
+std::string jumps_of(const Findings& law) {
+  std::string words;
+  for (const std::string& line : law.jumps) words += (words.empty() ? "jumps on " : ", ") + escaped(line);
+  return words;
+}
+
+std::string unit_of(const LawResult& law) {
+  return yes_or_no(law.is_unit(), law.law == LawId::bump_cylinder ? "each of its two forces" : "");
+}
+
+std::string unit_of(const HeightMapResult& map) {
+  return yes_or_no(map.is_unit(),
+                   map.identity.rendering == height::Rendering::conservative ? "as long as the map is steep" : "");
+}
+
+// At the greatest depth that was walked.
+std::string energy_of(const Findings& law) {
+  if (law.conservative) return "0";
+  if (law.energy.empty()) return "not measured";
+  const LoopEnergy& loop = law.energy.back();
+  return html_number(loop.bound_mJ[1], 5) + "\u202FmJ<small>" + html_number(loop.depth_mm, 4) + "\u202Fmm deep; fast path " +
+         html_number(loop.measured_mJ, 5) + "\u202FmJ</small>";
+}
+
+std::string cell(const char* label, const std::string& content) {
+  return std::string("<td data-label=\"") + label + "\">" + content + "</td>";
+}
+
+}  // namespace
+
+std::string matrix(const Certificate& certificate) {
+  if (!certificate.has_points()) return "";
+  std::string html =
+      "<section>\n<h2>What kind of force each law is</h2>\n<table class=\"summary\">\n<thead>\n<tr><th scope=\"col\">law</th>"
+      "<th scope=\"col\">continuous</th><th scope=\"col\">unit direction</th><th scope=\"col\">conservative</th>"
+      "<th scope=\"col\">most energy per loop</th></tr>\n</thead>\n<tbody>\n";
+  certificate.for_each([&](const auto& law) {
+    html += "<tr><th scope=\"row\">" + escaped(law.name()) + "</th>" +
+            cell("continuous", yes_or_no(law.jumps.empty(), jumps_of(law))) + cell("unit direction", unit_of(law)) +
+            cell("conservative", yes_or_no(law.conservative)) + cell("most energy per loop", energy_of(law)) + "</tr>\n";
+  });
+  return html +
+         "</tbody>\n</table>\n<p class=\"note\">Energy: the most that any simple loop no deeper below the nominal surface can "
+         "be paid (in a height map: any in the slice y = 0, 12.7\u202Fmm to both sides or 250 cells of its finest grid), and "
+         "what the fast path paid around one that comes within 1\u202F% of it.</p>\n</section>\n";
+}
+
+}  // namespace forceshade::properties

@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/report/report.h"
+
+#include <algorithm>
+#include <array>
+
+#include "forceshade/fast/instruction_set.h"
+#include "forceshade/report/figures.h"
+#include "forceshade/report/html.h"
+#include "forceshade/report/matrix.h"
+
+namespace forceshade::properties {
+namespace {
+
+// Plots stay on white in the dark: their colours were chosen for it.
+constexpr const char* kStyle = R"css(
+:root {
+  color-scheme: light dark;
+  --page: #fbfaf7; --ink: #22262b; --quiet: #646b73; --line: #dcd9d1; --held: #0b6b57; --failed: #b3400a; --tint: #f2f0ea;
+}
+@media (prefers-color-scheme: dark) {
+  :root {
+    --page: #17191c; --ink: #e4e2dd; --quiet: #a0a5ab; --line: #383c41; --held: #6cc9b2; --failed: #f39a63; --tint: #202327;
+  }
+  .legend { background: #fff; color: #4b5157; border-radius: 4px; padding: 5px 12px; width: fit-content; }
+}
+* { box-sizing: border-box; }
+html { -webkit-text-size-adjust: 100%; }
+body {
+  margin: 0; background: var(--page); color: var(--ink);
+  font: 16px/1.55 Charter, "Bitstream Charter", "Iowan Old Style", "Source Serif 4", Cambria, Georgia, serif;
+}
+main { max-width: 1152px; margin: 0 auto; padding: 56px 24px 72px; }
+header { border-bottom: 1px solid var(--line); padding-bottom: 28px; }
+h1 { font-weight: 400; font-size: 21px; line-height: 1.3; margin: 0; color: var(--quiet); }
+.verdict { font-size: clamp(56px, 9vw, 92px); line-height: 1.05; letter-spacing: -.02em; margin: 14px 0 18px; color: var(--held); }
+.failed .verdict { color: var(--failed); }
+.statement { font-size: 20px; line-height: 1.5; max-width: 46em; margin: 0; }
+.statement + .statement { margin-top: 10px; font-size: 16px; color: var(--quiet); }
+h2 { font-weight: 600; font-size: 22px; margin: 52px 0 14px; }
+h3 { font-weight: 600; font-size: 17px; margin: 0 0 6px; }
+h3 span { font-weight: 400; color: var(--quiet); margin-right: .5em; }
+table, .legend, h4, .facts, pre { font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif; }
+table { border-collapse: collapse; width: 100%; font-size: 12.5px; line-height: 1.4; font-variant-numeric: tabular-nums; }
+th, td { text-align: left; vertical-align: top; padding: 8px 6px; border-bottom: 1px solid var(--line); }
+th:first-child { padding-left: 0; }
+td:last-child, th:last-child { padding-right: 0; }
+thead th { font-weight: 500; color: var(--quiet); vertical-align: bottom; padding-bottom: 5px; }
+thead tr:first-child:not(:last-child) th { border-bottom: 0; padding-bottom: 2px; }
+thead tr:first-child th[colspan]::after { content: ""; display: block; border-bottom: 1px solid var(--line); padding-top: 3px; }
+sub, sup { line-height: 0; }
+tbody th { font-weight: 600; white-space: nowrap; }
+.number { text-align: right; }
+td small { display: block; font-size: 11px; color: var(--quiet); white-space: nowrap; }
+.yes { color: var(--held); }
+.no { color: var(--failed); font-weight: 700; }
+.note { font-size: 14px; color: var(--quiet); max-width: 56em; }
+pre {
+  font: 12.5px/1.5 ui-monospace, "SF Mono", Menlo, Consolas, monospace; background: var(--tint); border-left: 3px solid var(--failed);
+  padding: 12px 14px; margin: 8px 0 16px; white-space: pre-wrap; overflow-wrap: anywhere;
+}
+.counterexamples h3 { margin-top: 20px; }
+figure { margin: 0 0 52px; }
+figcaption { font-size: 14.5px; line-height: 1.5; color: var(--quiet); max-width: 62em; margin-top: 12px; }
+.legend { font-size: 13px; margin: 0 0 10px; }
+.key { white-space: nowrap; margin-right: 1.2em; }
+.key i { display: inline-block; width: 26px; border-top: 3px solid; vertical-align: middle; margin: 0 6px 2px 6px; }
+.scale { width: 160px; height: 10px; vertical-align: -1px; margin: 0 4px; }
+.panels { display: grid; gap: 14px; }
+.three { grid-template-columns: repeat(auto-fill, minmax(min(330px, 100%), 1fr)); }
+.four { grid-template-columns: repeat(auto-fill, minmax(min(250px, 100%), 1fr)); }
+.two { grid-template-columns: repeat(auto-fill, minmax(min(460px, 100%), 1fr)); }
+.panel { background: #fff; border: 1px solid var(--line); border-radius: 4px; padding: 10px 10px 4px; color: #22262b; min-width: 0; }
+.panel h4 { font-size: 13px; font-weight: 600; line-height: 1.3; margin: 0 0 2px 2px; }
+.panel h4 span { font-weight: 400; color: #646b73; margin-left: .6em; }
+.panel svg { display: block; width: 100%; height: auto; }
+.four .panel svg { max-width: 330px; }
+.panel image { image-rendering: pixelated; }
+.facts th { font-weight: 500; color: var(--quiet); width: 12em; }
+.facts td { overflow-wrap: anywhere; }
+.facts code { font: 12.5px/1.4 ui-monospace, "SF Mono", Menlo, Consolas, monospace; }
+.limits { max-width: 48em; padding-left: 1.2em; }
+.limits li { margin: 8px 0; }
+@media screen and (max-width: 900px) {
+  main { padding: 28px 16px 48px; }
+  .statement { font-size: 18px; }
+  .summary thead { display: none; }
+  .summary tbody tr { display: grid; grid-template-columns: repeat(auto-fill, minmax(112px, 1fr)); gap: 10px 12px; padding: 16px 0; border-bottom: 1px solid var(--line); }
+  .summary th, .summary td { display: block; border: 0; padding: 0; text-align: left; }
+  .summary tbody th { grid-column: 1 / -1; font-size: 17px; }
+  .summary td::before { content: attr(data-label); display: block; font-size: 11.5px; color: var(--quiet); }
+  .facts th { width: 8.5em; }
+}
+@media print {
+  :root { --page: #fff; --ink: #000; --quiet: #444; --line: #bbb; --held: #0b6b57; --failed: #b3400a; --tint: #fff; }
+  @page { size: A4; margin: 14mm 13mm; }
+  main { padding: 0; max-width: none; }
+  body { font-size: 10.5pt; }
+  table { font-size: 6.6pt; }
+  th, td { padding: 3px 3px; }
+  td small { font-size: 6pt; }
+  .facts table, .facts { font-size: 9pt; }
+  .three { grid-template-columns: repeat(3, 1fr); }
+  .four { grid-template-columns: repeat(4, 1fr); }
+  .two { grid-template-columns: repeat(2, 1fr); }
+  .panels { gap: 6px; }
+  .panel h4 { font-size: 7.5pt; }
+  .panel, tr, li, h3 { break-inside: avoid; }
+  h2, h3, .legend { break-after: avoid; }
+  .verdict { font-size: 48pt; margin: 6pt 0 8pt; }
+}
+)css";
+
+std::uint64_t spread_points_of(const Certificate& certificate) {
+  std::uint64_t sum = 0;
+  certificate.for_each([&](const Findings& law) { sum += law.spread.points; });
+  return sum;
+}
+
+std::string points_per_law(const Certificate& certificate) {
+  std::uint64_t fewest = UINT64_MAX, most = 0;
+  certificate.for_each([&](const Findings& law) {
+    fewest = std::min(fewest, law.points);
+    most = std::max(most, law.points);
+  });
+  const bool has_spread = spread_points_of(certificate) > 0;
+  return (fewest == most ? "" : grouped(fewest) + " to ") + grouped(most) +
+         (certificate.laws.empty() ? " points per height map" : " points per law") +
+         (has_spread ? ", and of " + grouped(spread_points_of(certificate)) + " with other parameters" : "");
+}
+
+std::string plural(std::uint64_t count, const std::string& word) {
+  return grouped(count) + ' ' + word + (count == 1 ? "" : "s");
+}
+
+// "continuity of bump-2p, passivity of bump-3p".
+std::string failed_properties(const Certificate& certificate) {
+  std::string list;
+  certificate.for_each([&](const auto& law) {
+    for (const PropertyResult& property : law.properties)
+      if (!property.held) list += (list.empty() ? "" : ", ") + escaped(property.name) + " of " + escaped(law.name());
+  });
+  return list;
+}
+
+std::string statements(const Certificate& certificate) {
+  if (!certificate.has_points() && !certificate.sweeps.results.empty()) return "";
+  if (!certificate.has_points()) return "<p class=\"statement\">No law was checked.</p>\n";
+  const std::string rule = "the exact force rounded to binary32 (nearest, ties to even)";
+  std::uint64_t mismatches = 0;
+  certificate.for_each([&](const Findings& law) { mismatches += law.mismatches + law.spread.mismatches; });
+  const std::string points = points_per_law(certificate);
+  std::string html = "<p class=\"statement\">";
+  bool is_compared = false;
+  certificate.for_each([&](const Findings& law) { is_compared = is_compared || law.points > 0; });
+  if (!is_compared)
+    html += "No point was compared with the exact force.";
+  else if (mismatches == 0)
+    html += "At every one of " + points + ", each component of the fast path’s force equals " + rule + '.';
+  else
+    html += "Among " + points + ", " + plural(mismatches, "answer") + " of the fast path " +
+            (mismatches == 1 ? "differs" : "differ") + " from " + rule + '.';
+  html += "</p>\n<p class=\"statement\">";
+  const std::string failed = failed_properties(certificate);
+  bool is_unchecked = false;
+  certificate.for_each(
+      [&](const Findings& law) { is_unchecked = is_unchecked || law.properties.size() < kPropertyNames.size(); });
+  if (!failed.empty())
+    html += "A counterexample was found to: " + failed + '.';
+  else if (is_unchecked)
+    html += "Some properties were not checked.";
+  else
+    html += "No counterexample to equivalence, continuity, unit normals or passivity was found.";
+  return html + "</p>\n";
+}
+
+std::string sweep_statement(const Sweeps& sweeps, bool has_points) {
+  if (sweeps.results.empty()) return "";
+  const std::uint64_t mismatches = sweeps.mismatches();
+  return "<p class=\"statement\">" + std::string(sweeps.is_whole() ? "" : "As far as they went, ") +
+         (sweeps.is_whole() ? "E" : "e") + "xhaustive sweeps over " + grouped(sweeps.inputs()) + " inputs found " +
+         (mismatches == 0 ? "no mismatch" : plural(mismatches, "wrong answer")) + ".</p>\n" +
+         (has_points ? ""
+                     : "<p class=\"statement\">They do not let a device be driven: no point was compared, and no property "
+                       "was checked.</p>\n");
+}
+
+std::string header(const Certificate& certificate) {
+  const bool held = certificate.held();
+  return std::string("<header") + (held ? "" : " class=\"failed\"") + ">\n<h1>forceshade " +
+         escaped(certificate.build.version) + ": certificate of the fast path</h1>\n<p class=\"verdict\">" +
+         (held ? "Held" : "Failed") + "</p>\n" + statements(certificate) +
+         sweep_statement(certificate.sweeps, certificate.has_points()) + "</header>\n";
+}
+
+// On a phone a row becomes a card, and every cell needs its own label.
+std::string cell(const char* label, const std::string& content, const char* kind = "") {
+  return std::string("<td data-label=\"") + label + '"' + (*kind != 0 ? std::string(" class=\"") + kind + '"' : "") + '>' +
+         content + "</td>";
+}
+
+std::string count_cell(const char* label, const std::map<std::string, std::uint64_t>& counts, const std::string& key) {
+  const auto found = counts.find(key);
+  return cell(label, found == counts.end() ? "not counted" : grouped(found->second), "number");
+}
+
+std::string property_cell(const char* name, const Findings& law) {
+  const auto property =
+      std::find_if(law.properties.begin(), law.properties.end(), [&](const PropertyResult& p) { return p.name == name; });
+  if (property == law.properties.end()) return cell(name, "not checked");
+  return cell(name, std::string(property->held ? "<span class=\"yes\">held</span>" : "<span class=\"no\">failed</span>") +
+                        "<small>" + plural(property->cases, "case") + "</small>");
+}
+
+std::string parameters_of(const LawResult& law) {
+  std::string text;
+  if (has_bump_geometry(law.law))
+    text = "<i>R</i>\u202F=\u202F" + shortest(law.parameters.radius) + "\u202Fmm<br><i>w</i>\u202F=\u202F" +
+           shortest(law.parameters.width) + "\u202Fmm<br>";
+  return text + "<i>K</i>\u202F=\u202F" + shortest(law.parameters.stiffness) + "\u202FN/mm";
+}
+
+std::string parameters_of(const HeightMapResult& map) {
+  return std::string(name_of(map.identity.rendering)) + "<br><i>K</i>\u202F=\u202F" + shortest(map.identity.stiffness) +
+         "\u202FN/mm";
+}
+
+// No law looks at y, every height map does.
+std::string closest_call_of(const Findings& law, bool has_y) {
+  const ClosestCall& call = law.closest_call;
+  if (!(call.ulps_from_tie < 1)) return "none seen";
+  return html_number(call.ulps_from_tie, 2) + "\u202Fulp<small><i>x</i>\u202F=\u202F" + shortest(call.x) +
+         (has_y ? "<br><i>y</i>\u202F=\u202F" + shortest(call.y) : "") + "<br><i>z</i>\u202F=\u202F" + shortest(call.z) +
+         "</small>";
+}
+
+std::string mismatches(std::uint64_t count) {
+  return count == 0 ? "0" : "<span class=\"no\">" + grouped(count) + "</span>";
+}
+
+std::string small(bool is_there, const std::string& words) {
+  return is_there ? "<small>" + words + "</small>" : "";
+}
+
+template <class Result>
+std::string summary_row(const Result& law) {
+  std::string properties;
+  for (const std::string_view name : kPropertyNames) properties += property_cell(name.data(), law);
+  return "<tr><th scope=\"row\">" + escaped(law.name()) + "</th>" + cell("parameters", parameters_of(law)) +
+         cell("points", grouped(law.points) + small(law.spread.points > 0, "and " + grouped(law.spread.points)), "number") +
+         cell("mismatches",
+              mismatches(law.mismatches) + small(law.spread.points > 0, "and " + mismatches(law.spread.mismatches)), "number") +
+         count_cell("by binary64", law.points_by_stage, "binary64") +
+         count_cell("by double-double", law.points_by_stage, "double-double") +
+         count_cell("by wide", law.points_by_stage, "wide") + properties +
+         cell("closest call", closest_call_of(law, std::is_same_v<Result, HeightMapResult>)) + "</tr>\n";
+}
+
+std::string summary(const Certificate& certificate) {
+  std::string html =
+      "<section>\n<h2>Summary</h2>\n<table class=\"summary\">\n<thead>\n<tr><th></th><th></th><th></th><th></th>"
+      "<th colspan=\"3\">points decided by</th><th colspan=\"4\">properties</th><th></th></tr>\n"
+      "<tr><th scope=\"col\">law</th><th scope=\"col\">parameters</th><th scope=\"col\" class=\"number\">points</th>"
+      "<th scope=\"col\" class=\"number\">mismatches</th><th scope=\"col\" class=\"number\">binary64</th>"
+      "<th scope=\"col\" class=\"number\">double-double</th><th scope=\"col\" class=\"number\">wide</th>"
+      "<th scope=\"col\">equivalence</th><th scope=\"col\">continuity</th><th scope=\"col\">unit normals</th>"
+      "<th scope=\"col\">passivity</th><th scope=\"col\">closest call</th></tr>\n"
+      "</thead>\n<tbody>\n";
+  certificate.for_each([&](const auto& law) { html += summary_row(law); });
+  return html +
+         "</tbody>\n</table>\n<p class=\"note\">Points, mismatches: with the parameters on the left, and with others that were "
+         "drawn from all of the domain. Decided by: the cheapest arithmetic of the fast path that was sure of every "
+         "rounding. Closest call: the point, in mm, whose exact force came nearest to the middle between two neighbouring "
+         "binary32 numbers without being there, and how near, in units of the last place (ulp). Where a law is not "
+         "conservative, "
+         "passivity says that the fast path gives no more energy than the exact law does plus its rounding.</p>\n</section>\n";
+}
+
+// What each height map is, exactly and in words.
+std::string height_maps_table(const Certificate& certificate) {
+  if (certificate.height_maps.empty()) return "";
+  std::string html = "<section>\n<h2>The height maps</h2>\n<table class=\"facts\">\n";
+  for (const HeightMapResult& map : certificate.height_maps) {
+    html += "<tr><th scope=\"row\">" + escaped(map.file) + "</th><td>";
+    for (const std::string& part : map.parts) html += escaped(part) + "<br>";
+    html += "SHA-256 of its numbers <code>" + escaped(map.identity.map_digest) + "</code></td></tr>\n";
+  }
+  return html + "</table>\n</section>\n";
+}
+
+// One row for each law and kind of sweep.
+std::string sweeps_table(const Sweeps& sweeps) {
+  if (sweeps.results.empty()) return "";
+  constexpr std::array<const char*, 4> kSwept{"every <i>x</i> of the bump, on <i>z</i> = −1\u202Fmm",
+                                              "the surface at every <i>x</i> of the bump",
+                                              "every <i>x</i>, on a chosen <i>z</i>", "every <i>z</i>, on a chosen <i>x</i>"};
+  std::string html =
+      "<section>\n<h2>Exhaustive sweeps</h2>\n<table class=\"summary\">\n<thead>\n<tr><th scope=\"col\">law</th><th "
+      "scope=\"col\">swept</th><th scope=\"col\">radii, mm</th><th scope=\"col\" class=\"number\">sweeps</th><th "
+      "scope=\"col\" class=\"number\">inputs</th><th scope=\"col\" class=\"number\">mismatches</th></tr>\n</thead>\n"
+      "<tbody>\n";
+  for (const SweepTotal& total : totals(sweeps)) {
+    std::string radii;
+    for (const float radius : total.radii) radii += (radii.empty() ? "" : ", ") + shortest(radius);
+    html += "<tr><th scope=\"row\">" + std::string(name_of(total.law)) + "</th>" +
+            cell("swept", kSwept[static_cast<std::size_t>(total.kind)]) + cell("radii, mm", radii.empty() ? "any" : radii) +
+            cell("sweeps", grouped(total.sweeps), "number") + cell("inputs", grouped(total.inputs), "number") +
+            cell("mismatches", mismatches(total.mismatches), "number") + "</tr>\n";
+  }
+  return html +
+         "</tbody>\n</table>\n<p class=\"note\">Every binary32 of one coordinate, numbers below the quantum included (on lines "
+         "and columns NaN and infinities too), by the "
+         "scalar call and, from the quantum up, by every instruction set of the machine: " +
+         html_number(sweeps.seconds, 3) + "\u202Fs.</p>\n</section>\n";
+}
+
+std::string counterexamples(const Certificate& certificate) {
+  std::string html;
+  const auto add = [&](const auto& law, const std::string& what, const std::string& words) {
+    html += "<h3>" + escaped(law.name()) + ": " + escaped(what) + "</h3>\n<pre>" + escaped(words) + "</pre>\n";
+  };
+  certificate.for_each([&](const auto& law) {
+    std::string mismatches;
+    for (const std::string& words : law.counterexamples) mismatches += (mismatches.empty() ? "" : "\n") + words;
+    if (!mismatches.empty())
+      add(law, "first " + grouped(law.counterexamples.size()) + " of " + plural(law.mismatches, "wrong answer"), mismatches);
+    std::string spread;
+    for (const std::string& words : law.spread.counterexamples) spread += (spread.empty() ? "" : "\n") + words;
+    if (!spread.empty())
+      add(law,
+          "with other parameters, first " + grouped(law.spread.counterexamples.size()) + " of " +
+              plural(law.spread.mismatches, "wrong answer"),
+          spread);
+    for (const PropertyResult& property : law.properties)
+      if (!property.held) add(law, property.name, property.counterexample);
+  });
+  std::string swept;
+  for (const std::string& words : certificate.sweeps.counterexamples) swept += (swept.empty() ? "" : "\n") + words;
+  if (!swept.empty()) html += "<h3>Exhaustive sweeps</h3>\n<pre>" + escaped(swept) + "</pre>\n";
+  return html.empty() ? "" : "<section class=\"counterexamples\">\n<h2>Counterexamples</h2>\n" + html + "</section>\n";
+}
+
+// The sets of code that were compared for every law and map.
+std::string compared_sets(const Certificate& certificate) {
+  std::string list;
+  for (const fast::InstructionSet set : fast::kInstructionSets) {
+    const std::string name(fast::name_of(set));
+    bool covered = certificate.has_points();
+    certificate.for_each([&](const Findings& law) { covered = covered && law.covers(name); });
+    if (covered) list += (list.empty() ? "" : ", ") + name;
+  }
+  return list.empty() ? "none" : list;
+}
+
+std::string build_table(const Certificate& certificate) {
+  const Build& build = certificate.build;
+  const std::array<std::pair<const char*, std::string>, 11> rows{{
+      {"version", escaped(build.version)},
+      {"revision", "<code>" + escaped(build.revision) + "</code>"},
+      {"compiler", escaped(build.compiler)},
+      {"flags", "<code>" + escaped(build.flags) + "</code>"},
+      {"instruction set", escaped(build.instruction_set) + " is the widest of the machine"},
+      {"compared at the points", compared_sets(certificate)},
+      {"library digest", "<code>" + escaped(build.library_digest) + "</code>"},
+      {"processor", escaped(certificate.processor)},
+      {"date", escaped(certificate.date)},
+      {"seed", "<code>" + std::to_string(certificate.seed) + "</code>"},
+      {"time taken", html_number(certificate.seconds, 3) + "\u202Fs"},
+  }};
+  std::string html = "<section>\n<h2>The build that was checked</h2>\n<table class=\"facts\">\n";
+  for (const auto& [name, value] : rows)
+    html += std::string("<tr><th scope=\"row\">") + name + "</th><td>" + value + "</td></tr>\n";
+  return html + "</table>\n</section>\n";
+}
+
+constexpr const char* kLimits = R"html(<section>
+<h2>What this certifies and what it does not</h2>
+<ul class="limits">
+<li>Points were checked, not all inputs. Many were aimed at what is hard: surfaces, edges, near-ties, ends of the domain. That every
+input is right is a matter of proof, by a machine and separate from this page.</li>
+<li>It covers the parameters and height maps in the tables above. For any other radius, width, stiffness or map, certify again.</li>
+<li>It covers this build: these compiled objects on this kind of machine. Another compiler, flag or revision has another digest and
+needs its own certificate.</li>
+<li>Lengths are in mm, forces in N, stiffness in N/mm, energy in mJ. A position is three binary32 numbers within ±10<sup>4</sup> mm;
+one outside, or NaN, is reported as invalid and gets no force; a coordinate below 2<sup>−30</sup> mm is read as 0.</li>
+<li>It is about the force law, not about the device, the servo loop or the hand. A law that is not conservative stays so when it is
+rounded correctly: it can pay energy out, and only the loop around it can take that back.</li>
+</ul>
+</section>
+)html";
+
+}  // namespace
+
+std::string to_html(const Certificate& certificate, Pictures wanted) {
+  const std::string pictures = wanted == Pictures::none ? "" : figures(certificate);
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>forceshade certificate: " +
+         std::string(certificate.held() ? "held" : "failed") + "</title>\n<style>" + kStyle +
+         "</style>\n</head>\n<body>\n<main>\n" + header(certificate) + (certificate.has_points() ? summary(certificate) : "") +
+         height_maps_table(certificate) + matrix(certificate) + sweeps_table(certificate.sweeps) +
+         counterexamples(certificate) + (pictures.empty() ? "" : "<section>\n<h2>Figures</h2>\n" + pictures + "</section>\n") +
+         build_table(certificate) + kLimits + "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace forceshade::properties

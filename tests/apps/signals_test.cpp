@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What each signal does to a run: the command as another process, on the simulated device, judged by its exit code, its words
+// and its recording.
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <thread>
+
+#include "forceshade/recorder/recording.h"
+#include "forceshade/tests/device/faults/command.h"
+
+namespace forceshade::tests {
+namespace {
+
+using faults::Command;
+using faults::Words;
+
+constexpr std::chrono::milliseconds kLook{10};
+
+// However busy the machine is, and however late the ticks are; a run that no signal ends is over after a minute.
+Words drive(const char* seconds = "60") {
+  return {"drive", "--law",     "wall",  "--uncertified", "--device", "simulated", "--watchdog-timeout",
+          "10",    "--seconds", seconds, "--record",      "run.fsr"};
+}
+
+// Waits until the run has written so many bytes more of its recording: its ticks go on.
+void wait_for_ticks(const TemporaryDirectory& here, const Command& run) {
+  const std::string log = here.file("run.fsr-wal");
+  const auto size = [&] {
+    std::error_code none;
+    const auto bytes = std::filesystem::file_size(log, none);
+    return none ? 0 : bytes;
+  };
+  const auto before = size();
+  while (run.is_running() && size() < before + 20'000) std::this_thread::sleep_for(kLook);
+}
+
+// In recordings, without their logs.
+std::uintmax_t bytes_below(const std::string& directory) {
+  std::uintmax_t bytes = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(directory)) {
+    std::error_code gone;
+    const auto size = entry.file_size(gone);
+    if (entry.path().extension() == ".fsr" && !gone) bytes += size;
+  }
+  return bytes;
+}
+
+void expect_ended_in_order(const TemporaryDirectory& here, Command& run, const std::string& signal) {
+  const std::string end = run.end();
+  EXPECT_TRUE(end.starts_with("exit 0: ")) << signal << '\n' << end;
+  EXPECT_NE(end.find("(stopped)"), std::string::npos) << signal << '\n' << end;
+  EXPECT_NE(end.find("forceshade: " + signal + " ended the run\n"), std::string::npos) << signal << '\n' << end;
+  recorder::Recording recording(here.file("run.fsr"));
+  EXPECT_EQ(recorder::problems_of(recording), std::vector<std::string>{}) << signal;
+  device::Sample last;
+  recording.for_each_chunk([&](std::span<const device::Sample> samples) { last = samples.back(); });
+  EXPECT_EQ(last.status, device::Sample::kEnd) << signal;
+  EXPECT_EQ(last.force, (std::array<float, 3>{0, 0, 0})) << signal;
+}
+
+TEST(signals, each_that_would_end_or_stop_the_process_ends_the_run_in_order) {
+  std::vector<std::pair<int, std::string>> all{
+      {SIGINT, "SIGINT"},   {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"},       {SIGQUIT, "SIGQUIT"}, {SIGTSTP, "SIGTSTP"},
+      {SIGUSR1, "SIGUSR1"}, {SIGUSR2, "SIGUSR2"}, {SIGALRM, "SIGALRM"},     {SIGPROF, "SIGPROF"}, {SIGVTALRM, "SIGVTALRM"},
+      {SIGPWR, "SIGPWR"},   {SIGXCPU, "SIGXCPU"}, {SIGSTKFLT, "SIGSTKFLT"}, {SIGIO, "SIGPOLL"}};
+  for (const int k : {0, 1, SIGRTMAX - SIGRTMIN}) all.emplace_back(SIGRTMIN + k, "SIGRTMIN+" + std::to_string(k));
+  for (const auto& [number, name] : all) {
+    const TemporaryDirectory here;
+    Command run(here, drive());
+    wait_for_ticks(here, run);
+    run.send(number);
+    expect_ended_in_order(here, run, name);
+  }
+}
+
+TEST(signals, those_that_report_something_else_end_no_run) {
+  const TemporaryDirectory here;
+  Command run(here, drive());
+  wait_for_ticks(here, run);
+  for (const int number : {SIGPIPE, SIGXFSZ, SIGTTIN, SIGTTOU, SIGCHLD, SIGURG, SIGWINCH, SIGCONT}) {
+    run.send(number);
+    wait_for_ticks(here, run);
+  }
+  run.send(SIGTERM);
+  expect_ended_in_order(here, run, "SIGTERM");
+}
+
+TEST(signals, two_at_once_end_a_run_in_order_too) {
+  for (const int second : {SIGINT, SIGTERM}) {
+    const TemporaryDirectory here;
+    Command run(here, drive());
+    wait_for_ticks(here, run);
+    for (const int number : {SIGINT, second, SIGINT, second}) run.send(number);
+    const std::string end = run.end();
+    EXPECT_TRUE(end.starts_with("exit 0: ")) << end;
+    recorder::Recording recording(here.file("run.fsr"));
+    EXPECT_EQ(recorder::problems_of(recording), std::vector<std::string>{});
+  }
+}
+
+// Its recording goes into a pipe that nobody reads.
+TEST(signals, a_person_who_insists_ends_at_once_an_end_that_hangs) {
+  const TemporaryDirectory here;
+  ASSERT_EQ(::mkfifo(here.file("nobody").c_str(), 0600), 0);
+  std::filesystem::create_directory(here.file("kept"));
+  Command run(here,
+              {"drive", "--law", "wall", "--uncertified", "--device", "simulated", "--free-run", "--seconds", "1", "--record",
+               "nobody"},
+              {"TMPDIR=" + here.file("kept")});
+  // Closed, the recording holds a second of ticks, and its log is gone.
+  while (run.is_running() && bytes_below(here.file("kept")) < 100'000) std::this_thread::sleep_for(kLook);
+  run.send(SIGINT);
+  std::this_thread::sleep_for(std::chrono::seconds(3));  // two must have passed since it was taken
+  // Not twice the same: of two that wait, one would be lost.
+  run.send(SIGINT);
+  run.send(SIGTERM);
+  const std::string end = run.end();
+  EXPECT_TRUE(end.starts_with("signal ")) << end;
+}
+
+TEST(signals, of_a_terminal_that_hangs_up_is_ignored_under_nohup) {
+  const TemporaryDirectory here;
+  const auto before = std::signal(SIGHUP, SIG_IGN);
+  Command run(here, drive());
+  std::signal(SIGHUP, before);
+  wait_for_ticks(here, run);
+  run.send(SIGHUP);
+  wait_for_ticks(here, run);
+  run.send(SIGINT);
+  expect_ended_in_order(here, run, "SIGINT");
+}
+
+TEST(signals, that_whoever_started_the_command_had_blocked_or_ignored_end_a_run) {
+  const TemporaryDirectory here;
+  sigset_t blocked;
+  sigemptyset(&blocked);
+  sigaddset(&blocked, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &blocked, nullptr);
+  const auto before = std::signal(SIGTERM, SIG_IGN);
+  Command run(here, drive());
+  std::signal(SIGTERM, before);
+  pthread_sigmask(SIG_UNBLOCK, &blocked, nullptr);
+  wait_for_ticks(here, run);
+  run.send(SIGTERM);
+  expect_ended_in_order(here, run, "SIGTERM");
+}
+
+TEST(signals, of_a_fault_in_the_program_keep_the_systems_reaction) {
+  const TemporaryDirectory here;
+  rlimit core{};
+  ASSERT_EQ(::getrlimit(RLIMIT_CORE, &core), 0);
+  const rlimit none{0, core.rlim_max};
+  ::setrlimit(RLIMIT_CORE, &none);
+  Command run(here, drive());
+  ::setrlimit(RLIMIT_CORE, &core);
+  wait_for_ticks(here, run);
+  run.send(SIGABRT);
+  EXPECT_TRUE(run.end().starts_with("signal " + std::to_string(SIGABRT)));
+}
+
+// Before the run there is nothing to end in order: here while the device is opened, which waits for a file.
+TEST(signals, before_the_run_leave_nothing_behind) {
+  const TemporaryDirectory here;
+  const std::string pipe = here.file("hand.csv");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  Command run(here, {"drive", "--law", "wall", "--uncertified", "--device", "replay:hand.csv", "--record", "run.fsr"});
+  std::ofstream hand(pipe);  // opened once the command reads it
+  run.send(SIGINT);
+  hand << "t_s,x_mm,y_mm,z_mm\n0,3,0,-1\n9,3,0,-1\n";
+  hand.close();
+  EXPECT_EQ(run.end(), "exit 130: forceshade: interrupted: the run had not begun\n");
+  EXPECT_FALSE(std::filesystem::exists(here.file("run.fsr")));
+}
+
+TEST(signals, end_a_check_of_a_device_without_a_verdict) {
+  const TemporaryDirectory here;
+  Command check(here, {"device", "check", "null", "--seconds", "60", "--json", "check.json"});
+  while (check.is_running() && here.read("output").find("without any force") == std::string::npos)
+    std::this_thread::sleep_for(kLook);
+  check.send(SIGTERM);
+  const std::string end = check.end();
+  EXPECT_TRUE(end.starts_with("exit 130: ")) << end;
+  EXPECT_NE(end.find("interrupted: the check was not finished"), std::string::npos) << end;
+  EXPECT_FALSE(std::filesystem::exists(here.file("check.json")));
+}
+
+// A file-size limit: the write that meets it fails with words, and all else is as in any run.
+TEST(signals, a_file_size_limit_costs_the_ticks_that_it_refuses_and_nothing_else) {
+  const TemporaryDirectory here;
+  rlimit size{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &size), 0);
+  const rlimit small{300'000, size.rlim_max};
+  ::setrlimit(RLIMIT_FSIZE, &small);
+  Words limited = drive("3.5");
+  for (const char* word : {"--json", "run.json"}) limited.emplace_back(word);
+  Command run(here, limited);
+  ::setrlimit(RLIMIT_FSIZE, &size);
+  const std::string end = run.end();
+  EXPECT_TRUE(end.starts_with("exit 2: ")) << end;
+  EXPECT_NE(end.find("ticks             3500 (time up)"), std::string::npos) << end;
+  EXPECT_NE(end.find("run.fsr: disk I/O error; recorded "), std::string::npos) << end;
+  EXPECT_NE(here.read("run.json").find("\"ticks\": 3500"), std::string::npos);
+  EXPECT_GT(recorder::Recording(here.file("run.fsr")).extent().samples, 0U);
+}
+
+TEST(signals, a_summary_that_cannot_be_written_costs_nothing_else) {
+  const TemporaryDirectory here;
+  Command run(here, {"drive", "--law", "wall", "--uncertified", "--device", "simulated", "--free-run", "--seconds", "0.5",
+                     "--record", "run.fsr", "--json", "nowhere/run.json"});
+  const std::string end = run.end();
+  EXPECT_TRUE(end.starts_with("exit 2: ")) << end;
+  EXPECT_NE(end.find("nowhere/run.json"), std::string::npos) << end;
+  EXPECT_NE(end.find("ticks             500 (time up)"), std::string::npos) << end;
+  recorder::Recording recording(here.file("run.fsr"));
+  EXPECT_EQ(recorder::problems_of(recording), std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace forceshade::tests

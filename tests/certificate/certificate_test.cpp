@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/certificate/certificate.h"
+
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <set>
+#include <stdexcept>
+
+#include "forceshade/certificate/build.h"
+#include "forceshade/certificate/certify.h"
+
+namespace forceshade::properties {
+namespace {
+
+constexpr Parameters kBump{15.24F, 25.4F, 0.5F};
+
+Certificate small_certificate(unsigned threads = 2) {
+  static const std::atomic<bool> never{false};
+  return certify(
+             {{LawId::wall, LawId::bump_2p}, kBump, 20000, 200, 3, threads}, [](std::string_view, double) {}, never)
+      .value();
+}
+
+TEST(certificate, counts_every_point_once_in_each_breakdown) {
+  const Certificate certificate = small_certificate();
+  EXPECT_TRUE(certificate.held());
+  ASSERT_EQ(certificate.laws.size(), 2U);
+  for (const LawResult& law : certificate.laws) {
+    EXPECT_EQ(law.points, 20000U);
+    for (const auto& counts : {law.points_by_aim, law.points_by_stage, law.points_by_method, law.points_by_status}) {
+      std::uint64_t sum = 0;
+      for (const auto& [name, count] : counts) sum += count;
+      EXPECT_EQ(sum, law.points);
+    }
+    const std::uint64_t aimed = law.points - law.points_by_aim.at("volume") - law.points_by_aim.at("any bits");
+    EXPECT_NEAR(static_cast<double>(aimed), 10000, 500) << "half of the points are aimed";
+    std::set<std::string> names;
+    for (const PropertyResult& property : law.properties) names.insert(property.name);
+    EXPECT_EQ(names, (std::set<std::string>{"equivalence", "continuity", "unit normals", "passivity"}));
+    EXPECT_EQ(law.energy.size(), 5U);
+    EXPECT_EQ(law.spread.points, 5000U);
+    EXPECT_EQ(law.spread.parameter_sets, 5U);
+    EXPECT_EQ(law.spread.mismatches, 0U);
+  }
+  EXPECT_FALSE(certificate.processor.empty());
+  EXPECT_EQ(certificate.date.size(), 20U) << certificate.date;
+}
+
+TEST(certificate, says_what_kind_of_force_each_law_is) {
+  const Certificate certificate = small_certificate();
+  const LawResult &wall = certificate.laws[0], &bump = certificate.laws[1];
+  EXPECT_TRUE(wall.conservative);
+  EXPECT_TRUE(wall.jumps.empty());
+  EXPECT_FALSE(bump.conservative);
+  EXPECT_EQ(bump.jumps, (std::vector<std::string>{"x = 0", "|x| = w/2"}));
+  for (const LoopEnergy& loop : wall.energy) EXPECT_EQ(loop.bound_mJ[1], 0);
+  for (const LoopEnergy& loop : bump.energy) {
+    EXPECT_LT(loop.bound_mJ[0], loop.bound_mJ[1]) << "an interval around an irrational number";
+    EXPECT_LE(loop.witness_mJ, loop.bound_mJ[1]);
+    EXPECT_GE(loop.witness_mJ, 0.99 * loop.bound_mJ[1]);
+    // The loop crosses the line within one binary32 step, 2⁻²⁰ mm, and either side's force of K·D at most may be felt there.
+    EXPECT_NEAR(loop.measured_mJ, loop.witness_mJ, 0x1p-20 * loop.depth_mm);
+  }
+}
+
+TEST(certificate, is_not_made_while_rounding_is_not_to_nearest) {
+  std::fesetround(FE_UPWARD);
+  EXPECT_THROW(small_certificate(), std::runtime_error);
+  std::fesetround(FE_TONEAREST);
+}
+
+TEST(certificate, does_not_depend_on_the_number_of_threads) {
+  Certificate one = small_certificate(1), four = small_certificate(4);
+  one.seconds = four.seconds = 0;
+  one.date = four.date;
+  EXPECT_EQ(to_json(one), to_json(four));
+}
+
+TEST(certificate, reads_back_what_it_wrote) {
+  const Certificate certificate = small_certificate();
+  const std::string text = to_json(certificate);
+  EXPECT_EQ(to_json(from_json(text, "here.json")), text);
+}
+
+TEST(certificate, is_not_made_when_stopped) {
+  const std::atomic<bool> stop{true};
+  EXPECT_FALSE(certify(
+      {{LawId::wall}, kBump, 20000, 200, 3, 2}, [](std::string_view, double) {}, stop));
+}
+
+// A check as long as the default, with a seed that is not: what it reaches is enough for driving.
+TEST(certificate, is_enough_for_driving_when_made_by_default) {
+  static const std::atomic<bool> never{false};
+  const Parameters odd{15.24F, 25.4F, 0.7F};
+  const Certificate certificate =
+      certify(
+          {.laws = {LawId::wall, LawId::bump_1p_shaded}, .parameters = odd, .seed = 20261122, .threads = 2},
+          [](std::string_view, double) {}, never)
+          .value();
+  for (const LawResult& law : certificate.laws)
+    EXPECT_EQ(refusal(certificate, current_build(), law.law, odd), std::nullopt) << law.name();
+  EXPECT_FALSE(Certificate{}.held()) << "a certificate of nothing certifies nothing";
+}
+
+TEST(certificate, is_too_little_for_driving_when_the_check_was_short) {
+  const auto reason = refusal(small_certificate(), current_build(), LawId::bump_2p, kBump);
+  EXPECT_EQ(reason, "the certificate has 20000 points for bump-2p; driving needs at least 1000000");
+}
+
+}  // namespace
+}  // namespace forceshade::properties

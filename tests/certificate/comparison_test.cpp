@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// certify finds a renderer that is wrong in one of its calls, and no two of its runs differ: renderers that are wrong in one
+// way each, in place of the fast path.
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cfenv>
+#include <cmath>
+
+#include "forceshade/certificate/certify.h"
+#include "forceshade/certificate/compare.h"
+#include "forceshade/certificate/spread.h"
+
+namespace forceshade::properties {
+namespace {
+
+using fast::InstructionSet;
+
+constexpr Parameters kBump{15.24F, 25.4F, 0.5F};
+
+CertifyOptions small(LawId law) {
+  return {.laws = {law}, .parameters = kBump, .points = 9000, .cases = 20, .seed = 3, .threads = 2};
+}
+
+Certificate certified(const CertifyOptions& options) {
+  static const std::atomic<bool> never{false};
+  return certify(
+             options, [](std::string_view, double) {}, never)
+      .value();
+}
+
+HeightMap slope() {
+  return {{{height::Plane{0.25F, 0.125F, 1}}}};
+}
+
+// One B-spline: the map whose single call has code of its own in each set.
+HeightMap spline() {
+  std::vector<float> values(16);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = 0.1F * static_cast<float>(i * i % 7);
+  return {{{std::make_shared<const height::Grid>(
+      height::Grid{4, 4, 0.5F, height::Edge::tile, height::Interpolant::cubic_spline, std::move(values)})}}};
+}
+
+CertifyOptions small(HeightMap map) {
+  CertifyOptions options{.laws = {}, .parameters = kBump, .points = 9000, .cases = 20, .seed = 3, .threads = 2};
+  options.height_maps = {{"map.toml", std::move(map), height::Rendering::true_height}};
+  return options;
+}
+
+// Wraps what is compared: change(calls) is made to each of them.
+template <class Change>
+CertifyOptions with_calls(CertifyOptions options, const Change& change) {
+  const MakeCalls right = calls_of_the_fast_path();
+  options.calls = {[=](LawId law, const Parameters& parameters) { return change(right.law(law, parameters)); },
+                   [=](const HeightMap& map, height::Rendering rendering, float stiffness) {
+                     return change(right.height_map(map, rendering, stiffness));
+                   }};
+  return options;
+}
+
+const Findings& only(const Certificate& certificate) {
+  if (certificate.laws.empty()) return certificate.height_maps.at(0);
+  return certificate.laws.at(0);
+}
+
+std::vector<InstructionSet> available() {
+  std::vector<InstructionSet> sets;
+  for (const InstructionSet set : fast::kInstructionSets)
+    if (fast::is_available(set)) sets.push_back(set);
+  return sets;
+}
+
+float flipped(float value) {
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) ^ 1U);
+}
+
+TEST(comparison, says_which_sets_of_code_were_compared) {
+  for (const CertifyOptions& options : {small(LawId::bump_2p), small(slope())}) {
+    const Certificate certificate = certified(options);
+    const Findings& found = only(certificate);
+    EXPECT_TRUE(found.held());
+    EXPECT_EQ(found.points_by_instruction_set.size(), available().size());
+    for (const InstructionSet set : available()) {
+      EXPECT_TRUE(found.covers(std::string(name_of(set))));
+      EXPECT_TRUE(found.spread.covers(std::string(name_of(set))));
+    }
+    EXPECT_FALSE(found.covers("mmx"));
+  }
+}
+
+// One bit of one component at one point in a thousand, by one set's batch call.
+TEST(comparison, finds_a_batch_call_that_is_wrong_in_one_set) {
+  for (const CertifyOptions& options : {small(LawId::bump_1p_shaded), small(slope())})
+    for (const InstructionSet wrong : available())
+      for (const Eigen::Index component : {0, 2}) {
+        const Certificate certificate = certified(with_calls(options, [=](Calls calls) {
+          calls.batch = [=, right = calls.batch](auto positions, auto forces, InstructionSet set) {
+            const fast::BatchResult result = right(positions, forces, set);
+            if (set == wrong && positions.size() > 1)
+              for (std::size_t i = 0; i < positions.size(); i += 1000) forces[i][component] = flipped(forces[i][component]);
+            return result;
+          };
+          return calls;
+        }));
+        const Findings& found = only(certificate);
+        EXPECT_EQ(found.mismatches, 11U) << "of three chunks, 5, 5 and 1";
+        EXPECT_FALSE(found.held());
+        ASSERT_FALSE(found.counterexamples.empty());
+        EXPECT_EQ(found.counterexamples.size(), kCounterexamples);
+        EXPECT_NE(found.counterexamples[0].find("the batch call (" + std::string(name_of(wrong)) + "): at "), std::string::npos)
+            << found.counterexamples[0];
+        EXPECT_GT(found.spread.mismatches, 0U);
+      }
+}
+
+TEST(comparison, finds_a_single_call_that_is_wrong_in_one_set) {
+  CertifyOptions options = small(spline());
+  options.points = 300;
+  options.cases = 1;
+  for (const InstructionSet wrong : available()) {
+    const Certificate certificate = certified(with_calls(options, [=](Calls calls) {
+      calls.batch = [=, right = calls.batch](auto positions, auto forces, InstructionSet set) {
+        const fast::BatchResult result = right(positions, forces, set);
+        if (set == wrong && positions.size() == 1) forces[0].z() = flipped(forces[0].z());
+        return result;
+      };
+      return calls;
+    }));
+    EXPECT_EQ(only(certificate).mismatches, 300U);
+    EXPECT_NE(only(certificate).counterexamples.at(0).find("the single call (" + std::string(name_of(wrong)) + "): at "),
+              std::string::npos);
+  }
+}
+
+TEST(comparison, finds_the_single_call_that_is_wrong) {
+  for (const CertifyOptions& options : {small(LawId::cylinder), small(slope())}) {
+    const Certificate certificate = certified(with_calls(options, [](Calls calls) {
+      calls.evaluate = [right = calls.evaluate](const Eigen::Vector3f& position) {
+        fast::Evaluation answer = right(position);
+        if (answer.status == Status::contact) answer.force.x() = flipped(answer.force.x());
+        return answer;
+      };
+      return calls;
+    }));
+    EXPECT_EQ(only(certificate).mismatches, only(certificate).points_by_status.at("contact"));
+    EXPECT_FALSE(only(certificate).has_held("equivalence"));
+  }
+}
+
+TEST(comparison, finds_a_batch_call_that_writes_nothing_or_miscounts) {
+  const Certificate silent = certified(with_calls(small(LawId::wall), [](Calls calls) {
+    calls.batch = [right = calls.batch](auto positions, auto forces, InstructionSet set) {
+      return set == InstructionSet::scalar ? right(positions, forces, set) : right(positions, forces, InstructionSet::scalar);
+    };
+    return calls;
+  }));
+  EXPECT_TRUE(silent.held()) << "a set that gives another's bits gives the right ones";
+  const Certificate unwritten = certified(with_calls(small(LawId::wall), [](Calls calls) {
+    calls.batch = [right = calls.batch](auto positions, auto forces, InstructionSet set) {
+      return right(positions.first(positions.size() - 1), forces.first(positions.size() - 1), set);
+    };
+    return calls;
+  }));
+  EXPECT_GE(only(unwritten).mismatches, 3U) << "the last of each chunk";
+  const Certificate miscounted = certified(with_calls(small(LawId::wall), [](Calls calls) {
+    calls.batch = [right = calls.batch](auto positions, auto forces, InstructionSet set) {
+      fast::BatchResult result = right(positions, forces, set);
+      ++result.invalid;
+      return result;
+    };
+    return calls;
+  }));
+  EXPECT_EQ(only(miscounted).mismatches, 3U) << "one for each chunk";
+  EXPECT_NE(only(miscounted).counterexamples.at(0).find("invalid positions of 4096; expected "), std::string::npos);
+}
+
+// With the stiffness asked for, 1/2, every product is exact: only the spread rounds.
+TEST(comparison, finds_by_default_that_a_wall_truncates_instead_of_rounding) {
+  for (const LawId law : {LawId::wall, LawId::bump_1p}) {
+    CertifyOptions options{.laws = {law}, .parameters = kBump, .seed = 1, .threads = 2};
+    options.points /= 20;  // of the default a twentieth is enough, and quicker
+    options.cases = 20;
+    options.calls.law = [](LawId id, const Parameters& p) {
+      const fast::Law right = std::get<fast::Law>(fast::Law::build(id, p));
+      const auto truncated = [right, K = static_cast<double>(p.stiffness)](const Eigen::Vector3f& position) {
+        fast::Evaluation answer = right.evaluate(position);
+        const double exact = K * -static_cast<double>(position.z());
+        if (answer.status == Status::contact && static_cast<double>(answer.force.z()) > exact)
+          answer.force.z() = std::nextafter(answer.force.z(), 0.0F);
+        return answer;
+      };
+      return Calls{truncated, [truncated](auto positions, auto forces, InstructionSet) {
+                     fast::BatchResult result;
+                     for (std::size_t i = 0; i < positions.size(); ++i) {
+                       const fast::Evaluation answer = truncated(positions[i]);
+                       forces[i] = answer.force;
+                       result.invalid += answer.status == Status::invalid;
+                     }
+                     return result;
+                   }};
+    };
+    const Certificate certificate = certified(options);
+    const Findings& found = only(certificate);
+    EXPECT_LT(found.mismatches, found.points / 100) << "subnormal forces alone";
+    EXPECT_GT(found.spread.mismatches, found.spread.points / 10);
+    EXPECT_FALSE(certificate.held());
+    EXPECT_NE(found.spread.counterexamples.at(0).find("K = 0x"), std::string::npos) << found.spread.counterexamples.at(0);
+  }
+}
+
+struct Undecided {
+  reference::Rounded round_to_binary32(const Eigen::Vector3f&) const { throw std::domain_error("3072 bits are too few"); }
+};
+struct Origin {
+  Aimed next() { return {{0, 0, -1}, Aim::volume}; }
+};
+
+TEST(comparison, counts_what_the_reference_does_not_decide_as_a_mismatch) {
+  const Calls calls = calls_of_the_fast_path().law(LawId::wall, kBump);
+  Tally tally;
+  compare_chunk(calls, Undecided{}, Origin{}, 5, 0, "", tally);
+  const Comparison found = tally.comparison();
+  EXPECT_EQ(found.points, 5U);
+  EXPECT_EQ(found.mismatches, 5U);
+  EXPECT_NE(found.counterexamples.at(0).find("the reference does not decide: 3072 bits are too few"), std::string::npos);
+  for (const auto& counts : {found.points_by_aim, found.points_by_stage, found.points_by_method, found.points_by_status}) {
+    std::uint64_t sum = 0;
+    for (const auto& [name, count] : counts) sum += count;
+    EXPECT_EQ(sum, 5U);
+  }
+  const Violation violation = equivalence(SubjectOf<Undecided>{{}, renderer_of(calls)}, {0, 0, -1});
+  ASSERT_TRUE(violation);
+  EXPECT_NE(violation->find("the reference does not decide"), std::string::npos);
+}
+
+// The first ten in the order of the chunks, and the smaller position of two equal calls.
+TEST(tally, does_not_depend_on_the_order_of_threads) {
+  Tally early, late;
+  for (int i = 0; i < 8; ++i) late.mismatch(7, "late " + std::to_string(i));
+  for (int i = 0; i < 8; ++i) early.mismatch(2, "early " + std::to_string(i));
+  late.call({3, 0, 0, 0.25});
+  early.call({2, 0, 0, 0.25});
+  Tally one, two;
+  one.add(early);
+  one.add(late);
+  two.add(late);
+  two.add(early);
+  EXPECT_EQ(one.comparison().counterexamples, two.comparison().counterexamples);
+  EXPECT_EQ(one.comparison().counterexamples.size(), kCounterexamples);
+  EXPECT_EQ(one.comparison().counterexamples.front(), "early 0");
+  EXPECT_EQ(one.comparison().mismatches, 16U);
+  EXPECT_EQ(one.closest_call.x, 2);
+  EXPECT_EQ(two.closest_call.x, 2);
+}
+
+TEST(spread, draws_from_all_of_the_domain_and_nothing_outside) {
+  ParameterSource source(5);
+  int full = 0, few = 0, fitting = 0, ends = 0, rational = 0;
+  const int kDraws = 4000;
+  float lowest = 1e3F, highest = 0;
+  for (int i = 0; i < kDraws; ++i) {
+    const Parameters p = source.next();
+    for (const LawName& law : kLaws) {
+      const auto built = fast::Law::build(law.id, p);
+      EXPECT_TRUE(std::holds_alternative<fast::Law>(built)) << law.name;
+    }
+    const std::uint32_t significand = std::bit_cast<std::uint32_t>(p.stiffness) & 0x7FFFFFU;
+    full += (significand & 1U) != 0;
+    few += (significand & 0x3FFFFU) == 0;
+    fitting += p.width > p.radius;
+    ends += p.radius == 0.1F || p.radius == 1e4F || p.stiffness == 1e-3F || p.stiffness == 1e3F || p.width == 1e-3F ||
+            p.width == 2 * p.radius;
+    const double depth = std::sqrt(static_cast<double>(p.radius) * static_cast<double>(p.radius) -
+                                   static_cast<double>(p.width) * static_cast<double>(p.width) / 4);
+    rational += depth > 0 && static_cast<double>(static_cast<float>(std::ldexp(std::round(std::ldexp(depth, 5)), -5))) == depth;
+    lowest = std::min(lowest, p.stiffness);
+    highest = std::max(highest, p.stiffness);
+  }
+  EXPECT_GT(full, kDraws / 4) << "odd significands of 24 bits";
+  EXPECT_GT(few, kDraws / 10);
+  EXPECT_GT(rational, kDraws / 10);
+  EXPECT_GT(fitting, 50) << "wide bumps";
+  EXPECT_GT(ends, kDraws / 16);
+  EXPECT_EQ(lowest, 1e-3F);
+  EXPECT_EQ(highest, 1e3F);
+}
+
+}  // namespace
+}  // namespace forceshade::properties

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every example is certified, and a certificate lets pass what it is about and nothing else.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "forceshade/certificate/build.h"
+#include "forceshade/certificate/certify.h"
+#include "forceshade/certificate/height_loops.h"
+#include "forceshade/certificate/merge.h"
+#include "forceshade/heights/spec.h"
+#include "forceshade/report/report.h"
+
+namespace forceshade::properties {
+namespace {
+
+using height::Rendering;
+
+Certificate certificate_of(std::vector<NamedHeightMap> maps, std::uint64_t points = 4000, unsigned threads = 2) {
+  static const std::atomic<bool> never{false};
+  CertifyOptions options{{}, {.stiffness = 0.5F}, points, 200, 3, threads, std::move(maps)};
+  return certify(
+             options, [](std::string_view, double) {}, never)
+      .value();
+}
+
+NamedHeightMap cone() {
+  return {"cone.toml", {{{height::Cone{0.5F, -0.25F, 2.5F, 4}}, {height::Plane{0.1F, 0, 0}, true}}}, Rendering::true_height};
+}
+
+TEST(height_certificate, covers_every_example) {
+  std::vector<NamedHeightMap> maps;
+  for (const auto& entry : std::filesystem::directory_iterator(FORCESHADE_SOURCE_DIR "/examples")) {
+    if (entry.path().extension() != ".toml") continue;
+    heights::Spec spec = heights::read_spec(entry.path());
+    maps.push_back({entry.path().filename(), std::move(spec.map), spec.rendering});
+  }
+  const std::size_t examples = maps.size();
+  EXPECT_GE(examples, 4U);
+  const Certificate certificate = certificate_of(std::move(maps), 8000);
+  EXPECT_TRUE(certificate.held());
+  ASSERT_EQ(certificate.height_maps.size(), examples);
+  for (const HeightMapResult& map : certificate.height_maps) {
+    EXPECT_TRUE(map.held()) << map.file << (map.counterexamples.empty() ? "" : map.counterexamples.front());
+    for (const auto& counts : {map.points_by_aim, map.points_by_stage, map.points_by_method, map.points_by_status}) {
+      std::uint64_t sum = 0;
+      for (const auto& [name, count] : counts) sum += count;
+      EXPECT_EQ(sum, 8000U) << map.file;
+    }
+    for (const auto& [aim, count] : map.points_by_aim) EXPECT_GT(count, 100U) << map.file << ": " << aim;
+    for (const auto& [status, count] : map.points_by_status) EXPECT_GT(count, 500U) << map.file << ": " << status;
+    std::printf("  %-15s closest call %.2g ulp\n", map.file.c_str(), map.closest_call.ulps_from_tie);
+    EXPECT_LT(map.closest_call.ulps_from_tie, 1e-3) << "ties are aimed at";
+  }
+}
+
+TEST(height_certificate, says_what_kind_of_force_each_map_is) {
+  const HeightMap dent{{{height::SphereCap{0, 0, 5, 8}, true}}}, hill{{{height::Gaussian{0, 0, 3, 5}}}};
+  const Certificate certificate =
+      certificate_of({{"dent", dent, Rendering::conservative}, {"hill", hill, Rendering::force_shaded}});
+  const HeightMapResult &first = certificate.height_maps[0], &second = certificate.height_maps[1];
+  EXPECT_EQ(first.jumps, std::vector<std::string>{"part 1, sphere-cap: its rim"});
+  EXPECT_TRUE(first.conservative);
+  EXPECT_FALSE(first.is_unit()) << "its normal is as long as the map is steep";
+  EXPECT_TRUE(second.jumps.empty());
+  EXPECT_FALSE(second.conservative);
+  EXPECT_TRUE(second.is_unit());
+  ASSERT_EQ(first.energy.size(), 2U);
+  for (const LoopEnergy& loop : first.energy) EXPECT_EQ(loop.bound_mJ[1], 0);
+  ASSERT_EQ(second.energy.size(), 2U);
+  for (const LoopEnergy& loop : second.energy) {
+    EXPECT_GE(loop.witness_mJ, 0.99 * loop.bound_mJ[1]);
+    EXPECT_LE(loop.witness_mJ, loop.bound_mJ[1]);
+    EXPECT_NEAR(loop.measured_mJ, loop.witness_mJ, 1e-4 * loop.bound_mJ[1]);
+  }
+}
+
+TEST(height_certificate, fails_in_words_where_the_energy_of_a_loop_is_not_enclosed) {
+  HeightMapResult map = certificate_of({cone()}).height_maps[0];
+  ASSERT_TRUE(map.held());
+  map.energy.clear();
+  add_loop_energies(map, []() -> std::vector<LoopEnergy> { throw reference::NotEnclosed("too steep"); });
+  EXPECT_FALSE(map.held());
+  EXPECT_TRUE(map.energy.empty());
+  for (const PropertyResult& property : map.properties) {
+    EXPECT_EQ(property.held, property.name != "passivity") << property.name;
+    if (!property.held) EXPECT_EQ(property.counterexample, "what a loop can be paid is not enclosed: too steep");
+  }
+  add_loop_energies(map, [] { return std::vector<LoopEnergy>(3); });
+  EXPECT_EQ(map.energy.size(), 3U);
+}
+
+TEST(height_certificate, is_none_if_stopped_while_the_energy_of_loops_is_computed) {
+  std::atomic<bool> stop{false};
+  double last = 0;
+  const CertifyOptions options{{}, {.stiffness = 0.5F}, 4000, 20, 3, 1, {cone()}};
+  const auto watch = [&](std::string_view, double done) {
+    EXPECT_GE(done, last);
+    last = done;
+    if (done > 0.93) stop = true;
+  };
+  EXPECT_FALSE(certify(options, watch, stop));
+  EXPECT_GT(last, 0.93);
+}
+
+TEST(height_certificate, reads_back_what_it_wrote_whatever_the_number_of_threads) {
+  Certificate one = certificate_of({cone()}, 10000, 1), four = certificate_of({cone()}, 10000, 4);
+  one.seconds = four.seconds = 0;
+  one.date = four.date;
+  const std::string text = to_json(one);
+  EXPECT_EQ(text, to_json(four));
+  EXPECT_EQ(to_json(from_json(text, "here.json")), text);
+  std::string other = text;
+  other.replace(other.find("\"height-map\""), 12, "\"height-mop\"");
+  EXPECT_THROW(from_json(other, "here.json"), CertificateError);
+}
+
+TEST(height_certificate, covers_the_map_that_was_checked) {
+  const Certificate certificate = certificate_of({cone()});
+  EXPECT_EQ(refusal(certificate, current_build(), identity_of(cone().map, Rendering::true_height, 0.5F)),
+            "the certificate has 4000 points for cone.toml; driving needs at least 200000");
+  EXPECT_NE(refusal(certificate, current_build(), identity_of(cone().map, Rendering::force_shaded, 0.5F))
+                .value_or("")
+                .find("another"),
+            std::string::npos);
+  EXPECT_EQ(certificate.height_maps[0].spread.points, 1000U);
+  EXPECT_EQ(certificate.height_maps[0].spread.parameter_sets, 8U);
+}
+
+// Of a map, each number, each kind, each sign and the order of the parts; not where it was read from.
+TEST(height_certificate, is_bound_to_every_number_of_a_map) {
+  height::Grid grid{3, 2, 0.5F, height::Edge::tile, height::Interpolant::cubic_spline, {1, 2, 3, 4, 5, 6}};
+  std::set<std::string> digests;
+  int maps = 0;
+  const auto add = [&](std::vector<height::Part> parts, std::vector<height::Part> surface = {}) {
+    ++maps;
+    digests.insert(identity_of({std::move(parts), std::move(surface)}, Rendering::force_shaded, 1).map_digest);
+  };
+  const auto add_grid = [&](const auto& change) {
+    height::Grid changed = grid;
+    change(changed);
+    add({{std::make_shared<const height::Grid>(changed)}});
+  };
+  add_grid([](auto&) {});
+  add_grid([](auto& g) { g.values[5] = 6.000001F; });
+  add_grid([](auto& g) { g.pitch = 0.6F; });
+  add_grid([](auto& g) { g.edge = height::Edge::clamp; });
+  add_grid([](auto& g) { g.interpolant = height::Interpolant::bilinear; });
+  add_grid([](auto& g) { std::swap(g.columns, g.rows); });
+  for (const bool negated : {false, true}) {
+    add({{height::Cone{0, 0, 1, 2}, negated}});
+    add({{height::Cone{0, 1, 1, 2}, negated}});
+    add({{height::SphereCap{0, 0, 1, 2}, negated}});
+    add({{height::Gaussian{0, 0, 1, 2}, negated}});
+    add({{height::Grating{0, 0, 1, 2}, negated}});
+  }
+  add({{height::Plane{}}, {height::Cone{0, 0, 1, 2}}});
+  add({{height::Cone{0, 0, 1, 2}}, {height::Plane{}}});
+  add({{height::Plane{}}}, {{height::Cone{0, 0, 1, 2}}});
+  add({{height::Polygons{{{0, 1}, {2, 3}}}}});
+  add({{height::Polygons{{{0, 1}, {2, 3}, {3, 0}}}}});
+  EXPECT_EQ(digests.size(), static_cast<std::size_t>(maps));
+  const auto again = [&] { return identity_of({{{std::make_shared<const height::Grid>(grid)}}}, Rendering::true_height, 1); };
+  EXPECT_EQ(again(), again());
+  EXPECT_TRUE(digests.contains(again().map_digest)) << "the rendering is no part of the map";
+}
+
+TEST(height_certificate, has_a_page_that_shows_the_map) {
+  const std::string page = to_html(certificate_of({cone()}));
+  for (const char* words :
+       {"points per height map", "cone: x_mm 0.5, y_mm -0.25, height_mm 2.5, radius_mm 4",
+        "plane: slope_x 0.1, slope_y 0, height_mm 0, negated true", "part 1, cone: its apex", "cone.toml", "height-map<br>"})
+    EXPECT_NE(page.find(words), std::string::npos) << words;
+}
+
+TEST(height_certificate, goes_together_with_sweeps_of_laws) {
+  const Certificate points = certificate_of({cone()});
+  Certificate swept{points.build, 1, 0, {}, {}};
+  swept.sweeps = planned({{LawId::wall}, {.stiffness = 1}, {1}, false, true, false});
+  swept.sweeps.next = swept.sweeps.end;
+  const Certificate both = merged({{"points", points}, {"swept", swept}});
+  EXPECT_EQ(both.height_maps.size(), 1U);
+  EXPECT_THROW(merged({{"both", both}, {"swept", swept}}), CertificateError) << "merged already";
+}
+
+}  // namespace
+}  // namespace forceshade::properties

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every fault of the catalogue is answered as the catalogue says; and the campaign notices when it is not.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include "forceshade/csv/csv.h"
+#include "forceshade/tests/device/faults/fault.h"
+
+namespace forceshade::faults {
+
+// Google Test's name for a parameter.
+void PrintTo(const Fault& fault, std::ostream* out) {
+  *out << fault.what;
+}
+
+namespace {
+
+std::string all_of(const std::vector<std::string>& complaints) {
+  std::string all;
+  for (const std::string& complaint : complaints) all += complaint + "\n";
+  return all;
+}
+
+class fault : public testing::TestWithParam<Fault> {};
+
+TEST_P(fault, has_its_reaction) {
+  const Outcome outcome = tried(GetParam());
+  EXPECT_EQ(all_of(complaints(GetParam(), outcome)), "");
+  std::printf("  %s; %.3g N before; zero after %s; %g lost\n", outcome.reaction.substr(0, 300).c_str(), outcome.before,
+              outcome.to_zero ? csv::shortest(*outcome.to_zero).c_str() : "never", outcome.lost);
+}
+
+INSTANTIATE_TEST_SUITE_P(faults, fault, testing::ValuesIn(catalogue()), [](const auto& info) {
+  std::string name = name_of(info.param.kind) + "_" + info.param.what;
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  return name;
+});
+
+// The same loop on a device that says it cannot push, which is therefore not supervised.
+TEST(faults, are_noticed_where_the_supervisor_does_nothing) {
+  int noticed = 0;
+  for (const auto& part : {position_faults(), device_faults(), timing_faults()})
+    for (const Fault& fault : part) {
+      if (!fault.reaction.starts_with("trip: ") && !fault.reaction.starts_with("limited: ")) continue;
+      EXPECT_FALSE(complaints(fault, tried(fault, {.supervised = false})).empty()) << fault.what;
+      ++noticed;
+    }
+  EXPECT_GE(noticed, 20);
+}
+
+TEST(faults, are_noticed_where_samples_are_lost) {
+  for (const Fault& fault : position_faults()) {
+    const std::string complaint = all_of(complaints(fault, tried(fault, {.records_all = false})));
+    EXPECT_NE(complaint.find("lost"), std::string::npos) << fault.what << ": " << complaint;
+  }
+}
+
+// Each of these alone.
+TEST(faults, are_noticed_in_every_part_of_an_outcome) {
+  const Fault fault{.kind = Kind::device, .what = "a fault", .reaction = "trip ... jump", .to_zero = 1, .lost = 2};
+  const Outcome good{"trip: a jump", true, 0.5, 1, 1, 2};
+  EXPECT_EQ(all_of(complaints(fault, good)), "");
+  const auto bad = [&](auto change) {
+    Outcome outcome = good;
+    change(outcome);
+    return complaints(fault, outcome).size();
+  };
+  EXPECT_EQ(bad([](Outcome& o) { o.reaction = "goes on"; }), 1U);
+  EXPECT_EQ(bad([](Outcome& o) { o.reaction = "jump: trip"; }), 1U);
+  EXPECT_EQ(bad([](Outcome& o) { o.took_effect = false; }), 1U);
+  EXPECT_EQ(bad([](Outcome& o) { o.before = 0; }), 1U);
+  EXPECT_EQ(bad([](Outcome& o) { o.highest = HUGE_VAL; }), 1U);
+  EXPECT_EQ(bad([](Outcome& o) { o.to_zero = 2; }), 1U);
+  EXPECT_EQ(bad([](Outcome& o) { o.to_zero.reset(); }), 1U);
+  EXPECT_EQ(bad([](Outcome& o) { o.lost = 3; }), 1U);
+}
+
+TEST(faults, page_has_every_one) {
+  std::ostringstream page;
+  page << std::ifstream(FORCESHADE_SOURCE_DIR "/docs/faults.md").rdbuf();
+  for (const Fault& fault : catalogue()) EXPECT_NE(page.str().find("| " + fault.what + " |"), std::string::npos) << fault.what;
+}
+
+}  // namespace
+}  // namespace forceshade::faults

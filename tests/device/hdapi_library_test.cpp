@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/device/phantom/hdapi_library.h"
+
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "forceshade/device/open_device.h"
+#include "forceshade/tests/device/stand_in_hd/stand_in_hd.h"
+#include "forceshade/tests/support/temporary_directory.h"
+
+namespace forceshade::device::hdapi {
+namespace {
+
+std::string why_not(const std::vector<std::string>& names) {
+  try {
+    load(names);
+  } catch (const DeviceError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void expect_words(const std::string& text, const std::vector<std::string>& words) {
+  for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << word << "\nnot in: " << text;
+}
+
+TEST(hdapi_library, missing_says_every_name_that_was_tried_and_where) {
+  expect_words(why_not({"libNoSuchHD.so.9", "/nowhere/libHD.so"}),
+               {"\n  libNoSuchHD.so.9: ", "\n  /nowhere/libHD.so: ", "cannot open shared object file", "LD_LIBRARY_PATH",
+                "FORCESHADE_HD_LIBRARY"});
+}
+
+TEST(hdapi_library, of_another_kind_is_told_by_the_functions_it_lacks) {
+  expect_words(why_not({"libm.so.6"}), {"libm.so.6: is not the HDAPI, it lacks hdInitDevice, ", "hdUnschedule\n"});
+}
+
+TEST(hdapi_library, is_the_first_that_fits) {
+  const Functions hd = load({"libNoSuchHD.so.9", "libm.so.6", STAND_IN_HD});
+  void* const library = dlopen(STAND_IN_HD, RTLD_NOW | RTLD_NOLOAD);
+  ASSERT_TRUE(library);
+  EXPECT_EQ(reinterpret_cast<void*>(hd.hdInitDevice), dlsym(library, "hdInitDevice"));
+}
+
+// A file of its own, which only load() has opened.
+TEST(hdapi_library, is_never_unloaded) {
+  const tests::TemporaryDirectory directory;
+  const std::string copy = directory.file("copy.so");
+  std::filesystem::copy_file(STAND_IN_HD, copy);
+  load({copy});
+  void* handle = dlopen(copy.c_str(), RTLD_NOW | RTLD_NOLOAD);
+  ASSERT_TRUE(handle);
+  for (int i = 0; i < 10; ++i) dlclose(handle);
+  EXPECT_TRUE(dlopen(copy.c_str(), RTLD_NOW | RTLD_NOLOAD));
+}
+
+TEST(hdapi_library, drains_the_stack_and_tells_the_oldest_error) {
+  const Functions hd = load({STAND_IN_HD});
+  stand_in_hd::reset();
+  hd.hdEnable(0x1);
+  stand_in_hd::tell({.rate = kTimer});
+  hd.hdSetSchedulerRate(500);
+  const HDErrorInfo oldest = drained(hd);
+  EXPECT_EQ(oldest.code, kInvalidEnum);
+  EXPECT_EQ(oldest.internal, 42);
+  EXPECT_EQ(hd.hdGetError().code, kSuccess);
+}
+
+TEST(hdapi_library, with_an_endless_stack_of_errors_is_drained_in_bounded_time) {
+  Functions hd{};
+  hd.hdGetError = [] { return HDErrorInfo{kDeviceFault, 0, 0}; };
+  EXPECT_EQ(drained(hd).code, kDeviceFault);
+}
+
+}  // namespace
+}  // namespace forceshade::device::hdapi

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/device/oscillation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "forceshade/device/simulated/simulated.h"
+#include "forceshade/tests/device/servo_loop_fixture.h"
+
+namespace forceshade::device {
+namespace {
+
+constexpr double kResolution = 0.03;  // mm
+
+// A swinging axis: mm from the middle, Hz, N per mm; what is left of the size after a second.
+struct Swinging {
+  double size = 0.3, frequency = 40, stiffness = 1, left = 1;
+};
+
+// The gain after so many seconds of it.
+double gain_after(double seconds, const Swinging& swinging, int axis = 2) {
+  OscillationWatch watch(kResolution, 0.001);
+  double gain = 1;
+  for (int tick = 0; tick < seconds * 1000; ++tick) {
+    const double time = 0.001 * tick;
+    Eigen::Vector3f position(1, 2, 3), force(0, 0, 0);
+    const double out = swinging.size * std::pow(swinging.left, time) * std::sin(2 * M_PI * swinging.frequency * time);
+    position[axis] += static_cast<float>(out);
+    force[axis] = static_cast<float>(1 - swinging.stiffness * out);
+    gain = watch.next(position, force);
+  }
+  return gain;
+}
+
+TEST(oscillation, lowers_the_gain_of_what_swings_faster_than_a_hand_can) {
+  for (const int axis : {0, 1, 2}) {
+    EXPECT_EQ(gain_after(0.09, {}, axis), 1) << "seven swings";
+    EXPECT_NEAR(gain_after(0.14, {}, axis), 0.7, 0.02);
+    EXPECT_LT(gain_after(1, {}, axis), 0.05) << "and further while it goes on";
+  }
+}
+
+TEST(oscillation, leaves_alone_what_is_slow_small_not_driven_or_dies_away) {
+  EXPECT_EQ(gain_after(5, {.frequency = 19}), 1);
+  EXPECT_LT(gain_after(5, {.frequency = 21}), 0.7);
+  EXPECT_EQ(gain_after(5, {.size = 1.4 * kResolution}), 1) << "less than three resolutions from turn to turn";
+  EXPECT_LT(gain_after(5, {.size = 1.7 * kResolution, .stiffness = 5}), 0.7);
+  EXPECT_EQ(gain_after(5, {.stiffness = 0.15}), 1) << "0.09 N from turn to turn";
+  EXPECT_LT(gain_after(5, {.stiffness = 0.2}), 0.7);
+  // 0.7 within four swings of 12.5 ms is 8e-4 within a second.
+  EXPECT_EQ(gain_after(5, {.size = 2, .left = 5e-4}), 1);
+  EXPECT_LT(gain_after(0.3, {.size = 2, .left = 2e-3}), 0.72);
+}
+
+TEST(oscillation, gives_the_force_back_after_some_seconds_of_quiet) {
+  OscillationWatch watch(kResolution, 0.001);
+  double gain = 1;
+  const auto rest = [&](int ticks) {
+    for (int tick = 0; tick < ticks; ++tick) gain = watch.next({0, 0, 0}, {0, 0, 1});
+  };
+  for (int tick = 0; tick < 140; ++tick) {
+    const float out = 0.3F * std::sin(2 * static_cast<float>(M_PI) * 40 * 0.001F * static_cast<float>(tick));
+    gain = watch.next({0, 0, out}, {0, 0, 1 - out});
+  }
+  rest(400);
+  EXPECT_NEAR(gain, 0.7, 1e-3);
+  const double before = gain;
+  rest(1000);
+  EXPECT_GT(gain, before + 0.1);
+  EXPECT_LT(gain, 0.95);
+  rest(1500);
+  EXPECT_EQ(gain, 1);
+}
+
+// How far the tip swings in the last half second of a wall of 8 N/mm, on which a hand rests that means to be 6 mm below it.
+double swing_on_a_wall_too_stiff(bool watched) {
+  const Intention rest({{0.1, {-30, 0, 3}}, {0.5, {-30, 0, -6}}, {3, {-30, 0, -6}}}, Intention::Between::minimum_jerk);
+  Simulated device(premium_1_5(), Operator{Grip{}, rest, Tremor(1, 0.03), true});
+  device.start(1000);
+  OscillationWatch watch(kResolution, 0.001);
+  const fast::Law stiff = law_of(LawId::wall, 8);
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (int tick = 0; tick < 3000; ++tick) {
+    const Reading reading = std::get<Reading>(device.read());
+    const double gain = watch.next(reading.position, reading.sent->acted);
+    device.command(stiff.force(reading.position) * static_cast<float>(watched ? gain : 1));
+    if (tick < 2500) continue;
+    low = std::min(low, device.tip().z());
+    high = std::max(high, device.tip().z());
+  }
+  return high - low;
+}
+
+TEST(oscillation, goes_quiet_on_a_simulated_device_whose_wall_is_too_stiff) {
+  const double alone = swing_on_a_wall_too_stiff(false), watched = swing_on_a_wall_too_stiff(true);
+  std::printf("  %.3f mm without, %.3f mm with\n", alone, watched);
+  EXPECT_GT(alone, 0.3);
+  EXPECT_LT(watched, 2 * kResolution);
+}
+
+TEST(oscillation, is_said_by_the_loop) {
+  const Intention rest({{0.1, {-30, 0, 3}}, {0.5, {-30, 0, -6}}, {3, {-30, 0, -6}}}, Intention::Between::minimum_jerk);
+  Simulated device(premium_1_5(), Operator{Grip{}, rest, Tremor(1, 0.03), true});
+  const Kept run(device, law_of(LawId::wall, 8),
+                 {.max_seconds = 3, .paced = false, .passivity = PassivityController::Kind::observer});
+  EXPECT_EQ(run.end_reason, EndReason::time_up) << (run.trip ? name_of(run.trip->rule) : "");
+  const auto limited = run.limited_ticks[static_cast<std::size_t>(Rule::oscillation)];
+  EXPECT_GT(limited, 1000U);
+  std::size_t told = 0;
+  for (const Sample& sample : run.samples) told += (sample.limited >> static_cast<int>(Rule::oscillation) & 1) != 0;
+  EXPECT_EQ(told, limited);
+}
+
+}  // namespace
+}  // namespace forceshade::device

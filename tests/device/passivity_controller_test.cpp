@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/device/passivity_controller.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "forceshade/device/simulated/simulated.h"
+#include "forceshade/properties/passivity.h"
+#include "forceshade/tests/device/unmoved_hand.h"
+#include "forceshade/tests/support/silent.h"
+
+namespace forceshade::device {
+namespace {
+
+TEST(passivity_controller, stroke_across_force_shading_harvests_what_the_law_predicts) {
+  for (const Parameters& p : {kBump, Parameters{10, 12, 1}, Parameters{100, 20, 0.2F}})
+    for (const double depth : {0.5, 1.0, 2.0}) {
+      const auto [R, w, K] = p;
+      const double predicted = static_cast<double>(K * w * w / (8 * R)) * depth;
+      Hand hand(law_of(LawId::bump_1p_shaded, p), Kind::observer);
+      for (int n = 0; n < 5; ++n) hand.go_round(stroke(p, depth), 0.002);
+      const double harvested = -hand.controller.account().balance / 5;
+      std::printf("  R %g w %g K %g D %g: K D w^2/8R = %.4f mJ, harvested %.4f (%+.2f %%)\n", static_cast<double>(R),
+                  static_cast<double>(w), static_cast<double>(K), depth, predicted, harvested,
+                  100 * (harvested / predicted - 1));
+      EXPECT_NEAR(harvested, predicted, 0.02 * predicted);
+      EXPECT_EQ(hand.controller.account().altered, 0U);
+    }
+}
+
+// Each law's most profitable loop, with and without the controller.
+TEST(passivity_controller, gives_nobody_who_goes_round_more_than_epsilon) {
+  constexpr int kRounds = 15;
+  for (const LawName& name : kLaws) {
+    const auto subject = std::get<properties::Subject>(properties::fast_subject(name.id, kBump));
+    const auto loop = properties::witness_loop(subject.law, 2);
+    double harvested = 0;
+    for (const Kind kind : {Kind::observer, Kind::tank, Kind::damping}) {
+      Hand hand(law_of(name.id), kind);
+      hand.go_to({loop.vertices.front().x, 0, loop.vertices.front().z});
+      const double begin = hand.controller.account().balance;
+      for (int n = 0; n < kRounds; ++n) hand.go_round(loop.vertices, 0.002);
+      const double given = begin - hand.controller.account().balance;
+      if (kind == Kind::observer) {
+        harvested = given;
+        // A held force adds K D times the step, 0.002 mJ here, which is all that a conservative law gives.
+        EXPECT_NEAR(given / kRounds, loop.paid_mJ, loop.paid_mJ > 0 ? 0.02 * loop.paid_mJ : 0.005) << name.name;
+        continue;
+      }
+      std::printf("  %-14s %-7s: %8.3f mJ in %d rounds, %8.3f without\n", words_of(name.id).c_str(), words_of(kind), given,
+                  kRounds, harvested);
+      EXPECT_GE(static_cast<double>(hand.lowest), -hand.settings.epsilon);
+      EXPECT_TRUE(harvested <= hand.settings.epsilon || given < harvested);
+    }
+  }
+}
+
+// Rests for a tick, so that nothing warns of it, then goes as far as it can along the force. The bound is reached.
+TEST(passivity_controller, bound_is_reached_by_the_worst_hand_and_not_passed) {
+  for (const Kind kind : {Kind::tank, Kind::damping})
+    for (const bool latency : {false, true}) {
+      Hand hand(law_of(LawId::wall, {.stiffness = 2}), kind, passivity_settings({.latency = latency}, 1000));
+      hand.go_to({0, 0, -20});
+      hand.go_to({0, 0, -20});
+      hand.go_to({0, 0, -20});
+      for (int n = 0; n < 3; ++n) hand.go_to(hand.at + Position(0, 0, hand.settings.longest_step));
+      std::printf("  %s%s: %.4f of epsilon\n", words_of(kind), latency ? " with latency" : "",
+                  -static_cast<double>(hand.lowest) / hand.settings.epsilon);
+      EXPECT_GE(hand.lowest, -hand.settings.epsilon);
+      EXPECT_LE(hand.lowest, -(latency ? 0.74 : 0.999) * hand.settings.epsilon);
+    }
+}
+
+// One leg of an adversary's motion.
+struct Leg {
+  int x, z;   // where to, in 0.05 mm
+  int speed;  // in thousandths of the longest step
+  int way;    // 0, 1: straight there; 2: along the force; 3: to and fro along the force; 4: anywhere
+  int ticks;  // of the last three
+};
+
+std::ostream& operator<<(std::ostream& out, const Leg& leg) {
+  return out << "{" << leg.x << ", " << leg.z << ", " << leg.speed << ", " << leg.way << ", " << leg.ticks << "}";
+}
+
+rc::Gen<Leg> any_leg() {
+  return rc::gen::build<Leg>(
+      rc::gen::set(&Leg::x, rc::gen::inRange(-350, 351)), rc::gen::set(&Leg::z, rc::gen::inRange(-100, 200)),
+      rc::gen::set(&Leg::speed, rc::gen::oneOf(rc::gen::inRange(5, 1001), rc::gen::just(1000))),
+      rc::gen::set(&Leg::way, rc::gen::inRange(0, 5)), rc::gen::set(&Leg::ticks, rc::gen::inRange(1, 60)));
+}
+
+void walk(Hand& hand, const Leg& leg, int turns[5]) {
+  ++turns[leg.way];
+  // Short of the longest step by more than binary32 positions can add to it.
+  const double step = 0.9999 * hand.settings.longest_step * leg.speed / 1000;
+  if (leg.way < 2) return hand.go_to({0.05 * leg.x, 0, 0.05 * leg.z}, step);
+  for (int tick = 0; tick < leg.ticks; ++tick) {
+    const Position along = hand.force.cast<double>().stableNormalized();
+    const double turned = 0.1 * leg.x * tick;
+    const Position way = leg.way == 2   ? along
+                         : leg.way == 3 ? Position(tick % 2 == 0 ? along : Position(-along))
+                                        : Position(std::cos(turned), 0, std::sin(turned));
+    hand.go_to(hand.at + step * way);
+  }
+}
+
+// Closed polygons and motions that follow the force, at any speed up to the longest step, twenty times over.
+TEST(passivity_controller, gives_no_more_than_epsilon_whatever_the_hand_does) {
+  for (const LawName& name : kLaws)
+    for (const Kind kind : {Kind::observer, Kind::tank, Kind::damping})
+      for (const bool latency : {false, true}) {
+        const PassivitySettings settings = passivity_settings({.latency = latency}, 1000);
+        int turns[5] = {};
+        double lowest = 0;
+        rc::detail::TestParams params;
+        params.seed = 20260;
+        params.maxSuccess = 60;
+        tests::Silent silent;
+        const auto result = rc::detail::checkTestable(
+            [&] {
+              const auto legs = *rc::gen::nonEmpty(rc::gen::container<std::vector<Leg>>(any_leg()));
+              Hand hand(law_of(name.id), kind, settings);
+              hand.go_to({0.05 * legs.front().x, 0, 0.05 * legs.front().z});
+              for (int round = 0; round < 20; ++round)
+                for (const Leg& leg : legs) walk(hand, leg, turns);
+              const PassivityAccount& account = hand.controller.account();
+              lowest = std::min(lowest, static_cast<double>(hand.lowest));
+              RC_ASSERT(std::fabs(static_cast<double>(hand.balance) - account.balance) <= kRounding);
+              RC_ASSERT(account.longest_step <= settings.longest_step);
+              RC_ASSERT(!hand.lengthened);
+              RC_ASSERT(kind == Kind::observer || hand.lowest >= -settings.epsilon - kRounding);
+            },
+            rc::detail::TestMetadata{}, params, silent, std::unordered_map<std::string, rc::detail::Reproduce>{});
+        rc::detail::FailureResult failure;
+        if (result.match(failure)) {
+          ADD_FAILURE() << name.name << ", " << words_of(kind) << ": " << failure.description;
+          for (const auto& [type, value] : failure.counterExample) ADD_FAILURE() << type << " " << value;
+        }
+        std::printf("  %-14s %-8s %s: lowest %10.4f of epsilon\n", words_of(name.id).c_str(), words_of(kind),
+                    latency ? "latency" : "       ", lowest / settings.epsilon);
+        for (const int reached : turns) EXPECT_GT(reached, 0);
+        // The same hands do harvest without it.
+        EXPECT_TRUE(kind != Kind::observer || lowest < -3 * settings.epsilon);
+      }
+}
+
+TEST(passivity_controller, damping_turns_a_force_and_the_tank_does_not) {
+  for (const Kind kind : {Kind::tank, Kind::damping}) {
+    Hand hand(law_of(LawId::bump_2p_shaded), kind);
+    double turned = 0;
+    for (int n = 0; n < 30; ++n)
+      for (const Position& corner : {Position(5, 0, 0), Position(14, 0, -2), Position(14, 0, 5), Position(-3, 0, 6)}) {
+        const Position from = hand.at;
+        for (int i = 1; i <= 40; ++i) {
+          hand.go_to(from + (corner - from) * (i / 40.0));
+          turned = std::max(turned, static_cast<double>(hand.force.cross(hand.wanted).norm()));
+        }
+      }
+    EXPECT_GT(hand.controller.account().altered, 50U);
+    EXPECT_EQ(turned > 1e-6, kind == Kind::damping);
+  }
+}
+
+// A press to the depth D and back at speed v gives K D v T more than it takes, since the force is held; with a sample of
+// latency three times that, less 4 K (v T)² where the hand turns.
+TEST(passivity_controller, sampled_wall_gives_a_little_and_how_much) {
+  for (const bool latency : {false, true}) {
+    Hand hand(law_of(LawId::wall), Kind::observer, passivity_settings({.latency = latency}, 1000));
+    for (int n = 0; n < 10; ++n) {
+      hand.go_to({0, 0, -2}, 0.1);
+      hand.go_to({0, 0, 0}, 0.1);
+    }
+    hand.go_to({0, 0, 0.1});
+    hand.go_to({0, 0, 0.2});
+    const double predicted = 10 * 0.5 * (latency ? 3 * 2 * 0.1 - 4 * 0.1 * 0.1 : 2 * 0.1);
+    const double given = -hand.controller.account().balance;
+    std::printf("  %.4f mJ a press to 2 mm at 100 mm/s%s\n", given / 10, latency ? " with latency" : "");
+    EXPECT_NEAR(given, predicted, 0.01 * predicted);
+  }
+}
+
+// 0.1 mm rms at 8 to 12 Hz, over counts of 0.03 mm.
+TEST(passivity_controller, trembling_on_encoder_counts_harvests_a_little_from_a_wall_and_friction_pays_it) {
+  const Intention rest({{0, {3, 0, 5}}, {1, {3, 0, -3}}}, Intention::Between::minimum_jerk);
+  for (const double friction : {0.0, 0.02}) {
+    Simulated device(premium_1_5(), Operator{Grip{}, rest, Tremor(1, 0.1), false});
+    device.start(1000);
+    PassivitySettings settings = passivity_settings(device.capabilities(), 1000);
+    settings.friction = friction;
+    PassivityController controller(settings, Kind::observer);
+    double begin = 0;
+    for (int tick = 0; tick < 22'000; ++tick) {
+      const Reading reading = std::get<Reading>(device.read());
+      device.command(controller.passed(reading, law_of(LawId::wall).force(reading.position)));
+      if (tick == 2000) begin = controller.account().balance;
+    }
+    const double harvested = (begin - controller.account().balance) / 20;
+    std::printf("  friction %.2f N: %.4f mJ/s, lowest %.4f mJ\n", friction, harvested, controller.account().lowest_balance);
+    EXPECT_LT(harvested, 0.03);
+    EXPECT_EQ(controller.account().lowest_balance < -0.1, friction == 0);
+    EXPECT_TRUE(friction == 0 || controller.account().lowest_balance > -0.02);
+  }
+}
+
+// To 3 mm, twice, while that costs no more than a quarter of epsilon: a press costs K D v T, three times that with latency.
+TEST(passivity_controller, leaves_a_wall_alone_that_is_pressed_at_the_speed_of_a_hand) {
+  for (const Kind kind : {Kind::tank, Kind::damping})
+    for (const bool latency : {false, true})
+      for (const float K : {0.2F, 0.5F, 0.8F, 1.0F})
+        for (const double step : {0.02, 0.05, 0.1, 0.2}) {
+          Hand hand(law_of(LawId::wall, {.stiffness = K}), kind, passivity_settings({.latency = latency}, 1000));
+          const double costs = 2 * static_cast<double>(K) * 3 * step * (latency ? 3 : 1);
+          if (costs > hand.settings.epsilon / 4) continue;
+          hand.go_to({0, 0, 1});
+          for (int n = 0; n < 2; ++n) {
+            hand.go_to({0, 0, -3}, step);
+            hand.go_to({0, 0, 1}, step);
+          }
+          EXPECT_EQ(hand.controller.account().altered, 0U)
+              << words_of(kind) << " K = " << K << ", " << 1000 * step << " mm/s" << (latency ? " latency" : "");
+        }
+}
+
+// However long it was harvested, a wall that is pressed pushes back, in full from a few millimetres on.
+TEST(passivity_controller, has_force_again_for_a_hand_that_pushes) {
+  for (const Kind kind : {Kind::tank, Kind::damping}) {
+    Hand hand(law_of(LawId::bump_1p_shaded), kind);
+    hand.go_to({0, 0, 0});
+    for (int n = 0; n < 300; ++n) hand.go_round(stroke(kBump, 2), 0.1);
+    hand.go_to({40, 0, 1}, 0.5);
+    double full = 0;
+    for (int i = 0; i <= 500 && full == 0; ++i) {
+      hand.go_to({40, 0, -0.01 * i});
+      EXPECT_TRUE(i != 100 || hand.force.norm() > 0.4F * hand.wanted.norm()) << words_of(kind);
+      if (i > 100 && hand.force == hand.wanted) full = 0.01 * i;
+    }
+    std::printf("  %s: in full from %.2f mm on\n", words_of(kind), full);
+    EXPECT_GT(full, 0);
+    EXPECT_LT(full, 4);
+  }
+}
+
+TEST(passivity_controller, friction_pays_debts_and_saves_nothing) {
+  PassivitySettings settings = passivity_settings({}, 1000);
+  settings.friction = 0.04;
+  Hand hand(law_of(LawId::bump_1p_shaded), Kind::tank, settings);
+  hand.go_to({0, 0, 10});
+  hand.go_to({0, 0, 5}, 0.1);
+  EXPECT_EQ(hand.controller.account().balance, 0);
+  hand.go_round(stroke(kBump, 2), 0.02);
+  EXPECT_GT(hand.controller.account().rubbed, 0.1);
+  EXPECT_NEAR(static_cast<double>(hand.balance) + hand.controller.account().rubbed, hand.controller.account().balance, 1e-9);
+  EXPECT_NEAR(hand.controller.account().net(), -static_cast<double>(hand.balance), 1e-9) << "given to the hand, less taken";
+  hand.go_to({0, 0, 50}, 0.1);
+  EXPECT_EQ(hand.controller.account().balance, 0);
+}
+
+TEST(passivity_controller, gives_no_force_at_what_is_no_position_and_assumes_the_worst_of_it) {
+  const float nan = std::nanf("");
+  PassivityController controller({.longest_step = 1, .epsilon = 10});
+  EXPECT_EQ(controller.passed({.position = {0, 0, -1}}, {0, 0, 2}), Eigen::Vector3f(0, 0, 2));
+  EXPECT_EQ(controller.passed({.position = {0, nan, -1}}, {0, 0, 2}), Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(controller.account().balance, -2);
+  EXPECT_EQ(controller.passed({.position = {0, 0, 5}}, {0, 0, 1}), Eigen::Vector3f(0, 0, 1));
+  EXPECT_EQ(controller.account().balance, -2);
+  EXPECT_EQ(controller.passed({.position = {0, 0, 5.5F}}, {0, 0, HUGE_VALF}), Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(controller.account().balance, -2.5) << "the step was seen";
+  EXPECT_EQ(controller.account().longest_step, 0.5) << "and the one to 5 mm was not";
+}
+
+TEST(passivity_controller, counts_no_friction_in_a_step_that_was_not_seen) {
+  PassivityController controller({.longest_step = 1, .epsilon = 10, .friction = 0.5});
+  controller.passed({.position = {0, 0, -1}}, {0, 0, 2});
+  controller.passed({.position = {0, std::nanf(""), -1}}, {0, 0, 2});
+  EXPECT_EQ(controller.account().rubbed, 0);
+  EXPECT_EQ(controller.account().balance, -2);
+}
+
+// A step of 5 mm where 1 mm is the longest: as after a stall of a device that clamps nothing by itself. 1 N x 5 mm are given,
+// of which 2 mJ were allowed; what is forgiven leaves half of that.
+TEST(passivity_controller, forgives_what_a_stall_took_and_says_how_much) {
+  for (const Kind kind : {Kind::tank, Kind::damping}) {
+    PassivityController controller({.longest_step = 1, .epsilon = 2}, kind);
+    controller.passed({.position = {0, 0, 0}}, {0, 0, 1});
+    EXPECT_GT(controller.passed({.position = {0, 0, 5}}, {0, 0, 1}).norm(), 0) << "it is not lost for ever";
+    EXPECT_EQ(controller.account().lowest_balance, -5);
+    EXPECT_EQ(controller.account().forgiven, 4);
+    EXPECT_EQ(controller.account().balance, -1);
+    EXPECT_EQ(controller.account().net(), 5) << "it was given all the same";
+    EXPECT_EQ(controller.allowance().work, 2 + 4);
+    const Eigen::Vector3f acting = controller.passed({.position = {0, 0, 5}}, {0, 0, 1});
+    controller.passed({.position = {0, 0, 4.5F}}, {0, 0, 1});
+    EXPECT_EQ(controller.account().balance, -1 + 0.5 * static_cast<double>(acting.z())) << "and the account goes on";
+  }
+}
+
+// By hand: wanted 3 N, of which epsilon allows 1/1.25 on a step of 1 mm; half a millimetre along it, a quarter back, with as
+// much as was wanted.
+TEST(passivity_controller, accounts_for_what_it_altered) {
+  PassivityController controller({.longest_step = 1, .epsilon = 1}, Kind::tank);
+  controller.passed({.position = {0, 0, 0}}, {0, 0, 3});
+  controller.passed({.position = {0, 0, 0.5F}}, {0, 0, 0.1F});
+  controller.passed({.position = {0, 0, 0.25F}}, {0, 0, 0.1F});
+  const PassivityAccount& account = controller.account();
+  EXPECT_EQ(account.altered, 1U);
+  EXPECT_NEAR(account.largest_change, 3 - 0.8, 1e-5);
+  EXPECT_NEAR(account.withheld, (3 - 0.8) * 0.5, 1e-5);
+  EXPECT_NEAR(account.given, 0.8 * 0.5, 1e-5);
+  EXPECT_NEAR(account.balance, -0.8 * 0.5 + 0.1 * 0.25, 1e-5);
+  EXPECT_NEAR(account.lowest_balance, -0.8 * 0.5, 1e-5);
+  EXPECT_EQ(account.longest_step, 0.5);
+}
+
+// What was wanted at a reading acts from the next one on.
+TEST(passivity_controller, knows_which_force_was_withheld_where_it_is_felt_late) {
+  PassivityController controller({.longest_step = 1, .epsilon = 1, .latency = true});
+  const auto pass = [&](float z, float wanted, float acted, double work) {
+    controller.passed({.position = {0, 0, z}, .sent = Sent{.acted = {0, 0, acted}, .work = work}}, {0, 0, wanted});
+  };
+  pass(0, 3, 0, 0);
+  pass(0.25F, 0, 0, 0);
+  EXPECT_EQ(controller.account().withheld, 0);
+  pass(0.5F, 0, 0.5F, 0.125);
+  EXPECT_EQ(controller.account().withheld, 3 * 0.25 - 0.125);
+  EXPECT_EQ(controller.account().given, 0.125);
+  pass(0.75F, 0, 0, 0.125);
+  EXPECT_EQ(controller.account().withheld, 3 * 0.25 - 0.125);
+}
+
+TEST(passivity_controller, is_set_for_a_hand_at_a_metre_a_second_and_half_of_the_devices_friction) {
+  for (const bool latency : {false, true}) {
+    const PassivitySettings settings = passivity_settings({.resolution = 0.03F, .latency = latency, .friction = 0.04F}, 500);
+    EXPECT_NEAR(settings.longest_step, 2.06, 1e-6);
+    EXPECT_NEAR(settings.epsilon, (latency ? 4 : 1) * 2.06 * 2.06, 1e-5);
+    EXPECT_NEAR(settings.friction, 0.02, 1e-9);
+    EXPECT_EQ(settings.latency, latency);
+  }
+}
+
+// Ten minutes at 1 kHz, against sums of twice the precision.
+TEST(passivity_controller, account_does_not_drift) {
+  Hand hand(law_of(LawId::bump_3p_shaded), Kind::observer);
+  for (int tick = 0; tick < 600'000; ++tick)
+    hand.go_to({14 * std::sin(0.0037 * tick), std::sin(0.0011 * tick), 2 * std::sin(0.0071 * tick)});
+  const double drift = std::fabs(static_cast<double>(hand.balance) - hand.controller.account().balance);
+  std::printf("  %.2g mJ of %.4g\n", drift, hand.controller.account().balance);
+  EXPECT_LE(drift, kRounding);
+}
+
+// The table of docs/device.md: a simulated Premium 1.5 whose hand strokes to and fro for 20 s; it feels a force
+// one sample late.
+TEST(passivity_controller, alters_ordinary_strokes_little) {
+  struct Case {
+    Kind kind;
+    double friction;  // N
+  };
+  std::printf("  law            kind     friction  balance   lowest  altered  rms, N  most, N  of rms, N  chatter\n");
+  for (const LawId id : {LawId::wall, LawId::bump_1p_shaded, LawId::bump_2p_shaded, LawId::bump_3p_shaded})
+    for (const auto& [kind, friction] :
+         {Case{Kind::observer, 0}, Case{Kind::tank, 0}, Case{Kind::damping, 0}, Case{Kind::damping, 0.02}}) {
+      Simulated device(premium_1_5(), Operator{Grip{}, strokes(), Tremor(1, 0.03), false});
+      device.start(1000);
+      PassivitySettings settings = passivity_settings(device.capabilities(), 1000);
+      settings.friction = friction;
+      PassivityController controller(settings, kind);
+      double changes = 0, forces = 0;  // N²
+      int contacts = 0;
+      tests::Chatter chatter;
+      for (int tick = 0; tick < 20'000; ++tick) {
+        const Reading reading = std::get<Reading>(device.read());
+        const fast::Evaluation wanted = law_of(id).evaluate(reading.position);
+        const Eigen::Vector3f force = controller.passed(reading, wanted.force);
+        device.allow(controller.allowance());
+        device.command(force);
+        chatter.next(force, wanted.force);
+        if (wanted.status != Status::contact) continue;
+        ++contacts;
+        changes += (force - wanted.force).cast<double>().squaredNorm();
+        forces += wanted.force.cast<double>().squaredNorm();
+      }
+      const PassivityAccount& account = controller.account();
+      const double altered = static_cast<double>(account.altered) / contacts;
+      std::printf("  %-14s %-8s %8.2f %8.3f %8.3f %7.2f%% %7.4f %8.3f %10.3f %8zu\n", words_of(id).c_str(), words_of(kind),
+                  friction, account.balance, account.lowest_balance, 100 * altered, std::sqrt(changes / contacts),
+                  account.largest_change, std::sqrt(forces / contacts), chatter.ticks);
+      if (kind == Kind::observer) continue;
+      EXPECT_GE(account.lowest_balance, -settings.epsilon);
+      EXPECT_EQ(chatter.ticks, 0U);
+      EXPECT_LE(altered, kind == Kind::tank ? 0.12 : 0.03);
+      EXPECT_LE(changes, (kind == Kind::tank ? 0.015 : 0.004) * forces);
+      const bool gives_energy = id == LawId::bump_2p_shaded || id == LawId::bump_3p_shaded;
+      EXPECT_TRUE(friction > 0 || account.altered > 0 || !gives_energy) << words_of(id);
+      EXPECT_TRUE(gives_energy || account.altered == 0) << words_of(id);
+    }
+}
+
+}  // namespace
+}  // namespace forceshade::device

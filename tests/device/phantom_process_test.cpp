@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The process that holds a PHANToM: what reaches it, what it leaves alone, and the ways in which the vendor's library may fail
+// in it. What becomes of the force when a process dies under it, is the death matrix's (tests/device/deaths).
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "forceshade/device/open_device.h"
+#include "forceshade/device/phantom/hdapi_words.h"
+#include "forceshade/tests/device/stand_in_hd/phantom_fixture.h"
+
+namespace forceshade::device {
+namespace {
+
+using stand_in_hd::Blocks;
+using stand_in_hd::Crash;
+using stand_in_hd::Moment;
+
+constexpr Phantom::Options kHurried{.patience = 200ms, .start = 20s, .rate_tolerance = 1};
+
+bool obeys(Phantom& device) {
+  device.command({0, 0, 1});
+  return comes_true([] { return stand_in_hd::arm().force == Eigen::Vector3d(0, 1, 0); });
+}
+
+std::string fault_of(Phantom& device) {
+  std::string words;
+  comes_true([&] {
+    const ReadResult read = device.read();
+    if (const Fault* fault = std::get_if<Fault>(&read)) words = fault->words;
+    return !words.empty();
+  });
+  return words;
+}
+
+// No process of this one's, running or ended, is left.
+bool has_no_child() {
+  errno = 0;
+  return ::waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD;
+}
+
+// A handler of the driver's would end the process: the stand-in installs one for SIGTERM, as the vendor's library does.
+TEST_F(phantom, is_held_whatever_signals_come_and_leaves_the_programs_own_handlers_alone) {
+  const auto ours = [](int) {};
+  struct sigaction before {};
+  before.sa_handler = ours;
+  ASSERT_EQ(::sigaction(SIGTERM, &before, nullptr), 0);
+  {
+    Phantom device("", kPatient);
+    ASSERT_FALSE(device.start(1000));
+    for (const int signal :
+         {SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGPIPE, SIGALRM, SIGUSR1, SIGUSR2, SIGXFSZ, SIGTSTP, SIGTTOU, SIGTERM})
+      ASSERT_EQ(::kill(device.process(), signal), 0);
+    EXPECT_TRUE(obeys(device));
+    std::this_thread::sleep_for(50ms);
+    EXPECT_TRUE(std::holds_alternative<Reading>(device.read()));
+    EXPECT_TRUE(seen().scheduler);
+    EXPECT_EQ(::getpgid(device.process()), device.process()) << "no terminal's signals reach it";
+    struct sigaction now {};
+    ASSERT_EQ(::sigaction(SIGTERM, nullptr, &now), 0);
+    EXPECT_EQ(now.sa_handler, before.sa_handler);
+  }
+  std::signal(SIGTERM, SIG_DFL);
+  EXPECT_TRUE(has_no_child());
+}
+
+TEST_F(phantom, prints_nothing_of_the_librarys_to_standard_output) {
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  {
+    Phantom device("", kPatient);
+    EXPECT_FALSE(device.start(1000));
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  expect_words(testing::internal::GetCapturedStderr(), {"InitLogFile"});
+}
+
+// Not written twice either, when the library ends the process in order.
+TEST_F(phantom, whose_library_exits_prints_nothing_that_the_program_was_about_to) {
+  tell({.crash = {.how = Crash::How::exit, .when = Moment::before_start}});
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  std::fputs("once", stdout);
+  EXPECT_THROW(Phantom(""), DeviceError);
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "once");
+  EXPECT_EQ(testing::internal::GetCapturedStderr().find("once"), std::string::npos);
+}
+
+TEST_F(phantom, keeps_no_file_of_the_program_open) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe(ends.data()), 0);
+  const int high = ::fcntl(ends[1], F_DUPFD, 500);  // also above those that the process itself needs
+  ASSERT_GE(high, 500);
+  {
+    const Phantom device("");
+    ::close(ends[1]);
+    ::close(high);
+    char nothing = 0;
+    EXPECT_EQ(::read(ends[0], &nothing, 1), 0) << "the other end is closed";
+  }
+  ::close(ends[0]);
+}
+
+TEST_F(phantom, whose_library_fails_while_it_is_opened_says_so_and_leaves_no_process) {
+  struct Case {
+    Crash::How how;
+    std::vector<std::string> words;
+  };
+  for (const auto& [how, words] :
+       {Case{Crash::How::segmentation_fault, {"was ended by a signal (Segmentation fault)"}},
+        Case{Crash::How::abort, {"was ended by a signal (Aborted)"}}, Case{Crash::How::exit, {"ended with exit code 0"}},
+        Case{Crash::How::exception, {"the vendor's library failed: thrown by the driver"}}}) {
+    stand_in_hd::reset();
+    tell({.crash = {.how = how, .when = Moment::before_start}});
+    try {
+      Phantom device("");
+      ADD_FAILURE() << words.front();
+    } catch (const DeviceError& error) {
+      expect_words(error.what(), words);
+    }
+    EXPECT_TRUE(has_no_child()) << words.front();
+  }
+}
+
+// On the driver's thread, where nothing can be sent any more.
+TEST_F(phantom, whose_library_fails_in_a_frame_says_so_and_leaves_no_process) {
+  for (const Crash::How how : {Crash::How::segmentation_fault, Crash::How::abort, Crash::How::exit, Crash::How::exception}) {
+    SCOPED_TRACE(static_cast<int>(how));
+    stand_in_hd::reset();
+    tell({.crash = {.how = how, .when = Moment::settling}});
+    {
+      Phantom device("", kHurried);
+      const auto fault = device.start(1000);
+      ASSERT_TRUE(fault);
+      expect_words(fault->words, {"the process of the PHANToM's driver", "the vendor's library failed in it"});
+    }
+    EXPECT_TRUE(has_no_child());
+  }
+  stand_in_hd::reset();
+  tell({.crash = {.how = Crash::How::segmentation_fault, .when = Moment::free, .frame = 50}});
+  {
+    Phantom device("", kHurried);
+    ASSERT_FALSE(device.start(1000));
+    EXPECT_EQ(fault_of(device), hdapi::kDriverEnded);
+  }
+  EXPECT_TRUE(has_no_child());
+}
+
+TEST_F(phantom, whose_process_is_killed_says_so_and_leaves_none) {
+  Phantom device("", kHurried);
+  ASSERT_FALSE(device.start(1000));
+  ::kill(device.process(), SIGKILL);
+  EXPECT_EQ(fault_of(device), hdapi::kDriverEnded);
+  EXPECT_TRUE(has_no_child());
+}
+
+// Every call that may hang, wherever the run is: words, and an end in bounded time.
+TEST_F(phantom, whose_driver_never_returns_from_a_call_before_the_start_is_given_up) {
+  struct Case {
+    Blocks blocks;
+    const char* words;
+  };
+  constexpr Phantom::Options kShort{.patience = 200ms, .open = 500ms, .start = 500ms, .rate_tolerance = 1};
+  for (const auto& [blocks, words] :
+       {Case{Blocks::init_device, "the PHANToM's driver has not answered for 0.5 s"},
+        Case{Blocks::start_scheduler, hdapi::kNoStart}, Case{Blocks::begin_frame, hdapi::kNoFrames}}) {
+    SCOPED_TRACE(words);
+    stand_in_hd::reset();
+    tell({.blocks = blocks});
+    Listener listener;
+    const auto before = Clock::now();
+    std::optional<Fault> fault;
+    std::string why;
+    try {
+      Phantom device("", kShort, listener);
+      fault = device.start(1000);
+      if (fault) why = fault->words;
+    } catch (const DeviceError& error) {
+      why = error.what();
+    }
+    expect_words(why, {words});
+    EXPECT_LE(Clock::now() - before, 10s);
+    expect_words(listener.heard, {hdapi::kNoEnd});
+    EXPECT_TRUE(has_no_child());
+  }
+  stand_in_hd::reset();
+}
+
+TEST_F(phantom, whose_driver_never_returns_from_a_call_ends_in_bounded_time_and_the_user_is_told) {
+  for (const Blocks blocks : {Blocks::end_frame, Blocks::disable_device}) {
+    SCOPED_TRACE(static_cast<int>(blocks));
+    stand_in_hd::reset();
+    Listener listener;
+    auto device = std::make_unique<Phantom>("", kHurried, listener);
+    ASSERT_FALSE(device->start(1000));
+    tell({.blocks = blocks});
+    if (blocks == Blocks::end_frame) {
+      EXPECT_EQ(fault_of(*device), hdapi::kSilent);
+    }
+    const auto before = Clock::now();
+    device.reset();
+    EXPECT_LE(Clock::now() - before, 10s);
+    expect_words(listener.heard, {hdapi::kNoEnd});
+    EXPECT_TRUE(has_no_child());
+    EXPECT_FALSE(seen().output) << "with its process";
+  }
+}
+
+TEST_F(phantom, that_is_closed_in_order_tells_the_user_nothing) {
+  Listener listener;
+  auto device = std::make_unique<Phantom>("", kPatient, listener);
+  ASSERT_FALSE(device->start(1000));
+  listener.heard.clear();
+  device.reset();
+  EXPECT_EQ(listener.heard, "");
+  EXPECT_TRUE(has_no_child());
+}
+
+TEST_F(phantom, closed_while_no_frames_run_is_off_in_bounded_time) {
+  auto device = std::make_unique<Phantom>("", kPatient);
+  ASSERT_FALSE(device->start(1000));
+  tell({.hung = true});
+  const auto before = Clock::now();
+  device.reset();
+  EXPECT_LE(Clock::now() - before, 10s);
+  EXPECT_FALSE(seen().output);
+}
+
+// Each with a driver of its own: the second's stand-in shares no memory with anyone.
+TEST_F(phantom, is_driven_beside_another_by_one_program) {
+  tell({.position = Eigen::Vector3d(1, 2, 3)});
+  Phantom first("", kPatient);
+  const std::string memory = std::getenv("STAND_IN_HD_MEMORY");
+  unsetenv("STAND_IN_HD_MEMORY");
+  auto second = std::make_unique<Phantom>("Left arm", kPatient);
+  setenv("STAND_IN_HD_MEMORY", memory.c_str(), 1);
+  ASSERT_FALSE(first.start(1000));
+  ASSERT_FALSE(second->start(500));
+  EXPECT_NE(first.process(), second->process());
+  EXPECT_EQ(std::get<Reading>(first.read()).position, Eigen::Vector3f(1, -3, 2));
+  EXPECT_NE(std::get<Reading>(second->read()).position, Eigen::Vector3f(1, -3, 2));
+  EXPECT_TRUE(obeys(first));
+  second->command({0.5F, 0, 0});
+  EXPECT_TRUE(comes_true([&] { return std::get<Reading>(second->read()).sent->acting == Eigen::Vector3f(0.5F, 0, 0); }));
+  EXPECT_EQ(std::get<Reading>(first.read()).sent->acting, Eigen::Vector3f(0, 0, 1));
+  // The end of one is not the end of the other.
+  second.reset();
+  EXPECT_TRUE(std::holds_alternative<Reading>(first.read()));
+  EXPECT_TRUE(seen().output);
+}
+
+TEST_F(phantom, that_is_held_already_is_refused) {
+  const Phantom first("");
+  try {
+    Phantom second("");
+    FAIL();
+  } catch (const DeviceError& error) {
+    expect_words(error.what(), {"the device is in use", "close the program that has it open"});
+  }
+  EXPECT_TRUE(seen().initialised) << "the first is left alone";
+}
+
+}  // namespace
+}  // namespace forceshade::device

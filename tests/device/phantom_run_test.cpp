@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A PHANToM that runs: what it gives, what it obeys, and how it ends.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "forceshade/device/phantom/hdapi_words.h"
+#include "forceshade/device/servo_loop.h"
+#include "forceshade/tests/device/stand_in_hd/phantom_fixture.h"
+
+namespace forceshade::device {
+namespace {
+
+Eigen::Vector3d last_force() {
+  const auto frames = seen().frames;
+  return frames.empty() ? Eigen::Vector3d(0, 0, 0) : frames.back().force;
+}
+
+std::string fault_of(Phantom& phantom) {
+  std::string words;
+  comes_true([&] {
+    const ReadResult read = phantom.read();
+    if (const Fault* fault = std::get_if<Fault>(&read)) words = fault->words;
+    return !words.empty();
+  });
+  return words;
+}
+
+TEST_F(phantom, speaks_in_the_laws_frame) {
+  tell({.position = Eigen::Vector3d(1, 2, 3)});
+  Phantom device("", kPatient);
+  ASSERT_FALSE(device.start(1000));
+  const auto reading = std::get<Reading>(device.read());
+  EXPECT_EQ(reading.position, Eigen::Vector3f(1, -3, 2));
+  EXPECT_EQ(reading.buttons, 2U);
+  EXPECT_EQ(reading.gimbal, Eigen::Vector3f(0.1F, 0.2F, 0.3F));
+  EXPECT_TRUE(reading.encoder);
+  EXPECT_TRUE(reading.joints);
+  EXPECT_TRUE(device.state().calibrated);
+  EXPECT_TRUE(device.state().forces_on);
+  EXPECT_EQ(device.state().temperature, 0.25F);
+  device.command({0.25F, 0.5F, 1});
+  EXPECT_TRUE(comes_true([] { return last_force() == Eigen::Vector3d(0.25, 1, -0.5); }));
+  EXPECT_TRUE(comes_true([&] {
+    const auto sent = std::get<Reading>(device.read()).sent;
+    EXPECT_TRUE(sent);
+    return sent && sent->acting == Eigen::Vector3f(0.25F, 0.5F, 1) && sent->acted == sent->acting;
+  }));
+}
+
+// One run: what was commanded too early, the clock, and the two ends of what may be commanded.
+TEST_F(phantom, obeys_what_is_commanded_after_the_start_within_its_highest_force_and_while_it_is_finite) {
+  Phantom device("", kPatient);
+  device.command({0, 0, 1});
+  const auto before = Clock::now();
+  ASSERT_FALSE(device.start(1000));
+  double last = std::get<Reading>(device.read()).time;
+  EXPECT_GE(last, 0);
+  EXPECT_LE(last, std::chrono::duration<double>(Clock::now() - before).count()) << "counted from the start";
+  const double first = last;
+  EXPECT_TRUE(comes_true([&] {
+    const double time = std::get<Reading>(device.read()).time;
+    EXPECT_GE(time, last);
+    last = time;
+    return time >= first + 0.05;
+  }));
+  for (const auto& frame : seen().frames) EXPECT_TRUE(frame.force.isZero(0)) << "commanded before the start";
+
+  device.command({30, 0, 40});
+  const Eigen::Vector3d shortened = 0.95 * Eigen::Vector3d(5.1, 6.8, 0);
+  EXPECT_TRUE(comes_true([&] { return (last_force() - shortened).norm() <= 1e-6; }));
+
+  for (const float wrong : {std::nanf(""), HUGE_VALF}) {
+    device.command({0, 0, 1});
+    EXPECT_TRUE(comes_true([] { return last_force() == Eigen::Vector3d(0, 1, 0); }));
+    EXPECT_STREQ(device.command({0, wrong, 0})->words, "a force that is not finite was commanded");
+    EXPECT_TRUE(comes_true([] { return last_force().isZero(0); }));
+  }
+}
+
+TEST_F(phantom, force_is_not_held_when_the_loop_stalls_and_zero_may_be_held_for_ever) {
+  Phantom device("", {.patience = 200ms, .start = 20s, .rate_tolerance = 1});
+  ASSERT_FALSE(device.start(1000));
+  device.command({0, 0, 0});
+  std::this_thread::sleep_for(400ms);
+  EXPECT_TRUE(seen().output);
+  device.command({0, 0, 1});
+  EXPECT_TRUE(comes_true([] { return !last_force().isZero(0); }));
+  EXPECT_TRUE(comes_true([] { return last_force().isZero(0) && !seen().output; }));
+  EXPECT_EQ(fault_of(device), hdapi::kStalled);
+  // It does not come back with a kick.
+  device.command({0, 0, 1});
+  const std::size_t frames = seen().frames.size();
+  EXPECT_TRUE(comes_true([&] { return seen().frames.size() >= frames + 5; }));
+  EXPECT_TRUE(last_force().isZero(0));
+  EXPECT_FALSE(device.state().forces_on);
+}
+
+TEST_F(phantom, is_lost_when_the_driver_runs_no_frames) {
+  Phantom device("", {.patience = 200ms, .start = 20s, .rate_tolerance = 1});
+  ASSERT_FALSE(device.start(1000));
+  device.command({0, 0, 1});
+  EXPECT_TRUE(comes_true([] { return !last_force().isZero(0); }));
+  tell({.hung = true});
+  EXPECT_EQ(fault_of(device), hdapi::kSilent);
+  tell({});
+  EXPECT_TRUE(comes_true([] { return last_force().isZero(0); }));
+}
+
+TEST_F(phantom, slow_frames_within_patience_are_no_fault) {
+  Phantom device("", kPatient);
+  ASSERT_FALSE(device.start(1000));
+  tell({.instantaneous_rate = 1000, .frame_time = 20ms});
+  const std::size_t frames = seen().frames.size();
+  EXPECT_TRUE(comes_true([&] {
+    EXPECT_TRUE(std::holds_alternative<Reading>(device.read()));
+    return seen().frames.size() >= frames + 5;
+  }));
+}
+
+struct Failure {
+  Orders orders;
+  std::vector<std::string> words;
+};
+
+// Those that only a frame can see are tried in phantom_frames_test; here, the way from a frame to the user's words.
+TEST_F(phantom, trouble_while_it_runs_ends_it_in_words_and_without_force) {
+  const std::vector<Failure> failures{
+      {{.end = {hdapi::kWarmMotors}}, {"ending a frame", "the motors are too warm", "0x0200", "cool"}},
+      {{.end = {hdapi::kDeviceFault, hdapi::kFrame, hdapi::kForceError}}, {"0x0300", "power"}},  // the first of several
+      {{.end = {0x9999}}, {"0x9999", "vendor's reference"}},
+      {{.position = Eigen::Vector3d(0, -110, -35)}, {"uncalibrated"}},
+      {{.temperature = std::nan("")}, {"motor temperatures that are no numbers"}},
+  };
+  for (const Failure& failure : failures) {
+    SCOPED_TRACE(failure.words.front());
+    tell({});
+    Phantom device("", kPatient);
+    ASSERT_FALSE(device.start(1000));
+    device.command({0, 0, 1});
+    ASSERT_TRUE(comes_true([] { return !last_force().isZero(0); }));
+    tell(failure.orders);
+    expect_words(fault_of(device), failure.words);
+    EXPECT_FALSE(device.state().forces_on);
+    EXPECT_TRUE(comes_true([] { return last_force().isZero(0) && !seen().output; }));
+    // Also when the driver has come to.
+    tell({});
+    device.command({0, 0, 1});
+    const std::size_t frames = seen().frames.size();
+    EXPECT_TRUE(comes_true([&] { return seen().frames.size() >= frames + 3; }));
+    EXPECT_TRUE(last_force().isZero(0));
+    expect_words(fault_of(device), failure.words);
+  }
+}
+
+// The driver reports it once; the position stands still from then on. Every later attempt says so again, also where the driver
+// has reported it to somebody else before.
+TEST_F(phantom, lost_connection_ends_the_run_and_is_said_again_by_the_next) {
+  {
+    Phantom device("", kPatient);
+    ASSERT_FALSE(device.start(1000));
+    device.command({0, 0, 1});
+    ASSERT_TRUE(comes_true([] { return !last_force().isZero(0); }));
+    tell({.comm_lost = true});
+    expect_words(fault_of(device), {"communication with the device failed", "0x0302", "Ethernet"});
+  }
+  for (const Orders& orders : {Orders{.comm_lost = true}, Orders{.instantaneous_rate = 0}}) {
+    tell(orders);
+    Phantom again("", {.patience = 2s, .start = 1s, .rate_tolerance = 1});
+    const auto fault = again.start(1000);
+    ASSERT_TRUE(fault);
+    expect_words(fault->words, {"check cable and power"});
+    EXPECT_TRUE(last_force().isZero(0));
+    EXPECT_FALSE(seen().output);
+  }
+}
+
+// Nothing is reported: only the driver's count of its frames tells.
+TEST_F(phantom, connection_that_is_lost_without_an_error_ends_the_run) {
+  Phantom device("", kPatient);
+  ASSERT_FALSE(device.start(1000));
+  device.command({0, 0, 1});
+  ASSERT_TRUE(comes_true([] { return !last_force().isZero(0); }));
+  tell({.instantaneous_rate = 0});
+  EXPECT_EQ(fault_of(device), hdapi::kNoAnswer);
+  EXPECT_TRUE(comes_true([] { return last_force().isZero(0) && !seen().output; }));
+}
+
+TEST_F(phantom, words_of_a_fault_outlive_the_device) {
+  std::vector<const char*> words;
+  for (const hdapi::HDerror code : {hdapi::kSchedulerFull, hdapi::kDeviceFault}) {
+    tell({.schedule = code});
+    Phantom device("", kPatient);
+    words.push_back(device.start(1000)->words);
+  }
+  expect_words(words[0], {"0x0501"});
+  expect_words(words[1], {"0x0300"});
+}
+
+// Closed in the middle of a push: TearDown and the stand-in want zero sent, then the output off, then the scheduler stopped.
+TEST_F(phantom, closed_under_force_sends_zero_first) {
+  {
+    Phantom device("", kPatient);
+    ASSERT_FALSE(device.start(1000));
+    device.command({0, 0, 1});
+    EXPECT_TRUE(comes_true([] { return !last_force().isZero(0); }));
+  }
+  EXPECT_TRUE(last_force().isZero(0));
+}
+
+// The hand presses into the wall when the calibration is lost: the supervisor's answer.
+TEST_F(phantom, that_loses_its_calibration_under_force_trips) {
+  const auto law = std::get<fast::Law>(fast::Law::build(LawId::wall, {.stiffness = 0.5F}));
+  constexpr std::uint64_t kLost = 1800;  // frame: some 1.3 s after the output went on, with the hand down
+  tell({.calibration = std::nullopt,
+        .in_inkwell = true,
+        .calibration_lost_at = kLost,
+        .instantaneous_rate = 1000,
+        .press = true});
+  ServoResult result;
+  {
+    Phantom device("", kPatient);
+    result = run_servo_loop(device, law, {.max_seconds = 20, .patience = 10}, std::atomic<bool>(false));
+  }
+  EXPECT_EQ(result.end_reason, EndReason::tripped) << result.fault;
+  ASSERT_TRUE(result.trip);
+  EXPECT_EQ(result.trip->rule, Rule::uncalibrated);
+  const auto frames = seen().frames;
+  ASSERT_GT(frames.size(), kLost);
+  EXPECT_GT(frames[kLost - 10].force.norm(), 0.2);
+  EXPECT_TRUE(frames.back().force.isZero(0));
+}
+
+// The loop stalls, again and again, while the hand withdraws at 0.5 m/s along a force of 1 N that nobody takes back; then the
+// hand pushes in as far. Given is what was sent times the step that followed, counted here from the frames alone.
+TEST_F(phantom, gives_a_hand_that_withdraws_no_more_than_it_may_be_given_while_the_loop_stalls) {
+  constexpr double kAllowed = 2, kStep = 1;  // mJ, mm
+  const auto at = [](double height) { return Orders{.position = Eigen::Vector3d(0, height, 0), .instantaneous_rate = 1000}; };
+  tell(at(0));
+  Phantom device("", kPatient);
+  ASSERT_FALSE(device.start(1000));
+  const auto command = [&](double forgiven = 0) {
+    const ReadResult read = device.read();
+    ASSERT_TRUE(std::holds_alternative<Reading>(read));
+    device.allow({.work = std::max(kAllowed, std::get<Reading>(read).sent->work + forgiven), .longest_step = kStep});
+    ASSERT_FALSE(device.command({0, 0, 1}));
+  };
+  double height = 0;
+  // Moves by a frame's way in every frame, whichever is later: the machine or the device.
+  const auto move = [&](int frames, double step) {
+    for (int k = 0; k < frames; ++k) {
+      const std::size_t before = seen().frames.size();
+      tell(at(height += step));
+      ASSERT_TRUE(comes_true([&] { return seen().frames.size() > before; }));
+    }
+  };
+  command();
+  ASSERT_TRUE(comes_true([] { return !last_force().isZero(0); }));
+  for (int stall = 0; stall < 2; ++stall) {
+    command();
+    move(12, 0.5);
+  }
+  const std::size_t withdrawn = seen().frames.size();
+  // What little is left of the force takes the energy back, by half as much again in each frame. Where a step was too long,
+  // nothing is left, and the loop forgives a little.
+  command(0.01);
+  move(80, -0.5);
+  command();
+  EXPECT_TRUE(comes_true([] { return last_force() == Eigen::Vector3d(0, 1, 0); })) << "it comes back with the energy";
+
+  const auto frames = seen().frames;
+  double given = 0, most = 0, excess = 0;
+  for (std::size_t k = 1; k < frames.size(); ++k) {
+    const Eigen::Vector3d step = frames[k].position - frames[k - 1].position;
+    given += frames[k - 1].force.dot(step);
+    excess += frames[k - 1].force.norm() * std::max(0.0, step.norm() - kStep);  // of a step that is longer than agreed
+    if (k < withdrawn) {
+      EXPECT_LE(given, kAllowed + excess + 1e-6) << "frame " << k;
+    }
+    most = std::max(most, given);
+  }
+  EXPECT_GT(most, 0.9 * kAllowed) << "else nothing was held back";
+  EXPECT_LT(frames[withdrawn - 1].force.norm(), 0.2) << "of 1 N";
+  EXPECT_NEAR(std::get<Reading>(device.read()).sent->work, given, 0.02);
+  device.command({0, 0, 0});
+  std::printf("  %.3f mJ given at most, of %.3f allowed and %.3f for steps that were too long\n", most, kAllowed, excess);
+}
+
+}  // namespace
+}  // namespace forceshade::device

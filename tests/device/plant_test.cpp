@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/device/simulated/plant.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <cstring>
+
+#include "forceshade/device/simulated/model.h"
+
+namespace forceshade::device {
+namespace {
+
+const Joints kReset{0, 0, 0};
+
+constexpr double kTick = 1e-3;  // s
+constexpr int kSteps = 20;      // to a tick: 20 kHz
+
+Plant free_arm() {
+  return {premium_1_5().arm, Joints::Zero(), Joints::Zero(), std::nullopt};
+}
+
+Motion thrown() {
+  return {.angles = {0.2, 0.3, -0.1}, .velocity = {4, -3, 5}};
+}
+
+// The largest change of the energy in ten seconds, as a share of the kinetic energy it began with.
+double energy_lost(const Plant& plant, int steps) {
+  Motion motion = thrown();
+  const double begin = plant.arm.energy(motion.angles, motion.velocity);
+  const double kinetic = begin - plant.arm.energy(motion.angles, Joints::Zero());
+  double worst = 0;
+  for (int tick = 0; tick < 10'000; ++tick) {
+    motion = plant.advanced(motion, Joints::Zero(), {}, kTick, steps);
+    worst = std::max(worst, std::abs(plant.arm.energy(motion.angles, motion.velocity) - begin) / kinetic);
+  }
+  return worst;
+}
+
+TEST(plant, keeps_the_energy_of_the_free_arm_to_1e_9_for_ten_seconds) {
+  const double lost = energy_lost(free_arm(), kSteps);
+  std::printf("  relative change %.1e\n", lost);
+  EXPECT_LE(lost, 1e-9);
+}
+
+// The same with a tenth of the steps, which shows what the test can see.
+TEST(plant, energy_kept_depends_on_the_step) {
+  EXPECT_GT(energy_lost(free_arm(), kSteps / 10), 20 * energy_lost(free_arm(), kSteps));
+}
+
+TEST(plant, energy_without_coriolis_forces_is_not_kept) {
+  const Plant plant = free_arm();
+  Motion motion = thrown();
+  const double begin = plant.arm.energy(motion.angles, motion.velocity);
+  for (int step = 0; step < 2000; ++step) {
+    const Joints cancelled = plant.arm.coriolis(motion.angles, motion.velocity) * motion.velocity;
+    motion = plant.advanced(motion, cancelled, {}, kTick / kSteps, 1);
+  }
+  EXPECT_GT(std::abs(plant.arm.energy(motion.angles, motion.velocity) - begin), 1e-3 * std::abs(begin));
+}
+
+TEST(plant, a_motor_gives_the_work_of_its_torque) {
+  Plant plant = free_arm();
+  Motion motion{.angles = {0, 0.1, -0.1}};
+  const Joints torque{0.01, 0.02, -0.005};
+  const double begin = plant.arm.energy(motion.angles, motion.velocity);
+  const Joints from = motion.angles;
+  motion = plant.advanced(motion, torque, {}, 0.2, 4000);
+  EXPECT_NEAR(plant.arm.energy(motion.angles, motion.velocity) - begin, torque.dot(motion.angles - from), 1e-12);
+}
+
+TEST(plant, viscous_friction_slows_joint_1_as_an_exponential) {
+  const Plant plant{counterbalanced(premium_1_5()).arm, {0, 1, 1}, {5e-3, 0, 0}, std::nullopt};
+  const Motion motion = plant.advanced({.velocity = {1, 0, 0}}, Joints::Zero(), {}, 0.5, 10'000);
+  EXPECT_NEAR(motion.velocity[0], std::exp(-5e-3 / plant.arm.mass(kReset)(0, 0) * 0.5), 1e-9);
+}
+
+TEST(plant, coulomb_friction_stops_joint_1_where_a_brick_would_stop) {
+  const Plant plant{counterbalanced(premium_1_5()).arm, {0.01, 1, 1}, Joints::Zero(), std::nullopt};
+  Motion motion{.angles = {0, 0, 0}, .velocity = {1, 0, 0}};
+  const double mass = plant.arm.mass(motion.angles)(0, 0);
+  motion = plant.advanced(motion, Joints::Zero(), {}, 1, 20'000);
+  EXPECT_EQ(motion.velocity, Joints::Zero());
+  EXPECT_NEAR(motion.angles[0], mass / (2 * 0.01), 1e-8);
+}
+
+TEST(plant, never_gains_energy_by_friction) {
+  const Model model = counterbalanced(premium_1_5());  // so that all energy is kinetic
+  const Plant plant{model.arm, model.coulomb, Joints::Zero(), std::nullopt};
+  for (const Joints& velocity : {Joints(4, -3, 5), Joints(0, 0.5, 0.4), Joints(0.1, 0, 1), Joints(0, 1e-9, -1e-3)}) {
+    Motion motion{.angles = {0.2, 0.5, -0.1}, .velocity = velocity};
+    double last = plant.arm.energy(motion.angles, motion.velocity);
+    for (int step = 0; step < 40'000; ++step) {
+      motion = plant.advanced(motion, Joints::Zero(), {}, kTick / kSteps, 1);
+      const double now = plant.arm.energy(motion.angles, motion.velocity);
+      ASSERT_LE(now, last * (1 + 1e-14)) << step;
+      last = now;
+    }
+    EXPECT_EQ(motion.velocity, Joints::Zero());
+  }
+}
+
+// To the bit, not to a band: a sticking joint does not creep, chatter or drift, whatever torque it holds against.
+TEST(plant, rests_exactly_below_breakaway_and_moves_above) {
+  const Model model = premium_1_5();
+  Plant plant = free_arm();
+  plant.coulomb = model.coulomb;
+  const Joints angles{0.1, 0.2, 0.05};
+  const Joints balance = plant.arm.gravity(angles);
+  for (const double share : {-0.999, -0.5, 0.0, 0.5, 0.999}) {
+    const Motion motion = plant.advanced({.angles = angles}, balance + share * plant.coulomb, {}, 2, 40'000);
+    EXPECT_EQ(motion.angles, angles) << share;
+    EXPECT_EQ(motion.velocity, Joints::Zero()) << share;
+  }
+  for (int joint = 0; joint < 3; ++joint)
+    for (const double share : {-1.001, 1.001}) {
+      const Joints torque = balance + share * plant.coulomb[joint] * Joints::Unit(joint);
+      const Motion motion = plant.advanced({.angles = angles}, torque, {}, 0.1, 2000);
+      EXPECT_GT((motion.angles - angles)[joint] * share, 1e-7) << joint;
+    }
+}
+
+// A held hand on a sticking arm: the spring between them oscillates and dies down, and then nothing moves any more.
+TEST(plant, comes_to_rest_in_a_hand) {
+  const Model model = premium_1_5();
+  const Plant plant{model.arm, model.coulomb, model.viscous, Grip{}};
+  Way way;
+  way.from = way.to = {0.001, 0.0005, -0.0003};
+  Motion motion;
+  motion = plant.advanced(motion, Joints::Zero(), way, 5, 100'000);
+  const Motion later = plant.advanced(motion, Joints::Zero(), way, 1, 20'000);
+  EXPECT_EQ(motion.velocity, Joints::Zero());
+  EXPECT_EQ(later.angles, motion.angles);
+  EXPECT_LE(later.hand_velocity.norm(), 1e-9);
+}
+
+TEST(plant, hand_gives_way_like_its_two_springs_in_series) {
+  const Plant plant{counterbalanced(premium_1_5()).arm, Joints::Zero(), Joints::Constant(5e-3), Grip{}};
+  const Eigen::Vector3d force(0.1, 0.2, -0.1);
+  const Motion motion = plant.advanced({}, plant.arm.jacobian(kReset).transpose() * force, {}, 10, 200'000);
+  const Grip& grip = *plant.grip;
+  const Eigen::Vector3d expected = force * (1 / grip.flesh_stiffness + 1 / grip.arm_stiffness);
+  // The torque is held while the pose turns a little.
+  EXPECT_LE((plant.arm.forward(motion.angles) - expected).norm(), 0.02 * expected.norm());
+  EXPECT_LE((motion.hand - plant.arm.jacobian(motion.angles).transpose().inverse() * plant.arm.jacobian(kReset).transpose() *
+                               force / grip.arm_stiffness)
+                .norm(),
+            1e-9);
+}
+
+// A cubic cut in two is the same cubic.
+TEST(plant, follows_a_target_along_the_cubic_through_its_ends) {
+  const Model model = premium_1_5();
+  const Plant plant{model.arm, Joints::Zero(), model.viscous, Grip{}};
+  const Eigen::Vector3d a(0.3, -0.1, 0.2), b(4, 2, -3), c(-50, 30, 20);
+  const auto position = [&](double t) -> Eigen::Vector3d { return t * (a + t * (b + t * c)); };
+  const auto velocity = [&](double t) -> Eigen::Vector3d { return a + t * (2 * b + t * 3 * c); };
+  const auto way = [&](double begin, double end) -> Way {
+    return {position(begin), velocity(begin), position(end), velocity(end)};
+  };
+  const Motion whole = plant.advanced({}, Joints::Zero(), way(0, 0.1), 0.1, 2000);
+  const Motion half = plant.advanced({}, Joints::Zero(), way(0, 0.05), 0.05, 1000);
+  const Motion halves = plant.advanced(half, Joints::Zero(), way(0.05, 0.1), 0.05, 1000);
+  EXPECT_LE((whole.hand - halves.hand).norm(), 1e-12);
+  EXPECT_LE((whole.hand_velocity - halves.hand_velocity).norm(), 1e-11);
+  EXPECT_LE((whole.angles - halves.angles).norm(), 1e-11);
+}
+
+TEST(plant, gives_the_same_bits_again) {
+  const Model model = premium_1_5();
+  const Plant plant{model.arm, model.coulomb, model.viscous, Grip{}};
+  const Way way{.to = {0.01, 0.02, 0.005}, .to_velocity = {0.1, 0, 0}};
+  const Motion a = plant.advanced(thrown(), {0.1, 0.05, 0}, way, 1, 20'000);
+  const Motion b = plant.advanced(thrown(), {0.1, 0.05, 0}, way, 1, 20'000);
+  EXPECT_EQ(std::memcmp(&a, &b, sizeof a), 0);
+}
+
+}  // namespace
+}  // namespace forceshade::device

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the servo loop says of its own time, and what it does when it is late, to the nanosecond: on a clock of the test's own.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <functional>
+#include <utility>
+
+#include "forceshade/tests/device/faults/virtual_clock.h"
+#include "forceshade/tests/device/servo_loop_fixture.h"
+
+namespace forceshade::device {
+namespace {
+
+using faults::VirtualClock;
+
+constexpr std::int64_t kMillisecond = 1'000'000;  // ns
+
+// Takes 0.1 ms to be read; at a command it does what the test says, with the number of the tick.
+class Timed final : public Pushing {
+ public:
+  Timed(VirtualClock& clock, std::function<void(std::size_t)> commanded) : clock_(clock), commanded_(std::move(commanded)) {}
+
+ private:
+  ReadResult at(std::size_t reading) noexcept override {
+    clock_.pass(0.1);
+    return place(reading);
+  }
+  std::optional<Fault> on_command() noexcept override {
+    commanded_(commands.size() - 1);
+    return std::nullopt;
+  }
+
+  VirtualClock& clock_;
+  std::function<void(std::size_t)> commanded_;
+};
+
+// A command takes 0.2 ms, of which half is computing, but that of tick 5, which misses the deadline by 0.6 ms: tick 6 wakes up
+// that late and makes up for it.
+TEST(servo_loop, measures_each_part_of_a_tick) {
+  VirtualClock clock;
+  Timed device(clock, [&](std::size_t tick) {
+    clock.compute(0.1);
+    clock.pass(tick == 5 ? 1.4 : 0.1);
+  });
+  const Kept run(device, wall(), {.max_seconds = 0.01});
+  ASSERT_EQ(run.ticks, 10U);
+  for (std::size_t k = 0; k < 10; ++k) {
+    const Sample& sample = run.samples[k];
+    const std::int64_t wakeup = k == 6 ? 6 * kMillisecond / 10 : 0;
+    EXPECT_EQ(sample.wakeup_ns, wakeup) << k;
+    EXPECT_EQ(sample.wall_ns, static_cast<std::int64_t>(k) * kMillisecond + wakeup + kMillisecond / 10) << k;
+    EXPECT_EQ(sample.compute_ns, k == 5 ? 15 * kMillisecond / 10 : 2 * kMillisecond / 10) << k;
+    EXPECT_EQ(sample.late, k == 5 ? 1 : 0) << k;
+  }
+  EXPECT_EQ(run.missed_deadlines, 1U);
+  EXPECT_EQ(run.overruns, 0U) << "it waited and did not compute";
+  EXPECT_EQ(run.wakeup_us.max, 600);
+  EXPECT_EQ(run.compute_us.max, 1500);
+  EXPECT_EQ(run.tick_us.max, 1600);
+  EXPECT_EQ(run.wakeup_us.p50, 0);
+  EXPECT_NEAR(run.compute_us.p50, 200, 200.0 / 32);
+  EXPECT_NEAR(run.tick_us.p50, 300, 300.0 / 32);
+  // Until the zero force that ends it has been commanded.
+  EXPECT_EQ(run.samples.back().wall_ns, 10 * kMillisecond + 2 * kMillisecond / 10);
+  EXPECT_NEAR(run.achieved_rate_hz, 10 / 0.0102, 1e-9);
+}
+
+TEST(servo_loop, counts_an_overrun_only_if_it_computed_for_longer_than_a_period) {
+  for (const auto& [computed, overruns] : {std::pair{0.99, 0U}, std::pair{1.0, 0U}, std::pair{1.01, 1U}}) {
+    VirtualClock clock;
+    Timed device(clock, [&, computed = computed](std::size_t tick) {
+      if (tick != 5) return;
+      clock.compute(computed);
+      clock.pass(0.5);
+    });
+    const Kept run(device, wall(), {.max_seconds = 0.01});
+    EXPECT_EQ(run.missed_deadlines, 1U) << computed;
+    EXPECT_EQ(run.overruns, overruns) << computed;
+  }
+}
+
+TEST(servo_loop, has_no_deadlines_and_no_overruns_where_it_is_not_paced) {
+  VirtualClock clock;
+  Timed device(clock, [&](std::size_t) { clock.compute(3); });
+  const Kept run(device, wall(), {.max_seconds = 0.01, .paced = false});
+  EXPECT_EQ(run.ticks, 10U);
+  EXPECT_EQ(run.missed_deadlines, 0U);
+  EXPECT_EQ(run.overruns, 0U);
+  EXPECT_FALSE(run.trip);
+}
+
+// Tick 6 is late by `late` ms, and those after it make up for it.
+std::optional<Rule> trip_of(double rate, double late, std::optional<double> patience = std::nullopt) {
+  VirtualClock clock;
+  Timed device(clock, [&](std::size_t tick) {
+    if (tick == 5) clock.pass(1000 / rate - 0.1 + late);
+  });
+  const Kept run(device, wall(), {.rate_hz = rate, .max_seconds = 50 / rate, .patience = patience});
+  EXPECT_EQ(run.ticks, run.trip ? 7U : 50U);
+  return run.trip ? std::optional(run.trip->rule) : std::nullopt;
+}
+
+TEST(servo_loop, trips_when_a_tick_is_later_than_its_patience) {
+  EXPECT_EQ(trip_of(1000, 19.9), std::nullopt);
+  EXPECT_EQ(trip_of(1000, 20.1), Rule::watchdog);
+  EXPECT_EQ(trip_of(100, 35), std::nullopt) << "five periods";
+  EXPECT_EQ(trip_of(100, 50.1), Rule::watchdog);
+  EXPECT_EQ(trip_of(1000, 25, 0.03), std::nullopt);
+  EXPECT_EQ(trip_of(1000, 30.1, 0.03), Rule::watchdog);
+  EXPECT_EQ(trip_of(1000, 5.1, 0.005), Rule::watchdog);
+}
+
+TEST(servo_loop, sleeps_on_after_a_signal) {
+  VirtualClock clock;
+  Timed device(clock, [&](std::size_t) { clock.interrupt(3); });
+  const Kept run(device, wall(), {.max_seconds = 0.01});
+  for (std::size_t k = 0; k < 10; ++k) EXPECT_EQ(run.samples[k].wakeup_ns, 0) << k;
+}
+
+// The signal that stops a run is not slept through: the force is zero at once.
+TEST(servo_loop, does_not_sleep_on_after_the_signal_that_stops_it) {
+  VirtualClock clock;
+  std::atomic<bool> stop = false;
+  Timed device(clock, [&](std::size_t tick) {
+    if (tick != 3) return;
+    stop = true;
+    clock.interrupt(1);
+  });
+  const Kept run(device, wall(), {.rate_hz = 100, .max_seconds = 0.5}, stop);
+  EXPECT_EQ(run.end_reason, EndReason::stopped);
+  EXPECT_EQ(run.ticks, 4U);
+  EXPECT_EQ(run.samples.back().wall_ns, 3 * 10 * kMillisecond + kMillisecond / 10);
+}
+
+// Frames every 1.02 ms from 0.7 ms after the start on, whatever the loop does; from frame `last` on there is none.
+class Framed final : public Pushing {
+ public:
+  Framed(VirtualClock& clock, std::function<void(std::size_t)> commanded, std::int64_t last = 1000)
+      : clock_(clock), commanded_(std::move(commanded)), last_(last) {}
+  Capabilities capabilities() const noexcept override {
+    Capabilities can = Pushing::capabilities();
+    can.paces = true;
+    return can;
+  }
+  std::int64_t wait_for_frame(std::int64_t deadline) noexcept override {
+    ++waits;
+    const std::int64_t seen = frame_;
+    frame_ = std::min(std::max(seen + 1, (clock_.now() - first_) / kPeriod), last_);
+    clock_.sleep_until(frame_ > seen ? first_ + frame_ * kPeriod : deadline);
+    return first_ + frame_ * kPeriod;
+  }
+  std::vector<std::int64_t> frames;  // that were read
+  int waits = 0;
+
+ private:
+  static constexpr std::int64_t kPeriod = 1'020'000;  // ns
+  ReadResult at(std::size_t reading) noexcept override {
+    frames.push_back(frame_);
+    if (clock_.now() - (first_ + frame_ * kPeriod) > 25 * kMillisecond) return Fault{"no frames"};
+    return place(reading);
+  }
+  std::optional<Fault> on_command() noexcept override {
+    commanded_(commands.size() - 1);
+    return std::nullopt;
+  }
+
+  VirtualClock& clock_;
+  std::function<void(std::size_t)> commanded_;
+  std::int64_t first_ = clock_.now() + 7 * kMillisecond / 10, frame_ = -1, last_;
+};
+
+TEST(servo_loop, follows_the_frames_of_a_device_that_paces) {
+  VirtualClock clock;
+  // Tick 5 takes as long as three frames and a bit: the two that began meanwhile and are over are missed.
+  Framed device(clock, [&](std::size_t tick) { clock.pass(tick == 5 ? 3.1 : 0.2); });
+  const Kept run(device, wall(), {.max_seconds = 0.01});
+  EXPECT_TRUE(run.followed_device);
+  EXPECT_EQ(device.frames, (std::vector<std::int64_t>{0, 1, 2, 3, 4, 5, 8, 9, 10, 11}));
+  EXPECT_EQ(run.missed_deadlines, 1U);
+  EXPECT_EQ(run.samples[4].wakeup_ns, 0);
+  EXPECT_EQ(run.samples[6].wakeup_ns, 40'000) << "frame 8 began then";
+}
+
+TEST(servo_loop, follows_its_own_clock_where_it_is_told_to_or_where_nothing_is_paced) {
+  for (const auto& [follows, paced] : {std::pair{false, true}, {true, false}}) {
+    VirtualClock clock;
+    Framed device(clock, [&](std::size_t) { clock.pass(0.2); });
+    const Kept run(device, wall(), {.max_seconds = 0.01, .paced = paced, .follows_device = follows});
+    EXPECT_FALSE(run.followed_device);
+    EXPECT_EQ(device.waits, 0);
+    EXPECT_EQ(run.ticks, 10U);
+  }
+}
+
+TEST(servo_loop, ends_with_the_devices_words_when_its_frames_end) {
+  VirtualClock clock;
+  Framed device(
+      clock, [&](std::size_t) { clock.pass(0.2); }, 200);
+  const Kept run(device, wall(), {.max_seconds = 1});
+  EXPECT_EQ(run.end_reason, EndReason::device_fault);
+  EXPECT_STREQ(run.fault, "no frames");
+  EXPECT_EQ(run.ticks, 201U);
+}
+
+TEST(servo_loop, waits_no_longer_for_a_frame_once_it_is_stopped) {
+  VirtualClock clock;
+  std::atomic<bool> stop = false;
+  Framed device(clock, [&](std::size_t tick) { stop = tick == 7; });
+  const Kept run(device, wall(), {.max_seconds = 1}, stop);
+  EXPECT_EQ(run.end_reason, EndReason::stopped);
+  EXPECT_EQ(run.ticks, 8U);
+  EXPECT_EQ(device.waits, 8);
+}
+
+}  // namespace
+}  // namespace forceshade::device

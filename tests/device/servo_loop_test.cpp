@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/device/servo_loop.h"
+
+#include <gtest/gtest.h>
+#include <pthread.h>
+#include <sched.h>
+
+#include <atomic>
+#include <cfenv>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <set>
+#include <string_view>
+#include <thread>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "forceshade/device/replay.h"
+#include "forceshade/tests/device/servo_loop_fixture.h"
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace forceshade::device {
+namespace {
+
+using tests::vector;
+
+TEST(servo_loop, commands_the_force_of_every_recorded_position) {
+  const auto law = law_of(LawId::bump_2p_shaded, 0.5F);
+  std::vector<Eigen::Vector3f> positions;
+  for (int i = -40; i <= 40; ++i) positions.emplace_back(0.5F * static_cast<float>(i), 1.0F, 0.1F * static_cast<float>(i % 7));
+  Replay replay(path_of(positions));
+  const Kept result(replay, law, unpaced());
+
+  EXPECT_EQ(result.end_reason, EndReason::end_of_data);
+  EXPECT_FALSE(result.supervised);
+  ASSERT_EQ(result.ticks, positions.size());
+  for (std::size_t k = 0; k < result.ticks; ++k) {
+    const Sample& sample = result.samples[k];
+    EXPECT_EQ(sample.tick, k);
+    EXPECT_EQ(vector(sample.position), positions[k]);
+    EXPECT_EQ(sample.device_time, 0.001 * static_cast<double>(k));
+    EXPECT_EQ(vector(sample.force), law.force(positions[k]));
+    EXPECT_EQ(sample.law_force, sample.force);
+    EXPECT_EQ(sample.status, static_cast<int>(law.evaluate(positions[k]).status));
+    EXPECT_GE(sample.compute_ns, 0);
+    EXPECT_EQ(sample.wakeup_ns, 0) << "nothing is due";
+  }
+  expect_ends_at_zero_force(result);
+  EXPECT_EQ(replay.last_command(), Eigen::Vector3f(0, 0, 0));
+  EXPECT_GT(result.achieved_rate_hz, 0);
+  EXPECT_LE(result.compute_us.p50, result.compute_us.p99);
+  EXPECT_LE(result.compute_us.p99, result.compute_us.p999);
+  EXPECT_LE(result.compute_us.p999, result.compute_us.p9999);
+  EXPECT_LE(result.compute_us.p9999, result.compute_us.max);
+  EXPECT_LE(result.compute_us.max, result.tick_us.max);
+  EXPECT_TRUE(result.wakeup_us.histogram.empty());
+}
+
+// By hand, K = 0.5 N/mm. Forces held, in N along z: 0, 0.5, 1, 1.5, 0.5, 0. Steps along z, in mm: -2, -1, -1, +2, +3.
+// Work in mJ: 0, -0.5, -1, +3, +1.5.
+TEST(servo_loop, counts_the_energy_of_a_held_force) {
+  Replay replay(path_of({{0, 0, 1}, {5, 0, -1}, {-3, 2, -2}, {-3, 2, -3}, {0, 0, -1}, {9, 9, 2}}));
+  const Kept result(replay, wall(), unpaced());
+  EXPECT_EQ(result.energy_given_mJ(), 4.5);
+  EXPECT_EQ(result.energy_taken_mJ(), 1.5);
+  std::vector<double> energies;
+  for (const Sample& sample : result.samples) energies.push_back(sample.energy);
+  EXPECT_EQ(energies, (std::vector<double>{0, 0, -0.5, -1.5, 1.5, 3, 3}));
+  EXPECT_EQ(result.peak_force_N, 1.5);
+  EXPECT_EQ(result.invalid_positions, 0U);
+}
+
+// The step into z = NaN is counted as the longest there is, 1 mm at 1 kHz, straight along 1 N, and so is the one out of z = -1
+// into 2e4, which no law answers, with 0.5 N. The one from z = -2 to z = -1 gives 1 N times 1 mm.
+TEST(servo_loop, counts_invalid_positions_and_goes_on) {
+  const float nan = std::nanf("");
+  Replay replay(path_of({{0, 0, -2}, {0, 0, nan}, {0, 0, -2}, {0, 0, -1}, {2e4F, 0, -1}, {0, 0, -1}}));
+  const Kept result(replay, wall(), unpaced());
+  EXPECT_EQ(result.ticks, 6U);
+  EXPECT_EQ(result.invalid_positions, 2U);
+  EXPECT_EQ(vector(result.samples[1].force), Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(vector(result.samples[4].force), Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(result.energy_given_mJ(), 2);
+  EXPECT_EQ(result.energy_taken_mJ(), 0);
+}
+
+TEST(servo_loop, ends_when_time_is_up) {
+  Endless device;
+  const Kept result(device, wall(), {.max_seconds = 0.07, .paced = false});
+  EXPECT_EQ(result.end_reason, EndReason::time_up);
+  EXPECT_EQ(result.ticks, 70U);
+  expect_ends_at_zero_force(result);
+}
+
+TEST(servo_loop, runs_for_the_nearest_whole_number_of_ticks_and_at_least_one) {
+  Endless device;
+  for (const auto& [seconds, rate, ticks] : {std::tuple{1e-9, 1000.0, 1U}, std::tuple{0.29, 1000.0, 290U},
+                                             std::tuple{0.57, 100.0, 57U}, std::tuple{0.0126, 100.0, 1U}})
+    EXPECT_EQ(run_servo_loop(device, wall(), {.rate_hz = rate, .max_seconds = seconds, .paced = false}, kNeverStop).ticks,
+              ticks)
+        << seconds;
+}
+
+TEST(servo_loop, has_a_name_for_every_way_to_end) {
+  const std::set<std::string_view> names{name_of(EndReason::end_of_data), name_of(EndReason::time_up),
+                                         name_of(EndReason::stopped), name_of(EndReason::tripped),
+                                         name_of(EndReason::device_fault)};
+  EXPECT_EQ(names.size(), 5U);
+}
+
+TEST(servo_loop, ends_when_stopped) {
+  struct Stopping final : Still {
+    ReadResult at(std::size_t reading) noexcept override {
+      if (reading == 4) stop = true;
+      return here();
+    }
+    std::atomic<bool> stop = false;
+  } device;
+  const Kept result(device, wall(), {.rate_hz = kHighestRateHz, .max_seconds = 0.5}, device.stop);
+  EXPECT_EQ(result.end_reason, EndReason::stopped);
+  EXPECT_EQ(result.ticks, 5U);
+  EXPECT_EQ(device.commands.back(), Eigen::Vector3f(0, 0, 0));
+  expect_ends_at_zero_force(result);
+}
+
+TEST(servo_loop, reads_nothing_when_stopped_before_it_starts) {
+  Endless device;
+  const std::atomic<bool> stop = true;
+  const Kept result(device, wall(), {.max_seconds = 0.5}, stop);
+  EXPECT_EQ(result.ticks, 0U);
+  EXPECT_EQ(device.commands.size(), 1U);
+  EXPECT_TRUE(std::isnan(result.samples.back().position[2]));
+  expect_ends_at_zero_force(result);
+}
+
+TEST(servo_loop, ends_at_a_device_fault_with_its_words) {
+  struct Faulty final : Still {
+    ReadResult at(std::size_t reading) noexcept override {
+      if (reading == 3) return Fault{"the amplifier is off"};
+      return here();
+    }
+  } device;
+  const Kept result(device, wall(), unpaced());
+  EXPECT_EQ(result.end_reason, EndReason::device_fault);
+  EXPECT_STREQ(result.fault, "the amplifier is off");
+  EXPECT_EQ(result.ticks, 3U);
+  EXPECT_EQ(device.commands.back(), Eigen::Vector3f(0, 0, 0));
+  expect_ends_at_zero_force(result);
+}
+
+TEST(servo_loop, starts_the_device_once_with_its_rate) {
+  Endless device;
+  run_servo_loop(device, wall(), {.rate_hz = 2000, .max_seconds = 0.01, .paced = false}, kNeverStop);
+  EXPECT_EQ(device.rates, std::vector<double>{2000});
+}
+
+TEST(servo_loop, reads_nothing_from_a_device_that_does_not_start) {
+  struct Dead final : Still {
+    std::optional<Fault> start(double) noexcept override { return Fault{"no such device"}; }
+    ReadResult at(std::size_t) noexcept override { return here(); }
+  } device;
+  const Kept result(device, wall(), unpaced());
+  EXPECT_EQ(result.end_reason, EndReason::device_fault);
+  EXPECT_STREQ(result.fault, "no such device");
+  EXPECT_EQ(result.ticks, 0U);
+  EXPECT_EQ(device.commands.size(), 1U);
+  expect_ends_at_zero_force(result);
+}
+
+TEST(servo_loop, ends_when_the_device_refuses_a_command) {
+  struct Refusing final : Still {
+    ReadResult at(std::size_t) noexcept override { return here(); }
+    std::optional<Fault> on_command() noexcept override {
+      if (commands.size() < 3) return std::nullopt;
+      return Fault{commands.size() == 3 ? "the motors are too warm" : "a later fault"};
+    }
+  } device;
+  const Kept result(device, wall(), unpaced());
+  EXPECT_EQ(result.end_reason, EndReason::device_fault);
+  EXPECT_STREQ(result.fault, "the motors are too warm");
+  EXPECT_EQ(result.ticks, 3U);
+  EXPECT_EQ(device.commands.back(), Eigen::Vector3f(0, 0, 0));
+  expect_ends_at_zero_force(result);
+}
+
+// Without it the device may go on pushing: a refusal is reported, whatever else has ended the run.
+TEST(servo_loop, reports_a_device_that_refuses_the_zero_force_at_the_end) {
+  struct Stubborn final : Still {
+    ReadResult at(std::size_t) noexcept override { return here(); }
+    std::optional<Fault> on_command() noexcept override {
+      if (!commands.back().isZero(0)) return std::nullopt;
+      return Fault{"the device does not answer"};
+    }
+  } device;
+  const Kept result(device, wall(), {.max_seconds = 0.01, .paced = false});
+  EXPECT_EQ(result.ticks, 10U);
+  EXPECT_EQ(result.end_reason, EndReason::device_fault);
+  EXPECT_STREQ(result.fault, "the device does not answer");
+}
+
+TEST(servo_loop, leaves_the_thread_as_it_was) {
+  const auto scheduling = [] {
+    sched_param parameters{};
+    int policy = 0;
+    EXPECT_EQ(pthread_getschedparam(pthread_self(), &policy, &parameters), 0);
+    return std::pair{policy, parameters.sched_priority};
+  };
+  const auto before = scheduling();
+  Endless device;
+  const Kept run(device, wall(), {.max_seconds = 0.005});
+  EXPECT_EQ(scheduling(), before);
+  // The last processor it may run on, unless told.
+  cpu_set_t cpus;
+  ASSERT_EQ(sched_getaffinity(0, sizeof cpus, &cpus), 0);
+  int last = CPU_SETSIZE - 1;
+  while (!CPU_ISSET(last, &cpus)) --last;
+  EXPECT_EQ(run.privileges.cpu, last);
+}
+
+TEST(servo_loop, asks_for_no_privileges_unless_it_is_paced) {
+  Endless device;
+  const Kept run(device, wall(), {.max_seconds = 0.005, .paced = false, .cpu = 0});
+  EXPECT_FALSE(run.privileges.scheduling || run.privileges.memory_locked || run.privileges.cpu);
+}
+
+TEST(servo_loop, runs_on_the_processor_it_is_told) {
+  struct Where final : Still {
+    ReadResult at(std::size_t) noexcept override {
+      cpu = sched_getcpu();
+      return here();
+    }
+    int cpu = -1;
+  } device;
+  cpu_set_t before, after;
+  ASSERT_EQ(sched_getaffinity(0, sizeof before, &before), 0);
+  for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
+    if (!CPU_ISSET(cpu, &before)) continue;
+    const Kept run(device, wall(), {.max_seconds = 0.005, .cpu = cpu});
+    EXPECT_EQ(run.privileges.cpu, cpu);
+    EXPECT_EQ(device.cpu, cpu);
+  }
+  EXPECT_EQ(Kept(device, wall(), {.max_seconds = 0.005, .cpu = CPU_SETSIZE}).privileges.cpu, std::nullopt);
+  ASSERT_EQ(sched_getaffinity(0, sizeof after, &after), 0);
+  EXPECT_TRUE(CPU_EQUAL(&before, &after));
+}
+
+// Sleeping until an absolute time never ends early, so this holds on a machine under any load.
+TEST(servo_loop, never_reads_before_the_tick_is_due) {
+  Endless device;
+  const Kept result(device, wall(), {.rate_hz = 2000, .max_seconds = 0.02});
+  ASSERT_EQ(result.ticks, 40U);
+  for (const Sample& sample : result.samples) EXPECT_GE(sample.wall_ns, static_cast<std::int64_t>(sample.tick) * 500'000);
+  EXPECT_LE(result.achieved_rate_hz, 2000);
+}
+
+TEST(servo_loop, counts_a_deadline_missed_and_whose_fault_it_was) {
+  struct Slow final : Still {
+    ReadResult at(std::size_t) noexcept override { return here(); }
+    std::optional<Fault> on_command() noexcept override {
+      if (commands.size() == 2) std::this_thread::sleep_for(std::chrono::milliseconds(25));
+      return std::nullopt;
+    }
+  };
+  Slow paced;
+  const Kept late(paced, wall(), {.rate_hz = 100, .max_seconds = 0.05});
+  EXPECT_GE(late.missed_deadlines, 2U);
+  EXPECT_EQ(late.overruns, 0U);
+  EXPECT_GE(late.wakeup_us.max, 5000);
+  struct Busy final : Still {
+    ReadResult at(std::size_t) noexcept override { return here(); }
+    std::optional<Fault> on_command() noexcept override {
+      const std::clock_t begin = std::clock();
+      while (commands.size() == 2 && std::clock() - begin < 25 * CLOCKS_PER_SEC / 1000) {
+      }
+      return std::nullopt;
+    }
+  } busy;
+  EXPECT_EQ(Kept(busy, wall(), {.rate_hz = 100, .max_seconds = 0.05}).overruns, 1U);
+  Slow unhurried;
+  EXPECT_EQ(run_servo_loop(unhurried, wall(), {.max_seconds = 0.05, .paced = false}, kNeverStop).missed_deadlines, 0U);
+}
+
+TEST(servo_loop, refuses_a_rate_duration_or_patience_out_of_range) {
+  Endless device;
+  const double nan = std::nan("");
+  for (const double rate : {0.0, -1000.0, 99.9, 10000.1, nan})
+    EXPECT_THROW(run_servo_loop(device, wall(), {.rate_hz = rate}, kNeverStop), std::invalid_argument) << rate;
+  for (const double seconds : {0.0, -1.0, nan, HUGE_VAL})
+    EXPECT_THROW(run_servo_loop(device, wall(), {.max_seconds = seconds}, kNeverStop), std::invalid_argument) << seconds;
+  for (const double patience : {0.0, -1.0, nan, 10.1, HUGE_VAL})
+    EXPECT_THROW(run_servo_loop(device, wall(), {.patience = patience}, kNeverStop), std::invalid_argument) << patience;
+  EXPECT_TRUE(device.commands.empty());
+}
+
+TEST(servo_loop, ends_when_the_rounding_mode_changes_under_it) {
+  struct Careless final : Still {
+    ReadResult at(std::size_t reading) noexcept override {
+      if (reading == 3) std::fesetround(FE_UPWARD);
+      return here();
+    }
+  } device;
+  const auto law = wall();
+  const Kept run(device, law, unpaced());
+  std::fesetround(FE_TONEAREST);
+  EXPECT_EQ(run.end_reason, EndReason::device_fault);
+  EXPECT_STREQ(run.fault, "rounding other than to nearest");
+  EXPECT_EQ(run.ticks, 3U);
+  expect_ends_at_zero_force(run);
+}
+
+TEST(servo_loop, refuses_a_rounding_mode_that_is_not_to_nearest) {
+  Endless device;
+  const auto law = wall();
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    EXPECT_THROW(run_servo_loop(device, law, unpaced(), kNeverStop), FloatingPointModeError) << mode;
+    std::fesetround(FE_TONEAREST);
+  }
+  EXPECT_TRUE(device.commands.empty());
+}
+
+#if defined(__SSE2__)
+TEST(servo_loop, refuses_flushed_subnormals_and_a_rounding_mode_that_only_sse_has) {
+  Endless device;
+  const auto law = wall();
+  const unsigned mode = _mm_getcsr();
+  for (const unsigned bit : {0x8000U, 0x0040U, 0x2000U, 0x4000U}) {
+    _mm_setcsr(mode | bit);
+    EXPECT_THROW(run_servo_loop(device, law, unpaced(), kNeverStop), FloatingPointModeError) << bit;
+    _mm_setcsr(mode);
+  }
+  EXPECT_TRUE(device.commands.empty());
+}
+#endif
+
+}  // namespace
+}  // namespace forceshade::device

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A Phantom over the stand-in, for tests.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "forceshade/device/phantom/phantom.h"
+#include "forceshade/tests/device/stand_in_hd/stand_in_hd.h"
+
+namespace forceshade::device {
+using namespace std::chrono_literals;
+using stand_in_hd::Answer;
+using stand_in_hd::Orders;
+using stand_in_hd::seen;
+using stand_in_hd::tell;
+using Clock = std::chrono::steady_clock;
+
+// A busy machine may keep either thread waiting and makes frames come late; where it does not matter, patience is long.
+inline constexpr Phantom::Options kPatient{.patience = 20s, .start = 20s, .rate_tolerance = 1};
+
+// Who keeps what is said to them, and does what the test says.
+class Listener final : public Attendant {
+ public:
+  void told(const std::string& words) noexcept override {
+    heard += words + "\n";
+    if (on_words) on_words(words);
+  }
+  bool did(const std::string& words) noexcept override {
+    asked.push_back(words);
+    return does;
+  }
+  bool has_left() const noexcept override { return leaves; }
+
+  std::string heard;
+  std::vector<std::string> asked;
+  bool does = false, leaves = false;
+  std::function<void(const std::string&)> on_words;
+};
+
+inline bool comes_true(const std::function<bool()>& condition) {
+  for (const auto deadline = Clock::now() + 20s; Clock::now() < deadline; std::this_thread::sleep_for(1ms))
+    if (condition()) return true;
+  return false;
+}
+
+inline void expect_words(const std::string& text, const std::vector<std::string>& words) {
+  for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << word << "\nnot in: " << text;
+}
+
+// Every test leaves the stand-in without a breach of discipline, closed and without force.
+class phantom : public testing::Test {
+ protected:
+  void SetUp() override {
+    setenv("FORCESHADE_HD_LIBRARY", STAND_IN_HD, 1);
+    stand_in_hd::reset();
+  }
+  void TearDown() override {
+    const auto after = seen();
+    for (const std::string& breach : after.breaches) ADD_FAILURE() << breach;
+    EXPECT_FALSE(after.initialised || after.scheduler || after.output);
+    EXPECT_TRUE(after.frames.empty() || after.frames.back().force.isZero(0));
+    EXPECT_TRUE(stand_in_hd::arm().force.isZero(0));
+  }
+};
+
+}  // namespace forceshade::device

@@ -1,0 +1,429 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The stand-in for the vendor's library behaves as that one does, and does as it is told.
+
+#include "forceshade/tests/device/stand_in_hd/stand_in_hd.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "forceshade/device/simulated/arm.h"
+#include "forceshade/device/simulated/model.h"
+#include "forceshade/tests/device/stand_in_hd/caller.h"
+#include "forceshade/tests/support/temporary_directory.h"
+
+namespace forceshade::stand_in_hd {
+namespace {
+
+TEST_F(stand_in, runs_in_another_process_and_shows_what_it_saw) {
+  tell({.press = true});
+  EXPECT_EQ(in_child([](const Functions& hd) {
+              Caller caller(hd);
+              EXPECT_EQ(caller.handle, kInvalidSchedulerHandle);
+              EXPECT_TRUE(caller.start());
+              EXPECT_EQ(caller.handle, 0U);
+              EXPECT_TRUE(caller.runs(1100));
+              caller.stop();
+            }),
+            0);
+  const Seen all = seen();
+  EXPECT_FALSE(all.initialised || all.scheduler || all.output || all.died);
+  ASSERT_GE(all.frames.size(), 1100U);
+  EXPECT_LE((all.frames[0].position - Eigen::Vector3d(0, 3, 0)).norm(), 0.1);
+  // 20 frames, then 0.7 s and 0.2 s with the output on.
+  for (std::size_t k = 0; k < 720; ++k) EXPECT_TRUE(all.frames[k].force.isZero(0)) << k;
+  EXPECT_EQ(all.frames[919].position.y(), -2);
+  EXPECT_EQ(all.frames[919].force, Eigen::Vector3d(0, 2, 0));
+  EXPECT_FALSE(all.frames[19].output);
+  EXPECT_TRUE(all.frames[20].output);
+  EXPECT_TRUE(arm().force.isZero(0));
+  EXPECT_EQ(arm().pushed_until, all.pushed_until);
+  EXPECT_GT(all.pushed_until, all.frames[919].time);
+}
+
+TEST_F(stand_in, keeps_the_last_frames_of_a_long_run) {
+  tell({.frame_hz = 1e6});
+  EXPECT_EQ(in_child([](const Functions& hd) {
+              Caller caller(hd);
+              caller.start();
+              EXPECT_TRUE(comes_true([&] { return caller.frames > 66'000; }));
+              tell({});
+              caller.stop();
+            }),
+            0);
+  const auto frames = seen().frames;
+  EXPECT_EQ(frames.size(), 65'536U);
+  EXPECT_TRUE(std::is_sorted(frames.begin(), frames.end(), [](const Frame& a, const Frame& b) { return a.time < b.time; }));
+}
+
+TEST_F(stand_in, reports_an_error_that_lasts_once) {
+  for (const auto& [orders, expected] : {std::pair{Orders{.begin = kCommunication}, 1}, std::pair{Orders{.comm_lost = true}, 1},
+                                         std::pair{Orders{.get_position = kDeviceFault, .end = {kForceError, kFrame}}, 2},
+                                         std::pair{Orders{.set = kInvalidValue}, 10}}) {
+    reset();
+    tell(orders);
+    EXPECT_EQ(in_child([&](const Functions& hd) {
+                Caller caller(hd);
+                caller.start();
+                EXPECT_TRUE(caller.runs(10));
+                EXPECT_EQ(std::min(caller.errors.load(), 10), expected);
+                caller.stop();
+              }),
+              0);
+  }
+}
+
+TEST_F(stand_in, reports_an_error_in_every_frame_if_told_so) {
+  tell({.begin = kCommunication, .errors_repeat = true});
+  EXPECT_EQ(in_child([](const Functions& hd) {
+              Caller caller(hd);
+              caller.start();
+              EXPECT_TRUE(caller.runs(10));
+              EXPECT_GE(caller.errors, 10);
+              caller.stop();
+            }),
+            0);
+}
+
+TEST_F(stand_in, freezes_when_communication_is_lost) {
+  EXPECT_EQ(in_child([](const Functions& hd) {
+              Caller caller(hd);
+              caller.start();
+              EXPECT_TRUE(caller.runs(100));
+              EXPECT_GT(caller.rate, 0);
+              tell({.comm_lost = true});
+              EXPECT_TRUE(comes_true([&] { return caller.rate == 0; }));
+              EXPECT_TRUE(caller.runs(100));
+              caller.stop();
+            }),
+            0);
+  const auto frames = seen().frames;
+  EXPECT_NE(frames[0].position, frames[99].position);
+  EXPECT_EQ(frames.back().position, frames[frames.size() - 100].position);
+}
+
+TEST_F(stand_in, numbers_what_is_scheduled_from_zero) {
+  EXPECT_EQ(in_child([](const Functions& hd) {
+              const auto nothing = [](void*) -> unsigned { return kCallbackContinue; };
+              EXPECT_EQ(hd.hdScheduleAsynchronous(nothing, nullptr, 0), 0U);
+              EXPECT_EQ(hd.hdScheduleAsynchronous(nothing, nullptr, 0), 1U);
+              hd.hdUnschedule(0);
+              EXPECT_EQ(hd.hdGetError().code, kSuccess);
+              hd.hdUnschedule(0);
+              EXPECT_EQ(hd.hdGetError().code, kInvalidOperation);
+              EXPECT_EQ(hd.hdScheduleAsynchronous(nothing, nullptr, 0), 0U);
+            }),
+            0);
+}
+
+TEST_F(stand_in, writes_as_many_temperatures_as_there_are_motors) {
+  for (const int motors : {3, 6}) {
+    reset();
+    tell({.output_degrees = motors});
+    EXPECT_EQ(in_child([&](const Functions& hd) {
+                Caller caller(hd);
+                std::array<double, 7> temperatures{};
+                temperatures.fill(-5);
+                int said = 0;
+                hd.hdGetIntegerv(kOutputDegrees, &said);
+                EXPECT_EQ(said, motors);
+                caller.inside = [&] { hd.hdGetDoublev(kMotorTemperature, temperatures.data()); };
+                caller.start();
+                EXPECT_TRUE(caller.runs(5));
+                caller.stop();
+                EXPECT_EQ(std::count(temperatures.begin(), temperatures.end(), -5), 7 - motors);
+              }),
+              0);
+  }
+}
+
+TEST_F(stand_in, without_a_device_crashes_or_writes_minus_eleven) {
+  const int status = in_child([](const Functions& hd) { hd.hdIsEnabled(kForceOutput); });
+  EXPECT_FALSE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+  EXPECT_EQ(in_child([](const Functions& hd) {
+              double force = 0;
+              hd.hdGetDoublev(kMaxForce, &force);
+              EXPECT_EQ(force, -11);
+              EXPECT_EQ(hd.hdGetError().code, kSuccess);
+            }),
+            0);
+}
+
+TEST_F(stand_in, forgets_in_every_new_process_that_it_was_calibrated_at_the_reset_pose) {
+  for (int i = 0; i < 2; ++i)
+    EXPECT_EQ(in_child([](const Functions& hd) {
+                const Caller caller(hd);
+                Orders orders{.calibration = std::nullopt, .styles = kCalibratesAtResetPose, .in_reset_pose = false};
+                tell(orders);
+                hd.hdUpdateCalibration(kCalibratesAtResetPose);
+                EXPECT_EQ(hd.hdCheckCalibration(), kCalibrationNeedsHand);
+                orders.in_reset_pose = true;
+                tell(orders);
+                EXPECT_EQ(hd.hdCheckCalibration(), kCalibrationNeedsHand);
+                hd.hdUpdateCalibration(kCalibratesItself);
+                EXPECT_EQ(hd.hdGetError().code, kInvalidValue);
+                hd.hdUpdateCalibration(kCalibratesAtResetPose);
+                EXPECT_EQ(hd.hdCheckCalibration(), kCalibrated);
+                hd.hdDisableDevice(caller.device);
+              }),
+              0);
+  EXPECT_EQ(seen().updates, 4);
+}
+
+TEST_F(stand_in, is_calibrated_in_its_inkwell_once_the_stylus_is_there) {
+  Orders orders{.calibration = std::nullopt, .styles = kCalibratesInInkwell};
+  tell(orders);
+  EXPECT_EQ(in_child([&](const Functions& hd) {
+              const Caller caller(hd);
+              EXPECT_EQ(hd.hdCheckCalibration(), kCalibrationNeedsHand);
+              orders.in_inkwell = true;
+              tell(orders);
+              EXPECT_EQ(hd.hdCheckCalibration(), kCalibrationNeedsUpdate);
+              HDboolean there = 0;
+              hd.hdGetBooleanv(kInkwellSwitch, &there);
+              EXPECT_EQ(there, 1);
+              hd.hdUpdateCalibration(kCalibratesInInkwell);
+              EXPECT_EQ(hd.hdCheckCalibration(), kCalibrated);
+              hd.hdDisableDevice(caller.device);
+            }),
+            0);
+}
+
+TEST_F(stand_in, of_the_style_that_calibrates_itself_may_need_it_again_while_it_runs) {
+  tell({.calibration = std::nullopt, .styles = kCalibratesItself, .calibration_lost_at = 30});
+  EXPECT_EQ(in_child([](const Functions& hd) {
+              Caller caller(hd);
+              EXPECT_EQ(hd.hdCheckCalibration(), kCalibrationNeedsUpdate);
+              hd.hdUpdateCalibration(kCalibratesItself);
+              EXPECT_EQ(hd.hdCheckCalibration(), kCalibrated);
+              std::vector<HDenum> states;
+              caller.inside = [&] { states.push_back(caller.calibration); };
+              caller.start();
+              EXPECT_TRUE(caller.runs(40));
+              caller.stop();
+              EXPECT_EQ(std::count(states.begin(), states.begin() + 29, kCalibrated), 29);
+              EXPECT_EQ(states[29], kCalibrationNeedsUpdate);
+            }),
+            0);
+}
+
+TEST_F(stand_in, gives_each_capability_right_or_wrong_or_not_at_all) {
+  const auto of_doubles = [](HDenum what) {
+    return [what](const Functions& hd) {
+      double value = -5;
+      hd.hdGetDoublev(what, &value);
+      return value;
+    };
+  };
+  const auto of_integers = [](HDenum what) {
+    return [what](const Functions& hd) -> double {
+      int value = -5;
+      hd.hdGetIntegerv(what, &value);
+      return value;
+    };
+  };
+  struct Capability {
+    Answer Orders::*order;
+    std::function<double(const Functions&)> get;
+    double right;
+  };
+  for (const Capability& capability : {Capability{&Orders::peak_force, of_doubles(kMaxForce), 8.5},
+                                       {&Orders::continuous_force, of_doubles(kContinuousForce), 1.4},
+                                       {&Orders::velocity_limit, of_doubles(kVelocityLimit), 1500},
+                                       {&Orders::impulse_limit, of_doubles(kImpulseLimit), 4},
+                                       {&Orders::update_rate, of_integers(kUpdateRate), 1000},
+                                       {&Orders::input_degrees, of_integers(kInputDegrees), 6}}) {
+    for (const auto& [answer, expected, error] :
+         {std::tuple{Answer(), capability.right, kSuccess}, std::tuple{Answer(7), 7.0, kSuccess},
+          std::tuple{Answer::fails(kDeviceFault), -5.0, kDeviceFault}, std::tuple{Answer::nothing(), -5.0, kSuccess}}) {
+      reset();
+      Orders orders;
+      orders.*capability.order = answer;
+      tell(orders);
+      EXPECT_EQ(in_child([&](const Functions& hd) {
+                  const Caller caller(hd);
+                  EXPECT_EQ(capability.get(hd), expected);
+                  EXPECT_EQ(hd.hdGetError().code, error);
+                  hd.hdDisableDevice(caller.device);
+                }),
+                0);
+    }
+  }
+}
+
+TEST_F(stand_in, gives_the_box_as_told) {
+  tell({.workspace = 0});
+  EXPECT_EQ(in_child([](const Functions& hd) {
+              const Caller caller(hd);
+              std::array<double, 6> box{1, 1, 1, 1, 1, 1};
+              hd.hdGetDoublev(kUsableWorkspace, box.data());
+              EXPECT_EQ(box, (std::array<double, 6>{}));
+              hd.hdDisableDevice(caller.device);
+            }),
+            0);
+}
+
+// Position, encoders and angles are those of one arm, whatever position it is told to report.
+TEST_F(stand_in, counts_and_turns_as_its_position_says) {
+  tell({.position = Eigen::Vector3d(10, -20, 30)});
+  EXPECT_EQ(in_child([](const Functions& hd) {
+              Caller caller(hd);
+              std::array<HDlong, 6> counts{};
+              std::array<double, 3> angles{};
+              caller.inside = [&] {
+                hd.hdGetLongv(kEncoders, counts.data());
+                hd.hdGetDoublev(kJointAngles, angles.data());
+              };
+              caller.start();
+              EXPECT_TRUE(caller.runs(5));
+              caller.stop();
+              const device::Model model = device::premium_1_5();
+              const Eigen::Vector3d joints(angles[0], angles[1], angles[2]);
+              EXPECT_LE((model.arm.forward(joints) / device::kMillimetre - Eigen::Vector3d(10, -20, 30)).norm(), 0.05);
+              for (Eigen::Index i = 0; i < 3; ++i)
+                EXPECT_EQ(static_cast<double>(counts[static_cast<std::size_t>(i)]) * model.quantum[i], joints[i]);
+            }),
+            0);
+}
+
+TEST_F(stand_in, says_who_it_is) {
+  EXPECT_EQ(in_child([](const Functions& hd) {
+              const Caller caller(hd);
+              std::vector<std::string> names;
+              for (const HDenum what : {kVersion, kModel, kDriverVersion, kVendor, kSerialNumber, kFirmware})
+                names.emplace_back(hd.hdGetString(what));
+              EXPECT_EQ(names, (std::vector<std::string>{"3.4.0", "Stand-in 1.5", "4.3.3", "Nobody", "S-0042", "192"}));
+              hd.hdDisableDevice(caller.device);
+            }),
+            0);
+}
+
+TEST_F(stand_in, starts_with_an_error_that_its_starter_reads) {
+  tell({.start_with_error = kTimer});
+  EXPECT_EQ(in_child([](const Functions& hd) {
+              Caller caller(hd);
+              EXPECT_FALSE(caller.start());
+              EXPECT_TRUE(caller.runs(5)) << "it runs all the same";
+              caller.stop();
+            }),
+            0);
+}
+
+TEST_F(stand_in, prints_to_standard_output) {
+  const tests::TemporaryDirectory directory;
+  const std::string file = directory.file("printed");
+  for (const bool prints : {true, false}) {
+    reset();
+    tell({.prints = prints});
+    EXPECT_EQ(in_child([&](const Functions& hd) {
+                ASSERT_TRUE(std::freopen(file.c_str(), "w", stdout));
+                const Caller caller(hd);
+                hd.hdDisableDevice(caller.device);
+              }),
+              0);
+    EXPECT_EQ(directory.read("printed"), prints ? "InitLogFile : (null)\n" : "");
+  }
+}
+
+TEST_F(stand_in, has_its_frames_at_the_rate_it_is_told) {
+  tell({.frame_hz = 250});
+  EXPECT_EQ(in_child([](const Functions& hd) {
+              Caller caller(hd);
+              caller.start();
+              const auto before = Clock::now();
+              EXPECT_TRUE(caller.runs(101));
+              EXPECT_GE(Clock::now() - before, 390ms);
+              EXPECT_LE(caller.rate, 260);
+              caller.stop();
+            }),
+            0);
+}
+
+Functions of_the_undisciplined;
+
+TEST_F(stand_in, ends_the_force_at_the_tick_after_the_output_was_switched_off) {
+  tell({.position = Eigen::Vector3d(0, -0.5, 0)});
+  const int status = in_child([](const Functions& hd) {
+    Caller caller(hd);
+    int frames = 0;
+    caller.inside = [&] {
+      const bool pushes = arm().force.norm() > kContact;
+      if (frames == 0 && !pushes) return;
+      if (frames++ == 0) hd.hdDisable(kForceOutput);
+      if (frames == 1 && !pushes) std::_Exit(1);
+      if (frames == 2) std::_Exit(pushes ? 2 : 0);
+    };
+    caller.start();
+    for (;;) pause();
+  });
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+TEST_F(stand_in, keeps_the_last_force_when_the_scheduler_has_stopped_until_the_device_is_disabled) {
+  tell({.position = Eigen::Vector3d(0, -0.5, 0)});
+  const int status = in_child([](const Functions& hd) {
+    Caller caller(hd);
+    caller.start();
+    EXPECT_TRUE(comes_true([] { return arm().force.norm() > kContact; }));
+    hd.hdStopScheduler();
+    EXPECT_GT(arm().force.norm(), kContact);
+    hd.hdDisable(kForceOutput);
+    EXPECT_GT(arm().force.norm(), kContact);
+    hd.hdUnschedule(caller.handle);
+    hd.hdDisableDevice(caller.device);
+    EXPECT_TRUE(arm().force.isZero(0));
+  });
+  EXPECT_EQ(status, 0);
+  const std::vector<std::string> breaches = seen().breaches;
+  EXPECT_EQ(breaches,
+            (std::vector<std::string>{"hdStopScheduler with the force output on", "hdStopScheduler with a force sent last"}));
+  reset();
+}
+
+TEST_F(stand_in, sees_a_caller_without_discipline) {
+  tell({.end = {kFrame}});
+  in_child([](const Functions& functions) {
+    of_the_undisciplined = functions;
+    const Functions& hd = of_the_undisciplined;
+    HHD device = hd.hdInitDevice(nullptr);
+    const auto undisciplined = [](void* data) -> unsigned {
+      const HHD it = *static_cast<HHD*>(data);
+      const Functions& calls = of_the_undisciplined;
+      double numbers[3];
+      calls.hdGetDoublev(kPosition, numbers);
+      numbers[0] = std::nan("");
+      calls.hdBeginFrame(it);
+      calls.hdBeginFrame(it);
+      calls.hdSetDoublev(kForce, numbers);
+      calls.hdEndFrame(it);
+      return kCallbackContinue;
+    };
+    const auto handle = hd.hdScheduleAsynchronous(undisciplined, &device, 0);
+    hd.hdStartScheduler();
+    hd.hdEnable(kForceOutput);
+    EXPECT_TRUE(comes_true([] { return seen().frames.size() >= 2; }));
+    hd.hdDisableDevice(device);
+    hd.hdEnable(kForceOutput);
+    hd.hdStopScheduler();
+    hd.hdUnschedule(handle);
+  });
+  const std::vector<std::string> breaches = seen().breaches;
+  for (const char* breach : {"hdGetDoublev outside a frame", "hdBeginFrame twice in a tick",
+                             "hdSetDoublev with an error unread", "hdEnable beside the running scheduler",
+                             "hdEndFrame with a force that is not finite", "hdDisableDevice while the scheduler runs",
+                             "hdDisableDevice with a callback scheduled", "hdStopScheduler with the force output on"})
+    EXPECT_NE(std::find(breaches.begin(), breaches.end(), breach), breaches.end()) << breach;
+  reset();
+}
+
+}  // namespace
+}  // namespace forceshade::stand_in_hd

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/tests/fast/pack_operations.h"
+
+#include "forceshade/fast/numbers/row.h"
+
+namespace forceshade::tests {
+namespace {
+
+using fast::Pair64;
+
+#include "forceshade/tests/fast/pack_operations.inl"
+
+}  // namespace
+
+const char* wrong_operation_without_vectors() {
+  return wrong_operation_of_row<fast::Quad, false>();
+}
+
+}  // namespace forceshade::tests

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Compiled as fast/simd/batch_avx2.cpp is.
+
+#include "forceshade/fast/numbers/row.h"
+#include "forceshade/fast/simd/pack_pair.h"
+#include "forceshade/fast/simd/row_avx2.h"
+#include "forceshade/tests/fast/pack_operations.h"
+
+namespace forceshade::tests {
+namespace {
+
+using fast::Pair64;
+
+#include "forceshade/tests/fast/pack_operations.inl"
+
+}  // namespace
+
+const char* wrong_operation_avx2() {
+  if (const char* wrong = wrong_operation<fast::Pack>()) return wrong;
+  if (const char* wrong = wrong_operation<fast::Pair<fast::Pack>>()) return wrong;
+  return wrong_operation_of_row<fast::Vector, true>();
+}
+
+}  // namespace forceshade::tests

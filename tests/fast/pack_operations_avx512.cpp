@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Compiled as fast/simd/batch_avx512.cpp is.
+
+#include "forceshade/fast/numbers/row.h"
+#include "forceshade/fast/simd/pack_avx512.h"
+#include "forceshade/fast/simd/pack_pair.h"
+#include "forceshade/tests/fast/pack_operations.h"
+
+namespace forceshade::tests {
+namespace {
+
+using fast::Pair64;
+
+#include "forceshade/tests/fast/pack_operations.inl"
+
+}  // namespace
+
+const char* wrong_operation_avx512() {
+  if (const char* wrong = wrong_operation<fast::Pack>()) return wrong;
+  return wrong_operation<fast::Pair<fast::Pack>>();
+}
+
+}  // namespace forceshade::tests

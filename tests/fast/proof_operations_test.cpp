@@ -1,0 +1,409 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The Gappa scripts of fast/ describe the headers of fast/, operation by operation: each header's own templates run on numbers
+// that write down what is done with them (tests/support/recorded_number.h), once with multiply_add in two operations and once
+// fused, and what they wrote must be what the script says of the number whose error it bounds (tests/fast/gappa_script.h).
+// Another order, operand, sign, constant or fusing on either side is a failure.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+
+#include "forceshade/fast/heights/force.h"
+#include "forceshade/fast/heights/spline.h"
+#include "forceshade/fast/heights/spline_force.h"
+#include "forceshade/fast/law.h"
+#include "forceshade/tests/fast/pack_operations.h"
+#include "forceshade/tests/fast/recorded_run.h"
+#include "forceshade/tests/support/recorded_row.h"
+
+namespace forceshade::tests {
+namespace {
+
+using fast::Built;
+using fast::Terms;
+
+// Every constant of every law has another significand here.
+constexpr Parameters kBump{530.3F, 0.71F, 0.7F};
+constexpr double kX = 0.13F, kZ = -0.31F;  // mm: over the bump and below all its surfaces
+constexpr double kBeside = 4.7F;           // mm: over the plane
+
+void wall(ComparedScript& script, bool is_fused) {
+  RecordedRun run(script, is_fused);
+  const Built<fast::Wall> law(kBump);
+  run.constant("K", law.definition.K);
+  const auto force = law.definition.first_stage(Recorded(kX), -run.input("p", -kZ));
+  run.expect("force", force.z);
+  EXPECT_EQ(force.x.expression(), run.expressions.zero());
+}
+
+// K(H - z) along (x, √(R² - x²))/R. gap_at: the gap of a position over the bump; null for the law that shades the plane.
+template <class Definition>
+void shaded_bump(ComparedScript& script, bool is_fused,
+                 const std::function<Recorded(const Definition&, const Recorded&, const Recorded&)>& gap_at) {
+  for (int i = 0; i < 100; ++i) {
+    const Parameters p{kBump.radius + 0.37F * static_cast<float>(i), kBump.width, kBump.stiffness};
+    RecordedRun run(script, is_fused);
+    run.constant("K", static_cast<double>(p.stiffness));
+    run.constant("R", static_cast<double>(p.radius));
+    run.constant("K_over_R", fast::Shading(p).K_over_R);
+  }
+  const Definition law = Built<Definition>(kBump).definition;
+  for (const double x_value : {kX, -kX, 0.0, kBeside}) {
+    RecordedRun run(script, is_fused);
+    run.constant("K", static_cast<double>(kBump.stiffness));
+    run.constant("R", law.shading.R);
+    run.constant("K_over_R", law.shading.K_over_R);
+    // The script has x > 0.
+    const Recorded size = x_value == 0 ? Recorded(0) : run.input("x", std::fabs(x_value)), x = x_value < 0 ? -size : size;
+    const Recorded z = run.input("z", kZ);
+    const bool is_inside = std::fabs(x_value) < kBeside;
+    if (gap_at != nullptr) run.bind("gap", is_inside ? gap_at(law, size, z) : -z);
+    const auto force = law.first_stage(x, z);
+    EXPECT_TRUE(force.contact.holds);
+    if (is_inside && x_value != 0) {
+      run.expect("inside", x_value < 0 ? -force.x : force.x, 0);
+      run.expect("inside", force.z, 1);
+    } else {
+      run.expect("beside", force.z);
+      EXPECT_EQ(force.x.expression(), run.expressions.zero());
+    }
+  }
+}
+
+void bump_1p_shaded(ComparedScript& script, bool is_fused) {
+  shaded_bump<fast::Bump1pShaded>(script, is_fused, nullptr);
+}
+void bump_2p_shaded(ComparedScript& script, bool is_fused) {
+  shaded_bump<fast::Bump2pShaded>(script, is_fused,
+                                  [](const auto& law, const auto& size, const auto& z) { return law.gap.at(size, z).value; });
+}
+void bump_3p_shaded(ComparedScript& script, bool is_fused) {
+  shaded_bump<fast::Bump3pShaded>(script, is_fused, [](const auto& law, const auto& size, const auto& z) {
+    return law.gap.at(size, z, {std::fabs(size.value()) <= static_cast<double>(law.half_top)}).value;
+  });
+}
+
+void bump_2p(ComparedScript& script, bool is_fused) {
+  const fast::Bump2p law = Built<fast::Bump2p>(kBump).definition;
+  for (const double x_value : {kX, -kX, 0.0, kBeside}) {
+    RecordedRun run(script, is_fused);
+    run.constant("K", law.K);
+    run.constant("K_sine", law.K_sine);
+    run.constant("K_cosine", law.K_cosine);
+    const Recorded x(x_value), z = -run.input("p", -kZ);
+    run.bind("gap", law.gap.at(absolute(x), z).value);
+    const auto force = law.first_stage(x, z);
+    if (std::fabs(x_value) == kBeside) {
+      run.expect("plane", force.z);
+      EXPECT_EQ(force.x.expression(), run.expressions.zero());
+    } else {
+      run.expect("side", x_value < 0 ? -force.x : force.x, 0);
+      run.expect("side", force.z, 1);
+    }
+  }
+}
+
+void bump_3p(ComparedScript& script, bool is_fused) {
+  const fast::Bump3p law = Built<fast::Bump3p>(kBump).definition;
+  const double on_side = 0.5 * (law.half_width + static_cast<double>(law.half_top));
+  for (const double x_value : {on_side, -on_side, 0.01, kBeside}) {
+    RecordedRun run(script, is_fused);
+    run.constant("K", law.K);
+    run.constant("K_sine", law.K_sine);
+    run.constant("K_cosine", law.K_cosine);
+    const Recorded x(x_value), z = -run.input("p", -kZ);
+    const bool is_on_top = std::fabs(x_value) <= static_cast<double>(law.half_top);
+    run.bind("gap", law.gap.at(absolute(x), z, {is_on_top}).value);
+    const auto force = law.first_stage(x, z);
+    if (std::fabs(x_value) == on_side) {
+      run.expect("side", x_value < 0 ? -force.x : force.x, 0);
+      run.expect("side", force.z, 1);
+    } else {
+      run.expect(is_on_top ? "top" : "plane", force.z);
+      EXPECT_EQ(force.x.expression(), run.expressions.zero());
+    }
+  }
+}
+
+// The constants of one side or top of a bump, which the script knows by these names.
+void name_gap(RecordedRun& run, const fast::LinearGap& gap) {
+  run.constant("height", gap.height);
+  run.constant("height_tail", gap.height_tail);
+  if (gap.slope.head == 0) {
+    for (const char* name : {"slope", "slope_tail"}) run.bind(name, Recorded(0));
+    return;
+  }
+  run.constant("slope", gap.slope.head);
+  run.constant("slope_tail", gap.slope.tail);
+}
+
+void polygon_gap(ComparedScript& script, bool is_fused) {
+  const fast::LinearGap two = Built<fast::Bump2p>(kBump).definition.gap;
+  const fast::ThreePolygonGap three = Built<fast::Bump3p>(kBump).definition.gap;
+  const auto expect = [&](const fast::LinearGap& constants, const auto& gap_at) {
+    RecordedRun run(script, is_fused);
+    name_gap(run, constants);
+    run.assume_larger("height", "slope * ax");
+    const fast::Gap<Recorded> gap = gap_at(run.input("ax", kX), run.input("z", kZ));
+    for (const GappaScript::Piece& piece : script.script.pieces()) run.expect(piece.name, gap.value);
+    ASSERT_EQ(run.recording.comparisons.size(), 1U);
+    run.expect_value("value", run.recording.comparisons[0].left);
+    run.expect_value("1b-27 * height", run.recording.comparisons[0].right);
+  };
+  expect(two, [&](const Recorded& ax, const Recorded& z) { return two.at(ax, z); });
+  expect(three.top, [&](const Recorded& ax, const Recorded& z) { return three.at(ax, z, {true}); });
+  expect(three.side, [&](const Recorded& ax, const Recorded& z) { return three.at(ax, z, {false}); });
+}
+
+// On the script's v and l, under what it says of the rounding of sums.
+void cylinder(ComparedScript& script, bool is_fused) {
+  const fast::Cylinder law = Built<fast::Cylinder>(kBump).definition;
+  const auto expect = [&](bool is_near, bool is_force_inside, const char* v, const std::vector<const char*>& pieces_of_v) {
+    for (const double side : {1.0, -1.0}) {
+      RecordedRun run(script, is_fused);
+      run.constant("K", law.K);
+      run.constant("R", law.R);
+      run.expressions.name_constant(law.anchor, run.expressions.input("anchor", 53));
+      run.bind("anchor", Recorded(law.anchor));
+      run.constant("anchored", law.anchored);
+      run.constant("rest", law.rest);
+      run.constant("d_head", law.d.head);
+      run.constant("d_tail", law.d.tail);
+      const Recorded size = run.input("x", kX), z = run.input("z", kZ);
+      if (is_near) {
+        run.assume_larger("anchored", "xx");
+        run.assume_larger("a", "zz");
+      }
+      if (is_force_inside) run.expressions.assume_binary64(run.value("b_anchor"));  // Sterbenz
+      const auto force = law.first_stage(side > 0 ? size : -size, z);
+      EXPECT_TRUE(force.contact.holds);
+      const std::vector<Comparison>& compared = run.recording.comparisons;
+      ASSERT_EQ(compared.size(), 3U);
+      for (const char* piece : pieces_of_v) run.expect(piece, compared[0].left);
+      EXPECT_EQ(compared[0].right, run.expressions.zero());
+      EXPECT_EQ(compared[1].left, compared[0].left);
+      run.expect_value("rnd(1b-25 * -z * d_head + 1b-50 * anchor)", compared[1].right);
+      EXPECT_EQ(compared[2].left, z.expression());
+      if (!is_force_inside) continue;
+      run.bindings["near_v"] = run.value(v);
+      run.bindings["near_l"] = run.value("l");
+      run.expect("force_x", side > 0 ? force.x : -force.x);
+      run.expect("force_z", force.z);
+      // What the pieces of l bound is the l that was just found in the force.
+      for (const char* piece : {"l_cancelling_above", "l_cancelling_below", "l_far_above", "l_far_below"})
+        run.expect(piece, run.value("l"));
+    }
+  };
+  expect(true, true, "v", {"v_inside"});
+  expect(true, false, "v_rough", {"sign_near_inside", "sign_near_outside"});
+  expect(false, false, "v_far", {"sign_far"});
+}
+
+void bump_cylinder(ComparedScript& script, bool is_fused) {
+  const fast::BumpCylinder law = Built<fast::BumpCylinder>(kBump).definition;
+  for (const double height : {kZ, 2e-5}) {
+    RecordedRun run(script, is_fused);
+    const Recorded x(kX), z(height);
+    const auto cylinder = static_cast<const fast::Cylinder&>(law).off_axis(x, z);
+    run.bind("from_wall", height < 0 ? Recorded(law.K) * -z : Recorded(0));
+    run.bind("from_cylinder", cylinder.z);
+    const auto force = law.first_stage(x, z);
+    EXPECT_TRUE(force.contact.holds);
+    run.expect("z", force.z);
+    run.bind("from_cylinder", cylinder.x);
+    run.expect("x", force.x);
+  }
+}
+
+void double_double(ComparedScript& script, bool is_fused) {
+  RecordedRun run(script, is_fused);
+  const Terms<Recorded> a{run.input("a_hi", 1.3), run.input("a_lo", 0x1.3p-55)},
+      b{run.input("b_hi", 1.7), run.input("b_lo", 0x1.1p-54)};
+  const auto whole = [&](const Terms<Recorded>& all) { return run.expressions.sum(all.hi.expression(), all.lo.expression()); };
+  for (const auto& [result, correction] : {std::pair{"p", "s"}, std::pair{"q", "e"}, std::pair{"r", "f"}})
+    run.assume_larger(result, correction);
+  run.expect("product", whole(product_of(a, b)));
+  run.expect("quotient", whole(quotient_of(a, b)));
+  run.expect("root", whole(square_root_of(a)));
+}
+
+// The map's gradient along one axis is the script's x, that along the other its y.
+void height_force(ComparedScript& script, bool is_fused) {
+  for (const bool is_along_x : {true, false})
+    for (const bool is_level : {true, false})
+      for (const auto& [rendering, name] : height::kRenderings) {
+        RecordedRun run(script, is_fused);
+        const Recorded K = run.input("K", 0.7), gap = run.input("gap", 0.3), x = run.input("x", 1.1),
+                       y = is_level ? Recorded(0) : run.input("y", -0.4);
+        const auto force = is_along_x ? fast::gap_force(gap, x, y, rendering, K) : fast::gap_force(gap, y, x, rendering, K);
+        const Recorded& along = is_along_x ? force.x : force.y;
+        if (rendering == height::Rendering::conservative) {
+          run.expect("conservative", along);
+          run.expect_value("rnd(K * gap)", force.up.expression());
+        } else {
+          run.expect(is_level ? "level" : "force", along, 0);
+          run.expect(is_level ? "level" : "force", force.up, 1);
+        }
+        if (is_level) {
+          EXPECT_EQ((is_along_x ? force.y : force.x).expression(), run.expressions.zero());
+        }
+      }
+}
+
+std::string numbered(const char* name, std::size_t i) {
+  std::string result(name);
+  return result += std::to_string(i);
+}
+
+void height_spline(ComparedScript& script, bool is_fused) {
+  RecordedRun run(script, is_fused);
+  run.expressions.products_always_round = true;
+  auto values =
+      std::make_shared<height::Grid>(height::Grid{4, 4, 0.37F, height::Edge::clamp, height::Interpolant::cubic_spline, {}});
+  for (int i = 0; i < 16; ++i) values->values.push_back(1 + std::sin(static_cast<float>(7 * i * i + 1)));
+  const fast::HeightGrid grid(values);
+  const float* c = grid.values();
+  const RecordedTwo past{{0.11, run.expressions.input("past x", 53)}, {0.23, run.expressions.input("past y", 53)}};
+  const Recorded per_pitch(grid.per_pitch()[0]), t = past.first * per_pitch, s = past.second * per_pitch;
+
+  // Weights along x, and columns along y.
+  const RecordedFour x(t), y(s);
+  const auto by_column = [](const double(&a)[4]) { return RecordedFour::load(a); };
+  const RecordedFour weights = fast::value_weight(x, by_column), slopes = fast::slope_weight(x, by_column);
+  run.bind("t", t);
+  for (std::size_t k = 0; k < 4; ++k)
+    for (const auto& [kind, lanes] : {std::pair{"weight_", weights}, std::pair{"slope_", slopes}}) {
+      const std::string piece = numbered(kind, k);
+      for (const auto& [name, is] : script.script.constants(piece, run.expressions)) run.bindings[name] = is;
+      run.expect(piece, lanes.lanes[k]);
+    }
+  const auto row = [&](int l) { return RecordedFour::load(c + 4 * l); };
+  const fast::SplineColumn<RecordedFour> columns(row(0), row(1), row(2), row(3), RecordedFour(static_cast<double>(c[5])), y);
+  run.bind("t", s);
+  run.bind("third", Recorded(1 / 3.0));
+  run.bind("sixth", Recorded(1 / 6.0));
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto coefficient = [&](std::size_t l) { return Recorded(static_cast<double>(c[4 * l + k])); };
+    for (std::size_t l = 0; l < 3; ++l) run.bind(numbered("s", l), coefficient(l + 1) - coefficient(l));
+    run.bind("b", coefficient(1) - Recorded(static_cast<double>(c[5])));
+    run.expect("value", columns.value.lanes[k]);
+    run.expect("twice_slope", columns.twice_slope.lanes[k]);
+  }
+
+  // The sums of four, as one position in four lanes and as several positions side by side.
+  const fast::SplineValues<RecordedFour> one(grid, past, c, 4);
+  const fast::SplineJets<Recorded> side_by_side(
+      [&](std::size_t k, std::size_t l) { return Recorded(static_cast<double>(c[4 * l + k])); }, t, s, grid.per_slope());
+  EXPECT_EQ(one.c.expression(), run.expressions.constant(static_cast<double>(c[5])));
+  const auto expect = [&](const char* piece, const RecordedFour& w, const RecordedFour& h, const Recorded& first,
+                          const Recorded& second) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      run.bind(numbered("w", k), w.lanes[k]);
+      run.bind(numbered("h", k), h.lanes[k]);
+    }
+    run.bind("p", per_pitch);
+    run.expect(piece, first);
+    run.expect(piece, second);
+  };
+  expect("rise", weights, columns.value, one.rise, side_by_side.rise);
+  expect("along", slopes, columns.value, one.Ux, side_by_side.Ux);
+  expect("aside", weights, columns.twice_slope, one.Uy, side_by_side.Uy);
+}
+
+using Compare = void (*)(ComparedScript& script, bool is_fused);
+const std::map<std::string, Compare> kComparisons{
+    {"laws/wall", &wall},
+    {"laws/bump_1p", &wall},
+    {"laws/cylinder", &cylinder},
+    {"laws/bump_cylinder", &bump_cylinder},
+    {"laws/bump_2p", &bump_2p},
+    {"laws/bump_3p", &bump_3p},
+    {"laws/bump_1p_shaded", &bump_1p_shaded},
+    {"laws/bump_2p_shaded", &bump_2p_shaded},
+    {"laws/bump_3p_shaded", &bump_3p_shaded},
+    {"laws/polygon_gap", &polygon_gap},
+    {"numbers/double_double", &double_double},
+    {"heights/force", &height_force},
+    {"heights/spline", &height_spline},
+};
+
+TEST(proof_operations, of_every_piece_of_every_script_are_those_of_its_header) {
+  const std::filesystem::path fast = FORCESHADE_SOURCE_DIR "/fast";
+  std::size_t scripts = 0;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(fast)) {
+    if (file.path().extension() != ".g") continue;
+    ++scripts;
+    const std::string name = std::filesystem::relative(file.path(), fast).replace_extension();
+    SCOPED_TRACE(name);
+    ASSERT_TRUE(kComparisons.contains(name)) << "expected a comparison with the header of this script";
+    ComparedScript script(name);
+    for (const bool is_fused : {false, true}) kComparisons.at(name)(script, is_fused);
+    for (const GappaScript::Piece& piece : script.script.pieces())
+      EXPECT_TRUE(script.compared.contains(piece.name)) << "piece " << piece.name << " was compared with nothing";
+  }
+  EXPECT_EQ(scripts, kComparisons.size());
+}
+
+// The sum has no script: it is algorithm 6 of Joldes, Muller and Popescu 2017, AccurateDWPlusDW, written out here.
+TEST(proof_operations, of_the_sum_of_double_double_are_those_of_the_cited_algorithm) {
+  ComparedScript script("numbers/double_double");
+  RecordedRun run(script, true);
+  const Terms<Recorded> x{run.input("a_hi", 1.3), run.input("a_lo", 0x1.3p-55)},
+      y{run.input("b_hi", 1.7), run.input("b_lo", 0x1.1p-54)};
+  const Terms<Recorded> z = sum_of(x, y);
+  struct Two {
+    Scaled high, low;
+  };
+  const auto define = [&](const char* name, const char* is) { return run.bindings[name] = run.value(is); };
+  const auto two_sum = [&](const Scaled& a, const Scaled& b) {
+    run.bindings = {{"a", a}, {"b", b}};
+    const Scaled high = define("s", "rnd(a + b)");
+    define("b_part", "rnd(s - a)");
+    define("a_part", "rnd(s - b_part)");
+    return Two{high, run.value("rnd(rnd(a - a_part) + rnd(b - b_part))")};
+  };
+  const auto fast_two_sum = [&](const Scaled& a, const Scaled& b) {
+    run.bindings = {{"a", a}, {"b", b}};
+    const Scaled high = define("s", "rnd(a + b)");
+    return Two{high, run.value("rnd(b - rnd(s - a))")};
+  };
+  const auto sum = [&](const Scaled& a, const Scaled& b) { return run.expressions.rounded(run.expressions.sum(a, b)); };
+  const Two s = two_sum(x.hi.expression(), y.hi.expression()), t = two_sum(x.lo.expression(), y.lo.expression());
+  const Two v = fast_two_sum(s.high, sum(s.low, t.high)), expected = fast_two_sum(v.high, sum(t.low, v.low));
+  EXPECT_EQ(run.expressions.difference(z.hi.expression(), expected.high), "");
+  EXPECT_EQ(run.expressions.difference(z.lo.expression(), expected.low), "");
+}
+
+// height_spline.g counts errors in steps, the largest difference of coefficients side by side along either axis.
+TEST(proof_operations, bounds_of_a_spline_are_in_its_largest_steps) {
+  for (const auto& [along, across] :
+       {std::pair{0.0F, 0.5F}, std::pair{0.5F, 0.0F}, std::pair{0.25F, 0.5F}, std::pair{2.0F, 0.5F}}) {
+    height::Grid values{6, 5, 0.25F, height::Edge::clamp, height::Interpolant::cubic_spline, {}};
+    for (std::uint32_t j = 0; j < values.rows; ++j)
+      for (std::uint32_t i = 0; i < values.columns; ++i)
+        values.values.push_back(3 + along * static_cast<float>(i % 2) + across * static_cast<float>(j % 2));
+    const fast::SplineMap map(fast::HeightGrid(std::make_shared<const height::Grid>(values)), height::Rendering::true_height,
+                              1);
+    const double error = fast::kSplineError * static_cast<double>(std::max(along, across)), slope_error = error / 0.25;
+    EXPECT_EQ(map.sure.gap * fast::kErrorBudgetShare, error);
+    EXPECT_EQ(map.sure.Ux * fast::kErrorBudgetShare, along > 0 ? slope_error : 0);
+    EXPECT_EQ(map.sure.Uy * fast::kErrorBudgetShare, across > 0 ? slope_error : 0);
+  }
+}
+
+// That the numbers the headers really run on do what the recording number writes down.
+TEST(proof_operations, of_each_instruction_set_are_those_recorded) {
+  EXPECT_STREQ(wrong_operation_without_vectors(), nullptr);
+#if defined(__x86_64__)
+  if (fast::is_available(fast::InstructionSet::avx2)) {
+    EXPECT_STREQ(wrong_operation_avx2(), nullptr);
+  }
+  if (fast::is_available(fast::InstructionSet::avx512)) {
+    EXPECT_STREQ(wrong_operation_avx512(), nullptr);
+  }
+#endif
+}
+
+}  // namespace
+}  // namespace forceshade::tests

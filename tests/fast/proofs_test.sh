@@ -1,0 +1,92 @@
+#!/usr/bin/env bash
+# proofs_test.sh GAPPA SOURCE_DIR [store]: runs every Gappa script in fast/. Each interval that Gappa prints must be the one
+# stored beside the script, and must imply the constant in the header: neither exceed it nor leave it idle by more than 4.
+# A script holds definitions and then pieces; a piece ("#! piece NAME") is a proposition of its own over the definitions.
+# A piece whose name begins with sign_ proves no more than a sign: its relative error must be below 1.
+# "# from FILE PREFIX" after a hypothesis: it follows from the bounds of those pieces, and that is checked too.
+# With "store" the intervals are written instead of compared.
+set -euo pipefail
+. "$(dirname "$0")/gappa_pieces.sh"
+gappa=$1
+fast=$2/fast
+store=${3:-}
+failures=0
+
+fail() { echo "FAILED: $*"; failures=$((failures + 1)); }
+
+# One line per proved interval: "piece: expression in [low, high]", the ends to the six digits that Gappa prints of them (their
+# 60-bit fractions differ from run to run in the last places).
+prove() {  # script
+  local name
+  pieces_of "$1" | while read -r name; do
+    piece "$1" "$name" | "$gappa" -Wno-null-denominator 2>&1 |
+      sed -E 's/-?[0-9]+(b-?[0-9]+)? \{([^,]*),[^}]*\}/\2/g' |
+      sed -n "s/^  *\(.* in \[.*\]\)\$/$name: \1/p; s/^Error.*/$name: &/p"
+  done
+}
+
+# The largest size of the ends of the intervals of pieces that match.
+largest() {  # stored file, regular expression
+  awk -v pieces="^$2" '
+    $0 ~ pieces && /: .* in \[/ {
+      sub(/.* in \[/, ""); gsub(/[\] ]/, "")
+      count = split($0, ends, ",")
+      for (i = 1; i <= count; ++i) {
+        size = ends[i] + 0
+        if (size < 0) size = -size
+        if (size > most) most = size
+      }
+      found = 1
+    }
+    END { if (found) printf "%g\n", most; else print "none" }' "$1"
+}
+
+constant() {  # header, name
+  local value
+  value=$(sed -n "s/.*constexpr double $2 = \([^;]*\);.*/\1/p" "$1")
+  case $value in
+    "Cylinder::"*) constant "$fast/laws/cylinder.h" "$2" ;;
+    "2 * Cylinder::"*) awk -v c="$(constant "$fast/laws/cylinder.h" "$2")" 'BEGIN {printf "%.17g\n", 2 * c}' ;;
+    "") constant "$fast/laws/wall.h" "$2" ;;  # bump-1p is the wall
+    *) printf '%.17g\n' "$value" ;;
+  esac
+}
+
+at_most() { awk -v a="$1" -v b="$2" 'BEGIN {exit !(a != "none" && a * (1 + 1e-5) <= b)}'; }
+
+check() {  # script's basename, bound that its intervals must imply, or "" if only others use it
+  local script stored proved bound=$2 most line
+  script=$(echo "$fast"/*/"$1.g") stored=${script%.g}.gappa-expected
+  [ -f "$script" ] || { fail "$1: no proof, $1.g is missing in fast/"; return; }
+  proved=$(prove "$script")
+  [ -z "$store" ] || printf '%s\n' "$proved" >"$stored"
+  [ "$(printf '%s\n' "$proved" | cut -d: -f1 | sort -u)" = "$(pieces_of "$script" | sort)" ] ||
+    fail "$1: a piece proved nothing"
+  [ "$proved" = "$(cat "$stored")" ] || { fail "$1: the proved intervals are not the stored ones"; diff <(printf '%s\n' "$proved") "$stored" || true; }
+  while read -r line; do
+    read -r from prefix <<<"${line##*# from }"
+    line=$(sed 's/.*<= \([^ ]*\) .*/\1/' <<<"$line")
+    at_most "$(largest "$(echo "$fast"/*/"$from.gappa-expected")" "$prefix")" "$(printf '%.17g' "$line")" ||
+      fail "$1: the hypothesis $line is not proved by $from $prefix"
+  done < <(grep '# from ' "$script" | grep -v '^#')
+  at_most "$(grep -q '^sign_' "$stored" && largest "$stored" sign_ || echo 0)" 0.999 || fail "$1: a sign is not proved"
+  most=$(largest "$stored" "([^s]|s[^i]|si[^g])")
+  if [ -z "$bound" ]; then
+    echo "$1: proved $most"
+  elif ! at_most "$most" "$bound"; then
+    fail "$1: proved $most, which does not imply the header's $bound"
+  elif ! at_most "$bound" "$(awk -v most="$most" 'BEGIN {printf "%.17g", 4.1 * most}')"; then
+    fail "$1: the header's $bound is idle, $most is proved"
+  else
+    echo "$1: proved $most, header $bound"
+  fi
+}
+
+check polygon_gap ""
+check double_double "$(constant "$fast/numbers/double_double.h" kRelativeError)"
+check spline "$(constant "$fast/heights/spline.h" kSplineError)"
+check force "$(constant "$fast/heights/force.h" kHeightForceError)"
+laws=$(sed -n 's/.*{LawId::[a-z0-9_]*, "[^"]*", "\([a-z0-9_]*\)"},/\1/p' "$2/vocabulary/law.h")
+[ "$(wc -w <<<"$laws")" -ge 9 ] || fail "only $(wc -w <<<"$laws") laws found in vocabulary/law.h"
+for law in $laws; do check "$law" "$(constant "$fast/laws/$law.h" kErrorBound)"; done
+[ "$failures" = 0 ]

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Prints the lines of tests/golden/hashes.txt as this build makes them. Exit codes: 1 refused, or instruction sets differ.
+
+#include "same_bits.h"
+
+#include <exception>
+
+#include "same_bits_heights.h"
+
+int main() {
+  using namespace forceshade;
+  bool all_same = true;
+  const auto print = [&](const std::string& name, const tests::Bits& bits) {
+    std::printf("%s %s\n", name.c_str(), bits.hash.c_str());
+    for (const std::size_t different : bits.different) all_same &= different == 0;
+  };
+  const auto scenes = tests::height_scenes();
+  try {
+    // First, so that an arithmetic that the height maps alone refuse is refused at once.
+    const auto built = fast::HeightMapField::build(scenes.front().map, height::Rendering::true_height, 1);
+    if (const auto* error = std::get_if<ParameterError>(&built)) throw std::runtime_error(error->message());
+    for (const LawName& law : kLaws) print(std::string(law.name), tests::bits_of(law.id));
+    for (const tests::HeightScene& scene : scenes)
+      for (const auto& [rendering, name] : height::kRenderings)
+        if (is_rendered(scene, rendering)) print(name_of(scene, rendering), bits_of(scene, rendering));
+  } catch (const std::runtime_error& error) {
+    return std::fprintf(stderr, "refused: %s\n", error.what()), 1;
+  }
+  return all_same ? 0 : 1;
+}

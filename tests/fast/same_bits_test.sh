@@ -1,0 +1,79 @@
+#!/usr/bin/env bash
+# same_bits_test.sh COMPILER SOURCE_DIR EIGEN_DIR: builds fast/ and the program same_bits with other flags than the
+# library's; each build must make tests/golden/hashes.txt again, and a build that may round otherwise must be refused, whichever
+# of the files that evaluate is built so. Exits 77 where there is no such compiler.
+set -euo pipefail
+compiler=$1 source=$2 eigen=$3
+command -v "$compiler" > /dev/null || { echo "$compiler is not installed"; exit 77; }
+cache=$(command -v ccache || true)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+evaluating="law height_map_field heights/exact heights/grid heights/spline_force_avx2 heights/spline_force_avx512
+  numbers/root_field simd/batch_avx2 simd/batch_avx512"
+every="$evaluating heights/domain instruction_set"
+# A new file has to be put into one of the two lists.
+diff <(printf '%s\n' $every | sort) <(cd "$source/fast" && find . -name '*.cpp' | sed 's|^\./||; s/\.cpp$//' | sort) ||
+  { echo "FAILED: these are not the files of fast/"; exit 1; }
+
+vector_flags() {  # file
+  case $1 in
+    fast/*_avx2) echo -mavx2 -mfma ;;
+    fast/*_avx512) echo -mavx512f -mavx512dq -mavx512vl -mavx512bw ;;
+  esac
+}
+compile() {  # directory, file, flags...
+  $cache "$compiler" -std=c++20 -w -I"$source/include/fast" -I"$source/include/vocabulary" -I"$source/include/tests" -isystem "$eigen" "${@:3}" $(vector_flags "$2") -c "$source/$2.cpp" \
+    -o "$1/$(basename "$2").o"
+}
+link() { "$compiler" "${@:2}" "$1"/*.o -o "$1/same_bits"; }  # directory, flags...
+
+same() {  # flags...
+  local place="$scratch/same $*"
+  mkdir "$place"
+  for file in $every; do compile "$place" fast/$file "$@" -ffp-contract=off; done
+  compile "$place" tests/fast/same_bits "$@" -ffp-contract=off
+  link "$place" "$@"
+  SECONDS=0
+  "$place/same_bits" > "$place/hashes"
+  diff <(grep -v '^#' "$source/tests/golden/hashes.txt") "$place/hashes" || { echo "FAILED: other bits with $*"; exit 1; }
+  echo "same bits with $* ($SECONDS s)"
+}
+
+refused() {  # WORDS, file, flags...: the first build of `same`, but for one file
+  local place="$scratch/refused" words
+  rm -rf "$place"
+  cp -r "$scratch/same -O3" "$place"
+  compile "$place" "$2" -O2 "${@:3}"  # less does not contract
+  link "$place"
+  words=$("$place/same_bits" 2>&1 > "$place/hashes") && { echo "FAILED: $2 with ${*:3} was not refused"; exit 1; }
+  case $words in "refused: $1"*) echo "$2 with ${*:3} $words" ;; *) echo "FAILED: $2 with ${*:3}: $words"; exit 1 ;; esac
+}
+
+not_compiled() {  # file, flags...: the preprocessor refuses
+  local words
+  words=$(compile "$scratch" "$1" -E "${@:2}" 2>&1) && { echo "FAILED: $1 compiled with ${*:2}"; exit 1; }
+  case $words in *"#error \"forceshade proves"*) ;; *) echo "FAILED: $1 with ${*:2}: $words"; exit 1 ;; esac
+}
+
+same -O3
+same -O3 -march=native
+same -O0
+same -O1 -fsanitize=address,undefined -fno-sanitize-recover=all
+
+for file in $evaluating; do
+  for flag in -ffast-math -Ofast -ffinite-math-only; do not_compiled fast/$file $flag; done
+done
+echo "the preprocessor refuses -ffast-math, -Ofast and -ffinite-math-only in every file that evaluates"
+if grep -qw avx512dq /proc/cpuinfo; then
+  for file in $evaluating; do refused "fused" fast/$file -ffp-contract=fast -mfma; done
+else
+  echo "refusal of contraction not tried: this machine lacks AVX-512"
+fi
+for file in $evaluating; do
+  # Only g++ has macros for the parts of -ffast-math.
+  case $compiler in
+    *clang*) refused "reordered" fast/$file -funsafe-math-optimizations -ffp-contract=off ;;
+    *) not_compiled fast/$file -funsafe-math-optimizations ;;
+  esac
+done

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The hard cases of height maps, tests/height_<scene>.cases: inputs whose force lies nearest to a rounding tie, that binary64
+// rounds wrongly, or whose contact is closest, found by tests/hard_cases/search_heights.cpp on the maps of height_scenes.h.
+
+#include <Eigen/Core>
+#include <istream>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "forceshade/fast/heights/cap.h"
+#include "forceshade/fast/heights/cone.h"
+#include "forceshade/fast/heights/force.h"
+#include "forceshade/fast/heights/gaussian.h"
+#include "forceshade/fast/heights/grating.h"
+#include "forceshade/fast/heights/plane.h"
+#include "forceshade/fast/heights/polygons.h"
+#include "forceshade/fast/heights/spline.h"
+#include "forceshade/tests/height_maps/height_scenes.h"
+#include "forceshade/vocabulary/law.h"
+
+namespace forceshade::tests {
+
+struct HeightCase {
+  height::Rendering rendering;
+  float stiffness;           // N/mm
+  Eigen::Vector3f position;  // mm
+  Eigen::Vector3f force;     // N, as the reference gives it
+  Status status;
+  std::string closest;  // closeness() there
+  std::string why;
+  std::string place;  // file and line
+};
+
+std::string case_file(const HeightScene& scene);  // from the root of the sources
+
+// Throws csv::Error, which names file and line, where the file is malformed or has no cases.
+std::vector<HeightCase> height_cases(const HeightScene& scene);
+std::vector<HeightCase> read_height_cases(std::istream& in, const std::string& file);
+
+// A scene's gap, slopes and force in any Ball arithmetic: what fast::HeightMapField computes, with every number in view.
+class Balls {
+ public:
+  explicit Balls(const HeightScene& scene) : parts_(real_time(scene.map.parts)), surface_(real_time(scene.map.surface)) {}
+
+  template <class N>
+  struct Answer {
+    N gap, Ux, Uy;           // mm, mm/mm
+    std::array<N, 3> force;  // N; where the gap is positive
+    bool decided;
+  };
+  // Of coordinates that are quantised.
+  template <class N>
+  Answer<N> at(const Eigen::Vector3f& position, height::Rendering rendering, double K) const {
+    const fast::Place place(position.x(), position.y());
+    const fast::Jet<N> map = sum<N>(parts_, place);
+    const bool is_shaded = rendering == height::Rendering::force_shaded;
+    const fast::Jet<N> surface = is_shaded ? sum<N>(surface_, place) : map;
+    const N gap = surface.U - N::exactly(static_cast<double>(position.z()));
+    N M = N::exactly(K) * gap;
+    if (rendering != height::Rendering::conservative) M = M / square_root(N::exactly(1) + (map.Ux * map.Ux + map.Uy * map.Uy));
+    return {gap, map.Ux, map.Uy, {-(M * map.Ux), -(M * map.Uy), M}, map.decided && surface.decided};
+  }
+
+ private:
+  using Shape = std::variant<height::Plane, height::Cone, height::CylinderCap, height::SphereCap, height::Gaussian,
+                             height::Grating, height::Polygons, fast::HeightGrid>;
+  struct Part {
+    Shape shape;
+    bool negated;
+  };
+
+  static std::vector<Part> real_time(const std::vector<height::Part>& parts) {
+    std::vector<Part> all;
+    for (const height::Part& part : parts)
+      all.push_back({std::visit(
+                         []<class T>(const T& shape) -> Shape {
+                           if constexpr (std::is_constructible_v<fast::HeightGrid, T>)
+                             return fast::HeightGrid(shape);
+                           else
+                             return shape;
+                         },
+                         part.shape),
+                     part.negated});
+    return all;
+  }
+  template <class N>
+  static fast::Jet<N> sum(const std::vector<Part>& parts, const fast::Place& at) {
+    fast::Jet<N> total = fast::flat<N>();
+    for (const Part& part : parts) {
+      const fast::Jet<N> one = std::visit([&](const auto& shape) { return fast::jet<N>(shape, at); }, part.shape);
+      total = total + (part.negated ? -one : one);
+    }
+    return total;
+  }
+
+  std::vector<Part> parts_, surface_;
+};
+
+// How close it is, by 2048 bits: of a position in contact, of the component nearest to a tie, relative to its size, "x
+// 2^-71.3", or "y 0" for a tie; where `of_gap`, the penetration in mm, "gap 2^-44.0", "gap -2^-44.0" or "gap 0".
+std::string closeness(const Balls& balls, const HeightCase& one, bool of_gap);
+bool is_about_gap(const HeightCase& one);  // by its `why`
+
+}  // namespace forceshade::tests

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Height maps on both sides against tests/golden/height_forces.csv, which an independent program makes (exact rationals and
+// enclosures by integers, in Python): every bit of a force, every digit of its decimals, every status.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "forceshade/csv/csv.h"
+#include "forceshade/fast/height_map_field.h"
+#include "forceshade/properties/binary32.h"
+#include "forceshade/reference/height_map_field.h"
+#include "forceshade/tests/height_maps/height_cases.h"
+
+namespace forceshade {
+namespace {
+
+using properties::same_bits;
+using properties::show;
+using N = fast::BigFloatBall<32>;
+
+const std::string kGolden = std::string(FORCESHADE_SOURCE_DIR) + "/tests/golden/";
+
+std::vector<float> numbers_in(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<float> numbers;
+  for (std::string word; in >> word;) numbers.push_back(std::strtof(word.c_str(), nullptr));
+  return numbers;
+}
+
+height::Shape grid_of(const std::string& shape, const std::vector<float>& n) {
+  const bool is_bilinear = shape.starts_with("bilinear"), is_tiled = shape.ends_with("tile");
+  return std::make_shared<const height::Grid>(
+      height::Grid{static_cast<std::uint32_t>(n[0]),
+                   static_cast<std::uint32_t>(n[1]),
+                   n[2],
+                   is_tiled ? height::Edge::tile : height::Edge::clamp,
+                   is_bilinear ? height::Interpolant::bilinear : height::Interpolant::cubic_spline,
+                   {n.begin() + 3, n.end()}});
+}
+
+height::Shape shape_of(const std::string& shape, const std::vector<float>& n) {
+  if (shape == "plane") return height::Plane{n[0], n[1], n[2]};
+  if (shape == "cone") return height::Cone{n[0], n[1], n[2], n[3]};
+  if (shape == "cylinder-cap") return height::CylinderCap{n[0], n[1], n[2]};
+  if (shape == "sphere-cap") return height::SphereCap{n[0], n[1], n[2], n[3]};
+  if (shape == "gaussian") return height::Gaussian{n[0], n[1], n[2], n[3]};
+  if (shape == "grating") return height::Grating{n[0], n[1], n[2], n[3]};
+  if (shape != "polygons") return grid_of(shape, n);
+  height::Polygons polygons;
+  for (std::size_t i = 0; i < n.size(); i += 2) polygons.knots.push_back({n[i], n[i + 1]});
+  return polygons;
+}
+
+std::map<std::string, HeightMap> golden_maps() {
+  const std::string path = kGolden + "height_maps.csv";
+  std::ifstream in = csv::open_input(path);
+  csv::Reader rows(in, path, {"map", "use", "negated", "shape", "numbers"});
+  std::map<std::string, HeightMap> maps;
+  while (rows.next()) {
+    HeightMap& map = maps[rows.text(0)];
+    (rows.text(1) == "map" ? map.parts : map.surface)
+        .push_back({shape_of(rows.text(3), numbers_in(rows.text(4))), rows.text(2) == "1"});
+  }
+  return maps;
+}
+
+// The decimal as it is written, scientific; enclosed.
+N decimal(const std::string& text) {
+  const std::size_t e = text.find('e');
+  N value = N::exactly(0), ten = N::exactly(10);
+  int power = e == std::string::npos ? 0 : std::stoi(text.substr(e + 1));
+  bool is_past_point = false;
+  for (const char c : text.substr(0, e)) {
+    if (c == '.') is_past_point = true;
+    if (c < '0' || c > '9') continue;
+    value = value * ten + N::exactly(c - '0');
+    power -= is_past_point;
+  }
+  for (; power > 0; --power) value = value * ten;
+  N scale = N::exactly(1);
+  for (; power < 0; ++power) scale = scale * ten;
+  value = value / scale;
+  return text.starts_with('-') ? -value : value;
+}
+
+// Within half a unit of the 40th digit, and a little for the enclosures.
+bool has_these_digits(const N& force, const std::string& text) {
+  const double size = std::fabs(approximately(force));
+  if (text == "0" || size < 1e-250) return (text == "0") == (size == 0) || size < 1e-250;
+  const double off = std::fabs(approximately(force - decimal(text)));
+  return off <= 0.5000001 * std::pow(10, std::floor(std::log10(size)) - 39) || off <= 0.5000001e-39 * size;
+}
+
+TEST(height_golden, forces_are_met_to_every_bit_and_digit) {
+  const auto maps = golden_maps();
+  const std::string path = kGolden + "height_forces.csv";
+  std::ifstream in = csv::open_input(path);
+  csv::Reader rows(in, path,
+                   {"map", "rendering", "K_N_per_mm", "x_mm", "y_mm", "z_mm", "fx_N", "fy_N", "fz_N", "fx_binary32",
+                    "fy_binary32", "fz_binary32", "status"});
+  std::array<int, 3> stages{}, methods{}, statuses{};
+  std::set<std::pair<std::string, std::string>> renderings_met;
+  std::set<std::size_t> kinds;
+  int count = 0;
+  while (rows.next()) {
+    const HeightMap& map = maps.at(rows.text(0));
+    const auto named = std::ranges::find(height::kRenderings, rows.text(1), &height::RenderingName::name);
+    ASSERT_NE(named, height::kRenderings.end()) << rows.text(1);
+    const float K = rows.binary32(2);
+    const auto fast = std::get<fast::HeightMapField>(fast::HeightMapField::build(map, named->rendering, K));
+    const auto reference = std::get<reference::HeightMapField>(reference::HeightMapField::build(map, named->rendering, K));
+    const Eigen::Vector3f position(rows.binary32(3), rows.binary32(4), rows.binary32(5));
+    const fast::Evaluation answer = fast.evaluate(position);
+    const reference::Rounded exact = reference.round_to_binary32(position);
+    const auto where = [&] { return path + ":" + std::to_string(rows.line()); };
+    std::vector<Eigen::Vector3f> at(fast::kSplineBatch, position), batch(at.size());
+    fast.force(at, batch);
+    for (int axis = 0; axis < 3; ++axis) {
+      const float golden = rows.binary32(9 + static_cast<std::size_t>(axis));
+      ASSERT_TRUE(same_bits(answer.force[axis], golden)) << where() << ": fast gives " << show(answer.force);
+      ASSERT_TRUE(same_bits(batch.back()[axis], golden)) << where() << ": a batch gives " << show(batch.back());
+      ASSERT_TRUE(same_bits(exact.force[axis], golden)) << where() << ": reference gives " << show(exact.force);
+    }
+    const Status status = rows.text(12) == "free"      ? Status::free
+                          : rows.text(12) == "contact" ? Status::contact
+                                                       : Status::invalid;
+    ASSERT_EQ(answer.status, status) << where();
+    ASSERT_EQ(exact.status, status) << where();
+    if (status == Status::contact) {
+      Eigen::Vector3f quantised = position;
+      for (float& coordinate : quantised) coordinate = fast::quantised(coordinate);
+      const tests::Balls balls({"", map, 0, {}});
+      const auto force = balls.at<N>(quantised, named->rendering, static_cast<double>(K)).force;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        EXPECT_TRUE(has_these_digits(force[axis], rows.text(6 + axis))) << where() << ": " << rows.text(6 + axis);
+    }
+    ++count;
+    ++stages[static_cast<std::size_t>(answer.stage)];
+    ++methods[static_cast<std::size_t>(exact.method)];
+    ++statuses[static_cast<std::size_t>(status)];
+    renderings_met.emplace(rows.text(0), rows.text(1));
+    for (const height::Part& part : map.parts) kinds.insert(part.shape.index());
+  }
+  std::printf("  %d rows of %zu maps; stages %d, %d, %d; reference %d by filter, %d by enclosure, %d by exact comparison\n",
+              count, maps.size(), stages[0], stages[1], stages[2], methods[0], methods[1], methods[2]);
+  EXPECT_GT(count, 1900);
+  EXPECT_EQ(kinds.size(), std::variant_size_v<height::Shape>) << "a kind of height map has no golden row";
+  for (const auto& [name, map] : maps)
+    for (const auto& [rendering, word] : height::kRenderings)
+      if (map.surface.empty() || rendering == height::Rendering::force_shaded) {
+        EXPECT_TRUE(renderings_met.contains({name, std::string(word)})) << name << ", " << word;
+      }
+  for (const auto& reached : {stages, methods, statuses})
+    for (const int times : reached) EXPECT_GT(times, 0);
+}
+
+}  // namespace
+}  // namespace forceshade

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <random>
+#include <string>
+
+#include "forceshade/fast/height_map_field.h"
+#include "forceshade/heights/spec.h"
+#include "forceshade/reference/height_map_field.h"
+#include "forceshade/tests/support/temporary_directory.h"
+
+namespace forceshade::heights {
+namespace {
+
+using tests::TemporaryDirectory;
+
+// What reading a spec of this text says, whatever file it is about.
+std::string words_of_anything(const std::string& text) {
+  const TemporaryDirectory directory;
+  try {
+    read_spec(directory.write("map.toml", text));
+    return ": ";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+std::string words_of(const std::string& text) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.write("map.toml", text);
+  try {
+    read_spec(file);
+    return "";
+  } catch (const Error& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with(file + ": ")) << error.what();
+    return std::string(error.what()).substr(file.size() + 2);
+  }
+}
+
+TEST(height_spec, reads_every_shape_with_its_defaults) {
+  const TemporaryDirectory directory;
+  const Spec spec = read_spec(directory.write("map.toml", R"(
+render = "height-map-conservative"
+[[part]]
+shape = "plane"
+slope_x = 1
+[[part]]
+shape = "cone"
+height_mm = 2.5
+radius_mm = 3
+y_mm = -1
+[[part]]
+shape = "cylinder-cap"
+radius_mm = 8
+width_mm = 10
+negated = true
+[[part]]
+shape = "sphere-cap"
+radius_mm = 9
+width_mm = 4
+[[part]]
+shape = "gaussian"
+height_mm = -1
+sigma_mm = 0.5
+x_mm = 7
+[[part]]
+shape = "grating"
+height_mm = 0.1
+wave_y_rad_per_mm = 3
+)"));
+  EXPECT_EQ(spec.rendering, height::Rendering::conservative);
+  const auto& parts = spec.map.parts;
+  ASSERT_EQ(parts.size(), 6U);
+  EXPECT_EQ(std::get<height::Plane>(parts[0].shape).slope_x, 1);
+  EXPECT_EQ(std::get<height::Plane>(parts[0].shape).height, 0);
+  EXPECT_EQ(std::get<height::Cone>(parts[1].shape).height, 2.5F);
+  EXPECT_EQ(std::get<height::Cone>(parts[1].shape).y, -1);
+  EXPECT_EQ(std::get<height::CylinderCap>(parts[2].shape).width, 10);
+  EXPECT_EQ(std::get<height::SphereCap>(parts[3].shape).radius, 9);
+  EXPECT_EQ(std::get<height::Gaussian>(parts[4].shape).x, 7);
+  EXPECT_EQ(std::get<height::Grating>(parts[5].shape).wave_y, 3);
+  for (std::size_t i = 0; i < parts.size(); ++i) EXPECT_EQ(parts[i].negated, i == 2);
+}
+
+// examples/smooth_leather.toml with other numbers.
+TEST(height_spec, band_limits_a_grid) {
+  const std::string start = "render = \"height-map\"\n[[part]]\nshape = \"grid\"\nfile = \"" FORCESHADE_SOURCE_DIR
+                            "/examples/leather.png\"\npitch_mm = 0.15\nscale_mm = 0.4\ninterpolant = ";
+  const auto words = [&](const std::string& rest) {
+    const std::string all = words_of_anything(start + rest);
+    return all.substr(all.find(": ") + 2);
+  };
+  EXPECT_EQ(words("\"band-limited\"\nshortest_wavelength_mm = 0.6\n"), "");
+  EXPECT_EQ(words("\"band-limited\"\n"), "line 2: key shortest_wavelength_mm is missing");
+  EXPECT_EQ(words("\"cubic-spline\"\nshortest_wavelength_mm = 0.6\n"), "line 8: unknown key shortest_wavelength_mm");
+  EXPECT_EQ(words("\"band-limited\"\nshortest_wavelength_mm = 0.59\n"),
+            "is to lose waves shorter than 0.590000 mm; expected 4 pitches, 0.600000 mm, to 10000 mm");
+  EXPECT_EQ(words("\"band-limited\"\nshortest_wavelength_mm = nan\n").substr(0, 33), "is to lose waves shorter than nan");
+}
+
+TEST(height_spec, reads_a_surface_beside_the_parts) {
+  const TemporaryDirectory directory;
+  const Spec spec = read_spec(directory.write("map.toml", R"(
+render = "height-map-shaded"
+[[surface]]
+shape = "polygons"
+knots_mm = [[-4, 0], [0, 1.5], [4, 0]]
+[[part]]
+shape = "cylinder-cap"
+radius_mm = 8
+width_mm = 8
+)"));
+  ASSERT_EQ(spec.map.parts.size(), 1U);
+  ASSERT_EQ(spec.map.surface.size(), 1U);
+  const auto& knots = std::get<height::Polygons>(spec.map.surface[0].shape).knots;
+  ASSERT_EQ(knots.size(), 3U);
+  EXPECT_EQ(knots[1].height, 1.5F);
+  EXPECT_EQ(knots[2].x, 4);
+}
+
+TEST(height_spec, writes_a_map_that_shades_polygons_and_can_be_read_elsewhere) {
+  const TemporaryDirectory here, there;
+  std::filesystem::create_directory(here.file("pictures"));
+  std::filesystem::copy(FORCESHADE_SOURCE_DIR "/examples/leather.png", here.file("pictures/leather.png"));
+  const std::string file = here.write("map.toml", R"(
+render = "height-map-conservative"
+[[part]]
+shape = "gaussian"
+height_mm = 0.1
+sigma_mm = 0.7
+negated = true
+[[part]]
+shape = "grid"
+file = "pictures/leather.png"
+pitch_mm = 0.15
+scale_mm = 0.4
+)");
+  const std::vector<height::Knot> knots{{-0.1F, 0x1.8p-29F}, {1.0F / 3, 1e4F}, {9999.999F, -2.0F / 3}};
+  const Spec before = read_spec(file);
+  const Spec after = read_spec(there.write("shading.toml", shading_polygons(file, knots, there.file(""))));
+  EXPECT_EQ(after.rendering, height::Rendering::force_shaded);
+  ASSERT_EQ(after.map.parts.size(), 2U);
+  EXPECT_TRUE(after.map.parts[0].negated);
+  EXPECT_EQ(std::get<height::Gaussian>(after.map.parts[0].shape).sigma, 0.7F);
+  EXPECT_EQ(std::get<std::shared_ptr<const height::Grid>>(after.map.parts[1].shape)->values,
+            std::get<std::shared_ptr<const height::Grid>>(before.map.parts[1].shape)->values);
+  ASSERT_EQ(after.map.surface.size(), 1U);
+  const auto& read = std::get<height::Polygons>(after.map.surface[0].shape).knots;
+  ASSERT_EQ(read.size(), knots.size());
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    EXPECT_EQ(read[i].x, knots[i].x);
+    EXPECT_EQ(read[i].height, knots[i].height);
+  }
+}
+
+TEST(height_spec, says_what_is_wrong_and_where) {
+  const std::string good = "render = \"height-map\"\n[[part]]\nshape = \"gaussian\"\nheight_mm = 1\nsigma_mm = 2\n";
+  EXPECT_EQ(words_of(good), "");
+  const auto with = [&](const std::string& a, const std::string& b) {
+    std::string text = good;
+    return words_of(text.replace(text.find(a), a.size(), b));
+  };
+  EXPECT_EQ(words_of(""), "line 1: key render is missing");
+  EXPECT_EQ(words_of("render = \"height-map\"\n"), "expected at least one [[part]], got none");
+  EXPECT_EQ(with("\"height-map\"", "\"flat\""),
+            "line 1: render: expected one of height-map, height-map-shaded, height-map-conservative, got 'flat'");
+  EXPECT_EQ(
+      with("\"gaussian\"", "\"teapot\""),
+      "line 3: shape: expected one of plane, cone, cylinder-cap, sphere-cap, gaussian, grating, polygons, grid, got 'teapot'");
+  EXPECT_EQ(with("height_mm = 1", "height_mm = \"1\""), "line 4: height_mm: expected a number, got '1'");
+  EXPECT_EQ(with("height_mm = 1", "height_mm = [1]"), "line 4: height_mm: expected a number, got a list or table");
+  EXPECT_EQ(with("sigma_mm = 2", "sigma = 2"), "line 2: key sigma_mm is missing");
+  EXPECT_EQ(with("sigma_mm = 2", "sigma_mm = 2\nradius_mm = 3"), "line 6: unknown key radius_mm");
+  EXPECT_EQ(with("sigma_mm = 2", "sigma_mm = 2\nnegated = 1"), "line 6: negated: expected true or false, got 1");
+  EXPECT_EQ(with("[[part]]", "[part]"), "line 2: expected render, [[part]] and [[surface]], got part");
+  EXPECT_EQ(with("[[part]]", "[[parts]]"), "line 2: expected render, [[part]] and [[surface]], got parts");
+  EXPECT_NE(with("sigma_mm = 2", "sigma_mm = ").find("line 5: "), std::string::npos);
+  EXPECT_NE(with("\"gaussian\"", "\"grid\"\npitch_mm = 1\nscale_mm = 1"), "");
+  EXPECT_EQ(with("[[part]]", "[[surface]]\nshape = \"plane\"\n[[part]]"),
+            "line 2: only render = \"height-map-shaded\" has a [[surface]]");
+  const auto knots = [&](const std::string& list) {
+    return with("\"gaussian\"\nheight_mm = 1\nsigma_mm = 2", "\"polygons\"\nknots_mm = " + list);
+  };
+  EXPECT_EQ(knots("[[0, 1], [2.5, -1]]"), "");
+  EXPECT_EQ(knots("[[0, 1], [2]]"), "line 4: knots_mm: expected pairs of numbers [x, height], got a list or table");
+  EXPECT_EQ(knots("[[0, 1], 2]"), "line 4: knots_mm: expected pairs of numbers [x, height], got 2");
+  EXPECT_EQ(knots("1"), "line 4: knots_mm: expected a list of pairs [x, height], got 1");
+  EXPECT_THROW(read_spec("nowhere/map.toml"), Error);
+}
+
+// What ships as an example is read, built on both sides, and felt alike.
+TEST(height_spec, examples_are_rendered_to_the_nearest_binary32) {
+  std::size_t examples = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(FORCESHADE_SOURCE_DIR "/examples")) {
+    if (entry.path().extension() != ".toml") continue;
+    ++examples;
+    const auto [map, rendering] = read_spec(entry.path());
+    const auto fast = fast::HeightMapField::build(map, rendering, 0.5F);
+    const auto truth = reference::HeightMapField::build(map, rendering, 0.5F);
+    ASSERT_TRUE(std::holds_alternative<fast::HeightMapField>(fast)) << entry.path();
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> side(-12, 12), depth(-3, 2);
+    std::size_t contacts = 0;
+    for (int i = 0; i < 200; ++i) {
+      const Eigen::Vector3f position(side(random), side(random), depth(random));
+      const fast::Evaluation got = std::get<fast::HeightMapField>(fast).evaluate(position);
+      const reference::Rounded exact = std::get<reference::HeightMapField>(truth).round_to_binary32(position);
+      EXPECT_EQ(got.status, exact.status) << entry.path() << " " << position.transpose();
+      EXPECT_EQ(got.force, exact.force) << entry.path() << " " << position.transpose();
+      contacts += got.status == Status::contact;
+    }
+    EXPECT_GT(contacts, 20U) << entry.path();
+  }
+  EXPECT_GE(examples, 4U);
+}
+
+}  // namespace
+}  // namespace forceshade::heights

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Height grids from files: what they hold, and what hostile ones get.
+
+#include <gtest/gtest.h>
+#include <png.h>
+#include <sys/resource.h>
+#include <tiffio.h>
+
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <random>
+
+#include "forceshade/heights/coefficients.h"
+#include "forceshade/heights/load.h"
+#include "forceshade/tests/support/temporary_directory.h"
+
+namespace forceshade {
+namespace {
+
+using height::Edge;
+using height::Interpolant;
+
+class Heights : public ::testing::Test {
+ protected:
+  std::filesystem::path write(const std::string& name, const std::string& content) const {
+    return directory_.write(name, content);
+  }
+  std::string read(const std::string& name) const { return directory_.read(name); }
+  std::filesystem::path path(const std::string& name) const { return directory_.file(name); }
+
+ private:
+  tests::TemporaryDirectory directory_;
+};
+
+template <class T>
+std::string bytes(const std::vector<T>& numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)};
+}
+
+std::string npy(const std::string& dictionary, const std::string& numbers) {
+  std::string header = "{" + dictionary + "}";
+  header.resize((header.size() + 10 + 63) / 64 * 64 - 10, ' ');
+  std::string file("\x93NUMPY\x01\x00", 8);
+  file.push_back(static_cast<char>(header.size() % 256));
+  file.push_back(static_cast<char>(header.size() / 256));
+  return file.append(header).append(numbers);
+}
+
+std::string npy_of(const std::string& type, const std::string& shape, const std::string& numbers) {
+  return npy("'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + ", ", numbers);
+}
+
+void write_png(const std::filesystem::path& file, unsigned format, unsigned columns, unsigned rows, const void* pixels) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = columns;
+  image.height = rows;
+  image.format = format;
+  ASSERT_NE(png_image_write_to_file(&image, file.c_str(), 0, pixels, 0, nullptr), 0) << image.message;
+}
+
+void write_tiff(const std::filesystem::path& file, unsigned columns, unsigned rows, const std::vector<float>& values,
+                std::uint16_t compression = COMPRESSION_NONE) {
+  TIFF* tiff = TIFFOpen(file.c_str(), "w");
+  ASSERT_NE(tiff, nullptr);
+  TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, columns);
+  TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, rows);
+  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 32);
+  TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
+  TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_IEEEFP);
+  TIFFSetField(tiff, TIFFTAG_COMPRESSION, compression);
+  TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+  for (unsigned row = 0; row < rows; ++row)
+    TIFFWriteScanline(tiff, const_cast<float*>(&values[std::size_t{row} * columns]), row, 0);
+  TIFFClose(tiff);
+}
+
+std::shared_ptr<const height::Grid> load(const std::filesystem::path& file, Interpolant interpolant = Interpolant::bilinear,
+                                         Edge edge = Edge::clamp) {
+  return heights::load({file, 0.5F, 2, edge, interpolant});
+}
+
+std::string error_of(const std::filesystem::path& file) {
+  try {
+    load(file);
+  } catch (const heights::Error& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with(file.string() + ": ")) << error.what();
+    return std::string(error.what()).substr(file.string().size() + 2);
+  }
+  return "loaded";
+}
+
+// Top row 0 1 2, bottom row 3 4 5, doubled: the bottom row comes first.
+const std::vector<float> kNumbers{0, 1, 2, 3, 4, 5}, kHeights{6, 8, 10, 0, 2, 4};
+
+TEST_F(Heights, are_the_numbers_of_every_format) {
+  const auto reversed = [](std::vector<float> numbers) {
+    for (float& number : numbers) number = std::bit_cast<float>(__builtin_bswap32(std::bit_cast<std::uint32_t>(number)));
+    return numbers;
+  };
+  const std::vector<double> wide(kNumbers.begin(), kNumbers.end());
+  const std::vector<float> upwards{3, 4, 5, 0, 1, 2};
+  write("a.npy", npy_of("<f4", "(2, 3)", bytes(kNumbers)));
+  write("b.npy", npy_of(">f4", "(2, 3)", bytes(reversed(kNumbers))));
+  write("c.npy", npy_of("<f8", "(2, 3)", bytes(wide)));
+  write("d.pfm", "Pf\n3 2\n-1.0\n" + bytes(upwards));
+  write("e.pfm", "Pf 3 2 1\n" + bytes(reversed(upwards)));
+  write_tiff(path("f.tif"), 3, 2, kNumbers);
+  write_tiff(path("g.tif"), 3, 2, kNumbers, COMPRESSION_ADOBE_DEFLATE);
+  for (const char* name : {"a.npy", "b.npy", "c.npy", "d.pfm", "e.pfm", "f.tif", "g.tif"}) {
+    const auto grid = load(path(name));
+    EXPECT_EQ(grid->columns, 3U) << name;
+    EXPECT_EQ(grid->rows, 2U) << name;
+    EXPECT_EQ(grid->pitch, 0.5F) << name;
+    EXPECT_EQ(grid->values, kHeights) << name;
+  }
+}
+
+TEST_F(Heights, of_a_png_run_from_black_to_white) {
+  const std::vector<std::uint8_t> eight{0, 51, 255, 102, 153, 204};
+  const std::vector<std::uint16_t> sixteen{0, 13107, 65535, 26214, 39321, 52428};
+  write_png(path("8.png"), PNG_FORMAT_GRAY, 3, 2, eight.data());
+  write_png(path("16.png"), PNG_FORMAT_LINEAR_Y, 3, 2, sixteen.data());
+  for (const char* name : {"8.png", "16.png"})
+    EXPECT_EQ(load(path(name))->values, (std::vector<float>{0.8F, 1.2F, 1.6F, 0, 0.4F, 2})) << name;
+}
+
+TEST_F(Heights, lie_on_the_spline) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<float> uniform(-3, 3);
+  for (const Edge edge : {Edge::clamp, Edge::tile})
+    for (const auto& [columns, rows] : {std::pair{2, 2}, {3, 40}, {17, 5}, {64, 64}}) {
+      std::vector<float> heights(static_cast<std::size_t>(columns * rows));
+      for (float& value : heights) value = uniform(random);
+      std::string shape = "(";
+      shape.append(std::to_string(rows)).append(", ").append(std::to_string(columns)).append(")");
+      write("x.npy", npy_of("<f4", shape, bytes(heights)));
+      const auto spline = load(path("x.npy"), Interpolant::cubic_spline, edge), flat = load(path("x.npy"));
+      const auto kept = [&](int i, int n) { return edge == Edge::tile ? (i + n) % n : std::clamp(i, 0, n - 1); };
+      double worst = 0;
+      for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) {
+          double value = 0, largest = 0;
+          for (int l = -1; l <= 1; ++l)
+            for (int k = -1; k <= 1; ++k) {
+              const auto c = static_cast<double>(
+                  spline->values[static_cast<std::size_t>(kept(j + l, rows) * columns + kept(i + k, columns))]);
+              value += c * (k == 0 ? 4 : 1) * (l == 0 ? 4 : 1) / 36;
+              largest = std::max(largest, std::fabs(c));
+            }
+          const double error = std::fabs(value - static_cast<double>(flat->values[static_cast<std::size_t>(j * columns + i)]));
+          worst = std::max(worst, error / (0x1p-24 * largest + 0x1p-30));
+        }
+      EXPECT_LE(worst, 1) << columns << " x " << rows;
+      EXPECT_GE(worst, 0.1) << columns << " x " << rows;
+    }
+}
+
+TEST_F(Heights, too_small_to_matter_are_zero) {
+  const std::vector<float> numbers{0x1p-32F, -0x1p-32F, 0x1p-31F, -0x1p-31F};
+  EXPECT_EQ(load(write("x.npy", npy_of("<f4", "(2, 2)", bytes(numbers))))->values,
+            (std::vector<float>{0x1p-30F, -0x1p-30F, 0, 0}));
+}
+
+TEST_F(Heights, that_are_no_numbers_are_named_by_row_and_column) {
+  for (const float odd : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 5001.0F}) {
+    std::vector<float> numbers = kNumbers;
+    numbers[5] = odd;
+    const std::string where = "row 1, column 2 holds " + std::to_string(odd) + ", which is no height within 10000 mm";
+    EXPECT_EQ(error_of(write("x.npy", npy_of("<f4", "(2, 3)", bytes(numbers)))), where);
+    write_tiff(path("x.tif"), 3, 2, numbers);
+    EXPECT_EQ(error_of(path("x.tif")), where);
+  }
+  EXPECT_EQ(error_of(write("y.npy", npy_of("<f8", "(2, 2)", bytes(std::vector<double>{1, 1, 1e300, 1})))),
+            "row 1, column 0 holds inf, which is no height within 10000 mm");
+}
+
+TEST_F(Heights, that_are_not_there_or_not_understood_say_why) {
+  EXPECT_EQ(error_of(path("none.png")), "cannot be opened");
+  EXPECT_EQ(error_of(write("empty.png", "")), "is none of PNG, TIFF, greyscale PFM and NPY");
+  EXPECT_EQ(error_of(write("colour.pfm", "PF\n2 2\n-1\n" + std::string(48, 'x'))),
+            "is none of PNG, TIFF, greyscale PFM and NPY");
+  EXPECT_EQ(error_of(write("short.pfm", "Pf\n3")), "has no PFM header: expected a number of columns, got \"\"");
+  EXPECT_EQ(error_of(write("i.npy", npy_of("<i4", "(2, 3)", bytes(kNumbers)))),
+            "holds numbers of type <i4; expected binary32 or binary64: <f4, >f4, <f8 or >f8");
+  EXPECT_EQ(error_of(write("f.npy", npy("'descr': '<f4', 'fortran_order': True, 'shape': (2, 3), ", bytes(kNumbers)))),
+            "is not stored row by row: expected fortran_order False, got True");
+  EXPECT_EQ(error_of(write("3d.npy", npy_of("<f4", "(2, 3, 1)", bytes(kNumbers)))),
+            "is of shape (2, 3, 1); expected two dimensions");
+  EXPECT_EQ(error_of(write("long.npy", npy_of("<f4", "(2, 3)", bytes(kNumbers) + "x"))), "goes on after its last number");
+  const std::vector<std::uint8_t> colours(2 * 2 * 3);
+  write_png(path("colour.png"), PNG_FORMAT_RGB, 2, 2, colours.data());
+  EXPECT_EQ(error_of(path("colour.png")), "is not 8 or 16 bit greyscale");
+  write_png(path("one.png"), PNG_FORMAT_GRAY, 1, 12, colours.data());
+  EXPECT_EQ(error_of(path("one.png")), "declares 1 x 12 samples; expected 2 to 32768 each way");
+}
+
+TEST_F(Heights, that_a_file_only_declares_are_not_allocated) {
+  const auto memory = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;  // KiB
+  };
+  const auto before = memory();
+  const std::string huge = "declares 2147483648 x 2147483648 samples; expected 2 to 32768 each way";
+  EXPECT_EQ(error_of(write("huge.pfm", "Pf\n2147483648 2147483648\n-1\nxxxx")), huge);
+  EXPECT_EQ(error_of(write("huge.npy", npy_of("<f4", "(2147483648, 2147483648)", "xxxx"))), huge);
+  EXPECT_EQ(error_of(write("large.npy", npy_of("<f4", "(30000, 30000)", "xxxx"))),
+            "declares 30000 x 30000 samples; expected 67108864 in all at most");
+  EXPECT_EQ(error_of(write("wide.npy", npy_of("<f4", "(3000, 3000)", "xxxx"))),
+            "declares 3000 x 3000 samples, more than its 132 bytes can hold");
+  write_tiff(path("large.tif"), 3, 2, kNumbers);
+  std::string tiff = read("large.tif");
+  for (const int tag : {TIFFTAG_IMAGEWIDTH, TIFFTAG_IMAGELENGTH}) {  // tag, type, count 1, value
+    const std::string entry{static_cast<char>(tag % 256), static_cast<char>(tag / 256)};
+    for (std::size_t i = 0; i + 12 <= tiff.size(); ++i)
+      if (tiff.compare(i, 2, entry) == 0 && tiff[i + 4] == 1 && tiff[i + 5] == 0 && (tiff[i + 2] == 3 || tiff[i + 2] == 4))
+        tiff.replace(i + 2, 10, std::string("\4\0\1\0\0\0\0\0\0\x7F", 10));
+  }
+  EXPECT_NE(error_of(write("large.tif", tiff)), "loaded") << "libtiff refuses it itself";
+  // A PNG of 2^31 - 1 by 2^31 - 1, its header's checksum put right: libpng refuses it itself.
+  write_png(path("large.png"), PNG_FORMAT_GRAY, 3, 2, "abcdef");
+  std::string png = read("large.png");
+  png.replace(16, 8, std::string("\0\0\x7F\xFF\0\0\x7F\xFF", 8));
+  EXPECT_NE(error_of(write("wrong-crc.png", png)), "loaded");
+  EXPECT_LT(memory() - before, 20000);
+}
+
+TEST_F(Heights, that_are_cut_short_give_an_error_at_every_length) {
+  const std::vector<std::uint8_t> pixels(24 * 24, 100);
+  write_png(path("whole.png"), PNG_FORMAT_GRAY, 24, 24, pixels.data());
+  write_tiff(path("whole.tif"), 24, 24, std::vector<float>(24 * 24, 1));
+  write_tiff(path("packed.tif"), 24, 24, std::vector<float>(24 * 24, 1), COMPRESSION_ADOBE_DEFLATE);
+  write("whole.npy", npy_of("<f4", "(24, 24)", bytes(std::vector<float>(24 * 24, 1))));
+  write("whole.pfm", "Pf\n24 24\n-1\n" + bytes(std::vector<float>(24 * 24, 1)));
+  for (const char* name : {"whole.png", "whole.tif", "packed.tif", "whole.npy", "whole.pfm"}) {
+    const std::string whole = read(name);
+    EXPECT_EQ(error_of(path(name)), "loaded") << name;
+    int loaded = 0;
+    for (std::size_t length = 0; length < whole.size(); length += 1 + length / 50)
+      loaded += error_of(write("cut", whole.substr(0, length))) == "loaded";
+    // The last word of a TIFF's directory says only that there is no other.
+    EXPECT_LE(loaded, std::string(name) == "packed.tif" ? 1 : 0) << name;
+  }
+}
+
+TEST_F(Heights, with_bits_flipped_at_random_do_no_harm) {
+  std::mt19937 random(7);
+  const std::vector<std::uint8_t> pixels(24 * 24, 100);
+  write_png(path("whole.png"), PNG_FORMAT_GRAY, 24, 24, pixels.data());
+  write_tiff(path("whole.tif"), 24, 24, std::vector<float>(24 * 24, 1), COMPRESSION_ADOBE_DEFLATE);
+  write("whole.npy", npy_of("<f4", "(24, 24)", bytes(std::vector<float>(24 * 24, 1))));
+  write("whole.pfm", "Pf\n24 24\n-1\n" + bytes(std::vector<float>(24 * 24, 1)));
+  int refused = 0;
+  for (const char* name : {"whole.png", "whole.tif", "whole.npy", "whole.pfm"}) {
+    const std::string whole = read(name);
+    for (int i = 0; i < 300; ++i) {
+      std::string flipped = whole;
+      for (unsigned k = 0; k <= i % 4U; ++k) {
+        const std::size_t place = random() % (i % 2 == 0 ? std::min<std::size_t>(whole.size(), 200) : whole.size());
+        flipped[place] = static_cast<char>(flipped[place] ^ (1 << random() % 8));
+      }
+      refused += error_of(write("flipped", flipped)) != "loaded";
+    }
+  }
+  EXPECT_GT(refused, 300);
+}
+
+TEST_F(Heights, of_4096_by_4096_are_there_in_two_seconds) {
+  std::vector<std::uint16_t> pixels(4096 * 4096);
+  for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<std::uint16_t>(i * 40503);
+  write_png(path("large.png"), PNG_FORMAT_LINEAR_Y, 4096, 4096, pixels.data());
+  write("large.npy", npy_of("<f4", "(4096, 4096)", bytes(std::vector<float>(pixels.begin(), pixels.end()))));
+  for (const char* name : {"large.png", "large.npy"}) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto grid = heights::load({path(name), 0.1F, 1e-3F, Edge::tile, Interpolant::cubic_spline});
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    std::printf("  %s: %.2f s\n", name, taken.count());
+    EXPECT_LT(taken.count(), 10) << "on a machine that does something else too; 2 s is what docs/height-maps.md promises";
+    EXPECT_EQ(grid->values.capacity(), std::size_t{4096} * 4096) << "one number a sample";
+  }
+}
+
+}  // namespace
+}  // namespace forceshade

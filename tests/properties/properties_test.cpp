@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every property can fail: renderers that are wrong in one way each, and the property that must say so.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "forceshade/properties/binary32.h"
+#include "forceshade/properties/continuity.h"
+#include "forceshade/properties/passivity.h"
+#include "forceshade/properties/run.h"
+
+namespace forceshade::properties {
+namespace {
+
+constexpr Parameters kBump{15.24F, 25.4F, 0.5F};
+constexpr int kCases = 3000;
+constexpr std::uint64_t kSeed = 11;
+
+// The fast path with its answers changed by `change(position, answer)`.
+template <class Change>
+Subject changed(LawId law, const Change& change) {
+  Subject subject = std::get<Subject>(fast_subject(law, kBump));
+  subject.renderer = [right = subject.renderer, change](const Eigen::Vector3f& position) {
+    return change(position, right(position));
+  };
+  return subject;
+}
+
+PropertyResult result_of(const Subject& subject, const std::string& property) {
+  for (const PropertyResult& result : run_properties(subject, kCases, kSeed))
+    if (result.name == property) return result;
+  throw std::invalid_argument(property);
+}
+
+// How far each property is goes from 0 to 1 and never back, also while a failure is shrunk; results are as without a watcher.
+TEST(properties, a_run_reports_each_case_of_each_property) {
+  const Subject wrong = changed(LawId::bump_2p, [](const Eigen::Vector3f& position, Rendered answer) {
+    if (position.x() > 1) answer.force.x() += 1;
+    return answer;
+  });
+  std::map<std::string, std::vector<double>> seen;
+  const std::vector<PropertyResult> watched =
+      run_properties(wrong, 200, kSeed, [&](const std::string& property, double done) { seen[property].push_back(done); });
+  const std::vector<PropertyResult> alone = run_properties(wrong, 200, kSeed);
+  ASSERT_EQ(watched.size(), alone.size());
+  ASSERT_EQ(seen.size(), watched.size());
+  EXPECT_FALSE(watched[0].held);
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    EXPECT_EQ(watched[i].held, alone[i].held) << alone[i].name;
+    EXPECT_EQ(watched[i].counterexample, alone[i].counterexample);
+    const std::vector<double>& done = seen[watched[i].name];
+    EXPECT_GT(done.size(), watched[i].cases) << watched[i].name;
+    EXPECT_EQ(done.front(), 0);
+    EXPECT_EQ(done.back(), 1);
+    EXPECT_TRUE(std::is_sorted(done.begin(), done.end())) << watched[i].name;
+  }
+}
+
+TEST(properties, equivalence_refuses_one_unit_in_the_last_place) {
+  for (const LawName& law : kLaws) {
+    const PropertyResult result = result_of(changed(law.id,
+                                                    [](const Eigen::Vector3f&, Rendered answer) {
+                                                      answer.force.z() =
+                                                          neighbour(answer.force.z(), answer.force.z() > 0.5F ? 1 : 0);
+                                                      return answer;
+                                                    }),
+                                            "equivalence");
+    EXPECT_FALSE(result.held) << law.name;
+    EXPECT_NE(result.counterexample.find("expected the force"), std::string::npos) << result.counterexample;
+    EXPECT_NE(result.counterexample.find("0x"), std::string::npos) << "hexfloat: " << result.counterexample;
+  }
+}
+
+TEST(properties, equivalence_refuses_a_negative_zero_and_a_silent_zero) {
+  EXPECT_FALSE(result_of(changed(LawId::wall,
+                                 [](const Eigen::Vector3f&, Rendered answer) {
+                                   answer.force.x() = -0.0F;
+                                   return answer;
+                                 }),
+                         "equivalence")
+                   .held);
+  EXPECT_FALSE(result_of(changed(LawId::wall,
+                                 [](const Eigen::Vector3f&, Rendered answer) {
+                                   if (answer.status == Status::invalid) answer.status = Status::free;
+                                   return answer;
+                                 }),
+                         "equivalence")
+                   .held);
+}
+
+TEST(properties, counterexamples_are_shrunk) {
+  // Wrong for every x above 1: the smallest such case has round numbers and no y.
+  const PropertyResult result = result_of(changed(LawId::bump_1p,
+                                                  [](const Eigen::Vector3f& position, Rendered answer) {
+                                                    if (position.x() > 1) answer.force.x() = 1;
+                                                    return answer;
+                                                  }),
+                                          "equivalence");
+  ASSERT_FALSE(result.held);
+  EXPECT_NE(result.counterexample.find("y = 0x0p+0 (0)"), std::string::npos) << result.counterexample;
+  EXPECT_NE(result.counterexample.find("z = 0x0p+0 (0)"), std::string::npos) << result.counterexample;
+}
+
+TEST(properties, unit_normals_refuses_a_short_normal_on_the_ridge) {
+  // As printed, sgn(0) = 0 leaves only the z component at x = 0.
+  const Subject printed = changed(LawId::bump_2p, [](const Eigen::Vector3f& position, Rendered answer) {
+    if (position.x() == 0) answer.force.x() = 0;
+    return answer;
+  });
+  EXPECT_FALSE(result_of(printed, "unit normals").held);
+}
+
+TEST(properties, unit_normals_refuses_an_interpolated_normal_that_was_not_normalised) {
+  for (const LawId law :
+       {LawId::bump_1p_shaded, LawId::bump_2p_shaded, LawId::bump_3p_shaded, LawId::cylinder, LawId::bump_cylinder})
+    EXPECT_FALSE(result_of(changed(law,
+                                   [](const Eigen::Vector3f&, Rendered answer) {
+                                     answer.force *= 0.999999F;
+                                     return answer;
+                                   }),
+                           "unit normals")
+                     .held)
+        << name_of(law);
+}
+
+TEST(properties, continuity_refuses_a_jump_where_none_is_listed) {
+  for (const LawName& law : kLaws)
+    EXPECT_FALSE(result_of(changed(law.id,
+                                   [](const Eigen::Vector3f& position, Rendered answer) {
+                                     if (answer.status == Status::contact && position.x() > 0) answer.force.x() += 0.01F;
+                                     return answer;
+                                   }),
+                           "continuity")
+                     .held)
+        << law.name;
+}
+
+TEST(properties, continuity_refuses_a_listed_jump_of_another_size) {
+  for (const LawId law : {LawId::bump_2p, LawId::bump_3p, LawId::bump_1p_shaded, LawId::bump_2p_shaded, LawId::bump_3p_shaded})
+    EXPECT_FALSE(result_of(changed(law,
+                                   [](const Eigen::Vector3f& position, Rendered answer) {
+                                     if (std::fabs(position.x()) > kBump.width / 2) answer.force *= 1.001F;
+                                     return answer;
+                                   }),
+                           "continuity")
+                     .held)
+        << name_of(law);
+}
+
+// On either edge of a shaded bump the jump is known to a thousandth; also across the edge and down at once.
+TEST(properties, continuity_is_as_strict_on_the_left_edge_as_on_the_right) {
+  for (const LawId law : {LawId::bump_1p_shaded, LawId::bump_2p_shaded, LawId::bump_3p_shaded})
+    for (const float side : {1.0F, -1.0F}) {
+      const Subject wrong = changed(law, [side](const Eigen::Vector3f& position, Rendered answer) {
+        if (side * position.x() > kBump.width / 2) answer.force.x() += side * 1e-3F;
+        return answer;
+      });
+      const Subject right = std::get<Subject>(fast_subject(law, kBump));
+      const Shape shape(right.law);
+      const float edge = kBump.width / 2, beyond = neighbour(edge, 1);
+      for (const float below : {-1.5F, neighbour(-1.5F, -20)}) {
+        const Eigen::Vector3f a(side * edge, 0, -1.5F), b(side * beyond, 0, below);
+        EXPECT_EQ(continuity(right, shape, a, b), std::nullopt) << name_of(law);
+        EXPECT_NE(continuity(wrong, shape, a, b), std::nullopt) << name_of(law) << ", side " << side;
+      }
+    }
+}
+
+TEST(properties, continuity_knows_the_size_of_every_listed_jump) {
+  // Straight across each line, on the fast path; the sizes are of the table in docs/laws.md.
+  for (const LawId law :
+       {LawId::bump_2p, LawId::bump_3p, LawId::bump_1p_shaded, LawId::bump_2p_shaded, LawId::bump_3p_shaded}) {
+    const Subject subject = std::get<Subject>(fast_subject(law, kBump));
+    const Shape shape(subject.law);
+    ASSERT_FALSE(shape.jump_lines.empty());
+    for (const JumpLine& line : shape.jump_lines) {
+      // The last position that the <= gives to the inside, and the first outside; for x = 0, either side of it.
+      float inside = static_cast<float>(line.x);
+      while (static_cast<long double>(inside) > line.x) inside = neighbour(inside, -1);
+      const float a = line.x == 0 ? -0x1p-30F : inside, b = line.x == 0 ? 0.0F : neighbour(inside, 1);
+      const float z = static_cast<float>(line.height) - 1.5F;
+      const AllowedChange allowed = allowed_change(subject.law, shape, {a, 0, z}, {b, 0, z});
+      EXPECT_TRUE(allowed.tells);
+      EXPECT_GT(allowed.jump, 0.1L) << name_of(law);
+      EXPECT_LT(allowed.reach, 1e-5L);
+      EXPECT_EQ(continuity(subject, shape, {a, 0, z}, {b, 0, z}), std::nullopt);
+    }
+  }
+}
+
+TEST(properties, continuity_expects_twice_K_R_across_the_axis) {
+  for (const LawId law : {LawId::cylinder, LawId::bump_cylinder}) {
+    const Subject subject = std::get<Subject>(fast_subject(law, {1.25F, 1.5F, 2}));
+    const Shape shape(subject.law);
+    const Eigen::Vector3f a(1e-5F, 0, -1), b(-1e-5F, 0, -1);
+    EXPECT_NEAR(static_cast<double>(allowed_change(subject.law, shape, a, b).jump), 2 * 2 * 1.25, 1e-12);
+    EXPECT_EQ(continuity(subject, shape, a, b), std::nullopt);
+  }
+}
+
+TEST(properties, passivity_refuses_a_force_that_always_pays_a_little) {
+  // Friction with the wrong sign along x; and, for the conservative laws, a force that only depends on where one goes round.
+  for (const LawName& law : kLaws)
+    EXPECT_FALSE(result_of(changed(law.id,
+                                   [](const Eigen::Vector3f& position, Rendered answer) {
+                                     if (answer.status == Status::contact) answer.force.x() += 1e-4F * position.z();
+                                     return answer;
+                                   }),
+                           "passivity")
+                     .held)
+        << law.name;
+}
+
+TEST(properties, active_laws_pay_what_is_promised_and_conservative_laws_nothing) {
+  for (const LawName& law : kLaws) {
+    const Subject subject = std::get<Subject>(fast_subject(law.id, kBump));
+    const Shape shape(subject.law);
+    for (const float depth : {0.5F, 1.0F, 2.0F, 6.0F}) {
+      const WitnessLoop loop = witness_loop(subject.law, depth);
+      EXPECT_EQ(loop.bound_mJ[1] == 0, shape.is_conservative()) << law.name;
+      EXPECT_EQ(witness_is_reached(subject, shape, depth), std::nullopt) << law.name;
+    }
+  }
+}
+
+TEST(properties, a_renderer_that_pays_less_than_promised_is_refused) {
+  for (const LawId law : {LawId::bump_2p, LawId::bump_3p_shaded}) {
+    const Subject weak = changed(law, [](const Eigen::Vector3f&, Rendered answer) {
+      answer.force *= 0.999F;
+      return answer;
+    });
+    EXPECT_NE(witness_is_reached(weak, Shape(weak.law), 2), std::nullopt) << name_of(law);
+  }
+}
+
+}  // namespace
+}  // namespace forceshade::properties

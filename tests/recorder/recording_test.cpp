@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/recorder/recording.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstring>
+
+#include "forceshade/csv/csv.h"
+#include "forceshade/csv/output_file.h"
+#include "forceshade/device/replay.h"
+#include "forceshade/device/servo_loop.h"
+#include "forceshade/recorder/export.h"
+#include "forceshade/recorder/layout.h"
+#include "forceshade/tests/support/kept_samples.h"
+#include "forceshade/tests/support/temporary_directory.h"
+
+namespace forceshade::recorder {
+namespace {
+
+using tests::TemporaryDirectory;
+
+// In and out of a wall of 0.5 N/mm, with one position that is none; a device with buttons, a gimbal and encoders.
+struct Kept : device::ServoResult {
+  std::vector<Sample> samples;
+};
+
+Kept drive(Recorder& recorder) {
+  std::vector<device::Reading> path;
+  for (int k = 0; k < 200; ++k)
+    path.push_back({.position = {1, 2, std::sin(0.1F * static_cast<float>(k))},
+                    .time = 0.0001 * k,
+                    .buttons = static_cast<std::uint16_t>(k % 2),
+                    .gimbal = Eigen::Vector3f(0.1F, 0.2F, 0.3F),
+                    .encoder = {{7, -8, 9}}});
+  path[100].position.z() = std::nanf("");
+  device::Replay replay(std::move(path));
+  const auto law = std::get<fast::Law>(fast::Law::build(LawId::wall, {.stiffness = 0.5F}));
+  const std::atomic<bool> never_stop = false;
+  tests::KeptSamples kept;
+  Kept run{run_servo_loop(replay, law, {.rate_hz = 10'000, .sinks = {&recorder, &kept}}, never_stop), {}};
+  run.samples = std::move(kept.samples);
+  return run;
+}
+
+Kept record(const std::string& path) {
+  Recorder recorder(path, {{"law", "wall"}});
+  Kept run = drive(recorder);
+  recorder.close(std::string(name_of(run.end_reason)));
+  return run;
+}
+
+std::string words_of(const std::string& path) {
+  try {
+    Recording recording(path);
+    return "";
+  } catch (const RecordingError& error) {
+    return error.what();
+  }
+}
+
+void execute(const std::string& path, const std::string& sql) {
+  Database(path, Database::Access::write).execute(sql);
+}
+
+TEST(recording, of_a_run_has_every_tick_of_it) {
+  const TemporaryDirectory directory;
+  const Kept run = record(directory.file("run.fsr"));
+  Recording recording(directory.file("run.fsr"));
+  EXPECT_EQ(problems_of(recording), std::vector<std::string>{});
+  EXPECT_EQ(recording.metadata().at("end_reason"), "end of data");
+  std::vector<Sample> read;
+  recording.for_each_chunk([&](std::span<const Sample> chunk) { read.insert(read.end(), chunk.begin(), chunk.end()); });
+  ASSERT_EQ(read.size(), 201U);
+  ASSERT_EQ(run.samples.size(), 201U);
+  EXPECT_EQ(std::memcmp(read.data(), run.samples.data(), read.size() * sizeof(Sample)), 0);
+
+  std::size_t late = 0, invalid = 0;
+  for (const Sample& sample : read) {
+    late += sample.late;
+    invalid += sample.status == static_cast<int>(Status::invalid);
+    EXPECT_EQ(sample.gimbal, (std::array{0.1F, 0.2F, 0.3F}));
+    EXPECT_EQ(sample.encoder, (std::array<std::int64_t, 3>{7, -8, 9}));
+    EXPECT_EQ(sample.buttons, std::min<std::uint64_t>(sample.tick, 199) % 2);
+    EXPECT_GE(sample.wakeup_ns, 0);
+  }
+  EXPECT_EQ(late, run.missed_deadlines);
+  EXPECT_EQ(invalid, 1U);
+  EXPECT_GT(run.energy_given_mJ(), 0.1);
+  EXPECT_NEAR(read.back().energy, run.energy_given_mJ() - run.energy_taken_mJ(), 1e-12);
+}
+
+TEST(recording, as_csv_has_every_number_of_every_tick) {
+  const TemporaryDirectory directory;
+  const Kept run = record(directory.file("run.fsr"));
+  Recording recording(directory.file("run.fsr"));
+  export_csv(recording, directory.file("run.csv"));
+  EXPECT_TRUE(directory.read("run.csv").starts_with("tick,t_s,device_t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status,compute_us,"));
+
+  auto file = csv::open_input(directory.file("run.csv"));
+  csv::Reader rows(file, "run.csv",
+                   {"t_s", "device_t_s", "z_mm", "law_fz_N", "fz_N", "compute_us", "encoder_2", "gimbal_3_rad", "energy_mJ",
+                    "wakeup_us", "status", "buttons", "late", "limited", "altered", "tripped"});
+  const std::vector<std::string> statuses = {"free", "contact", "invalid", "end"};
+  std::size_t count = 0;
+  for (; rows.next(); ++count) {
+    const Sample& sample = run.samples.at(count);
+    EXPECT_EQ(std::llround(rows.binary64(0) * 1e9), sample.wall_ns);
+    EXPECT_EQ(rows.binary64(1), sample.device_time);
+    if (count == 100)
+      EXPECT_TRUE(std::isnan(rows.binary32(2)));
+    else
+      EXPECT_EQ(rows.binary32(2), sample.position[2]);
+    EXPECT_EQ(rows.binary32(3), sample.law_force[2]);
+    EXPECT_EQ(rows.binary32(4), sample.force[2]);
+    EXPECT_EQ(std::llround(rows.binary64(5) * 1e3), sample.compute_ns);
+    EXPECT_EQ(rows.text(6), "-8");
+    EXPECT_EQ(rows.text(7), "0.3");
+    EXPECT_EQ(rows.binary64(8), sample.energy);
+    EXPECT_EQ(std::llround(rows.binary64(9) * 1e3), sample.wakeup_ns);
+    EXPECT_EQ(rows.text(10), statuses.at(sample.status));
+    EXPECT_EQ(rows.text(11), std::to_string(sample.buttons));
+    EXPECT_EQ(rows.text(12), std::to_string(sample.late));
+    for (const std::size_t flag : {13U, 14U, 15U}) EXPECT_EQ(rows.text(flag), "0");
+  }
+  EXPECT_EQ(count, 201U);
+}
+
+TEST(recording, as_csv_leaves_out_encoders_that_a_device_has_not) {
+  const TemporaryDirectory directory;
+  {
+    Recorder recorder(directory.file("run.fsr"), {});
+    recorder.push({.limited = 5, .altered = 1, .tripped = 3});
+    recorder.close("tripped");
+  }
+  Recording recording(directory.file("run.fsr"));
+  export_csv(recording, directory.file("run.csv"));
+  EXPECT_TRUE(directory.read("run.csv").ends_with("free,0,0,0,0,,,,nan,nan,nan,0,0,0,0,5,1,3\n")) << directory.read("run.csv");
+}
+
+// As numpy.load reads it: a header of whole 64 bytes that ends in a newline, then the samples' own bytes.
+TEST(recording, as_npy_is_a_header_and_the_samples) {
+  const TemporaryDirectory directory;
+  record(directory.file("run.fsr"));
+  Recording recording(directory.file("run.fsr"));
+  export_npy(recording, directory.file("run.npy"));
+  const std::string npy = directory.read("run.npy");
+  ASSERT_EQ(npy.substr(0, 8), std::string("\x93NUMPY\x01\x00", 8));
+  const std::size_t length = 10 + static_cast<unsigned char>(npy[8]) + 256U * static_cast<unsigned char>(npy[9]);
+  EXPECT_EQ(length % 64, 0U);
+  EXPECT_EQ(npy[length - 1], '\n');
+  const std::string header = npy.substr(10, length - 10);
+  EXPECT_TRUE(
+      header.starts_with("{'descr': [('tick', '<u8'), ('wall_ns', '<i8'), ('device_t_s', '<f8'), ('encoder_1', '<i8'), "));
+  EXPECT_NE(header.find("'fortran_order': False, 'shape': (201,), }"), std::string::npos);
+  std::string bytes;
+  recording.for_each_chunk([&](std::span<const Sample> chunk) {
+    bytes.append(reinterpret_cast<const char*>(chunk.data()), chunk.size() * sizeof(Sample));
+  });
+  EXPECT_TRUE(npy.substr(length) == bytes);
+}
+
+// Where each column's bytes lie is told by the sizes of those before it.
+TEST(recording, names_its_columns_where_they_are) {
+  Sample sample;
+  const auto* base = reinterpret_cast<const char*>(&sample);
+  const auto offset = [&](const auto& member) {
+    return static_cast<std::size_t>(reinterpret_cast<const char*>(&member) - base);
+  };
+  const std::vector<std::pair<std::string, std::size_t>> expected{{"tick", offset(sample.tick)},
+                                                                  {"wall_ns", offset(sample.wall_ns)},
+                                                                  {"device_t_s", offset(sample.device_time)},
+                                                                  {"encoder_1", offset(sample.encoder)},
+                                                                  {"energy_mJ", offset(sample.energy)},
+                                                                  {"compute_ns", offset(sample.compute_ns)},
+                                                                  {"wakeup_ns", offset(sample.wakeup_ns)},
+                                                                  {"x_mm", offset(sample.position)},
+                                                                  {"law_fx_N", offset(sample.law_force)},
+                                                                  {"fx_N", offset(sample.force)},
+                                                                  {"gimbal_1_rad", offset(sample.gimbal)},
+                                                                  {"buttons", offset(sample.buttons)},
+                                                                  {"status", offset(sample.status)},
+                                                                  {"late", offset(sample.late)},
+                                                                  {"limited", offset(sample.limited)},
+                                                                  {"altered", offset(sample.altered)},
+                                                                  {"tripped", offset(sample.tripped)}};
+  std::size_t at = 0, found = 0;
+  for (const Column& column : kColumns) {
+    for (const auto& [name, place] : expected) {
+      if (name != column.name) continue;
+      EXPECT_EQ(at, place) << name;
+      ++found;
+    }
+    at += static_cast<std::size_t>(column.type[2] - '0');
+  }
+  EXPECT_EQ(found, expected.size());
+  EXPECT_EQ(at, sizeof(Sample));
+}
+
+TEST(recording, that_is_still_being_made_can_be_read) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("run.fsr");
+  Recorder recorder(path, {});
+  Recording before(path);
+  const Kept run = drive(recorder);
+  EXPECT_EQ(recorder.close("end of data").error, "");
+  EXPECT_EQ(before.extent().samples, 0U) << "a reader sees the file as it was opened";
+  Recording after(path);
+  EXPECT_EQ(problems_of(after), std::vector<std::string>{});
+  EXPECT_EQ(after.extent().samples, run.samples.size());
+}
+
+// As someone would who carries away one of the three files.
+TEST(recording, that_lost_its_log_still_says_what_it_was) {
+  const TemporaryDirectory directory;
+  Recorder recorder(directory.file("run.fsr"), {{"law", "wall"}});
+  drive(recorder);
+  std::filesystem::copy_file(directory.file("run.fsr"), directory.file("copy.fsr"));
+  Recording recording(directory.file("copy.fsr"));
+  EXPECT_EQ(recording.metadata().at("law"), "wall");
+  EXPECT_EQ(problems_of(recording),
+            std::vector<std::string>{recording.path() + ": no end: cut off, or still being made, after 0 samples"});
+}
+
+TEST(recording, that_was_changed_is_found_out) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("run.fsr");
+  const auto problem = [&](const std::string& sql) {
+    std::filesystem::remove(path);
+    record(path);
+    execute(path, sql);
+    Recording recording(path);
+    const auto problems = problems_of(recording);
+    return problems.empty() ? "" : problems.front();
+  };
+  const std::string damaged = " is not what was written";
+  EXPECT_EQ(problem(""), "");
+  EXPECT_NE(problem("UPDATE chunk SET data = zeroblob(length(data)) WHERE id = 1").find(damaged), std::string::npos);
+  EXPECT_NE(problem("UPDATE chunk SET data = x'', samples = 0 WHERE id = 1").find(damaged), std::string::npos);
+  // The digest is that of no bytes at all.
+  EXPECT_NE(problem("UPDATE chunk SET data = x'', samples = 0, sha256 = "
+                    "x'e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855' WHERE id = 1")
+                .find(damaged),
+            std::string::npos);
+  EXPECT_NE(problem("UPDATE chunk SET first_tick = 1 WHERE id = 1").find(damaged), std::string::npos);
+  EXPECT_NE(problem("UPDATE chunk SET last_tick = last_tick + 1 WHERE id = 1").find(damaged), std::string::npos);
+  EXPECT_NE(problem("UPDATE chunk SET sha256 = x'00' WHERE id = 1").find(damaged), std::string::npos);
+  EXPECT_EQ(problem("DELETE FROM chunk"), path + ": expected 201, got 0 samples");
+  EXPECT_EQ(problem("INSERT INTO chunk SELECT 1000, first_tick, last_tick, samples, sha256, data FROM chunk WHERE id = 1"),
+            path + ": twice or too late: tick 0");
+  EXPECT_EQ(problem("DELETE FROM metadata WHERE key = 'ended'"),
+            path + ": no end: cut off, or still being made, after 201 samples");
+}
+
+TEST(recording, with_ticks_left_out_repeated_or_out_of_order_says_which) {
+  const TemporaryDirectory directory;
+  int made = 0;
+  const auto problems = [&](const std::vector<std::uint64_t>& ticks) {
+    const std::string path = directory.file(std::to_string(made++) + ".fsr");
+    {
+      Recorder recorder(path, {});
+      for (const std::uint64_t tick : ticks) recorder.push({.tick = tick});
+      recorder.close("time up");
+    }
+    Recording recording(path);
+    std::vector<std::string> words = problems_of(recording);
+    for (std::string& word : words) word.erase(0, path.size() + 2);
+    return words;
+  };
+  using Words = std::vector<std::string>;
+  EXPECT_EQ(problems({0, 1, 2}), Words{});
+  EXPECT_EQ(problems({1, 2}), Words{"missing: tick 0"});
+  EXPECT_EQ(problems({5, 6}), Words{"missing: ticks 0 to 4"});
+  EXPECT_EQ(problems({0, 1, 3}), Words{"missing: tick 2"});
+  EXPECT_EQ(problems({0, 1, 1, 2}), Words{"twice or too late: tick 1"});
+  EXPECT_EQ(problems({0, 1, 2, 1}), Words{"twice or too late: tick 1"});
+}
+
+TEST(recording, that_was_damaged_or_truncated_on_disk_is_found_out) {
+  const TemporaryDirectory directory;
+  record(directory.file("run.fsr"));
+  const std::string whole = directory.read("run.fsr");
+  const auto found_out = [&](const std::string& bytes) {
+    const std::string path = directory.write("damaged.fsr", bytes);
+    try {
+      Recording recording(path);
+      const auto problems = problems_of(recording);
+      return !problems.empty();
+    } catch (const RecordingError& error) {
+      EXPECT_TRUE(std::string(error.what()).starts_with(path + ": ")) << error.what();
+      return true;
+    }
+  };
+  EXPECT_FALSE(found_out(whole));
+  for (std::size_t size = 0; size < whole.size(); size += 1021) EXPECT_TRUE(found_out(whole.substr(0, size))) << size;
+  std::string damaged = whole;
+  // A position deep in the samples: SQLite does not know it from another, the checksum does.
+  const float z = std::sin(0.1F * 42);
+  const std::size_t at = damaged.find(std::string(reinterpret_cast<const char*>(&z), sizeof z));
+  ASSERT_NE(at, std::string::npos);
+  damaged[at] = static_cast<char>(damaged[at] ^ 1);
+  EXPECT_TRUE(found_out(damaged));
+  Recording recording(directory.file("damaged.fsr"));
+  EXPECT_THROW(export_csv(recording, directory.file("never.csv")), RecordingError);
+  EXPECT_THROW(export_npy(recording, directory.file("never.npy")), RecordingError);
+  EXPECT_EQ(directory.entries(), 2);
+}
+
+TEST(recording, is_told_from_other_files) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("run.fsr");
+  EXPECT_EQ(words_of(directory.file("absent.fsr")), directory.file("absent.fsr") + ": cannot open: No such file or directory");
+  EXPECT_NE(words_of(directory.path()).find(directory.path() + ": "), std::string::npos);
+  const std::string text = directory.write("text.fsr", std::string(5000, 'a'));
+  EXPECT_EQ(words_of(text), text + ": file is not a database");
+  const std::string empty = directory.write("empty.fsr", "");
+  EXPECT_EQ(words_of(empty), empty + ": a database, but not a forceshade recording");
+  execute(empty, "CREATE TABLE metadata(key TEXT, value TEXT)");
+  EXPECT_EQ(words_of(empty), empty + ": a database, but not a forceshade recording");
+  record(path);
+  execute(path, "PRAGMA user_version = 1");
+  EXPECT_EQ(words_of(path), path + ": expected a recording of format 2 or 3, got format 1");
+  execute(path, "PRAGMA user_version = 3; UPDATE metadata SET value = '[(''x'', ''<f4'')]' WHERE key = 'layout'");
+  EXPECT_TRUE(words_of(path).ends_with("got [('x', '<f4')]")) << words_of(path);
+}
+
+}  // namespace
+}  // namespace forceshade::recorder

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/report/report.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <optional>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "forceshade/report/gnuplot.h"
+
+namespace forceshade::properties {
+namespace {
+
+Certificate certificate_of_every_law() {
+  Certificate certificate;
+  certificate.build = {"0.1.0", "c0ffee", "GNU 12.2.0", "-O3 -ffp-contract=off", "avx2", std::string(64, 'a')};
+  certificate.seed = 7;
+  certificate.seconds = 1.5;
+  for (const LawName& name : kLaws) {
+    LawResult law;
+    law.law = name.id;
+    law.parameters = {15.24F, 25.4F, 0.5F};
+    law.points = 2000;
+    law.points_by_stage = {{"binary64", 1990}, {"double-double", 9}, {"wide", 1}};
+    law.closest_call = {1.5F, 0, -0.25F, 3e-7};
+    law.conservative = name.id <= LawId::bump_1p;
+    if (!law.conservative) law.jumps = {"|x| = w/2"};
+    for (const char* property : {"equivalence", "continuity", "unit normals", "passivity"})
+      law.properties.push_back({property, 100, true, ""});
+    for (const double depth : {0.5, 1.0, 2.0})
+      law.energy.push_back(law.conservative ? LoopEnergy{depth, {0, 0}, 0, 1e-18}
+                                            : LoopEnergy{depth, {depth, depth}, depth, depth * (1 + 1e-6)});
+    certificate.laws.push_back(law);
+  }
+  return certificate;
+}
+
+LawResult& law_of(Certificate& certificate, LawId id) {
+  return certificate.laws.at(static_cast<std::size_t>(id));
+}
+
+const std::string& page() {
+  static const std::string html = to_html(certificate_of_every_law());
+  return html;
+}
+
+std::size_t count(const std::string& text, const std::string& wanted) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(wanted); at != std::string::npos; at = text.find(wanted, at + 1)) ++found;
+  return found;
+}
+
+bool has(const std::string& text, const std::string& wanted) {
+  return text.find(wanted) != std::string::npos;
+}
+
+std::vector<std::string> matches(const std::string& text, const char* pattern) {
+  const std::regex regex(pattern);
+  std::vector<std::string> found;
+  for (std::sregex_iterator match(text.begin(), text.end(), regex), end; match != end; ++match) found.push_back((*match)[1]);
+  return found;
+}
+
+// The PATH as it was, whatever the test does.
+class WithPath {
+ public:
+  explicit WithPath(const char* path) {
+    if (const char* old = std::getenv("PATH")) old_ = old;
+    setenv("PATH", path, 1);
+  }
+  ~WithPath() { old_ ? setenv("PATH", old_->c_str(), 1) : unsetenv("PATH"); }
+  WithPath(const WithPath&) = delete;
+  WithPath& operator=(const WithPath&) = delete;
+
+ private:
+  std::optional<std::string> old_;
+};
+
+std::string error_of(const Certificate& certificate) {
+  try {
+    to_html(certificate);
+  } catch (const PlotError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(report, needs_nothing_from_elsewhere) {
+  EXPECT_FALSE(has(page(), "<script"));
+  EXPECT_FALSE(has(page(), "<link"));
+  EXPECT_FALSE(has(page(), "@import"));
+  const auto addresses = matches(page(), R"re((?:src|href|action)\s*=\s*["']([^"']{1,5}))re");
+  EXPECT_FALSE(addresses.empty());
+  for (const std::string& address : addresses) EXPECT_TRUE(address[0] == '#' || address == "data:") << address;
+  for (const std::string& address : matches(page(), R"re(url\(["']?([^)]))re")) EXPECT_EQ(address, "#");
+}
+
+TEST(report, stays_below_three_megabytes) {
+  EXPECT_LT(page().size(), 3U << 20);
+}
+
+TEST(report, has_a_picture_for_every_panel_of_every_figure) {
+  EXPECT_EQ(count(page(), "<figure>"), 4U);
+  EXPECT_EQ(count(page(), "<figcaption>"), 4U);
+  // Force and rounding error of nine laws, four surfaces, two of energy.
+  EXPECT_EQ(count(page(), "<div class=\"panel\">"), 9U + 4U + 9U + 2U);
+  EXPECT_EQ(count(page(), "<svg role=\"img\""), count(page(), "<div class=\"panel\">"));
+  EXPECT_EQ(count(page(), "<svg "), count(page(), "</svg>"));
+  EXPECT_FALSE(has(page(), "<?xml"));
+}
+
+TEST(report, uses_every_id_once_and_refers_to_none_that_is_missing) {
+  const auto ids = matches(page(), R"re(\sid=["']([^"']+))re");
+  const std::set<std::string> distinct(ids.begin(), ids.end());
+  EXPECT_GT(ids.size(), 100U);
+  EXPECT_EQ(ids.size(), distinct.size());
+  for (const std::string& used : matches(page(), R"re((?:href=["']#|url\(#)([^"')]+))re"))
+    EXPECT_TRUE(distinct.contains(used)) << used;
+}
+
+TEST(report, says_what_was_found_at_how_many_points) {
+  EXPECT_TRUE(has(page(), "<title>forceshade certificate: held</title>"));
+  EXPECT_TRUE(has(page(), ">Held</p>"));
+  EXPECT_TRUE(has(page(),
+                  "At every one of 2\u202F000 points per law, each component of the fast path’s force equals the exact "
+                  "force rounded to binary32 (nearest, ties to even)."));
+  EXPECT_FALSE(has(page(), "Counterexamples"));
+  EXPECT_TRUE(has(page(), "never more than half of one"));
+}
+
+TEST(report, says_failed_when_a_law_has_a_mismatch) {
+  Certificate certificate = certificate_of_every_law();
+  law_of(certificate, LawId::bump_2p).mismatches = 1;
+  law_of(certificate, LawId::bump_2p).counterexamples = {"at <0x1p+0> & \"so\" on"};
+  const std::string html = to_html(certificate);
+  EXPECT_TRUE(has(html, ">Failed</p>"));
+  EXPECT_FALSE(has(html, ">Held</p>"));
+  EXPECT_FALSE(has(html, "At every one of"));
+  EXPECT_TRUE(has(html, "1 answer of the fast path differs"));
+}
+
+TEST(report, says_failed_when_other_parameters_failed) {
+  Certificate certificate = certificate_of_every_law();
+  for (LawResult& law : certificate.laws) law.spread.points = 500;
+  law_of(certificate, LawId::wall).spread.mismatches = 3;
+  law_of(certificate, LawId::wall).spread.counterexamples = {"K = 3: wrong"};
+  const std::string html = to_html(certificate, Pictures::none);
+  EXPECT_TRUE(has(html, ">Failed</p>"));
+  EXPECT_TRUE(
+      has(html, "Among 2\u202F000 points per law, and of 4\u202F500 with other parameters, 3 answers of the fast path differ"));
+  EXPECT_TRUE(has(html, "<pre>K = 3: wrong</pre>"));
+}
+
+TEST(report, says_when_where_and_by_what_code) {
+  Certificate certificate = certificate_of_every_law();
+  certificate.date = "2026-01-31T23:59:59Z";
+  certificate.processor = "a <fast> one";
+  for (LawResult& law : certificate.laws) law.points_by_instruction_set = {{"scalar", 2000}, {"avx2", 2000}};
+  law_of(certificate, LawId::wall).points_by_instruction_set["avx512"] = 2000;
+  const std::string html = to_html(certificate, Pictures::none);
+  EXPECT_TRUE(has(html, "<td>2026-01-31T23:59:59Z</td>"));
+  EXPECT_TRUE(has(html, "<td>a &lt;fast&gt; one</td>"));
+  EXPECT_TRUE(has(html, "<th scope=\"row\">compared at the points</th><td>scalar, avx2</td>")) << "what every law was";
+  EXPECT_EQ(count(html, "<figure>"), 0U);
+}
+
+TEST(report, says_failed_when_a_property_failed) {
+  Certificate certificate = certificate_of_every_law();
+  law_of(certificate, LawId::bump_3p).properties.at(3) = {"passivity", 4, false, "a loop gives 2 mJ"};
+  const std::string html = to_html(certificate);
+  EXPECT_TRUE(has(html, ">Failed</p>"));
+  EXPECT_TRUE(has(html, "A counterexample was found to: passivity of bump-3p."));
+  EXPECT_TRUE(has(html, "<pre>a loop gives 2 mJ</pre>"));
+}
+
+TEST(report, escapes_whatever_it_is_given) {
+  Certificate certificate = certificate_of_every_law();
+  certificate.build.flags = "-DX='<a>'";
+  certificate.build.compiler = "<c++>";
+  law_of(certificate, LawId::wall).mismatches = 1;
+  law_of(certificate, LawId::wall).counterexamples = {"<script>alert(1)</script> & more"};
+  law_of(certificate, LawId::cylinder).properties.at(1) = {"continuity<b>", 1, false, "x < y && y > z"};
+  const std::string html = to_html(certificate);
+  EXPECT_TRUE(has(html, "&lt;script&gt;alert(1)&lt;/script&gt; &amp; more"));
+  EXPECT_TRUE(has(html, "x &lt; y &amp;&amp; y &gt; z"));
+  EXPECT_TRUE(has(html, "-DX=&#39;&lt;a&gt;&#39;"));
+  EXPECT_TRUE(has(html, "&lt;c++&gt;"));
+  for (const char* raw : {"<script>", "<c++>", "<a>", "<b>", "x < y"}) EXPECT_FALSE(has(html, raw)) << raw;
+}
+
+TEST(report, does_not_call_held_what_was_not_checked) {
+  Certificate certificate = certificate_of_every_law();
+  law_of(certificate, LawId::bump_2p).properties.pop_back();
+  const std::string html = to_html(certificate);
+  EXPECT_TRUE(has(html, "<td data-label=\"passivity\">not checked</td>"));
+  EXPECT_TRUE(has(html, "Some properties were not checked."));
+  EXPECT_TRUE(has(to_html(Certificate{}), ">Failed</p>"));
+  EXPECT_TRUE(has(to_html(Certificate{}), "No law was checked."));
+}
+
+TEST(report, sets_the_laws_side_by_side) {
+  Certificate certificate = certificate_of_every_law();
+  law_of(certificate, LawId::bump_2p).energy.back() = {2, {0.123451, 0.123456}, 0.1234, 0.12339};
+  const std::string html = to_html(certificate);
+  EXPECT_EQ(count(html, "<td data-label=\"conservative\">yes</td>"), 4U);
+  EXPECT_EQ(count(html, "<td data-label=\"conservative\">no</td>"), 5U);
+  EXPECT_EQ(count(html, "<td data-label=\"continuous\">no<small>jumps on |x| = w/2</small></td>"), 5U);
+  EXPECT_EQ(count(html, "<td data-label=\"unit direction\">yes"), 9U);
+  EXPECT_EQ(count(html, "<td data-label=\"most energy per loop\">0</td>"), 4U);
+  EXPECT_TRUE(has(html, "0.12346\u202FmJ<small>2\u202Fmm deep; fast path 0.12339\u202FmJ</small>"));
+}
+
+TEST(report, leaves_out_figures_that_have_nothing_to_show) {
+  Certificate certificate = certificate_of_every_law();
+  certificate.laws.resize(1);
+  ASSERT_EQ(certificate.laws.front().law, LawId::wall);
+  EXPECT_EQ(count(to_html(certificate), "<figure>"), 2U);
+}
+
+TEST(report, draws_at_the_ends_of_the_domain) {
+  for (const Parameters& parameters :
+       {Parameters{0.1F, 0.2F, 1000}, Parameters{10000, 0.001F, 0.001F}, Parameters{10000, 20000, 1}}) {
+    Certificate certificate = certificate_of_every_law();
+    for (LawResult& law : certificate.laws) law.parameters = parameters;
+    const std::string html = to_html(certificate);
+    EXPECT_EQ(count(html, "<figure>"), 4U);
+    EXPECT_TRUE(has(html, "never more than half of one"));
+  }
+}
+
+TEST(report, names_a_parameter_outside_the_domain) {
+  Certificate certificate = certificate_of_every_law();
+  law_of(certificate, LawId::bump_2p).parameters.radius = -1;
+  EXPECT_EQ(error_of(certificate), "bump-2p: radius is -1 mm; expected 0.1 to 10000 mm");
+}
+
+TEST(report, tells_what_to_install_when_gnuplot_is_missing) {
+  const WithPath nowhere("/nonexistent");
+  EXPECT_EQ(error_of(certificate_of_every_law()), "gnuplot was not found: install the package gnuplot-nox");
+}
+
+TEST(gnuplot, is_quoted_when_it_fails) {
+  try {
+    svg_plot({100, 100, "a", "nothing"}, "plot nonsense(1)\n");
+    FAIL();
+  } catch (const PlotError& error) {
+    EXPECT_TRUE(has(error.what(), "exit status 1")) << error.what();
+    EXPECT_TRUE(has(error.what(), "undefined function: nonsense")) << error.what();
+  }
+}
+
+TEST(gnuplot, that_draws_nothing_is_an_error) {
+  EXPECT_THROW(svg_plot({100, 100, "a", "nothing"}, "exit\n"), PlotError);
+}
+
+TEST(gnuplot, takes_more_data_than_a_pipe_holds) {
+  std::string data = "$d << EOD\n";
+  for (int i = 0; i < 50000; ++i) data += std::to_string(i) + " 1\n";
+  const std::string svg = svg_plot({100, 100, "a", "<b> & \"c\""}, data + "EOD\nplot $d with points\n");
+  EXPECT_GT(svg.size(), 1U << 20);
+  EXPECT_TRUE(svg.starts_with("<svg role=\"img\" aria-label=\"&lt;b&gt; &amp; &quot;c&quot;\""));
+  EXPECT_FALSE(has(svg, "<title>"));
+}
+
+}  // namespace
+}  // namespace forceshade::properties
