@@ -25,7 +25,7 @@ struct Values {
 };
 
 std::string law_names(const CLI::Option& option) {
-  std::string names = option.get_default_str();  // "all", where all are allowed
+  std::string names = option.get_description().starts_with("all") ? "all" : "";
   for (const LawName& law : kLaws) names += ' ' + std::string(law.name);
   return names;
 }
@@ -37,6 +37,7 @@ Values values_of(const CLI::Option& option) {
   if (type == "DIR") return {"", "-d", optional};
   if (type == "DEVICE") return {"null replay: simulated phantom", "", optional};
   if (type == "ID") return {law_names(option), "", optional};
+  if (type == "bash") return {type, "", optional};
   if (type == "LIST") return {"directions heights lines", "", optional};
   if (type.find('|') == std::string::npos) return {};
   std::string words = type;
@@ -55,6 +56,8 @@ void add(const CLI::App& command, Tables& tables) {
   for (const CLI::Option* option : command.get_options()) {
     const Values values = option->get_expected_max() > 0 ? values_of(*option) : Values{};
     if (option->get_positional()) positional = values;
+    if (option->get_type_name() == "COMMAND")
+      for (const CLI::App* other : verbs_of(*command.get_parent())) positional.words += ' ' + other->get_name();
     for (const std::string& long_name : option->get_lnames()) {
       words += " --" + long_name;
       if (option->get_expected_max() > 0)

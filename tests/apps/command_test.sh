@@ -3,7 +3,7 @@
 set -u
 forceshade=$(realpath "$1")
 stand_in_hd=$(realpath "$2")
-examples=$(realpath "$(dirname "$0")/../examples")
+examples=$(realpath "$(dirname "$0")/../../examples")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
