@@ -349,7 +349,7 @@ for folder in "plot --law wall --what force" figures "certify --law wall --point
   mkdir -p rule; rm -f rule/*
   expect 0 "" -- "$forceshade" $folder --out rule
   file=$(ls rule | head -1); echo old > "rule/$file"
-  expect 2 "\"rule/$file\" is there already" -- "$forceshade" $folder --out rule
+  expect 2 'expected a new file, or --overwrite beside it; "rule/' -- "$forceshade" $folder --out rule
   same old "$(cat "rule/$file")"
   expect 0 "" -- "$forceshade" $folder --out rule --overwrite
 done
