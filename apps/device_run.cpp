@@ -127,7 +127,7 @@ std::unique_ptr<device::Device> open_for_a_run(const std::string& name, device::
 RunOutcome run_on(device::Device& device, const Driven& what, RunPlan plan) {
   const device::Capabilities capabilities = device.capabilities();
   std::optional<RunRecord> record;
-  if (!plan.record.empty()) record.emplace(plan.record, metadata(plan, what, capabilities), plan.servo.paced);
+  if (!plan.record.empty()) record.emplace(plan.record, metadata(plan, what, capabilities), plan.servo.paced, plan.overwrite);
   std::optional<LiveView> view;
   if (is_watched()) view.emplace(bar_of(capabilities));
   device::LastSamples last(kKeptBeforeTheEnd, plan.servo.rate_hz);

@@ -7,6 +7,7 @@
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/force_rows.h"
 #include "forceshade/apps/options.h"
+#include "forceshade/apps/output_options.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/apps/subject_option.h"
 #include "forceshade/csv/csv.h"
@@ -17,12 +18,12 @@ namespace forceshade::apps {
 namespace {
 
 struct Options {
-  std::string path = "fast", input = "-", output = "-";
+  std::string path = "fast", input = "-", out = "-";
   unsigned digits = 30;
 };
 
 const char* word(Status status) {
-  return status == Status::contact ? "ok" : status == Status::free ? "free" : "invalid";
+  return status == Status::contact ? "contact" : status == Status::free ? "free" : "invalid";
 }
 
 void write(const Eigen::Vector3f& force, Status status, std::ostream& out) {
@@ -57,7 +58,7 @@ ExitCode run(const Options& options, const SubjectOption& subject) {
   std::ifstream file;
   if (options.input != "-") file = csv::open_input(options.input);
   std::istream& in = options.input == "-" ? std::cin : file;
-  csv::OutputFile output(options.output);
+  csv::OutputFile output(options.out);
   const RowCount count =
       answer_rows(in, options.input == "-" ? "standard input" : options.input, output.stream(), std::cerr, answer);
   output.commit();
@@ -71,17 +72,17 @@ ExitCode run(const Options& options, const SubjectOption& subject) {
 void add_force(CLI::App& app, int& result) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("force", "Read positions as CSV (x_mm, y_mm, z_mm), write forces as CSV");
-  const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::one, LawOptions::Defaults::none);
+  const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::one);
   add_word(*command, "--path", options->path, "fast: binary32, shortest form; reference: exact, to N digits",
            {"fast", "reference"});
   CLI::Option* digits =
       add_whole(*command, "--digits", options->digits, "significant decimal digits of a law's reference", kDigits);
   digits->excludes(command->get_option("--height-map"));
-  command->add_option("--input", options->input, "CSV file, - for standard input")->type_name("FILE")->capture_default_str();
-  command->add_option("--output", options->output, "CSV file, - for standard output")->type_name("FILE")->capture_default_str();
+  command->add_option("--input", options->input, "CSV file; - is standard input")->type_name("FILE")->capture_default_str();
+  add_output(*command, "--out", options->out, "CSV file; - is standard output")->capture_default_str();
   command->callback([options, subject, digits, &result] {
     if (!digits->empty() && options->path != "reference")
-      throw BadInput("--digits: expected --path reference beside it; the fast path prints the shortest form");
+      throw BadInput("--digits: expected --path reference beside it, got --path fast, which prints the shortest form");
     result = run(*options, *subject);
   });
 }

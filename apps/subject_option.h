@@ -14,8 +14,7 @@ namespace forceshade::apps {
 
 class SubjectOption {
  public:
-  SubjectOption(CLI::App& command, LawOptions::Laws laws, LawOptions::Defaults defaults)
-      : law_(command, laws, defaults), height_map_(command, law_) {}
+  SubjectOption(CLI::App& command, LawOptions::Laws laws) : law_(command, laws), height_map_(command, law_) {}
 
   // One, or all laws. Throws BadInput or heights::Error, naming the option or file, the line, the value and what was expected.
   std::vector<std::shared_ptr<const properties::Subject>> subjects() const;

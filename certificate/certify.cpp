@@ -35,6 +35,11 @@ struct Run {
     return properties::in_parallel(chunks, options.threads, done, stop, work);
   }
 
+  OnCase on_case(std::string_view subject) const {
+    if (!options.on_case) return {};
+    return [this, subject](const std::string& property, double done) { options.on_case(subject, property, done); };
+  }
+
   Findings at_points(const Subject& subject, const Done& done) const {
     const std::uint64_t chunks = (options.points + kChunk - 1) / kChunk;
     const Tally tally = in_parallel(chunks, done, [&](std::uint64_t chunk, Tally& mine) {
@@ -88,7 +93,7 @@ SubjectResult checked(const Subject& subject, const Run& run, const Done& done) 
   result.identity.name = made_plain(result.identity.name);
   result.spread = run.spread(subject, second_part(done));
   if (run.stop) return result;
-  for (PropertyResult& property : run_properties(subject, options.cases, options.seed))
+  for (PropertyResult& property : run_properties(subject, options.cases, options.seed, run.on_case(subject.identity().name)))
     if (std::find(kPropertyNames.begin(), kPropertyNames.end(), property.name) != kPropertyNames.end())
       result.properties.push_back(std::move(property));
   result.jumps = subject.jumps();

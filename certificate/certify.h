@@ -7,6 +7,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "forceshade/certificate/certificate.h"
@@ -21,6 +23,8 @@ struct CertifyOptions {
   int cases = static_cast<int>(kCases);             // per property
   std::uint64_t seed = 0;
   unsigned threads = 1;
+  // Called before each case of a property with the subject, the property, and the share of it that is done.
+  std::function<void(std::string_view subject, const std::string& property, double done)> on_case = {};
 };
 
 // done in [0, 1]; called from one thread at a time.

@@ -3,6 +3,7 @@
 
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "forceshade/properties/equivalence.h"
@@ -60,21 +61,20 @@ Violation equivalence_along(const Subject& subject, const std::vector<Eigen::Vec
 
 }  // namespace
 
-std::vector<PropertyResult> run_properties(const Subject& subject, int cases, std::uint64_t seed, const PropertyDone& done) {
+std::vector<PropertyResult> run_properties(const Subject& subject, int cases, std::uint64_t seed, const OnCase& on_case) {
   std::vector<PropertyResult> results;
   const auto run = [&](const std::string& name, const std::function<Violation()>& property) {
     const auto all = static_cast<int>(cases_of(name, static_cast<std::uint64_t>(cases)));
-    results.push_back(run_property(name, all, seed, property));
-  };
-  const auto say = [&] {
-    if (done) done(results.back());
+    double begun = 0;
+    results.push_back(run_property(name, all, seed, [&] {
+      if (on_case) on_case(name, std::min(begun++ / all, 1.0));  // while a failure is shrunk, all is done
+      return property();
+    }));
+    if (on_case) on_case(name, 1);
   };
   run("equivalence", [&] { return equivalence_along(subject, subject.draw_path()); });
-  say();
   run("continuity", [&] { return subject.check_continuity(); });
-  say();
   run("unit normals", [&] { return subject.check_unit_normals(); });
-  say();
   run("passivity", [&] { return subject.check_passivity(); });
   for (const auto& loop : subject.fixed_loops()) {
     PropertyResult& passive = results.back();
@@ -85,11 +85,7 @@ std::vector<PropertyResult> run_properties(const Subject& subject, int cases, st
       passive.counterexample = *violation;
     }
   }
-  say();
-  for (const FurtherProperty& further : subject.further_properties()) {
-    run(further.name, further.check);
-    say();
-  }
+  for (const FurtherProperty& further : subject.further_properties()) run(further.name, further.check);
   return results;
 }
 

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "forceshade/properties/binary32.h"
 #include "forceshade/properties/continuity.h"
@@ -32,6 +34,30 @@ PropertyResult result_of(const RenderedLaw& subject, const std::string& property
   for (const PropertyResult& result : run_properties(LawSubject(subject), kCases, kSeed))
     if (result.name == property) return result;
   throw std::invalid_argument(property);
+}
+
+// How far each property is goes from 0 to 1 and never back, also while a failure is shrunk; results are as without a watcher.
+TEST(properties, a_run_reports_each_case_of_each_property) {
+  const Subject wrong = changed(LawId::bump_2p, [](const Eigen::Vector3f& position, Rendered answer) {
+    if (position.x() > 1) answer.force.x() += 1;
+    return answer;
+  });
+  std::map<std::string, std::vector<double>> seen;
+  const std::vector<PropertyResult> watched =
+      run_properties(wrong, 200, kSeed, [&](const std::string& property, double done) { seen[property].push_back(done); });
+  const std::vector<PropertyResult> alone = run_properties(wrong, 200, kSeed);
+  ASSERT_EQ(watched.size(), alone.size());
+  ASSERT_EQ(seen.size(), watched.size());
+  EXPECT_FALSE(watched[0].held);
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    EXPECT_EQ(watched[i].held, alone[i].held) << alone[i].name;
+    EXPECT_EQ(watched[i].counterexample, alone[i].counterexample);
+    const std::vector<double>& done = seen[watched[i].name];
+    EXPECT_GT(done.size(), watched[i].cases) << watched[i].name;
+    EXPECT_EQ(done.front(), 0);
+    EXPECT_EQ(done.back(), 1);
+    EXPECT_TRUE(std::is_sorted(done.begin(), done.end())) << watched[i].name;
+  }
 }
 
 TEST(properties, equivalence_refuses_one_unit_in_the_last_place) {
