@@ -122,7 +122,7 @@ TEST(device_try, leads_through_a_first_contact_and_keeps_its_recording) {
   ASSERT_EQ(run_command(here, words_of("certify --law wall --stiffness 0.05 --out cert")).code, 0);
   PseudoTerminal terminal = on_terminal(here,
                                         "device try simulated --certificate cert/certificate.json --dead-man none "
-                                        "--seconds 2 --patience 10 --json try.json");
+                                        "--seconds 2 --watchdog-timeout 10 --json try.json");
   expect_holds(terminal.shown_until(kPrompt), {"step 1 of 2", "0.05 N/mm, never more than 0.5 N", "emergency switch"});
   EXPECT_EQ(here.read("try.json"), "");
   terminal.type("\n");
@@ -155,7 +155,7 @@ TEST(device_try, never_pushes_with_more_than_half_a_newton) {
   here.write("deep.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,4\n1,0,0,4\n2,0,0,-30\n4,0,0,-30\n");
   PseudoTerminal terminal = on_terminal(here,
                                         "device try simulated:premium-1.5:deep.csv --uncertified --dead-man none "
-                                        "--stiffness 0.2 --patience 10 --record deep.fsr");
+                                        "--stiffness 0.2 --watchdog-timeout 10 --record deep.fsr");
   terminal.shown_until(kPrompt);
   terminal.type("\n");
   terminal.shown_until("rise again.\r\n" + std::string(kPrompt));
@@ -191,15 +191,14 @@ TEST(device_try, needs_a_button_to_hold_down) {
   terminal.shown_until(kPrompt);
   terminal.type("\n");
   EXPECT_EQ(terminal.end(), 2) << terminal.shown();
-  expect_holds(terminal.shown(),
-               {"--dead-man: the device has no button that could be held down; --dead-man none does without"});
+  expect_holds(terminal.shown(), {"--dead-man: expected none, because the device has no buttons, got \"0\""});
   ::setenv("FORCESHADE_HD_LIBRARY", STAND_IN_HD, 1);
   PseudoTerminal with_buttons = on_terminal(here, "device try phantom --uncertified --dead-man none --in-reset-pose");
   ::unsetenv("FORCESHADE_HD_LIBRARY");
   with_buttons.shown_until(kPrompt);
   with_buttons.type("\n");
   EXPECT_EQ(with_buttons.end(), 2) << with_buttons.shown();
-  expect_holds(with_buttons.shown(), {"--dead-man none: expected a button, because the device has some"});
+  expect_holds(with_buttons.shown(), {"--dead-man: expected a button from 0 to "});
   EXPECT_EQ(here.entries(), 0);
 }
 
@@ -220,13 +219,105 @@ TEST(device_try, refuses_what_is_not_gentle_or_not_certified) {
   EXPECT_EQ(here.entries(), 2);  // .out and .err
 }
 
+// From a hand above the wall that lowers the tip onto it after half a second.
+std::string rehearsal(const TemporaryDirectory& here) {
+  here.write("press.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,3\n0.5,0,0,3\n1,0,0,-6\n2,0,0,-6\n");
+  return "drive --law wall --uncertified --device simulated:premium-1.5:press.csv --dead-man 1 --patience 10 --record run.fsr";
+}
+
+constexpr const char* kKeys = "the key 1 does so with button 1";
+
+bool has_force(const device::Sample& sample) {
+  return sample.force != std::array<float, 3>{0, 0, 0};
+}
+
+TEST(drive, rehearses_a_dead_man_switch_by_keys_on_a_simulated_device) {
+  const TemporaryDirectory here;
+  PseudoTerminal terminal = on_terminal(here, rehearsal(here));
+  terminal.shown_until(kKeys);
+  terminal.type("x01");  // x is no button, and 0 is another one
+  EXPECT_EQ(terminal.end(), 0) << terminal.shown();
+  std::size_t held = 0, pushed = 0;
+  recorder::Recording(here.file("run.fsr")).for_each_chunk([&](std::span<const device::Sample> chunk) {
+    for (const device::Sample& sample : chunk) {
+      held += (sample.buttons & 2U) != 0;
+      pushed += has_force(sample);
+      EXPECT_TRUE((sample.buttons & 2U) != 0 || !has_force(sample)) << sample.tick;
+    }
+  });
+  EXPECT_GT(held, 0U);
+  EXPECT_GT(pushed, 0U);
+}
+
+TEST(drive, gives_no_force_after_the_key_of_the_dead_man_switch_was_typed_again) {
+  const TemporaryDirectory here;
+  PseudoTerminal terminal = on_terminal(here, rehearsal(here));
+  terminal.shown_until(kKeys);
+  terminal.shown_until("dead-man switch");  // in contact, and the button is up
+  terminal.type("1");
+  terminal.shown_until("gentle start");
+  terminal.type("1");
+  EXPECT_EQ(terminal.end(), 0) << terminal.shown();
+  bool was_down = false, was_up_again = false;
+  recorder::Recording(here.file("run.fsr")).for_each_chunk([&](std::span<const device::Sample> chunk) {
+    for (const device::Sample& sample : chunk) {
+      const bool down = (sample.buttons & 2U) != 0;
+      was_up_again = was_up_again || (was_down && !down);
+      was_down = was_down || down;
+      EXPECT_TRUE(down || !has_force(sample)) << sample.tick;
+    }
+  });
+  EXPECT_TRUE(was_up_again);
+}
+
+TEST(drive, says_in_summary_and_recording_where_the_law_lies) {
+  const TemporaryDirectory here;
+  const std::string line =
+      "drive --law wall --uncertified --unpaced --device simulated --seconds 0.1 --record run.fsr --json run.json";
+  const CommandRun placed = run_command(here, words_of(line + " --origin=-5,1in,0.1 --turn x90,z-90deg"));
+  EXPECT_EQ(placed.code, 0) << placed.err;
+  expect_holds(placed.out, {"placement         origin at -5,25.4,0.1 mm, x, y, z along -y,+z,-x of the device\n"});
+  const json summary = json::parse(here.read("run.json"));
+  EXPECT_EQ(summary["placement"]["origin_mm"], (json{-5.0, static_cast<double>(25.4F), static_cast<double>(0.1F)}));
+  EXPECT_EQ(summary["placement"]["axes"], "-y,+z,-x");
+  const recorder::Recording recording(here.file("run.fsr"));
+  EXPECT_EQ(recording.metadata().at("origin_mm"), "-5,25.4,0.1");
+  EXPECT_EQ(recording.metadata().at("axes"), "-y,+z,-x");
+  std::filesystem::remove(here.file("run.fsr"));
+  const CommandRun usual = run_command(here, words_of(line));
+  EXPECT_EQ(usual.code, 0) << usual.err;
+  EXPECT_EQ(usual.out.find("placement"), std::string::npos);
+  EXPECT_EQ(json::parse(here.read("run.json"))["placement"], (json{{"origin_mm", {0.0, 0.0, 0.0}}, {"axes", "+x,+y,+z"}}));
+  EXPECT_EQ(recorder::Recording(here.file("run.fsr")).metadata().at("axes"), "+x,+y,+z");
+  const CommandRun refused = run_command(here, words_of("drive --law wall --uncertified --device null --turn z45"));
+  EXPECT_EQ(refused.code, 2);
+  expect_holds(refused.err, {"--turn: expected an axis and a multiple of 90 degrees, such as z90 or x-90,z180, got \"z45\""});
+}
+
+TEST(drive, says_that_a_simulated_device_has_no_buttons_where_there_is_no_terminal) {
+  const TemporaryDirectory here;
+  // In a session of its own, which has no terminal.
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::setsid();
+    const CommandRun run = run_command(here, words_of("drive --law wall --uncertified --device simulated --dead-man 0"));
+    here.write("err", run.err);
+    ::_exit(run.code);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), 2);
+  expect_holds(here.read("err"), {"the buttons of a simulated device are keys of a terminal, and there is none to read from",
+                                  "dead-man button: expected none, because the device has no buttons"});
+}
+
 // The tripping tick, which has no force, and the 200 ms before it.
 TEST(drive, keeps_the_last_200_ms_before_a_trip) {
   const TemporaryDirectory here;
   // Free, then 6 mm deep, then torn 120 mm sideways within 10 ms.
   here.write("torn.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,3\n0.19,0,0,3\n0.3,0,0,-6\n1.5,0,0,-6\n1.51,120,0,-6\n2,120,0,-6\n");
   const std::string line =
-      "drive --law wall --uncertified --unpaced --device simulated:premium-1.5:torn.csv --record torn.fsr --json ";
+      "drive --law wall --uncertified --free-run --device simulated:premium-1.5:torn.csv --record torn.fsr --json ";
   const CommandRun run = run_command(here, words_of(line + "torn.json"));
   EXPECT_EQ(run.code, 3) << run.err;
   expect_holds(run.out, {"last tick         ", " mm/s; force 0.000 N, one tick before ", "before the end    201 ticks kept"});
@@ -249,7 +340,7 @@ TEST(drive, keeps_the_last_200_ms_before_a_trip) {
 TEST(drive, keeps_no_last_ticks_of_a_run_that_ended_well) {
   const TemporaryDirectory here;
   const CommandRun run =
-      run_command(here, words_of("drive --law wall --uncertified --unpaced --device simulated --seconds 0.5 --json run.json"));
+      run_command(here, words_of("drive --law wall --uncertified --free-run --device simulated --seconds 0.5 --json run.json"));
   EXPECT_EQ(run.code, 0);
   EXPECT_EQ(run.out.find("last tick"), std::string::npos);
   EXPECT_EQ(json::parse(here.read("run.json"))["last_ticks"], json::array());

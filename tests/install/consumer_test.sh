@@ -11,3 +11,6 @@ cmake -S "$source" -B "$scratch/build" -DCMAKE_PREFIX_PATH="$scratch/prefix" -DC
 cmake --build "$scratch/build" > "$scratch/build.log" || { cat "$scratch/build.log"; exit 1; }
 "$scratch/build/consumer"
 "$scratch/prefix/bin/forceshade" --version
+for file in man/man1/forceshade.1 man/man1/forceshade-device-check.1 bash-completion/completions/forceshade; do
+  [ -s "$scratch/prefix/share/$file" ] || { echo "FAILED: share/$file was not installed"; exit 1; }
+done

@@ -59,13 +59,13 @@ properties::Renderer renderer_of(const Mutant& mutant, const Parameters& p) {
 
 // How many points it took equivalence to catch the mutant; none if it got away.
 std::optional<int> points_to_catch(const Mutant& mutant) {
-  std::vector<properties::Subject> subjects;
+  std::vector<properties::RenderedLaw> subjects;
   std::vector<properties::PositionSource> sources;
   for (const Parameters& p : parameters()) {
     subjects.push_back({std::get<reference::Law>(reference::Law::build(mutant.law, p)), renderer_of(mutant, p)});
     sources.emplace_back(subjects.back().law, 99);
   }
-  for (const properties::Subject& subject : subjects)
+  for (const properties::RenderedLaw& subject : subjects)
     for (const Eigen::Vector3f& tie : ties())
       if (properties::equivalence(subject, tie)) return 1;
   for (int i = 0; i < kPoints; ++i)
