@@ -14,6 +14,7 @@
 
 #include "forceshade/device/open_device.h"
 #include "forceshade/device/servo_loop.h"
+#include "forceshade/fast/law.h"
 #include "forceshade/tests/support/kept_samples.h"
 
 namespace {

@@ -130,7 +130,7 @@ expect 0 "certified: 250000 points" -- "$forceshade" certify --height-map cap.to
 press() { "$forceshade" drive --device simulated --free-run --seconds 1 --certificate map/certificate.json "$@"; }
 expect 0 "(time up)" -- press --height-map cap.toml --record press.fsr --json press.json
 grep -q '"rendering": "height-map"' press.json || { echo "FAILED: $(cat press.json)"; exit 1; }
-expect 0 "map_digest           $(sed -n 's/.*"map_digest": "\(.*\)".*/\1/p' press.json)" -- "$forceshade" recording info press.fsr
+expect 0 "digest               $(sed -n 's/.*"digest": "\(.*\)".*/\1/p' press.json)" -- "$forceshade" recording info press.fsr
 cp cap.toml same.toml
 expect 0 "(time up)" -- press --height-map same.toml
 sed 's/radius_mm = 20/radius_mm = 20.000002/' cap.toml > other.toml

@@ -13,6 +13,7 @@
 
 #include "forceshade/device/open_device.h"
 #include "forceshade/device/servo_loop.h"
+#include "forceshade/fast/law.h"
 #include "forceshade/tests/device/stand_in_hd/phantom_fixture.h"
 
 namespace forceshade::device {

@@ -16,6 +16,7 @@
 #include "forceshade/device/monotonic.h"
 #include "forceshade/device/servo_loop.h"
 #include "forceshade/device/simulated/arm.h"
+#include "forceshade/fast/law.h"
 #include "forceshade/tests/device/stand_in_hd/phantom_fixture.h"
 #include "forceshade/tests/support/kept_samples.h"
 

@@ -11,6 +11,7 @@
 #include "forceshade/device/monotonic.h"
 #include "forceshade/device/open_device.h"
 #include "forceshade/device/phantom/phantom.h"
+#include "forceshade/fast/height_map_field.h"
 #include "forceshade/tests/device/servo_loop_fixture.h"
 #include "forceshade/tests/device/stand_in_hd/stand_in_hd.h"
 #include "forceshade/tests/support/allocations.h"

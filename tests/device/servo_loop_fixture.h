@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "forceshade/device/servo_loop.h"
+#include "forceshade/fast/law.h"
 #include "forceshade/tests/support/kept_samples.h"
 
 namespace forceshade::device {

@@ -38,10 +38,10 @@ PropertyResult result_of(const RenderedLaw& subject, const std::string& property
 
 // How far each property is goes from 0 to 1 and never back, also while a failure is shrunk; results are as without a watcher.
 TEST(properties, a_run_reports_each_case_of_each_property) {
-  const Subject wrong = changed(LawId::bump_2p, [](const Eigen::Vector3f& position, Rendered answer) {
+  const LawSubject wrong(changed(LawId::bump_2p, [](const Eigen::Vector3f& position, Rendered answer) {
     if (position.x() > 1) answer.force.x() += 1;
     return answer;
-  });
+  }));
   std::map<std::string, std::vector<double>> seen;
   const std::vector<PropertyResult> watched =
       run_properties(wrong, 200, kSeed, [&](const std::string& property, double done) { seen[property].push_back(done); });

@@ -15,6 +15,7 @@
 
 #include "forceshade/device/phantom/phantom.h"
 #include "forceshade/device/servo_loop.h"
+#include "forceshade/fast/law.h"
 
 namespace {
 

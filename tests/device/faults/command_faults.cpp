@@ -213,7 +213,7 @@ std::vector<Fault> command_faults() {
                    {"\"mismatches\": 0", "\"mismatches\": 1"},
                    {"\"counterexamples\": []", "\"counterexamples\": [\"at 0\"]"}}),
       uncertified("the certificate contradicts itself",
-                  "exit 2 ... laws[0].counterexamples is an array; expected the first of 1",
+                  "exit 2 ... subjects[0].counterexamples is an array; expected the first of 1",
                   {{"\"mismatches\": 0", "\"mismatches\": 1"}}),
       uncertified("the certificate is of 2000 points",
                   "exit 1 ... the certificate has 2000 points for wall; driving needs at least 1000000", {}),

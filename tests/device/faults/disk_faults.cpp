@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "forceshade/device/open_device.h"
+#include "forceshade/fast/law.h"
 #include "forceshade/recorder/recording.h"
 #include "forceshade/tests/device/faults/press.h"
 #include "forceshade/tests/recorder/faulty_disk.h"

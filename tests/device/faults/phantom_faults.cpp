@@ -8,6 +8,7 @@
 
 #include "forceshade/device/open_device.h"
 #include "forceshade/device/phantom/phantom.h"
+#include "forceshade/fast/law.h"
 #include "forceshade/recorder/recorder.h"
 #include "forceshade/tests/device/faults/press.h"
 #include "forceshade/tests/device/stand_in_hd/stand_in_hd.h"

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "forceshade/device/simulated/simulated.h"
+#include "forceshade/fast/law.h"
 #include "forceshade/recorder/recording.h"
 #include "forceshade/tests/support/kept_samples.h"
 #include "forceshade/tests/support/temporary_directory.h"

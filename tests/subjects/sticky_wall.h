@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A third kind of subject, with memory: a wall with hysteresis. The tip is held once it is below z = 0, and let go once it is
+// above the release height r. Held, it feels the spring F_z = -K·z, which between 0 and r pulls it down. So between 0 and r the
+// force depends on the path, as it does on a mesh.
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "forceshade/properties/subject.h"
+
+namespace forceshade::tests {
+
+struct StickyWallParameters {
+  float stiffness = 0.5F;  // K, N/mm
+  float release = 1;       // r, mm, above 0
+};
+
+class StickyWall final : public properties::Subject {
+ public:
+  using Open = std::function<std::unique_ptr<fast::Session>(const StickyWallParameters& p)>;
+
+  // A product of two binary32 numbers, rounded once.
+  static std::unique_ptr<fast::Session> open_fast(const StickyWallParameters& p);
+
+  explicit StickyWall(const StickyWallParameters& p, Open open = &open_fast);
+
+  const properties::Identity& identity() const override { return identity_; }
+  std::unique_ptr<properties::ReferenceSession> open_reference() const override;
+  const properties::Calls& calls() const override { return calls_; }
+  std::unique_ptr<properties::Positions> positions(std::uint64_t seed) const override;
+  std::vector<Eigen::Vector3f> draw_path() const override;
+  properties::Violation check_continuity() const override;
+  properties::Violation check_unit_normals() const override;
+  properties::Violation check_passivity() const override;
+  std::vector<std::string> jumps() const override { return {"z = the release height, on the way up"}; }
+  bool has_unit_directions() const override { return true; }
+  bool is_conservative() const override { return false; }
+  // Each time round the hand loses K·r²/2, so no loop gives it any energy.
+  std::vector<properties::LoopEnergy> energies(const reference::Watch&) const override;
+  properties::DrawnSubject with_drawn_parameters(std::uint64_t seed) const override;
+  std::uint64_t points_of_a_set(std::uint64_t) const override { return 1024; }
+
+ private:
+  StickyWallParameters p_;
+  Open open_;
+  properties::Calls calls_;
+  properties::Identity identity_;
+};
+
+}  // namespace forceshade::tests
