@@ -3,10 +3,16 @@
 // What certify writes and says when it has checked.
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "forceshade/certificate/certificate.h"
 
 namespace forceshade::apps {
+
+inline constexpr const char* kCertificateFolder = "directory for certificate.json and certificate.html";
+
+std::vector<std::string> certificate_files();
 
 // certificate.json, then certificate.html: without pictures, and a warning, where gnuplot does not draw them. Prints the
 // verdict, and what drive would find lacking. Returns the exit code.

@@ -6,12 +6,15 @@
 #include <filesystem>
 
 #include "forceshade/apps/length.h"
+#include "forceshade/apps/options.h"
 #include "forceshade/csv/output_file.h"
 #include "forceshade/fast/law.h"
 #include "forceshade/reference/law.h"
 
 namespace forceshade::apps {
 namespace {
+
+constexpr const char *kRadiusHelp = "R, radius of the bump", *kWidthHelp = "w, width of the bump on the plane";
 
 std::vector<std::filesystem::path> made_directories;  // each after the one that it is in
 
@@ -23,7 +26,7 @@ std::string law_list() {
 
 }  // namespace
 
-LawOptions::LawOptions(CLI::App& command, Laws laws, Defaults defaults) {
+LawOptions::LawOptions(CLI::App& command, Laws laws) {
   const bool all = laws == Laws::one_or_all;
   const std::string expected = (all ? "all, or one of " : "one of ") + law_list();
   if (all) law_ = "all";
@@ -33,20 +36,9 @@ LawOptions::LawOptions(CLI::App& command, Laws laws, Defaults defaults) {
       });
   if (!all) law->required();
   law_option_ = law;
-  if (defaults == Defaults::thesis) {
-    radius_ = "15.24mm";
-    width_ = "25.4mm";
-    stiffness_ = "0.5N/mm";
-  }
-  const auto add = [&](const char* name, std::string& value, const char* help) {
-    CLI::Option* option = command.add_option(name, value, help)->type_name("VALUE");
-    if (!value.empty()) option->capture_default_str();
-    return option;
-  };
-  add("--radius", radius_, "R, radius of the bump: mm, or with a unit (mm, mil, in, cm, m)");
-  add("--width", width_, "w, width of the bump on the plane: mm, or with a unit");
-  CLI::Option* stiffness = add("--stiffness", stiffness_, "K, stiffness: N/mm");
-  if (defaults == Defaults::none) stiffness->required();
+  add_length(command, "--radius", radius_, kRadiusHelp);
+  add_length(command, "--width", width_, kWidthHelp);
+  add_stiffness(command, stiffness_, "K, stiffness");
 }
 
 void LawOptions::allow_instead(CLI::Option* other) {
@@ -60,20 +52,14 @@ float LawOptions::stiffness() const {
 }
 
 BumpOptions::BumpOptions(CLI::App& command) {
-  const auto add = [&](const char* name, std::string& value, const char* help) {
-    return command.add_option(name, value, help)->type_name("VALUE")->required();
-  };
-  options_ = {add("--radius", radius_, "R: mm, or with a unit (mm, mil, in, cm, m)"),
-              add("--width", width_, "w: mm, or with a unit")};
+  options_ = {add_length(command, "--radius", radius_, kRadiusHelp), add_length(command, "--width", width_, kWidthHelp)};
 }
 
 void BumpOptions::allow_instead(CLI::Option* other) {
-  for (CLI::Option* option : options_) option->required(false)->excludes(other);
+  for (CLI::Option* option : options_) option->excludes(other);
 }
 
 Parameters BumpOptions::bump() const {
-  for (const CLI::Option* option : options_)
-    if (option->empty()) throw CLI::RequiredError(option->get_name());
   const Parameters bump{parse_length("--radius", radius_), parse_length("--width", width_), 1};
   const auto law = reference::Law::build(LawId::bump_cylinder, bump);
   if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput("--" + error->message());
@@ -91,12 +77,9 @@ std::vector<LawId> LawOptions::laws() const {
 Parameters LawOptions::parameters() const {
   Parameters p;
   p.stiffness = stiffness();
-  const float radius = radius_.empty() ? 0 : parse_length("--radius", radius_);
-  const float width = width_.empty() ? 0 : parse_length("--width", width_);
+  const float radius = parse_length("--radius", radius_), width = parse_length("--width", width_);
   for (const LawId id : laws()) {
     if (has_bump_geometry(id)) {
-      if (radius_.empty()) throw BadInput("--radius: the law " + std::string(name_of(id)) + " needs it");
-      if (width_.empty()) throw BadInput("--width: the law " + std::string(name_of(id)) + " needs it");
       p.radius = radius;
       p.width = width;
     }
@@ -122,7 +105,7 @@ void make_directory(const std::string& option, const std::string& path) {
     if (!error && fs::create_directory(so_far, error)) made_directories.push_back(so_far);
   }
   if (error || access(path.c_str(), W_OK) != 0)
-    throw BadInput(option + ' ' + path + ": expected a directory that can be written to" +
+    throw BadInput(option + ": expected a directory that can be written to, got \"" + path + '"' +
                    (error ? ": " + error.message() : ""));
 }
 

@@ -25,13 +25,16 @@ struct Interrupted : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// --law, --radius, --width and --stiffness.
+// What --radius and --width are unless said: 600 and 1000 mil.
+inline constexpr const char *kThesisRadius = "15.24mm", *kThesisWidth = "25.4mm";
+
+// --law, which is needed where one law is expected and "all" unless said where all are; and --radius, --width and --stiffness,
+// which are those of the thesis unless said: R = 15.24 mm, w = 25.4 mm, K = 0.5 N/mm.
 class LawOptions {
  public:
   enum class Laws { one, one_or_all };
-  enum class Defaults { none, thesis };  // thesis: R = 15.24 mm, w = 25.4 mm, K = 0.5 N/mm
 
-  LawOptions(CLI::App& command, Laws laws, Defaults defaults);
+  LawOptions(CLI::App& command, Laws laws);
 
   // From then on --law is needed only without this option, and refused beside it.
   void allow_instead(CLI::Option* other);
@@ -39,7 +42,7 @@ class LawOptions {
   std::vector<LawId> laws() const;
   LawId law() const { return laws().front(); }
 
-  // Throws BadInput when a parameter is missing, cannot be read, or is outside the domain of one of the laws.
+  // Throws BadInput when a parameter cannot be read, or is outside the domain of one of the laws.
   Parameters parameters() const;
 
   float stiffness() const;  // N/mm
@@ -48,15 +51,15 @@ class LawOptions {
   CLI::Option* law_option_ = nullptr;
   const CLI::Option* needed_unless_ = nullptr;
   std::string law_;
-  std::string radius_, width_, stiffness_;
+  std::string radius_ = kThesisRadius, width_ = kThesisWidth, stiffness_ = "0.5N/mm";
 };
 
-// --radius and --width of a bump, both required.
+// --radius and --width of a bump, those of the thesis unless said.
 class BumpOptions {
  public:
   explicit BumpOptions(CLI::App& command);
 
-  // From then on they are needed only without this option, and refused beside it.
+  // From then on they are refused beside this option.
   void allow_instead(CLI::Option* other);
 
   // With a stiffness of 1 N/mm, which the geometry does not ask for. Throws BadInput.
@@ -64,7 +67,7 @@ class BumpOptions {
 
  private:
   std::array<CLI::Option*, 2> options_;
-  std::string radius_, width_;
+  std::string radius_ = kThesisRadius, width_ = kThesisWidth;
 };
 
 // Of what both sides' build() give; throws BadInput, which begins with `what`.
@@ -94,7 +97,7 @@ void add_figures(CLI::App& app, int& result);
 void add_properties(CLI::App& app, int& result);
 void add_certify(CLI::App& app, int& result);
 void add_drive(CLI::App& app, int& result);
-void add_record(CLI::App& app, int& result);
+void add_recording(CLI::App& app, int& result);
 void add_device(CLI::App& app, int& result);
 
 }  // namespace forceshade::apps

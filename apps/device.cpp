@@ -7,6 +7,7 @@
 
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/device_command.h"
+#include "forceshade/apps/output_options.h"
 #include "forceshade/csv/printable.h"
 #include "forceshade/device/phantom/driver_folder.h"
 #include "forceshade/device/simulated/model.h"
@@ -59,7 +60,7 @@ int list(const std::string& json) {
 void add_device_list_to(CLI::App& command, int& result) {
   const auto json = std::make_shared<std::string>();
   CLI::App* verb = command.add_subcommand("list", "Kinds of device, and the devices that are set up for the vendor's driver");
-  verb->add_option("--json", *json, "for programs, - for standard output")->type_name("FILE");
+  add_json(*verb, *json, "the same");
   verb->callback([json, &result] { result = list(*json); });
 }
 

@@ -11,6 +11,7 @@
 #include "forceshade/apps/device_command.h"
 #include "forceshade/apps/device_run.h"
 #include "forceshade/apps/options.h"
+#include "forceshade/apps/output_options.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/csv/csv.h"
 #include "forceshade/csv/printable.h"
@@ -137,7 +138,7 @@ void add_device_check(CLI::App& device, int& result) {
   add_number(*command, "--seconds", "for how long the device is read; 5 unless said", {0.1, 600},
              [options](double seconds) { options->seconds = seconds; });
   add_in_reset_pose(*command, options->in_reset_pose);
-  command->add_option("--json", options->json, "for programs, - for standard output")->type_name("FILE");
+  add_json(*command, options->json, "the checks and what was measured");
   command->callback([options, &result] { result = run(*options); });
 }
 

@@ -14,6 +14,7 @@
 #include "forceshade/apps/run_record.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/apps/terminal_attendant.h"
+#include "forceshade/certificate/build.h"
 #include "forceshade/csv/csv.h"
 #include "forceshade/csv/output_file.h"
 #include "forceshade/csv/printable.h"
@@ -51,13 +52,13 @@ recorder::Metadata metadata(const RunPlan& plan, const Driven& what, const devic
                               {"paced", plan.servo.paced ? "yes" : "no"},
                               {"passivity", std::string(name_of(plan.servo.passivity))}};
   for (const auto& [what_it_is, words] : identity(capabilities)) metadata["device_" + what_it_is] = words;
-  metadata.insert(what.metadata.begin(), what.metadata.end());
+  metadata.merge(metadata_of(what.identity));
   return metadata;
 }
 
 nlohmann::ordered_json summary(const device::ServoResult& run, const std::vector<device::Sample>& last_ticks,
                                const RunPlan& plan, const Driven& what, const device::Capabilities& capabilities) {
-  nlohmann::ordered_json json = what.summary;
+  nlohmann::ordered_json json = summary_of(what.identity);
   json["certificate_digest"] = plan.digest ? nlohmann::ordered_json(*plan.digest) : nlohmann::ordered_json(nullptr);
   json["library_digest"] = properties::current_build().library_digest;
   const Eigen::Vector3d origin = plan.servo.placement.origin().cast<double>();
@@ -126,7 +127,7 @@ std::unique_ptr<device::Device> open_for_a_run(const std::string& name, device::
 RunOutcome run_on(device::Device& device, const Driven& what, RunPlan plan) {
   const device::Capabilities capabilities = device.capabilities();
   std::optional<RunRecord> record;
-  if (!plan.record.empty()) record.emplace(plan.record, metadata(plan, what, capabilities), plan.servo.paced);
+  if (!plan.record.empty()) record.emplace(plan.record, metadata(plan, what, capabilities), plan.servo.paced, plan.overwrite);
   std::optional<LiveView> view;
   if (is_watched()) view.emplace(bar_of(capabilities));
   device::LastSamples last(kKeptBeforeTheEnd, plan.servo.rate_hz);
@@ -135,7 +136,7 @@ RunOutcome run_on(device::Device& device, const Driven& what, RunPlan plan) {
   if (view) plan.servo.sinks.push_back(&*view);
   if (interrupted()) throw Interrupted(kNotBegun);
 
-  device::ServoResult result = device::run_servo_loop(device, what.renderer, plan.servo, interrupted());
+  device::ServoResult result = device::run_servo_loop(device, *what.session, plan.servo, interrupted());
   view.reset();
   bool written = !record || record->close(std::string(name_of(result.end_reason)));
   const std::vector<device::Sample> last_ticks = has_failed(result) ? last.samples() : std::vector<device::Sample>{};

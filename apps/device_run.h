@@ -17,6 +17,7 @@ struct RunPlan {
   std::string device;                 // as the command line names it
   std::optional<std::string> digest;  // of the certificate
   std::string record, json;           // files; - is standard output, empty is none
+  bool overwrite = false;             // a recording that is there already
   device::ServoOptions servo = {};
 };
 

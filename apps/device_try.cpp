@@ -14,11 +14,13 @@
 #include "forceshade/apps/device_run.h"
 #include "forceshade/apps/length.h"
 #include "forceshade/apps/options.h"
+#include "forceshade/apps/output_options.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/apps/terminal_attendant.h"
 #include "forceshade/csv/csv.h"
 #include "forceshade/device/limited.h"
 #include "forceshade/fast/law.h"
+#include "forceshade/properties/law_subject.h"
 
 namespace forceshade::apps {
 namespace {
@@ -31,8 +33,8 @@ constexpr const char* kNoButton = "none";
 struct Options {
   std::string device, certificate, stiffness = "0.05", dead_man = "0", record, json;
   double seconds = 30;
-  std::optional<double> patience;
-  bool uncertified = false, in_reset_pose = false;
+  std::optional<double> watchdog_timeout;
+  bool uncertified = false, in_reset_pose = false, overwrite = false;
 };
 
 // What a hand felt of it.
@@ -71,19 +73,18 @@ std::string dated_name() {
 std::optional<int> dead_man_button(const Options& options, int buttons) {
   if (options.dead_man == kNoButton) {
     if (buttons == 0) return std::nullopt;
-    throw BadInput(
-        "--dead-man none: expected a button, because the device has some: without it nothing but the stylus can be "
-        "let go of");
+    throw BadInput("--dead-man: expected a button from 0 to " + std::to_string(buttons - 1) +
+                   ", got \"none\"; without a button to let go of, only letting go of the stylus stops a run");
   }
   if (buttons == 0)
-    throw BadInput("--dead-man: the device has no button that could be held down; --dead-man none does without one");
+    throw BadInput("--dead-man: expected none, because the device has no buttons, got \"" + options.dead_man + '"');
   return static_cast<int>(parse_whole("--dead-man", options.dead_man, {0, static_cast<std::uint64_t>(buttons) - 1}));
 }
 
 void expect_done(device::Attendant& person, const std::string& words) {
   if (person.did(words)) return;
   if (interrupted()) throw Interrupted("the run had not begun");
-  throw BadInput("a first contact needs somebody at the terminal who goes through its steps");
+  throw BadInput("the terminal: expected somebody who goes through the steps of a first contact, got no answer");
 }
 
 std::string first_step(float stiffness) {
@@ -110,8 +111,8 @@ int run(Options options) {
   if (options.record.empty()) options.record = dated_name();
   if (!options.record.ends_with(".fsr"))
     throw BadInput("--record: expected FILE.fsr, a recording that survives a crash, got \"" + options.record + '"');
-  const Driven wall = driven(LawId::wall, {.stiffness = stiffness});
-  const Certified covered = certified(options.certificate, wall);
+  const Driven wall(properties::LawSubject(LawId::wall, {.stiffness = stiffness}));
+  const Certified covered = certified(options.certificate, wall.identity);
   if (!may_be_driven(covered, options.uncertified)) {
     std::fprintf(stderr, "forceshade: to have one: forceshade certify --law wall --stiffness %s --out DIR\n",
                  csv::shortest(stiffness).c_str());
@@ -132,7 +133,9 @@ int run(Options options) {
        .digest = covered.digest,
        .record = options.record,
        .json = options.json,
-       .servo = {.max_seconds = options.seconds, .patience = options.patience, .dead_man_button = button, .sinks = {&felt}}});
+       .overwrite = options.overwrite,
+       .servo = {
+           .max_seconds = options.seconds, .patience = options.watchdog_timeout, .dead_man_button = button, .sinks = {&felt}}});
   if (options.json != "-") felt.print(outcome.result);
   person.told("the run is over and there is no force; its recording is " + options.record);
   return outcome.code;
@@ -147,7 +150,7 @@ void add_device_try(CLI::App& device, int& result) {
   command->add_option("device", options->device, "as for drive --device")->type_name("DEVICE")->required();
   command->add_option("--certificate", options->certificate, "certificate.json of this build, of the wall at this stiffness")
       ->type_name("FILE");
-  command->add_option("--stiffness", options->stiffness, "K: N/mm, at most 0.2")->type_name("VALUE")->capture_default_str();
+  add_stiffness(*command, options->stiffness, "K, stiffness, at most 0.2 N/mm");
   command->add_option("--dead-man", options->dead_man, "button to be held down, from 0; none for a device without buttons")
       ->type_name("BUTTON")
       ->capture_default_str()
@@ -157,15 +160,18 @@ void add_device_try(CLI::App& device, int& result) {
       });
   add_number(*command, "--seconds", "stop after so many seconds' worth of ticks; 30 unless said", {0.1, 600},
              [options](double seconds) { options->seconds = seconds; });
-  add_number(*command, "--patience", "for how many seconds ticks may be late before the run is stopped; 0.02 unless said",
+  add_number(*command, "--watchdog-timeout",
+             "for how many seconds ticks may be late before the run is stopped; 0.02 unless said",
              {1 / device::kHighestRateHz, device::kLongestPatience},
-             [options](double patience) { options->patience = patience; });
+             [options](double timeout) { options->watchdog_timeout = timeout; });
   add_in_reset_pose(*command, options->in_reset_pose);
   command->add_flag("--uncertified", options->uncertified, "try even where the certificate does not allow it");
-  command->add_option("--record", options->record, "the recording, FILE.fsr; forceshade-try-DATE-TIME.fsr unless said")
-      ->type_name("FILE");
-  command->add_option("--json", options->json, "summary for programs, - for standard output")->type_name("FILE");
-  command->callback([options, &result] { result = run(*options); });
+  add_output(*command, "--record", options->record, "the recording, FILE.fsr; forceshade-try-DATE-TIME.fsr unless said");
+  add_json(*command, options->json, "the summary");
+  command->callback([options, command, &result] {
+    options->overwrite = overwrites(*command);
+    result = run(*options);
+  });
 }
 
 }  // namespace forceshade::apps

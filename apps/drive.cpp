@@ -9,10 +9,11 @@
 
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/device_run.h"
-#include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/options.h"
+#include "forceshade/apps/output_options.h"
 #include "forceshade/apps/placement_options.h"
 #include "forceshade/apps/signals.h"
+#include "forceshade/apps/subject_option.h"
 
 namespace forceshade::apps {
 namespace {
@@ -20,17 +21,17 @@ namespace {
 using Controller = device::PassivityController::Kind;
 
 constexpr NumberRange kSeconds{1 / device::kHighestRateHz, 1e9};
-constexpr NumberRange kPatience{1 / device::kHighestRateHz, device::kLongestPatience};
+constexpr NumberRange kWatchdogTimeout{1 / device::kHighestRateHz, device::kLongestPatience};
 constexpr WholeRange kButtons{0, std::numeric_limits<decltype(device::Reading::buttons)>::digits - 1};
 constexpr WholeRange kProcessors{0, CPU_SETSIZE - 1};
 
 struct Options {
   std::string certificate, device, record, json;
   double rate = 1000;
-  std::optional<double> seconds, patience;
+  std::optional<double> seconds, watchdog_timeout;
   std::optional<int> cpu, dead_man;
   std::string passivity = "damping", pace = "device";
-  bool unpaced = false, uncertified = false, in_reset_pose = false;
+  bool free_run = false, uncertified = false, in_reset_pose = false, overwrite = false;
 };
 
 Controller controller_named(const std::string& name) {
@@ -55,14 +56,11 @@ void expect_consistent(const Options& options) {
                  std::to_string(*options.cpu));
 }
 
-int run(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map,
-        const PlacementOptions& place) {
+int run(const Options& options, const SubjectOption& subject, const PlacementOptions& place) {
   expect_consistent(options);
   const device::Placement placement = place.placement();
-  const float stiffness = law_options.stiffness();
-  const Driven what = height_map.is_given() ? driven(height_map.name(), height_map.read(stiffness), stiffness)
-                                            : driven(law_options.law(), law_options.parameters());
-  const Certified covered = certified(options.certificate, what);
+  const Driven what(*subject.subject());
+  const Certified covered = certified(options.certificate, what.identity);
   if (!may_be_driven(covered, options.uncertified)) return kFailed;
 
   end_runs_in_order();
@@ -73,13 +71,14 @@ int run(const Options& options, const LawOptions& law_options, const HeightMapOp
                  .digest = covered.digest,
                  .record = options.record,
                  .json = options.json,
+                 .overwrite = options.overwrite,
                  .servo = {.rate_hz = options.rate,
                            .max_seconds = options.seconds,
-                           .paced = !options.unpaced,
+                           .paced = !options.free_run,
                            .follows_device = options.pace == "device",
                            .cpu = options.cpu,
                            .passivity = controller_named(options.passivity),
-                           .patience = options.patience,
+                           .patience = options.watchdog_timeout,
                            .dead_man_button = options.dead_man,
                            .placement = placement}})
       .code;
@@ -90,8 +89,7 @@ int run(const Options& options, const LawOptions& law_options, const HeightMapOp
 void add_drive(CLI::App& app, int& result) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("drive", "Drive a device with a certified renderer");
-  const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one, LawOptions::Defaults::thesis);
-  const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
+  const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::one);
   const auto place = std::make_shared<PlacementOptions>(*command);
   command->add_option("--certificate", options->certificate, "certificate.json of this build")->type_name("FILE");
   command
@@ -112,8 +110,9 @@ void add_drive(CLI::App& app, int& result) {
            "what a tick follows: device, the frames of one that has its own (a PHANToM), or clock, this machine's, as for any "
            "other device",
            {"device", "clock"});
-  add_number(*command, "--patience", "for how many seconds ticks may be late before the run is stopped; 0.02 unless said",
-             kPatience, [options](double patience) { options->patience = patience; });
+  add_number(*command, "--watchdog-timeout",
+             "for how many seconds ticks may be late before the run is stopped; 0.02 unless said", kWatchdogTimeout,
+             [options](double timeout) { options->watchdog_timeout = timeout; });
   add_whole(
       *command, "--dead-man",
       "button of the device to be held down, from 0; else there is no force. Of a simulated device: a key of the terminal, "
@@ -121,18 +120,19 @@ void add_drive(CLI::App& app, int& result) {
       kButtons, [options](std::uint64_t button) { options->dead_man = static_cast<int>(button); });
   add_whole(*command, "--cpu", "processor to run the loop on; the last one unless said", kProcessors,
             [options](std::uint64_t cpu) { options->cpu = static_cast<int>(cpu); });
-  command->add_flag("--unpaced", options->unpaced, "as fast as it goes: for checks, not for hands")
+  command->add_flag("--free-run", options->free_run, "as fast as it goes: for checks, not for hands")
       ->excludes("--cpu")
       ->excludes("--pace")
-      ->excludes("--patience");
+      ->excludes("--watchdog-timeout");
   add_in_reset_pose(*command, options->in_reset_pose);
   command->add_flag("--uncertified", options->uncertified, "drive even where the certificate does not allow it");
-  command
-      ->add_option("--record", options->record,
-                   "every tick: FILE.fsr, a recording that survives a crash; else its CSV, - for standard output")
-      ->type_name("FILE");
-  command->add_option("--json", options->json, "summary for programs, - for standard output")->type_name("FILE");
-  command->callback([options, law, height_map, place, &result] { result = run(*options, *law, *height_map, *place); });
+  add_output(*command, "--record", options->record,
+             "every tick: FILE.fsr, a recording that survives a crash; else its CSV, - for standard output");
+  add_json(*command, options->json, "the summary");
+  command->callback([options, subject, place, command, &result] {
+    options->overwrite = overwrites(*command);
+    result = run(*options, *subject, *place);
+  });
 }
 
 }  // namespace forceshade::apps

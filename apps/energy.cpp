@@ -12,6 +12,7 @@
 #include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/length.h"
 #include "forceshade/apps/options.h"
+#include "forceshade/apps/output_options.h"
 #include "forceshade/apps/progress_line.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/reference/height_energy.h"
@@ -50,7 +51,7 @@ void add_witness(Json& json, const V& verdict) {
 template <class V>
 void print_witness(const V& verdict) {
   if (!verdict.witness.empty())
-    std::printf("witness: %zu corners, paid %.6g mJ, %.2f %% of the bound; --json - lists them\n", verdict.witness.size() - 1,
+    std::printf("witness: %zu corners, paid %.6g mJ, %.2f %% of the bound; --json lists them\n", verdict.witness.size() - 1,
                 verdict.witness_mJ, 100 * verdict.witness_mJ / verdict.most_mJ);
   if (verdict.witness_mJ < kMet * verdict.most_mJ)
     std::printf(
@@ -196,19 +197,17 @@ void add_energy(CLI::App& app, int& result) {
   const auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("energy", "Whether a law or a height map is passive, and the most energy a loop can draw from it");
-  const auto law_options = std::make_shared<LawOptions>(*command, LawOptions::Laws::one, LawOptions::Defaults::thesis);
+  const auto law_options = std::make_shared<LawOptions>(*command, LawOptions::Laws::one);
   const auto height_map = std::make_shared<HeightMapOption>(*command, *law_options);
-  command->add_option("--depth", options->depth, "of the loops, below the nominal surface: mm, or with a unit")
-      ->type_name("VALUE")
-      ->required();
-  command->add_option("--json", options->json, "verdict for programs, - for standard output")->type_name("FILE");
+  add_length(*command, "--depth", options->depth, "of the loops, below the nominal surface")->required();
+  add_json(*command, options->json, "the verdict, with the loop,");
   CLI::Option* map_option = command->get_option("--height-map");
   const auto add = [&](const char* name, std::string& value, const char* help) {
-    command->add_option(name, value, help)->type_name("VALUE")->capture_default_str()->needs(map_option);
+    add_length(*command, name, value, help)->needs(map_option);
   };
   add_word(*command, "--along", options->along, "of a height map, the axis that its loops lie along", {"x", "y"})
       ->needs(map_option);
-  add("--at", options->at, "where on the other axis: mm, or with a unit");
+  add("--at", options->at, "where on the other axis");
   add("--from", options->from, "where the loops may begin");
   add("--to", options->to, "and where they end");
   command->callback([options, law_options, height_map, &result] {

@@ -45,13 +45,15 @@ Shard parse_shard(const std::string& text) {
 // What is left of a part: the file of an earlier run if there is one.
 Certificate begin_or_resume(const std::string& file, const Sweeps& part) {
   const properties::Build build = properties::current_build();
-  if (!std::filesystem::exists(file)) return {build, 0, 0, {}, part, {}, properties::utc_now(), properties::processor_name()};
+  if (!std::filesystem::exists(file)) return {build, 0, 0, {}, part, properties::utc_now(), properties::processor_name()};
   const Certificate earlier = properties::from_json(properties::read_certificate(file), file);
   const auto sweep_of = [](const properties::SweepResult& result) { return result.sweep; };
   const bool same = std::ranges::equal(earlier.sweeps.results, part.results, {}, sweep_of, sweep_of) &&
                     earlier.sweeps.first == part.first && earlier.sweeps.end == part.end;
-  if (!(earlier.build == build)) throw BadInput(file + ": was begun by another build; remove it to begin again");
-  if (!same) throw BadInput(file + ": is of other sweeps; remove it or choose another --out");
+  if (!(earlier.build == build))
+    throw BadInput(file + ": expected a part that this build began, got one of another build; remove it to begin again");
+  if (!same)
+    throw BadInput(file + ": expected a part of these sweeps, got one of other sweeps; remove it or choose another --out");
   return earlier;
 }
 
@@ -97,16 +99,16 @@ void ExhaustiveOptions::add_to(CLI::App& command) {
       ->capture_default_str();
 }
 
-int run_exhaustive(const ExhaustiveOptions& options, properties::SweepPlan plan, unsigned threads, const std::string& out) {
+int run_exhaustive(const ExhaustiveOptions& options, properties::SweepPlan plan, unsigned threads, const OutFolder& out) {
   const auto wants = [&](const char* kind) { return std::ranges::find(options.sweeps, kind) != options.sweeps.end(); };
   plan.directions = wants("directions");
   plan.heights = wants("heights");
   plan.lines = wants("lines");
   const Shard shard = parse_shard(options.shards);
   const Sweeps all = properties::planned(plan);
-  if (all.results.empty()) throw BadInput("--sweeps: the law has no such sweep");
-  const std::string file =
-      std::filesystem::path(out) / ("exhaustive-" + std::to_string(shard.k) + "-of-" + std::to_string(shard.n) + ".json");
+  if (all.results.empty()) throw BadInput("--sweeps: expected a kind of sweep that the law has, got none of them");
+  const std::string file = std::filesystem::path(out.path()) /
+                           ("exhaustive-" + std::to_string(shard.k) + "-of-" + std::to_string(shard.n) + ".json");
   Certificate part = begin_or_resume(file, properties::part_of(all, shard.k, shard.n));
   Sweeps& sweeps = part.sweeps;
 
@@ -132,7 +134,7 @@ int run_exhaustive(const ExhaustiveOptions& options, properties::SweepPlan plan,
   }
   print(sweeps);
   if (sweeps.is_whole()) {
-    const int result = write_certificate(part, out);
+    const int result = write_certificate(part, out.path());
     std::filesystem::remove(file);  // the certificate says all that it said
     return result;
   }
@@ -143,7 +145,6 @@ int run_exhaustive(const ExhaustiveOptions& options, properties::SweepPlan plan,
 void add_merge(CLI::App& certify, int& result) {
   struct Options {
     std::vector<std::string> files;
-    std::string out;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command =
@@ -151,19 +152,19 @@ void add_merge(CLI::App& certify, int& result) {
   command->add_option("files", options->files, "exhaustive-k-of-n.json of every k, and at most one certificate.json")
       ->type_name("FILE")
       ->required();
-  command->add_option("--out", options->out, "directory for certificate.json and certificate.html")
-      ->type_name("DIR")
-      ->required();
-  command->callback([options, &certify, &result] {
+  const auto out = std::make_shared<OutFolder>(*command, kCertificateFolder);
+  out->require();
+  command->callback([options, out, &certify, &result] {
     for (const CLI::Option* option : certify.get_options())
-      if (!option->empty()) throw BadInput(option->get_name() + ": expected after 'certify merge', or not at all");
+      if (!option->empty())
+        throw BadInput(option->get_name() + ": expected after 'certify merge' or not at all, got before it");
     std::vector<properties::CertificateFile> files;
     for (const std::string& name : options->files)
       files.push_back({name, properties::from_json(properties::read_certificate(name), name)});
     const Certificate certificate = properties::merged(std::move(files));
-    make_directory("--out", options->out);
+    out->make(certificate_files());
     print(certificate.sweeps);
-    result = write_certificate(certificate, options->out);
+    result = write_certificate(certificate, out->path());
   });
 }
 

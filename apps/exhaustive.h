@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "forceshade/apps/output_options.h"
 #include "forceshade/certificate/sweep.h"
 
 namespace forceshade::apps {
@@ -19,7 +20,7 @@ struct ExhaustiveOptions {
 };
 
 // Sweeps, or goes on where a stopped run of the same part left off. Returns the exit code.
-int run_exhaustive(const ExhaustiveOptions& options, properties::SweepPlan plan, unsigned threads, const std::string& out);
+int run_exhaustive(const ExhaustiveOptions& options, properties::SweepPlan plan, unsigned threads, const OutFolder& out);
 
 void add_merge(CLI::App& certify, int& result);
 

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <string_view>
 
 #include "forceshade/apps/command.h"
@@ -12,7 +13,7 @@
 namespace forceshade::apps {
 namespace {
 
-// One of the unit is numerator/denominator of the base unit, exactly.
+// One of the unit is numerator/denominator of the base unit.
 struct Unit {
   std::string_view name;
   long double numerator, denominator;
@@ -21,9 +22,12 @@ struct Unit {
 constexpr std::array kLengths{Unit{"", 1, 1},      Unit{"mm", 1, 1},  Unit{"mil", 254, 10000},
                               Unit{"in", 254, 10}, Unit{"cm", 10, 1}, Unit{"m", 1000, 1}};
 constexpr std::array kStiffnesses{Unit{"", 1, 1}, Unit{"N/mm", 1, 1}, Unit{"N/m", 1, 1000}};
+// The only one that is not exact: a radian is rounded to a long double.
+constexpr std::array kAngles{Unit{"", 1, 1}, Unit{"deg", 1, 1}, Unit{"rad", 180, std::numbers::pi_v<long double>}};
 
-template <std::size_t kCount>
-float parse(const std::string& name, const std::string& text, const std::array<Unit, kCount>& units, const char* expected) {
+// Rounded once, to the Real nearest to the quantity.
+template <class Real, std::size_t kCount>
+Real parse(const std::string& name, const std::string& text, const std::array<Unit, kCount>& units, const char* expected) {
   const auto refuse = [&] { return BadInput(name + ": expected " + expected + ", got \"" + text + "\""); };
   double number = 0;
   const char* const end = text.data() + text.size();
@@ -34,8 +38,8 @@ float parse(const std::string& name, const std::string& text, const std::array<U
   for (const Unit& unit : units) {
     if (suffix != unit.name) continue;
     if (unit.numerator != unit.denominator)
-      return static_cast<float>(static_cast<long double>(number) * unit.numerator / unit.denominator);
-    float nearest = 0;  // read again: rounding to binary64 first could land on the wrong side of a tie
+      return static_cast<Real>(static_cast<long double>(number) * unit.numerator / unit.denominator);
+    Real nearest = 0;  // read again: rounding to binary64 first could land on the wrong side of a tie
     if (std::from_chars(text.data(), rest, nearest).ec != std::errc{}) throw refuse();
     return nearest;
   }
@@ -45,11 +49,15 @@ float parse(const std::string& name, const std::string& text, const std::array<U
 }  // namespace
 
 float parse_length(const std::string& name, const std::string& text) {
-  return parse(name, text, kLengths, "a length such as 15.24, 15.24mm, 600mil, 0.6in, 2.54cm or 0.01m");
+  return parse<float>(name, text, kLengths, "a length such as 15.24, 15.24mm, 600mil, 0.6in, 2.54cm or 0.01m");
 }
 
 float parse_stiffness(const std::string& name, const std::string& text) {
-  return parse(name, text, kStiffnesses, "a stiffness such as 0.5, 0.5N/mm or 500N/m");
+  return parse<float>(name, text, kStiffnesses, "a stiffness such as 0.5, 0.5N/mm or 500N/m");
+}
+
+double parse_angle(const std::string& name, const std::string& text) {
+  return parse<double>(name, text, kAngles, "an angle such as 30, 30deg or 0.5rad");
 }
 
 }  // namespace forceshade::apps

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "forceshade/apps/command.h"
+#include "forceshade/apps/documentation.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/standard_streams.h"
 #include "forceshade/certificate/build.h"
@@ -23,13 +24,12 @@ int run(int argc, char** argv) {
   CLI::App app("Haptic force laws, correctly rounded in real time: evaluate, check, certify and drive.", "forceshade");
   app.set_version_flag("--version", [] {
     const properties::Build build = properties::current_build();
-    return "forceshade " + build.version + " (" + build.revision + ", " + build.compiler + ", " + build.instruction_set + ")";
+    return "forceshade " + build.version + "\nrevision         " + build.revision + "\ncompiler         " + build.compiler +
+           "\ninstruction set  " + build.instruction_set + "\nlibrary digest   " + build.library_digest;
   });
   app.require_subcommand(1);
-  app.footer(
-      "Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault or safety trip,\n"
-      "130 interrupted.\n"
-      "'forceshade COMMAND --help' explains a command.");
+  app.footer(std::string(kQuantities) + '\n' + kFiles + '\n' + kExitCodes +
+             "\n'forceshade COMMAND --help' explains a command, and 'forceshade man COMMAND | man -l -' shows its page.");
   app.failure_message(failure_message);
   int result = kHeld;
   add_laws(app, result);
@@ -42,15 +42,20 @@ int run(int argc, char** argv) {
   add_properties(app, result);
   add_certify(app, result);
   add_drive(app, result);
-  add_record(app, result);
+  add_recording(app, result);
   add_device(app, result);
+  add_man(app);
+  add_completion(app);
   refuse_empty_values(app);
   if (argc > 1 && argv[1][0] != '-') {
     const std::vector<CLI::App*> commands = app.get_subcommands([](const CLI::App*) { return true; });
     const auto is_named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
     if (std::none_of(commands.begin(), commands.end(), is_named)) {
       std::cerr << "forceshade: unknown command \"" << argv[1] << "\"; expected one of:";
-      for (const CLI::App* command : commands) std::cerr << ' ' << command->get_name();
+      std::vector<std::string> names;
+      for (const CLI::App* command : commands) names.push_back(command->get_name());
+      for (const std::string& name : names) std::cerr << ' ' << name;
+      if (const std::string near = nearest(argv[1], names); !near.empty()) std::cerr << "; the nearest is " << near;
       std::cerr << '\n';
       return kBadInput;
     }

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <numeric>
 #include <system_error>
 #include <utility>
+
+#include "forceshade/apps/length.h"
 
 namespace forceshade::apps {
 namespace {
@@ -40,6 +43,97 @@ CLI::Option* add_parsed(CLI::App& command, const std::string& name, const std::s
   return command.add_option_function<std::string>(name, std::move(keep), help)->type_name("N (" + range + ")");
 }
 
+// The command that was being read.
+const CLI::App* command_of(const CLI::App* app) {
+  while (!app->get_subcommands().empty()) app = app->get_subcommands().front();
+  return app;
+}
+
+// Insertions, deletions and replacements of a character that make one word of the other (Levenshtein).
+std::size_t edits(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string suggestion(const std::string& word, const std::vector<std::string>& words) {
+  const std::string near = nearest(word, words);
+  return near.empty() ? "" : "; the nearest is " + near;
+}
+
+bool is_option(const std::string& word) {
+  return word.starts_with("-");
+}
+
+// What was left over: an option that the command has not, or a word that it has no place for.
+std::string words_of_extra(const CLI::App& command) {
+  const std::vector<std::string> extras = command.remaining();
+  const auto option = std::find_if(extras.begin(), extras.end(), is_option);
+  if (option == extras.end())
+    return command.get_name() + ": expected no further word, got \"" + (extras.empty() ? "" : extras.front()) + '"';
+  const std::string name = option->substr(0, option->find('='));
+  std::vector<std::string> names;
+  for (const CLI::Option* known : command.get_options())
+    for (const std::string& known_name : known->get_lnames()) names.push_back("--" + known_name);
+  return command.get_name() + ": unknown option \"" + name + '"' + suggestion(name, names);
+}
+
+std::string words_of_missing(const CLI::App& command, const std::string& what) {
+  const std::vector<const CLI::App*> verbs = command.get_subcommands([](const CLI::App*) { return true; });
+  const std::vector<std::string> extras = command.remaining();
+  const bool has_unknown = std::any_of(extras.begin(), extras.end(), is_option);
+  if (has_unknown) return words_of_extra(command);
+  if (what.find("subcommand") == std::string::npos)
+    return command.get_name() + ": expected " + what.substr(0, what.find(" is required")) + ", got none";
+  std::vector<std::string> names;
+  for (const CLI::App* verb : verbs) names.push_back(verb->get_name());
+  const std::string words = command.get_name() + ": expected a command: " + joined(names, ", ") + "; got ";
+  return extras.empty() ? words + "none" : words + '"' + extras.front() + '"' + suggestion(extras.front(), names);
+}
+
+template <class E>
+bool is_a(const CLI::Error& error) {
+  return dynamic_cast<const E*>(&error) != nullptr;
+}
+
+// In the form of this file: where, what was expected, what was got.
+std::string words_of(const CLI::App& command, const CLI::Error& error) {
+  std::string words = error.what();
+  if (is_a<CLI::ExtrasError>(error)) return words_of_extra(command);
+  if (is_a<CLI::RequiredError>(error)) return words_of_missing(command, words);
+  if (const std::size_t at = words.find(" requires "); is_a<CLI::RequiresError>(error))
+    return words.substr(0, at) + ": expected " + words.substr(at + 10) + " beside it, got it alone";
+  if (const std::size_t at = words.find(" excludes "); is_a<CLI::ExcludesError>(error))
+    return words.substr(0, at) + ": expected without " + words.substr(at + 10) + ", got both";
+  if (is_a<CLI::ArgumentMismatch>(error)) {
+    const bool repeated = words.find("received") != std::string::npos;
+    return words.substr(0, words.find(':')) +
+           (repeated ? ": expected once, got several times" : ": expected a value after it, got none");
+  }
+  // The value of an option is converted by its own function, so this is of a flag: "Could not convert: --free-run = x".
+  if (const std::string got = " = "; is_a<CLI::ConversionError>(error)) {
+    const std::size_t name = words.find("--"), value = words.find(got, name);
+    if (name != std::string::npos && value != std::string::npos)
+      return words.substr(name, value - name) + ": expected no value, got \"" + words.substr(value + got.size()) + '"';
+  }
+  return words;
+}
+
+CLI::Option* add_quantity(CLI::App& command, const std::string& name, std::string& value, const std::string& help,
+                          const char* type) {
+  CLI::Option* option = command.add_option(name, value, help)->type_name(type);
+  if (!value.empty()) option->capture_default_str();
+  return option;
+}
+
 }  // namespace
 
 std::uint64_t parse_whole(const std::string& name, const std::string& text, WholeRange range) {
@@ -60,6 +154,27 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, const std::s
                         std::function<void(double)> keep) {
   return add_parsed(command, name, help, written(range.least) + " to " + written(range.most),
                     [=](const std::string& text) { keep(parse_number(name, text, range)); });
+}
+
+CLI::Option* add_length(CLI::App& command, const std::string& name, std::string& value, const std::string& help) {
+  return add_quantity(command, name, value, help + ": mm, or with a unit (mm, cm, m, mil, in)", "LENGTH");
+}
+
+CLI::Option* add_stiffness(CLI::App& command, std::string& value, const std::string& help) {
+  return add_quantity(command, "--stiffness", value, help + ": N/mm, or with a unit (N/mm, N/m)", "STIFFNESS");
+}
+
+CLI::Option* add_angle(CLI::App& command, const std::string& name, const std::string& help, NumberRange degrees,
+                       std::function<void(double)> keep) {
+  const std::string range = written(degrees.least) + " to " + written(degrees.most);
+  const auto read = [=](const std::string& text) {
+    const double angle = parse_angle(name, text);
+    if (!(angle >= degrees.least && angle <= degrees.most))
+      throw CLI::ValidationError(name, "expected an angle from " + range + " degrees, got \"" + text + '"');
+    keep(angle);
+  };
+  return command.add_option_function<std::string>(name, read, help + ": degrees, or with a unit (deg, rad)")
+      ->type_name("ANGLE (" + range + ")");
 }
 
 CLI::Option* add_word(CLI::App& command, const std::string& name, std::string& value, const std::string& help,
@@ -84,20 +199,18 @@ void refuse_empty_values(CLI::App& command) {
   for (CLI::App* subcommand : command.get_subcommands([](const CLI::App*) { return true; })) refuse_empty_values(*subcommand);
 }
 
-std::string failure_message(const CLI::App*, const CLI::Error& error) {
-  std::string words = error.what();
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
-    const bool repeated = words.find("received") != std::string::npos;
-    words =
-        words.substr(0, words.find(':')) + (repeated ? ": expected once, got several times" : ": expected a value after it");
+std::string nearest(const std::string& word, const std::vector<std::string>& words) {
+  std::string best;
+  std::size_t least = word.size() / 3 + 2;
+  for (const std::string& candidate : words) {
+    const std::size_t distance = candidate.starts_with(word) ? 1 : edits(word, candidate);
+    if (distance < least) least = distance, best = candidate;
   }
-  // The value of an option is converted by its own function, so this is of a flag: "Could not convert: --unpaced = x".
-  if (const std::string got = " = "; dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) {
-    const std::size_t name = words.find("--"), value = words.find(got, name);
-    if (name != std::string::npos && value != std::string::npos)
-      words = words.substr(name, value - name) + ": expected no value, got \"" + words.substr(value + got.size()) + '"';
-  }
-  return "forceshade: " + words + "\nRun with --help for more information.\n";
+  return best;
+}
+
+std::string failure_message(const CLI::App* app, const CLI::Error& error) {
+  return "forceshade: " + words_of(*command_of(app), error) + "\nRun with --help for more information.\n";
 }
 
 }  // namespace forceshade::apps

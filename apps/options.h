@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Options whose value is a number or one of several words. The whole text is read; what is refused is said as `--cases:
-// expected a whole number from 1 to 1000, got "1e3"`.
+// Options whose value is a number, a quantity with a unit, or one of several words. The whole text is read; what is refused is
+// said as `--cases: expected a whole number from 1 to 1000, got "1e3"`.
 
 #include <CLI/CLI.hpp>
 #include <concepts>
@@ -34,6 +34,14 @@ CLI::Option* add_whole(CLI::App& command, const std::string& name, const std::st
 CLI::Option* add_number(CLI::App& command, const std::string& name, const std::string& help, NumberRange range,
                         std::function<void(double)> keep);
 
+// A length or a stiffness stays as it was written until parse_length() or parse_stiffness() reads it; the help shows what it is
+// unless the option is given.
+CLI::Option* add_length(CLI::App& command, const std::string& name, std::string& value, const std::string& help);
+CLI::Option* add_stiffness(CLI::App& command, std::string& value, const std::string& help);
+// In degrees, or with a unit.
+CLI::Option* add_angle(CLI::App& command, const std::string& name, const std::string& help, NumberRange degrees,
+                       std::function<void(double)> keep);
+
 // `value` is what it is unless the option is given, and the help says so.
 template <std::integral T>
 CLI::Option* add_whole(CLI::App& command, const std::string& name, T& value, const std::string& help, WholeRange range) {
@@ -49,6 +57,9 @@ CLI::Validator one_of(std::vector<std::string> words);
 
 // Every option of the command and of its subcommands then refuses an empty value, and one that is given twice says so.
 void refuse_empty_values(CLI::App& command);
+
+// The one of the words that is most like this one, which is none of them; empty where none is like it.
+std::string nearest(const std::string& word, const std::vector<std::string>& words);
 
 // What is said on standard error about a command line that cannot be read.
 std::string failure_message(const CLI::App* app, const CLI::Error& error);

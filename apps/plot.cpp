@@ -10,6 +10,7 @@
 #include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/length.h"
 #include "forceshade/apps/options.h"
+#include "forceshade/apps/output_options.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/csv/csv.h"
 #include "forceshade/report/pictures.h"
@@ -34,8 +35,15 @@ constexpr std::array kKinds{Kind{"force", force_of}, Kind{"directions", properti
                             Kind{"geometry", properties::cross_section}, Kind{"energy", properties::energy_map}};
 
 struct Options {
-  std::string what = "all", out;
+  std::string what = "all";
   std::string y = "0", from = "-12.7mm", to = "12.7mm";
+
+  std::vector<Kind> kinds() const {
+    std::vector<Kind> wanted;
+    for (const Kind& kind : kKinds)
+      if (what == "all" || what == kind.name) wanted.push_back(kind);
+    return wanted;
+  }
 
   properties::Range range() const {
     const properties::Range range{parse_length("--at", y), parse_length("--from", from), parse_length("--to", to)};
@@ -48,6 +56,19 @@ struct Options {
     return range;
   }
 };
+
+std::string stem(const std::string& name, const Kind& kind) {
+  return name + '-' + kind.name;
+}
+
+// What is drawn of each of the names.
+std::vector<std::string> files(const std::vector<std::string>& names, const std::vector<Kind>& kinds) {
+  std::vector<std::string> all;
+  for (const std::string& name : names)
+    for (const Kind& kind : kinds)
+      for (const char* ending : {".svg", ".png"}) all.push_back(stem(name, kind) + ending);
+  return all;
+}
 
 void write(const Picture& picture, const std::filesystem::path& stem) {
   const auto drawn = [&](std::string (*file)(const Picture&)) {
@@ -69,42 +90,41 @@ void write(const Picture& picture, const std::filesystem::path& stem) {
 void add_plot(CLI::App& app, int&) {
   CLI::App* command =
       app.add_subcommand("plot", "Draw a law or a height map: force profile, directions, nominal geometry, energy map");
-  const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all, LawOptions::Defaults::thesis);
+  const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all);
   const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
   const auto options = std::make_shared<Options>();
   const auto add = [&](const char* name, std::string& value, const char* help) {
-    command->add_option(name, value, help)->type_name("VALUE")->capture_default_str()->needs("--height-map");
+    add_length(*command, name, value, help)->needs("--height-map");
   };
-  add("--at", options->y, "y of the section of a height map that is drawn: mm, or with a unit");
+  add("--at", options->y, "y of the section of a height map that is drawn");
   add("--from", options->from, "x where the section begins");
   add("--to", options->to, "x where it ends");
   add_word(*command, "--what", options->what, "which picture", {"force", "directions", "geometry", "energy", "all"});
-  command->add_option("--out", options->out, "directory for NAME-PICTURE.svg and .png")->type_name("DIR")->required();
-  command->callback([law, height_map, options] {
+  const auto out = std::make_shared<OutFolder>(*command, "directory for NAME-PICTURE.svg and .png");
+  out->require();
+  command->callback([law, height_map, options, out] {
     watch_for_interrupt();
+    const std::vector<Kind> kinds = options->kinds();
     const auto draw = [&](const SideView& view) {
-      for (const Kind& kind : kKinds)
-        if (options->what == "all" || options->what == kind.name)
-          write(kind.draw(view), std::filesystem::path(options->out) / (view.name + '-' + kind.name));
+      for (const Kind& kind : kinds) write(kind.draw(view), std::filesystem::path(out->path()) / stem(view.name, kind));
     };
     if (height_map->is_given()) {
       const float stiffness = law->stiffness();
       const auto [map, rendering] = height_map->read(stiffness);
       const properties::Range range = options->range();
-      make_directory("--out", options->out);
       const std::string name = std::filesystem::path(height_map->name()).stem();
-      SideView view = side_view(built(properties::fast_subject(map, rendering, stiffness)), name, range);
+      out->make(files({name}, kinds));
+      SideView view = side_view(built(properties::fast_rendering(map, rendering, stiffness)), name, range);
       view.heading = {height_map->name(), std::string(name_of(rendering)) + ", K = " + csv::shortest(stiffness) +
                                               " N/mm, y = " + csv::shortest(range.y) + " mm"};
       return draw(view);
     }
     const Parameters parameters = law->parameters();
-    make_directory("--out", options->out);
+    std::vector<std::string> names;
+    for (const LawId id : law->laws()) names.emplace_back(name_of(id));
+    out->make(files(names, kinds));
     for (const LawId id : law->laws()) {
-      properties::LawResult result;
-      result.law = id;
-      result.parameters = parameters;
-      SideView view = side_view(properties::Drawn(result));
+      SideView view = side_view(properties::Drawn(id, parameters));
       view.heading = {view.name, has_bump_geometry(id) ? "R = " + csv::shortest(parameters.radius) +
                                                              " mm, w = " + csv::shortest(parameters.width) + " mm, "
                                                        : ""};
@@ -116,13 +136,17 @@ void add_plot(CLI::App& app, int&) {
 
 void add_figures(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("figures", "Draw figures of the thesis again, with their numbers");
-  const auto out = std::make_shared<std::string>();
-  command->add_option("--out", *out, "directory for figure-N-M.svg, .png and .csv")->type_name("DIR")->required();
+  const auto out = std::make_shared<OutFolder>(*command, "directory for figure-N-M.svg, .png and .csv");
+  out->require();
   command->callback([out] {
     watch_for_interrupt();
-    make_directory("--out", *out);
-    for (const properties::ThesisFigure& figure : properties::thesis_figures()) {
-      const std::filesystem::path stem = std::filesystem::path(*out) / figure.name;
+    const std::vector<properties::ThesisFigure> figures = properties::thesis_figures();
+    std::vector<std::string> names;
+    for (const properties::ThesisFigure& figure : figures)
+      for (const char* ending : {".svg", ".png", ".csv"}) names.push_back(figure.name + ending);
+    out->make(names);
+    for (const properties::ThesisFigure& figure : figures) {
+      const std::filesystem::path stem = std::filesystem::path(out->path()) / figure.name;
       write(figure.picture, stem);
       write_file(stem.string() + ".csv", figure.csv);
       std::printf("%s.csv\n", stem.c_str());

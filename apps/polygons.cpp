@@ -12,6 +12,7 @@
 #include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/length.h"
 #include "forceshade/apps/options.h"
+#include "forceshade/apps/output_options.h"
 #include "forceshade/heights/spec.h"
 #include "forceshade/reference/height_map_field.h"
 #include "forceshade/reference/profile.h"
@@ -37,7 +38,7 @@ void print_figure_5_5() {
 }
 
 struct Options {
-  std::string json, height_map, from, to, toml;
+  std::string json, height_map, from = "-12.7mm", to = "12.7mm", out;
   double theta_critical = 0;
 };
 
@@ -71,8 +72,8 @@ bool turns_little(const HeightMap& map, const std::vector<height::Knot>& knots, 
 }
 
 void of_height_map(const Options& options) {
-  if (!options.json.empty() && options.json == options.toml)
-    throw BadInput("--json and --toml: expected two files, got \"" + options.json + "\" for both");
+  if (!options.json.empty() && options.json == options.out)
+    throw BadInput("--json and --out: expected two files, got \"" + options.json + "\" for both");
   const HeightMap map{heights::read_spec(options.height_map).map.parts};
   expect_valid(options.height_map, {map, height::Rendering::force_shaded}, 1);
   try {
@@ -93,14 +94,14 @@ void of_height_map(const Options& options) {
                                 : "%u polygons%s: the normal turns by %.6g degrees, over each of them by %.6g\n",
                   polygons, is_fewest ? "" : " (or one fewer, which misses by less than 1e-18 degrees or nothing)", turning,
                   turning / polygons);
-    if (options.toml.empty()) return;
+    if (options.out.empty()) return;
     auto knots = profile.knots(polygons);
     if (!turns_little(map, knots, options.theta_critical)) knots = profile.knots(polygons + 1);
     const auto shaded =
         reference::HeightMapField::build({map.parts, {{height::Polygons{knots}}}}, height::Rendering::force_shaded, 1);
-    if (const auto* error = std::get_if<ParameterError>(&shaded)) throw BadInput(options.toml + ": " + error->message());
-    write_file(options.toml,
-               heights::shading_polygons(options.height_map, knots, std::filesystem::absolute(options.toml).parent_path()));
+    if (const auto* error = std::get_if<ParameterError>(&shaded)) throw BadInput(options.out + ": " + error->message());
+    write_file(options.out,
+               heights::shading_polygons(options.height_map, knots, std::filesystem::absolute(options.out).parent_path()));
   } catch (const std::invalid_argument& error) {
     throw BadInput(options.height_map + ": " + error.what());
   }
@@ -117,19 +118,17 @@ void add_polygons(CLI::App& app, int&) {
       command->add_option("--height-map", options->height_map, "instead of a bump: the section y = 0 of a map")
           ->type_name("SPEC");
   bump_options->allow_instead(height_map);
-  command->add_option("--from", options->from, "the section's left end")->type_name("LENGTH")->needs(height_map);
-  command->add_option("--to", options->to, "its right end")->type_name("LENGTH")->needs(height_map);
-  command->add_option("--toml", options->toml, "the map shading its polygons, for --height-map elsewhere")
-      ->type_name("FILE")
+  add_length(*command, "--from", options->from, "x where the section begins")->needs(height_map);
+  add_length(*command, "--to", options->to, "x where it ends")->needs(height_map);
+  add_output(*command, "--out", options->out,
+             "the map that shades its polygons, a TOML file for --height-map of other commands")
       ->needs(height_map);
-  add_number(*command, "--theta-critical", "degrees", {reference::kLeastThetaCritical, 180}, [options](double degrees) {
-    options->theta_critical = degrees;
-  })->required();
-  command->add_option("--json", options->json, "the answer for programs, - for standard output")->type_name("FILE");
+  add_angle(*command, "--theta-critical", "each polygon turns by less than this", {reference::kLeastThetaCritical, 180},
+            [options](double degrees) { options->theta_critical = degrees; })
+      ->required();
+  add_json(*command, options->json, "the answer");
   command->callback([options, bump_options] {
     if (options->height_map.empty()) return of_bump(*options, bump_options->bump());
-    if (options->from.empty()) throw CLI::RequiredError("--from beside --height-map");
-    if (options->to.empty()) throw CLI::RequiredError("--to beside --height-map");
     of_height_map(*options);
   });
 }

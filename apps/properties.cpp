@@ -3,49 +3,106 @@
 
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "forceshade/apps/command.h"
-#include "forceshade/apps/height_map_option.h"
+#include "forceshade/apps/driven.h"
+#include "forceshade/apps/junit.h"
 #include "forceshade/apps/options.h"
+#include "forceshade/apps/output_options.h"
+#include "forceshade/apps/part_times.h"
+#include "forceshade/apps/progress_line.h"
 #include "forceshade/apps/standard_streams.h"
+#include "forceshade/apps/subject_option.h"
+#include "forceshade/certificate/build.h"
 #include "forceshade/properties/run.h"
 
 namespace forceshade::apps {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct Options {
   int cases = 10000;
   std::uint64_t seed = 1;
+  std::string json, junit;
 };
 
-// Whether all of them held.
-template <class Subject>
-bool check(const std::string& name, const Subject& subject, const Options& options) {
-  bool held = true;
-  for (const properties::PropertyResult& property : properties::run_properties(subject, options.cases, options.seed)) {
+// Checks one subject after the other, and keeps what was found.
+class Checks {
+ public:
+  explicit Checks(const Options& options) : options_(options) {}
+
+  void add(const properties::Subject& subject) {
+    const std::string& name = subject.identity().name;
+    Json properties = Json::array();
+    for (const properties::PropertyResult& property : results(name, subject)) {
+      if (is_printed()) print(name, property);
+      held_ = held_ && property.held;
+      const double seconds = times_.seconds(name, property.name);
+      Json found{{"name", property.name}, {"held", property.held}, {"cases", property.cases}, {"seconds", seconds}};
+      if (!property.held) found["counterexample"] = property.counterexample;
+      properties.push_back(found);
+      junit_.push_back({name, property.name, seconds, property.held ? std::nullopt : std::optional(property.counterexample),
+                        std::to_string(property.cases) + " cases"});
+    }
+    subjects_.push_back(summary_of(subject.identity()));
+    subjects_.back()["properties"] = properties;
+  }
+
+  bool held() const { return held_; }
+  bool is_printed() const { return options_.json != "-" && options_.junit != "-"; }
+
+  void write() const {
+    const properties::Build build = properties::current_build();
+    const std::string seed = std::to_string(options_.seed);
+    if (!options_.json.empty()) {
+      const Json json{{"held", held_},
+                      {"seed", options_.seed},
+                      {"cases", options_.cases},
+                      {"version", build.version},
+                      {"library_digest", build.library_digest},
+                      {"subjects", subjects_}};
+      write_file(options_.json, json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n");
+    }
+    if (!options_.junit.empty())
+      write_file(options_.junit,
+                 to_junit("forceshade properties",
+                          {{"seed", seed}, {"version", build.version}, {"library_digest", build.library_digest}}, junit_));
+  }
+
+ private:
+  std::vector<properties::PropertyResult> results(const std::string& name, const properties::Subject& subject) {
+    ProgressLine line(name);
+    return properties::run_properties(subject, options_.cases, options_.seed, [&](const std::string& property, double done) {
+      times_.add(name, property);
+      line.draw(done);
+    });
+  }
+
+  static void print(const std::string& name, const properties::PropertyResult& property) {
     std::printf("%-15s %-13s %s  %llu cases\n", name.c_str(), property.name.c_str(), property.held ? "held  " : "FAILED",
                 static_cast<unsigned long long>(property.cases));
     if (!property.held) std::printf("  counterexample: %s\n", property.counterexample.c_str());
     flush_standard_output();
-    held = held && property.held;
   }
-  return held;
-}
 
-int run(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map) {
-  const auto say_seed = [&] { std::printf("seed %llu\n", static_cast<unsigned long long>(options.seed)); };
-  bool held = true;
-  if (height_map.is_given()) {
-    const float stiffness = law_options.stiffness();
-    const auto [map, rendering] = height_map.read(stiffness);
-    say_seed();
-    return check(height_map.name(), built(properties::fast_subject(map, rendering, stiffness)), options) ? kHeld : kFailed;
-  }
-  const Parameters parameters = law_options.parameters();
-  say_seed();
-  for (const LawId id : law_options.laws())
-    held = check(std::string(name_of(id)), built(properties::fast_subject(id, parameters)), options) && held;
-  return held ? kHeld : kFailed;
+  const Options& options_;
+  bool held_ = true;
+  PartTimes times_;
+  Json subjects_ = Json::array();
+  std::vector<JunitCase> junit_;
+};
+
+int run(const Options& options, const SubjectOption& option) {
+  if (!options.json.empty() && options.json == options.junit)
+    throw BadInput("--json and --junit: expected two files, got \"" + options.json + "\" for both");
+  const auto subjects = option.subjects();
+  Checks checks(options);
+  if (checks.is_printed()) std::printf("seed %llu\n", static_cast<unsigned long long>(options.seed));
+  for (const auto& subject : subjects) checks.add(*subject);
+  checks.write();
+  return checks.held() ? kHeld : kFailed;
 }
 
 }  // namespace
@@ -53,11 +110,12 @@ int run(const Options& options, const LawOptions& law_options, const HeightMapOp
 void add_properties(CLI::App& app, int& result) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("properties", "Check the properties of the fast path on generated cases");
-  const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all, LawOptions::Defaults::thesis);
-  const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
+  const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::one_or_all);
   add_whole(*command, "--cases", options->cases, "cases per law and property (passivity: a tenth)", kCases);
   add_whole(*command, "--seed", options->seed, "seed of the cases", kSeeds);
-  command->callback([options, law, height_map, &result] { result = run(*options, *law, *height_map); });
+  add_json(*command, options->json, "what was found");
+  add_output(*command, "--junit", options->junit, "what was found as JUnit XML, for continuous integration");
+  command->callback([options, subject, &result] { result = run(*options, *subject); });
 }
 
 }  // namespace forceshade::apps

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// forceshade record: what a recording says of itself, whether it is whole, and its ticks for other programs.
+// forceshade recording: what a recording says of itself, whether it is whole, and its ticks for other programs.
 
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "forceshade/apps/command.h"
+#include "forceshade/apps/output_options.h"
 #include "forceshade/csv/printable.h"
 #include "forceshade/recorder/export.h"
 #include "forceshade/recorder/recording.h"
@@ -14,7 +15,7 @@ namespace forceshade::apps {
 namespace {
 
 struct Options {
-  std::string file, csv, npy, json;
+  std::string file, out = "-", json;
 };
 
 void complain(const std::string& words) {
@@ -68,19 +69,16 @@ int verify(const Options& options) {
 }
 
 int write(const Options& options) {
-  if (options.csv.empty() && options.npy.empty()) throw BadInput("expected --csv FILE or --npy FILE, got neither");
-  if (options.csv == options.npy) throw BadInput("--csv and --npy: expected two files, got \"" + options.csv + "\" for both");
   recorder::Recording recording(options.file);
-  if (!options.csv.empty()) export_csv(recording, options.csv);
-  if (!options.npy.empty()) export_npy(recording, options.npy);
+  options.out.ends_with(".npy") ? export_npy(recording, options.out) : export_csv(recording, options.out);
   if (!recording.ended()) complain(options.file + ": the recording has no end: cut off, or still being made");
   return kHeld;
 }
 
 }  // namespace
 
-void add_record(CLI::App& app, int& result) {
-  CLI::App* command = app.add_subcommand("record", "Look into, check and export what drive recorded");
+void add_recording(CLI::App& app, int& result) {
+  CLI::App* command = app.add_subcommand("recording", "Look into, check and export what drive recorded");
   command->require_subcommand(1);
   const auto add = [&](const char* name, const char* help, int (*run)(const Options&)) {
     const auto options = std::make_shared<Options>();
@@ -90,11 +88,12 @@ void add_record(CLI::App& app, int& result) {
     return std::pair(verb, options);
   };
   const auto [info_verb, info_options] = add("info", "What was recorded, with what", info);
-  info_verb->add_option("--json", info_options->json, "for programs, - for standard output")->type_name("FILE");
+  add_json(*info_verb, info_options->json, "the same");
   add("verify", "Whether it is whole: 0 if so, 1 if cut off, damaged or with ticks missing", verify);
   const auto [export_verb, export_options] = add("export", "The ticks for other programs", write);
-  export_verb->add_option("--csv", export_options->csv, "CSV, - for standard output")->type_name("FILE");
-  export_verb->add_option("--npy", export_options->npy, "NPY, a structured array for numpy.load")->type_name("FILE");
+  add_output(*export_verb, "--out", export_options->out,
+             "FILE.npy, a structured array for numpy.load; else its CSV, - for standard output")
+      ->capture_default_str();
 }
 
 }  // namespace forceshade::apps

@@ -23,10 +23,19 @@ fs::path new_directory(const std::string& csv) {
   return name;
 }
 
+// With what SQLite keeps beside it.
+void remove_recording(const std::string& path) {
+  std::error_code ignored;
+  for (const char* suffix : {"", "-wal", "-shm"}) fs::remove(path + suffix, ignored);
+}
+
 }  // namespace
 
-RunRecord::RunRecord(std::string path, recorder::Metadata metadata, bool paced) : path_(std::move(path)) {
-  if (is_csv()) directory_ = new_directory(path_);
+RunRecord::RunRecord(std::string path, recorder::Metadata metadata, bool paced, bool replaces) : path_(std::move(path)) {
+  if (is_csv())
+    directory_ = new_directory(path_);
+  else if (replaces)
+    remove_recording(path_);
   recorder_.emplace(recording(), std::move(metadata), recorder::Recorder::Options{.waits = !paced});
 }
 
@@ -34,8 +43,7 @@ RunRecord::~RunRecord() {
   recorder_.reset();
   std::error_code ignored;
   if (is_csv() && !kept_) fs::remove_all(directory_, ignored);
-  if (!is_csv() && !closed_)
-    for (const char* suffix : {"", "-wal", "-shm"}) fs::remove(path_ + suffix, ignored);
+  if (!is_csv() && !closed_) remove_recording(path_);
 }
 
 bool RunRecord::close(const std::string& end_reason) {
@@ -53,7 +61,7 @@ bool RunRecord::close(const std::string& end_reason) {
     return whole;
   } catch (const std::exception& failure) {
     kept_ = true;
-    std::fprintf(stderr, "forceshade: %s; the ticks are in %s: forceshade record export\n", failure.what(),
+    std::fprintf(stderr, "forceshade: %s; the ticks are in %s: forceshade recording export\n", failure.what(),
                  recording().c_str());
     return false;
   }

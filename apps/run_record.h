@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What drive --record asks for. A recording, FILE.fsr, is written while the loop runs; a CSV is a recording, kept beside it
+// What --record names. A recording, FILE.fsr, is written while the loop runs; a CSV is a recording, kept beside it
 // until the run is over and then exported, so that no run is too long for it.
 
 #include <filesystem>
@@ -15,8 +15,9 @@ namespace forceshade::apps {
 class RunRecord {
  public:
   // `path` ends in .fsr, or is a CSV, - for standard output. A run that is not paced waits for the disk instead of losing
-  // ticks. Throws RecordingError or csv::OutputError.
-  RunRecord(std::string path, recorder::Metadata metadata, bool paced);
+  // ticks. A recording that is there already is refused, or where `replaces` goes now. Throws RecordingError or
+  // csv::OutputError.
+  RunRecord(std::string path, recorder::Metadata metadata, bool paced, bool replaces);
 
   // A recording that was never closed is of a run that never began, and goes; one that could not be exported is kept, and its
   // name was said.

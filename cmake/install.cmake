@@ -8,28 +8,33 @@ function(install_headers module)
     install(FILES ${module}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/forceshade/${module}/${folder})
   endforeach()
 endfunction()
-install_headers(vocabulary height_map.h law.h results.h)
+install_headers(vocabulary breakdown.h height_map.h law.h results.h)
 install_headers(fast domain.h evaluate.h height_map_field.h heights/force.h heights/grid.h heights/jet.h
                 heights/spline.h heights/spline_force.h instruction_set.h law.h laws/bump_1p.h laws/bump_1p_shaded.h
                 laws/bump_2p.h laws/bump_2p_shaded.h laws/bump_3p.h laws/bump_3p_shaded.h laws/bump_cylinder.h
                 laws/bump_geometry.h laws/cylinder.h laws/outcome.h laws/polygon_gap.h laws/shading.h laws/top_edge.h
                 laws/wall.h numbers/arithmetic.h numbers/ball.h numbers/big_float_ball.h numbers/double_double.h
-                numbers/double_with_error.h numbers/first_stage.h numbers/inline.h numbers/row.h renderer.h
+                numbers/double_with_error.h numbers/first_stage.h numbers/inline.h numbers/row.h session.h
                 simd/batch.h)
 install_headers(csv csv.h)
 install_headers(device attendant.h device.h hand_speed.h last_samples.h limited.h null.h open_device.h oscillation.h
-                passivity_controller.h placement.h real_time.h replay.h sample.h sent_forces.h servo_loop.h shortened.h
-                simulated/arm.h simulated/friction.h simulated/hand.h simulated/model.h simulated/motor.h
+                passivity_controller.h placement.h real_time.h replay.h sample.h sent_forces.h servo_loop.h
+                shortened.h simulated/arm.h simulated/friction.h simulated/hand.h simulated/model.h simulated/motor.h
                 simulated/plant.h simulated/simulated.h supervisor.h timing.h)
 
 install(TARGETS forceshade_fast forceshade_csv forceshade_device EXPORT forceshade_targets)
 set(export_sets forceshade_targets)
 if(NOT FORCESHADE_FAST_ONLY)
   install(TARGETS forceshade)
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/apps/documentation/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
+  install(FILES ${PROJECT_BINARY_DIR}/apps/documentation/forceshade
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
   # What needs more than Eigen is a component of its own: find_package(forceshade COMPONENTS heights properties).
   install_headers(heights load.h spec.h)
-  install_headers(reference height_map_field.h law.h laws/bump_geometry.h laws/force.h numbers/ball64.h)
-  install_headers(properties calls.h run.h subject.h)
+  install_headers(identity identity.h)
+  install_headers(reference height_map_field.h law.h laws/bump_geometry.h laws/force.h numbers/ball64.h watch.h)
+  install_headers(properties calls.h height_map_subject.h height_shape.h law_subject.h positions.h rendered.h run.h
+                  shape.h subject.h)
   set_target_properties(forceshade_heights PROPERTIES EXPORT_NAME heights)
   set_target_properties(forceshade_identity PROPERTIES EXPORT_NAME identity)
   set_target_properties(forceshade_reference PROPERTIES EXPORT_NAME reference)

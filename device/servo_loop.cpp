@@ -13,6 +13,7 @@
 
 #include "forceshade/csv/csv.h"
 #include "forceshade/device/monotonic.h"
+#include "forceshade/fast/law.h"
 
 namespace forceshade::device {
 namespace {
@@ -81,9 +82,9 @@ Sample sample_of(const Reading& reading, const Placement& placement) noexcept {
 // Everything that a run needs, made before its first tick.
 class Run {
  public:
-  Run(Device& device, const fast::Renderer& renderer, const ServoOptions& options, const std::atomic<bool>& stop)
+  Run(Device& device, fast::Session& session, const ServoOptions& options, const std::atomic<bool>& stop)
       : device_(device),
-        renderer_(renderer),
+        session_(session),
         options_(options),
         stop_(stop),
         period_(std::llround(1e9 / options.rate_hz)),
@@ -142,7 +143,7 @@ class Run {
   }
 
   Device& device_;
-  const fast::Renderer& renderer_;
+  fast::Session& session_;
   const ServoOptions& options_;
   const std::atomic<bool>& stop_;
   std::int64_t period_, start_ = 0, due_ = 0, computed_ = 0;  // ns; the last: processor time when the tick began
@@ -194,7 +195,7 @@ void Run::tick() noexcept {
 void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t read_at) noexcept {
   const std::int64_t latency = options_.paced ? woken_at - due_ : 0;
   const Placement& placement = options_.placement;
-  const fast::Evaluation evaluation = renderer_.evaluate(placement.to_subject(reading.position));
+  const fast::Evaluation evaluation = session_.step(placement.to_subject(reading.position));
   const Eigen::Vector3f wanted = placement.turned_to_device(evaluation.force);
   Verdict verdict{.force = wanted};
   if (supervisor_)
@@ -253,11 +254,10 @@ std::string_view name_of(EndReason reason) noexcept {
   return "device fault";
 }
 
-ServoResult run_servo_loop(Device& device, const fast::Renderer& renderer, const ServoOptions& options,
-                           const std::atomic<bool>& stop) {
+ServoResult run_servo_loop(Device& device, fast::Session& session, const ServoOptions& options, const std::atomic<bool>& stop) {
   if (const char* fault = fast::arithmetic_fault()) throw FloatingPointModeError(fault);
   check(options, device.capabilities());
-  const auto run = std::make_unique<Run>(device, renderer, options, stop);
+  const auto run = std::make_unique<Run>(device, session, options, stop);
   {
     std::optional<RealTime> real_time;
     if (options.paced) run->result.privileges = real_time.emplace(options.cpu).granted();

@@ -17,7 +17,7 @@
 #include "forceshade/device/sample.h"
 #include "forceshade/device/supervisor.h"
 #include "forceshade/device/timing.h"
-#include "forceshade/fast/renderer.h"
+#include "forceshade/fast/session.h"
 
 namespace forceshade::device {
 
@@ -103,7 +103,16 @@ struct FloatingPointModeError : std::runtime_error {
 // Between the first reading and that command nothing is allocated, locked, written or thrown.
 // Before them, throws FloatingPointModeError, or std::invalid_argument for an option out of range or a device that does not
 // know its own limits.
-ServoResult run_servo_loop(Device& device, const fast::Renderer& renderer, const ServoOptions& options,
-                           const std::atomic<bool>& stop);
+ServoResult run_servo_loop(Device& device, fast::Session& session, const ServoOptions& options, const std::atomic<bool>& stop);
+
+// Of a law or a height map.
+template <class Field>
+requires requires(const Field& field) {
+  field.evaluate(Eigen::Vector3f());
+}
+ServoResult run_servo_loop(Device& device, const Field& field, const ServoOptions& options, const std::atomic<bool>& stop) {
+  fast::FieldSession<Field> session(field);
+  return run_servo_loop(device, static_cast<fast::Session&>(session), options, stop);
+}
 
 }  // namespace forceshade::device

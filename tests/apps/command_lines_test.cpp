@@ -66,21 +66,21 @@ TEST(command_lines, a_refusal_says_what_was_expected_and_what_was_got) {
       {"geometry --radius 100000 --width 1", {"radius is 100000 mm; expected 0.1 to 10000 mm"}},
       {"geometry --radius 1 --width nan", {"--width: expected a length such as", "got \"nan\""}},
       {"force --law wall --stiffness 1 --digits 5", {"--digits: expected --path reference"}},
-      {"force --height-map hill.toml --stiffness 1 --digits 5", {"--digits", "excludes"}},
+      {"force --height-map hill.toml --stiffness 1 --digits 5", {"--digits", "expected without"}},
       {"force --law wall --stiffness 1 --path x", {"--path: expected one of fast, reference; got \"x\""}},
       {"force --height-map directory --stiffness 1", {"directory"}},
       {"force --height-map hill.toml --stiffness 1", {"hill.toml: line 4: centre x is 20000 mm"}},
       {"force --height-map knots.toml --stiffness 1", {"knots.toml: line 5: number of knots is 1"}},
       {"force --height-map waves.toml --stiffness 1", {"waves.toml: line 6: wave y is"}},
       {"polygons --height-map hill.toml --from 0 --to 1 --theta-critical 9", {"hill.toml: line 4: centre x is 20000 mm"}},
-      {"polygons --height-map hill.toml --theta-critical 9", {"--from beside --height-map is required"}, {"got \"\""}},
-      {"polygons --height-map hill.toml --from 0 --theta-critical 9", {"--to beside --height-map is required"}},
-      {"polygons --radius 1 --width 1 --theta-critical nan", {"--theta-critical: expected a number from 0.000001 to 180"}},
+      {"polygons --height-map hill.toml --theta-critical 9", {"hill.toml: line 4: centre x is 20000 mm"}},
+      {"polygons --radius 1 --width 1 --theta-critical nan",
+       {"--theta-critical: expected an angle such as 30, 30deg or 0.5rad, got \"nan\""}},
       {"energy --law wall --depth 1 --radius nan", {"--radius: expected a length such as", "got \"nan\""}},
-      {"energy --law wall --depth 1 --along y", {"--along requires --height-map"}},
+      {"energy --law wall --depth 1 --along y", {"--along: expected --height-map beside it"}},
       {"energy --height-map hill.toml --depth 1 --along z", {"--along: expected one of x, y; got \"z\""}},
-      {"plot --law wall --from 1 --out o", {"--from requires --height-map"}},
-      {"plot --law wall --at 1 --out o", {"--at requires --height-map"}},
+      {"plot --law wall --from 1 --out o", {"--from: expected --height-map beside it"}},
+      {"plot --law wall --at 1 --out o", {"--at: expected --height-map beside it"}},
       {"plot --law wall --what x --out o", {"--what: expected one of force, directions, geometry, energy, all; got \"x\""}},
       {"figures --out ''", {"--out: expected a value, got an empty one"}},
       {"drive --law wall --uncertified --device null --seconds 0", {"--seconds: expected a number from 0.0001 to 1000000000"}},
@@ -88,18 +88,25 @@ TEST(command_lines, a_refusal_says_what_was_expected_and_what_was_got) {
       {"drive --law wall --uncertified --device null --rate 1e6", {"--rate: expected a number from 100 to 10000, got \"1e6\""}},
       {"drive --law wall --uncertified --device null --cpu 1000", {"--cpu: expected one of the processors", "got 1000"}},
       {"drive --law wall --uncertified --device null --cpu=-1", {"--cpu", "got \"-1\""}},
-      {"drive --law wall --uncertified --device null --unpaced --cpu 0", {"--cpu", "excludes"}},
+      {"drive --law wall --uncertified --device null --free-run --cpu 0", {"--cpu", "expected without"}},
       {"drive --law wall --uncertified --device null --pace hand", {"--pace: expected one of device, clock; got \"hand\""}},
-      {"drive --law wall --uncertified --device null --unpaced --pace clock", {"--pace", "excludes"}},
+      {"drive --law wall --uncertified --device null --free-run --pace clock", {"--pace", "expected without"}},
       {"drive --law wall --uncertified --device null --dead-man 0", {"expected none, because the device has no buttons"}},
       {"drive --law wall --uncertified --device null --passivity 2", {"expected one of damping, tank, observer; got \"2\""}},
       {"drive --law wall --uncertified --device null --record - --json -", {"--record and --json: expected two files"}},
       {"drive --law wall --device null --certificate directory", {"directory: cannot be read: Is a directory"}},
       {"drive --law wall --device null --certificate none", {"none: cannot be read: No such file or directory"}},
       {"drive --law wall --device null --certificate empty", {"empty: cannot be read: it is empty; expected a certificate"}},
-      {"record export x.fsr --csv - --npy -", {"--csv and --npy: expected two files"}},
-      {"drive --law wall --device null --unpaced=x", {"--unpaced: expected no value, got \"x\""}},
-      {"laws extra", {"not expected: extra"}},
+      {"drive --law wall --device null --free-run=x", {"--free-run: expected no value, got \"x\""}},
+      {"laws extra", {"laws: expected no further word, got \"extra\""}},
+      {"energy --stifness 1", {"energy: unknown option \"--stifness\"; the nearest is --stiffness"}},
+      {"energy --law wall --depht=1", {"energy: unknown option \"--depht\"; the nearest is --depth"}},
+      {"energy --nothing-like-it", {"energy: unknown option \"--nothing-like-it\""}, {"nearest"}},
+      {"device chekc null", {"device: expected a command: list, check, try; got \"chekc\"; the nearest is check"}},
+      {"record info run.fsr", {"unknown command \"record\"", "the nearest is recording"}},
+      {"recording info", {"info: expected file, got none"}},
+      {"polygons --theta-critical 181", {"expected an angle from 0.000001 to 180 degrees, got \"181\""}},
+      {"polygons --theta-critical 4rad", {"expected an angle from 0.000001 to 180 degrees, got \"4rad\""}},
       {"lawss", {"unknown command \"lawss\"; expected one of: laws"}},
   };
   for (const Refused& refused : all) expect_refused(here, refused);
@@ -108,7 +115,7 @@ TEST(command_lines, a_refusal_says_what_was_expected_and_what_was_got) {
 // The options of a command with the word in capitals that stands for the value in its help; flags are left out.
 std::set<std::string> options_in_help(const std::string& help) {
   std::set<std::string> options;
-  const std::regex line("\n  (--[a-z-]+) [A-Za-z]");
+  const std::regex line("\n  (--[a-z-]+) [A-Za-z[]");
   for (std::sregex_iterator at(help.begin(), help.end(), line), end; at != end; ++at) options.insert((*at)[1]);
   return options;
 }
@@ -128,12 +135,12 @@ TEST(command_lines, every_option_of_every_command_refuses_what_it_cannot_read) {
       {"figures", "--out in.csv/none"},
       {"properties", "--law wall --cases 1"},
       {"certify", "--law bump-1p --points 1 --cases 1 --out in.csv/none"},
-      {"drive", "--law wall --uncertified --device null --seconds 0.001 --unpaced"},
+      {"drive", "--law wall --uncertified --device null --seconds 0.001 --free-run"},
       {"device list", ""},
       {"device check", "null --seconds 0.1"},
       {"device try", "null --stiffness 1"},
-      {"record info", "none.fsr"},
-      {"record export", "none.fsr"},
+      {"recording info", "none.fsr"},
+      {"recording export", "none.fsr"},
   };
   const std::vector<std::string> values{"",    "x",   "nan", "-inf",     "1e999", "99999999999999999999999", "1e3", "-1",
                                         "0x1", "1,5", "1 2", "\xff\xfe", "%n%s"};
@@ -148,8 +155,7 @@ TEST(command_lines, every_option_of_every_command_refuses_what_it_cannot_read) {
     EXPECT_FALSE(options.empty()) << command;
     for (const std::string& option : options)
       for (const std::string& value : values) {
-        const bool is_file = option == "--json" || option == "--record" || option == "--output" || option == "--csv" ||
-                             option == "--npy" || option == "--toml" || option == "--out";
+        const bool is_file = option == "--json" || option == "--junit" || option == "--record" || option == "--out";
         if (is_file && !value.empty()) continue;
         std::vector<std::string> words = words_of(command);
         const std::vector<std::string> others = words_of(line);
@@ -185,21 +191,22 @@ TEST(command_lines, no_command_is_fine_when_standard_output_is_not) {
                            "certify --help",
                            "laws",
                            "geometry --radius 1 --width 1 --digits 9999",
+                           "geometry --json",
                            "polygons --radius 15.24 --width 25.4 --theta-critical 40",
                            "polygons --radius 1 --width 1 --theta-critical 9 --json -",
                            "force --law wall --stiffness 1 --input in.csv",
                            "energy --law wall --depth 1",
                            "energy --law wall --depth 1 --json -",
-                           "plot --law wall --what force --out pictures",
+                           "plot --law wall --what force --out pictures --overwrite",
                            "properties --law wall --cases 1",
                            "certify --exhaustive --law wall --sweeps heights --shards 1/2048 --out sweeps",
-                           "drive --law wall --uncertified --device null --seconds 0.001 --unpaced --record run.fsr",
-                           "drive --law wall --uncertified --device null --seconds 0.001 --unpaced --record -",
-                           "drive --law wall --uncertified --device null --seconds 0.001 --unpaced --json -",
-                           "record info run.fsr",
-                           "record info run.fsr --json -",
-                           "record verify run.fsr",
-                           "record export run.fsr --csv -"}) {
+                           "drive --law wall --uncertified --device null --seconds 0.001 --free-run --record run.fsr",
+                           "drive --law wall --uncertified --device null --seconds 0.001 --free-run --record -",
+                           "drive --law wall --uncertified --device null --seconds 0.001 --free-run --json -",
+                           "recording info run.fsr",
+                           "recording info run.fsr --json -",
+                           "recording verify run.fsr",
+                           "recording export run.fsr"}) {
     const CommandRun full = run_command(here, words_of(line), "/dev/full");
     EXPECT_EQ(full.code, 2) << line;
     EXPECT_NE(full.err.find("standard output: cannot write: No space left on device"), std::string::npos) << line << full.err;

@@ -39,5 +39,15 @@ TEST(stiffness, reads_newtons_per_millimetre_or_metre) {
   EXPECT_THROW(parse_stiffness("K", "0.5mm"), BadInput);
 }
 
+TEST(angle, reads_degrees_or_radians) {
+  EXPECT_EQ(parse_angle("A", "30"), 30);
+  EXPECT_EQ(parse_angle("A", "30deg"), 30);
+  EXPECT_EQ(parse_angle("A", "-0.1 deg"), -0.1);
+  EXPECT_EQ(parse_angle("A", "0.5rad"), 28.64788975654116);  // 0.5·180/π in bc, with 60 digits
+  EXPECT_EQ(parse_angle("A", "0rad"), 0);
+  for (const char* text : {"", "rad", "30mm", "1e999", "nan", "30°", "30degrees"})
+    EXPECT_THROW(parse_angle("--turn", text), BadInput) << text;
+}
+
 }  // namespace
 }  // namespace forceshade::apps

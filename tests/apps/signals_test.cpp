@@ -26,8 +26,8 @@ constexpr std::chrono::milliseconds kLook{10};
 
 // However busy the machine is, and however late the ticks are; a run that no signal ends is over after a minute.
 Words drive(const char* seconds = "60") {
-  return {"drive",      "--law", "wall",      "--uncertified", "--device", "simulated",
-          "--patience", "10",    "--seconds", seconds,         "--record", "run.fsr"};
+  return {"drive", "--law",     "wall",  "--uncertified", "--device", "simulated", "--watchdog-timeout",
+          "10",    "--seconds", seconds, "--record",      "run.fsr"};
 }
 
 // Waits until the run has written so many bytes more of its recording: its ticks go on.
@@ -111,10 +111,10 @@ TEST(signals, a_person_who_insists_ends_at_once_an_end_that_hangs) {
   const TemporaryDirectory here;
   ASSERT_EQ(::mkfifo(here.file("nobody").c_str(), 0600), 0);
   std::filesystem::create_directory(here.file("kept"));
-  Command run(
-      here,
-      {"drive", "--law", "wall", "--uncertified", "--device", "simulated", "--unpaced", "--seconds", "1", "--record", "nobody"},
-      {"TMPDIR=" + here.file("kept")});
+  Command run(here,
+              {"drive", "--law", "wall", "--uncertified", "--device", "simulated", "--free-run", "--seconds", "1", "--record",
+               "nobody"},
+              {"TMPDIR=" + here.file("kept")});
   // Closed, the recording holds a second of ticks, and its log is gone.
   while (run.is_running() && bytes_below(here.file("kept")) < 100'000) std::this_thread::sleep_for(kLook);
   run.send(SIGINT);
@@ -213,7 +213,7 @@ TEST(signals, a_file_size_limit_costs_the_ticks_that_it_refuses_and_nothing_else
 
 TEST(signals, a_summary_that_cannot_be_written_costs_nothing_else) {
   const TemporaryDirectory here;
-  Command run(here, {"drive", "--law", "wall", "--uncertified", "--device", "simulated", "--unpaced", "--seconds", "0.5",
+  Command run(here, {"drive", "--law", "wall", "--uncertified", "--device", "simulated", "--free-run", "--seconds", "0.5",
                      "--record", "run.fsr", "--json", "nowhere/run.json"});
   const std::string end = run.end();
   EXPECT_TRUE(end.starts_with("exit 2: ")) << end;

@@ -27,7 +27,7 @@ const Eigen::Vector3d kFree{0, 50, 0};
 CommandRun drive(const std::string& options) {
   const tests::TemporaryDirectory here;
   return tests::run_command(
-      here, tests::words_of("drive --law wall --uncertified --device phantom --patience 10 --seconds 0.2 " + options));
+      here, tests::words_of("drive --law wall --uncertified --device phantom --watchdog-timeout 10 --seconds 0.2 " + options));
 }
 
 // A busy machine keeps frames from being good, which is said; then once more.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests two walls of a stranger's: one is right, and one pulls.
 
+#include <forceshade/properties/law_subject.h>
 #include <forceshade/properties/run.h>
 
 #include <cstdio>
@@ -17,8 +18,8 @@ bool holds(float sign) {
     return {{0, 0, sign * 0.5F * -position.z()}, Status::contact};
   };
   bool all = true;
-  for (const properties::PropertyResult& result :
-       properties::run_properties(properties::Subject{std::get<reference::Law>(law), wall}, 200, 1)) {
+  const properties::LawSubject subject(properties::RenderedLaw{std::get<reference::Law>(law), wall});
+  for (const properties::PropertyResult& result : properties::run_properties(subject, 200, 1)) {
     std::printf("%s: %s\n", result.name.c_str(), result.held ? "holds" : result.counterexample.c_str());
     all = all && result.held;
   }

@@ -106,7 +106,7 @@ Fault uncertified(std::string what, std::string reaction, std::vector<Replacemen
 
 // A recorded hand with a fault in its file.
 Fault bad_hand(std::string what, std::string reaction, std::string rows) {
-  return bad_input(std::move(what), std::move(reaction), drive("replay:hand.csv") + Words{"--uncertified", "--unpaced"},
+  return bad_input(std::move(what), std::move(reaction), drive("replay:hand.csv") + Words{"--uncertified", "--free-run"},
                    [=](const TemporaryDirectory& directory) { directory.write("hand.csv", rows); });
 }
 
@@ -116,7 +116,7 @@ bool is_pushing(const TemporaryDirectory& directory) {
 }
 
 Words pressing() {
-  return drive("simulated:premium-1.5:hand.csv") + Words{"--uncertified", "--patience", csv::shortest(kBusy)};
+  return drive("simulated:premium-1.5:hand.csv") + Words{"--uncertified", "--watchdog-timeout", csv::shortest(kBusy)};
 }
 
 Outcome stopped_and_continued() {
@@ -179,7 +179,7 @@ Outcome nan_row(const std::string& device) {
                        : "-3") +
             "\n";
   directory.write("hand.csv", rows);
-  Outcome outcome{.reaction = Command(directory, drive(device) + Words{"--uncertified", "--unpaced"}).end()};
+  Outcome outcome{.reaction = Command(directory, drive(device) + Words{"--uncertified", "--free-run"}).end()};
   const auto samples = recorded(directory);
   judge_recording(outcome, directory, std::min<std::size_t>(700, samples.size() - 1), samples);
   if (samples.size() == 1001) outcome.to_zero.reset();
@@ -235,7 +235,7 @@ std::vector<Fault> command_faults() {
        .run = [](const Bench&) { return nan_row("simulated:premium-1.5:hand.csv"); }},
       refused(Kind::input, "the simulated hand starts out of the arm's reach",
               "exit 3 ... the simulated hand starts where the arm does not reach",
-              drive("simulated:premium-1.5:hand.csv") + Words{"--uncertified", "--unpaced"},
+              drive("simulated:premium-1.5:hand.csv") + Words{"--uncertified", "--free-run"},
               [](const TemporaryDirectory& d) { d.write("hand.csv", "t_s,x_mm,y_mm,z_mm\n0,900,0,0\n1,900,0,0\n"); }),
       bad_input("stiffness out of range", "--stiffness is 0 N/mm; expected", null + Words{"--stiffness", "0"}),
       bad_input("stiffness is NaN", "--stiffness: expected a stiffness such as", null + Words{"--stiffness", "nan"}),

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Man pages and shell completion, written from the definitions of the commands themselves, so that neither can lack an option.
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace forceshade::apps {
+
+// What holds for every command, in lines of at most 98 characters.
+inline constexpr const char* kExitCodes =
+    "Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault or safety trip,\n"
+    "130 interrupted.";
+inline constexpr const char* kQuantities =
+    "Lengths are in mm, stiffnesses in N/mm, angles in degrees, or with a unit: 25.4mm, 2.54cm, 0.01m,\n"
+    "1000mil, 1in; 0.5N/mm, 500N/m; 30deg, 0.5rad.";
+inline constexpr const char* kFiles =
+    "The file - is standard input or output. A file that is there already is replaced only with\n"
+    "--overwrite.";
+
+// "forceshade device check"
+std::string full_name(const CLI::App& command);
+
+// The page of one command in roff (man macros). It has no date, so that the same program writes the same page.
+std::string man_page(const CLI::App& command, const std::string& version);
+
+// For bash: commands, options, and the values of options that are words, files or folders.
+std::string bash_completion(const CLI::App& program);
+
+// forceshade man and forceshade completion. Call last: they describe what was added before and themselves.
+void add_man(CLI::App& app);
+void add_completion(CLI::App& app);
+
+}  // namespace forceshade::apps

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/apps/junit.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <span>
+
+#include "forceshade/csv/printable.h"
+
+namespace forceshade::apps {
+namespace {
+
+// Of an attribute or an element.
+std::string xml(const std::string& text) {
+  std::string all;
+  const std::string shown = csv::printable(text);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    // The two characters of UTF-8 that XML 1.0 leaves out and printable() does not.
+    if (const std::string_view three = std::string_view(shown).substr(i, 3);
+        three == "\xEF\xBF\xBE" || three == "\xEF\xBF\xBF") {
+      all += three.back() == '\xBE' ? "\\xef\\xbf\\xbe" : "\\xef\\xbf\\xbf";
+      i += 2;
+      continue;
+    }
+    switch (shown[i]) {
+      case '&': all += "&amp;"; break;
+      case '<': all += "&lt;"; break;
+      case '>': all += "&gt;"; break;
+      case '"': all += "&quot;"; break;
+      case '\'': all += "&apos;"; break;
+      default: all += shown[i];
+    }
+  }
+  return all;
+}
+
+std::string attribute(const char* name, const std::string& value) {
+  return std::string(" ") + name + "=\"" + xml(value) + '"';
+}
+
+// Seconds, with a point in every locale that the command can have: it sets none.
+std::string seconds(double value) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%.3f", value);
+  return text.data();
+}
+
+std::string counts(std::span<const JunitCase> cases) {
+  const auto failed = std::ranges::count_if(cases, [](const JunitCase& each) { return each.failure.has_value(); });
+  double time = 0;
+  for (const JunitCase& each : cases) time += each.seconds;
+  return attribute("tests", std::to_string(cases.size())) + attribute("failures", std::to_string(failed)) +
+         attribute("errors", "0") + attribute("time", seconds(time));
+}
+
+std::string testcase(const JunitCase& each, const std::string& name) {
+  std::string text = "    <testcase" + attribute("classname", name + '.' + each.subject) + attribute("name", each.name) +
+                     attribute("time", seconds(each.seconds)) + ">\n";
+  if (each.failure)
+    text += "      <failure" + attribute("type", "counterexample") + attribute("message", *each.failure) + '>' +
+            xml(*each.failure) + "</failure>\n";
+  if (!each.output.empty()) text += "      <system-out>" + xml(each.output) + "</system-out>\n";
+  return text + "    </testcase>\n";
+}
+
+}  // namespace
+
+std::string to_junit(const std::string& name, const std::vector<std::pair<std::string, std::string>>& about,
+                     const std::vector<JunitCase>& cases) {
+  std::string text =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + attribute("name", name) + counts(cases) + ">\n";
+  for (auto first = cases.begin(); first != cases.end();) {
+    const auto last = std::find_if(first, cases.end(), [&](const JunitCase& each) { return each.subject != first->subject; });
+    text += "  <testsuite" + attribute("name", first->subject) + counts({first, last}) + attribute("skipped", "0") + ">\n";
+    if (!about.empty()) text += "    <properties>\n";
+    for (const auto& [key, value] : about)
+      text += "      <property" + attribute("name", key) + attribute("value", value) + "/>\n";
+    if (!about.empty()) text += "    </properties>\n";
+    for (; first != last; ++first) text += testcase(*first, name);
+    text += "  </testsuite>\n";
+  }
+  return text + "</testsuites>\n";
+}
+
+}  // namespace forceshade::apps

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Options that name what a command writes: --out, --record, --json, --junit. One rule holds for all of them: a file that is
+// there already is replaced only where --overwrite is given, and this is decided before any work is done. Standard output,
+// which is called "-", and what is no regular file (a pipe, /dev/null) are written to.
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace forceshade::apps {
+
+// NAME FILE.
+CLI::Option* add_output(CLI::App& command, const std::string& name, std::string& path, const std::string& help);
+
+// --json [FILE]: standard output without FILE. `what` is what is written.
+CLI::Option* add_json(CLI::App& command, std::string& path, const std::string& what);
+
+// Throws BadInput, naming the option, where the file is there and may not be replaced. The option was added by a function of
+// this file, or the command has an OutFolder.
+void expect_new(const CLI::App& command, const std::string& option, const std::string& path);
+
+// Whether --overwrite was given.
+bool overwrites(const CLI::App& command);
+
+// --out DIR.
+class OutFolder {
+ public:
+  OutFolder(CLI::App& command, const std::string& help);
+
+  // The command needs it. Not where a subcommand has an --out of its own: then make() says that it is missing.
+  void require() { option_->required(); }
+
+  // The folder is there afterwards, and none of these files in it, unless they may be replaced. Throws BadInput.
+  void make(const std::vector<std::string>& files) const;
+
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+  const CLI::App& command_;
+  CLI::Option* option_;
+};
+
+}  // namespace forceshade::apps

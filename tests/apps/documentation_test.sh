@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# documentation_test.sh FORCESHADE: every command and option that --help shows stands in the man pages and is completed by bash;
+# man and mandoc, where they are installed, find nothing wrong in the pages.
+set -u
+forceshade=$(realpath "$1")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+checks=0
+fail() { echo "FAILED: $*"; exit 1; }
+
+"$forceshade" man --out pages || fail "no man pages were written"
+"$forceshade" completion bash > forceshade.bash || fail "no completion was written"
+. ./forceshade.bash || fail "bash cannot read the completion"
+
+# completed WORD...: what bash completes after the words; the last one is begun, and may be empty.
+completed() {
+  COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); COMPREPLY=()
+  _forceshade
+  printf '%s\n' "${COMPREPLY[@]}"
+}
+# completes EXPECTED WORD...: EXPECTED is among them.
+completes() {
+  local expected=$1; shift
+  checks=$((checks + 1))
+  completed "$@" | grep -qxF -e "$expected" || fail "bash completes $* with: $(completed "$@" | tr '\n' ' '); expected $expected"
+}
+
+# below COMMAND...: its verbs, as its help lists them.
+below() { "$forceshade" "$@" --help | sed -n '/^Subcommands:/,$ s/^  \([a-z]*\) .*/\1/p'; }
+commands=("")
+for command in $(below); do
+  commands+=("$command")
+  for verb in $(below "$command"); do commands+=("$command $verb"); done
+done
+[ ${#commands[@]} -ge 21 ] || fail "found only these commands: ${commands[*]}"
+
+for command in "${commands[@]}"; do
+  read -ra words <<< "$command"
+  page=pages/$(echo forceshade $command | tr ' ' -).1
+  [ -s "$page" ] || fail "$page is missing"
+  [ "$("$forceshade" man "${words[@]}")" = "$(cat "$page")" ] || fail "man $command prints another page than $page"
+  plain=$(sed -e 's/\\-/-/g' -e 's/\\f[BIR]//g' "$page")
+  options=$("$forceshade" "${words[@]}" --help | grep -o '^  \(-h,\)\?--[a-z-]*' | sed 's/.*--/--/')
+  for option in $options; do
+    grep -qE -e "^(-h, )?$option( |$)" <<< "$plain" || fail "$page lacks $option"
+    completes "$option" forceshade "${words[@]}" "${option:0:4}"
+  done
+  for verb in $(below "${words[@]}"); do
+    grep -qx -e ".B $verb" <<< "$plain" || fail "$page lacks $verb"
+    completes "$verb" forceshade "${words[@]}" "${verb:0:2}"
+  done
+  ! LC_ALL=C grep -q '[^ -~]' "$page" || fail "$page has something that is not ASCII"
+  checks=$((checks + 1))
+  if command -v groff > /dev/null; then
+    warnings=$(groff -man -Tutf8 -ww "$page" 2>&1 > rendered) || fail "groff cannot render $page"
+    [ -z "$warnings" ] || fail "groff: $page: $warnings"
+    [ -s rendered ] || fail "groff renders nothing of $page"
+  fi
+  if command -v mandoc > /dev/null; then mandoc -Tlint -W warning "$page" > lint || fail "mandoc: $(cat lint)"; fi
+done
+
+# Values: words, laws, files, folders; after =; and of an option whose value may be left out.
+mkdir folder; touch 'a file.csv'
+completes observer forceshade drive --passivity o
+completes bump-2p-shaded forceshade energy --law bump-2p-
+completes all forceshade certify --law a
+completes bump-1p forceshade energy --law = bump-1
+completes 'a file.csv' forceshade force --input a
+completes folder forceshade plot --out f
+completes 'a file.csv' forceshade energy --json a
+completes --depth forceshade energy --json --de
+completes recording forceshade man rec
+completes bash forceshade completion b
+completes 'a file.csv' forceshade recording verify a
+completes simulated forceshade drive --device s
+completes simulated forceshade device check s
+[ -z "$(completed forceshade energy --law wal | grep -v '^wall$')" ] || fail "more than the law is completed after --law"
+[ -z "$(completed forceshade energy --depth '')" ] || fail "a number is completed: $(completed forceshade energy --depth '')"
+echo "$checks checks passed"
