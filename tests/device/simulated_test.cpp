@@ -15,6 +15,7 @@
 #include "forceshade/csv/csv.h"
 #include "forceshade/device/open_device.h"
 #include "forceshade/device/servo_loop.h"
+#include "forceshade/fast/law.h"
 #include "forceshade/tests/device/each_model.h"
 #include "forceshade/tests/support/kept_samples.h"
 #include "forceshade/tests/support/temporary_directory.h"
