@@ -1,18 +1,73 @@
 include(CMakePackageConfigHelpers)
 
+# The headers that a program of somebody else's may include, and what these include in turn; no other header is installed.
+# tests/install compares this list with what the offered headers reach.
+function(install_headers module)
+  foreach(header IN LISTS ARGN)
+    cmake_path(GET header PARENT_PATH folder)
+    install(FILES ${module}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/forceshade/${module}/${folder})
+  endforeach()
+endfunction()
+install_headers(vocabulary breakdown.h height_map.h law.h results.h)
+install_headers(fast domain.h evaluate.h height_map_field.h heights/force.h heights/grid.h heights/jet.h
+                heights/spline.h heights/spline_force.h instruction_set.h law.h laws/bump_1p.h laws/bump_1p_shaded.h
+                laws/bump_2p.h laws/bump_2p_shaded.h laws/bump_3p.h laws/bump_3p_shaded.h laws/bump_cylinder.h
+                laws/bump_geometry.h laws/cylinder.h laws/outcome.h laws/polygon_gap.h laws/shading.h laws/top_edge.h
+                laws/wall.h numbers/arithmetic.h numbers/ball.h numbers/big_float_ball.h numbers/double_double.h
+                numbers/double_with_error.h numbers/first_stage.h numbers/inline.h numbers/row.h session.h
+                simd/batch.h)
+install_headers(csv csv.h)
+install_headers(device attendant.h device.h hand_speed.h last_samples.h limited.h null.h open_device.h oscillation.h
+                passivity_controller.h placement.h real_time.h replay.h sample.h sent_forces.h servo_loop.h
+                shortened.h simulated/arm.h simulated/friction.h simulated/hand.h simulated/model.h simulated/motor.h
+                simulated/plant.h simulated/simulated.h supervisor.h timing.h)
+
 install(TARGETS forceshade_fast forceshade_csv forceshade_device EXPORT forceshade_targets)
-if(TARGET forceshade)
+set(export_sets forceshade_targets)
+if(NOT FORCESHADE_FAST_ONLY)
   install(TARGETS forceshade)
   install(DIRECTORY ${PROJECT_BINARY_DIR}/apps/documentation/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
   install(FILES ${PROJECT_BINARY_DIR}/apps/documentation/forceshade
           DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  # What needs more than Eigen is a component of its own: find_package(forceshade COMPONENTS heights properties).
+  install_headers(heights load.h spec.h)
+  install_headers(identity identity.h)
+  install_headers(reference height_map_field.h law.h laws/bump_geometry.h laws/force.h numbers/ball64.h watch.h)
+  install_headers(properties calls.h height_map_subject.h height_shape.h law_subject.h positions.h rendered.h run.h
+                  shape.h subject.h)
+  set_target_properties(forceshade_heights PROPERTIES EXPORT_NAME heights)
+  set_target_properties(forceshade_identity PROPERTIES EXPORT_NAME identity)
+  set_target_properties(forceshade_reference PROPERTIES EXPORT_NAME reference)
+  set_target_properties(forceshade_properties PROPERTIES EXPORT_NAME properties)
+  install(TARGETS forceshade_heights EXPORT forceshade_heights_targets)
+  install(TARGETS forceshade_identity forceshade_reference forceshade_properties EXPORT forceshade_properties_targets)
+  list(APPEND export_sets forceshade_heights_targets forceshade_properties_targets)
 endif()
-foreach(folder vocabulary fast csv device)
-  install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/forceshade FILES_MATCHING PATTERN "*.h")
+foreach(set IN LISTS export_sets)
+  install(EXPORT ${set} NAMESPACE forceshade:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/forceshade)
 endforeach()
-install(EXPORT forceshade_targets NAMESPACE forceshade:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/forceshade)
 configure_package_config_file(cmake/forceshade-config.cmake.in forceshade-config.cmake
                               INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/forceshade)
 write_basic_package_version_file(forceshade-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/forceshade-config.cmake ${PROJECT_BINARY_DIR}/forceshade-config-version.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/forceshade)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# For pkg-config. All libraries are static, so what they need is not private; paths are relative to the .pc file, because the
+# prefix may change when the build is installed.
+file(RELATIVE_PATH PC_TO_PREFIX "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+function(install_pc name)
+  cmake_parse_arguments(PC "" "DESCRIPTION;REQUIRES;LIBRARIES" "" ${ARGN})
+  set(PC_NAME ${name})
+  configure_file(cmake/forceshade.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+install_pc(forceshade DESCRIPTION "${PROJECT_DESCRIPTION}" REQUIRES "eigen3 >= 3.4"
+           LIBRARIES "-lforceshade_device -lforceshade_fast -lforceshade_csv -lcsv -ldl -pthread")
+if(NOT FORCESHADE_FAST_ONLY)
+  install_pc(forceshade-heights DESCRIPTION "Height maps from TOML, image and array files"
+             REQUIRES "forceshade, libpng, libtiff-4, tomlplusplus" LIBRARIES "-lforceshade_heights")
+  install_pc(forceshade-properties DESCRIPTION "Properties that a haptic renderer must have"
+             REQUIRES "forceshade, libcrypto"
+             LIBRARIES "-lforceshade_properties -lforceshade_identity -lforceshade_reference -lrapidcheck -lmpfi -lmpfr -lgmp")
+endif()

@@ -1,16 +1,50 @@
 #!/usr/bin/env bash
-# Installs the build into a fresh prefix, builds the consumer against it with find_package, and runs it.
+# Installs the build into a fresh prefix and uses it as strangers would: with find_package, with pkg-config, header by header.
 set -eu
 build=$1 compiler=$2 flags=$3
 source=$(cd "$(dirname "$0")" && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-cmake --install "$build" --prefix "$scratch/prefix" > "$scratch/install.log"
-cmake -S "$source" -B "$scratch/build" -DCMAKE_PREFIX_PATH="$scratch/prefix" -DCMAKE_CXX_COMPILER="$compiler" \
+prefix=$scratch/prefix
+cmake --install "$build" --prefix "$prefix" > "$scratch/install.log"
+fail() { echo "$1" >&2; exit 1; }
+
+use() {  # the three consumers of a folder
+  "$1/consumer"
+  "$1/heights_consumer" "$source/../../examples/leather.toml"
+  "$1/properties_consumer" > "$scratch/properties.log" 2>&1 || { cat "$scratch/properties.log"; exit 1; }
+}
+
+echo "== find_package"
+cmake -S "$source" -B "$scratch/build" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_COMPILER="$compiler" \
   -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_BUILD_TYPE=Release > "$scratch/configure.log"
 cmake --build "$scratch/build" > "$scratch/build.log" || { cat "$scratch/build.log"; exit 1; }
-"$scratch/build/consumer"
-"$scratch/prefix/bin/forceshade" --version
+use "$scratch/build"
+
+echo "== pkg-config"
+pc=$(dirname "$(find "$prefix" -name forceshade.pc)")
+mkdir "$scratch/by-pc"
+for consumer in consumer:forceshade heights_consumer:forceshade-heights properties_consumer:forceshade-properties; do
+  needed=$(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs "${consumer#*:}")
+  # shellcheck disable=SC2086  # flags are words
+  "$compiler" -std=c++20 -O1 $flags "$source/${consumer%:*}.cpp" -o "$scratch/by-pc/${consumer%:*}" $needed
+done
+use "$scratch/by-pc"
+
+echo "== headers"
+# What the offered headers reach is what is installed, neither less nor more.
+include=$(dirname "$(find "$prefix" -type d -name forceshade -path '*include*')")
+sed 's|.*|#include <forceshade/&>|' "$source/offered.txt" > "$scratch/offered.cpp"
+eigen=$(pkg-config --cflags eigen3)
+# shellcheck disable=SC2086
+"$compiler" -std=c++20 $eigen -I"$include" -M "$scratch/offered.cpp" | tr -s ' \\' '\n\n' | grep "^$include/" |
+  sed "s|^$include/||" | LC_ALL=C sort -u > "$scratch/reached"
+(cd "$include" && find forceshade -type f) | LC_ALL=C sort > "$scratch/installed"
+diff "$scratch/reached" "$scratch/installed" || fail "installed headers (>) are not those that the offered ones reach (<)"
+
+echo "== the rest"
+[ -s "$prefix/share/doc/forceshade/LICENSE" ] || fail "no licence file is installed"
+"$prefix/bin/forceshade" --version
 for file in man/man1/forceshade.1 man/man1/forceshade-device-check.1 bash-completion/completions/forceshade; do
-  [ -s "$scratch/prefix/share/$file" ] || { echo "FAILED: share/$file was not installed"; exit 1; }
+  [ -s "$prefix/share/$file" ] || fail "share/$file was not installed"
 done
