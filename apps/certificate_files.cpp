@@ -22,16 +22,15 @@ std::string page(const properties::Certificate& certificate) {
 // What `drive` would find too little; the word "certified" is for what it would accept.
 std::optional<std::string> lacking_for_drive(const properties::Certificate& certificate) {
   std::optional<std::string> lacks;
-  certificate.for_each([&](const auto& law) {
-    if (!lacks) lacks = lacking(law);
-  });
+  for (const properties::SubjectResult& subject : certificate.subjects)
+    if (!lacks) lacks = lacking(subject);
   return lacks;
 }
 
 std::string verdict(const properties::Certificate& certificate) {
-  if (!certificate.has_points()) return certificate.held() ? "swept, no mismatch" : "FAILED, not certified";
+  if (certificate.subjects.empty()) return certificate.held() ? "swept, no mismatch" : "FAILED, not certified";
   std::uint64_t points = 0;
-  certificate.for_each([&](const auto& law) { points += law.points + law.spread.points; });
+  for (const properties::Findings& subject : certificate.subjects) points += subject.points + subject.spread.points;
   const char* word = "certified";
   if (!certificate.held())
     word = "FAILED, not certified";
@@ -45,7 +44,7 @@ std::string verdict(const properties::Certificate& certificate) {
 
 void print_what_drive_lacks(const properties::Certificate& certificate) {
   if (!certificate.held()) return;
-  if (!certificate.has_points())
+  if (certificate.subjects.empty())
     std::printf(
         "drive needs points and properties too: join these sweeps to a certificate that has them with 'certify merge'\n");
   if (const auto lacks = lacking_for_drive(certificate)) std::printf("too little for drive: %s\n", lacks->c_str());

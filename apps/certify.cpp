@@ -13,20 +13,17 @@
 #include "forceshade/apps/certificate_files.h"
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/exhaustive.h"
-#include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/junit.h"
 #include "forceshade/apps/live_line.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/part_times.h"
 #include "forceshade/apps/signals.h"
+#include "forceshade/apps/subject_option.h"
 #include "forceshade/certificate/plain_text.h"
 #include "forceshade/report/thesis.h"
 
 namespace forceshade::apps {
 namespace {
-
-using properties::kPointsOfAHeightMap;
-using properties::kPointsOfALaw;
 
 struct Options {
   std::uint64_t points = 0, cases = properties::kCases, seed = 1;
@@ -70,7 +67,7 @@ std::string plain(std::string_view subject) {
 // One case for the points of a subject, with those of other parameters, and one for each property.
 std::string junit_of(const properties::Certificate& certificate, const PartTimes& times) {
   std::vector<JunitCase> cases;
-  certificate.for_each([&](const auto& found) {
+  for (const properties::SubjectResult& found : certificate.subjects) {
     const std::string name = found.name();
     std::optional<std::string> wrong;
     for (const properties::Comparison* part :
@@ -87,7 +84,7 @@ std::string junit_of(const properties::Certificate& certificate, const PartTimes
       cases.push_back({name, property.name, times.seconds(name, property.name),
                        property.held ? std::nullopt : std::optional(property.counterexample),
                        std::to_string(property.cases) + " cases"});
-  });
+  }
   return to_junit("forceshade certify",
                   {{"seed", std::to_string(certificate.seed)},
                    {"version", certificate.build.version},
@@ -97,7 +94,7 @@ std::string junit_of(const properties::Certificate& certificate, const PartTimes
 
 int run_points(const Options& options, properties::CertifyOptions what, const OutFolder& out) {
   const bool terminal = isatty(STDERR_FILENO) != 0;
-  what.points = options.points > 0 ? options.points : what.height_maps.empty() ? kPointsOfALaw : kPointsOfAHeightMap;
+  what.points = options.points > 0 ? options.points : properties::points_of_kind(what.subjects.front()->identity().kind);
   what.cases = static_cast<int>(options.cases);
   what.seed = options.seed;
   what.threads = options.threads;
@@ -114,31 +111,22 @@ int run_points(const Options& options, properties::CertifyOptions what, const Ou
     std::fprintf(stderr, "%sforceshade: interrupted: no certificate was written\n", terminal ? "\n" : "");
     return kInterrupted;
   }
-  certificate->for_each([](const auto& law) { print(law.name(), law); });
+  for (const properties::SubjectResult& subject : certificate->subjects) print(subject.name(), subject);
   if (!options.junit.empty()) write_file(options.junit, junit_of(*certificate, times));
   return write_certificate(*certificate, out.path());
 }
 
-int run(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map, const OutFolder& out,
-        bool radius_is_given) {
+int run(const Options& options, const SubjectOption& subject, const OutFolder& out, bool radius_is_given) {
   watch_for_interrupt();
-  properties::CertifyOptions what;
-  if (height_map.is_given()) {
-    what.parameters.stiffness = law_options.stiffness();
-    heights::Spec spec = height_map.read(what.parameters.stiffness);
-    what.height_maps.push_back({height_map.name(), std::move(spec.map), spec.rendering});
-  } else {
-    what.laws = law_options.laws();
-    what.parameters = law_options.parameters();
-  }
-  if (options.exhaustive.wanted && height_map.is_given())
+  properties::CertifyOptions what{.subjects = subject.subjects()};
+  if (options.exhaustive.wanted && !subject.is_a_law())
     throw BadInput("--exhaustive: expected --law, got --height-map; a height map has too many inputs to sweep");
   // Before the work, so that a path that cannot be written to is said at once.
   out.make(certificate_files());
   if (!options.exhaustive.wanted) return run_points(options, std::move(what), out);
-  properties::SweepPlan plan{what.laws, what.parameters, {}};
+  properties::SweepPlan plan{subject.law().laws(), subject.law().parameters(), {}};
   for (const properties::ThesisRadius& radius : properties::kThesisRadii) plan.radii.push_back(radius.mm);
-  if (radius_is_given) plan.radii = {what.parameters.radius};
+  if (radius_is_given) plan.radii = {plan.parameters.radius};
   return run_exhaustive(options.exhaustive, plan, options.threads, out);
 }
 
@@ -147,12 +135,12 @@ int run(const Options& options, const LawOptions& law_options, const HeightMapOp
 void add_certify(CLI::App& app, int& result) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("certify", "Check the fast path against the reference and write a certificate");
-  const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all);
-  const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
+  const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::one_or_all);
   CLI::Option* points =
       add_whole(*command, "--points",
                 "points per law, half of them aimed, and a quarter as many with other parameters; " +
-                    std::to_string(kPointsOfALaw) + " unless said, for a height map " + std::to_string(kPointsOfAHeightMap),
+                    std::to_string(properties::points_of_kind(properties::kLawKind)) + " unless said, for a height map " +
+                    std::to_string(properties::points_of_kind(properties::kHeightMapKind)),
                 {1, 1000000000000}, [options](std::uint64_t given) { options->points = given; });
   CLI::Option* cases = add_whole(*command, "--cases", options->cases, "cases per property (passivity: a tenth)", kCases);
   CLI::Option* seed = add_whole(*command, "--seed", options->seed, "seed of points and cases", kSeeds);
@@ -163,8 +151,8 @@ void add_certify(CLI::App& app, int& result) {
   options->exhaustive.add_to(*command);
   for (CLI::Option* of_points : {points, cases, seed, junit}) command->get_option("--exhaustive")->excludes(of_points);
   add_merge(*command, result);
-  command->callback([options, law, height_map, out, command, &result] {
-    if (!command->got_subcommand("merge")) result = run(*options, *law, *height_map, *out, command->count("--radius") > 0);
+  command->callback([options, subject, out, command, &result] {
+    if (!command->got_subcommand("merge")) result = run(*options, *subject, *out, command->count("--radius") > 0);
   });
 }
 

@@ -10,9 +10,11 @@
 #include "forceshade/apps/drive_summary.h"
 #include "forceshade/apps/last_ticks.h"
 #include "forceshade/apps/live_view.h"
+#include "forceshade/apps/placement_options.h"
 #include "forceshade/apps/run_record.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/apps/terminal_attendant.h"
+#include "forceshade/certificate/build.h"
 #include "forceshade/csv/csv.h"
 #include "forceshade/csv/output_file.h"
 #include "forceshade/csv/printable.h"
@@ -44,19 +46,23 @@ recorder::Metadata metadata(const RunPlan& plan, const Driven& what, const devic
                               {"flags", build.flags},
                               {"instruction_set", build.instruction_set},
                               {"device", plan.device},
+                              {"origin_mm", origin_words(plan.servo.placement)},
+                              {"axes", axes_words(plan.servo.placement)},
                               {"rate_hz", csv::shortest(plan.servo.rate_hz)},
                               {"paced", plan.servo.paced ? "yes" : "no"},
                               {"passivity", std::string(name_of(plan.servo.passivity))}};
   for (const auto& [what_it_is, words] : identity(capabilities)) metadata["device_" + what_it_is] = words;
-  metadata.insert(what.metadata.begin(), what.metadata.end());
+  metadata.merge(metadata_of(what.identity));
   return metadata;
 }
 
 nlohmann::ordered_json summary(const device::ServoResult& run, const std::vector<device::Sample>& last_ticks,
                                const RunPlan& plan, const Driven& what, const device::Capabilities& capabilities) {
-  nlohmann::ordered_json json = what.summary;
+  nlohmann::ordered_json json = summary_of(what.identity);
   json["certificate_digest"] = plan.digest ? nlohmann::ordered_json(*plan.digest) : nlohmann::ordered_json(nullptr);
   json["library_digest"] = properties::current_build().library_digest;
+  const Eigen::Vector3d origin = plan.servo.placement.origin().cast<double>();
+  json["placement"] = {{"origin_mm", {origin.x(), origin.y(), origin.z()}}, {"axes", axes_words(plan.servo.placement)}};
   json["device"] = {{"name", plan.device}};
   for (const auto& [what_it_is, words] : identity(capabilities)) json["device"][what_it_is] = words;
   json.update(to_json(run));
@@ -98,9 +104,14 @@ void add_in_reset_pose(CLI::App& command, bool& in_reset_pose) {
                    "the arm is held in its reset pose: a device that calibrates there waits for no confirmation");
 }
 
-std::unique_ptr<device::Attendant> attendant(bool in_reset_pose) {
-  if (in_reset_pose) return std::make_unique<HoldsResetPose>();
-  return std::make_unique<TerminalAttendant>("give --in-reset-pose if the arm is held in its reset pose");
+std::unique_ptr<device::Attendant> attendant(bool in_reset_pose, bool with_buttons) {
+  std::unique_ptr<TerminalAttendant> person;
+  if (in_reset_pose)
+    person = std::make_unique<HoldsResetPose>();
+  else
+    person = std::make_unique<TerminalAttendant>("give --in-reset-pose if the arm is held in its reset pose");
+  if (with_buttons) person->offer_buttons();
+  return person;
 }
 
 std::unique_ptr<device::Device> open_for_a_run(const std::string& name, device::Attendant& attendant, device::Forces forces) {
@@ -125,12 +136,15 @@ RunOutcome run_on(device::Device& device, const Driven& what, RunPlan plan) {
   if (view) plan.servo.sinks.push_back(&*view);
   if (interrupted()) throw Interrupted(kNotBegun);
 
-  device::ServoResult result = device::run_servo_loop(device, what.renderer, plan.servo, interrupted());
+  device::ServoResult result = device::run_servo_loop(device, *what.session, plan.servo, interrupted());
   view.reset();
   bool written = !record || record->close(std::string(name_of(result.end_reason)));
   const std::vector<device::Sample> last_ticks = has_failed(result) ? last.samples() : std::vector<device::Sample>{};
   if (!plan.json.empty()) written = wrote_json(plan.json, summary(result, last_ticks, plan, what, capabilities)) && written;
   if (plan.record != "-" && plan.json != "-") {
+    if (const device::Placement& placement = plan.servo.placement; !(placement == device::Placement{}))
+      std::printf("placement         origin at %s mm, x, y, z along %s of the device\n", origin_words(placement).c_str(),
+                  axes_words(placement).c_str());
     print(result);
     print_last_ticks(last_ticks);
   }

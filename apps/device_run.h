@@ -27,8 +27,9 @@ struct RunOutcome {
 };
 
 // --in-reset-pose, and who then prepares the device: the person at the terminal, or nobody, because it was said beforehand.
+// with_buttons: a simulated device gets keys for buttons.
 void add_in_reset_pose(CLI::App& command, bool& in_reset_pose);
-std::unique_ptr<device::Attendant> attendant(bool in_reset_pose);
+std::unique_ptr<device::Attendant> attendant(bool in_reset_pose, bool with_buttons = false);
 
 // The device by its name. Throws Interrupted where a signal came meanwhile, whatever the device then said.
 std::unique_ptr<device::Device> open_for_a_run(const std::string& name, device::Attendant& attendant,

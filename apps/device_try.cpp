@@ -20,6 +20,7 @@
 #include "forceshade/csv/csv.h"
 #include "forceshade/device/limited.h"
 #include "forceshade/fast/law.h"
+#include "forceshade/properties/law_subject.h"
 
 namespace forceshade::apps {
 namespace {
@@ -110,8 +111,8 @@ int run(Options options) {
   if (options.record.empty()) options.record = dated_name();
   if (!options.record.ends_with(".fsr"))
     throw BadInput("--record: expected FILE.fsr, a recording that survives a crash, got \"" + options.record + '"');
-  const Driven wall = driven(LawId::wall, {.stiffness = stiffness});
-  const Certified covered = certified(options.certificate, wall);
+  const Driven wall(properties::LawSubject(LawId::wall, {.stiffness = stiffness}));
+  const Certified covered = certified(options.certificate, wall.identity);
   if (!may_be_driven(covered, options.uncertified)) {
     std::fprintf(stderr, "forceshade: to have one: forceshade certify --law wall --stiffness %s --out DIR\n",
                  csv::shortest(stiffness).c_str());

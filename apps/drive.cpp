@@ -9,10 +9,11 @@
 
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/device_run.h"
-#include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/output_options.h"
+#include "forceshade/apps/placement_options.h"
 #include "forceshade/apps/signals.h"
+#include "forceshade/apps/subject_option.h"
 
 namespace forceshade::apps {
 namespace {
@@ -55,16 +56,15 @@ void expect_consistent(const Options& options) {
                  std::to_string(*options.cpu));
 }
 
-int run(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map) {
+int run(const Options& options, const SubjectOption& subject, const PlacementOptions& place) {
   expect_consistent(options);
-  const float stiffness = law_options.stiffness();
-  const Driven what = height_map.is_given() ? driven(height_map.name(), height_map.read(stiffness), stiffness)
-                                            : driven(law_options.law(), law_options.parameters());
-  const Certified covered = certified(options.certificate, what);
+  const device::Placement placement = place.placement();
+  const Driven what(*subject.subject());
+  const Certified covered = certified(options.certificate, what.identity);
   if (!may_be_driven(covered, options.uncertified)) return kFailed;
 
   end_runs_in_order();
-  const auto prepares = attendant(options.in_reset_pose);
+  const auto prepares = attendant(options.in_reset_pose, options.dead_man.has_value());
   const std::unique_ptr<device::Device> device = open_for_a_run(options.device, *prepares);
   return run_on(*device, what,
                 {.device = options.device,
@@ -79,7 +79,8 @@ int run(const Options& options, const LawOptions& law_options, const HeightMapOp
                            .cpu = options.cpu,
                            .passivity = controller_named(options.passivity),
                            .patience = options.watchdog_timeout,
-                           .dead_man_button = options.dead_man}})
+                           .dead_man_button = options.dead_man,
+                           .placement = placement}})
       .code;
 }
 
@@ -88,8 +89,8 @@ int run(const Options& options, const LawOptions& law_options, const HeightMapOp
 void add_drive(CLI::App& app, int& result) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("drive", "Drive a device with a certified renderer");
-  const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one);
-  const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
+  const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::one);
+  const auto place = std::make_shared<PlacementOptions>(*command);
   command->add_option("--certificate", options->certificate, "certificate.json of this build")->type_name("FILE");
   command
       ->add_option("--device", options->device,
@@ -112,8 +113,11 @@ void add_drive(CLI::App& app, int& result) {
   add_number(*command, "--watchdog-timeout",
              "for how many seconds ticks may be late before the run is stopped; 0.02 unless said", kWatchdogTimeout,
              [options](double timeout) { options->watchdog_timeout = timeout; });
-  add_whole(*command, "--dead-man", "button of the device to be held down, from 0; else there is no force", kButtons,
-            [options](std::uint64_t button) { options->dead_man = static_cast<int>(button); });
+  add_whole(
+      *command, "--dead-man",
+      "button of the device to be held down, from 0; else there is no force. Of a simulated device: a key of the terminal, "
+      "0 or 1, typed once to press and again to let go",
+      kButtons, [options](std::uint64_t button) { options->dead_man = static_cast<int>(button); });
   add_whole(*command, "--cpu", "processor to run the loop on; the last one unless said", kProcessors,
             [options](std::uint64_t cpu) { options->cpu = static_cast<int>(cpu); });
   command->add_flag("--free-run", options->free_run, "as fast as it goes: for checks, not for hands")
@@ -125,9 +129,9 @@ void add_drive(CLI::App& app, int& result) {
   add_output(*command, "--record", options->record,
              "every tick: FILE.fsr, a recording that survives a crash; else its CSV, - for standard output");
   add_json(*command, options->json, "the summary");
-  command->callback([options, law, height_map, command, &result] {
+  command->callback([options, subject, place, command, &result] {
     options->overwrite = overwrites(*command);
-    result = run(*options, *law, *height_map);
+    result = run(*options, *subject, *place);
   });
 }
 

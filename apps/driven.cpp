@@ -1,54 +1,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/apps/driven.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/csv/csv.h"
+#include "forceshade/certificate/build.h"
+#include "forceshade/certificate/certificate.h"
 #include "forceshade/csv/printable.h"
-#include "forceshade/fast/height_map_field.h"
-#include "forceshade/fast/law.h"
 #include "forceshade/identity/digest.h"
 
 namespace forceshade::apps {
 
-Driven driven(LawId law, const Parameters& p) {
-  nlohmann::ordered_json parameters{{"stiffness_N_per_mm", static_cast<double>(p.stiffness)}};
-  recorder::Metadata metadata{{"law", std::string(name_of(law))}, {"stiffness_N_per_mm", csv::shortest(p.stiffness)}};
-  if (has_bump_geometry(law)) {
-    parameters["radius_mm"] = static_cast<double>(p.radius);
-    parameters["width_mm"] = static_cast<double>(p.width);
-    metadata["radius_mm"] = csv::shortest(p.radius);
-    metadata["width_mm"] = csv::shortest(p.width);
+namespace {
+
+// "height_map": names the kind in JSON and in a recording.
+std::string key_of_kind(const properties::Identity& identity) {
+  std::string key = identity.kind;
+  std::replace(key.begin(), key.end(), ' ', '_');
+  return key;
+}
+
+}  // namespace
+
+nlohmann::ordered_json summary_of(const properties::Identity& identity) {
+  nlohmann::ordered_json json{{key_of_kind(identity), identity.name}};
+  if (!identity.digest.empty()) json["digest"] = identity.digest;
+  nlohmann::ordered_json parameters = nlohmann::ordered_json::object();
+  for (const auto& [key, value] : identity.parameters) {
+    const auto* number = std::get_if<float>(&value);
+    if (number != nullptr)
+      parameters[key] = static_cast<double>(*number);
+    else
+      parameters[key] = std::get<std::string>(value);
   }
-  return {built(fast::Law::build(law, p)),
-          [law, p](const auto& certificate, const auto& build) { return properties::refusal(certificate, build, law, p); },
-          {{"law", name_of(law)}, {"parameters", parameters}},
-          std::move(metadata)};
+  json["parameters"] = parameters;
+  return json;
 }
 
-Driven driven(const std::string& name, const heights::Spec& spec, float stiffness) {
-  const properties::HeightIdentity identity = properties::identity_of(spec.map, spec.rendering, stiffness);
-  const std::string rendering(name_of(spec.rendering));
-  return {built(fast::HeightMapField::build(spec.map, spec.rendering, stiffness)),
-          [identity](const auto& certificate, const auto& build) { return properties::refusal(certificate, build, identity); },
-          {{"height_map", name},
-           {"map_digest", identity.map_digest},
-           {"rendering", rendering},
-           {"parameters", {{"stiffness_N_per_mm", static_cast<double>(stiffness)}}}},
-          {{"height_map", name},
-           {"map_digest", identity.map_digest},
-           {"rendering", rendering},
-           {"stiffness_N_per_mm", csv::shortest(stiffness)}}};
+recorder::Metadata metadata_of(const properties::Identity& identity) {
+  recorder::Metadata metadata{{key_of_kind(identity), identity.name}};
+  if (!identity.digest.empty()) metadata["digest"] = identity.digest;
+  for (const auto& [key, value] : identity.parameters) metadata[key] = properties::text_of(value);
+  return metadata;
 }
 
-Certified certified(const std::string& file, const Driven& what) {
+Certified certified(const std::string& file, const properties::Identity& subject) {
   if (file.empty())
     return {std::nullopt, "no certificate was given; expected --certificate FILE, as written by 'forceshade certify'"};
   const std::string text = properties::read_certificate(file);
   const properties::Certificate certificate = properties::from_json(text, file);
-  if (const auto refused = what.refusal(certificate, properties::current_build()))
+  if (const auto refused = refusal(certificate, properties::current_build(), subject))
     return {std::nullopt, file + ": " + *refused};
   properties::Digest digest;
   digest.text(text);

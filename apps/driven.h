@@ -1,32 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What is rendered on a device, a law or a height map, and whether a certificate covers it.
+// What is rendered on a device, and whether a certificate covers it.
 
-#include <functional>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
-#include "forceshade/certificate/build.h"
-#include "forceshade/certificate/certificate.h"
-#include "forceshade/fast/renderer.h"
-#include "forceshade/heights/spec.h"
+#include "forceshade/fast/session.h"
+#include "forceshade/properties/subject.h"
 #include "forceshade/recorder/recorder.h"
-#include "forceshade/vocabulary/law.h"
 
 namespace forceshade::apps {
 
 struct Driven {
-  fast::Renderer renderer;
-  // Why this certificate does not cover it with this build; nothing where it does.
-  std::function<std::optional<std::string>(const properties::Certificate&, const properties::Build&)> refusal;
-  nlohmann::ordered_json summary;  // as a run's summary names it
-  recorder::Metadata metadata;     // as a recording names it
+  std::unique_ptr<fast::Session> session;
+  properties::Identity identity;
+
+  explicit Driven(const properties::Subject& subject) : session(subject.calls().open()), identity(subject.identity()) {}
 };
 
-// Throw BadInput for parameters outside the domain.
-Driven driven(LawId law, const Parameters& parameters);
-Driven driven(const std::string& name, const heights::Spec& spec, float stiffness);
+// As a run's summary names it, and as a recording does.
+nlohmann::ordered_json summary_of(const properties::Identity& identity);
+recorder::Metadata metadata_of(const properties::Identity& identity);
 
 // The digest of the certificate's file; none where it does not cover what is to be driven, with the reason why.
 struct Certified {
@@ -35,7 +31,7 @@ struct Certified {
 };
 
 // An empty name is no file. Throws for a file that is no certificate.
-Certified certified(const std::string& file, const Driven& what);
+Certified certified(const std::string& file, const properties::Identity& subject);
 
 // What follows from it, said on standard error unless it is covered: false where it may not be driven.
 bool may_be_driven(const Certified& certified, bool uncertified);

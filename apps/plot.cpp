@@ -114,7 +114,7 @@ void add_plot(CLI::App& app, int&) {
       const properties::Range range = options->range();
       const std::string name = std::filesystem::path(height_map->name()).stem();
       out->make(files({name}, kinds));
-      SideView view = side_view(built(properties::fast_subject(map, rendering, stiffness)), name, range);
+      SideView view = side_view(built(properties::fast_rendering(map, rendering, stiffness)), name, range);
       view.heading = {height_map->name(), std::string(name_of(rendering)) + ", K = " + csv::shortest(stiffness) +
                                               " N/mm, y = " + csv::shortest(range.y) + " mm"};
       return draw(view);
@@ -124,10 +124,7 @@ void add_plot(CLI::App& app, int&) {
     for (const LawId id : law->laws()) names.emplace_back(name_of(id));
     out->make(files(names, kinds));
     for (const LawId id : law->laws()) {
-      properties::LawResult result;
-      result.law = id;
-      result.parameters = parameters;
-      SideView view = side_view(properties::Drawn(result));
+      SideView view = side_view(properties::Drawn(id, parameters));
       view.heading = {view.name, has_bump_geometry(id) ? "R = " + csv::shortest(parameters.radius) +
                                                              " mm, w = " + csv::shortest(parameters.width) + " mm, "
                                                        : ""};

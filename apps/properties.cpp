@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "forceshade/apps/command.h"
-#include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/junit.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/output_options.h"
 #include "forceshade/apps/part_times.h"
 #include "forceshade/apps/progress_line.h"
 #include "forceshade/apps/standard_streams.h"
+#include "forceshade/apps/subject_option.h"
 #include "forceshade/certificate/build.h"
 #include "forceshade/properties/run.h"
 
@@ -32,12 +32,11 @@ class Checks {
  public:
   explicit Checks(const Options& options) : options_(options) {}
 
-  // `kind` is what the subject is called in JSON.
-  template <class Subject>
-  void add(const char* kind, const std::string& name, const Json& parameters, const Subject& subject) {
+  void add(const properties::Subject& subject) {
+    const properties::Identity& identity = subject.identity();
+    const std::string& name = identity.name;
     Json properties = Json::array();
-    for (const properties::PropertyResult& property : results(name, subject)) {
-      if (is_printed()) print(name, property);
+    for (const properties::PropertyResult& property : results(subject)) {
       held_ = held_ && property.held;
       const double seconds = times_.seconds(name, property.name);
       Json found{{"name", property.name}, {"held", property.held}, {"cases", property.cases}, {"seconds", seconds}};
@@ -46,7 +45,12 @@ class Checks {
       junit_.push_back({name, property.name, seconds, property.held ? std::nullopt : std::optional(property.counterexample),
                         std::to_string(property.cases) + " cases"});
     }
-    subjects_.push_back({{kind, name}, {"parameters", parameters}, {"properties", properties}});
+    Json parameters;
+    for (const auto& [key, value] : identity.parameters) {
+      const auto* number = std::get_if<float>(&value);
+      parameters[key] = number != nullptr ? Json(static_cast<double>(*number)) : Json(std::get<std::string>(value));
+    }
+    subjects_.push_back({{"kind", identity.kind}, {"name", name}, {"parameters", parameters}, {"properties", properties}});
   }
 
   bool held() const { return held_; }
@@ -71,13 +75,20 @@ class Checks {
   }
 
  private:
-  template <class Subject>
-  std::vector<properties::PropertyResult> results(const std::string& name, const Subject& subject) {
-    ProgressLine line(name);
-    return properties::run_properties(subject, options_.cases, options_.seed, [&](const std::string& property, double done) {
-      times_.add(name, property);
-      line.draw(done);
-    });
+  std::vector<properties::PropertyResult> results(const properties::Subject& subject) {
+    const std::string& name = subject.identity().name;
+    std::optional<ProgressLine> line;
+    return run_properties(
+        subject, options_.cases, options_.seed,
+        [&](const properties::PropertyResult& property) {
+          line.reset();  // off the row that is printed on
+          if (is_printed()) print(name, property);
+        },
+        [&](const std::string& property, double done) {
+          times_.add(name, property);
+          if (!line) line.emplace(name);
+          line->draw(done);
+        });
   }
 
   static void print(const std::string& name, const properties::PropertyResult& property) {
@@ -94,29 +105,13 @@ class Checks {
   std::vector<JunitCase> junit_;
 };
 
-int run(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map) {
+int run(const Options& options, const SubjectOption& option) {
   if (!options.json.empty() && options.json == options.junit)
     throw BadInput("--json and --junit: expected two files, got \"" + options.json + "\" for both");
+  const auto subjects = option.subjects();
   Checks checks(options);
-  const auto say_seed = [&] {
-    if (checks.is_printed()) std::printf("seed %llu\n", static_cast<unsigned long long>(options.seed));
-  };
-  if (height_map.is_given()) {
-    const float stiffness = law_options.stiffness();
-    const auto [map, rendering] = height_map.read(stiffness);
-    say_seed();
-    checks.add("height_map", height_map.name(), {{"stiffness_N_per_mm", static_cast<double>(stiffness)}},
-               built(properties::fast_subject(map, rendering, stiffness)));
-  } else {
-    const Parameters p = law_options.parameters();
-    say_seed();
-    for (const LawId id : law_options.laws()) {
-      Json parameters{{"stiffness_N_per_mm", static_cast<double>(p.stiffness)}};
-      if (has_bump_geometry(id))
-        parameters.update({{"radius_mm", static_cast<double>(p.radius)}, {"width_mm", static_cast<double>(p.width)}});
-      checks.add("law", std::string(name_of(id)), parameters, built(properties::fast_subject(id, p)));
-    }
-  }
+  if (checks.is_printed()) std::printf("seed %llu\n", static_cast<unsigned long long>(options.seed));
+  for (const auto& subject : subjects) checks.add(*subject);
   checks.write();
   return checks.held() ? kHeld : kFailed;
 }
@@ -126,13 +121,12 @@ int run(const Options& options, const LawOptions& law_options, const HeightMapOp
 void add_properties(CLI::App& app, int& result) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("properties", "Check the properties of the fast path on generated cases");
-  const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all);
-  const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
+  const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::one_or_all);
   add_whole(*command, "--cases", options->cases, "cases per law and property (passivity: a tenth)", kCases);
   add_whole(*command, "--seed", options->seed, "seed of the cases", kSeeds);
   add_json(*command, options->json, "what was found");
   add_output(*command, "--junit", options->junit, "what was found as JUnit XML, for continuous integration");
-  command->callback([options, law, height_map, &result] { result = run(*options, *law, *height_map); });
+  command->callback([options, subject, &result] { result = run(*options, *subject); });
 }
 
 }  // namespace forceshade::apps

@@ -99,6 +99,17 @@ bool TerminalAttendant::has_left() const noexcept {
   return interrupted();
 }
 
+const std::atomic<std::uint16_t>* TerminalAttendant::buttons() noexcept {
+  if (!offers_buttons_) return nullptr;
+  if (!keys_) keys_.emplace();
+  if (!keys_->works()) {
+    say("the buttons of a simulated device are keys of a terminal, and there is none to read from");
+    return nullptr;
+  }
+  say("the key 0 presses button 0 of the simulated device and, typed again, lets go of it; the key 1 does so with button 1");
+  return &keys_->down();
+}
+
 bool HoldsResetPose::did(const std::string& words) noexcept {
   say(shown(words) + " (taken as done, as said by --in-reset-pose)");
   return true;

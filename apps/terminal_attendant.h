@@ -2,8 +2,10 @@
 #pragma once
 // The person who prepares a device, reached through the terminal.
 
+#include <optional>
 #include <string>
 
+#include "forceshade/apps/keyboard_buttons.h"
 #include "forceshade/device/attendant.h"
 
 namespace forceshade::apps {
@@ -23,8 +25,15 @@ class TerminalAttendant : public device::Attendant {
   // After such a signal.
   bool has_left() const noexcept override;
 
+  // From now on a device that has no buttons finds keys of the terminal here. Not for one that has to be prepared: Enter would
+  // be taken for one of these keys.
+  void offer_buttons() noexcept { offers_buttons_ = true; }
+  const std::atomic<std::uint16_t>* buttons() noexcept override;
+
  private:
   std::string what_else_;
+  bool offers_buttons_ = false;
+  std::optional<KeyboardButtons> keys_;
 };
 
 // Said beforehand, by --in-reset-pose: the arm is held in its reset pose, so nothing has to be confirmed.

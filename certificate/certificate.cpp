@@ -14,10 +14,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // binary32 numbers are written as the binary64 numbers they are, so they come back the same.
-Json parameters_json(LawId law, const Parameters& p) {
-  Json json;
-  if (has_bump_geometry(law)) json = {{"radius_mm", static_cast<double>(p.radius)}, {"width_mm", static_cast<double>(p.width)}};
-  json["stiffness_N_per_mm"] = static_cast<double>(p.stiffness);
+Json parameters_json(const Identity& identity) {
+  Json json = Json::object();
+  for (const auto& [key, value] : identity.parameters) {
+    const auto* number = std::get_if<float>(&value);
+    json[key] = number != nullptr ? Json(static_cast<double>(*number)) : Json(std::get<std::string>(value));
+  }
   return json;
 }
 
@@ -32,7 +34,7 @@ Json comparison_json(const Comparison& found) {
           {"counterexamples", found.counterexamples}};
 }
 
-// After what names the law or the map.
+// After what names the subject.
 void add_findings(Json& json, const Findings& law, bool is_unit) {
   Json properties = Json::array();
   for (const PropertyResult& p : law.properties)
@@ -55,20 +57,13 @@ void add_findings(Json& json, const Findings& law, bool is_unit) {
                {"energy_per_loop", energy}});
 }
 
-Json law_json(const LawResult& law) {
-  Json json{{"law", name_of(law.law)}, {"held", law.held()}, {"parameters", parameters_json(law.law, law.parameters)}};
-  add_findings(json, law, law.is_unit());
-  return json;
-}
-
-Json height_map_json(const HeightMapResult& map) {
-  Json json{{"height_map", map.file},
-            {"held", map.held()},
-            {"map_digest", map.identity.map_digest},
-            {"rendering", name_of(map.identity.rendering)},
-            {"stiffness_N_per_mm", static_cast<double>(map.identity.stiffness)},
-            {"parts", map.parts}};
-  add_findings(json, map, map.is_unit());
+Json subject_json(const SubjectResult& subject) {
+  const Identity& identity = subject.identity;
+  Json json{{"kind", identity.kind}, {"name", identity.name}, {"held", subject.held()}};
+  if (!identity.digest.empty()) json["digest"] = identity.digest;
+  json["parameters"] = parameters_json(identity);
+  if (!subject.parts.empty()) json["parts"] = subject.parts;
+  add_findings(json, subject, subject.unit_directions);
   return json;
 }
 
@@ -76,7 +71,7 @@ Json sweeps_json(const Sweeps& sweeps) {
   Json list = Json::array();
   for (const SweepResult& result : sweeps.results)
     list.push_back({{"law", name_of(result.sweep.law)},
-                    {"parameters", parameters_json(result.sweep.law, result.sweep.parameters)},
+                    {"parameters", parameters_json(identity_of(result.sweep.law, result.sweep.parameters))},
                     {"kind", kSweepKinds[static_cast<std::size_t>(result.sweep.kind)]},
                     {"at_mm", static_cast<double>(result.sweep.at)},
                     {"inputs", result.inputs},
@@ -122,19 +117,16 @@ bool Findings::held() const {
 }
 
 bool Certificate::held() const {
-  const bool is_empty = !has_points() && sweeps.results.empty();
+  const bool is_empty = subjects.empty() && sweeps.results.empty();
   const bool swept = sweeps.results.empty() || (sweeps.is_whole() && sweeps.mismatches() == 0);
-  bool all = true;
-  for_each([&](const Findings& one) { all = all && one.held(); });
-  return !is_empty && swept && all;
+  return !is_empty && swept &&
+         std::all_of(subjects.begin(), subjects.end(), [](const SubjectResult& subject) { return subject.held(); });
 }
 
 std::string to_json(const Certificate& certificate) {
   const Build& build = certificate.build;
-  Json laws = Json::array();
-  for (const LawResult& law : certificate.laws) laws.push_back(law_json(law));
-  Json height_maps = Json::array();
-  for (const HeightMapResult& map : certificate.height_maps) height_maps.push_back(height_map_json(map));
+  Json subjects = Json::array();
+  for (const SubjectResult& subject : certificate.subjects) subjects.push_back(subject_json(subject));
   Json json{{"schema", kCertificateSchema},
             {"held", certificate.held()},
             {"statement", kStatement},
@@ -151,8 +143,7 @@ std::string to_json(const Certificate& certificate) {
             {"processor", certificate.processor},
             {"seed", certificate.seed},
             {"seconds", certificate.seconds},
-            {"laws", laws},
-            {"height_maps", height_maps}};
+            {"subjects", subjects}};
   if (!certificate.sweeps.results.empty()) json["exhaustive"] = sweeps_json(certificate.sweeps);
   refuse_what_is_not_finite(json, "");
   // A file's name need not be UTF-8.

@@ -12,14 +12,14 @@
 #include <vector>
 
 #include "forceshade/certificate/sweep.h"
-#include "forceshade/identity/height_identity.h"
+#include "forceshade/identity/identity.h"
 #include "forceshade/vocabulary/breakdown.h"
 #include "forceshade/vocabulary/law.h"
 #include "forceshade/vocabulary/results.h"
 
 namespace forceshade::properties {
 
-inline constexpr int kCertificateSchema = 5;
+inline constexpr int kCertificateSchema = 6;
 
 // What was checked is this build and no other.
 struct Build {
@@ -58,13 +58,13 @@ struct Comparison {
   bool covers(const std::string& instruction_set) const;
 };
 
-// The same law or map with other parameters, drawn from the domain: the asked-for ones may make every product exact, and
+// The same subject with other parameters, drawn from the domain: the asked-for ones may make every product exact, and
 // then test no rounding.
 struct Spread : Comparison {
   std::uint64_t parameter_sets = 0;
 };
 
-// What was found out about a law or a height map.
+// What was found out about a subject.
 struct Findings : Comparison {
   std::vector<std::string> jumps = {};  // where the force jumps, in words
   bool conservative = false;
@@ -77,43 +77,25 @@ struct Findings : Comparison {
   bool has_held(std::string_view property) const;
 };
 
-struct LawResult : Findings {
-  LawId law = LawId::wall;
-  Parameters parameters;
+// A subject and its findings.
+struct SubjectResult : Findings {
+  Identity identity;
+  std::vector<std::string> parts = {};  // of a height map, in words
+  bool unit_directions = false;         // whether its directions are unit vectors, as far as "unit normals" held
 
-  std::string name() const { return std::string(name_of(law)); }
-  bool is_unit() const { return has_held("unit normals"); }
-};
-
-struct HeightMapResult : Findings {
-  std::string file;  // as it was called; the identity does not hang on it
-  HeightIdentity identity;
-  std::vector<std::string> parts;  // in words
-
-  std::string name() const { return file; }
-  // A conservative map's normal is not one, and should not be.
-  bool is_unit() const { return identity.rendering != height::Rendering::conservative && has_held("unit normals"); }
+  const std::string& name() const { return identity.name; }
 };
 
 struct Certificate {
   Build build;
   std::uint64_t seed = 0;
   double seconds = 0;
-  std::vector<LawResult> laws;  // checked by points and properties
-  Sweeps sweeps;                // checked exhaustively; without results where nothing was
-  std::vector<HeightMapResult> height_maps = {};
-  std::string date = {};       // when it was finished, UTC: 2026-01-31T23:59:59Z
-  std::string processor = {};  // that it was made on, as the processor calls itself
+  std::vector<SubjectResult> subjects;  // checked by points and properties
+  Sweeps sweeps;                        // checked exhaustively; without results where nothing was
+  std::string date = {};                // when it was finished, UTC: 2026-01-31T23:59:59Z
+  std::string processor = {};           // that it was made on, as the processor calls itself
 
   bool held() const;
-  bool has_points() const { return !laws.empty() || !height_maps.empty(); }
-
-  // visit(law) for each of the laws, then for each of the height maps.
-  template <class Visit>
-  void for_each(const Visit& visit) const {
-    for (const LawResult& law : laws) visit(law);
-    for (const HeightMapResult& map : height_maps) visit(map);
-  }
 };
 
 // Names the file, the key, its value and what was expected.
@@ -132,9 +114,8 @@ Certificate from_json(const std::string& text, const std::string& file);
 // larger than a certificate can be.
 std::string read_certificate(const std::string& file);
 
-// Why `certificate` does not let `build` drive this law with these parameters; empty if it does. For the wall, only the
-// stiffness counts. What it must have: docs/certificate.md, "What drive refuses".
-std::optional<std::string> refusal(const Certificate& certificate, const Build& build, LawId law, const Parameters& parameters);
-std::optional<std::string> refusal(const Certificate& certificate, const Build& build, const HeightIdentity& map);
+// Why `certificate` does not let `build` drive this subject; empty if it does. What it must have: docs/certificate.md, "What
+// drive refuses".
+std::optional<std::string> refusal(const Certificate& certificate, const Build& build, const Identity& subject);
 
 }  // namespace forceshade::properties

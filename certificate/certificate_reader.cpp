@@ -45,8 +45,8 @@ Parameters parameters_from(LawId law, Fields fields) {
   return p;
 }
 
-LawId law_id_from(Fields& fields) {
-  const std::string name = fields.text("law");
+LawId law_id_from(Fields& fields, const char* key) {
+  const std::string name = fields.text(key);
   if (const auto id = law_named(name)) return *id;
   throw JsonError("unknown law \"" + name + "\"");
 }
@@ -167,41 +167,70 @@ Findings findings_from(Fields& fields, const Build& build) {
   return found;
 }
 
-// What both say of themselves, when all else is read.
-template <class Result>
-Result with_verdict(Result result, Fields& fields) {
+// A number that is a binary32, or a word.
+IdentityValue value_from(Fields& fields, const std::string& key) {
+  if (fields.any(key.c_str()).is_string()) return fields.text(key.c_str());
+  return fields.binary32(key.c_str());
+}
+
+// The parameters of a kind that has no rules of its own here.
+Identity with_parameters(Identity identity, Fields fields) {
+  for (const std::string& key : fields.keys()) identity.parameters.emplace_back(key, value_from(fields, key));
+  fields.end();
+  return identity;
+}
+
+void expect_rendering(const Identity& map) {
+  const IdentityValue* value = map.parameter("rendering");
+  const std::string word = value == nullptr ? "" : text_of(*value);
+  const auto is_it = [&](const height::RenderingName& one) { return one.name == word; };
+  if (std::none_of(height::kRenderings.begin(), height::kRenderings.end(), is_it))
+    throw JsonError("unknown rendering \"" + word + "\"");
+}
+
+// In the domain of every law and map.
+void expect_stiffness(const Identity& map) {
+  const IdentityValue* value = map.parameter("stiffness_N_per_mm");
+  if (value == nullptr || !std::holds_alternative<float>(*value) || map.parameters.size() != 2)
+    throw JsonError("expected the parameters rendering and stiffness_N_per_mm of a height map");
+  const auto wall = fast::Law::build(LawId::wall, {.stiffness = std::get<float>(*value)});
+  if (const auto* error = std::get_if<ParameterError>(&wall)) throw JsonError(error->message());
+}
+
+Identity identity_from(Fields& fields) {
+  const std::string kind = fields.text("kind");
+  if (kind == kLawKind) {
+    const LawId law = law_id_from(fields, "name");
+    return identity_of(law, parameters_from(law, fields.object("parameters")));
+  }
+  const bool is_map = kind == kHeightMapKind;
+  Identity identity{kind, fields.text("name"), {}, is_map || fields.has("digest") ? digest_from(fields, "digest") : ""};
+  identity = with_parameters(std::move(identity), fields.object("parameters"));
+  if (is_map) {
+    expect_rendering(identity);
+    expect_stiffness(identity);
+  }
+  return identity;
+}
+
+SubjectResult subject_from(Fields& fields, const Build& build) {
+  SubjectResult result{{}, identity_from(fields)};
+  if (result.identity.kind == kHeightMapKind || fields.has("parts")) {
+    result.parts = fields.texts("parts");
+    fields.expect("parts", !result.parts.empty(), "at least one part");
+  }
+  static_cast<Findings&>(result) = findings_from(fields, build);
+  result.unit_directions = fields.flag("unit");
+  const bool may_be_unit = result.has_held("unit normals") && !is_conservative_map(result.identity);
+  const bool must_be_unit = may_be_unit && (result.identity.kind == kLawKind || result.identity.kind == kHeightMapKind);
+  fields.expect("unit", result.unit_directions ? may_be_unit : !must_be_unit, in_words(must_be_unit));
   read_flag(fields, "held", result.held());
-  read_flag(fields, "unit", result.is_unit());
   fields.end();
   return result;
 }
 
-LawResult law_from(Fields& fields, const Build& build) {
-  const LawId id = law_id_from(fields);
-  const Parameters parameters = parameters_from(id, fields.object("parameters"));
-  return with_verdict(LawResult{findings_from(fields, build), id, parameters}, fields);
-}
-
-HeightMapResult height_map_from(Fields& fields, const Build& build) {
-  HeightMapResult result;
-  result.file = fields.text("height_map");
-  result.identity.map_digest = digest_from(fields, "map_digest");
-  const std::string word = fields.text("rendering");
-  const auto* rendering = std::find_if(height::kRenderings.begin(), height::kRenderings.end(),
-                                       [&](const height::RenderingName& name) { return name.name == word; });
-  if (rendering == height::kRenderings.end()) throw JsonError("unknown rendering \"" + word + "\"");
-  result.identity.rendering = rendering->rendering;
-  result.identity.stiffness = fields.binary32("stiffness_N_per_mm");
-  const auto wall = fast::Law::build(LawId::wall, {.stiffness = result.identity.stiffness});
-  if (const auto* error = std::get_if<ParameterError>(&wall)) throw JsonError(error->message());
-  result.parts = fields.texts("parts");
-  fields.expect("parts", !result.parts.empty(), "at least one part");
-  static_cast<Findings&>(result) = findings_from(fields, build);
-  return with_verdict(std::move(result), fields);
-}
-
 SweepResult sweep_from(Fields& fields) {
-  const LawId law = law_id_from(fields);
+  const LawId law = law_id_from(fields, "law");
   const Parameters parameters = parameters_from(law, fields.object("parameters"));
   const std::string word = fields.text("kind");
   const auto kind = std::find(kSweepKinds.begin(), kSweepKinds.end(), word);
@@ -286,8 +315,7 @@ Certificate certificate_from(Fields fields) {
   fields.expect("seconds", certificate.seconds >= 0, "0 or more");
   certificate.date = date_from(fields);
   certificate.processor = fields.text("processor");
-  for (Fields& law : fields.objects("laws")) certificate.laws.push_back(law_from(law, certificate.build));
-  for (Fields& map : fields.objects("height_maps")) certificate.height_maps.push_back(height_map_from(map, certificate.build));
+  for (Fields& subject : fields.objects("subjects")) certificate.subjects.push_back(subject_from(subject, certificate.build));
   if (fields.has("exhaustive")) certificate.sweeps = sweeps_from(fields.object("exhaustive"));
   read_flag(fields, "held", certificate.held());
   fields.end();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Every call of a renderer against the reference, at positions from a source.
+// Every call of a subject's renderer against its reference.
 
 #include <algorithm>
 #include <limits>
@@ -11,26 +11,25 @@
 
 #include "forceshade/certificate/tally.h"
 #include "forceshade/properties/binary32.h"
-#include "forceshade/properties/calls.h"
 #include "forceshade/properties/equivalence.h"
-#include "forceshade/properties/positions.h"
+#include "forceshade/properties/subject.h"
 
 namespace forceshade::properties {
 
-// The next `count` positions of a source, each with what the reference says of it. A position is wrong for the first of its
-// calls that is.
+// The next `count` positions of a source, one path through the subject, each with what the reference says of it. A position is
+// wrong for the first of its calls that is.
 class Chunk {
  public:
-  template <class Reference, class Source>
-  Chunk(const Calls& calls, const Reference& reference, Source& source, std::uint64_t count, Tally& tally)
-      : calls_(calls), wrong_(count) {
+  Chunk(const Subject& subject, Positions& source, std::uint64_t count, Tally& tally) : calls_(subject.calls()), wrong_(count) {
+    const auto session = calls_.open();
+    const auto reference = subject.open_reference();
     for (std::uint64_t i = 0; i < count; ++i) {
       const Aimed aimed = source.next();
       positions_.push_back(aimed.position);
-      const fast::Evaluation answer = calls.evaluate(aimed.position);
+      const fast::Evaluation answer = session->step(aimed.position);
       ++tally.aims[static_cast<std::size_t>(aimed.aim)];
       ++tally.stages[static_cast<std::size_t>(answer.stage)];
-      exact_.push_back(rounded(reference, answer, i));
+      exact_.push_back(rounded(*reference, answer, i));
       const reference::Rounded& exact = exact_.back();
       ++tally.methods[static_cast<std::size_t>(exact.method)];
       ++tally.statuses[static_cast<std::size_t>(exact.status)];
@@ -42,10 +41,11 @@ class Chunk {
   }
 
   // By the code of each instruction set that this machine has: all positions at once, and one by one where that is other code.
+  // A renderer without a batch call has no code of its own in any set: its single call stands for all of them.
   void compare_sets(Tally& tally) {
     for (const fast::InstructionSet set : fast::kInstructionSets) {
       if (!fast::is_available(set)) continue;
-      compare(set, positions_.size(), "the batch call (");
+      if (calls_.batch) compare(set, positions_.size(), "the batch call (");
       if (calls_.single_depends_on_set) compare(set, 1, "the single call (");
       tally.sets[static_cast<std::size_t>(set)] += positions_.size();
     }
@@ -59,10 +59,9 @@ class Chunk {
 
  private:
   // Where the reference does not decide, that is a fault, and the answer stands for what is not known.
-  template <class Reference>
-  reference::Rounded rounded(const Reference& reference, const fast::Evaluation& answer, std::uint64_t i) {
+  reference::Rounded rounded(ReferenceSession& reference, const fast::Evaluation& answer, std::uint64_t i) {
     try {
-      return reference.round_to_binary32(positions_[i]);
+      return reference.step(positions_[i]);
     } catch (const std::domain_error& error) {
       fault(i, not_decided(positions_[i], error));
       reference::Rounded unknown{answer.force, answer.status};
@@ -102,11 +101,11 @@ class Chunk {
   std::vector<std::optional<std::string>> wrong_;
 };
 
-// Compares `count` positions of `source`, in chunk `number`.
-template <class Reference, class Source>
-void compare_chunk(const Calls& calls, const Reference& reference, Source source, std::uint64_t count, std::uint64_t number,
-                   const std::string& who, Tally& tally) {
-  Chunk chunk(calls, reference, source, count, tally);
+// Compares `count` positions of the subject's stream of this seed, in chunk `number`.
+inline void compare_chunk(const Subject& subject, std::uint64_t seed, std::uint64_t count, std::uint64_t number,
+                          const std::string& who, Tally& tally) {
+  const auto source = subject.positions(seed);
+  Chunk chunk(subject, *source, count, tally);
   chunk.compare_sets(tally);
   chunk.count_mismatches(number, who, tally);
 }

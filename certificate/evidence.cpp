@@ -20,7 +20,10 @@ std::string some(std::uint64_t count, const std::string& word) {
 
 // The product of wall and bump-1p is exact in binary64. The flat surface of bump-1p-shaded is decided by z alone; what its
 // binary64 leaves open is almost always a tie or nearly so, which only a wide number can decide.
-Names stages_of(LawId law) {
+Names stages_of(const Identity& identity) {
+  const auto its = law_of(identity);
+  if (!its) return {"binary64"};
+  const LawId law = its->law;
   if (law == LawId::wall || law == LawId::bump_1p) return {"binary64"};
   if (law == LawId::bump_1p_shaded) return {"binary64", "wide"};
   return {kStageNames.begin(), kStageNames.end()};
@@ -39,13 +42,17 @@ std::optional<std::string> too_few(const Comparison& found, const std::string& n
   return std::nullopt;
 }
 
-std::optional<std::string> lacking(const Findings& found, const std::string& name, std::uint64_t least, Names stages) {
+}  // namespace
+
+std::optional<std::string> lacking(const SubjectResult& found) {
+  const std::string& name = found.name();
+  const std::uint64_t least = points_of_kind(found.identity.kind);
   if (auto words = too_few(found, name, "", least)) return words;
   if (auto words = too_few(found.spread, name, " with other parameters", spread_points(least))) return words;
   const auto lacks = [&](const std::string& what, const std::string& needed) {
     return "the certificate has " + what + " for " + name + "; driving needs " + needed;
   };
-  for (const std::string_view stage : stages)
+  for (const std::string_view stage : stages_of(found.identity))
     if (count_in(found.points_by_stage, stage) + count_in(found.spread.points_by_stage, stage) == 0)
       return lacks("no point that the stage \"" + std::string(stage) + "\" decided", "some of each stage");
   for (const std::string_view status : kStatusNames)
@@ -55,16 +62,6 @@ std::optional<std::string> lacking(const Findings& found, const std::string& nam
     if (const std::uint64_t needed = cases_of(property.name, kCases); property.cases < needed)
       return lacks(some(property.cases, "case") + " of " + property.name, "at least " + std::to_string(needed));
   return std::nullopt;
-}
-
-}  // namespace
-
-std::optional<std::string> lacking(const LawResult& law) {
-  return lacking(law, law.name(), kPointsOfALaw, stages_of(law.law));
-}
-
-std::optional<std::string> lacking(const HeightMapResult& map) {
-  return lacking(map, map.name(), kPointsOfAHeightMap, {"binary64"});
 }
 
 }  // namespace forceshade::properties

@@ -11,8 +11,12 @@
 
 namespace forceshade::properties {
 
-inline constexpr std::uint64_t kPointsOfALaw = 1000000, kPointsOfAHeightMap = 200000;  // the reference is slower for maps
-inline constexpr std::uint64_t kCases = 2000;                                          // per property
+inline constexpr std::uint64_t kCases = 2000;  // per property
+
+// Points of a subject of this kind. The reference is slower for height maps than for laws.
+constexpr std::uint64_t points_of_kind(std::string_view kind) {
+  return kind == kLawKind ? 1000000 : 200000;
+}
 
 // Points of a certificate's spread over other parameters: a quarter as many as with those asked for, one at least.
 constexpr std::uint64_t spread_points(std::uint64_t points) {
@@ -20,9 +24,8 @@ constexpr std::uint64_t spread_points(std::uint64_t points) {
 }
 
 // What is too little for driving, in words: "the certificate has 1 point for wall; driving needs at least 1000000". Each aim
-// must be reached, with the parameters asked for and in the spread, and each stage that the law can reach in one of them. Which
-// stages a height map can reach depends on its parts: binary64 is all that is expected of it.
-std::optional<std::string> lacking(const LawResult& law);
-std::optional<std::string> lacking(const HeightMapResult& map);
+// must be reached, with the parameters asked for and in the spread, and each stage that a law can reach in one of them. Which
+// stages another subject can reach depends on what it is made of: binary64 is all that is expected of it.
+std::optional<std::string> lacking(const SubjectResult& subject);
 
 }  // namespace forceshade::properties

@@ -56,6 +56,12 @@ const Json& Fields::any(const char* key) {
   return *found;
 }
 
+std::vector<std::string> Fields::keys() const {
+  std::vector<std::string> all;
+  for (const auto& member : json_->items()) all.push_back(member.key());
+  return all;
+}
+
 void Fields::expect(const char* key, bool is_right, const std::string& expected) const {
   if (!is_right) refuse(key, json_->at(key), expected);
 }

@@ -45,6 +45,7 @@ class Fields {
   std::array<double, 2> interval(const char* key);  // from a lower to a higher number
   const nlohmann::json& any(const char* key);
   bool has(const char* key) const { return json_->contains(key); }
+  std::vector<std::string> keys() const;  // in the order of their bytes
 
   // Refuses the member unless it is as the rest of the certificate says it must be.
   void expect(const char* key, bool is_right, const std::string& expected) const;

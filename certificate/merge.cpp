@@ -75,7 +75,7 @@ Certificate merged(std::vector<CertificateFile> files) {
     return a.certificate.sweeps.first < b.certificate.sweeps.first;
   });
   for (const CertificateFile& part : of_sweeps)
-    if (part.certificate.has_points()) throw CertificateError(part.name + ": is merged already");
+    if (!part.certificate.subjects.empty()) throw CertificateError(part.name + ": is merged already");
   Certificate result =
       certificate_of_points.empty() ? of_sweeps.front().certificate : certificate_of_points.front().certificate;
   result.sweeps = joined(of_sweeps);

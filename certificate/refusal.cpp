@@ -5,7 +5,6 @@
 
 #include "forceshade/certificate/certificate.h"
 #include "forceshade/certificate/evidence.h"
-#include "forceshade/vocabulary/number_text.h"
 
 namespace forceshade::properties {
 namespace {
@@ -34,10 +33,9 @@ std::optional<std::string> uncovered_set(const Findings& found, const std::strin
 }
 
 // Of entries that are for what is to be driven, not empty: nothing where one of them is enough.
-template <class Result>
-std::optional<std::string> insufficient(const std::vector<const Result*>& entries, const Build& build) {
+std::optional<std::string> insufficient(const std::vector<const SubjectResult*>& entries, const Build& build) {
   std::optional<std::string> why;
-  for (const Result* entry : entries) {
+  for (const SubjectResult* entry : entries) {
     auto one = lacking(*entry);
     if (!one) one = uncovered_set(*entry, entry->name(), build);
     if (!one) return std::nullopt;
@@ -47,78 +45,45 @@ std::optional<std::string> insufficient(const std::vector<const Result*>& entrie
 }
 
 std::optional<std::string> nothing_but_sweeps(const Certificate& certificate) {
-  if (certificate.has_points()) return std::nullopt;
+  if (!certificate.subjects.empty()) return std::nullopt;
   return "the certificate has sweeps only; driving needs one of points and properties too, which 'forceshade certify merge' "
          "joins "
          "to them";
 }
 
-std::string words_of(LawId law, const Parameters& p) {
-  const std::string bump =
-      has_bump_geometry(law) ? "radius " + shortest(p.radius) + " mm, width " + shortest(p.width) + " mm, " : "";
-  return bump + "stiffness " + shortest(p.stiffness) + " N/mm";
-}
-
-bool same_parameters(LawId law, const Parameters& a, const Parameters& b) {
-  return a.stiffness == b.stiffness && (!has_bump_geometry(law) || (a.radius == b.radius && a.width == b.width));
+// Why none of the entries of its kind is alike.
+std::string another(const Identity& subject, const std::vector<const SubjectResult*>& of_its_kind) {
+  if (of_its_kind.empty() || subject.digest.empty())
+    return "the certificate does not cover the " + subject.kind + ' ' + subject.name;
+  const Identity& its = of_its_kind.front()->identity;
+  return "the certificate covers another " + subject.kind + ": expected the digest " + subject.digest + ", got " + its.digest +
+         " (" + its.name + ')';
 }
 
 }  // namespace
 
-std::optional<std::string> refusal(const Certificate& certificate, const Build& build, LawId law,
-                                   const Parameters& parameters) {
-  const std::string name(name_of(law));
+std::optional<std::string> refusal(const Certificate& certificate, const Build& build, const Identity& subject) {
   if (auto other = other_build(certificate.build, build)) return other;
   if (auto sweeps_only = nothing_but_sweeps(certificate)) return sweeps_only;
-  // One that failed speaks against the law, whatever its parameters.
-  bool failed = std::any_of(certificate.sweeps.results.begin(), certificate.sweeps.results.end(),
-                            [&](const SweepResult& r) { return r.sweep.law == law && r.mismatches > 0; });
-  std::vector<const LawResult*> entries;
-  const LawResult* other = nullptr;
-  for (const LawResult& result : certificate.laws) {
-    if (result.law != law) continue;
+  // One that failed speaks against the subject, whatever its parameters.
+  bool failed = std::any_of(certificate.sweeps.results.begin(), certificate.sweeps.results.end(), [&](const SweepResult& r) {
+    return subject.kind == kLawKind && name_of(r.sweep.law) == subject.name && r.mismatches > 0;
+  });
+  std::vector<const SubjectResult*> of_its_kind, alike, same;
+  for (const SubjectResult& result : certificate.subjects) {
+    if (result.identity.kind != subject.kind) continue;
+    of_its_kind.push_back(&result);
+    if (!result.identity.is_alike(subject)) continue;
+    alike.push_back(&result);
     failed = failed || !result.held();
-    if (same_parameters(law, result.parameters, parameters))
-      entries.push_back(&result);
-    else
-      other = &result;
+    if (result.identity.is_same(subject)) same.push_back(&result);
   }
-  if (entries.empty() && other == nullptr) return "the certificate does not cover the law " + name;
-  if (entries.empty())
-    return "the certificate covers " + name + " with other parameters: expected " + words_of(law, parameters) + "; got " +
-           words_of(law, other->parameters);
-  if (failed) return "the certificate says that " + name + " failed";
-  return insufficient(entries, build);
-}
-
-std::optional<std::string> refusal(const Certificate& certificate, const Build& build, const HeightIdentity& map) {
-  if (auto other = other_build(certificate.build, build)) return other;
-  if (auto sweeps_only = nothing_but_sweeps(certificate)) return sweeps_only;
-  if (certificate.height_maps.empty()) return "the certificate covers no height map";
-  // The one that is most alike says best what differs.
-  const auto likeness = [&](const HeightMapResult& covered) {
-    const HeightIdentity& its = covered.identity;
-    return 4 * (its.map_digest == map.map_digest) + 2 * (its.rendering == map.rendering) + (its.stiffness == map.stiffness);
-  };
-  const auto covered = std::max_element(certificate.height_maps.begin(), certificate.height_maps.end(),
-                                        [&](const auto& a, const auto& b) { return likeness(a) < likeness(b); });
-  const HeightIdentity& its = covered->identity;
-  const auto differs = [](const std::string& what, const std::string& expected, const std::string& got) {
-    return "the certificate covers a height map with another " + what + ": expected " + expected + ", got " + got;
-  };
-  if (its.map_digest != map.map_digest)
-    return differs("shape", "map digest " + map.map_digest, its.map_digest + " (" + covered->file + ')');
-  if (its.rendering != map.rendering)
-    return differs("rendering", std::string(name_of(map.rendering)), std::string(name_of(its.rendering)));
-  if (its.stiffness != map.stiffness)
-    return differs("stiffness", shortest(map.stiffness) + " N/mm", shortest(its.stiffness) + " N/mm");
-  std::vector<const HeightMapResult*> entries;
-  for (const HeightMapResult& result : certificate.height_maps) {
-    if (result.identity.map_digest != map.map_digest) continue;
-    if (!result.held()) return "the certificate says that the height map " + result.file + " failed";
-    if (result.identity == map) entries.push_back(&result);
-  }
-  return insufficient(entries, build);
+  if (alike.empty()) return another(subject, of_its_kind);
+  if (same.empty())
+    return "the certificate covers " + subject.name + " with other parameters: expected " + parameters_in_words(subject) +
+           "; got " + parameters_in_words(alike.back()->identity);
+  if (failed) return "the certificate says that " + subject.name + " failed";
+  return insufficient(same, build);
 }
 
 }  // namespace forceshade::properties

@@ -2,6 +2,8 @@
 #pragma once
 // The person who prepares a device: what a device has to say to them, and what it needs them to do.
 
+#include <atomic>
+#include <cstdint>
 #include <string>
 
 namespace forceshade::device {
@@ -21,6 +23,11 @@ class Attendant {
 
   // Whether they have given up waiting.
   virtual bool has_left() const noexcept { return false; }
+
+  // Buttons for a device that has none of its own: bit k is set while they hold button k down. As long as they live; null if
+  // they have none to offer.
+  static constexpr int kButtons = 2;  // as many as the stylus of a Touch has
+  virtual const std::atomic<std::uint16_t>* buttons() noexcept { return nullptr; }
 };
 
 }  // namespace forceshade::device

@@ -16,8 +16,9 @@ std::unique_ptr<Device> open_device(const std::string& name, Attendant& attendan
   if (name.starts_with(kReplay) && name.size() > kReplay.size())
     return std::make_unique<Replay>(Replay::load(name.substr(kReplay.size())));
   constexpr std::string_view kSimulated = "simulated";
-  if (name == kSimulated) return open_simulated("");
-  if (name.starts_with(kSimulated) && name[kSimulated.size()] == ':') return open_simulated(name.substr(kSimulated.size() + 1));
+  if (name == kSimulated) return open_simulated("", attendant);
+  if (name.starts_with(kSimulated) && name[kSimulated.size()] == ':')
+    return open_simulated(name.substr(kSimulated.size() + 1), attendant);
   constexpr std::string_view kPhantom = "phantom";
   if (name == kPhantom) return open_phantom("", attendant, forces);
   if (name.starts_with(kPhantom) && name[kPhantom.size()] == ':' && name.size() > kPhantom.size() + 1)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// One tick as a recording keeps it, and who takes it while the loop runs.
+// One tick as a recording keeps it, and who takes it while the loop runs. Position and forces are in the frame of the law or
+// map, which is the device's unless it was placed elsewhere (device/placement.h).
 
 #include <array>
 #include <cstdint>

@@ -13,6 +13,7 @@
 
 #include "forceshade/csv/csv.h"
 #include "forceshade/device/monotonic.h"
+#include "forceshade/fast/law.h"
 
 namespace forceshade::device {
 namespace {
@@ -69,9 +70,9 @@ std::array<float, 3> array(const Eigen::Vector3f& v) noexcept {
   return {v.x(), v.y(), v.z()};
 }
 
-Sample sample_of(const Reading& reading) noexcept {
+Sample sample_of(const Reading& reading, const Placement& placement) noexcept {
   Sample sample{.device_time = reading.time};
-  sample.position = array(reading.position);
+  sample.position = array(placement.to_subject(reading.position));
   if (reading.encoder) sample.encoder = *reading.encoder;
   if (reading.gimbal) sample.gimbal = array(*reading.gimbal);
   sample.buttons = reading.buttons;
@@ -81,9 +82,9 @@ Sample sample_of(const Reading& reading) noexcept {
 // Everything that a run needs, made before its first tick.
 class Run {
  public:
-  Run(Device& device, const fast::Renderer& renderer, const ServoOptions& options, const std::atomic<bool>& stop)
+  Run(Device& device, fast::Session& session, const ServoOptions& options, const std::atomic<bool>& stop)
       : device_(device),
-        renderer_(renderer),
+        session_(session),
         options_(options),
         stop_(stop),
         period_(std::llround(1e9 / options.rate_hz)),
@@ -142,7 +143,7 @@ class Run {
   }
 
   Device& device_;
-  const fast::Renderer& renderer_;
+  fast::Session& session_;
   const ServoOptions& options_;
   const std::atomic<bool>& stop_;
   std::int64_t period_, start_ = 0, due_ = 0, computed_ = 0;  // ns; the last: processor time when the tick began
@@ -193,11 +194,12 @@ void Run::tick() noexcept {
 
 void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t read_at) noexcept {
   const std::int64_t latency = options_.paced ? woken_at - due_ : 0;
-  const fast::Evaluation evaluation = renderer_.evaluate(reading.position);
-  Verdict verdict{.force = evaluation.force};
+  const Placement& placement = options_.placement;
+  const fast::Evaluation evaluation = session_.step(placement.to_subject(reading.position));
+  const Eigen::Vector3f wanted = placement.turned_to_device(evaluation.force);
+  Verdict verdict{.force = wanted};
   if (supervisor_)
-    verdict = supervisor_->supervise(reading, device_.state(), evaluation.force, evaluation.status,
-                                     static_cast<double>(latency) / 1e9);
+    verdict = supervisor_->supervise(reading, device_.state(), wanted, evaluation.status, static_cast<double>(latency) / 1e9);
   const Eigen::Vector3f force = controller_->passed(reading, verdict.force);
   if (supervisor_) supervisor_->commanded(force, controller_->account().forgiven);
   device_.allow(controller_->allowance());
@@ -212,12 +214,12 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
   if (options_.paced) wakeup_.add(latency);
   compute_.add(commanded_at - read_at);
   tick_.add(commanded_at - woken_at);
-  Sample sample = sample_of(reading);
+  Sample sample = sample_of(reading, placement);
   sample.wall_ns = read_at - start_;
   sample.compute_ns = commanded_at - read_at;
   sample.wakeup_ns = latency;
   sample.law_force = array(evaluation.force);
-  sample.force = array(force);
+  sample.force = array(placement.turned_to_subject(force));
   sample.status = static_cast<std::uint8_t>(evaluation.status);
   sample.late = late;
   sample.limited = verdict.limited.bits();
@@ -233,7 +235,7 @@ void Run::finish() noexcept {
   result.end_reason = *end_;
   const std::int64_t elapsed = std::max<std::int64_t>(monotonic_now() - start_, 1);
   result.achieved_rate_hz = static_cast<double>(result.ticks) / (static_cast<double>(elapsed) / 1e9);
-  Sample sample = sample_of(last_);
+  Sample sample = sample_of(last_, options_.placement);
   sample.wall_ns = elapsed;
   sample.status = Sample::kEnd;
   push(sample);
@@ -252,11 +254,10 @@ std::string_view name_of(EndReason reason) noexcept {
   return "device fault";
 }
 
-ServoResult run_servo_loop(Device& device, const fast::Renderer& renderer, const ServoOptions& options,
-                           const std::atomic<bool>& stop) {
+ServoResult run_servo_loop(Device& device, fast::Session& session, const ServoOptions& options, const std::atomic<bool>& stop) {
   if (const char* fault = fast::arithmetic_fault()) throw FloatingPointModeError(fault);
   check(options, device.capabilities());
-  const auto run = std::make_unique<Run>(device, renderer, options, stop);
+  const auto run = std::make_unique<Run>(device, session, options, stop);
   {
     std::optional<RealTime> real_time;
     if (options.paced) run->result.privileges = real_time.emplace(options.cpu).granted();

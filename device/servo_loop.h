@@ -12,11 +12,12 @@
 
 #include "forceshade/device/device.h"
 #include "forceshade/device/passivity_controller.h"
+#include "forceshade/device/placement.h"
 #include "forceshade/device/real_time.h"
 #include "forceshade/device/sample.h"
 #include "forceshade/device/supervisor.h"
 #include "forceshade/device/timing.h"
-#include "forceshade/fast/renderer.h"
+#include "forceshade/fast/session.h"
 
 namespace forceshade::device {
 
@@ -49,6 +50,10 @@ struct ServoOptions {
 
   // To be held down, else there is no force.
   std::optional<int> dead_man_button = std::nullopt;
+
+  // Where the law or map lies. The device, the supervisor and the passivity controller keep to the device's frame; the law is
+  // given the position in its own frame, rounded, and the samples hold that position, and forces, in the law's frame.
+  Placement placement = {};
 
   // Each given every tick as it happens, and the zero force that ends the run.
   std::vector<SampleSink*> sinks = {};
@@ -98,7 +103,16 @@ struct FloatingPointModeError : std::runtime_error {
 // Between the first reading and that command nothing is allocated, locked, written or thrown.
 // Before them, throws FloatingPointModeError, or std::invalid_argument for an option out of range or a device that does not
 // know its own limits.
-ServoResult run_servo_loop(Device& device, const fast::Renderer& renderer, const ServoOptions& options,
-                           const std::atomic<bool>& stop);
+ServoResult run_servo_loop(Device& device, fast::Session& session, const ServoOptions& options, const std::atomic<bool>& stop);
+
+// Of a law or a height map.
+template <class Field>
+requires requires(const Field& field) {
+  field.evaluate(Eigen::Vector3f());
+}
+ServoResult run_servo_loop(Device& device, const Field& field, const ServoOptions& options, const std::atomic<bool>& stop) {
+  fast::FieldSession<Field> session(field);
+  return run_servo_loop(device, static_cast<fast::Session&>(session), options, stop);
+}
 
 }  // namespace forceshade::device

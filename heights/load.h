@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A sampled height map from an image or array file: PNG (8 or 16 bit greyscale), TIFF (binary32), PFM (greyscale) or NPY
-// (binary32 or binary64, two dimensions), told apart by how the file begins.
+// A sampled height map from an image or array file: greyscale PNG, TIFF and PFM, or NPY of two dimensions, told apart by how
+// the file begins. Whole and binary numbers of 8 to 64 bits: the table in docs/height-maps.md says how each becomes a height.
 
 #include <filesystem>
 #include <memory>
@@ -21,8 +21,8 @@ class Error : public std::runtime_error {
 struct Source {
   std::filesystem::path file;
   float pitch = 0;  // mm between samples
-  // mm: the height of white in a PNG, where black is 0; of 1 in the other formats. Negative turns the surface upside down; its
-  // size is at least 2^-30 mm, below which every height would be read as 0.
+  // mm: the height of white in a PNG or a TIFF of unsigned numbers, where black is 0; of 1 in all other files. Negative turns
+  // the surface upside down; its size is at least 2^-30 mm, below which every height would be read as 0.
   float scale = 0;
   height::Edge edge = height::Edge::clamp;
   height::Interpolant interpolant = height::Interpolant::cubic_spline;

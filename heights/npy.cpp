@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// NPY, NumPy's own format, versions 1 to 3: a magic, the header's length, a Python dictionary, the numbers row by row.
+// NPY, NumPy's own format, versions 1 to 3: a magic, the header's length, a Python dictionary, the numbers row by row or
+// column by column.
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <map>
@@ -33,15 +35,45 @@ std::string read_header(std::ifstream& in, const std::filesystem::path& file) {
   return header;
 }
 
-// The numbers of an array, which fill the rest of the file.
+// The heights of an array, whose numbers fill the rest of the file.
 template <class T>
-std::vector<T> read_numbers(std::ifstream& in, std::size_t count, bool reversed, const std::filesystem::path& file) {
-  std::vector<T> numbers(count);
-  if (!in.read(reinterpret_cast<char*>(numbers.data()), static_cast<std::streamsize>(count * sizeof(T))))
-    throw Error(file, "is truncated");
-  if (in.peek() != EOF) throw Error(file, "goes on after its last number");
+void read_numbers(std::ifstream& in, bool reversed, bool by_column, Samples& samples) {
+  std::vector<T> numbers(samples.values.size());
+  if (!in.read(reinterpret_cast<char*>(numbers.data()), static_cast<std::streamsize>(numbers.size() * sizeof(T))))
+    throw Error(samples.source->file, "is truncated");
+  if (in.peek() != EOF) throw Error(samples.source->file, "goes on after its last number");
   if (reversed) reverse_bytes(numbers);
-  return numbers;
+  // Whole numbers beyond 2^53 are no heights at any scale, so it does not matter how they are rounded here.
+  for (std::uint32_t row = 0; row < samples.rows; ++row)
+    samples.put_row(row, [&](std::size_t column) {
+      return static_cast<double>(
+          numbers[by_column ? column * samples.rows + row : std::size_t{row} * samples.columns + column]);
+    });
+}
+
+struct Type {
+  std::string_view name;  // as NumPy writes it, behind the character of the byte order
+  std::uint64_t bytes;
+  void (*read)(std::ifstream& in, bool reversed, bool by_column, Samples& samples);
+};
+constexpr std::array<Type, 10> kTypes{{{"u1", 1, &read_numbers<std::uint8_t>},
+                                       {"u2", 2, &read_numbers<std::uint16_t>},
+                                       {"u4", 4, &read_numbers<std::uint32_t>},
+                                       {"u8", 8, &read_numbers<std::uint64_t>},
+                                       {"i1", 1, &read_numbers<std::int8_t>},
+                                       {"i2", 2, &read_numbers<std::int16_t>},
+                                       {"i4", 4, &read_numbers<std::int32_t>},
+                                       {"i8", 8, &read_numbers<std::int64_t>},
+                                       {"f4", 4, &read_numbers<float>},
+                                       {"f8", 8, &read_numbers<double>}}};
+
+// A number of one byte has no order of bytes, which NumPy writes as |.
+const Type* type_named(std::string_view name) {
+  for (const Type& type : kTypes)
+    if (name.substr(std::min<std::size_t>(1, name.size())) == type.name &&
+        (type.bytes == 1 ? name[0] == '|' : name[0] == '<' || name[0] == '>'))
+      return &type;
+  return nullptr;
 }
 
 // Reads a text from its front.
@@ -110,29 +142,23 @@ std::optional<std::array<std::uint64_t, 2>> two_numbers(std::string_view tuple) 
 
 }  // namespace
 
-Samples read_npy(const std::filesystem::path& file) {
+Samples read_npy(const Source& source) {
+  const std::filesystem::path& file = source.file;
   std::ifstream in(file, std::ios::binary);
   const std::string header = read_header(in, file);
   const auto entries = entries_of(header);
   if (!entries) throw Error(file, "has no NPY header: expected a dictionary of descr, fortran_order and shape");
-  const std::string &type = entries->at("descr"), &order = entries->at("fortran_order");
-  const bool is_little = type.starts_with('<'), is_binary64 = type.ends_with("f8");
-  if (type != "<f4" && type != ">f4" && type != "<f8" && type != ">f8")
-    throw Error(file, "holds numbers of type " + type + "; expected binary32 or binary64: <f4, >f4, <f8 or >f8");
-  if (order != "False") throw Error(file, "is not stored row by row: expected fortran_order False, got " + order);
+  const std::string &name = entries->at("descr"), &order = entries->at("fortran_order");
+  const Type* type = type_named(name);
+  if (type == nullptr)
+    throw Error(file,
+                "holds numbers of type " + name + "; expected |u1, |i1, or < or > and one of u2, u4, u8, i2, i4, i8, f4, f8");
+  if (order != "False" && order != "True") throw Error(file, "has fortran_order " + order + "; expected True or False");
   const auto shape = two_numbers(entries->at("shape"));
   if (!shape) throw Error(file, "is of shape (" + entries->at("shape") + "); expected two dimensions");
-  const bool reversed = is_little != (std::endian::native == std::endian::little);
-  Samples samples = allocate(file, (*shape)[1], (*shape)[0], is_binary64 ? 8 : 4, 1);
-  const auto fill = [&](const auto& numbers) {
-    for (std::uint32_t row = 0; row < samples.rows; ++row)
-      for (std::uint32_t column = 0; column < samples.columns; ++column)
-        samples.row_from_top(row)[column] = static_cast<float>(numbers[std::size_t{row} * samples.columns + column]);
-  };
-  if (is_binary64)
-    fill(read_numbers<double>(in, samples.values.size(), reversed, file));
-  else
-    fill(read_numbers<float>(in, samples.values.size(), reversed, file));
+  const bool is_little = !name.starts_with('>');
+  Samples samples = allocate(source, (*shape)[1], (*shape)[0], type->bytes, 1);
+  type->read(in, is_little != (std::endian::native == std::endian::little), order == "True", samples);
   return samples;
 }
 

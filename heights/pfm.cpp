@@ -36,7 +36,8 @@ T number_of(std::ifstream& in, const std::filesystem::path& file, const char* ex
 
 }  // namespace
 
-Samples read_pfm(const std::filesystem::path& file) {
+Samples read_pfm(const Source& source) {
+  const std::filesystem::path& file = source.file;
   std::ifstream in(file, std::ios::binary);
   if (word_of(in) != "Pf") throw Error(file, "has no PFM header: expected the word Pf");
   const auto columns = number_of<std::uint64_t>(in, file, "a number of columns");
@@ -45,16 +46,20 @@ Samples read_pfm(const std::filesystem::path& file) {
   // Its size would be a second scale beside the caller's, and writers do not agree on what it means.
   if (scale != 1 && scale != -1)
     throw Error(file, "declares a scale of " + std::to_string(scale) + "; expected 1 or -1, whose sign is the order of bytes");
-  Samples samples = allocate(file, columns, rows, sizeof(float), 1);
+  Samples samples = allocate(source, columns, rows, sizeof(float), 1);
+  std::vector<float> row(samples.columns);
   const std::uint64_t bytes = samples.values.size() * sizeof(float), held = std::filesystem::file_size(file);
   in.unget();
   if (in.get() == '\r' && in.peek() == '\n') in.get();
   const auto begin = static_cast<std::uint64_t>(in.tellg());
   if (held > begin + bytes)
     throw Error(file, "goes on for " + std::to_string(held - begin - bytes) + " bytes after its last number");
-  if (!in.read(reinterpret_cast<char*>(samples.values.data()), static_cast<std::streamsize>(bytes)))
-    throw Error(file, "is truncated");
-  if ((scale < 0) != (std::endian::native == std::endian::little)) reverse_bytes(samples.values);
+  for (std::uint32_t up = 0; up < samples.rows; ++up) {
+    if (!in.read(reinterpret_cast<char*>(row.data()), static_cast<std::streamsize>(row.size() * sizeof(float))))
+      throw Error(file, "is truncated");
+    if ((scale < 0) != (std::endian::native == std::endian::little)) reverse_bytes(row);
+    samples.put_row(samples.rows - 1 - up, [&](std::size_t column) { return static_cast<double>(row[column]); });
+  }
   return samples;
 }
 

@@ -20,7 +20,8 @@ void ignore_warning(png_structp, png_const_charp) {}
 
 class Reader {
  public:
-  explicit Reader(const std::filesystem::path& file) : file_(file), stream_(std::fopen(file.c_str(), "rb"), &std::fclose) {
+  explicit Reader(const Source& source)
+      : source_(source), file_(source.file), stream_(std::fopen(source.file.c_str(), "rb"), &std::fclose) {
     png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, message_, &keep_message, &ignore_warning);
     info_ = png_ == nullptr ? nullptr : png_create_info_struct(png_);
     if (info_ == nullptr) return;
@@ -39,14 +40,15 @@ class Reader {
     if (png_get_color_type(png_, info_) != PNG_COLOR_TYPE_GRAY || depth < 8) throw Error(file_, "is not 8 or 16 bit greyscale");
     const auto bytes = static_cast<std::uint32_t>(depth / 8);
     if (png_get_interlace_type(png_, info_) != PNG_INTERLACE_NONE) throw Error(file_, "is interlaced");
-    Samples samples = allocate(file_, png_get_image_width(png_, info_), png_get_image_height(png_, info_), bytes, kCompressed);
+    Samples samples =
+        allocate(source_, png_get_image_width(png_, info_), png_get_image_height(png_, info_), bytes, kCompressed);
     std::vector<unsigned char> row(std::size_t{samples.columns} * bytes);
     const float white = depth == 8 ? 255 : 65535;
     for (std::uint32_t i = 0; i < samples.rows; ++i) {
       if (!read_row(row.data())) throw Error(file_, message_);
-      float* to = samples.row_from_top(i);
-      for (std::size_t k = 0; k < samples.columns; ++k)
-        to[k] = static_cast<float>(bytes == 1 ? row[k] : 256 * row[2 * k] + row[2 * k + 1]) / white;
+      samples.put_row(i, [&](std::size_t k) {
+        return static_cast<double>(static_cast<float>(bytes == 1 ? row[k] : 256 * row[2 * k] + row[2 * k + 1]) / white);
+      });
     }
     if (!read_end()) throw Error(file_, message_);
     if (std::fgetc(stream_.get()) != EOF) throw Error(file_, "goes on after its end");
@@ -85,6 +87,7 @@ class Reader {
     return true;
   }
 
+  const Source& source_;
   const std::filesystem::path& file_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream_;
   png_structp png_ = nullptr;
@@ -94,8 +97,8 @@ class Reader {
 
 }  // namespace
 
-Samples read_png(const std::filesystem::path& file) {
-  return Reader(file).read();
+Samples read_png(const Source& source) {
+  return Reader(source).read();
 }
 
 }  // namespace forceshade::heights

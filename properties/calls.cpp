@@ -3,12 +3,24 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace forceshade::properties {
+namespace {
+
+// A field that many sessions share.
+template <class Field>
+struct Shared {
+  std::shared_ptr<const Field> field;
+
+  fast::Evaluation evaluate(const Eigen::Vector3f& position) const noexcept { return field->evaluate(position); }
+};
+
+}  // namespace
 
 Calls calls_of(const fast::Law& law) {
-  return {[law](const Eigen::Vector3f& position) { return law.evaluate(position); },
+  return {[law] { return fast::session_of(law); },
           // This batch call knows no y: a position refused for its y alone is sent as one refused for its x.
           [law](std::span<const Eigen::Vector3f> positions, std::span<Eigen::Vector3f> forces, fast::InstructionSet set) {
             std::vector<float> x, z, fx(positions.size()), fz(positions.size());
@@ -22,20 +34,20 @@ Calls calls_of(const fast::Law& law) {
           }};
 }
 
-Calls calls_of(const fast::HeightMapField& law) {
-  return {[law](const Eigen::Vector3f& position) { return law.evaluate(position); },
+Calls calls_of(const fast::HeightMapField& map) {
+  const Shared<fast::HeightMapField> law{std::make_shared<const fast::HeightMapField>(map)};
+  return {[law] { return fast::session_of(law); },
           [law](std::span<const Eigen::Vector3f> positions, std::span<Eigen::Vector3f> forces, fast::InstructionSet set) {
-            return law.force(positions, forces, set);
+            return law.field->force(positions, forces, set);
           },
           true};
 }
 
-MakeCalls calls_of_the_fast_path() {
-  return {
-      [](LawId law, const Parameters& parameters) { return calls_of(std::get<fast::Law>(fast::Law::build(law, parameters))); },
-      [](const HeightMap& map, height::Rendering rendering, float stiffness) {
-        return calls_of(std::get<fast::HeightMapField>(fast::HeightMapField::build(map, rendering, stiffness)));
-      }};
+std::unique_ptr<fast::Session> answering(std::function<fast::Evaluation(const Eigen::Vector3f& position)> evaluate) {
+  struct Field {
+    std::function<fast::Evaluation(const Eigen::Vector3f& position)> evaluate;
+  };
+  return fast::session_of(Field{std::move(evaluate)});
 }
 
 }  // namespace forceshade::properties

@@ -94,7 +94,7 @@ AllowedChange allowed_change(const reference::Law& law, const Shape& shape, cons
   return allowed;
 }
 
-Violation continuity(const Subject& subject, const Shape& shape, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+Violation continuity(const RenderedLaw& subject, const Shape& shape, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
   const AllowedChange allowed = allowed_change(subject.law, shape, a, b);
   if (!allowed.tells) return std::nullopt;
   const Eigen::Vector3f at_a = subject.renderer(a).force;

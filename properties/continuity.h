@@ -2,8 +2,8 @@
 #pragma once
 // Continuity: the force jumps nowhere but on the law's listed lines, and there by exactly the listed amount.
 
+#include "forceshade/properties/rendered.h"
 #include "forceshade/properties/shape.h"
-#include "forceshade/properties/subject.h"
 
 namespace forceshade::properties {
 
@@ -17,6 +17,6 @@ struct AllowedChange {
 AllowedChange allowed_change(const reference::Law& law, const Shape& shape, const Eigen::Vector3f& a, const Eigen::Vector3f& b);
 
 // a and b valid and near each other; neighbours in binary32 make the sharpest test.
-Violation continuity(const Subject& subject, const Shape& shape, const Eigen::Vector3f& a, const Eigen::Vector3f& b);
+Violation continuity(const RenderedLaw& subject, const Shape& shape, const Eigen::Vector3f& a, const Eigen::Vector3f& b);
 
 }  // namespace forceshade::properties

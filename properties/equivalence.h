@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "forceshade/properties/subject.h"
+#include "forceshade/properties/rendered.h"
 
 namespace forceshade::properties {
 
@@ -15,7 +15,7 @@ Violation difference(const Eigen::Vector3f& position, const Rendered& answer, co
 std::string not_decided(const Eigen::Vector3f& position, const std::domain_error& error);
 
 template <class Reference>
-Violation equivalence(const SubjectOf<Reference>& subject, const Eigen::Vector3f& position) {
+Violation equivalence(const RenderedField<Reference>& subject, const Eigen::Vector3f& position) {
   try {
     return difference(position, subject.renderer(position), subject.law.round_to_binary32(position));
   } catch (const std::domain_error& error) {

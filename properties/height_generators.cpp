@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "forceshade/identity/height_identity.h"
+#include "forceshade/identity/identity.h"
 #include "forceshade/properties/positions.h"
 #include "forceshade/vocabulary/number_text.h"
 

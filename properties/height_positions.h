@@ -11,13 +11,13 @@ namespace forceshade::properties {
 
 // An endless, repeatable stream: half by bit pattern or spread over the map, half aimed. Aim::facet_line is a cell line, an
 // edge or a rim, Aim::axis a centre, an apex or a crest.
-class HeightPositionSource : private Draws {
+class HeightPositionSource final : public Positions, private Draws {
  public:
   // Both must outlive this.
   HeightPositionSource(const reference::HeightMapField& law, const HeightShape& shape, std::uint64_t seed)
       : Draws(seed), law_(law), shape_(shape) {}
 
-  Aimed next();
+  Aimed next() override;
 
   // (x, y) spread over one of the parts.
   std::array<float, 2> anywhere();

@@ -61,7 +61,7 @@ std::string between(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
 
 }  // namespace
 
-Violation continuity(const HeightSubject& subject, const HeightShape& shape, const Eigen::Vector3f& a,
+Violation continuity(const RenderedHeightMap& subject, const HeightShape& shape, const Eigen::Vector3f& a,
                      const Eigen::Vector3f& b) {
   const Exact exact_a = subject.law.estimate(a), exact_b = subject.law.estimate(b);
   const Vector at_a = placed(a), at_b = placed(b);
@@ -81,7 +81,7 @@ Violation continuity(const HeightSubject& subject, const HeightShape& shape, con
   return between(a, b) + numbers;
 }
 
-Violation gradient_across_cells(const HeightSubject& subject, const HeightShape& shape, const Eigen::Vector3f& a,
+Violation gradient_across_cells(const RenderedHeightMap& subject, const HeightShape& shape, const Eigen::Vector3f& a,
                                 const Eigen::Vector3f& b) {
   const Vector at_a = placed(a), at_b = placed(b);
   const auto apart = static_cast<double>((at_a - at_b).head<2>().norm());
@@ -119,7 +119,7 @@ Violation gradient_across_cells(const HeightSubject& subject, const HeightShape&
   return between(a, b) + line + numbers;
 }
 
-Violation passivity(const HeightSubject& subject, const HeightShape& shape, const std::vector<Eigen::Vector3f>& corners) {
+Violation passivity(const RenderedHeightMap& subject, const HeightShape& shape, const std::vector<Eigen::Vector3f>& corners) {
   constexpr int kPieces = 24;  // of each edge, each taken at its middle
   Work work;
   Real quadrature = 0;  // mJ: how far that may be from the exact law's work

@@ -38,7 +38,7 @@ std::vector<PathPoint> through(const Shape& shape, double depth) {
 
 }  // namespace
 
-Violation passivity(const Subject& subject, const Shape& shape, const std::vector<PathPoint>& vertices) {
+Violation passivity(const RenderedLaw& subject, const Shape& shape, const std::vector<PathPoint>& vertices) {
   const Work work = work_around(subject, shape, vertices);
   const double allowed = (shape.is_conservative() ? work.placing : work.exact) + work.rounding + work.summing();
   if (work.rendered <= allowed) return std::nullopt;
@@ -58,7 +58,7 @@ WitnessLoop witness_loop(const reference::Law& law, float depth) {
   return loop;
 }
 
-Violation witness_is_reached(const Subject& subject, const Shape& shape, float depth) {
+Violation witness_is_reached(const RenderedLaw& subject, const Shape& shape, float depth) {
   const WitnessLoop loop = witness_loop(subject.law, depth);
   const Work work = work_around(subject, shape, loop.vertices);
   const double allowed = work.rounding + work.placing + work.summing() + kVerticalTangent * loop.paid_mJ;

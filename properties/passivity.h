@@ -9,7 +9,7 @@
 
 namespace forceshade::properties {
 
-Violation passivity(const Subject& subject, const Shape& shape, const std::vector<PathPoint>& vertices);
+Violation passivity(const RenderedLaw& subject, const Shape& shape, const std::vector<PathPoint>& vertices);
 
 // The loop that shows how much a law gives (docs/energy.md); for a conservative law one through the object, paid nothing.
 struct WitnessLoop {
@@ -23,6 +23,6 @@ WitnessLoop witness_loop(const reference::Law& law, float depth);
 
 // Whether the witness loop, walked with the renderer, is paid what the exact law pays, to within its own rounding and one part
 // in 10^4, and that is what the bound promises.
-Violation witness_is_reached(const Subject& subject, const Shape& shape, float depth);
+Violation witness_is_reached(const RenderedLaw& subject, const Shape& shape, float depth);
 
 }  // namespace forceshade::properties

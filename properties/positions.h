@@ -44,13 +44,20 @@ class Draws {
   std::mt19937_64 random_;
 };
 
-// An endless, repeatable stream: half by bit pattern or spread over the working volume, half aimed at surface neighbours,
+// An endless, repeatable stream of positions at which to compare.
+class Positions {
+ public:
+  virtual ~Positions() = default;
+  virtual Aimed next() = 0;
+};
+
+// Half by bit pattern or spread over the working volume, half aimed at surface neighbours,
 // facet lines, the position quantum, domain ends, rounding ties, the axis, and numbers of few bits (which make exact ties).
-class PositionSource : private Draws {
+class PositionSource final : public Positions, private Draws {
  public:
   PositionSource(const reference::Law& law, std::uint64_t seed) : Draws(seed), law_(law), shape_(law) {}
 
-  Aimed next();
+  Aimed next() override;
 
  private:
   float in_volume_x();

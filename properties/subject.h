@@ -1,44 +1,88 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a property is checked on: a renderer, ours or anyone's, and the law or height map it claims to render.
+// What is checked, certified and driven: one notion for laws, height maps and whatever else renders a force. A subject is an
+// exact definition of the force along a path, a renderer that is said to compute it, and what may be expected of both.
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <functional>
-#include <optional>
+#include <memory>
 #include <string>
-#include <variant>
+#include <vector>
 
+#include "forceshade/identity/identity.h"
 #include "forceshade/properties/calls.h"
-#include "forceshade/reference/height_map_field.h"
+#include "forceshade/properties/positions.h"
+#include "forceshade/properties/rendered.h"
 #include "forceshade/reference/law.h"
-#include "forceshade/vocabulary/law.h"
+#include "forceshade/reference/watch.h"
+#include "forceshade/vocabulary/results.h"
 
 namespace forceshade::properties {
 
-struct Rendered {
-  Eigen::Vector3f force{0, 0, 0};  // N
-  Status status = Status::free;
+// One path through the definition. One thread at a time.
+class ReferenceSession {
+ public:
+  virtual ~ReferenceSession() = default;
+
+  // position: mm, the next one of the path. Throws std::domain_error where the definition cannot be decided.
+  virtual reference::Rounded step(const Eigen::Vector3f& position) = 0;
 };
 
-// position (mm) -> force; called from several threads at once by certify().
-using Renderer = std::function<Rendered(const Eigen::Vector3f& position)>;
-
-template <class Reference>
-struct SubjectOf {
-  Reference law;
-  Renderer renderer;
+// A property beside the four by which a subject is certified. `check` draws its case.
+struct FurtherProperty {
+  std::string name;
+  std::function<Violation()> check;
 };
-using Subject = SubjectOf<reference::Law>;
-using HeightSubject = SubjectOf<reference::HeightMapField>;
 
-// What went wrong, in words with numbers in hexfloat and decimal; empty where the property holds.
-using Violation = std::optional<std::string>;
+class Subject;
 
-// Its call for one position.
-Renderer renderer_of(const Calls& calls);
+// A subject of the same kind with other parameters, and these in words: "K = 0.25 N/mm: ".
+struct DrawnSubject {
+  std::unique_ptr<Subject> subject;
+  std::string parameters;
+};
 
-// The fast path as a renderer, beside its reference.
-std::variant<Subject, ParameterError> fast_subject(LawId id, const Parameters& parameters);
-std::variant<HeightSubject, ParameterError> fast_subject(const HeightMap& map, height::Rendering rendering, float stiffness);
+// Everything is const and may be called from several threads at once, but for what draws a case: that uses RapidCheck's
+// operator*, so it is called inside a property (run.h) and in one thread.
+class Subject {
+ public:
+  virtual ~Subject() = default;
+
+  virtual const Identity& identity() const = 0;
+
+  // What it is made of, in words, a line each: the parts of a height map. Empty where the identity says all.
+  virtual std::vector<std::string> parts() const { return {}; }
+
+  // The exact definition and the renderer.
+  virtual std::unique_ptr<ReferenceSession> open_reference() const = 0;
+  virtual const Calls& calls() const = 0;
+
+  // Where to look: an endless stream, the same for the same seed. This must outlive it.
+  virtual std::unique_ptr<Positions> positions(std::uint64_t seed) const = 0;
+
+  // A path to compare along, for equivalence; a single position where the force depends on nothing else.
+  virtual std::vector<Eigen::Vector3f> draw_path() const = 0;
+
+  // The properties, each on a case that it draws.
+  virtual Violation check_continuity() const = 0;
+  virtual Violation check_unit_normals() const = 0;
+  virtual Violation check_passivity() const = 0;
+  // Closed paths that belong to passivity whatever is drawn.
+  virtual std::vector<std::function<Violation()>> fixed_loops() const { return {}; }
+  virtual std::vector<FurtherProperty> further_properties() const { return {}; }
+
+  // What may be expected: where the force jumps, in words; whether its direction is a unit vector, and whether no loop gives
+  // energy; and the energy of loops by their depth. energies() throws reference::NotEnclosed, reference::Interrupted.
+  virtual std::vector<std::string> jumps() const = 0;
+  virtual bool has_unit_directions() const = 0;
+  virtual bool is_conservative() const = 0;
+  virtual std::vector<LoopEnergy> energies(const reference::Watch& watch) const = 0;
+
+  // With parameters from all of the domain.
+  virtual DrawnSubject with_drawn_parameters(std::uint64_t seed) const = 0;
+  // How many of `points` to compare with one set of them.
+  virtual std::uint64_t points_of_a_set(std::uint64_t points) const = 0;
+};
 
 }  // namespace forceshade::properties

@@ -25,7 +25,7 @@ Violation difference_in_length(const Eigen::Vector3f& position, const Eigen::Vec
 
 }  // namespace
 
-Violation unit_normals(const Subject& subject, const Eigen::Vector3f& position) {
+Violation unit_normals(const RenderedLaw& subject, const Eigen::Vector3f& position) {
   if (subject.law.round_to_binary32(position).status == Status::invalid) return std::nullopt;
   const reference::Law::Estimate exact = subject.law.estimate(position);
   const Eigen::Vector3f force = subject.renderer(position).force;
@@ -38,7 +38,7 @@ Violation unit_normals(const Subject& subject, const Eigen::Vector3f& position) 
   return difference_in_length(position, force, length, exact.force.magnitude);
 }
 
-Violation unit_normals(const HeightSubject& subject, const Eigen::Vector3f& position) {
+Violation unit_normals(const RenderedHeightMap& subject, const Eigen::Vector3f& position) {
   const reference::HeightMapField& law = subject.law;
   if (!is_valid(position)) return std::nullopt;
   const reference::HeightMapField::Estimate exact = law.estimate(position);

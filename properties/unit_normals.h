@@ -2,15 +2,15 @@
 #pragma once
 // Unit normals: the force is its magnitude times a unit vector, to within the rounding of its components; x = 0 included.
 
-#include "forceshade/properties/subject.h"
+#include "forceshade/properties/rendered.h"
 
 namespace forceshade::properties {
 
 // ‖F‖ must be K·penetration, up to half a unit in the last place of each component. For bump-cylinder, a sum of two
 // objects, the wall's share is taken off first. Invalid positions hold trivially.
-Violation unit_normals(const Subject& subject, const Eigen::Vector3f& position);
+Violation unit_normals(const RenderedLaw& subject, const Eigen::Vector3f& position);
 
 // As above; for a conservative height map, whose normal is left as it is, ‖F‖ must be K·penetration·√(U_x² + U_y² + 1).
-Violation unit_normals(const HeightSubject& subject, const Eigen::Vector3f& position);
+Violation unit_normals(const RenderedHeightMap& subject, const Eigen::Vector3f& position);
 
 }  // namespace forceshade::properties

@@ -66,7 +66,7 @@ void Work::add(const Eigen::Vector3f& force, const Eigen::Matrix<long double, 3,
   for (const int axis : {0, 1, 2}) rounding += half_spacing(force[axis]) * std::fabs(step[axis]);
 }
 
-Work work_around(const Subject& subject, const Shape& shape, const std::vector<PathPoint>& vertices) {
+Work work_around(const RenderedLaw& subject, const Shape& shape, const std::vector<PathPoint>& vertices) {
   using Rule = boost::math::quadrature::gauss<double, 15>;
   const auto K = static_cast<double>(shape.K), R = static_cast<double>(shape.R), d = static_cast<double>(shape.d);
   Work work;

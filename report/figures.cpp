@@ -64,18 +64,10 @@ std::string surface_figure(int number, const Parameters& parameters) {
                                                  {LawId::bump_1p, "one polygon"},
                                                  {LawId::bump_2p, "two polygons"},
                                                  {LawId::bump_3p, "three polygons"}}};
-  const auto result_of = [&](LawId id) {
-    LawResult result;
-    result.law = id;
-    result.parameters = parameters;
-    return result;
-  };
-  const LawResult round = result_of(LawId::bump_cylinder);
-  const Drawn cylinder(round);
+  const Drawn cylinder(LawId::bump_cylinder, parameters);
   std::vector<Panel> panels;
   for (const auto& [id, heading] : kPanels) {
-    const LawResult result = result_of(id);
-    panels.push_back({heading, svg_plot(cross_section(side_view(Drawn(result))))});
+    panels.push_back({heading, svg_plot(cross_section(side_view(Drawn(id, parameters))))});
   }
   const auto mm = [](long double size) { return html_number(static_cast<double>(size), 5) + "\u202Fmm"; };
   const Shape& shape = cylinder.shape;
@@ -179,7 +171,7 @@ std::string error_figure(int number, const std::vector<Drawn>& laws) {
 }
 
 struct EnergyPlot {
-  std::vector<const LawResult*> active;
+  std::vector<const Drawn*> active;
   std::string blocks;  // depth, bound, measured, relative difference in parts per million; one index per law
   std::vector<double> depths;
   double low = HUGE_VAL, high = 0;  // mJ
@@ -188,9 +180,9 @@ struct EnergyPlot {
 
   explicit EnergyPlot(const std::vector<Drawn>& laws) {
     for (const Drawn& drawn : laws) {
-      const LawResult& law = drawn.result;
+      const Findings& law = drawn.findings;
       if (law.conservative || law.energy.empty()) continue;
-      active.push_back(&law);
+      active.push_back(&drawn);
       for (const LoopEnergy& loop : law.energy) {
         const double difference = 1e6 * (loop.measured_mJ / loop.witness_mJ - 1);
         blocks += plotted(loop.depth_mm) + ' ' + plotted(loop.bound_mJ[1]) + ' ' + plotted(loop.measured_mJ) + ' ' +
@@ -228,14 +220,14 @@ struct EnergyPlot {
     constexpr double kLine = 0.062;  // of the plot's height
     std::vector<std::pair<double, std::size_t>> places;
     for (std::size_t i = 0; i < active.size(); ++i) {
-      const double energy = std::clamp(active[i]->energy.back().measured_mJ, bottom, top);
+      const double energy = std::clamp(active[i]->findings.energy.back().measured_mJ, bottom, top);
       places.emplace_back(std::log(energy / bottom) / std::log(top / bottom), i);
     }
     std::sort(places.begin(), places.end());
     for (std::size_t i = 1; i < places.size(); ++i) places[i].first = std::max(places[i].first, places[i - 1].first + kLine);
     std::string labels;
     for (const auto& [height, i] : places)
-      labels += "set label " + std::to_string(i + 10) + " '" + std::string(name_of(active[i]->law)) +
+      labels += "set label " + std::to_string(i + 10) + " '" + active[i]->name() +
                 "' at graph 1.01, graph " + plotted(height) + " textcolor rgb '" + kLawColours[i % kLawColours.size()] + "'\n";
     return labels;
   }
@@ -273,9 +265,9 @@ std::string energy_figure(int number, const std::vector<Drawn>& laws, const Ener
   std::string conservative;
   double rest = 0;
   for (const Drawn& drawn : laws) {
-    if (!drawn.result.conservative) continue;
+    if (!drawn.findings.conservative) continue;
     conservative += (conservative.empty() ? "" : ", ") + drawn.name();
-    for (const LoopEnergy& loop : drawn.result.energy) rest = std::max(rest, std::fabs(loop.measured_mJ));
+    for (const LoopEnergy& loop : drawn.findings.energy) rest = std::max(rest, std::fabs(loop.measured_mJ));
   }
   std::string caption =
       "Energy an active law pays the hand each time it goes round. Lines: the most that a simple loop no deeper can be paid, "
@@ -306,7 +298,7 @@ std::string figures(const Certificate& certificate) {
   int number = 0;
   std::string html = force_figure(++number, laws);
   const auto bump = std::find_if(laws.begin(), laws.end(), [](const Drawn& drawn) { return drawn.shape.R > 0; });
-  if (bump != laws.end()) html += surface_figure(++number, bump->result.parameters);
+  if (bump != laws.end()) html += surface_figure(++number, bump->parameters);
   html += error_figure(++number, laws);
   const EnergyPlot energy(laws);
   if (!energy.is_empty()) html += energy_figure(++number, laws, energy);

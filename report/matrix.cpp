@@ -16,13 +16,11 @@ std::string jumps_of(const Findings& law) {
   return words;
 }
 
-std::string unit_of(const LawResult& law) {
-  return yes_or_no(law.is_unit(), law.law == LawId::bump_cylinder ? "each of its two forces" : "");
-}
-
-std::string unit_of(const HeightMapResult& map) {
-  return yes_or_no(map.is_unit(),
-                   map.identity.rendering == height::Rendering::conservative ? "as long as the map is steep" : "");
+std::string unit_of(const SubjectResult& subject) {
+  const bool is_sum = subject.identity.kind == kLawKind && subject.name() == name_of(LawId::bump_cylinder);
+  return yes_or_no(subject.unit_directions, is_sum                                  ? "each of its two forces"
+                                            : is_conservative_map(subject.identity) ? "as long as the map is steep"
+                                                                                    : "");
 }
 
 // At the greatest depth that was walked.
@@ -41,16 +39,15 @@ std::string cell(const char* label, const std::string& content) {
 }  // namespace
 
 std::string matrix(const Certificate& certificate) {
-  if (!certificate.has_points()) return "";
+  if (certificate.subjects.empty()) return "";
   std::string html =
       "<section>\n<h2>What kind of force each law is</h2>\n<table class=\"summary\">\n<thead>\n<tr><th scope=\"col\">law</th>"
       "<th scope=\"col\">continuous</th><th scope=\"col\">unit direction</th><th scope=\"col\">conservative</th>"
       "<th scope=\"col\">most energy per loop</th></tr>\n</thead>\n<tbody>\n";
-  certificate.for_each([&](const auto& law) {
+  for (const SubjectResult& law : certificate.subjects)
     html += "<tr><th scope=\"row\">" + escaped(law.name()) + "</th>" +
             cell("continuous", yes_or_no(law.jumps.empty(), jumps_of(law))) + cell("unit direction", unit_of(law)) +
             cell("conservative", yes_or_no(law.conservative)) + cell("most energy per loop", energy_of(law)) + "</tr>\n";
-  });
   return html +
          "</tbody>\n</table>\n<p class=\"note\">Energy: the most that any simple loop no deeper below the nominal surface can "
          "be paid (in a height map: any in the slice y = 0, 12.7\u202Fmm to both sides or 250 cells of its finest grid), and "

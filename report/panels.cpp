@@ -22,10 +22,12 @@ L built(LawId id, const Parameters& parameters) {
 
 }  // namespace
 
-Drawn::Drawn(const LawResult& r)
-    : result(r),
-      law(built<fast::Law>(r.law, r.parameters)),
-      reference(built<reference::Law>(r.law, r.parameters)),
+Drawn::Drawn(LawId its_id, const Parameters& its_parameters, Findings its_findings)
+    : id(its_id),
+      parameters(its_parameters),
+      findings(std::move(its_findings)),
+      law(built<fast::Law>(id, parameters)),
+      reference(built<reference::Law>(id, parameters)),
       shape(reference) {}
 
 // Not a number of few bits: on a grid made from one the force would need no rounding, and the error map would show none.
@@ -35,25 +37,26 @@ double Drawn::reach() const {
 
 std::vector<Drawn> drawn(const Certificate& certificate) {
   std::vector<Drawn> laws;
-  for (const LawResult& result : certificate.laws) {
-    const auto is_same = [&](const Drawn& other) { return other.result.law == result.law; };
-    if (std::none_of(laws.begin(), laws.end(), is_same)) laws.emplace_back(result);
+  for (const SubjectResult& result : certificate.subjects) {
+    const auto its = law_of(result.identity);
+    if (!its) continue;
+    const auto is_same = [&](const Drawn& other) { return other.id == its->law; };
+    if (std::none_of(laws.begin(), laws.end(), is_same)) laws.emplace_back(its->law, its->parameters, result);
   }
   return laws;
 }
 
 bool contains(const std::vector<Drawn>& laws, std::initializer_list<LawId> wanted) {
-  return std::any_of(laws.begin(), laws.end(), [&](const Drawn& drawn) {
-    return std::find(wanted.begin(), wanted.end(), drawn.result.law) != wanted.end();
-  });
+  return std::any_of(laws.begin(), laws.end(),
+                     [&](const Drawn& drawn) { return std::find(wanted.begin(), wanted.end(), drawn.id) != wanted.end(); });
 }
 
 bool are_one_size(const std::vector<Drawn>& laws) {
   const Drawn* first = nullptr;
   for (const Drawn& law : laws) {
-    if (law.result.parameters.stiffness != laws.front().result.parameters.stiffness) return false;
+    if (law.parameters.stiffness != laws.front().parameters.stiffness) return false;
     if (law.shape.R == 0) continue;
-    if (first != nullptr && !(first->result.parameters == law.result.parameters)) return false;
+    if (first != nullptr && !(first->parameters == law.parameters)) return false;
     first = &law;
   }
   return true;

@@ -16,15 +16,17 @@
 namespace forceshade::properties {
 
 struct Drawn {
-  const LawResult& result;
+  LawId id;
+  Parameters parameters;
+  Findings findings;  // of a certificate; else none
   fast::Law law;
   reference::Law reference;
   Shape shape;
 
-  // Throws PlotError if the parameters are outside the law's domain. `result` must outlive this.
-  explicit Drawn(const LawResult& result);
+  // Throws PlotError if the parameters are outside the law's domain.
+  Drawn(LawId id, const Parameters& parameters, Findings findings = {});
 
-  std::string name() const { return std::string(name_of(result.law)); }
+  std::string name() const { return std::string(name_of(id)); }
   // Half of the width shown, mm: the bump and a little of the plane beside it.
   double reach() const;
   double surface(double x) const { return static_cast<double>(shape.surface(static_cast<long double>(x))); }

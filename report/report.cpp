@@ -113,19 +113,25 @@ figcaption { font-size: 14.5px; line-height: 1.5; color: var(--quiet); max-width
 
 std::uint64_t spread_points_of(const Certificate& certificate) {
   std::uint64_t sum = 0;
-  certificate.for_each([&](const Findings& law) { sum += law.spread.points; });
+  for (const Findings& law : certificate.subjects) sum += law.spread.points;
   return sum;
+}
+
+// "law" or "height map" where all subjects are of that kind.
+std::string subject_word(const Certificate& certificate) {
+  const std::string& kind = certificate.subjects.front().identity.kind;
+  const auto is_other = [&](const SubjectResult& subject) { return subject.identity.kind != kind; };
+  return std::any_of(certificate.subjects.begin(), certificate.subjects.end(), is_other) ? "subject" : kind;
 }
 
 std::string points_per_law(const Certificate& certificate) {
   std::uint64_t fewest = UINT64_MAX, most = 0;
-  certificate.for_each([&](const Findings& law) {
+  for (const Findings& law : certificate.subjects) {
     fewest = std::min(fewest, law.points);
     most = std::max(most, law.points);
-  });
+  }
   const bool has_spread = spread_points_of(certificate) > 0;
-  return (fewest == most ? "" : grouped(fewest) + " to ") + grouped(most) +
-         (certificate.laws.empty() ? " points per height map" : " points per law") +
+  return (fewest == most ? "" : grouped(fewest) + " to ") + grouped(most) + " points per " + subject_word(certificate) +
          (has_spread ? ", and of " + grouped(spread_points_of(certificate)) + " with other parameters" : "");
 }
 
@@ -136,23 +142,23 @@ std::string plural(std::uint64_t count, const std::string& word) {
 // "continuity of bump-2p, passivity of bump-3p".
 std::string failed_properties(const Certificate& certificate) {
   std::string list;
-  certificate.for_each([&](const auto& law) {
+  for (const SubjectResult& law : certificate.subjects) {
     for (const PropertyResult& property : law.properties)
       if (!property.held) list += (list.empty() ? "" : ", ") + escaped(property.name) + " of " + escaped(law.name());
-  });
+  }
   return list;
 }
 
 std::string statements(const Certificate& certificate) {
-  if (!certificate.has_points() && !certificate.sweeps.results.empty()) return "";
-  if (!certificate.has_points()) return "<p class=\"statement\">No law was checked.</p>\n";
+  if (certificate.subjects.empty() && !certificate.sweeps.results.empty()) return "";
+  if (certificate.subjects.empty()) return "<p class=\"statement\">No law was checked.</p>\n";
   const std::string rule = "the exact force rounded to binary32 (nearest, ties to even)";
   std::uint64_t mismatches = 0;
-  certificate.for_each([&](const Findings& law) { mismatches += law.mismatches + law.spread.mismatches; });
+  for (const SubjectResult& law : certificate.subjects) mismatches += law.mismatches + law.spread.mismatches;
   const std::string points = points_per_law(certificate);
   std::string html = "<p class=\"statement\">";
   bool is_compared = false;
-  certificate.for_each([&](const Findings& law) { is_compared = is_compared || law.points > 0; });
+  for (const SubjectResult& law : certificate.subjects) is_compared = is_compared || law.points > 0;
   if (!is_compared)
     html += "No point was compared with the exact force.";
   else if (mismatches == 0)
@@ -163,8 +169,7 @@ std::string statements(const Certificate& certificate) {
   html += "</p>\n<p class=\"statement\">";
   const std::string failed = failed_properties(certificate);
   bool is_unchecked = false;
-  certificate.for_each(
-      [&](const Findings& law) { is_unchecked = is_unchecked || law.properties.size() < kPropertyNames.size(); });
+  for (const Findings& law : certificate.subjects) is_unchecked = is_unchecked || law.properties.size() < kPropertyNames.size();
   if (!failed.empty())
     html += "A counterexample was found to: " + failed + '.';
   else if (is_unchecked)
@@ -190,7 +195,7 @@ std::string header(const Certificate& certificate) {
   return std::string("<header") + (held ? "" : " class=\"failed\"") + ">\n<h1>forceshade " +
          escaped(certificate.build.version) + ": certificate of the fast path</h1>\n<p class=\"verdict\">" +
          (held ? "Held" : "Failed") + "</p>\n" + statements(certificate) +
-         sweep_statement(certificate.sweeps, certificate.has_points()) + "</header>\n";
+         sweep_statement(certificate.sweeps, !certificate.subjects.empty()) + "</header>\n";
 }
 
 // On a phone a row becomes a card, and every cell needs its own label.
@@ -212,17 +217,21 @@ std::string property_cell(const char* name, const Findings& law) {
                         "<small>" + plural(property->cases, "case") + "</small>");
 }
 
-std::string parameters_of(const LawResult& law) {
+// A radius, a width and a stiffness by the thesis's letters.
+std::string parameters_of(const SubjectResult& subject) {
   std::string text;
-  if (has_bump_geometry(law.law))
-    text = "<i>R</i>\u202F=\u202F" + shortest(law.parameters.radius) + "\u202Fmm<br><i>w</i>\u202F=\u202F" +
-           shortest(law.parameters.width) + "\u202Fmm<br>";
-  return text + "<i>K</i>\u202F=\u202F" + shortest(law.parameters.stiffness) + "\u202FN/mm";
-}
-
-std::string parameters_of(const HeightMapResult& map) {
-  return std::string(name_of(map.identity.rendering)) + "<br><i>K</i>\u202F=\u202F" + shortest(map.identity.stiffness) +
-         "\u202FN/mm";
+  for (const auto& [key, value] : subject.identity.parameters) {
+    const auto line = [&](const char* letter, const char* unit) {
+      return std::string("<i>") + letter + "</i>\u202F=\u202F" + escaped(text_of(value)) + "\u202F" + unit;
+    };
+    text += text.empty() ? "" : "<br>";
+    text += key == "radius_mm"            ? line("R", "mm")
+            : key == "width_mm"           ? line("w", "mm")
+            : key == "stiffness_N_per_mm" ? line("K", "N/mm")
+            : key == "rendering"          ? escaped(text_of(value))
+                                          : escaped(key + ' ' + text_of(value));
+  }
+  return text;
 }
 
 // No law looks at y, every height map does.
@@ -242,8 +251,7 @@ std::string small(bool is_there, const std::string& words) {
   return is_there ? "<small>" + words + "</small>" : "";
 }
 
-template <class Result>
-std::string summary_row(const Result& law) {
+std::string summary_row(const SubjectResult& law) {
   std::string properties;
   for (const std::string_view name : kPropertyNames) properties += property_cell(name.data(), law);
   return "<tr><th scope=\"row\">" + escaped(law.name()) + "</th>" + cell("parameters", parameters_of(law)) +
@@ -253,7 +261,7 @@ std::string summary_row(const Result& law) {
          count_cell("by binary64", law.points_by_stage, "binary64") +
          count_cell("by double-double", law.points_by_stage, "double-double") +
          count_cell("by wide", law.points_by_stage, "wide") + properties +
-         cell("closest call", closest_call_of(law, std::is_same_v<Result, HeightMapResult>)) + "</tr>\n";
+         cell("closest call", closest_call_of(law, law.identity.kind != kLawKind)) + "</tr>\n";
 }
 
 std::string summary(const Certificate& certificate) {
@@ -266,7 +274,7 @@ std::string summary(const Certificate& certificate) {
       "<th scope=\"col\">equivalence</th><th scope=\"col\">continuity</th><th scope=\"col\">unit normals</th>"
       "<th scope=\"col\">passivity</th><th scope=\"col\">closest call</th></tr>\n"
       "</thead>\n<tbody>\n";
-  certificate.for_each([&](const auto& law) { html += summary_row(law); });
+  for (const SubjectResult& law : certificate.subjects) html += summary_row(law);
   return html +
          "</tbody>\n</table>\n<p class=\"note\">Points, mismatches: with the parameters on the left, and with others that were "
          "drawn from all of the domain. Decided by: the cheapest arithmetic of the fast path that was sure of every "
@@ -276,16 +284,17 @@ std::string summary(const Certificate& certificate) {
          "passivity says that the fast path gives no more energy than the exact law does plus its rounding.</p>\n</section>\n";
 }
 
-// What each height map is, exactly and in words.
-std::string height_maps_table(const Certificate& certificate) {
-  if (certificate.height_maps.empty()) return "";
-  std::string html = "<section>\n<h2>The height maps</h2>\n<table class=\"facts\">\n";
-  for (const HeightMapResult& map : certificate.height_maps) {
-    html += "<tr><th scope=\"row\">" + escaped(map.file) + "</th><td>";
-    for (const std::string& part : map.parts) html += escaped(part) + "<br>";
-    html += "SHA-256 of its numbers <code>" + escaped(map.identity.map_digest) + "</code></td></tr>\n";
+// What the subjects are that a name and parameters do not describe: in words, and by their digest.
+std::string digests_table(const Certificate& certificate) {
+  std::string rows;
+  for (const SubjectResult& subject : certificate.subjects) {
+    if (subject.identity.digest.empty()) continue;
+    rows += "<tr><th scope=\"row\">" + escaped(subject.name()) + "</th><td>";
+    for (const std::string& part : subject.parts) rows += escaped(part) + "<br>";
+    rows += "SHA-256 of its numbers <code>" + escaped(subject.identity.digest) + "</code></td></tr>\n";
   }
-  return html + "</table>\n</section>\n";
+  if (rows.empty()) return "";
+  return "<section>\n<h2>The height maps</h2>\n<table class=\"facts\">\n" + rows + "</table>\n</section>\n";
 }
 
 // One row for each law and kind of sweep.
@@ -319,7 +328,7 @@ std::string counterexamples(const Certificate& certificate) {
   const auto add = [&](const auto& law, const std::string& what, const std::string& words) {
     html += "<h3>" + escaped(law.name()) + ": " + escaped(what) + "</h3>\n<pre>" + escaped(words) + "</pre>\n";
   };
-  certificate.for_each([&](const auto& law) {
+  for (const SubjectResult& law : certificate.subjects) {
     std::string mismatches;
     for (const std::string& words : law.counterexamples) mismatches += (mismatches.empty() ? "" : "\n") + words;
     if (!mismatches.empty())
@@ -333,7 +342,7 @@ std::string counterexamples(const Certificate& certificate) {
           spread);
     for (const PropertyResult& property : law.properties)
       if (!property.held) add(law, property.name, property.counterexample);
-  });
+  }
   std::string swept;
   for (const std::string& words : certificate.sweeps.counterexamples) swept += (swept.empty() ? "" : "\n") + words;
   if (!swept.empty()) html += "<h3>Exhaustive sweeps</h3>\n<pre>" + escaped(swept) + "</pre>\n";
@@ -345,8 +354,8 @@ std::string compared_sets(const Certificate& certificate) {
   std::string list;
   for (const fast::InstructionSet set : fast::kInstructionSets) {
     const std::string name(fast::name_of(set));
-    bool covered = certificate.has_points();
-    certificate.for_each([&](const Findings& law) { covered = covered && law.covers(name); });
+    bool covered = !certificate.subjects.empty();
+    for (const SubjectResult& law : certificate.subjects) covered = covered && law.covers(name);
     if (covered) list += (list.empty() ? "" : ", ") + name;
   }
   return list.empty() ? "none" : list;
@@ -396,10 +405,11 @@ std::string to_html(const Certificate& certificate, Pictures wanted) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>forceshade certificate: " +
          std::string(certificate.held() ? "held" : "failed") + "</title>\n<style>" + kStyle +
-         "</style>\n</head>\n<body>\n<main>\n" + header(certificate) + (certificate.has_points() ? summary(certificate) : "") +
-         height_maps_table(certificate) + matrix(certificate) + sweeps_table(certificate.sweeps) +
-         counterexamples(certificate) + (pictures.empty() ? "" : "<section>\n<h2>Figures</h2>\n" + pictures + "</section>\n") +
-         build_table(certificate) + kLimits + "</main>\n</body>\n</html>\n";
+         "</style>\n</head>\n<body>\n<main>\n" + header(certificate) +
+         (!certificate.subjects.empty() ? summary(certificate) : "") + digests_table(certificate) + matrix(certificate) +
+         sweeps_table(certificate.sweeps) + counterexamples(certificate) +
+         (pictures.empty() ? "" : "<section>\n<h2>Figures</h2>\n" + pictures + "</section>\n") + build_table(certificate) +
+         kLimits + "</main>\n</body>\n</html>\n";
 }
 
 }  // namespace forceshade::properties

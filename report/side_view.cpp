@@ -86,7 +86,7 @@ SideView side_view(const Drawn& law) {
   return view;
 }
 
-SideView side_view(const HeightSubject& subject, const std::string& name, const Range& range) {
+SideView side_view(const RenderedHeightMap& subject, const std::string& name, const Range& range) {
   constexpr int kSteps = 480;
   constexpr double kBeside = 1e-5;  // mm: how far from a jump it is looked at
   const Section section{subject.law, range.y};

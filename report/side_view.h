@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/properties/subject.h"
+#include "forceshade/properties/rendered.h"
 #include "forceshade/report/panels.h"
 
 namespace forceshade::properties {
@@ -41,6 +41,6 @@ struct Range {
 };
 
 // `renderer` draws the force; the rest is the reference's.
-SideView side_view(const HeightSubject& subject, const std::string& name, const Range& range);
+SideView side_view(const RenderedHeightMap& subject, const std::string& name, const Range& range);
 
 }  // namespace forceshade::properties

@@ -29,13 +29,6 @@ Parameters bump_of(double mil) {
   return {static_cast<float>(mil * kMil), kThesisWidth, 0.5F};
 }
 
-LawResult law_of(LawId id, const Parameters& parameters) {
-  LawResult law;
-  law.law = id;
-  law.parameters = parameters;
-  return law;
-}
-
 // Evenly spaced radii through all of the thesis's, for a curve.
 std::vector<double> radii() {
   std::vector<double> all;
@@ -85,10 +78,8 @@ ThesisFigure height_map_function() {
 ThesisFigure nominal_geometries() {
   constexpr std::array kIds{LawId::bump_cylinder, LawId::bump_1p, LawId::bump_2p, LawId::bump_3p};
   constexpr std::array kNames{"cylinder", "one polygon", "two polygons", "three polygons"};
-  std::vector<LawResult> results;
-  for (const LawId id : kIds) results.push_back(law_of(id, bump_of(600)));
   std::vector<Drawn> laws;
-  for (const LawResult& result : results) laws.emplace_back(result);
+  for (const LawId id : kIds) laws.emplace_back(id, bump_of(600));
 
   const auto corner = static_cast<double>(laws[3].shape.w_prime / 2), edge = static_cast<double>(laws[0].shape.w / 2);
   std::vector<double> xs{-edge, -corner, corner, edge};

@@ -33,7 +33,8 @@ Capabilities Simulated::capabilities() const noexcept {
           .peak_force = static_cast<float>(sheet.peak_force),
           .continuous_force = static_cast<float>(sheet.continuous_force),
           .latency = options_.latency,
-          .friction = static_cast<float>(sheet.friction)};
+          .friction = static_cast<float>(sheet.friction),
+          .buttons = options_.buttons != nullptr ? Attendant::kButtons : 0};
 }
 
 Target Simulated::meant_at(std::size_t reading) const noexcept {
@@ -83,6 +84,7 @@ ReadResult Simulated::read() noexcept {
   const Eigen::Vector3d position = turned_to_law(model_.arm.forward(measured_)) / kMillimetre;
   Reading reading{.position = position.cast<float>(), .time = static_cast<double>(readings_++) * period_};
   if (!model_.quantum.isZero(0)) reading.encoder = counts;
+  if (options_.buttons != nullptr) reading.buttons = options_.buttons->load(std::memory_order_relaxed);
   reading.joints = {measured_[0], measured_[1], measured_[2]};
   sent_.arrived(reading.position.cast<double>());
   torque_.setZero();
@@ -117,7 +119,7 @@ Eigen::Vector3d Simulated::tip() const noexcept {
   return turned_to_law(model_.arm.forward(motion_.angles)) / kMillimetre;
 }
 
-std::unique_ptr<Device> open_simulated(const std::string& rest) {
+std::unique_ptr<Device> open_simulated(const std::string& rest, Attendant& attendant) {
   const std::size_t colon = std::min(rest.find(':'), rest.size());
   const std::string name = rest.substr(0, colon);
   std::string known;
@@ -125,14 +127,17 @@ std::unique_ptr<Device> open_simulated(const std::string& rest) {
     const Model model = make();
     known += (known.empty() ? "" : ", ") + std::string(model.name);
     if (!name.empty() && name != model.name) continue;
-    if (colon == rest.size()) return std::make_unique<Simulated>(model, Operator{Grip{}, strokes(), Tremor(1, 0.03), false});
+    if (colon == rest.size())
+      return std::make_unique<Simulated>(model, Operator{Grip{}, strokes(), Tremor(1, 0.03), false},
+                                         Simulated::Options{.buttons = attendant.buttons()});
     std::vector<Intention::Point> points;
     // A recorded hand trembles already.
     const Replay replay = Replay::load(rest.substr(colon + 1));
     for (const Reading& reading : replay.recording())
       points.push_back({reading.time - replay.recording().front().time, reading.position.cast<double>()});
     return std::make_unique<Simulated>(
-        model, Operator{Grip{}, Intention(std::move(points), Intention::Between::straight), Tremor(1, 0), true});
+        model, Operator{Grip{}, Intention(std::move(points), Intention::Between::straight), Tremor(1, 0), true},
+        Simulated::Options{.buttons = attendant.buttons()});
   }
   throw UnknownDevice("unknown model \"" + name + "\" to simulate: expected one of " + known);
 }

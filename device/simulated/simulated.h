@@ -2,9 +2,12 @@
 #pragma once
 // A PHANToM that is not there, in a hand that is not there: what the servo loop commands moves it, and the hand gives way.
 
+#include <atomic>
+#include <cstdint>
 #include <memory>
 #include <string>
 
+#include "forceshade/device/attendant.h"
 #include "forceshade/device/device.h"
 #include "forceshade/device/sent_forces.h"
 #include "forceshade/device/simulated/model.h"
@@ -21,7 +24,8 @@ struct Operator {
 };
 
 // Its clock is the number of readings: each one moves the arm on by one period under the force last commanded, or, as on a
-// real device, under the one before (`latency`). Nothing depends on the time of day, so a run can be repeated to the bit.
+// real device, under the one before (`latency`). Nothing depends on the time of day, so a run can be repeated to the bit, but
+// for when somebody presses a button.
 // Each reading is a frame: it reports the force that has acted and, with latency, sends the one that acts from there on.
 class Simulated final : public Device {
  public:
@@ -29,6 +33,8 @@ class Simulated final : public Device {
     double step_rate = 20'000;  // Hz, at least: a period is cut into equal steps
     bool latency = true;        // of one sample
     Joints start{0, 0, 0};      // where an arm that nobody holds starts from; in a hand it is where the hand is
+    // Attendant::kButtons of them, which live as long as the device; null: it has no button.
+    const std::atomic<std::uint16_t>* buttons = nullptr;
   };
 
   Simulated(const Model& model, std::optional<Operator> hand, const Options& options);
@@ -71,7 +77,7 @@ class Simulated final : public Device {
 };
 
 // "", MODEL or MODEL:RECORDING.csv. A recording is a hand's intention, with the columns of a replay's; without one the hand
-// makes strokes. Throws UnknownDevice, or csv::Error for a recording that cannot be read.
-std::unique_ptr<Device> open_simulated(const std::string& rest);
+// makes strokes. Its buttons are the attendant's. Throws UnknownDevice, or csv::Error for a recording that cannot be read.
+std::unique_ptr<Device> open_simulated(const std::string& rest, Attendant& attendant);
 
 }  // namespace forceshade::device

@@ -10,7 +10,7 @@
 
 namespace forceshade::fast {
 
-// Real: binary64, or a number that writes down what is done with it (tests/support/recorded_number.h).
+// Real: binary64, or a number that writes down what is done with it (tests/fast/recorded_number.h).
 template <class Real>
 struct Terms {
   Real hi, lo;

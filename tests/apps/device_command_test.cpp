@@ -219,6 +219,98 @@ TEST(device_try, refuses_what_is_not_gentle_or_not_certified) {
   EXPECT_EQ(here.entries(), 2);  // .out and .err
 }
 
+// From a hand above the wall that lowers the tip onto it after half a second.
+std::string rehearsal(const TemporaryDirectory& here) {
+  here.write("press.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,3\n0.5,0,0,3\n1,0,0,-6\n2,0,0,-6\n");
+  return "drive --law wall --uncertified --device simulated:premium-1.5:press.csv --dead-man 1 --patience 10 --record run.fsr";
+}
+
+constexpr const char* kKeys = "the key 1 does so with button 1";
+
+bool has_force(const device::Sample& sample) {
+  return sample.force != std::array<float, 3>{0, 0, 0};
+}
+
+TEST(drive, rehearses_a_dead_man_switch_by_keys_on_a_simulated_device) {
+  const TemporaryDirectory here;
+  PseudoTerminal terminal = on_terminal(here, rehearsal(here));
+  terminal.shown_until(kKeys);
+  terminal.type("x01");  // x is no button, and 0 is another one
+  EXPECT_EQ(terminal.end(), 0) << terminal.shown();
+  std::size_t held = 0, pushed = 0;
+  recorder::Recording(here.file("run.fsr")).for_each_chunk([&](std::span<const device::Sample> chunk) {
+    for (const device::Sample& sample : chunk) {
+      held += (sample.buttons & 2U) != 0;
+      pushed += has_force(sample);
+      EXPECT_TRUE((sample.buttons & 2U) != 0 || !has_force(sample)) << sample.tick;
+    }
+  });
+  EXPECT_GT(held, 0U);
+  EXPECT_GT(pushed, 0U);
+}
+
+TEST(drive, gives_no_force_after_the_key_of_the_dead_man_switch_was_typed_again) {
+  const TemporaryDirectory here;
+  PseudoTerminal terminal = on_terminal(here, rehearsal(here));
+  terminal.shown_until(kKeys);
+  terminal.shown_until("dead-man switch");  // in contact, and the button is up
+  terminal.type("1");
+  terminal.shown_until("gentle start");
+  terminal.type("1");
+  EXPECT_EQ(terminal.end(), 0) << terminal.shown();
+  bool was_down = false, was_up_again = false;
+  recorder::Recording(here.file("run.fsr")).for_each_chunk([&](std::span<const device::Sample> chunk) {
+    for (const device::Sample& sample : chunk) {
+      const bool down = (sample.buttons & 2U) != 0;
+      was_up_again = was_up_again || (was_down && !down);
+      was_down = was_down || down;
+      EXPECT_TRUE(down || !has_force(sample)) << sample.tick;
+    }
+  });
+  EXPECT_TRUE(was_up_again);
+}
+
+TEST(drive, says_in_summary_and_recording_where_the_law_lies) {
+  const TemporaryDirectory here;
+  const std::string line =
+      "drive --law wall --uncertified --unpaced --device simulated --seconds 0.1 --record run.fsr --json run.json";
+  const CommandRun placed = run_command(here, words_of(line + " --origin=-5,1in,0.1 --turn x90,z-90deg"));
+  EXPECT_EQ(placed.code, 0) << placed.err;
+  expect_holds(placed.out, {"placement         origin at -5,25.4,0.1 mm, x, y, z along -y,+z,-x of the device\n"});
+  const json summary = json::parse(here.read("run.json"));
+  EXPECT_EQ(summary["placement"]["origin_mm"], (json{-5.0, static_cast<double>(25.4F), static_cast<double>(0.1F)}));
+  EXPECT_EQ(summary["placement"]["axes"], "-y,+z,-x");
+  const recorder::Recording recording(here.file("run.fsr"));
+  EXPECT_EQ(recording.metadata().at("origin_mm"), "-5,25.4,0.1");
+  EXPECT_EQ(recording.metadata().at("axes"), "-y,+z,-x");
+  std::filesystem::remove(here.file("run.fsr"));
+  const CommandRun usual = run_command(here, words_of(line));
+  EXPECT_EQ(usual.code, 0) << usual.err;
+  EXPECT_EQ(usual.out.find("placement"), std::string::npos);
+  EXPECT_EQ(json::parse(here.read("run.json"))["placement"], (json{{"origin_mm", {0.0, 0.0, 0.0}}, {"axes", "+x,+y,+z"}}));
+  EXPECT_EQ(recorder::Recording(here.file("run.fsr")).metadata().at("axes"), "+x,+y,+z");
+  const CommandRun refused = run_command(here, words_of("drive --law wall --uncertified --device null --turn z45"));
+  EXPECT_EQ(refused.code, 2);
+  expect_holds(refused.err, {"--turn: expected an axis and a multiple of 90 degrees, such as z90 or x-90,z180, got \"z45\""});
+}
+
+TEST(drive, says_that_a_simulated_device_has_no_buttons_where_there_is_no_terminal) {
+  const TemporaryDirectory here;
+  // In a session of its own, which has no terminal.
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::setsid();
+    const CommandRun run = run_command(here, words_of("drive --law wall --uncertified --device simulated --dead-man 0"));
+    here.write("err", run.err);
+    ::_exit(run.code);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), 2);
+  expect_holds(here.read("err"), {"the buttons of a simulated device are keys of a terminal, and there is none to read from",
+                                  "dead-man button: expected none, because the device has no buttons"});
+}
+
 // The tripping tick, which has no force, and the 200 ms before it.
 TEST(drive, keeps_the_last_200_ms_before_a_trip) {
   const TemporaryDirectory here;

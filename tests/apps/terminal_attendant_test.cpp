@@ -106,6 +106,57 @@ TEST(terminal_attendant, confirms_the_reset_pose_where_that_was_said_beforehand)
   EXPECT_EQ(terminal.end(), kDone);
 }
 
+TEST(terminal_attendant, offers_keys_for_buttons_only_where_that_was_said) {
+  PseudoTerminal terminal([] {
+    TerminalAttendant person("");
+    return person.buttons() == nullptr ? kDone : kNotDone;
+  });
+  EXPECT_EQ(terminal.end(), kDone);
+}
+
+// One turn of the keys: pressed, let go of, both at once, and other keys.
+TEST(keyboard_buttons, go_down_and_up_with_each_key_typed_and_leave_the_terminal_as_it_was) {
+  PseudoTerminal terminal([] {
+    termios before{}, during{}, after{};
+    ::tcgetattr(STDIN_FILENO, &before);
+    {
+      const KeyboardButtons keys;
+      if (!keys.works() || keys.down() != 0) return kNotDone;
+      ::tcgetattr(STDIN_FILENO, &during);
+      int step = 0;
+      for (const unsigned expected : {1U, 0U, 2U, 3U}) {
+        std::printf("step %d\n", ++step);
+        std::fflush(stdout);
+        while (keys.down() != expected) ::usleep(1000);  // the test's alarm ends it
+      }
+    }
+    ::tcgetattr(STDIN_FILENO, &after);
+    const bool turned = (during.c_lflag & (ICANON | ECHO)) == 0 && (during.c_lflag & ISIG) != 0;
+    return turned && after.c_lflag == before.c_lflag && (before.c_lflag & ICANON) != 0 ? kDone : kNotDone;
+  });
+  int step = 0;
+  for (const char* keys : {"0", "0", "q9 \n1", "0"}) {
+    terminal.shown_until("step " + std::to_string(++step));
+    terminal.type(keys);
+  }
+  EXPECT_EQ(terminal.end(), kDone);
+  EXPECT_EQ(terminal.shown().find("q9"), std::string::npos) << "keys are not shown";
+}
+
+TEST(keyboard_buttons, do_not_work_where_there_is_no_terminal) {
+  PseudoTerminal terminal([] {
+    if (::fork() == 0) {
+      ::setsid();
+      const KeyboardButtons keys;
+      ::_exit(!keys.works() && keys.down() == 0 ? kDone : kNotDone);
+    }
+    int status = 0;
+    ::wait(&status);
+    return WEXITSTATUS(status);
+  });
+  EXPECT_EQ(terminal.end(), kDone);
+}
+
 TEST(terminal_attendant, shows_no_control_characters_of_a_driver) {
   PseudoTerminal terminal([] {
     TerminalAttendant("").told("one\nname \x1b[2J");

@@ -57,7 +57,7 @@ int refused_everywhere(const std::function<std::string(Json&, const Place&)>& ma
       ++faults;
       const std::string said = message(wrong.dump());
       EXPECT_NE(said.find(words), std::string::npos) << place << ": " << said;
-      EXPECT_TRUE(said.starts_with("here.json: expected a forceshade certificate (schema 5): ")) << said;
+      EXPECT_TRUE(said.starts_with("here.json: expected a forceshade certificate (schema 6): ")) << said;
     });
   }
   std::printf("  %d faults\n", faults);
@@ -173,53 +173,57 @@ TEST(certificate_reader, names_the_key_the_value_and_what_was_expected) {
   };
   const std::vector<Fault> faults{
       {"/schema", 4.9, "schema is 4.9; expected a whole number"},
-      {"/schema", 4, "schema is 4; expected 5: certify again"},
-      {"/laws/0/mismatches", 0.5, "laws[0].mismatches is 0.5; expected a whole number"},
-      {"/laws/0/mismatches", 1000000000000, "laws[0].mismatches is 1000000000000; expected no more than there are points"},
-      {"/laws/0/properties", Json::array(), "laws[0].properties is an array; expected all of "},
-      {"/laws/0/mismatches", 1, "laws[0].counterexamples is an array; expected the first of 1 mismatches"},
-      {"/laws/0/points", -1, "laws[0].points is -1; expected a whole number"},
-      {"/laws/0/points", 0, "laws[0].points is 0; expected 1 or more"},
-      {"/laws/0/points", 999999, "laws[0].points_by_instruction_set is an object; expected 999999 for each set"},
-      {"/laws/0/counterexamples", {"at 1"}, "laws[0].counterexamples is an array; expected none, as there is no mismatch"},
-      {"/laws/0/held", false, "laws[0].held is false; expected true, as the rest of the certificate says"},
+      {"/schema", 4, "schema is 4; expected 6: certify again"},
+      {"/subjects/0/mismatches", 0.5, "subjects[0].mismatches is 0.5; expected a whole number"},
+      {"/subjects/0/mismatches", 1000000000000,
+       "subjects[0].mismatches is 1000000000000; expected no more than there are points"},
+      {"/subjects/0/properties", Json::array(), "subjects[0].properties is an array; expected all of "},
+      {"/subjects/0/mismatches", 1, "subjects[0].counterexamples is an array; expected the first of 1 mismatches"},
+      {"/subjects/0/points", -1, "subjects[0].points is -1; expected a whole number"},
+      {"/subjects/0/points", 0, "subjects[0].points is 0; expected 1 or more"},
+      {"/subjects/0/points", 999999, "subjects[0].points_by_instruction_set is an object; expected 999999 for each set"},
+      {"/subjects/0/counterexamples",
+       {"at 1"},
+       "subjects[0].counterexamples is an array; expected none, as there is no mismatch"},
+      {"/subjects/0/held", false, "subjects[0].held is false; expected true, as the rest of the certificate says"},
       {"/held", false, "held is false; expected true"},
-      {"/laws/0/points_by_instruction_set/avx512", 5, "laws[0].points_by_instruction_set is an object"},
-      {"/laws/0/points_by_instruction_set/mmx", 1000000, "laws[0].points_by_instruction_set is an object"},
-      {"/laws/0/points_by_aim/any bits", 1, "laws[0].points_by_aim is an object; expected counts of any bits, volume"},
-      {"/laws/0/points_by_aim/any bits", 18446744073709551615U, "laws[0].points_by_aim is an object; expected counts"},
-      {"/laws/0/spread/parameter_sets", 0, "laws[0].spread.parameter_sets is 0; expected 1 or more"},
-      {"/laws/0/spread/parameter_sets", 250001, "laws[0].spread.parameter_sets is 250001; expected 1 or more, and no more"},
-      {"/laws/0/properties/1/name", "equivalence",
-       "laws[0].properties[1].name is \"equivalence\"; expected each property once"},
-      {"/laws/0/properties/1/cases", 0, "laws[0].properties[1].cases is 0; expected 1 or more"},
-      {"/laws/0/properties/2/held", false, "laws[0].properties[2].counterexample is \"\"; expected one"},
-      {"/laws/0/properties/2/counterexample", "at 1", "expected none, as the property held"},
-      {"/laws/0/energy_per_loop/0/bound_mJ/1", nullptr,
-       "laws[0].energy_per_loop[0].bound_mJ[1] is null; expected a finite number"},
-      {"/laws/0/energy_per_loop/0/bound_mJ/0", 9.5, "laws[0].energy_per_loop[0].bound_mJ is [9.5,0.250001]; expected"},
-      {"/laws/0/energy_per_loop/0/bound_mJ", {-2.5, -1.5}, "expected no bound below 0"},
-      {"/laws/0/conservative", true, "laws[0].energy_per_loop[0].bound_mJ is an array; expected [0, 0]"},
-      {"/laws/0/energy_per_loop/0/depth_mm", -0.5, "laws[0].energy_per_loop[0].depth_mm is -0.5; expected more than 0"},
-      {"/laws/0/closest_call/x_mm", 0.1, "laws[0].closest_call.x_mm is 0.1; expected a binary32 number"},
-      {"/laws/0/closest_call/ulps_from_tie", 0.0, "laws[0].closest_call.ulps_from_tie is 0.0; expected more than 0"},
-      {"/laws/0/closest_call/ulps_from_tie", 1.5, "expected more than 0 and at most 1"},
-      {"/laws/0/parameters/stiffness_N_per_mm", 0.1,
-       "laws[0].parameters.stiffness_N_per_mm is 0.1; expected a binary32 number"},
-      {"/laws/0/parameters/stiffness_N_per_mm", -0.5, "stiffness is -0.5 N/mm; expected 0.001 to 1000 N/mm"},
-      {"/laws/0/parameters/radius_mm", 0.0, "radius is 0 mm; expected 0.1 to 10000 mm"},
-      {"/laws/0/law", "bump-9p", "unknown law \"bump-9p\""},
-      {"/height_maps/0/map_digest", "c0ffee", "height_maps[0].map_digest is \"c0ffee\"; expected a SHA-256 of 64 hex digits"},
-      {"/height_maps/0/rendering", "height-mop", "unknown rendering \"height-mop\""},
-      {"/height_maps/0/stiffness_N_per_mm", 2048.0, "stiffness is 2048 N/mm; expected 0.001 to 1000 N/mm"},
-      {"/height_maps/0/parts", Json::array(), "height_maps[0].parts is an array; expected at least one part"},
-      {"/height_maps/0/height_map", "a\u009bb", "height_maps[0].height_map is \"a\\u009bb\"; expected text without control"},
+      {"/subjects/0/points_by_instruction_set/avx512", 5, "subjects[0].points_by_instruction_set is an object"},
+      {"/subjects/0/points_by_instruction_set/mmx", 1000000, "subjects[0].points_by_instruction_set is an object"},
+      {"/subjects/0/points_by_aim/any bits", 1, "subjects[0].points_by_aim is an object; expected counts of any bits, volume"},
+      {"/subjects/0/points_by_aim/any bits", 18446744073709551615U, "subjects[0].points_by_aim is an object; expected counts"},
+      {"/subjects/0/spread/parameter_sets", 0, "subjects[0].spread.parameter_sets is 0; expected 1 or more"},
+      {"/subjects/0/spread/parameter_sets", 250001,
+       "subjects[0].spread.parameter_sets is 250001; expected 1 or more, and no more"},
+      {"/subjects/0/properties/1/name", "equivalence",
+       "subjects[0].properties[1].name is \"equivalence\"; expected each property once"},
+      {"/subjects/0/properties/1/cases", 0, "subjects[0].properties[1].cases is 0; expected 1 or more"},
+      {"/subjects/0/properties/2/held", false, "subjects[0].properties[2].counterexample is \"\"; expected one"},
+      {"/subjects/0/properties/2/counterexample", "at 1", "expected none, as the property held"},
+      {"/subjects/0/energy_per_loop/0/bound_mJ/1", nullptr,
+       "subjects[0].energy_per_loop[0].bound_mJ[1] is null; expected a finite number"},
+      {"/subjects/0/energy_per_loop/0/bound_mJ/0", 9.5, "subjects[0].energy_per_loop[0].bound_mJ is [9.5,0.250001]; expected"},
+      {"/subjects/0/energy_per_loop/0/bound_mJ", {-2.5, -1.5}, "expected no bound below 0"},
+      {"/subjects/0/conservative", true, "subjects[0].energy_per_loop[0].bound_mJ is an array; expected [0, 0]"},
+      {"/subjects/0/energy_per_loop/0/depth_mm", -0.5, "subjects[0].energy_per_loop[0].depth_mm is -0.5; expected more than 0"},
+      {"/subjects/0/closest_call/x_mm", 0.1, "subjects[0].closest_call.x_mm is 0.1; expected a binary32 number"},
+      {"/subjects/0/closest_call/ulps_from_tie", 0.0, "subjects[0].closest_call.ulps_from_tie is 0.0; expected more than 0"},
+      {"/subjects/0/closest_call/ulps_from_tie", 1.5, "expected more than 0 and at most 1"},
+      {"/subjects/0/parameters/stiffness_N_per_mm", 0.1,
+       "subjects[0].parameters.stiffness_N_per_mm is 0.1; expected a binary32 number"},
+      {"/subjects/0/parameters/stiffness_N_per_mm", -0.5, "stiffness is -0.5 N/mm; expected 0.001 to 1000 N/mm"},
+      {"/subjects/0/parameters/radius_mm", 0.0, "radius is 0 mm; expected 0.1 to 10000 mm"},
+      {"/subjects/0/name", "bump-9p", "unknown law \"bump-9p\""},
+      {"/subjects/2/digest", "c0ffee", "subjects[2].digest is \"c0ffee\"; expected a SHA-256 of 64 hex digits"},
+      {"/subjects/2/parameters/rendering", "height-mop", "unknown rendering \"height-mop\""},
+      {"/subjects/2/parameters/stiffness_N_per_mm", 2048.0, "stiffness is 2048 N/mm; expected 0.001 to 1000 N/mm"},
+      {"/subjects/2/parts", Json::array(), "subjects[2].parts is an array; expected at least one part"},
+      {"/subjects/2/name", "a\u009bb", "subjects[2].name is \"a\\u009bb\"; expected text without control"},
       {"/build/compiler", "\x1b[31m", "build.compiler is \"\\u001b[31m\"; expected text without control characters"},
       {"/build/instruction_set", "mmx", "build.instruction_set is \"mmx\"; expected scalar, avx2 or avx512"},
-      {"/build/instruction_set", "avx512", "laws[0].points_by_instruction_set is an object; expected 1000000 for each set"},
+      {"/build/instruction_set", "avx512", "subjects[0].points_by_instruction_set is an object; expected 1000000 for each set"},
       {"/build/library_digest", std::string(64, 'A'), "build.library_digest is"},
-      {"/statement", "All is well.", "statement is \"All is well.\"; expected the words of schema 5"},
-      {"/method", "", "method is \"\"; expected the words of schema 5"},
+      {"/statement", "All is well.", "statement is \"All is well.\"; expected the words of schema 6"},
+      {"/method", "", "method is \"\"; expected the words of schema 6"},
       {"/domain/radius_mm/1", 2e4, "domain is an object; expected {"},
       {"/date", "2026-01-31 23:59:59", "date is \"2026-01-31 23:59:59\"; expected one like 2026-01-31T23:59:59Z"},
       {"/seconds", -1.5, "seconds is -1.5; expected 0 or more"},
@@ -263,12 +267,12 @@ TEST(certificate_reader, ends_with_clear_words_on_hostile_text) {
   std::string open;
   for (int i = 0; i < 100000; ++i) open += "{\"a\":";
   hostile.push_back(open);
-  std::string keys = "{\"schema\": 5";
+  std::string keys = "{\"schema\": 6";
   for (int i = 0; i < 100000; ++i) keys += ", \"k" + std::to_string(i) + "\": " + std::to_string(i);
   hostile.push_back(keys + '}');
   for (const std::string& text : hostile) {
     const std::string said = message(text);
-    EXPECT_TRUE(said.starts_with("here.json: expected a forceshade certificate (schema 5): ")) << said;
+    EXPECT_TRUE(said.starts_with("here.json: expected a forceshade certificate (schema 6): ")) << said;
     EXPECT_LT(said.size(), 400U) << said;
     EXPECT_TRUE(is_plain(said)) << said;
   }
@@ -291,12 +295,12 @@ TEST(certificate_writer, refuses_numbers_that_are_not_finite) {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bound : {infinity, -infinity, std::nan("")}) {
     Certificate certificate = tests::made_certificate();
-    certificate.laws[1].energy[0].bound_mJ[1] = bound;
+    certificate.subjects[1].energy[0].bound_mJ[1] = bound;
     try {
       to_json(certificate);
       FAIL() << bound;
     } catch (const CertificateError& error) {
-      EXPECT_NE(std::string(error.what()).find("laws[1].energy_per_loop[0].bound_mJ[1] is "), std::string::npos)
+      EXPECT_NE(std::string(error.what()).find("subjects[1].energy_per_loop[0].bound_mJ[1] is "), std::string::npos)
           << error.what();
     }
   }
@@ -304,8 +308,8 @@ TEST(certificate_writer, refuses_numbers_that_are_not_finite) {
 
 TEST(certificate_writer, writes_a_file_name_that_is_not_utf_8) {
   Certificate certificate = tests::made_certificate();
-  certificate.height_maps[0].file = "hill\xff.toml";
-  EXPECT_EQ(from_json(to_json(certificate), "here.json").height_maps[0].file, "hill\uFFFD.toml");
+  certificate.subjects[2].identity.name = "hill\xff.toml";
+  EXPECT_EQ(from_json(to_json(certificate), "here.json").subjects[2].name(), "hill\uFFFD.toml");
 }
 
 TEST(certificate_reader, says_why_a_file_cannot_be_read) {

@@ -9,24 +9,31 @@
 
 #include "forceshade/certificate/build.h"
 #include "forceshade/certificate/certify.h"
+#include "forceshade/properties/law_subject.h"
 
 namespace forceshade::properties {
 namespace {
 
 constexpr Parameters kBump{15.24F, 25.4F, 0.5F};
 
+std::vector<std::shared_ptr<const Subject>> laws(const std::vector<LawId>& ids, const Parameters& parameters) {
+  std::vector<std::shared_ptr<const Subject>> subjects;
+  for (const LawId id : ids) subjects.push_back(std::make_shared<LawSubject>(id, parameters));
+  return subjects;
+}
+
 Certificate small_certificate(unsigned threads = 2) {
   static const std::atomic<bool> never{false};
   return certify(
-             {{LawId::wall, LawId::bump_2p}, kBump, 20000, 200, 3, threads}, [](std::string_view, double) {}, never)
+             {laws({LawId::wall, LawId::bump_2p}, kBump), 20000, 200, 3, threads}, [](std::string_view, double) {}, never)
       .value();
 }
 
 TEST(certificate, counts_every_point_once_in_each_breakdown) {
   const Certificate certificate = small_certificate();
   EXPECT_TRUE(certificate.held());
-  ASSERT_EQ(certificate.laws.size(), 2U);
-  for (const LawResult& law : certificate.laws) {
+  ASSERT_EQ(certificate.subjects.size(), 2U);
+  for (const SubjectResult& law : certificate.subjects) {
     EXPECT_EQ(law.points, 20000U);
     for (const auto& counts : {law.points_by_aim, law.points_by_stage, law.points_by_method, law.points_by_status}) {
       std::uint64_t sum = 0;
@@ -49,7 +56,7 @@ TEST(certificate, counts_every_point_once_in_each_breakdown) {
 
 TEST(certificate, says_what_kind_of_force_each_law_is) {
   const Certificate certificate = small_certificate();
-  const LawResult &wall = certificate.laws[0], &bump = certificate.laws[1];
+  const SubjectResult &wall = certificate.subjects[0], &bump = certificate.subjects[1];
   EXPECT_TRUE(wall.conservative);
   EXPECT_TRUE(wall.jumps.empty());
   EXPECT_FALSE(bump.conservative);
@@ -65,8 +72,12 @@ TEST(certificate, says_what_kind_of_force_each_law_is) {
 }
 
 TEST(certificate, is_not_made_while_rounding_is_not_to_nearest) {
+  const CertifyOptions options{laws({LawId::wall}, kBump), 20000, 200, 3, 1};
+  const std::atomic<bool> never{false};
   std::fesetround(FE_UPWARD);
-  EXPECT_THROW(small_certificate(), std::runtime_error);
+  EXPECT_THROW(certify(
+                   options, [](std::string_view, double) {}, never),
+               std::runtime_error);
   std::fesetround(FE_TONEAREST);
 }
 
@@ -86,7 +97,7 @@ TEST(certificate, reads_back_what_it_wrote) {
 TEST(certificate, is_not_made_when_stopped) {
   const std::atomic<bool> stop{true};
   EXPECT_FALSE(certify(
-      {{LawId::wall}, kBump, 20000, 200, 3, 2}, [](std::string_view, double) {}, stop));
+      {laws({LawId::wall}, kBump), 20000, 200, 3, 2}, [](std::string_view, double) {}, stop));
 }
 
 // A check as long as the default, with a seed that is not: what it reaches is enough for driving.
@@ -95,16 +106,16 @@ TEST(certificate, is_enough_for_driving_when_made_by_default) {
   const Parameters odd{15.24F, 25.4F, 0.7F};
   const Certificate certificate =
       certify(
-          {.laws = {LawId::wall, LawId::bump_1p_shaded}, .parameters = odd, .seed = 20261122, .threads = 2},
+          {.subjects = laws({LawId::wall, LawId::bump_1p_shaded}, odd), .seed = 20261122, .threads = 2},
           [](std::string_view, double) {}, never)
           .value();
-  for (const LawResult& law : certificate.laws)
-    EXPECT_EQ(refusal(certificate, current_build(), law.law, odd), std::nullopt) << law.name();
+  for (const SubjectResult& law : certificate.subjects)
+    EXPECT_EQ(refusal(certificate, current_build(), law.identity), std::nullopt) << law.name();
   EXPECT_FALSE(Certificate{}.held()) << "a certificate of nothing certifies nothing";
 }
 
 TEST(certificate, is_too_little_for_driving_when_the_check_was_short) {
-  const auto reason = refusal(small_certificate(), current_build(), LawId::bump_2p, kBump);
+  const auto reason = refusal(small_certificate(), current_build(), identity_of(LawId::bump_2p, kBump));
   EXPECT_EQ(reason, "the certificate has 20000 points for bump-2p; driving needs at least 1000000");
 }
 

@@ -7,10 +7,16 @@
 #include <bit>
 #include <cfenv>
 #include <cmath>
+#include <functional>
+#include <memory>
 
 #include "forceshade/certificate/certify.h"
 #include "forceshade/certificate/compare.h"
-#include "forceshade/certificate/spread.h"
+#include "forceshade/properties/height_map_subject.h"
+#include "forceshade/properties/law_subject.h"
+#include "forceshade/properties/run.h"
+#include "forceshade/properties/spread.h"
+#include "forceshade/tests/properties/subject_wrapper.h"
 
 namespace forceshade::properties {
 namespace {
@@ -19,8 +25,30 @@ using fast::InstructionSet;
 
 constexpr Parameters kBump{15.24F, 25.4F, 0.5F};
 
-CertifyOptions small(LawId law) {
-  return {.laws = {law}, .parameters = kBump, .points = 9000, .cases = 20, .seed = 3, .threads = 2};
+// What is compared, made anew with every change of a test to its calls.
+using Change = std::function<Calls(Calls)>;
+using Subjects = std::function<std::shared_ptr<const Subject>(const Change&)>;
+
+Subjects law_of(LawId id) {
+  return [id](const Change& change) {
+    return std::make_shared<LawSubject>(id, kBump,
+                                        [change](LawId law, const Parameters& p) { return change(fast_law(law, p)); });
+  };
+}
+
+Subjects map_of(const HeightMap& map) {
+  return [map](const Change& change) {
+    return std::make_shared<HeightMapSubject>("map.toml", map, height::Rendering::true_height, kBump.stiffness,
+                                              [change](const HeightMap& its, height::Rendering rendering, float stiffness) {
+                                                return change(fast_height_map(its, rendering, stiffness));
+                                              });
+  };
+}
+
+const Change kAsItIs = [](Calls calls) { return calls; };
+
+CertifyOptions small(const Subjects& subjects, const Change& change = kAsItIs) {
+  return {.subjects = {subjects(change)}, .points = 9000, .cases = 20, .seed = 3, .threads = 2};
 }
 
 Certificate certified(const CertifyOptions& options) {
@@ -42,26 +70,8 @@ HeightMap spline() {
       height::Grid{4, 4, 0.5F, height::Edge::tile, height::Interpolant::cubic_spline, std::move(values)})}}};
 }
 
-CertifyOptions small(HeightMap map) {
-  CertifyOptions options{.laws = {}, .parameters = kBump, .points = 9000, .cases = 20, .seed = 3, .threads = 2};
-  options.height_maps = {{"map.toml", std::move(map), height::Rendering::true_height}};
-  return options;
-}
-
-// Wraps what is compared: change(calls) is made to each of them.
-template <class Change>
-CertifyOptions with_calls(CertifyOptions options, const Change& change) {
-  const MakeCalls right = calls_of_the_fast_path();
-  options.calls = {[=](LawId law, const Parameters& parameters) { return change(right.law(law, parameters)); },
-                   [=](const HeightMap& map, height::Rendering rendering, float stiffness) {
-                     return change(right.height_map(map, rendering, stiffness));
-                   }};
-  return options;
-}
-
 const Findings& only(const Certificate& certificate) {
-  if (certificate.laws.empty()) return certificate.height_maps.at(0);
-  return certificate.laws.at(0);
+  return certificate.subjects.at(0);
 }
 
 std::vector<InstructionSet> available() {
@@ -76,8 +86,8 @@ float flipped(float value) {
 }
 
 TEST(comparison, says_which_sets_of_code_were_compared) {
-  for (const CertifyOptions& options : {small(LawId::bump_2p), small(slope())}) {
-    const Certificate certificate = certified(options);
+  for (const Subjects& subjects : {law_of(LawId::bump_2p), map_of(slope())}) {
+    const Certificate certificate = certified(small(subjects));
     const Findings& found = only(certificate);
     EXPECT_TRUE(found.held());
     EXPECT_EQ(found.points_by_instruction_set.size(), available().size());
@@ -91,10 +101,10 @@ TEST(comparison, says_which_sets_of_code_were_compared) {
 
 // One bit of one component at one point in a thousand, by one set's batch call.
 TEST(comparison, finds_a_batch_call_that_is_wrong_in_one_set) {
-  for (const CertifyOptions& options : {small(LawId::bump_1p_shaded), small(slope())})
+  for (const Subjects& subjects : {law_of(LawId::bump_1p_shaded), map_of(slope())})
     for (const InstructionSet wrong : available())
       for (const Eigen::Index component : {0, 2}) {
-        const Certificate certificate = certified(with_calls(options, [=](Calls calls) {
+        const Certificate certificate = certified(small(subjects, [=](Calls calls) {
           calls.batch = [=, right = calls.batch](auto positions, auto forces, InstructionSet set) {
             const fast::BatchResult result = right(positions, forces, set);
             if (set == wrong && positions.size() > 1)
@@ -115,18 +125,18 @@ TEST(comparison, finds_a_batch_call_that_is_wrong_in_one_set) {
 }
 
 TEST(comparison, finds_a_single_call_that_is_wrong_in_one_set) {
-  CertifyOptions options = small(spline());
-  options.points = 300;
-  options.cases = 1;
   for (const InstructionSet wrong : available()) {
-    const Certificate certificate = certified(with_calls(options, [=](Calls calls) {
+    CertifyOptions options = small(map_of(spline()), [=](Calls calls) {
       calls.batch = [=, right = calls.batch](auto positions, auto forces, InstructionSet set) {
         const fast::BatchResult result = right(positions, forces, set);
         if (set == wrong && positions.size() == 1) forces[0].z() = flipped(forces[0].z());
         return result;
       };
       return calls;
-    }));
+    });
+    options.points = 300;
+    options.cases = 1;
+    const Certificate certificate = certified(options);
     EXPECT_EQ(only(certificate).mismatches, 300U);
     EXPECT_NE(only(certificate).counterexamples.at(0).find("the single call (" + std::string(name_of(wrong)) + "): at "),
               std::string::npos);
@@ -134,12 +144,14 @@ TEST(comparison, finds_a_single_call_that_is_wrong_in_one_set) {
 }
 
 TEST(comparison, finds_the_single_call_that_is_wrong) {
-  for (const CertifyOptions& options : {small(LawId::cylinder), small(slope())}) {
-    const Certificate certificate = certified(with_calls(options, [](Calls calls) {
-      calls.evaluate = [right = calls.evaluate](const Eigen::Vector3f& position) {
-        fast::Evaluation answer = right(position);
-        if (answer.status == Status::contact) answer.force.x() = flipped(answer.force.x());
-        return answer;
+  for (const Subjects& subjects : {law_of(LawId::cylinder), map_of(slope())}) {
+    const Certificate certificate = certified(small(subjects, [](Calls calls) {
+      calls.open = [open = calls.open] {
+        return answering([right = std::shared_ptr<fast::Session>(open())](const Eigen::Vector3f& position) {
+          fast::Evaluation answer = right->step(position);
+          if (answer.status == Status::contact) answer.force.x() = flipped(answer.force.x());
+          return answer;
+        });
       };
       return calls;
     }));
@@ -149,21 +161,21 @@ TEST(comparison, finds_the_single_call_that_is_wrong) {
 }
 
 TEST(comparison, finds_a_batch_call_that_writes_nothing_or_miscounts) {
-  const Certificate silent = certified(with_calls(small(LawId::wall), [](Calls calls) {
+  const Certificate silent = certified(small(law_of(LawId::wall), [](Calls calls) {
     calls.batch = [right = calls.batch](auto positions, auto forces, InstructionSet set) {
       return set == InstructionSet::scalar ? right(positions, forces, set) : right(positions, forces, InstructionSet::scalar);
     };
     return calls;
   }));
   EXPECT_TRUE(silent.held()) << "a set that gives another's bits gives the right ones";
-  const Certificate unwritten = certified(with_calls(small(LawId::wall), [](Calls calls) {
+  const Certificate unwritten = certified(small(law_of(LawId::wall), [](Calls calls) {
     calls.batch = [right = calls.batch](auto positions, auto forces, InstructionSet set) {
       return right(positions.first(positions.size() - 1), forces.first(positions.size() - 1), set);
     };
     return calls;
   }));
   EXPECT_GE(only(unwritten).mismatches, 3U) << "the last of each chunk";
-  const Certificate miscounted = certified(with_calls(small(LawId::wall), [](Calls calls) {
+  const Certificate miscounted = certified(small(law_of(LawId::wall), [](Calls calls) {
     calls.batch = [right = calls.batch](auto positions, auto forces, InstructionSet set) {
       fast::BatchResult result = right(positions, forces, set);
       ++result.invalid;
@@ -178,10 +190,10 @@ TEST(comparison, finds_a_batch_call_that_writes_nothing_or_miscounts) {
 // With the stiffness asked for, 1/2, every product is exact: only the spread rounds.
 TEST(comparison, finds_by_default_that_a_wall_truncates_instead_of_rounding) {
   for (const LawId law : {LawId::wall, LawId::bump_1p}) {
-    CertifyOptions options{.laws = {law}, .parameters = kBump, .seed = 1, .threads = 2};
+    CertifyOptions options{.seed = 1, .threads = 2};
     options.points /= 20;  // of the default a twentieth is enough, and quicker
     options.cases = 20;
-    options.calls.law = [](LawId id, const Parameters& p) {
+    const RenderLaw truncating = [](LawId id, const Parameters& p) {
       const fast::Law right = std::get<fast::Law>(fast::Law::build(id, p));
       const auto truncated = [right, K = static_cast<double>(p.stiffness)](const Eigen::Vector3f& position) {
         fast::Evaluation answer = right.evaluate(position);
@@ -190,7 +202,8 @@ TEST(comparison, finds_by_default_that_a_wall_truncates_instead_of_rounding) {
           answer.force.z() = std::nextafter(answer.force.z(), 0.0F);
         return answer;
       };
-      return Calls{truncated, [truncated](auto positions, auto forces, InstructionSet) {
+      return Calls{[truncated] { return answering(truncated); },
+                   [truncated](auto positions, auto forces, InstructionSet) {
                      fast::BatchResult result;
                      for (std::size_t i = 0; i < positions.size(); ++i) {
                        const fast::Evaluation answer = truncated(positions[i]);
@@ -200,6 +213,7 @@ TEST(comparison, finds_by_default_that_a_wall_truncates_instead_of_rounding) {
                      return result;
                    }};
     };
+    options.subjects = {std::make_shared<LawSubject>(law, kBump, truncating)};
     const Certificate certificate = certified(options);
     const Findings& found = only(certificate);
     EXPECT_LT(found.mismatches, found.points / 100) << "subnormal forces alone";
@@ -209,17 +223,21 @@ TEST(comparison, finds_by_default_that_a_wall_truncates_instead_of_rounding) {
   }
 }
 
-struct Undecided {
-  reference::Rounded round_to_binary32(const Eigen::Vector3f&) const { throw std::domain_error("3072 bits are too few"); }
-};
-struct Origin {
-  Aimed next() { return {{0, 0, -1}, Aim::volume}; }
+class Undecided final : public tests::SubjectWrapper {
+ public:
+  using SubjectWrapper::SubjectWrapper;
+  std::unique_ptr<ReferenceSession> open_reference() const override {
+    struct Session final : ReferenceSession {
+      reference::Rounded step(const Eigen::Vector3f&) override { throw std::domain_error("3072 bits are too few"); }
+    };
+    return std::make_unique<Session>();
+  }
 };
 
 TEST(comparison, counts_what_the_reference_does_not_decide_as_a_mismatch) {
-  const Calls calls = calls_of_the_fast_path().law(LawId::wall, kBump);
+  const Undecided undecided(std::make_shared<LawSubject>(LawId::wall, kBump));
   Tally tally;
-  compare_chunk(calls, Undecided{}, Origin{}, 5, 0, "", tally);
+  compare_chunk(undecided, 1, 5, 0, "", tally);
   const Comparison found = tally.comparison();
   EXPECT_EQ(found.points, 5U);
   EXPECT_EQ(found.mismatches, 5U);
@@ -229,9 +247,9 @@ TEST(comparison, counts_what_the_reference_does_not_decide_as_a_mismatch) {
     for (const auto& [name, count] : counts) sum += count;
     EXPECT_EQ(sum, 5U);
   }
-  const Violation violation = equivalence(SubjectOf<Undecided>{{}, renderer_of(calls)}, {0, 0, -1});
-  ASSERT_TRUE(violation);
-  EXPECT_NE(violation->find("the reference does not decide"), std::string::npos);
+  const std::vector<PropertyResult> properties = run_properties(undecided, 20, 1);
+  EXPECT_FALSE(properties.at(0).held);
+  EXPECT_NE(properties.at(0).counterexample.find("the reference does not decide"), std::string::npos);
 }
 
 // The first ten in the order of the chunks, and the smaller position of two equal calls.

@@ -8,30 +8,44 @@
 
 #include "forceshade/certificate/build.h"
 #include "forceshade/certificate/certify.h"
-#include "forceshade/certificate/height_loops.h"
 #include "forceshade/certificate/merge.h"
 #include "forceshade/heights/spec.h"
+#include "forceshade/properties/height_map_subject.h"
+#include "forceshade/reference/enclosure.h"
 #include "forceshade/report/report.h"
+#include "forceshade/tests/properties/subject_wrapper.h"
 
 namespace forceshade::properties {
 namespace {
 
 using height::Rendering;
+using tests::SubjectWrapper;
 
-Certificate certificate_of(std::vector<NamedHeightMap> maps, std::uint64_t points = 4000, unsigned threads = 2) {
+struct Named {
+  std::string name;
+  HeightMap map;
+  Rendering rendering;
+};
+
+std::shared_ptr<const Subject> subject_of(const Named& named) {
+  return std::make_shared<HeightMapSubject>(named.name, named.map, named.rendering, 0.5F);
+}
+
+Certificate certificate_of(const std::vector<Named>& maps, std::uint64_t points = 4000, unsigned threads = 2) {
   static const std::atomic<bool> never{false};
-  CertifyOptions options{{}, {.stiffness = 0.5F}, points, 200, 3, threads, std::move(maps)};
+  CertifyOptions options{{}, points, 200, 3, threads};
+  for (const Named& named : maps) options.subjects.push_back(subject_of(named));
   return certify(
              options, [](std::string_view, double) {}, never)
       .value();
 }
 
-NamedHeightMap cone() {
+Named cone() {
   return {"cone.toml", {{{height::Cone{0.5F, -0.25F, 2.5F, 4}}, {height::Plane{0.1F, 0, 0}, true}}}, Rendering::true_height};
 }
 
 TEST(height_certificate, covers_every_example) {
-  std::vector<NamedHeightMap> maps;
+  std::vector<Named> maps;
   for (const auto& entry : std::filesystem::directory_iterator(FORCESHADE_SOURCE_DIR "/examples")) {
     if (entry.path().extension() != ".toml") continue;
     heights::Spec spec = heights::read_spec(entry.path());
@@ -39,19 +53,19 @@ TEST(height_certificate, covers_every_example) {
   }
   const std::size_t examples = maps.size();
   EXPECT_GE(examples, 4U);
-  const Certificate certificate = certificate_of(std::move(maps), 8000);
+  const Certificate certificate = certificate_of(maps, 8000);
   EXPECT_TRUE(certificate.held());
-  ASSERT_EQ(certificate.height_maps.size(), examples);
-  for (const HeightMapResult& map : certificate.height_maps) {
-    EXPECT_TRUE(map.held()) << map.file << (map.counterexamples.empty() ? "" : map.counterexamples.front());
+  ASSERT_EQ(certificate.subjects.size(), examples);
+  for (const SubjectResult& map : certificate.subjects) {
+    EXPECT_TRUE(map.held()) << map.name() << (map.counterexamples.empty() ? "" : map.counterexamples.front());
     for (const auto& counts : {map.points_by_aim, map.points_by_stage, map.points_by_method, map.points_by_status}) {
       std::uint64_t sum = 0;
       for (const auto& [name, count] : counts) sum += count;
-      EXPECT_EQ(sum, 8000U) << map.file;
+      EXPECT_EQ(sum, 8000U) << map.name();
     }
-    for (const auto& [aim, count] : map.points_by_aim) EXPECT_GT(count, 100U) << map.file << ": " << aim;
-    for (const auto& [status, count] : map.points_by_status) EXPECT_GT(count, 500U) << map.file << ": " << status;
-    std::printf("  %-15s closest call %.2g ulp\n", map.file.c_str(), map.closest_call.ulps_from_tie);
+    for (const auto& [aim, count] : map.points_by_aim) EXPECT_GT(count, 100U) << map.name() << ": " << aim;
+    for (const auto& [status, count] : map.points_by_status) EXPECT_GT(count, 500U) << map.name() << ": " << status;
+    std::printf("  %-15s closest call %.2g ulp\n", map.name().c_str(), map.closest_call.ulps_from_tie);
     EXPECT_LT(map.closest_call.ulps_from_tie, 1e-3) << "ties are aimed at";
   }
 }
@@ -60,13 +74,13 @@ TEST(height_certificate, says_what_kind_of_force_each_map_is) {
   const HeightMap dent{{{height::SphereCap{0, 0, 5, 8}, true}}}, hill{{{height::Gaussian{0, 0, 3, 5}}}};
   const Certificate certificate =
       certificate_of({{"dent", dent, Rendering::conservative}, {"hill", hill, Rendering::force_shaded}});
-  const HeightMapResult &first = certificate.height_maps[0], &second = certificate.height_maps[1];
+  const SubjectResult &first = certificate.subjects[0], &second = certificate.subjects[1];
   EXPECT_EQ(first.jumps, std::vector<std::string>{"part 1, sphere-cap: its rim"});
   EXPECT_TRUE(first.conservative);
-  EXPECT_FALSE(first.is_unit()) << "its normal is as long as the map is steep";
+  EXPECT_FALSE(first.unit_directions) << "its normal is as long as the map is steep";
   EXPECT_TRUE(second.jumps.empty());
   EXPECT_FALSE(second.conservative);
-  EXPECT_TRUE(second.is_unit());
+  EXPECT_TRUE(second.unit_directions);
   ASSERT_EQ(first.energy.size(), 2U);
   for (const LoopEnergy& loop : first.energy) EXPECT_EQ(loop.bound_mJ[1], 0);
   ASSERT_EQ(second.energy.size(), 2U);
@@ -77,25 +91,31 @@ TEST(height_certificate, says_what_kind_of_force_each_map_is) {
   }
 }
 
+// A map whose loops no interval encloses.
+class Unenclosed final : public SubjectWrapper {
+ public:
+  using SubjectWrapper::SubjectWrapper;
+  std::vector<LoopEnergy> energies(const reference::Watch&) const override { throw reference::NotEnclosed("too steep"); }
+};
+
 TEST(height_certificate, fails_in_words_where_the_energy_of_a_loop_is_not_enclosed) {
-  HeightMapResult map = certificate_of({cone()}).height_maps[0];
-  ASSERT_TRUE(map.held());
-  map.energy.clear();
-  add_loop_energies(map, []() -> std::vector<LoopEnergy> { throw reference::NotEnclosed("too steep"); });
+  const std::atomic<bool> never{false};
+  const auto certificate = certify(
+      {{std::make_shared<Unenclosed>(subject_of(cone()))}, 4000, 200, 3, 2}, [](std::string_view, double) {}, never);
+  ASSERT_TRUE(certificate);
+  const SubjectResult& map = certificate->subjects.at(0);
   EXPECT_FALSE(map.held());
   EXPECT_TRUE(map.energy.empty());
   for (const PropertyResult& property : map.properties) {
     EXPECT_EQ(property.held, property.name != "passivity") << property.name;
     if (!property.held) EXPECT_EQ(property.counterexample, "what a loop can be paid is not enclosed: too steep");
   }
-  add_loop_energies(map, [] { return std::vector<LoopEnergy>(3); });
-  EXPECT_EQ(map.energy.size(), 3U);
 }
 
 TEST(height_certificate, is_none_if_stopped_while_the_energy_of_loops_is_computed) {
   std::atomic<bool> stop{false};
   double last = 0;
-  const CertifyOptions options{{}, {.stiffness = 0.5F}, 4000, 20, 3, 1, {cone()}};
+  const CertifyOptions options{{subject_of(cone())}, 4000, 20, 3, 1};
   const auto watch = [&](std::string_view, double done) {
     EXPECT_GE(done, last);
     last = done;
@@ -119,14 +139,14 @@ TEST(height_certificate, reads_back_what_it_wrote_whatever_the_number_of_threads
 
 TEST(height_certificate, covers_the_map_that_was_checked) {
   const Certificate certificate = certificate_of({cone()});
-  EXPECT_EQ(refusal(certificate, current_build(), identity_of(cone().map, Rendering::true_height, 0.5F)),
+  EXPECT_EQ(refusal(certificate, current_build(), identity_of("cone.toml", cone().map, Rendering::true_height, 0.5F)),
             "the certificate has 4000 points for cone.toml; driving needs at least 200000");
-  EXPECT_NE(refusal(certificate, current_build(), identity_of(cone().map, Rendering::force_shaded, 0.5F))
+  EXPECT_NE(refusal(certificate, current_build(), identity_of("cone.toml", cone().map, Rendering::force_shaded, 0.5F))
                 .value_or("")
-                .find("another"),
+                .find("with other parameters"),
             std::string::npos);
-  EXPECT_EQ(certificate.height_maps[0].spread.points, 1000U);
-  EXPECT_EQ(certificate.height_maps[0].spread.parameter_sets, 8U);
+  EXPECT_EQ(certificate.subjects[0].spread.points, 1000U);
+  EXPECT_EQ(certificate.subjects[0].spread.parameter_sets, 8U);
 }
 
 // Of a map, each number, each kind, each sign and the order of the parts; not where it was read from.
@@ -136,7 +156,7 @@ TEST(height_certificate, is_bound_to_every_number_of_a_map) {
   int maps = 0;
   const auto add = [&](std::vector<height::Part> parts, std::vector<height::Part> surface = {}) {
     ++maps;
-    digests.insert(identity_of({std::move(parts), std::move(surface)}, Rendering::force_shaded, 1).map_digest);
+    digests.insert(identity_of("", {std::move(parts), std::move(surface)}, Rendering::force_shaded, 1).digest);
   };
   const auto add_grid = [&](const auto& change) {
     height::Grid changed = grid;
@@ -162,9 +182,11 @@ TEST(height_certificate, is_bound_to_every_number_of_a_map) {
   add({{height::Polygons{{{0, 1}, {2, 3}}}}});
   add({{height::Polygons{{{0, 1}, {2, 3}, {3, 0}}}}});
   EXPECT_EQ(digests.size(), static_cast<std::size_t>(maps));
-  const auto again = [&] { return identity_of({{{std::make_shared<const height::Grid>(grid)}}}, Rendering::true_height, 1); };
-  EXPECT_EQ(again(), again());
-  EXPECT_TRUE(digests.contains(again().map_digest)) << "the rendering is no part of the map";
+  const auto again = [&] {
+    return identity_of("", {{{std::make_shared<const height::Grid>(grid)}}}, Rendering::true_height, 1);
+  };
+  EXPECT_TRUE(again().is_same(again()));
+  EXPECT_TRUE(digests.contains(again().digest)) << "the rendering is no part of the map";
 }
 
 TEST(height_certificate, has_a_page_that_shows_the_map) {
@@ -177,11 +199,11 @@ TEST(height_certificate, has_a_page_that_shows_the_map) {
 
 TEST(height_certificate, goes_together_with_sweeps_of_laws) {
   const Certificate points = certificate_of({cone()});
-  Certificate swept{points.build, 1, 0, {}, {}};
+  Certificate swept{points.build, 1, 0, {}, {}, {}, {}};
   swept.sweeps = planned({{LawId::wall}, {.stiffness = 1}, {1}, false, true, false});
   swept.sweeps.next = swept.sweeps.end;
   const Certificate both = merged({{"points", points}, {"swept", swept}});
-  EXPECT_EQ(both.height_maps.size(), 1U);
+  EXPECT_EQ(both.subjects.size(), 1U);
   EXPECT_THROW(merged({{"both", both}, {"swept", swept}}), CertificateError) << "merged already";
 }
 

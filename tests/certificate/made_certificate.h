@@ -40,15 +40,26 @@ inline properties::Findings made_findings(std::uint64_t points) {
   return found;
 }
 
-inline properties::LawResult made_law(LawId law = LawId::bump_2p) {
-  return {made_findings(properties::kPointsOfALaw), law, {15.24F, 25.4F, 0.5F}};
+inline properties::SubjectResult made_subject(properties::Identity identity, std::vector<std::string> parts = {}) {
+  const std::uint64_t points = properties::points_of_kind(identity.kind);
+  return {made_findings(points), std::move(identity), std::move(parts), true};
 }
 
-inline properties::HeightMapResult made_map() {
-  return {made_findings(properties::kPointsOfAHeightMap),
-          "hill.toml",
-          {std::string(64, 'c'), height::Rendering::true_height, 0.5F},
-          {"gaussian: x_mm 0, y_mm 0, height_mm 3, sigma_mm 5"}};
+inline properties::SubjectResult made_law(LawId law = LawId::bump_2p, const Parameters& parameters = {15.24F, 25.4F, 0.5F}) {
+  return made_subject(properties::identity_of(law, parameters));
+}
+
+// Of a map that nobody has: its digest is made up.
+inline properties::Identity made_map_identity(height::Rendering rendering = height::Rendering::true_height,
+                                              float stiffness = 0.5F) {
+  properties::Identity identity = properties::identity_of("hill.toml", {}, rendering, stiffness);
+  identity.digest = std::string(64, 'c');
+  return identity;
+}
+
+inline properties::SubjectResult made_map(height::Rendering rendering = height::Rendering::true_height,
+                                          float stiffness = 0.5F) {
+  return made_subject(made_map_identity(rendering, stiffness), {"gaussian: x_mm 0, y_mm 0, height_mm 3, sigma_mm 5"});
 }
 
 inline properties::Build made_build() {
@@ -57,8 +68,7 @@ inline properties::Build made_build() {
 
 // Of two laws and a height map.
 inline properties::Certificate made_certificate() {
-  return {made_build(), 7, 1.5, {made_law(), made_law(LawId::cylinder)}, {}, {made_map()}, "2026-01-31T23:59:59Z",
-          "a processor"};
+  return {made_build(), 7, 1.5, {made_law(), made_law(LawId::cylinder), made_map()}, {}, "2026-01-31T23:59:59Z", "a processor"};
 }
 
 // And of sweeps, done to the end.
@@ -76,11 +86,11 @@ inline properties::Certificate made_certificate_with_sweeps() {
 // With a point, a property and a sweep that failed.
 inline properties::Certificate made_failed_certificate() {
   properties::Certificate certificate = made_certificate_with_sweeps();
-  certificate.laws[0].mismatches = 2;
-  certificate.laws[0].counterexamples = {"at 1", "at 2"};
-  certificate.laws[1].spread.mismatches = 1;
-  certificate.laws[1].spread.counterexamples = {"with K = 3"};
-  certificate.height_maps[0].properties[3] = {"passivity", 4, false, "a loop\nof two lines"};
+  certificate.subjects[0].mismatches = 2;
+  certificate.subjects[0].counterexamples = {"at 1", "at 2"};
+  certificate.subjects[1].spread.mismatches = 1;
+  certificate.subjects[1].spread.counterexamples = {"with K = 3"};
+  certificate.subjects[2].properties[3] = {"passivity", 4, false, "a loop\nof two lines"};
   certificate.sweeps.results[1].mismatches = 1;
   certificate.sweeps.counterexamples = {"at 3"};
   return certificate;

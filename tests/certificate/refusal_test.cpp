@@ -15,11 +15,11 @@ constexpr Parameters kBump{15.24F, 25.4F, 0.5F};
 
 std::string of_law(const Certificate& certificate, const Build& build = tests::made_build(), LawId law = LawId::bump_2p,
                    const Parameters& parameters = kBump) {
-  return refusal(certificate, build, law, parameters).value_or("allowed");
+  return refusal(certificate, build, identity_of(law, parameters)).value_or("allowed");
 }
 
 std::string of_map(const Certificate& certificate, const Build& build = tests::made_build(),
-                   const HeightIdentity& map = tests::made_map().identity) {
+                   const Identity& map = tests::made_map_identity()) {
   return refusal(certificate, build, map).value_or("allowed");
 }
 
@@ -30,8 +30,8 @@ void expect_words(const std::string& said, const std::string& words) {
 // What is wrong with a law's findings is as wrong with a map's.
 void expect_both(const std::function<void(Findings&)>& change, const std::string& of_a_law, const std::string& of_a_map) {
   Certificate certificate = tests::made_certificate();
-  change(certificate.laws[0]);
-  change(certificate.height_maps[0]);
+  change(certificate.subjects[0]);
+  change(certificate.subjects[2]);
   expect_words(of_law(certificate), of_a_law);
   expect_words(of_map(certificate), of_a_map);
 }
@@ -41,7 +41,7 @@ TEST(refusal, allows_what_was_checked_for_as_long_as_certify_does_by_default) {
   EXPECT_EQ(of_map(tests::made_certificate()), "allowed");
   EXPECT_EQ(of_law(tests::made_certificate_with_sweeps()), "allowed");
   Certificate wall = tests::made_certificate();
-  wall.laws[0].law = LawId::wall;
+  wall.subjects[0] = tests::made_law(LawId::wall);
   EXPECT_EQ(of_law(wall, tests::made_build(), LawId::wall, {1, 1, 0.5F}), "allowed") << "the wall has no radius";
 }
 
@@ -90,7 +90,7 @@ TEST(refusal, names_an_instruction_set_that_was_not_compared) {
 }
 
 TEST(refusal, says_that_a_check_failed) {
-  const std::string law = "says that bump-2p failed", map = "says that the height map hill.toml failed";
+  const std::string law = "says that bump-2p failed", map = "says that hill.toml failed";
   expect_both([](Findings& found) { found.mismatches = 1; }, law, map);
   expect_both([](Findings& found) { found.spread.mismatches = 1; }, law, map);
   expect_both([](Findings& found) { found.properties[2].held = false; }, law, map);
@@ -107,15 +107,13 @@ TEST(refusal, looks_at_every_entry_for_the_subject) {
   for (const bool failed_first : {true, false})
     for (const float stiffness : {0.5F, 0.75F}) {
       Certificate certificate = tests::made_certificate();
-      LawResult failed = certificate.laws[0];
+      SubjectResult failed = tests::made_law(LawId::bump_2p, {15.24F, 25.4F, stiffness});
       failed.mismatches = 1;
-      failed.parameters.stiffness = stiffness;
-      certificate.laws.insert(failed_first ? certificate.laws.begin() : certificate.laws.end(), failed);
+      certificate.subjects.insert(failed_first ? certificate.subjects.begin() : certificate.subjects.end(), failed);
       expect_words(of_law(certificate), "says that bump-2p failed");
-      HeightMapResult map = certificate.height_maps[0];
+      SubjectResult map = tests::made_map(height::Rendering::true_height, stiffness);
       map.mismatches = 1;
-      map.identity.stiffness = stiffness;
-      certificate.height_maps.insert(failed_first ? certificate.height_maps.begin() : certificate.height_maps.end(), map);
+      certificate.subjects.insert(failed_first ? certificate.subjects.begin() : certificate.subjects.end(), map);
       expect_words(of_map(certificate), "hill.toml failed");
     }
 }
@@ -123,9 +121,9 @@ TEST(refusal, looks_at_every_entry_for_the_subject) {
 TEST(refusal, takes_one_entry_that_is_enough_beside_one_that_is_not) {
   for (const bool small_first : {true, false}) {
     Certificate certificate = tests::made_certificate();
-    LawResult small = certificate.laws[0];
+    SubjectResult small = tests::made_law();
     static_cast<Comparison&>(small) = tests::made_comparison(10);
-    certificate.laws.insert(small_first ? certificate.laws.begin() : certificate.laws.end(), small);
+    certificate.subjects.insert(small_first ? certificate.subjects.begin() : certificate.subjects.end(), small);
     EXPECT_EQ(of_law(certificate), "allowed");
   }
 }
@@ -134,15 +132,12 @@ TEST(refusal, takes_one_entry_that_is_enough_beside_one_that_is_not) {
 TEST(refusal, counts_the_evidence_of_the_subject_alone) {
   for (const bool other_first : {true, false}) {
     Certificate certificate = tests::made_certificate();
-    static_cast<Comparison&>(certificate.height_maps[0]) = tests::made_comparison(10);
-    HeightMapResult other = tests::made_map();
-    other.identity.stiffness = 0.75F;
-    certificate.height_maps.insert(other_first ? certificate.height_maps.begin() : certificate.height_maps.end(), other);
+    static_cast<Comparison&>(certificate.subjects[0]) = tests::made_comparison(10);
+    static_cast<Comparison&>(certificate.subjects[2]) = tests::made_comparison(10);
+    for (const SubjectResult& other :
+         {tests::made_map(height::Rendering::true_height, 0.75F), tests::made_law(LawId::bump_2p, {15.24F, 25.4F, 0.75F})})
+      certificate.subjects.insert(other_first ? certificate.subjects.begin() : certificate.subjects.end(), other);
     expect_words(of_map(certificate), "has 10 points for hill.toml");
-    static_cast<Comparison&>(certificate.laws[0]) = tests::made_comparison(10);
-    LawResult law = tests::made_law();
-    law.parameters.stiffness = 0.75F;
-    certificate.laws.insert(other_first ? certificate.laws.begin() : certificate.laws.end(), law);
     expect_words(of_law(certificate), "has 10 points for bump-2p");
   }
 }
@@ -183,9 +178,9 @@ TEST(refusal, says_what_evidence_is_lacking) {
 TEST(refusal, expects_each_stage_that_can_be_reached) {
   const auto without = [](LawId law, std::string_view stage, bool in_spread_too) {
     Certificate certificate = tests::made_certificate();
-    certificate.laws[0].law = law;
-    certificate.laws[0].points_by_stage[std::string(stage)] = 0;
-    if (in_spread_too) certificate.laws[0].spread.points_by_stage[std::string(stage)] = 0;
+    certificate.subjects[0] = tests::made_law(law);
+    certificate.subjects[0].points_by_stage[std::string(stage)] = 0;
+    if (in_spread_too) certificate.subjects[0].spread.points_by_stage[std::string(stage)] = 0;
     return of_law(certificate, tests::made_build(), law);
   };
   for (const LawName& law : kLaws)
@@ -201,14 +196,13 @@ TEST(refusal, expects_each_stage_that_can_be_reached) {
         EXPECT_EQ(without(law.id, stage, true), "allowed") << law.name << ' ' << stage;
     }
   Certificate certificate = tests::made_certificate();
-  certificate.height_maps[0].points_by_stage = certificate.height_maps[0].spread.points_by_stage = {{"binary64", 1}};
+  certificate.subjects[2].points_by_stage = certificate.subjects[2].spread.points_by_stage = {{"binary64", 1}};
   EXPECT_EQ(of_map(certificate), "allowed") << "a plane is decided by binary64";
 }
 
 TEST(refusal, says_that_sweeps_alone_are_not_enough) {
   Certificate swept = tests::made_certificate_with_sweeps();
-  swept.laws.clear();
-  swept.height_maps.clear();
+  swept.subjects.clear();
   EXPECT_TRUE(swept.held());
   for (const std::string& said : {of_law(swept), of_map(swept)})
     expect_words(said, "the certificate has sweeps only; driving needs one of points and properties too");
@@ -216,27 +210,52 @@ TEST(refusal, says_that_sweeps_alone_are_not_enough) {
 
 TEST(refusal, names_what_differs_of_a_height_map) {
   const Certificate certificate = tests::made_certificate();
-  HeightIdentity other = tests::made_map().identity;
-  other.map_digest = std::string(64, 'd');
-  expect_words(of_map(certificate, tests::made_build(), other), "another shape: expected map digest dddd");
-  other = tests::made_map().identity;
-  other.rendering = height::Rendering::conservative;
-  expect_words(of_map(certificate, tests::made_build(), other),
-               "another rendering: expected height-map-conservative, got height-map");
-  other = tests::made_map().identity;
-  other.stiffness = 0.6F;
-  expect_words(of_map(certificate, tests::made_build(), other), "another stiffness: expected 0.6 N/mm, got 0.5 N/mm");
+  Identity other = tests::made_map_identity();
+  other.digest = std::string(64, 'd');
+  expect_words(
+      of_map(certificate, tests::made_build(), other),
+      "covers another height map: expected the digest " + other.digest + ", got " + std::string(64, 'c') + " (hill.toml)");
+  expect_words(of_map(certificate, tests::made_build(), tests::made_map_identity(height::Rendering::conservative)),
+               "covers hill.toml with other parameters: expected rendering height-map-conservative, stiffness 0.5 N/mm; got "
+               "rendering height-map, stiffness 0.5 N/mm");
+  expect_words(of_map(certificate, tests::made_build(), tests::made_map_identity(height::Rendering::true_height, 0.6F)),
+               "stiffness 0.6 N/mm; got rendering height-map, stiffness 0.5 N/mm");
   // Of two, the one of this shape says what differs.
   Certificate two = certificate;
-  HeightMapResult another = tests::made_map();
-  another.identity.map_digest = std::string(64, 'd');
-  two.height_maps[0].identity.rendering = height::Rendering::conservative;
-  two.height_maps[0].identity.stiffness = 0.75F;
-  two.height_maps.push_back(another);
-  expect_words(of_map(two), "another rendering: expected height-map, got height-map-conservative");
+  two.subjects[2] = tests::made_map(height::Rendering::conservative, 0.75F);
+  SubjectResult another = tests::made_map();
+  another.identity.digest = std::string(64, 'd');
+  two.subjects.push_back(another);
+  expect_words(of_map(two), "got rendering height-map-conservative, stiffness 0.75 N/mm");
   Certificate laws = certificate;
-  laws.height_maps.clear();
-  expect_words(of_map(laws), "covers no height map");
+  laws.subjects.pop_back();
+  expect_words(of_map(laws), "does not cover the height map hill.toml");
+}
+
+// Its file may have been renamed since.
+TEST(refusal, does_not_look_at_the_name_of_a_height_map_s_file) {
+  Identity renamed = tests::made_map_identity();
+  renamed.name = "mound.toml";
+  EXPECT_EQ(of_map(tests::made_certificate(), tests::made_build(), renamed), "allowed");
+}
+
+// A subject of a kind that this program has no special rule for: what it is called, what it is made of, and its parameters.
+TEST(refusal, compares_subjects_of_any_kind) {
+  const Identity springs{"pair of springs", "soft", {{"stiffness_N_per_mm", 0.5F}, {"order", std::string("first")}}, ""};
+  Certificate certificate = tests::made_certificate();
+  certificate.subjects.push_back(tests::made_subject(springs));
+  EXPECT_EQ(of_map(certificate, tests::made_build(), springs), "allowed");
+  Identity other = springs;
+  other.name = "hard";
+  expect_words(of_map(certificate, tests::made_build(), other), "does not cover the pair of springs hard");
+  other = springs;
+  other.parameters[1].second = std::string("second");
+  expect_words(of_map(certificate, tests::made_build(), other), "expected stiffness 0.5 N/mm, order second; got stiffness");
+  other.parameters.pop_back();
+  expect_words(of_map(certificate, tests::made_build(), other), "soft with other parameters");
+  other = springs;
+  std::swap(other.parameters[0], other.parameters[1]);
+  EXPECT_EQ(of_map(certificate, tests::made_build(), other), "allowed") << "their order says nothing";
 }
 
 }  // namespace

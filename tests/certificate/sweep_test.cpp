@@ -76,7 +76,7 @@ Sweeps small_plan() {
 
 std::string text_of(Sweeps sweeps) {
   sweeps.seconds = 0;
-  return to_json({current_build(), 0, 0, {}, sweeps, {}, "2026-01-31T23:59:59Z"});
+  return to_json({current_build(), 0, 0, {}, sweeps, "2026-01-31T23:59:59Z"});
 }
 
 TEST(sweep, goes_on_where_it_was_stopped_with_any_number_of_threads) {
@@ -107,7 +107,7 @@ CertificateFile finished_part(std::uint64_t k, std::uint64_t n) {
   part.next = part.end;
   part.seconds = 1;
   part.results[0].inputs = k;
-  return {"part " + std::to_string(k), {current_build(), 0, 1, {}, part, {}, "2026-01-31T23:59:59Z", "one"}};
+  return {"part " + std::to_string(k), {current_build(), 0, 1, {}, part, "2026-01-31T23:59:59Z", "one"}};
 }
 
 std::string refusal_to_merge(const std::vector<CertificateFile>& files) {
@@ -125,10 +125,10 @@ TEST(merge, joins_parts_in_any_order_and_a_certificate_of_points) {
   EXPECT_EQ(sum.sweeps.inputs(), 6U);
   EXPECT_EQ(sum.sweeps.seconds, 3);
   Certificate points{current_build(), 7, 1, {}, {}};
-  points.laws.push_back({});
+  points.subjects.push_back({});
   const Certificate both = merged({finished_part(1, 2), {"points", points}, finished_part(2, 2)});
   EXPECT_EQ(both.seed, 7U);
-  EXPECT_EQ(both.laws.size(), 1U);
+  EXPECT_EQ(both.subjects.size(), 1U);
   EXPECT_TRUE(both.sweeps.is_whole());
   CertificateFile elsewhere = finished_part(2, 2), here = finished_part(1, 2);
   elsewhere.certificate.date = "2026-02-01T00:00:00Z";

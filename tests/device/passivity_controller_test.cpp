@@ -38,7 +38,7 @@ TEST(passivity_controller, stroke_across_force_shading_harvests_what_the_law_pre
 TEST(passivity_controller, gives_nobody_who_goes_round_more_than_epsilon) {
   constexpr int kRounds = 15;
   for (const LawName& name : kLaws) {
-    const auto subject = std::get<properties::Subject>(properties::fast_subject(name.id, kBump));
+    const auto subject = std::get<properties::RenderedLaw>(properties::fast_rendering(name.id, kBump));
     const auto loop = properties::witness_loop(subject.law, 2);
     double harvested = 0;
     for (const Kind kind : {Kind::observer, Kind::tank, Kind::damping}) {

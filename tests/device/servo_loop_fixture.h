@@ -85,10 +85,11 @@ class Pushing : public Still {
 
 // A run with all of its samples.
 struct Kept : ServoResult {
-  Kept(Device& device, const fast::Renderer& renderer, ServoOptions options, const std::atomic<bool>& stop = kNeverStop) {
+  template <class Field>
+  Kept(Device& device, Field&& field, ServoOptions options, const std::atomic<bool>& stop = kNeverStop) {
     tests::KeptSamples kept;
     options.sinks.push_back(&kept);
-    static_cast<ServoResult&>(*this) = run_servo_loop(device, renderer, options, stop);
+    static_cast<ServoResult&>(*this) = run_servo_loop(device, field, options, stop);
     samples = std::move(kept.samples);
   }
   std::vector<Sample> samples;

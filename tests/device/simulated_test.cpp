@@ -351,6 +351,25 @@ TEST(open_simulated, knows_its_models_and_makes_strokes_without_a_recording) {
   }
 }
 
+TEST(open_simulated, has_the_buttons_of_whoever_prepares_it_and_none_without) {
+  EXPECT_EQ(open_device("simulated")->capabilities().buttons, 0);
+  struct Person : Attendant {
+    std::atomic<std::uint16_t> down = 0;
+    const std::atomic<std::uint16_t>* buttons() noexcept override { return &down; }
+  } person;
+  const tests::TemporaryDirectory directory;
+  const std::string path = directory.write("hand.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,5\n1,0,0,5\n");
+  for (const std::string& name : {std::string("simulated"), "simulated:omni:" + path}) {
+    const auto device = open_device(name, person);
+    EXPECT_EQ(device->capabilities().buttons, Attendant::kButtons);
+    device->start(1000);
+    for (const unsigned down : {0U, 1U, 3U, 2U, 0U}) {
+      person.down = static_cast<std::uint16_t>(down);
+      EXPECT_EQ(read(*device).buttons, down) << name;
+    }
+  }
+}
+
 TEST(open_simulated, takes_a_recording_from_its_first_time_on_for_what_the_hand_means_to_do_and_ends_with_it) {
   const tests::TemporaryDirectory directory;
   const std::string path = directory.write("hand.csv", "t_s,x_mm,y_mm,z_mm\n1000,0,0,5\n1000.5,0,0,5\n1001,10,0,5\n");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The Gappa scripts of fast/ describe the headers of fast/, operation by operation: each header's own templates run on numbers
-// that write down what is done with them (tests/support/recorded_number.h), once with multiply_add in two operations and once
+// that write down what is done with them (tests/fast/recorded_number.h), once with multiply_add in two operations and once
 // fused, and what they wrote must be what the script says of the number whose error it bounds (tests/fast/gappa_script.h).
 // Another order, operand, sign, constant or fusing on either side is a failure.
 
@@ -14,8 +14,8 @@
 #include "forceshade/fast/heights/spline_force.h"
 #include "forceshade/fast/law.h"
 #include "forceshade/tests/fast/pack_operations.h"
+#include "forceshade/tests/fast/recorded_row.h"
 #include "forceshade/tests/fast/recorded_run.h"
-#include "forceshade/tests/support/recorded_row.h"
 
 namespace forceshade::tests {
 namespace {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "forceshade/tests/fast/gappa_script.h"
-#include "forceshade/tests/support/recorded_number.h"
+#include "forceshade/tests/fast/recorded_number.h"
 
 namespace forceshade::tests {
 

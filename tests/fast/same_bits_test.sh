@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# same_bits_test.sh COMPILER SOURCE_DIR EIGEN_DIR: builds fast/ and the program same_bits with other flags than the
-# library's; each build must make tests/golden/hashes.txt again, and a build that may round otherwise must be refused, whichever
-# of the files that evaluate is built so. Exits 77 where there is no such compiler.
+# same_bits_test.sh COMPILER SOURCE_DIR EIGEN_DIR [every_flag_set]: builds fast/ and the program same_bits with other flags than
+# the library's: with every set of flags below, or with the first alone. Each build must make tests/golden/hashes.txt again, and a
+# build that may round otherwise must be refused, whichever of the files that evaluate is built so. Exits 77 where there is no
+# such compiler.
 set -euo pipefail
-compiler=$1 source=$2 eigen=$3
+compiler=$1 source=$2 eigen=$3 sets=${4:-first_flag_set}
 command -v "$compiler" > /dev/null || { echo "$compiler is not installed"; exit 77; }
 cache=$(command -v ccache || true)
 scratch=$(mktemp -d)
@@ -43,7 +44,7 @@ same() {  # flags...
 refused() {  # WORDS, file, flags...: the first build of `same`, but for one file
   local place="$scratch/refused" words
   rm -rf "$place"
-  cp -r "$scratch/same -O3" "$place"
+  cp -r "$scratch/same $first" "$place"
   compile "$place" "$2" -O2 "${@:3}"  # less does not contract
   link "$place"
   words=$("$place/same_bits" 2>&1 > "$place/hashes") && { echo "FAILED: $2 with ${*:3} was not refused"; exit 1; }
@@ -52,14 +53,17 @@ refused() {  # WORDS, file, flags...: the first build of `same`, but for one fil
 
 not_compiled() {  # file, flags...: the preprocessor refuses
   local words
-  words=$(compile "$scratch" "$1" -E "${@:2}" 2>&1) && { echo "FAILED: $1 compiled with ${*:2}"; exit 1; }
+  words=$(compile "$scratch" "$1" -E -Wfatal-errors "${@:2}" 2>&1) && { echo "FAILED: $1 compiled with ${*:2}"; exit 1; }
   case $words in *"#error \"forceshade proves"*) ;; *) echo "FAILED: $1 with ${*:2}: $words"; exit 1 ;; esac
 }
 
-same -O3
-same -O3 -march=native
-same -O0
-same -O1 -fsanitize=address,undefined -fno-sanitize-recover=all
+first="-O3 -march=native"
+same $first
+if [ "$sets" = every_flag_set ]; then
+  same -O3
+  same -O0
+  same -O1 -fsanitize=address,undefined -fno-sanitize-recover=all
+fi
 
 for file in $evaluating; do
   for flag in -ffast-math -Ofast -ffinite-math-only; do not_compiled fast/$file $flag; done

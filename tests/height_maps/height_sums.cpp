@@ -9,7 +9,7 @@
 
 #include "forceshade/fast/height_map_field.h"
 #include "forceshade/fast/heights/exact.h"
-#include "forceshade/identity/height_identity.h"
+#include "forceshade/identity/identity.h"
 #include "forceshade/properties/binary32.h"
 #include "forceshade/reference/height_map_field.h"
 #include "forceshade/tests/height_maps/hostile_maps.h"

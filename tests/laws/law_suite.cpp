@@ -6,6 +6,7 @@
 #include "forceshade/fast/law.h"
 #include "forceshade/properties/binary32.h"
 #include "forceshade/properties/equivalence.h"
+#include "forceshade/properties/law_subject.h"
 #include "forceshade/properties/positions.h"
 #include "forceshade/properties/run.h"
 #include "forceshade/tests/laws/cases.h"
@@ -155,8 +156,9 @@ void answers_its_hard_cases(LawId law) {
 
 void holds_its_properties(LawId law) {
   for (const Parameters& p : parameter_sets()) {
-    const auto subject = std::get<properties::Subject>(properties::fast_subject(law, p));
-    for (const properties::PropertyResult& property : properties::run_properties(subject, 1000, kSeed)) {
+    const auto subject = std::get<properties::RenderedLaw>(properties::fast_rendering(law, p));
+    for (const properties::PropertyResult& property :
+         properties::run_properties(properties::LawSubject(subject), 1000, kSeed)) {
       EXPECT_TRUE(property.held) << property.name << ", R = " << show(p.radius) << ", w = " << show(p.width)
                                  << ", K = " << show(p.stiffness) << ": " << property.counterexample;
       EXPECT_GE(property.cases, 100U);

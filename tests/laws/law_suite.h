@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "forceshade/properties/subject.h"
+#include "forceshade/properties/rendered.h"
 
 namespace forceshade::tests {
 

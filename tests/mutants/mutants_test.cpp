@@ -50,15 +50,22 @@ std::vector<Eigen::Vector3f> ties() {
   return found;
 }
 
+properties::Renderer renderer_of(const Mutant& mutant, const Parameters& p) {
+  return [law = mutant.build(p)](const Eigen::Vector3f& position) {
+    const MutantAnswer answer = law(position);
+    return properties::Rendered{answer.force, answer.status};
+  };
+}
+
 // How many points it took equivalence to catch the mutant; none if it got away.
 std::optional<int> points_to_catch(const Mutant& mutant) {
-  std::vector<properties::Subject> subjects;
+  std::vector<properties::RenderedLaw> subjects;
   std::vector<properties::PositionSource> sources;
   for (const Parameters& p : parameters()) {
-    subjects.push_back({std::get<reference::Law>(reference::Law::build(mutant.law, p)), mutant.build(p)});
+    subjects.push_back({std::get<reference::Law>(reference::Law::build(mutant.law, p)), renderer_of(mutant, p)});
     sources.emplace_back(subjects.back().law, 99);
   }
-  for (const properties::Subject& subject : subjects)
+  for (const properties::RenderedLaw& subject : subjects)
     for (const Eigen::Vector3f& tie : ties())
       if (properties::equivalence(subject, tie)) return 1;
   for (int i = 0; i < kPoints; ++i)
@@ -70,7 +77,7 @@ std::optional<int> points_to_catch(const Mutant& mutant) {
 // The first of the law's hard cases that the mutant gets wrong.
 std::optional<HardCase> case_that_catches(const Mutant& mutant) {
   for (const HardCase& one : hard_cases(mutant.law))
-    if (properties::difference(one.position, mutant.build(one.parameters)(one.position), {one.force, Status::contact}))
+    if (properties::difference(one.position, renderer_of(mutant, one.parameters)(one.position), {one.force, Status::contact}))
       return one;
   return std::nullopt;
 }

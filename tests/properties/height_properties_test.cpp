@@ -11,6 +11,7 @@
 #include "forceshade/properties/equivalence.h"
 #include "forceshade/properties/generators.h"
 #include "forceshade/properties/height_generators.h"
+#include "forceshade/properties/height_map_subject.h"
 #include "forceshade/properties/run.h"
 #include "forceshade/properties/unit_normals.h"
 
@@ -51,12 +52,12 @@ std::vector<Named> maps() {
           {"bump and texture", {{{height::SphereCap{0, 0, 5, 8}}, {texture(Interpolant::cubic_spline)}}}}};
 }
 
-HeightSubject subject_of(const HeightMap& map, Rendering rendering) {
-  return std::get<HeightSubject>(fast_subject(map, rendering, 0.5F));
+RenderedHeightMap subject_of(const HeightMap& map, Rendering rendering) {
+  return std::get<RenderedHeightMap>(fast_rendering(map, rendering, 0.5F));
 }
 
-PropertyResult result_of(const HeightSubject& subject, const std::string& property) {
-  for (const PropertyResult& result : run_properties(subject, kCases, kSeed))
+PropertyResult result_of(const RenderedHeightMap& subject, const std::string& property) {
+  for (const PropertyResult& result : run_properties(HeightMapSubject(subject), kCases, kSeed))
     if (result.name == property) return result;
   throw std::invalid_argument(property);
 }
@@ -64,7 +65,7 @@ PropertyResult result_of(const HeightSubject& subject, const std::string& proper
 TEST(height_properties, hold_on_maps_of_every_kind) {
   for (const auto& [name, map] : maps())
     for (const auto& [rendering, word] : height::kRenderings) {
-      const std::vector<PropertyResult> results = run_properties(subject_of(map, rendering), kCases, kSeed);
+      const std::vector<PropertyResult> results = run_properties(HeightMapSubject(subject_of(map, rendering)), kCases, kSeed);
       EXPECT_GE(results.size(), 4U);
       for (const PropertyResult& result : results)
         EXPECT_EQ(result.held, result.name != "cell lines" || std::string(name) != "bilinear")
@@ -74,15 +75,15 @@ TEST(height_properties, hold_on_maps_of_every_kind) {
 
 // The fast path of `map` with its answers changed by `change(right, position, answer)`, `right` being the fast path itself.
 template <class Change>
-HeightSubject changed(const HeightMap& map, Rendering rendering, const Change& change) {
-  HeightSubject subject = subject_of(map, rendering);
+RenderedHeightMap changed(const HeightMap& map, Rendering rendering, const Change& change) {
+  RenderedHeightMap subject = subject_of(map, rendering);
   subject.renderer = [right = subject.renderer, change](const Eigen::Vector3f& position) {
     return change(right, position, right(position));
   };
   return subject;
 }
 
-void expect_refused(const HeightSubject& subject, const std::vector<std::string>& properties, const std::string& what) {
+void expect_refused(const RenderedHeightMap& subject, const std::vector<std::string>& properties, const std::string& what) {
   for (const std::string& property : properties) EXPECT_FALSE(result_of(subject, property).held) << what << ": " << property;
 }
 
@@ -147,7 +148,7 @@ TEST(height_properties, refuse_a_force_from_the_wrong_cell) {
 // Force shading gives energy away: small loops show it, if the bound of the quadrature is no wider than it must be.
 TEST(height_properties, refuse_energy_from_a_map_that_should_have_a_potential) {
   for (const auto& [name, map] : maps()) {
-    const HeightSubject subject = subject_of(map, Rendering::force_shaded);
+    const RenderedHeightMap subject = subject_of(map, Rendering::force_shaded);
     HeightShape shape(subject.law);
     shape.is_conservative = true;
     const HeightTarget target{subject.law, shape};
@@ -158,8 +159,8 @@ TEST(height_properties, refuse_energy_from_a_map_that_should_have_a_potential) {
 
 TEST(height_properties, hold_where_depth_is_measured_from_another_surface) {
   const HeightMap map{{{height::CylinderCap{0, 5, 8}}}, {{height::Polygons{{{-4, 0}, {0, 2}, {4, 0}}}}}};
-  const HeightSubject subject = subject_of(map, Rendering::force_shaded);
-  for (const PropertyResult& result : run_properties(subject, kCases, kSeed))
+  const RenderedHeightMap subject = subject_of(map, Rendering::force_shaded);
+  for (const PropertyResult& result : run_properties(HeightMapSubject(subject), kCases, kSeed))
     EXPECT_TRUE(result.held) << result.name << ": " << result.counterexample;
   EXPECT_EQ(HeightShape(subject.law).jumps(), std::vector<std::string>{"part 1, cylinder-cap: its two edges"});
 }
@@ -167,7 +168,7 @@ TEST(height_properties, hold_where_depth_is_measured_from_another_surface) {
 TEST(height_properties, find_where_the_gradient_of_a_bilinear_map_jumps_and_by_how_much) {
   const HeightMap roof{
       {{std::make_shared<const height::Grid>(height::Grid{3, 2, 2, Edge::clamp, Interpolant::bilinear, {0, 1, 0, 0, 1, 0}})}}};
-  const HeightSubject subject = subject_of(roof, Rendering::true_height);
+  const RenderedHeightMap subject = subject_of(roof, Rendering::true_height);
   const HeightShape shape(subject.law);
   EXPECT_EQ(shape.jumps(),
             std::vector<std::string>{"part 1, bilinear grid: its cell lines, the gradient by up to 1 at (0, -1) mm"});
@@ -187,7 +188,7 @@ TEST(height_properties, hold_on_generated_maps) {
   std::array<int, 3> statuses{};
   const PropertyResult result = run_property("any map", 500, kSeed, [&]() -> Violation {
     const AnyHeightMap any = *any_height_map();
-    const auto subject = std::get<HeightSubject>(fast_subject(any.map, any.rendering, any.stiffness));
+    const auto subject = std::get<RenderedHeightMap>(fast_rendering(any.map, any.rendering, any.stiffness));
     const HeightShape shape(subject.law);
     const HeightTarget target{subject.law, shape};
     for (int i = 0; i < 8; ++i) {

@@ -43,7 +43,7 @@ TEST(work, equals_quadrature_of_the_force) {
   double worst = 0;
   for (const LawName& name : kLaws)
     for (const Parameters& p : kBumps) {
-      const auto subject = std::get<properties::Subject>(properties::fast_subject(name.id, p));
+      const auto subject = std::get<properties::RenderedLaw>(properties::fast_rendering(name.id, p));
       const properties::Shape shape(subject.law);
       for (int i = 0; i < 60; ++i) {
         const Path path = random_polygon(random, p);

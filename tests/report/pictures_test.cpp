@@ -71,19 +71,14 @@ void expect_whole(SideView view) {
 
 TEST(pictures, of_laws_hold_their_words_whole) {
   // An ordinary bump, and one whose numbers are small.
-  const auto expect = [](LawId law, const Parameters& parameters) {
-    LawResult result;
-    result.law = law;
-    result.parameters = parameters;
-    expect_whole(side_view(Drawn(result)));
-  };
+  const auto expect = [](LawId law, const Parameters& parameters) { expect_whole(side_view(Drawn(law, parameters))); };
   expect(LawId::bump_3p_shaded, {15.24F, 25.4F, 0.5F});
   expect(LawId::bump_2p, {0.1F, 0.15F, 1000});
 }
 
 TEST(pictures, of_a_height_map_hold_their_words_whole) {
   const HeightMap hill{{{height::Gaussian{0, 0, 3, 5}}}};
-  expect_whole(side_view(std::get<HeightSubject>(fast_subject(hill, height::Rendering::force_shaded, 0.5F)), "map",
+  expect_whole(side_view(std::get<RenderedHeightMap>(fast_rendering(hill, height::Rendering::force_shaded, 0.5F)), "map",
                          {0, -1234.5F, 1345.6F}));
 }
 

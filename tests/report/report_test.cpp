@@ -21,9 +21,9 @@ Certificate certificate_of_every_law() {
   certificate.seed = 7;
   certificate.seconds = 1.5;
   for (const LawName& name : kLaws) {
-    LawResult law;
-    law.law = name.id;
-    law.parameters = {15.24F, 25.4F, 0.5F};
+    SubjectResult law;
+    law.identity = identity_of(name.id, {15.24F, 25.4F, 0.5F});
+    law.unit_directions = true;
     law.points = 2000;
     law.points_by_stage = {{"binary64", 1990}, {"double-double", 9}, {"wide", 1}};
     law.closest_call = {1.5F, 0, -0.25F, 3e-7};
@@ -34,13 +34,13 @@ Certificate certificate_of_every_law() {
     for (const double depth : {0.5, 1.0, 2.0})
       law.energy.push_back(law.conservative ? LoopEnergy{depth, {0, 0}, 0, 1e-18}
                                             : LoopEnergy{depth, {depth, depth}, depth, depth * (1 + 1e-6)});
-    certificate.laws.push_back(law);
+    certificate.subjects.push_back(law);
   }
   return certificate;
 }
 
-LawResult& law_of(Certificate& certificate, LawId id) {
-  return certificate.laws.at(static_cast<std::size_t>(id));
+SubjectResult& result_of(Certificate& certificate, LawId id) {
+  return certificate.subjects.at(static_cast<std::size_t>(id));
 }
 
 const std::string& page() {
@@ -134,8 +134,8 @@ TEST(report, says_what_was_found_at_how_many_points) {
 
 TEST(report, says_failed_when_a_law_has_a_mismatch) {
   Certificate certificate = certificate_of_every_law();
-  law_of(certificate, LawId::bump_2p).mismatches = 1;
-  law_of(certificate, LawId::bump_2p).counterexamples = {"at <0x1p+0> & \"so\" on"};
+  result_of(certificate, LawId::bump_2p).mismatches = 1;
+  result_of(certificate, LawId::bump_2p).counterexamples = {"at <0x1p+0> & \"so\" on"};
   const std::string html = to_html(certificate);
   EXPECT_TRUE(has(html, ">Failed</p>"));
   EXPECT_FALSE(has(html, ">Held</p>"));
@@ -145,9 +145,9 @@ TEST(report, says_failed_when_a_law_has_a_mismatch) {
 
 TEST(report, says_failed_when_other_parameters_failed) {
   Certificate certificate = certificate_of_every_law();
-  for (LawResult& law : certificate.laws) law.spread.points = 500;
-  law_of(certificate, LawId::wall).spread.mismatches = 3;
-  law_of(certificate, LawId::wall).spread.counterexamples = {"K = 3: wrong"};
+  for (SubjectResult& law : certificate.subjects) law.spread.points = 500;
+  result_of(certificate, LawId::wall).spread.mismatches = 3;
+  result_of(certificate, LawId::wall).spread.counterexamples = {"K = 3: wrong"};
   const std::string html = to_html(certificate, Pictures::none);
   EXPECT_TRUE(has(html, ">Failed</p>"));
   EXPECT_TRUE(
@@ -159,8 +159,8 @@ TEST(report, says_when_where_and_by_what_code) {
   Certificate certificate = certificate_of_every_law();
   certificate.date = "2026-01-31T23:59:59Z";
   certificate.processor = "a <fast> one";
-  for (LawResult& law : certificate.laws) law.points_by_instruction_set = {{"scalar", 2000}, {"avx2", 2000}};
-  law_of(certificate, LawId::wall).points_by_instruction_set["avx512"] = 2000;
+  for (SubjectResult& law : certificate.subjects) law.points_by_instruction_set = {{"scalar", 2000}, {"avx2", 2000}};
+  result_of(certificate, LawId::wall).points_by_instruction_set["avx512"] = 2000;
   const std::string html = to_html(certificate, Pictures::none);
   EXPECT_TRUE(has(html, "<td>2026-01-31T23:59:59Z</td>"));
   EXPECT_TRUE(has(html, "<td>a &lt;fast&gt; one</td>"));
@@ -170,7 +170,7 @@ TEST(report, says_when_where_and_by_what_code) {
 
 TEST(report, says_failed_when_a_property_failed) {
   Certificate certificate = certificate_of_every_law();
-  law_of(certificate, LawId::bump_3p).properties.at(3) = {"passivity", 4, false, "a loop gives 2 mJ"};
+  result_of(certificate, LawId::bump_3p).properties.at(3) = {"passivity", 4, false, "a loop gives 2 mJ"};
   const std::string html = to_html(certificate);
   EXPECT_TRUE(has(html, ">Failed</p>"));
   EXPECT_TRUE(has(html, "A counterexample was found to: passivity of bump-3p."));
@@ -181,9 +181,9 @@ TEST(report, escapes_whatever_it_is_given) {
   Certificate certificate = certificate_of_every_law();
   certificate.build.flags = "-DX='<a>'";
   certificate.build.compiler = "<c++>";
-  law_of(certificate, LawId::wall).mismatches = 1;
-  law_of(certificate, LawId::wall).counterexamples = {"<script>alert(1)</script> & more"};
-  law_of(certificate, LawId::cylinder).properties.at(1) = {"continuity<b>", 1, false, "x < y && y > z"};
+  result_of(certificate, LawId::wall).mismatches = 1;
+  result_of(certificate, LawId::wall).counterexamples = {"<script>alert(1)</script> & more"};
+  result_of(certificate, LawId::cylinder).properties.at(1) = {"continuity<b>", 1, false, "x < y && y > z"};
   const std::string html = to_html(certificate);
   EXPECT_TRUE(has(html, "&lt;script&gt;alert(1)&lt;/script&gt; &amp; more"));
   EXPECT_TRUE(has(html, "x &lt; y &amp;&amp; y &gt; z"));
@@ -194,7 +194,7 @@ TEST(report, escapes_whatever_it_is_given) {
 
 TEST(report, does_not_call_held_what_was_not_checked) {
   Certificate certificate = certificate_of_every_law();
-  law_of(certificate, LawId::bump_2p).properties.pop_back();
+  result_of(certificate, LawId::bump_2p).properties.pop_back();
   const std::string html = to_html(certificate);
   EXPECT_TRUE(has(html, "<td data-label=\"passivity\">not checked</td>"));
   EXPECT_TRUE(has(html, "Some properties were not checked."));
@@ -204,7 +204,7 @@ TEST(report, does_not_call_held_what_was_not_checked) {
 
 TEST(report, sets_the_laws_side_by_side) {
   Certificate certificate = certificate_of_every_law();
-  law_of(certificate, LawId::bump_2p).energy.back() = {2, {0.123451, 0.123456}, 0.1234, 0.12339};
+  result_of(certificate, LawId::bump_2p).energy.back() = {2, {0.123451, 0.123456}, 0.1234, 0.12339};
   const std::string html = to_html(certificate);
   EXPECT_EQ(count(html, "<td data-label=\"conservative\">yes</td>"), 4U);
   EXPECT_EQ(count(html, "<td data-label=\"conservative\">no</td>"), 5U);
@@ -216,8 +216,8 @@ TEST(report, sets_the_laws_side_by_side) {
 
 TEST(report, leaves_out_figures_that_have_nothing_to_show) {
   Certificate certificate = certificate_of_every_law();
-  certificate.laws.resize(1);
-  ASSERT_EQ(certificate.laws.front().law, LawId::wall);
+  certificate.subjects.resize(1);
+  ASSERT_EQ(certificate.subjects.front().name(), "wall");
   EXPECT_EQ(count(to_html(certificate), "<figure>"), 2U);
 }
 
@@ -225,7 +225,7 @@ TEST(report, draws_at_the_ends_of_the_domain) {
   for (const Parameters& parameters :
        {Parameters{0.1F, 0.2F, 1000}, Parameters{10000, 0.001F, 0.001F}, Parameters{10000, 20000, 1}}) {
     Certificate certificate = certificate_of_every_law();
-    for (LawResult& law : certificate.laws) law.parameters = parameters;
+    for (const LawName& name : kLaws) result_of(certificate, name.id).identity = identity_of(name.id, parameters);
     const std::string html = to_html(certificate);
     EXPECT_EQ(count(html, "<figure>"), 4U);
     EXPECT_TRUE(has(html, "never more than half of one"));
@@ -234,7 +234,7 @@ TEST(report, draws_at_the_ends_of_the_domain) {
 
 TEST(report, names_a_parameter_outside_the_domain) {
   Certificate certificate = certificate_of_every_law();
-  law_of(certificate, LawId::bump_2p).parameters.radius = -1;
+  result_of(certificate, LawId::bump_2p).identity = identity_of(LawId::bump_2p, {-1, 25.4F, 0.5F});
   EXPECT_EQ(error_of(certificate), "bump-2p: radius is -1 mm; expected 0.1 to 10000 mm");
 }
 

@@ -13,7 +13,7 @@ namespace {
 using height::Rendering;
 
 SideView view_of(const HeightMap& map, Rendering rendering, const Range& range) {
-  return side_view(std::get<HeightSubject>(fast_subject(map, rendering, 0.5F)), "map", range);
+  return side_view(std::get<RenderedHeightMap>(fast_rendering(map, rendering, 0.5F)), "map", range);
 }
 
 TEST(side_view, shows_the_surface_that_a_force_begins_on_and_the_one_it_is_felt_as) {

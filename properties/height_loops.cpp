@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/certificate/height_loops.h"
+#include "forceshade/properties/height_loops.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,14 +9,14 @@ namespace forceshade::properties {
 namespace {
 
 // By the force at the middle of steps no longer than 1 µm.
-double walked(const fast::HeightMapField& law, const std::vector<Eigen::Vector3f>& path, const reference::Watch& watch) {
+double walked(const Renderer& renderer, const std::vector<Eigen::Vector3f>& path, const reference::Watch& watch) {
   double paid = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {
     watch.at(static_cast<double>(i) / static_cast<double>(path.size()));
     const Eigen::Vector3d from = path[i - 1].cast<double>(), way = path[i].cast<double>() - from;
     const int steps = static_cast<int>(std::ceil(way.norm() * 1000));
     for (int k = 0; k < steps; ++k)
-      paid += law.force((from + (k + 0.5) / steps * way).cast<float>()).cast<double>().dot(way) / steps;
+      paid += renderer((from + (k + 0.5) / steps * way).cast<float>()).force.cast<double>().dot(way) / steps;
   }
   return paid;
 }
@@ -32,8 +32,8 @@ reference::Slice certified_slice(const HeightMap& map) {
   return {reference::Slice::Along::x, 0, -reach, reach};
 }
 
-std::vector<LoopEnergy> loop_energies(const reference::HeightMapField& law, const fast::HeightMapField& fast,
-                                      const reference::Watch& watch) {
+std::vector<LoopEnergy> loop_energies(const RenderedHeightMap& rendered, const reference::Watch& watch) {
+  const reference::HeightMapField& law = rendered.law;
   const reference::Slice slice = certified_slice(law.map());
   std::vector<LoopEnergy> energies;
   for (const auto& [depth, half] : {std::pair{0.5F, watch.part(0, 0.5)}, {2.0F, watch.part(0.5, 1)}}) {
@@ -41,23 +41,10 @@ std::vector<LoopEnergy> loop_energies(const reference::HeightMapField& law, cons
     const auto bound = loop_bound(law, slice, depth, half.part(0, 0.4));
     const auto loop = witness(law, slice, depth, half.part(0.4, 0.6));
     const auto paid = work(law, loop, half.part(0.6, 0.8));
-    energies.push_back(
-        {static_cast<double>(depth), binary64(bound.most()), binary64(paid)[0], walked(fast, loop, half.part(0.8, 1))});
+    energies.push_back({static_cast<double>(depth), binary64(bound.most()), binary64(paid)[0],
+                        walked(rendered.renderer, loop, half.part(0.8, 1))});
   }
   return energies;
-}
-
-void add_loop_energies(Findings& findings, const std::function<std::vector<LoopEnergy>()>& energies) {
-  try {
-    findings.energy = energies();
-  } catch (const reference::NotEnclosed& error) {
-    for (PropertyResult& property : findings.properties) {
-      if (property.name != "passivity") continue;
-      property.held = false;
-      property.counterexample +=
-          std::string(property.counterexample.empty() ? "" : "; ") + "what a loop can be paid is " + error.what();
-    }
-  }
 }
 
 }  // namespace forceshade::properties

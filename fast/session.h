@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// One path through a renderer: what a servo loop drives, and what is compared with the reference.
+
+#include <memory>
+#include <utility>
+
+#include "forceshade/fast/evaluate.h"
+
+namespace forceshade::fast {
+
+// Holds whatever the renderer remembers of the path so far. One thread at a time.
+class Session {
+ public:
+  virtual ~Session() = default;
+
+  // position: mm, the next one of the path. Without allocation, lock or exception.
+  virtual Evaluation step(const Eigen::Vector3f& position) noexcept = 0;
+};
+
+// Of a field, whose force depends on nothing but the position: a law or a height map.
+template <class Field>
+class FieldSession final : public Session {
+ public:
+  explicit FieldSession(Field field) noexcept : field_(std::move(field)) {}
+
+  Evaluation step(const Eigen::Vector3f& position) noexcept override { return field_.evaluate(position); }
+
+ private:
+  Field field_;
+};
+
+template <class Field>
+std::unique_ptr<Session> session_of(Field field) {
+  return std::make_unique<FieldSession<Field>>(std::move(field));
+}
+
+}  // namespace forceshade::fast

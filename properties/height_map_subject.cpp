@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/properties/height_map_subject.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "forceshade/properties/binary32.h"
+#include "forceshade/properties/generators.h"
+#include "forceshade/properties/height_loops.h"
+#include "forceshade/properties/height_properties.h"
+#include "forceshade/properties/reference_of_field.h"
+#include "forceshade/properties/spread.h"
+#include "forceshade/properties/unit_normals.h"
+
+namespace forceshade::properties {
+namespace {
+
+template <class Field>
+Field built(const HeightMap& map, height::Rendering rendering, float stiffness) {
+  auto result = Field::build(map, rendering, stiffness);
+  if (const auto* error = std::get_if<ParameterError>(&result)) throw std::invalid_argument(error->message());
+  return std::get<Field>(std::move(result));
+}
+
+}  // namespace
+
+Calls fast_height_map(const HeightMap& map, height::Rendering rendering, float stiffness) {
+  return calls_of(built<fast::HeightMapField>(map, rendering, stiffness));
+}
+
+HeightMapSubject::HeightMapSubject(const std::string& name, const HeightMap& map, height::Rendering rendering, float stiffness,
+                                   RenderHeightMap render)
+    : render_(std::move(render)),
+      calls_(render_(map, rendering, stiffness)),
+      rendered_{built<reference::HeightMapField>(map, rendering, stiffness), renderer_of(calls_)},
+      shape_(rendered_.law),
+      identity_(identity_of(name, map, rendering, stiffness)) {}
+
+HeightMapSubject::HeightMapSubject(RenderedHeightMap rendered, const std::string& name)
+    : render_(&fast_height_map),
+      calls_(calls_of(rendered.renderer)),
+      rendered_(std::move(rendered)),
+      shape_(rendered_.law),
+      identity_(identity_of(name, rendered_.law.map(), rendered_.law.rendering(), rendered_.law.stiffness())) {}
+
+std::unique_ptr<ReferenceSession> HeightMapSubject::open_reference() const {
+  return reference_of_field(rendered_.law);
+}
+
+std::unique_ptr<Positions> HeightMapSubject::positions(std::uint64_t seed) const {
+  return std::make_unique<HeightPositionSource>(rendered_.law, shape_, seed);
+}
+
+std::vector<Eigen::Vector3f> HeightMapSubject::draw_path() const {
+  return {*position_of(HeightTarget{rendered_.law, shape_})};
+}
+
+Violation HeightMapSubject::check_continuity() const {
+  const Neighbours pair = *neighbours_on({rendered_.law, shape_});
+  const Eigen::Vector3f b = pair.b();
+  return is_valid(b) ? continuity(rendered_, shape_, pair.a, b) : std::nullopt;
+}
+
+Violation HeightMapSubject::check_unit_normals() const {
+  return unit_normals(rendered_, *position_of(HeightTarget{rendered_.law, shape_}));
+}
+
+Violation HeightMapSubject::check_passivity() const {
+  return passivity(rendered_, shape_, *polygon_of(HeightTarget{rendered_.law, shape_}));
+}
+
+std::vector<FurtherProperty> HeightMapSubject::further_properties() const {
+  const auto has_cells = [](const PartShape& part) { return part.columns.has_value(); };
+  if (std::none_of(shape_.parts.begin(), shape_.parts.begin() + static_cast<std::ptrdiff_t>(shape_.map_parts), has_cells))
+    return {};
+  return {{"cell lines", [this]() -> Violation {
+             Neighbours pair = *neighbours_on({rendered_.law, shape_});
+             const double surface = static_cast<double>(rendered_.law.estimate({pair.a.x(), pair.a.y(), 0}).gap.mid());
+             pair.a.z() = static_cast<float>(surface - 1);  // deep enough that both are in contact
+             const Eigen::Vector3f b = pair.b();
+             return is_valid(pair.a) && is_valid(b) ? gradient_across_cells(rendered_, shape_, pair.a, b) : std::nullopt;
+           }}};
+}
+
+std::vector<LoopEnergy> HeightMapSubject::energies(const reference::Watch& watch) const {
+  return loop_energies(rendered_, watch);
+}
+
+DrawnSubject HeightMapSubject::with_drawn_parameters(std::uint64_t seed) const {
+  const float stiffness = ParameterSource(seed).next().stiffness;
+  return {
+      std::make_unique<HeightMapSubject>(identity_.name, rendered_.law.map(), rendered_.law.rendering(), stiffness, render_),
+      "K = " + show(stiffness) + " N/mm: "};
+}
+
+}  // namespace forceshade::properties

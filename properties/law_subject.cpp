@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/properties/law_subject.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "forceshade/properties/binary32.h"
+#include "forceshade/properties/continuity.h"
+#include "forceshade/properties/generators.h"
+#include "forceshade/properties/passivity.h"
+#include "forceshade/properties/reference_of_field.h"
+#include "forceshade/properties/spread.h"
+#include "forceshade/properties/unit_normals.h"
+#include "forceshade/reference/energy.h"
+
+namespace forceshade::properties {
+namespace {
+
+reference::Law reference_of(LawId law, const Parameters& parameters) {
+  auto built = reference::Law::build(law, parameters);
+  if (const auto* error = std::get_if<ParameterError>(&built)) throw std::invalid_argument(error->message());
+  return std::get<reference::Law>(std::move(built));
+}
+
+}  // namespace
+
+Calls fast_law(LawId law, const Parameters& parameters) {
+  const auto built = fast::Law::build(law, parameters);
+  if (const auto* error = std::get_if<ParameterError>(&built)) throw std::invalid_argument(error->message());
+  return calls_of(std::get<fast::Law>(built));
+}
+
+LawSubject::LawSubject(LawId law, const Parameters& parameters, RenderLaw render)
+    : render_(std::move(render)),
+      calls_(render_(law, parameters)),
+      rendered_{reference_of(law, parameters), renderer_of(calls_)},
+      shape_(rendered_.law),
+      identity_(identity_of(law, parameters)) {}
+
+LawSubject::LawSubject(RenderedLaw rendered)
+    : render_(&fast_law),
+      calls_(calls_of(rendered.renderer)),
+      rendered_(std::move(rendered)),
+      shape_(rendered_.law),
+      identity_(identity_of(rendered_.law.id(), rendered_.law.parameters())) {}
+
+std::unique_ptr<ReferenceSession> LawSubject::open_reference() const {
+  return reference_of_field(rendered_.law);
+}
+
+std::unique_ptr<Positions> LawSubject::positions(std::uint64_t seed) const {
+  return std::make_unique<PositionSource>(rendered_.law, seed);
+}
+
+std::vector<Eigen::Vector3f> LawSubject::draw_path() const {
+  return {*position_of(rendered_.law)};
+}
+
+Violation LawSubject::check_continuity() const {
+  const NearbyPair pair = *pair_of(rendered_.law);
+  const Eigen::Vector3f b = pair.b(shape_);
+  return is_valid(b) ? continuity(rendered_, shape_, pair.a, b) : std::nullopt;
+}
+
+Violation LawSubject::check_unit_normals() const {
+  return unit_normals(rendered_, *position_of(rendered_.law));
+}
+
+Violation LawSubject::check_passivity() const {
+  return passivity(rendered_, shape_, *polygon_of(rendered_.law));
+}
+
+std::vector<std::function<Violation()>> LawSubject::fixed_loops() const {
+  std::vector<std::function<Violation()>> loops;
+  for (const float depth : witness_depths(rendered_.law))
+    loops.emplace_back([this, depth] { return witness_is_reached(rendered_, shape_, depth); });
+  return loops;
+}
+
+bool LawSubject::is_conservative() const {
+  return reference::potential(rendered_.law).has_value();
+}
+
+std::vector<LoopEnergy> LawSubject::energies(const reference::Watch& watch) const {
+  const std::vector<float> depths = witness_depths(rendered_.law);
+  std::vector<LoopEnergy> energies;
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    watch.at(static_cast<double>(i) / static_cast<double>(depths.size()));
+    const WitnessLoop loop = witness_loop(rendered_.law, depths[i]);
+    energies.push_back(
+        {static_cast<double>(depths[i]), loop.bound_mJ, loop.paid_mJ, work_around(rendered_, shape_, loop.vertices).rendered});
+  }
+  return energies;
+}
+
+DrawnSubject LawSubject::with_drawn_parameters(std::uint64_t seed) const {
+  const LawId id = rendered_.law.id();
+  const Parameters p = ParameterSource(seed).next();
+  const std::string bump =
+      has_bump_geometry(id) ? "R = " + show(p.radius) + " mm, w = " + show(p.width) + " mm, " : std::string();
+  return {std::make_unique<LawSubject>(id, p, render_), bump + "K = " + show(p.stiffness) + " N/mm: "};
+}
+
+std::vector<float> witness_depths(const reference::Law& law) {
+  const float R = law.parameters().radius;
+  const float deepest = has_bump_geometry(law.id()) ? std::clamp(2.0F, R / 1000, R / 8) : 2;
+  return {deepest / 8, deepest / 4, deepest / 2, deepest * 3 / 4, deepest};
+}
+
+}  // namespace forceshade::properties

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A law as a subject.
+
+#include "forceshade/properties/shape.h"
+#include "forceshade/properties/subject.h"
+
+namespace forceshade::properties {
+
+// What renders a law with these parameters, which are in its domain.
+using RenderLaw = std::function<Calls(LawId law, const Parameters& parameters)>;
+Calls fast_law(LawId law, const Parameters& parameters);
+
+class LawSubject final : public Subject {
+ public:
+  // Throws std::invalid_argument for parameters outside the law's domain.
+  LawSubject(LawId law, const Parameters& parameters, RenderLaw render = &fast_law);
+  // Any renderer of a law; drawn parameters are rendered by the fast path.
+  explicit LawSubject(RenderedLaw rendered);
+
+  const Identity& identity() const override { return identity_; }
+  std::unique_ptr<ReferenceSession> open_reference() const override;
+  const Calls& calls() const override { return calls_; }
+  std::unique_ptr<Positions> positions(std::uint64_t seed) const override;
+  std::vector<Eigen::Vector3f> draw_path() const override;
+  Violation check_continuity() const override;
+  Violation check_unit_normals() const override;
+  Violation check_passivity() const override;
+  std::vector<std::function<Violation()>> fixed_loops() const override;
+  std::vector<std::string> jumps() const override { return shape_.jumps(); }
+  bool has_unit_directions() const override { return true; }
+  bool is_conservative() const override;
+  std::vector<LoopEnergy> energies(const reference::Watch& watch) const override;
+  DrawnSubject with_drawn_parameters(std::uint64_t seed) const override;
+  std::uint64_t points_of_a_set(std::uint64_t) const override { return 1024; }
+
+ private:
+  RenderLaw render_;
+  Calls calls_;
+  RenderedLaw rendered_;
+  Shape shape_;
+  Identity identity_;
+};
+
+// The depths, in mm, at which a law's witness loop is walked.
+std::vector<float> witness_depths(const reference::Law& law);
+
+}  // namespace forceshade::properties

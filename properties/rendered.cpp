@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/properties/rendered.h"
+
+#include "forceshade/fast/height_map_field.h"
+#include "forceshade/fast/law.h"
+#include "forceshade/fast/session.h"
+
+namespace forceshade::properties {
+namespace {
+
+// From what both sides are built from.
+template <class Fast, class Reference, class... From>
+std::variant<RenderedField<Reference>, ParameterError> built(const From&... from) {
+  auto reference = Reference::build(from...);
+  if (const auto* error = std::get_if<ParameterError>(&reference)) return *error;
+  auto fast = Fast::build(from...);
+  if (const auto* error = std::get_if<ParameterError>(&fast)) return *error;
+  return RenderedField<Reference>{std::get<Reference>(std::move(reference)), renderer_of(calls_of(std::get<Fast>(fast)))};
+}
+
+}  // namespace
+
+Renderer renderer_of(const Calls& calls) {
+  return [session = std::shared_ptr<fast::Session>(calls.open())](const Eigen::Vector3f& position) {
+    const fast::Evaluation answer = session->step(position);
+    return Rendered{answer.force, answer.status};
+  };
+}
+
+Calls calls_of(const Renderer& renderer) {
+  return {[renderer] {
+    return answering([renderer](const Eigen::Vector3f& position) {
+      const Rendered answer = renderer(position);
+      return fast::Evaluation{answer.force, answer.status};
+    });
+  }};
+}
+
+std::variant<RenderedLaw, ParameterError> fast_rendering(LawId id, const Parameters& parameters) {
+  return built<fast::Law, reference::Law>(id, parameters);
+}
+
+std::variant<RenderedHeightMap, ParameterError> fast_rendering(const HeightMap& map, height::Rendering rendering,
+                                                               float stiffness) {
+  return built<fast::HeightMapField, reference::HeightMapField>(map, rendering, stiffness);
+}
+
+}  // namespace forceshade::properties

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Arrays and pictures of heights as other programs write them.
+
+#include <gtest/gtest.h>
+#include <tiffio.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace forceshade::tests {
+
+template <class T>
+std::string bytes(const std::vector<T>& numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)};
+}
+
+inline std::string npy(const std::string& dictionary, const std::string& numbers) {
+  std::string header = "{" + dictionary + "}";
+  header.resize((header.size() + 10 + 63) / 64 * 64 - 10, ' ');
+  std::string file("\x93NUMPY\x01\x00", 8);
+  file.push_back(static_cast<char>(header.size() % 256));
+  file.push_back(static_cast<char>(header.size() / 256));
+  return file.append(header).append(numbers);
+}
+
+inline std::string npy_of(const std::string& type, const std::string& shape, const std::string& numbers,
+                          const std::string& fortran_order = "False") {
+  return npy("'descr': '" + type + "', 'fortran_order': " + fortran_order + ", 'shape': " + shape + ", ", numbers);
+}
+
+struct TiffOptions {
+  int compression = COMPRESSION_NONE;
+  std::uint32_t tile = 0;   // samples each way; 0: in strips
+  const char* mode = "wl";  // b: the largest byte first
+  int predictor = PREDICTOR_NONE;
+};
+
+// The first row is the top one.
+template <class T>
+void write_tiff(const std::filesystem::path& file, std::uint32_t columns, std::uint32_t rows, const std::vector<T>& values,
+                const TiffOptions& options = {}) {
+  TIFF* tiff = TIFFOpen(file.c_str(), options.mode);
+  ASSERT_NE(tiff, nullptr);
+  TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, columns);
+  TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, rows);
+  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, static_cast<int>(8 * sizeof(T)));
+  TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
+  TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT,
+               std::is_floating_point_v<T> ? SAMPLEFORMAT_IEEEFP
+               : std::is_signed_v<T>       ? SAMPLEFORMAT_INT
+                                           : SAMPLEFORMAT_UINT);
+  TIFFSetField(tiff, TIFFTAG_COMPRESSION, options.compression);
+  TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+  if (options.predictor != PREDICTOR_NONE) TIFFSetField(tiff, TIFFTAG_PREDICTOR, options.predictor);
+  const std::uint32_t size = options.tile;
+  if (size > 0) {
+    TIFFSetField(tiff, TIFFTAG_TILEWIDTH, size);
+    TIFFSetField(tiff, TIFFTAG_TILELENGTH, size);
+  }
+  for (std::uint32_t row = 0; size == 0 && row < rows; ++row) {
+    std::vector<T> line(values.begin() + static_cast<std::ptrdiff_t>(row * columns),
+                        values.begin() + static_cast<std::ptrdiff_t>((row + 1) * columns));
+    ASSERT_EQ(TIFFWriteScanline(tiff, line.data(), row, 0), 1);
+  }
+  for (std::uint32_t top = 0; size > 0 && top < rows; top += size)
+    for (std::uint32_t left = 0; left < columns; left += size) {
+      // What lies beyond the picture is no height of it.
+      std::vector<T> tile(std::size_t{size} * size, static_cast<T>(99));
+      for (std::uint32_t j = 0; j < std::min(size, rows - top); ++j)
+        for (std::uint32_t i = 0; i < std::min(size, columns - left); ++i)
+          tile[j * size + i] = values[(top + j) * columns + left + i];
+      ASSERT_GT(TIFFWriteTile(tiff, tile.data(), left, top, 0, 0), 0);
+    }
+  TIFFClose(tiff);
+}
+
+}  // namespace forceshade::tests

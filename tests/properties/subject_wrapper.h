@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A subject that answers as another one does, for tests that change one of its answers.
+
+#include <memory>
+#include <utility>
+
+#include "forceshade/properties/subject.h"
+
+namespace forceshade::tests {
+
+class SubjectWrapper : public properties::Subject {
+ public:
+  explicit SubjectWrapper(std::shared_ptr<const properties::Subject> its) : its_(std::move(its)) {}
+
+  const properties::Identity& identity() const override { return its_->identity(); }
+  std::vector<std::string> parts() const override { return its_->parts(); }
+  std::unique_ptr<properties::ReferenceSession> open_reference() const override { return its_->open_reference(); }
+  const properties::Calls& calls() const override { return its_->calls(); }
+  std::unique_ptr<properties::Positions> positions(std::uint64_t seed) const override { return its_->positions(seed); }
+  std::vector<Eigen::Vector3f> draw_path() const override { return its_->draw_path(); }
+  properties::Violation check_continuity() const override { return its_->check_continuity(); }
+  properties::Violation check_unit_normals() const override { return its_->check_unit_normals(); }
+  properties::Violation check_passivity() const override { return its_->check_passivity(); }
+  std::vector<std::function<properties::Violation()>> fixed_loops() const override { return its_->fixed_loops(); }
+  std::vector<properties::FurtherProperty> further_properties() const override { return its_->further_properties(); }
+  std::vector<std::string> jumps() const override { return its_->jumps(); }
+  bool has_unit_directions() const override { return its_->has_unit_directions(); }
+  bool is_conservative() const override { return its_->is_conservative(); }
+  std::vector<properties::LoopEnergy> energies(const reference::Watch& watch) const override { return its_->energies(watch); }
+  properties::DrawnSubject with_drawn_parameters(std::uint64_t seed) const override {
+    return its_->with_drawn_parameters(seed);
+  }
+  std::uint64_t points_of_a_set(std::uint64_t points) const override { return its_->points_of_a_set(points); }
+
+ private:
+  std::shared_ptr<const properties::Subject> its_;
+};
+
+}  // namespace forceshade::tests
