@@ -36,8 +36,7 @@ class Checks {
   void add(const properties::Subject& subject) {
     const std::string& name = subject.identity().name;
     Json properties = Json::array();
-    for (const properties::PropertyResult& property : results(name, subject)) {
-      if (is_printed()) print(name, property);
+    for (const properties::PropertyResult& property : results(subject)) {
       held_ = held_ && property.held;
       const double seconds = times_.seconds(name, property.name);
       Json found{{"name", property.name}, {"held", property.held}, {"cases", property.cases}, {"seconds", seconds}};
@@ -72,12 +71,20 @@ class Checks {
   }
 
  private:
-  std::vector<properties::PropertyResult> results(const std::string& name, const properties::Subject& subject) {
-    ProgressLine line(name);
-    return properties::run_properties(subject, options_.cases, options_.seed, [&](const std::string& property, double done) {
-      times_.add(name, property);
-      line.draw(done);
-    });
+  std::vector<properties::PropertyResult> results(const properties::Subject& subject) {
+    const std::string& name = subject.identity().name;
+    std::optional<ProgressLine> line;
+    return run_properties(
+        subject, options_.cases, options_.seed,
+        [&](const properties::PropertyResult& property) {
+          line.reset();  // off the row that is printed on
+          if (is_printed()) print(name, property);
+        },
+        [&](const std::string& property, double done) {
+          times_.add(name, property);
+          if (!line) line.emplace(name);
+          line->draw(done);
+        });
   }
 
   static void print(const std::string& name, const properties::PropertyResult& property) {

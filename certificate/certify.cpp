@@ -35,9 +35,10 @@ struct Run {
     return properties::in_parallel(chunks, options.threads, done, stop, work);
   }
 
-  OnCase on_case(std::string_view subject) const {
+  // `subject` outlives what is returned.
+  OnCase on_case(const std::string& subject) const {
     if (!options.on_case) return {};
-    return [this, subject](const std::string& property, double done) { options.on_case(subject, property, done); };
+    return [this, &subject](const std::string& property, double done) { options.on_case(subject, property, done); };
   }
 
   Findings at_points(const Subject& subject, const Done& done) const {
@@ -93,7 +94,8 @@ SubjectResult checked(const Subject& subject, const Run& run, const Done& done) 
   result.identity.name = made_plain(result.identity.name);
   result.spread = run.spread(subject, second_part(done));
   if (run.stop) return result;
-  for (PropertyResult& property : run_properties(subject, options.cases, options.seed, run.on_case(subject.identity().name)))
+  for (PropertyResult& property :
+       run_properties(subject, options.cases, options.seed, nullptr, run.on_case(subject.identity().name)))
     if (std::find(kPropertyNames.begin(), kPropertyNames.end(), property.name) != kPropertyNames.end())
       result.properties.push_back(std::move(property));
   result.jumps = subject.jumps();

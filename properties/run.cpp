@@ -44,6 +44,16 @@ PropertyResult run_property(const std::string& name, int cases, std::uint64_t se
 
 namespace {
 
+// run_property() with its progress. While a failure is shrunk, all is done.
+PropertyResult run_watched(const std::string& name, int cases, std::uint64_t seed, const OnCase& on_case,
+                           const std::function<Violation()>& property) {
+  double begun = 0;
+  return run_property(name, cases, seed, [&] {
+    if (on_case) on_case(name, std::min(begun++ / cases, 1.0));
+    return property();
+  });
+}
+
 // Along a path, from its beginning: the renderer's answer is the exact force rounded, at every step.
 Violation equivalence_along(const Subject& subject, const std::vector<Eigen::Vector3f>& path) {
   const auto session = subject.calls().open();
@@ -61,20 +71,23 @@ Violation equivalence_along(const Subject& subject, const std::vector<Eigen::Vec
 
 }  // namespace
 
-std::vector<PropertyResult> run_properties(const Subject& subject, int cases, std::uint64_t seed, const OnCase& on_case) {
+std::vector<PropertyResult> run_properties(const Subject& subject, int cases, std::uint64_t seed, const PropertyDone& done,
+                                           const OnCase& on_case) {
   std::vector<PropertyResult> results;
   const auto run = [&](const std::string& name, const std::function<Violation()>& property) {
     const auto all = static_cast<int>(cases_of(name, static_cast<std::uint64_t>(cases)));
-    double begun = 0;
-    results.push_back(run_property(name, all, seed, [&] {
-      if (on_case) on_case(name, std::min(begun++ / all, 1.0));  // while a failure is shrunk, all is done
-      return property();
-    }));
-    if (on_case) on_case(name, 1);
+    results.push_back(run_watched(name, all, seed, on_case, property));
+  };
+  const auto say = [&] {
+    if (on_case) on_case(results.back().name, 1);
+    if (done) done(results.back());
   };
   run("equivalence", [&] { return equivalence_along(subject, subject.draw_path()); });
+  say();
   run("continuity", [&] { return subject.check_continuity(); });
+  say();
   run("unit normals", [&] { return subject.check_unit_normals(); });
+  say();
   run("passivity", [&] { return subject.check_passivity(); });
   for (const auto& loop : subject.fixed_loops()) {
     PropertyResult& passive = results.back();
@@ -85,7 +98,11 @@ std::vector<PropertyResult> run_properties(const Subject& subject, int cases, st
       passive.counterexample = *violation;
     }
   }
-  for (const FurtherProperty& further : subject.further_properties()) run(further.name, further.check);
+  say();
+  for (const FurtherProperty& further : subject.further_properties()) {
+    run(further.name, further.check);
+    say();
+  }
   return results;
 }
 

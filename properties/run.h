@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "forceshade/properties/subject.h"
@@ -11,13 +12,17 @@
 
 namespace forceshade::properties {
 
-// Called before each case with the property's name, and the share of the property that is done, in [0, 1].
+// Before each case with the property's name, and when the property is finished: the share of it that is done, in [0, 1].
 using OnCase = std::function<void(const std::string& property, double done)>;
+
+// As each property is finished.
+using PropertyDone = std::function<void(const PropertyResult&)>;
 
 // Equivalence, continuity, unit normals, passivity, each on `cases` generated cases (passivity, whose case is a whole loop, on
 // a tenth of them, and on the subject's fixed loops), then the subject's further properties. The same seed gives the same
 // cases. Not for two threads at once: RapidCheck is not.
-std::vector<PropertyResult> run_properties(const Subject& subject, int cases, std::uint64_t seed, const OnCase& on_case = {});
+std::vector<PropertyResult> run_properties(const Subject& subject, int cases, std::uint64_t seed,
+                                           const PropertyDone& done = nullptr, const OnCase& on_case = nullptr);
 
 // One property of one's own: `property` draws its case with RapidCheck's operator* and says what is violated.
 PropertyResult run_property(const std::string& name, int cases, std::uint64_t seed, const std::function<Violation()>& property);

@@ -227,8 +227,8 @@ struct EnergyPlot {
     for (std::size_t i = 1; i < places.size(); ++i) places[i].first = std::max(places[i].first, places[i - 1].first + kLine);
     std::string labels;
     for (const auto& [height, i] : places)
-      labels += "set label " + std::to_string(i + 10) + " '" + active[i]->name() +
-                "' at graph 1.01, graph " + plotted(height) + " textcolor rgb '" + kLawColours[i % kLawColours.size()] + "'\n";
+      labels += "set label " + std::to_string(i + 10) + " '" + active[i]->name() + "' at graph 1.01, graph " + plotted(height) +
+                " textcolor rgb '" + kLawColours[i % kLawColours.size()] + "'\n";
     return labels;
   }
 

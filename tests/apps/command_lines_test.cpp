@@ -157,6 +157,7 @@ TEST(command_lines, every_option_of_every_command_refuses_what_it_cannot_read) {
       for (const std::string& value : values) {
         const bool is_file = option == "--json" || option == "--junit" || option == "--record" || option == "--out";
         if (is_file && !value.empty()) continue;
+        if (option == "--json") continue;  // its value may be left out: an empty one is none
         std::vector<std::string> words = words_of(command);
         const std::vector<std::string> others = words_of(line);
         for (std::size_t i = 0; i < others.size(); ++i)

@@ -183,7 +183,7 @@ same 37 "$("$forceshade" properties --cases 20 | wc -l)"
 # For programs: the same results as JSON and as JUnit XML; a law that fails, and a name that is hostile to XML and to terminals.
 expect 0 "bump-2p         passivity     held" -- "$forceshade" properties --law bump-2p --cases 100 --json two.json --junit two.xml
 same '"bump-2p" 25.399999618530273 ["equivalence","continuity","unit normals","passivity"] true' \
-  "$(jq -c '.subjects[0] | .law, .parameters.width_mm, [.properties[].name], all(.properties[]; .held)' two.json | tr '\n' ' ' | sed 's/ $//')"
+  "$(jq -c '.subjects[0] | .name, .parameters.width_mm, [.properties[].name], all(.properties[]; .held)' two.json | tr '\n' ' ' | sed 's/ $//')"
 same "true 1 100" "$(jq -r '"\(.held) \(.seed) \(.cases)"' two.json)"
 same 4 "$(grep -c '<testcase classname="forceshade properties.bump-2p" name="' two.xml)"
 same 0 "$(grep -c '<failure' two.xml)"
