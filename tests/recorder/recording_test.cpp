@@ -11,6 +11,7 @@
 #include "forceshade/csv/output_file.h"
 #include "forceshade/device/replay.h"
 #include "forceshade/device/servo_loop.h"
+#include "forceshade/fast/law.h"
 #include "forceshade/recorder/export.h"
 #include "forceshade/recorder/layout.h"
 #include "forceshade/tests/support/kept_samples.h"

@@ -22,7 +22,7 @@ using properties::SubjectResult;
 
 Certificate certificate_of(const std::shared_ptr<const properties::Subject>& subject) {
   static const std::atomic<bool> never{false};
-  return certify(
+  return properties::certify(
              {.subjects = {subject}, .points = properties::points_of_kind(subject->identity().kind), .seed = 7, .threads = 2},
              [](std::string_view, double) {}, never)
       .value();
@@ -34,7 +34,7 @@ const Certificate& certificate() {
 }
 
 TEST(subject_with_memory, holds_its_properties) {
-  for (const properties::PropertyResult& property : run_properties(StickyWall({}), 2000, 3))
+  for (const properties::PropertyResult& property : properties::run_properties(StickyWall({}), 2000, 3))
     EXPECT_TRUE(property.held) << property.name << ": " << property.counterexample;
 }
 
