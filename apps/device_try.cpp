@@ -57,6 +57,7 @@ class Felt final : public device::SampleSink {
 
 float gentle_stiffness(const std::string& text) {
   const float stiffness = parse_stiffness("--stiffness", text);
+  built(fast::Law::build(LawId::wall, {.stiffness = stiffness}));
   if (stiffness <= kHighestStiffness) return stiffness;
   throw BadInput("--stiffness: expected at most " + csv::shortest(kHighestStiffness) + " N/mm for a first contact, got " +
                  csv::shortest(stiffness) + "; 'forceshade drive' renders stiffer walls");
