@@ -138,7 +138,7 @@ int run(Options options) {
        .servo = {
            .max_seconds = options.seconds, .patience = options.watchdog_timeout, .dead_man_button = button, .sinks = {&felt}}});
   if (options.json != "-") felt.print(outcome.result);
-  person.told("the run is over and there is no force; its recording is " + options.record);
+  person.report("the run is over and there is no force; its recording is " + options.record);
   return outcome.code;
 }
 

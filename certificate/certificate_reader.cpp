@@ -132,7 +132,7 @@ std::vector<LoopEnergy> energy_from(Fields& entry, bool conservative) {
                          fields.number("measured_mJ")};
     fields.expect("depth_mm", one.depth_mm > 0, "more than 0");
     fields.expect("bound_mJ", one.bound_mJ[1] >= 0 && (!conservative || one.bound_mJ[1] == 0),
-                  conservative ? "[0, 0], as no loop is paid by a conservative law" : "no bound below 0");
+                  conservative ? "[0, 0], as no loop of a conservative law gives energy" : "no bound below 0");
     fields.end();
     all.push_back(one);
   }

@@ -72,7 +72,7 @@ expect 2 "nowhere" -- "$forceshade" force --law wall --stiffness 1 --input in.cs
 # energy: a potential, a bound with a witness, depths that no witness could be given for.
 energy() { "$forceshade" energy "$@"; }
 expect 0 "wall: conservative" -- energy --law wall --depth 2
-expect 0 "a simple loop no deeper than 2 mm is paid up to 5.29167 mJ" -- energy --law bump-1p-shaded --depth 2
+expect 0 "a simple loop no deeper than 2 mm gives the hand up to 5.29167 mJ" -- energy --law bump-1p-shaded --depth 2
 same "$(energy --law bump-3p --depth 2)" "$(energy --law bump-3p --depth 0.2cm --radius 600mil --width 1in)"
 expect 0 '"conservative":true,"potential":"K/2 max(0, -z)^2","bound_mJ":[0.0,0.0]' -- energy --law bump-1p --depth 2 --json -
 same '{"law":"bump-2p","parameters":{"radius_mm":15.239999771118164,"width_mm":25.399999618530273,"stiffness_N_per_mm":0.5},"depth_mm":2.0,"conservative":false,"bound_mJ":[0.11887265438173845,0.11887265438173847],"right_half_mJ":{"counter_clockwise":[0.11887265438173845,0.11887265438173847],"clockwise":[0.0,0.0]},' \
