@@ -87,8 +87,8 @@ void check_open(const Options& options, device::Attendant& prepares, Checks& che
   }
   const device::Capabilities capabilities = opened->capabilities();
   checks.add(check_identity(capabilities));
-  prepares.told("reading the device for " + csv::shortest(options.seconds) +
-                " s without any force; leave it at rest to measure its noise, or move it and press its buttons to see them");
+  prepares.report("reading the device for " + csv::shortest(options.seconds) +
+                  " s without any force; leave it at rest to measure its noise, or move it and press its buttons to see them");
   const double rate = std::min(kRate, capabilities.highest_rate);
   seen = device::observe_without_force(*opened, rate, options.seconds, interrupted());
   if (interrupted()) throw Interrupted("the check was not finished");

@@ -57,6 +57,7 @@ class Felt final : public device::SampleSink {
 
 float gentle_stiffness(const std::string& text) {
   const float stiffness = parse_stiffness("--stiffness", text);
+  built(fast::Law::build(LawId::wall, {.stiffness = stiffness}));
   if (stiffness <= kHighestStiffness) return stiffness;
   throw BadInput("--stiffness: expected at most " + csv::shortest(kHighestStiffness) + " N/mm for a first contact, got " +
                  csv::shortest(stiffness) + "; 'forceshade drive' renders stiffer walls");
@@ -137,7 +138,7 @@ int run(Options options) {
        .servo = {
            .max_seconds = options.seconds, .patience = options.watchdog_timeout, .dead_man_button = button, .sinks = {&felt}}});
   if (options.json != "-") felt.print(outcome.result);
-  person.told("the run is over and there is no force; its recording is " + options.record);
+  person.report("the run is over and there is no force; its recording is " + options.record);
   return outcome.code;
 }
 

@@ -108,7 +108,7 @@ ordered_json to_json(const ServoResult& run) {
             {"latency", run.passivity_settings.latency},
             {"balance_mJ", account.balance},
             {"lowest_balance_mJ", account.lowest_balance},
-            {"rubbed_mJ", account.rubbed},
+            {"dissipated_by_friction_mJ", account.dissipated},
             {"forgiven_mJ", account.forgiven},
             {"withheld_mJ", account.withheld},
             {"altered_ticks", account.altered},

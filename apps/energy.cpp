@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// forceshade energy: whether a law or a height map is passive: its potential, or the most a loop can be paid and a loop that is
-// paid it.
+// forceshade energy: whether a law or a height map is passive: its potential, or the most energy that a loop can give to the
+// hand, and a loop that gives it.
 
 #include "forceshade/reference/energy.h"
 
@@ -37,7 +37,7 @@ struct Verdict {
   double most_mJ = binary64(bound.anywhere)[1];
 };
 
-// A bound that its witness is paid less of is not known to be met by any loop.
+// A bound of which the witness gives less is not known to be met by any loop.
 constexpr double kMet = 0.99;
 
 template <class V>
@@ -51,12 +51,13 @@ void add_witness(Json& json, const V& verdict) {
 template <class V>
 void print_witness(const V& verdict) {
   if (!verdict.witness.empty())
-    std::printf("witness: %zu corners, paid %.6g mJ, %.2f %% of the bound; --json lists them\n", verdict.witness.size() - 1,
+    std::printf("witness: %zu corners, gives %.6g mJ, %.2f %% of the bound; --json lists them\n", verdict.witness.size() - 1,
                 verdict.witness_mJ, 100 * verdict.witness_mJ / verdict.most_mJ);
   if (verdict.witness_mJ < kMet * verdict.most_mJ)
     std::printf(
-        "the bound is not met: no loop was found that is paid %g %% of it; the most that a loop can be paid lies between %.6g "
-        "and %.6g mJ\n",
+        "the bound is not met: no loop was found that gives %g %% of it to the hand; the most that a loop can give lies "
+        "between "
+        "%.6g and %.6g mJ\n",
         100 * kMet, verdict.witness_mJ, verdict.most_mJ);
 }
 
@@ -83,11 +84,11 @@ Json json_of(const Verdict& verdict) {
 void print(const Verdict& verdict) {
   const char* name = name_of(verdict.law.id()).data();
   if (verdict.potential) {
-    std::printf("%s: conservative: no loop is paid anything; the force is minus the gradient of %s\n", name,
+    std::printf("%s: conservative: no loop gives energy to the hand; the force is minus the gradient of %s\n", name,
                 verdict.potential->c_str());
     return;
   }
-  std::printf("%s: active: a simple loop no deeper than %g mm is paid up to %.6g mJ\n", name,
+  std::printf("%s: active: a simple loop no deeper than %g mm gives the hand up to %.6g mJ\n", name,
               static_cast<double>(verdict.depth), verdict.most_mJ);
   std::printf("on the half x >= 0 alone: %.6g mJ counter-clockwise, %.6g mJ clockwise (x right, z up)\n",
               binary64(verdict.bound.counter_clockwise)[1], binary64(verdict.bound.clockwise)[1]);
@@ -142,16 +143,17 @@ Json json_of(const HeightVerdict& verdict) {
 void print(const HeightVerdict& verdict) {
   const char *name = verdict.name.c_str(), *rendering = name_of(verdict.law.rendering()).data();
   if (verdict.potential) {
-    std::printf("%s, %s: conservative: no loop is paid anything; the force is minus the gradient of %s\n", name, rendering,
-                verdict.potential->c_str());
+    std::printf("%s, %s: conservative: no loop gives energy to the hand; the force is minus the gradient of %s\n", name,
+                rendering, verdict.potential->c_str());
     return;
   }
   const auto& [along, at, from, to] = verdict.slice;
   const bool is_x = along == reference::Slice::Along::x;
-  std::printf("%s, %s: %s: over %s = %g mm, %s from %g to %g mm, a simple loop no deeper than %g mm is paid up to %.6g mJ\n",
-              name, rendering, verdict.most_mJ > 0 ? "active" : "nothing to gain", is_x ? "y" : "x", static_cast<double>(at),
-              is_x ? "x" : "y", static_cast<double>(from), static_cast<double>(to), static_cast<double>(verdict.depth),
-              verdict.most_mJ);
+  std::printf(
+      "%s, %s: %s: over %s = %g mm, %s from %g to %g mm, a simple loop no deeper than %g mm gives the hand up to %.6g mJ\n",
+      name, rendering, verdict.most_mJ > 0 ? "active" : "gives no energy", is_x ? "y" : "x", static_cast<double>(at),
+      is_x ? "x" : "y", static_cast<double>(from), static_cast<double>(to), static_cast<double>(verdict.depth),
+      verdict.most_mJ);
   if (verdict.most_mJ == 0) return;
   std::printf("%.6g mJ counter-clockwise, %.6g mJ clockwise (%s right, z up)\n", binary64(verdict.bound.counter_clockwise)[1],
               binary64(verdict.bound.clockwise)[1], is_x ? "x" : "y");

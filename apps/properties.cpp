@@ -45,8 +45,12 @@ class Checks {
       junit_.push_back({name, property.name, seconds, property.held ? std::nullopt : std::optional(property.counterexample),
                         std::to_string(property.cases) + " cases"});
     }
-    subjects_.push_back(summary_of(subject.identity()));
-    subjects_.back()["properties"] = properties;
+    // Named as in a certificate.
+    Json found{{"kind", subject.identity().kind}, {"name", name}};
+    if (!subject.identity().digest.empty()) found["digest"] = subject.identity().digest;
+    found["parameters"] = summary_of(subject.identity())["parameters"];
+    found["properties"] = properties;
+    subjects_.push_back(found);
   }
 
   bool held() const { return held_; }

@@ -76,7 +76,7 @@ void say(const std::string& words) {
 
 }  // namespace
 
-void TerminalAttendant::told(const std::string& words) noexcept {
+void TerminalAttendant::report(const std::string& words) noexcept {
   say(shown(words));
 }
 

@@ -16,7 +16,7 @@ class TerminalAttendant : public device::Attendant {
   // what_else: what to do where there is no terminal, for instance "give --in-reset-pose".
   explicit TerminalAttendant(std::string what_else) : what_else_(std::move(what_else)) {}
 
-  void told(const std::string& words) noexcept override;
+  void report(const std::string& words) noexcept override;
 
   // Shows the words on the terminal and waits for Enter there; what was typed before does not count. False where there is no
   // terminal, or it is another program's turn to read from it, which is said; and after a signal that ends the work.

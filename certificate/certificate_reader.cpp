@@ -132,7 +132,7 @@ std::vector<LoopEnergy> energy_from(Fields& entry, bool conservative) {
                          fields.number("measured_mJ")};
     fields.expect("depth_mm", one.depth_mm > 0, "more than 0");
     fields.expect("bound_mJ", one.bound_mJ[1] >= 0 && (!conservative || one.bound_mJ[1] == 0),
-                  conservative ? "[0, 0], as no loop is paid by a conservative law" : "no bound below 0");
+                  conservative ? "[0, 0], as no loop of a conservative law gives energy" : "no bound below 0");
     fields.end();
     all.push_back(one);
   }
@@ -173,28 +173,27 @@ IdentityValue value_from(Fields& fields, const std::string& key) {
   return fields.binary32(key.c_str());
 }
 
-// The parameters of a kind that has no rules of its own here.
-Identity with_parameters(Identity identity, Fields fields) {
-  for (const std::string& key : fields.keys()) identity.parameters.emplace_back(key, value_from(fields, key));
+using IdentityParameters = decltype(Identity::parameters);
+
+// Of a kind that has no rules of its own here.
+IdentityParameters any_parameters_from(Fields fields) {
+  IdentityParameters parameters;
+  for (const std::string& key : fields.keys()) parameters.emplace_back(key, value_from(fields, key));
   fields.end();
-  return identity;
+  return parameters;
 }
 
-void expect_rendering(const Identity& map) {
-  const IdentityValue* value = map.parameter("rendering");
-  const std::string word = value == nullptr ? "" : text_of(*value);
+IdentityParameters map_parameters_from(Fields fields) {
+  const std::string word = fields.text("rendering");
   const auto is_it = [&](const height::RenderingName& one) { return one.name == word; };
   if (std::none_of(height::kRenderings.begin(), height::kRenderings.end(), is_it))
     throw JsonError("unknown rendering \"" + word + "\"");
-}
-
-// In the domain of every law and map.
-void expect_stiffness(const Identity& map) {
-  const IdentityValue* value = map.parameter("stiffness_N_per_mm");
-  if (value == nullptr || !std::holds_alternative<float>(*value) || map.parameters.size() != 2)
-    throw JsonError("expected the parameters rendering and stiffness_N_per_mm of a height map");
-  const auto wall = fast::Law::build(LawId::wall, {.stiffness = std::get<float>(*value)});
+  // The domain of a stiffness is the same for every law and map.
+  const float stiffness = fields.binary32("stiffness_N_per_mm");
+  const auto wall = fast::Law::build(LawId::wall, {.stiffness = stiffness});
   if (const auto* error = std::get_if<ParameterError>(&wall)) throw JsonError(error->message());
+  fields.end();
+  return {{"rendering", word}, {"stiffness_N_per_mm", stiffness}};
 }
 
 Identity identity_from(Fields& fields) {
@@ -205,11 +204,8 @@ Identity identity_from(Fields& fields) {
   }
   const bool is_map = kind == kHeightMapKind;
   Identity identity{kind, fields.text("name"), {}, is_map || fields.has("digest") ? digest_from(fields, "digest") : ""};
-  identity = with_parameters(std::move(identity), fields.object("parameters"));
-  if (is_map) {
-    expect_rendering(identity);
-    expect_stiffness(identity);
-  }
+  identity.parameters =
+      is_map ? map_parameters_from(fields.object("parameters")) : any_parameters_from(fields.object("parameters"));
   return identity;
 }
 

@@ -82,7 +82,7 @@ void add_energies(const Subject& subject, const reference::Watch& watch, Finding
       if (property.name != "passivity") continue;
       property.held = false;
       property.counterexample +=
-          std::string(property.counterexample.empty() ? "" : "; ") + "what a loop can be paid is " + error.what();
+          std::string(property.counterexample.empty() ? "" : "; ") + "the energy that a loop can give is " + error.what();
     }
   } catch (const reference::Interrupted&) {  // `stop` is set, and nothing is certified
   }

@@ -80,8 +80,8 @@ std::optional<std::string> refusal(const Certificate& certificate, const Build& 
   }
   if (alike.empty()) return another(subject, of_its_kind);
   if (same.empty())
-    return "the certificate covers " + subject.name + " with other parameters: expected " + parameters_in_words(subject) +
-           "; got " + parameters_in_words(alike.back()->identity);
+    return "the certificate covers " + alike.back()->name() + " with other parameters: expected " +
+           parameters_in_words(subject) + "; got " + parameters_in_words(alike.back()->identity);
   if (failed) return "the certificate says that " + subject.name + " failed";
   return insufficient(same, build);
 }

@@ -13,7 +13,7 @@ class Attendant {
  public:
   virtual ~Attendant() = default;
 
-  virtual void told(const std::string& words) noexcept { static_cast<void>(words); }
+  virtual void report(const std::string& words) noexcept { static_cast<void>(words); }
 
   // Shows what is to be done and waits. False if nobody did it.
   virtual bool did(const std::string& words) noexcept {

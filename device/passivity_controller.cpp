@@ -47,7 +47,7 @@ PassivityController::PassivityController(const PassivitySettings& settings, Kind
 
 Allowance PassivityController::allowance() const noexcept {
   if (kind_ == Kind::observer) return {};
-  return {.work = settings_.epsilon + account_.rubbed + account_.forgiven, .longest_step = settings_.longest_step};
+  return {.work = settings_.epsilon + account_.dissipated + account_.forgiven, .longest_step = settings_.longest_step};
 }
 
 Eigen::Vector3f PassivityController::passed(const Reading& reading, const Eigen::Vector3f& wanted) noexcept {
@@ -80,9 +80,9 @@ Eigen::Vector3f PassivityController::passed(const Reading& reading, const Eigen:
 void PassivityController::settle(const Sent& sent, const Eigen::Vector3d& step) noexcept {
   const double given = sent.work - std::exchange(work_, sent.work);
   account_.balance -= given;
-  const double rubbed = std::min(settings_.friction * step.norm(), std::max(0.0, -account_.balance));
-  account_.balance += rubbed;
-  account_.rubbed += rubbed;
+  const double dissipated = std::min(settings_.friction * step.norm(), std::max(0.0, -account_.balance));
+  account_.balance += dissipated;
+  account_.dissipated += dissipated;
   account_.lowest_balance = std::min(account_.lowest_balance, account_.balance);
   account_.given += std::max(given, 0.0);
   account_.withheld += acting_wanted_.dot(step) - given;

@@ -33,7 +33,7 @@ PassivitySettings passivity_settings(const Capabilities& capabilities, double ra
 // Doubles as they are: 600'000 ticks of an account within ±1 J round it by less than 1e-7 mJ.
 struct PassivityAccount {
   double balance = 0;         // put in by the hand, less what it was given; with what friction paid and what was forgiven
-  double rubbed = 0;          // what friction paid
+  double dissipated = 0;      // by friction in the arm, which the account counts as taken from the hand
   double forgiven = 0;        // of what steps longer than the longest took beyond epsilon
   double lowest_balance = 0;  // never below -epsilon while no step under force was longer than the longest
   double given = 0;           // the part of the balance that went to the hand, counted positive
@@ -42,7 +42,7 @@ struct PassivityAccount {
   double largest_change = 0;  // N: the farthest that a force was altered
   std::size_t altered = 0;    // ticks
 
-  double net() const noexcept { return rubbed + forgiven - balance; }  // given to the hand, less taken from it
+  double net() const noexcept { return dissipated + forgiven - balance; }  // given to the hand, less taken from it
   double taken() const noexcept { return given - net(); }
 };
 

@@ -2,6 +2,7 @@
 #include "forceshade/fast/law.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace forceshade::fast {
 namespace {
@@ -26,16 +27,7 @@ std::optional<ParameterError> first_error(LawId id, const Parameters& p) noexcep
 template <class Definition>
 BlockFunction<Definition> block_function(const BlockTable* blocks) noexcept {
   if (blocks == nullptr) return nullptr;
-  const BlockTable& table = *blocks;
-  if constexpr (std::is_same_v<Definition, Wall>) return table.wall;
-  if constexpr (std::is_same_v<Definition, Cylinder>) return table.cylinder;
-  if constexpr (std::is_same_v<Definition, BumpCylinder>) return table.bump_cylinder;
-  if constexpr (std::is_same_v<Definition, Bump1p>) return table.bump_1p;
-  if constexpr (std::is_same_v<Definition, Bump2p>) return table.bump_2p;
-  if constexpr (std::is_same_v<Definition, Bump3p>) return table.bump_3p;
-  if constexpr (std::is_same_v<Definition, Bump1pShaded>) return table.bump_1p_shaded;
-  if constexpr (std::is_same_v<Definition, Bump2pShaded>) return table.bump_2p_shaded;
-  if constexpr (std::is_same_v<Definition, Bump3pShaded>) return table.bump_3p_shaded;
+  return static_cast<const BlockOf<Definition>*>(blocks)->answer;
 }
 
 // Null for the scalar set: the batch call then makes scalar calls.
@@ -57,20 +49,21 @@ const char* arithmetic_fault() noexcept {
   return fault;
 }
 
+template <class... Definition>
+std::optional<Law> Law::built(LawId id, const Parameters& p, LawList<Definition...>) noexcept {
+  std::optional<Law> law;
+  std::size_t index = 0;
+  const auto try_one = [&]<class One>(std::type_identity<One>) {
+    if (static_cast<std::size_t>(id) == index++) law = Law(id, p, Built<One>(p));
+  };
+  (try_one(std::type_identity<Definition>()), ...);
+  return law;
+}
+
 std::variant<Law, ParameterError> Law::build(LawId id, const Parameters& p) noexcept {
   if (const char* fault = arithmetic_fault()) return ParameterError{fault, "", 1, 0, 0};
   if (const auto error = first_error(id, p)) return *error;
-  switch (id) {
-    case LawId::wall: return Law(id, p, Built<Wall>(p));
-    case LawId::cylinder: return Law(id, p, Built<Cylinder>(p));
-    case LawId::bump_cylinder: return Law(id, p, Built<BumpCylinder>(p));
-    case LawId::bump_1p: return Law(id, p, Built<Bump1p>(p));
-    case LawId::bump_2p: return Law(id, p, Built<Bump2p>(p));
-    case LawId::bump_3p: return Law(id, p, Built<Bump3p>(p));
-    case LawId::bump_1p_shaded: return Law(id, p, Built<Bump1pShaded>(p));
-    case LawId::bump_2p_shaded: return Law(id, p, Built<Bump2pShaded>(p));
-    case LawId::bump_3p_shaded: return Law(id, p, Built<Bump3pShaded>(p));
-  }
+  if (const auto law = built(id, p, Laws())) return *law;
   return ParameterError{"law", "", static_cast<float>(static_cast<int>(id)), 0, static_cast<float>(kLaws.size() - 1)};
 }
 

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <variant>
 
@@ -45,8 +46,13 @@ class Law {
                     InstructionSet instructions = best_instruction_set()) const noexcept;
 
  private:
-  using AnyLaw = std::variant<Built<Wall>, Built<Cylinder>, Built<BumpCylinder>, Built<Bump1p>, Built<Bump2p>, Built<Bump3p>,
-                              Built<Bump1pShaded>, Built<Bump2pShaded>, Built<Bump3pShaded>>;
+  template <class... Definition>
+  static std::variant<Built<Definition>...> any_of(LawList<Definition...>);
+  using AnyLaw = decltype(any_of(Laws()));
+
+  // Nothing where there is no such law.
+  template <class... Definition>
+  static std::optional<Law> built(LawId id, const Parameters& parameters, LawList<Definition...>) noexcept;
 
   Law(LawId id, const Parameters& parameters, AnyLaw law) noexcept : id_(id), parameters_(parameters), law_(law) {}
 

@@ -59,7 +59,7 @@ AllowedChange allowed_change(const reference::Law& law, const Shape& shape, cons
     ++lines;
     allowed.jump = 2 * shape.K * std::max(Real(0), line.height - az) * std::sin(line.angle / 2);
   }
-  allowed.tells = lines <= 1;
+  allowed.is_known = lines <= 1;
 
   // How fast the force changes where it does not jump. A face or the plane: K·√(1 + slope²). The shaded normal turns on
   // top of that. The cylinder: K along the radius, K(R - ρ)/ρ across it. bump-cylinder adds the wall's K.
@@ -83,7 +83,7 @@ AllowedChange allowed_change(const reference::Law& law, const Shape& shape, cons
       // both ρ, as far as v is -u, and off by KR|u + v| at most where it is not.
       const Real across = (ax * bx + (az + shape.d) * (bz + shape.d)) / (rho_a * rho_b);
       const Real skew = std::hypot(ax / rho_a + bx / rho_b, (az + shape.d) / rho_a + (bz + shape.d) / rho_b);
-      allowed.tells = across < -1 + kOpposite;
+      allowed.is_known = across < -1 + kOpposite;
       allowed.jump = 2 * shape.K * shape.R;
       allowed.reach = shape.K * (rho_a + rho_b + shape.R * (skew + kEvaluation));
     } else {
@@ -94,11 +94,11 @@ AllowedChange allowed_change(const reference::Law& law, const Shape& shape, cons
   return allowed;
 }
 
-Violation continuity(const RenderedLaw& subject, const Shape& shape, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
-  const AllowedChange allowed = allowed_change(subject.law, shape, a, b);
-  if (!allowed.tells) return std::nullopt;
-  const Eigen::Vector3f at_a = subject.renderer(a).force;
-  const Eigen::Vector3f at_b = subject.renderer(b).force;
+Violation continuity(const RenderedLaw& rendered, const Shape& shape, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+  const AllowedChange allowed = allowed_change(rendered.law, shape, a, b);
+  if (!allowed.is_known) return std::nullopt;
+  const Eigen::Vector3f at_a = rendered.renderer(a).force;
+  const Eigen::Vector3f at_b = rendered.renderer(b).force;
   const Real change = std::hypot(static_cast<Real>(at_a.x()) - static_cast<Real>(at_b.x()),
                                  static_cast<Real>(at_a.z()) - static_cast<Real>(at_b.z()));
   const Real rounding =

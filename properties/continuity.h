@@ -11,12 +11,12 @@ namespace forceshade::properties {
 struct AllowedChange {
   long double jump;   // N: |F(a) - F(b)| is this
   long double reach;  // N: give or take this
-  bool tells;         // false where two lines lie between the positions and no single size is listed
+  bool is_known;      // false where two lines lie between the positions and no single size is listed
 };
 
 AllowedChange allowed_change(const reference::Law& law, const Shape& shape, const Eigen::Vector3f& a, const Eigen::Vector3f& b);
 
 // a and b valid and near each other; neighbours in binary32 make the sharpest test.
-Violation continuity(const RenderedLaw& subject, const Shape& shape, const Eigen::Vector3f& a, const Eigen::Vector3f& b);
+Violation continuity(const RenderedLaw& rendered, const Shape& shape, const Eigen::Vector3f& a, const Eigen::Vector3f& b);
 
 }  // namespace forceshade::properties

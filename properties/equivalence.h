@@ -15,9 +15,9 @@ Violation difference(const Eigen::Vector3f& position, const Rendered& answer, co
 std::string not_decided(const Eigen::Vector3f& position, const std::domain_error& error);
 
 template <class Reference>
-Violation equivalence(const RenderedField<Reference>& subject, const Eigen::Vector3f& position) {
+Violation equivalence(const RenderedField<Reference>& rendered, const Eigen::Vector3f& position) {
   try {
-    return difference(position, subject.renderer(position), subject.law.round_to_binary32(position));
+    return difference(position, rendered.renderer(position), rendered.law.round_to_binary32(position));
   } catch (const std::domain_error& error) {
     return not_decided(position, error);
   }

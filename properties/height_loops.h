@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What strokes of a height map can be paid, for its certificate.
+// How much energy loops over a height map can give to the hand, for its certificate.
 
 #include "forceshade/properties/rendered.h"
 #include "forceshade/reference/height_energy.h"

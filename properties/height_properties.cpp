@@ -61,13 +61,13 @@ std::string between(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
 
 }  // namespace
 
-Violation continuity(const RenderedHeightMap& subject, const HeightShape& shape, const Eigen::Vector3f& a,
+Violation continuity(const RenderedHeightMap& rendered, const HeightShape& shape, const Eigen::Vector3f& a,
                      const Eigen::Vector3f& b) {
-  const Exact exact_a = subject.law.estimate(a), exact_b = subject.law.estimate(b);
+  const Exact exact_a = rendered.law.estimate(a), exact_b = rendered.law.estimate(b);
   const Vector at_a = placed(a), at_b = placed(b);
   const Real apart = (at_a - at_b).norm(), size = std::max(magnitude(shape, exact_a), magnitude(shape, exact_b));
   const Bend bend = bend_between(shape, at_a, at_b);
-  const Eigen::Vector3f force_a = subject.renderer(a).force, force_b = subject.renderer(b).force;
+  const Eigen::Vector3f force_a = rendered.renderer(a).force, force_b = rendered.renderer(b).force;
   const Real change = (force_a.cast<Real>() - force_b.cast<Real>()).norm();
 
   const Real jump = bend.kink ? size * (direction(shape, exact_a) - direction(shape, exact_b)).norm() : 0;
@@ -81,7 +81,7 @@ Violation continuity(const RenderedHeightMap& subject, const HeightShape& shape,
   return between(a, b) + numbers;
 }
 
-Violation gradient_across_cells(const RenderedHeightMap& subject, const HeightShape& shape, const Eigen::Vector3f& a,
+Violation gradient_across_cells(const RenderedHeightMap& rendered, const HeightShape& shape, const Eigen::Vector3f& a,
                                 const Eigen::Vector3f& b) {
   const Vector at_a = placed(a), at_b = placed(b);
   const auto apart = static_cast<double>((at_a - at_b).head<2>().norm());
@@ -100,7 +100,7 @@ Violation gradient_across_cells(const RenderedHeightMap& subject, const HeightSh
     line = std::string("across a cell line at ") + (is_column ? "x = " + show(a.x()) : "y = " + show(a.y())) + " mm of part " +
            std::to_string(i + 1) + ", ";
   }
-  const Eigen::Vector3f force_a = subject.renderer(a).force, force_b = subject.renderer(b).force;
+  const Eigen::Vector3f force_a = rendered.renderer(a).force, force_b = rendered.renderer(b).force;
   const auto is_felt = [](const Eigen::Vector3f& force) { return static_cast<Real>(force.z()) > rounding(force); };
   if (!is_felt(force_a) || !is_felt(force_b)) return std::nullopt;
   const auto felt = [](const Eigen::Vector3f& force) {
@@ -119,7 +119,7 @@ Violation gradient_across_cells(const RenderedHeightMap& subject, const HeightSh
   return between(a, b) + line + numbers;
 }
 
-Violation passivity(const RenderedHeightMap& subject, const HeightShape& shape, const std::vector<Eigen::Vector3f>& corners) {
+Violation passivity(const RenderedHeightMap& rendered, const HeightShape& shape, const std::vector<Eigen::Vector3f>& corners) {
   constexpr int kPieces = 24;  // of each edge, each taken at its middle
   Work work;
   Real quadrature = 0;  // mJ: how far that may be from the exact law's work
@@ -128,8 +128,8 @@ Violation passivity(const RenderedHeightMap& subject, const HeightShape& shape, 
     const Eigen::Vector3d step = (to - from) / kPieces;
     for (int piece = 0; piece < kPieces; ++piece) {
       const Eigen::Vector3f middle = (from + (piece + 0.5) * step).cast<float>();
-      const Exact exact = subject.law.estimate(middle);
-      work.add(subject.renderer(middle).force, force_of(exact), step);
+      const Exact exact = rendered.law.estimate(middle);
+      work.add(rendered.renderer(middle).force, force_of(exact), step);
       if (!shape.is_conservative) continue;
       // No position of the piece is farther than this from where the force was taken, rounded to binary32.
       const Real length = step.norm(), far = length / 2 + rounding(middle);
@@ -141,14 +141,14 @@ Violation passivity(const RenderedHeightMap& subject, const HeightShape& shape, 
     }
   }
   const double slack = work.rounding + work.summing();
-  const bool pays = work.rendered > work.exact + slack;
-  const bool pays_though_conservative = shape.is_conservative && work.rendered > static_cast<double>(quadrature) + slack;
-  if (!pays && !pays_though_conservative) return std::nullopt;
+  const bool gives = work.rendered > work.exact + slack;
+  const bool gives_though_conservative = shape.is_conservative && work.rendered > static_cast<double>(quadrature) + slack;
+  if (!gives && !gives_though_conservative) return std::nullopt;
   std::string loop;
   for (const Eigen::Vector3f& corner : corners) loop += (loop.empty() ? "" : ", ") + show(corner);
   char numbers[200];
   std::snprintf(numbers, sizeof numbers, "gives %.9g mJ to the hand; the exact law gives %.9g mJ and rounding may add %.3g mJ",
-                work.rendered, pays ? work.exact : static_cast<double>(quadrature), work.rounding);
+                work.rendered, gives ? work.exact : static_cast<double>(quadrature), work.rounding);
   return "the closed path " + loop + " mm " + numbers;
 }
 

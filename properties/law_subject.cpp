@@ -89,7 +89,7 @@ std::vector<LoopEnergy> LawSubject::energies(const reference::Watch& watch) cons
     watch.at(static_cast<double>(i) / static_cast<double>(depths.size()));
     const WitnessLoop loop = witness_loop(rendered_.law, depths[i]);
     energies.push_back(
-        {static_cast<double>(depths[i]), loop.bound_mJ, loop.paid_mJ, work_around(rendered_, shape_, loop.vertices).rendered});
+        {static_cast<double>(depths[i]), loop.bound_mJ, loop.given_mJ, work_around(rendered_, shape_, loop.vertices).rendered});
   }
   return energies;
 }

@@ -16,7 +16,7 @@ namespace {
 // Of a shaded bump whose edge is its cylinder's (w = 2R) the force has a vertical tangent at the edge; 15 points integrate the
 // square root at the end of a piece to 6e-5 of it.
 constexpr double kVerticalTangent = 1e-4;
-// What a witness is paid at least, of the bound: docs/energy.md ("The witness"), 99.7 % being the least that was found.
+// The least share of the bound that a witness gives: docs/energy.md ("The witness"), 99.7 % being the least that was found.
 constexpr double kWitnessShare = 0.99;
 
 std::string loop_text(const std::vector<PathPoint>& vertices) {
@@ -38,8 +38,8 @@ std::vector<PathPoint> through(const Shape& shape, double depth) {
 
 }  // namespace
 
-Violation passivity(const RenderedLaw& subject, const Shape& shape, const std::vector<PathPoint>& vertices) {
-  const Work work = work_around(subject, shape, vertices);
+Violation passivity(const RenderedLaw& rendered, const Shape& shape, const std::vector<PathPoint>& vertices) {
+  const Work work = work_around(rendered, shape, vertices);
   const double allowed = (shape.is_conservative() ? work.placing : work.exact) + work.rounding + work.summing();
   if (work.rendered <= allowed) return std::nullopt;
   char numbers[200];
@@ -58,16 +58,16 @@ WitnessLoop witness_loop(const reference::Law& law, float depth) {
   return loop;
 }
 
-Violation witness_is_reached(const RenderedLaw& subject, const Shape& shape, float depth) {
-  const WitnessLoop loop = witness_loop(subject.law, depth);
-  const Work work = work_around(subject, shape, loop.vertices);
-  const double allowed = work.rounding + work.placing + work.summing() + kVerticalTangent * loop.paid_mJ;
-  if (std::fabs(work.rendered - loop.paid_mJ) <= allowed && loop.paid_mJ >= kWitnessShare * loop.bound_mJ[1])
+Violation witness_is_reached(const RenderedLaw& rendered, const Shape& shape, float depth) {
+  const WitnessLoop loop = witness_loop(rendered.law, depth);
+  const Work work = work_around(rendered, shape, loop.vertices);
+  const double allowed = work.rounding + work.placing + work.summing() + kVerticalTangent * loop.given_mJ;
+  if (std::fabs(work.rendered - loop.given_mJ) <= allowed && loop.given_mJ >= kWitnessShare * loop.bound_mJ[1])
     return std::nullopt;
   char numbers[200];
-  std::snprintf(numbers, sizeof numbers, "expected %.6g mJ within %.2g mJ, got %.6g mJ; the bound is %.6g mJ", loop.paid_mJ,
+  std::snprintf(numbers, sizeof numbers, "expected %.6g mJ within %.2g mJ, got %.6g mJ; the bound is %.6g mJ", loop.given_mJ,
                 allowed, work.rendered, loop.bound_mJ[1]);
-  return "the loop of depth " + std::to_string(depth) + " mm that should be paid most: " + numbers;
+  return "the loop of depth " + std::to_string(depth) + " mm that should give most: " + numbers;
 }
 
 }  // namespace forceshade::properties

@@ -9,20 +9,21 @@
 
 namespace forceshade::properties {
 
-Violation passivity(const RenderedLaw& subject, const Shape& shape, const std::vector<PathPoint>& vertices);
+Violation passivity(const RenderedLaw& rendered, const Shape& shape, const std::vector<PathPoint>& vertices);
 
-// The loop that shows how much a law gives (docs/energy.md); for a conservative law one through the object, paid nothing.
+// The loop that shows how much energy a law gives (docs/energy.md); for a conservative law one through the object, which gives
+// none.
 struct WitnessLoop {
-  std::vector<PathPoint> vertices;  // in the order in which the hand is paid
-  std::array<double, 2> bound_mJ;   // an interval around the most that a simple loop this deep can be paid
-  double paid_mJ;                   // by the exact law, rounded down; 99 % of the bound or more
+  std::vector<PathPoint> vertices;  // in the order in which the hand is given energy
+  std::array<double, 2> bound_mJ;   // an interval around the most that a simple loop this deep can give
+  double given_mJ;                  // by the exact law, rounded down; 99 % of the bound or more
 };
 
 // depth: mm, as for reference::witness.
 WitnessLoop witness_loop(const reference::Law& law, float depth);
 
-// Whether the witness loop, walked with the renderer, is paid what the exact law pays, to within its own rounding and one part
-// in 10^4, and that is what the bound promises.
-Violation witness_is_reached(const RenderedLaw& subject, const Shape& shape, float depth);
+// Whether the renderer gives around the witness loop what the exact law gives, to within its own rounding and one part in 10^4,
+// and that reaches the bound.
+Violation witness_is_reached(const RenderedLaw& rendered, const Shape& shape, float depth);
 
 }  // namespace forceshade::properties

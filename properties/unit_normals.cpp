@@ -25,24 +25,24 @@ Violation difference_in_length(const Eigen::Vector3f& position, const Eigen::Vec
 
 }  // namespace
 
-Violation unit_normals(const RenderedLaw& subject, const Eigen::Vector3f& position) {
-  if (subject.law.round_to_binary32(position).status == Status::invalid) return std::nullopt;
-  const reference::Law::Estimate exact = subject.law.estimate(position);
-  const Eigen::Vector3f force = subject.renderer(position).force;
+Violation unit_normals(const RenderedLaw& rendered, const Eigen::Vector3f& position) {
+  if (rendered.law.round_to_binary32(position).status == Status::invalid) return std::nullopt;
+  const reference::Law::Estimate exact = rendered.law.estimate(position);
+  const Eigen::Vector3f force = rendered.renderer(position).force;
 
   Real z = force.z();
   const bool is_sum = exact.facet == reference::Facet::cylinder_and_plane ||
-                      (subject.law.id() == LawId::bump_cylinder && exact.facet == reference::Facet::axis);
-  if (is_sum) z -= subject.law.geometry().K.mid() * -static_cast<Real>(position.z());
+                      (rendered.law.id() == LawId::bump_cylinder && exact.facet == reference::Facet::axis);
+  if (is_sum) z -= rendered.law.geometry().K.mid() * -static_cast<Real>(position.z());
   const Real length = std::hypot(static_cast<Real>(force.x()), static_cast<Real>(force.y()), z);
   return difference_in_length(position, force, length, exact.force.magnitude);
 }
 
-Violation unit_normals(const RenderedHeightMap& subject, const Eigen::Vector3f& position) {
-  const reference::HeightMapField& law = subject.law;
+Violation unit_normals(const RenderedHeightMap& rendered, const Eigen::Vector3f& position) {
+  const reference::HeightMapField& law = rendered.law;
   if (!is_valid(position)) return std::nullopt;
   const reference::HeightMapField::Estimate exact = law.estimate(position);
-  const Eigen::Vector3f force = subject.renderer(position).force;
+  const Eigen::Vector3f force = rendered.renderer(position).force;
   reference::Ball64 magnitude(0.0);
   if (exact.gap.mid() > 0) magnitude = reference::Ball64(static_cast<double>(law.stiffness())) * exact.gap;
   if (law.rendering() == height::Rendering::conservative)

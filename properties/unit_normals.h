@@ -8,9 +8,9 @@ namespace forceshade::properties {
 
 // ‖F‖ must be K·penetration, up to half a unit in the last place of each component. For bump-cylinder, a sum of two
 // objects, the wall's share is taken off first. Invalid positions hold trivially.
-Violation unit_normals(const RenderedLaw& subject, const Eigen::Vector3f& position);
+Violation unit_normals(const RenderedLaw& rendered, const Eigen::Vector3f& position);
 
 // As above; for a conservative height map, whose normal is left as it is, ‖F‖ must be K·penetration·√(U_x² + U_y² + 1).
-Violation unit_normals(const RenderedHeightMap& subject, const Eigen::Vector3f& position);
+Violation unit_normals(const RenderedHeightMap& rendered, const Eigen::Vector3f& position);
 
 }  // namespace forceshade::properties

@@ -66,15 +66,15 @@ void Work::add(const Eigen::Vector3f& force, const Eigen::Matrix<long double, 3,
   for (const int axis : {0, 1, 2}) rounding += half_spacing(force[axis]) * std::fabs(step[axis]);
 }
 
-Work work_around(const RenderedLaw& subject, const Shape& shape, const std::vector<PathPoint>& vertices) {
+Work work_around(const RenderedLaw& rendered, const Shape& shape, const std::vector<PathPoint>& vertices) {
   using Rule = boost::math::quadrature::gauss<double, 15>;
   const auto K = static_cast<double>(shape.K), R = static_cast<double>(shape.R), d = static_cast<double>(shape.d);
   Work work;
   const auto visit = [&](const PathPoint& a, const PathPoint& b, double t, double weight) {
     const double dx = b.x - a.x, dz = b.z - a.z;
     const Eigen::Vector3f position(static_cast<float>(a.x + t * dx), 0, static_cast<float>(a.z + t * dz));
-    const auto exact = subject.law.estimate(position).force;
-    work.add(subject.renderer(position).force, {exact.x.mid(), 0, exact.z.mid()}, weight * Eigen::Vector3d(dx, 0, dz));
+    const auto exact = rendered.law.estimate(position).force;
+    work.add(rendered.renderer(position).force, {exact.x.mid(), 0, exact.z.mid()}, weight * Eigen::Vector3d(dx, 0, dz));
     const double off = std::hypot(half_spacing(position.x()), half_spacing(position.z()));
     const double rho =
         shape.has_cylinder() ? std::hypot(static_cast<double>(position.x()), static_cast<double>(position.z()) + d) : 0;

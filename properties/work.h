@@ -31,6 +31,6 @@ struct Work {
 
 // Along the closed polygon through `vertices`. Each edge is cut where the force has a kink or a jump and each piece is
 // integrated by 15-point Gauss-Legendre, so on a conservative law `exact` is zero but for `placing`.
-Work work_around(const RenderedLaw& subject, const Shape& shape, const std::vector<PathPoint>& vertices);
+Work work_around(const RenderedLaw& rendered, const Shape& shape, const std::vector<PathPoint>& vertices);
 
 }  // namespace forceshade::properties

@@ -270,8 +270,9 @@ std::string energy_figure(int number, const std::vector<Drawn>& laws, const Ener
     for (const LoopEnergy& loop : drawn.findings.energy) rest = std::max(rest, std::fabs(loop.measured_mJ));
   }
   std::string caption =
-      "Energy an active law pays the hand each time it goes round. Lines: the most that a simple loop no deeper can be paid, "
-      "joined between the depths that were walked. Points: what the fast path paid around the witness, a loop that reaches "
+      "Energy that an active law gives to the hand each time it goes round. Lines: the most that a simple loop no deeper can "
+      "give, "
+      "joined between the depths that were walked. Points: what the fast path gave around the witness, a loop that reaches "
       "99\u202F% of it or more. The second panel, with the same marks, compares that with the exact law around the same "
       "loop: they differ by at most " +
       html_number(std::max(-plot.below, plot.above), 2) + " parts per million.";
@@ -281,11 +282,10 @@ std::string energy_figure(int number, const std::vector<Drawn>& laws, const Ener
     caption += " Under the shaded single polygon it is nearly in proportion to the depth.";
   caption += " It is a property of these laws, not an error: a controller in the device loop has to take it back.";
   if (!conservative.empty())
-    caption += " The conservative laws (" + conservative + ") pay nothing; the most that any of their loops gave or took is " +
+    caption += " The conservative laws (" + conservative + ") give none; the most that any of their loops gave or took is " +
                html_number(rest, 2) + "\u202FmJ.";
   if (!plot.all_positive)
-    caption +=
-        " <strong>A loop that paid nothing, or took energy, has no place on a logarithmic axis and is not shown.</strong>";
+    caption += " <strong>A loop that gave none, or took energy, has no place on a logarithmic axis and is not shown.</strong>";
   return figure(number, "two", "Energy per loop", "",
                 {{"bound and measured", plot.energy_svg()}, {"difference", plot.difference_svg()}}, caption);
 }

@@ -50,8 +50,9 @@ std::string matrix(const Certificate& certificate) {
             cell("conservative", yes_or_no(law.conservative)) + cell("most energy per loop", energy_of(law)) + "</tr>\n";
   return html +
          "</tbody>\n</table>\n<p class=\"note\">Energy: the most that any simple loop no deeper below the nominal surface can "
-         "be paid (in a height map: any in the slice y = 0, 12.7\u202Fmm to both sides or 250 cells of its finest grid), and "
-         "what the fast path paid around one that comes within 1\u202F% of it.</p>\n</section>\n";
+         "give to the hand (in a height map: any in the slice y = 0, 12.7\u202Fmm to both sides or 250 cells of its finest "
+         "grid), and "
+         "what the fast path gave around one that comes within 1\u202F% of it.</p>\n</section>\n";
 }
 
 }  // namespace forceshade::properties

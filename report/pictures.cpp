@@ -204,7 +204,7 @@ Picture energy_map(const SideView& view) {
       "lines lw 1.6 dt (5,4) lc rgb '#222222' " +
       (lines.empty() ? "notitle" : "title 'where it jumps'") + '\n';
   return {{frame.width, frame.height(view, shown), "energy-" + view.name,
-           "Energy that small loops are paid for their area by " + view.name + ", over x and z"},
+           "Energy that small loops give for their area by " + view.name + ", over x and z"},
           script};
 }
 

@@ -36,8 +36,8 @@ Picture cross_section(const SideView& view);
 // Where the force points, and how hard it pushes, over x and z.
 Picture direction_field(const SideView& view);
 
-// The circulation density κ over x and z: what a small counter-clockwise loop is paid for its area, by the exact law; and the
-// lines on which the force jumps, which pay by their length.
+// The circulation density κ over x and z: what a small counter-clockwise loop of the exact law gives for its area; and the
+// lines on which the force jumps, which give energy in proportion to their length.
 Picture energy_map(const SideView& view);
 
 }  // namespace forceshade::properties

@@ -393,7 +393,7 @@ needs its own certificate.</li>
 <li>Lengths are in mm, forces in N, stiffness in N/mm, energy in mJ. A position is three binary32 numbers within ±10<sup>4</sup> mm;
 one outside, or NaN, is reported as invalid and gets no force; a coordinate below 2<sup>−30</sup> mm is read as 0.</li>
 <li>It is about the force law, not about the device, the servo loop or the hand. A law that is not conservative stays so when it is
-rounded correctly: it can pay energy out, and only the loop around it can take that back.</li>
+rounded correctly: it can give energy to the hand, and only a controller in the servo loop can take that back.</li>
 </ul>
 </section>
 )html";

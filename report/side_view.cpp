@@ -86,17 +86,17 @@ SideView side_view(const Drawn& law) {
   return view;
 }
 
-SideView side_view(const RenderedHeightMap& subject, const std::string& name, const Range& range) {
+SideView side_view(const RenderedHeightMap& rendered, const std::string& name, const Range& range) {
   constexpr int kSteps = 480;
   constexpr double kBeside = 1e-5;  // mm: how far from a jump it is looked at
-  const Section section{subject.law, range.y};
-  const HeightShape shape(subject.law);
+  const Section section{rendered.law, range.y};
+  const HeightShape shape(rendered.law);
   const auto left = static_cast<double>(range.from), right = static_cast<double>(range.to), width = right - left;
   const double step = width / kSteps, deepest = width / 12;
-  const bool is_shaded = subject.law.rendering() == height::Rendering::force_shaded;
+  const bool is_shaded = rendered.law.rendering() == height::Rendering::force_shaded;
   // The same numbers with their own height as the surface.
   const Section map{std::get<reference::HeightMapField>(reference::HeightMapField::build(
-                        {subject.law.map().parts}, height::Rendering::true_height, subject.law.stiffness())),
+                        {rendered.law.map().parts}, height::Rendering::true_height, rendered.law.stiffness())),
                     range.y};
   SideView view{name, left, right, {}, {}, {deepest / 4, deepest / 2, deepest}, {}, {}, {}, {}, {}, {}};
   double low = HUGE_VAL, high = -HUGE_VAL;
@@ -124,7 +124,7 @@ SideView side_view(const RenderedHeightMap& subject, const std::string& name, co
   view.nominal = {std::max(low - 0.08 * width, top - width), top};
   view.surface = [section](double x) { return section.surface(x); };
   view.stands_for = [map, is_shaded](double x) { return is_shaded ? map.surface(x) : std::nan(""); };
-  view.force = [renderer = subject.renderer, y = range.y](float x, float z) { return renderer({x, y, z}).force; };
+  view.force = [renderer = rendered.renderer, y = range.y](float x, float z) { return renderer({x, y, z}).force; };
   view.density = [section, is_conservative = shape.is_conservative](double x, double z) {
     return is_conservative ? 0 : section.density(x, z);
   };

@@ -29,7 +29,7 @@ struct SideView {
   std::function<double(double x)> surface;                 // mm: where the force begins
   std::function<double(double x)> stands_for;              // mm: the shape that it is felt as; NaN where that is no other
   std::function<Eigen::Vector3f(float x, float z)> force;  // N, by the fast path
-  std::function<double(double x, double z)> density;       // mJ/mm²: what a small counter-clockwise loop is paid for its area
+  std::function<double(double x, double z)> density;       // mJ/mm²: what a small counter-clockwise loop gives for its area
   Heading heading{};
 };
 
@@ -41,6 +41,6 @@ struct Range {
 };
 
 // `renderer` draws the force; the rest is the reference's.
-SideView side_view(const RenderedHeightMap& subject, const std::string& name, const Range& range);
+SideView side_view(const RenderedHeightMap& rendered, const std::string& name, const Range& range);
 
 }  // namespace forceshade::properties

@@ -22,11 +22,11 @@ constexpr std::uint64_t cases_of(std::string_view property, std::uint64_t cases)
   return property == "passivity" ? std::max<std::uint64_t>(1, cases / 10) : cases;
 }
 
-// What simple loops of one depth can be paid, and what one of them is (docs/energy.md).
+// How much energy simple loops of one depth can give to the hand, and how much one of them gives (docs/energy.md).
 struct LoopEnergy {
   double depth_mm = 0;
   std::array<double, 2> bound_mJ{};  // an interval around the supremum
-  double witness_mJ = 0;             // paid around the witness loop by the exact law
+  double witness_mJ = 0;             // around the witness loop by the exact law
   double measured_mJ = 0;            // and by the fast path
 };
 

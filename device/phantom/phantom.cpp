@@ -108,8 +108,8 @@ PhantomMessage Phantom::answer(milliseconds patience) {
     const Received received = receive_message(socket_, kListen, message);
     if (received == Received::closed) return failed(how_it_ended());
     if (received == Received::nothing_yet) continue;
-    if (message.kind == Kind::told) {
-      attendant_.told(message.words.data());
+    if (message.kind == Kind::report) {
+      attendant_.report(message.words.data());
     } else if (message.kind == Kind::asked) {
       const bool done = attendant_.did(message.words.data());
       send_message(socket_, {.kind = done ? Kind::yes : Kind::no});
@@ -152,7 +152,7 @@ void Phantom::end_process() noexcept {
       status = ended_within(kEnding);  // not where it is stuck in the system itself
     }
     const bool in_order = status && WIFEXITED(*status) && (WEXITSTATUS(*status) == kLetGo || WEXITSTATUS(*status) == kRefused);
-    if (!in_order) attendant_.told(hdapi::kNoEnd);
+    if (!in_order) attendant_.report(hdapi::kNoEnd);
   }
   process_ = -1;
   if (shared_) ::munmap(shared_, sizeof *shared_);

@@ -121,11 +121,11 @@ void PhantomFrames::measure() noexcept {
     hd_.hdGetDoublev(hdapi::kGimbalAngles, sample_.gimbal.data());
     went_well("reading the gimbal");
   }
-  if (sample_.tells_temperature) {
+  if (sample_.has_temperature) {
     std::array<double, kMostDegrees> temperatures{};
     temperatures[0] = kUnknown;
     hd_.hdGetDoublev(hdapi::kMotorTemperature, temperatures.data());
-    if (known_and_well("reading the motors' temperatures", sample_.tells_temperature)) {
+    if (known_and_well("reading the motors' temperatures", sample_.has_temperature)) {
       const auto is_one = [](double t) { return std::isfinite(t) && t >= 0; };
       if (!std::all_of(temperatures.begin(), temperatures.end(), is_one)) note({hdapi::kNoTemperature});
       sample_.temperature = *std::max_element(temperatures.begin(), temperatures.end());
@@ -188,10 +188,10 @@ void PhantomFrames::watch_calibration() noexcept {
 
 // A driver reports a lost connection once, and only to the first who asks for errors; from then on the position stands still.
 void PhantomFrames::watch_rate() noexcept {
-  if (!sample_.tells_rate) return;
+  if (!sample_.has_rate) return;
   int rate = 0;
   hd_.hdGetIntegerv(hdapi::kInstantaneousRate, &rate);
-  if (!known_and_well("reading the device's update rate", sample_.tells_rate)) return;
+  if (!known_and_well("reading the device's update rate", sample_.has_rate)) return;
   sample_.update_rate = rate;
   silent_frames_ = rate < settings_.rate / 2 ? silent_frames_ + 1 : 0;
   sample_.answers = silent_frames_ == 0;

@@ -90,7 +90,7 @@ class Host {
       received = receive_message(socket_, kWatch, message);
     return received == Received::message ? std::optional(message.kind) : std::nullopt;
   }
-  void tell(const std::string& words) const { send_words(socket_, Kind::told, words); }
+  void report(const std::string& words) const { send_words(socket_, Kind::report, words); }
   bool ask(const std::string& words) const {
     send_words(socket_, Kind::asked, words);
     PhantomMessage answer;
@@ -178,7 +178,7 @@ PhantomDescription Host::described() {
   it.slew = slew;
   it.low = low;
   it.high = high;
-  if (!words.empty()) tell(words);
+  if (!words.empty()) report(words);
   it.rate = std::max(0, whole(hdapi::kUpdateRate));
   it.gimbal = whole(hdapi::kInputDegrees) == 6;
   return it;
@@ -268,9 +268,9 @@ std::string why_not_ready(const PhantomSample& sample, double rate) {
 
 void Host::wait_until_ready() {
   const Privileges& granted = real_time_->granted();
-  tell(std::string("the driver's thread has ") +
-       (granted.scheduling ? "real-time priority" : "ordinary priority, because real-time priority was refused") +
-       (granted.cpu ? ", on processor " + std::to_string(*granted.cpu) : ""));
+  report(std::string("the driver's thread has ") +
+         (granted.scheduling ? "real-time priority" : "ordinary priority, because real-time priority was refused") +
+         (granted.cpu ? ", on processor " + std::to_string(*granted.cpu) : ""));
   const auto begin = std::chrono::steady_clock::now();
   auto calibrated_at = begin;
   bool told = false;
@@ -281,17 +281,17 @@ void Host::wait_until_ready() {
     const auto now = std::chrono::steady_clock::now();
     if (sample.troubled) throw Refused(shared_.trouble.data());
     if (sample.phase == PhantomSample::Phase::ready) {
-      if (!sample.tells_temperature) tell(hdapi::kTemperatureUnknown);
-      if (!sample.tells_rate) tell(hdapi::kRateUnknown);
-      return tell(words_of(*sample.times) + ": " + grade_of(*sample.times));
+      if (!sample.has_temperature) report(hdapi::kTemperatureUnknown);
+      if (!sample.has_rate) report(hdapi::kRateUnknown);
+      return report(words_of(*sample.times) + ": " + grade_of(*sample.times));
     }
     if (sample.time == 0 || sample.calibrated) {
       if (now - calibrated_at > options_.start) throw Refused(why_not_ready(sample, rate_));
       continue;
     }
     if (!told)
-      tell(std::string("waiting for the PHANToM's calibration: ") +
-           (style_ == hdapi::kCalibratesItself ? hdapi::kMoveItAbout : hdapi::kRestInInkwell));
+      report(std::string("waiting for the PHANToM's calibration: ") +
+             (style_ == hdapi::kCalibratesItself ? hdapi::kMoveItAbout : hdapi::kRestInInkwell));
     told = true;
     calibrated_at = now;
     if (now - begin > options_.calibration) throw Refused(hdapi::kNotCalibrated);

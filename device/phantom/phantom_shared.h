@@ -28,8 +28,8 @@ struct PhantomSample {
   std::optional<std::array<std::int64_t, 3>> encoder = std::nullopt;
   int buttons = 0;
   bool calibrated = false, forces_on = false;
-  bool answers = true;                               // by the driver's count of its frames
-  bool tells_temperature = true, tells_rate = true;  // else it has no such thing, and nothing is watched there
+  bool answers = true;                           // by the driver's count of its frames
+  bool has_temperature = true, has_rate = true;  // else it has no such thing, and nothing is watched there
   double temperature = 0;
   int update_rate = 0;  // Hz, as the driver counts; 0 where it does not
   Sent sent;
@@ -65,7 +65,7 @@ struct PhantomMessage {
     yes,        // to the driver: what the attendant was asked to do is done
     no,         //
     described,  // from the driver: it is open
-    told,       // from the driver: words for the attendant
+    report,     // from the driver: words for the attendant
     asked,      // from the driver: words for the attendant, who answers
     ready,      // from the driver: frames run, and a force that is ordered is sent
     failed,     // from the driver: why; it has closed

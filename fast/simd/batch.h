@@ -6,15 +6,7 @@
 #include <cstdint>
 
 #include "forceshade/fast/domain.h"
-#include "forceshade/fast/laws/bump_1p.h"
-#include "forceshade/fast/laws/bump_1p_shaded.h"
-#include "forceshade/fast/laws/bump_2p.h"
-#include "forceshade/fast/laws/bump_2p_shaded.h"
-#include "forceshade/fast/laws/bump_3p.h"
-#include "forceshade/fast/laws/bump_3p_shaded.h"
-#include "forceshade/fast/laws/bump_cylinder.h"
-#include "forceshade/fast/laws/cylinder.h"
-#include "forceshade/fast/laws/wall.h"
+#include "forceshade/fast/laws/all.h"
 #include "forceshade/fast/numbers/arithmetic.h"
 #include "forceshade/fast/numbers/first_stage.h"
 
@@ -27,18 +19,19 @@ inline constexpr std::size_t kBlock = 128;
 template <class Definition>
 using BlockFunction = bool (*)(const Definition& law, const float* x, const float* z, float* fx, float* fz);
 
-struct BlockTable {
-  BlockFunction<Wall> wall;
-  BlockFunction<Cylinder> cylinder;
-  BlockFunction<BumpCylinder> bump_cylinder;
-  BlockFunction<Bump1p> bump_1p;
-  BlockFunction<Bump2p> bump_2p;
-  BlockFunction<Bump3p> bump_3p;
-  BlockFunction<Bump1pShaded> bump_1p_shaded;
-  BlockFunction<Bump2pShaded> bump_2p_shaded;
-  BlockFunction<Bump3pShaded> bump_3p_shaded;
+template <class Definition>
+struct BlockOf {
+  BlockFunction<Definition> answer;
+};
+
+template <class... Definition>
+struct BlocksOf : BlockOf<Definition>... {
   const char* (*arithmetic_fault_here)();
 };
+
+template <class... Definition>
+BlocksOf<Definition...> block_table_of(LawList<Definition...>);
+using BlockTable = decltype(block_table_of(Laws()));
 
 extern const BlockTable kAvx2Blocks;
 extern const BlockTable kAvx512Blocks;

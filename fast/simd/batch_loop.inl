@@ -45,12 +45,11 @@ const char* fault_here() {
   return arithmetic_fault_here();
 }
 
-constexpr BlockTable kBlocks{
-    &answer_block<Wall>,         &answer_block<Cylinder>,
-    &answer_block<BumpCylinder>, &answer_block<Bump1p>,
-    &answer_block<Bump2p>,       &answer_block<Bump3p>,
-    &answer_block<Bump1pShaded>, &answer_block<Bump2pShaded>,
-    &answer_block<Bump3pShaded>, &fault_here,
-};
+template <class... Definition>
+constexpr BlocksOf<Definition...> filled(LawList<Definition...>) {
+  return {BlockOf<Definition>{&answer_block<Definition>}..., &fault_here};
+}
+
+constexpr BlockTable kBlocks = filled(Laws());
 
 }  // namespace

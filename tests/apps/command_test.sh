@@ -72,7 +72,7 @@ expect 2 "nowhere" -- "$forceshade" force --law wall --stiffness 1 --input in.cs
 # energy: a potential, a bound with a witness, depths that no witness could be given for.
 energy() { "$forceshade" energy "$@"; }
 expect 0 "wall: conservative" -- energy --law wall --depth 2
-expect 0 "a simple loop no deeper than 2 mm is paid up to 5.29167 mJ" -- energy --law bump-1p-shaded --depth 2
+expect 0 "a simple loop no deeper than 2 mm gives the hand up to 5.29167 mJ" -- energy --law bump-1p-shaded --depth 2
 same "$(energy --law bump-3p --depth 2)" "$(energy --law bump-3p --depth 0.2cm --radius 600mil --width 1in)"
 expect 0 '"conservative":true,"potential":"K/2 max(0, -z)^2","bound_mJ":[0.0,0.0]' -- energy --law bump-1p --depth 2 --json -
 same '{"law":"bump-2p","parameters":{"radius_mm":15.239999771118164,"width_mm":25.399999618530273,"stiffness_N_per_mm":0.5},"depth_mm":2.0,"conservative":false,"bound_mJ":[0.11887265438173845,0.11887265438173847],"right_half_mJ":{"counter_clockwise":[0.11887265438173845,0.11887265438173847],"clockwise":[0.0,0.0]},' \
@@ -134,10 +134,10 @@ expect 0 "digest               $(sed -n 's/.*"digest": "\(.*\)".*/\1/p' press.js
 cp cap.toml same.toml
 expect 0 "(time up)" -- press --height-map same.toml
 sed 's/radius_mm = 20/radius_mm = 20.000002/' cap.toml > other.toml
-expect 1 "covers a height map with another shape: expected map digest" -- press --height-map other.toml
+expect 1 "covers another height map: expected the digest" -- press --height-map other.toml
 sed 's/"height-map"/"height-map-shaded"/' cap.toml > cap_shaded.toml
-expect 1 "another rendering: expected height-map-shaded, got height-map" -- press --height-map cap_shaded.toml
-expect 1 "another stiffness: expected 0.6 N/mm, got 0.5 N/mm" -- press --height-map cap.toml --stiffness 0.6
+expect 1 "cap.toml with other parameters: expected rendering height-map-shaded, stiffness 0.5" -- press --height-map cap_shaded.toml
+expect 1 "stiffness 0.6 N/mm; got rendering height-map, stiffness 0.5 N/mm" -- press --height-map cap.toml --stiffness 0.6
 expect 1 "does not cover the law wall" -- press --law wall
 sed 's/"height-map"/"height-map-shaded"/' hill.toml > shaded.toml
 
@@ -282,7 +282,7 @@ expect 0 "UNCERTIFIED" -- drive --law wall --uncertified
 sed 's/\("library_digest": "\)......../\1deadbeef/' here/certificate.json > other.json
 expect 1 "another build" -- drive --law bump-1p-shaded --certificate other.json
 sed 's/"mismatches": 0/"mismatches": 1/' here/certificate.json > failed.json
-expect 2 "laws[0].counterexamples is an array; expected the first of 1 mismatches" -- drive --law bump-1p-shaded --certificate failed.json
+expect 2 "subjects[0].counterexamples is an array; expected the first of 1 mismatches" -- drive --law bump-1p-shaded --certificate failed.json
 sed -e '0,/"held": true/s//"held": false/' -e '0,/"held": true/s//"held": false/' -e '0,/"mismatches": 0/s//"mismatches": 1/' \
   -e '0,/"counterexamples": \[\]/s//"counterexamples": ["at 0"]/' here/certificate.json > failed.json
 expect 1 "the certificate says that bump-1p-shaded failed" -- drive --law bump-1p-shaded --certificate failed.json

@@ -215,14 +215,15 @@ TEST(device_try, refuses_what_is_not_gentle_or_not_certified) {
   refused("device try simulated", 1, {"no certificate was given", "certify --law wall --stiffness 0.05 --out DIR"});
   refused("device try simulated --uncertified --record run.csv", 2, {"--record: expected FILE.fsr", "\"run.csv\""});
   refused("device try simulated --dead-man 16", 2, {"--dead-man", "\"16\""});
-  refused("device try", 2, {"device is required"});
+  refused("device try", 2, {"expected device, got none"});
   EXPECT_EQ(here.entries(), 2);  // .out and .err
 }
 
 // From a hand above the wall that lowers the tip onto it after half a second.
 std::string rehearsal(const TemporaryDirectory& here) {
   here.write("press.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,3\n0.5,0,0,3\n1,0,0,-6\n2,0,0,-6\n");
-  return "drive --law wall --uncertified --device simulated:premium-1.5:press.csv --dead-man 1 --patience 10 --record run.fsr";
+  return "drive --law wall --uncertified --device simulated:premium-1.5:press.csv --dead-man 1 --watchdog-timeout 10 --record "
+         "run.fsr";
 }
 
 constexpr const char* kKeys = "the key 1 does so with button 1";
@@ -273,7 +274,7 @@ TEST(drive, gives_no_force_after_the_key_of_the_dead_man_switch_was_typed_again)
 TEST(drive, says_in_summary_and_recording_where_the_law_lies) {
   const TemporaryDirectory here;
   const std::string line =
-      "drive --law wall --uncertified --unpaced --device simulated --seconds 0.1 --record run.fsr --json run.json";
+      "drive --law wall --uncertified --free-run --overwrite --device simulated --seconds 0.1 --record run.fsr --json run.json";
   const CommandRun placed = run_command(here, words_of(line + " --origin=-5,1in,0.1 --turn x90,z-90deg"));
   EXPECT_EQ(placed.code, 0) << placed.err;
   expect_holds(placed.out, {"placement         origin at -5,25.4,0.1 mm, x, y, z along -y,+z,-x of the device\n"});
@@ -283,7 +284,6 @@ TEST(drive, says_in_summary_and_recording_where_the_law_lies) {
   const recorder::Recording recording(here.file("run.fsr"));
   EXPECT_EQ(recording.metadata().at("origin_mm"), "-5,25.4,0.1");
   EXPECT_EQ(recording.metadata().at("axes"), "-y,+z,-x");
-  std::filesystem::remove(here.file("run.fsr"));
   const CommandRun usual = run_command(here, words_of(line));
   EXPECT_EQ(usual.code, 0) << usual.err;
   EXPECT_EQ(usual.out.find("placement"), std::string::npos);

@@ -159,7 +159,7 @@ TEST(keyboard_buttons, do_not_work_where_there_is_no_terminal) {
 
 TEST(terminal_attendant, shows_no_control_characters_of_a_driver) {
   PseudoTerminal terminal([] {
-    TerminalAttendant("").told("one\nname \x1b[2J");
+    TerminalAttendant("").report("one\nname \x1b[2J");
     return kDone;
   });
   const std::string shown = terminal.shown_until("[2J");

@@ -50,7 +50,7 @@ TEST(passivity_controller, gives_nobody_who_goes_round_more_than_epsilon) {
       if (kind == Kind::observer) {
         harvested = given;
         // A held force adds K D times the step, 0.002 mJ here, which is all that a conservative law gives.
-        EXPECT_NEAR(given / kRounds, loop.paid_mJ, loop.paid_mJ > 0 ? 0.02 * loop.paid_mJ : 0.005) << name.name;
+        EXPECT_NEAR(given / kRounds, loop.given_mJ, loop.given_mJ > 0 ? 0.02 * loop.given_mJ : 0.005) << name.name;
         continue;
       }
       std::printf("  %-14s %-7s: %8.3f mJ in %d rounds, %8.3f without\n", words_of(name.id).c_str(), words_of(kind), given,
@@ -255,8 +255,9 @@ TEST(passivity_controller, friction_pays_debts_and_saves_nothing) {
   hand.go_to({0, 0, 5}, 0.1);
   EXPECT_EQ(hand.controller.account().balance, 0);
   hand.go_round(stroke(kBump, 2), 0.02);
-  EXPECT_GT(hand.controller.account().rubbed, 0.1);
-  EXPECT_NEAR(static_cast<double>(hand.balance) + hand.controller.account().rubbed, hand.controller.account().balance, 1e-9);
+  EXPECT_GT(hand.controller.account().dissipated, 0.1);
+  EXPECT_NEAR(static_cast<double>(hand.balance) + hand.controller.account().dissipated, hand.controller.account().balance,
+              1e-9);
   EXPECT_NEAR(hand.controller.account().net(), -static_cast<double>(hand.balance), 1e-9) << "given to the hand, less taken";
   hand.go_to({0, 0, 50}, 0.1);
   EXPECT_EQ(hand.controller.account().balance, 0);
@@ -279,7 +280,7 @@ TEST(passivity_controller, counts_no_friction_in_a_step_that_was_not_seen) {
   PassivityController controller({.longest_step = 1, .epsilon = 10, .friction = 0.5});
   controller.passed({.position = {0, 0, -1}}, {0, 0, 2});
   controller.passed({.position = {0, std::nanf(""), -1}}, {0, 0, 2});
-  EXPECT_EQ(controller.account().rubbed, 0);
+  EXPECT_EQ(controller.account().dissipated, 0);
   EXPECT_EQ(controller.account().balance, -2);
 }
 

@@ -39,9 +39,9 @@ class vendor_library : public testing::Test {
 // Shows what the driver's process says, and has the device calibrated where it is.
 class Present final : public Attendant {
  public:
-  void told(const std::string& words) noexcept override { std::fprintf(stderr, "%s\n", words.c_str()); }
+  void report(const std::string& words) noexcept override { std::fprintf(stderr, "%s\n", words.c_str()); }
   bool did(const std::string& words) noexcept override {
-    told(words);
+    report(words);
     return true;
   }
 };

@@ -184,7 +184,7 @@ TEST(properties, continuity_knows_the_size_of_every_listed_jump) {
       const float a = line.x == 0 ? -0x1p-30F : inside, b = line.x == 0 ? 0.0F : neighbour(inside, 1);
       const float z = static_cast<float>(line.height) - 1.5F;
       const AllowedChange allowed = allowed_change(subject.law, shape, {a, 0, z}, {b, 0, z});
-      EXPECT_TRUE(allowed.tells);
+      EXPECT_TRUE(allowed.is_known);
       EXPECT_GT(allowed.jump, 0.1L) << name_of(law);
       EXPECT_LT(allowed.reach, 1e-5L);
       EXPECT_EQ(continuity(subject, shape, {a, 0, z}, {b, 0, z}), std::nullopt);

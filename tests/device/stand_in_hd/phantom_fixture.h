@@ -28,7 +28,7 @@ inline constexpr Phantom::Options kPatient{.patience = 20s, .start = 20s, .rate_
 // Who keeps what is said to them, and does what the test says.
 class Listener final : public Attendant {
  public:
-  void told(const std::string& words) noexcept override {
+  void report(const std::string& words) noexcept override {
     heard += words + "\n";
     if (on_words) on_words(words);
   }

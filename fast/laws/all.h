@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The one list of the laws on this side, in the order of LawId.
+
+#include "forceshade/fast/laws/bump_1p.h"
+#include "forceshade/fast/laws/bump_1p_shaded.h"
+#include "forceshade/fast/laws/bump_2p.h"
+#include "forceshade/fast/laws/bump_2p_shaded.h"
+#include "forceshade/fast/laws/bump_3p.h"
+#include "forceshade/fast/laws/bump_3p_shaded.h"
+#include "forceshade/fast/laws/bump_cylinder.h"
+#include "forceshade/fast/laws/cylinder.h"
+#include "forceshade/fast/laws/wall.h"
+#include "forceshade/vocabulary/law.h"
+
+namespace forceshade::fast {
+
+template <class... Definition>
+struct LawList {
+  static constexpr std::size_t kCount = sizeof...(Definition);
+};
+
+using Laws = LawList<Wall, Cylinder, BumpCylinder, Bump1p, Bump2p, Bump3p, Bump1pShaded, Bump2pShaded, Bump3pShaded>;
+static_assert(Laws::kCount == kLaws.size(), "each law of vocabulary/law.h has its definition here");
+
+}  // namespace forceshade::fast
