@@ -10,7 +10,7 @@ function(install_headers module)
 endfunction()
 install_headers(vocabulary breakdown.h height_map.h law.h results.h)
 install_headers(fast domain.h evaluate.h height_map_field.h heights/force.h heights/grid.h heights/jet.h
-                heights/spline.h heights/spline_force.h instruction_set.h law.h laws/bump_1p.h laws/bump_1p_shaded.h
+                heights/spline.h heights/spline_force.h instruction_set.h law.h laws/all.h laws/bump_1p.h laws/bump_1p_shaded.h
                 laws/bump_2p.h laws/bump_2p_shaded.h laws/bump_3p.h laws/bump_3p_shaded.h laws/bump_cylinder.h
                 laws/bump_geometry.h laws/cylinder.h laws/outcome.h laws/polygon_gap.h laws/shading.h laws/top_edge.h
                 laws/wall.h numbers/arithmetic.h numbers/ball.h numbers/big_float_ball.h numbers/double_double.h

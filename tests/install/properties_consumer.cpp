@@ -13,8 +13,8 @@ bool holds(float sign) {
   const auto law = reference::Law::build(LawId::wall, {.stiffness = 0.5F});
   const auto wall = [sign](const Eigen::Vector3f& position) -> properties::Rendered {
     if (!(position.cwiseAbs().maxCoeff() <= 1e4F)) return {{0, 0, 0}, Status::invalid};
-    // A coordinate below the position quantum, 2^-40 mm, is 0: docs/laws.md.
-    if (!(position.z() <= -0x1p-40F)) return {{0, 0, 0}, Status::free};
+    // A coordinate below the position quantum, 2^-30 mm, is 0: docs/laws.md.
+    if (!(position.z() <= -0x1p-30F)) return {{0, 0, 0}, Status::free};
     return {{0, 0, sign * 0.5F * -position.z()}, Status::contact};
   };
   bool all = true;
