@@ -7,7 +7,7 @@
 
 namespace forceshade::fast {
 
-// Bound of the roundings below, relative to each component: height_force.g.
+// Bound of the roundings below, relative to each component: force.g.
 inline constexpr double kHeightForceError = 0x1.4p-50;
 
 struct RoundedComponent {

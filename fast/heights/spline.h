@@ -136,7 +136,7 @@ struct SplineJets {
   }
 };
 
-// height_spline.g: U - c and p U_x in binary64 are within this times the largest step of their exact values, a step being the
+// spline.g: U - c and p U_x in binary64 are within this times the largest step of their exact values, a step being the
 // difference of two coefficients side by side. U - c is within 110/160 of it; the rest is for adding c.
 inline constexpr double kSplineError = 0x1.4p-46;
 

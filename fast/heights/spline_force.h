@@ -17,8 +17,7 @@ struct SplineMap {
 
   SplineMap(const HeightGrid& spline, height::Rendering how, double stiffness) noexcept
       : grid(spline), rendering(how), K(stiffness) {
-    // As steps of 2^-40 mm at least: then no component that binary32 holds as a subnormal is sure, for which
-    // rounding_is_in_doubt was not made.
+    // Clamping steps to 2^-40 mm sends subnormal results to a later stage; rounding_is_in_doubt requires normal ones.
     const auto counted = [](double step) { return step > 0 ? larger(step, 0x1p-40) : 0; };
     const SplineErrors error(grid, counted(grid.largest_step_along()), counted(grid.largest_step_across()));
     sure = {error.rise / kErrorBudgetShare, error.Ux / kErrorBudgetShare, error.Uy / kErrorBudgetShare};
