@@ -149,7 +149,7 @@ expect 2 "--what" -- "$forceshade" plot --law wall --what teapot --out drawn
 expect 0 "drawn/hill-energy.png" -- "$forceshade" plot --height-map hill.toml --at 1 --from=-1cm --to 10mm --out drawn
 expect 2 "--to is -1 mm; expected 0.01 to 9999 mm" -- "$forceshade" plot --height-map hill.toml --from 0 --to=-1 --out drawn
 expect 2 "--law: expected without --height-map, got both" -- "$forceshade" plot --law wall --height-map hill.toml --out drawn
-expect 0 "paid up to 0.118756 mJ" -- energy --height-map hill.toml --depth 2
+expect 0 "gives the hand up to 0.118756 mJ" -- energy --height-map hill.toml --depth 2
 same '{"height_map":"shaded.toml","rendering":"height-map-shaded","parameters":{"stiffness_N_per_mm":2.0},"slice":{"along":"y","at_mm":1.0,"from_mm":0.0,"to_mm":10.0},"depth_mm":2.0,"conservative":false,' \
   "$(energy --height-map shaded.toml --stiffness 2 --depth 2mm --along y --at 1 --from 0 --to 1cm --json - | grep -o '^.*"bound_mJ"' | sed 's/"bound_mJ"//')"
 sed 's/"height-map"/"height-map-conservative"/' hill.toml > conservative.toml
