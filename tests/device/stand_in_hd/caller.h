@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -105,9 +106,14 @@ inline pid_t forked(const Deed& deed) {
   std::_Exit(testing::Test::HasFailure() ? 1 : 0);
 }
 
+// Also where the child's signals to this process interrupt the waiting.
 inline int status_of(pid_t child) {
   int status = 0;
-  EXPECT_EQ(waitpid(child, &status, 0), child);
+  pid_t ended;
+  do {
+    ended = waitpid(child, &status, 0);
+  } while (ended == -1 && errno == EINTR);
+  EXPECT_EQ(ended, child);
   return status;
 }
 
