@@ -9,6 +9,7 @@
 #include "forceshade/certificate/certificate.h"
 #include "forceshade/csv/printable.h"
 #include "forceshade/identity/digest.h"
+#include "forceshade/identity/identity_json.h"
 
 namespace forceshade::apps {
 
@@ -26,15 +27,7 @@ std::string key_of_kind(const properties::Identity& identity) {
 nlohmann::ordered_json summary_of(const properties::Identity& identity) {
   nlohmann::ordered_json json{{key_of_kind(identity), identity.name}};
   if (!identity.digest.empty()) json["digest"] = identity.digest;
-  nlohmann::ordered_json parameters = nlohmann::ordered_json::object();
-  for (const auto& [key, value] : identity.parameters) {
-    const auto* number = std::get_if<float>(&value);
-    if (number != nullptr)
-      parameters[key] = static_cast<double>(*number);
-    else
-      parameters[key] = std::get<std::string>(value);
-  }
-  json["parameters"] = parameters;
+  json["parameters"] = parameters_json(identity);
   return json;
 }
 

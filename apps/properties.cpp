@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "forceshade/apps/command.h"
-#include "forceshade/apps/driven.h"
 #include "forceshade/apps/junit.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/output_options.h"
@@ -15,6 +14,7 @@
 #include "forceshade/apps/standard_streams.h"
 #include "forceshade/apps/subject_option.h"
 #include "forceshade/certificate/build.h"
+#include "forceshade/identity/identity_json.h"
 #include "forceshade/properties/run.h"
 
 namespace forceshade::apps {
@@ -48,7 +48,7 @@ class Checks {
     // Named as in a certificate.
     Json found{{"kind", subject.identity().kind}, {"name", name}};
     if (!subject.identity().digest.empty()) found["digest"] = subject.identity().digest;
-    found["parameters"] = summary_of(subject.identity())["parameters"];
+    found["parameters"] = parameters_json(subject.identity());
     found["properties"] = properties;
     subjects_.push_back(found);
   }

@@ -6,22 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "forceshade/certificate/certificate_text.h"
+#include "forceshade/identity/identity_json.h"
 #include "forceshade/vocabulary/number_text.h"
 
 namespace forceshade::properties {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// binary32 numbers are written as the binary64 numbers they are, so they come back the same.
-Json parameters_json(const Identity& identity) {
-  Json json = Json::object();
-  for (const auto& [key, value] : identity.parameters) {
-    const auto* number = std::get_if<float>(&value);
-    json[key] = number != nullptr ? Json(static_cast<double>(*number)) : Json(std::get<std::string>(value));
-  }
-  return json;
-}
 
 Json comparison_json(const Comparison& found) {
   return {{"points", found.points},
