@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a command works on: --law with its parameters, or --height-map SPEC. The one place that tells the two apart for the
-// commands that need no more than a subject.
+// What a command works on: --law with its parameters, or --height-map SPEC. Commands that need no
+// more than a subject do not distinguish the two.
 
 #include <memory>
 #include <vector>

@@ -26,7 +26,7 @@ struct Run {
   const CertifyOptions& options;
   const std::atomic<bool>& stop;
 
-  // Streams are told apart by the golden ratio's odd multiple: no two chunks or seeds in reach share one.
+  // An odd multiple from the golden ratio separates the streams: no two chunks or seeds in reach share one.
   std::uint64_t stream(std::uint64_t chunk) const { return (options.seed + 1) * 0x9E3779B97F4A7C15U + chunk; }
   // Of the spread: as far from those as can be.
   std::uint64_t spread_stream(std::uint64_t chunk) const { return stream(chunk) ^ 0x8000000000000000U; }
@@ -64,7 +64,7 @@ struct Run {
   }
 };
 
-// Progress of the points asked for and of the spread, by their numbers.
+// The points with the given parameters are 0.8 of the progress, those of the spread 0.2: the shares of their numbers.
 Done first_part(const Done& done) {
   return [&done](double part) { done(0.8 * part); };
 }
@@ -102,7 +102,7 @@ SubjectResult checked(const Subject& subject, const Run& run, const Done& done) 
   result.conservative = subject.is_conservative();
   result.unit_directions = subject.has_unit_directions() && result.has_held("unit normals");
   if (run.stop) return result;
-  // What done() is told counts the points; the loops are the tenth that is left.
+  // done() counts the points up to 1; certify() makes nine tenths of that, and the loops are the tenth that is left.
   add_energies(subject, reference::Watch([&](double share) { done(1 + share / 9); }, run.stop), result);
   return result;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How much must have been checked before a device is driven: also what certify checks unless told otherwise.
+// How much must have been checked before a device is driven; certify checks as much by default.
 
 #include <algorithm>
 #include <cstdint>
