@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A triangle mesh and the god-object on it: numbers only. What they mean, and what a mesh must be: docs/meshes.md.
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace forceshade::mesh {
+
+using Vertex = std::array<float, 3>;            // mm
+using Triangle = std::array<std::uint32_t, 3>;  // indices of vertices; the normal (b - a) x (c - a) points to the front
+using Normal = std::array<float, 3>;            // about a unit vector: each component is rounded to binary32
+
+// Triangles and vertices keep the order of their file: the god-object's state names them by their index, from 0.
+struct TriangleMesh {
+  std::vector<Vertex> vertices;
+  std::vector<Triangle> triangles;
+};
+
+// One normal for each corner of each triangle, in the order of the triangle's vertices (the vertex scheme).
+using CornerNormals = std::vector<std::array<Normal, 3>>;
+
+// From which sides a triangle blocks motion: against its normal, or against and along it.
+enum class Sides { front, both };
+
+enum class Shading { none, vertex_scheme, edge_scheme };
+
+// Where the god-object is. `nowhere`: no valid position has come yet.
+enum class Place : std::uint8_t { nowhere, free, vertex, edge, triangle };
+enum class Side : std::uint8_t { front, back };
+
+inline constexpr std::array<std::string_view, 5> kPlaceNames{"nowhere", "free", "vertex", "edge", "triangle"};
+inline constexpr std::array<std::string_view, 2> kSideNames{"front", "back"};
+
+// The whole memory of a god-object: exact, of constant size, the same on every machine. What a place does not use is 0.
+struct GodObject {
+  Place place = Place::nowhere;
+  Side side = Side::front;               // of the surface; front where it is free
+  std::array<float, 3> position{};       // free: mm, as quantised
+  std::array<std::uint32_t, 2> index{};  // vertex v: {v}; edge: {a, b}, a < b; triangle i: {i}
+  std::array<std::uint32_t, 2>
+      parameter{};  // in units of 2^-24. Edge: a + m (b - a): {m}. Triangle: a + k (b - a) + l (c - a): {k, l}
+
+  bool operator==(const GodObject&) const = default;
+};
+
+// `unfinished`: the god-object used up the moves of one tick; the next tick goes on from where it is.
+enum class TickStatus : std::uint8_t { free, touching, unfinished, invalid };
+
+inline constexpr std::array<std::string_view, 4> kTickStatusNames{"free", "touching", "unfinished", "invalid"};
+
+// What one position does.
+struct Tick {
+  TickStatus status = TickStatus::invalid;
+  std::uint16_t moves = 0;       // flights and slides; a refused one is not counted
+  std::array<float, 3> force{};  // N, each component the binary32 nearest to the exact one; zeros are +0
+  GodObject after;               // the state that the next tick starts from
+};
+
+}  // namespace forceshade::mesh
