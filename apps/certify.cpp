@@ -25,7 +25,7 @@
 namespace forceshade::apps {
 namespace {
 
-struct Options {
+struct CertifyOptions {
   std::uint64_t points = 0, cases = properties::kCases, seed = 1;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   ExhaustiveOptions exhaustive;
@@ -92,7 +92,7 @@ std::string junit_of(const properties::Certificate& certificate, const PartTimes
                   cases);
 }
 
-int run_points(const Options& options, properties::CertifyOptions what, const OutFolder& out) {
+int run_points(const CertifyOptions& options, properties::CertifyOptions what, const OutFolder& out) {
   const bool terminal = isatty(STDERR_FILENO) != 0;
   what.points = options.points > 0 ? options.points : properties::points_of_kind(what.subjects.front()->identity().kind);
   what.cases = static_cast<int>(options.cases);
@@ -116,7 +116,7 @@ int run_points(const Options& options, properties::CertifyOptions what, const Ou
   return write_certificate(*certificate, out.path());
 }
 
-int run(const Options& options, const SubjectOption& subject, const OutFolder& out, bool radius_is_given) {
+int run(const CertifyOptions& options, const SubjectOption& subject, const OutFolder& out, bool radius_is_given) {
   watch_for_interrupt();
   properties::CertifyOptions what{.subjects = subject.subjects()};
   if (options.exhaustive.wanted && !subject.is_a_law())
@@ -133,7 +133,7 @@ int run(const Options& options, const SubjectOption& subject, const OutFolder& o
 }  // namespace
 
 void add_certify(CLI::App& app, int& result) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CertifyOptions>();
   CLI::App* command = app.add_subcommand("certify", "Check the fast path against the reference and write a certificate");
   const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::one_or_all);
   CLI::Option* points =

@@ -26,7 +26,7 @@ using device::Grade;
 
 constexpr double kRate = 1000;  // Hz
 
-struct Options {
+struct DeviceCheckOptions {
   std::string device = "phantom", json;
   double seconds = 5;
   bool in_reset_pose = false;
@@ -78,7 +78,7 @@ std::string on_one_line(const std::string& text) {
   return line;
 }
 
-void check_open(const Options& options, device::Attendant& prepares, Checks& checks, device::Observed& seen) {
+void check_open(const DeviceCheckOptions& options, device::Attendant& prepares, Checks& checks, device::Observed& seen) {
   std::unique_ptr<device::Device> opened;
   try {
     opened = open_for_a_run(options.device, prepares, device::Forces::never);
@@ -95,7 +95,7 @@ void check_open(const Options& options, device::Attendant& prepares, Checks& che
   checks.add(check_readings(seen, capabilities, rate));
 }
 
-nlohmann::ordered_json to_json(const Options& options, const Checks& checks, const device::Observed& seen) {
+nlohmann::ordered_json json_of(const DeviceCheckOptions& options, const Checks& checks, const device::Observed& seen) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const Check& check : checks.all())
     all.push_back({{"check", check.name}, {"grade", name_of(check.grade)}, {"words", check.words}});
@@ -111,7 +111,7 @@ nlohmann::ordered_json to_json(const Options& options, const Checks& checks, con
           {"peak_to_peak_mm", array(seen.extent)}};
 }
 
-int run(const Options& options) {
+int run(const DeviceCheckOptions& options) {
   end_runs_in_order();
   const auto prepares = attendant(options.in_reset_pose);
   Checks checks(options.json != "-");
@@ -121,7 +121,7 @@ int run(const Options& options) {
   const std::size_t wrong = checks.count(Grade::wrong), unknown = checks.count(Grade::unknown);
   if (!options.json.empty())
     write_file(options.json,
-               to_json(options, checks, seen).dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+               json_of(options, checks, seen).dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   if (options.json != "-")
     std::printf("%s: %zu of %zu checks wrong, %zu could not be made\n", wrong == 0 ? "held" : "FAILED", wrong,
                 checks.all().size(), unknown);
@@ -131,7 +131,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_device_check(CLI::App& device, int& result) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DeviceCheckOptions>();
   CLI::App* command = device.add_subcommand(
       "check", "Driver, permissions, calibration, update rate, encoders, kinematics, buttons, noise; no force is switched on");
   command->add_option("device", options->device, "as for drive --device; phantom unless said")->type_name("DEVICE");

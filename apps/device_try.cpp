@@ -30,7 +30,7 @@ constexpr float kPeakForce = 0.5F;         // N
 constexpr float kHighestStiffness = 0.2F;  // N/mm
 constexpr const char* kNoButton = "none";
 
-struct Options {
+struct DeviceTryOptions {
   std::string device, certificate, stiffness = "0.05", dead_man = "0", record, json;
   double seconds = 30;
   std::optional<double> watchdog_timeout;
@@ -71,7 +71,7 @@ std::string dated_name() {
   return {name.data(), std::strftime(name.data(), name.size(), "forceshade-try-%Y%m%d-%H%M%SZ.fsr", &utc)};
 }
 
-std::optional<int> dead_man_button(const Options& options, int buttons) {
+std::optional<int> dead_man_button(const DeviceTryOptions& options, int buttons) {
   if (options.dead_man == kNoButton) {
     if (buttons == 0) return std::nullopt;
     throw BadInput("--dead-man: expected a button from 0 to " + std::to_string(buttons - 1) +
@@ -107,7 +107,7 @@ std::string second_step(const std::optional<int>& button, double seconds) {
          hold + "\nAfter half a second in the air, lower the tip slowly onto the wall, press a little, and rise again.";
 }
 
-int run(Options options) {
+int run(DeviceTryOptions options) {
   const float stiffness = gentle_stiffness(options.stiffness);
   if (options.record.empty()) options.record = dated_name();
   if (!options.record.ends_with(".fsr"))
@@ -145,7 +145,7 @@ int run(Options options) {
 }  // namespace
 
 void add_device_try(CLI::App& device, int& result) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DeviceTryOptions>();
   CLI::App* command = device.add_subcommand(
       "try", "A guided first contact: a gentle wall, at most 0.5 N, a button to be held down, everything recorded");
   command->add_option("device", options->device, "as for drive --device")->type_name("DEVICE")->required();

@@ -25,7 +25,7 @@ constexpr NumberRange kWatchdogTimeout{1 / device::kHighestRateHz, device::kLong
 constexpr WholeRange kButtons{0, std::numeric_limits<decltype(device::Reading::buttons)>::digits - 1};
 constexpr WholeRange kProcessors{0, CPU_SETSIZE - 1};
 
-struct Options {
+struct DriveOptions {
   std::string certificate, device, record, json;
   double rate = 1000;
   std::optional<double> seconds, watchdog_timeout;
@@ -41,7 +41,7 @@ Controller controller_named(const std::string& name) {
 }
 
 // Each of them alone is fine.
-void expect_consistent(const Options& options) {
+void expect_consistent(const DriveOptions& options) {
   if (!options.record.empty() && options.record == options.json)
     throw BadInput("--record and --json: expected two files, got \"" + options.json + "\" for both");
   if (!options.cpu) return;
@@ -56,7 +56,7 @@ void expect_consistent(const Options& options) {
                  std::to_string(*options.cpu));
 }
 
-int run(const Options& options, const SubjectOption& subject, const PlacementOptions& place) {
+int run(const DriveOptions& options, const SubjectOption& subject, const PlacementOptions& place) {
   expect_consistent(options);
   const device::Placement placement = place.placement();
   const Driven what(*subject.subject());
@@ -87,7 +87,7 @@ int run(const Options& options, const SubjectOption& subject, const PlacementOpt
 }  // namespace
 
 void add_drive(CLI::App& app, int& result) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DriveOptions>();
   CLI::App* command = app.add_subcommand("drive", "Drive a device with a certified renderer");
   const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::one);
   const auto place = std::make_shared<PlacementOptions>(*command);

@@ -23,7 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using reference::binary64;
 
-struct Options {
+struct EnergyOptions {
   std::string depth, json, along = "x", at = "0", from = "-12.7mm", to = "12.7mm";
 };
 
@@ -161,18 +161,19 @@ void print(const HeightVerdict& verdict) {
 }
 
 template <class V>
-void answer(const V& verdict, const Options& options) {
+void answer(const V& verdict, const EnergyOptions& options) {
   if (!options.json.empty()) write_file(options.json, json_of(verdict).dump() + "\n");
   if (options.json != "-") print(verdict);
 }
 
-void run_law(const Options& options, const LawOptions& law_options, float depth) {
+void run_law(const EnergyOptions& options, const LawOptions& law_options, float depth) {
   const auto law = std::get<reference::Law>(reference::Law::build(law_options.law(), law_options.parameters()));
   if (const auto error = reference::depth_error(law, depth)) throw BadInput("--" + error->message());
   answer(Verdict{law, depth}, options);
 }
 
-int run_height_map(const Options& options, const LawOptions& law_options, const HeightMapOption& height_map, float depth) {
+int run_height_map(const EnergyOptions& options, const LawOptions& law_options, const HeightMapOption& height_map,
+                   float depth) {
   const float stiffness = law_options.stiffness();
   const heights::Spec spec = height_map.read(stiffness);
   const auto law = std::get<reference::HeightMapField>(reference::HeightMapField::build(spec.map, spec.rendering, stiffness));
@@ -196,7 +197,7 @@ int run_height_map(const Options& options, const LawOptions& law_options, const 
 }  // namespace
 
 void add_energy(CLI::App& app, int& result) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EnergyOptions>();
   CLI::App* command =
       app.add_subcommand("energy", "Whether a law or a height map is passive, and the most energy a loop can draw from it");
   const auto law_options = std::make_shared<LawOptions>(*command, LawOptions::Laws::one);

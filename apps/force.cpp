@@ -17,7 +17,7 @@
 namespace forceshade::apps {
 namespace {
 
-struct Options {
+struct ForceOptions {
   std::string path = "fast", input = "-", out = "-";
   unsigned digits = 30;
 };
@@ -32,7 +32,7 @@ void write(const Eigen::Vector3f& force, Status status, std::ostream& out) {
 }
 
 // By the fast path, or by the reference; a law's to any number of digits. Built before anything is read.
-Answer answer_of(const Options& options, const SubjectOption& option) {
+Answer answer_of(const ForceOptions& options, const SubjectOption& option) {
   if (options.path == "reference" && option.is_a_law())
     return [law = built(reference::Law::build(option.law().law(), option.law().parameters())), digits = options.digits](
                const auto& position, std::ostream& out) {
@@ -51,7 +51,7 @@ Answer answer_of(const Options& options, const SubjectOption& option) {
   };
 }
 
-ExitCode run(const Options& options, const SubjectOption& subject) {
+ExitCode run(const ForceOptions& options, const SubjectOption& subject) {
   watch_for_interrupt();
   std::ios::sync_with_stdio(false);
   const Answer answer = answer_of(options, subject);
@@ -70,7 +70,7 @@ ExitCode run(const Options& options, const SubjectOption& subject) {
 }  // namespace
 
 void add_force(CLI::App& app, int& result) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ForceOptions>();
   CLI::App* command = app.add_subcommand("force", "Read positions as CSV (x_mm, y_mm, z_mm), write forces as CSV");
   const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::one);
   add_word(*command, "--path", options->path, "fast: binary32, shortest form; reference: exact, to N digits",

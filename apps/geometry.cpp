@@ -13,12 +13,12 @@
 namespace forceshade::apps {
 namespace {
 
-struct Options {
+struct GeometryOptions {
   unsigned digits = 30;
   std::string json;
 };
 
-void run(const Options& options, const Parameters& bump) {
+void run(const GeometryOptions& options, const Parameters& bump) {
   const reference::DecimalGeometry g = reference::geometry(bump, options.digits);
   if (!options.json.empty())
     write_file(options.json,
@@ -34,7 +34,7 @@ void run(const Options& options, const Parameters& bump) {
 }  // namespace
 
 void add_geometry(CLI::App& app, int&) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<GeometryOptions>();
   CLI::App* command = app.add_subcommand("geometry", "Print the geometry of a bump, correctly rounded");
   const auto bump = std::make_shared<BumpOptions>(*command);
   add_whole(*command, "--digits", options->digits, "significant decimal digits", kDigits);

@@ -34,7 +34,7 @@ struct Kind {
 constexpr std::array kKinds{Kind{"force", force_of}, Kind{"directions", properties::direction_field},
                             Kind{"geometry", properties::cross_section}, Kind{"energy", properties::energy_map}};
 
-struct Options {
+struct PlotOptions {
   std::string what = "all";
   std::string y = "0", from = "-12.7mm", to = "12.7mm";
 
@@ -92,7 +92,7 @@ void add_plot(CLI::App& app, int&) {
       app.add_subcommand("plot", "Draw a law or a height map: force profile, directions, nominal geometry, energy map");
   const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all);
   const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PlotOptions>();
   const auto add = [&](const char* name, std::string& value, const char* help) {
     add_length(*command, name, value, help)->needs("--height-map");
   };

@@ -37,12 +37,12 @@ void print_figure_5_5() {
   }
 }
 
-struct Options {
+struct PolygonsOptions {
   std::string json, height_map, from = "-12.7mm", to = "12.7mm", out;
   double theta_critical = 0;
 };
 
-void of_bump(const Options& options, const Parameters& bump) {
+void of_bump(const PolygonsOptions& options, const Parameters& bump) {
   const unsigned polygons = reference::polygons_needed(bump, options.theta_critical);
   const std::string all = reference::subtended_degrees(bump, 1, kDigits);
   const std::string each = reference::subtended_degrees(bump, polygons, kDigits);
@@ -71,7 +71,7 @@ bool turns_little(const HeightMap& map, const std::vector<height::Knot>& knots, 
   return true;
 }
 
-void of_height_map(const Options& options) {
+void of_height_map(const PolygonsOptions& options) {
   if (!options.json.empty() && options.json == options.out)
     throw BadInput("--json and --out: expected two files, got \"" + options.json + "\" for both");
   const HeightMap map{heights::read_spec(options.height_map).map.parts};
@@ -110,7 +110,7 @@ void of_height_map(const Options& options) {
 }  // namespace
 
 void add_polygons(CLI::App& app, int&) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PolygonsOptions>();
   CLI::App* command = app.add_subcommand(
       "polygons", "How many shaded polygons a bump or profile needs, each to turn by less than theta-critical");
   const auto bump_options = std::make_shared<BumpOptions>(*command);

@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct PropertiesOptions {
   int cases = 10000;
   std::uint64_t seed = 1;
   std::string json, junit;
@@ -31,7 +31,7 @@ struct Options {
 // Checks one subject after the other, and keeps what was found.
 class Checks {
  public:
-  explicit Checks(const Options& options) : options_(options) {}
+  explicit Checks(const PropertiesOptions& options) : options_(options) {}
 
   void add(const properties::Subject& subject) {
     const std::string& name = subject.identity().name;
@@ -98,14 +98,14 @@ class Checks {
     flush_standard_output();
   }
 
-  const Options& options_;
+  const PropertiesOptions& options_;
   bool held_ = true;
   PartTimes times_;
   Json subjects_ = Json::array();
   std::vector<JunitCase> junit_;
 };
 
-int run(const Options& options, const SubjectOption& option) {
+int run(const PropertiesOptions& options, const SubjectOption& option) {
   if (!options.json.empty() && options.json == options.junit)
     throw BadInput("--json and --junit: expected two files, got \"" + options.json + "\" for both");
   const auto subjects = option.subjects();
@@ -119,7 +119,7 @@ int run(const Options& options, const SubjectOption& option) {
 }  // namespace
 
 void add_properties(CLI::App& app, int& result) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PropertiesOptions>();
   CLI::App* command = app.add_subcommand("properties", "Check the properties of the fast path on generated cases");
   const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::one_or_all);
   add_whole(*command, "--cases", options->cases, "cases per law and property (passivity: a tenth)", kCases);

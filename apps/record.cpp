@@ -14,7 +14,7 @@
 namespace forceshade::apps {
 namespace {
 
-struct Options {
+struct RecordOptions {
   std::string file, out = "-", json;
 };
 
@@ -35,7 +35,7 @@ nlohmann::ordered_json described(recorder::Recording& recording) {
           {"metadata", recording.metadata()}};
 }
 
-int info(const Options& options) {
+int info(const RecordOptions& options) {
   recorder::Recording recording(options.file);
   const int result = recording.metadata_problem().empty() ? kHeld : kFailed;
   if (result == kFailed) complain(recording.path() + ": " + recording.metadata_problem());
@@ -55,7 +55,7 @@ int info(const Options& options) {
   return result;
 }
 
-int verify(const Options& options) {
+int verify(const RecordOptions& options) {
   recorder::Recording recording(options.file);
   const std::vector<std::string> problems = problems_of(recording);
   for (const std::string& problem : problems) complain(problem);
@@ -68,7 +68,7 @@ int verify(const Options& options) {
   return kHeld;
 }
 
-int write(const Options& options) {
+int write(const RecordOptions& options) {
   recorder::Recording recording(options.file);
   options.out.ends_with(".npy") ? export_npy(recording, options.out) : export_csv(recording, options.out);
   if (!recording.ended()) complain(options.file + ": the recording has no end: cut off, or still being made");
@@ -80,8 +80,8 @@ int write(const Options& options) {
 void add_recording(CLI::App& app, int& result) {
   CLI::App* command = app.add_subcommand("recording", "Look into, check and export what drive recorded");
   command->require_subcommand(1);
-  const auto add = [&](const char* name, const char* help, int (*run)(const Options&)) {
-    const auto options = std::make_shared<Options>();
+  const auto add = [&](const char* name, const char* help, int (*run)(const RecordOptions&)) {
+    const auto options = std::make_shared<RecordOptions>();
     CLI::App* verb = command->add_subcommand(name, help);
     verb->add_option("file", options->file, "a recording, FILE.fsr")->type_name("FILE")->required();
     verb->callback([options, run, &result] { result = run(*options); });

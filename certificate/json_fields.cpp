@@ -8,10 +8,8 @@
 namespace forceshade::properties {
 namespace {
 
-using Json = nlohmann::json;
-
 // A value in a message: never long, and ASCII without control characters.
-std::string shown(const Json& value) {
+std::string shown(const nlohmann::json& value) {
   constexpr std::size_t kLongest = 60;
   if (value.is_object()) return "an object";
   if (value.is_array()) return "an array";
@@ -21,35 +19,35 @@ std::string shown(const Json& value) {
 
 }  // namespace
 
-Json json_from(std::string_view text) {
+nlohmann::json json_from(std::string_view text) {
   if (text.size() > kLargestJson)
     throw JsonError(std::to_string(text.size()) + " bytes; expected at most " + std::to_string(kLargestJson));
   std::vector<std::set<std::string>> keys;
-  const auto check = [&](int depth, Json::parse_event_t event, Json& value) {
+  const auto check = [&](int depth, nlohmann::json::parse_event_t event, nlohmann::json& value) {
     if (depth > kDeepestJson) throw JsonError("more than " + std::to_string(kDeepestJson) + " levels of objects and arrays");
-    if (event == Json::parse_event_t::object_start) keys.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys.pop_back();
-    if (event == Json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
+    if (event == nlohmann::json::parse_event_t::object_start) keys.emplace_back();
+    if (event == nlohmann::json::parse_event_t::object_end) keys.pop_back();
+    if (event == nlohmann::json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
       throw JsonError("the key " + shown(value) + " stands twice in one object");
     return true;
   };
   try {
-    return Json::parse(text, check);
-  } catch (const Json::exception& error) {
+    return nlohmann::json::parse(text, check);
+  } catch (const nlohmann::json::exception& error) {
     constexpr std::size_t kLongest = 200;  // it quotes what it could not read, however long that is
     throw JsonError(std::string(error.what()).substr(0, kLongest));
   }
 }
 
-Fields::Fields(const Json& object, std::string path) : json_(&object), path_(std::move(path)) {
+Fields::Fields(const nlohmann::json& object, std::string path) : json_(&object), path_(std::move(path)) {
   if (!object.is_object()) throw JsonError((path_.empty() ? "it" : path_) + " is " + shown(object) + "; expected an object");
 }
 
-void Fields::refuse(const std::string& key, const Json& value, const std::string& expected) const {
+void Fields::refuse(const std::string& key, const nlohmann::json& value, const std::string& expected) const {
   throw JsonError(place(key) + " is " + shown(value) + "; expected " + expected);
 }
 
-const Json& Fields::any(const char* key) {
+const nlohmann::json& Fields::any(const char* key) {
   const auto found = json_->find(key);
   if (found == json_->end()) throw JsonError(place(key) + " is missing");
   read_.insert(key);
@@ -67,13 +65,13 @@ void Fields::expect(const char* key, bool is_right, const std::string& expected)
 }
 
 std::uint64_t Fields::count(const char* key) {
-  const Json& value = any(key);
+  const nlohmann::json& value = any(key);
   expect(key, value.is_number_unsigned(), "a whole number from 0 to 2^64 - 1");
   return value.get<std::uint64_t>();
 }
 
 double Fields::number(const char* key) {
-  const Json& value = any(key);
+  const nlohmann::json& value = any(key);
   expect(key, value.is_number() && std::isfinite(value.get<double>()), "a finite number");
   return value.get<double>();
 }
@@ -86,12 +84,12 @@ float Fields::binary32(const char* key) {
 }
 
 bool Fields::flag(const char* key) {
-  const Json& value = any(key);
+  const nlohmann::json& value = any(key);
   expect(key, value.is_boolean(), "true or false");
   return value.get<bool>();
 }
 
-std::string Fields::plain_text(const std::string& key, const Json& value, bool may_have_lines) const {
+std::string Fields::plain_text(const std::string& key, const nlohmann::json& value, bool may_have_lines) const {
   if (!value.is_string()) refuse(key, value, "text");
   auto text = value.get<std::string>();
   if (!is_plain(text, may_have_lines)) refuse(key, value, "text without control characters");
@@ -103,10 +101,11 @@ std::string Fields::text(const char* key, bool may_have_lines) {
 }
 
 std::vector<std::string> Fields::texts(const char* key) {
-  const Json& list = any(key);
+  const nlohmann::json& list = any(key);
   expect(key, list.is_array(), "an array of text");
   std::vector<std::string> all;
-  for (const Json& value : list) all.push_back(plain_text(key + ('[' + std::to_string(all.size()) + ']'), value, true));
+  for (const nlohmann::json& value : list)
+    all.push_back(plain_text(key + ('[' + std::to_string(all.size()) + ']'), value, true));
   return all;
 }
 
@@ -122,16 +121,16 @@ Fields Fields::object(const char* key) {
 }
 
 std::vector<Fields> Fields::objects(const char* key) {
-  const Json& list = any(key);
+  const nlohmann::json& list = any(key);
   expect(key, list.is_array(), "an array of objects");
   std::vector<Fields> all;
-  for (const Json& value : list) all.emplace_back(value, place(key) + '[' + std::to_string(all.size()) + ']');
+  for (const nlohmann::json& value : list) all.emplace_back(value, place(key) + '[' + std::to_string(all.size()) + ']');
   return all;
 }
 
 std::array<double, 2> Fields::interval(const char* key) {
   constexpr const char* kExpected = "an array of two finite numbers, the lower one first";
-  const Json& ends = any(key);
+  const nlohmann::json& ends = any(key);
   expect(key, ends.is_array() && ends.size() == 2, kExpected);
   for (std::size_t i = 0; i < 2; ++i)
     if (!ends[i].is_number() || !std::isfinite(ends[i].get<double>()))

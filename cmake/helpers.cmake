@@ -2,6 +2,17 @@
 function(forceshade_library name)
   add_library(${name} STATIC ${ARGN})
   forceshade_compile_options(${name})
+  forceshade_unite(${name})
+endfunction()
+
+# Compiles the target's files eight at a time: CLI11, CGAL and RapidCheck are headers, and each translation unit compiles again
+# what it uses of them. Names in the unnamed namespaces of one target's files must therefore differ.
+function(forceshade_unite name)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ${FORCESHADE_UNITE} UNITY_BUILD_BATCH_SIZE 8)
+  if(FORCESHADE_UNITE)
+    # g++ takes a file that another one includes for a header.
+    target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  endif()
 endfunction()
 
 # Lets a target, and what links it, include the headers of these modules as forceshade/<module>/<file>: include/<module> holds a

@@ -6,17 +6,12 @@
 
 #include "forceshade/reference/laws/nominal_height.h"
 #include "forceshade/reference/numbers/taylor.h"
+#include "forceshade/reference/position.h"
 
 namespace forceshade::reference {
 namespace {
 
-constexpr float kQuantum = 0x1p-30F;  // mm
-constexpr float kDomainEnd = 1e4F;    // mm
-constexpr std::size_t kFewest = 16;   // positions worth a Taylor number
-
-bool in_domain(float coordinate) {
-  return std::fabs(coordinate) <= kDomainEnd;
-}
+constexpr std::size_t kFewest = 16;  // positions worth a Taylor number
 
 BumpGeometry<Taylor> taylor_geometry(const BumpGeometry<Ball64>& g) {
   return {Taylor(g.R), Taylor(g.w), Taylor(g.K), Taylor(g.d), Taylor(g.h), Taylor(g.w_prime), Taylor(g.h_prime)};
@@ -103,7 +98,7 @@ class Rounder {
   void round(const Section& section) {
     const float nearest = section.coordinate(0), farthest = section.coordinate(section.count - 1);
     // All the same: outside the domain, or read as 0.
-    if (!in_domain(nearest) || !in_domain(fixed_) || std::fabs(farthest) < kQuantum) {
+    if (!in_domain(nearest) || !in_domain(fixed_) || std::fabs(farthest) < kPositionQuantum) {
       const Rounded one = law_.round_to_binary32(position(nearest));
       for (std::size_t i = 0; i < section.count; ++i) store(section.begin + i, one);
       return;
@@ -121,7 +116,7 @@ class Rounder {
   // False where the Taylor number cannot decide the facet or is too blurred.
   bool round_together(const Section& section) try {
     const Taylor moving = section.variable();
-    const Taylor still(std::fabs(fixed_) < kQuantum ? 0.0 : static_cast<double>(fixed_));
+    const Taylor still(std::fabs(fixed_) < kPositionQuantum ? 0.0 : static_cast<double>(fixed_));
     const Taylor& x = along_ == Along::x ? moving : still;
     const Taylor& z = along_ == Along::x ? still : moving;
     return with_law(law_.id(), [&](auto law) {
@@ -151,9 +146,9 @@ class Rounder {
 
 // The next position up or down: the next binary32, but nothing between the quantum and 0.
 float next(float z, float towards) {
-  if (z == 0) return std::copysign(kQuantum, towards);
+  if (z == 0) return std::copysign(kPositionQuantum, towards);
   const float neighbour = std::nextafter(z, towards);
-  return std::fabs(neighbour) < kQuantum ? 0.0F : neighbour;
+  return std::fabs(neighbour) < kPositionQuantum ? 0.0F : neighbour;
 }
 
 class Surface {
@@ -164,7 +159,7 @@ class Surface {
     for (std::size_t i = 0; i < kRun && 2 * std::fabs(coordinate_of_run(first, i)) <= law_.parameters().width; ++i)
       ++run_.count;
     const float nearest = coordinate_of_run(first, 0), farthest = coordinate_of_run(first, kRun - 1);
-    if (run_.count > 0 && std::fabs(farthest) < kQuantum) {
+    if (run_.count > 0 && std::fabs(farthest) < kPositionQuantum) {
       find_one(nearest, 0);
       run_.contact.fill(run_.contact[0]);
       run_.free.fill(run_.free[0]);
@@ -182,14 +177,14 @@ class Surface {
   // From a first guess, by asking.
   void find_one(float x, std::size_t i) {
     ++run_.one_by_one;
-    const double there = std::fabs(x) < kQuantum ? 0.0 : static_cast<double>(x);
+    const double there = std::fabs(x) < kPositionQuantum ? 0.0 : static_cast<double>(x);
     float z = 0;
     try {
       z = static_cast<float>(nominal_height(law_.id(), law_.geometry(), Ball64(there)).mid());
     } catch (const Undecided&) {
       z = 0;  // on |x| = R
     }
-    if (std::fabs(z) < kQuantum) z = 0;
+    if (std::fabs(z) < kPositionQuantum) z = 0;
     while (is_contact(x, z)) z = next(z, 1e5F);
     while (!is_contact(x, z)) z = next(z, -1e5F);
     run_.contact[i] = z;
@@ -213,7 +208,7 @@ class Surface {
       const double value = height.at(place(i, section.count)), error = height.error(value);
       const auto nearest = static_cast<float>(value);
       const bool above = value - error > static_cast<double>(nearest), below = value + error < static_cast<double>(nearest);
-      open[i] = !(above || below) || value < 2 * static_cast<double>(kQuantum);
+      open[i] = !(above || below) || value < 2 * static_cast<double>(kPositionQuantum);
       // A positive binary32 and its neighbours are consecutive whole numbers.
       const auto bits = std::bit_cast<std::uint32_t>(nearest);
       run_.contact[section.begin + i] = std::bit_cast<float>(above ? bits : bits - 1);

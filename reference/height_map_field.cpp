@@ -10,6 +10,7 @@
 #include "forceshade/reference/heights/sum.h"
 #include "forceshade/reference/laws/slow_geometry.h"
 #include "forceshade/reference/numbers/tie.h"
+#include "forceshade/reference/position.h"
 
 namespace forceshade::reference {
 namespace {
@@ -18,13 +19,13 @@ using height::Rendering;
 
 // What the force at a position is made of.
 template <class N>
-struct Local {
+struct LocalHeight {
   N gap;     // mm: the penetration
   N Ux, Uy;  // mm/mm
 };
 
 template <class N>
-Local<N> local(const HeightMapField& law, const Point2& at, double z) {
+LocalHeight<N> local(const HeightMapField& law, const Point2& at, double z) {
   const Jet<N> map = sum_jet<N>(law.map().parts, at);
   const bool is_shaded = law.rendering() == Rendering::force_shaded;
   return {is_shaded ? N(sum_jet<N>(law.map().surface, at).U - N(z)) : N(map.U - N(z)), map.Ux, map.Uy};
@@ -35,7 +36,7 @@ template <class N>
 using Components = std::array<N, 3>;
 
 template <class N>
-Components<N> force(const HeightMapField& law, const Local<N>& at) {
+Components<N> force(const HeightMapField& law, const LocalHeight<N>& at) {
   N magnitude = N(static_cast<double>(law.stiffness())) * at.gap;
   if (law.rendering() != Rendering::conservative) magnitude = magnitude / sqrt(N(at.Ux * at.Ux + at.Uy * at.Uy + N(1.0)));
   return {-magnitude * at.Ux, -magnitude * at.Uy, magnitude};
@@ -43,7 +44,7 @@ Components<N> force(const HeightMapField& law, const Local<N>& at) {
 
 // The sign of a component of the force less `tie`, exactly. With F = K·gap·s/n and n = √(1 + U_x² + U_y²), F and tie are
 // compared by their signs first, then by their squares.
-int sign_of_excess(const HeightMapField& law, const Local<ExponentialSum>& at, std::size_t axis, double tie) {
+int sign_of_excess(const HeightMapField& law, const LocalHeight<ExponentialSum>& at, std::size_t axis, double tie) {
   const ExponentialSum slopes[] = {-at.Ux, -at.Uy, 1.0};
   const ExponentialSum push = ExponentialSum(static_cast<double>(law.stiffness())) * at.gap * slopes[axis];
   if (law.rendering() == Rendering::conservative) return (push - tie).sign();
@@ -71,7 +72,7 @@ struct RoundedEnds {
 
 // Enclosures narrow the force down to two neighbours at most; exact numbers then compare it with the middle of the two.
 Rounded round_exactly(const HeightMapField& law, const Point2& at, double z) {
-  const Local<ExponentialSum> exact = local<ExponentialSum>(law, at, z);
+  const LocalHeight<ExponentialSum> exact = local<ExponentialSum>(law, at, z);
   if (exact.gap.sign() <= 0) return {{0, 0, 0}, Status::free, Method::exact, 1};
   for (unsigned bits = 768;; bits *= 2) {
     set_precision(bits);
@@ -93,7 +94,7 @@ Rounded round_by_enclosures(const HeightMapField& law, const Point2& at, double 
   mpfr_set_emin(mpfr_get_emin_min());  // the tail of a Gaussian goes down to exp(-4·10^14)
   for (const unsigned bits : {128U, 768U}) {
     set_precision(bits);
-    const Local<Enclosure> enclosed = local<Enclosure>(law, at, z);
+    const LocalHeight<Enclosure> enclosed = local<Enclosure>(law, at, z);
     if (upper(enclosed.gap) <= 0) return {{0, 0, 0}, Status::free, Method::enclosure};
     if (lower(enclosed.gap) <= 0) continue;
     const Components<Enclosure> components = force(law, enclosed);
@@ -113,10 +114,6 @@ bool is_transcendental(const HeightMap& map) {
   return std::ranges::any_of(map.parts, is) || std::ranges::any_of(map.surface, is);
 }
 
-double quantised(float coordinate) {
-  return std::fabs(coordinate) < std::ldexp(1.0F, -30) ? 0.0 : static_cast<double>(coordinate);
-}
-
 }  // namespace
 
 std::variant<HeightMapField, ParameterError> HeightMapField::build(HeightMap map, Rendering rendering, float stiffness) {
@@ -125,14 +122,14 @@ std::variant<HeightMapField, ParameterError> HeightMapField::build(HeightMap map
 }
 
 Rounded HeightMapField::round_to_binary32(const Eigen::Vector3f& position) const {
-  if (!((position.array() >= -1e4F).all() && (position.array() <= 1e4F).all())) return {{0, 0, 0}, Status::invalid};
+  if (!in_domain(position)) return {{0, 0, 0}, Status::invalid};
   const Point2 at{quantised(position.x()), quantised(position.y())};
   const double z = quantised(position.z());
   // Even where the force is a Ball64's, CORE's rationals decide which cell it comes from.
   const std::lock_guard lock(exact_arithmetic);
   if (is_transcendental(map_)) return round_by_enclosures(*this, at, z);
   try {
-    const Local<Ball64> quick = local<Ball64>(*this, at, z);
+    const LocalHeight<Ball64> quick = local<Ball64>(*this, at, z);
     if (!(quick.gap > Ball64(0.0))) return {};
     const Components<Ball64> components = force(*this, quick);
     const Eigen::Vector3f rounded(components[0].round(), components[1].round(), components[2].round());
@@ -147,7 +144,7 @@ HeightMapField::Estimate HeightMapField::estimate(const Eigen::Vector3f& positio
   const double z = quantised(position.z());
   const std::lock_guard lock(exact_arithmetic);
   if (!is_transcendental(map_)) try {
-      const Local<Ball64> quick = local<Ball64>(*this, at, z);
+      const LocalHeight<Ball64> quick = local<Ball64>(*this, at, z);
       if (quick.gap.rad() <= 0x1p-30L * std::fabs(quick.gap.mid())) {
         const Components<Ball64> F = force(*this, quick);
         return {quick.gap, quick.Ux, quick.Uy, F[0], F[1], F[2]};
@@ -156,7 +153,7 @@ HeightMapField::Estimate HeightMapField::estimate(const Eigen::Vector3f& positio
     }
   mpfr_set_emin(mpfr_get_emin_min());
   set_precision(768);  // parts may cancel
-  const Local<Enclosure> slow = local<Enclosure>(*this, at, z);
+  const LocalHeight<Enclosure> slow = local<Enclosure>(*this, at, z);
   const Components<Enclosure> F = force(*this, slow);
   return {filter_of(slow.gap), filter_of(slow.Ux), filter_of(slow.Uy), filter_of(F[0]), filter_of(F[1]), filter_of(F[2])};
 }

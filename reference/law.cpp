@@ -9,18 +9,10 @@
 #include "forceshade/reference/laws/with_law.h"
 #include "forceshade/reference/numbers/decimal.h"
 #include "forceshade/reference/numbers/tie.h"
+#include "forceshade/reference/position.h"
 
 namespace forceshade::reference {
 namespace {
-
-bool is_valid(const Eigen::Vector3f& position) {
-  return (position.array() >= -1e4F).all() && (position.array() <= 1e4F).all();
-}
-
-// A coordinate below a picometre is read as 0.
-double quantised(float coordinate) {
-  return std::fabs(coordinate) < std::ldexp(1.0F, -30) ? 0.0 : static_cast<double>(coordinate);
-}
 
 struct Point {
   double x, z;
@@ -149,7 +141,7 @@ std::variant<Law, ParameterError> Law::build(LawId id, const Parameters& p) {
 }
 
 Rounded Law::round_to_binary32(const Eigen::Vector3f& position) const {
-  if (!is_valid(position)) return {{0, 0, 0}, Status::invalid, Method::filter};
+  if (!in_domain(position)) return {{0, 0, 0}, Status::invalid, Method::filter};
   const Point point(position);
   try {
     const Estimate quick = filtered(id_, geometry_, point);
@@ -163,7 +155,7 @@ Rounded Law::round_to_binary32(const Eigen::Vector3f& position) const {
 }
 
 EnclosedForce enclosure(const Law& law, const Eigen::Vector3f& position, unsigned digits) {
-  if (!is_valid(position)) return {{0, 0}, {0, 0}, Status::invalid};
+  if (!in_domain(position)) return {{0, 0}, {0, 0}, Status::invalid};
   const std::lock_guard lock(exact_arithmetic);
   const SlowForce force(law.id(), law.parameters(), Point(position));
   if (force.facet() == Facet::none) return {{0, 0}, {0, 0}, Status::free};
@@ -185,7 +177,7 @@ EnclosedForce enclosure(const Law& law, const Eigen::Vector3f& position, unsigne
 }
 
 DecimalForce Law::decimal(const Eigen::Vector3f& position, unsigned digits) const {
-  if (!is_valid(position)) return {"0", "0", Status::invalid};
+  if (!in_domain(position)) return {"0", "0", Status::invalid};
   const std::lock_guard lock(exact_arithmetic);
   const SlowForce force(id_, parameters_, Point(position));
   if (force.facet() == Facet::none) return {"0", "0", Status::free};

@@ -9,6 +9,7 @@
 
 #include "forceshade/reference/energy/bend.h"
 #include "forceshade/reference/heights/sum.h"
+#include "forceshade/reference/position.h"
 
 namespace forceshade::reference {
 namespace {
@@ -104,7 +105,7 @@ struct Profile::Pieces {
 };
 
 Profile::Profile(const std::vector<height::Part>& parts, float from, float to) {
-  if (!(from < to && from >= -1e4F && to <= 1e4F))
+  if (!(from < to && in_domain(from) && in_domain(to)))
     throw std::invalid_argument("the section's ends are not one beyond the other, within 10000 mm");
   const std::lock_guard lock(exact_arithmetic);
   pieces_ = std::make_unique<const Pieces>(parts, from, to);
@@ -142,7 +143,7 @@ std::vector<height::Knot> Profile::knots(unsigned polygons) const {
     const auto at = static_cast<float>(x);
     const Enclosure U = sum_jet<Enclosure>(pieces_->parts, {static_cast<double>(at), 0}).U;
     const auto rounded = median(U).convert_to<float>();
-    knots.push_back({at, std::fabs(rounded) < std::ldexp(1.0F, -30) ? 0.0F : rounded});
+    knots.push_back({at, quantised(rounded)});
   };
   add(pieces_->all.front().from);
   Multiprecision behind(0);

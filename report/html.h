@@ -26,6 +26,12 @@ inline std::string escaped(std::string_view text) {
   return result;
 }
 
+// On a phone a row becomes a card, and every cell needs its own label.
+inline std::string cell(const char* label, const std::string& content, const char* kind = "") {
+  return std::string("<td data-label=\"") + label + '"' + (*kind != 0 ? std::string(" class=\"") + kind + '"' : "") + '>' +
+         content + "</td>";
+}
+
 // "2 000 000", with spaces that do not break a line.
 inline std::string grouped(std::uint64_t count) {
   const std::string plain = std::to_string(count);

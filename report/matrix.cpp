@@ -32,10 +32,6 @@ std::string energy_of(const Findings& law) {
          html_number(loop.measured_mJ, 5) + "\u202FmJ</small>";
 }
 
-std::string cell(const char* label, const std::string& content) {
-  return std::string("<td data-label=\"") + label + "\">" + content + "</td>";
-}
-
 }  // namespace
 
 std::string matrix(const Certificate& certificate) {

@@ -198,12 +198,6 @@ std::string header(const Certificate& certificate) {
          sweep_statement(certificate.sweeps, !certificate.subjects.empty()) + "</header>\n";
 }
 
-// On a phone a row becomes a card, and every cell needs its own label.
-std::string cell(const char* label, const std::string& content, const char* kind = "") {
-  return std::string("<td data-label=\"") + label + '"' + (*kind != 0 ? std::string(" class=\"") + kind + '"' : "") + '>' +
-         content + "</td>";
-}
-
 std::string count_cell(const char* label, const std::map<std::string, std::uint64_t>& counts, const std::string& key) {
   const auto found = counts.find(key);
   return cell(label, found == counts.end() ? "not counted" : grouped(found->second), "number");

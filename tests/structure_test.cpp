@@ -49,7 +49,7 @@ TEST(structure, every_law_has_its_file_in_every_folder) {
     }
 }
 
-// So that every build compiles the header by itself; the others are for tests/headers_test.sh.
+// So that a build with the preset dev compiles the header by itself; the others are for tests/headers_test.sh.
 TEST(structure, each_source_file_includes_the_header_of_its_name_first) {
   int found = 0;
   for (const char* folder :

@@ -26,7 +26,7 @@ namespace {
 using Kind = PhantomMessage::Kind;
 using std::chrono::milliseconds;
 
-constexpr milliseconds kPoll{1}, kWatch{10};
+constexpr milliseconds kHostPoll{1}, kHostWatch{10};
 constexpr int kMeasured = 2;  // Hz: a window of frames is half a second
 
 // Why the device cannot be driven.
@@ -87,7 +87,7 @@ class Host {
   std::optional<Kind> next(PhantomMessage& message) const {
     Received received = Received::nothing_yet;
     while (received == Received::nothing_yet && !is_alone(socket_, parent_))
-      received = receive_message(socket_, kWatch, message);
+      received = receive_message(socket_, kHostWatch, message);
     return received == Received::message ? std::optional(message.kind) : std::nullopt;
   }
   void report(const std::string& words) const { send_words(socket_, Kind::report, words); }
@@ -275,7 +275,7 @@ void Host::wait_until_ready() {
   auto calibrated_at = begin;
   bool told = false;
   for (;;) {
-    std::this_thread::sleep_for(kPoll);
+    std::this_thread::sleep_for(kHostPoll);
     if (is_alone(socket_, parent_)) throw Refused("the other process is gone");
     const PhantomSample& sample = frames_->samples.latest();
     const auto now = std::chrono::steady_clock::now();

@@ -2,11 +2,11 @@
 #include <cmath>
 
 #include "forceshade/reference/energy/height_circulation.h"
+#include "forceshade/reference/position.h"
 
 namespace forceshade::reference {
 namespace {
 
-constexpr float kDomainEnd = 1e4F;  // mm
 constexpr float kMostCells = 65536;
 
 struct Tallest {

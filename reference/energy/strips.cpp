@@ -3,13 +3,10 @@
 
 #include "forceshade/reference/laws/slow_geometry.h"
 #include "forceshade/reference/numbers/intervals.h"
+#include "forceshade/reference/position.h"
 
 namespace forceshade::reference {
-namespace {
-
-constexpr double kDomainEnd = 1e4;  // mm
-
-}  // namespace
+namespace {}  // namespace
 
 Half half_of(const Law& law) {
   Half half{enclosing_geometry(law.parameters()), {}};

@@ -8,13 +8,13 @@
 #include "forceshade/reference/energy.h"
 #include "forceshade/reference/energy/shaded_strip.h"
 #include "forceshade/reference/numbers/intervals.h"
+#include "forceshade/reference/position.h"
 
 namespace forceshade::reference {
 namespace {
 
 constexpr int kChords = 24;           // along one curved boundary
 constexpr double kRoof = 0x1.ffp-1;   // of the depth: leaves a passage where a whole column is left out
-constexpr float kDomainEnd = 1e4F;    // mm
 using Side = std::vector<PathPoint>;  // from left to right
 
 float down(const Enclosure& v) {

@@ -6,6 +6,7 @@
 
 #include "forceshade/reference/numbers/ball64.h"
 #include "forceshade/reference/numbers/numbers.h"
+#include "forceshade/reference/position.h"
 #include "forceshade/vocabulary/height_map.h"
 
 namespace forceshade::reference {
@@ -40,7 +41,7 @@ struct Point2 {
 // A coordinate relative to a centre, which is quantised like a position.
 template <class N>
 N from_centre(double coordinate, float centre) {
-  return std::fabs(centre) < std::ldexp(1.0F, -30) ? N(coordinate) : N(coordinate) - N(static_cast<double>(centre));
+  return quantised(centre) == 0 ? N(coordinate) : N(coordinate) - N(static_cast<double>(centre));
 }
 
 // Whether a point, relative to the centre of a disk, lies inside it; on the rim the side with larger x decides.
