@@ -23,6 +23,7 @@
 
 #include "forceshade/bench/naive.h"
 #include "forceshade/fast/law.h"
+#include "forceshade/properties/shape.h"
 
 namespace forceshade::bench {
 namespace {
@@ -51,28 +52,6 @@ std::size_t out_of_cache_count() {
   return (wanted + kInCache - 1) / kInCache * kInCache;
 }
 
-// Nominal height of a law's surface, mm.
-double surface(LawId id, const NaiveBump& b, double x) {
-  const double size = std::fabs(x);
-  const double R = static_cast<double>(b.R), half = static_cast<double>(b.w) / 2;
-  if (size > half) return 0;
-  switch (id) {
-    case LawId::wall:
-    case LawId::bump_1p:
-    case LawId::bump_1p_shaded: return 0;
-    case LawId::cylinder:
-    case LawId::bump_cylinder: return std::sqrt(R * R - x * x) - static_cast<double>(b.d);
-    case LawId::bump_2p:
-    case LawId::bump_2p_shaded: return static_cast<double>(b.h) * (1 - size / half);
-    case LawId::bump_3p:
-    case LawId::bump_3p_shaded: {
-      const double half_top = static_cast<double>(b.w_top) / 2;
-      return static_cast<double>(b.h_top) * std::min(1.0, (half - size) / (half - half_top));
-    }
-  }
-  return 0;
-}
-
 // Positions and room for forces, each array on its own cache lines.
 class Arrays {
  public:
@@ -84,15 +63,15 @@ class Arrays {
   void fill(LawId id) {
     if (filled == id) return;
     filled = id;
-    const NaiveBump bump = naive_bump(kParameters);
+    const properties::Shape shape(std::get<reference::Law>(reference::Law::build(id, kParameters)));
     double u = 0.5, v = 0.5;
     for (std::size_t i = 0; i < x.size(); ++i) {
       u += 0.7548776662466927;
       v += 0.5698402909980532;
       u -= std::floor(u);
       v -= std::floor(v);
-      x[i] = static_cast<float>(0.6 * static_cast<double>(bump.w) * (2 * u - 1));
-      z[i] = static_cast<float>(surface(id, bump, static_cast<double>(x[i])) + 1 - 3 * v);
+      x[i] = static_cast<float>(0.6 * static_cast<double>(kParameters.width) * (2 * u - 1));
+      z[i] = static_cast<float>(static_cast<double>(shape.surface(static_cast<long double>(x[i]))) + 1 - 3 * v);
     }
   }
 

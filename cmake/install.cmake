@@ -9,11 +9,9 @@ function(install_headers module)
   endforeach()
 endfunction()
 install_headers(vocabulary breakdown.h height_map.h law.h results.h)
+file(GLOB law_headers RELATIVE ${PROJECT_SOURCE_DIR}/fast CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/fast/laws/*.h)
 install_headers(fast domain.h evaluate.h height_map_field.h heights/force.h heights/grid.h heights/jet.h
-                heights/spline.h heights/spline_force.h instruction_set.h law.h laws/all.h laws/bump_1p.h laws/bump_1p_shaded.h
-                laws/bump_2p.h laws/bump_2p_shaded.h laws/bump_3p.h laws/bump_3p_shaded.h laws/bump_cylinder.h
-                laws/bump_geometry.h laws/cylinder.h laws/outcome.h laws/polygon_gap.h laws/shading.h laws/top_edge.h
-                laws/wall.h numbers/arithmetic.h numbers/ball.h numbers/big_float_ball.h numbers/double_double.h
+                heights/spline.h heights/spline_force.h instruction_set.h law.h ${law_headers} numbers/arithmetic.h numbers/ball.h numbers/big_float_ball.h numbers/double_double.h
                 numbers/double_with_error.h numbers/first_stage.h numbers/inline.h numbers/row.h session.h
                 simd/batch.h)
 install_headers(csv csv.h)

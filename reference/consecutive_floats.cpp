@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "forceshade/reference/laws/nominal_height.h"
+#include "forceshade/reference/laws/with_law.h"
 #include "forceshade/reference/numbers/taylor.h"
 #include "forceshade/reference/position.h"
 
@@ -12,6 +12,12 @@ namespace forceshade::reference {
 namespace {
 
 constexpr std::size_t kFewest = 16;  // positions worth a Taylor number
+
+// mm, for 2|x| <= w.
+template <class N>
+N nominal_height(LawId id, const BumpGeometry<N>& g, const N& x) {
+  return with_law(id, [&](auto law) { return N(decltype(law)::Surface::height_at(g, x)); });
+}
 
 BumpGeometry<Taylor> taylor_geometry(const BumpGeometry<Ball64>& g) {
   return {Taylor(g.R), Taylor(g.w), Taylor(g.K), Taylor(g.d), Taylor(g.h), Taylor(g.w_prime), Taylor(g.h_prime)};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "forceshade/reference/energy/shaded_strip.h"
+#include "forceshade/reference/laws/with_law.h"
 #include "forceshade/reference/numbers/intervals.h"
 
 namespace forceshade::reference {
@@ -58,14 +59,8 @@ std::vector<LineTerm> line_terms(const Law& law) {
 std::optional<std::string> potential(const Law& law) {
   const std::lock_guard lock(exact_arithmetic);
   set_precision(kEnergyBits);
-  if (!is_conservative(half_of(law))) return std::nullopt;
-  const std::string plane = "K/2 max(0, -z)^2", cylinder = "K/2 max(0, R - sqrt(x^2 + (z + d)^2))^2";
-  switch (law.id()) {
-    case LawId::cylinder: return cylinder;
-    case LawId::bump_cylinder: return cylinder + " + " + plane;
-    case LawId::bump_2p: return "cos(alpha/2) K/2 max(0, H(x) - z)^2";  // w/2 is the end of the domain
-    default: return plane;
-  }
+  const char* const words = with_law(law.id(), [](auto definition) { return definition.kPotential; });
+  return words != nullptr && is_conservative(half_of(law)) ? std::optional<std::string>(words) : std::nullopt;
 }
 
 LoopBound loop_bound(const Law& law, float depth) {

@@ -11,6 +11,7 @@ namespace forceshade::fast {
 struct Bump1pShaded {
   static constexpr double kErrorBound = 0x1p-50;  // at most 6·2^-53
   static constexpr std::size_t kWideLimbs = 12;
+  static constexpr int kSeparation = 406;  // bits: docs/proofs.md, "The last stage"
   template <class N>
   using Geometry = Wall::NoGeometry;
   template <class N>

@@ -11,6 +11,7 @@ namespace forceshade::fast {
 struct Bump2p {
   static constexpr double kErrorBound = 0x1p-50;  // gap 2^-51, product and constant 2·2^-53
   static constexpr std::size_t kWideLimbs = 32;
+  static constexpr int kSeparation = 1063;  // bits: docs/proofs.md, "The last stage"
   template <class N>
   using Geometry = Face<N>;
   template <class N>

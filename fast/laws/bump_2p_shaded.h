@@ -11,6 +11,7 @@ namespace forceshade::fast {
 struct Bump2pShaded {
   static constexpr double kErrorBound = 0x1.8p-50;  // gap 2^-51, shading 6·2^-53
   static constexpr std::size_t kWideLimbs = 32;
+  static constexpr int kSeparation = 1031;  // bits: docs/proofs.md, "The last stage"
   template <class N>
   using Geometry = Face<N>;
   template <class N>

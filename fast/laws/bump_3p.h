@@ -12,6 +12,7 @@ namespace forceshade::fast {
 struct Bump3p {
   static constexpr double kErrorBound = 0x1p-50;  // gap 2^-51, product and constant 2·2^-53
   static constexpr std::size_t kWideLimbs = 64;
+  static constexpr int kSeparation = 2102;  // bits: docs/proofs.md, "The last stage"
   template <class N>
   using Geometry = ThreePolygons<N>;
   template <class N>

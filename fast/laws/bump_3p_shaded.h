@@ -12,6 +12,7 @@ namespace forceshade::fast {
 struct Bump3pShaded {
   static constexpr double kErrorBound = 0x1.8p-50;  // gap 2^-51, shading 6·2^-53
   static constexpr std::size_t kWideLimbs = 64;
+  static constexpr int kSeparation = 3729;  // bits: docs/proofs.md, "The last stage"
   template <class N>
   using Geometry = ThreePolygons<N>;
   template <class N>

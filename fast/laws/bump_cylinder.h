@@ -8,6 +8,7 @@ namespace forceshade::fast {
 
 struct BumpCylinder : Cylinder {
   static constexpr double kErrorBound = Cylinder::kErrorBound;  // bump_cylinder.g proves 17.7·2^-53
+  static constexpr int kSeparation = 949;                       // bits: docs/proofs.md, "The last stage"
 
   using Cylinder::Cylinder;
 

@@ -13,6 +13,7 @@ namespace forceshade::fast {
 struct Cylinder {
   static constexpr double kErrorBound = 0x1.2p-49;  // 18·2^-53; cylinder.g proves 16.6
   static constexpr std::size_t kWideLimbs = 32;
+  static constexpr int kSeparation = 946;  // bits: docs/proofs.md, "The last stage"
   template <class N>
   using Geometry = N;  // d
   template <class N>

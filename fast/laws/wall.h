@@ -12,6 +12,7 @@ struct Wall {
   // The binary64 product of two binary32 numbers is exact, and rounding it is all that is left to do.
   static constexpr double kErrorBound = 0;
   static constexpr std::size_t kWideLimbs = 4;
+  static constexpr int kSeparation = 150;  // bits: docs/proofs.md, "The last stage"
 
   struct NoGeometry {};
   template <class N>

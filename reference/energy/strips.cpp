@@ -2,33 +2,47 @@
 #include "forceshade/reference/energy/strips.h"
 
 #include "forceshade/reference/laws/slow_geometry.h"
+#include "forceshade/reference/laws/with_law.h"
 #include "forceshade/reference/numbers/intervals.h"
 #include "forceshade/reference/position.h"
 
 namespace forceshade::reference {
-namespace {}  // namespace
+namespace {
+
+using Strips = std::vector<Strip>;
+
+Strip plane_of(const BumpGeometry<Enclosure>& g) {
+  return {g.w / 2, kDomainEnd, 0, 0, false};
+}
+
+Strip side_of(const BumpGeometry<Enclosure>& g, const Enclosure& left, const Enclosure& steepness, bool is_shaded) {
+  return {left, g.w / 2, 0, -steepness, is_shaded};
+}
+
+// The force of a round surface is not K·(H - z).
+Strips strips_of(RoundSurface, const BumpGeometry<Enclosure>&, bool) {
+  return {};
+}
+
+Strips strips_of(LevelSurface, const BumpGeometry<Enclosure>& g, bool is_shaded) {
+  if (!is_shaded) return {{0, kDomainEnd, 0, 0, false}};
+  return {{0, g.w / 2, 0, 0, true}, plane_of(g)};
+}
+
+Strips strips_of(TwoPolygons, const BumpGeometry<Enclosure>& g, bool is_shaded) {
+  return {side_of(g, 0, 2 * g.h / g.w, is_shaded), plane_of(g)};
+}
+
+Strips strips_of(ThreePolygons, const BumpGeometry<Enclosure>& g, bool is_shaded) {
+  const Enclosure top = g.w_prime / 2;
+  return {{0, top, g.h_prime, 0, is_shaded}, side_of(g, top, 2 * g.h_prime / (g.w - g.w_prime), is_shaded), plane_of(g)};
+}
+
+}  // namespace
 
 Half half_of(const Law& law) {
-  Half half{enclosing_geometry(law.parameters()), {}};
-  const BumpGeometry<Enclosure>& g = half.g;
-  const Enclosure zero = 0, rim = g.w / 2, end = kDomainEnd;
-  const auto side = [&](const Enclosure& left, const Enclosure& steepness, bool is_shaded) {
-    return Strip{left, rim, zero, -steepness, is_shaded};
-  };
-  const Strip plane{rim, end, zero, zero, false};
-  const Enclosure two = 2 * g.h / g.w, three = 2 * g.h_prime / (g.w - g.w_prime), top = g.w_prime / 2;
-  switch (law.id()) {
-    case LawId::cylinder:
-    case LawId::bump_cylinder: break;
-    case LawId::wall:
-    case LawId::bump_1p: half.strips = {{zero, end, zero, zero, false}}; break;
-    case LawId::bump_2p: half.strips = {side(zero, two, false), plane}; break;
-    case LawId::bump_3p: half.strips = {{zero, top, g.h_prime, zero, false}, side(top, three, false), plane}; break;
-    case LawId::bump_1p_shaded: half.strips = {{zero, rim, zero, zero, true}, plane}; break;
-    case LawId::bump_2p_shaded: half.strips = {side(zero, two, true), plane}; break;
-    case LawId::bump_3p_shaded: half.strips = {{zero, top, g.h_prime, zero, true}, side(top, three, true), plane}; break;
-  }
-  return half;
+  const BumpGeometry<Enclosure> g = enclosing_geometry(law.parameters());
+  return {g, with_law(law.id(), [&](auto of) { return strips_of(typename decltype(of)::Surface{}, g, of.kIsShaded); })};
 }
 
 Enclosure height_over_axis(const BumpGeometry<Enclosure>& g, const Enclosure& x) {

@@ -7,6 +7,10 @@
 namespace forceshade::reference {
 
 struct Bump1p {
+  using Surface = LevelSurface;
+  static constexpr bool kIsShaded = false;
+  static constexpr const char* kPotential = kPlanePotential;
+
   template <class N>
   static Facet facet(const BumpGeometry<N>& g, const N& x, const N& z) {
     return Wall::facet(g, x, z);

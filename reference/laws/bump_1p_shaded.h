@@ -7,6 +7,10 @@
 namespace forceshade::reference {
 
 struct Bump1pShaded {
+  using Surface = LevelSurface;
+  static constexpr bool kIsShaded = true;
+  static constexpr const char* kPotential = nullptr;
+
   template <class N>
   static Facet facet(const BumpGeometry<N>& g, const N& x, const N& z) {
     if (!(z < N(0.0))) return Facet::none;

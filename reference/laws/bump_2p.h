@@ -7,6 +7,10 @@
 namespace forceshade::reference {
 
 struct Bump2p {
+  using Surface = TwoPolygons;
+  static constexpr bool kIsShaded = false;
+  static constexpr const char* kPotential = "cos(alpha/2) K/2 max(0, H(x) - z)^2";  // w/2 is the end of the domain
+
   template <class N>
   static Facet facet(const BumpGeometry<N>& g, const N& x, const N& z) {
     return facet_of<TwoPolygons>(g, x, z);

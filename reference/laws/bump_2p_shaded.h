@@ -7,6 +7,10 @@
 namespace forceshade::reference {
 
 struct Bump2pShaded {
+  using Surface = TwoPolygons;
+  static constexpr bool kIsShaded = true;
+  static constexpr const char* kPotential = nullptr;
+
   template <class N>
   static Facet facet(const BumpGeometry<N>& g, const N& x, const N& z) {
     return facet_of<TwoPolygons>(g, x, z);

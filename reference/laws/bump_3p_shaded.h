@@ -7,6 +7,10 @@
 namespace forceshade::reference {
 
 struct Bump3pShaded {
+  using Surface = ThreePolygons;
+  static constexpr bool kIsShaded = true;
+  static constexpr const char* kPotential = nullptr;
+
   template <class N>
   static Facet facet(const BumpGeometry<N>& g, const N& x, const N& z) {
     return facet_of<ThreePolygons>(g, x, z);

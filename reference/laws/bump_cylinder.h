@@ -8,6 +8,10 @@
 namespace forceshade::reference {
 
 struct BumpCylinder {
+  using Surface = RoundSurface;
+  static constexpr bool kIsShaded = false;
+  static constexpr const char* kPotential = "K/2 max(0, R - sqrt(x^2 + (z + d)^2))^2 + K/2 max(0, -z)^2";
+
   template <class N>
   static Facet facet(const BumpGeometry<N>& g, const N& x, const N& z) {
     const Facet cylinder = Cylinder::facet(g, x, z);

@@ -8,6 +8,10 @@
 namespace forceshade::reference {
 
 struct Cylinder {
+  using Surface = RoundSurface;
+  static constexpr bool kIsShaded = false;
+  static constexpr const char* kPotential = kCylinderPotential;
+
   template <class N>
   static Facet facet(const BumpGeometry<N>& g, const N& x, const N& z) {
     const N l = z + g.d;

@@ -36,6 +36,24 @@ bool is_within_width(const BumpGeometry<N>& g, const N& x) {
   return N(2.0) * size_of(x) <= g.w;
 }
 
+// The surfaces z = H(x) where the forces of laws begin on the way down. height_at: H(x) in mm, for 2|x| <= w.
+struct LevelSurface {
+  template <class N>
+  static N height_at(const BumpGeometry<N>&, const N&) {
+    return N(0.0);
+  }
+};
+struct RoundSurface {
+  template <class N>
+  static N height_at(const BumpGeometry<N>& g, const N& x) {
+    return sqrt((g.R - x) * (g.R + x)) - g.d;
+  }
+};
+
+// Potentials in words; a law's is null where no parameters give it one.
+inline constexpr const char kPlanePotential[] = "K/2 max(0, -z)^2";
+inline constexpr const char kCylinderPotential[] = "K/2 max(0, R - sqrt(x^2 + (z + d)^2))^2";
+
 // The direction of force shading: the cylinder's normal above x, (x/R, √(R² - x²)/R).
 template <class N>
 Force<N> along_shaded(const BumpGeometry<N>& g, const N& magnitude, const N& x) {

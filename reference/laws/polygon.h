@@ -18,6 +18,11 @@ struct TwoPolygons {
   static Facet face(const BumpGeometry<N>&, const N& x) {
     return x < N(0.0) ? Facet::left : Facet::right;
   }
+
+  template <class N>
+  static N height_at(const BumpGeometry<N>& g, const N& x) {
+    return height(face(g, x), g, x);
+  }
 };
 
 struct ThreePolygons {
@@ -32,6 +37,11 @@ struct ThreePolygons {
   static Facet face(const BumpGeometry<N>& g, const N& x) {
     if (N(2.0) * size_of(x) <= g.w_prime) return Facet::top;
     return x < N(0.0) ? Facet::left : Facet::right;
+  }
+
+  template <class N>
+  static N height_at(const BumpGeometry<N>& g, const N& x) {
+    return height(face(g, x), g, x);
   }
 };
 

@@ -7,6 +7,10 @@
 namespace forceshade::reference {
 
 struct Wall {
+  using Surface = LevelSurface;
+  static constexpr bool kIsShaded = false;
+  static constexpr const char* kPotential = kPlanePotential;
+
   template <class N>
   static Facet facet(const BumpGeometry<N>&, const N&, const N& z) {
     return z < N(0.0) ? Facet::plane : Facet::none;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// From a law's id to its formulas.
+// The one list of the laws on this side.
 
 #include "forceshade/reference/laws/bump_1p.h"
 #include "forceshade/reference/laws/bump_1p_shaded.h"

@@ -33,34 +33,24 @@ void declare_gap(const fast::LinearGap& gap) {
   declare_tail(gap.slope.head, gap.slope.tail);
 }
 
-// What stands for a number that it is not: the rest of each law's constants is exact.
-void declare_constants(const fast::Wall&) {}
-void declare_constants(const fast::Cylinder& law) {
-  declare_tail(law.d.head, law.d.tail);
-  declare_tail(2 * law.d.head, 2 * law.d.tail);
+void declare_distance(const fast::Split& d) {
+  declare_tail(d.head, d.tail);
+  declare_tail(2 * d.head, 2 * d.tail);
 }
-void declare_constants(const fast::Bump2p& law) {
-  declare_gap(law.gap);
-  declare_rounded(law.K_sine);
-  declare_rounded(law.K_cosine);
-}
-void declare_constants(const fast::Bump3p& law) {
-  declare_gap(law.gap.top);
-  declare_gap(law.gap.side);
-  declare_rounded(law.K_sine);
-  declare_rounded(law.K_cosine);
-}
-void declare_constants(const fast::Bump1pShaded& law) {
-  declare_rounded(law.shading.K_over_R);
-}
-void declare_constants(const fast::Bump2pShaded& law) {
-  declare_gap(law.gap);
-  declare_rounded(law.shading.K_over_R);
-}
-void declare_constants(const fast::Bump3pShaded& law) {
-  declare_gap(law.gap.top);
-  declare_gap(law.gap.side);
-  declare_rounded(law.shading.K_over_R);
+
+// What stands for a number that it is not, by the names that the laws have for their constants; the rest is exact.
+template <class Definition>
+void declare_constants(const Definition& law) {
+  if constexpr (requires { law.d; }) declare_distance(law.d);
+  if constexpr (requires { law.gap.top; }) {
+    declare_gap(law.gap.top);
+    declare_gap(law.gap.side);
+  } else if constexpr (requires { law.gap; }) {
+    declare_gap(law.gap);
+  }
+  if constexpr (requires { law.K_sine; }) declare_rounded(law.K_sine);
+  if constexpr (requires { law.K_cosine; }) declare_rounded(law.K_cosine);
+  if constexpr (requires { law.shading; }) declare_rounded(law.shading.K_over_R);
 }
 
 // A parameter set of the domain: any size of R, and bumps from almost flat to the half cylinder.
@@ -182,41 +172,32 @@ template <class Definition>
 void accepts_its_constant_and_refuses_half_of_it() {
   const DoubleWithError all = track_many<Definition>();
   EXPECT_LE(all.worst, Definition::kErrorBound);
-  EXPECT_GT(all.worst, 0.5 * Definition::kErrorBound) << "half the constant would pass";
+  if (Definition::kErrorBound > 0) {
+    EXPECT_GT(all.worst, 0.5 * Definition::kErrorBound) << "half the constant would pass";
+  }
 }
 
-TEST(bounds, wall_has_no_error) {
-  EXPECT_EQ(track_many<fast::Wall>().worst, 0);
+// f<Definition>() for each law of the list.
+template <class... Definition, class F>
+void for_each_law(fast::LawList<Definition...>, const F& f) {
+  std::size_t i = 0;
+  const auto one = [&]<class D>() {
+    std::printf("%s\n", kLaws[i].name.data());
+    SCOPED_TRACE(kLaws[i++].name);
+    f.template operator()<D>();
+  };
+  (one.template operator()<Definition>(), ...);
 }
-TEST(bounds, bump_1p_has_no_error) {
-  EXPECT_EQ(track_many<fast::Bump1p>().worst, 0);
-}
-TEST(bounds, cylinder_accepts_its_constant_and_refuses_half_of_it) {
-  accepts_its_constant_and_refuses_half_of_it<fast::Cylinder>();
-}
-TEST(bounds, bump_cylinder_accepts_its_constant_and_refuses_half_of_it) {
-  accepts_its_constant_and_refuses_half_of_it<fast::BumpCylinder>();
-}
-TEST(bounds, bump_2p_accepts_its_constant_and_refuses_half_of_it) {
-  accepts_its_constant_and_refuses_half_of_it<fast::Bump2p>();
-}
-TEST(bounds, bump_3p_accepts_its_constant_and_refuses_half_of_it) {
-  accepts_its_constant_and_refuses_half_of_it<fast::Bump3p>();
-}
-TEST(bounds, bump_1p_shaded_accepts_its_constant_and_refuses_half_of_it) {
-  accepts_its_constant_and_refuses_half_of_it<fast::Bump1pShaded>();
-}
-TEST(bounds, bump_2p_shaded_accepts_its_constant_and_refuses_half_of_it) {
-  accepts_its_constant_and_refuses_half_of_it<fast::Bump2pShaded>();
-}
-TEST(bounds, bump_3p_shaded_accepts_its_constant_and_refuses_half_of_it) {
-  accepts_its_constant_and_refuses_half_of_it<fast::Bump3pShaded>();
+
+TEST(bounds, of_each_law_accept_its_constant_and_refuse_half_of_it) {
+  for_each_law(fast::Laws{}, []<class Definition>() { accepts_its_constant_and_refuses_half_of_it<Definition>(); });
 }
 
 // docs/proofs.md, "The last stage": a component that is not on a rounding boundary is 2^-separation away from it at least. The
 // enclosures of the last stage must be finer by the four bits that subtracting a boundary and asking for the sign can take.
 template <class Definition>
-void last_stage_sees_past(int separation, int count) {
+void last_stage_sees_past_its_separation() {
+  constexpr int separation = Definition::kSeparation, count = separation > 2000 ? 50 : 100;  // the finest are slow
   using N = fast::BigFloatBall<Definition::kWideLimbs>;
   std::mt19937_64 random(3);
   std::int64_t worst = std::numeric_limits<std::int64_t>::min();
@@ -240,15 +221,7 @@ void last_stage_sees_past(int separation, int count) {
 }
 
 TEST(bounds, last_stage_sees_past_the_separation_of_each_law) {
-  last_stage_sees_past<fast::Wall>(150, 100);
-  last_stage_sees_past<fast::Bump1p>(150, 100);
-  last_stage_sees_past<fast::Cylinder>(946, 100);
-  last_stage_sees_past<fast::BumpCylinder>(949, 100);
-  last_stage_sees_past<fast::Bump2p>(1063, 100);
-  last_stage_sees_past<fast::Bump3p>(2102, 50);
-  last_stage_sees_past<fast::Bump1pShaded>(406, 100);
-  last_stage_sees_past<fast::Bump2pShaded>(1031, 100);
-  last_stage_sees_past<fast::Bump3pShaded>(3729, 50);
+  for_each_law(fast::Laws{}, []<class Definition>() { last_stage_sees_past_its_separation<Definition>(); });
 }
 
 // The hypothesis of the proofs on the constants: the running bound of double-double says so itself for each bump built here.

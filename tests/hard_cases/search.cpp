@@ -93,18 +93,10 @@ void search(Hardest& hardest, LawId id, std::uint64_t tries) {
   search_beside_ties<Definition>(hardest, tries, random);
 }
 
-void search(Hardest& hardest, LawId id, std::uint64_t tries) {
-  switch (id) {
-    case LawId::wall: return search<fast::Wall>(hardest, id, tries);
-    case LawId::cylinder: return search<fast::Cylinder>(hardest, id, tries);
-    case LawId::bump_cylinder: return search<fast::BumpCylinder>(hardest, id, tries);
-    case LawId::bump_1p: return search<fast::Bump1p>(hardest, id, tries);
-    case LawId::bump_2p: return search<fast::Bump2p>(hardest, id, tries);
-    case LawId::bump_3p: return search<fast::Bump3p>(hardest, id, tries);
-    case LawId::bump_1p_shaded: return search<fast::Bump1pShaded>(hardest, id, tries);
-    case LawId::bump_2p_shaded: return search<fast::Bump2pShaded>(hardest, id, tries);
-    case LawId::bump_3p_shaded: return search<fast::Bump3pShaded>(hardest, id, tries);
-  }
+template <class... Definition>
+void search(Hardest& hardest, LawId id, std::uint64_t tries, fast::LawList<Definition...>) {
+  std::size_t i = 0;  // the list is in the order of the ids
+  ((kLaws[i++].id == id ? search<Definition>(hardest, id, tries) : void()), ...);
 }
 
 void print(LawId id, const Hardest& hardest) {
@@ -138,6 +130,6 @@ int main(int argc, char** argv) {
   }
   const bool is_a_product = id == LawId::wall || id == LawId::bump_1p;  // two kinds of cases only
   tests::Hardest hardest(is_a_product ? 6 : 2);
-  tests::search(hardest, *id, argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 10'000'000);
+  tests::search(hardest, *id, argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 10'000'000, fast::Laws{});
   tests::print(*id, hardest);
 }
