@@ -203,7 +203,7 @@ HeightMapField::HeightMapField(std::vector<Part> parts, std::vector<Part> surfac
 }
 
 std::variant<HeightMapField, ParameterError> HeightMapField::build(const HeightMap& map, Rendering rendering, float stiffness) {
-  if (const char* fault = height_arithmetic_fault()) return ParameterError{fault, "", 1, 0, 0};
+  if (const char* fault = height_arithmetic_fault()) return ParameterError{"arithmetic", "", 0, 0, 0, fault};
   if (const auto error = first_error(map, rendering, stiffness)) return *error;
   constexpr std::size_t kRoom = Fraction::kMostBits;
   if (const std::size_t bits = bits_of_exact_numbers(map); bits > kRoom)

@@ -61,7 +61,7 @@ std::optional<Law> Law::built(LawId id, const Parameters& p, LawList<Definition.
 }
 
 std::variant<Law, ParameterError> Law::build(LawId id, const Parameters& p) noexcept {
-  if (const char* fault = arithmetic_fault()) return ParameterError{fault, "", 1, 0, 0};
+  if (const char* fault = arithmetic_fault()) return ParameterError{"arithmetic", "", 0, 0, 0, fault};
   if (const auto error = first_error(id, p)) return *error;
   if (const auto law = built(id, p, Laws())) return *law;
   return ParameterError{"law", "", static_cast<float>(static_cast<int>(id)), 0, static_cast<float>(kLaws.size() - 1)};

@@ -24,7 +24,7 @@ struct BatchResult {
 class Law {
  public:
   // R in [0.1, 1e4] mm, w in [1e-3, 2R] mm, K in [1e-3, 1e3] N/mm; the wall reads K alone.
-  // Under an arithmetic_fault() nothing is built: the error names it as a parameter that should be 0 and is 1.
+  // Under an arithmetic_fault() nothing is built: the error states the fault.
   static std::variant<Law, ParameterError> build(LawId id, const Parameters& parameters) noexcept;
 
   LawId id() const noexcept { return id_; }

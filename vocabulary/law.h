@@ -61,16 +61,19 @@ struct Parameters {
   friend bool operator==(const Parameters&, const Parameters&) = default;
 };
 
-// A parameter outside its domain, or another reason to build nothing: `value` is not in [low, high].
+// Why nothing was built: a parameter whose value is not in [low, high], or the arithmetic of this build or thread.
 struct ParameterError {
-  const char* parameter;  // "radius", "width" or "stiffness"; "law"; what fast::arithmetic_fault() found
+  const char* parameter;  // "radius", "width" or "stiffness"; "law"; "arithmetic", whose fault has no value
   const char* unit;       // "mm", "N/mm" or ""
   float value;
   float low;
   float high;
+  const char* arithmetic_fault = nullptr;  // what fast::arithmetic_fault() found; null where a parameter is at fault
 
-  // For people: the parameter, its value and the range. Allocates; not for the real-time path.
+  // For people: the parameter, its value and the range, or the fault. Allocates; not for the real-time path.
   std::string message() const {
+    if (arithmetic_fault != nullptr)
+      return std::string("found ") + arithmetic_fault + "; expected the arithmetic of IEEE 754, rounded to nearest";
     // The shortest that reads back as the same number, without an exponent where a person would write none.
     const auto shortest = [](float number) {
       const bool is_plain = number == 0 || (number >= 1e-5F && number < 1e9F) || (number <= -1e-5F && number > -1e9F);

@@ -133,12 +133,8 @@ Outcome tried(const Death& death, Moment phase) {
                                                   "--uncertified", "--seconds", seconds, "--record", "run.fsr"})
                             : started(directory, {FORCESHADE_MORTAL, death.way, seconds});
   Outcome outcome;
-  const auto happened = [] {
-    const auto seen = stand_in_hd::seen();
-    return seen.killed ? seen.killed : seen.crashed;
-  };
   std::optional<std::string> end;
-  comes_true_within(10s, [&] { return (end = ended(program, 1ms)).has_value() || happened(); });
+  comes_true_within(10s, [&] { return (end = ended(program, 1ms)).has_value() || stand_in_hd::struck(); });
   // Long enough for the program to end in order, for a driver that is alive to let go, and for a run that goes on to go on.
   if (!end) end = ended(program, 4s);
   if (!end) {
@@ -151,7 +147,7 @@ Outcome tried(const Death& death, Moment phase) {
   }
   const auto arm = stand_in_hd::arm();
   comes_true_within(4s, [&] { return is_gone(arm.pid); });
-  const auto moment = happened();
+  const auto moment = stand_in_hd::struck();
   outcome.took_effect = moment.has_value();
   outcome.force = stand_in_hd::arm().force.norm();
   outcome.driver_is_left = !is_gone(arm.pid);

@@ -78,6 +78,12 @@ Seen seen() {
   return seen;
 }
 
+std::optional<Clock::time_point> struck() {
+  Memory& m = memory();
+  const Lock lock(m);
+  return m.noted.killed != Memory::Time{} ? known(m.noted.killed) : known(m.noted.crashed);
+}
+
 Arm arm() {
   Memory& m = memory();
   const Lock lock(m);

@@ -80,7 +80,8 @@ Lock::~Lock() {
 
 bool lives(pid_t process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  std::string text;
+  std::getline(file, text, '\0');                // empty where the process ended after the file was opened
   const std::size_t name_end = text.rfind(')');  // the state follows the name, which may have any character
   if (name_end == std::string::npos || name_end + 2 >= text.size()) return false;
   const char state = text[name_end + 2];

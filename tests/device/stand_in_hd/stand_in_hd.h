@@ -53,7 +53,10 @@ struct Seen {
 // STAND_IN_HD_MEMORY, for processes that are started from then on. What is to happen once may happen again after tell().
 void reset();
 void tell(const Orders& orders);
+// Copies every frame while the driver waits: for the end of a run, not to poll.
 Seen seen();
+// The moment of the signal or crash that was ordered; nothing before it.
+std::optional<Clock::time_point> struck();
 Arm arm();
 
 }  // namespace forceshade::stand_in_hd
