@@ -17,7 +17,11 @@ namespace {
 
 using namespace forceshade::deaths;
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr std::size_t kAtOnce = 1;  // a run alone keeps one of two processors busy
+#else
 constexpr std::size_t kAtOnce = 12;
+#endif
 constexpr int kTries = 6;  // on a busy machine the supervisor may end a run before its moment comes
 
 bool is_as_expected(const Death& death, Moment phase, const Outcome& outcome) {
