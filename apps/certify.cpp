@@ -19,7 +19,7 @@
 #include "forceshade/apps/part_times.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/apps/subject_option.h"
-#include "forceshade/certificate/plain_text.h"
+#include "forceshade/csv/printable.h"
 #include "forceshade/report/thesis.h"
 
 namespace forceshade::apps {
@@ -59,11 +59,6 @@ void print(const std::string& name, const properties::Findings& law) {
 
 constexpr const char* kPoints = "points";
 
-// As a certificate calls it.
-std::string plain(std::string_view subject) {
-  return properties::made_plain(std::string(subject));
-}
-
 // One case for the points of a subject, with those of other parameters, and one for each property.
 std::string junit_of(const properties::Certificate& certificate, const PartTimes& times) {
   std::vector<JunitCase> cases;
@@ -99,11 +94,13 @@ int run_points(const CertifyOptions& options, properties::CertifyOptions what, c
   what.seed = options.seed;
   what.threads = options.threads;
   PartTimes times;
-  what.on_case = [&](std::string_view subject, const std::string& property, double) { times.add(plain(subject), property); };
+  what.on_case = [&](std::string_view subject, const std::string& property, double) {
+    times.add(csv::printable(subject), property);
+  };
   const auto certificate = properties::certify(
       what,
       [&](std::string_view name, double done) {
-        times.add(plain(name), kPoints);
+        times.add(csv::printable(name), kPoints);
         if (terminal) draw_progress(name, done);
       },
       interrupted());

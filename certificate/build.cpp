@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "build_options.h"  // made by CMake when it configures
-#include "forceshade/certificate/plain_text.h"
+#include "forceshade/csv/printable.h"
 #include "forceshade/fast/instruction_set.h"
 #include "forceshade/fast/law.h"
 #include "revision.h"  // made by cmake/revision.cmake at every build
@@ -25,7 +25,7 @@ std::string processor_name() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);)
     if (const std::size_t colon = line.find(": "); line.starts_with("model name") && colon != std::string::npos)
-      return made_plain(line.substr(colon + 2));
+      return csv::printable(line.substr(colon + 2));
   return "unknown";
 }
 

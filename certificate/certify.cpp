@@ -9,7 +9,7 @@
 #include "forceshade/certificate/compare.h"
 #include "forceshade/certificate/evidence.h"
 #include "forceshade/certificate/in_parallel.h"
-#include "forceshade/certificate/plain_text.h"
+#include "forceshade/csv/printable.h"
 #include "forceshade/fast/law.h"
 #include "forceshade/properties/run.h"
 #include "forceshade/reference/height_energy.h"
@@ -91,7 +91,7 @@ void add_energies(const Subject& subject, const reference::Watch& watch, Finding
 SubjectResult checked(const Subject& subject, const Run& run, const Done& done) {
   const CertifyOptions& options = run.options;
   SubjectResult result{run.at_points(subject, first_part(done)), subject.identity(), subject.parts()};
-  result.identity.name = made_plain(result.identity.name);
+  result.identity.name = csv::printable(result.identity.name);
   result.spread = run.spread(subject, second_part(done));
   if (run.stop) return result;
   for (PropertyResult& property :

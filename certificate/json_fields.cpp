@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "forceshade/certificate/plain_text.h"
+#include "forceshade/csv/printable.h"
 
 namespace forceshade::properties {
 namespace {
@@ -35,7 +35,7 @@ nlohmann::json json_from(std::string_view text) {
     return nlohmann::json::parse(text, check);
   } catch (const nlohmann::json::exception& error) {
     constexpr std::size_t kLongest = 200;  // it quotes what it could not read, however long that is
-    throw JsonError(std::string(error.what()).substr(0, kLongest));
+    throw JsonError(csv::printable(std::string_view(error.what()).substr(0, kLongest)));
   }
 }
 
@@ -92,7 +92,7 @@ bool Fields::flag(const char* key) {
 std::string Fields::plain_text(const std::string& key, const nlohmann::json& value, bool may_have_lines) const {
   if (!value.is_string()) refuse(key, value, "text");
   auto text = value.get<std::string>();
-  if (!is_plain(text, may_have_lines)) refuse(key, value, "text without control characters");
+  if (!csv::is_printable(text, may_have_lines)) refuse(key, value, "text without control characters");
   return text;
 }
 

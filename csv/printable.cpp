@@ -62,4 +62,13 @@ std::string printable(std::string_view text) {
   return result;
 }
 
+bool is_printable(std::string_view text, bool may_have_lines) {
+  if (!may_have_lines) return printable(text) == text;
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    if (!is_printable(text.substr(0, end))) return false;
+    text.remove_prefix(end + 1);
+  }
+  return is_printable(text);
+}
+
 }  // namespace forceshade::csv

@@ -16,4 +16,7 @@ std::size_t character_size(std::string_view text);
 // it is.
 std::string printable(std::string_view text);
 
+// Whether a terminal may show it as it is: what printable() does not change, but for line feeds where there may be some.
+bool is_printable(std::string_view text, bool may_have_lines = false);
+
 }  // namespace forceshade::csv

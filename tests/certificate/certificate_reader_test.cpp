@@ -10,7 +10,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "forceshade/certificate/plain_text.h"
+#include "forceshade/csv/printable.h"
 #include "forceshade/tests/certificate/made_certificate.h"
 #include "forceshade/tests/support/temporary_directory.h"
 
@@ -274,7 +274,7 @@ TEST(certificate_reader, ends_with_clear_words_on_hostile_text) {
     const std::string said = message(text);
     EXPECT_TRUE(said.starts_with("here.json: expected a forceshade certificate (schema 6): ")) << said;
     EXPECT_LT(said.size(), 400U) << said;
-    EXPECT_TRUE(is_plain(said)) << said;
+    EXPECT_TRUE(csv::is_printable(said)) << said;
   }
   EXPECT_NE(message(hostile[12]).find("17825792 bytes; expected at most 16777216"), std::string::npos) << message(hostile[12]);
   EXPECT_NE(message(hostile[11]).find("more than 16 levels"), std::string::npos) << message(hostile[11]);
@@ -330,20 +330,6 @@ TEST(certificate_reader, says_why_a_file_cannot_be_read) {
             directory.file("empty.json") + ": cannot be read: it is empty; expected a certificate");
   directory.write("some.json", "{}");
   EXPECT_EQ(read_certificate(directory.file("some.json")), "{}");
-}
-
-TEST(plain_text, has_no_character_that_a_terminal_obeys) {
-  for (const char* plain : {"", "hill.toml", "höhe", "\u00a0", "\u2028", "K = 3 N/mm"}) {
-    EXPECT_TRUE(is_plain(plain)) << plain;
-    EXPECT_EQ(made_plain(plain), plain);
-  }
-  for (const char* control : {"\n", "a\x1b[2J", "\x7f", "\x1f", "\u0080", "\u009b", "\xc2\x9f"}) {
-    EXPECT_FALSE(is_plain(control)) << control;
-    EXPECT_TRUE(is_plain(made_plain(control)));
-    EXPECT_NE(made_plain(control).find('?'), std::string::npos);
-  }
-  EXPECT_TRUE(is_plain("two\nlines", true));
-  EXPECT_FALSE(is_plain("two\tlines", true));
 }
 
 }  // namespace

@@ -324,6 +324,18 @@ TEST(printable, shows_what_would_command_a_terminal) {
 }
 
 // Whatever the bytes: no control character, none that only UTF-8 spells, and UTF-8 throughout.
+TEST(printable, is_what_a_terminal_may_show_as_it_is) {
+  for (const char* plain : {"", "hill.toml", "höhe", "\u00a0", "K = 3 N/mm"}) EXPECT_TRUE(is_printable(plain)) << plain;
+  for (const char* control : {"\n", "a\x1b[2J", "\x7f", "\x1f", "\u0080", "\u009b", "\xc2\x9f", "\u2028", "\xFF"}) {
+    EXPECT_FALSE(is_printable(control)) << printable(control);
+    EXPECT_TRUE(is_printable(printable(control)));
+  }
+  EXPECT_TRUE(is_printable("two\nlines\n", true));
+  EXPECT_TRUE(is_printable("", true));
+  EXPECT_FALSE(is_printable("two\nli\tnes", true));
+  EXPECT_FALSE(is_printable("two\nlines\x1b", true));
+}
+
 TEST(printable, of_any_bytes_is_safe) {
   std::mt19937 random(21);
   for (int i = 0; i < 20000; ++i) {
