@@ -633,7 +633,7 @@ def check(directory, only):
 
 # ---------------------------------------------------------------- the meshes
 
-Scene = namedtuple('Scene', 'name vertices triangles sides crease size hot ticks')  # size: mm, of a typical stroke; hot: [(point, mm)]
+Scene = namedtuple('Scene', 'name vertices triangles sides crease size hot ticks')  # size: mm, of a typical stroke; hot: [(point, mm, from where)]
 
 
 def dyadic(x, bits=10):
@@ -684,7 +684,7 @@ def scenes():
     yield one('folded_sheet', sheet(6, 3, lambda i, j: (2 * i - 6, 2.5 * j - 4 + 0.25 * (i % 2), 1.5 * abs(i - 3) + 0.125 * j)),
               'both', 180, 3, [((0, 1, 0.25), 2**-10)])
     yield one('hairpin', sheet(4, 4, lambda i, j: (3 * abs(i - 2) - 4 + 0.5 * (j % 2), 2 * j - 4, (i > 2) * 2.0**-8)),
-              'both', 60, 2, [((0, 0, 2.0**-9), 2**-6), ((-4, 1, 0), 2**-7)])
+              'both', 60, 2, [((0, 0, 2.0**-9), 2**-6, (20, 0, 2.0**-9)), ((-4, 1, 0), 2**-7), ((-3.5, 0, 2.0**-10), 2**-8, (20, 0, 2.0**-9))])
     ring = [(6 * x, 6 * y, 2.5 * (-1)**i) for i, (x, y) in enumerate(turned(i, 8) for i in range(8))]
     outer = [(10 * x, 10 * y, 4.5 * (-1)**i) for i, (x, y) in enumerate(turned(i, 8) for i in range(8))]
     triangles = [(0, 1 + i, 1 + (i + 1) % 8) for i in range(8)]
@@ -700,11 +700,12 @@ def scenes():
     # The rows are shifted against each other, so that the grid points of neighbouring rows of a triangle's grid are not opposite.
     yield one('slivers', sheet(2, 12, lambda i, j: (700 * (i - 1) + 310 * (j % 2), (j - 6) / 64 + (i == 2) / 256, (j * j % 5) / 256)),
               'both', 40, 0.25, [((0, 0, 1 / 256), 2**-6), ((175 / 256, 2.0**-18, 1 / 256), 2**-16),
-                                 ((-175 / 512, 0, 1 / 256), 2**-17), ((-175 / 1024, 0, 1 / 256), 2**-19)])
+                                 ((175 / 256, 2.0**-18, 1 / 256), 2**-19), ((-175 / 512, 0, 1 / 256), 2**-17)], 420)
     gap = 2.0**-24
     yield one('near_parts', ([(0, -8, -8), (0, 8, -8), (0, 0, 9), (-9, 0, 0), (gap, 7, -6), (gap, -6.5, -7), (2 * gap, 0.5, 8), (9, 0, 0)],
                              [(0, 1, 2), (1, 0, 3), (2, 1, 3), (0, 2, 3), (4, 5, 6), (5, 4, 7), (6, 5, 7), (4, 6, 7)]),
-              'front', 60, 3, [((gap, 0.25, 0.125), 2**-22), ((gap, 0.25, -6.5), 2**-22), ((0, 0, 0), 2**-21), ((0, 0, 0), 2**-4)])
+              'front', 60, 3, [((gap / 2, 0.25, 0.125), 2**-22, (gap / 2, 20, 0.125)), ((gap / 2, 0.25, -6.5), 2**-22, (gap / 2, 0.25, -20)),
+                               ((0, 0, 0), 2**-4)], 420)
     circle = [turned(j, 6, 0.5) for j in range(6)]
     torus = [(x * (6 + 2.5 * c), y * (6 + 2.5 * c), 2.5 * s) for x, y in (turned(i, 8) for i in range(8)) for c, s in circle]
     triangles = []
@@ -752,8 +753,8 @@ def bounded(position):
 class Paths:
     """Pieces of paths over one mesh. Only sums, products, quotients and square roots, so the same on every machine."""
 
-    def __init__(self, scene):
-        self.scene, self.draw = scene, Draw(f'forceshade god-object {scene.name}')
+    def __init__(self, scene, mesh):
+        self.mesh, self.scene, self.draw = mesh, scene, Draw(f'forceshade god-object {scene.name}')
         self.last = (0.0, 0.0, 0.0)
 
     def number(self, most):
@@ -842,15 +843,36 @@ class Paths:
             yield position
 
     def hot(self):
-        """Close to a place where something is narrow."""
-        point, reach = self.draw.pick(self.scene.hot)
-        for _ in range(12):
+        """Close to a place where something is narrow, which may have to be entered from the right side."""
+        point, reach, *entry = self.draw.pick(self.scene.hot)
+        if entry and self.draw.random() < 0.6:
+            yield from (*entry, point)
+        if self.draw.random() < 0.7:  # creep around a place beside it
+            point = plus(point, tuple(self.number(reach) for _ in range(3)))
+            reach *= self.draw.pick((0.5, 0.125, 0.03, 0.03))
+        for _ in range(15):
             kept = int(4 * self.draw.random())
             yield tuple(c if k == kept else c + self.number(reach) for k, c in enumerate(point))
 
+    def refusal(self):
+        """Tries until a move near a narrow place is refused because of the grid; gives up where that is rare."""
+        point, reach, *entry = self.draw.pick(self.scene.hot)
+        for _ in range(150):
+            found = [*entry, point]
+            found += [tuple(c + self.number(reach) for c in point) for _ in range(2)]
+            state, before = (None, 'front', None), Counter(self.mesh.reached)
+            for position in found:
+                state = self.mesh.tick(state, in_units(bounded(position)))[0]
+            news = self.mesh.reached - before
+            self.mesh.reached.clear()
+            self.mesh.reached.update(before)
+            if news['refused flights'] + news['refused slides']:
+                yield from found
+                return
+
     def positions(self):
         pieces = [*[self.stroke] * 3, *[self.walk] * 2, *[self.along_axis] * 2, self.jumps, self.on_it, self.next_door]
-        pieces += [self.hot] * 3 if self.scene.hot else []
+        pieces += [*[self.hot] * 4, *[self.refusal] * 4] if self.scene.hot else []
         start = self.above(self.scene.size)
         count = 0
         for piece in self.pieces_in_turn(pieces, start):
@@ -867,9 +889,9 @@ class Paths:
                         return
 
     def pieces_in_turn(self, pieces, start):
-        yield [start]
         if self.scene.name == 'ribbon':  # so far along it that the moves of one tick do not suffice
             yield [(-34.25, 0.25, -33.0), (-34.25, 0.25, -37.5), *[(34.25, 0.25, -37.0)] * 3]
+        yield [start]
         while True:
             yield self.draw.pick(pieces)()
 
@@ -895,7 +917,7 @@ def main(directory):
         assert_is_mesh(mesh)
         normals = corner_normals(mesh, scene.crease)
         mesh.corner_normals = [[tuple(map(Fraction, n)) for n in corners] for corners in normals]
-        rows = list(follow(mesh, Paths(scene).positions()))
+        rows = list(follow(mesh, Paths(scene, mesh).positions()))
         lines = ['OFF', f'{len(scene.vertices)} {len(scene.triangles)} 0']
         lines += [' '.join(map(shortest, v)) for v in scene.vertices]
         lines += [' '.join(map(str, (3, *t))) for t in scene.triangles]
