@@ -2,12 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks paths of a god-object against what docs/meshes.md promises, tick by tick, without computing a path.
 
-Usage: check_god_object.py [directory] [mesh ...]     (the default is god_object/ beside this file; exits with 1 if a tick is wrong)
+Usage: check_god_object.py [--single-moves] [directory] [mesh ...]
+       (the default is god_object/ beside this file; --single-moves: a tick has at most one move; exits with 1 if a tick is wrong)
 
-It shares no code with make_god_object_golden.py. It reads the rows alone, and so cannot see the moves inside of a tick. Per tick:
+It shares no code with make_god_object_golden.py. It reads the rows alone, and so cannot see the moves inside of a tick; for this
+the other program writes the same paths as ticks of one move. Per tick:
   - the state is well formed: indices, parameters in range, front at a rim, unchanged where the position is invalid;
   - a tick of one move that begins or ends free is one straight segment: it crosses no triangle from a side that is blocked;
-    a tick of one move on the surface stays in one triangle; a tick without a move changes nothing;
+    where it lands, it was stopped, and is on the side that it came from; a tick of one move along the surface is the steepest
+    slide and ends where this meets the border, or inside; a tick without a move changes nothing;
   - on a closed mesh also after several moves: the god-object is not behind the surface when it was in front (and with `both` not
     in front when it was behind);
   - the force is the binary32 nearest to K (r - p), where r is the nearest point to p on the plane or line of the state's triangle
@@ -295,15 +298,22 @@ def is_minimum(surface, corners, u):
     return True
 
 
-def way_to_border(surface, state, u):
-    """The square of (length of the steepest slide to a border) x (its gain per length); None if nothing leads towards u."""
+class Slide:
+    """A way along the surface: the square of its gain u·v, the corners of its triangle or edge, where it meets their border, the
+    square of its length up to there, and whether the point nearest to p lies strictly before."""
+
+    def __init__(self, gain_squared, corners, border, length_squared, is_short):
+        self.gain_squared, self.corners, self.border = gain_squared, corners, border
+        self.length_squared, self.is_short = length_squared, is_short
+
+
+def steepest_slides(surface, state, u):
+    """The slides with the largest gain, of which there are several where two are equal; none where nothing leads towards u."""
     found = []
     for f in surface.faces_at(state.corners):
         face, n = surface.faces[f], surface.normal[f]
         nn = dot(n, n)
         projection = [c * nn - dot(n, u) * m for c, m in zip(u, n)]  # times n·n
-        if not any(projection):
-            continue
         end = None
         for k in range(3):
             a, b = surface.points[face[k]], surface.points[face[k - 2]]
@@ -315,21 +325,24 @@ def way_to_border(surface, state, u):
             if change < 0:
                 reached = Q(height, -change)
                 end = reached if end is None else min(end, reached)
-        else:
-            length_squared, gain_squared = dot(projection, projection), Q(dot(projection, projection), nn * nn)
-            found.append((gain_squared, end * end * length_squared * gain_squared))
+        if end is not None:
+            size = dot(projection, projection)
+            border = [a + end * c for a, c in zip(state.point, projection)]
+            found.append(Slide(Q(size, nn * nn), frozenset(face), border, end * end * size, end * nn > 1))
     for v in {v for f in surface.faces_at(state.corners) for v in surface.faces[f]} if len(state.corners) < 3 else ():
-        if len(state.corners) == 1 and v in state.corners or len(state.corners) == 2 and v not in state.corners:
+        if (len(state.corners) == 1) == (v in state.corners):
             continue
         way = sub(surface.points[v], state.point)
-        if dot(way, u) > 0:
-            found.append((Q(dot(way, u)**2, dot(way, way)), Q(dot(way, u)**2)))
-    return max(found)[1] if found else None
+        reach, size = dot(way, u), dot(way, way)
+        if reach > 0:
+            found.append(Slide(Q(reach**2, size), state.corners | {v}, surface.points[v], size, reach < size))
+    most = max((slide.gain_squared for slide in found), default=None)
+    return [slide for slide in found if slide.gain_squared == most]
 
 
 class Checker:
-    def __init__(self, surface, stiffness):
-        self.surface, self.stiffness, self.count = surface, stiffness, Counter()
+    def __init__(self, surface, stiffness, most_moves):
+        self.surface, self.stiffness, self.most_moves, self.count = surface, stiffness, most_moves, Counter()
         self.is_closed = not surface.rim
         self.was_behind = None
 
@@ -346,7 +359,7 @@ class Checker:
             return before
         after = State(surface, row[4], row[5], p)
         assert status == ('free' if after.corners is None else 'unfinished' if status == 'unfinished' else 'touching'), 'status'
-        assert 0 <= moves <= 256 and (status != 'unfinished' or moves == 256), 'moves'
+        assert 0 <= moves <= self.most_moves and (status != 'unfinished' or moves == self.most_moves), 'moves'
         self.motion(before, after, p, moves)
         self.parity(after, p)
         if after.corners is None:
@@ -377,28 +390,44 @@ class Checker:
             count['ticks of several moves'] += 1
             return
         u = sub(p, before.point)
-        if before.corners is not None and after.corners is not None:
-            shares = any(before.corners | after.corners <= set(face) for face in surface.faces)
-            is_own = surface.side(before.corners, u) in ('open', before.side)
-            assert shares or is_own, 'one slide, but not in one triangle'
-            count['single slides' if shares else 'single flights from the surface'] += 1
-            return
         if before.corners is not None:
             where = surface.side(before.corners, u)
-            assert where in ('open', before.side), 'it leaves the surface through it'
-        blocking = [(h, corners) for h, corners in surface.meets(before.point, p) if surface.blocks(corners, u)]
+            if where not in ('open', before.side):
+                self.slide(before, after, u)
+                return
+        met = surface.meets(before.point, p)
+        blocking = [(h, corners) for h, corners in met if surface.blocks(corners, u)]
         if after.corners is None:
             assert not blocking, 'a segment crosses the surface from a blocked side'
             count['free segments'] += 1
             return
-        # It ends at the first blocking place, rounded, or at p.
-        h, corners = blocking[0] if blocking else (Q(1), None)
+        # It ends at the first blocking place, rounded, or at p. A landing is rounded to a corner of its grid triangle; at p both
+        # parameters are rounded, and may have to be kept inside.
+        h, corners = (blocking or met[-1:])[0]
+        assert blocking or h == 1, 'it ends on the surface without being stopped'
         place = [a + h * c for a, c in zip(before.point, u)]
         apart = sub(place, after.point)
-        # A landing is rounded to a corner of its grid triangle; at p both parameters are, and may have to be kept inside.
         assert dot(apart, apart) * STEPS**2 <= (4 if h == 1 else 1) * surface.longest_squared, 'it does not end where it lands'
-        assert corners is None or after.corners <= corners, 'it ends on another feature'
-        count['landings by one segment'] += 1
+        if corners is not None:
+            assert after.corners <= corners, 'it ends on another feature'
+            is_front = not surface.both or surface.is_rim(after.corners) or surface.is_rim(corners)
+            assert after.side == ('front' if is_front else surface.side(corners, [-c for c in u])), 'the wrong side'
+        count['landings'] += 1
+
+    def slide(self, before, after, u):
+        surface = self.surface
+        assert after.corners is not None, 'it leaves the surface through it'
+        assert after.side == ('front' if surface.is_rim(after.corners) else before.side), 'the side changes in a slide'
+
+        def fits(way):
+            if way.is_short:
+                return after.corners == way.corners
+            apart = sub(way.border, after.point)
+            return after.corners <= way.corners and dot(apart, apart) * STEPS**2 <= surface.longest_squared
+        ways = steepest_slides(surface, before, u)
+        assert any(map(fits, ways)), 'not the steepest slide'
+        self.count['slides'] += 1
+        self.count['slides to a border'] += not any(way.is_short for way in ways)
 
     @staticmethod
     def beside(p):
@@ -462,8 +491,9 @@ class Checker:
             assert hits and hits[0][0]**2 * dot(u, u)**2 <= limit, 'it rests, but could fly'
             self.count['refused flights'] += 1
         else:
-            product_squared = way_to_border(surface, after, u)
-            assert product_squared is not None and product_squared <= limit, 'it rests, but could slide'
+            ways = steepest_slides(surface, after, u)
+            assert ways and all(not way.is_short and way.length_squared * way.gain_squared <= limit for way in ways), (
+                'it rests, but could slide')
             self.count['refused slides'] += 1
 
     def shading(self, D, whole, shaded):
@@ -490,9 +520,9 @@ def sides_of(directory):
     return re.findall(r'^\| `(\w+)` \| \d+ \| (front|both) \|', (directory / 'README.md').read_text(), re.M)
 
 
-def check_path(directory, name, sides):
+def check_path(directory, name, sides, most_moves):
     """The number of wrong ticks, of which the first are printed."""
-    checker = Checker(read_surface(directory / f'{name}.off', sides), Q(number('0.3')))
+    checker = Checker(read_surface(directory / f'{name}.off', sides), Q(number('0.3')), most_moves)
     rows = list(csv.reader(open(directory / f'{name}.csv')))[1:]
     wrong, before = 0, None
     for line, (last, row) in enumerate(pairwise([None, *rows]), 2):
@@ -512,11 +542,11 @@ def check_path(directory, name, sides):
     return wrong, checker.count
 
 
-def main(directory, names):
+def main(directory, names, most_moves):
     total, wrong = Counter(), 0
     for name, sides in sides_of(directory):
         if not names or name in names:
-            bad, count = check_path(directory, name, sides)
+            bad, count = check_path(directory, name, sides, most_moves)
             wrong += bad
             total += count
     print(f'all: {wrong} wrong;', ', '.join(f'{kind} {n}' for kind, n in sorted(total.items())))
@@ -524,4 +554,7 @@ def main(directory, names):
 
 
 if __name__ == '__main__':
-    sys.exit(main(Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parent / 'god_object', sys.argv[2:]))
+    words = sys.argv[1:]
+    single = '--single-moves' in words
+    words = [word for word in words if word != '--single-moves']
+    sys.exit(main(Path(words[0]) if words else Path(__file__).parent / 'god_object', words[1:], 1 if single else 256))

@@ -3,7 +3,11 @@
 """Writes god_object/: small meshes, paths on them, and what the god-object of docs/meshes.md does on these paths.
 
 Usage: make_god_object_golden.py [directory]       (the default is god_object/ beside this file; the output is always the same)
-       make_god_object_golden.py --check directory (computes every path in the directory again and compares every column)
+       make_god_object_golden.py --check directory [mesh ...]
+           computes every path in the directory again and compares every column
+       make_god_object_golden.py --single-moves directory output [mesh ...]
+           writes the directory's paths as ticks of one move each, with each position repeated until the god-object has followed,
+           so that check_god_object.py sees every move; each last row must be as in the directory, but for its number of moves
 
 All decisions are signs of integers or of rationals; there is no tree, no tolerance and no floating-point number in a result.
 The methods are chosen to differ from the formulas of docs/meshes.md:
@@ -30,7 +34,6 @@ from make_golden import Draw, single, step
 
 GRID = 1 << 24
 UNIT = 1 << 77
-MOST_MOVES = 256
 QUANTUM = Fraction(1, 1 << 30)
 K = Fraction(single(0.3))  # N/mm
 
@@ -368,6 +371,7 @@ class Mesh:
         return self.reduced(best[1], GRID)
 
     reached = Counter()
+    most_moves = 256  # a tick
 
     def tick(self, state, p):
         """state: (place or None, side, g). Returns (place or None, side, g), status, moves, the resting place in Fractions."""
@@ -396,7 +400,7 @@ class Mesh:
                 flies = where in ('open', side)
                 if not flies and reach <= 0:
                     return at_rest(place, as_fractions(place))
-            if moves == MOST_MOVES:
+            if moves == self.most_moves:
                 return (place, side, g), 'unfinished', moves, as_fractions(place)
             if flies:
                 x, new_side, is_at_p = self.flight(g, u)
@@ -478,6 +482,7 @@ def kept_on_grid(place):
     return (*place[:2], k - excess, l) if k >= l else (*place[:2], k, l - excess)
 
 
+TABLE = ['name', 'sides', 'crease_degrees', 'triangles', 'ticks']
 COLUMNS = 'x_mm,y_mm,z_mm,status,feature,side,moves,fx_N,fy_N,fz_N,sx_N,sy_N,sz_N'
 
 
@@ -600,24 +605,30 @@ def listed(directory):
     return {name: (sides, 180 if crease == 'none' else int(crease)) for name, sides, crease in rows}
 
 
+def read_path(directory, name, sides):
+    """The mesh with the file's own corner normals, and the rows of the path."""
+    vertices, triangles = read_off(directory / f'{name}.off')
+    mesh = Mesh(vertices, triangles, sides)
+    with open(directory / f'{name}.normals.csv', newline='') as file:
+        normals = list(csv.reader(file))[1:]
+    mesh.corner_normals = [[tuple(Fraction(from_text(c)) for c in row[2:]) for row in normals[3 * i:3 * i + 3]]
+                           for i in range(len(triangles))]
+    with open(directory / f'{name}.csv', newline='') as file:
+        header, *rows = csv.reader(file)
+    assert ','.join(header) == COLUMNS
+    return mesh, normals, rows
+
+
 def check(directory, only):
     """The number of differences; the first of each mesh are printed."""
     different = 0
     for name, (sides, crease) in listed(directory).items():
         if only and name not in only:
             continue
-        vertices, triangles = read_off(directory / f'{name}.off')
-        mesh = Mesh(vertices, triangles, sides)
-        with open(directory / f'{name}.normals.csv', newline='') as file:
-            given = list(csv.reader(file))[1:]
+        mesh, given, rows = read_path(directory, name, sides)
         normals = [[shortest(c) for c in corner] for triangle in corner_normals(mesh, crease) for corner in triangle]
         wrong = [f'{row}: computed {own}' for row, own in zip(given, normals) if row[2:] != own]
         wrong += [] if len(given) == len(normals) else ['the number of corner normals']
-        mesh.corner_normals = [[tuple(Fraction(from_text(c)) for c in row[2:]) for row in given[3 * i:3 * i + 3]]
-                               for i in range(len(triangles))]
-        with open(directory / f'{name}.csv', newline='') as file:
-            header, *rows = csv.reader(file)
-        assert ','.join(header) == COLUMNS
         path = follow(mesh, [tuple(map(from_text, row[:3])) for row in rows])
         for number, (row, own) in enumerate(zip(rows, path), 2):
             if row != own:
@@ -629,6 +640,36 @@ def check(directory, only):
     print(dict(Mesh.reached))
     return different
 
+
+def write_single_moves(directory, output, only):
+    Mesh.most_moves = 1
+    output.mkdir(exist_ok=True)
+    table = []
+    for name, (sides, crease) in listed(directory).items():
+        if only and name not in only:
+            continue
+        mesh, _, rows = read_path(directory, name, sides)
+        positions = [(tuple(map(from_text, row[:3])), row) for row in rows if row[3] != 'unfinished']
+        ticks, last = [], None
+
+        def repeated():
+            for position, row in positions:
+                yield position
+                while last[3] == 'unfinished':
+                    yield position
+                assert last[:6] + last[7:] == row[:6] + row[7:], f'{name}: {row} by single moves: {last}'
+        for last in follow(mesh, repeated()):
+            ticks.append(last)
+        write(output / f'{name}.csv', [COLUMNS.split(','), *ticks])
+        (output / f'{name}.off').write_text((directory / f'{name}.off').read_text())
+        table.append([name, sides, crease, len(mesh.triangles), len(ticks)])
+        print(f'{name}: {len(rows)} ticks, {len(ticks)} of one move')
+    write(output / 'meshes.csv', [TABLE, *table])
+
+
+def write(path, rows):
+    with open(path, 'w', newline='') as file:
+        csv.writer(file, lineterminator='\n').writerows(rows)
 
 
 # ---------------------------------------------------------------- the meshes
@@ -904,11 +945,6 @@ MUST_OCCUR = ['free', 'touching', 'unfinished', 'invalid', 'v front', 'v back', 
               'unshaded at a vertex', 'unshaded, N away from D']
 
 
-def write(path, rows):
-    with open(path, 'w', newline='') as file:
-        csv.writer(file, lineterminator='\n').writerows(rows)
-
-
 def main(directory):
     directory.mkdir(exist_ok=True)
     table = []
@@ -931,7 +967,7 @@ def main(directory):
         seen.update(f'{row[4][0]} {row[5]}' for row in rows if row[3] == 'touching')
         Mesh.reached.update(seen)
         print(f'{scene.name:13}', *(f'{kind} {seen[kind]:3}' for kind in MUST_OCCUR[:10]))
-    write(directory / 'meshes.csv', [['name', 'sides', 'crease_degrees', 'triangles', 'ticks'], *table])
+    write(directory / 'meshes.csv', [TABLE, *table])
     print(*(f'{kind}: {Mesh.reached[kind]}' for kind in MUST_OCCUR), sep='\n')
     assert all(Mesh.reached[kind] for kind in MUST_OCCUR)
 
@@ -939,4 +975,6 @@ def main(directory):
 if __name__ == '__main__':
     if sys.argv[1:2] == ['--check']:
         sys.exit(1 if check(Path(sys.argv[2]), sys.argv[3:]) else 0)
+    if sys.argv[1:2] == ['--single-moves']:
+        sys.exit(write_single_moves(Path(sys.argv[2]), Path(sys.argv[3]), sys.argv[4:]))
     main(Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parent / 'god_object')
