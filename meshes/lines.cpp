@@ -8,6 +8,8 @@
 namespace forceshade::mesh {
 namespace {
 
+constexpr std::size_t kBuffer = 2 * Lines::kLongest + 2;
+
 bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\r';
 }
@@ -34,7 +36,8 @@ std::uint64_t size_of(const std::filesystem::path& file) {
   return size;
 }
 
-Lines::Lines(const std::filesystem::path& file) : file_(file), in_(), buffer_(2 * kLongest + 2), file_size_(size_of(file)) {
+Lines::Lines(const std::filesystem::path& file)
+    : file_(file), in_(), buffer_(std::make_unique_for_overwrite<char[]>(kBuffer)), file_size_(size_of(file)) {
   in_.rdbuf()->pubsetbuf(nullptr, 0);  // this has a buffer of its own
   in_.open(file, std::ios::binary);
   if (!in_) throw Error(file, "cannot be opened");
@@ -42,10 +45,10 @@ Lines::Lines(const std::filesystem::path& file) : file_(file), in_(), buffer_(2 
 
 // Reads more behind what is there; false where nothing more comes.
 bool Lines::fill() {
-  std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
+  std::memmove(buffer_.get(), buffer_.get() + begin_, end_ - begin_);
   end_ -= begin_;
   begin_ = 0;
-  in_.read(buffer_.data() + end_, static_cast<std::streamsize>(buffer_.size() - end_));
+  in_.read(buffer_.get() + end_, static_cast<std::streamsize>(kBuffer - end_));
   if (in_.bad()) throw Error(file_, "cannot be read");
   const auto got = static_cast<std::size_t>(in_.gcount());
   end_ += got;
@@ -56,7 +59,7 @@ bool Lines::next() {
   ++number_;
   std::size_t searched = 0;  // how many bytes from begin_ hold no end of a line
   while (true) {
-    const char* const from = buffer_.data() + begin_;
+    const char* const from = buffer_.get() + begin_;
     const std::size_t size = end_ - begin_;
     const char* const feed = static_cast<const char*>(std::memchr(from + searched, '\n', size - searched));
     const std::size_t until = feed != nullptr ? static_cast<std::size_t>(feed - from) : size;
@@ -81,7 +84,7 @@ bool Lines::next() {
       --number_;
       return false;
     }
-    line_ = {buffer_.data() + begin_, length};
+    line_ = {buffer_.get() + begin_, length};
     begin_ += taken;
     position_ += taken;
     return true;
@@ -102,14 +105,14 @@ Error Lines::error(const std::string& reason) const {
 }
 
 Error Lines::unexpected(const std::string& expected, std::string_view word) const {
-  return error("expected " + expected + ", got " + (word.empty() ? "the end of the line" : quoted(word)));
+  return error("expected " + expected + ", got " + (word.empty() ? "the end of the line" : in_quotes(word)));
 }
 
 Error Lines::ended(const std::string& expected) const {
   return error("the file ends here; expected " + expected);
 }
 
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
   constexpr std::size_t kMost = 40;
   return '"' + std::string(word.substr(0, kMost)) + (word.size() > kMost ? "...\"" : "\"");
 }

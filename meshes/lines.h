@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "forceshade/meshes/load.h"
 
@@ -57,14 +57,14 @@ class Lines {
 
   std::filesystem::path file_;
   std::ifstream in_;
-  std::vector<char> buffer_;
+  std::unique_ptr<char[]> buffer_;
   std::size_t begin_ = 0, end_ = 0;  // of what was read and is in no line yet
   std::string_view line_;
   std::uint64_t number_ = 0, file_size_ = 0, position_ = 0;
 };
 
 // How a message shows a word of a file.
-std::string quoted(std::string_view word);
+std::string in_quotes(std::string_view word);
 
 // The size of a regular file. Throws Error.
 std::uint64_t size_of(const std::filesystem::path& file);

@@ -13,7 +13,8 @@ struct Format {
   std::string_view ending;
   LoadedMesh (*read)(const std::filesystem::path& file, Unit unit);
 };
-constexpr std::array kFormats{Format{".off", &read_off}};
+constexpr std::array kFormats{Format{".obj", &read_obj}, Format{".off", &read_off}, Format{".ply", &read_ply},
+                              Format{".stl", &read_stl}};
 
 }  // namespace
 
@@ -23,7 +24,7 @@ LoadedMesh load_with_corners(const std::filesystem::path& file, Unit unit) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   for (const Format& format : kFormats)
     if (format.ending == ending) return format.read(file, unit);
-  throw Error(file, "has a name of no known format; expected a name that ends in .off");
+  throw Error(file, "has a name of no known format; expected a name that ends in .obj, .off, .ply or .stl");
 }
 
 TriangleMesh load(const std::filesystem::path& file, Unit unit) {

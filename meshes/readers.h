@@ -6,13 +6,17 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "forceshade/meshes/lines.h"
 #include "forceshade/meshes/load.h"
 
 namespace forceshade::mesh {
 
+LoadedMesh read_obj(const std::filesystem::path& file, Unit unit);
 LoadedMesh read_off(const std::filesystem::path& file, Unit unit);
+LoadedMesh read_ply(const std::filesystem::path& file, Unit unit);
+LoadedMesh read_stl(const std::filesystem::path& file, Unit unit);
 
 // More of either no file may have, so that three times the number fits in 32 bits.
 inline constexpr std::uint64_t kMost = std::uint64_t{1} << 28;
@@ -55,6 +59,9 @@ float coordinate_of(const Lines& lines, std::string_view word, Unit unit);
 float component_of(const Lines& lines, std::string_view word);
 // Decimal digits alone. Nothing where the word is no number below 2^64.
 std::optional<std::uint64_t> whole_number(std::string_view word);
+
+// As many digits as distinguish the number from any other.
+std::string words_of(double number);
 
 // Throws Error where a file of so many bytes cannot hold the number of things, each of so many bytes at least, or where they
 // are more than kMost. `place` is "line 12: " or "byte 84: ".
