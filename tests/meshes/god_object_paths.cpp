@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "forceshade/csv/csv.h"
+#include "forceshade/meshes/load.h"
 
 namespace forceshade::tests {
 namespace {
@@ -79,37 +80,6 @@ mesh::GodObject read_state(const csv::Reader& rows, std::size_t feature, std::si
 
 }  // namespace
 
-mesh::TriangleMesh read_off(const std::string& path) {
-  std::ifstream in = csv::open_input(path);
-  std::string word;
-  std::size_t vertices = 0, triangles = 0, edges = 0;
-  in >> word >> vertices >> triangles >> edges;
-  if (!in || word != "OFF") throw std::runtime_error(path + ":1: expected OFF and three counts");
-  mesh::TriangleMesh mesh;
-  const auto fail = [&](const char* expected, std::size_t index) {
-    throw std::runtime_error(path + ": expected " + expected + " " + std::to_string(index));
-  };
-  for (std::size_t i = 0; i < vertices; ++i) {
-    mesh::Vertex vertex{};
-    for (float& coordinate : vertex) {
-      char* end = nullptr;
-      if (!(in >> word)) fail("vertex", i);
-      coordinate = std::strtof(word.c_str(), &end);
-      if (*end != '\0') fail("vertex", i);
-    }
-    mesh.vertices.push_back(vertex);
-  }
-  for (std::size_t i = 0; i < triangles; ++i) {
-    std::size_t corners = 0;
-    mesh::Triangle triangle{};
-    in >> corners >> triangle[0] >> triangle[1] >> triangle[2];
-    if (!in || corners != 3 || std::ranges::any_of(triangle, [&](std::uint32_t v) { return v >= vertices; }))
-      fail("a triangle of the vertices above, triangle", i);
-    mesh.triangles.push_back(triangle);
-  }
-  return mesh;
-}
-
 std::vector<std::string> god_object_paths_in(const std::string& folder) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -124,7 +94,7 @@ GodObjectPath read_god_object_path(const std::string& folder, const std::string&
   GodObjectPath path;
   path.name = name;
   const std::string stem = folder + "/" + name;
-  path.mesh = read_off(stem + ".off");
+  path.mesh = mesh::load(stem + ".off", mesh::Unit::mm);
   path.normals = read_normals(stem + ".normals.csv", path.mesh.triangles.size());
   path.sides = sides_of(name, path.mesh);
   std::ifstream in = csv::open_input(stem + ".csv");

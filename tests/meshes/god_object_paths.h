@@ -30,11 +30,8 @@ struct GodObjectPath {
 // The names of the paths in the folder, sorted: every NAME with a NAME.off and a NAME.csv.
 std::vector<std::string> god_object_paths_in(const std::string& folder);
 
-// Throws std::runtime_error, or csv::Error, with the file and the line of what it cannot read.
+// Throws std::runtime_error, mesh::Error or csv::Error, with the file and the line of what it cannot read.
 GodObjectPath read_god_object_path(const std::string& folder, const std::string& name);
-
-// The mesh of an OFF file with triangles alone, the vertices read straight to the nearest binary32.
-mesh::TriangleMesh read_off(const std::string& path);
 
 // As the column `feature` has it: "v i", "e i j m", "t i k l", or "-" where it is free or nowhere.
 std::string feature_text(const mesh::GodObject& state);
