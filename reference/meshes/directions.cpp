@@ -29,13 +29,18 @@ bool projection_is_inside(const Triangle& triangle, const Feature& feature, cons
 class Largest {
  public:
   void offer(const Feature& along, Fraction signed_square) {
-    if (best_ && signed_square <= best_->second) return;
+    const auto order = best_ ? signed_square <=> best_->second : std::strong_ordering::greater;
+    if (order == 0) is_tied_ = true;
+    if (order <= 0) return;
     best_.emplace(along, std::move(signed_square));
+    is_tied_ = false;
   }
   const std::optional<std::pair<Feature, Fraction>>& best() const { return best_; }
+  bool is_tied() const { return is_tied_; }
 
  private:
   std::optional<std::pair<Feature, Fraction>> best_;
+  bool is_tied_ = false;
 };
 
 void offer_edge(Largest& largest, const Surface& surface, std::size_t index, const Vector& away, const Vector& u) {
@@ -78,7 +83,7 @@ Directions directions(const Surface& surface, const Feature& feature, const Vect
     largest.offer({Place::triangle, i}, {u_squared * triangle.normal_squared - height * height, triangle.normal_squared});
   }
   if (!largest.best())  // inside a triangle, at a right angle to it
-    return {side_of_triangle(surface.triangles()[feature.index], u), feature, false};
+    return {side_of_triangle(surface.triangles()[feature.index], u), feature, false, false};
   const auto& [along, signed_square] = *largest.best();
   const auto way = [&, along = along, square = signed_square] {
     if (square == Fraction{u_squared, 1}) return Way::on;
@@ -86,7 +91,7 @@ Directions directions(const Surface& surface, const Feature& feature, const Vect
     return along.place == Place::edge ? side_of_edge(surface, surface.edges()[along.index], u)
                                       : side_of_triangle(surface.triangles()[along.index], u);
   };
-  return {way(), along, signed_square.over > 0};
+  return {way(), along, signed_square.over > 0, largest.is_tied()};
 }
 
 }  // namespace forceshade::reference::meshes

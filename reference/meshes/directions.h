@@ -14,6 +14,7 @@ struct Directions {
   Way way;
   Feature along;   // the triangle or the edge in which v lies
   bool is_nearer;  // u·v > 0: along v a point that is off by u comes nearer
+  bool is_tied;    // another direction has the same u·v, so that the numbering decides
 };
 
 // At any point of the feature; u is not 0.

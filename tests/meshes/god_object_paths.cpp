@@ -26,14 +26,23 @@ Enumeration named(const csv::Reader& rows, std::size_t column, const std::array<
   return static_cast<Enumeration>(found - names.begin());
 }
 
-mesh::Sides sides_of(const std::string& name, const mesh::TriangleMesh& mesh) {
-  if (name.starts_with("pit")) return mesh::Sides::front;
+bool has_rim(const mesh::TriangleMesh& mesh) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> triangles_of;
   for (const mesh::Triangle& t : mesh.triangles)
     for (const auto& [a, b] : {std::pair(t[0], t[1]), std::pair(t[1], t[2]), std::pair(t[2], t[0])})
       ++triangles_of[std::minmax(a, b)];
-  const bool has_rim = std::ranges::any_of(triangles_of, [](const auto& edge) { return edge.second == 1; });
-  return has_rim ? mesh::Sides::both : mesh::Sides::front;
+  return std::ranges::any_of(triangles_of, [](const auto& edge) { return edge.second == 1; });
+}
+
+mesh::Sides sides_of(const std::string& folder, const std::string& name, const mesh::TriangleMesh& mesh) {
+  const std::string list = folder + "/meshes.csv";
+  if (!std::filesystem::exists(list)) return has_rim(mesh) && name != "pit" ? mesh::Sides::both : mesh::Sides::front;
+  std::ifstream in = csv::open_input(list);
+  csv::Reader rows(in, list, {"name", "sides"});
+  while (rows.next())
+    if (rows.text(0) == name)
+      return named<mesh::Sides>(rows, 1, std::array<std::string_view, 2>{"front", "both"}, "front or both");
+  throw std::runtime_error(list + ": expected a row for " + name);
 }
 
 mesh::CornerNormals read_normals(const std::string& path, std::size_t triangles) {
@@ -96,7 +105,7 @@ GodObjectPath read_god_object_path(const std::string& folder, const std::string&
   const std::string stem = folder + "/" + name;
   path.mesh = mesh::load(stem + ".off", mesh::Unit::mm);
   path.normals = read_normals(stem + ".normals.csv", path.mesh.triangles.size());
-  path.sides = sides_of(name, path.mesh);
+  path.sides = sides_of(folder, name, path.mesh);
   std::ifstream in = csv::open_input(stem + ".csv");
   csv::Reader rows(
       in, name + ".csv",
