@@ -41,26 +41,52 @@ N whole(std::uint32_t value) noexcept {
   return N::exactly(static_cast<double>(value));
 }
 
-// What a rest's force is made of, in the numbers N.
-template <class N>
+// An exact number of units of `unit`, a power of two, in binary64.
+template <int kBits>
+DoubleWithError near(const FixedInteger<kBits>& number, double unit) noexcept {
+  const double value = unit * number.approximately();
+  return {value, 0x1p-51 * __builtin_fabs(value)};
+}
+template <class T>
+Vector3<DoubleWithError> near(const Vector3<T>& a, double unit) noexcept {
+  return {near(a.x, unit), near(a.y, unit), near(a.z, unit)};
+}
+constexpr double kUnit = 0x1p-53;  // mm, of coordinates; of products of two, three and four of them:
+constexpr double kUnit2 = kUnit * kUnit, kUnit3 = kUnit2 * kUnit, kUnit4 = kUnit2 * kUnit2;
+
+// What a rest's force is made of, in the numbers N. kIsFromIntegers: what cancels is computed in integers first, so that each
+// number is good to a few units of its last place, and 0 where it is 0.
+template <class N, bool kIsFromIntegers = false>
 class Parts {
  public:
   Parts(const Mesh& mesh, const Arrival& arrival, const float* p) noexcept
-      : mesh_(mesh), spot_(arrival.spot), rest_(arrival.rest), p_(point<N>(p)) {}
+      : mesh_(mesh), spot_(arrival.spot), rest_(arrival.rest), position_(p), p_(point<N>(p)) {}
 
   Way3<N> way() const noexcept {
     switch (rest_) {
       case Rest::in_triangle: {
         const Face& f = mesh_.face(face_of(spot_.half));
         const Vector3<N> n = normal(f);
-        return {scaled(-dot(n, p_ - point<N>(f.corner[0].data())), n), square(n)};
+        if constexpr (kIsFromIntegers) {
+          const auto exact = ExactFace(f).n;
+          return {scaled(-near(dot(exact, exact_difference(position_, f.corner[0].data())), kUnit3), n),
+                  near(square(exact), kUnit4)};
+        } else {
+          return {scaled(-dot(n, p_ - point<N>(f.corner[0].data())), n), square(n)};
+        }
       }
       case Rest::on_edge: {
-        const Vector3<N> e = edge(), w = p_ - start();
-        return {cross(e, cross(e, w)), square(e)};
+        if constexpr (kIsFromIntegers) {
+          const ExactDifference e = exact_edge(), w = exact_difference(position_, mesh_.start_point(spot_.half));
+          return {near(cross(e, cross(e, w)), kUnit3), near(square(e), kUnit2)};
+        } else {
+          const Vector3<N> e = edge(), w = p_ - start();
+          return {cross(e, cross(e, w)), square(e)};
+        }
       }
       default: {
         const Point g = point_of(mesh_, spot_);
+        if constexpr (kIsFromIntegers) return {opposite(near(exact_offset_from(g, position_), kUnit)), N::exactly(0x1p24)};
         Vector3<N> to = scaled(whole<N>(g.weight[0]), point<N>(g.corner[0]) - p_);
         for (std::size_t c = 1; c < static_cast<std::size_t>(g.count); ++c)
           to = sum(to, scaled(whole<N>(g.weight[c]), point<N>(g.corner[c]) - p_));
@@ -85,8 +111,12 @@ class Parts {
 
  private:
   Vector3<N> normal(const Face& f) const noexcept {
+    if constexpr (kIsFromIntegers) return near(ExactFace(f).n, kUnit2);
     const Vector3<N> a = point<N>(f.corner[0].data());
     return cross(point<N>(f.corner[1].data()) - a, point<N>(f.corner[2].data()) - a);
+  }
+  ExactDifference exact_edge() const noexcept {
+    return exact_difference(mesh_.start_point(next(spot_.half)), mesh_.start_point(spot_.half));
   }
   Vector3<N> start() const noexcept { return point<N>(mesh_.start_point(spot_.half)); }
   Vector3<N> edge() const noexcept { return point<N>(mesh_.start_point(next(spot_.half))) - start(); }
@@ -145,6 +175,10 @@ class Parts {
     if (rest_ == Rest::at_spot)
       return {whole<N>(kGrid - spot_.weight[0] - spot_.weight[1]), whole<N>(spot_.weight[0]), whole<N>(spot_.weight[1])};
     const Face& f = mesh_.face(face_of(spot_.half));
+    if constexpr (kIsFromIntegers) {
+      const ExactWeights exact(f, position_);
+      return {near(exact.corner[0], kUnit4), near(exact.corner[1], kUnit4), near(exact.corner[2], kUnit4)};
+    }
     const Vector3<N> a = point<N>(f.corner[0].data()), n = normal(f), w = p_ - a;
     const N second = dot(cross(w, point<N>(f.corner[2].data()) - a), n),
             third = dot(cross(point<N>(f.corner[1].data()) - a, w), n);
@@ -152,6 +186,10 @@ class Parts {
   }
   std::array<N, 2> weights_on_edge() const noexcept {
     if (rest_ == Rest::at_spot) return {whole<N>(kGrid - spot_.weight[0]), whole<N>(spot_.weight[0])};
+    if constexpr (kIsFromIntegers) {
+      const ExactFoot exact(mesh_.start_point(spot_.half), mesh_.start_point(next(spot_.half)), position_);
+      return {near(exact.length - exact.along, kUnit2), near(exact.along, kUnit2)};
+    }
     const Vector3<N> e = edge();
     const N along = dot(p_ - start(), e);
     return {square(e) - along, along};
@@ -171,6 +209,7 @@ class Parts {
   const Mesh& mesh_;
   const Spot& spot_;
   Rest rest_;
+  const float* position_;
   Vector3<N> p_;
 };
 
@@ -229,14 +268,15 @@ std::optional<Force3> along(const Way3<Shaded>& way, const Vector3<Shaded>& dire
 }
 
 // With the numbers N; empty where they cannot tell.
-template <class N>
+template <class N, bool kIsFromIntegers = false>
 std::optional<Force3> force_in(const Mesh& mesh, const Arrival& arrival, const Force3& p, double K, bool is_shaded) noexcept {
-  const Parts<N> parts(mesh, arrival, p.data());
+  using Numbers = Parts<N, kIsFromIntegers>;
+  const Numbers parts(mesh, arrival, p.data());
   const Way3<N> way = parts.way();
   if constexpr (!std::is_same_v<N, Plain>) {
-    const auto shading = is_shaded ? parts.shading(way) : typename Parts<N>::Shading{Parts<N>::Outcome::none, {}};
-    if (shading.outcome == Parts<N>::Outcome::unknown) return std::nullopt;
-    if (shading.outcome == Parts<N>::Outcome::direction) return along(way, shading.direction, K);
+    const auto shading = is_shaded ? parts.shading(way) : typename Numbers::Shading{Numbers::Outcome::none, {}};
+    if (shading.outcome == Numbers::Outcome::unknown) return std::nullopt;
+    if (shading.outcome == Numbers::Outcome::direction) return along(way, shading.direction, K);
   }
   if constexpr (std::is_same_v<N, Shaded>)
     return unshaded(Parts<Plain>(mesh, arrival, p.data()).way(), K);
@@ -244,8 +284,10 @@ std::optional<Force3> force_in(const Mesh& mesh, const Arrival& arrival, const F
     return unshaded(way, K);
 }
 
-[[gnu::noinline]] Force3 exact_force(const Mesh& mesh, const Arrival& arrival, const Force3& p, double K,
-                                     bool is_shaded) noexcept {
+[[gnu::noinline]] Force3 exact_force(const Mesh& mesh, const Arrival& arrival, const Force3& p, double K, bool is_shaded,
+                                     bool is_filtered) noexcept {
+  if (is_filtered)
+    if (const auto force = force_in<DoubleWithError, true>(mesh, arrival, p, K, is_shaded)) return *force;
   const auto force = is_shaded ? force_in<Shaded>(mesh, arrival, p, K, true) : force_in<Plain>(mesh, arrival, p, K, false);
   return force.value_or(Force3{});
 }
@@ -260,7 +302,7 @@ std::array<float, 3> mesh_force(const Mesh& mesh, const Arrival& arrival, const 
   if (is_filtered)
     if (const auto force = force_in<DoubleWithError>(mesh, arrival, p, K, is_shaded)) [[likely]]
       return *force;
-  return exact_force(mesh, arrival, p, K, is_shaded);
+  return exact_force(mesh, arrival, p, K, is_shaded, is_filtered);
 }
 
 }  // namespace forceshade::fast

@@ -19,7 +19,8 @@ struct MeshTick {
 template <class Stages = FilteredStages>
 MeshTick step(const Mesh& mesh, const Spot& before, const std::array<float, 3>& position, float stiffness,
               mesh::Shading shading, const Stages& stages = {}) noexcept {
-  if (!in_domain(position[0]) || !in_domain(position[1]) || !in_domain(position[2])) return {{before}, mesh::TickStatus::invalid, {}};
+  if (!in_domain(position[0]) || !in_domain(position[1]) || !in_domain(position[2]))
+    return {{before}, mesh::TickStatus::invalid, {}};
   const std::array<float, 3> p{quantised(position[0]), quantised(position[1]), quantised(position[2])};
   MeshTick tick;
   tick.arrival = Walk<Stages>(mesh, p, stages).run(before);
