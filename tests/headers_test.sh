@@ -6,7 +6,7 @@ set -euo pipefail
 compiler=$1 source=$2
 shift 2
 options=(-std=c++20 -fsyntax-only -Wall -Wextra -Werror -Wno-unused-function -Wno-unknown-warning-option)
-for module in vocabulary fast csv heights device; do options+=("-I$source/include/$module"); done
+for module in vocabulary fast csv heights meshes device; do options+=("-I$source/include/$module"); done
 for folder in "$@"; do options+=(-isystem "$folder"); done
 
 compiles() {
@@ -25,7 +25,7 @@ if [ "${FORCESHADE_HEADER:-}" ]; then compiles "$FORCESHADE_HEADER"; exit; fi
 
 cd "$source"
 headers=""
-for header in $(find vocabulary fast csv heights device -name "*.h" | sort); do [ -f "${header%.h}.cpp" ] || headers+=" $header"; done
+for header in $(find vocabulary fast csv heights meshes device -name "*.h" | sort); do [ -f "${header%.h}.cpp" ] || headers+=" $header"; done
 [ "$(wc -w <<<"$headers")" -ge 45 ] || { echo "expected 45 headers or more, found:$headers"; exit 1; }
 # shellcheck disable=SC2086
 printf '%s\n' $headers | xargs -P "$(nproc)" -I{} env FORCESHADE_HEADER={} "$0" "$compiler" "$source" "$@" || exit 1

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "forceshade/csv/csv.h"
+#include "forceshade/meshes/load.h"
 
 namespace forceshade::tests {
 namespace {
@@ -25,14 +26,23 @@ Enumeration named(const csv::Reader& rows, std::size_t column, const std::array<
   return static_cast<Enumeration>(found - names.begin());
 }
 
-mesh::Sides sides_of(const std::string& name, const mesh::TriangleMesh& mesh) {
-  if (name.starts_with("pit")) return mesh::Sides::front;
+bool has_rim(const mesh::TriangleMesh& mesh) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> triangles_of;
   for (const mesh::Triangle& t : mesh.triangles)
     for (const auto& [a, b] : {std::pair(t[0], t[1]), std::pair(t[1], t[2]), std::pair(t[2], t[0])})
       ++triangles_of[std::minmax(a, b)];
-  const bool has_rim = std::ranges::any_of(triangles_of, [](const auto& edge) { return edge.second == 1; });
-  return has_rim ? mesh::Sides::both : mesh::Sides::front;
+  return std::ranges::any_of(triangles_of, [](const auto& edge) { return edge.second == 1; });
+}
+
+mesh::Sides sides_of(const std::string& folder, const std::string& name, const mesh::TriangleMesh& mesh) {
+  const std::string list = folder + "/meshes.csv";
+  if (!std::filesystem::exists(list)) return has_rim(mesh) && name != "pit" ? mesh::Sides::both : mesh::Sides::front;
+  std::ifstream in = csv::open_input(list);
+  csv::Reader rows(in, list, {"name", "sides"});
+  while (rows.next())
+    if (rows.text(0) == name)
+      return named<mesh::Sides>(rows, 1, std::array<std::string_view, 2>{"front", "both"}, "front or both");
+  throw std::runtime_error(list + ": expected a row for " + name);
 }
 
 mesh::CornerNormals read_normals(const std::string& path, std::size_t triangles) {
@@ -79,37 +89,6 @@ mesh::GodObject read_state(const csv::Reader& rows, std::size_t feature, std::si
 
 }  // namespace
 
-mesh::TriangleMesh read_off(const std::string& path) {
-  std::ifstream in = csv::open_input(path);
-  std::string word;
-  std::size_t vertices = 0, triangles = 0, edges = 0;
-  in >> word >> vertices >> triangles >> edges;
-  if (!in || word != "OFF") throw std::runtime_error(path + ":1: expected OFF and three counts");
-  mesh::TriangleMesh mesh;
-  const auto fail = [&](const char* expected, std::size_t index) {
-    throw std::runtime_error(path + ": expected " + expected + " " + std::to_string(index));
-  };
-  for (std::size_t i = 0; i < vertices; ++i) {
-    mesh::Vertex vertex{};
-    for (float& coordinate : vertex) {
-      char* end = nullptr;
-      if (!(in >> word)) fail("vertex", i);
-      coordinate = std::strtof(word.c_str(), &end);
-      if (*end != '\0') fail("vertex", i);
-    }
-    mesh.vertices.push_back(vertex);
-  }
-  for (std::size_t i = 0; i < triangles; ++i) {
-    std::size_t corners = 0;
-    mesh::Triangle triangle{};
-    in >> corners >> triangle[0] >> triangle[1] >> triangle[2];
-    if (!in || corners != 3 || std::ranges::any_of(triangle, [&](std::uint32_t v) { return v >= vertices; }))
-      fail("a triangle of the vertices above, triangle", i);
-    mesh.triangles.push_back(triangle);
-  }
-  return mesh;
-}
-
 std::vector<std::string> god_object_paths_in(const std::string& folder) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -124,9 +103,9 @@ GodObjectPath read_god_object_path(const std::string& folder, const std::string&
   GodObjectPath path;
   path.name = name;
   const std::string stem = folder + "/" + name;
-  path.mesh = read_off(stem + ".off");
+  path.mesh = mesh::load(stem + ".off", mesh::Unit::mm);
   path.normals = read_normals(stem + ".normals.csv", path.mesh.triangles.size());
-  path.sides = sides_of(name, path.mesh);
+  path.sides = sides_of(folder, name, path.mesh);
   std::ifstream in = csv::open_input(stem + ".csv");
   csv::Reader rows(
       in, name + ".csv",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Paths of a god-object that another program has computed, in a folder: NAME.off, NAME.normals.csv and NAME.csv for each mesh
-// (tests/golden/README.md). Programs that were compared with them agree in every column.
+// Paths of a god-object that another program has computed, in a folder: NAME.off, NAME.normals.csv and NAME.csv for each mesh.
+// meshes.csv, where there is one, has the sides that block motion. tests/golden/README.md describes the columns.
 
 #include <array>
 #include <string>
@@ -18,23 +18,21 @@ struct PathTick {
   std::string place;                // file and line, for messages
 };
 
+// Without meshes.csv, meshes with a rim block motion from both sides, but for one of the name "pit".
 struct GodObjectPath {
   std::string name;
   mesh::TriangleMesh mesh;
   mesh::CornerNormals normals;
-  mesh::Sides sides = mesh::Sides::front;  // both if an edge has only one triangle and it is no "pit..."
-  float stiffness = 0.3F;                  // N/mm, of every path
-  std::vector<PathTick> ticks;             // in order; the first one starts from no state
+  mesh::Sides sides = mesh::Sides::front;
+  float stiffness = 0.3F;       // N/mm, of every path
+  std::vector<PathTick> ticks;  // in order; the first one starts from no state
 };
 
 // The names of the paths in the folder, sorted: every NAME with a NAME.off and a NAME.csv.
 std::vector<std::string> god_object_paths_in(const std::string& folder);
 
-// Throws std::runtime_error, or csv::Error, with the file and the line of what it cannot read.
+// Throws std::runtime_error, mesh::Error or csv::Error, with the file and the line of what it cannot read.
 GodObjectPath read_god_object_path(const std::string& folder, const std::string& name);
-
-// The mesh of an OFF file with triangles alone, the vertices read straight to the nearest binary32.
-mesh::TriangleMesh read_off(const std::string& path);
 
 // As the column `feature` has it: "v i", "e i j m", "t i k l", or "-" where it is free or nowhere.
 std::string feature_text(const mesh::GodObject& state);

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Random meshes that are hard for a god-object, and random paths across them.
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "forceshade/properties/positions.h"
+#include "forceshade/vocabulary/mesh.h"
+
+namespace forceshade::properties {
+
+inline constexpr std::array<std::string_view, 11> kMeshFamilies{
+    "height field",  // an open sheet: level, tilted, rough, nearly level, of numbers of all binades
+    "slivers",       // the same with triangles that are nearly without height
+    "needles",       // the same with cells up to 2^15 times as long as they are wide
+    "fan",           // one vertex with 3 to 200 triangles: a pyramid, a saddle, rough
+    "bipyramid",     // two such fans, closed
+    "slab",          // closed, with walls at a right angle to a level or rough top and bottom
+    "double wall",   // two sheets, down to one unit in the last place apart
+    "star",          // closed, smooth to spiky
+    "torus",         // closed
+    "folds",         // a sheet that is folded to and fro, nearly onto itself
+    "stairs"         // horizontal and vertical faces
+};
+
+struct RandomMesh {
+  std::size_t family;  // in kMeshFamilies
+  mesh::TriangleMesh mesh;
+  mesh::Sides sides;
+};
+
+// An endless, repeatable stream of meshes, each family in turn. Every one is what docs/meshes.md demands, because of how it is
+// built. Axes change places, the size is multiplied by a power of two, some lie far from the origin; vertices and triangles
+// come in any order.
+class MeshSource : private Draws {
+ public:
+  explicit MeshSource(std::uint64_t seed) : Draws(seed) {}
+
+  RandomMesh next() { return of_family(count_++ % kMeshFamilies.size()); }
+  RandomMesh of_family(std::size_t family);
+
+  // Of each vertex one normal, or one for each of some of its triangles; unit vectors about those of the surface, but for some
+  // that point elsewhere.
+  mesh::CornerNormals normals_of(const mesh::TriangleMesh& mesh);
+
+ private:
+  using Point = std::array<double, 3>;
+  // Triangles in a plane, counter-clockwise; its border as a loop, counter-clockwise.
+  struct Planar {
+    std::vector<std::array<double, 2>> points;
+    std::vector<mesh::Triangle> triangles;
+    std::vector<std::uint32_t> border;
+  };
+  struct Solid {
+    std::vector<Point> vertices;
+    std::vector<mesh::Triangle> triangles;
+    bool is_closed = false;
+  };
+
+  int whole(int low, int high);  // both included
+  double on_lattice(double value) const;
+
+  Planar grid(double width_of_cell, double depth_of_cell, bool has_slivers);
+  Planar fan();
+  std::vector<double> heights(const Planar& planar);
+  Solid sheet(const Planar& planar);
+  Solid bipyramid();
+  Solid slab(const Planar& planar);
+  Solid double_wall();
+  Solid star();
+  Solid torus();
+  Solid extruded(const std::vector<std::array<double, 2>>& profile);
+  Solid folds();
+  Solid stairs();
+  void add_cells(Solid& solid, int rows, int columns, bool is_cyclic);
+  mesh::TriangleMesh placed(Solid solid);
+
+  std::size_t count_ = 0;
+};
+
+// How the positions of a stretch of a path are drawn.
+enum class PathKind { walk, stroke, press, axis_parallel, on_surface, beside_vertex, jump, few_bits, domain_end, invalid };
+inline constexpr std::array<std::string_view, 10> kPathKinds{
+    "walk", "stroke", "press", "axis parallel", "on surface", "beside vertex", "jump", "few bits", "domain end", "invalid"};
+
+// An endless, repeatable path: stretches of one kind each, steps from 10^-9 to 10^3 mm, a position now and then repeated.
+class MeshPath : private Draws {
+ public:
+  MeshPath(const mesh::TriangleMesh& mesh, std::uint64_t seed);
+
+  std::array<float, 3> next();
+  PathKind kind() const { return kind_; }  // of the position that next() gave last
+
+ private:
+  using Point = std::array<double, 3>;
+
+  void begin_stretch();
+  Point vertex();
+  Point surface_point(std::size_t triangle);
+  std::size_t any_triangle() { return bits() % mesh_.triangles.size(); }
+  Point normal(std::size_t triangle) const;
+  Point corner(std::size_t triangle, std::size_t i) const;
+  Point advanced();
+
+  mesh::TriangleMesh mesh_;
+  double size_;  // mm: of the mesh
+  PathKind kind_ = PathKind::jump;
+  int left_ = 0;      // positions of the stretch
+  Point at_{};        // mm
+  Point step_{};      // mm a tick
+  double reach_ = 0;  // mm: the size of a random step
+};
+
+}  // namespace forceshade::properties

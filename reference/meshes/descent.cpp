@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/reference/meshes/descent.h"
+
+#include <utility>
+#include <variant>
+
+#include "forceshade/reference/meshes/directions.h"
+
+namespace forceshade::reference::meshes {
+namespace {
+
+using mesh::Place;
+using mesh::Side;
+using mesh::Sides;
+using mesh::TickStatus;
+
+// How a flight or a slide ends.
+struct Stopped {  // on the surface, not at rest
+  SurfacePoint x;
+  Side side;
+};
+struct Rested {  // at the point of the feature nearest to p
+  Feature feature;
+  Side side;
+};
+struct Freed {};  // at p
+using End = std::variant<Stopped, Rested, Freed>;
+
+Side side_of(Way way) {
+  return way == Way::back ? Side::back : Side::front;
+}
+
+class Tick {
+ public:
+  Tick(const Surface& surface, const Crossings& crossings, Sides sides, const std::array<float, 3>& position)
+      : surface_(surface), crossings_(crossings), sides_(sides), p_(exact_point(position)) {
+    for (std::size_t axis = 0; axis < 3; ++axis) quantised_[axis] = p_[axis].is_zero() ? 0.0F : position[axis];
+  }
+
+  Descended start() {
+    const auto point = crossings_.at(p_);
+    return point ? rests_at_foot({point->feature, Side::front}) : is_free();
+  }
+
+  Descended from_free(const std::array<float, 3>& position, unsigned most_moves) {
+    const Vector g = exact_point(position);
+    if (g == p_) return is_free();
+    const End end = fly(g);
+    ++moves_;
+    if (std::holds_alternative<Freed>(end)) return is_free();
+    if (const auto* rested = std::get_if<Rested>(&end)) return rests_at_foot(*rested);
+    const auto& [x, side] = std::get<Stopped>(end);
+    return from_surface(rounded_towards(surface_, x, p_), side, most_moves);
+  }
+
+  Descended from_surface(GridPoint at, Side side, unsigned most_moves) {
+    for (;;) {
+      side = stored(side, at.feature);
+      const Vector g = surface_.position(at);
+      const Vector u = p_ - g;
+      if (is_zero(u)) return rests_at(at, side, TickStatus::touching);
+      const Directions ways = directions(surface_, at.feature, u);
+      const bool is_flight = ways.way == Way::open || (ways.way != Way::on && side_of(ways.way) == side);
+      if (!is_flight && !ways.is_nearer) return rests_at(at, side, TickStatus::touching);
+      if (moves_ == most_moves) return rests_at(at, side, TickStatus::unfinished);
+      const End end = is_flight ? fly(g) : slide(g, ways.along, side);
+      if (std::holds_alternative<Freed>(end) || std::holds_alternative<Rested>(end)) {
+        ++moves_;
+        const auto* rested = std::get_if<Rested>(&end);
+        return rested == nullptr ? is_free() : rests_at_foot(*rested);
+      }
+      const auto& stopped = std::get<Stopped>(end);
+      const GridPoint next = rounded_towards(surface_, stopped.x, p_);
+      const Vector rest = p_ - surface_.position(next);
+      if (dot(rest, rest) >= dot(u, u)) return rests_at(at, side, TickStatus::touching);  // refused
+      ++moves_;
+      at = next;
+      side = stopped.side;
+    }
+  }
+
+ private:
+  // Rule 1.
+  End fly(const Vector& g) const {
+    const Vector u = p_ - g;
+    for (const Crossing& crossing : crossings_.between(g, p_)) {
+      const Way A = directions(surface_, crossing.point.feature, -u).way;
+      const Way B = directions(surface_, crossing.point.feature, u).way;
+      const bool leaves = sides_ == Sides::front && A == Way::back && B == Way::front;
+      if (B != Way::open && B != A && !leaves) return Stopped{crossing.point, side_of(A)};
+    }
+    if (const auto point = crossings_.at(p_))
+      return Rested{point->feature, side_of(directions(surface_, point->feature, -u).way)};
+    return Freed{};
+  }
+
+  // Rule 2.
+  End slide(const Vector& g, const Feature& along, Side side) const {
+    if (is_inside(foot(surface_, along, p_))) return Rested{along, side};
+    return along.place == Place::edge ? slide_to_end(g, along.index, side) : slide_to_side(g, along.index, side);
+  }
+
+  End slide_to_end(const Vector& g, std::size_t index, Side side) const {
+    const Edge& edge = surface_.edges()[index];
+    const Feature end{Place::vertex, edge.vertices[dot(edge.along, p_ - g) > 0 ? 1 : 0]};
+    if (surface_.vertices()[end.index] == p_) return Rested{end, side};
+    return Stopped{{end, {}}, side};
+  }
+
+  // The foot of p is outside or on the border: the way there meets a side first where g's height over that side, divided by
+  // what a whole way would take from it, is least.
+  End slide_to_side(const Vector& g, std::size_t index, Side side) const {
+    const Triangle& triangle = surface_.triangles()[index];
+    const Vector u = p_ - g;
+    const auto corner = [&](std::size_t i) -> const Vector& { return surface_.vertices()[triangle.vertices[i]]; };
+    std::optional<std::pair<Fraction, std::size_t>> first;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Integer loss = -dot(triangle.inward[i], u);
+      if (loss <= 0) continue;
+      Fraction s{dot(triangle.inward[i], g - corner(i)), loss};
+      if (!first || s < first->first) first.emplace(std::move(s), i);
+    }
+    const auto& [s, i] = first.value();
+    const Vector& e = triangle.sides[i];
+    const SurfacePoint x =
+        on_side(surface_, index, i, {dot(g - corner(i), e) * s.under + s.over * dot(u, e), s.under * dot(e, e)});
+    if (s.over == s.under && dot(triangle.normal, u).is_zero()) return Rested{x.feature, side};
+    return Stopped{x, side};
+  }
+
+  Side stored(Side side, const Feature& feature) const {
+    return sides_ == Sides::front || surface_.is_at_rim(feature) ? Side::front : side;
+  }
+
+  Descended is_free() const {
+    mesh::GodObject after;
+    after.place = Place::free;
+    after.position = quantised_;
+    return {TickStatus::free, moves_, after, {}};
+  }
+
+  Descended rests_at(const GridPoint& at, Side side, TickStatus status) const {
+    return {status, moves_, state(at, side), Rest{exactly(at), surface_.position(at) - p_, 1, side}};
+  }
+
+  Descended rests_at_foot(const Rested& rested) const {
+    const Side side = stored(rested.side, rested.feature);
+    Rest rest{foot(surface_, rested.feature, p_), {}, 1, side};
+    const std::size_t index = rested.feature.index;
+    if (rested.feature.place == Place::vertex) {
+      rest.D_over = surface_.vertices()[index] - p_;
+    } else if (rested.feature.place == Place::edge) {
+      const Edge& edge = surface_.edges()[index];
+      rest.D_under = edge.length_squared;
+      const Fraction& t = rest.r.parameter[0];
+      rest.D_over = rest.D_under * (surface_.vertices()[edge.vertices[0]] - p_) + t.over * edge.along;
+    } else {
+      const Triangle& triangle = surface_.triangles()[index];
+      rest.D_under = triangle.normal_squared;
+      rest.D_over = dot(triangle.normal, surface_.vertices()[triangle.vertices[0]] - p_) * triangle.normal;
+    }
+    const mesh::GodObject after = state(rounded_inside(rest.r), side);
+    return {TickStatus::touching, moves_, after, std::move(rest)};
+  }
+
+  mesh::GodObject state(const GridPoint& at, Side side) const {
+    mesh::GodObject after;
+    after.place = at.feature.place;
+    after.side = side;
+    after.parameter = at.parameter;
+    if (at.feature.place == Place::edge)
+      after.index = surface_.edges()[at.feature.index].vertices;
+    else
+      after.index[0] = static_cast<std::uint32_t>(at.feature.index);
+    return after;
+  }
+
+  const Surface& surface_;
+  const Crossings& crossings_;
+  const Sides sides_;
+  const Vector p_;
+  std::array<float, 3> quantised_{};
+  unsigned moves_ = 0;
+};
+
+}  // namespace
+
+Descended descend(const Surface& surface, const Crossings& crossings, Sides sides, const mesh::GodObject& before,
+                  const std::array<float, 3>& position, unsigned most_moves) {
+  Tick tick(surface, crossings, sides, position);
+  if (before.place == Place::nowhere) return tick.start();
+  if (before.place == Place::free) return tick.from_free(before.position, most_moves);
+  const std::size_t index =
+      before.place == Place::edge ? surface.edge_between(before.index[0], before.index[1]) : before.index[0];
+  return tick.from_surface({{before.place, index}, before.parameter}, before.side, most_moves);
+}
+
+}  // namespace forceshade::reference::meshes

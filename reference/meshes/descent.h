@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// One tick of the god-object: flights and slides, each rounded to the grid, until it rests or is free (docs/meshes.md).
+
+#include <optional>
+
+#include "forceshade/reference/meshes/crossings.h"
+
+namespace forceshade::reference::meshes {
+
+// Where the god-object rests: r, exactly, and D = r - p.
+struct Rest {
+  SurfacePoint r;
+  Vector D_over;  // D = D_over / D_under, in units of 2^-77 mm
+  Integer D_under;
+  mesh::Side side;
+};
+
+struct Descended {
+  mesh::TickStatus status;
+  unsigned moves;
+  mesh::GodObject after;
+  std::optional<Rest> rest;  // where it is touching
+};
+
+// `position` is valid; `before` is a state on this surface; at least one move is allowed.
+Descended descend(const Surface& surface, const Crossings& crossings, mesh::Sides sides, const mesh::GodObject& before,
+                  const std::array<float, 3>& position, unsigned most_moves);
+
+}  // namespace forceshade::reference::meshes

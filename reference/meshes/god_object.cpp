@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/reference/meshes/god_object.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "forceshade/reference/meshes/force.h"
+
+namespace forceshade::reference {
+
+struct GodObject::Parts {
+  Parts(const mesh::TriangleMesh& triangles, mesh::CornerNormals corner_normals, mesh::Sides blocked, mesh::Shading scheme,
+        float K)
+      : surface(triangles),
+        crossings(surface),
+        normals(std::move(corner_normals)),
+        sides(blocked),
+        shading(scheme),
+        stiffness(K) {}
+
+  const meshes::Surface surface;
+  const meshes::Crossings crossings;
+  const mesh::CornerNormals normals;
+  const mesh::Sides sides;
+  const mesh::Shading shading;
+  const float stiffness;
+};
+
+std::variant<GodObject, ParameterError> GodObject::build(const mesh::TriangleMesh& mesh, mesh::CornerNormals normals,
+                                                         mesh::Sides sides, mesh::Shading shading, float stiffness) {
+  if (!(stiffness >= 0.001F && stiffness <= 1000)) return ParameterError{"stiffness", "N/mm", stiffness, 0.001F, 1000};
+  if (const auto error = meshes::Surface::first_error(mesh)) return *error;
+  if (shading == mesh::Shading::vertex_scheme) {
+    const auto count = static_cast<float>(mesh.triangles.size());
+    if (normals.size() != mesh.triangles.size())
+      return ParameterError{"number of triangles with normals", "", static_cast<float>(normals.size()), count, count};
+    for (const auto& corners : normals)
+      for (const mesh::Normal& normal : corners)
+        for (const float component : normal)
+          if (!(std::fabs(component) <= 2)) return ParameterError{"component of a normal", "", component, -2, 2};
+  }
+  return GodObject(std::make_shared<const Parts>(mesh, std::move(normals), sides, shading, stiffness));
+}
+
+mesh::Tick GodObject::step(const mesh::GodObject& before, const std::array<float, 3>& position, unsigned most_moves) const {
+  const auto is_in_domain = [](float coordinate) { return coordinate >= -10000 && coordinate <= 10000; };
+  if (!std::ranges::all_of(position, is_in_domain)) return {mesh::TickStatus::invalid, 0, {}, before};
+  const auto& [surface, crossings, normals, sides, shading, stiffness] = *parts_;
+  const meshes::Descended end = meshes::descend(surface, crossings, sides, before, position, most_moves);
+  mesh::Tick tick{end.status, static_cast<std::uint16_t>(end.moves), {}, end.after};
+  if (end.rest)
+    tick.force = shading == mesh::Shading::vertex_scheme ? meshes::vertex_scheme_force(surface, normals, *end.rest, stiffness)
+                                                         : meshes::unshaded_force(*end.rest, stiffness);
+  return tick;
+}
+
+}  // namespace forceshade::reference

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The numbers that a god-object's decisions are made of: integers of any length, vectors of them, fractions that are only
+// compared.
+
+#include <array>
+#include <boost/multiprecision/gmp.hpp>
+#include <compare>
+
+namespace forceshade::reference::meshes {
+
+using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+
+using Vector = std::array<Integer, 3>;
+
+inline Vector operator+(const Vector& a, const Vector& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+inline Vector operator-(const Vector& a, const Vector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+inline Vector operator-(const Vector& a) {
+  return {-a[0], -a[1], -a[2]};
+}
+inline Vector operator*(const Integer& factor, const Vector& a) {
+  return {factor * a[0], factor * a[1], factor * a[2]};
+}
+inline Integer dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline bool is_zero(const Vector& a) {
+  return a[0].is_zero() && a[1].is_zero() && a[2].is_zero();
+}
+
+// over / under, under > 0; not reduced.
+struct Fraction {
+  Integer over = 0;
+  Integer under = 1;
+
+  friend std::strong_ordering operator<=>(const Fraction& a, const Fraction& b) {
+    return (a.over * b.under).compare(b.over * a.under) <=> 0;
+  }
+  friend bool operator==(const Fraction& a, const Fraction& b) { return (a <=> b) == 0; }
+};
+
+// Of any under but 0.
+inline Fraction fraction(const Integer& over, const Integer& under) {
+  return under < 0 ? Fraction{-over, -under} : Fraction{over, under};
+}
+
+// The largest integer that is not above it.
+inline Integer floor(const Fraction& value) {
+  Integer whole = value.over / value.under;  // towards 0
+  if (whole * value.under > value.over) --whole;
+  return whole;
+}
+
+inline bool is_whole(const Fraction& value) {
+  return Integer(value.over % value.under).is_zero();
+}
+
+}  // namespace forceshade::reference::meshes

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/reference/meshes/surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "forceshade/reference/meshes/rounding.h"
+
+namespace forceshade::reference::meshes {
+namespace {
+
+using Ends = std::array<std::uint32_t, 2>;
+
+Ends sorted(std::uint32_t a, std::uint32_t b) {
+  return a < b ? Ends{a, b} : Ends{b, a};
+}
+
+Fold fold_of(const Integer& height) {
+  return height > 0 ? Fold::narrow : height < 0 ? Fold::wide : Fold::flat;
+}
+
+std::uint32_t other_corner(const Triangle& triangle, const Ends& edge) {
+  return *std::ranges::find_if(triangle.vertices, [&](std::uint32_t v) { return v != edge[0] && v != edge[1]; });
+}
+
+}  // namespace
+
+Integer exact_coordinate(float millimetres) {
+  return std::fabs(millimetres) < std::ldexp(1.0F, -30) ? Integer(0) : integer_of(millimetres, kLengthScale);
+}
+
+Vector exact_point(const std::array<float, 3>& millimetres) {
+  return {exact_coordinate(millimetres[0]), exact_coordinate(millimetres[1]), exact_coordinate(millimetres[2])};
+}
+
+std::optional<ParameterError> Surface::first_error(const mesh::TriangleMesh& mesh) {
+  for (const mesh::Vertex& vertex : mesh.vertices)
+    for (const float coordinate : vertex)
+      if (!(std::fabs(coordinate) <= 10000)) return ParameterError{"coordinate of a vertex", "mm", coordinate, -10000, 10000};
+  std::map<Ends, std::vector<Ends>> runs;  // of each edge, the senses in which triangles run along it
+  for (const mesh::Triangle& triangle : mesh.triangles) {
+    const auto count = static_cast<float>(mesh.vertices.size());
+    for (const std::uint32_t v : triangle)
+      if (v >= mesh.vertices.size()) return ParameterError{"vertex of a triangle", "", static_cast<float>(v), 0, count - 1};
+    const auto at = [&](std::size_t corner) { return exact_point(mesh.vertices[triangle[corner]]); };
+    if (is_zero(cross(at(1) - at(0), at(2) - at(0)))) return ParameterError{"area of a triangle", "mm^2", 0, 0x1p-107F, 4e8F};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Ends run{triangle[i], triangle[(i + 1) % 3]};
+      std::vector<Ends>& others = runs[sorted(run[0], run[1])];
+      others.push_back(run);
+      if (others.size() > 2)
+        return ParameterError{"number of triangles at an edge", "", static_cast<float>(others.size()), 1, 2};
+      if (others.size() == 2 && others[0] == others[1])
+        return ParameterError{"number of triangles that run along an edge in one direction", "", 2, 1, 1};
+    }
+  }
+  if (mesh.triangles.empty()) return ParameterError{"number of triangles", "", 0, 1, 0x1p32F};
+  return std::nullopt;
+}
+
+Surface::Surface(const mesh::TriangleMesh& mesh) : fans_(mesh.vertices.size()) {
+  for (const mesh::Vertex& vertex : mesh.vertices) vertices_.push_back(exact_point(vertex));
+  std::map<Ends, std::vector<std::size_t>> triangles_at;
+  for (const mesh::Triangle& v : mesh.triangles) {
+    Triangle triangle{v, {}, {}, {}, {}, {}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t from = v[i], to = v[(i + 1) % 3];
+      triangle.sides[i] = vertices_[to] - vertices_[from];
+      triangles_at[sorted(from, to)].push_back(triangles_.size());
+      fans_[from].triangles.push_back(triangles_.size());
+    }
+    triangle.normal = cross(triangle.sides[0], -triangle.sides[2]);
+    triangle.normal_squared = dot(triangle.normal, triangle.normal);
+    for (std::size_t i = 0; i < 3; ++i) triangle.inward[i] = cross(triangle.normal, triangle.sides[i]);
+    triangles_.push_back(std::move(triangle));
+  }
+  for (auto& [ends, triangles] : triangles_at) {
+    Edge edge{ends, std::move(triangles), vertices_[ends[1]] - vertices_[ends[0]], {}, Fold::flat};
+    edge.length_squared = dot(edge.along, edge.along);
+    if (edge.triangles.size() == 2) {
+      const std::uint32_t d = other_corner(triangles_[edge.triangles[1]], ends);
+      edge.fold = fold_of(dot(triangles_[edge.triangles[0]].normal, vertices_[d] - vertices_[ends[0]]));
+    }
+    for (const std::uint32_t v : ends) {
+      fans_[v].edges.push_back(edges_.size());
+      fans_[v].is_rim |= edge.triangles.size() == 1;
+    }
+    for (const std::size_t i : edge.triangles)
+      for (std::size_t side = 0; side < 3; ++side)
+        if (sorted(triangles_[i].vertices[side], triangles_[i].vertices[(side + 1) % 3]) == ends)
+          triangles_[i].edges[side] = edges_.size();
+    edges_.push_back(std::move(edge));
+  }
+}
+
+bool Surface::is_at_rim(const Feature& feature) const {
+  if (feature.place == mesh::Place::vertex) return fans_[feature.index].is_rim;
+  return feature.place == mesh::Place::edge && edges_[feature.index].triangles.size() == 1;
+}
+
+Vector Surface::position(const GridPoint& point) const {
+  // The sides are multiples of 2^24 units, so that the division is exact.
+  const auto part = [](std::uint32_t count, const Vector& side) {
+    return Vector{count * side[0] / kGrid, count * side[1] / kGrid, count * side[2] / kGrid};
+  };
+  const auto [place, index] = point.feature;
+  if (place == mesh::Place::vertex) return vertices_[index];
+  if (place == mesh::Place::edge) return vertices_[edges_[index].vertices[0]] + part(point.parameter[0], edges_[index].along);
+  const Triangle& triangle = triangles_[index];
+  return vertices_[triangle.vertices[0]] + part(point.parameter[0], triangle.sides[0]) -
+         part(point.parameter[1], triangle.sides[2]);
+}
+
+std::size_t Surface::edge_between(std::uint32_t a, std::uint32_t b) const {
+  const auto found = std::ranges::lower_bound(edges_, sorted(a, b), {}, &Edge::vertices);
+  return static_cast<std::size_t>(found - edges_.begin());
+}
+
+GridPoint Surface::on_edge(std::size_t edge, std::uint32_t m) const {
+  if (m == 0) return {{mesh::Place::vertex, edges_[edge].vertices[0]}, {}};
+  if (m == kGrid) return {{mesh::Place::vertex, edges_[edge].vertices[1]}, {}};
+  return {{mesh::Place::edge, edge}, {m, 0}};
+}
+
+GridPoint Surface::on_edge_from(std::uint32_t a, std::uint32_t b, std::uint32_t m) const {
+  return on_edge(edge_between(a, b), a < b ? m : kGrid - m);
+}
+
+GridPoint Surface::in_triangle(std::size_t triangle, std::uint32_t k, std::uint32_t l) const {
+  const auto [a, b, c] = triangles_[triangle].vertices;
+  if (l == 0) return on_edge_from(a, b, k);
+  if (k == 0) return on_edge_from(a, c, l);
+  if (k + l == kGrid) return on_edge_from(b, c, l);
+  return {{mesh::Place::triangle, triangle}, {k, l}};
+}
+
+}  // namespace forceshade::reference::meshes

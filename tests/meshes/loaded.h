@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A text as a mesh file.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "forceshade/meshes/load.h"
+#include "forceshade/tests/support/temporary_directory.h"
+
+namespace forceshade::mesh {
+
+// A mesh, or the words of the refusal behind the file's name.
+struct Loaded {
+  LoadedMesh mesh;
+  std::string refusal;
+};
+
+// Of a file of this name, whose ending is that of its format.
+inline Loaded of_text(const std::string& name, const std::string& text, Unit unit = Unit::mm) {
+  const tests::TemporaryDirectory directory;
+  const std::string file = directory.write(name, text);
+  try {
+    return {load_with_corners(file, unit), ""};
+  } catch (const Error& error) {
+    const std::string words = error.what();
+    EXPECT_TRUE(words.starts_with(file + ": ")) << words;
+    return {{}, words.substr(std::min(words.size(), file.size() + 2))};
+  }
+}
+
+}  // namespace forceshade::mesh

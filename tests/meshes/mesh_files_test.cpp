@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Meshes from files of each format: the same square of two triangles in every way that a format has to write it.
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "forceshade/tests/meshes/loaded.h"
+
+namespace forceshade::mesh {
+namespace {
+
+const std::vector<Vertex> kSquare{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+const std::vector<Triangle> kTwo{{0, 1, 2}, {0, 2, 3}};
+const std::vector<std::array<Normal, 3>> kUp{{{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}}, {{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}}};
+// The point of the texture of each corner is x, y of its vertex.
+const std::vector<std::array<TexturePoint, 3>> kFlat{{{{0, 0}, {1, 0}, {1, 1}}}, {{{0, 0}, {1, 1}, {0, 1}}}};
+
+void expect_square(const Loaded& got, const std::string& text) {
+  EXPECT_EQ(got.refusal, "") << text;
+  EXPECT_EQ(got.mesh.mesh.vertices, kSquare) << text;
+  EXPECT_EQ(got.mesh.mesh.triangles, kTwo) << text;
+  for (const Vertex& vertex : got.mesh.mesh.vertices)
+    for (const float x : vertex) EXPECT_FALSE(std::signbit(x)) << "no coordinate is -0: " << text;
+}
+
+void expect_square_alone(const Loaded& got, const std::string& text) {
+  expect_square(got, text);
+  EXPECT_TRUE(got.mesh.normals.empty() && got.mesh.texture.empty() && got.mesh.notes.empty()) << text;
+}
+
+void expect_split(const Loaded& got, const std::string& text) {
+  expect_square(got, text);
+  const std::string words = "1 faces with more than 3 corners are split into triangles, each from the face's first corner";
+  EXPECT_EQ(got.mesh.notes, std::vector<std::string>{words}) << text;
+}
+
+TEST(mesh_files, of_off_have_their_vertices_and_triangles_in_order) {
+  const std::string square = "0 0 0\n1 0 0\r\n1\t1 0\n\n0 1e0 -0 # corner\n";
+  for (const char* head :
+       {"OFF\n4 2 0\n", "OFF 4 2 0\n", "OFF 4 2\n", "# a comment\n\nOFF # too\n\n4 2 5 # and here\n", "COFF\r\n4 2 0\r\n"}) {
+    const std::string text = head + square + "3 0 1 2 0.5 0.5 0.5\n3 0 2 3";
+    expect_square_alone(of_text("a.off", text), text);
+  }
+  const std::string polygon = "OFF 4 1 0\n" + square + "4 0 1 2 3 255 0 0\n";
+  expect_split(of_text("a.OFF", polygon), polygon);
+}
+
+TEST(mesh_files, of_off_may_have_normals_and_a_texture) {
+  const Loaded normals =
+      of_text("a.off", "NOFF\n4 2 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n1 1 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n3 0 2 3\n");
+  expect_square(normals, "NOFF");
+  EXPECT_EQ(normals.mesh.normals, kUp);
+  const Loaded both = of_text("a.off",
+                              "STCNOFF\n4 2 0\n0 0 0 0 0 1 9 9 9 9 0 0\n1 0 0 0 0 1 9 9 9 1 0\n1 1 0 0 0 1 9 9 9 9 1 1\n"
+                              "0 1 0 0 0 1 0 1\n3 0 1 2\n3 0 2 3\n");
+  expect_square(both, "STCNOFF");
+  EXPECT_EQ(both.mesh.normals, kUp);
+  EXPECT_EQ(both.mesh.texture, kFlat);
+}
+
+TEST(mesh_files, of_obj_have_faces_in_every_way_of_counting) {
+  const std::string vertices = "mtllib a.mtl\no square\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0 0.5 0.5 0.5\nv 0 1 -0\n";
+  for (const char* faces : {"f 1 2 3\nf 1 3 4\n", "f -4 -3 -2\ns off\nf -4 -2 -1", "f 1 2 \\\n 3\nf 1 \\\r\n3 \\\n4 # end\n",
+                            "l 1 2\np 1\ng a b\nusemtl c\nf 1// 2// 3//\nf 1 3 4\n"}) {
+    const std::string text = vertices + faces;
+    expect_square_alone(of_text("a.obj", text), text);
+  }
+  expect_split(of_text("a.obj", vertices + "f 1 2 3 4\n"), "4 corners");
+}
+
+TEST(mesh_files, of_obj_may_have_normals_and_a_texture) {
+  const std::string lists = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1\nvt 1 1 0\nvt 0 1\nvn 0 0 1\n";
+  const Loaded both = of_text("a.obj", lists + "f 1/1/1 2/2/1 3/3/-1\nf 1/1/1 3/3/1 4/-1/1\n");
+  expect_square(both, "both");
+  EXPECT_EQ(both.mesh.normals, kUp);
+  EXPECT_EQ(both.mesh.texture, kFlat);
+  EXPECT_TRUE(both.mesh.notes.empty());
+  const Loaded texture = of_text("a.obj", lists + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
+  EXPECT_TRUE(texture.mesh.normals.empty());
+  EXPECT_EQ(texture.mesh.texture, kFlat);
+  const Loaded normals = of_text("a.obj", lists + "f 1//1 2//1 3//1\nf 1//1 3//1 4//1\n");
+  EXPECT_EQ(normals.mesh.normals, kUp);
+  EXPECT_TRUE(normals.mesh.texture.empty());
+  const Loaded some = of_text("a.obj", lists + "f 1/1/1 2/2/1 3/3/1\nf 1/1/1 3/3/1 4/4\n");
+  expect_square(some, "some");
+  EXPECT_TRUE(some.mesh.normals.empty());
+  EXPECT_EQ(some.mesh.texture, kFlat);
+  EXPECT_EQ(some.mesh.notes, std::vector<std::string>{"normals are not used: face 2 has none at a corner"});
+}
+
+// The bytes of a number, the smallest first or last.
+template <class T>
+std::string bytes_of(T number, std::endian order) {
+  std::string bytes(sizeof number, '\0');
+  std::memcpy(bytes.data(), &number, sizeof number);
+  if (order != std::endian::native) std::reverse(bytes.begin(), bytes.end());
+  return bytes;
+}
+
+TEST(mesh_files, of_ply_are_text_or_binary_in_either_order) {
+  const std::string elements =
+      "comment made by hand\nelement vertex 4\nproperty uchar red\nproperty double x\nproperty float y\nproperty list uchar "
+      "short "
+      "neighbours\nproperty float32 z\nelement thing 2\nproperty list int8 double numbers\nproperty int n\nobj_info none\n"
+      "element face 2\nproperty list uchar int vertex_indices\nproperty uint8 flags\nend_header\n";
+  const std::string ascii = "ply\nformat ascii 1.0\n" + elements +
+                            "255 0 0 0 -0\n1 1 0 2 7 8 0\n2 1 1 1 5 0\n3 0 1 0 0\n0 5\n2 1.5 nan -7\n3 0 1 2 9\n3 0 2 3 9\n";
+  expect_square_alone(of_text("a.ply", ascii), ascii);
+  for (const std::endian order : {std::endian::little, std::endian::big}) {
+    const auto add = [&](std::string& text, auto... numbers) { ((text += bytes_of(numbers, order)), ...); };
+    std::string text = "ply\r\nformat binary_";
+    text += (order == std::endian::little ? "little" : "big") + std::string("_endian 1.0\r\n");
+    for (const char c : elements) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    using U1 = std::uint8_t;
+    using I2 = std::int16_t;
+    add(text, U1{255}, 0.0, 0.0F, U1{0}, -0.0F);
+    add(text, U1{1}, 1.0, 0.0F, U1{2}, I2{7}, I2{8}, 0.0F);
+    add(text, U1{2}, 1.0, 1.0F, U1{1}, I2{5}, 0.0F);
+    add(text, U1{3}, 0.0, 1.0F, U1{0}, 0.0F);
+    add(text, U1{0}, 5, U1{2}, 1.5, std::nan(""), -7);
+    add(text, U1{3}, 0, 1, 2, U1{9}, U1{3}, 0, 2, 3, U1{9});
+    expect_square_alone(of_text("a.ply", text), "binary");
+    EXPECT_TRUE(of_text("a.ply", text + "1").refusal.ends_with("the file goes on for 1 bytes after its last element"));
+    for (std::size_t size = 0; size < text.size(); ++size)
+      EXPECT_NE(of_text("a.ply", text.substr(0, size)).refusal, "") << size;
+  }
+  const std::string polygon =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+      "property list uchar uint vertex_index\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+  expect_split(of_text("a.ply", polygon), polygon);
+}
+
+TEST(mesh_files, of_ply_may_have_normals_and_a_texture) {
+  const std::string head = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+  const std::string faces = "element face 2\nproperty list uchar int vertex_indices\n";
+  const Loaded of_vertices = of_text("a.ply", head +
+                                                  "property float nx\nproperty float ny\nproperty float nz\nproperty float s\n"
+                                                  "property float t\n" +
+                                                  faces +
+                                                  "end_header\n0 0 0 0 0 1 0 0\n1 0 0 0 0 1 1 0\n1 1 0 0 0 1 1 1\n"
+                                                  "0 1 0 0 0 1 0 1\n3 0 1 2\n3 0 2 3\n");
+  expect_square(of_vertices, "of vertices");
+  EXPECT_EQ(of_vertices.mesh.normals, kUp);
+  EXPECT_EQ(of_vertices.mesh.texture, kFlat);
+  const Loaded of_corners = of_text("a.ply", head + faces +
+                                                 "property list uchar float texcoord\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+                                                 "3 0 1 2 6 0 0 1 0 1 1\n3 0 2 3 6 0 0 1 1 0 1\n");
+  expect_square(of_corners, "of corners");
+  EXPECT_EQ(of_corners.mesh.texture, kFlat);
+}
+
+std::string binary_stl(const std::string& head, const std::vector<Vertex>& corners) {
+  std::string text = head;
+  text.resize(80, ' ');
+  text += bytes_of(static_cast<std::uint32_t>(corners.size() / 3), std::endian::little);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (i % 3 == 0) text += std::string(12, '\xFF');  // a normal of NaN
+    for (const float x : corners[i]) text += bytes_of(x, std::endian::little);
+    if (i % 3 == 2) text += std::string(2, '\x7F');
+  }
+  return text;
+}
+
+TEST(mesh_files, of_stl_have_vertices_with_equal_coordinates_once) {
+  const std::string words = "STL repeats its vertices: of 6, those with equal coordinates are one, 4 in all";
+  std::string text;
+  for (const char* head : {"solid a\n", "SOLID\n\n"}) {
+    text = head;
+    for (const char* facet :
+         {"vertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\n", "vertex 0 0 -0\n vertex\t1e0 1 1e-20\nVertex 0 1 0\n"})
+      text += std::string(" facet normal 0 0 nan\n  outer loop\n") + facet + "endloop\n Endfacet\n";
+    const Loaded got = of_text("a.stl", text + "endsolid a");
+    expect_square(got, text);
+    EXPECT_EQ(got.mesh.notes, std::vector<std::string>{words});
+  }
+  const std::vector<Vertex> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, -0.0F, 0}, {1, 1, 1e-20F}, {0, 1, 0}};
+  for (const char* head : {"", "solid that is binary"}) {
+    const Loaded got = of_text("a.stl", binary_stl(head, corners));
+    expect_square(got, head);
+    EXPECT_EQ(got.mesh.notes, std::vector<std::string>{words});
+  }
+  // More vertices than the first table has room for.
+  std::vector<Vertex> many;
+  for (int i = 0; i < 5000; ++i)
+    for (const Vertex& vertex : {Vertex{0, 0, 0}, Vertex{static_cast<float>(i + 1), 0, 0}, Vertex{static_cast<float>(i), 1, 0}})
+      many.push_back(vertex);
+  const Loaded got = of_text("a.stl", binary_stl("", many));
+  EXPECT_EQ(got.mesh.mesh.vertices.size(), 10001U);
+  ASSERT_EQ(got.mesh.mesh.triangles.size(), 5000U);
+  for (std::size_t i = 0; i < many.size(); ++i)
+    EXPECT_EQ(got.mesh.mesh.vertices[got.mesh.mesh.triangles[i / 3][i % 3]], many[i]) << i;
+}
+
+}  // namespace
+}  // namespace forceshade::mesh
