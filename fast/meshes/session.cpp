@@ -51,6 +51,7 @@ double lower_bound_of_square(const Face& face, const Vector3<double>& at) noexce
 [[gnu::noinline]] mesh::Tick MeshSession::step_on_mesh(const std::array<float, 3>& position) noexcept {
   const MeshTick tick = fast::step(*mesh_, spot_, position, stiffness_, shading_);
   spot_ = tick.arrival.spot;
+  if (tick.status != mesh::TickStatus::invalid) square_ = 0;  // a ball is of use only to a god-object that is in it
   if (tick.status == mesh::TickStatus::free) {
     if (ticks_until_ball_ > 0)
       --ticks_until_ball_;

@@ -32,7 +32,8 @@ void expect_same(const GodObjectPath& path, Counts& counts) {
     mesh::Tick expected_shaded = row.tick;
     expected_shaded.force = row.shaded;
     const mesh::Tick with_shading = shaded.step(session.state(), row.position), tick = session.step(row.position);
-    ASSERT_TRUE(tests::is_same(tick, row.tick)) << row.place << ": " << tests::show(tick) << ", expected " << tests::show(row.tick);
+    ASSERT_TRUE(tests::is_same(tick, row.tick))
+        << row.place << ": " << tests::show(tick) << ", expected " << tests::show(row.tick);
     ASSERT_TRUE(tests::is_same(with_shading, expected_shaded))
         << row.place << ": shaded " << tests::show(with_shading) << ", expected " << tests::show(expected_shaded);
     ++counts.ticks;
