@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/fast/meshes/force.h"
+
+#include <optional>
+#include <type_traits>
+
+#include "forceshade/fast/numbers/big_float_ball.h"
+
+namespace forceshade::fast {
+namespace {
+
+// Exact: docs/meshes.md counts the bits that the longest expressions take, of which these have more.
+using Plain = BigFloatBall<16>;
+using Shaded = BigFloatBall<64>;
+
+// r - p = vector/length, length > 0.
+template <class N>
+struct Way3 {
+  Vector3<N> vector;
+  N length;
+};
+
+template <class N>
+Vector3<N> point(const float* a) noexcept {
+  return {N::exactly(static_cast<double>(a[0])), N::exactly(static_cast<double>(a[1])), N::exactly(static_cast<double>(a[2]))};
+}
+template <class N>
+Vector3<N> scaled(const N& factor, const Vector3<N>& a) noexcept {
+  return {factor * a.x, factor * a.y, factor * a.z};
+}
+template <class N>
+Vector3<N> sum(const Vector3<N>& a, const Vector3<N>& b) noexcept {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class N>
+Vector3<N> opposite(const Vector3<N>& a) noexcept {
+  return {-a.x, -a.y, -a.z};
+}
+template <class N>
+N whole(std::uint32_t value) noexcept {
+  return N::exactly(static_cast<double>(value));
+}
+
+// An exact number of units of `unit`, a power of two, in binary64.
+template <int kBits>
+DoubleWithError near(const FixedInteger<kBits>& number, double unit) noexcept {
+  const double value = unit * number.approximately();
+  return {value, 0x1p-51 * __builtin_fabs(value)};
+}
+template <class T>
+Vector3<DoubleWithError> near(const Vector3<T>& a, double unit) noexcept {
+  return {near(a.x, unit), near(a.y, unit), near(a.z, unit)};
+}
+constexpr double kUnit = 0x1p-53;  // mm, of coordinates; of products of two, three and four of them:
+constexpr double kUnit2 = kUnit * kUnit, kUnit3 = kUnit2 * kUnit, kUnit4 = kUnit2 * kUnit2;
+
+// What a rest's force is made of, in the numbers N. kIsFromIntegers: what cancels is computed in integers first, so that each
+// number is good to a few units of its last place, and 0 where it is 0.
+template <class N, bool kIsFromIntegers = false>
+class Parts {
+ public:
+  Parts(const Mesh& mesh, const Arrival& arrival, const float* p) noexcept
+      : mesh_(mesh), spot_(arrival.spot), rest_(arrival.rest), position_(p), p_(point<N>(p)) {}
+
+  Way3<N> way() const noexcept {
+    switch (rest_) {
+      case Rest::in_triangle: {
+        const Face& f = mesh_.face(face_of(spot_.half));
+        const Vector3<N> n = normal(f);
+        if constexpr (kIsFromIntegers) {
+          const auto exact = ExactFace(f).n;
+          return {scaled(-near(dot(exact, exact_difference(position_, f.corner[0].data())), kUnit3), n),
+                  near(square(exact), kUnit4)};
+        } else {
+          return {scaled(-dot(n, p_ - point<N>(f.corner[0].data())), n), square(n)};
+        }
+      }
+      case Rest::on_edge: {
+        if constexpr (kIsFromIntegers) {
+          const ExactDifference e = exact_edge(), w = exact_difference(position_, mesh_.start_point(spot_.half));
+          return {near(cross(e, cross(e, w)), kUnit3), near(square(e), kUnit2)};
+        } else {
+          const Vector3<N> e = edge(), w = p_ - start();
+          return {cross(e, cross(e, w)), square(e)};
+        }
+      }
+      default: {
+        const Point g = point_of(mesh_, spot_);
+        if constexpr (kIsFromIntegers) return {opposite(near(exact_offset_from(g, position_), kUnit)), N::exactly(0x1p24)};
+        Vector3<N> to = scaled(whole<N>(g.weight[0]), point<N>(g.corner[0]) - p_);
+        for (std::size_t c = 1; c < static_cast<std::size_t>(g.count); ++c)
+          to = sum(to, scaled(whole<N>(g.weight[c]), point<N>(g.corner[c]) - p_));
+        return {to, N::exactly(0x1p24)};
+      }
+    }
+  }
+
+  // The shading direction times a positive number. `none`: the unshaded one; `unknown`: these numbers cannot tell.
+  enum class Outcome { direction, none, unknown };
+  struct Shading {
+    Outcome outcome;
+    Vector3<N> direction;
+  };
+  Shading shading(const Way3<N>& way) const noexcept {
+    const Shading found = outward(way);
+    if (found.outcome != Outcome::direction) return found;
+    const Sign along = proved_sign(dot(found.direction, way.vector));
+    if (along == Sign::unknown) return {Outcome::unknown, {}};
+    return along == Sign::positive ? found : Shading{Outcome::none, {}};
+  }
+
+ private:
+  Vector3<N> normal(const Face& f) const noexcept {
+    if constexpr (kIsFromIntegers) return near(ExactFace(f).n, kUnit2);
+    const Vector3<N> a = point<N>(f.corner[0].data());
+    return cross(point<N>(f.corner[1].data()) - a, point<N>(f.corner[2].data()) - a);
+  }
+  ExactDifference exact_edge() const noexcept {
+    return exact_difference(mesh_.start_point(next(spot_.half)), mesh_.start_point(spot_.half));
+  }
+  Vector3<N> start() const noexcept { return point<N>(mesh_.start_point(spot_.half)); }
+  Vector3<N> edge() const noexcept { return point<N>(mesh_.start_point(next(spot_.half))) - start(); }
+  const mesh::Normal& normal_at(HalfEdge h) const noexcept { return (*mesh_.normals(face_of(h)))[corner_of(h)]; }
+
+  Shading from_its_side(const Vector3<N>& direction) const noexcept {
+    return {Outcome::direction, spot_.side == mesh::Side::front ? direction : opposite(direction)};
+  }
+
+  Shading outward(const Way3<N>& way) const noexcept {
+    if (spot_.place == mesh::Place::vertex) {
+      const HalfEdge first = mesh_.first_around(mesh_.start(spot_.half));
+      const mesh::Normal& common = normal_at(first);
+      for (HalfEdge h = mesh_.around(first); h != kRim && h != first; h = mesh_.around(h))
+        if (normal_at(h) != common) return {Outcome::none, {}};
+      return from_its_side(point<N>(common.data()));
+    }
+    if (spot_.place == mesh::Place::triangle) {
+      const std::array<N, 3> weight = weights_in_triangle();
+      const HalfEdge h = spot_.half;
+      return from_its_side(
+          sum(sum(scaled(weight[0], point<N>(normal_at(h).data())), scaled(weight[1], point<N>(normal_at(h + 1).data()))),
+              scaled(weight[2], point<N>(normal_at(h + 2).data()))));
+    }
+    const HalfEdge other = mesh_.twin(spot_.half);
+    const std::array<N, 2> weight = weights_on_edge();
+    const auto between = [&](const mesh::Normal& a, const mesh::Normal& b) {
+      return sum(scaled(weight[0], point<N>(a.data())), scaled(weight[1], point<N>(b.data())));
+    };
+    const mesh::Normal &a = normal_at(spot_.half), &b = normal_at(next(spot_.half));
+    if (other == kRim || (normal_at(next(other)) == a && normal_at(other) == b)) return from_its_side(between(a, b));
+    // D = α n1 + β n2, α and β of the side's sign; they carry it to the direction.
+    const Face &first = mesh_.face(face_of(spot_.half)), &second = mesh_.face(face_of(other));
+    if (first.bend(corner_of(spot_.half)) == Bend::flat) return {Outcome::none, {}};
+    if (rest_ == Rest::at_spot) {
+      const Sign along = proved_sign(dot(way.vector, edge()));
+      if (along == Sign::unknown) return {Outcome::unknown, {}};
+      if (along != Sign::zero) return {Outcome::none, {}};
+    }
+    const Vector3<N> n1 = normal(first), n2 = normal(second), axis = cross(n1, n2);
+    const N alpha = dot(cross(way.vector, n2), axis), beta = dot(cross(n1, way.vector), axis);
+    const Sign against = spot_.side == mesh::Side::front ? Sign::negative : Sign::positive;
+    for (const Sign sign : {proved_sign(alpha), proved_sign(beta)}) {
+      if (sign == Sign::unknown) return {Outcome::unknown, {}};
+      if (sign == against) return {Outcome::none, {}};
+    }
+    const std::optional<float> q1 = length(n1), q2 = length(n2);
+    if (!q1 || !q2) return {Outcome::unknown, {}};
+    return {Outcome::direction,
+            sum(scaled(alpha * N::exactly(static_cast<double>(*q1)), between(a, b)),
+                scaled(beta * N::exactly(static_cast<double>(*q2)), between(normal_at(next(other)), normal_at(other))))};
+  }
+
+  // Up to a common factor.
+  std::array<N, 3> weights_in_triangle() const noexcept {
+    if (rest_ == Rest::at_spot)
+      return {whole<N>(kGrid - spot_.weight[0] - spot_.weight[1]), whole<N>(spot_.weight[0]), whole<N>(spot_.weight[1])};
+    const Face& f = mesh_.face(face_of(spot_.half));
+    if constexpr (kIsFromIntegers) {
+      const ExactWeights exact(f, position_);
+      return {near(exact.corner[0], kUnit4), near(exact.corner[1], kUnit4), near(exact.corner[2], kUnit4)};
+    }
+    const Vector3<N> a = point<N>(f.corner[0].data()), n = normal(f), w = p_ - a;
+    const N second = dot(cross(w, point<N>(f.corner[2].data()) - a), n),
+            third = dot(cross(point<N>(f.corner[1].data()) - a, w), n);
+    return {square(n) - (second + third), second, third};
+  }
+  std::array<N, 2> weights_on_edge() const noexcept {
+    if (rest_ == Rest::at_spot) return {whole<N>(kGrid - spot_.weight[0]), whole<N>(spot_.weight[0])};
+    if constexpr (kIsFromIntegers) {
+      const ExactFoot exact(mesh_.start_point(spot_.half), mesh_.start_point(next(spot_.half)), position_);
+      return {near(exact.length - exact.along, kUnit2), near(exact.along, kUnit2)};
+    }
+    const Vector3<N> e = edge();
+    const N along = dot(p_ - start(), e);
+    return {square(e) - along, along};
+  }
+
+  // The binary32 nearest to n's length.
+  std::optional<float> length(const Vector3<N>& n) const noexcept {
+    const N all = square(n);
+    if constexpr (std::is_same_v<N, DoubleWithError>) {
+      return round_to_binary32(square_root(all));
+    } else {
+      return round_to_binary32(approximately(square_root(BigFloatBall<4>(all))),
+                               [&](double tie) { return proved_sign(all - N::exactly(tie) * N::exactly(tie)); });
+    }
+  }
+
+  const Mesh& mesh_;
+  const Spot& spot_;
+  Rest rest_;
+  const float* position_;
+  Vector3<N> p_;
+};
+
+using Force3 = std::array<float, 3>;
+
+template <class Rounded>
+std::optional<Force3> each(const Rounded& rounded, const auto& vector) noexcept {
+  const std::optional<float> x = rounded(vector.x), y = rounded(vector.y), z = rounded(vector.z);
+  if (!x || !y || !z) return std::nullopt;
+  return Force3{*x, *y, *z};
+}
+
+std::optional<Force3> unshaded(const Way3<DoubleWithError>& way, double K) noexcept {
+  const DoubleWithError factor = DoubleWithError::exactly(K) / way.length;
+  return each([&](const DoubleWithError& one) { return round_to_binary32(factor * one); }, way.vector);
+}
+std::optional<Force3> unshaded(const Way3<Plain>& way, double K) noexcept {
+  const Plain stiffness = Plain::exactly(K);
+  return each(
+      [&](const Plain& one) {
+        const Plain size = stiffness * one;
+        return round_to_binary32(approximately(BigFloatBall<4>(size) / BigFloatBall<4>(way.length)),
+                                 [&](double tie) { return proved_sign(size - Plain::exactly(tie) * way.length); });
+      },
+      way.vector);
+}
+
+std::optional<Force3> along(const Way3<DoubleWithError>& way, const Vector3<DoubleWithError>& direction, double K) noexcept {
+  // Far above where the error bounds of small results end: fast/numbers/double_with_error.h.
+  const DoubleWithError square_of_way = square(way.vector), square_of_direction = square(direction);
+  if (!(square_of_direction.value > 0x1p-600 && square_of_way.value > 0x1p-600)) return std::nullopt;
+  const DoubleWithError factor = DoubleWithError::exactly(K) * square_root(square_of_way / square_of_direction) / way.length;
+  return each([&](const DoubleWithError& one) { return round_to_binary32(factor * one); }, direction);
+}
+std::optional<Force3> along(const Way3<Shaded>& way, const Vector3<Shaded>& direction, double K) noexcept {
+  using Short = BigFloatBall<4>;
+  const Shaded square_of_way = square(way.vector), square_of_direction = square(direction), stiffness = Shaded::exactly(K);
+  const Short factor = Short::exactly(K) * square_root(Short(square_of_way) / Short(square_of_direction)) / Short(way.length);
+  return each(
+      [&](const Shaded& one) -> std::optional<float> {
+        // The signs of F and the tie, then those of their squares times the denominator's.
+        const Shaded size = stiffness * one, square_of_size = size * size * square_of_way;
+        const Sign sign = proved_sign(size);
+        if (sign == Sign::unknown) return std::nullopt;
+        if (sign == Sign::zero) return 0.0F;
+        return round_to_binary32(approximately(factor * Short(one)), [&](double tie) {
+          const bool is_positive = sign == Sign::positive;
+          if (tie == 0 || (tie > 0) != is_positive) return sign;
+          const Shaded bound = Shaded::exactly(tie) * way.length;
+          const Sign beyond = proved_sign(square_of_size - bound * bound * square_of_direction);
+          if (beyond == Sign::unknown || beyond == Sign::zero) return beyond;
+          return (beyond == Sign::positive) == is_positive ? Sign::positive : Sign::negative;
+        });
+      },
+      direction);
+}
+
+// With the numbers N; empty where they cannot tell.
+template <class N, bool kIsFromIntegers = false>
+std::optional<Force3> force_in(const Mesh& mesh, const Arrival& arrival, const Force3& p, double K, bool is_shaded) noexcept {
+  using Numbers = Parts<N, kIsFromIntegers>;
+  const Numbers parts(mesh, arrival, p.data());
+  const Way3<N> way = parts.way();
+  if constexpr (!std::is_same_v<N, Plain>) {
+    const auto shading = is_shaded ? parts.shading(way) : typename Numbers::Shading{Numbers::Outcome::none, {}};
+    if (shading.outcome == Numbers::Outcome::unknown) return std::nullopt;
+    if (shading.outcome == Numbers::Outcome::direction) return along(way, shading.direction, K);
+  }
+  if constexpr (std::is_same_v<N, Shaded>)
+    return unshaded(Parts<Plain>(mesh, arrival, p.data()).way(), K);
+  else
+    return unshaded(way, K);
+}
+
+[[gnu::noinline]] Force3 exact_force(const Mesh& mesh, const Arrival& arrival, const Force3& p, double K, bool is_shaded,
+                                     bool is_filtered) noexcept {
+  if (is_filtered)
+    if (const auto force = force_in<DoubleWithError, true>(mesh, arrival, p, K, is_shaded)) return *force;
+  const auto force = is_shaded ? force_in<Shaded>(mesh, arrival, p, K, true) : force_in<Plain>(mesh, arrival, p, K, false);
+  return force.value_or(Force3{});
+}
+
+}  // namespace
+
+std::array<float, 3> mesh_force(const Mesh& mesh, const Arrival& arrival, const std::array<float, 3>& p, float stiffness,
+                                mesh::Shading shading, bool is_filtered) noexcept {
+  if (arrival.rest == Rest::none || arrival.rest == Rest::at_position) return {};
+  const auto K = static_cast<double>(stiffness);
+  const bool is_shaded = shading == mesh::Shading::vertex_scheme && mesh.normals(0) != nullptr;
+  if (is_filtered)
+    if (const auto force = force_in<DoubleWithError>(mesh, arrival, p, K, is_shaded)) [[likely]]
+      return *force;
+  return exact_force(mesh, arrival, p, K, is_shaded, is_filtered);
+}
+
+}  // namespace forceshade::fast

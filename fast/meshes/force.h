@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The force at a rest: K times the way from p to r, or as long as that along the shading direction, each component correctly
+// rounded.
+
+#include "forceshade/fast/meshes/walk.h"
+
+namespace forceshade::fast {
+
+// N. p: mm, in the domain and quantised; stiffness: N/mm. is_filtered: for tests; false leaves all to exact numbers.
+std::array<float, 3> mesh_force(const Mesh& mesh, const Arrival& arrival, const std::array<float, 3>& p, float stiffness,
+                                mesh::Shading shading, bool is_filtered = true) noexcept;
+
+}  // namespace forceshade::fast

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Which way the surface leads from a point of it, and on which side of it a direction points: docs/meshes.md, "Directions".
+
+#include "forceshade/fast/meshes/decide.h"
+
+namespace forceshade::fast {
+
+// Where a direction points, seen from a point of the surface.
+enum class Aim { on, open, front, back };
+
+// The steepest way along the surface.
+struct Way {
+  enum class Along { nothing, edge, triangle } along = Along::nothing;
+  HalfEdge half = 0;         // edge: one of its halves; triangle: one of its edges
+  bool is_reversed = false;  // edge: from the half's end to its start
+};
+
+struct Heading {
+  Aim aim;
+  Way way;
+};
+
+// 2^24(p - g) or its opposite.
+struct Direction {
+  Vector3<double> d;
+  double size;  // as Offset::size
+  const Point* from;
+  const float* to;
+  bool is_opposite;
+
+  ExactOffset exact() const noexcept {
+    const ExactOffset U = exact_offset_from(*from, to);
+    return is_opposite ? ExactOffset{-U.x, -U.y, -U.z} : U;
+  }
+};
+
+// Of one direction at a point, on the triangles and edges there.
+template <class Stages>
+class Headings {
+ public:
+  Headings(const Mesh& mesh, const Direction& direction, const Stages& stages) noexcept
+      : mesh_(mesh), direction_(direction), stages_(stages) {}
+
+  // n·d.
+  int side(std::uint32_t f) const noexcept {
+    const FaceNumbers face(mesh_.face(f));
+    return sign_of({dot(face.n, direction_.d), kAcross.error * face.area * direction_.size}, stages_,
+                   [&] { return dot(ExactFace(mesh_.face(f)).n, direction_.exact()).sign(); });
+  }
+
+  // (e x d)·n: whether d leads from the edge into the triangle, for the edge's own part of it.
+  int inward(HalfEdge h) const noexcept {
+    const FaceNumbers face(mesh_.face(face_of(h)));
+    const Vector3<double> e = difference(end_point(h), mesh_.start_point(h));
+    return sign_of({dot(cross(e, direction_.d), face.n), kInside.error * face.area * size_of(e) * direction_.size}, stages_,
+                   [&] {
+                     const auto exact_e = exact_difference(end_point(h), mesh_.start_point(h));
+                     return dot(cross(exact_e, direction_.exact()), ExactFace(mesh_.face(face_of(h))).n).sign();
+                   });
+  }
+
+  // At a point inside an edge.
+  Aim aim_at_edge(HalfEdge h) const noexcept {
+    const HalfEdge other = mesh_.twin(h);
+    const int first = side(face_of(h));
+    if (first == 0 && inward(h) >= 0) return Aim::on;
+    if (other == kRim) return Aim::open;
+    const int second = side(face_of(other));
+    if (second == 0 && inward(other) >= 0) return Aim::on;
+    return of_two(h, first, second);
+  }
+
+  // At a point inside an edge, whose part along the edge is not looked at here: with Along::edge the caller chooses the end.
+  Heading at_edge(HalfEdge h) const noexcept {
+    const HalfEdge other = mesh_.twin(h);
+    const Aim aim = aim_at_edge(h);
+    const bool into_first = inward(h) > 0, into_second = other != kRim && inward(other) > 0;
+    if (!into_first && !into_second) return {aim, {Way::Along::edge, h, false}};
+    const bool is_second =
+        into_second && (!into_first || is_better({Way::Along::triangle, other, false}, {Way::Along::triangle, h, false}));
+    return {aim, {Way::Along::triangle, is_second ? other : h, false}};
+  }
+
+  // At a vertex: with Along::nothing, the surface does not lead nearer. d is not 0.
+  Heading at_vertex(std::uint32_t vertex) const noexcept {
+    Way best;
+    const auto offer = [&](const Way& way) {
+      if (best.along == Way::Along::nothing || is_better(way, best)) best = way;
+    };
+    // An edge is the steepest way only if neither of its triangles leads inward from it.
+    const HalfEdge start = mesh_.first_around(vertex);
+    const bool is_at_rim = mesh_.twin(start) == kRim;
+    int into_first_from_start = 0, into_last = -1;  // the latter: from the edge at hand into the triangle before it
+    HalfEdge h = start;
+    do {
+      const int from_edge = inward(h), from_other = inward(previous(h));
+      if (h == start && !is_at_rim)
+        into_first_from_start = from_edge;
+      else if (into_last <= 0 && from_edge <= 0)
+        offer({Way::Along::edge, h, false});
+      if (from_edge > 0 && from_other > 0) offer({Way::Along::triangle, h, false});
+      into_last = from_other;
+      const HalfEdge following = mesh_.around(h);
+      if (following == kRim && into_last <= 0) offer({Way::Along::edge, previous(h), true});
+      h = following;
+    } while (h != kRim && h != start);
+    if (!is_at_rim && into_last <= 0 && into_first_from_start <= 0) offer({Way::Along::edge, start, false});
+    const Aim aim = aim_at_vertex(best, is_at_rim);
+    if (best.along == Way::Along::edge && along(best) <= 0) best = {};
+    return {aim, best};
+  }
+
+ private:
+  const float* end_point(HalfEdge h) const noexcept { return mesh_.start_point(next(h)); }
+  static Aim aim_of(bool is_front) noexcept { return is_front ? Aim::front : Aim::back; }
+
+  // Beside an edge with two triangles, d being on neither.
+  Aim of_two(HalfEdge h, int first, int second) const noexcept {
+    const bool is_narrow = mesh_.face(face_of(h)).bend(corner_of(h)) == Bend::narrow;
+    return aim_of(is_narrow ? first > 0 && second > 0 : first > 0 || second > 0);
+  }
+
+  Aim aim_at_vertex(const Way& best, bool is_at_rim) const noexcept {
+    if (best.along == Way::Along::triangle) {
+      const int sign = side(face_of(best.half));
+      return sign == 0 ? Aim::on : is_at_rim ? Aim::open : aim_of(sign > 0);
+    }
+    const int first = side(face_of(best.half));
+    if (first == 0 && inward(best.half) == 0 && along(best) > 0) return Aim::on;
+    if (is_at_rim) return Aim::open;
+    return of_two(best.half, first, side(face_of(mesh_.twin(best.half))));
+  }
+
+  // e·d, e leading away from the vertex.
+  Vector3<double> edge(const Way& way) const noexcept {
+    const float *a = mesh_.start_point(way.half), *b = end_point(way.half);
+    return way.is_reversed ? difference(a, b) : difference(b, a);
+  }
+  ExactDifference exact_edge(const Way& way) const noexcept {
+    const float *a = mesh_.start_point(way.half), *b = end_point(way.half);
+    return way.is_reversed ? exact_difference(a, b) : exact_difference(b, a);
+  }
+  DoubleWithError along_edge(const Way& way) const noexcept {
+    const Vector3<double> e = edge(way);
+    return {dot(direction_.d, e), kAlong.error * direction_.size * size_of(e)};
+  }
+  int along(const Way& way) const noexcept {
+    return sign_of(along_edge(way), stages_, [&] { return dot(direction_.exact(), exact_edge(way)).sign(); });
+  }
+
+  // The square of the part of d along the way, with the part's sign.
+  DoubleWithError part_along(const Way& way) const noexcept {
+    if (way.along == Way::Along::edge) {
+      const Vector3<double> e = edge(way);
+      const double size = size_of(e);
+      const DoubleWithError part = along_edge(way);
+      return (part.value < 0 ? -(part * part) : part * part) / DoubleWithError{dot(e, e), kLength.error * size * size};
+    }
+    const FaceNumbers face(mesh_.face(face_of(way.half)));
+    const double unit = kAcross.error * face.area * direction_.size;
+    const DoubleWithError across{dot(face.n, direction_.d), unit};
+    const DoubleWithError length{square(direction_.d), kOffsetLength.error * direction_.size * direction_.size};
+    return length - across * across / DoubleWithError{dot(face.n, face.n), kArea.error * face.area * face.area};
+  }
+
+  // Whether `a` is steeper than `b`, or comes before it where both are alike.
+  bool is_better(const Way& a, const Way& b) const noexcept {
+    int sign = 0;
+    if (a.along == Way::Along::triangle && b.along == Way::Along::triangle) {
+      // The nearer the plane, the longer the projection.
+      const auto angle = [&](const Way& way) {
+        const FaceNumbers face(mesh_.face(face_of(way.half)));
+        const DoubleWithError across{dot(face.n, direction_.d), kAcross.error * face.area * direction_.size};
+        return across * across / DoubleWithError{dot(face.n, face.n), kArea.error * face.area * face.area};
+      };
+      sign = sign_of(angle(b) - angle(a), stages_, [&] { return exact_compare(a, b); });
+    } else {
+      sign = sign_of(part_along(a) - part_along(b), stages_, [&] { return exact_compare(a, b); });
+    }
+    if (sign != 0) return sign > 0;
+    if (a.along != b.along) return a.along == Way::Along::edge;
+    if (a.along == Way::Along::triangle) return mesh_.face(face_of(a.half)).index() < mesh_.face(face_of(b.half)).index();
+    return ends(a) < ends(b);
+  }
+  std::array<std::uint32_t, 2> ends(const Way& way) const noexcept {
+    const std::uint32_t a = mesh_.start(way.half), b = mesh_.start(next(way.half));
+    return a < b ? std::array{a, b} : std::array{b, a};
+  }
+
+  [[gnu::noinline]] int exact_compare(const Way& a, const Way& b) const noexcept {
+    if (a.along == Way::Along::edge && b.along == Way::Along::triangle) return -exact_compare(b, a);
+    const ExactOffset d = direction_.exact();
+    if (b.along == Way::Along::triangle) {
+      const auto n1 = ExactFace(mesh_.face(face_of(a.half))).n, n2 = ExactFace(mesh_.face(face_of(b.half))).n;
+      const auto first = dot(n1, d), second = dot(n2, d);
+      return (second * second * square(n1)).compare(first * first * square(n2));
+    }
+    const ExactDifference e = exact_edge(b);
+    const auto part = dot(d, e);
+    if (a.along == Way::Along::triangle) {
+      if (part.sign() <= 0) return 1;  // a triangle is offered only with a projection, which is longer than 0
+      const auto n = ExactFace(mesh_.face(face_of(a.half))).n;
+      return (square(cross(d, n)) * square(e)).compare(part * part * square(n));
+    }
+    const ExactDifference other = exact_edge(a);
+    const auto first = dot(d, other);
+    const auto signed_square = [](const auto& number) { return number.sign() < 0 ? -(number * number) : number * number; };
+    return (signed_square(first) * square(e)).compare(signed_square(part) * square(other));
+  }
+
+  const Mesh& mesh_;
+  const Direction& direction_;
+  const Stages& stages_;
+};
+
+}  // namespace forceshade::fast

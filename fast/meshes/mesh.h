@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A triangle mesh as the real-time path reads it: one cache line for each triangle, in an order in which neighbours are near
+// each other, and a tree of boxes over runs of them.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "forceshade/fast/meshes/box_tree.h"
+#include "forceshade/vocabulary/mesh.h"
+
+namespace forceshade::fast {
+
+// How two triangles meet along an edge, seen from in front: n1·(d - a) is > 0, 0 or < 0 (docs/meshes.md).
+enum class Bend : std::uint32_t { narrow, flat, wide };
+
+// A half-edge is 3·face + i: the edge from corner i of the face to corner i + 1. Faces are numbered as they lie in memory.
+using HalfEdge = std::uint32_t;
+inline constexpr HalfEdge kRim = ~HalfEdge{0};  // the other half of an edge at the rim
+
+struct alignas(64) Face {
+  std::array<std::array<float, 3>, 3> corner;  // mm
+  std::array<std::uint32_t, 3> vertex;         // of the file
+  std::array<HalfEdge, 3> twin;                // the other half of edge i, or kRim
+  std::uint32_t index_and_bends;               // of the file, above two bits for each edge
+
+  static constexpr unsigned kBendBits = 6;
+  std::uint32_t index() const noexcept { return index_and_bends >> kBendBits; }
+  Bend bend(std::uint32_t i) const noexcept { return static_cast<Bend>(index_and_bends >> (2 * i) & 3U); }
+};
+static_assert(sizeof(Face) == 64);
+
+inline std::uint32_t face_of(HalfEdge h) noexcept {
+  return h / 3;
+}
+inline std::uint32_t corner_of(HalfEdge h) noexcept {
+  return h % 3;
+}
+inline std::uint32_t after(std::uint32_t corner) noexcept {
+  return corner == 2 ? 0 : corner + 1;
+}
+inline std::uint32_t before(std::uint32_t corner) noexcept {
+  return corner == 0 ? 2 : corner - 1;
+}
+inline HalfEdge next(HalfEdge h) noexcept {
+  return 3 * face_of(h) + after(corner_of(h));
+}
+inline HalfEdge previous(HalfEdge h) noexcept {
+  return 3 * face_of(h) + before(corner_of(h));
+}
+
+// Immutable once it is built, safe to share between threads.
+class Mesh {
+ public:
+  static constexpr std::size_t kMostTriangles = std::size_t{1} << 26;
+
+  // The mesh must be embedded, as docs/meshes.md demands: that is for the caller to have checked. Vertices are read as
+  // positions are. A message where the numbers or the way the triangles are joined are not those of such a mesh. Normals: of
+  // each corner, or none. Allocates.
+  static std::variant<Mesh, std::string> build(const mesh::TriangleMesh& triangles, const mesh::CornerNormals& normals,
+                                               mesh::Sides sides);
+
+  const Face& face(std::uint32_t f) const noexcept { return faces_[f]; }
+  std::uint32_t vertices() const noexcept { return static_cast<std::uint32_t>(first_around_.size()); }
+  std::uint32_t faces() const noexcept { return static_cast<std::uint32_t>(faces_.size()); }
+  const std::vector<Face>& all_faces() const noexcept { return faces_; }
+  // From the vertex; where it is at the rim, the one from which around() reaches every other.
+  HalfEdge first_around(std::uint32_t vertex) const noexcept { return first_around_[vertex]; }
+  std::uint32_t face_of_file(std::uint32_t triangle) const noexcept { return face_of_file_[triangle]; }
+  HalfEdge twin(HalfEdge h) const noexcept { return faces_[face_of(h)].twin[corner_of(h)]; }
+  std::uint32_t start(HalfEdge h) const noexcept { return faces_[face_of(h)].vertex[corner_of(h)]; }
+  const float* start_point(HalfEdge h) const noexcept { return faces_[face_of(h)].corner[corner_of(h)].data(); }
+  // The next half-edge from the same vertex, counter-clockwise as seen from in front; kRim after the last one.
+  HalfEdge around(HalfEdge h) const noexcept { return twin(previous(h)); }
+  bool is_at_rim(std::uint32_t vertex) const noexcept { return twin(first_around_[vertex]) == kRim; }
+
+  mesh::Sides sides() const noexcept { return sides_; }
+  const BoxTree& tree() const noexcept { return tree_; }
+  float largest_coordinate() const noexcept { return largest_coordinate_; }
+  // Of the three corners of face f; empty where the mesh has none.
+  const std::array<mesh::Normal, 3>* normals(std::uint32_t f) const noexcept {
+    return normals_.empty() ? nullptr : &normals_[f];
+  }
+  // Of everything that it holds.
+  std::size_t bytes() const noexcept;
+
+ private:
+  std::string join();
+  void find_bends();
+
+  std::vector<Face> faces_;
+  std::vector<HalfEdge> first_around_;       // by vertex of the file
+  std::vector<std::uint32_t> face_of_file_;  // by triangle of the file
+  std::vector<std::array<mesh::Normal, 3>> normals_;
+  BoxTree tree_;
+  mesh::Sides sides_ = mesh::Sides::front;
+  float largest_coordinate_ = 0;
+};
+
+}  // namespace forceshade::fast

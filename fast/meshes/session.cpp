@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/fast/meshes/session.h"
+
+namespace forceshade::fast {
+namespace {
+
+// The point of a triangle that is nearest to `at`, about: only how good the bound below is depends on it.
+Vector3<double> about_nearest(const std::array<Vector3<double>, 3>& corner, const Vector3<double>& at) noexcept {
+  const auto along = [](const Vector3<double>& from, const Vector3<double>& by, double t) {
+    return Vector3<double>{from.x + t * by.x, from.y + t * by.y, from.z + t * by.z};
+  };
+  const Vector3<double> e1 = corner[1] - corner[0], e2 = corner[2] - corner[0], n = cross(e1, e2), w = at - corner[0];
+  const double all = square(n), second = dot(cross(w, e2), n), third = dot(cross(e1, w), n);
+  if (second >= 0 && third >= 0 && second + third <= all) return along(at, n, -dot(n, w) / all);
+  Vector3<double> best = corner[0];
+  double least = HUGE_VAL;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector3<double> e = corner[i == 2 ? 0 : i + 1] - corner[i];
+    const double t = dot(at - corner[i], e) / square(e);
+    const Vector3<double> point = along(corner[i], e, t < 0 ? 0 : t > 1 ? 1 : t);
+    const double distance = square(at - point);
+    if (distance < least) {
+      least = distance;
+      best = point;
+    }
+  }
+  return best;
+}
+
+// A lower bound of the squared distance of a triangle, mm²: it lies beyond the plane through its corner that comes first along
+// v, whatever v is. The roundings: a product of components up to 2^15 mm loses 2^-21 mm² at most, and the factor covers those
+// of v's length and of the square.
+double lower_bound_of_square(const Face& face, const Vector3<double>& at) noexcept {
+  std::array<Vector3<double>, 3> corner;
+  for (std::size_t i = 0; i < 3; ++i)
+    corner[i] = {static_cast<double>(face.corner[i][0]), static_cast<double>(face.corner[i][1]),
+                 static_cast<double>(face.corner[i][2])};
+  const Vector3<double> v = about_nearest(corner, at) - at;
+  const double length = std::sqrt(square(v));
+  double first = HUGE_VAL;
+  for (const Vector3<double>& c : corner) {
+    const double along = dot(c - at, v);
+    first = along < first ? along : first;
+  }
+  const double distance = first / length - 0x1p-30;
+  return distance > 0 ? distance * distance * (1 - 0x1p-30) : 0;  // also where v is 0 or too long
+}
+
+}  // namespace
+
+[[gnu::noinline]] mesh::Tick MeshSession::step_on_mesh(const std::array<float, 3>& position) noexcept {
+  const MeshTick tick = fast::step(*mesh_, spot_, position, stiffness_, shading_);
+  spot_ = tick.arrival.spot;
+  if (tick.status != mesh::TickStatus::invalid) square_ = 0;  // a ball is of use only to a god-object that is in it
+  if (tick.status == mesh::TickStatus::free) {
+    if (ticks_until_ball_ > 0)
+      --ticks_until_ball_;
+    else
+      find_empty_ball();
+  }
+  return {tick.status, tick.arrival.moves, tick.force, object_of(*mesh_, spot_)};
+}
+
+// Around the god-object. A ball that the path leaves at once is not worth its search: then the next search waits.
+void MeshSession::find_empty_ball() noexcept {
+  constexpr double kLeastSquare = 0x1p-4, kMostSquare = 0x1p30;  // mm²
+  constexpr int kPause = 16;
+  const Vector3<double> at{static_cast<double>(spot_.position[0]), static_cast<double>(spot_.position[1]),
+                           static_cast<double>(spot_.position[2])};
+  const double square =
+      mesh_->tree().distance(at, kMostSquare, [&](std::uint32_t f) { return lower_bound_of_square(mesh_->face(f), at); });
+  centre_ = {at.x, at.y, at.z};
+  square_ = square * (1 - 0x1p-30);
+  ticks_until_ball_ = square_ < kLeastSquare ? kPause : 0;
+}
+
+}  // namespace forceshade::fast

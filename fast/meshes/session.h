@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// One god-object on its path over a mesh: what a servo loop drives.
+
+#include <memory>
+#include <utility>
+
+#include "forceshade/fast/meshes/god_object.h"
+
+namespace forceshade::fast {
+
+// As step() from tick to tick. It also keeps a ball in which no triangle lies: a free god-object that stays in it meets
+// nothing, and no tree is looked at. That saves time and changes no result. One thread at a time; the mesh may be shared.
+class MeshSession {
+ public:
+  // stiffness: N/mm, in [10^-3, 10^3].
+  MeshSession(std::shared_ptr<const Mesh> mesh, float stiffness, mesh::Shading shading) noexcept
+      : mesh_(std::move(mesh)), stiffness_(stiffness), shading_(shading) {}
+
+  // position: mm, the next one of the path. Without allocation, lock or exception.
+  mesh::Tick step(const std::array<float, 3>& position) noexcept {
+    if (spot_.place == mesh::Place::free && is_empty_at(position)) {
+      const std::array<float, 3> p{quantised(position[0]), quantised(position[1]), quantised(position[2])};
+      const std::uint16_t moves = p == spot_.position ? 0 : 1;
+      spot_.position = p;
+      mesh::Tick tick{mesh::TickStatus::free, moves, {}, {}};
+      tick.after.place = mesh::Place::free;
+      tick.after.position = p;
+      return tick;
+    }
+    return step_on_mesh(position);
+  }
+
+  mesh::GodObject state() const noexcept { return object_of(*mesh_, spot_); }
+  // Goes on from a state of this mesh, as a recording holds it.
+  void resume(const mesh::GodObject& state) noexcept {
+    spot_ = spot_of(*mesh_, state);
+    square_ = 0;
+  }
+
+ private:
+  // Whether the position is in the ball: false for NaN. The ball's radius leaves room for these roundings.
+  bool is_empty_at(const std::array<float, 3>& position) const noexcept {
+    double square = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double off = static_cast<double>(position[i]) - centre_[i];
+      square += off * off;
+    }
+    return square < square_ && in_domain(position[0]) && in_domain(position[1]) && in_domain(position[2]);
+  }
+
+  mesh::Tick step_on_mesh(const std::array<float, 3>& position) noexcept;
+  void find_empty_ball() noexcept;
+
+  std::shared_ptr<const Mesh> mesh_;
+  float stiffness_;
+  mesh::Shading shading_;
+  Spot spot_;
+  std::array<double, 3> centre_{};  // mm, of the ball
+  double square_ = 0;               // mm², of its radius; 0: there is none
+  int ticks_until_ball_ = 0;        // while small balls would be left at once
+};
+
+}  // namespace forceshade::fast

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/fast/meshes/spot.h"
+
+namespace forceshade::fast {
+
+Spot spot_of(const Mesh& mesh, const mesh::GodObject& object) noexcept {
+  Spot spot;
+  const auto is_vertex = [&](std::uint32_t v) { return v < mesh.vertices() && mesh.first_around(v) != kRim; };
+  switch (object.place) {
+    case mesh::Place::nowhere: return {};
+    case mesh::Place::free: spot.position = object.position; break;
+    case mesh::Place::vertex:
+      if (!is_vertex(object.index[0])) return {};
+      spot.half = mesh.first_around(object.index[0]);
+      break;
+    case mesh::Place::edge: {
+      if (!is_vertex(object.index[0]) || object.parameter[0] == 0 || object.parameter[0] >= kGrid) return {};
+      const HalfEdge first = mesh.first_around(object.index[0]);
+      HalfEdge h = first;
+      bool is_found = false, is_turned = false;
+      do {
+        is_found = mesh.start(next(h)) == object.index[1];
+        is_turned = !is_found && mesh.twin(previous(h)) == kRim && mesh.start(previous(h)) == object.index[1];
+        if (is_found || is_turned) break;
+        h = mesh.around(h);
+      } while (h != kRim && h != first);
+      if (!is_found && !is_turned) return {};
+      spot.half = is_turned ? previous(h) : h;
+      spot.weight[0] = is_turned ? kGrid - object.parameter[0] : object.parameter[0];
+      break;
+    }
+    case mesh::Place::triangle:
+      if (object.index[0] >= mesh.faces() || object.parameter[0] == 0 || object.parameter[1] == 0 ||
+          object.parameter[0] >= kGrid || object.parameter[1] >= kGrid - object.parameter[0])
+        return {};
+      spot.half = 3 * mesh.face_of_file(object.index[0]);
+      spot.weight = object.parameter;
+      break;
+  }
+  spot.place = object.place;
+  spot.side = object.side;
+  return spot;
+}
+
+mesh::GodObject object_of(const Mesh& mesh, const Spot& spot) noexcept {
+  mesh::GodObject object;
+  object.place = spot.place;
+  object.side = spot.side;
+  switch (spot.place) {
+    case mesh::Place::nowhere: break;
+    case mesh::Place::free: object.position = spot.position; break;
+    case mesh::Place::vertex: object.index[0] = mesh.start(spot.half); break;
+    case mesh::Place::edge: {
+      const std::uint32_t a = mesh.start(spot.half), b = mesh.start(next(spot.half));
+      object.index = a < b ? std::array{a, b} : std::array{b, a};
+      object.parameter[0] = a < b ? spot.weight[0] : kGrid - spot.weight[0];
+      break;
+    }
+    case mesh::Place::triangle:
+      object.index[0] = mesh.face(face_of(spot.half)).index();
+      object.parameter = spot.weight;
+      break;
+  }
+  return object;
+}
+
+}  // namespace forceshade::fast

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Where the god-object is, by the mesh's own numbering: what vocabulary/mesh.h states by the file's.
+
+#include "forceshade/fast/meshes/decide.h"
+#include "forceshade/vocabulary/mesh.h"
+
+namespace forceshade::fast {
+
+struct Spot {
+  mesh::Place place = mesh::Place::nowhere;
+  mesh::Side side = mesh::Side::front;
+  HalfEdge half = 0;                      // vertex: one from it; edge: one of its halves; triangle: 3·face
+  std::array<std::uint32_t, 2> weight{};  // edge: {that of the half's end}; triangle: {k, l}
+  std::array<float, 3> position{};        // free: mm, as quantised
+};
+
+inline Spot spot_at_vertex(const Mesh& mesh, HalfEdge from, mesh::Side side) noexcept {
+  return {mesh::Place::vertex, mesh.is_at_rim(mesh.start(from)) ? mesh::Side::front : side, from, {}, {}};
+}
+// weight: of the half's end, 0 and 2^24 included.
+inline Spot spot_on_edge(const Mesh& mesh, HalfEdge h, std::uint32_t weight, mesh::Side side) noexcept {
+  if (weight == 0) return spot_at_vertex(mesh, h, side);
+  if (weight == kGrid) return spot_at_vertex(mesh, next(h), side);
+  return {mesh::Place::edge, mesh.twin(h) == kRim ? mesh::Side::front : side, h, {weight, 0}, {}};
+}
+// k, l: of the second and the third corner, on the border or inside.
+inline Spot spot_in_triangle(const Mesh& mesh, std::uint32_t face, std::uint32_t k, std::uint32_t l, mesh::Side side) noexcept {
+  if (l == 0) return spot_on_edge(mesh, 3 * face, k, side);
+  if (k == 0) return spot_on_edge(mesh, 3 * face + 2, kGrid - l, side);
+  if (k + l == kGrid) return spot_on_edge(mesh, 3 * face + 1, l, side);
+  return {mesh::Place::triangle, side, 3 * face, {k, l}, {}};
+}
+
+// The weights of the corners of `face`, which the spot belongs to.
+inline std::array<std::uint32_t, 3> weights_in(const Mesh& mesh, const Spot& spot, std::uint32_t face) noexcept {
+  std::array<std::uint32_t, 3> weights{};
+  if (spot.place == mesh::Place::triangle) return {kGrid - spot.weight[0] - spot.weight[1], spot.weight[0], spot.weight[1]};
+  if (spot.place == mesh::Place::edge) {
+    const bool is_first = face_of(spot.half) == face;
+    const HalfEdge h = is_first ? spot.half : mesh.twin(spot.half);
+    weights[corner_of(h)] = is_first ? kGrid - spot.weight[0] : spot.weight[0];
+    weights[after(corner_of(h))] = is_first ? spot.weight[0] : kGrid - spot.weight[0];
+    return weights;
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+    if (mesh.face(face).vertex[i] == mesh.start(spot.half)) weights[i] = kGrid;
+  return weights;
+}
+
+inline Point point_of(const Mesh& mesh, const Spot& spot) noexcept {
+  const Face& f = mesh.face(face_of(spot.half));
+  const std::uint32_t i = corner_of(spot.half);
+  switch (spot.place) {
+    case mesh::Place::vertex: return Point::at(f.corner[i].data());
+    case mesh::Place::edge:
+      return {{f.corner[i].data(), f.corner[after(i)].data(), nullptr}, {kGrid - spot.weight[0], spot.weight[0], 0}, 2};
+    case mesh::Place::triangle:
+      return {{f.corner[0].data(), f.corner[1].data(), f.corner[2].data()},
+              {kGrid - spot.weight[0] - spot.weight[1], spot.weight[0], spot.weight[1]},
+              3};
+    default: return Point::at(spot.position.data());
+  }
+}
+
+// Whether the triangle holds the spot.
+inline bool touches(const Mesh& mesh, const Spot& spot, std::uint32_t face) noexcept {
+  switch (spot.place) {
+    case mesh::Place::vertex: {
+      const auto& corners = mesh.face(face).vertex;
+      const std::uint32_t v = mesh.start(spot.half);
+      return corners[0] == v || corners[1] == v || corners[2] == v;
+    }
+    case mesh::Place::edge:
+      return face == face_of(spot.half) || (mesh.twin(spot.half) != kRim && face == face_of(mesh.twin(spot.half)));
+    case mesh::Place::triangle: return face == face_of(spot.half);
+    default: return false;
+  }
+}
+
+// Between the mesh's numbering and the file's. An object that the mesh does not have is nowhere.
+Spot spot_of(const Mesh& mesh, const mesh::GodObject& object) noexcept;
+mesh::GodObject object_of(const Mesh& mesh, const Spot& spot) noexcept;
+
+}  // namespace forceshade::fast

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The real-time god-object against paths that other programs have computed.
+
+#include "forceshade/fast/meshes/god_object.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+
+#include "forceshade/fast/meshes/session.h"
+#include "forceshade/reference/meshes/god_object.h"
+#include "forceshade/tests/meshes/god_object_paths.h"
+#include "forceshade/tests/meshes/random_meshes.h"
+
+namespace forceshade::fast {
+namespace {
+
+Mesh built(const tests::GodObjectPath& path) {
+  auto mesh = Mesh::build(path.mesh, path.normals, path.sides);
+  if (const auto* message = std::get_if<std::string>(&mesh)) throw std::runtime_error(path.name + ": " + *message);
+  return std::get<Mesh>(std::move(mesh));
+}
+
+template <class Stages>
+int differences(const tests::GodObjectPath& path, const Stages& stages) {
+  const Mesh mesh = built(path);
+  mesh::GodObject plain, shaded;
+  int found = 0;
+  for (const tests::PathTick& row : path.ticks) {
+    const mesh::Tick tick = step(mesh, plain, row.position, path.stiffness, mesh::Shading::none, stages);
+    const mesh::Tick other = step(mesh, shaded, row.position, path.stiffness, mesh::Shading::vertex_scheme, stages);
+    plain = tick.after;
+    shaded = other.after;
+    mesh::Tick expected_shaded = row.tick;
+    expected_shaded.force = row.shaded;
+    if (tests::is_same(tick, row.tick) && tests::is_same(other, expected_shaded)) continue;
+    if (++found <= 3)
+      ADD_FAILURE() << row.place << "\n  expected " << tests::show(row.tick) << "\n  found    " << tests::show(tick)
+                    << "\n  expected shaded " << tests::show(expected_shaded) << "\n  found    " << tests::show(other);
+    plain = shaded = row.tick.after;
+  }
+  return found;
+}
+
+// The folder is not part of this project: where the variable is not set, there is nothing to compare with.
+TEST(god_object, equals_the_paths_of_an_independent_program_in_every_column) {
+  const char* folder = std::getenv("FORCESHADE_GOD_OBJECT_PATHS");
+  if (folder == nullptr) GTEST_SKIP() << "FORCESHADE_GOD_OBJECT_PATHS is not set";
+  std::size_t ticks = 0;
+  const auto names = tests::god_object_paths_in(folder);
+  for (const std::string& name : names) {
+    const tests::GodObjectPath path = tests::read_god_object_path(folder, name);
+    ticks += path.ticks.size();
+    EXPECT_EQ(differences(path, ExactStages()), 0) << name << ", in integers";
+    EXPECT_EQ(differences(path, FilteredStages()), 0) << name << ", in binary64 first";
+  }
+  std::printf("%zu paths, %zu ticks, each with and without a filter\n", names.size(), ticks);
+  EXPECT_GT(ticks, 0U);
+}
+
+// Notes how many decisions each stage has taken.
+struct CountedStages {
+  static constexpr bool kFilter = true;
+  std::size_t* in_binary64;
+  std::size_t* in_integers;
+  bool sure(bool is_proved) const noexcept {
+    ++(is_proved ? *in_binary64 : *in_integers);
+    return is_proved;
+  }
+};
+
+struct Reached {
+  std::map<std::string, std::size_t> counts;
+
+  void note(const mesh::Tick& tick) {
+    ++counts[std::string(mesh::kTickStatusNames[static_cast<std::size_t>(tick.status)])];
+    if (tick.status == mesh::TickStatus::invalid) return;
+    ++counts["at " + std::string(mesh::kPlaceNames[static_cast<std::size_t>(tick.after.place)])];
+    ++counts[std::string(mesh::kSideNames[static_cast<std::size_t>(tick.after.side)])];
+    counts["more than one move"] += tick.moves > 1;
+    counts["a force"] += tick.force != std::array<float, 3>{};
+  }
+  void expect_all(const std::vector<const char*>& names) {
+    for (const char* name : names) {
+      std::printf("  %9zu %s\n", counts[name], name);
+      EXPECT_GT(counts[name], 0U) << name;
+    }
+  }
+};
+
+const std::vector<const char*> kReached{"free",    "touching",    "unfinished", "invalid", "at free", "at vertex",
+                                        "at edge", "at triangle", "front",      "back",    "a force", "more than one move"};
+
+Mesh built(const tests::RandomMesh& random) {
+  auto mesh = Mesh::build(random.mesh, random.normals, random.sides);
+  if (const auto* message = std::get_if<std::string>(&mesh)) throw std::runtime_error(random.name + ": " + *message);
+  return std::get<Mesh>(std::move(mesh));
+}
+
+// More by hand: FORCESHADE_GOD_OBJECT_TICKS.
+std::size_t ticks_of_a_test(std::size_t usual) {
+  const char* wanted = std::getenv("FORCESHADE_GOD_OBJECT_TICKS");
+  return wanted == nullptr ? usual : std::strtoull(wanted, nullptr, 10);
+}
+
+constexpr std::size_t kTicksOfAMesh = 500;
+
+TEST(god_object, is_the_reference_in_every_bit_on_random_meshes_and_paths) {
+  Reached reached;
+  const std::size_t ticks = ticks_of_a_test(60000);
+  for (std::uint32_t seed = 0; seed * kTicksOfAMesh < ticks; ++seed) {
+    const tests::RandomMesh random = tests::random_mesh(seed);
+    const Mesh mesh = built(random);
+    const mesh::Shading shading = seed / tests::kMeshFamilies % 2 == 0 ? mesh::Shading::none : mesh::Shading::vertex_scheme;
+    auto definition = reference::GodObject::build(random.mesh, random.normals, random.sides, shading, 0.3F);
+    ASSERT_TRUE(std::holds_alternative<reference::GodObject>(definition)) << random.name << ", seed " << seed;
+    reference::GodObjectSession session(std::get<reference::GodObject>(std::move(definition)));
+    mesh::GodObject state;
+    tests::RandomPath path(random, seed);
+    for (std::size_t i = 0; i < kTicksOfAMesh; ++i) {
+      const std::array<float, 3> p = path.next();
+      const mesh::Tick expected = session.step(p), found = step(mesh, state, p, 0.3F, shading);
+      ASSERT_TRUE(tests::is_same(found, expected))
+          << random.name << ", seed " << seed << ", tick " << i << " at " << p[0] << " " << p[1] << " " << p[2] << ": expected "
+          << tests::show(expected) << ", found " << tests::show(found);
+      state = found.after;
+      reached.note(found);
+    }
+  }
+  reached.expect_all(kReached);
+}
+
+TEST(god_object, is_the_same_with_and_without_a_filter_and_from_tick_to_tick_in_a_session) {
+  Reached reached;
+  std::size_t in_binary64 = 0, in_integers = 0;
+  const std::size_t ticks = ticks_of_a_test(100000);
+  for (std::uint32_t seed = 0; seed * kTicksOfAMesh < ticks; ++seed) {
+    const tests::RandomMesh random = tests::random_mesh(100000 + seed);
+    const auto mesh = std::make_shared<const Mesh>(built(random));
+    const mesh::Shading shading = seed / tests::kMeshFamilies % 2 == 0 ? mesh::Shading::none : mesh::Shading::vertex_scheme;
+    mesh::GodObject state;
+    MeshSession session(mesh, 0.3F, shading);
+    tests::RandomPath path(random, seed);
+    for (std::size_t i = 0; i < kTicksOfAMesh; ++i) {
+      const std::array<float, 3> p = path.next();
+      const mesh::Tick exact = step(*mesh, state, p, 0.3F, shading, ExactStages());
+      const mesh::Tick filtered = step(*mesh, state, p, 0.3F, shading, CountedStages{&in_binary64, &in_integers});
+      if (i % 50 == 49) session.resume(state);
+      const mesh::Tick in_session = session.step(p);
+      for (const mesh::Tick& tick : {filtered, in_session})
+        ASSERT_TRUE(tests::is_same(tick, exact))
+            << random.name << ", seed " << seed << ", tick " << i << " at " << p[0] << " " << p[1] << " " << p[2]
+            << ": in integers " << tests::show(exact) << ", found " << tests::show(tick);
+      state = exact.after;
+      reached.note(exact);
+    }
+  }
+  reached.counts["decided in binary64"] = in_binary64;
+  reached.counts["decided in integers"] = in_integers;
+  std::vector<const char*> names = kReached;
+  names.insert(names.end(), {"decided in binary64", "decided in integers"});
+  reached.expect_all(names);
+}
+
+}  // namespace
+}  // namespace forceshade::fast
