@@ -74,7 +74,7 @@ constexpr std::array<Named, 14> kOfVertex{{{"x", Role::x},
 constexpr std::array<Named, 3> kOfFace{
     {{"vertex_indices", Role::indices}, {"vertex_index", Role::indices}, {"texcoord", Role::corner_texture}}};
 
-struct Header {
+struct PlyHeader {
   bool is_text = false;
   std::endian order = std::endian::little;
   std::vector<Element> elements;
@@ -84,7 +84,7 @@ class HeaderReader {
  public:
   HeaderReader(Lines& lines, const std::filesystem::path& file) : lines_(lines), file_(file) {}
 
-  Header read() {
+  PlyHeader read() {
     if (!next() || take() != "ply") throw Error(file_, "is no PLY file: expected the word ply in its first line");
     if (!next() || take() != "format") throw lines_.unexpected("format", lines_.line());
     read_format();
@@ -192,7 +192,7 @@ class HeaderReader {
   Lines& lines_;
   std::filesystem::path file_;
   Words words_{""};
-  Header header_;
+  PlyHeader header_;
 };
 
 // The numbers of the body, of which those of both kinds are read in the same order.
@@ -362,7 +362,7 @@ void read_faces(Body& body, const Element& element, Builder& builder) {
 }
 
 template <class Body>
-LoadedMesh read_body(Body& body, const Header& header, const std::filesystem::path& file) {
+LoadedMesh read_body(Body& body, const PlyHeader& header, const std::filesystem::path& file) {
   Builder builder;
   for (const Element& element : header.elements) {
     if (element.name == "vertex") {
@@ -385,7 +385,7 @@ LoadedMesh read_body(Body& body, const Header& header, const std::filesystem::pa
 
 LoadedMesh read_ply(const std::filesystem::path& file, Unit unit) {
   Lines lines(file);
-  const Header header = HeaderReader(lines, file).read();
+  const PlyHeader header = HeaderReader(lines, file).read();
   if (header.is_text) {
     TextBody body(lines, unit);
     return read_body(body, header, file);
