@@ -12,7 +12,7 @@
 
 namespace forceshade::properties {
 
-// Fed with text and lines of it, and with numbers as their four bytes, the least significant first.
+// Fed with text and lines of it, and with binary32 and whole numbers as their four bytes, the least significant first.
 class Digest {
  public:
   Digest() { EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr); }
@@ -22,8 +22,8 @@ class Digest {
     text(words);
     text("\n");
   }
-  void number(float value) {
-    const auto bits = std::bit_cast<std::uint32_t>(value);
+  void number(float value) { whole(std::bit_cast<std::uint32_t>(value)); }
+  void whole(std::uint32_t bits) {
     const unsigned char bytes[]{static_cast<unsigned char>(bits), static_cast<unsigned char>(bits >> 8),
                                 static_cast<unsigned char>(bits >> 16), static_cast<unsigned char>(bits >> 24)};
     EVP_DigestUpdate(context_.get(), bytes, sizeof bytes);

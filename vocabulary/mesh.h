@@ -27,6 +27,16 @@ enum class Sides { front, both };
 
 enum class Shading { none, vertex_scheme, edge_scheme };
 
+inline constexpr std::array<std::string_view, 2> kSidesNames{"front", "both"};
+inline constexpr std::array<std::string_view, 3> kShadingNames{"none", "vertex", "edge"};
+
+constexpr std::string_view name_of(Sides sides) {
+  return kSidesNames[static_cast<std::size_t>(sides)];
+}
+constexpr std::string_view name_of(Shading shading) {
+  return kShadingNames[static_cast<std::size_t>(shading)];
+}
+
 // Where the god-object is. `nowhere`: no valid position has come yet.
 enum class Place : std::uint8_t { nowhere, free, vertex, edge, triangle };
 enum class Side : std::uint8_t { front, back };

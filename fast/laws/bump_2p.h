@@ -13,9 +13,9 @@ struct Bump2p {
   static constexpr std::size_t kWideLimbs = 32;
   static constexpr int kSeparation = 1063;  // bits: docs/proofs.md, "The last stage"
   template <class N>
-  using Geometry = Face<N>;
+  using Geometry = BumpFace<N>;
   template <class N>
-  static Face<N> geometry(const Parameters& p) noexcept {
+  static BumpFace<N> geometry(const Parameters& p) noexcept {
     return two_polygon_face<N>(p.radius, p.width);
   }
 
@@ -23,7 +23,7 @@ struct Bump2p {
   double K, K_sine, K_cosine;  // N/mm
   double half_width;           // mm
 
-  Bump2p(const Parameters& p, const Face<DoubleDouble>& face) noexcept
+  Bump2p(const Parameters& p, const BumpFace<DoubleDouble>& face) noexcept
       : gap(two_polygon_gap(face, p.width)),
         K(static_cast<double>(p.stiffness)),
         K_sine((DoubleDouble::exactly(K) * face.sine).hi),
@@ -42,7 +42,7 @@ struct Bump2p {
   }
 
   template <class N>
-  static Outcome<N> exact(const Parameters& p, const Face<N>& face, float x, float z) noexcept {
+  static Outcome<N> exact(const Parameters& p, const BumpFace<N>& face, float x, float z) noexcept {
     const float ax = __builtin_fabsf(x);
     if (2 * ax > p.width) return on_plane<N>(p.stiffness, z);
     return along(side_gap(face, p.width, ax, z), p.stiffness, x < 0 ? -face.sine : face.sine, face.cosine);

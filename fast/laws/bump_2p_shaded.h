@@ -13,9 +13,9 @@ struct Bump2pShaded {
   static constexpr std::size_t kWideLimbs = 32;
   static constexpr int kSeparation = 1031;  // bits: docs/proofs.md, "The last stage"
   template <class N>
-  using Geometry = Face<N>;
+  using Geometry = BumpFace<N>;
   template <class N>
-  static Face<N> geometry(const Parameters& p) noexcept {
+  static BumpFace<N> geometry(const Parameters& p) noexcept {
     return two_polygon_face<N>(p.radius, p.width);
   }
 
@@ -23,7 +23,7 @@ struct Bump2pShaded {
   Shading shading;
   double half_width;  // mm
 
-  Bump2pShaded(const Parameters& p, const Face<DoubleDouble>& face) noexcept
+  Bump2pShaded(const Parameters& p, const BumpFace<DoubleDouble>& face) noexcept
       : gap(two_polygon_gap(face, p.width)), shading(p), half_width(0.5 * static_cast<double>(p.width)) {}
 
   template <class Real>
@@ -38,7 +38,7 @@ struct Bump2pShaded {
   }
 
   template <class N>
-  static Outcome<N> exact(const Parameters& p, const Face<N>& face, float x, float z) noexcept {
+  static Outcome<N> exact(const Parameters& p, const BumpFace<N>& face, float x, float z) noexcept {
     const float ax = __builtin_fabsf(x);
     if (2 * ax > p.width) return on_plane<N>(p.stiffness, z);
     return along_shaded(side_gap(face, p.width, ax, z), p.stiffness, p.radius, x);

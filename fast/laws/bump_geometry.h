@@ -18,13 +18,13 @@ N axis_depth(float radius, float width) noexcept {
 
 // A side face of a polygonal bump: its height over the plane is tangent·(w/2 - |x|), its normal (±sine, cosine).
 template <class N>
-struct Face {
+struct BumpFace {
   N sine, cosine, tangent;
 };
 
 // Two polygons: the face's slope angle is α/2 with sin α = w/2R. h = (w/2)·tangent.
 template <class N>
-Face<N> two_polygon_face(float radius, float width) noexcept {
+BumpFace<N> two_polygon_face(float radius, float width) noexcept {
   const N R = N::exactly(static_cast<double>(radius));
   const N half = N::exactly(0.5 * static_cast<double>(width));
   const N sum = R + axis_depth<N>(radius, width);
@@ -73,7 +73,7 @@ template <class N>
 struct ThreePolygons {
   N half_top;  // w′/2, mm
   N height;    // h′, mm
-  Face<N> face;
+  BumpFace<N> face;
 };
 
 template <class N>

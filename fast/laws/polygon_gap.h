@@ -39,12 +39,12 @@ inline LinearGap linear_gap(const DoubleDouble& height, const DoubleDouble& slop
 }
 
 // Two polygons: h - (2h/w)|x| - z for |x| <= w/2.
-inline LinearGap two_polygon_gap(const Face<DoubleDouble>& face, float width) noexcept {
+inline LinearGap two_polygon_gap(const BumpFace<DoubleDouble>& face, float width) noexcept {
   return linear_gap(face.tangent * DoubleDouble::exactly(0.5 * static_cast<double>(width)), face.tangent);
 }
 
 template <class N>
-N side_gap(const Face<N>& face, float width, float ax, float z) noexcept {
+N side_gap(const BumpFace<N>& face, float width, float ax, float z) noexcept {
   // The difference is N's to take: in binary64 it would round where |x| is far below w.
   const N from_edge = N::exactly(0.5 * static_cast<double>(width)) - N::exactly(static_cast<double>(ax));
   return face.tangent * from_edge - N::exactly(static_cast<double>(z));

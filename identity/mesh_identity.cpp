@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/identity/mesh_identity.h"
+
+#include "forceshade/identity/digest.h"
+
+namespace forceshade::properties {
+
+Identity identity_of(const std::string& name, const MeshRendering& rendering) {
+  Digest digest;
+  const auto line = [&](const char* what, std::size_t count) { digest.line(what + (' ' + std::to_string(count))); };
+  line("vertices", rendering.mesh.vertices.size());
+  for (const mesh::Vertex& vertex : rendering.mesh.vertices)
+    for (const float coordinate : vertex) digest.number(coordinate);
+  line("triangles", rendering.mesh.triangles.size());
+  for (const mesh::Triangle& triangle : rendering.mesh.triangles)
+    for (const std::uint32_t vertex : triangle) digest.whole(vertex);
+  line("normals", rendering.normals.size());
+  for (const auto& corners : rendering.normals)
+    for (const mesh::Normal& normal : corners)
+      for (const float component : normal) digest.number(component);
+  return {kMeshKind,
+          name,
+          {{"sides", std::string(name_of(rendering.sides))},
+           {"shading", std::string(name_of(rendering.shading))},
+           {"stiffness_N_per_mm", rendering.stiffness}},
+          digest.hex()};
+}
+
+}  // namespace forceshade::properties

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/properties/mesh_properties.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "forceshade/properties/binary32.h"
+
+namespace forceshade::properties {
+namespace {
+
+constexpr double kGridStep = 0x1p-24;
+constexpr double kSum = 0x1p-36;  // mm: more than binary64 loses where coordinates within 10^4 mm are added
+
+Eigen::Vector3d vector_of(const std::array<float, 3>& v) {
+  return Eigen::Vector3f(v[0], v[1], v[2]).cast<double>();
+}
+
+// As the definition reads a position.
+Eigen::Vector3d read(const MeshPosition& position) {
+  Eigen::Vector3d p = vector_of(position);
+  for (double& coordinate : p)
+    if (std::fabs(coordinate) < 0x1p-30) coordinate = 0;
+  return p;
+}
+
+Eigen::Vector3d force_of(const mesh::Tick& tick) {
+  return vector_of(tick.force);
+}
+
+// Of a force whose components are rounded.
+double rounding_of(const mesh::Tick& tick) {
+  double sum = 0;
+  for (const float component : tick.force) sum += static_cast<double>(half_spacing(component));
+  return sum;
+}
+
+bool is_on_surface(const mesh::Tick& tick) {
+  return tick.status == mesh::TickStatus::touching || tick.status == mesh::TickStatus::unfinished;
+}
+
+std::string at(const MeshPosition& p) {
+  return "at (" + show(p[0]) + ", " + show(p[1]) + ", " + show(p[2]) + ") mm ";
+}
+
+std::string words(double value) {
+  return show(static_cast<float>(value));
+}
+
+}  // namespace
+
+Eigen::Vector3d point_of(const mesh::TriangleMesh& mesh, const mesh::GodObject& state) {
+  const auto vertex = [&](std::uint32_t v) { return vector_of(mesh.vertices[v]); };
+  const auto share = [&](std::size_t i) { return kGridStep * state.parameter[i]; };
+  switch (state.place) {
+    case mesh::Place::vertex: return vertex(state.index[0]);
+    case mesh::Place::edge: {
+      const Eigen::Vector3d a = vertex(state.index[0]), b = vertex(state.index[1]);
+      return a + share(0) * (b - a);
+    }
+    case mesh::Place::triangle: {
+      const mesh::Triangle& corners = mesh.triangles[state.index[0]];
+      const Eigen::Vector3d a = vertex(corners[0]), b = vertex(corners[1]), c = vertex(corners[2]);
+      return a + share(0) * (b - a) + share(1) * (c - a);
+    }
+    default: return vector_of(state.position);
+  }
+}
+
+double grid_reach(const mesh::TriangleMesh& mesh, const mesh::GodObject& state) {
+  const auto between = [&](std::uint32_t v, std::uint32_t w) {
+    return (vector_of(mesh.vertices[v]) - vector_of(mesh.vertices[w])).norm();
+  };
+  double longest = 0;
+  if (state.place == mesh::Place::edge) longest = between(state.index[0], state.index[1]);
+  if (state.place == mesh::Place::triangle) {
+    const mesh::Triangle& t = mesh.triangles[state.index[0]];
+    longest = std::max({between(t[0], t[1]), between(t[1], t[2]), between(t[2], t[0])});
+  }
+  return 2 * kGridStep * longest;
+}
+
+Violation force_is_as_long_as_the_spring(const MeshRendering& rendering, const Ticked& ticked) {
+  const mesh::Tick& tick = ticked.tick;
+  const double size = force_of(tick).norm(), K = static_cast<double>(rendering.stiffness);
+  if (!is_on_surface(tick)) {
+    if (size == 0) return std::nullopt;
+    return at(ticked.position) + "the god-object is not on the surface, and the force is " + words(size) + " N";
+  }
+  const double length = (point_of(rendering.mesh, tick.after) - read(ticked.position)).norm();
+  const double allowed = K * (grid_reach(rendering.mesh, tick.after) + kSum) + rounding_of(tick);
+  if (std::fabs(size - K * length) <= allowed) return std::nullopt;
+  return at(ticked.position) + "the force is " + words(size) + " N; the spring is " + words(length) + " mm long, so " +
+         words(K * length) + " N were expected";
+}
+
+Violation force_follows_the_spring(const MeshRendering& rendering, const Ticked& one, const Ticked& other) {
+  const mesh::GodObject &a = one.tick.after, &b = other.tick.after;
+  if (!is_on_surface(one.tick) || !is_on_surface(other.tick)) return std::nullopt;
+  if (a.place != b.place || a.index != b.index || a.side != b.side) return std::nullopt;
+  const double moved = (read(other.position) - read(one.position)).norm() +
+                       (point_of(rendering.mesh, b) - point_of(rendering.mesh, a)).norm() + 2 * grid_reach(rendering.mesh, a) +
+                       2 * kSum;
+  const double allowed = static_cast<double>(rendering.stiffness) * moved + rounding_of(one.tick) + rounding_of(other.tick);
+  const Eigen::Vector3d F = force_of(one.tick), G = force_of(other.tick);
+  const double change = rendering.shading == mesh::Shading::none ? (G - F).norm() : std::fabs(G.norm() - F.norm());
+  if (change <= allowed) return std::nullopt;
+  return at(one.position) + "and " + at(other.position) + "forces differ by " + words(change) + " N; at most " +
+         words(allowed) + " N were expected";
+}
+
+Violation spring_gives_no_energy(const MeshRendering& rendering, std::span<const Ticked> path) {
+  const double K = static_cast<double>(rendering.stiffness);
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Ticked &before = path[i - 1], &now = path[i];
+    const Eigen::Vector3d p = read(before.position), q = read(now.position), step = q - p;
+    const Eigen::Vector3d r = point_of(rendering.mesh, before.tick.after), s = point_of(rendering.mesh, now.tick.after);
+    const double slack = grid_reach(rendering.mesh, before.tick.after) + grid_reach(rendering.mesh, now.tick.after) + 4 * kSum;
+    if ((s - q).norm() > (r - q).norm() + slack)
+      return at(now.position) + "the god-object went from " + words((r - q).norm()) + " mm off the position to " +
+             words((s - q).norm()) + " mm off it";
+    if (rendering.shading != mesh::Shading::none) continue;
+    const Eigen::Vector3d F = force_of(before.tick), G = force_of(now.tick);
+    const double given = F.dot(step);
+    const double stored = (F.squaredNorm() - G.squaredNorm()) / (2 * K) + 0.5 * K * step.squaredNorm();
+    // Where the springs' ends are off by the slack, and the forces by their roundings.
+    const double off = K * slack + rounding_of(before.tick) + rounding_of(now.tick);
+    const double allowed = off * (step.norm() + (F.norm() + G.norm() + off) / K);
+    if (given > stored + allowed)
+      return at(now.position) + "a tick gave " + words(given) + " mJ; at most " + words(stored) + " mJ were expected";
+  }
+  return std::nullopt;
+}
+
+}  // namespace forceshade::properties

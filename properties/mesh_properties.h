@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What must hold of a god-object along its path, checked from its ticks alone, without either side's code.
+
+#include <array>
+#include <span>
+
+#include "forceshade/identity/mesh_identity.h"
+#include "forceshade/properties/rendered.h"
+
+namespace forceshade::properties {
+
+using MeshPosition = std::array<float, 3>;  // mm
+
+// One position of a path and what it did.
+struct Ticked {
+  MeshPosition position;
+  mesh::Tick tick;
+};
+
+// Where the state says that the god-object is, mm; a free one is at its own position.
+Eigen::Vector3d point_of(const mesh::TriangleMesh& mesh, const mesh::GodObject& state);
+
+// The most that the point of the state is away from the point that gave the force: two steps of the grid, mm.
+double grid_reach(const mesh::TriangleMesh& mesh, const mesh::GodObject& state);
+
+// The force is as long as the stiffness times the distance from the position to the god-object, shaded or not; zero where it is
+// free or the position is invalid; finite always.
+Violation force_is_as_long_as_the_spring(const MeshRendering& rendering, const Ticked& ticked);
+
+// Two positions reached from the same state that lead to the same feature and side: the length of the force changes by no more
+// than the stiffness times what position and god-object move; unshaded, so does the force.
+Violation force_follows_the_spring(const MeshRendering& rendering, const Ticked& one, const Ticked& other);
+
+// Along a path of valid positions the god-object never moves away from the position: from tick to tick its distance to the new
+// one is at most what it would be had it not moved. So an unshaded force gives no more energy than sampling does: over one tick
+// F·(p' - p) <= (F² - F'²)/2K + K/2 |p' - p|², which is checked of the forces, too.
+Violation spring_gives_no_energy(const MeshRendering& rendering, std::span<const Ticked> path);
+
+}  // namespace forceshade::properties

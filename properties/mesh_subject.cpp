@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/properties/mesh_subject.h"
+
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "forceshade/properties/binary32.h"
+#include "forceshade/properties/generators.h"
+#include "forceshade/properties/mesh_generators.h"
+#include "forceshade/properties/mesh_properties.h"
+#include "forceshade/properties/spread.h"
+
+namespace forceshade::properties {
+namespace {
+
+MeshPosition position_of(const Eigen::Vector3f& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+reference::GodObject built(const MeshRendering& of) {
+  auto built = reference::GodObject::build(of.mesh, of.normals, of.sides, of.shading, of.stiffness);
+  if (const auto* error = std::get_if<ParameterError>(&built)) throw std::invalid_argument(error->message());
+  return std::get<reference::GodObject>(std::move(built));
+}
+
+class ReferenceOfMesh final : public ReferenceSession {
+ public:
+  explicit ReferenceOfMesh(reference::GodObject god_object) : session_(std::move(god_object)) {}
+
+  reference::Rounded step(const Eigen::Vector3f& position) override {
+    const mesh::Tick tick = session_.step(position_of(position));
+    reference::Rounded answer;
+    answer.force = {tick.force[0], tick.force[1], tick.force[2]};
+    answer.method = reference::Method::exact;
+    answer.status = tick.status == mesh::TickStatus::free      ? Status::free
+                    : tick.status == mesh::TickStatus::invalid ? Status::invalid
+                                                               : Status::contact;
+    return answer;
+  }
+
+ private:
+  reference::GodObjectSession session_;
+};
+
+// A path over the mesh, with positions of the kinds by which every certificate counts its points.
+class MeshPositions final : public Positions, private Draws {
+ public:
+  MeshPositions(std::shared_ptr<const MeshRendering> rendering, std::uint64_t seed)
+      : Draws(seed), path_(rendering->mesh, seed) {}
+
+  Aimed next() override {
+    const MeshPosition p = path_.next();
+    Aimed aimed{{p[0], p[1], p[2]}, aim_of(path_.kind())};
+    switch (bits() % 64) {
+      case 0: return with(aimed, Aim::quantum, tiny());
+      case 1: return with(aimed, Aim::tie, any_binade());
+      default: return aimed;
+    }
+  }
+
+ private:
+  Aimed with(Aimed aimed, Aim aim, float coordinate) {
+    aimed.position[static_cast<Eigen::Index>(bits() % 3)] = coordinate;
+    return {aimed.position, aim};
+  }
+
+  static Aim aim_of(PathKind kind) {
+    switch (kind) {
+      case PathKind::walk:
+      case PathKind::stroke:
+      case PathKind::jump: return Aim::volume;
+      case PathKind::press:
+      case PathKind::graze:
+      case PathKind::on_surface: return Aim::surface;
+      case PathKind::beside_vertex: return Aim::facet_line;
+      case PathKind::axis_parallel: return Aim::axis;
+      case PathKind::few_bits: return Aim::few_bits;
+      case PathKind::domain_end: return Aim::domain_end;
+      case PathKind::invalid: return Aim::any_bits;
+    }
+    return Aim::volume;
+  }
+
+  MeshPath path_;
+};
+
+constexpr int kLongest = 80;  // positions of a path that is drawn
+
+std::vector<MeshPosition> drawn_path(const MeshRendering& rendering) {
+  MeshPath source(rendering.mesh, *rc::gen::arbitrary<std::uint64_t>());
+  std::vector<MeshPosition> path(static_cast<std::size_t>(*rc::gen::inRange(2, kLongest)));
+  for (MeshPosition& position : path) position = source.next();
+  return path;
+}
+
+std::vector<Ticked> ticked(fast::TickSession& session, const std::vector<MeshPosition>& path) {
+  std::vector<Ticked> ticks;
+  for (const MeshPosition& position : path) ticks.push_back({position, session.tick(position)});
+  return ticks;
+}
+
+bool is_valid(const MeshPosition& p) {
+  return properties::is_valid(Eigen::Vector3f(p[0], p[1], p[2]));
+}
+
+std::string words_of(const mesh::Tick& tick) {
+  const mesh::GodObject& state = tick.after;
+  std::string words = std::string(mesh::kTickStatusNames[static_cast<std::size_t>(tick.status)]) + ", " +
+                      std::string(mesh::kPlaceNames[static_cast<std::size_t>(state.place)]);
+  for (const std::uint32_t number : {state.index[0], state.index[1], state.parameter[0], state.parameter[1]})
+    words += ' ' + std::to_string(number);
+  words += ' ' + std::string(mesh::kSideNames[static_cast<std::size_t>(state.side)]) + ", " + std::to_string(tick.moves) +
+           " moves, (" + show(tick.force[0]) + ", " + show(tick.force[1]) + ", " + show(tick.force[2]) + ") N";
+  return words;
+}
+
+bool is_same(const mesh::Tick& a, const mesh::Tick& b) {
+  return a.status == b.status && a.moves == b.moves && a.after == b.after &&
+         std::equal(a.force.begin(), a.force.end(), b.force.begin(), same_bits);
+}
+
+Violation differs(std::size_t i, const MeshPosition& p, const mesh::Tick& got, const mesh::Tick& expected) {
+  if (is_same(got, expected)) return std::nullopt;
+  return "tick " + std::to_string(i) + " at (" + show(p[0]) + ", " + show(p[1]) + ", " + show(p[2]) + ") mm: " + words_of(got) +
+         "; expected " + words_of(expected);
+}
+
+}  // namespace
+
+OpenTicks fast_god_object(const MeshRendering& rendering) {
+  auto built = fast::Mesh::build(rendering.mesh, rendering.normals, rendering.sides);
+  if (const auto* error = std::get_if<std::string>(&built)) throw std::invalid_argument(*error);
+  return [mesh = std::make_shared<const fast::Mesh>(std::get<fast::Mesh>(std::move(built))),
+          shading = rendering.shading](float stiffness) -> std::unique_ptr<fast::TickSession> {
+    return std::make_unique<fast::GodObjectSession>(mesh, stiffness, shading);
+  };
+}
+
+MeshSubject::MeshSubject(const std::string& name, MeshRendering rendering, OpenTicks open)
+    : rendering_(std::make_shared<const MeshRendering>(std::move(rendering))),
+      stiffness_(rendering_->stiffness),
+      open_(std::move(open)),
+      calls_{[its = open_, K = stiffness_] { return its(K); }},
+      reference_(built(*rendering_)),
+      identity_(identity_of(name, *rendering_)) {}
+
+std::vector<std::string> MeshSubject::parts() const {
+  return {std::to_string(rendering_->mesh.triangles.size()) + " triangles, " +
+          std::to_string(rendering_->mesh.vertices.size()) + " vertices"};
+}
+
+std::unique_ptr<ReferenceSession> MeshSubject::open_reference() const {
+  return std::make_unique<ReferenceOfMesh>(reference_);
+}
+
+std::unique_ptr<Positions> MeshSubject::positions(std::uint64_t seed) const {
+  return std::make_unique<MeshPositions>(rendering_, seed);
+}
+
+std::vector<Eigen::Vector3f> MeshSubject::draw_path() const {
+  std::vector<Eigen::Vector3f> path;
+  for (const MeshPosition& p : drawn_path(*rendering_)) path.emplace_back(p[0], p[1], p[2]);
+  return path;
+}
+
+Violation MeshSubject::check_continuity() const {
+  const auto path = drawn_path(*rendering_);
+  const auto session = open_(stiffness_), beside = open_(stiffness_);
+  const auto axis = static_cast<std::size_t>(*rc::gen::inRange(0, 3));
+  const float towards = *rc::gen::arbitrary<bool>() ? INFINITY : -INFINITY;
+  mesh::GodObject state;
+  for (const MeshPosition& position : path) {
+    const Ticked here{position, session->tick(position)};
+    MeshPosition near = position;
+    near[axis] = std::nextafter(near[axis], towards);
+    if (is_valid(position) && is_valid(near) && state.place != mesh::Place::nowhere) {
+      beside->resume(state);
+      if (auto violation = force_follows_the_spring(*rendering_, here, {near, beside->tick(near)})) return violation;
+    }
+    state = here.tick.after;
+  }
+  return std::nullopt;
+}
+
+Violation MeshSubject::check_unit_normals() const {
+  const auto session = open_(stiffness_);
+  for (const Ticked& one : ticked(*session, drawn_path(*rendering_)))
+    if (auto violation = force_is_as_long_as_the_spring(*rendering_, one)) return violation;
+  return std::nullopt;
+}
+
+Violation MeshSubject::check_passivity() const {
+  auto path = drawn_path(*rendering_);
+  std::erase_if(path, [](const MeshPosition& position) { return !is_valid(position); });
+  const auto session = open_(stiffness_);
+  return spring_gives_no_energy(*rendering_, ticked(*session, path));
+}
+
+std::vector<FurtherProperty> MeshSubject::further_properties() const {
+  const auto states = [this]() -> Violation {
+    const auto path = drawn_path(*rendering_);
+    const auto split = static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(path.size())));
+    auto session = open_(stiffness_);
+    mesh::GodObject state;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      if (i == split) {
+        session = open_(stiffness_);
+        session->resume(state);
+      }
+      const mesh::Tick expected = reference_.step(state, path[i]);
+      if (auto violation = differs(i, path[i], session->tick(path[i]), expected)) return violation;
+      state = expected.after;
+    }
+    return std::nullopt;
+  };
+  const auto repeats = [this]() -> Violation {
+    const auto path = drawn_path(*rendering_);
+    const auto session = open_(stiffness_);
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      mesh::Tick first = session->tick(path[i]);
+      if (first.status == mesh::TickStatus::unfinished) continue;
+      mesh::Tick again = session->tick(path[i]);
+      first.moves = again.moves = 0;
+      if (auto violation = differs(i, path[i], again, first)) return "repeated, " + *violation;
+    }
+    return std::nullopt;
+  };
+  return {{"states", states}, {"repeats", repeats}};
+}
+
+std::vector<std::string> MeshSubject::jumps() const {
+  std::vector<std::string> words{"where the god-object leaves a rim, a wide edge or a vertex"};
+  if (rendering_->shading != mesh::Shading::none) words.emplace_back("where the shading is given up");
+  return words;
+}
+
+DrawnSubject MeshSubject::with_drawn_parameters(std::uint64_t seed) const {
+  MeshRendering rendering = *rendering_;
+  rendering.stiffness = ParameterSource(seed).next().stiffness;
+  const std::string words = "K = " + show(rendering.stiffness) + " N/mm: ";
+  return {std::make_unique<MeshSubject>(identity_.name, std::move(rendering), open_), words};
+}
+
+}  // namespace forceshade::properties

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A god-object on a mesh as a subject.
+
+#include "forceshade/fast/meshes/tick_session.h"
+#include "forceshade/identity/mesh_identity.h"
+#include "forceshade/properties/subject.h"
+#include "forceshade/reference/meshes/god_object.h"
+
+namespace forceshade::properties {
+
+// Opens a session of what is said to be a god-object with this stiffness (N/mm).
+using OpenTicks = std::function<std::unique_ptr<fast::TickSession>(float stiffness)>;
+// Of the fast path. Throws std::invalid_argument for what is no surface.
+OpenTicks fast_god_object(const MeshRendering& rendering);
+
+class MeshSubject final : public Subject {
+ public:
+  // name: of its file. The mesh has been checked (meshes/check.h). Throws std::invalid_argument where a side refuses it.
+  MeshSubject(const std::string& name, const MeshRendering& rendering)
+      : MeshSubject(name, rendering, fast_god_object(rendering)) {}
+  // Any renderer of it.
+  MeshSubject(const std::string& name, MeshRendering rendering, OpenTicks open);
+
+  const Identity& identity() const override { return identity_; }
+  std::vector<std::string> parts() const override;
+  std::unique_ptr<ReferenceSession> open_reference() const override;
+  const Calls& calls() const override { return calls_; }
+  std::unique_ptr<Positions> positions(std::uint64_t seed) const override;
+  std::vector<Eigen::Vector3f> draw_path() const override;
+  // properties/mesh_properties.h says what each of them is on a mesh.
+  Violation check_continuity() const override;
+  Violation check_unit_normals() const override;
+  Violation check_passivity() const override;
+  // "states": the renderer's state, status, moves and force are the definition's, tick by tick, also with a path that goes on
+  // from a state of it. "repeats": a position that is repeated changes neither state nor force once the tick is finished.
+  std::vector<FurtherProperty> further_properties() const override;
+  std::vector<std::string> jumps() const override;
+  bool has_unit_directions() const override { return true; }
+  bool is_conservative() const override { return false; }
+  // None is known.
+  std::vector<LoopEnergy> energies(const reference::Watch&) const override { return {}; }
+  DrawnSubject with_drawn_parameters(std::uint64_t seed) const override;
+  std::uint64_t points_of_a_set(std::uint64_t points) const override { return (points + 7) / 8; }
+
+ private:
+  std::shared_ptr<const MeshRendering> rendering_;  // of all stiffnesses but its own
+  float stiffness_;
+  OpenTicks open_;
+  Calls calls_;
+  reference::GodObject reference_;
+  Identity identity_;
+};
+
+}  // namespace forceshade::properties
