@@ -9,7 +9,7 @@ Usage: make_god_object_golden.py [directory]       (the default is god_object/ b
            writes the directory's paths as ticks of one move each, with each position repeated until the god-object has followed,
            so that check_god_object.py sees every move; each last row must be as in the directory, but for its number of moves
 
-All decisions are signs of integers or of rationals; there is no tree, no tolerance and no floating-point number in a result.
+All decisions are signs of integers or of rationals; there is no tree, no tolerance and no floating-point number in a decision.
 The methods are chosen to differ from the formulas of docs/meshes.md:
   - on which side of the surface a direction points: a segment runs from the direction to a point inside a triangle at the same
     point of the surface, and its crossings of the other triangles there are counted;
@@ -18,7 +18,9 @@ The methods are chosen to differ from the formulas of docs/meshes.md:
   - projections onto triangles: 2 x 2 normal equations;
   - grid points: all neighbours of the point are tried;
   - forces: a component is rounded from its exact square, shaded and unshaded alike.
-The unit of length of the integers is 2^-77 mm: vertices and positions are multiples of 2^-53 mm, states of 2^-24 times that.
+Angles and unit normals, which the corner normals are made of, are decimals of 110 digits; a corner normal that these leave in
+doubt would stop the program. Everything else is exact. The unit of length of the integers is 2^-77 mm: vertices and positions
+are multiples of 2^-53 mm, and the grid of the states divides these by 2^24.
 """
 
 import csv
@@ -641,6 +643,7 @@ def check(directory, only):
 
 
 def write_single_moves(directory, output, only):
+    """A row that is `unfinished` in the directory is left out: the next row is expected to have its position, and goes on."""
     Mesh.most_moves = 1
     output.mkdir(exist_ok=True)
     table = []
