@@ -258,8 +258,8 @@ class State:
 
 
 def nearest_on_feature(surface, state, p):
-    """The point of the state's line or plane nearest to p, if it is strictly inside and rounds to the state; scaled by the integer
-    that is returned with it. From the normal, not from the sides: q = p - (n·(p - a)/n·n) n."""
+    """The point of the state's line or plane nearest to p, if it is strictly inside and rounds to the state; scaled by the
+    integer that is returned with it. From the normal, not from the sides: q = p - (n·(p - a)/n·n) n."""
     a = surface.points[state.order[0]]
     if len(state.order) == 2:
         along = sub(surface.points[state.order[1]], a)
@@ -403,8 +403,9 @@ class Checker:
             return
         # It ends at the first blocking place, rounded, or at p. A landing is rounded to a corner of its grid triangle; at p both
         # parameters are rounded, and may have to be kept inside.
-        h, corners = (blocking or met[-1:])[0]
-        assert blocking or h == 1, 'it ends on the surface without being stopped'
+        ends = blocking or [one for one in met if one[0] == 1]
+        assert ends, 'it ends on the surface without being stopped'
+        h, corners = ends[0]
         place = [a + h * c for a, c in zip(before.point, u)]
         apart = sub(place, after.point)
         assert dot(apart, apart) * STEPS**2 <= (4 if h == 1 else 1) * surface.longest_squared, 'it does not end where it lands'
@@ -538,7 +539,8 @@ def check_path(directory, name, sides, most_moves):
             if wrong <= 5:
                 print(f'{name}.csv, line {line}: {error}: {",".join(row)}')
             before = State(checker.surface, row[4], row[5], p or before.point) if p or before else None
-    print(f'{name}: {len(rows)} ticks, {wrong} wrong;', ', '.join(f'{kind} {n}' for kind, n in sorted(checker.count.items())), flush=True)
+    seen = ', '.join(f'{kind} {n}' for kind, n in sorted(checker.count.items()))
+    print(f'{name}: {len(rows)} ticks, {wrong} wrong;', seen, flush=True)
     return wrong, checker.count
 
 

@@ -9,7 +9,7 @@ Usage: make_god_object_golden.py [directory]       (the default is god_object/ b
            writes the directory's paths as ticks of one move each, with each position repeated until the god-object has followed,
            so that check_god_object.py sees every move; each last row must be as in the directory, but for its number of moves
 
-All decisions are signs of integers or of rationals; there is no tree, no tolerance and no floating-point number in a result.
+All decisions are signs of integers or of rationals; there is no tree, no tolerance and no floating-point number in a decision.
 The methods are chosen to differ from the formulas of docs/meshes.md:
   - on which side of the surface a direction points: a segment runs from the direction to a point inside a triangle at the same
     point of the surface, and its crossings of the other triangles there are counted;
@@ -18,7 +18,9 @@ The methods are chosen to differ from the formulas of docs/meshes.md:
   - projections onto triangles: 2 x 2 normal equations;
   - grid points: all neighbours of the point are tried;
   - forces: a component is rounded from its exact square, shaded and unshaded alike.
-The unit of length of the integers is 2^-77 mm: vertices and positions are multiples of 2^-53 mm, states of 2^-24 times that.
+Angles and unit normals, which the corner normals are made of, are decimals of 110 digits; a corner normal that these leave in
+doubt would stop the program. Everything else is exact. The unit of length of the integers is 2^-77 mm: vertices and positions
+are multiples of 2^-53 mm, and the grid of the states divides these by 2^24.
 """
 
 import csv
@@ -144,7 +146,6 @@ def in_units(position):
 # Places: ('v', vertex), ('e', a, b, t) with a < b, ('t', triangle, beta, gamma). In a state the numbers are integers in
 # 0 … 2^24; a place that is not a state holds them as Fractions in 0 … 1.
 Sector = namedtuple('Sector', 'triangle x y is_x_line is_y_line')  # s·x + t·y; s ≥ 0 unless x is a line, t likewise
-Outcome = namedtuple('Outcome', 'place side moves status rest shown')
 
 
 class Mesh:
@@ -379,8 +380,8 @@ class Mesh:
         moves = 0
 
         def at_rest(kept, rest):
-            front = 'front' if self.is_at_rim(kept) else side
-            return (kept, front, self.grid_point(kept)), 'touching', moves, rest
+            own_side = 'front' if self.is_at_rim(kept) else side
+            return (kept, own_side, self.grid_point(kept)), 'touching', moves, rest
         if g is None:
             u = (1, 1, 1)
             on_p = [(h, x) for h, x in self.crossings(minus(p, u), u) if h == 1]
@@ -642,6 +643,7 @@ def check(directory, only):
 
 
 def write_single_moves(directory, output, only):
+    """A row that is `unfinished` in the directory is left out: the next row is expected to have its position, and goes on."""
     Mesh.most_moves = 1
     output.mkdir(exist_ok=True)
     table = []
@@ -674,7 +676,8 @@ def write(path, rows):
 
 # ---------------------------------------------------------------- the meshes
 
-Scene = namedtuple('Scene', 'name vertices triangles sides crease size hot ticks')  # size: mm, of a typical stroke; hot: [(point, mm, from where)]
+# size: of a typical stroke, mm. hot: narrow places, as (point, how far around it in mm, the point from where it is entered).
+Scene = namedtuple('Scene', 'name vertices triangles sides crease size hot ticks')
 
 
 def dyadic(x, bits=10):
@@ -725,7 +728,8 @@ def scenes():
     yield one('folded_sheet', sheet(6, 3, lambda i, j: (2 * i - 6, 2.5 * j - 4 + 0.25 * (i % 2), 1.5 * abs(i - 3) + 0.125 * j)),
               'both', 180, 3, [((0, 1, 0.25), 2**-10)])
     yield one('hairpin', sheet(4, 4, lambda i, j: (3 * abs(i - 2) - 4 + 0.5 * (j % 2), 2 * j - 4, (i > 2) * 2.0**-8)),
-              'both', 60, 2, [((0, 0, 2.0**-9), 2**-6, (20, 0, 2.0**-9)), ((-4, 1, 0), 2**-7), ((-3.5, 0, 2.0**-10), 2**-8, (20, 0, 2.0**-9))])
+              'both', 60, 2, [((0, 0, 2.0**-9), 2**-6, (20, 0, 2.0**-9)), ((-4, 1, 0), 2**-7),
+                              ((-3.5, 0, 2.0**-10), 2**-8, (20, 0, 2.0**-9))])
     ring = [(6 * x, 6 * y, 2.5 * (-1)**i) for i, (x, y) in enumerate(turned(i, 8) for i in range(8))]
     outer = [(10 * x, 10 * y, 4.5 * (-1)**i) for i, (x, y) in enumerate(turned(i, 8) for i in range(8))]
     triangles = [(0, 1 + i, 1 + (i + 1) % 8) for i in range(8)]
@@ -739,14 +743,16 @@ def scenes():
                           ((0, 1 + i, 1 + (i + 1) % 40), (41, 1 + (i + 1) % 40, 1 + i))]),
               'front', 180, 3, [((0, 0, 5), 2**-4), ((0, 0, 4), 2)])
     # The rows are shifted against each other, so that the grid points of neighbouring rows of a triangle's grid are not opposite.
-    yield one('slivers', sheet(2, 12, lambda i, j: (700 * (i - 1) + 310 * (j % 2), (j - 6) / 64 + (i == 2) / 256, (j * j % 5) / 256)),
+    yield one('slivers', sheet(2, 12, lambda i, j: (700 * (i - 1) + 310 * (j % 2), (j - 6) / 64 + (i == 2) / 256,
+                                                    (j * j % 5) / 256)),
               'both', 40, 0.25, [((0, 0, 1 / 256), 2**-6), ((175 / 256, 2.0**-18, 1 / 256), 2**-16),
                                  ((175 / 256, 2.0**-18, 1 / 256), 2**-19), ((-175 / 512, 0, 1 / 256), 2**-17)], 420)
     gap = 2.0**-24
-    yield one('near_parts', ([(0, -8, -8), (0, 8, -8), (0, 0, 9), (-9, 0, 0), (gap, 7, -6), (gap, -6.5, -7), (2 * gap, 0.5, 8), (9, 0, 0)],
+    yield one('near_parts', ([(0, -8, -8), (0, 8, -8), (0, 0, 9), (-9, 0, 0),
+                              (gap, 7, -6), (gap, -6.5, -7), (2 * gap, 0.5, 8), (9, 0, 0)],
                              [(0, 1, 2), (1, 0, 3), (2, 1, 3), (0, 2, 3), (4, 5, 6), (5, 4, 7), (6, 5, 7), (4, 6, 7)]),
-              'front', 60, 3, [((gap / 2, 0.25, 0.125), 2**-22, (gap / 2, 20, 0.125)), ((gap / 2, 0.25, -6.5), 2**-22, (gap / 2, 0.25, -20)),
-                               ((0, 0, 0), 2**-4)], 420)
+              'front', 60, 3, [((gap / 2, 0.25, 0.125), 2**-22, (gap / 2, 20, 0.125)),
+                               ((gap / 2, 0.25, -6.5), 2**-22, (gap / 2, 0.25, -20)), ((0, 0, 0), 2**-4)], 420)
     circle = [turned(j, 6, 0.5) for j in range(6)]
     torus = [(x * (6 + 2.5 * c), y * (6 + 2.5 * c), 2.5 * s) for x, y in (turned(i, 8) for i in range(8)) for c, s in circle]
     triangles = []
@@ -783,8 +789,8 @@ def assert_is_mesh(mesh):
 
 # ---------------------------------------------------------------- the paths
 
-INVALID = [(math.nan, 0.0, 0.0), (0.0, math.inf, 0.0), (0.0, 1.0, -math.inf), (0.0, 0.0, step(1e4, 1)), (step(-1e4, -1), 0.0, 0.0),
-           (0.0, single(1e26), 0.0)]
+INVALID = [(math.nan, 0.0, 0.0), (0.0, math.inf, 0.0), (0.0, 1.0, -math.inf), (0.0, 0.0, step(1e4, 1)),
+           (step(-1e4, -1), 0.0, 0.0), (0.0, single(1e26), 0.0)]
 
 
 def bounded(position):
