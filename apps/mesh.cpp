@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// forceshade mesh: whether a file holds a mesh that can be rendered, what is in it, its repair, and meshes of simple shapes.
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "forceshade/apps/command.h"
+#include "forceshade/apps/height_map_option.h"
+#include "forceshade/apps/length.h"
+#include "forceshade/apps/options.h"
+#include "forceshade/apps/output_options.h"
+#include "forceshade/csv/csv.h"
+#include "forceshade/csv/output_file.h"
+#include "forceshade/csv/printable.h"
+#include "forceshade/fast/height_map_field.h"
+#include "forceshade/meshes/facts.h"
+#include "forceshade/meshes/load.h"
+#include "forceshade/meshes/make.h"
+#include "forceshade/meshes/repair.h"
+#include "forceshade/meshes/save.h"
+
+namespace forceshade::apps {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::string file, unit, out, json;
+  bool self_intersecting = false;
+
+  mesh::SelfIntersections self_intersections() const {
+    return self_intersecting ? mesh::SelfIntersections::allowed : mesh::SelfIntersections::refused;
+  }
+};
+
+mesh::LoadedMesh load(const Options& options) {
+  for (std::size_t i = 0; i < mesh::kUnitNames.size(); ++i)
+    if (options.unit == mesh::kUnitNames[i]) return mesh::load_with_corners(options.file, static_cast<mesh::Unit>(i));
+  throw BadInput("--unit: expected mm, m or in, got \"" + options.unit + '"');
+}
+
+std::vector<std::string> lines_of(const mesh::Findings& findings) {
+  std::vector<std::string> lines;
+  const std::string words = findings.words();
+  for (std::size_t begin = 0, end = 0; begin < words.size(); begin = end + 1) {
+    end = words.find('\n', begin);
+    lines.push_back(words.substr(begin, end - begin));
+  }
+  return lines;
+}
+
+void write_json(const Options& options, const Json& json) {
+  if (!options.json.empty())
+    write_file(options.json, json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+}
+
+void print(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) std::printf("%s\n", csv::printable(line).c_str());
+}
+
+void write_mesh(const std::string& path, const mesh::TriangleMesh& triangles) {
+  csv::OutputFile file(path);
+  mesh::write_off(file.stream(), triangles);
+  file.commit();
+}
+
+std::string heading(const mesh::Findings& findings) {
+  return findings.counts[static_cast<std::size_t>(mesh::Fault::meeting)] > 0 ||
+                 findings.counts[static_cast<std::size_t>(mesh::Fault::undecided)] > 0
+             ? "FAILED: no mesh that can be rendered, or one with --self-intersecting alone; faces and vertices are counted "
+               "from 0"
+             : "FAILED: no mesh that can be rendered; faces and vertices are counted from 0";
+}
+
+int check(const Options& options) {
+  mesh::LoadedMesh loaded = load(options);
+  const std::vector<std::string> notes = loaded.notes;
+  const auto checked = mesh::check(std::move(loaded.mesh), options.self_intersections());
+  const auto* findings = std::get_if<mesh::Findings>(&checked);
+  const std::vector<std::string> faults = findings == nullptr ? std::vector<std::string>{} : lines_of(*findings);
+  write_json(options, {{"file", options.file},
+                       {"held", findings == nullptr},
+                       {"self_intersections", options.self_intersecting ? "allowed" : "refused"},
+                       {"notes", notes},
+                       {"faults", faults}});
+  if (options.json == "-") return findings == nullptr ? kHeld : kFailed;
+  print(notes);
+  if (findings == nullptr) {
+    const auto& held = std::get<mesh::CheckedMesh>(checked);
+    std::printf("held: a mesh of %zu faces%s\n", held.mesh().triangles.size(),
+                held.is_embedded() ? "" : "; whether faces meet or cross was not checked");
+    return kHeld;
+  }
+  std::printf("%s\n", heading(*findings).c_str());
+  print(faults);
+  return kFailed;
+}
+
+std::string shortest(double number) {
+  return csv::shortest(static_cast<float>(number));
+}
+
+int info(const Options& options) {
+  mesh::LoadedMesh loaded = load(options);
+  const std::vector<std::string> notes = loaded.notes;
+  const bool has_normals = !loaded.normals.empty(), has_texture = !loaded.texture.empty();
+  const auto checked = mesh::check(std::move(loaded.mesh), mesh::SelfIntersections::allowed);
+  if (const auto* findings = std::get_if<mesh::Findings>(&checked)) {
+    write_json(options, {{"file", options.file}, {"notes", notes}, {"faults", lines_of(*findings)}});
+    if (options.json == "-") return kFailed;
+    print(notes);
+    std::printf("%s\n", heading(*findings).c_str());
+    print(lines_of(*findings));
+    return kFailed;
+  }
+  const mesh::Facts facts = mesh::facts_of(std::get<mesh::CheckedMesh>(checked));
+  const auto list = [](const mesh::Vertex& v) { return Json{v[0], v[1], v[2]}; };
+  write_json(options, {{"file", options.file},
+                       {"faces", facts.triangles},
+                       {"vertices", facts.vertices},
+                       {"unused_vertices", facts.unused_vertices},
+                       {"edges", facts.edges},
+                       {"rim_edges", facts.rim_edges},
+                       {"parts", facts.parts},
+                       {"low_mm", list(facts.low)},
+                       {"high_mm", list(facts.high)},
+                       {"shortest_edge_mm", facts.shortest_edge},
+                       {"longest_edge_mm", facts.longest_edge},
+                       {"area_mm2", facts.area},
+                       {"volume_mm3", facts.volume},
+                       {"normals", has_normals},
+                       {"texture", has_texture},
+                       {"notes", notes}});
+  if (options.json == "-") return kHeld;
+  const auto row = [](const char* name, const std::string& value) { std::printf("%-16s %s\n", name, value.c_str()); };
+  const auto point = [](const mesh::Vertex& v) {
+    return csv::shortest(v[0]) + ", " + csv::shortest(v[1]) + ", " + csv::shortest(v[2]);
+  };
+  row("faces",
+      std::to_string(facts.triangles) + " in " + std::to_string(facts.parts) + (facts.parts == 1 ? " part" : " parts"));
+  row("vertices", std::to_string(facts.vertices) + ", " + std::to_string(facts.unused_vertices) + " of them in no face");
+  row("edges", std::to_string(facts.edges) + ", " + std::to_string(facts.rim_edges) + " of them at a rim");
+  row("box", point(facts.low) + " to " + point(facts.high) + " mm");
+  row("edge lengths", shortest(facts.shortest_edge) + " to " + shortest(facts.longest_edge) + " mm");
+  row("area", shortest(facts.area) + " mm^2");
+  if (facts.is_closed())
+    row("volume", shortest(std::fabs(facts.volume)) + " mm^3; the fronts are " + (facts.volume > 0 ? "outside" : "inside"));
+  row("normals", has_normals ? "in the file" : "none");
+  row("texture", has_texture ? "in the file" : "none");
+  print(notes);
+  return kHeld;
+}
+
+int repair(const Options& options) {
+  mesh::LoadedMesh loaded = load(options);
+  std::vector<std::string> done = loaded.notes;
+  if (!loaded.normals.empty() || !loaded.texture.empty()) done.emplace_back("normals and texture are left out");
+  mesh::Repaired repaired = mesh::repair(std::move(loaded.mesh));
+  done.insert(done.end(), repaired.done.begin(), repaired.done.end());
+  write_mesh(options.out, repaired.mesh);
+  const auto checked = mesh::check(std::move(repaired.mesh), options.self_intersections());
+  const auto* findings = std::get_if<mesh::Findings>(&checked);
+  const std::vector<std::string> faults = findings == nullptr ? std::vector<std::string>{} : lines_of(*findings);
+  write_json(options,
+             {{"file", options.file}, {"out", options.out}, {"done", done}, {"held", findings == nullptr}, {"faults", faults}});
+  if (options.json != "-" && options.out != "-") {
+    print(repaired.done.empty() ? std::vector<std::string>{"nothing to repair"} : done);
+    if (findings != nullptr) std::printf("%s, of the repaired file\n", heading(*findings).c_str());
+    print(faults);
+  }
+  return findings == nullptr ? kHeld : kFailed;
+}
+
+struct MakeOptions {
+  std::string shape, out, height_map;
+  std::string radius, across_radius = "10mm", width = kThesisWidth, size = "100mm";
+  std::uint32_t cells = 64;
+};
+
+// The lowest binary32 number above which, in this column, a height map exerts no force: its surface, rounded up.
+double surface_of(const fast::HeightMapField& field, double x, double y) {
+  const auto is_free = [&](float z) {
+    return field.evaluate({static_cast<float>(x), static_cast<float>(y), z}).status == Status::free;
+  };
+  float low = -9999, high = 9999;
+  if (!is_free(high) || is_free(low))
+    throw BadInput("--height-map: at x = " + csv::shortest(x) + " mm, y = " + csv::shortest(y) +
+                   " mm no surface is found within 9999 mm");
+  while (true) {
+    const auto middle = static_cast<float>((static_cast<double>(low) + static_cast<double>(high)) / 2);
+    if (middle == low || middle == high || high - low < 0x1p-30F) return static_cast<double>(high);
+    (is_free(middle) ? high : low) = middle;
+  }
+}
+
+mesh::TriangleMesh made(const MakeOptions& options) {
+  const auto length = [](const char* name, const std::string& text) { return static_cast<double>(parse_length(name, text)); };
+  const double size = length("--size", options.size), width = length("--width", options.width);
+  const bool is_large = options.shape == "icosphere" || options.shape == "torus";
+  const double radius = length("--radius", !options.radius.empty() ? options.radius : is_large ? "50mm" : kThesisRadius);
+  if (options.shape == "icosphere") return mesh::icosphere(options.cells, radius);
+  if (options.shape == "cube") return mesh::cube(size);
+  if (options.shape == "wall") return mesh::thin_wall(size, size, options.cells, options.cells);
+  if (options.shape == "torus")
+    return mesh::torus(radius, length("--across-radius", options.across_radius), options.cells,
+                       std::max(options.cells / 2, 3U));
+  if (options.shape == "bump") return mesh::bump(radius, width, size, options.cells);
+  if (options.shape == "cylinder-bump") return mesh::cylinder_bump(radius, width, size, options.cells);
+  if (options.height_map.empty()) throw BadInput("--height-map: expected a height map for the shape height-map");
+  const heights::Spec spec = heights::read_spec(options.height_map);
+  expect_valid(options.height_map, spec, 1);
+  const auto field = built(fast::HeightMapField::build(spec.map, spec.rendering, 1), options.height_map + ": ");
+  return mesh::height_map(size, size, options.cells, options.cells,
+                          [&](double x, double y) { return surface_of(field, x, y); });
+}
+
+int make(const MakeOptions& options) {
+  try {
+    write_mesh(options.out, made(options));
+  } catch (const std::invalid_argument& error) {
+    throw BadInput("mesh make " + options.shape + ": " + error.what());
+  }
+  return kHeld;
+}
+
+void add_make(CLI::App& command, int& result) {
+  CLI::App* verb = command.add_subcommand("make", "Write a mesh of a simple shape");
+  const auto options = std::make_shared<MakeOptions>();
+  verb->add_option("shape", options->shape,
+                   "icosphere, cube, wall (a square without thickness), torus, bump, cylinder-bump, or height-map: the surface "
+                   "on which the force of a height map begins")
+      ->type_name("SHAPE")
+      ->required()
+      ->check(one_of({"icosphere", "cube", "wall", "torus", "bump", "cylinder-bump", "height-map"}));
+  verb->add_option("--radius", options->radius, "of an icosphere or torus, 50mm unless said, or of a bump, 15.24mm unless said")
+      ->type_name("LENGTH");
+  add_length(*verb, "--across-radius", options->across_radius, "of a torus: of the circle across");
+  add_length(*verb, "--width", options->width, "of a bump");
+  add_length(*verb, "--size", options->size, "of a cube, or of the square on which a wall, bump or height map lies");
+  add_whole(*verb, "--cells", options->cells,
+            "along each side of the square, or around a torus; each edge of an icosahedron becomes so many", {1, 16384});
+  verb->add_option("--height-map", options->height_map, "for the shape height-map: a TOML file (docs/height-maps.md)")
+      ->type_name("SPEC");
+  add_output(*verb, "--out", options->out, "the mesh, an OFF file in mm")->required();
+  verb->callback([options, &result] { result = make(*options); });
+}
+
+}  // namespace
+
+void add_mesh(CLI::App& app, int& result) {
+  CLI::App* command = app.add_subcommand("mesh", "Check, look into, repair and make triangle meshes");
+  command->require_subcommand(1);
+  const auto add = [&](const char* name, const char* help, int (*run)(const Options&)) {
+    const auto options = std::make_shared<Options>();
+    CLI::App* verb = command->add_subcommand(name, help);
+    verb->add_option("file", options->file, "a mesh: FILE.obj, .off, .ply or .stl")->type_name("FILE")->required();
+    add_word(*verb, "--unit", options->unit, "of the coordinates in the file, which no format says", {"mm", "m", "in"})
+        ->required();
+    verb->callback([options, run, &result] { result = run(*options); });
+    return std::pair(verb, options);
+  };
+  const auto allow_self_intersections = [](CLI::App& verb, Options& options) {
+    verb.add_flag("--self-intersecting", options.self_intersecting, "do not look whether faces meet or cross");
+  };
+  const auto [check_verb, check_options] =
+      add("check", "Whether it is a mesh that can be rendered: 0 if so, 1 and what is wrong, with the numbers of faces, if not",
+          check);
+  allow_self_intersections(*check_verb, *check_options);
+  add_json(*check_verb, check_options->json, "the same");
+  const auto [info_verb, info_options] = add("info", "Faces, edges, parts, size; whether it is closed", info);
+  add_json(*info_verb, info_options->json, "the same");
+  const auto [repair_verb, repair_options] = add(
+      "repair", "Join equal vertices, drop faces without area or twice there, turn faces over; lists what was done", repair);
+  allow_self_intersections(*repair_verb, *repair_options);
+  add_output(*repair_verb, "--out", repair_options->out, "the repaired mesh, an OFF file in mm")->required();
+  add_json(*repair_verb, repair_options->json, "what was done,");
+  add_make(*command, result);
+}
+
+}  // namespace forceshade::apps

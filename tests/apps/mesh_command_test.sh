@@ -1,0 +1,88 @@
+#!/usr/bin/env bash
+# mesh_command_test.sh FORCESHADE: forceshade mesh as its users call it: outputs, exit codes, messages, and what is left behind.
+set -u
+forceshade=$(realpath "$1")
+examples=$(realpath "$(dirname "$0")/../../examples")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+checks=0
+
+# expect CODE WORDS -- COMMAND...: runs it, expects the exit code, and WORDS (a fixed string) in what it prints.
+expect() {
+  local code=$1 words=$2; shift 3
+  local output; output=$("$@" 2>&1 < /dev/null); local got=$?
+  checks=$((checks + 1))
+  if [ $got -ne "$code" ]; then echo "FAILED: $*: expected exit code $code, got $got: $output"; exit 1; fi
+  case "$output" in *"$words"*) ;; *) echo "FAILED: $*: expected \"$words\", got: $output"; exit 1 ;; esac
+}
+same() {
+  checks=$((checks + 1))
+  [ "$1" = "$2" ] || { echo "FAILED: expected: $1"; echo "got: $2"; exit 1; }
+}
+mesh() { "$forceshade" mesh "$@"; }
+
+# make, then check and info of every shape.
+for shape in icosphere cube wall torus bump cylinder-bump; do
+  expect 0 "" -- mesh make $shape --cells 8 --out $shape.off
+  expect 0 "held: a mesh of " -- mesh check $shape.off --unit mm
+  expect 0 "faces  " -- mesh info $shape.off --unit mm
+done
+expect 0 "held: a mesh of 1280 faces" -- mesh check icosphere.off --unit mm
+expect 0 "the fronts are outside" -- mesh info torus.off --unit mm
+expect 0 "box              -1270, -1270, -1270 to 1270, 1270, 1270 mm" -- mesh info cube.off --unit in
+expect 2 "a coordinate within 10000 mm, got \"-50\"" -- mesh check cube.off --unit m
+expect 0 "" -- mesh make height-map --height-map "$examples/gaussian.toml" --size 20 --cells 8 --out map.off
+expect 0 "box              -10, -10, " -- mesh info map.off --unit mm
+expect 0 " to 10, 10, 3 mm" -- mesh info map.off --unit mm
+expect 2 "--height-map: expected a height map" -- mesh make height-map --out map2.off
+expect 2 "is there already" -- mesh make cube --out cube.off
+expect 0 "" -- mesh make cube --size 1in --out cube.off --overwrite
+expect 0 "box              -12.7, -12.7, -12.7 to 12.7, 12.7, 12.7 mm" -- mesh info cube.off --unit mm
+expect 2 "expected one of icosphere, cube," -- mesh make sphere --out sphere.off
+expect 2 "mesh make bump: expected a width of at most twice the radius" -- mesh make bump --width 40 --out wide.off
+expect 2 "mesh make icosphere: expected at most 2^28 triangles" -- mesh make icosphere --cells 16384 --out large.off
+same "" "$(ls | grep -E 'wide|large|sphere.off.p')"
+mesh make cube --out - > standard.off
+expect 0 "held" -- mesh check standard.off --unit mm
+
+# The unit has to be given.
+expect 2 "--unit" -- mesh check cube.off
+expect 2 "expected one of mm, m, in; got \"cm\"" -- mesh check cube.off --unit cm
+
+# What is no mesh: 1, with the faces; in JSON, too.
+printf 'OFF\n4 2 0\n0 0 0\n4 0 0\n2 3 0\n2 1 0\n3 0 1 2\n3 1 0 3\n' > folded.off
+expect 1 "faces 0 and 1 are folded onto each other at their edge, of vertices 0 and 1" -- mesh check folded.off --unit mm
+expect 1 "FAILED: " -- mesh check folded.off --unit mm
+expect 0 "whether faces meet or cross was not checked" -- mesh check folded.off --unit mm --self-intersecting
+expect 1 '"held": false' -- mesh check folded.off --unit mm --json
+expect 0 '"held": true' -- mesh check cube.off --unit mm --json
+expect 0 '"rim_edges": 0' -- mesh info cube.off --unit mm --json
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n' > flat.off
+expect 1 "face 0 has no area" -- mesh info flat.off --unit mm
+printf 'OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n' > square.off
+expect 0 "1 faces with more than 3 corners are split into triangles" -- mesh check square.off --unit mm
+
+mkdir folder.off
+# What cannot be read: 2, with file and line or byte; no byte of a file reaches a terminal as a command.
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n2 \033[2J 0\n3 0 1 2\n' > escape.off
+expect 2 'escape.off: line 5: expected a coordinate, got "\x1b[2J"' -- mesh check escape.off --unit mm
+expect 2 "missing.off: is not there" -- mesh check missing.off --unit mm
+expect 2 "folder.off: is no regular file" -- mesh check folder.off --unit mm
+expect 2 "expected a name that ends in .obj, .off, .ply or .stl" -- mesh check "$examples/gaussian.toml" --unit mm
+
+# repair: what was done, then whether it is a mesh.
+printf 'OFF\n8 6 0\n0 0 0\n4 0 0\n2 3 0\n2 -3 0\n4 0 0\n9 9 9\n1 0 0\n0 1e-20 0\n3 0 1 2\n3 7 4 3\n3 0 1 1\n3 0 6 4\n3 2 1 0\n3 7 3 1\n' > broken.off
+expect 1 "face 2 has vertex 1 twice" -- mesh check broken.off --unit mm
+expect 0 "joined 2 vertices to another with the same coordinates" -- mesh repair broken.off --unit mm --out repaired.off
+expect 0 "held: a mesh of 2 faces" -- mesh check repaired.off --unit mm
+expect 0 "nothing to repair" -- mesh repair repaired.off --unit mm --out again.off
+same "$(cat repaired.off)" "$(cat again.off)"
+expect 0 "dropped 1 faces with a vertex twice: 2" -- mesh repair broken.off --unit mm --out repaired.off --overwrite
+expect 0 "dropped 1 faces without area: 3" -- mesh repair broken.off --unit mm --out repaired.off --overwrite
+expect 0 "dropped 2 faces with the vertices of a face before them: 4, 5" -- mesh repair broken.off --unit mm --out repaired.off --overwrite
+expect 0 "turned 1 faces over: 1" -- mesh repair broken.off --unit mm --out repaired.off --overwrite
+expect 0 '"held": true' -- mesh repair broken.off --unit mm --out repaired.off --overwrite --json
+expect 2 "is there already" -- mesh repair broken.off --unit mm --out repaired.off
+expect 1 "FAILED: " -- mesh repair folded.off --unit mm --out folded2.off
+echo "$checks checks passed"

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// An input as a mesh file.
+
+#include <cmath>
+
+#include "forceshade/meshes/check.h"
+#include "forceshade/meshes/load.h"
+#include "forceshade/meshes/normals.h"
+#include "forceshade/meshes/repair.h"
+#include "forceshade/tests/fuzz/input_file.h"
+
+namespace forceshade::fuzz {
+
+// Loads the input as a file of this name, in each unit: what comes of it is as meshes/load.h states, and can be checked and
+// repaired.
+inline int load_mesh(std::string_view bytes, const char* name) {
+  const std::string file = file_of(bytes, name);
+  for (const mesh::Unit unit : {mesh::Unit::mm, mesh::Unit::m, mesh::Unit::in})
+    read_or_refuse<mesh::Error>(file + ": ", [&] {
+      const mesh::LoadedMesh loaded = mesh::load_with_corners(file, unit);
+      const auto& [vertices, triangles] = loaded.mesh;
+      require(!triangles.empty(), "a mesh has a triangle");
+      require(loaded.normals.empty() || loaded.normals.size() == triangles.size(), "every corner has a normal, or none has");
+      require(loaded.texture.empty() || loaded.texture.size() == triangles.size(), "every corner has a texture, or none has");
+      for (const mesh::Vertex& vertex : vertices)
+        for (const float x : vertex)
+          require((x == 0 && !std::signbit(x)) || (std::fabs(x) >= 0x1p-30F && std::fabs(x) <= 1e4F),
+                  "a coordinate is in its domain");
+      for (const mesh::Triangle& triangle : triangles)
+        for (const std::uint32_t v : triangle) require(v < vertices.size(), "an index is that of a vertex");
+      if (triangles.size() > 2000) return;  // so that an input takes milliseconds
+      const auto checked = mesh::check(loaded.mesh);
+      if (const auto* held = std::get_if<mesh::CheckedMesh>(&checked)) {
+        require(mesh::repair(loaded.mesh).mesh.triangles == triangles, "repair changes no face of a mesh");
+        require(mesh::corner_normals(*held, 60).normals.size() == triangles.size(), "each corner gets a normal");
+      } else {
+        require(!std::get<mesh::Findings>(checked).words().empty(), "what is no mesh is said in words");
+        mesh::check(mesh::repair(loaded.mesh).mesh);
+      }
+    });
+  return 0;
+}
+
+}  // namespace forceshade::fuzz

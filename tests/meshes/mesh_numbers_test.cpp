@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers with a unit against rational arithmetic: each is rounded once.
+
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+#include <mpfr.h>
+
+#include <array>
+#include <bit>
+#include <clocale>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "forceshade/meshes/numbers.h"
+
+namespace forceshade::mesh {
+namespace {
+
+constexpr std::array<Unit, 3> kUnits{Unit::mm, Unit::m, Unit::in};
+
+// The binary32 number nearest to number times unit, ties to even.
+float nearest(const mpq_class& number, Unit unit) {
+  const mpq_class scaled = number * (unit == Unit::mm ? mpq_class(1) : unit == Unit::m ? mpq_class(1000) : mpq_class(127, 5));
+  // 300 bits rounded to odd, then to 24, are as one rounding: what is left out is a bit that is set.
+  mpfr_t wide;
+  mpfr_init2(wide, 300);
+  const int inexact = mpfr_set_q(wide, scaled.get_mpq_t(), MPFR_RNDZ);
+  if (inexact != 0 && mpfr_min_prec(wide) < 300) {
+    if (mpfr_sgn(wide) > 0)
+      mpfr_nextabove(wide);
+    else
+      mpfr_nextbelow(wide);
+  }
+  const float result = mpfr_get_flt(wide, MPFR_RNDN);
+  mpfr_clear(wide);
+  return result;
+}
+
+// Of digits with a point in them, and an exponent.
+mpq_class rational(const std::string& digits, int behind_point, int exponent, bool is_negative) {
+  mpz_class number(digits, 10), power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(exponent - behind_point)));
+  mpq_class result = exponent >= behind_point ? mpq_class(number * power) : mpq_class(number, power);
+  result.canonicalize();
+  return is_negative ? mpq_class(-result) : result;
+}
+
+TEST(mesh_numbers, as_decimals_are_rounded_once_in_every_unit) {
+  std::mt19937_64 random(7);
+  std::uint64_t cases = 0, twice = 0;
+  for (int i = 0; i < 60000; ++i) {
+    std::string digits;
+    const auto length = 1 + random() % (i % 20 == 0 ? 120 : 22);
+    for (std::size_t k = 0; k < length; ++k) digits += static_cast<char>('0' + random() % 10);
+    const auto behind = static_cast<int>(random() % (length + 1));
+    const int exponent = static_cast<int>(random() % 60) - 40;
+    const bool is_negative = random() % 2 == 0;
+    std::string text = digits;
+    if (behind > 0 || random() % 4 == 0) text.insert(text.size() - static_cast<std::size_t>(behind), ".");
+    if (random() % 3 != 0)
+      text += (random() % 2 == 0 ? "e" : "E") + std::string(exponent >= 0 && random() % 2 == 0 ? "+" : "") +
+              std::to_string(exponent);
+    const bool has_exponent = text.find_first_of("eE") != std::string::npos;
+    text = (is_negative ? "-" : random() % 5 == 0 ? "+" : "") + text;
+    const mpq_class number = rational(digits, behind, has_exponent ? exponent : 0, is_negative);
+    for (const Unit unit : kUnits) {
+      const auto got = from_decimal(text, unit);
+      ASSERT_TRUE(got.has_value()) << text;
+      ASSERT_EQ(*got, nearest(number, unit)) << text << " in " << kUnitNames[static_cast<std::size_t>(unit)];
+      ++cases;
+      twice +=
+          unit == Unit::in && *got != static_cast<float>(static_cast<double>(*from_decimal(text, Unit::mm)) * 25.4) ? 1 : 0;
+    }
+  }
+  std::printf("%llu numbers; rounding inches twice would be wrong for %llu\n", static_cast<unsigned long long>(cases),
+              static_cast<unsigned long long>(twice));
+  EXPECT_GT(twice, 100U);
+}
+
+TEST(mesh_numbers, as_binary_numbers_are_rounded_once_in_every_unit) {
+  std::mt19937_64 random(8);
+  std::uint64_t cases = 0;
+  for (int i = 0; i < 200000; ++i) {
+    const double wide = std::ldexp(static_cast<double>(random() >> 11), static_cast<int>(random() % 60) - 90);
+    const double number = i % 2 == 0 ? static_cast<double>(static_cast<float>(wide)) : -wide;
+    for (const Unit unit : kUnits) {
+      ASSERT_EQ(from_binary(number, unit), nearest(mpq_class(number), unit)) << number;
+      ++cases;
+    }
+  }
+  // Midway between two binary32 numbers in mm, and beside it: 1000 x = 1 + 2^-24, so 1000 (x + a bit) rounds up and x down.
+  const double third = (1 + 0x1p-24) / 1000;
+  for (const double x : {std::nextafter(third, 0.0), third, std::nextafter(third, 1.0)})
+    EXPECT_EQ(from_binary(x, Unit::m), nearest(mpq_class(x), Unit::m));
+  std::printf("%llu numbers\n", static_cast<unsigned long long>(cases));
+}
+
+TEST(mesh_numbers, may_be_too_large_or_too_small_for_binary32_and_are_no_less_numbers) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  for (const Unit unit : kUnits) {
+    for (const char* large : {"1e39", "1e400", "1e99999999999999999999", "123456789012345678901234567890123456789012", "1e+50"})
+      EXPECT_EQ(from_decimal(large, unit), kInfinity) << large;
+    EXPECT_EQ(from_decimal("-1e400", unit), -kInfinity);
+    for (const char* small :
+         {"1e-60", "1e-400", "1e-99999999999999999999", "0e999999", "0", "-0", "0.000", "-1e-400", "0e-5", ".0"})
+      EXPECT_EQ(from_decimal(small, unit), 0.0F) << small;
+    for (const char* none :
+         {"", "+", "-", ".", "e5", "1e", "1e+", "1.5.2", "0x10", "1f", " 1", "1 ", "--1", "+-1", "-+1", "++1", "1,5", "one"})
+      EXPECT_EQ(from_decimal(none, unit), std::nullopt) << none;
+    for (const char* endless : {"inf", "-inf", "infinity", "1e4000"})
+      EXPECT_TRUE(std::isinf(from_decimal(endless, unit).value())) << endless;
+    EXPECT_TRUE(std::isnan(from_decimal("nan", unit).value()));
+    EXPECT_TRUE(std::isnan(from_binary(std::nan(""), unit)));
+    EXPECT_EQ(from_binary(1e300, unit), kInfinity);
+    EXPECT_EQ(from_binary(0.0, unit), 0.0F);
+  }
+  EXPECT_EQ(from_decimal("1", Unit::m), 1000.0F);
+  EXPECT_EQ(from_decimal("1", Unit::in), 25.4F);
+  EXPECT_EQ(from_binary(1, Unit::in), 25.4F);
+  EXPECT_EQ(from_decimal("1.", Unit::in), 25.4F);
+  EXPECT_EQ(from_decimal(".5e1", Unit::m), 5000.0F);
+}
+
+}  // namespace
+}  // namespace forceshade::mesh
