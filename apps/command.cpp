@@ -43,7 +43,8 @@ LawOptions::LawOptions(CLI::App& command, Laws laws) {
 
 void LawOptions::allow_instead(CLI::Option* other) {
   law_option_->required(false)->excludes(other);
-  needed_unless_ = other;
+  for (CLI::Option* earlier : needed_unless_) other->excludes(earlier);
+  needed_unless_.push_back(other);
 }
 
 float LawOptions::stiffness() const {
@@ -67,7 +68,12 @@ Parameters BumpOptions::bump() const {
 }
 
 std::vector<LawId> LawOptions::laws() const {
-  if (needed_unless_ && law_.empty()) throw CLI::RequiredError("--law or " + needed_unless_->get_name());
+  if (!needed_unless_.empty() && law_.empty()) {
+    std::string words = "--law";
+    for (std::size_t i = 0; i < needed_unless_.size(); ++i)
+      words += (i + 1 < needed_unless_.size() ? ", " : " or ") + needed_unless_[i]->get_name();
+    throw CLI::RequiredError(words);
+  }
   if (const auto id = law_named(law_)) return {*id};
   std::vector<LawId> all;
   for (const LawName& law : kLaws) all.push_back(law.id);

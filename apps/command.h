@@ -36,7 +36,7 @@ class LawOptions {
 
   LawOptions(CLI::App& command, Laws laws);
 
-  // From then on --law is needed only without this option, and refused beside it.
+  // From then on --law is needed only without this option, and refused beside it; so for each option that is allowed.
   void allow_instead(CLI::Option* other);
 
   std::vector<LawId> laws() const;
@@ -49,7 +49,7 @@ class LawOptions {
 
  private:
   CLI::Option* law_option_ = nullptr;
-  const CLI::Option* needed_unless_ = nullptr;
+  std::vector<CLI::Option*> needed_unless_;
   std::string law_;
   std::string radius_ = kThesisRadius, width_ = kThesisWidth, stiffness_ = "0.5N/mm";
 };

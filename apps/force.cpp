@@ -77,7 +77,7 @@ void add_force(CLI::App& app, int& result) {
            {"fast", "reference"});
   CLI::Option* digits =
       add_whole(*command, "--digits", options->digits, "significant decimal digits of a law's reference", kDigits);
-  digits->excludes(command->get_option("--height-map"));
+  for (const char* other : {"--height-map", "--mesh"}) digits->excludes(command->get_option(other));
   command->add_option("--input", options->input, "CSV file; - is standard input")->type_name("FILE")->capture_default_str();
   add_output(*command, "--out", options->out, "CSV file; - is standard output")->capture_default_str();
   command->callback([options, subject, digits, &result] {

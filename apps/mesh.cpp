@@ -28,7 +28,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct MeshFileOptions {
   std::string file, unit, out, json;
   bool self_intersecting = false;
 
@@ -37,7 +37,7 @@ struct Options {
   }
 };
 
-mesh::LoadedMesh load(const Options& options) {
+mesh::LoadedMesh load(const MeshFileOptions& options) {
   for (std::size_t i = 0; i < mesh::kUnitNames.size(); ++i)
     if (options.unit == mesh::kUnitNames[i]) return mesh::load_with_corners(options.file, static_cast<mesh::Unit>(i));
   throw BadInput("--unit: expected mm, m or in, got \"" + options.unit + '"');
@@ -53,7 +53,7 @@ std::vector<std::string> lines_of(const mesh::Findings& findings) {
   return lines;
 }
 
-void write_json(const Options& options, const Json& json) {
+void write_json(const MeshFileOptions& options, const Json& json) {
   if (!options.json.empty())
     write_file(options.json, json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
@@ -76,7 +76,7 @@ std::string heading(const mesh::Findings& findings) {
              : "FAILED: no mesh that can be rendered; faces and vertices are counted from 0";
 }
 
-int check(const Options& options) {
+int check(const MeshFileOptions& options) {
   mesh::LoadedMesh loaded = load(options);
   const std::vector<std::string> notes = loaded.notes;
   const auto checked = mesh::check(std::move(loaded.mesh), options.self_intersections());
@@ -104,7 +104,7 @@ std::string shortest(double number) {
   return csv::shortest(static_cast<float>(number));
 }
 
-int info(const Options& options) {
+int info(const MeshFileOptions& options) {
   mesh::LoadedMesh loaded = load(options);
   const std::vector<std::string> notes = loaded.notes;
   const bool has_normals = !loaded.normals.empty(), has_texture = !loaded.texture.empty();
@@ -155,7 +155,7 @@ int info(const Options& options) {
   return kHeld;
 }
 
-int repair(const Options& options) {
+int repair(const MeshFileOptions& options) {
   mesh::LoadedMesh loaded = load(options);
   std::vector<std::string> done = loaded.notes;
   if (!loaded.normals.empty() || !loaded.texture.empty()) done.emplace_back("normals and texture are left out");
@@ -254,8 +254,8 @@ void add_make(CLI::App& command, int& result) {
 void add_mesh(CLI::App& app, int& result) {
   CLI::App* command = app.add_subcommand("mesh", "Check, look into, repair and make triangle meshes");
   command->require_subcommand(1);
-  const auto add = [&](const char* name, const char* help, int (*run)(const Options&)) {
-    const auto options = std::make_shared<Options>();
+  const auto add = [&](const char* name, const char* help, int (*run)(const MeshFileOptions&)) {
+    const auto options = std::make_shared<MeshFileOptions>();
     CLI::App* verb = command->add_subcommand(name, help);
     verb->add_option("file", options->file, "a mesh: FILE.obj, .off, .ply or .stl")->type_name("FILE")->required();
     add_word(*verb, "--unit", options->unit, "of the coordinates in the file, which no format says", {"mm", "m", "in"})
@@ -263,7 +263,7 @@ void add_mesh(CLI::App& app, int& result) {
     verb->callback([options, run, &result] { result = run(*options); });
     return std::pair(verb, options);
   };
-  const auto allow_self_intersections = [](CLI::App& verb, Options& options) {
+  const auto allow_self_intersections = [](CLI::App& verb, MeshFileOptions& options) {
     verb.add_flag("--self-intersecting", options.self_intersecting, "do not look whether faces meet or cross");
   };
   const auto [check_verb, check_options] =

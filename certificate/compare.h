@@ -34,7 +34,8 @@ class Chunk {
       ++tally.methods[static_cast<std::size_t>(exact.method)];
       ++tally.statuses[static_cast<std::size_t>(exact.status)];
       const Eigen::Vector3f& at = aimed.position;
-      if (exact.ulps_from_tie > 0) tally.call({at.x(), at.y(), at.z(), static_cast<double>(exact.ulps_from_tie)});
+      if (exact.status == Status::contact && exact.ulps_from_tie > 0)
+        tally.call({at.x(), at.y(), at.z(), static_cast<double>(exact.ulps_from_tie)});
       if (auto words = difference(at, {answer.force, answer.status}, exact)) fault(i, *words);
     }
     tally.points += count;
