@@ -6,8 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "forceshade/apps/command.h"
+#include "forceshade/apps/driven.h"
 #include "forceshade/apps/output_options.h"
+#include "forceshade/apps/progress_line.h"
+#include "forceshade/apps/signals.h"
+#include "forceshade/apps/subject_option.h"
 #include "forceshade/csv/printable.h"
+#include "forceshade/properties/binary32.h"
 #include "forceshade/recorder/export.h"
 #include "forceshade/recorder/recording.h"
 
@@ -17,6 +22,8 @@ namespace {
 struct RecordOptions {
   std::string file, out = "-", json;
 };
+
+constexpr std::uint64_t kListed = 10;  // forces that differ
 
 void complain(const std::string& words) {
   std::fprintf(stderr, "forceshade: %s\n", csv::printable(words).c_str());
@@ -68,6 +75,47 @@ int verify(const RecordOptions& options) {
   return kHeld;
 }
 
+// What a hand felt, computed again from the recorded positions by the definition: 0 if every force is the same.
+int recompute(const RecordOptions& options, const SubjectOption& subject_option) {
+  recorder::Recording recording(options.file);
+  const auto subject = subject_option.subject();
+  for (const auto& [key, expected] : metadata_of(subject->identity())) {
+    const auto found = recording.metadata().find(key);
+    if (found == recording.metadata().end() || found->second != expected)
+      throw BadInput(options.file + ": " + key + " is " +
+                     (found == recording.metadata().end() ? "not recorded" : found->second) + "; expected " + expected);
+  }
+  const std::vector<std::string> problems = problems_of(recording);
+  for (const std::string& problem : problems) complain(problem);
+  if (!problems.empty()) return kFailed;
+
+  watch_for_interrupt();
+  ProgressLine line(subject->identity().name);
+  const auto reference = subject->open_reference();
+  const std::uint64_t all = recording.extent().samples;
+  std::uint64_t samples = 0, contacts = 0, differences = 0;
+  recording.for_each_chunk([&](std::span<const device::Sample> chunk) {
+    if (interrupted()) throw Interrupted(options.file + " was not computed to its end");
+    for (const device::Sample& sample : chunk) {
+      if (sample.status == device::Sample::kEnd) continue;  // the law was not evaluated
+      ++samples;
+      const auto& [x, y, z] = sample.position;
+      const reference::Rounded exact = reference->step({x, y, z});
+      const auto& [fx, fy, fz] = sample.law_force;
+      const bool is_same =
+          static_cast<std::uint8_t>(exact.status) == sample.status && (exact.force.array() == Eigen::Array3f(fx, fy, fz)).all();
+      contacts += exact.status == Status::contact ? 1 : 0;
+      if (is_same || ++differences > kListed) continue;
+      complain("tick " + std::to_string(sample.tick) + ": recorded " + properties::show(Eigen::Vector3f(fx, fy, fz)) +
+               " N, expected " + properties::show(exact.force) + " N");
+    }
+    line.draw(static_cast<double>(samples) / static_cast<double>(std::max<std::uint64_t>(all, 1)));
+  });
+  std::printf("computed again: %llu ticks, %llu in contact, %llu differ\n", static_cast<unsigned long long>(samples),
+              static_cast<unsigned long long>(contacts), static_cast<unsigned long long>(differences));
+  return differences == 0 ? kHeld : kFailed;
+}
+
 int write(const RecordOptions& options) {
   recorder::Recording recording(options.file);
   options.out.ends_with(".npy") ? export_npy(recording, options.out) : export_csv(recording, options.out);
@@ -90,6 +138,12 @@ void add_recording(CLI::App& app, int& result) {
   const auto [info_verb, info_options] = add("info", "What was recorded, with what", info);
   add_json(*info_verb, info_options->json, "the same");
   add("verify", "Whether it is whole: 0 if so, 1 if cut off, damaged or with ticks missing", verify);
+  const auto recomputed = std::make_shared<RecordOptions>();
+  CLI::App* again = command->add_subcommand(
+      "recompute", "Whether every recorded force of a law, height map or mesh is the exact one, rounded: 0 if so");
+  again->add_option("file", recomputed->file, "a recording, FILE.fsr")->type_name("FILE")->required();
+  const auto subject = std::make_shared<SubjectOption>(*again, LawOptions::Laws::one);
+  again->callback([recomputed, subject, &result] { result = recompute(*recomputed, *subject); });
   const auto [export_verb, export_options] = add("export", "The ticks for other programs", write);
   add_output(*export_verb, "--out", export_options->out,
              "FILE.npy, a structured array for numpy.load; else its CSV, - for standard output")
