@@ -1,25 +1,6 @@
 #!/usr/bin/env bash
 # mesh_command_test.sh FORCESHADE: forceshade mesh as its users call it: outputs, exit codes, messages, and what is left behind.
-set -u
-forceshade=$(realpath "$1")
-examples=$(realpath "$(dirname "$0")/../../examples")
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
-checks=0
-
-# expect CODE WORDS -- COMMAND...: runs it, expects the exit code, and WORDS (a fixed string) in what it prints.
-expect() {
-  local code=$1 words=$2; shift 3
-  local output; output=$("$@" 2>&1 < /dev/null); local got=$?
-  checks=$((checks + 1))
-  if [ $got -ne "$code" ]; then echo "FAILED: $*: expected exit code $code, got $got: $output"; exit 1; fi
-  case "$output" in *"$words"*) ;; *) echo "FAILED: $*: expected \"$words\", got: $output"; exit 1 ;; esac
-}
-same() {
-  checks=$((checks + 1))
-  [ "$1" = "$2" ] || { echo "FAILED: expected: $1"; echo "got: $2"; exit 1; }
-}
+. "$(dirname "$0")/expect.sh"
 mesh() { "$forceshade" mesh "$@"; }
 
 # make, then check and info of every shape.

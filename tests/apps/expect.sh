@@ -1,0 +1,22 @@
+# Read by the tests of the command: checks of what it prints, its exit code and its files. $1 of the test is the command.
+set -u
+forceshade=$(realpath "$1")
+examples=$(realpath "$(dirname "$0")/../../examples")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+checks=0
+
+# expect CODE WORDS -- COMMAND...: runs it, expects the exit code, and WORDS (a fixed string) in what it prints.
+expect() {
+  local code=$1 words=$2; shift 3
+  local output; output=$("$@" 2>&1 < /dev/null); local got=$?
+  checks=$((checks + 1))
+  if [ $got -ne "$code" ]; then echo "FAILED: $*: expected exit code $code, got $got: $output"; exit 1; fi
+  case "$output" in *"$words"*) ;; *) echo "FAILED: $*: expected \"$words\", got: $output"; exit 1 ;; esac
+}
+# same EXPECTED GOT: two texts.
+same() {
+  checks=$((checks + 1))
+  [ "$1" = "$2" ] || { echo "FAILED: expected: $1"; echo "got: $2"; exit 1; }
+}

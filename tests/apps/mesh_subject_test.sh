@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# mesh_subject_test.sh FORCESHADE: a mesh as its users check, certify, drive and record it.
+. "$(dirname "$0")/expect.sh"
+mesh="--mesh cube.off --unit mm"
+
+expect 0 "" -- "$forceshade" mesh make cube --size 40 --out cube.off
+expect 0 "" -- "$forceshade" mesh make wall --size 40 --cells 2 --out wall.off
+
+# force: positions are a path. A jump through the cube ends on the near side, and the way back leaves it free.
+printf 'x_mm,y_mm,z_mm\n0,0,30\n0,0,19\n0,0,-30\n5,0,-30\n0,0,30\n' > path.csv
+path=$("$forceshade" force $mesh --stiffness 0.5 --shading none --input path.csv)
+same "x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status
+0,0,30,0,0,0,free
+0,0,19,0,0,0.5,contact
+0,0,-30,0,0,25,contact
+5,0,-30,0,0,25,contact
+0,0,30,0,0,0,free" "$path"
+same "$path" "$("$forceshade" force $mesh --stiffness 500N/m --shading none --path reference --input path.csv)"
+# The unit changes nothing else: half the lengths in inches of 25.4 mm are not exact, so the file is one of 2^-3 m.
+printf 'OFF\n4 4 0\n0 0 0\n0.125 0 0\n0 0.125 0\n0 0 0.125\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n' > m.off
+printf 'OFF\n4 4 0\n0 0 0\n125 0 0\n0 125 0\n0 0 125\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n' > mm.off
+printf 'x_mm,y_mm,z_mm\n-1,20,20\n1,20,20\n2,25,21\n-1,0,0\n' > corner.csv
+same "$("$forceshade" force --mesh m.off --unit m --input corner.csv)" "$("$forceshade" force --mesh mm.off --unit mm --input corner.csv)"
+# An open mesh blocks from both sides unless --sides says otherwise.
+printf 'x_mm,y_mm,z_mm\n1,2,-3\n1,2,1\n' > below.csv
+same "1,2,1,0,0,-0.5,contact" "$("$forceshade" force --mesh wall.off --unit mm --input below.csv | tail -n 1)"
+same "1,2,1,0,0,0,free" "$("$forceshade" force --mesh wall.off --unit mm --sides front --input below.csv | tail -n 1)"
+# Smooth everywhere, the vertex scheme tilts the force near an edge; with a crease at each right angle it does not.
+printf 'x_mm,y_mm,z_mm\n15,3,30\n15,3,19\n' > beside.csv
+tilted=$("$forceshade" force $mesh --input beside.csv | tail -n 1)
+straight=$("$forceshade" force $mesh --crease 45 --input beside.csv | tail -n 1)
+same "15,3,19,0,0,0.5,contact" "$straight"
+[ "$tilted" != "$straight" ] || { echo "FAILED: --crease changes nothing"; exit 1; }
+
+# What is missing, wrong, or no mesh.
+expect 2 "--unit is required beside --mesh: expected mm, m or in" -- "$forceshade" force --mesh cube.off --input path.csv
+expect 2 "expected --law, --height-map or --mesh, got none" -- "$forceshade" force --input path.csv
+expect 2 "--sides: expected one of front, both" -- "$forceshade" force $mesh --sides back --input path.csv
+expect 2 "--shading: expected one of vertex, none" -- "$forceshade" force $mesh --shading smooth --input path.csv
+expect 2 "--crease" -- "$forceshade" force $mesh --crease 200 --input path.csv
+expect 2 "--mesh" -- "$forceshade" force --law wall $mesh --input path.csv
+expect 2 "--unit" -- "$forceshade" force --law wall --unit mm --input path.csv
+printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n2 2 0\n3 0 1 2\n3 0 1 3\n' > folded.off
+expect 2 "folded.off: cannot be rendered" -- "$forceshade" force --mesh folded.off --unit mm --input path.csv
+expect 2 "none.off" -- "$forceshade" certify --mesh none.off --unit mm --out none
+[ ! -e none ] || { echo "FAILED: a folder is left behind"; exit 1; }
+
+# properties, certify, drive, recording.
+expect 0 "cube.off        states        held    50 cases" -- "$forceshade" properties $mesh --cases 50
+expect 1 "refused to drive: no certificate" -- "$forceshade" drive $mesh --device simulated --seconds 0.1
+expect 0 "certified: 250000 points" -- "$forceshade" certify $mesh --points 200000 --cases 2000 --out certificate
+expect 1 "covers cube.off with other parameters" -- "$forceshade" drive $mesh --stiffness 0.25 --device simulated --seconds 0.1 \
+  --certificate certificate/certificate.json
+expect 1 "" -- "$forceshade" drive $mesh --shading none --device simulated --seconds 0.1 --certificate certificate/certificate.json
+printf 't_s,x_mm,y_mm,z_mm\n' > hand.csv
+for i in $(seq 0 999); do echo "0.$(printf %03d "$i"),$((i / 50)).5,3,$((20 - i / 500)).$((9 - i / 100))"; done >> hand.csv
+expect 0 "(time up)" -- "$forceshade" drive $mesh --device replay:hand.csv --free-run --seconds 1 --record run.fsr \
+  --certificate certificate/certificate.json
+expect 0 " differ" -- "$forceshade" recording recompute run.fsr $mesh
+same 1 "$("$forceshade" recording recompute run.fsr $mesh | grep -c 'ticks, [1-9][0-9]* in contact, 0 differ')"
+expect 2 "run.fsr: sides is front; expected both" -- "$forceshade" recording recompute run.fsr $mesh --sides both
+expect 2 "expected wall" -- "$forceshade" recording recompute run.fsr --law wall
+
+echo "$checks checks"
