@@ -6,15 +6,18 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
-#include <ctime>
 #include <fstream>
 #include <iterator>
 #include <new>
 #include <system_error>
+#include <thread>
 
 namespace forceshade::stand_in_hd {
 namespace {
+
+using std::chrono::steady_clock;
 
 [[noreturn]] void fail(const std::string& what) {
   throw std::system_error(errno, std::generic_category(), what);
@@ -62,14 +65,11 @@ Memory& opened(const std::string& path) {
 }
 
 Lock::Lock(Memory& memory) : memory_(memory) {
-  // Tried first: of the two calls it is the one of which the thread sanitizer knows that the owner may have died.
+  // Tried again and again: of the calls that lock, it is the one of which the thread sanitizer follows that the owner has died.
   int result = pthread_mutex_trylock(&memory.mutex);
-  if (result == EBUSY) {
-    timespec until{};
-    clock_gettime(CLOCK_REALTIME, &until);
-    until.tv_sec += 2;
-    result = pthread_mutex_timedlock(&memory.mutex, &until);
-  }
+  for (const auto latest = steady_clock::now() + std::chrono::seconds(2); result == EBUSY && steady_clock::now() < latest;
+       result = pthread_mutex_trylock(&memory.mutex))
+    std::this_thread::sleep_for(std::chrono::microseconds(20));
   if (result == EOWNERDEAD) pthread_mutex_consistent(&memory.mutex);
   held_ = result == 0 || result == EOWNERDEAD;
 }
