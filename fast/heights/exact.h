@@ -33,7 +33,7 @@ class ExactPlace {
  public:
   ExactPlace(const Place& at, double z, height::Rendering rendering, double stiffness) noexcept;
 
-  // Of height_exact.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h.
+  // Of exact.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h.
   static const char* arithmetic_fault() noexcept;
 
   // Adds a part, whose centre is quantised.
