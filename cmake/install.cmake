@@ -11,7 +11,7 @@ endfunction()
 install_headers(vocabulary breakdown.h height_map.h law.h results.h)
 file(GLOB law_headers RELATIVE ${PROJECT_SOURCE_DIR}/fast CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/fast/laws/*.h)
 install_headers(fast domain.h evaluate.h height_map_field.h heights/force.h heights/grid.h heights/jet.h
-                heights/spline.h heights/spline_force.h instruction_set.h law.h ${law_headers} numbers/arithmetic.h numbers/ball.h numbers/big_float_ball.h numbers/double_double.h
+                heights/shape.h heights/spline.h heights/spline_force.h instruction_set.h law.h ${law_headers} numbers/arithmetic.h numbers/ball.h numbers/big_float_ball.h numbers/double_double.h
                 numbers/double_with_error.h numbers/first_stage.h numbers/inline.h numbers/row.h session.h
                 simd/batch.h)
 install_headers(csv csv.h)
@@ -30,7 +30,7 @@ if(NOT FORCESHADE_FAST_ONLY)
   # What needs more than Eigen is a component of its own: find_package(forceshade COMPONENTS heights properties).
   install_headers(heights load.h spec.h)
   install_headers(identity identity.h)
-  install_headers(reference height_map_field.h law.h laws/bump_geometry.h laws/force.h numbers/ball64.h watch.h)
+  install_headers(reference height_map_field.h heights/outline.h law.h laws/bump_geometry.h laws/force.h numbers/ball64.h watch.h)
   install_headers(properties calls.h height_map_subject.h height_shape.h law_subject.h positions.h rendered.h run.h
                   shape.h subject.h)
   set_target_properties(forceshade_heights PROPERTIES EXPORT_NAME heights)

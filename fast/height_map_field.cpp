@@ -3,14 +3,9 @@
 
 #include <algorithm>
 
-#include "forceshade/fast/heights/cap.h"
-#include "forceshade/fast/heights/cone.h"
+#include "forceshade/fast/heights/all.h"
 #include "forceshade/fast/heights/domain.h"
 #include "forceshade/fast/heights/exact.h"
-#include "forceshade/fast/heights/gaussian.h"
-#include "forceshade/fast/heights/grating.h"
-#include "forceshade/fast/heights/plane.h"
-#include "forceshade/fast/heights/polygons.h"
 #include "forceshade/fast/numbers/arithmetic.h"
 
 namespace forceshade::fast {
@@ -134,8 +129,7 @@ FORCESHADE_INLINE Jet<N> HeightMapField::jet_at(const Place& at) const noexcept 
 
 void HeightMapField::describe(ExactPlace& place) const noexcept {
   const auto add = [&](const std::vector<Part>& parts, bool gap, bool slopes) {
-    for (const Part& part : parts)
-      std::visit([&](const auto& shape) { place.add(shape, {gap, slopes, part.negated ? -1.0 : 1.0}); }, part.shape);
+    for (const Part& part : parts) place.add(part.shape, {gap, slopes, part.negated ? -1.0 : 1.0});
   };
   const bool is_shaded = rendering_ == Rendering::force_shaded;
   add(parts_, !is_shaded, true);
@@ -171,7 +165,7 @@ BatchResult HeightMapField::force(std::span<const Eigen::Vector3f> positions, st
 
 // A part as it is evaluated: a centre quantised, a grid measured.
 template <class T>
-HeightMapField::Shape HeightMapField::real_time(T shape) {
+EvaluatedShape HeightMapField::real_time(T shape) {
   if constexpr (requires { shape.x; }) shape.x = quantised(shape.x);
   if constexpr (requires { shape.y; }) shape.y = quantised(shape.y);
   if constexpr (requires { shape.knots; })

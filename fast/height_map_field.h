@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "forceshade/fast/evaluate.h"
+#include "forceshade/fast/heights/shape.h"
 #include "forceshade/fast/heights/spline_force.h"
 #include "forceshade/fast/law.h"
 #include "forceshade/vocabulary/height_map.h"
@@ -47,15 +48,13 @@ class HeightMapField {
                     InstructionSet instructions = best_instruction_set()) const noexcept;
 
  private:
-  using Shape = std::variant<height::Plane, height::Cone, height::CylinderCap, height::SphereCap, height::Gaussian,
-                             height::Grating, height::Polygons, HeightGrid>;
   struct Part {
-    Shape shape;
+    EvaluatedShape shape;
     bool negated;
   };
 
   template <class T>
-  static Shape real_time(T shape);
+  static EvaluatedShape real_time(T shape);
   static std::vector<Part> real_time(const std::vector<height::Part>& parts);
   HeightMapField(std::vector<Part> parts, std::vector<Part> surface, height::Rendering rendering, float stiffness);
 

@@ -31,7 +31,7 @@ class Table {
  public:
   Table(const fs::path& file, const toml::table& table) : file_(file), table_(table) {}
 
-  float number(const char* key, std::optional<float> otherwise = std::nullopt) {
+  float number(std::string_view key, std::optional<float> otherwise = std::nullopt) {
     const toml::node* node = find(key, otherwise.has_value());
     if (!node) return *otherwise;
     const auto value = node->value<double>();  // a whole number, too
@@ -98,7 +98,7 @@ class Table {
   }
 
   std::string line_of(const toml::node& node) const { return "line " + std::to_string(node.source().begin.line) + ": "; }
-  [[noreturn]] void fail(const toml::node& node, const std::string& key, const std::string& expected) const {
+  [[noreturn]] void fail(const toml::node& node, std::string_view key, const std::string& expected) const {
     std::ostringstream got;
     node.visit([&](const auto& value) {
       if constexpr (toml::is_value<decltype(value)>)
@@ -106,14 +106,14 @@ class Table {
       else
         got << "a list or table";
     });
-    throw Error(file_, line_of(node) + key + ": expected " + expected + ", got " + got.str());
+    throw Error(file_, line_of(node) + std::string(key) + ": expected " + expected + ", got " + got.str());
   }
 
  private:
-  const toml::node* find(const char* key, bool optional) {
-    asked_.insert(key);
+  const toml::node* find(std::string_view key, bool optional) {
+    asked_.emplace(key);
     const toml::node* node = table_.get(key);
-    if (!node && !optional) throw Error(file_, line_of(table_) + "key " + key + " is missing");
+    if (!node && !optional) throw Error(file_, line_of(table_) + "key " + std::string(key) + " is missing");
     return node;
   }
 
@@ -121,8 +121,6 @@ class Table {
   const toml::table& table_;
   std::set<std::string> asked_;
 };
-
-using Read = height::Shape (*)(Table&, const fs::path& file);
 
 constexpr std::array<std::pair<std::string_view, height::Edge>, 2> kEdges{
     {{"clamp", height::Edge::clamp}, {"tile", height::Edge::tile}}};
@@ -141,40 +139,29 @@ height::Shape grid(Table& table, const fs::path& file) {
   return load(source);
 }
 
-constexpr std::array<std::pair<std::string_view, Read>, 8> kShapes{{
-    {"plane",
-     [](Table& t, const fs::path&) -> height::Shape {
-       return height::Plane{t.number("slope_x", 0), t.number("slope_y", 0), t.number("height_mm", 0)};
-     }},
-    {"cone",
-     [](Table& t, const fs::path&) -> height::Shape {
-       return height::Cone{t.number("x_mm", 0), t.number("y_mm", 0), t.number("height_mm"), t.number("radius_mm")};
-     }},
-    {"cylinder-cap",
-     [](Table& t, const fs::path&) -> height::Shape {
-       return height::CylinderCap{t.number("x_mm", 0), t.number("radius_mm"), t.number("width_mm")};
-     }},
-    {"sphere-cap",
-     [](Table& t, const fs::path&) -> height::Shape {
-       return height::SphereCap{t.number("x_mm", 0), t.number("y_mm", 0), t.number("radius_mm"), t.number("width_mm")};
-     }},
-    {"gaussian",
-     [](Table& t, const fs::path&) -> height::Shape {
-       return height::Gaussian{t.number("x_mm", 0), t.number("y_mm", 0), t.number("height_mm"), t.number("sigma_mm")};
-     }},
-    {"grating",
-     [](Table& t, const fs::path&) -> height::Shape {
-       return height::Grating{t.number("height_mm"), t.number("wave_x_rad_per_mm", 0), t.number("wave_y_rad_per_mm", 0),
-                              t.number("phase_rad", 0)};
-     }},
-    {"polygons", [](Table& t, const fs::path&) -> height::Shape { return height::Polygons{t.knots("knots_mm")}; }},
-    {"grid", grid},
-}};
+// The kind whose name is the word, with its numbers under their keys.
+height::Shape shape(Table& table, const fs::path& file) {
+  std::array<std::pair<std::string_view, std::size_t>, height::kKinds> kinds;
+  for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = {height::kKindNames[i], i};
+  return height::make_shape(
+      table.word<std::size_t>("shape", kinds), [&]<class Kind>(std::type_identity<Kind>) -> height::Shape {
+        if constexpr (height::HasNumbers<Kind>) {
+          Kind one;
+          for (const height::Number<Kind>& number : Kind::numbers())
+            one.*number.member = table.number(number.key, number.is_required ? std::nullopt : std::optional(0.0F));
+          return one;
+        } else if constexpr (std::is_same_v<Kind, height::Polygons>) {
+          return height::Polygons{table.knots("knots_mm")};
+        } else {
+          static_assert(std::is_same_v<Kind, height::Grid>);
+          return grid(table, file);
+        }
+      });
+}
 
 height::Part part(const fs::path& file, const toml::table& table) {
   Table keys(file, table);
-  const Read read = keys.word<Read>("shape", kShapes);
-  height::Part part{read(keys, file), keys.flag("negated")};
+  height::Part part{shape(keys, file), keys.flag("negated")};
   keys.expect_no_other();
   return part;
 }
@@ -253,7 +240,7 @@ Spec read_spec(const fs::path& file) {
     if (is_surface && spec.rendering != height::Rendering::force_shaded)
       throw Error(file, keys.line_of(node) + "only render = \"height-map-shaded\" has a [[surface]]");
     for (const toml::node& element : *parts) {
-      if (!element.is_table()) keys.fail(element, std::string(key.str()), "a table");
+      if (!element.is_table()) keys.fail(element, key.str(), "a table");
       (is_surface ? spec.map.surface : spec.map.parts).push_back(part(file, *element.as_table()));
     }
   }

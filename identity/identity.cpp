@@ -21,27 +21,14 @@ struct Description {
   std::span<const float> samples = {};
 };
 
-Description described(const height::Plane& p) {
-  return {"plane", {{"slope_x", p.slope_x}, {"slope_y", p.slope_y}, {"height_mm", p.height}}};
-}
-Description described(const height::Cone& c) {
-  return {"cone", {{"x_mm", c.x}, {"y_mm", c.y}, {"height_mm", c.height}, {"radius_mm", c.radius}}};
-}
-Description described(const height::CylinderCap& c) {
-  return {"cylinder-cap", {{"x_mm", c.x}, {"radius_mm", c.radius}, {"width_mm", c.width}}};
-}
-Description described(const height::SphereCap& c) {
-  return {"sphere-cap", {{"x_mm", c.x}, {"y_mm", c.y}, {"radius_mm", c.radius}, {"width_mm", c.width}}};
-}
-Description described(const height::Gaussian& g) {
-  return {"gaussian", {{"x_mm", g.x}, {"y_mm", g.y}, {"height_mm", g.height}, {"sigma_mm", g.sigma}}};
-}
-Description described(const height::Grating& g) {
-  return {"grating",
-          {{"height_mm", g.height}, {"wave_x_rad_per_mm", g.wave_x}, {"wave_y_rad_per_mm", g.wave_y}, {"phase_rad", g.phase}}};
+template <height::HasNumbers Kind>
+Description described(const Kind& shape) {
+  Description words{std::string(Kind::kName), {}};
+  for (const height::Number<Kind>& number : Kind::numbers()) words.numbers.emplace_back(number.key, shape.*number.member);
+  return words;
 }
 Description described(const height::Polygons& p) {
-  Description words{"polygons", {}};
+  Description words{std::string(height::Polygons::kName), {}};
   for (const height::Knot& knot : p.knots) {
     words.numbers.emplace_back("x_mm", knot.x);
     words.numbers.emplace_back("height_mm", knot.height);
@@ -50,7 +37,7 @@ Description described(const height::Polygons& p) {
 }
 Description described(const std::shared_ptr<const height::Grid>& g) {
   // At most 2^15 columns and rows: binary32 numbers.
-  return {"grid",
+  return {std::string(height::Grid::kName),
           {{"columns", static_cast<float>(g->columns)}, {"rows", static_cast<float>(g->rows)}, {"pitch_mm", g->pitch}},
           {{"edge", g->edge == height::Edge::tile ? "tile" : "clamp"},
            {"interpolant", g->interpolant == height::Interpolant::bilinear ? "bilinear" : "cubic-spline"}},

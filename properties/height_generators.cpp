@@ -44,22 +44,34 @@ class Shapes {
   float height() { return number(1e4F, 1); }
 
   height::Shape shape() {
-    switch (draws_.bits() % std::variant_size_v<height::Shape>) {
-      case 0: return height::Plane{number(1e3F, 0.5F), number(1e3F, 0.5F), height()};
-      case 1: return height::Cone{coordinate(), coordinate(), height(), size(1e-3F, 1e4F, 3)};
-      case 2: {
-        const float radius = size(0.1F, 1e4F, 5);
-        return height::CylinderCap{coordinate(), radius, width(radius)};
+    return height::make_shape(draws_.bits() % height::kKinds, [&]<class Kind>(std::type_identity<Kind>) -> height::Shape {
+      if constexpr (height::HasNumbers<Kind>) {
+        Kind one;
+        for (const height::Number<Kind>& number : Kind::numbers()) one.*number.member = drawn(one, number.meaning);
+        return one;
+      } else if constexpr (std::is_same_v<Kind, height::Polygons>) {
+        return polygons();
+      } else {
+        static_assert(std::is_same_v<Kind, height::Grid>);
+        return grid();
       }
-      case 3: {
-        const float radius = size(0.1F, 1e4F, 5);
-        return height::SphereCap{coordinate(), coordinate(), radius, width(radius)};
-      }
-      case 4: return height::Gaussian{coordinate(), coordinate(), height(), size(1e-3F, 1e4F, 2)};
-      case 5: return height::Grating{height(), number(1e3F, 3), number(1e3F, 3), number(1e3F, 1)};
-      case 6: return polygons();
-      default: return grid();
+    });
+  }
+
+  // The next number of a map whose numbers before it are drawn.
+  template <class Kind>
+  float drawn(const Kind& one, height::Meaning meaning) {
+    switch (meaning) {
+      case height::Meaning::centre: return coordinate();
+      case height::Meaning::height: return height();
+      case height::Meaning::slope: return number(1e3F, 0.5F);
+      case height::Meaning::wave: return number(1e3F, 3);
+      case height::Meaning::reach: return size(1e-3F, 1e4F, 2);
+      case height::Meaning::radius: return size(0.1F, 1e4F, 5);
+      case height::Meaning::chord: break;
     }
+    if constexpr (requires { one.radius; }) return width(one.radius);
+    return 0;
   }
   float width(float radius) { return size(1e-3F, std::nextafter(2 * radius, 0.0F), radius); }
 

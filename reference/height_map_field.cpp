@@ -109,7 +109,7 @@ Rounded round_by_enclosures(const HeightMapField& law, const Point2& at, double 
 
 bool is_transcendental(const HeightMap& map) {
   const auto is = [](const height::Part& part) {
-    return std::visit([]<class T>(const T&) { return kIsTranscendental<T>; }, part.shape);
+    return std::visit([]<class T>(const T&) { return kFormula<T> == Formula::transcendental; }, part.shape);
   };
   return std::ranges::any_of(map.parts, is) || std::ranges::any_of(map.surface, is);
 }

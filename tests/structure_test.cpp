@@ -4,12 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "forceshade/vocabulary/height_map.h"
 #include "forceshade/vocabulary/law.h"
 
 namespace forceshade {
@@ -84,7 +88,9 @@ TEST(structure, every_file_that_evaluates_height_maps_has_its_mutants) {
       const std::string extension = entry.path().extension(), name = entry.path().stem();
       const bool is_of_height_maps = entry.path().parent_path().filename() == "heights" || name.starts_with("height_") ||
                                      name == "fraction" || name == "root_field" || name == "exponential_sum";
-      if ((extension != ".h" && extension != ".cpp") || !is_of_height_maps) continue;
+      // They list kinds, or bound them for properties, and evaluate nothing.
+      const bool is_a_list = name == "all" || name == "shape" || name == "outline";
+      if ((extension != ".h" && extension != ".cpp") || !is_of_height_maps || is_a_list) continue;
       ++found;
       const std::filesystem::path file = std::filesystem::relative(entry.path(), kRoot);
       EXPECT_GE(mutants[file.parent_path() / name], 2) << file;
@@ -127,6 +133,179 @@ TEST(structure, every_module_has_its_link_in_include) {
     const std::filesystem::path link = kRoot / "include" / entry.first / "forceshade" / entry.first;
     ASSERT_TRUE(std::filesystem::is_symlink(link)) << link;
     EXPECT_TRUE(std::filesystem::equivalent(link, kRoot / entry.first)) << link;
+  }
+}
+
+// A law or a kind of height map under the names that a file can have for it.
+struct Named {
+  std::string file, name, words, type;  // bump_2p, bump-2p, bump 2p, Bump2p
+
+  explicit Named(std::string_view of) : name(of) {
+    file = words = name;
+    std::ranges::replace(file, '-', '_');
+    std::ranges::replace(words, '-', ' ');
+    bool is_first = true;
+    for (const char c : name) {
+      if (c != '-') type += is_first ? static_cast<char>(std::toupper(c)) : c;
+      is_first = c == '-';
+    }
+  }
+};
+
+// A sort of thing that is added now and then, and the table of CONTRIBUTING.md that says where.
+struct Sort {
+  const char* heading;
+  const char* pattern;
+  std::size_t most_places;
+  std::vector<Named> all;
+  std::map<std::string, std::string> exceptions;  // files that name most of them, and why none has to be added there
+};
+
+std::vector<Sort> sorts() {
+  Sort laws{"## Adding a law", "<law>", 12, {}, {}}, kinds{"## Adding a kind of height map", "<kind>", 8, {}, {}};
+  for (const LawName& law : kLaws) laws.all.emplace_back(law.name);
+  for (const std::string_view kind : height::kKindNames) kinds.all.emplace_back(kind);
+  const std::string chosen = "it tests chosen laws and numbers, while loops over kLaws test every law",
+                    figures = "the thesis's own figures";
+  laws.exceptions = {
+      {"report/figures.cpp", figures},
+      {"report/thesis_figures.cpp", figures},
+      {"tests/certificate/comparison_test.cpp", chosen},
+      {"tests/certificate/refusal_test.cpp", chosen},
+      {"tests/certificate/sweep_test.cpp", chosen},
+      {"tests/hard_cases/search.cpp", "extra places to aim at; it searches every law"},
+      {"tests/laws/errata_test.cpp", "the thesis's errata"},
+      {"tests/properties/properties_test.cpp", chosen},
+      {"tests/properties/witness_test.cpp", chosen},
+      {"tests/properties/work_test.cpp", chosen},
+      {"tests/reference/energy_test.cpp", "energies known in closed form"},
+      {"tests/report/report_test.cpp", chosen},
+  };
+  const std::string maps = "it tests chosen maps, while height_kinds.h and any_height_map() bring every kind";
+  kinds.exceptions = {
+      {"tests/certificate/height_certificate_test.cpp", maps},
+      {"tests/fast/height_bounds_test.cpp", "the kinds that reach farthest; a loop compares every kind with them"},
+      {"tests/height_maps/height_exact_test.cpp", maps},
+      {"tests/height_maps/height_map_field_test.cpp", maps},
+      {"tests/height_maps/height_scenes.h", "sums of chosen kinds beside a scene of every kind"},
+      {"tests/heights/height_spec_test.cpp", "texts of TOML files; every kind is read by the same lines"},
+      {"tests/properties/height_properties_test.cpp", maps},
+      {"tests/reference/height_energy_test.cpp", maps},
+      {"tests/reference/height_reference_test.cpp", maps},
+      {"tests/reference/profile_test.cpp", maps},
+      {"tests/report/side_view_test.cpp", maps},
+  };
+  return {laws, kinds};
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+// As a word of its own: bump-1p is no part of bump-1p-shaded.
+bool has_word(const std::string& text, const std::string& word) {
+  const auto is_in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-'; };
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || !is_in_word(text[at - 1])) && (end == text.size() || !is_in_word(text[end]))) return true;
+  }
+  return false;
+}
+
+// The numbered places of a table.
+std::vector<std::string> places_of(const Sort& sort) {
+  std::ifstream file(kRoot / "CONTRIBUTING.md");
+  std::vector<std::string> places;
+  bool is_below = false;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("## ")) is_below = line == sort.heading;
+    if (!is_below || !line.starts_with("| ") || std::isdigit(static_cast<unsigned char>(line[2])) == 0) continue;
+    const std::string begin = "| " + std::to_string(places.size() + 1) + " | `";
+    EXPECT_TRUE(line.starts_with(begin)) << line;
+    const std::size_t end = line.find("` |", begin.size());
+    if (end == std::string::npos) {
+      ADD_FAILURE() << "expected one place in a row, got " << line;
+      continue;
+    }
+    places.push_back(line.substr(begin.size(), end - begin.size()));
+  }
+  return places;
+}
+
+// The files that a place stands for: one, or one of each.
+std::vector<std::string> files_of(const std::string& place, const Sort& sort) {
+  const std::size_t at = place.find(sort.pattern);
+  if (at == std::string::npos) return {place};
+  std::vector<std::string> files;
+  for (const Named& one : sort.all) files.push_back(std::string(place).replace(at, std::string(sort.pattern).size(), one.file));
+  return files;
+}
+
+TEST(structure, the_tables_of_contributing_name_as_few_places_as_they_may) {
+  for (const Sort& sort : sorts()) {
+    const std::vector<std::string> places = places_of(sort);
+    EXPECT_GE(places.size(), sort.most_places / 2) << sort.heading;
+    EXPECT_LE(places.size(), sort.most_places) << sort.heading;
+    EXPECT_EQ(std::set(places.begin(), places.end()).size(), places.size()) << sort.heading;
+  }
+}
+
+TEST(structure, every_law_and_kind_is_in_every_place_of_its_table) {
+  for (const Sort& sort : sorts())
+    for (const std::string& place : places_of(sort)) {
+      const std::vector<std::string> files = files_of(place, sort);
+      for (const std::string& file : files) EXPECT_TRUE(std::filesystem::is_regular_file(kRoot / file)) << file;
+      if (files.size() > 1) continue;
+      const std::string text = text_of(kRoot / place);
+      for (const Named& one : sort.all)
+        EXPECT_TRUE(has_word(text, one.file) || has_word(text, one.name) || has_word(text, one.words) ||
+                    has_word(text, one.type))
+            << place << " lacks " << one.name;
+    }
+}
+
+// By its type, its id, its name as a text or its header; comments left out.
+bool is_in_code(const std::string& code, const Named& one) {
+  return has_word(code, one.type) || has_word(code, "LawId::" + one.file) ||
+         code.find('"' + one.name + '"') != std::string::npos || code.find('/' + one.file + ".h\"") != std::string::npos;
+}
+
+std::string without_comments(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::string code;
+  for (std::string line; std::getline(in, line);) code += line.substr(0, line.find("//")) + '\n';
+  return code;
+}
+
+// What names more than half of the laws or kinds is a list, a switch or a set of overloads, which one more would have to be
+// added to.
+TEST(structure, no_file_beside_the_tables_has_to_be_extended_for_a_law_or_a_kind) {
+  for (const Sort& sort : sorts()) {
+    std::set<std::string> places;
+    for (const std::string& place : places_of(sort))
+      for (const std::string& file : files_of(place, sort)) places.insert(file);
+    std::map<std::string, std::string> unused = sort.exceptions;
+    int found = 0;
+    const auto look_at = [&](const std::filesystem::path& path) {
+      const std::string extension = path.extension(), file = std::filesystem::relative(path, kRoot);
+      if (extension != ".h" && extension != ".cpp" && extension != ".inl" && extension != ".inc") return;
+      ++found;
+      const std::string code = without_comments(path);
+      const auto named =
+          static_cast<std::size_t>(std::ranges::count_if(sort.all, [&](const Named& one) { return is_in_code(code, one); }));
+      if (2 * named <= sort.all.size() || places.contains(file)) return;
+      if (unused.erase(file) == 0)
+        ADD_FAILURE() << file << " names " << named << " of " << sort.all.size() << ", and is not in " << sort.heading;
+    };
+    std::vector<std::string> folders{"bench", "tests"};
+    for (const auto& [module, allowed] : kMayInclude) folders.push_back(module);
+    for (const std::string& folder : folders)
+      for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / folder)) look_at(entry.path());
+    EXPECT_GT(found, 400);
+    for (const auto& [file, reason] : unused) ADD_FAILURE() << file << " is no exception any more: " << reason;
   }
 }
 

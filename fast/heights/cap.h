@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// cylinder cap and sphere cap: U = √(R² - ρ²) - √(R² - (w/2)²) for 2ρ < w, else 0; for the cylinder ρ = |X|.
+// What cylinder cap and sphere cap share: U = √(R² - ρ²) - √(R² - (w/2)²) for 2ρ < w, else 0.
 
+#include "forceshade/fast/heights/check.h"
+#include "forceshade/fast/heights/exact_terms.h"
 #include "forceshade/fast/heights/jet.h"
 
 namespace forceshade::fast {
@@ -22,15 +24,22 @@ Jet<N> cap_jet(float radius, float width, const N& X, const N& Y, bool is_left_o
   return {inside / (above_axis + depth), steepness * X, steepness * Y};
 }
 
-template <class N>
-Jet<N> jet(const height::SphereCap& cap, const Place& at) noexcept {
-  return cap_jet(cap.radius, cap.width, difference<N>(at.x(), cap.x), difference<N>(at.y(), cap.y),
-                 at.x() < static_cast<double>(cap.x));
+inline ParameterError cap_radius(float radius) noexcept {
+  return {"radius", "mm", radius, height_limits::kSmallestRadius, height_limits::kLargestRadius};
+}
+// A cap as wide as the whole cylinder or sphere would be infinitely steep at its rim.
+inline ParameterError cap_width(float radius, float width) noexcept {
+  return {"width", "mm", width, height_limits::kSmallestWidth, std::nextafter(2 * radius, 0.0F)};
 }
 
-template <class N>
-Jet<N> jet(const height::CylinderCap& cap, const Place& at) noexcept {
-  return cap_jet(cap.radius, cap.width, difference<N>(at.x(), cap.x), N::exactly(0), at.x() < static_cast<double>(cap.x));
+// √(R² - ρ²) - √(R² - (w/2)²), with the gradient -(X, Y)·√(R² - ρ²)/(R² - ρ²).
+inline void add_cap_terms(float radius, float width, const Fraction& X, const Fraction& Y, bool is_left_of_centre,
+                          ExactTerms& terms) noexcept {
+  const Fraction R = Fraction::exactly(static_cast<double>(radius)), half = Fraction::exactly(0.5 * static_cast<double>(width));
+  const Fraction rho_squared = X * X + Y * Y, above_axis = R * R - rho_squared;
+  if (side_of_rim(half * half - rho_squared, is_left_of_centre) != Side::inside) return;
+  terms.add_root(above_axis, {Fraction::exactly(1), -X, -Y});
+  terms.add_root(R * R - half * half, {Fraction::exactly(-1), {}, {}});
 }
 
 }  // namespace forceshade::fast

@@ -2,6 +2,8 @@
 #pragma once
 // cone: U = height·(1 - ρ/radius) for ρ < radius, else 0; at the apex ∇U = (-height/radius, 0).
 
+#include "forceshade/fast/heights/check.h"
+#include "forceshade/fast/heights/exact_terms.h"
 #include "forceshade/fast/heights/jet.h"
 
 namespace forceshade::fast {
@@ -22,6 +24,27 @@ Jet<N> jet(const height::Cone& cone, const Place& at) noexcept {
   // radius - ρ as (radius² - ρ²)/(radius + ρ): no cancellation near the rim.
   const N rho = square_root(rho_squared), steepness = -(fall / rho);
   return {fall * (inside / (radius + rho)), steepness * X, steepness * Y};
+}
+
+inline MaybeError error_of(const height::Cone& c) noexcept {
+  using namespace height_limits;
+  return first_outside(
+      {centre_x(c.x), centre_y(c.y), height_of(c.height), {"radius", "mm", c.radius, kSmallestReach, kLargestReach}});
+}
+
+// height - fall·ρ, with the gradient -fall·(X, Y)·ρ/ρ².
+inline void add_terms(const height::Cone& cone, const Place& at, ExactTerms& terms) noexcept {
+  const Fraction height = Fraction::exactly(static_cast<double>(cone.height)),
+                 radius = Fraction::exactly(static_cast<double>(cone.radius));
+  const Fraction fall = height / radius, X = difference<Fraction>(at.x(), cone.x), Y = difference<Fraction>(at.y(), cone.y);
+  const Fraction rho_squared = X * X + Y * Y;
+  if (rho_squared.is_zero()) return terms.add_rational({height, -fall, {}});
+  if (side_of_rim(radius * radius - rho_squared, sign(X) == Sign::negative) != Side::inside) return;
+  terms.add_rational({height, {}, {}});
+  terms.add_root(rho_squared, {-fall, -fall * X, -fall * Y});
+}
+inline DenominatorBits denominator_bits(const height::Cone& cone) noexcept {
+  return {odd_bits(cone.radius), odd_bits(cone.radius), true};
 }
 
 }  // namespace forceshade::fast

@@ -2,12 +2,9 @@
 #include "forceshade/fast/heights/exact.h"
 
 #include <algorithm>
-#include <bit>
 #include <span>
 
-#include "forceshade/fast/heights/plane.h"
-#include "forceshade/fast/heights/polygons.h"
-#include "forceshade/fast/heights/spline.h"
+#include "forceshade/fast/heights/all.h"
 #include "forceshade/fast/numbers/arithmetic.h"
 #include "forceshade/fast/numbers/exp_cos_sin.h"
 
@@ -75,10 +72,6 @@ class ScaledSum {
   bool is_exact_ = true, is_empty_ = true;
 };
 
-Fraction distance(double a, float b) noexcept {
-  return difference<Fraction>(a, b);
-}
-
 // e^(-q).
 N decayed(const Fraction& q) noexcept {
   const N enclosure = enclosed<N>(q);
@@ -94,35 +87,6 @@ N size_of(const Fraction& a) noexcept {
 // slopes are below 2³⁰, the stiffness below 2¹⁰, a tie below 2⁷⁰.
 constexpr double kFromSecondOrderOn = 0x1p144, kFromThirdOrderOn = 0x1p60;
 
-// Bits of the denominators that a part brings into the sum's height and into its slopes, powers of two left out, where
-// denominators multiply and nothing is reduced.
-struct DenominatorBits {
-  std::size_t height = 0, slopes = 0;
-  bool has_roots = false;
-};
-struct DenominatorBitsOf {
-  DenominatorBits operator()(const height::Plane&) const { return {}; }
-  DenominatorBits operator()(const height::Grating&) const { return {}; }
-  DenominatorBits operator()(const height::Cone& cone) const { return {odd_bits(cone.radius), odd_bits(cone.radius), true}; }
-  DenominatorBits operator()(const height::CylinderCap&) const { return {0, 0, true}; }
-  DenominatorBits operator()(const height::SphereCap&) const { return {0, 0, true}; }
-  DenominatorBits operator()(const height::Gaussian& gaussian) const { return {0, 2 * odd_bits(gaussian.sigma)}; }
-  // The step between knots, a multiple of 2⁻⁵³ below 2¹⁶.
-  DenominatorBits operator()(const height::Polygons&) const { return {69, 69}; }
-  // A spline's weights are cubic in x/p and in y/p, divided by 36.
-  DenominatorBits operator()(const std::shared_ptr<const height::Grid>& grid) const {
-    const std::size_t bits = odd_bits(grid->pitch);
-    if (grid->interpolant == height::Interpolant::bilinear) return {3 * bits, 2 * bits};
-    return {6 * bits + 4, 6 * bits + 4};
-  }
-
- private:
-  static std::size_t odd_bits(float value) {
-    const std::uint32_t significand = (std::bit_cast<std::uint32_t>(value) & 0x7FFFFF) | 0x800000;
-    return 24 - static_cast<std::size_t>(std::countr_zero(significand));
-  }
-};
-
 // A numerator of gap or slope has at most this many bits more than its denominator: a spline's, of (x/p)³(y/p)³ and a value.
 constexpr std::size_t kNumeratorBits = 450;
 constexpr std::size_t kTieBits = 174, kStiffnessBits = 24;
@@ -132,7 +96,7 @@ constexpr std::size_t kRadicandBits = 3 * 138;
 DenominatorBits sum_of(const std::vector<height::Part>& parts) noexcept {
   DenominatorBits sum;
   for (const height::Part& part : parts) {
-    const DenominatorBits one = std::visit(DenominatorBitsOf(), part.shape);
+    const DenominatorBits one = std::visit([](const auto& shape) { return denominator_bits(shape); }, part.shape);
     sum = {sum.height + one.height, sum.slopes + one.slopes, sum.has_roots || one.has_roots};
   }
   return sum;
@@ -171,67 +135,22 @@ void ExactPlace::add_term(Kind kind, const Fraction& key, const Jet<Fraction>& f
   if (use.slopes) like->factors[2] = like->factors[2] + factor * factors.Uy;
 }
 
-template <class T>
-void ExactPlace::add_rational(const T& shape, const Use& use) noexcept {
-  add_term(Kind::rational, {}, jet<Fraction>(shape, at_), use);
+void ExactTerms::add_rational(const Jet<Fraction>& jet) noexcept {
+  place_.add_term(ExactPlace::Kind::rational, {}, jet, use_);
 }
-template void ExactPlace::add_rational(const height::Plane&, const Use&) noexcept;
-template void ExactPlace::add_rational(const height::Polygons&, const Use&) noexcept;
-
-void ExactPlace::add(const HeightGrid& grid, const Use& use) noexcept {
-  add_rational(grid, use);
+void ExactTerms::add_root(const Fraction& radicand, const Jet<Fraction>& factors) noexcept {
+  place_.add_term(ExactPlace::Kind::root, radicand, factors, use_);
 }
-
-// height - fall·ρ, with the gradient -fall·(X, Y)·ρ/ρ²: its division by the radicand is left to sign_of().
-void ExactPlace::add(const height::Cone& cone, const Use& use) noexcept {
-  const Fraction height = Fraction::exactly(static_cast<double>(cone.height)),
-                 radius = Fraction::exactly(static_cast<double>(cone.radius));
-  const Fraction fall = height / radius, X = distance(at_.x(), cone.x), Y = distance(at_.y(), cone.y);
-  const Fraction rho_squared = X * X + Y * Y;
-  if (rho_squared.is_zero()) return add_term(Kind::rational, {}, {height, -fall, {}}, use);
-  if (side_of_rim(radius * radius - rho_squared, sign(X) == Sign::negative) != Side::inside) return;
-  add_term(Kind::rational, {}, {height, {}, {}}, use);
-  add_term(Kind::root, rho_squared, {-fall, -fall * X, -fall * Y}, use);
+void ExactTerms::add_decay(const Fraction& q, const Jet<Fraction>& factors) noexcept {
+  place_.add_term(ExactPlace::Kind::decay, q, factors, use_);
+}
+void ExactTerms::add_wave(const Fraction& angle, const Jet<Fraction>& factors) noexcept {
+  place_.add_term(ExactPlace::Kind::wave, angle, factors, use_);
 }
 
-// √(R² - ρ²) - √(R² - (w/2)²), with the gradient -(X, Y)·√(R² - ρ²)/(R² - ρ²), as a cone's.
-void ExactPlace::add_cap(float radius, float width, const Fraction& X, const Fraction& Y, bool is_left_of_centre,
-                         const Use& use) noexcept {
-  const Fraction R = Fraction::exactly(static_cast<double>(radius)), half = Fraction::exactly(0.5 * static_cast<double>(width));
-  const Fraction rho_squared = X * X + Y * Y, above_axis = R * R - rho_squared;
-  if (side_of_rim(half * half - rho_squared, is_left_of_centre) != Side::inside) return;
-  add_term(Kind::root, above_axis, {Fraction::exactly(1), -X, -Y}, use);
-  add_term(Kind::root, R * R - half * half, {Fraction::exactly(-1), {}, {}}, use);
-}
-
-void ExactPlace::add(const height::CylinderCap& cap, const Use& use) noexcept {
-  add_cap(cap.radius, cap.width, distance(at_.x(), cap.x), {}, at_.x() < static_cast<double>(cap.x), use);
-}
-
-void ExactPlace::add(const height::SphereCap& cap, const Use& use) noexcept {
-  add_cap(cap.radius, cap.width, distance(at_.x(), cap.x), distance(at_.y(), cap.y), at_.x() < static_cast<double>(cap.x), use);
-}
-
-void ExactPlace::add(const height::Gaussian& gaussian, const Use& use) noexcept {
-  const Fraction height = Fraction::exactly(static_cast<double>(gaussian.height)),
-                 sigma = Fraction::exactly(static_cast<double>(gaussian.sigma));
-  const Fraction X = distance(at_.x(), gaussian.x), Y = distance(at_.y(), gaussian.y), rho_squared = X * X + Y * Y;
-  if (rho_squared.is_zero()) return add_term(Kind::rational, {}, {height, {}, {}}, use);
-  const Fraction variance = sigma * sigma, steepness = -(height / variance);
-  add_term(Kind::decay, rho_squared / (variance + variance), {height, steepness * X, steepness * Y}, use);
-}
-
-// The height is a multiple of the cosine, the slopes are multiples of the sine, of one angle.
-void ExactPlace::add(const height::Grating& grating, const Use& use) noexcept {
-  const Fraction height = Fraction::exactly(static_cast<double>(grating.height)),
-                 a = Fraction::exactly(static_cast<double>(grating.wave_x)),
-                 b = Fraction::exactly(static_cast<double>(grating.wave_y));
-  const Fraction angle =
-      a * Fraction::exactly(at_.x()) + b * Fraction::exactly(at_.y()) + Fraction::exactly(static_cast<double>(grating.phase));
-  if (angle.is_zero()) return add_term(Kind::rational, {}, {height, {}, {}}, use);
-  const bool is_negative = sign(angle) == Sign::negative;
-  const Fraction steepness = is_negative ? height : -height;
-  add_term(Kind::wave, is_negative ? -angle : angle, {height, steepness * a, steepness * b}, use);
+void ExactPlace::add(const EvaluatedShape& shape, const Use& use) noexcept {
+  ExactTerms terms(*this, use);
+  std::visit([&](const auto& one) { add_terms(one, at_, terms); }, shape);
 }
 
 // reads: which of gap, U_x and U_y the polynomial reads; is_quadratic: its degree is 2 at most.

@@ -14,8 +14,9 @@
 #include <array>
 #include <cstddef>
 
-#include "forceshade/fast/heights/grid.h"
+#include "forceshade/fast/heights/exact_terms.h"
 #include "forceshade/fast/heights/jet.h"
+#include "forceshade/fast/heights/shape.h"
 #include "forceshade/fast/numbers/root_field.h"
 #include "forceshade/vocabulary/height_map.h"
 
@@ -32,22 +33,12 @@ class ExactPlace {
  public:
   ExactPlace(const Place& at, double z, height::Rendering rendering, double stiffness) noexcept;
 
-  // Of height_exact.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h.
+  // Of exact.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h.
   static const char* arithmetic_fault() noexcept;
 
-  // Adds a part, times `factor`, to what is used of it: the gap, the slopes, or both. Of parts whose centres are quantised.
-  struct Use {
-    bool gap, slopes;
-    double factor;  // 1 or -1
-  };
-  void add(const height::Plane& plane, const Use& use) noexcept { add_rational(plane, use); }
-  void add(const height::Polygons& polygons, const Use& use) noexcept { add_rational(polygons, use); }
-  void add(const HeightGrid& grid, const Use& use) noexcept;
-  void add(const height::Cone& cone, const Use& use) noexcept;
-  void add(const height::CylinderCap& cap, const Use& use) noexcept;
-  void add(const height::SphereCap& cap, const Use& use) noexcept;
-  void add(const height::Gaussian& gaussian, const Use& use) noexcept;
-  void add(const height::Grating& grating, const Use& use) noexcept;
+  // Adds a part, whose centre is quantised.
+  using Use = ExactTerms::Use;
+  void add(const EvaluatedShape& shape, const Use& use) noexcept;
 
   // Of the gap, and of component `axis` (0 to 2) less `tie`, which is not 0 and of the component's sign; there is contact.
   // Unknown where the numbers outgrow their room.
@@ -64,10 +55,7 @@ class ExactPlace {
   // As many as there can be: a cap has two roots.
   static constexpr std::size_t kMostParts = 32, kMostTerms = 2 * kMostParts + 1;
 
-  template <class T>
-  void add_rational(const T& shape, const Use& use) noexcept;
-  void add_cap(float radius, float width, const Fraction& X, const Fraction& Y, bool is_left_of_centre,
-               const Use& use) noexcept;
+  friend class ExactTerms;
   void add_term(Kind kind, const Fraction& key, const Jet<Fraction>& factors, const Use& use) noexcept;
   template <class Polynomial>
   Sign sign_of(const Polynomial& polynomial, const std::array<bool, 3>& reads, bool is_quadratic) const noexcept;

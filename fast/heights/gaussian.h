@@ -2,6 +2,8 @@
 #pragma once
 // Gaussian: U = height·exp(-ρ²/2σ²).
 
+#include "forceshade/fast/heights/check.h"
+#include "forceshade/fast/heights/exact_terms.h"
 #include "forceshade/fast/heights/jet.h"
 #include "forceshade/fast/numbers/exp_cos_sin.h"
 
@@ -19,6 +21,25 @@ Jet<N> jet(const height::Gaussian& gaussian, const Place& at) noexcept {
   const N U = height * exp_of_minus((X * X + Y * Y) / (variance + variance), size);
   const N steepness = -(U / variance);
   return {U, steepness * X, steepness * Y};
+}
+
+inline MaybeError error_of(const height::Gaussian& g) noexcept {
+  using namespace height_limits;
+  return first_outside(
+      {centre_x(g.x), centre_y(g.y), height_of(g.height), {"sigma", "mm", g.sigma, kSmallestReach, kLargestReach}});
+}
+
+inline void add_terms(const height::Gaussian& gaussian, const Place& at, ExactTerms& terms) noexcept {
+  const Fraction height = Fraction::exactly(static_cast<double>(gaussian.height)),
+                 sigma = Fraction::exactly(static_cast<double>(gaussian.sigma));
+  const Fraction X = difference<Fraction>(at.x(), gaussian.x), Y = difference<Fraction>(at.y(), gaussian.y);
+  const Fraction rho_squared = X * X + Y * Y;
+  if (rho_squared.is_zero()) return terms.add_rational({height, {}, {}});
+  const Fraction variance = sigma * sigma, steepness = -(height / variance);
+  terms.add_decay(rho_squared / (variance + variance), {height, steepness * X, steepness * Y});
+}
+inline DenominatorBits denominator_bits(const height::Gaussian& gaussian) noexcept {
+  return {0, 2 * odd_bits(gaussian.sigma)};
 }
 
 }  // namespace forceshade::fast

@@ -2,6 +2,8 @@
 #pragma once
 // grating: U = height·cos(wave_x·x + wave_y·y + phase).
 
+#include "forceshade/fast/heights/check.h"
+#include "forceshade/fast/heights/exact_terms.h"
 #include "forceshade/fast/heights/jet.h"
 #include "forceshade/fast/numbers/exp_cos_sin.h"
 
@@ -18,6 +20,29 @@ Jet<N> jet(const height::Grating& grating, const Place& at) noexcept {
   const CosineAndSine<N> of = cosine_and_sine(angle, 2 * size);
   const N steepness = -(height * of.sine);
   return {height * of.cosine, N::exactly(a) * steepness, N::exactly(b) * steepness};
+}
+
+inline MaybeError error_of(const height::Grating& g) noexcept {
+  using height_limits::kLargestSlope;
+  return first_outside({height_of(g.height), symmetric("wave x", "rad/mm", g.wave_x, kLargestSlope),
+                        symmetric("wave y", "rad/mm", g.wave_y, kLargestSlope),
+                        symmetric("phase", "rad", g.phase, kLargestSlope)});
+}
+
+// The height is a multiple of the cosine, the slopes are multiples of the sine, of one angle.
+inline void add_terms(const height::Grating& grating, const Place& at, ExactTerms& terms) noexcept {
+  const Fraction height = Fraction::exactly(static_cast<double>(grating.height)),
+                 a = Fraction::exactly(static_cast<double>(grating.wave_x)),
+                 b = Fraction::exactly(static_cast<double>(grating.wave_y));
+  const Fraction angle =
+      a * Fraction::exactly(at.x()) + b * Fraction::exactly(at.y()) + Fraction::exactly(static_cast<double>(grating.phase));
+  if (angle.is_zero()) return terms.add_rational({height, {}, {}});
+  const bool is_negative = sign(angle) == Sign::negative;
+  const Fraction steepness = is_negative ? height : -height;
+  terms.add_wave(is_negative ? -angle : angle, {height, steepness * a, steepness * b});
+}
+inline DenominatorBits denominator_bits(const height::Grating&) noexcept {
+  return {};
 }
 
 }  // namespace forceshade::fast

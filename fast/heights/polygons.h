@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "forceshade/fast/heights/check.h"
+#include "forceshade/fast/heights/exact_terms.h"
 #include "forceshade/fast/heights/jet.h"
 
 namespace forceshade::fast {
@@ -20,6 +22,30 @@ Jet<N> jet(const height::Polygons& polygons, const Place& at) noexcept {
   const N slope =
       difference<N>(static_cast<double>(right->height), left->height) / difference<N>(static_cast<double>(right->x), left->x);
   return {height + slope * difference<N>(at.x(), left->x), slope, N::exactly(0)};
+}
+
+inline MaybeError error_of(const height::Polygons& p) noexcept {
+  using namespace height_limits;
+  if (const auto error = first_outside({{"number of knots", "", static_cast<float>(p.knots.size()), kFewestKnots, kMostKnots}}))
+    return error;
+  for (const height::Knot& knot : p.knots) {
+    if (const auto error = first_outside({symmetric("knot x", "mm", knot.x, kLargestCoordinate)})) return error;
+    if (const auto error = error_of_value(knot.height)) return error;
+  }
+  for (std::size_t i = 1; i < p.knots.size(); ++i) {
+    const double step = static_cast<double>(p.knots[i].x) - static_cast<double>(p.knots[i - 1].x);
+    if (!(step >= static_cast<double>(kSmallestReach)))
+      return ParameterError{"step between knots", "mm", static_cast<float>(step), kSmallestReach, 2 * kLargestCoordinate};
+  }
+  return std::nullopt;
+}
+
+inline void add_terms(const height::Polygons& polygons, const Place& at, ExactTerms& terms) noexcept {
+  terms.add_rational(jet<Fraction>(polygons, at));
+}
+// The step between knots, a multiple of 2⁻⁵³ below 2¹⁶.
+inline DenominatorBits denominator_bits(const height::Polygons&) noexcept {
+  return {69, 69};
 }
 
 }  // namespace forceshade::fast

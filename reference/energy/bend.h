@@ -2,25 +2,19 @@
 #pragma once
 // How each part of a height map slopes and curves along the line y = 0, over a whole stretch of it at once, and where it kinks.
 
-#include <optional>
 #include <vector>
 
-#include "forceshade/reference/numbers/numbers.h"
+#include "forceshade/reference/heights/section.h"
 #include "forceshade/vocabulary/height_map.h"
 
 namespace forceshade::reference {
-
-struct Bend {
-  Enclosure slope;      // mm/mm: U_x
-  Enclosure curvature;  // 1/mm: U_xx
-};
 
 // For every x of a stretch that holds `inside` and has no kink or grid line in its interior; `inside` is not at its ends, which
 // belong to it whatever kinks there. Callers hold exact_arithmetic.
 Bend bend(const std::vector<height::Part>& parts, const Enclosure& x, double inside);
 
 // What kinks strictly between the two, if anything does.
-std::optional<const char*> kink_between(const height::Part& part, double from, double to);
+Kink kink_between(const height::Part& part, double from, double to);
 
 // Adds the x of a spline's grid lines strictly between the two. Throws std::invalid_argument for more than `most` of them.
 void add_grid_lines(const height::Part& part, double from, double to, std::size_t most, std::vector<double>& lines);

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "forceshade/reference/energy/height_circulation.h"
+#include "forceshade/reference/heights/all.h"
 #include "forceshade/reference/position.h"
 
 namespace forceshade::reference {
@@ -9,45 +10,15 @@ namespace {
 
 constexpr float kMostCells = 65536;
 
-struct Tallest {
-  double largest_x, largest_y;  // mm, of the slice
-
-  double operator()(const height::Plane& p) const {
-    return size(p.height) + size(p.slope_x) * largest_x + size(p.slope_y) * largest_y;
-  }
-  double operator()(const height::Cone& c) const { return size(c.height); }
-  double operator()(const height::CylinderCap& c) const { return cap(c.radius, c.width); }
-  double operator()(const height::SphereCap& c) const { return cap(c.radius, c.width); }
-  double operator()(const height::Gaussian& g) const { return size(g.height); }
-  double operator()(const height::Grating& g) const { return size(g.height); }
-  double operator()(const height::Polygons& p) const {
-    double most = 0;
-    for (const height::Knot& knot : p.knots) most = std::max(most, size(knot.height));
-    return most;
-  }
-  double operator()(const std::shared_ptr<const height::Grid>& grid) const {
-    double most = 0;
-    for (const float value : grid->values) most = std::max(most, size(value));
-    return most;
-  }
-
-  // A part in a million more than R - sqrt(R² - (w/2)²).
-  static double cap(float radius, float width) {
-    const double R = size(radius), half = size(width) / 2;
-    return half * half / (R + std::sqrt((R - half) * (R + half))) * (1 + 1e-6);
-  }
-  static double size(float value) { return std::fabs(static_cast<double>(value)); }
-};
-
 }  // namespace
 
 double tallest(const HeightMapField& law, const Slice& slice) {
   const bool is_shaded = law.rendering() == height::Rendering::force_shaded;
   const Way way = way_of(slice);
-  const Tallest of{std::max(Tallest::size(way.x0), Tallest::size(way.x1)),
-                   std::max(Tallest::size(way.y0), Tallest::size(way.y1))};
+  const double largest_x = std::max(size_of(way.x0), size_of(way.x1)), largest_y = std::max(size_of(way.y0), size_of(way.y1));
   double sum = 0;
-  for (const height::Part& part : is_shaded ? law.map().surface : law.map().parts) sum += std::visit(of, part.shape);
+  for (const height::Part& part : is_shaded ? law.map().surface : law.map().parts)
+    sum += std::visit([&](const auto& shape) { return tallest(as_shape(shape), largest_x, largest_y); }, part.shape);
   return sum;
 }
 

@@ -2,40 +2,13 @@
 #include "forceshade/reference/energy/height_stretch.h"
 #include "forceshade/reference/energy/strips.h"
 #include "forceshade/reference/height_energy.h"
-#include "forceshade/reference/heights/cap.h"
-#include "forceshade/reference/heights/cone.h"
-#include "forceshade/reference/heights/gaussian.h"
-#include "forceshade/reference/heights/grating.h"
-#include "forceshade/reference/heights/grid.h"
-#include "forceshade/reference/heights/plane.h"
-#include "forceshade/reference/heights/polygons.h"
+#include "forceshade/reference/heights/sum.h"
 #include "forceshade/reference/numbers/intervals.h"
 
 namespace forceshade::reference {
 namespace {
 
 using height::Rendering;
-
-struct AtShape {
-  const Point2& at;
-
-  Jet<Enclosure> operator()(const height::Gaussian& shape) const { return jet<Enclosure>(shape, at); }
-  Jet<Enclosure> operator()(const height::Grating& shape) const { return jet<Enclosure>(shape, at); }
-  Jet<Enclosure> operator()(const std::shared_ptr<const height::Grid>& grid) const { return jet<Enclosure>(*grid, at); }
-  template <class T>
-  Jet<Enclosure> operator()(const T& shape) const {
-    return jet<Enclosure>(shape, at);
-  }
-};
-
-Jet<Enclosure> sum_at(const std::vector<height::Part>& parts, const Point2& at) {
-  Jet<Enclosure> sum = Jet<Enclosure>::flat();
-  for (const height::Part& part : parts) {
-    const Jet<Enclosure> one = std::visit(AtShape{at}, part.shape);
-    sum = sum + (part.negated ? -one : one);
-  }
-  return sum;
-}
 
 Point2 plan(const Eigen::Vector3f& point) {
   return {static_cast<double>(point.x()), static_cast<double>(point.y())};
@@ -44,7 +17,7 @@ Point2 plan(const Eigen::Vector3f& point) {
 // ½K·depth² there.
 Enclosure spring(const HeightMapField& law, const Eigen::Vector3f& point) {
   const bool is_shaded = law.rendering() == Rendering::force_shaded;
-  const Enclosure surface = sum_at(is_shaded ? law.map().surface : law.map().parts, plan(point)).U;
+  const Enclosure surface = sum_jet<Enclosure>(is_shaded ? law.map().surface : law.map().parts, plan(point)).U;
   const Enclosure depth = larger(0, surface - Enclosure(point.z()));
   return Enclosure(law.stiffness()) * depth * depth / 2;
 }
@@ -53,7 +26,7 @@ Enclosure spring(const HeightMapField& law, const Eigen::Vector3f& point) {
 Enclosure work_of_spring(const HeightMapField& law, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
   const Enclosure released = spring(law, a) - spring(law, b);
   if (law.rendering() == Rendering::conservative) return released;
-  const Jet<Enclosure> map = sum_at(law.map().parts, plan(a));
+  const Jet<Enclosure> map = sum_jet<Enclosure>(law.map().parts, plan(a));
   return released / sqrt(Enclosure(map.Ux * map.Ux + map.Uy * map.Uy + 1));
 }
 

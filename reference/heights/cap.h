@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// cylinder cap and sphere cap: U = √(R² - ρ²) - √(R² - (w/2)²) for 2ρ < w, else 0; for the cylinder ρ = |X|.
+// What cylinder cap and sphere cap share: U = √(R² - ρ²) - √(R² - (w/2)²) for 2ρ < w, else 0.
 
-#include "forceshade/reference/heights/jet.h"
+#include "forceshade/reference/heights/kind.h"
 
 namespace forceshade::reference {
 
@@ -14,25 +14,34 @@ Jet<N> cap_jet(float radius, float width, const N& x, const N& y) {
   return {above_axis - sqrt(N(R * R - half * half)), -x / above_axis, -y / above_axis};
 }
 
-template <class N>
-Jet<N> ridge_jet(const height::CylinderCap& cap, const N& x) {
-  Jet<N> ridge = cap_jet(cap.radius, cap.width, x, N(0.0));
-  ridge.Uy = N(0.0);
-  return ridge;
+inline DomainError check_cap(float radius, float width) {
+  if (const auto error = check("radius", "mm", radius, 0.1F, 10000)) return error;
+  return check("width", "mm", width, 0.001F, std::nextafter(2 * radius, 0.0F));
 }
 
-template <class N>
-Jet<N> jet(const height::SphereCap& cap, const Point2& at) {
-  const Rational half = Rational(static_cast<double>(cap.width)) / Rational(2);
-  if (!is_inside(from_centre<Rational>(at.x, cap.x), from_centre<Rational>(at.y, cap.y), half)) return Jet<N>::flat();
-  return cap_jet(cap.radius, cap.width, from_centre<N>(at.x, cap.x), from_centre<N>(at.y, cap.y));
+inline Bend bend_of_cap(float centre_x, float centre_y, float radius, float width, const Enclosure& x, double inside) {
+  using namespace section;
+  if (!is_within(relative(Enclosure(inside), centre_x), half_chord_squared(width, centre_y))) return level();
+  const Enclosure X = relative(x, centre_x), Y = relative(Enclosure(0), centre_y);
+  const Enclosure square = exactly(radius) * exactly(radius) - Y * Y, above_axis = sqrt(Enclosure(square - X * X));
+  return {-X / above_axis, -square / (above_axis * above_axis * above_axis)};
 }
 
-template <class N>
-Jet<N> jet(const height::CylinderCap& cap, const Point2& at) {
-  const Rational half = Rational(static_cast<double>(cap.width)) / Rational(2);
-  if (!is_inside(from_centre<Rational>(at.x, cap.x), Rational(0), half)) return Jet<N>::flat();
-  return ridge_jet(cap, from_centre<N>(at.x, cap.x));
+// A part in a million more than R - sqrt(R² - (w/2)²).
+inline double height_of_cap(float radius, float width) {
+  const double R = size_of(radius), half = size_of(width) / 2;
+  return half * half / (R + std::sqrt((R - half) * (R + half))) * (1 + 1e-6);
+}
+
+// rho: from the axis or centre, mm.
+inline GradientChange change_of_cap(double radius, double half, double rho, double reach) {
+  if (rho - reach > half + kOutlineSlack) return {};
+  const double farthest = std::min(rho + reach, half);
+  return {radius * radius / std::pow(radius * radius - farthest * farthest, 1.5), rho + reach >= half - kOutlineSlack};
+}
+
+inline double steepest_of_cap(double radius, double half) {
+  return half / std::sqrt((radius - half) * (radius + half));
 }
 
 }  // namespace forceshade::reference

@@ -3,7 +3,7 @@
 // Gaussian: U = height·exp(-ρ²/2σ²). Off the centre its height is transcendental:
 // at a position an Enclosure or an ExponentialSum.
 
-#include "forceshade/reference/heights/jet.h"
+#include "forceshade/reference/heights/kind.h"
 
 namespace forceshade::reference {
 
@@ -19,6 +19,55 @@ Jet<N> hill_jet(const height::Gaussian& gaussian, const N& x, const N& y) {
 template <class N>
 Jet<N> jet(const height::Gaussian& gaussian, const Point2& at) {
   return hill_jet(gaussian, from_centre<N>(at.x, gaussian.x), from_centre<N>(at.y, gaussian.y));
+}
+
+template <>
+constexpr Formula formula<height::Gaussian>() {
+  return Formula::transcendental;
+}
+
+inline DomainError error_of(const height::Gaussian& g) {
+  if (const auto error = check_centre(g.x, g.y)) return error;
+  if (const auto error = check_height(g.height)) return error;
+  return check("sigma", "mm", g.sigma, 0.001F, 10000);
+}
+
+inline void cut(const height::Gaussian&, Cuts&) {}
+template <class N>
+Jet<N> jet_in(const height::Gaussian& g, const OnWay<N>& at) {
+  return hill_jet(g, at.x_from(g.x), at.y_from(g.y));
+}
+
+inline Bend bend_of(const height::Gaussian& g, const Enclosure& x, double) {
+  using namespace section;
+  const Enclosure X = relative(x, g.x), Y = relative(Enclosure(0), g.y), variance = exactly(g.sigma) * exactly(g.sigma);
+  const Enclosure U = exactly(g.height) * exp(Enclosure(-(X * X + Y * Y) / (2 * variance)));
+  return {-X / variance * U, (X * X / variance - 1) / variance * U};
+}
+inline Kink kink_of(const height::Gaussian&, double, double) {
+  return std::nullopt;
+}
+
+inline std::optional<ConstantGradient> constant_gradient(const height::Gaussian& g) {
+  return level_if(g.height == 0);
+}
+
+inline double tallest(const height::Gaussian& g, double, double) {
+  return size_of(g.height);
+}
+
+inline Outline outline_of(const height::Gaussian& hill) {
+  Outline shape = round_outline("gaussian", hill.x, hill.y, hill.sigma);
+  shape.reach *= 3;
+  const double height = std::fabs(static_cast<double>(hill.height)), sigma = static_cast<double>(hill.sigma);
+  shape.steepest = height / sigma * std::exp(-0.5);
+  // The second derivatives are those of exp(-u²/2), u = ρ/σ: at most exp(-u²/2), or (u² - 1)·exp(-u²/2), largest at u = √3.
+  shape.bend = [x0 = shape.x, y0 = shape.y, height, sigma](double x, double y, double reach) {
+    const double u = std::max(0.0, std::hypot(x - x0, y - y0) - reach) / sigma, fallen = std::exp(-0.5 * u * u);
+    const double size = u * u < 3 ? std::max(fallen, 2 * std::exp(-1.5)) : (u * u - 1) * fallen;
+    return GradientChange{height / (sigma * sigma) * size, false};
+  };
+  return shape;
 }
 
 }  // namespace forceshade::reference

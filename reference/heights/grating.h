@@ -3,7 +3,7 @@
 // grating: U = height·cos(wave_x·x + wave_y·y + phase). Where the angle is not 0 its height is transcendental: at a position an
 // Enclosure or an ExponentialSum.
 
-#include "forceshade/reference/heights/jet.h"
+#include "forceshade/reference/heights/kind.h"
 
 namespace forceshade::reference {
 
@@ -20,6 +20,54 @@ Jet<N> wave_jet(const height::Grating& grating, const N& x, const N& y) {
 template <class N>
 Jet<N> jet(const height::Grating& grating, const Point2& at) {
   return wave_jet(grating, N(at.x), N(at.y));
+}
+
+template <>
+constexpr Formula formula<height::Grating>() {
+  return Formula::transcendental;
+}
+
+inline DomainError error_of(const height::Grating& g) {
+  if (const auto error = check_height(g.height)) return error;
+  if (const auto error = check("wave x", "rad/mm", g.wave_x, -1000, 1000)) return error;
+  if (const auto error = check("wave y", "rad/mm", g.wave_y, -1000, 1000)) return error;
+  return check("phase", "rad", g.phase, -1000, 1000);
+}
+
+inline void cut(const height::Grating&, Cuts&) {}
+template <class N>
+Jet<N> jet_in(const height::Grating& grating, const OnWay<N>& at) {
+  return wave_jet(grating, at.x, at.y);
+}
+
+inline Bend bend_of(const height::Grating& g, const Enclosure& x, double) {
+  using section::exactly;
+  const Enclosure wave = exactly(g.wave_x), angle = wave * x + exactly(g.phase);
+  return {-exactly(g.height) * wave * sin(angle), -exactly(g.height) * wave * wave * cos(angle)};
+}
+inline Kink kink_of(const height::Grating&, double, double) {
+  return std::nullopt;
+}
+
+inline std::optional<ConstantGradient> constant_gradient(const height::Grating& g) {
+  return level_if(g.height == 0 || (g.wave_x == 0 && g.wave_y == 0));
+}
+
+inline double tallest(const height::Grating& g, double, double) {
+  return size_of(g.height);
+}
+
+inline Outline outline_of(const height::Grating& grating) {
+  const double wave = std::hypot(static_cast<double>(grating.wave_x), static_cast<double>(grating.wave_y));
+  const double height = std::fabs(static_cast<double>(grating.height));
+  Outline shape{.kind = "grating", .steepest = height * wave};
+  shape.reach = std::clamp(20 / std::max(wave, 1e-6), 0.01, 1000.0);
+  for (const auto& [along, marks] : {std::pair(grating.wave_x, &shape.xs), std::pair(grating.wave_y, &shape.ys)}) {
+    *marks = {0};
+    if (along != 0) marks->push_back(-grating.phase / along);  // a crest
+  }
+  shape.bend = [rate = height * wave * wave](auto...) { return GradientChange{rate, false}; };
+  return shape;
 }
 
 }  // namespace forceshade::reference

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "forceshade/reference/height_map_field.h"
+#include "forceshade/reference/heights/cuts.h"
 #include "forceshade/reference/heights/jet.h"
 #include "forceshade/reference/numbers/taylor_coefficients.h"
 
@@ -13,16 +14,6 @@ namespace forceshade::reference {
 
 // One order more than is integrated, for a derivative; enough for what two cubics make along a diagonal.
 using GroundSeries = Series<7>;
-
-// Over the plane from (x0, y0) at t = 0 to (x1, y1) at t = 1, two different points; mm.
-struct Way {
-  float x0, y0, x1, y1;
-};
-
-// Which formula of a part holds: the cell of a grid; of what has a rim, a column of HeightLine's own.
-struct Cell {
-  long column = 0, row = 0;
-};
 
 // What the force is made of, at a t or over a stretch of it.
 template <class N>

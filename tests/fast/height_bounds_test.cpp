@@ -11,15 +11,9 @@
 #include <functional>
 #include <random>
 
-#include "forceshade/fast/heights/cap.h"
-#include "forceshade/fast/heights/cone.h"
+#include "forceshade/fast/heights/all.h"
 #include "forceshade/fast/heights/force.h"
-#include "forceshade/fast/heights/gaussian.h"
-#include "forceshade/fast/heights/grating.h"
 #include "forceshade/fast/heights/limits.h"
-#include "forceshade/fast/heights/plane.h"
-#include "forceshade/fast/heights/polygons.h"
-#include "forceshade/fast/heights/spline.h"
 #include "forceshade/tests/fast/gappa_script.h"
 
 namespace forceshade::tests {
@@ -92,15 +86,66 @@ double least_exponential() {
   return least;
 }
 
-TEST(height_bounds, the_largest_gap_and_slope_are_within_those_of_the_script) {
+// Of one part, mm and mm/mm.
+struct Largest {
+  double height, slope;
+};
+Largest largest_of_a_part() {
   const double height = static_cast<double>(kLargestHeight), slope = static_cast<double>(kLargestSlope),
                coordinate = static_cast<double>(kLargestCoordinate), reach = static_cast<double>(kSmallestReach),
                pitch = static_cast<double>(kSmallestPitch), radius = static_cast<double>(kLargestRadius);
   // A cap is as steep as c/√(R² - c²) at most, c its half chord, which is a unit of the last place below R or more.
   const double half_chord = 1 - 0x1p-24, cap_slope = half_chord / std::sqrt((1 - half_chord) * (1 + half_chord));
-  const double largest_height = std::max(height + 2 * slope * coordinate, radius);
-  const double largest_slope =
-      std::max({slope, height / reach, height * slope, 2 * height / reach, 2 * height / pitch, cap_slope});
+  return {std::max(height + 2 * slope * coordinate, radius),
+          std::max({slope, height / reach, height * slope, 2 * height / reach, 2 * height / pitch, cap_slope})};
+}
+
+// Both ends of the domain of a number, and 0 where it is in it; `radius`: of a cap.
+std::vector<float> ends_of(height::Meaning meaning, float radius) {
+  switch (meaning) {
+    case height::Meaning::centre: return {0, kLargestCoordinate};
+    case height::Meaning::height: return {-kLargestHeight, 0, kLargestHeight};
+    case height::Meaning::slope:
+    case height::Meaning::wave: return {-kLargestSlope, 0, kLargestSlope};
+    case height::Meaning::reach: return {kSmallestReach, kLargestReach};
+    case height::Meaning::radius: return {kSmallestRadius, kLargestRadius};
+    case height::Meaning::chord: break;
+  }
+  return {kSmallestWidth, std::nextafter(2 * radius, 0.0F)};
+}
+
+// All combinations of these ends, from the kind's number `from` on.
+template <class Kind>
+void meet_all_ends(Met& met, Kind shape, std::size_t from = 0) {
+  if (from == Kind::numbers().size())
+    return meet(met, shape, {0, 5e-4F, 9e-4F, 1, 0.99999F * kSmallestRadius, 7e3F, std::nextafter(kLargestCoordinate, 0.0F)});
+  float radius = 0;
+  if constexpr (requires { shape.radius; }) radius = shape.radius;
+  for (const float end : ends_of(Kind::numbers()[from].meaning, radius)) {
+    shape.*Kind::numbers()[from].member = end;
+    meet_all_ends(met, shape, from + 1);
+  }
+}
+
+TEST(height_bounds, every_kind_is_within_the_largest_height_and_slope_at_the_ends_of_its_domain) {
+  const Largest largest = largest_of_a_part();
+  for (std::size_t kind = 0; kind < height::kKinds; ++kind)
+    height::make_shape(kind, [&]<class Kind>(std::type_identity<Kind>) {
+      if constexpr (height::HasNumbers<Kind>) {
+        Met met;
+        meet_all_ends(met, Kind());
+        std::printf("  %s: height 2^%.2f, slope 2^%.2f\n", Kind::kName.data(), std::log2(met.largest_height),
+                    std::log2(met.largest_slope));
+        EXPECT_GT(met.largest_height, 0) << Kind::kName;
+        EXPECT_LE(met.largest_height, largest.height) << Kind::kName;
+        EXPECT_LE(met.largest_slope, largest.slope) << Kind::kName;
+      }
+      return height::Plane{};
+    });
+}
+
+TEST(height_bounds, the_largest_gap_and_slope_are_within_those_of_the_script) {
+  const auto [largest_height, largest_slope] = largest_of_a_part();
 
   Met met;
   const float far = kLargestCoordinate, steep = kLargestSlope, high = kLargestHeight;
@@ -124,7 +169,7 @@ TEST(height_bounds, the_largest_gap_and_slope_are_within_those_of_the_script) {
 
   const GappaScript script(std::string(FORCESHADE_SOURCE_DIR) + "/fast/heights/force.g");
   constexpr double kParts = kMostParts;
-  const double largest_gap = kParts * largest_height + coordinate;
+  const double largest_gap = kParts * largest_height + static_cast<double>(kLargestCoordinate);
   std::printf("  a sum: gap 2^%.2f, slope 2^%.2f\n", std::log2(largest_gap), std::log2(kParts * largest_slope));
   for (const GappaScript::Piece& piece : script.pieces()) {
     const auto [least_gap, most_gap] = script.interval(piece.name, "GAP");

@@ -9,13 +9,9 @@
 #include <variant>
 #include <vector>
 
-#include "forceshade/fast/heights/cap.h"
-#include "forceshade/fast/heights/cone.h"
+#include "forceshade/fast/heights/all.h"
 #include "forceshade/fast/heights/force.h"
-#include "forceshade/fast/heights/gaussian.h"
-#include "forceshade/fast/heights/grating.h"
-#include "forceshade/fast/heights/plane.h"
-#include "forceshade/fast/heights/polygons.h"
+#include "forceshade/fast/heights/shape.h"
 #include "forceshade/fast/heights/spline.h"
 #include "forceshade/tests/height_maps/height_scenes.h"
 #include "forceshade/vocabulary/law.h"
@@ -64,10 +60,8 @@ class Balls {
   }
 
  private:
-  using Shape = std::variant<height::Plane, height::Cone, height::CylinderCap, height::SphereCap, height::Gaussian,
-                             height::Grating, height::Polygons, fast::HeightGrid>;
   struct Part {
-    Shape shape;
+    fast::EvaluatedShape shape;
     bool negated;
   };
 
@@ -75,7 +69,7 @@ class Balls {
     std::vector<Part> all;
     for (const height::Part& part : parts)
       all.push_back({std::visit(
-                         []<class T>(const T& shape) -> Shape {
+                         []<class T>(const T& shape) -> fast::EvaluatedShape {
                            if constexpr (std::is_constructible_v<fast::HeightGrid, T>)
                              return fast::HeightGrid(shape);
                            else

@@ -7,12 +7,8 @@
 #include <random>
 
 #include "forceshade/fast/height_map_field.h"
-#include "forceshade/fast/heights/cap.h"
-#include "forceshade/fast/heights/cone.h"
+#include "forceshade/fast/heights/all.h"
 #include "forceshade/fast/heights/exact.h"
-#include "forceshade/fast/heights/gaussian.h"
-#include "forceshade/fast/heights/plane.h"
-#include "forceshade/fast/heights/polygons.h"
 #include "forceshade/properties/binary32.h"
 #include "forceshade/reference/height_map_field.h"
 

@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 #include "forceshade/csv/csv.h"
 #include "forceshade/fast/height_map_field.h"
@@ -42,17 +44,22 @@ height::Shape grid_of(const std::string& shape, const std::vector<float>& n) {
                    {n.begin() + 3, n.end()}});
 }
 
+// The numbers of a kind in the order in which vocabulary/height_map.h has them.
 height::Shape shape_of(const std::string& shape, const std::vector<float>& n) {
-  if (shape == "plane") return height::Plane{n[0], n[1], n[2]};
-  if (shape == "cone") return height::Cone{n[0], n[1], n[2], n[3]};
-  if (shape == "cylinder-cap") return height::CylinderCap{n[0], n[1], n[2]};
-  if (shape == "sphere-cap") return height::SphereCap{n[0], n[1], n[2], n[3]};
-  if (shape == "gaussian") return height::Gaussian{n[0], n[1], n[2], n[3]};
-  if (shape == "grating") return height::Grating{n[0], n[1], n[2], n[3]};
-  if (shape != "polygons") return grid_of(shape, n);
-  height::Polygons polygons;
-  for (std::size_t i = 0; i < n.size(); i += 2) polygons.knots.push_back({n[i], n[i + 1]});
-  return polygons;
+  const auto named = std::ranges::find(height::kKindNames, shape);
+  if (named == height::kKindNames.end()) return grid_of(shape, n);
+  const auto index = static_cast<std::size_t>(named - height::kKindNames.begin());
+  return height::make_shape(index, [&]<class Kind>(std::type_identity<Kind>) -> height::Shape {
+    Kind one;
+    if constexpr (height::HasNumbers<Kind>)
+      for (std::size_t i = 0; i < Kind::numbers().size(); ++i) one.*Kind::numbers()[i].member = n.at(i);
+    if constexpr (std::is_same_v<Kind, height::Polygons>)
+      for (std::size_t i = 0; i < n.size(); i += 2) one.knots.push_back({n[i], n[i + 1]});
+    if constexpr (std::is_same_v<Kind, height::Grid>)
+      throw std::invalid_argument("a grid has the name of its interpolant and edge");
+    else
+      return one;
+  });
 }
 
 std::map<std::string, HeightMap> golden_maps() {

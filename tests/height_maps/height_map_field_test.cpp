@@ -12,6 +12,7 @@
 
 #include "forceshade/properties/binary32.h"
 #include "forceshade/reference/height_map_field.h"
+#include "forceshade/tests/height_maps/height_kinds.h"
 #include "forceshade/tests/laws/force_suite.h"
 #include "forceshade/tests/support/allocations.h"
 
@@ -110,6 +111,11 @@ std::vector<Case> cases() {
                  8});
   all.push_back(
       {"waves on a hill", {{{height::Grating{0.5F, 3, -4, 0.5F}}}, {{height::Gaussian{1, -1, 3, 1.5F}}}}, {0, 1, -1}, 4});
+  for (const tests::HeightScene& scene : tests::scenes_of_every_kind()) {
+    float reach = 2;
+    for (const float edge : scene.edges) reach = std::max(reach, 2 * std::fabs(edge));
+    all.push_back({scene.name, scene.map, scene.edges, std::min(reach, 10.0F)});
+  }
   return all;
 }
 
@@ -323,19 +329,18 @@ TEST(height_map_field, refuses_what_the_reference_refuses) {
   const auto add = [&](height::Shape shape) { maps.push_back({{{std::move(shape)}}}); };
   for (const float odd :
        {nan, inf, -inf, 0.0F, -1.0F, 1e-4F, 1e-3F, 0.1F, 10.0F, 1e3F, neighbour(1e3F, 1), 1e4F, neighbour(1e4F, 1), -1e4F}) {
-    add(height::Plane{odd, 0, 0});
-    add(height::Plane{0, odd, 0});
-    add(height::Plane{0, 0, odd});
-    add(height::Cone{odd, 0, 1, 1});
-    add(height::Cone{0, odd, 1, 1});
-    add(height::Cone{0, 0, odd, 1});
-    add(height::Cone{0, 0, 1, odd});
-    add(height::CylinderCap{odd, 5, 8});
-    add(height::CylinderCap{0, odd, 0.15F});
-    add(height::CylinderCap{0, 5, odd});
-    add(height::SphereCap{0, odd, 5, 8});
-    add(height::SphereCap{0, 0, odd, 0.15F});
-    add(height::SphereCap{0, 0, 5, odd});
+    for (std::size_t kind = 0; kind < height::kKinds; ++kind)
+      height::make_shape(kind, [&]<class Kind>(std::type_identity<Kind>) {
+        if constexpr (height::HasNumbers<Kind>)
+          for (const height::Number<Kind>& number : Kind::numbers()) {
+            Kind one = std::get<Kind>(tests::Samples<Kind>::scenes().front().map.parts.front().shape);
+            one.*number.member = odd;
+            if constexpr (requires { one.width; })
+              if (number.meaning == height::Meaning::radius) one.width = 0.15F;
+            add(one);
+          }
+        return height::Plane{};
+      });
     add(height::Polygons{{{odd, 0}, {1e4F, 0}}});
     add(height::Polygons{{{0, 0}, {odd, 1}}});
     add(height::Polygons{{{0, 0}, {1, odd}}});

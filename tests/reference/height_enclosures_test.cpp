@@ -196,33 +196,46 @@ height::Part random_part(Random& random, double reach) {
   };
   const bool is_negated = random.is(0.5);
   const float radius = random.size(0.1, 1e3);
-  switch (random.below(8)) {
-    case 0: return {height::Plane{random.either_sign(1e-3, 1e3), random.either_sign(1e-3, 1e3), near()}, is_negated};
-    case 1: return {height::Cone{near(), near(), random.either_sign(1e-6, 1e3), random.size(1e-3, 1e3)}, is_negated};
-    case 2: return {height::CylinderCap{near(), radius, cap_width(radius)}, is_negated};
-    case 3: return {height::SphereCap{near(), near(), radius, cap_width(radius)}, is_negated};
-    case 4: return {height::Gaussian{near(), near(), random.either_sign(1e-6, 1e3), random.size(1e-3, 1e3)}, is_negated};
-    case 5: {
-      const double most = std::min(1e3, 30 / reach);
-      return {height::Grating{random.either_sign(1e-6, 1e3), random.either_sign(most / 1e4, most),
-                              random.either_sign(most / 1e4, most), near()},
-              is_negated};
+  const double most_wave = std::min(1e3, 30 / reach);
+  const auto drawn = [&](height::Meaning meaning) {
+    switch (meaning) {
+      case height::Meaning::centre: return near();
+      case height::Meaning::height: return random.either_sign(1e-6, 1e3);
+      case height::Meaning::slope: return random.either_sign(1e-3, 1e3);
+      case height::Meaning::wave: return random.either_sign(most_wave / 1e4, most_wave);
+      case height::Meaning::reach: return random.size(1e-3, 1e3);
+      case height::Meaning::radius: return radius;
+      case height::Meaning::chord: break;
     }
-    case 6: {
-      height::Polygons polygons{{{static_cast<float>(-1.5 * reach), 0}}};
-      for (int i = 0; i < 6; ++i)
-        polygons.knots.push_back(
-            {polygons.knots.back().x + 0.0011F + static_cast<float>(random.uniform(0, reach)), random.either_sign(1e-6, 1e3)});
-      return {polygons, is_negated};
+    return cap_width(radius);
+  };
+  const auto polygons = [&] {
+    height::Polygons polygons{{{static_cast<float>(-1.5 * reach), 0}}};
+    for (int i = 0; i < 6; ++i)
+      polygons.knots.push_back(
+          {polygons.knots.back().x + 0.0011F + static_cast<float>(random.uniform(0, reach)), random.either_sign(1e-6, 1e3)});
+    return polygons;
+  };
+  const auto grid = [&] {
+    const auto interpolant = random.is(0.5) ? height::Interpolant::bilinear : height::Interpolant::cubic_spline;
+    height::Grid grid{9, 5, std::clamp(static_cast<float>(reach / 4), 0.001F, 100.0F), height::Edge::tile, interpolant, {}};
+    const double most = static_cast<double>(random.size(1e-6, 1e3));
+    for (int i = 0; i < 45; ++i) grid.values.push_back(random.either_sign(1e-7, most));
+    return std::make_shared<const height::Grid>(grid);
+  };
+  const auto make = [&]<class Kind>(std::type_identity<Kind>) -> height::Shape {
+    if constexpr (height::HasNumbers<Kind>) {
+      Kind one;
+      for (const height::Number<Kind>& number : Kind::numbers()) one.*number.member = drawn(number.meaning);
+      return one;
+    } else if constexpr (std::is_same_v<Kind, height::Polygons>) {
+      return polygons();
+    } else {
+      static_assert(std::is_same_v<Kind, height::Grid>);
+      return grid();
     }
-    default: {
-      const auto interpolant = random.is(0.5) ? height::Interpolant::bilinear : height::Interpolant::cubic_spline;
-      height::Grid grid{9, 5, std::clamp(static_cast<float>(reach / 4), 0.001F, 100.0F), height::Edge::tile, interpolant, {}};
-      const double most = static_cast<double>(random.size(1e-6, 1e3));
-      for (int i = 0; i < 45; ++i) grid.values.push_back(random.either_sign(1e-7, most));
-      return {std::make_shared<height::Grid>(grid), is_negated};
-    }
-  }
+  };
+  return {height::make_shape(random.below(height::kKinds), make), is_negated};
 }
 
 // What the fast path pays along a path, by the force at the middle of 500 steps a segment, and by how much that may be wrong.

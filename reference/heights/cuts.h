@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Where the parts of a map change their formulas along a straight line over the plane. Each kind has in its own header a cut(),
+// which adds its places, and a jet_in(), its formula between two of them.
+
+#include <type_traits>
+#include <vector>
+
+#include "forceshade/reference/heights/jet.h"
+#include "forceshade/reference/laws/slow_geometry.h"
+#include "forceshade/reference/numbers/intervals.h"
+
+namespace forceshade::reference {
+
+// Over the plane from (x0, y0) at t = 0 to (x1, y1) at t = 1, two different points; mm.
+struct Way {
+  float x0, y0, x1, y1;
+};
+
+// Which formula of a part holds: the cell of a grid; of what has a rim, a column of the kind's own.
+struct Cell {
+  long column = 0, row = 0;
+};
+
+// Columns of what has a rim.
+inline constexpr long kOutside = 0, kInside = 1, kTowardsApex = 2, kFromApex = 3;
+
+// A cut: the part's cell changes by `step`.
+struct Cut {
+  Exact exact;
+  Ball64 t;
+  std::size_t part;
+  Cell step;
+
+  int sign() const { return t.low() > 0 ? 1 : t.high() < 0 ? -1 : exact.sign(); }
+  bool is_before(const Cut& other) const {
+    if (t.high() < other.t.low()) return true;
+    return t.low() <= other.t.high() && exact < other.exact;
+  }
+};
+
+// For one part after the other: the cell at the start, the cuts after it.
+class Cuts {
+ public:
+  explicit Cuts(const Way& way) : way_(way) {}
+
+  // Of the parts so far; a kind's cut() sets the last cell.
+  std::vector<Cell> cells;
+  std::vector<Cut> cuts;
+
+  const Way& way() const { return way_; }
+
+  // t: a function object that gives the place in any of the reference's numbers.
+  template <class T>
+  void add(const T& t, const Cell& step) {
+    cuts.push_back({t.template operator()<Exact>(), filter_of(t.template operator()<Enclosure>()), cells.size() - 1, step});
+  }
+
+  // A rim, if the way goes into it; one that is only touched is none.
+  template <class Radius>
+  void circle(float x, float y, const Radius& radius, long on_the_way_in, long on_the_way_out) {
+    const auto discriminant = [&]<class N>() -> N {
+      const N across = from_centre<N>(static_cast<double>(way_.x0), x) * along_y<N>() -
+                       from_centre<N>(static_cast<double>(way_.y0), y) * along_x<N>();
+      const N r = radius.template operator()<N>();
+      return r * r * length_squared<N>() - across * across;
+    };
+    if (sign(discriminant.template operator()<Rational>()) <= 0) return;
+    for (const int side : {-1, 1}) {
+      const auto rim = [&]<class N>() -> N {
+        N under_root = discriminant.template operator()<N>();
+        if constexpr (std::is_same_v<N, Enclosure>) under_root = larger(0, under_root);
+        return nearest<N>(x, y) + N(static_cast<double>(side)) * sqrt(under_root) / length_squared<N>();
+      };
+      add(rim, {side < 0 ? on_the_way_in - kOutside : kOutside - on_the_way_out, 0});
+    }
+  }
+
+  template <class N>
+  N along_x() const {
+    return number<N>(way_.x1) - number<N>(way_.x0);
+  }
+  template <class N>
+  N along_y() const {
+    return number<N>(way_.y1) - number<N>(way_.y0);
+  }
+  template <class N>
+  N length_squared() const {
+    return along_x<N>() * along_x<N>() + along_y<N>() * along_y<N>();
+  }
+  // The t of the point nearest to a centre.
+  template <class N>
+  N nearest(float x, float y) const {
+    return -(from_centre<N>(static_cast<double>(way_.x0), x) * along_x<N>() +
+             from_centre<N>(static_cast<double>(way_.y0), y) * along_y<N>()) /
+           length_squared<N>();
+  }
+
+  template <class N>
+  static N number(float value) {
+    return N(static_cast<double>(value));
+  }
+
+ private:
+  const Way& way_;
+};
+
+// A place on the way, mm, in a cell of the part; dx, dy: mm per unit of t.
+template <class N>
+struct OnWay {
+  const Cell& cell;
+  const N &x, &y, &dx, &dy;
+
+  // x, y: from a centre.
+  N x_from(float centre) const { return x + from_centre<N>(0, centre); }
+  N y_from(float centre) const { return y + from_centre<N>(0, centre); }
+};
+
+}  // namespace forceshade::reference
