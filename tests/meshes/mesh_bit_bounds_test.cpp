@@ -69,7 +69,7 @@ const std::vector<Row>& rows() {
       {"n·((g − w) × (p − w)), g of the grid", n * n, 236},
       {"two edges at a vertex: (e₁·u)² e₂²", l * l * l * l * l * l, 318},
       {"an edge and a triangle: (e·u)² n²", l * l * l * l * n * n, 424},
-      {"two triangles: (u² n₁² − (n₁·u)²) n₂²", l * l * n * n * n * n, 530},
+      {"two triangles: (n₁·u)² n₂²", v * v * n * n, 530},
       {"u on an edge: (e·u)² and e² u²", l * l * l * l, 212},
       {"n·(a − g), and the weights of a triangle's corners", v, 183},
       {"n·(p − g), g anywhere on the grid", n * l, 183},
