@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "forceshade/meshes/check.h"
 #include "forceshade/properties/mesh_generators.h"
@@ -33,6 +34,11 @@ TEST(random_meshes, every_one_is_a_mesh_and_each_family_has_what_it_is_for) {
     triangles += made.mesh.triangles.size();
     ++found[family];
     ++found[made.sides == mesh::Sides::both ? "both sides" : "front"];
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> triangles_at;
+    for (const auto& [a, b, c] : made.mesh.triangles)
+      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) ++triangles_at[std::minmax(from, to)];
+    const bool is_closed = std::ranges::all_of(triangles_at, [](const auto& edge) { return edge.second == 2; });
+    EXPECT_EQ(is_closed, family == "bipyramid" || family == "slab" || family == "star" || family == "torus") << family;
     std::map<std::uint32_t, int> valence;
     for (const mesh::Triangle& triangle : made.mesh.triangles)
       for (const std::uint32_t v : triangle) ++valence[v];
