@@ -107,7 +107,7 @@ class Icosphere {
   }
 
   void add_face(const Triangle& face) {
-    const auto [a, b, c] = face;
+    const std::uint32_t a = face[0], b = face[1], c = face[2];
     const auto inside = static_cast<std::uint32_t>(mesh_.vertices.size());
     for (std::uint32_t k = 1; k < frequency_; ++k)
       for (std::uint32_t i = 1; i + k < frequency_; ++i) add({{{a, frequency_ - i - k}, {b, i}, {c, k}}});

@@ -144,8 +144,17 @@ int side_of(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d) 
   return sign_of_determinant({{b, c, d}, {a, a, a}});
 }
 
+// The bound is ccwerrboundA of the same paper.
 int turn(std::size_t axis, const Vertex& a, const Vertex& b, const Vertex& c) {
+  constexpr double kEpsilon = 0x1p-53, kBound = (3 + 16 * kEpsilon) * kEpsilon;
   const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const auto difference = [](float x, float y) { return static_cast<double>(x) - static_cast<double>(y); };
+  const double left = difference(b[u], a[u]) * difference(c[v], a[v]), right = difference(c[u], a[u]) * difference(b[v], a[v]);
+  const double value = left - right, size = std::fabs(left) + std::fabs(right);
+  if (std::fabs(value) > kBound * size || size == 0) {
+    ++counted.binary64;
+    return sign_of(value);
+  }
   return sign_of_determinant(
       {{{{b[u], b[v], 0}, {c[u], c[v], 0}, {0, 0, 1}}}, {{{a[u], a[v], 0}, {a[u], a[v], 0}, {0, 0, 0}}}});
 }
