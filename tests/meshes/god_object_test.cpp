@@ -109,7 +109,7 @@ constexpr std::size_t kTicksOfAMesh = 500;
 
 TEST(god_object, is_the_reference_in_every_bit_on_random_meshes_and_paths) {
   Reached reached;
-  const std::size_t ticks = ticks_of_a_test(60000);
+  const std::size_t ticks = ticks_of_a_test(36000);
   for (std::uint32_t seed = 0; seed * kTicksOfAMesh < ticks; ++seed) {
     const tests::RandomMesh random = tests::random_mesh(seed);
     const Mesh mesh = built(random);
@@ -135,7 +135,7 @@ TEST(god_object, is_the_reference_in_every_bit_on_random_meshes_and_paths) {
 TEST(god_object, is_the_same_with_and_without_a_filter_and_from_tick_to_tick_in_a_session) {
   Reached reached;
   std::size_t in_binary64 = 0, in_integers = 0;
-  const std::size_t ticks = ticks_of_a_test(100000);
+  const std::size_t ticks = ticks_of_a_test(54000);
   for (std::uint32_t seed = 0; seed * kTicksOfAMesh < ticks; ++seed) {
     const tests::RandomMesh random = tests::random_mesh(100000 + seed);
     const auto mesh = std::make_shared<const Mesh>(built(random));

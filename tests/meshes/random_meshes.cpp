@@ -194,10 +194,13 @@ RandomMesh random_mesh(std::uint32_t seed) {
       result.mesh = star(static_cast<int>(size(1, 4)), [] { return 2.0; });
       result.sides = mesh::Sides::front;
       break;
-    case 7:
+    case 7: {
+      // Flat enough that the god-object slides far in one tick.
       result.name = "long strip";
-      result.mesh = sheet(size(100, 300), 1, random, [&](auto, auto) { return uniform(random, -0.25, 0.25); });
+      const double reach = std::ldexp(1.0, -2 - static_cast<int>(random() % 8));
+      result.mesh = sheet(size(150, 300), 4, random, [&](auto, auto) { return uniform(random, -reach, reach); });
       break;
+    }
     default:
       result.name = "rough star";
       result.mesh = star(static_cast<int>(size(2, 4)), [&] { return uniform(random, 1, 2.5); });
