@@ -90,8 +90,8 @@ struct Reached {
   }
 };
 
-const std::vector<const char*> kReached{"free",    "touching",    "unfinished", "invalid", "at free", "at vertex",
-                                        "at edge", "at triangle", "front",      "back",    "a force", "more than one move"};
+const std::vector<const char*> kReached{"free",        "touching", "invalid", "at free", "at vertex",         "at edge",
+                                        "at triangle", "front",    "back",    "a force", "more than one move"};
 
 Mesh built(const tests::RandomMesh& random) {
   auto mesh = Mesh::build(random.mesh, random.normals, random.sides);
@@ -162,6 +162,40 @@ TEST(god_object, is_the_same_with_and_without_a_filter_and_from_tick_to_tick_in_
   std::vector<const char*> names = kReached;
   names.insert(names.end(), {"decided in binary64", "decided in integers"});
   reached.expect_all(names);
+}
+
+// A long strip of narrow cells, so that one jump along it takes more moves than a tick has.
+TEST(god_object, goes_on_where_it_has_used_up_its_moves_as_the_reference_does) {
+  tests::RandomMesh strip{"strip", {}, {}, mesh::Sides::both};
+  constexpr std::uint32_t kColumns = 400;
+  for (std::uint32_t i = 0; i <= kColumns; ++i)
+    for (const float y : {-8.0F, 8.0F}) strip.mesh.vertices.push_back({0.25F * static_cast<float>(i), y, 0.0F});
+  for (std::uint32_t i = 0; i < kColumns; ++i) {
+    strip.mesh.triangles.push_back({2 * i, 2 * i + 2, 2 * i + 1});
+    strip.mesh.triangles.push_back({2 * i + 1, 2 * i + 2, 2 * i + 3});
+  }
+  const Mesh mesh = built(strip);
+  reference::GodObjectSession session(
+      std::get<reference::GodObject>(reference::GodObject::build(strip.mesh, {}, strip.sides, mesh::Shading::none, 0.3F)));
+  mesh::GodObject state;
+  int unfinished = 0;
+  for (const std::array<float, 3>& p : {std::array{1.0F, 0.1F, 1.0F},
+                                        {1.0F, 0.1F, -0.7F},
+                                        {99.1F, 0.3F, -0.7F},
+                                        {99.1F, 0.3F, -0.7F},
+                                        {99.1F, 0.3F, -0.7F},
+                                        {99.1F, 0.3F, -0.7F},
+                                        {99.1F, 0.3F, -0.7F}}) {
+    const mesh::Tick expected = session.step(p), found = step(mesh, state, p, 0.3F, mesh::Shading::none);
+    EXPECT_TRUE(tests::is_same(found, expected)) << tests::show(expected) << ", found " << tests::show(found);
+    state = found.after;
+    if (found.status == mesh::TickStatus::unfinished) {
+      ++unfinished;
+      EXPECT_EQ(found.moves, 256);
+    }
+  }
+  EXPECT_EQ(unfinished, 3);
+  EXPECT_EQ(state.place, mesh::Place::triangle);
 }
 
 }  // namespace

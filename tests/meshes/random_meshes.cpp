@@ -198,7 +198,7 @@ RandomMesh random_mesh(std::uint32_t seed) {
       // Flat enough that the god-object slides far in one tick.
       result.name = "long strip";
       const double reach = std::ldexp(1.0, -2 - static_cast<int>(random() % 8));
-      result.mesh = sheet(size(150, 300), 4, random, [&](auto, auto) { return uniform(random, -reach, reach); });
+      result.mesh = sheet(size(20, 60), 4, random, [&](auto, auto) { return uniform(random, -reach, reach); });
       break;
     }
     default:
