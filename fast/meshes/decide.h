@@ -94,6 +94,9 @@ struct ExactFace {
 
 // n·(p - a): on which side of the triangle's plane p is.
 [[gnu::noinline]] inline int exact_side_of(const Face& f, const float* p) noexcept {
+  // The commonest zero: all in one plane across an axis.
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (f.corner[0][axis] == p[axis] && f.corner[1][axis] == p[axis] && f.corner[2][axis] == p[axis]) return 0;
   return dot(ExactFace(f).n, exact_difference(p, f.corner[0].data())).sign();
 }
 template <class Stages>
