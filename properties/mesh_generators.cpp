@@ -459,6 +459,11 @@ void MeshPath::begin_stretch() {
         step_[axis] = 2 * depth * towards[axis] / left_;
       }
       break;
+    case PathKind::graze:  // to and fro, down to less than a grid step of the surface apart
+      reach_ = size_ * std::pow(10, uniform(-10, -6));
+      at_ = on_surface;
+      step_ = towards;
+      break;
     case PathKind::axis_parallel: {
       const std::size_t axis = bits() % 3;
       at_ = bits() % 2 == 0 ? vertex() : on_surface;
@@ -481,6 +486,7 @@ MeshPath::Point MeshPath::advanced() {
   switch (kind_) {
     case PathKind::walk:
       return {at_[0] + uniform(-reach_, reach_), at_[1] + uniform(-reach_, reach_), at_[2] + uniform(-reach_, reach_)};
+    case PathKind::graze: return at_;
     case PathKind::on_surface: return surface_point(any_triangle());
     case PathKind::beside_vertex: {
       Point point = vertex();
@@ -510,6 +516,10 @@ std::array<float, 3> MeshPath::next() {
   if (left_ == 0) begin_stretch();
   --left_;
   if (bits() % 8 != 0) at_ = advanced();
+  if (kind_ == PathKind::graze) {
+    const double off = uniform(-reach_, reach_);
+    return {in_domain(at_[0] + off * step_[0]), in_domain(at_[1] + off * step_[1]), in_domain(at_[2] + off * step_[2])};
+  }
   std::array<float, 3> position{in_domain(at_[0]), in_domain(at_[1]), in_domain(at_[2])};
   if (kind_ == PathKind::invalid) {
     constexpr std::array<float, 4> kInvalid{std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),

@@ -82,9 +82,22 @@ class MeshSource : private Draws {
 };
 
 // How the positions of a stretch of a path are drawn.
-enum class PathKind { walk, stroke, press, axis_parallel, on_surface, beside_vertex, jump, few_bits, domain_end, invalid };
-inline constexpr std::array<std::string_view, 10> kPathKinds{
-    "walk", "stroke", "press", "axis parallel", "on surface", "beside vertex", "jump", "few bits", "domain end", "invalid"};
+enum class PathKind {
+  walk,
+  stroke,
+  press,
+  graze,
+  axis_parallel,
+  on_surface,
+  beside_vertex,
+  jump,
+  few_bits,
+  domain_end,
+  invalid
+};
+inline constexpr std::array<std::string_view, 11> kPathKinds{"walk",          "stroke",     "press",         "graze",
+                                                             "axis parallel", "on surface", "beside vertex", "jump",
+                                                             "few bits",      "domain end", "invalid"};
 
 // An endless, repeatable path: stretches of one kind each, steps from 10^-9 to 10^3 mm, a position now and then repeated.
 class MeshPath : private Draws {
@@ -110,7 +123,7 @@ class MeshPath : private Draws {
   PathKind kind_ = PathKind::jump;
   int left_ = 0;      // positions of the stretch
   Point at_{};        // mm
-  Point step_{};      // mm a tick
+  Point step_{};      // mm a tick; grazing, the direction off the surface
   double reach_ = 0;  // mm: the size of a random step
 };
 

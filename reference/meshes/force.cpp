@@ -13,9 +13,6 @@ using mesh::Place;
 
 constexpr int kFloatScale = 149;  // every finite binary32 is a multiple of 2^-149
 
-// A direction of any length.
-using Direction = std::optional<Vector>;
-
 Vector exact_normal(const mesh::Normal& normal) {
   return {integer_of(normal[0], kFloatScale), integer_of(normal[1], kFloatScale), integer_of(normal[2], kFloatScale)};
 }
@@ -95,9 +92,11 @@ std::array<float, 3> unshaded_force(const Rest& rest, float stiffness) {
   return force;
 }
 
-std::array<float, 3> vertex_scheme_force(const Surface& surface, const mesh::CornerNormals& normals, const Rest& rest,
-                                         float stiffness) {
-  const Direction seen_from_front = VertexScheme(surface, normals).direction(rest);
+Direction vertex_scheme_direction(const Surface& surface, const mesh::CornerNormals& normals, const Rest& rest) {
+  return VertexScheme(surface, normals).direction(rest);
+}
+
+std::array<float, 3> shaded_force(const Direction& seen_from_front, const Rest& rest, float stiffness) {
   if (!seen_from_front) return unshaded_force(rest, stiffness);
   const Vector N = rest.side == mesh::Side::back ? -*seen_from_front : *seen_from_front;
   if (dot(N, rest.D_over) <= 0) return unshaded_force(rest, stiffness);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "forceshade/reference/meshes/edge_scheme.h"
 #include "forceshade/reference/meshes/force.h"
 
 namespace forceshade::reference {
@@ -17,7 +18,19 @@ struct GodObject::Parts {
         normals(std::move(corner_normals)),
         sides(blocked),
         shading(scheme),
-        stiffness(K) {}
+        stiffness(K) {
+    if (shading == mesh::Shading::edge_scheme) edge_scheme.emplace(surface);
+  }
+
+  std::array<float, 3> force(const meshes::Rest& rest) const {
+    switch (shading) {
+      case mesh::Shading::none: break;
+      case mesh::Shading::vertex_scheme:
+        return meshes::shaded_force(meshes::vertex_scheme_direction(surface, normals, rest), rest, stiffness);
+      case mesh::Shading::edge_scheme: return meshes::shaded_force(edge_scheme->direction(rest.r), rest, stiffness);
+    }
+    return meshes::unshaded_force(rest, stiffness);
+  }
 
   const meshes::Surface surface;
   const meshes::Crossings crossings;
@@ -25,6 +38,7 @@ struct GodObject::Parts {
   const mesh::Sides sides;
   const mesh::Shading shading;
   const float stiffness;
+  std::optional<meshes::EdgeScheme> edge_scheme;
 };
 
 std::variant<GodObject, ParameterError> GodObject::build(const mesh::TriangleMesh& mesh, mesh::CornerNormals normals,
@@ -46,12 +60,10 @@ std::variant<GodObject, ParameterError> GodObject::build(const mesh::TriangleMes
 mesh::Tick GodObject::step(const mesh::GodObject& before, const std::array<float, 3>& position, unsigned most_moves) const {
   const auto is_in_domain = [](float coordinate) { return coordinate >= -10000 && coordinate <= 10000; };
   if (!std::ranges::all_of(position, is_in_domain)) return {mesh::TickStatus::invalid, 0, {}, before};
-  const auto& [surface, crossings, normals, sides, shading, stiffness] = *parts_;
-  const meshes::Descended end = meshes::descend(surface, crossings, sides, before, position, most_moves);
+  const meshes::Descended end =
+      meshes::descend(parts_->surface, parts_->crossings, parts_->sides, before, position, most_moves);
   mesh::Tick tick{end.status, static_cast<std::uint16_t>(end.moves), {}, end.after};
-  if (end.rest)
-    tick.force = shading == mesh::Shading::vertex_scheme ? meshes::vertex_scheme_force(surface, normals, *end.rest, stiffness)
-                                                         : meshes::unshaded_force(*end.rest, stiffness);
+  if (end.rest) tick.force = parts_->force(*end.rest);
   return tick;
 }
 

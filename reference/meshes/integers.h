@@ -6,12 +6,19 @@
 #include <array>
 #include <boost/multiprecision/gmp.hpp>
 #include <compare>
+#include <cstddef>
 
 namespace forceshade::reference::meshes {
 
 using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 
-using Vector = std::array<Integer, 3>;
+struct Vector {
+  std::array<Integer, 3> components;
+
+  Integer& operator[](std::size_t axis) { return components[axis]; }
+  const Integer& operator[](std::size_t axis) const { return components[axis]; }
+  bool operator==(const Vector&) const = default;
+};
 
 inline Vector operator+(const Vector& a, const Vector& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};

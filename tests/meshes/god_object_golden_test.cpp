@@ -59,6 +59,10 @@ void expect_same_as_all_in(const std::string& folder) {
   }
 }
 
+TEST(god_object_golden, the_reference_meets_every_column_of_the_paths_of_the_python_program) {
+  expect_same_as_all_in(std::string(FORCESHADE_SOURCE_DIR) + "/tests/golden/god_object");
+}
+
 TEST(god_object_golden, the_reference_meets_every_column_of_the_paths_in_a_given_folder) {
   const char* const folder = std::getenv("FORCESHADE_GOD_OBJECT_PATHS");
   if (folder == nullptr) GTEST_SKIP() << "FORCESHADE_GOD_OBJECT_PATHS names no folder of paths";

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What a mesh must be (docs/mesh-files.md, "What is checked"), decided exactly; what is not is said in words with the numbers
+// of faces and vertices, from 0 as in the file.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "forceshade/vocabulary/mesh.h"
+
+namespace forceshade::mesh {
+
+enum class Fault {
+  coordinate,      // not a number within 10000 mm
+  index,           // not that of a vertex
+  empty,           // no triangle at all, or more than can be counted
+  vertex_twice,    // in one triangle
+  no_area,         // three vertices on a line
+  same_vertices,   // as another triangle, in whatever order
+  many_at_edge,    // an edge with more than two triangles
+  same_direction,  // two triangles run along their edge in the same direction
+  several_fans,    // the triangles at a vertex are not one fan
+  meeting,         // two triangles have more points in common than their common vertices say
+  undecided        // too many pairs of triangles are near each other to decide the last in reasonable time
+};
+inline constexpr std::size_t kFaults = 11;
+
+struct Finding {
+  Fault fault{};
+  std::vector<std::uint32_t> triangles, vertices;  // which it is about; of many only the first
+
+  bool operator==(const Finding&) const = default;
+};
+
+// One sentence.
+std::string words_of(const Finding& finding);
+
+struct Findings {
+  static constexpr std::size_t kListed = 20;  // the most findings of a fault that are listed: the first ones
+
+  std::vector<Finding> listed;                  // in the order of the faults, then of the faces and vertices
+  std::array<std::uint64_t, kFaults> counts{};  // of each fault
+
+  bool empty() const { return listed.empty(); }
+  // The listed ones, one in a line, and how many more there are.
+  std::string words() const;
+};
+
+// Whether triangles may meet or cross beside their common vertices.
+enum class SelfIntersections { refused, allowed };
+
+// A mesh that has been found to be one. Only check() makes it.
+class CheckedMesh {
+ public:
+  const TriangleMesh& mesh() const { return mesh_; }
+  // Whether it has been found that no triangles meet beside their common vertices.
+  bool is_embedded() const { return is_embedded_; }
+
+ private:
+  friend std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections self_intersections);
+  CheckedMesh(TriangleMesh mesh, bool is_embedded) : mesh_(std::move(mesh)), is_embedded_(is_embedded) {}
+
+  TriangleMesh mesh_;
+  bool is_embedded_;
+};
+
+// A coordinate below 2^-30 mm in size is 0 in the mesh that it gives. Nothing else is changed. All faults are looked for that
+// can still be decided beside those found. Takes some 50 bytes a triangle beside the mesh, and as many threads as the machine
+// has cores, 8 at most; what it finds does not depend on their number.
+std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections self_intersections = SelfIntersections::refused);
+
+}  // namespace forceshade::mesh

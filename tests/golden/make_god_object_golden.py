@@ -1,0 +1,980 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes god_object/: small meshes, paths on them, and what the god-object of docs/meshes.md does on these paths.
+
+Usage: make_god_object_golden.py [directory]       (the default is god_object/ beside this file; the output is always the same)
+       make_god_object_golden.py --check directory [mesh ...]
+           computes every path in the directory again and compares every column
+       make_god_object_golden.py --single-moves directory output [mesh ...]
+           writes the directory's paths as ticks of one move each, with each position repeated until the god-object has followed,
+           so that check_god_object.py sees every move; each last row must be as in the directory, but for its number of moves
+
+All decisions are signs of integers or of rationals; there is no tree, no tolerance and no floating-point number in a result.
+The methods are chosen to differ from the formulas of docs/meshes.md:
+  - on which side of the surface a direction points: a segment runs from the direction to a point inside a triangle at the same
+    point of the surface, and its crossings of the other triangles there are counted;
+  - where a flight meets the surface: all vertices are projected along the flight onto a plane, and the signed areas there give
+    the place of the crossing;
+  - projections onto triangles: 2 x 2 normal equations;
+  - grid points: all neighbours of the point are tried;
+  - forces: a component is rounded from its exact square, shaded and unshaded alike.
+The unit of length of the integers is 2^-77 mm: vertices and positions are multiples of 2^-53 mm, states of 2^-24 times that.
+"""
+
+import csv
+import math
+import re
+import sys
+from collections import Counter, namedtuple
+from decimal import Decimal, localcontext
+from fractions import Fraction
+from pathlib import Path
+
+from make_golden import Draw, single, step
+
+GRID = 1 << 24
+UNIT = 1 << 77
+QUANTUM = Fraction(1, 1 << 30)
+K = Fraction(single(0.3))  # N/mm
+
+
+# ---------------------------------------------------------------- binary32
+
+def nearest_integer_to_root(square):
+    """The integer nearest to the square root of a rational, ties to even."""
+    n = math.isqrt(square.numerator // square.denominator)
+    excess = square - Fraction(2 * n + 1, 2)**2
+    return n + (excess > 0 or excess == 0 and n & 1)
+
+
+def rounded_root(square, is_negative=False):
+    """The binary32 nearest to ±√square, ties to even; zero is +0."""
+    square = Fraction(square)
+    if square == 0:
+        return 0.0
+    exponent = (square.numerator.bit_length() - square.denominator.bit_length()) // 2 + 2
+    while square < Fraction(4)**exponent:
+        exponent -= 1
+    unit = max(exponent, -126) - 23
+    n = nearest_integer_to_root(square / Fraction(4)**unit)
+    if n * Fraction(2)**unit >= 1 << 128:
+        return -math.inf if is_negative else math.inf
+    return math.ldexp(-n if is_negative else n, unit) if n else 0.0
+
+
+def rounded(x):
+    return rounded_root(Fraction(x)**2, x < 0)
+
+
+def from_text(text):
+    """The binary32 nearest to a decimal, without a binary64 between the two."""
+    value = float(text)
+    return rounded(Fraction(text)) if math.isfinite(value) else value
+
+
+def shortest(f):
+    """The shortest decimal that is read back as f; of these the nearest to f, then the even one. Laid out like Python's repr."""
+    if not math.isfinite(f):
+        return repr(f)
+    if f == 0:
+        return '0'
+    size = abs(Fraction(f))
+    power = math.floor(math.log10(size))
+    power += (size >= Fraction(10)**(power + 1)) - (size < Fraction(10)**power)
+    for digits in range(1, 10):
+        place = Fraction(10)**(power + 1 - digits)
+        below = size // place
+        fits = [n for n in (below, below + 1) if n and rounded(n * place) == size]
+        if fits:
+            break
+    n = min(fits, key=lambda n: (abs(n * place - size), n % 2))
+    text = str(n)
+    power += len(text) - digits  # 9.99… may have become 10.0…
+    text = text.rstrip('0')
+    if power < -4 or power >= 16:
+        shown = text[0] + ('.' + text[1:] if text[1:] else '') + f'e{power:+03d}'
+    elif power < 0:
+        shown = '0.' + '0' * (-power - 1) + text
+    else:
+        text = text.ljust(power + 1, '0')
+        shown = text[:power + 1] + ('.' + text[power + 1:] if text[power + 1:] else '')
+    return '-' + shown if f < 0 else shown
+
+
+# ---------------------------------------------------------------- vectors
+
+def plus(a, b):
+    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
+
+
+def minus(a, b):
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
+def times(s, a):
+    return s * a[0], s * a[1], s * a[2]
+
+
+def dot(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a, b):
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+def in_basis(x, y, u):
+    """Integers (s, t, d), d > 0: (s·x + t·y)/d is the point of the plane of x and y that is nearest to u."""
+    xx, xy, yy, ux, uy = dot(x, x), dot(x, y), dot(y, y), dot(u, x), dot(u, y)
+    return ux * yy - uy * xy, uy * xx - ux * xy, xx * yy - xy * xy
+
+
+# ---------------------------------------------------------------- meshes
+
+def read_coordinate(c):
+    return Fraction(c) if abs(c) >= QUANTUM else Fraction(0)
+
+
+def in_units(position):
+    scaled = [read_coordinate(c) * UNIT for c in position]
+    assert all(c.denominator == 1 for c in scaled)
+    return tuple(c.numerator for c in scaled)
+
+
+# Places: ('v', vertex), ('e', a, b, t) with a < b, ('t', triangle, beta, gamma). In a state the numbers are integers in
+# 0 … 2^24; a place that is not a state holds them as Fractions in 0 … 1.
+Sector = namedtuple('Sector', 'triangle x y is_x_line is_y_line')  # s·x + t·y; s ≥ 0 unless x is a line, t likewise
+Outcome = namedtuple('Outcome', 'place side moves status rest shown')
+
+
+class Mesh:
+    def __init__(self, vertices, triangles, sides, corner_normals=None):
+        self.vertices, self.triangles, self.sides = vertices, triangles, sides
+        self.w = [in_units(v) for v in vertices]
+        self.corner_normals = corner_normals
+        self.edges, self.fans = {}, {}
+        for i, triangle in enumerate(triangles):
+            for corner in range(3):
+                a, b = triangle[corner], triangle[corner - 2]
+                self.edges.setdefault((min(a, b), max(a, b)), []).append(i)
+                self.fans.setdefault(a, []).append(i)
+        self.spokes = {v: [] for v in self.fans}
+        for edge in sorted(self.edges):
+            for v in edge:
+                self.spokes[v].append(edge)
+        self.rim = {edge for edge, own in self.edges.items() if len(own) == 1}
+        self.rim |= {v for edge in self.rim for v in edge}
+        self.normals = [cross(minus(self.w[b], self.w[a]), minus(self.w[c], self.w[a])) for a, b, c in triangles]
+
+    def is_at_rim(self, place):
+        return place[0] == 'v' and place[1] in self.rim or place[0] == 'e' and place[1:3] in self.rim
+
+    def corner(self, i, v):
+        return self.corner_normals[i][self.triangles[i].index(v)]
+
+    def weights(self, place):
+        """[(vertex, weight)] of a place given in Fractions."""
+        if place[0] == 'v':
+            return [(place[1], Fraction(1))]
+        if place[0] == 'e':
+            return [(place[1], 1 - place[3]), (place[2], place[3])]
+        a, b, c = self.triangles[place[1]]
+        return [(a, 1 - place[2] - place[3]), (b, place[2]), (c, place[3])]
+
+    def point(self, place):
+        """The point of a place given in Fractions, in units; for a place on the grid the coordinates are integers."""
+        parts = [times(weight, self.w[v]) for v, weight in self.weights(place)]
+        return tuple(sum(column) for column in zip(*parts))
+
+    def grid_point(self, place):
+        if place[0] == 'v':
+            return self.w[place[1]]
+        if place[0] == 'e':
+            a, b = self.w[place[1]], self.w[place[2]]
+            return plus(a, tuple(place[3] * c // GRID for c in minus(b, a)))
+        a, b, c = (self.w[v] for v in self.triangles[place[1]])
+        return plus(a, tuple((place[2] * x + place[3] * y) // GRID for x, y in zip(minus(b, a), minus(c, a))))
+
+    def reduced(self, place, one):
+        """The same place on the edge or vertex that it lies on; `one` is the parameters' unit."""
+        if place[0] == 't':
+            i, beta, gamma = place[1:]
+            held = [(v, w) for v, w in zip(self.triangles[i], (one - beta - gamma, beta, gamma)) if w]
+        elif place[0] == 'e':
+            held = [(v, w) for v, w in zip(place[1:3], (one - place[3], place[3])) if w]
+        else:
+            return place
+        if len(held) == 3:
+            return place
+        held.sort()
+        return ('v', held[0][0]) if len(held) == 1 else ('e', held[0][0], held[1][0], held[1][1])
+
+    def sectors(self, place):
+        """What the surface looks like near a place: sectors, half-planes or one plane, from the place as origin."""
+        if place[0] == 't':
+            a, b, c = (self.w[v] for v in self.triangles[place[1]])
+            return [Sector(place[1], minus(b, a), minus(c, a), True, True)]
+        if place[0] == 'e':
+            a, b = place[1:3]
+            off = ((i, next(v for v in self.triangles[i] if v != a and v != b)) for i in self.edges[a, b])
+            return [Sector(i, minus(self.w[b], self.w[a]), minus(self.w[c], self.w[a]), True, False) for i, c in off]
+        v = place[1]
+        ends = ((i, [self.w[c] for c in self.triangles[i] if c != v]) for i in self.fans[v])
+        return [Sector(i, minus(x, self.w[v]), minus(y, self.w[v]), False, False) for i, (x, y) in ends]
+
+    def rays(self, place):
+        """[(edge, direction away from the place, the vertex at its end)]."""
+        if place[0] == 't':
+            return []
+        if place[0] == 'e':
+            a, b = place[1:3]
+            along = minus(self.w[b], self.w[a])
+            return [((a, b), along, b), ((a, b), times(-1, along), a)]
+        v = place[1]
+        other = ((edge, edge[0] + edge[1] - v) for edge in self.spokes[v])
+        return [(edge, minus(self.w[end], self.w[v]), end) for edge, end in other]
+
+    # ------------------------------------------------------------ directions
+
+    def steepest(self, place, u):
+        """(the square of u·v with the sign of u·v, 0 for an edge or 1 for a triangle, which, the end of the edge)."""
+        found = []
+        for edge, along, end in self.rays(place):
+            reach = dot(u, along)
+            found.append((-Fraction(reach * abs(reach), dot(along, along)), 0, edge, end))
+        for sector in self.sectors(place):
+            s, t, d = in_basis(sector.x, sector.y, u)
+            inside = (sector.is_x_line or s > 0) and (sector.is_y_line or t > 0)
+            if inside and (s or t or place[0] == 't'):
+                found.append((-Fraction(s * dot(u, sector.x) + t * dot(u, sector.y), d), 1, sector.triangle, None))
+        negated, *way = min(found, key=lambda one: one[:3])
+        return (-negated, *way)
+
+    def count_side(self, place, u):
+        """front or back, for u off the surface at a place that is not on the rim: crossings of a segment from u to a point of
+        the surface are counted. A target for which a crossing is not clear is left for another."""
+        sectors = self.sectors(place)
+        for attempt in range(1, 1000):
+            for target in sectors:
+                height = dot(self.normals[target.triangle], u)
+                aim = plus(times(attempt, target.x), times(1 + attempt * attempt % 7, target.y))
+                if height == 0:
+                    continue
+                flips = 0
+                for other in sectors:
+                    if other is target:
+                        continue
+                    from_u, from_aim = (dot(self.normals[other.triangle], w) for w in (u, aim))
+                    if from_u == 0 and from_aim == 0:
+                        break
+                    if (from_u > 0) - (from_u < 0) != (from_aim < 0) - (from_aim > 0):
+                        continue
+                    s, t, _ = in_basis(other.x, other.y, plus(times(abs(from_aim), u), times(abs(from_u), aim)))
+                    signs = ([] if other.is_x_line else [s]) + ([] if other.is_y_line else [t])
+                    if any(c == 0 for c in signs) and all(c >= 0 for c in signs):
+                        break
+                    flips += all(c > 0 for c in signs)
+                else:
+                    return 'front' if (height > 0) == (flips % 2 == 0) else 'back'
+        raise ArithmeticError('no clear crossing')
+
+    def whereabouts(self, place, u):
+        """on, open, front or back."""
+        if self.steepest(place, u)[0] == dot(u, u):
+            return 'on'
+        return 'open' if self.is_at_rim(place) else self.count_side(place, u)
+
+    # ------------------------------------------------------------ one tick
+
+    def crossings(self, g, u):
+        """Every point of the surface at g + h·u, 0 < h ≤ 1, as (h, place in Fractions), in order."""
+        axis = min(range(3), key=lambda k: abs(u[k]))
+        one = cross(u, tuple(int(k == axis) for k in range(3)))
+        two = cross(u, one)
+        seen = {}
+        for v in self.fans:
+            from_g = minus(self.w[v], g)
+            seen[v] = dot(from_g, one), dot(from_g, two), dot(from_g, u)
+        found = [(Fraction(seen[v][2]), ('v', v)) for v in self.fans if seen[v][:2] == (0, 0)]
+        area = {}
+        for a, b in self.edges:
+            (ax, ay, ah), (bx, by, bh) = seen[a], seen[b]
+            area[a, b] = ax * by - ay * bx
+            area[b, a] = -area[a, b]
+            if area[a, b] == 0 and ax * bx + ay * by < 0:
+                t = Fraction(ax, ax - bx) if ax != bx else Fraction(ay, ay - by)
+                found.append((ah + t * (bh - ah), ('e', a, b, t)))
+        for i, (a, b, c) in enumerate(self.triangles):
+            parts = area[b, c], area[c, a], area[a, b]
+            if min(parts) > 0 or max(parts) < 0:
+                _, beta, gamma = (Fraction(part, sum(parts)) for part in parts)
+                height = (1 - beta - gamma) * seen[a][2] + beta * seen[b][2] + gamma * seen[c][2]
+                found.append((height, ('t', i, beta, gamma)))
+        full = dot(u, u)
+        return sorted((height / full, place) for height, place in found if 0 < height <= full)
+
+    def flight(self, g, u):
+        """(place in Fractions or None, side, whether it is at p)."""
+        for h, place in self.crossings(g, u):
+            before, after = self.whereabouts(place, times(-1, u)), self.whereabouts(place, u)
+            assert before != 'on'
+            side = 'front' if self.sides == 'front' or self.is_at_rim(place) else before
+            if h == 1:
+                return place, side, True
+            passes = after == 'open' or after == before or self.sides == 'front' and (before, after) == ('back', 'front')
+            if not passes:
+                return place, side, False
+        return None, 'front', True
+
+    def slide(self, place, p, way):
+        """(place in Fractions, whether it rests there)."""
+        kind, which, end = way
+        if kind == 0:
+            a, b = which
+            along = minus(self.w[b], self.w[a])
+            t = Fraction(dot(minus(p, self.w[a]), along), dot(along, along))
+            if 0 < t < 1:
+                return ('e', a, b, t), True
+            return ('v', end), self.w[end] == p
+        a, b, c = self.triangles[which]
+        held = dict(self.weights(as_fractions(place)))
+        start = [held.get(v, Fraction(0)) for v in (a, b, c)]
+        x, y, u = minus(self.w[b], self.w[a]), minus(self.w[c], self.w[a]), minus(p, self.grid_point(place))
+        s, t, d = in_basis(x, y, u)
+        change = [Fraction(-s - t, d), Fraction(s, d), Fraction(t, d)]
+        if all(w + dw > 0 for w, dw in zip(start, change)):
+            return ('t', which, start[1] + change[1], start[2] + change[2]), True
+        stop = min(w / -dw for w, dw in zip(start, change) if dw < 0)
+        _, beta, gamma = (w + stop * dw for w, dw in zip(start, change))
+        reached = self.reduced(('t', which, beta, gamma), 1)
+        return reached, self.point(reached) == p
+
+    def on_grid(self, place, p):
+        """Rule 3: of the grid points around a place, the one nearest to p."""
+        if place[0] == 'v':
+            return place
+        if place[0] == 'e':
+            t = place[3] * GRID
+            near = [('e', *place[1:3], m) for m in range(math.floor(t) - 1, math.floor(t) + 3) if abs(m - t) < 1]
+        else:
+            k0, l0 = place[2] * GRID, place[3] * GRID
+            near = [('t', place[1], k, l) for k in range(math.floor(k0) - 1, math.floor(k0) + 3)
+                    for l in range(math.floor(l0) - 1, math.floor(l0) + 3)
+                    if max(abs(k - k0), abs(l - l0), abs(k + l - k0 - l0)) < 1]
+
+        def distance(candidate):
+            apart = minus(self.grid_point(candidate), p)
+            return dot(apart, apart), candidate
+        best, others = min(map(distance, near)), Counter(distance(candidate)[0] for candidate in near)
+        self.reached['ties of grid points'] += others[best[0]] > 1
+        self.reached['grid points kept'] += len(near) == 1
+        return self.reduced(best[1], GRID)
+
+    reached = Counter()
+    most_moves = 256  # a tick
+
+    def tick(self, state, p):
+        """state: (place or None, side, g). Returns (place or None, side, g), status, moves, the resting place in Fractions."""
+        place, side, g = state
+        moves = 0
+
+        def at_rest(kept, rest):
+            front = 'front' if self.is_at_rim(kept) else side
+            return (kept, front, self.grid_point(kept)), 'touching', moves, rest
+        if g is None:
+            u = (1, 1, 1)
+            on_p = [(h, x) for h, x in self.crossings(minus(p, u), u) if h == 1]
+            if not on_p:
+                return (None, 'front', p), 'free', 0, None
+            side = 'front'
+            return at_rest(kept_on_grid(on_p[0][1]), on_p[0][1])
+        while True:
+            u = minus(p, g)
+            was_free = place is None
+            if not any(u):
+                return ((None, 'front', g), 'free', moves, None) if was_free else at_rest(place, as_fractions(place))
+            flies = was_free
+            if not was_free:
+                reach, *way = self.steepest(place, u)
+                where = self.whereabouts(place, u)
+                flies = where in ('open', side)
+                if not flies and reach <= 0:
+                    return at_rest(place, as_fractions(place))
+            if moves == self.most_moves:
+                return (place, side, g), 'unfinished', moves, as_fractions(place)
+            if flies:
+                x, new_side, is_at_p = self.flight(g, u)
+                if x is None:
+                    return (None, 'front', p), 'free', moves + 1, None
+            else:
+                x, is_at_p = self.slide(place, p, way)
+                new_side = side
+            if is_at_p:
+                moves, side = moves + 1, new_side
+                self.reached['rests after a flight' if flies else 'rests after a slide'] += 1
+                return at_rest(kept_on_grid(x), x)
+            landed = self.on_grid(x, p)
+            there = self.grid_point(landed)
+            left = minus(p, there)
+            if not was_free and dot(left, left) >= dot(u, u):
+                self.reached['refused flights' if flies else 'refused slides'] += 1
+                return at_rest(place, as_fractions(place))
+            self.reached['landings' if flies else 'slides to a border'] += 1
+            place, g = landed, there
+            side = 'front' if self.is_at_rim(place) else new_side
+            moves += 1
+
+    # ------------------------------------------------------------ force
+
+    def shading_direction(self, rest, side, D):
+        """N at the resting place, or None for unshaded; D = r − p."""
+        def mean(i):
+            return tuple(map(sum, zip(*(times(w, self.corner(i, v)) for v, w in self.weights(rest)))))
+        own = self.fans[rest[1]] if rest[0] == 'v' else self.edges[rest[1:3]] if rest[0] == 'e' else [rest[1]]
+        corners = {tuple(self.corner(i, v) for v, _ in self.weights(rest)) for i in own}
+        facing = 1 if side == 'front' else -1
+        if len(corners) == 1:
+            N = times(facing, mean(own[0]))
+        elif rest[0] == 'v':
+            self.reached['unshaded at a vertex'] += 1
+            return None
+        else:
+            n1, n2 = (times(facing, self.normals[i]) for i in own)
+            if not any(cross(n1, n2)):
+                return None
+            s, t, d = in_basis(n1, n2, D)
+            if s < 0 or t < 0 or plus(times(s, n1), times(t, n2)) != times(d, D):
+                self.reached['unshaded on a crease'] += 1
+                return None
+            self.reached['shaded on a crease'] += 1
+            q1, q2 = (Fraction(rounded_root(Fraction(dot(n, n), UNIT**4))) for n in (n1, n2))
+            N = times(facing, plus(times(s * q1, mean(own[0])), times(t * q2, mean(own[1]))))
+        if dot(N, D) <= 0:
+            self.reached['unshaded, N away from D'] += 1
+            return None
+        return N
+
+    def forces(self, rest, side, p):
+        if rest is None:
+            return [0.0] * 6
+        D = minus(self.point(rest), p)
+        if not any(D):
+            return [0.0] * 6
+        N = self.shading_direction(rest, side, D) or D
+        force = [rounded(K * c / UNIT) for c in D]
+        size_squared = K * K * Fraction(dot(D, D)) / UNIT**2 / Fraction(dot(N, N))
+        return force + [rounded_root(size_squared * c * c, c < 0) for c in N]
+
+
+def as_fractions(place):
+    return place if place[0] == 'v' else (*place[:-1], Fraction(place[3], GRID)) if place[0] == 'e' else (
+        *place[:2], Fraction(place[2], GRID), Fraction(place[3], GRID))
+
+
+def kept_on_grid(place):
+    """Rule 4: the parameters rounded to even and kept inside."""
+    if place[0] == 'v':
+        return place
+    if place[0] == 'e':
+        return (*place[:3], min(max(round(place[3] * GRID), 1), GRID - 1))
+    k, l = (max(round(parameter * GRID), 1) for parameter in place[2:])
+    excess = max(k + l - (GRID - 1), 0)
+    return (*place[:2], k - excess, l) if k >= l else (*place[:2], k, l - excess)
+
+
+TABLE = ['name', 'sides', 'crease_degrees', 'triangles', 'ticks']
+COLUMNS = 'x_mm,y_mm,z_mm,status,feature,side,moves,fx_N,fy_N,fz_N,sx_N,sy_N,sz_N'
+
+
+def follow(mesh, positions):
+    """The rows of a path."""
+    state = None, 'front', None
+    for position in positions:
+        moves, forces = 0, [0.0] * 6
+        if all(abs(c) <= 1e4 for c in position):  # false for NaN too
+            p = in_units(position)
+            state, status, moves, rest = mesh.tick(state, p)
+            forces = mesh.forces(rest, state[1], p)
+        else:
+            status = 'invalid'
+        place, side, _ = state
+        where = ('-', '-') if place is None else (' '.join(map(str, place)), side)
+        yield [*map(shortest, position), status, *where, str(moves), *map(shortest, forces)]
+
+
+# ---------------------------------------------------------------- corner normals
+
+DIGITS = 90
+DOUBT = Fraction(1, 10**70)
+
+
+def arc_tangent(t):
+    """For t ≥ 0, to nearly all digits of the context: the angle is halved eight times, then the series."""
+    for _ in range(8):
+        t = t / (1 + (1 + t * t).sqrt())
+    total, power, n = Decimal(0), t, 0
+    while abs(power) > Decimal(10)**-(DIGITS + 10):
+        total += power / (2 * n + 1) * (-1)**n
+        power *= t * t
+        n += 1
+    return 256 * total
+
+
+def cosine(degrees):
+    x = Decimal(degrees) * 4 * arc_tangent(Decimal(1)) / 180
+    total, term, n = Decimal(0), Decimal(1), 0
+    while abs(term) > Decimal(10)**-(DIGITS + 10):
+        total += term
+        n += 2
+        term *= -x * x / (n * (n - 1))
+    return total
+
+
+def exact_decimal(vector):
+    return tuple(Decimal(c.numerator) / Decimal(c.denominator) for c in map(Fraction, vector))
+
+
+def corner_normals(mesh, crease_degrees):
+    """The unit angle-weighted means, as binary32; no component is near enough to a tie to be in doubt."""
+    with localcontext() as context:
+        context.prec = DIGITS + 20
+        unit = []
+        for n in mesh.normals:
+            n = exact_decimal(Fraction(c, UNIT**2) for c in n)
+            unit.append(times(1 / dot(n, n).sqrt(), n))
+        least = cosine(crease_degrees)
+
+        def separates(edge):
+            if crease_degrees == 180:
+                return False
+            i, j = mesh.edges[edge]
+            excess = dot(unit[i], unit[j]) - least
+            assert abs(excess) > Decimal(10)**-60
+            return excess < 0
+
+        def angle(i, v):
+            k = mesh.triangles[i].index(v)
+            x, y = (exact_decimal(Fraction(c, UNIT) for c in minus(mesh.w[mesh.triangles[i][k - away]], mesh.w[v]))
+                    for away in (1, 2))
+            area, along = cross(x, y), dot(x, y)
+            size = (dot(x, x) * dot(y, y)).sqrt()
+            return 2 * arc_tangent(dot(area, area).sqrt() / (size + along))
+
+        def rounded_surely(c):
+            low, high = rounded(Fraction(c) - DOUBT), rounded(Fraction(c) + DOUBT)
+            assert low == high or abs(c) < DOUBT
+            return low if low == high else 0.0
+        result = [[None] * 3 for _ in mesh.triangles]
+        for v, fan in mesh.fans.items():
+            group = {i: i for i in fan}
+
+            def first(i):
+                return i if group[i] == i else first(group[i])
+            for edge in mesh.spokes[v]:
+                if len(mesh.edges[edge]) == 2 and not separates(edge):
+                    i, j = map(first, mesh.edges[edge])
+                    group[max(i, j)] = min(i, j)
+            for leader in set(map(first, fan)):
+                own = [i for i in fan if first(i) == leader]
+                total = (Decimal(0),) * 3
+                for i in own:
+                    total = plus(total, times(angle(i, v), unit[i]))
+                normal = tuple(map(rounded_surely, times(1 / dot(total, total).sqrt(), total)))
+                for i in own:
+                    result[i][mesh.triangles[i].index(v)] = normal
+    return result
+
+
+# ---------------------------------------------------------------- checking other paths
+
+def read_off(path):
+    words = [line.split() for line in path.read_text().splitlines() if line.strip()]
+    vertices, triangles = int(words[1][0]), int(words[1][1])
+    body = words[2:]
+    return ([tuple(map(from_text, line)) for line in body[:vertices]],
+            [tuple(map(int, line[1:])) for line in body[vertices:vertices + triangles]])
+
+
+def listed(directory):
+    """{name: (sides, crease in degrees)} of meshes.csv, or of the table in README.md where there is no such file."""
+    table = directory / 'meshes.csv'
+    if table.exists():
+        with open(table, newline='') as file:
+            return {row['name']: (row['sides'], int(row['crease_degrees'])) for row in csv.DictReader(file)}
+    rows = re.findall(r'^\| `(\w+)` \| \d+ \| (front|both) \| (none|\d+)', (directory / 'README.md').read_text(), re.M)
+    return {name: (sides, 180 if crease == 'none' else int(crease)) for name, sides, crease in rows}
+
+
+def read_path(directory, name, sides):
+    """The mesh with the file's own corner normals, and the rows of the path."""
+    vertices, triangles = read_off(directory / f'{name}.off')
+    mesh = Mesh(vertices, triangles, sides)
+    with open(directory / f'{name}.normals.csv', newline='') as file:
+        normals = list(csv.reader(file))[1:]
+    mesh.corner_normals = [[tuple(Fraction(from_text(c)) for c in row[2:]) for row in normals[3 * i:3 * i + 3]]
+                           for i in range(len(triangles))]
+    with open(directory / f'{name}.csv', newline='') as file:
+        header, *rows = csv.reader(file)
+    assert ','.join(header) == COLUMNS
+    return mesh, normals, rows
+
+
+def check(directory, only):
+    """The number of differences; the first of each mesh are printed."""
+    different = 0
+    for name, (sides, crease) in listed(directory).items():
+        if only and name not in only:
+            continue
+        mesh, given, rows = read_path(directory, name, sides)
+        normals = [[shortest(c) for c in corner] for triangle in corner_normals(mesh, crease) for corner in triangle]
+        wrong = [f'{row}: computed {own}' for row, own in zip(given, normals) if row[2:] != own]
+        wrong += [] if len(given) == len(normals) else ['the number of corner normals']
+        path = follow(mesh, [tuple(map(from_text, row[:3])) for row in rows])
+        for number, (row, own) in enumerate(zip(rows, path), 2):
+            if row != own:
+                wrong.append(f'line {number}: {",".join(row)}\n    computed {",".join(own)}')
+        print(f'{name}: {len(normals)} normals, {len(rows)} ticks, {len(wrong)} differences', flush=True)
+        for text in wrong[:3]:
+            print('   ', text)
+        different += len(wrong)
+    print(dict(Mesh.reached))
+    return different
+
+
+def write_single_moves(directory, output, only):
+    Mesh.most_moves = 1
+    output.mkdir(exist_ok=True)
+    table = []
+    for name, (sides, crease) in listed(directory).items():
+        if only and name not in only:
+            continue
+        mesh, _, rows = read_path(directory, name, sides)
+        positions = [(tuple(map(from_text, row[:3])), row) for row in rows if row[3] != 'unfinished']
+        ticks, last = [], None
+
+        def repeated():
+            for position, row in positions:
+                yield position
+                while last[3] == 'unfinished':
+                    yield position
+                assert last[:6] + last[7:] == row[:6] + row[7:], f'{name}: {row} by single moves: {last}'
+        for last in follow(mesh, repeated()):
+            ticks.append(last)
+        write(output / f'{name}.csv', [COLUMNS.split(','), *ticks])
+        (output / f'{name}.off').write_text((directory / f'{name}.off').read_text())
+        table.append([name, sides, crease, len(mesh.triangles), len(ticks)])
+        print(f'{name}: {len(rows)} ticks, {len(ticks)} of one move')
+    write(output / 'meshes.csv', [TABLE, *table])
+
+
+def write(path, rows):
+    with open(path, 'w', newline='') as file:
+        csv.writer(file, lineterminator='\n').writerows(rows)
+
+
+# ---------------------------------------------------------------- the meshes
+
+Scene = namedtuple('Scene', 'name vertices triangles sides crease size hot ticks')  # size: mm, of a typical stroke; hot: [(point, mm, from where)]
+
+
+def dyadic(x, bits=10):
+    return math.floor(x * 2**bits + 0.5) / 2**bits
+
+
+def turned(i, n, shift=0.0):
+    """A point of the unit circle, near to 2 pi (i + shift)/n: snapped, so that it does not depend on the library's cosine."""
+    angle = 2 * math.pi * (i + shift) / n
+    return dyadic(math.cos(angle)), dyadic(math.sin(angle))
+
+
+def sheet(columns, rows, place):
+    """A grid of columns x rows quadrilaterals, every second diagonal turned; place(i, j) is a vertex."""
+    vertices = [place(i, j) for j in range(rows + 1) for i in range(columns + 1)]
+    triangles = []
+    for j in range(rows):
+        for i in range(columns):
+            a = j * (columns + 1) + i
+            b, c, d = a + 1, a + columns + 1, a + columns + 2
+            triangles += [(a, b, d), (a, d, c)] if (i + j) % 2 else [(a, b, c), (d, c, b)]
+    return vertices, triangles
+
+
+def prism(outline, cap, low, high):
+    """Over an outline that runs counterclockwise; cap: its triangles."""
+    n = len(outline)
+    vertices = [(x, y, z) for z in (low, high) for x, y in outline]
+    triangles = [(a, c, b) for a, b, c in cap] + [(a + n, b + n, c + n) for a, b, c in cap]
+    for i in range(n):
+        j = (i + 1) % n
+        triangles += [(i, j, n + j), (i, n + j, n + i)]
+    return vertices, triangles
+
+
+TETRAHEDRON = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
+
+
+def scenes():
+    def one(name, mesh, sides, crease, size, hot=(), ticks=300):
+        vertices, triangles = mesh
+        return Scene(name, [tuple(map(single, map(float, v))) for v in vertices], triangles, sides, crease, size, hot, ticks)
+    yield one('tetrahedron', ([(-3.1, -2.7, -1.9), (1.3, -2.2, -2.6), (0.7, 2.1, -2.3), (9.4, 3.9, 4.7)], TETRAHEDRON),
+              'front', 180, 2)
+    yield one('cube', prism([(-4, -4), (4, -4), (4, 4), (-4, 4)], [(0, 1, 2), (0, 2, 3)], -4, 4), 'front', 40, 4)
+    yield one('l_prism', prism([(-5, -5), (4, -5), (4, -1), (-1, -1), (-1, 6), (-5, 6)],
+                               [(0, 1, 3), (1, 2, 3), (0, 3, 5), (3, 4, 5)], -2, 3), 'front', 60, 3, [((-1, -1, 0), 2**-12)])
+    yield one('folded_sheet', sheet(6, 3, lambda i, j: (2 * i - 6, 2.5 * j - 4 + 0.25 * (i % 2), 1.5 * abs(i - 3) + 0.125 * j)),
+              'both', 180, 3, [((0, 1, 0.25), 2**-10)])
+    yield one('hairpin', sheet(4, 4, lambda i, j: (3 * abs(i - 2) - 4 + 0.5 * (j % 2), 2 * j - 4, (i > 2) * 2.0**-8)),
+              'both', 60, 2, [((0, 0, 2.0**-9), 2**-6, (20, 0, 2.0**-9)), ((-4, 1, 0), 2**-7), ((-3.5, 0, 2.0**-10), 2**-8, (20, 0, 2.0**-9))])
+    ring = [(6 * x, 6 * y, 2.5 * (-1)**i) for i, (x, y) in enumerate(turned(i, 8) for i in range(8))]
+    outer = [(10 * x, 10 * y, 4.5 * (-1)**i) for i, (x, y) in enumerate(turned(i, 8) for i in range(8))]
+    triangles = [(0, 1 + i, 1 + (i + 1) % 8) for i in range(8)]
+    for i in range(8):
+        a, b = 1 + i, 1 + (i + 1) % 8
+        triangles += [(a, a + 8, b + 8), (a, b + 8, b)]
+    yield one('saddle_8', ([(0, 0, 0), *ring, *outer], triangles), 'both', 180, 4, [((0, 0, 0), 2**-3), ((0, 0, 0), 2**-22)])
+    crown = [(x * (7 + 2 * (i % 2)), y * (7 + 2 * (i % 2)), 1.5 * (i % 2)) for i, (x, y) in
+             enumerate(turned(i, 40, 0.25) for i in range(40))]
+    yield one('fan_40', ([(0, 0, 5), *crown, (0, 0, -3)], [t for i in range(40) for t in
+                          ((0, 1 + i, 1 + (i + 1) % 40), (41, 1 + (i + 1) % 40, 1 + i))]),
+              'front', 180, 3, [((0, 0, 5), 2**-4), ((0, 0, 4), 2)])
+    # The rows are shifted against each other, so that the grid points of neighbouring rows of a triangle's grid are not opposite.
+    yield one('slivers', sheet(2, 12, lambda i, j: (700 * (i - 1) + 310 * (j % 2), (j - 6) / 64 + (i == 2) / 256, (j * j % 5) / 256)),
+              'both', 40, 0.25, [((0, 0, 1 / 256), 2**-6), ((175 / 256, 2.0**-18, 1 / 256), 2**-16),
+                                 ((175 / 256, 2.0**-18, 1 / 256), 2**-19), ((-175 / 512, 0, 1 / 256), 2**-17)], 420)
+    gap = 2.0**-24
+    yield one('near_parts', ([(0, -8, -8), (0, 8, -8), (0, 0, 9), (-9, 0, 0), (gap, 7, -6), (gap, -6.5, -7), (2 * gap, 0.5, 8), (9, 0, 0)],
+                             [(0, 1, 2), (1, 0, 3), (2, 1, 3), (0, 2, 3), (4, 5, 6), (5, 4, 7), (6, 5, 7), (4, 6, 7)]),
+              'front', 60, 3, [((gap / 2, 0.25, 0.125), 2**-22, (gap / 2, 20, 0.125)), ((gap / 2, 0.25, -6.5), 2**-22, (gap / 2, 0.25, -20)),
+                               ((0, 0, 0), 2**-4)], 420)
+    circle = [turned(j, 6, 0.5) for j in range(6)]
+    torus = [(x * (6 + 2.5 * c), y * (6 + 2.5 * c), 2.5 * s) for x, y in (turned(i, 8) for i in range(8)) for c, s in circle]
+    triangles = []
+    for i in range(8):
+        for j in range(6):
+            a, b, c, d = (6 * (k % 8) + l % 6 for k, l in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)))
+            triangles += [(a, b, c), (a, c, d)]
+    yield one('torus', (torus, triangles), 'front', 50, 3, [((0, 0, 0), 4)])
+    yield one('stairs', sheet(8, 3, lambda i, j: (2 * ((i + 1) // 2) - 4, 3 * j - 4, 2 * (i // 2) - 4)), 'both', 30, 3,
+              [((0, -1, 0), 2**-1), ((0, -1, -2), 2**-1), ((-2, 0, -2), 2**-9)])
+    tiny = 2.0**-20
+    yield one('scaled_down', ([tuple(tiny * c for c in v) for v in
+                               ((5, 0.25, 0), (-4, 0, 0.5), (0, 4.5, 0), (0.25, -5, 0), (0, 0, 6), (0.5, 0, -3))],
+                              [(4, 0, 2), (4, 2, 1), (4, 1, 3), (4, 3, 0), (5, 2, 0), (5, 1, 2), (5, 3, 1), (5, 0, 3)]),
+              'front', 180, 3 * tiny, [((0, 0, 0), 4 * tiny)])
+    yield one('far', sheet(4, 4, lambda i, j: (9984 + 4 * i, -10000 + 4 * j, 9990 + (i * 7 + j * 5) % 6)), 'both', 75, 3,
+              [((9992, -9992, 9992), 2**-6)])
+    yield one('ribbon', sheet(140, 1, lambda i, j: ((i - 70) / 2, 2 * j - 1 + (i % 2) / 8, -(i - 70)**2 / 128)), 'both', 1,
+              1, (), 60)
+
+
+def assert_is_mesh(mesh):
+    """Edges have one or two triangles, in opposite directions; no edge and no vertex meets the surface where it should not."""
+    directed = Counter((t[k - 1], t[k]) for t in mesh.triangles for k in range(3))
+    assert max(directed.values()) == 1
+    volume = sum(dot(mesh.w[a], cross(mesh.w[b], mesh.w[c])) for a, b, c in mesh.triangles)
+    assert mesh.rim or volume > 0
+    for a, b in mesh.edges:
+        assert mesh.crossings(mesh.w[a], minus(mesh.w[b], mesh.w[a])) == [(1, ('v', b))]
+    u = UNIT // 7, UNIT // 11, UNIT // 13
+    for v in mesh.fans:
+        assert [place for h, place in mesh.crossings(minus(mesh.w[v], u), u) if h == 1] == [('v', v)]
+
+
+# ---------------------------------------------------------------- the paths
+
+INVALID = [(math.nan, 0.0, 0.0), (0.0, math.inf, 0.0), (0.0, 1.0, -math.inf), (0.0, 0.0, step(1e4, 1)), (step(-1e4, -1), 0.0, 0.0),
+           (0.0, single(1e26), 0.0)]
+
+
+def bounded(position):
+    return tuple(min(max(single(c), -1e4), 1e4) + 0.0 for c in position)
+
+
+class Paths:
+    """Pieces of paths over one mesh. Only sums, products, quotients and square roots, so the same on every machine."""
+
+    def __init__(self, scene, mesh):
+        self.mesh, self.scene, self.draw = mesh, scene, Draw(f'forceshade god-object {scene.name}')
+        self.last = (0.0, 0.0, 0.0)
+
+    def number(self, most):
+        return most * (2 * self.draw.random() - 1)
+
+    def on_surface(self):
+        """A point of a triangle, often of its border, and the unit normal there."""
+        t = self.draw.pick(self.scene.triangles)
+        a, b, c = (self.scene.vertices[v] for v in t)
+        r, s = self.draw.random(), self.draw.random()
+        kind = int(8 * self.draw.random())
+        if kind == 0:
+            r, s = 0, 0
+        elif kind == 1:
+            r, s = 0.5, 0.5
+        elif kind == 2:
+            r, s = 0.25, 0.5
+        elif r + s > 1:
+            r, s = 1 - r, 1 - s
+        n = cross(minus(b, a), minus(c, a))
+        return plus(a, plus(times(r, minus(b, a)), times(s, minus(c, a)))), times(1 / math.sqrt(dot(n, n)), n)
+
+    def above(self, height):
+        point, n = self.on_surface()
+        return plus(point, times(height, n))
+
+    def facing(self):
+        return self.draw.pick((1, -1)) if self.scene.sides == 'both' else 1
+
+    def stroke(self):
+        """Pressed in at one place, dragged to another, lifted."""
+        facing, size = self.facing(), self.scene.size
+        depth = size * self.draw.pick((0.01, 0.1, 0.3, 1.0, 2.0))
+        (start, m), (end, n) = self.on_surface(), self.on_surface()
+        yield plus(start, times(facing * size, m))
+        count = 4 + int(8 * self.draw.random())
+        for i in range(count + 1):
+            middle = plus(times(1 - i / count, minus(start, times(facing * depth, m))),
+                          times(i / count, minus(end, times(facing * depth, n))))
+            yield middle
+        if self.draw.random() < 0.7:
+            yield plus(end, times(facing * size, n))
+
+    def walk(self):
+        """Steps of 1e-9 to 1e3 mm; back to the surface when it is lost."""
+        position = self.above(self.facing() * self.scene.size / 8)
+        center, reach = position, 12 * self.scene.size
+        yield position
+        for _ in range(16):
+            length = math.ldexp(1 + self.draw.random(), -30 + int(40 * self.draw.random()))
+            position = plus(position, tuple(self.number(length) for _ in range(3)))
+            yield position
+            if max(map(abs, minus(position, center))) > reach:
+                position = self.above(-self.facing() * self.scene.size / 8)
+
+    def along_axis(self):
+        """Exactly through a vertex, the middle of an edge or a point of a triangle."""
+        t = self.draw.pick(self.scene.triangles)
+        a, b = (self.scene.vertices[t[k]] for k in (0, 1))
+        through = self.draw.pick((a, times(0.5, plus(a, b)), self.on_surface()[0]))
+        axis, stride = int(3 * self.draw.random()), self.facing() * self.scene.size / 4
+        backwards = self.draw.pick((1, -1))
+        for i in range(4, -5, -1):
+            offset = [0.0] * 3
+            offset[axis] = i * stride * backwards
+            yield plus(through, offset)
+
+    def jumps(self):
+        lows, highs = ([f(v[k] for v in self.scene.vertices) for k in range(3)] for f in (min, max))
+        for _ in range(5):
+            yield tuple(low + (high - low) * (1.5 * self.draw.random() - 0.25) + self.number(self.scene.size)
+                        for low, high in zip(lows, highs))
+
+    def on_it(self):
+        """Exactly on the surface, or as near as binary32 comes."""
+        for _ in range(4):
+            yield self.on_surface()[0]
+        yield self.draw.pick(self.scene.vertices)
+
+    def next_door(self):
+        """One unit in the last place from where the last piece ended."""
+        position = bounded(self.last)
+        for _ in range(5):
+            axis = int(3 * self.draw.random())
+            position = tuple(step(c, self.draw.pick((-1, 1))) if k == axis else c for k, c in enumerate(position))
+            yield position
+
+    def hot(self):
+        """Close to a place where something is narrow, which may have to be entered from the right side."""
+        point, reach, *entry = self.draw.pick(self.scene.hot)
+        if entry and self.draw.random() < 0.6:
+            yield from (*entry, point)
+        if self.draw.random() < 0.7:  # creep around a place beside it
+            point = plus(point, tuple(self.number(reach) for _ in range(3)))
+            reach *= self.draw.pick((0.5, 0.125, 0.03, 0.03))
+        for _ in range(15):
+            kept = int(4 * self.draw.random())
+            yield tuple(c if k == kept else c + self.number(reach) for k, c in enumerate(point))
+
+    def refusal(self):
+        """Tries until a move near a narrow place is refused because of the grid; gives up where that is rare."""
+        point, reach, *entry = self.draw.pick(self.scene.hot)
+        for _ in range(150):
+            found = [*entry, point]
+            found += [tuple(c + self.number(reach) for c in point) for _ in range(2)]
+            state, before = (None, 'front', None), Counter(self.mesh.reached)
+            for position in found:
+                state = self.mesh.tick(state, in_units(bounded(position)))[0]
+            news = self.mesh.reached - before
+            self.mesh.reached.clear()
+            self.mesh.reached.update(before)
+            if news['refused flights'] + news['refused slides']:
+                yield from found
+                return
+
+    def positions(self):
+        pieces = [*[self.stroke] * 3, *[self.walk] * 2, *[self.along_axis] * 2, self.jumps, self.on_it, self.next_door]
+        pieces += [*[self.hot] * 4, *[self.refusal] * 4] if self.scene.hot else []
+        start = self.above(self.scene.size)
+        count = 0
+        for piece in self.pieces_in_turn(pieces, start):
+            for position in piece:
+                self.last = bounded(position)
+                again = self.draw.random()
+                for result in [self.last] * (1 + (again < 0.06) + (again < 0.02)):
+                    if self.draw.random() < 0.012:
+                        yield self.draw.pick(INVALID)
+                        count += 1
+                    yield result
+                    count += 1
+                    if count >= self.scene.ticks:
+                        return
+
+    def pieces_in_turn(self, pieces, start):
+        if self.scene.name == 'ribbon':  # so far along it that the moves of one tick do not suffice
+            yield [(-34.25, 0.25, -33.0), (-34.25, 0.25, -37.5), *[(34.25, 0.25, -37.0)] * 3]
+        yield [start]
+        while True:
+            yield self.draw.pick(pieces)()
+
+
+# ---------------------------------------------------------------- the files
+
+MUST_OCCUR = ['free', 'touching', 'unfinished', 'invalid', 'v front', 'v back', 'e front', 'e back', 't front', 't back',
+              'rests after a flight', 'rests after a slide', 'refused flights', 'refused slides', 'landings',
+              'slides to a border', 'ties of grid points', 'grid points kept', 'shaded on a crease', 'unshaded on a crease',
+              'unshaded at a vertex', 'unshaded, N away from D']
+
+
+def main(directory):
+    directory.mkdir(exist_ok=True)
+    table = []
+    for scene in scenes():
+        mesh = Mesh(scene.vertices, scene.triangles, scene.sides)
+        assert_is_mesh(mesh)
+        normals = corner_normals(mesh, scene.crease)
+        mesh.corner_normals = [[tuple(map(Fraction, n)) for n in corners] for corners in normals]
+        rows = list(follow(mesh, Paths(scene, mesh).positions()))
+        lines = ['OFF', f'{len(scene.vertices)} {len(scene.triangles)} 0']
+        lines += [' '.join(map(shortest, v)) for v in scene.vertices]
+        lines += [' '.join(map(str, (3, *t))) for t in scene.triangles]
+        (directory / f'{scene.name}.off').write_text('\n'.join(lines) + '\n')
+        write(directory / f'{scene.name}.normals.csv',
+              [['triangle', 'corner', 'nx', 'ny', 'nz'],
+               *([i, k, *map(shortest, n)] for i, corners in enumerate(normals) for k, n in enumerate(corners))])
+        write(directory / f'{scene.name}.csv', [COLUMNS.split(','), *rows])
+        table.append([scene.name, scene.sides, scene.crease, len(scene.triangles), len(rows)])
+        seen = Counter(row[3] for row in rows)
+        seen.update(f'{row[4][0]} {row[5]}' for row in rows if row[3] == 'touching')
+        Mesh.reached.update(seen)
+        print(f'{scene.name:13}', *(f'{kind} {seen[kind]:3}' for kind in MUST_OCCUR[:10]))
+    write(directory / 'meshes.csv', [TABLE, *table])
+    print(*(f'{kind}: {Mesh.reached[kind]}' for kind in MUST_OCCUR), sep='\n')
+    assert all(Mesh.reached[kind] for kind in MUST_OCCUR)
+
+
+if __name__ == '__main__':
+    if sys.argv[1:2] == ['--check']:
+        sys.exit(1 if check(Path(sys.argv[2]), sys.argv[3:]) else 0)
+    if sys.argv[1:2] == ['--single-moves']:
+        sys.exit(write_single_moves(Path(sys.argv[2]), Path(sys.argv[3]), sys.argv[4:]))
+    main(Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parent / 'god_object')
