@@ -40,6 +40,12 @@ N whole(std::uint32_t value) noexcept {
   return N::exactly(static_cast<double>(value));
 }
 
+using Force3 = std::array<float, 3>;
+
+// K times the length of `way` along the direction, which is not 0: each component correctly rounded, or empty.
+std::optional<Force3> along(const Way3<DoubleWithError>& way, const Vector3<DoubleWithError>& direction, double K) noexcept;
+std::optional<Force3> along(const Way3<Shaded>& way, const Vector3<Shaded>& direction, double K) noexcept;
+
 // An exact number of units of `unit`, a power of two, in binary64.
 template <int kBits>
 DoubleWithError near(const FixedInteger<kBits>& number, double unit) noexcept {
@@ -58,8 +64,8 @@ constexpr double kUnit2 = kUnit * kUnit, kUnit3 = kUnit2 * kUnit, kUnit4 = kUnit
 template <class N, bool kIsFromIntegers = false>
 class Parts {
  public:
-  Parts(const Mesh& mesh, const Arrival& arrival, const float* p) noexcept
-      : mesh_(mesh), spot_(arrival.spot), rest_(arrival.rest), position_(p), p_(point<N>(p)) {}
+  Parts(const Mesh& mesh, const Arrival& arrival, const float* p, mesh::Shading scheme) noexcept
+      : mesh_(mesh), scheme_(scheme), spot_(arrival.spot), rest_(arrival.rest), position_(p), p_(point<N>(p)) {}
 
   Way3<N> way() const noexcept {
     switch (rest_) {
@@ -125,7 +131,44 @@ class Parts {
     return {Outcome::direction, spot_.side == mesh::Side::front ? direction : opposite(direction)};
   }
 
+  // The edge scheme as the thesis prints it, inside triangles: corner i is opposite to side i.
+  Shading by_edges() const noexcept {
+    const std::uint32_t f = face_of(spot_.half);
+    const auto unit_normal = [&](std::uint32_t of) -> std::optional<Vector3<N>> {
+      const Vector3<N> x_axis{N::exactly(1), N::exactly(0), N::exactly(0)};
+      const auto rounded = along(Way3<N>{x_axis, N::exactly(1)}, normal(mesh_.face(of)), 1);
+      if (!rounded) return std::nullopt;
+      return point<N>(rounded->data());
+    };
+    const auto own = unit_normal(f);
+    if (!own) return {Outcome::unknown, {}};
+    const std::array<N, 3> weight = weights_in_triangle();
+    std::array<Vector3<N>, 3> with_neighbour;
+    std::array<N, 3> side;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const HalfEdge h = 3 * f + after(i), other = mesh_.twin(h);
+      const auto neighbour = other == kRim ? own : unit_normal(face_of(other));
+      const auto size = length(point<N>(mesh_.start_point(next(h))) - point<N>(mesh_.start_point(h)));
+      if (!neighbour || !size) return {Outcome::unknown, {}};
+      with_neighbour[i] = sum(*own, *neighbour);
+      side[i] = N::exactly(static_cast<double>(*size));
+    }
+    // x_i = weight/side, times all three sides.
+    Vector3<N> direction = scaled(weight[0] * (side[1] * side[2]), sum(with_neighbour[1], with_neighbour[2]));
+    direction = sum(direction, scaled(weight[1] * (side[0] * side[2]), sum(with_neighbour[0], with_neighbour[2])));
+    direction = sum(direction, scaled(weight[2] * (side[0] * side[1]), sum(with_neighbour[0], with_neighbour[1])));
+    bool is_zero = true;
+    for (const N& component : {direction.x, direction.y, direction.z}) {
+      const Sign sign = proved_sign(component);
+      is_zero = is_zero && sign == Sign::zero;
+      if (sign == Sign::positive || sign == Sign::negative) return from_its_side(direction);
+    }
+    return is_zero ? from_its_side(*own) : Shading{Outcome::unknown, {}};
+  }
+
   Shading outward(const Way3<N>& way) const noexcept {
+    if (scheme_ == mesh::Shading::edge_scheme)
+      return spot_.place == mesh::Place::triangle ? by_edges() : Shading{Outcome::none, {}};
     if (spot_.place == mesh::Place::vertex) {
       const HalfEdge first = mesh_.first_around(mesh_.start(spot_.half));
       const mesh::Normal& common = normal_at(first);
@@ -206,13 +249,12 @@ class Parts {
   }
 
   const Mesh& mesh_;
+  mesh::Shading scheme_;
   const Spot& spot_;
   Rest rest_;
   const float* position_;
   Vector3<N> p_;
 };
-
-using Force3 = std::array<float, 3>;
 
 template <class Rounded>
 std::optional<Force3> each(const Rounded& rounded, const auto& vector) noexcept {
@@ -304,9 +346,10 @@ bool is_zero(const DoubleWithError& a) noexcept {
 
 // The shaded force with the numbers N; empty where they cannot tell.
 template <class N, bool kIsFromIntegers = false>
-std::optional<Force3> shaded_force(const Mesh& mesh, const Arrival& arrival, const Force3& p, double K) noexcept {
+std::optional<Force3> shaded_force(const Mesh& mesh, const Arrival& arrival, const Force3& p, double K,
+                                   mesh::Shading scheme) noexcept {
   using Numbers = Parts<N, kIsFromIntegers>;
-  const Numbers parts(mesh, arrival, p.data());
+  const Numbers parts(mesh, arrival, p.data(), scheme);
   const Way3<N> way = parts.way();
   const auto shading = parts.shading(way);
   if (shading.outcome == Numbers::Outcome::unknown) return std::nullopt;
@@ -321,11 +364,11 @@ std::optional<Force3> shaded_force(const Mesh& mesh, const Arrival& arrival, con
 }
 
 // Kept out of line: it is reached for few positions.
-[[gnu::noinline]] Force3 exact_shaded(const Mesh& mesh, const Arrival& arrival, const Force3& p, double K,
+[[gnu::noinline]] Force3 exact_shaded(const Mesh& mesh, const Arrival& arrival, const Force3& p, double K, mesh::Shading scheme,
                                       bool is_filtered) noexcept {
   if (is_filtered)
-    if (const auto force = shaded_force<DoubleWithError, true>(mesh, arrival, p, K)) return *force;
-  return shaded_force<Shaded>(mesh, arrival, p, K).value_or(Force3{});
+    if (const auto force = shaded_force<DoubleWithError, true>(mesh, arrival, p, K, scheme)) return *force;
+  return shaded_force<Shaded>(mesh, arrival, p, K, scheme).value_or(Force3{});
 }
 
 // a·b - c·d for differences of coordinates, with a bound; known to be 0 where it is so because the same two are multiplied.
@@ -387,7 +430,8 @@ std::array<float, 3> mesh_force(const Mesh& mesh, const Arrival& arrival, const 
                                 mesh::Shading shading, bool is_filtered) noexcept {
   if (arrival.rest == Rest::none || arrival.rest == Rest::at_position) return {};
   const auto K = static_cast<double>(stiffness);
-  const bool is_shaded = shading == mesh::Shading::vertex_scheme && mesh.normals(0) != nullptr;
+  const bool is_shaded =
+      shading == mesh::Shading::edge_scheme || (shading == mesh::Shading::vertex_scheme && mesh.normals(0) != nullptr);
   if (!is_shaded) {
     if (is_filtered && arrival.rest == Rest::in_triangle)
       if (const auto force = quick_force(mesh.face(face_of(arrival.spot.half)), p, K)) [[likely]]
@@ -395,9 +439,9 @@ std::array<float, 3> mesh_force(const Mesh& mesh, const Arrival& arrival, const 
     return exact_unshaded(mesh, arrival, p.data(), K, is_filtered);
   }
   if (is_filtered)
-    if (const auto force = shaded_force<DoubleWithError>(mesh, arrival, p, K)) [[likely]]
+    if (const auto force = shaded_force<DoubleWithError>(mesh, arrival, p, K, shading)) [[likely]]
       return *force;
-  return exact_shaded(mesh, arrival, p, K, is_filtered);
+  return exact_shaded(mesh, arrival, p, K, shading, is_filtered);
 }
 
 }  // namespace forceshade::fast

@@ -106,6 +106,7 @@ std::size_t ticks_of_a_test(std::size_t usual) {
 }
 
 constexpr std::size_t kTicksOfAMesh = 500;
+constexpr std::array kShadings{mesh::Shading::none, mesh::Shading::vertex_scheme, mesh::Shading::edge_scheme};
 
 TEST(god_object, is_the_reference_in_every_bit_on_random_meshes_and_paths) {
   Reached reached;
@@ -113,7 +114,7 @@ TEST(god_object, is_the_reference_in_every_bit_on_random_meshes_and_paths) {
   for (std::uint32_t seed = 0; seed * kTicksOfAMesh < ticks; ++seed) {
     const tests::RandomMesh random = tests::random_mesh(seed);
     const Mesh mesh = built(random);
-    const mesh::Shading shading = seed / tests::kMeshFamilies % 2 == 0 ? mesh::Shading::none : mesh::Shading::vertex_scheme;
+    const mesh::Shading shading = kShadings[seed / tests::kMeshFamilies % kShadings.size()];
     auto definition = reference::GodObject::build(random.mesh, random.normals, random.sides, shading, 0.3F);
     ASSERT_TRUE(std::holds_alternative<reference::GodObject>(definition)) << random.name << ", seed " << seed;
     reference::GodObjectSession session(std::get<reference::GodObject>(std::move(definition)));
@@ -139,7 +140,7 @@ TEST(god_object, is_the_same_with_and_without_a_filter_and_from_tick_to_tick_in_
   for (std::uint32_t seed = 0; seed * kTicksOfAMesh < ticks; ++seed) {
     const tests::RandomMesh random = tests::random_mesh(100000 + seed);
     const auto mesh = std::make_shared<const Mesh>(built(random));
-    const mesh::Shading shading = seed / tests::kMeshFamilies % 2 == 0 ? mesh::Shading::none : mesh::Shading::vertex_scheme;
+    const mesh::Shading shading = kShadings[seed / tests::kMeshFamilies % kShadings.size()];
     mesh::GodObject state;
     MeshSession session(mesh, 0.3F, shading);
     tests::RandomPath path(random, seed);
