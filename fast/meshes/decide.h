@@ -94,6 +94,9 @@ struct ExactFace {
 
 // n·(p - a): on which side of the triangle's plane p is.
 [[gnu::noinline]] inline int exact_side_of(const Face& f, const float* p) noexcept {
+  // The commonest zero: all in one plane across an axis.
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (f.corner[0][axis] == p[axis] && f.corner[1][axis] == p[axis] && f.corner[2][axis] == p[axis]) return 0;
   return dot(ExactFace(f).n, exact_difference(p, f.corner[0].data())).sign();
 }
 template <class Stages>
@@ -206,15 +209,30 @@ std::uint32_t exact_nearest(const FixedInteger<kNum>& num, const FixedInteger<kD
   const int above = exact_compare_with_halves(num, den, 2 * cell.floor + 1);
   return cell.floor + (above > 0 || (above == 0 && cell.floor % 2 == 1) ? 1 : 0);
 }
-template <class Stages, class Exact>
-FORCESHADE_INLINE std::uint32_t nearest_of(const DoubleWithError& num, const DoubleWithError& den, const Stages& stages,
-                                           const Exact& exact) noexcept {
-  const DoubleWithError scaled = DoubleWithError::exactly(0x1p24) * num / den;
-  const auto nearest = static_cast<std::int64_t>(scaled.value + 0.5);
-  if (stages.sure(__builtin_fabs(scaled.value - static_cast<double>(nearest)) + scaled.error < 0.5 - 0x1p-27))
-    return static_cast<std::uint32_t>(nearest);
-  return exact();
-}
+// Of several num over one den, whose inverse is computed once.
+class NearestParameters {
+ public:
+  FORCESHADE_INLINE explicit NearestParameters(const DoubleWithError& den) noexcept {
+    if (!(den.value > 0x1p10 * den.error)) return;
+    inverse_ = 0x1p24 / den.value;
+    relative_ = (1 + 0x1p-9) * den.error / den.value + 0x1p-51;
+  }
+
+  // With q = 2^24 num/den, computed by an inverse and a product of three roundings: |q|·relative_ + 2^24·num.error/den·(1 +
+  // 2^-9) bounds the error.
+  template <class Stages, class Exact>
+  FORCESHADE_INLINE std::uint32_t of(const DoubleWithError& num, const Stages& stages, const Exact& exact) const noexcept {
+    const double scaled = num.value * inverse_;
+    const double error = __builtin_fabs(scaled) * relative_ + (1 + 0x1p-8) * num.error * inverse_;
+    const auto nearest = static_cast<std::int64_t>(scaled + 0.5);
+    if (stages.sure(__builtin_fabs(scaled - static_cast<double>(nearest)) + error < 0.5 - 0x1p-27))
+      return static_cast<std::uint32_t>(nearest);
+    return exact();
+  }
+
+ private:
+  double inverse_ = 0, relative_ = HUGE_VAL;  // with these, nothing is sure
+};
 
 // ---- The offset U = 2^24(p - g).
 

@@ -10,7 +10,6 @@ namespace forceshade::fast {
 namespace {
 
 // Exact: docs/meshes.md counts the bits that the longest expressions take, of which these have more.
-using Plain = BigFloatBall<16>;
 using Shaded = BigFloatBall<64>;
 
 // r - p = vector/length, length > 0.
@@ -41,6 +40,12 @@ N whole(std::uint32_t value) noexcept {
   return N::exactly(static_cast<double>(value));
 }
 
+using Force3 = std::array<float, 3>;
+
+// K times the length of `way` along the direction, which is not 0: each component correctly rounded, or empty.
+std::optional<Force3> along(const Way3<DoubleWithError>& way, const Vector3<DoubleWithError>& direction, double K) noexcept;
+std::optional<Force3> along(const Way3<Shaded>& way, const Vector3<Shaded>& direction, double K) noexcept;
+
 // An exact number of units of `unit`, a power of two, in binary64.
 template <int kBits>
 DoubleWithError near(const FixedInteger<kBits>& number, double unit) noexcept {
@@ -59,8 +64,8 @@ constexpr double kUnit2 = kUnit * kUnit, kUnit3 = kUnit2 * kUnit, kUnit4 = kUnit
 template <class N, bool kIsFromIntegers = false>
 class Parts {
  public:
-  Parts(const Mesh& mesh, const Arrival& arrival, const float* p) noexcept
-      : mesh_(mesh), spot_(arrival.spot), rest_(arrival.rest), position_(p), p_(point<N>(p)) {}
+  Parts(const Mesh& mesh, const Arrival& arrival, const float* p, mesh::Shading scheme) noexcept
+      : mesh_(mesh), scheme_(scheme), spot_(arrival.spot), rest_(arrival.rest), position_(p), p_(point<N>(p)) {}
 
   Way3<N> way() const noexcept {
     switch (rest_) {
@@ -126,7 +131,44 @@ class Parts {
     return {Outcome::direction, spot_.side == mesh::Side::front ? direction : opposite(direction)};
   }
 
+  // The edge scheme as the thesis prints it, inside triangles: corner i is opposite to side i.
+  Shading by_edges() const noexcept {
+    const std::uint32_t f = face_of(spot_.half);
+    const auto unit_normal = [&](std::uint32_t of) -> std::optional<Vector3<N>> {
+      const Vector3<N> x_axis{N::exactly(1), N::exactly(0), N::exactly(0)};
+      const auto rounded = along(Way3<N>{x_axis, N::exactly(1)}, normal(mesh_.face(of)), 1);
+      if (!rounded) return std::nullopt;
+      return point<N>(rounded->data());
+    };
+    const auto own = unit_normal(f);
+    if (!own) return {Outcome::unknown, {}};
+    const std::array<N, 3> weight = weights_in_triangle();
+    std::array<Vector3<N>, 3> with_neighbour;
+    std::array<N, 3> side;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const HalfEdge h = 3 * f + after(i), other = mesh_.twin(h);
+      const auto neighbour = other == kRim ? own : unit_normal(face_of(other));
+      const auto size = length(point<N>(mesh_.start_point(next(h))) - point<N>(mesh_.start_point(h)));
+      if (!neighbour || !size) return {Outcome::unknown, {}};
+      with_neighbour[i] = sum(*own, *neighbour);
+      side[i] = N::exactly(static_cast<double>(*size));
+    }
+    // x_i = weight/side, times all three sides.
+    Vector3<N> direction = scaled(weight[0] * (side[1] * side[2]), sum(with_neighbour[1], with_neighbour[2]));
+    direction = sum(direction, scaled(weight[1] * (side[0] * side[2]), sum(with_neighbour[0], with_neighbour[2])));
+    direction = sum(direction, scaled(weight[2] * (side[0] * side[1]), sum(with_neighbour[0], with_neighbour[1])));
+    bool is_zero = true;
+    for (const N& component : {direction.x, direction.y, direction.z}) {
+      const Sign sign = proved_sign(component);
+      is_zero = is_zero && sign == Sign::zero;
+      if (sign == Sign::positive || sign == Sign::negative) return from_its_side(direction);
+    }
+    return is_zero ? from_its_side(*own) : Shading{Outcome::unknown, {}};
+  }
+
   Shading outward(const Way3<N>& way) const noexcept {
+    if (scheme_ == mesh::Shading::edge_scheme)
+      return spot_.place == mesh::Place::triangle ? by_edges() : Shading{Outcome::none, {}};
     if (spot_.place == mesh::Place::vertex) {
       const HalfEdge first = mesh_.first_around(mesh_.start(spot_.half));
       const mesh::Normal& common = normal_at(first);
@@ -207,13 +249,12 @@ class Parts {
   }
 
   const Mesh& mesh_;
+  mesh::Shading scheme_;
   const Spot& spot_;
   Rest rest_;
   const float* position_;
   Vector3<N> p_;
 };
-
-using Force3 = std::array<float, 3>;
 
 template <class Rounded>
 std::optional<Force3> each(const Rounded& rounded, const auto& vector) noexcept {
@@ -222,19 +263,51 @@ std::optional<Force3> each(const Rounded& rounded, const auto& vector) noexcept 
   return Force3{*x, *y, *z};
 }
 
-std::optional<Force3> unshaded(const Way3<DoubleWithError>& way, double K) noexcept {
-  const DoubleWithError factor = DoubleWithError::exactly(K) / way.length;
-  return each([&](const DoubleWithError& one) { return round_to_binary32(factor * one); }, way.vector);
+// K·num/den·2^-53, den > 0: correctly rounded.
+template <int kNum, int kDen>
+float rounded_quotient(const FixedInteger<kNum>& num, const FixedInteger<kDen>& den, double K, bool is_filtered) noexcept {
+  if (num.is_zero()) return 0;
+  // Five operations, each good to 2^-52.
+  const double value = K * num.approximately() / den.approximately() * kUnit;
+  const double reach = 0x1p-49 * __builtin_fabs(value);
+  const auto low = static_cast<float>(value - reach), high = static_cast<float>(value + reach);
+  if (is_filtered && low == high) return low + 0.0F;
+  int exponent_of_K = 0;
+  const auto significand_of_K = static_cast<std::int64_t>(std::ldexp(std::frexp(K, &exponent_of_K), 24));
+  const auto size = num * FixedInteger<25>(significand_of_K);
+  const auto rounded = round_to_binary32(value, [&](double tie) {
+    // A tie has 25 bits.
+    const Sign sign = num.is_negative() ? Sign::negative : Sign::positive;
+    if (tie == 0 || (tie < 0) != num.is_negative()) return sign;
+    int exponent = 0;
+    const auto significand = static_cast<std::int64_t>(std::ldexp(std::frexp(std::fabs(tie), &exponent), 25));
+    const int beyond = compare_sizes(size, exponent_of_K - 24 - 53 - (exponent - 25), den * FixedInteger<26>(significand));
+    if (beyond == 0) return Sign::zero;
+    return (beyond > 0) == (sign == Sign::positive) ? Sign::positive : Sign::negative;
+  });
+  return *rounded;  // the value is within a unit of binary32, so one of its neighbours is the answer
 }
-std::optional<Force3> unshaded(const Way3<Plain>& way, double K) noexcept {
-  const Plain stiffness = Plain::exactly(K);
-  return each(
-      [&](const Plain& one) {
-        const Plain size = stiffness * one;
-        return round_to_binary32(approximately(BigFloatBall<4>(size) / BigFloatBall<4>(way.length)),
-                                 [&](double tie) { return proved_sign(size - Plain::exactly(tie) * way.length); });
-      },
-      way.vector);
+
+[[gnu::noinline]] Force3 exact_unshaded(const Mesh& mesh, const Arrival& arrival, const float* p, double K,
+                                        bool is_filtered) noexcept {
+  const auto rounded = [&](const auto& vector, const auto& length) -> Force3 {
+    return {rounded_quotient(vector.x, length, K, is_filtered), rounded_quotient(vector.y, length, K, is_filtered),
+            rounded_quotient(vector.z, length, K, is_filtered)};
+  };
+  const Spot& spot = arrival.spot;
+  if (arrival.rest == Rest::in_triangle) {
+    const Face& f = mesh.face(face_of(spot.half));
+    const auto n = ExactFace(f).n;
+    const auto across = -dot(n, exact_difference(p, f.corner[0].data()));
+    return rounded(Vector3<decltype(across * n.x)>{across * n.x, across * n.y, across * n.z}, square(n));
+  }
+  if (arrival.rest == Rest::on_edge) {
+    const float* const start = mesh.start_point(spot.half);
+    const ExactDifference e = exact_difference(mesh.start_point(next(spot.half)), start);
+    return rounded(cross(e, cross(e, exact_difference(p, start))), square(e));
+  }
+  const ExactOffset U = exact_offset_from(point_of(mesh, spot), p);
+  return rounded(ExactOffset{-U.x, -U.y, -U.z}, FixedInteger<26>(std::int64_t{kGrid}));
 }
 
 std::optional<Force3> along(const Way3<DoubleWithError>& way, const Vector3<DoubleWithError>& direction, double K) noexcept {
@@ -267,29 +340,88 @@ std::optional<Force3> along(const Way3<Shaded>& way, const Vector3<Shaded>& dire
       direction);
 }
 
-// With the numbers N; empty where they cannot tell.
-template <class N, bool kIsFromIntegers = false>
-std::optional<Force3> force_in(const Mesh& mesh, const Arrival& arrival, const Force3& p, double K, bool is_shaded) noexcept {
-  using Numbers = Parts<N, kIsFromIntegers>;
-  const Numbers parts(mesh, arrival, p.data());
-  const Way3<N> way = parts.way();
-  if constexpr (!std::is_same_v<N, Plain>) {
-    const auto shading = is_shaded ? parts.shading(way) : typename Numbers::Shading{Numbers::Outcome::none, {}};
-    if (shading.outcome == Numbers::Outcome::unknown) return std::nullopt;
-    if (shading.outcome == Numbers::Outcome::direction) return along(way, shading.direction, K);
-  }
-  if constexpr (std::is_same_v<N, Shaded>)
-    return unshaded(Parts<Plain>(mesh, arrival, p.data()).way(), K);
-  else
-    return unshaded(way, K);
+bool is_zero(const DoubleWithError& a) noexcept {
+  return sign(a) == Sign::zero;
 }
 
-[[gnu::noinline]] Force3 exact_force(const Mesh& mesh, const Arrival& arrival, const Force3& p, double K, bool is_shaded,
-                                     bool is_filtered) noexcept {
+// The shaded force with the numbers N; empty where they cannot tell.
+template <class N, bool kIsFromIntegers = false>
+std::optional<Force3> shaded_force(const Mesh& mesh, const Arrival& arrival, const Force3& p, double K,
+                                   mesh::Shading scheme) noexcept {
+  using Numbers = Parts<N, kIsFromIntegers>;
+  const Numbers parts(mesh, arrival, p.data(), scheme);
+  const Way3<N> way = parts.way();
+  const auto shading = parts.shading(way);
+  if (shading.outcome == Numbers::Outcome::unknown) return std::nullopt;
+  if (shading.outcome == Numbers::Outcome::none) return exact_unshaded(mesh, arrival, p.data(), K, true);
+  if (const auto force = along(way, shading.direction, K)) return force;
+  // On flat parts the shading direction often is the way's own, and ties are as common as without shading.
+  if constexpr (kIsFromIntegers) {
+    const auto aside = cross(way.vector, shading.direction);
+    if (is_zero(aside.x) && is_zero(aside.y) && is_zero(aside.z)) return exact_unshaded(mesh, arrival, p.data(), K, true);
+  }
+  return std::nullopt;
+}
+
+// Kept out of line: it is reached for few positions.
+[[gnu::noinline]] Force3 exact_shaded(const Mesh& mesh, const Arrival& arrival, const Force3& p, double K, mesh::Shading scheme,
+                                      bool is_filtered) noexcept {
   if (is_filtered)
-    if (const auto force = force_in<DoubleWithError, true>(mesh, arrival, p, K, is_shaded)) return *force;
-  const auto force = is_shaded ? force_in<Shaded>(mesh, arrival, p, K, true) : force_in<Plain>(mesh, arrival, p, K, false);
-  return force.value_or(Force3{});
+    if (const auto force = shaded_force<DoubleWithError, true>(mesh, arrival, p, K, scheme)) return *force;
+  return shaded_force<Shaded>(mesh, arrival, p, K, scheme).value_or(Force3{});
+}
+
+// a·b - c·d for differences of coordinates, with a bound; known to be 0 where it is so because the same two are multiplied.
+struct Minor {
+  double value, error;
+
+  FORCESHADE_INLINE Minor(double a, double b, double c, double d) noexcept {
+    const double first = a * b, second = c * d;
+    value = first - second;
+    // Two rounded factors, the product and the difference: 2^-53 each.
+    error = 0x1.1p-51 * (__builtin_fabs(first) + __builtin_fabs(second));
+  }
+};
+
+// Whether the differences of the triangle's corners along an axis are binary64 numbers.
+bool are_exact(const Face& f, std::size_t axis) noexcept {
+  const auto at = [&](std::size_t corner) { return static_cast<double>(f.corner[corner][axis]); };
+  return two_sum(at(1), -at(0)).lo == 0 && two_sum(at(2), -at(0)).lo == 0;
+}
+
+// The unshaded force of a rest in a triangle, the case of nearly every tick: as unshaded() with fewer operations.
+FORCESHADE_INLINE std::optional<Force3> quick_force(const Face& f, const Force3& p, double K) noexcept {
+  const FaceNumbers face(f);
+  const Vector3<double> w = difference(p.data(), f.corner[0].data());
+  const double across = dot(face.n, w), all = dot(face.n, face.n);
+  const double factor = K * across / all;
+  // Of the factor: its relative error, from those of n·w and n·n, and three roundings.
+  const double all_error = kArea.error * face.area * face.area;
+  if (!(all > 0x1p20 * all_error)) return std::nullopt;
+  const double factor_error =
+      (1 + 0x1p-18) * (K * kAcross.error * face.area * size_of(w) / all + __builtin_fabs(factor) * (all_error / all + 0x1p-51));
+  const Minor x(face.e1.y, face.e2.z, face.e1.z, face.e2.y), y(face.e1.z, face.e2.x, face.e1.x, face.e2.z),
+      z(face.e1.x, face.e2.y, face.e1.y, face.e2.x);
+  const auto is_zero = [&](const Minor& n, double a, double b, double c, double d, std::size_t first, std::size_t second) {
+    if (n.value != 0) return false;
+    if (n.error == 0) return true;
+    return ((a == c && b == d) || (a == d && b == c)) && are_exact(f, first) && are_exact(f, second);
+  };
+  bool is_sure = true;
+  const auto component = [&](const Minor& n, bool zero) -> float {
+    if (zero) return 0;
+    const double value = -factor * n.value;
+    const double reach = (1 + 0x1p-18) * (__builtin_fabs(factor) * n.error +
+                                          factor_error * (__builtin_fabs(n.value) + n.error) + 0x1p-51 * __builtin_fabs(value));
+    const auto low = static_cast<float>(value - reach), high = static_cast<float>(value + reach);
+    is_sure = is_sure && low == high;
+    return low + 0.0F;
+  };
+  const Force3 force{component(x, is_zero(x, face.e1.y, face.e2.z, face.e1.z, face.e2.y, 1, 2)),
+                     component(y, is_zero(y, face.e1.z, face.e2.x, face.e1.x, face.e2.z, 2, 0)),
+                     component(z, is_zero(z, face.e1.x, face.e2.y, face.e1.y, face.e2.x, 0, 1))};
+  if (!is_sure) return std::nullopt;
+  return force;
 }
 
 }  // namespace
@@ -298,11 +430,18 @@ std::array<float, 3> mesh_force(const Mesh& mesh, const Arrival& arrival, const 
                                 mesh::Shading shading, bool is_filtered) noexcept {
   if (arrival.rest == Rest::none || arrival.rest == Rest::at_position) return {};
   const auto K = static_cast<double>(stiffness);
-  const bool is_shaded = shading == mesh::Shading::vertex_scheme && mesh.normals(0) != nullptr;
+  const bool is_shaded =
+      shading == mesh::Shading::edge_scheme || (shading == mesh::Shading::vertex_scheme && mesh.normals(0) != nullptr);
+  if (!is_shaded) {
+    if (is_filtered && arrival.rest == Rest::in_triangle)
+      if (const auto force = quick_force(mesh.face(face_of(arrival.spot.half)), p, K)) [[likely]]
+        return *force;
+    return exact_unshaded(mesh, arrival, p.data(), K, is_filtered);
+  }
   if (is_filtered)
-    if (const auto force = force_in<DoubleWithError>(mesh, arrival, p, K, is_shaded)) [[likely]]
+    if (const auto force = shaded_force<DoubleWithError>(mesh, arrival, p, K, shading)) [[likely]]
       return *force;
-  return exact_force(mesh, arrival, p, K, is_shaded, is_filtered);
+  return exact_shaded(mesh, arrival, p, K, shading, is_filtered);
 }
 
 }  // namespace forceshade::fast

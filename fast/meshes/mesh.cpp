@@ -170,15 +170,17 @@ std::string Mesh::join() {
   return {};
 }
 
+// n1·(d - a) and n2·(c - a) have the same sign: both are the volume of the tetrahedron of the two triangles.
 void Mesh::find_bends() {
-  for (Face& face : faces_)
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const HalfEdge twin = face.twin[i];
-      if (twin == kRim) continue;
-      const int sign = side_of(face, start_point(previous(twin)), FilteredStages());
-      const Bend bend = sign > 0 ? Bend::narrow : sign == 0 ? Bend::flat : Bend::wide;
-      face.index_and_bends |= static_cast<std::uint32_t>(bend) << (2 * i);
-    }
+  for (HalfEdge h = 0; h < 3 * faces(); ++h) {
+    Face& face = faces_[face_of(h)];
+    const HalfEdge other = twin(h);
+    if (other == kRim || other < h) continue;
+    const int sign = side_of(face, start_point(previous(other)), FilteredStages());
+    const auto bend = static_cast<std::uint32_t>(sign > 0 ? Bend::narrow : sign == 0 ? Bend::flat : Bend::wide);
+    face.index_and_bends |= bend << (2 * corner_of(h));
+    faces_[face_of(other)].index_and_bends |= bend << (2 * corner_of(other));
+  }
 }
 
 std::size_t Mesh::bytes() const noexcept {

@@ -87,7 +87,7 @@ class Walk {
 
   Spot rest_on_edge(HalfEdge h, mesh::Side side) const noexcept {
     const Foot foot(mesh_.start_point(h), mesh_.start_point(next(h)), p_.data());
-    std::uint32_t m = nearest_of(foot.along, foot.length, stages_, [&] {
+    std::uint32_t m = NearestParameters(foot.length).of(foot.along, stages_, [&] {
       const ExactFoot exact = exact_foot(h);
       return exact_nearest(exact.along, exact.length);
     });
@@ -95,8 +95,9 @@ class Walk {
     return spot_on_edge(mesh_, h, m, side);
   }
   Spot rest_in_triangle(std::uint32_t f, const Weights& weights, mesh::Side side) const noexcept {
+    const NearestParameters parameters(weights.all);
     const auto parameter = [&](std::size_t corner) {
-      const std::uint32_t nearest = nearest_of(weights.corner[corner], weights.all, stages_, [&] {
+      const std::uint32_t nearest = parameters.of(weights.corner[corner], stages_, [&] {
         const ExactWeights exact(mesh_.face(f), p_.data());
         return exact_nearest(exact.corner[corner], exact.all);
       });

@@ -19,6 +19,8 @@ class FixedInteger {
   static_assert(kBits >= 1);
   template <int kOther>
   friend class FixedInteger;
+  template <int kA, int kB>
+  friend constexpr int compare_sizes(const FixedInteger<kA>& a, int shift, const FixedInteger<kB>& b) noexcept;
   __extension__ using Double = unsigned __int128;
 
  public:
@@ -99,6 +101,14 @@ class FixedInteger {
     return (*this - other).sign();
   }
 
+  // Of its size: 0 for 0, else one more than the exponent of its leading bit.
+  constexpr int bit_length() const noexcept {
+    const Words words = size();
+    for (std::size_t i = kWords; i-- > 0;)
+      if (words[i] != 0) return 64 * static_cast<int>(i) + 64 - __builtin_clzll(words[i]);
+    return 0;
+  }
+
   // Within 2^-52 of it, relative; kBits is at most 1000.
   double approximately() const noexcept {
     static_assert(kBits <= 1000);
@@ -120,6 +130,19 @@ class FixedInteger {
       const Double t = Double{a.words_[i]} + (b.words_[i] ^ flip) + carry;
       result.words_[i] = static_cast<std::uint64_t>(t);
       carry = static_cast<std::uint64_t>(t >> 64);
+    }
+    return result;
+  }
+
+  // The size times 2^shift, for a result that fits.
+  constexpr FixedInteger size_shifted(int shift) const noexcept {
+    const Words words = size();
+    FixedInteger result;
+    const auto whole = static_cast<std::size_t>(shift) / 64;
+    const int part = shift % 64;
+    for (std::size_t i = whole; i < kWords; ++i) {
+      result.words_[i] = words[i - whole] << part;
+      if (part != 0 && i > whole) result.words_[i] |= words[i - whole - 1] >> (64 - part);
     }
     return result;
   }
@@ -146,6 +169,17 @@ class FixedInteger {
 
   Words words_{};
 };
+
+// The sign of |a|·2^shift - |b|.
+template <int kA, int kB>
+constexpr int compare_sizes(const FixedInteger<kA>& a, int shift, const FixedInteger<kB>& b) noexcept {
+  const int a_length = a.bit_length(), b_length = b.bit_length();
+  if (a_length == 0 || b_length == 0) return (a_length != 0 ? 1 : 0) - (b_length != 0 ? 1 : 0);
+  if (a_length + shift != b_length) return a_length + shift > b_length ? 1 : -1;
+  // As long as each other when shifted, so both fit the longer type.
+  using Longer = FixedInteger<std::max(kA, kB)>;
+  return Longer(a).size_shifted(shift > 0 ? shift : 0).compare(Longer(b).size_shifted(shift < 0 ? -shift : 0));
+}
 
 // A coordinate in units of 2^-53 mm. It is 0, or between 2^-30 and 10^4 mm in size: the last bit of a binary32 of 2^-30 is
 // 2^-53, and 10^4·2^53 < 2^67.

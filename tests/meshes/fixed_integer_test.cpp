@@ -88,6 +88,11 @@ void compare_operations(Pairs& pairs, Reached& reached) {
     ASSERT_EQ(wide(a.fixed.template shifted<24>()), a.wide << 24);
     ASSERT_EQ(a.fixed.sign(), a.wide.sign());
     ASSERT_EQ(a.fixed.compare(b.fixed), a.wide.compare(b.wide) < 0 ? -1 : a.wide.compare(b.wide) > 0);
+    ASSERT_EQ(a.fixed.bit_length(), a.wide == 0 ? 0 : static_cast<int>(msb(Integer(abs(a.wide)))) + 1);
+    // By any shift, and by one that makes the two about equally long.
+    const int shift = i % 2 == 0 ? i % 301 - 150 : b.fixed.bit_length() - a.fixed.bit_length() + i % 3 - 1;
+    const Integer left = abs(a.wide) << (shift > 0 ? shift : 0), right = abs(b.wide) << (shift < 0 ? -shift : 0);
+    ASSERT_EQ(compare_sizes(a.fixed, shift, b.fixed), left < right ? -1 : left > right ? 1 : 0);
     const auto product = a.fixed * b.fixed;
     const double exact = static_cast<double>(a.wide * b.wide);
     ASSERT_LE(std::abs(product.approximately() - exact), 0x1p-51 * std::abs(exact));

@@ -9,23 +9,24 @@
 #include <cstdlib>
 #include <map>
 
+#include "forceshade/csv/csv.h"
 #include "forceshade/fast/meshes/session.h"
+#include "forceshade/properties/mesh_generators.h"
 #include "forceshade/reference/meshes/god_object.h"
 #include "forceshade/tests/meshes/god_object_paths.h"
-#include "forceshade/tests/meshes/random_meshes.h"
 
 namespace forceshade::fast {
 namespace {
 
-Mesh built(const tests::GodObjectPath& path) {
-  auto mesh = Mesh::build(path.mesh, path.normals, path.sides);
-  if (const auto* message = std::get_if<std::string>(&mesh)) throw std::runtime_error(path.name + ": " + *message);
+Mesh built(const mesh::TriangleMesh& triangles, const mesh::CornerNormals& normals, mesh::Sides sides) {
+  auto mesh = Mesh::build(triangles, normals, sides);
+  if (const auto* message = std::get_if<std::string>(&mesh)) throw std::runtime_error(*message);
   return std::get<Mesh>(std::move(mesh));
 }
 
 template <class Stages>
 int differences(const tests::GodObjectPath& path, const Stages& stages) {
-  const Mesh mesh = built(path);
+  const Mesh mesh = built(path.mesh, path.normals, path.sides);
   mesh::GodObject plain, shaded;
   int found = 0;
   for (const tests::PathTick& row : path.ticks) {
@@ -44,10 +45,7 @@ int differences(const tests::GodObjectPath& path, const Stages& stages) {
   return found;
 }
 
-// The folder is not part of this project: where the variable is not set, there is nothing to compare with.
-TEST(god_object, equals_the_paths_of_an_independent_program_in_every_column) {
-  const char* folder = std::getenv("FORCESHADE_GOD_OBJECT_PATHS");
-  if (folder == nullptr) GTEST_SKIP() << "FORCESHADE_GOD_OBJECT_PATHS is not set";
+void expect_same_as_all_in(const std::string& folder) {
   std::size_t ticks = 0;
   const auto names = tests::god_object_paths_in(folder);
   for (const std::string& name : names) {
@@ -56,8 +54,18 @@ TEST(god_object, equals_the_paths_of_an_independent_program_in_every_column) {
     EXPECT_EQ(differences(path, ExactStages()), 0) << name << ", in integers";
     EXPECT_EQ(differences(path, FilteredStages()), 0) << name << ", in binary64 first";
   }
-  std::printf("%zu paths, %zu ticks, each with and without a filter\n", names.size(), ticks);
+  std::printf("  %zu paths, %zu ticks, each with and without a filter\n", names.size(), ticks);
   EXPECT_GT(ticks, 0U);
+}
+
+TEST(god_object, equals_the_golden_paths_in_every_column) {
+  expect_same_as_all_in(std::string(FORCESHADE_SOURCE_DIR) + "/tests/golden/god_object");
+}
+
+TEST(god_object, equals_the_paths_in_a_given_folder_in_every_column) {
+  const char* const folder = std::getenv("FORCESHADE_GOD_OBJECT_PATHS");
+  if (folder == nullptr) GTEST_SKIP() << "FORCESHADE_GOD_OBJECT_PATHS names no folder of paths";
+  expect_same_as_all_in(folder);
 }
 
 // Notes how many decisions each stage has taken.
@@ -90,14 +98,31 @@ struct Reached {
   }
 };
 
-const std::vector<const char*> kReached{"free",    "touching",    "unfinished", "invalid", "at free", "at vertex",
-                                        "at edge", "at triangle", "front",      "back",    "a force", "more than one move"};
+const std::vector<const char*> kReached{"free",        "touching", "invalid", "at free", "at vertex",         "at edge",
+                                        "at triangle", "front",    "back",    "a force", "more than one move"};
 
-Mesh built(const tests::RandomMesh& random) {
-  auto mesh = Mesh::build(random.mesh, random.normals, random.sides);
-  if (const auto* message = std::get_if<std::string>(&mesh)) throw std::runtime_error(random.name + ": " + *message);
-  return std::get<Mesh>(std::move(mesh));
-}
+constexpr std::array<mesh::Shading, 3> kShadings{mesh::Shading::none, mesh::Shading::vertex_scheme, mesh::Shading::edge_scheme};
+
+// A random mesh with one path on it.
+struct Scene {
+  properties::RandomMesh made;
+  mesh::CornerNormals normals;
+  mesh::Shading shading;
+  Mesh mesh;
+  properties::MeshPath path;
+
+  Scene(properties::MeshSource& source, std::uint64_t seed)
+      : made(source.next()),
+        normals(source.normals_of(made.mesh)),
+        shading(kShadings[seed % kShadings.size()]),
+        mesh(built(made.mesh, normals, made.sides)),
+        path(made.mesh, seed) {}
+
+  std::string place(std::size_t tick, const std::array<float, 3>& p) const {
+    return std::string(properties::kMeshFamilies[made.family]) + ", tick " + std::to_string(tick) + " at " +
+           csv::shortest(p[0]) + " " + csv::shortest(p[1]) + " " + csv::shortest(p[2]);
+  }
+};
 
 // More by hand: FORCESHADE_GOD_OBJECT_TICKS.
 std::size_t ticks_of_a_test(std::size_t usual) {
@@ -106,25 +131,23 @@ std::size_t ticks_of_a_test(std::size_t usual) {
 }
 
 constexpr std::size_t kTicksOfAMesh = 500;
+constexpr float kStiffness = 0.3F;  // N/mm
 
 TEST(god_object, is_the_reference_in_every_bit_on_random_meshes_and_paths) {
   Reached reached;
-  const std::size_t ticks = ticks_of_a_test(60000);
-  for (std::uint32_t seed = 0; seed * kTicksOfAMesh < ticks; ++seed) {
-    const tests::RandomMesh random = tests::random_mesh(seed);
-    const Mesh mesh = built(random);
-    const mesh::Shading shading = seed / tests::kMeshFamilies % 2 == 0 ? mesh::Shading::none : mesh::Shading::vertex_scheme;
-    auto definition = reference::GodObject::build(random.mesh, random.normals, random.sides, shading, 0.3F);
-    ASSERT_TRUE(std::holds_alternative<reference::GodObject>(definition)) << random.name << ", seed " << seed;
+  const std::size_t ticks = ticks_of_a_test(36000);
+  properties::MeshSource source(31);
+  for (std::uint64_t seed = 0; seed * kTicksOfAMesh < ticks; ++seed) {
+    Scene scene(source, seed);
+    auto definition = reference::GodObject::build(scene.made.mesh, scene.normals, scene.made.sides, scene.shading, kStiffness);
+    ASSERT_TRUE(std::holds_alternative<reference::GodObject>(definition)) << seed;
     reference::GodObjectSession session(std::get<reference::GodObject>(std::move(definition)));
     mesh::GodObject state;
-    tests::RandomPath path(random, seed);
     for (std::size_t i = 0; i < kTicksOfAMesh; ++i) {
-      const std::array<float, 3> p = path.next();
-      const mesh::Tick expected = session.step(p), found = step(mesh, state, p, 0.3F, shading);
-      ASSERT_TRUE(tests::is_same(found, expected))
-          << random.name << ", seed " << seed << ", tick " << i << " at " << p[0] << " " << p[1] << " " << p[2] << ": expected "
-          << tests::show(expected) << ", found " << tests::show(found);
+      const std::array<float, 3> p = scene.path.next();
+      const mesh::Tick expected = session.step(p), found = step(scene.mesh, state, p, kStiffness, scene.shading);
+      ASSERT_TRUE(tests::is_same(found, expected)) << "mesh " << seed << ", " << scene.place(i, p) << ": expected "
+                                                   << tests::show(expected) << ", found " << tests::show(found);
       state = found.after;
       reached.note(found);
     }
@@ -135,24 +158,22 @@ TEST(god_object, is_the_reference_in_every_bit_on_random_meshes_and_paths) {
 TEST(god_object, is_the_same_with_and_without_a_filter_and_from_tick_to_tick_in_a_session) {
   Reached reached;
   std::size_t in_binary64 = 0, in_integers = 0;
-  const std::size_t ticks = ticks_of_a_test(100000);
-  for (std::uint32_t seed = 0; seed * kTicksOfAMesh < ticks; ++seed) {
-    const tests::RandomMesh random = tests::random_mesh(100000 + seed);
-    const auto mesh = std::make_shared<const Mesh>(built(random));
-    const mesh::Shading shading = seed / tests::kMeshFamilies % 2 == 0 ? mesh::Shading::none : mesh::Shading::vertex_scheme;
+  const std::size_t ticks = ticks_of_a_test(54000);
+  properties::MeshSource source(32);
+  for (std::uint64_t seed = 0; seed * kTicksOfAMesh < ticks; ++seed) {
+    Scene scene(source, seed);
+    const auto mesh = std::make_shared<const Mesh>(scene.mesh);
     mesh::GodObject state;
-    MeshSession session(mesh, 0.3F, shading);
-    tests::RandomPath path(random, seed);
+    MeshSession session(mesh, kStiffness, scene.shading);
     for (std::size_t i = 0; i < kTicksOfAMesh; ++i) {
-      const std::array<float, 3> p = path.next();
-      const mesh::Tick exact = step(*mesh, state, p, 0.3F, shading, ExactStages());
-      const mesh::Tick filtered = step(*mesh, state, p, 0.3F, shading, CountedStages{&in_binary64, &in_integers});
+      const std::array<float, 3> p = scene.path.next();
+      const mesh::Tick exact = step(*mesh, state, p, kStiffness, scene.shading, ExactStages());
+      const mesh::Tick filtered = step(*mesh, state, p, kStiffness, scene.shading, CountedStages{&in_binary64, &in_integers});
       if (i % 50 == 49) session.resume(state);
       const mesh::Tick in_session = session.step(p);
       for (const mesh::Tick& tick : {filtered, in_session})
-        ASSERT_TRUE(tests::is_same(tick, exact))
-            << random.name << ", seed " << seed << ", tick " << i << " at " << p[0] << " " << p[1] << " " << p[2]
-            << ": in integers " << tests::show(exact) << ", found " << tests::show(tick);
+        ASSERT_TRUE(tests::is_same(tick, exact)) << "mesh " << seed << ", " << scene.place(i, p) << ": in integers "
+                                                 << tests::show(exact) << ", found " << tests::show(tick);
       state = exact.after;
       reached.note(exact);
     }
@@ -162,6 +183,40 @@ TEST(god_object, is_the_same_with_and_without_a_filter_and_from_tick_to_tick_in_
   std::vector<const char*> names = kReached;
   names.insert(names.end(), {"decided in binary64", "decided in integers"});
   reached.expect_all(names);
+}
+
+// A long strip of narrow cells, so that one jump along it takes more moves than a tick has.
+TEST(god_object, goes_on_where_it_has_used_up_its_moves_as_the_reference_does) {
+  mesh::TriangleMesh strip;
+  constexpr std::uint32_t kColumns = 400;
+  for (std::uint32_t i = 0; i <= kColumns; ++i)
+    for (const float y : {-8.0F, 8.0F}) strip.vertices.push_back({0.25F * static_cast<float>(i), y, 0.0F});
+  for (std::uint32_t i = 0; i < kColumns; ++i) {
+    strip.triangles.push_back({2 * i, 2 * i + 2, 2 * i + 1});
+    strip.triangles.push_back({2 * i + 1, 2 * i + 2, 2 * i + 3});
+  }
+  const Mesh mesh = built(strip, {}, mesh::Sides::both);
+  reference::GodObjectSession session(std::get<reference::GodObject>(
+      reference::GodObject::build(strip, {}, mesh::Sides::both, mesh::Shading::none, kStiffness)));
+  mesh::GodObject state;
+  int unfinished = 0;
+  for (const std::array<float, 3>& p : {std::array{1.0F, 0.1F, 1.0F},
+                                        {1.0F, 0.1F, -0.7F},
+                                        {99.1F, 0.3F, -0.7F},
+                                        {99.1F, 0.3F, -0.7F},
+                                        {99.1F, 0.3F, -0.7F},
+                                        {99.1F, 0.3F, -0.7F},
+                                        {99.1F, 0.3F, -0.7F}}) {
+    const mesh::Tick expected = session.step(p), found = step(mesh, state, p, kStiffness, mesh::Shading::none);
+    EXPECT_TRUE(tests::is_same(found, expected)) << tests::show(expected) << ", found " << tests::show(found);
+    state = found.after;
+    if (found.status == mesh::TickStatus::unfinished) {
+      ++unfinished;
+      EXPECT_EQ(found.moves, 256);
+    }
+  }
+  EXPECT_EQ(unfinished, 3);
+  EXPECT_EQ(state.place, mesh::Place::triangle);
 }
 
 }  // namespace
