@@ -6,8 +6,6 @@
 namespace forceshade::reference::meshes {
 namespace {
 
-constexpr int kFloatScale = 149;  // every finite binary32 is a multiple of 2^-149
-
 // n/|n|, each component rounded.
 Vector rounded_unit(const Triangle& triangle) {
   Vector unit;

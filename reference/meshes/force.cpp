@@ -11,8 +11,6 @@ namespace {
 
 using mesh::Place;
 
-constexpr int kFloatScale = 149;  // every finite binary32 is a multiple of 2^-149
-
 Vector exact_normal(const mesh::Normal& normal) {
   return {integer_of(normal[0], kFloatScale), integer_of(normal[1], kFloatScale), integer_of(normal[2], kFloatScale)};
 }

@@ -12,6 +12,8 @@ namespace forceshade::reference::meshes {
 
 using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 
+inline constexpr int kFloatScale = 149;  // every finite binary32 is a multiple of 2^-149
+
 struct Vector {
   std::array<Integer, 3> components;
 
