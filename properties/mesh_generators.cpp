@@ -346,7 +346,7 @@ mesh::TriangleMesh MeshSource::placed(Solid solid) {
   for (const std::uint32_t old : shuffled(solid.triangles.size())) {
     mesh::Triangle triangle = solid.triangles[old];
     if (is_turned) std::swap(triangle[1], triangle[2]);
-    std::ranges::rotate(triangle, triangle.begin() + static_cast<std::ptrdiff_t>(bits() % 3));
+    std::rotate(triangle.begin(), triangle.begin() + static_cast<std::ptrdiff_t>(bits() % 3), triangle.end());
     for (std::uint32_t& v : triangle) v = new_index[v];
     mesh.triangles.push_back(triangle);
   }

@@ -214,7 +214,7 @@ TEST(god_object_consequences, a_size_times_a_power_of_two_changes_no_state) {
 // What a renumbering may change: ties, and at rest in a triangle the last grid step.
 class Renumbered {
  public:
-  Renumbered(const Scene& scene, std::uint64_t seed) : scene_(scene), random_(seed), mesh_(scene.made.mesh) {
+  Renumbered(const Scene& scene, std::uint64_t seed) : random_(seed), mesh_(scene.made.mesh) {
     const auto shuffled = [&](std::size_t size) {
       std::vector<std::uint32_t> order(size);
       std::iota(order.begin(), order.end(), 0U);
@@ -261,7 +261,6 @@ class Renumbered {
   }
 
  private:
-  const Scene& scene_;
   std::mt19937_64 random_;
   mesh::TriangleMesh mesh_;
   std::vector<std::uint32_t> new_vertex_, new_triangle_;
