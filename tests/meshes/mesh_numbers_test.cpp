@@ -89,10 +89,16 @@ TEST(mesh_numbers, as_binary_numbers_are_rounded_once_in_every_unit) {
       ++cases;
     }
   }
-  // Midway between two binary32 numbers in mm, and beside it: 1000 x = 1 + 2^-24, so 1000 (x + a bit) rounds up and x down.
-  const double third = (1 + 0x1p-24) / 1000;
-  for (const double x : {std::nextafter(third, 0.0), third, std::nextafter(third, 1.0)})
-    EXPECT_EQ(from_binary(x, Unit::m), nearest(mpq_class(x), Unit::m));
+  // Next to midway between two binary32 numbers of mm: a number of 25 bits, the last one 1, is not one of them.
+  for (int i = 0; i < 20000; ++i) {
+    const auto midway = static_cast<double>((random() & 0xFFFFFFU) * 2 + 0x2000001U);
+    for (const double x : {midway / 1000, midway * 5 / 127})
+      for (const double number : {std::nextafter(x, 0.0), x, std::nextafter(x, 1e9)})
+        for (const Unit unit : kUnits) {
+          ASSERT_EQ(from_binary(number, unit), nearest(mpq_class(number), unit)) << number;
+          ++cases;
+        }
+  }
   std::printf("%llu numbers\n", static_cast<unsigned long long>(cases));
 }
 
