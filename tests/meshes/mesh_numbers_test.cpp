@@ -56,13 +56,16 @@ TEST(mesh_numbers, as_decimals_are_rounded_once_in_every_unit) {
     const auto behind = static_cast<int>(random() % (length + 1));
     const int exponent = static_cast<int>(random() % 60) - 40;
     const bool is_negative = random() % 2 == 0;
-    std::string text = digits;
-    if (behind > 0 || random() % 4 == 0) text.insert(text.size() - static_cast<std::size_t>(behind), ".");
-    if (random() % 3 != 0)
-      text += (random() % 2 == 0 ? "e" : "E") + std::string(exponent >= 0 && random() % 2 == 0 ? "+" : "") +
-              std::to_string(exponent);
-    const bool has_exponent = text.find_first_of("eE") != std::string::npos;
-    text = (is_negative ? "-" : random() % 5 == 0 ? "+" : "") + text;
+    const bool has_exponent = random() % 3 != 0;
+    std::string text(is_negative ? "-" : random() % 5 == 0 ? "+" : "");
+    text.append(digits, 0, length - static_cast<std::size_t>(behind));
+    if (behind > 0 || random() % 4 == 0) text += '.';
+    text.append(digits, length - static_cast<std::size_t>(behind));
+    if (has_exponent) {
+      text += random() % 2 == 0 ? 'e' : 'E';
+      if (exponent >= 0 && random() % 2 == 0) text += '+';
+      text.append(std::to_string(exponent));
+    }
     const mpq_class number = rational(digits, behind, has_exponent ? exponent : 0, is_negative);
     for (const Unit unit : kUnits) {
       const auto got = from_decimal(text, unit);
