@@ -13,10 +13,11 @@ constexpr std::size_t kBuffer = std::size_t{1} << 20;
 Bytes::Bytes(const std::filesystem::path& file, std::uint64_t begin, std::endian order)
     : file_(file),
       in_(),
-      buffer_(std::make_unique_for_overwrite<char[]>(kBuffer)),
       order_(order),
       position_(begin),
-      size_(size_of(file)) {
+      size_(size_of(file)),
+      room_(std::min<std::uint64_t>(kBuffer, size_ + 1)),
+      buffer_(std::make_unique_for_overwrite<char[]>(room_)) {
   in_.rdbuf()->pubsetbuf(nullptr, 0);  // this has a buffer of its own
   in_.open(file, std::ios::binary);
   if (!in_ || !in_.seekg(static_cast<std::streamoff>(begin))) throw Error(file, "cannot be opened");
@@ -28,7 +29,7 @@ const char* Bytes::next(std::size_t bytes) {
     std::memmove(buffer_.get(), buffer_.get() + begin_, end_ - begin_);
     end_ -= begin_;
     begin_ = 0;
-    in_.read(buffer_.get() + end_, static_cast<std::streamsize>(kBuffer - end_));
+    in_.read(buffer_.get() + end_, static_cast<std::streamsize>(room_ - end_));
     end_ += static_cast<std::size_t>(in_.gcount());
     if (end_ < bytes) throw error(position_, "cannot be read");
   }
@@ -41,7 +42,7 @@ const char* Bytes::next(std::size_t bytes) {
 void Bytes::skip(std::uint64_t bytes) {
   if (bytes > left()) throw error(position_, "the file is truncated");
   for (std::uint64_t part = 0; bytes > 0; bytes -= part) {
-    part = std::min<std::uint64_t>(bytes, kBuffer);
+    part = std::min<std::uint64_t>(bytes, room_);
     next(part);
   }
 }

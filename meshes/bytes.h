@@ -45,10 +45,11 @@ class Bytes {
 
   std::filesystem::path file_;
   std::ifstream in_;
-  std::unique_ptr<char[]> buffer_;
-  std::size_t begin_ = 0, end_ = 0;  // of what was read and not taken
   std::endian order_;
   std::uint64_t position_, size_;
+  std::size_t room_;  // of the buffer
+  std::unique_ptr<char[]> buffer_;
+  std::size_t begin_ = 0, end_ = 0;  // of what was read and not taken
 };
 
 }  // namespace forceshade::mesh

@@ -37,7 +37,11 @@ std::uint64_t size_of(const std::filesystem::path& file) {
 }
 
 Lines::Lines(const std::filesystem::path& file)
-    : file_(file), in_(), buffer_(std::make_unique_for_overwrite<char[]>(kLineBuffer)), file_size_(size_of(file)) {
+    : file_(file),
+      in_(),
+      file_size_(size_of(file)),
+      room_(std::min<std::uint64_t>(kLineBuffer, file_size_ + 1)),
+      buffer_(std::make_unique_for_overwrite<char[]>(room_)) {
   in_.rdbuf()->pubsetbuf(nullptr, 0);  // this has a buffer of its own
   in_.open(file, std::ios::binary);
   if (!in_) throw Error(file, "cannot be opened");
@@ -48,7 +52,7 @@ bool Lines::fill() {
   std::memmove(buffer_.get(), buffer_.get() + begin_, end_ - begin_);
   end_ -= begin_;
   begin_ = 0;
-  in_.read(buffer_.get() + end_, static_cast<std::streamsize>(kLineBuffer - end_));
+  in_.read(buffer_.get() + end_, static_cast<std::streamsize>(room_ - end_));
   if (in_.bad()) throw Error(file_, "cannot be read");
   const auto got = static_cast<std::size_t>(in_.gcount());
   end_ += got;

@@ -57,10 +57,12 @@ class Lines {
 
   std::filesystem::path file_;
   std::ifstream in_;
+  std::uint64_t file_size_;
+  std::size_t room_;  // of the buffer
   std::unique_ptr<char[]> buffer_;
   std::size_t begin_ = 0, end_ = 0;  // of what was read and is in no line yet
   std::string_view line_;
-  std::uint64_t number_ = 0, file_size_ = 0, position_ = 0;
+  std::uint64_t number_ = 0, position_ = 0;
 };
 
 // How a message shows a word of a file.

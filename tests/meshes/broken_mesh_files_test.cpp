@@ -169,6 +169,8 @@ TEST(broken_mesh_files, of_ply_are_refused_in_words) {
       {"a.ply", ply("binary_little_endian", kXyz + kOneFace, nulls), "byte 205: the file is truncated"},
       {"a.ply", ply("binary_little_endian", kXyz + kOneFace, nulls + "\xFF"),
        "byte 205: declares a list of 255 numbers; the file is truncated"},
+      {"a.ply", ply("binary_little_endian", kXyz + kOneFace, nulls + "\6" + std::string(8, '\0')),
+       "byte 205: declares a list of 6 numbers; the file is truncated"},
       {"a.ply", ply("binary_little_endian", kXyz + kOneFace, nulls + "\3" + std::string(8, '\0') + std::string("\3\0\0\0", 4)),
        "byte 205: expected the index of a vertex, 2 at most, got 3"},
       {"a.ply", ply("binary_little_endian", kXyz + kOneFace, nulls + "\3" + std::string(8, '\0') + "\xFF\xFF\xFF\xFF"),

@@ -56,13 +56,16 @@ TEST(mesh_numbers, as_decimals_are_rounded_once_in_every_unit) {
     const auto behind = static_cast<int>(random() % (length + 1));
     const int exponent = static_cast<int>(random() % 60) - 40;
     const bool is_negative = random() % 2 == 0;
-    std::string text = digits;
-    if (behind > 0 || random() % 4 == 0) text.insert(text.size() - static_cast<std::size_t>(behind), ".");
-    if (random() % 3 != 0)
-      text += (random() % 2 == 0 ? "e" : "E") + std::string(exponent >= 0 && random() % 2 == 0 ? "+" : "") +
-              std::to_string(exponent);
-    const bool has_exponent = text.find_first_of("eE") != std::string::npos;
-    text = (is_negative ? "-" : random() % 5 == 0 ? "+" : "") + text;
+    const bool has_exponent = random() % 3 != 0;
+    std::string text(is_negative ? "-" : random() % 5 == 0 ? "+" : "");
+    text.append(digits, 0, length - static_cast<std::size_t>(behind));
+    if (behind > 0 || random() % 4 == 0) text += '.';
+    text.append(digits, length - static_cast<std::size_t>(behind));
+    if (has_exponent) {
+      text += random() % 2 == 0 ? 'e' : 'E';
+      if (exponent >= 0 && random() % 2 == 0) text += '+';
+      text.append(std::to_string(exponent));
+    }
     const mpq_class number = rational(digits, behind, has_exponent ? exponent : 0, is_negative);
     for (const Unit unit : kUnits) {
       const auto got = from_decimal(text, unit);
@@ -89,10 +92,16 @@ TEST(mesh_numbers, as_binary_numbers_are_rounded_once_in_every_unit) {
       ++cases;
     }
   }
-  // Midway between two binary32 numbers in mm, and beside it: 1000 x = 1 + 2^-24, so 1000 (x + a bit) rounds up and x down.
-  const double third = (1 + 0x1p-24) / 1000;
-  for (const double x : {std::nextafter(third, 0.0), third, std::nextafter(third, 1.0)})
-    EXPECT_EQ(from_binary(x, Unit::m), nearest(mpq_class(x), Unit::m));
+  // Next to midway between two binary32 numbers of mm: a number of 25 bits, the last one 1, is not one of them.
+  for (int i = 0; i < 20000; ++i) {
+    const auto midway = static_cast<double>((random() & 0xFFFFFFU) * 2 + 0x2000001U);
+    for (const double x : {midway / 1000, midway * 5 / 127})
+      for (const double number : {std::nextafter(x, 0.0), x, std::nextafter(x, 1e9)})
+        for (const Unit unit : kUnits) {
+          ASSERT_EQ(from_binary(number, unit), nearest(mpq_class(number), unit)) << number;
+          ++cases;
+        }
+  }
   std::printf("%llu numbers\n", static_cast<unsigned long long>(cases));
 }
 

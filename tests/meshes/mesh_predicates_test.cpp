@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <random>
 #include <set>
 #include <vector>
@@ -69,16 +70,21 @@ int sign_of_side(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex
 }
 
 // Coordinates that often coincide or nearly do: a small grid; the grid far from the origin; neighbours of its points; any
-// sizes.
+// sizes; and points of two lines through the origin, which are in one plane although their differences need more bits than
+// binary64 has.
 class Cases {
  public:
   explicit Cases(unsigned seed) : random_(seed) {}
 
   unsigned below(unsigned n) { return static_cast<unsigned>(random_() % n); }
 
-  void next_kind() { kind_ = below(5); }
+  void next_kind() { kind_ = below(6); }
 
   Vertex vertex() {
+    if (kind_ == 5) {
+      const float x = std::ldexp(1 + static_cast<float>(below(1U << 20)) * 0x1p-20F, static_cast<int>(below(40)) - 30);
+      return {x, 3 * x, below(2) == 0 ? 5 * x : -5 * x};
+    }
     Vertex v;
     for (float& x : v) {
       x = static_cast<float>(below(4));
