@@ -4,6 +4,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "forceshade/fast/numbers/arithmetic.h"
 #include "forceshade/fast/numbers/big_float_ball.h"
 
 namespace forceshade::fast {
@@ -442,6 +443,10 @@ std::array<float, 3> mesh_force(const Mesh& mesh, const Arrival& arrival, const 
     if (const auto force = shaded_force<DoubleWithError>(mesh, arrival, p, K, shading)) [[likely]]
       return *force;
   return exact_shaded(mesh, arrival, p, K, shading, is_filtered);
+}
+
+const char* force_arithmetic_fault() noexcept {
+  return arithmetic_fault_here();
 }
 
 }  // namespace forceshade::fast

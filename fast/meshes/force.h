@@ -11,4 +11,7 @@ namespace forceshade::fast {
 std::array<float, 3> mesh_force(const Mesh& mesh, const Arrival& arrival, const std::array<float, 3>& p, float stiffness,
                                 mesh::Shading shading, bool is_filtered = true) noexcept;
 
+// Of force.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h.
+const char* force_arithmetic_fault() noexcept;
+
 }  // namespace forceshade::fast

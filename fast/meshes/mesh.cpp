@@ -6,6 +6,8 @@
 
 #include "forceshade/fast/domain.h"
 #include "forceshade/fast/meshes/decide.h"
+#include "forceshade/fast/meshes/session.h"
+#include "forceshade/fast/numbers/arithmetic.h"
 
 namespace forceshade::fast {
 namespace {
@@ -84,6 +86,8 @@ std::string first_error(const mesh::TriangleMesh& mesh, const mesh::CornerNormal
 
 std::variant<Mesh, std::string> Mesh::build(const mesh::TriangleMesh& triangles, const mesh::CornerNormals& normals,
                                             mesh::Sides sides) {
+  for (const char* fault : {arithmetic_fault_here(), force_arithmetic_fault(), MeshSession::arithmetic_fault()})
+    if (fault != nullptr) return fault;
   if (std::string error = first_error(triangles, normals); !error.empty()) return error;
   Mesh result;
   result.sides_ = sides;
@@ -136,19 +140,25 @@ std::string Mesh::join() {
   const auto between = [&](std::uint32_t a, std::uint32_t b) {
     return "the edge of vertices " + std::to_string(a) + " and " + std::to_string(b);
   };
-  for (std::uint32_t f = 0; f < faces_.size(); ++f)
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const std::uint32_t a = vertex[f][i], b = vertex[f][after(i)];
-      const std::string text = a == b ? between(faces_[f].vertex[i], faces_[f].vertex[i]) : std::string();
-      if (a == b) return text + " has one end";
-      for (std::uint32_t j = start[a]; j < start[a + std::size_t{1}]; ++j)
-        if (from[j] != 3 * f + i && vertex[face_of(from[j])][after(corner_of(from[j]))] == b)
-          return between(faces_[f].vertex[i], faces_[f].vertex[after(i)]) +
-                 " has two triangles in the same direction: " + face_text(faces_[f].index()) + " and " +
-                 face_text(faces_[face_of(from[j])].index());
-      for (std::uint32_t j = start[b]; j < start[b + std::size_t{1}]; ++j)
-        if (vertex[face_of(from[j])][after(corner_of(from[j]))] == a) faces_[f].twin[i] = from[j];
-    }
+  // Both an edge's other half and a second triangle in the same direction are found among the half-edges from either end: from
+  // the end that has fewer.
+  const auto count = [&](std::uint32_t v) { return start[v + std::size_t{1}] - start[v]; };
+  const auto number = [&](HalfEdge h) { return vertex[face_of(h)][corner_of(h)]; };
+  for (HalfEdge h = 0; h < 3 * faces(); ++h) {
+    const std::uint32_t a = number(h), b = number(next(h));
+    if (a == b) return face_text(faces_[face_of(h)].index()) + " has a vertex twice";
+    const bool is_from_start = count(a) <= count(b);
+    const std::uint32_t hub = is_from_start ? a : b, other = is_from_start ? b : a;
+    for (std::uint32_t j = start[hub]; j < start[hub + std::size_t{1}]; ++j)
+      for (const HalfEdge found : {from[j], previous(from[j])}) {
+        if (found == h || number(found == from[j] ? next(found) : found) != other) continue;
+        if (number(found) == a)
+          return between(this->start(h), this->start(next(h))) +
+                 " has two triangles in the same direction: " + face_text(faces_[face_of(h)].index()) + " and " +
+                 face_text(faces_[face_of(found)].index());
+        faces_[face_of(h)].twin[corner_of(h)] = found;
+      }
+  }
   // The half-edge that a fan starts from: at the rim the one whose other half is missing.
   for (std::uint32_t f = 0; f < faces_.size(); ++f)
     for (std::uint32_t i = 0; i < 3; ++i) {

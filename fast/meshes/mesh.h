@@ -59,7 +59,7 @@ class Mesh {
 
   // The mesh must be embedded, as docs/meshes.md demands: that is for the caller to have checked. Vertices are read as
   // positions are. A message where the numbers or the way the triangles are joined are not those of such a mesh. Normals: of
-  // each corner, or none. Allocates.
+  // each corner, or none. Under an arithmetic fault (fast/numbers/arithmetic.h) nothing is built. Allocates.
   static std::variant<Mesh, std::string> build(const mesh::TriangleMesh& triangles, const mesh::CornerNormals& normals,
                                                mesh::Sides sides);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/fast/meshes/session.h"
 
+#include "forceshade/fast/numbers/arithmetic.h"
+
 namespace forceshade::fast {
 namespace {
 
@@ -72,6 +74,10 @@ void MeshSession::find_empty_ball() noexcept {
   centre_ = {at.x, at.y, at.z};
   square_ = square * (1 - 0x1p-30);
   ticks_until_ball_ = square_ < kLeastSquare ? kPause : 0;
+}
+
+const char* MeshSession::arithmetic_fault() noexcept {
+  return arithmetic_fault_here();
 }
 
 }  // namespace forceshade::fast

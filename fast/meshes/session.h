@@ -31,6 +31,9 @@ class MeshSession {
     return step_on_mesh(position);
   }
 
+  // Of session.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h. Under a fault no mesh is built.
+  static const char* arithmetic_fault() noexcept;
+
   mesh::GodObject state() const noexcept { return object_of(*mesh_, spot_); }
   // Goes on from a state of this mesh, as a recording holds it.
   void resume(const mesh::GodObject& state) noexcept {

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How a mesh is laid out for the real-time path: its joins, its tree, its numbering, and what is refused.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+
+#include "forceshade/fast/meshes/decide.h"
+#include "forceshade/fast/meshes/mesh.h"
+#include "forceshade/fast/meshes/spot.h"
+#include "forceshade/properties/mesh_generators.h"
+
+namespace forceshade::fast {
+namespace {
+
+Mesh built(const mesh::TriangleMesh& triangles, mesh::Sides sides = mesh::Sides::both) {
+  auto mesh = Mesh::build(triangles, {}, sides);
+  if (const auto* message = std::get_if<std::string>(&mesh)) throw std::runtime_error(*message);
+  return std::get<Mesh>(std::move(mesh));
+}
+
+std::string refused(const mesh::TriangleMesh& triangles) {
+  const auto mesh = Mesh::build(triangles, {}, mesh::Sides::both);
+  return std::holds_alternative<std::string>(mesh) ? std::get<std::string>(mesh) : "";
+}
+
+TEST(fast_mesh, joins_the_triangles_as_their_vertices_say) {
+  properties::MeshSource source(5);
+  std::size_t rims = 0, joined = 0, narrow = 0, flat = 0, wide = 0;
+  for (int i = 0; i < 60; ++i) {
+    const properties::RandomMesh made = source.next();
+    const Mesh mesh = built(made.mesh);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> halves;
+    for (const mesh::Triangle& t : made.mesh.triangles)
+      for (std::size_t c = 0; c < 3; ++c) ++halves[{t[c], t[(c + 1) % 3]}];
+    for (HalfEdge h = 0; h < 3 * mesh.faces(); ++h) {
+      const std::uint32_t a = mesh.start(h), b = mesh.start(next(h));
+      ASSERT_EQ((halves[{a, b}]), 1);
+      const HalfEdge other = mesh.twin(h);
+      ASSERT_EQ(other == kRim, (halves.count({b, a}) == 0));
+      if (other == kRim) {
+        ++rims;
+        ASSERT_TRUE(mesh.is_at_rim(a) && mesh.is_at_rim(b));
+        continue;
+      }
+      ++joined;
+      ASSERT_EQ(mesh.twin(other), h);
+      ASSERT_EQ(mesh.start(other), b);
+      const Bend bend = mesh.face(face_of(h)).bend(corner_of(h));
+      ASSERT_EQ(bend, mesh.face(face_of(other)).bend(corner_of(other)));
+      const int sign = exact_side_of(mesh.face(face_of(h)), mesh.start_point(previous(other)));
+      ASSERT_EQ(bend, sign > 0 ? Bend::narrow : sign == 0 ? Bend::flat : Bend::wide);
+      (bend == Bend::narrow ? narrow : bend == Bend::flat ? flat : wide) += 1;
+    }
+    for (std::uint32_t t = 0; t < mesh.faces(); ++t) {
+      ASSERT_EQ(mesh.face(mesh.face_of_file(t)).index(), t);
+      ASSERT_EQ(mesh.face(mesh.face_of_file(t)).vertex, made.mesh.triangles[t]);
+    }
+    ASSERT_LE(mesh.bytes(), 84 * mesh.faces() + 4 * made.mesh.vertices.size() + 512);
+  }
+  std::printf("  %zu halves at the rim, %zu joined: %zu narrow, %zu flat, %zu wide\n", rims, joined, narrow, flat, wide);
+  for (const std::size_t count : {rims, narrow, flat, wide}) EXPECT_GT(count, 100U);
+}
+
+TEST(fast_mesh, turns_states_into_its_own_numbers_and_back) {
+  properties::MeshSource source(6);
+  std::size_t edges = 0;
+  for (int i = 0; i < 33; ++i) {
+    const properties::RandomMesh made = source.next();
+    const Mesh mesh = built(made.mesh);
+    for (std::uint32_t t = 0; t < made.mesh.triangles.size(); ++t) {
+      const mesh::Triangle& corners = made.mesh.triangles[t];
+      mesh::GodObject object{mesh::Place::triangle, mesh::Side::back, {}, {t, 0}, {5, 7}};
+      ASSERT_EQ(object_of(mesh, spot_of(mesh, object)), object);
+      object = {mesh::Place::vertex, mesh::Side::front, {}, {corners[0], 0}, {}};
+      ASSERT_EQ(object_of(mesh, spot_of(mesh, object)), object);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto [a, b] = std::minmax(corners[c], corners[(c + 1) % 3]);
+        object = {mesh::Place::edge, mesh::Side::front, {}, {a, b}, {3, 0}};
+        ASSERT_EQ(object_of(mesh, spot_of(mesh, object)), object);
+        ++edges;
+      }
+    }
+    const auto count = static_cast<std::uint32_t>(made.mesh.vertices.size());
+    for (const mesh::GodObject& wrong :
+         {mesh::GodObject{mesh::Place::vertex, mesh::Side::front, {}, {count, 0}, {}},
+          mesh::GodObject{mesh::Place::triangle, mesh::Side::front, {}, {mesh.faces(), 0}, {1, 1}},
+          mesh::GodObject{mesh::Place::triangle, mesh::Side::front, {}, {0, 0}, {kGrid - 1, 1}},
+          mesh::GodObject{mesh::Place::triangle, mesh::Side::front, {}, {0, 0}, {0, 1}},
+          mesh::GodObject{mesh::Place::edge, mesh::Side::front, {}, {0, count}, {1, 0}},
+          mesh::GodObject{mesh::Place::edge, mesh::Side::front, {}, {0, 1}, {kGrid, 0}}})
+      ASSERT_EQ(spot_of(mesh, wrong).place, mesh::Place::nowhere);
+  }
+  EXPECT_GT(edges, 1000U);
+}
+
+// Whatever a segment meets, by a test of boxes alone, the tree visits.
+TEST(fast_mesh, has_a_tree_that_leaves_out_nothing_on_the_way) {
+  properties::MeshSource source(7);
+  std::size_t met = 0, visited_in_all = 0, all = 0;
+  for (int i = 0; i < 66; ++i) {
+    const properties::RandomMesh made = source.next();
+    const Mesh mesh = built(made.mesh);
+    properties::MeshPath path(made.mesh, static_cast<std::uint64_t>(i));
+    std::array<float, 3> last{};
+    for (int k = 0; k < 60; ++k) {
+      const std::array<float, 3> p = path.next();
+      if (!(std::fabs(p[0]) <= 1e4F && std::fabs(p[1]) <= 1e4F && std::fabs(p[2]) <= 1e4F)) continue;
+      const auto place = [](const std::array<float, 3>& a) {
+        return Vector3<double>{static_cast<double>(a[0]), static_cast<double>(a[1]), static_cast<double>(a[2])};
+      };
+      std::set<std::uint32_t> visited;
+      mesh.tree().along(place(last), place(p), [&](std::uint32_t f) { ASSERT_TRUE(visited.insert(f).second); });
+      visited_in_all += visited.size();
+      all += mesh.faces();
+      // Points of the segment that are in a triangle's box: 200 of them, and the ends.
+      for (std::uint32_t f = 0; f < mesh.faces(); ++f) {
+        const auto& corner = mesh.face(f).corner;
+        bool is_met = false;
+        for (int step = 0; step <= 200 && !is_met; ++step) {
+          is_met = true;
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto [low, high] = std::minmax({corner[0][axis], corner[1][axis], corner[2][axis]});
+            const double at = static_cast<double>(last[axis]) +
+                              step / 200.0 * (static_cast<double>(p[axis]) - static_cast<double>(last[axis]));
+            is_met = is_met && at >= static_cast<double>(low) && at <= static_cast<double>(high);
+          }
+        }
+        met += is_met;
+        ASSERT_TRUE(!is_met || visited.count(f) == 1);
+      }
+      // And no triangle is nearer than the distance that the tree gives.
+      const double square = mesh.tree().distance(place(p), 1e10, [&](std::uint32_t f) {
+        double least = 1e10;
+        for (const auto& corner : mesh.face(f).corner) {
+          double sum = 0;
+          for (std::size_t axis = 0; axis < 3; ++axis)
+            sum += std::pow(static_cast<double>(corner[axis]) - static_cast<double>(p[axis]), 2);
+          least = std::min(least, sum);
+        }
+        return least;
+      });
+      double nearest = 1e10;
+      for (const auto& face : mesh.all_faces())
+        for (const auto& corner : face.corner) {
+          double sum = 0;
+          for (std::size_t axis = 0; axis < 3; ++axis)
+            sum += std::pow(static_cast<double>(corner[axis]) - static_cast<double>(p[axis]), 2);
+          nearest = std::min(nearest, sum);
+        }
+      ASSERT_LE(square, nearest);
+      last = p;
+    }
+  }
+  std::printf("  %zu boxes met, %zu triangles visited of %zu\n", met, visited_in_all, all);
+  EXPECT_GT(met, 1000U);
+  EXPECT_LT(visited_in_all, all / 2);
+}
+
+TEST(fast_mesh, refuses_what_is_not_joined_like_a_mesh) {
+  mesh::TriangleMesh good{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 2, 0}, {2, 3, 0}}, {{0, 1, 2}, {2, 1, 3}}};
+  EXPECT_EQ(refused(good), "");
+  mesh::TriangleMesh wrong = good;
+  wrong.triangles[1] = {1, 2, 3};
+  EXPECT_EQ(refused(wrong), "the edge of vertices 1 and 2 has two triangles in the same direction: triangle 0 and triangle 1");
+  wrong.triangles[1] = {2, 1, 6};
+  EXPECT_EQ(refused(wrong), "triangle 1 names vertex 6, which is not there");
+  wrong.triangles[1] = {2, 2, 3};
+  EXPECT_EQ(refused(wrong), "triangle 1 has a vertex twice");
+  wrong.triangles[1] = {2, 4, 5};
+  EXPECT_EQ(refused(wrong), "the triangles around vertex 2 do not form one fan");
+  wrong = good;
+  wrong.vertices[5][1] = 10001;
+  EXPECT_EQ(refused(wrong), "") << "no triangle uses it";
+  wrong.vertices[3][1] = NAN;
+  EXPECT_EQ(refused(wrong), "vertex 3 is outside the domain");
+  EXPECT_EQ(refused({}), "the mesh has no triangle");
+}
+
+// A cone whose apex has as many triangles as the mesh: joining it takes no longer than joining others.
+TEST(fast_mesh, joins_a_vertex_with_a_hundred_thousand_triangles) {
+  constexpr std::uint32_t kSides = 100000;
+  mesh::TriangleMesh cone{{{0, 0, 1}}, {}};
+  for (std::uint32_t i = 0; i < kSides; ++i) {
+    const double angle = 2 * 3.14159265358979 * i / kSides;
+    cone.vertices.push_back({static_cast<float>(1000 * std::cos(angle)), static_cast<float>(1000 * std::sin(angle)), 0});
+    cone.triangles.push_back({0, 1 + i, 1 + (i + 1) % kSides});
+  }
+  const Mesh mesh = built(cone);
+  EXPECT_FALSE(mesh.is_at_rim(0));
+  EXPECT_TRUE(mesh.is_at_rim(1));
+}
+
+}  // namespace
+}  // namespace forceshade::fast
