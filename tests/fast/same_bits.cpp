@@ -6,6 +6,7 @@
 #include <exception>
 
 #include "same_bits_heights.h"
+#include "same_bits_meshes.h"
 
 int main() {
   using namespace forceshade;
@@ -16,13 +17,15 @@ int main() {
   };
   const auto scenes = tests::height_scenes();
   try {
-    // First, so that an arithmetic that the height maps alone refuse is refused at once.
+    // First, so that an arithmetic that height maps or meshes alone refuse is refused at once.
+    tests::bits_of(tests::mesh_scenes().front());
     const auto built = fast::HeightMapField::build(scenes.front().map, height::Rendering::true_height, 1);
     if (const auto* error = std::get_if<ParameterError>(&built)) throw std::runtime_error(error->message());
     for (const LawName& law : kLaws) print(std::string(law.name), tests::bits_of(law.id));
     for (const tests::HeightScene& scene : scenes)
       for (const auto& [rendering, name] : height::kRenderings)
         if (is_rendered(scene, rendering)) print(name_of(scene, rendering), bits_of(scene, rendering));
+    for (const tests::MeshScene& scene : tests::mesh_scenes()) print(scene.name, bits_of(scene));
   } catch (const std::runtime_error& error) {
     return std::fprintf(stderr, "refused: %s\n", error.what()), 1;
   }

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "same_bits_heights.h"
+#include "same_bits_meshes.h"
 
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -59,7 +60,20 @@ TEST(same_bits, every_instruction_set_makes_the_stored_hashes_of_height_maps) {
       EXPECT_EQ(bits.nans, 0U) << what;
       for (const std::size_t count : bits.statuses) EXPECT_GT(count, 10U) << what;
     }
-  EXPECT_EQ(stored.size(), kLaws.size() + maps);
+  EXPECT_EQ(stored.size(), kLaws.size() + maps + mesh_scenes().size());
+}
+
+TEST(same_bits, a_god_object_makes_the_stored_hashes) {
+  const auto stored = stored_hashes();
+  for (const MeshScene& scene : mesh_scenes()) {
+    const Bits bits = bits_of(scene);
+    const auto& [free, contact, invalid] = bits.statuses;
+    std::printf("  %-25s %s  %zu free, %zu contact, %zu invalid\n", scene.name, bits.hash.c_str(), free, contact, invalid);
+    ASSERT_TRUE(stored.contains(scene.name)) << scene.name;
+    EXPECT_EQ(bits.hash, stored.at(scene.name)) << scene.name;
+    EXPECT_EQ(bits.nans, 0U) << scene.name;
+    for (const std::size_t count : bits.statuses) EXPECT_GT(count, 100U) << scene.name;
+  }
 }
 
 // A kind that is added to height::Shape has to be among the scenes.

@@ -11,8 +11,8 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 evaluating="law height_map_field heights/exact heights/grid heights/spline_force_avx2 heights/spline_force_avx512
-  numbers/root_field simd/batch_avx2 simd/batch_avx512"
-every="$evaluating heights/domain instruction_set"
+  meshes/force meshes/mesh meshes/session numbers/root_field simd/batch_avx2 simd/batch_avx512"
+every="$evaluating heights/domain instruction_set meshes/box_tree meshes/spot"
 # A new file has to be put into one of the two lists.
 diff <(printf '%s\n' $every | sort) <(cd "$source/fast" && find . -name '*.cpp' | sed 's|^\./||; s/\.cpp$//' | sort) ||
   { echo "FAILED: these are not the files of fast/"; exit 1; }
