@@ -197,20 +197,26 @@ double surface_of(const fast::HeightMapField& field, double x, double y) {
   }
 }
 
+double length(const char* name, const std::string& text) {
+  const float length = parse_length(name, text);
+  if (!(length > 0 && length <= 20000))
+    throw BadInput(std::string(name) + ": expected a length above 0 and up to 20000 mm, got \"" + text + '"');
+  return static_cast<double>(length);
+}
+
 mesh::TriangleMesh made(const MakeOptions& options) {
-  const auto length = [](const char* name, const std::string& text) { return static_cast<double>(parse_length(name, text)); };
   const double size = length("--size", options.size), width = length("--width", options.width);
+  const double across_radius = length("--across-radius", options.across_radius);
   const bool is_large = options.shape == "icosphere" || options.shape == "torus";
   const double radius = length("--radius", !options.radius.empty() ? options.radius : is_large ? "50mm" : kThesisRadius);
+  if (options.height_map.empty() == (options.shape == "height-map"))
+    throw BadInput("--height-map: expected a height map for the shape height-map, and for no other");
   if (options.shape == "icosphere") return mesh::icosphere(options.cells, radius);
   if (options.shape == "cube") return mesh::cube(size);
   if (options.shape == "wall") return mesh::thin_wall(size, size, options.cells, options.cells);
-  if (options.shape == "torus")
-    return mesh::torus(radius, length("--across-radius", options.across_radius), options.cells,
-                       std::max(options.cells / 2, 3U));
+  if (options.shape == "torus") return mesh::torus(radius, across_radius, options.cells, std::max(options.cells / 2, 3U));
   if (options.shape == "bump") return mesh::bump(radius, width, size, options.cells);
   if (options.shape == "cylinder-bump") return mesh::cylinder_bump(radius, width, size, options.cells);
-  if (options.height_map.empty()) throw BadInput("--height-map: expected a height map for the shape height-map");
   const heights::Spec spec = heights::read_spec(options.height_map);
   expect_valid(options.height_map, spec, 1);
   const auto field = built(fast::HeightMapField::build(spec.map, spec.rendering, 1), options.height_map + ": ");

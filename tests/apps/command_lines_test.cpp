@@ -141,6 +141,10 @@ TEST(command_lines, every_option_of_every_command_refuses_what_it_cannot_read) {
       {"device try", "null --stiffness 1"},
       {"recording info", "none.fsr"},
       {"recording export", "none.fsr"},
+      {"mesh check", "none.off --unit mm"},
+      {"mesh info", "none.off --unit mm"},
+      {"mesh repair", "none.off --unit mm --out -"},
+      {"mesh make", "cube --out -"},
   };
   const std::vector<std::string> values{"",    "x",   "nan", "-inf",     "1e999", "99999999999999999999999", "1e3", "-1",
                                         "0x1", "1,5", "1 2", "\xff\xfe", "%n%s"};
@@ -207,6 +211,7 @@ TEST(command_lines, no_command_is_fine_when_standard_output_is_not) {
                            "recording info run.fsr",
                            "recording info run.fsr --json -",
                            "recording verify run.fsr",
+                           "mesh make cube --out -",
                            "recording export run.fsr"}) {
     const CommandRun full = run_command(here, words_of(line), "/dev/full");
     EXPECT_EQ(full.code, 2) << line;

@@ -94,7 +94,7 @@ TEST(mesh_numbers, as_binary_numbers_are_rounded_once_in_every_unit) {
   }
   // Next to midway between two binary32 numbers of mm: a number of 25 bits, the last one 1, is not one of them.
   for (int i = 0; i < 20000; ++i) {
-    const auto midway = static_cast<double>((random() & 0xFFFFFFU) * 2 + 0x2000001U);
+    const auto midway = static_cast<double>((random() & 0x7FFFFFU) * 2 + 0x1000001U);
     for (const double x : {midway / 1000, midway * 5 / 127})
       for (const double number : {std::nextafter(x, 0.0), x, std::nextafter(x, 1e9)})
         for (const Unit unit : kUnits) {
