@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The error bounds of the god-object's decisions: their constants, counted again by hand, and against exact integers.
+
+#include "forceshade/fast/meshes/decide.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+namespace forceshade::fast {
+namespace {
+
+// In units of 2^-53, to the slack.
+void expect_units(const RoundingBound& bound, double size, double units) {
+  EXPECT_GE(bound.error * 0x1p53, units);
+  EXPECT_LE(bound.error * 0x1p53, units * (1 + 0x1p-30));
+  EXPECT_GE(bound.size, size);
+  EXPECT_LE(bound.size, size * (1 + 0x1p-30));
+}
+
+// With components up to 1: a difference is off by 1 unit, an offset by 2. A product is off by each factor's error times the
+// other's size, and by its own size; a sum by its operands' errors and its own size.
+TEST(decide, has_the_bounds_that_counting_by_hand_gives) {
+  expect_units(kNormal.x, 2, (1 + 1 + 1) * 2 + 2);
+  const double n = 8, beside = (2 + 1 + 1) * 2 + 2;  // of n and of e x w, which have components up to 2
+  expect_units(kAcross, 6, (n + 2 * 2 + 2) * 3 + 4 + 6);
+  expect_units(kInside, 12, (2 * beside + 2 * n + 4) * 3 + 8 + 12);
+  expect_units(kArea, 12, (2 * n + 2 * n + 4) * 3 + 8 + 12);
+  expect_units(kAlong, 3, (2 + 1 + 1) * 3 + 2 + 3);
+  expect_units(kLength, 3, (1 + 1 + 1) * 3 + 2 + 3);
+  expect_units(kOffsetLength, 3, (2 + 2 + 1) * 3 + 2 + 3);
+  expect_units(kPasses, 6, (beside + 2 + 2) * 3 + 4 + 6);
+}
+
+TEST(decide, stays_within_the_bounds_on_flat_and_thin_triangles) {
+  std::mt19937 random(3);
+  double worst_side = 0, worst_weight = 0;
+  std::size_t doubtful = 0;
+  for (int i = 0; i < 200000; ++i) {
+    const double scale = std::ldexp(1.0, static_cast<int>(random() % 24) - 12),
+                 thin = std::ldexp(1.0, -static_cast<int>(random() % 20));
+    const auto coordinate = [&](double size) {
+      return static_cast<float>(scale * size * std::uniform_real_distribution<double>(-1, 1)(random));
+    };
+    Face f{};
+    for (auto& corner : f.corner) corner = {coordinate(1), coordinate(1), coordinate(thin)};
+    std::array<float, 3> p{coordinate(2), coordinate(2), coordinate(thin)};
+    const auto read = [](float& one) { one = std::fabs(one) < 0x1p-30F ? 0 : one; };
+    for (auto& corner : f.corner)
+      for (float& one : corner) read(one);
+    for (float& one : p) read(one);
+    const FaceNumbers numbers(f);
+    const Vector3<double> w = difference(p.data(), f.corner[0].data());
+    const double side = dot(numbers.n, w), bound = kAcross.error * numbers.area * size_of(w);
+    const auto exact = dot(ExactFace(f).n, exact_difference(p.data(), f.corner[0].data()));
+    const double off = std::fabs(std::ldexp(exact.approximately(), -159) - side);
+    // The exact number is rounded here.
+    ASSERT_LE(off, bound + 0x1p-51 * std::fabs(side));
+    if (bound > 0) worst_side = std::fmax(worst_side, off / bound);
+    if (std::fabs(side) > bound)
+      ASSERT_EQ(exact.sign(), side > 0 ? 1 : -1);
+    else
+      ++doubtful;
+    const Weights weights(numbers, w);
+    const ExactWeights integers(f, p.data());
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double away = std::fabs(std::ldexp(integers.corner[c].approximately(), -212) - weights.corner[c].value);
+      ASSERT_LE(away, weights.corner[c].error + 0x1p-51 * std::fabs(weights.corner[c].value));
+      if (weights.corner[c].error > 0) worst_weight = std::fmax(worst_weight, away / weights.corner[c].error);
+    }
+  }
+  std::printf("  worst error over bound: %.3f of a side, %.3f of a weight; %zu doubtful\n", worst_side, worst_weight, doubtful);
+  EXPECT_GT(worst_side, 0.02);
+  EXPECT_GT(worst_weight, 0.02);
+}
+
+}  // namespace
+}  // namespace forceshade::fast
