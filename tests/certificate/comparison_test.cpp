@@ -190,7 +190,9 @@ TEST(comparison, finds_a_batch_call_that_writes_nothing_or_miscounts) {
 // With the stiffness asked for, 1/2, every product is exact: only the spread rounds.
 TEST(comparison, finds_by_default_that_a_wall_truncates_instead_of_rounding) {
   for (const LawId law : {LawId::wall, LawId::bump_1p}) {
-    CertifyOptions options{.seed = 1, .threads = 2};
+    CertifyOptions options;
+    options.seed = 1;
+    options.threads = 2;
     options.points /= 20;  // of the default a twentieth is enough, and quicker
     options.cases = 20;
     const RenderLaw truncating = [](LawId id, const Parameters& p) {

@@ -108,7 +108,9 @@ TEST(height_certificate, fails_in_words_where_the_energy_of_a_loop_is_not_enclos
   EXPECT_TRUE(map.energy.empty());
   for (const PropertyResult& property : map.properties) {
     EXPECT_EQ(property.held, property.name != "passivity") << property.name;
-    if (!property.held) EXPECT_EQ(property.counterexample, "the energy that a loop can give is not enclosed: too steep");
+    if (!property.held) {
+      EXPECT_EQ(property.counterexample, "the energy that a loop can give is not enclosed: too steep");
+    }
   }
 }
 
