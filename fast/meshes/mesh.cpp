@@ -8,6 +8,7 @@
 #include "forceshade/fast/meshes/decide.h"
 #include "forceshade/fast/meshes/session.h"
 #include "forceshade/fast/numbers/arithmetic.h"
+#include "forceshade/vocabulary/law.h"
 
 namespace forceshade::fast {
 namespace {
@@ -87,7 +88,7 @@ std::string first_error(const mesh::TriangleMesh& mesh, const mesh::CornerNormal
 std::variant<Mesh, std::string> Mesh::build(const mesh::TriangleMesh& triangles, const mesh::CornerNormals& normals,
                                             mesh::Sides sides) {
   for (const char* fault : {arithmetic_fault_here(), force_arithmetic_fault(), MeshSession::arithmetic_fault()})
-    if (fault != nullptr) return fault;
+    if (fault != nullptr) return ParameterError{"arithmetic", "", 0, 0, 0, fault}.message();
   if (std::string error = first_error(triangles, normals); !error.empty()) return error;
   Mesh result;
   result.sides_ = sides;

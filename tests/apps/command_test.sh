@@ -88,7 +88,7 @@ printf 'render = "height-map"\n[[part]]\nshape = "gaussian"\nheight_mm = 3\nsigm
 same "$(felt hill.toml)" "$(felt hill.toml --path reference)"
 same "0,0,2,0,0,1,contact" "$(felt hill.toml | sed -n 2p)"
 expect 2 "--law: expected without --height-map, got both" -- "$forceshade" force --stiffness 1 --height-map hill.toml --law wall
-expect 2 "--law or --height-map" -- "$forceshade" force --stiffness 1
+expect 2 "--law, --height-map or --mesh" -- "$forceshade" force --stiffness 1
 sed 's/sigma_mm = 5/sigma_mm = 0/' hill.toml > flat.toml
 expect 2 "flat.toml: " -- "$forceshade" force --stiffness 1 --height-map flat.toml --input in.csv
 sed 's/sigma_mm/sigma/' hill.toml > misspelt.toml
@@ -365,7 +365,7 @@ expect 0 "every checksum, and the metadata" -- recording verify "$corpus/recordi
 expect 2 "got the view metadata" -- recording info "$corpus/recording/endless_view.fsr"
 expect 2 "got the view chunk" -- recording verify "$corpus/recording/endless_chunks.fsr"
 expect 2 "missing.fsr: cannot open: No such file" -- recording info missing.fsr
-expect 2 "recording: expected a command: info, verify, export; got none" -- recording
+expect 2 "recording: expected a command: info, verify, recompute, export; got none" -- recording
 expect 2 'got "ifno"; the nearest is info' -- recording ifno run.fsr
 small_disk() { (trap '' XFSZ; ulimit -f 200; "$@"); }
 expect 2 "full.fsr: disk I/O error; recorded" -- \

@@ -48,7 +48,7 @@ refused() {  # WORDS, file, flags...: the first build of `same`, but for one fil
   compile "$place" "$2" -O2 "${@:3}"  # less does not contract
   link "$place"
   words=$("$place/same_bits" 2>&1 > "$place/hashes") && { echo "FAILED: $2 with ${*:3} was not refused"; exit 1; }
-  case $words in "refused: $1"*) echo "$2 with ${*:3} $words" ;; *) echo "FAILED: $2 with ${*:3}: $words"; exit 1 ;; esac
+  case $words in "refused: found $1"*) echo "$2 with ${*:3} $words" ;; *) echo "FAILED: $2 with ${*:3}: $words"; exit 1 ;; esac
 }
 
 not_compiled() {  # file, flags...: the preprocessor refuses
