@@ -12,7 +12,7 @@
 #include <string>
 #include <variant>
 
-#include "forceshade/bench/mesh_shapes.h"
+#include "forceshade/bench/mesh_workloads.h"
 #include "forceshade/bench/naive_mesh.h"
 #include "forceshade/fast/meshes/session.h"
 
