@@ -29,7 +29,9 @@ MeshOption::MeshOption(CLI::App& command, LawOptions& law) {
   add_word(command, "--sides", sides_, "of a mesh that block motion; front where it is closed, else both, unless said",
            {"front", "both"})
       ->needs(option);
-  add_word(command, "--shading", shading_, "of a mesh: vertex turns the force to the interpolated normal", {"vertex", "none"})
+  add_word(command, "--shading", shading_,
+           "of a mesh: vertex turns the force to the interpolated normal, edge as the thesis has it",
+           {"vertex", "edge", "none"})
       ->needs(option);
   add_angle(command, "--crease", "of a mesh: an edge that turns by more is not shaded over", {0, 180}, [this](double degrees) {
     crease_degrees_ = degrees;

@@ -36,7 +36,7 @@ same "15,3,19,0,0,0.5,contact" "$straight"
 expect 2 "--unit is required beside --mesh: expected mm, m or in" -- "$forceshade" force --mesh cube.off --input path.csv
 expect 2 "expected --law, --height-map or --mesh, got none" -- "$forceshade" force --input path.csv
 expect 2 "--sides: expected one of front, both" -- "$forceshade" force $mesh --sides back --input path.csv
-expect 2 "--shading: expected one of vertex, none" -- "$forceshade" force $mesh --shading smooth --input path.csv
+expect 2 "--shading: expected one of vertex, edge, none" -- "$forceshade" force $mesh --shading smooth --input path.csv
 expect 2 "--crease" -- "$forceshade" force $mesh --crease 200 --input path.csv
 expect 2 "--mesh" -- "$forceshade" force --law wall $mesh --input path.csv
 expect 2 "--unit" -- "$forceshade" force --law wall --unit mm --input path.csv

@@ -27,7 +27,7 @@ MeshRendering rendering_of(MeshSource& source, std::size_t family, mesh::Shading
 
 TEST(mesh_subject, has_every_property_on_every_family_of_meshes) {
   for (std::size_t family = 0; family < kMeshFamilies.size(); ++family)
-    for (const mesh::Shading shading : {mesh::Shading::none, mesh::Shading::vertex_scheme}) {
+    for (const mesh::Shading shading : {mesh::Shading::none, mesh::Shading::vertex_scheme, mesh::Shading::edge_scheme}) {
       MeshSource source(2026 + family);
       const MeshSubject subject(std::string(kMeshFamilies[family]), rendering_of(source, family, shading));
       for (const PropertyResult& result : run_properties(subject, 40, 7))
