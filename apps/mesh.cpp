@@ -68,13 +68,7 @@ void write_mesh(const std::string& path, const mesh::TriangleMesh& triangles) {
   file.commit();
 }
 
-std::string heading(const mesh::Findings& findings) {
-  return findings.counts[static_cast<std::size_t>(mesh::Fault::meeting)] > 0 ||
-                 findings.counts[static_cast<std::size_t>(mesh::Fault::undecided)] > 0
-             ? "FAILED: no mesh that can be rendered, or one with --self-intersecting alone; faces and vertices are counted "
-               "from 0"
-             : "FAILED: no mesh that can be rendered; faces and vertices are counted from 0";
-}
+constexpr const char kFailedHeading[] = "FAILED: no mesh that can be rendered; faces and vertices are counted from 0";
 
 int check(const MeshFileOptions& options) {
   mesh::LoadedMesh loaded = load(options);
@@ -95,7 +89,7 @@ int check(const MeshFileOptions& options) {
                 held.is_embedded() ? "" : "; whether faces meet or cross was not checked");
     return kHeld;
   }
-  std::printf("%s\n", heading(*findings).c_str());
+  std::printf("%s\n", kFailedHeading);
   print(faults);
   return kFailed;
 }
@@ -113,7 +107,7 @@ int info(const MeshFileOptions& options) {
     write_json(options, {{"file", options.file}, {"notes", notes}, {"faults", lines_of(*findings)}});
     if (options.json == "-") return kFailed;
     print(notes);
-    std::printf("%s\n", heading(*findings).c_str());
+    std::printf("%s\n", kFailedHeading);
     print(lines_of(*findings));
     return kFailed;
   }
@@ -169,7 +163,7 @@ int repair(const MeshFileOptions& options) {
              {{"file", options.file}, {"out", options.out}, {"done", done}, {"held", findings == nullptr}, {"faults", faults}});
   if (options.json != "-" && options.out != "-") {
     print(repaired.done.empty() ? std::vector<std::string>{"nothing to repair"} : done);
-    if (findings != nullptr) std::printf("%s, of the repaired file\n", heading(*findings).c_str());
+    if (findings != nullptr) std::printf("%s, of the repaired file\n", kFailedHeading);
     print(faults);
   }
   return findings == nullptr ? kHeld : kFailed;
