@@ -36,13 +36,13 @@ LawOptions::LawOptions(CLI::App& command, Laws laws) {
       });
   if (!all) law->required();
   law_option_ = law;
-  add_length(command, "--radius", radius_, kRadiusHelp);
-  add_length(command, "--width", width_, kWidthHelp);
+  bump_options_ = {add_length(command, "--radius", radius_, kRadiusHelp), add_length(command, "--width", width_, kWidthHelp)};
   add_stiffness(command, stiffness_, "K, stiffness");
 }
 
 void LawOptions::allow_instead(CLI::Option* other) {
   law_option_->required(false)->excludes(other);
+  for (CLI::Option* of_a_bump : bump_options_) of_a_bump->excludes(other);
   for (CLI::Option* earlier : needed_unless_) other->excludes(earlier);
   needed_unless_.push_back(other);
 }

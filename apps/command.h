@@ -36,7 +36,8 @@ class LawOptions {
 
   LawOptions(CLI::App& command, Laws laws);
 
-  // From then on --law is needed only without this option, and refused beside it; so for each option that is allowed.
+  // From then on --law is needed only without this option, and --law, --radius and --width are refused beside it; so for each
+  // option that is allowed.
   void allow_instead(CLI::Option* other);
 
   std::vector<LawId> laws() const;
@@ -49,6 +50,7 @@ class LawOptions {
 
  private:
   CLI::Option* law_option_ = nullptr;
+  std::array<CLI::Option*, 2> bump_options_{};  // --radius, --width
   std::vector<CLI::Option*> needed_unless_;
   std::string law_;
   std::string radius_ = kThesisRadius, width_ = kThesisWidth, stiffness_ = "0.5N/mm";

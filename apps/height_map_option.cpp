@@ -39,7 +39,6 @@ HeightMapOption::HeightMapOption(CLI::App& command, LawOptions& law) {
       command.add_option("--height-map", file_, "instead of a law: a height map, a TOML file (docs/height-maps.md)")
           ->type_name("SPEC");
   law.allow_instead(option);
-  for (const char* of_a_bump : {"--radius", "--width"}) command.get_option(of_a_bump)->excludes(option);
 }
 
 std::string HeightMapOption::name() const {

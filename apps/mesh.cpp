@@ -11,6 +11,7 @@
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/length.h"
+#include "forceshade/apps/mesh_option.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/output_options.h"
 #include "forceshade/csv/csv.h"
@@ -38,9 +39,7 @@ struct MeshFileOptions {
 };
 
 mesh::LoadedMesh load(const MeshFileOptions& options) {
-  for (std::size_t i = 0; i < mesh::kUnitNames.size(); ++i)
-    if (options.unit == mesh::kUnitNames[i]) return mesh::load_with_corners(options.file, static_cast<mesh::Unit>(i));
-  throw BadInput("--unit: expected mm, m or in, got \"" + options.unit + '"');
+  return mesh::load_with_corners(options.file, unit_named(options.unit));
 }
 
 std::vector<std::string> lines_of(const mesh::Findings& findings) {

@@ -6,7 +6,6 @@
 
 #include "forceshade/apps/options.h"
 #include "forceshade/meshes/facts.h"
-#include "forceshade/meshes/load.h"
 #include "forceshade/meshes/normals.h"
 
 namespace forceshade::apps {
@@ -19,12 +18,17 @@ Value value_named(const std::string& word, const std::array<std::string_view, N>
 
 }  // namespace
 
+mesh::Unit unit_named(const std::string& word) {
+  const auto unit = value_named<mesh::Unit>(word, mesh::kUnitNames);
+  if (static_cast<std::size_t>(unit) < mesh::kUnitNames.size()) return unit;
+  throw BadInput("--unit: expected mm, m or in, got \"" + word + '"');
+}
+
 MeshOption::MeshOption(CLI::App& command, LawOptions& law) {
   CLI::Option* option =
       command.add_option("--mesh", file_, "instead of a law: a triangle mesh, an OBJ, OFF, PLY or STL file (docs/meshes.md)")
           ->type_name("FILE");
   law.allow_instead(option);
-  for (const char* of_a_bump : {"--radius", "--width"}) command.get_option(of_a_bump)->excludes(option);
   add_word(command, "--unit", unit_, "of a mesh's coordinates, which no format says", {"mm", "m", "in"})->needs(option);
   add_word(command, "--sides", sides_, "of a mesh that block motion; front where it is closed, else both, unless said",
            {"front", "both"})
@@ -44,7 +48,7 @@ std::string MeshOption::name() const {
 
 properties::MeshRendering MeshOption::read(float stiffness) const {
   if (unit_.empty()) throw BadInput("--unit is required beside --mesh: expected mm, m or in, for no mesh file says its unit");
-  auto checked = mesh::check(mesh::load(file_, value_named<mesh::Unit>(unit_, mesh::kUnitNames)));
+  auto checked = mesh::check(mesh::load(file_, unit_named(unit_)));
   if (const auto* findings = std::get_if<mesh::Findings>(&checked))
     throw BadInput(file_ + ": cannot be rendered:\n" + findings->words() + "\n'forceshade mesh repair' mends some of this");
   const auto& found = std::get<mesh::CheckedMesh>(checked);

@@ -7,8 +7,12 @@
 
 #include "forceshade/apps/command.h"
 #include "forceshade/identity/mesh_identity.h"
+#include "forceshade/meshes/load.h"
 
 namespace forceshade::apps {
+
+// Of --unit, a word of mesh::kUnitNames. Throws BadInput for any other.
+mesh::Unit unit_named(const std::string& word);
 
 class MeshOption {
  public:

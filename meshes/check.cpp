@@ -98,7 +98,7 @@ void check_triangles(const TriangleMesh& mesh, Collector& found) {
   }
 }
 
-// Two triangles with the same vertices are told at the edge of their two lower ones.
+// Two triangles with the same vertices are reported at the edge of their two lower ones.
 void check_same_vertices(const TriangleMesh& mesh, std::span<const std::uint32_t> half_edges, Collector& found) {
   const std::uint32_t higher = std::max(start_of(mesh, half_edges[0]), end_of(mesh, half_edges[0]));
   const std::uint32_t lower = std::min(start_of(mesh, half_edges[0]), end_of(mesh, half_edges[0]));

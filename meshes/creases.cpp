@@ -55,7 +55,7 @@ bool turns_by_more(const TrianglePoints& s, const TrianglePoints& t, double crea
   const Whole product = dot(n1, n2), squares = dot(n1, n1) * dot(n2, n2);
   for (const Squared& angle : kRational)
     if (angle.degrees == crease_degrees) return 4 * product * abs(product) < angle.sign * angle.fourths * squares;
-  // They are never equal, so some precision tells them apart.
+  // They are never equal, so some precision separates them.
   for (mpfr_prec_t bits = 256;; bits *= 2) {
     const Interval limit = cos(Interval::pi(bits) * Interval(bits, crease_degrees) / Interval(bits, 180));
     const Interval cosine = interval_of(product, bits) / sqrt(interval_of(squares, bits));

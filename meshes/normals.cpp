@@ -134,7 +134,7 @@ std::array<Interval, 3> sum_in_intervals(const std::vector<TrianglePoints>& tria
 }
 
 // No component is known to lie midway between two binary32 numbers, or as near to it as the last of these does not resolve. A
-// sum that it does not tell from 0 is taken for 0.
+// sum that it does not separate from 0 is taken for 0.
 constexpr mpfr_prec_t kFirstBits = 320, kLastBits = 1 << 14;
 
 Normal normal_in_intervals(const std::vector<TrianglePoints>& triangles) {

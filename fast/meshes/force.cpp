@@ -101,7 +101,7 @@ class Parts {
     }
   }
 
-  // The shading direction times a positive number. `none`: the unshaded one; `unknown`: these numbers cannot tell.
+  // The shading direction times a positive number. `none`: the unshaded one; `unknown`: these numbers cannot decide it.
   enum class Outcome { direction, none, unknown };
   struct Shading {
     Outcome outcome;
@@ -345,7 +345,7 @@ bool is_zero(const DoubleWithError& a) noexcept {
   return sign(a) == Sign::zero;
 }
 
-// The shaded force with the numbers N; empty where they cannot tell.
+// The shaded force with the numbers N; empty where they cannot decide it.
 template <class N, bool kIsFromIntegers = false>
 std::optional<Force3> shaded_force(const Mesh& mesh, const Arrival& arrival, const Force3& p, double K,
                                    mesh::Shading scheme) noexcept {
