@@ -23,7 +23,7 @@
 
 #include "forceshade/bench/naive.h"
 #include "forceshade/fast/law.h"
-#include "forceshade/properties/shape.h"
+#include "forceshade/properties/law_claims.h"
 
 namespace forceshade::bench {
 namespace {
@@ -63,7 +63,7 @@ class Arrays {
   void fill(LawId id) {
     if (filled == id) return;
     filled = id;
-    const properties::Shape shape(std::get<reference::Law>(reference::Law::build(id, kParameters)));
+    const properties::LawClaims shape(std::get<reference::Law>(reference::Law::build(id, kParameters)));
     double u = 0.5, v = 0.5;
     for (std::size_t i = 0; i < x.size(); ++i) {
       u += 0.7548776662466927;

@@ -9,19 +9,19 @@
 
 #include "forceshade/certificate/sweep.h"
 #include "forceshade/properties/binary32.h"
-#include "forceshade/properties/shape.h"
+#include "forceshade/properties/law_claims.h"
 
 namespace forceshade::properties {
 namespace {
 
-Shape shape_of(LawId law, const Parameters& parameters) {
+LawClaims claims_of(LawId law, const Parameters& parameters) {
   const auto built = reference::Law::build(law, parameters);
   if (const auto* error = std::get_if<ParameterError>(&built)) throw std::invalid_argument(error->message());
-  return Shape(std::get<reference::Law>(built));
+  return LawClaims(std::get<reference::Law>(built));
 }
 
-bool is_flat(const Shape& shape) {
-  return shape.surface(0) == 0;
+bool is_flat(const LawClaims& claims) {
+  return claims.surface(0) == 0;
 }
 
 // Sixteen powers of two from 2^lowest on, and in each of their binades one number of 24 bits.
@@ -37,20 +37,20 @@ std::vector<float> across_binades(int lowest, std::uint32_t seed) {
 }
 
 // 64 values of z: shallow to deep below the plane, from the plane to the top, from the plane to twice the axis's depth.
-std::vector<float> chosen_z(const Shape& shape) {
+std::vector<float> chosen_z(const LawClaims& claims) {
   std::vector<float> values;
   for (const float depth : across_binades(-12, 1)) values.push_back(-depth);
-  const long double top = is_flat(shape) ? shape.h : shape.surface(0);
+  const long double top = is_flat(claims) ? claims.h : claims.surface(0);
   for (int i = 0; i < 16; ++i) values.push_back(static_cast<float>(top * (i + 0.5L) / 16));
-  for (int i = 0; i < 16; ++i) values.push_back(static_cast<float>(-2 * shape.d * (i + 0.5L) / 16));
+  for (int i = 0; i < 16; ++i) values.push_back(static_cast<float>(-2 * claims.d * (i + 0.5L) / 16));
   return values;
 }
 
 // 64 values of x, none negative: near the middle and across the binades, over the width, and at every edge.
-std::vector<float> chosen_x(const Shape& shape) {
+std::vector<float> chosen_x(const LawClaims& claims) {
   std::vector<float> values = across_binades(-13, 2);
-  for (int i = 0; i < 16; ++i) values.push_back(static_cast<float>(shape.w / 2 * (i + 0.5L) / 16));
-  for (const long double edge : {shape.w / 2, shape.w_prime / 2, shape.R})
+  for (int i = 0; i < 16; ++i) values.push_back(static_cast<float>(claims.w / 2 * (i + 0.5L) / 16));
+  for (const long double edge : {claims.w / 2, claims.w_prime / 2, claims.R})
     for (const int step : {-2, -1, 0, 1, 2}) values.push_back(neighbour(static_cast<float>(edge), step));
   values.push_back(0);
   return values;
@@ -68,18 +68,18 @@ Sweeps planned(const SweepPlan& plan) {
       Parameters p;  // the wall's radius and width stay unsaid
       p.stiffness = plan.parameters.stiffness;
       if (has_bump_geometry(law)) p = {radius, plan.parameters.width, p.stiffness};
-      const Shape shape = shape_of(law, p);
+      const LawClaims claims = claims_of(law, p);
       // Bumps that do not look at the radius, and the wall, are swept once.
       const bool depends_on_radius = has_bump_geometry(law) && law != LawId::bump_1p;
       if (!depends_on_radius && radius != plan.radii.front()) continue;
       if (plan.directions && depends_on_radius) add(law, p, SweepKind::direction, -1);
-      if (plan.heights && is_flat(shape) && radius == plan.radii.front()) add(law, p, SweepKind::column, 0);
-      if (plan.heights && !is_flat(shape)) add(law, p, SweepKind::height, 0);
+      if (plan.heights && is_flat(claims) && radius == plan.radii.front()) add(law, p, SweepKind::column, 0);
+      if (plan.heights && !is_flat(claims)) add(law, p, SweepKind::height, 0);
     }
     if (!plan.lines || !has_bump_geometry(law)) continue;
-    const Shape shape = shape_of(law, plan.parameters);
-    for (const float z : chosen_z(shape)) add(law, plan.parameters, SweepKind::line, z);
-    for (const float x : chosen_x(shape)) add(law, plan.parameters, SweepKind::column, x);
+    const LawClaims claims = claims_of(law, plan.parameters);
+    for (const float z : chosen_z(claims)) add(law, plan.parameters, SweepKind::line, z);
+    for (const float x : chosen_x(claims)) add(law, plan.parameters, SweepKind::column, x);
   }
   sweeps.end = sweeps.units();
   return sweeps;

@@ -31,8 +31,8 @@ if(NOT FORCESHADE_FAST_ONLY)
   install_headers(heights load.h spec.h)
   install_headers(identity identity.h)
   install_headers(reference height_map_field.h heights/outline.h law.h laws/bump_geometry.h laws/force.h numbers/ball64.h watch.h)
-  install_headers(properties calls.h height_map_subject.h height_shape.h law_subject.h positions.h rendered.h run.h
-                  shape.h subject.h)
+  install_headers(properties calls.h height_map_subject.h height_map_claims.h law_claims.h law_subject.h positions.h rendered.h run.h
+                  subject.h)
   set_target_properties(forceshade_heights PROPERTIES EXPORT_NAME heights)
   set_target_properties(forceshade_identity PROPERTIES EXPORT_NAME identity)
   set_target_properties(forceshade_reference PROPERTIES EXPORT_NAME reference)

@@ -37,16 +37,16 @@ bool separates(Real line, Real a, Real b) {
 }
 
 // The angle through which the shaded normal turns between a and b; 0 on the plane beside the bump.
-Real turn(const Shape& shape, Real a, Real b) {
+Real turn(const LawClaims& claims, Real a, Real b) {
   const auto slope = [&](Real x) {
-    return std::fabs(x) <= shape.w / 2 ? std::asin(std::clamp(x / shape.R, Real(-1), Real(1))) : 0;
+    return std::fabs(x) <= claims.w / 2 ? std::asin(std::clamp(x / claims.R, Real(-1), Real(1))) : 0;
   };
   return std::fabs(slope(a) - slope(b));
 }
 
 }  // namespace
 
-AllowedChange allowed_change(const reference::Law& law, const Shape& shape, const Eigen::Vector3f& a,
+AllowedChange allowed_change(const reference::Law& law, const LawClaims& claims, const Eigen::Vector3f& a,
                              const Eigen::Vector3f& b) {
   const Real ax = placed(a.x()), bx = placed(b.x()), az = placed(a.z()), bz = placed(b.z());
   const Real apart = std::hypot(ax - bx, az - bz);
@@ -54,10 +54,10 @@ AllowedChange allowed_change(const reference::Law& law, const Shape& shape, cons
 
   AllowedChange allowed{0, 0, true};
   int lines = 0;
-  for (const JumpLine& line : shape.jump_lines) {
+  for (const JumpLine& line : claims.jump_lines) {
     if (!separates(line.x, ax, bx)) continue;
     ++lines;
-    allowed.jump = 2 * shape.K * std::max(Real(0), line.height - az) * std::sin(line.angle / 2);
+    allowed.jump = 2 * claims.K * std::max(Real(0), line.height - az) * std::sin(line.angle / 2);
   }
   allowed.is_known = lines <= 1;
 
@@ -66,36 +66,36 @@ AllowedChange allowed_change(const reference::Law& law, const Shape& shape, cons
   //
   // Across a line x = L the listed size is that at (L, az), which is |ax - L| from a and at most |bx - L| + |az - bz| from b:
   // together |ax - bx| + |az - bz|, on the two sides, on each of which nothing jumps.
-  const Real rate = shape.K * std::sqrt(1 + shape.steepest * shape.steepest);
+  const Real rate = claims.K * std::sqrt(1 + claims.steepest * claims.steepest);
   allowed.reach = rate * (lines == 0 ? apart : std::fabs(ax - bx) + std::fabs(az - bz));
-  if (shape.is_shaded()) {
+  if (claims.is_shaded()) {
     // Of a and b the one inside the bump: its normal turns on the way to the line; that of the plane outside does not.
-    const auto to_the_edge = [&](Real x) { return turn(shape, std::fabs(x), shape.w / 2); };
-    const Real turned = lines == 0 ? turn(shape, ax, bx) : std::min(to_the_edge(ax), to_the_edge(bx));
+    const auto to_the_edge = [&](Real x) { return turn(claims, std::fabs(x), claims.w / 2); };
+    const Real turned = lines == 0 ? turn(claims, ax, bx) : std::min(to_the_edge(ax), to_the_edge(bx));
     allowed.reach += size * (2 * std::sin(turned / 2) + kEvaluation);  // the slopes' difference cancels, and is as good as that
   }
-  if (shape.has_cylinder()) {
-    const Real rho_a = std::hypot(ax, az + shape.d), rho_b = std::hypot(bx, bz + shape.d);
+  if (claims.has_cylinder()) {
+    const Real rho_a = std::hypot(ax, az + claims.d), rho_b = std::hypot(bx, bz + claims.d);
     const Real nearest = std::min(rho_a, rho_b) - apart;
     if (nearest <= apart) {
       // Past the axis: from one side to the other the force turns round; only opposite sides have a listed size.
       // With u and v the directions from the axis, F = K(R - ρ)u at a, K(R - ρ)v at b: their difference is 2KR less K times
       // both ρ, as far as v is -u, and off by KR|u + v| at most where it is not.
-      const Real across = (ax * bx + (az + shape.d) * (bz + shape.d)) / (rho_a * rho_b);
-      const Real skew = std::hypot(ax / rho_a + bx / rho_b, (az + shape.d) / rho_a + (bz + shape.d) / rho_b);
+      const Real across = (ax * bx + (az + claims.d) * (bz + claims.d)) / (rho_a * rho_b);
+      const Real skew = std::hypot(ax / rho_a + bx / rho_b, (az + claims.d) / rho_a + (bz + claims.d) / rho_b);
       allowed.is_known = across < -1 + kOpposite;
-      allowed.jump = 2 * shape.K * shape.R;
-      allowed.reach = shape.K * (rho_a + rho_b + shape.R * (skew + kEvaluation));
+      allowed.jump = 2 * claims.K * claims.R;
+      allowed.reach = claims.K * (rho_a + rho_b + claims.R * (skew + kEvaluation));
     } else {
-      allowed.reach = shape.K * std::max(Real(1), shape.R / nearest - 1) * apart;
+      allowed.reach = claims.K * std::max(Real(1), claims.R / nearest - 1) * apart;
     }
-    if (shape.id == LawId::bump_cylinder) allowed.reach += shape.K * apart;
+    if (claims.id == LawId::bump_cylinder) allowed.reach += claims.K * apart;
   }
   return allowed;
 }
 
-Violation continuity(const RenderedLaw& rendered, const Shape& shape, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
-  const AllowedChange allowed = allowed_change(rendered.law, shape, a, b);
+Violation continuity(const RenderedLaw& rendered, const LawClaims& claims, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+  const AllowedChange allowed = allowed_change(rendered.law, claims, a, b);
   if (!allowed.is_known) return std::nullopt;
   const Eigen::Vector3f at_a = rendered.renderer(a).force;
   const Eigen::Vector3f at_b = rendered.renderer(b).force;

@@ -2,8 +2,8 @@
 #pragma once
 // Continuity: the force jumps nowhere but on the law's listed lines, and there by exactly the listed amount.
 
+#include "forceshade/properties/law_claims.h"
 #include "forceshade/properties/rendered.h"
-#include "forceshade/properties/shape.h"
 
 namespace forceshade::properties {
 
@@ -14,9 +14,10 @@ struct AllowedChange {
   bool is_known;      // false where two lines lie between the positions and no single size is listed
 };
 
-AllowedChange allowed_change(const reference::Law& law, const Shape& shape, const Eigen::Vector3f& a, const Eigen::Vector3f& b);
+AllowedChange allowed_change(const reference::Law& law, const LawClaims& claims, const Eigen::Vector3f& a,
+                             const Eigen::Vector3f& b);
 
 // a and b valid and near each other; neighbours in binary32 make the sharpest test.
-Violation continuity(const RenderedLaw& rendered, const Shape& shape, const Eigen::Vector3f& a, const Eigen::Vector3f& b);
+Violation continuity(const RenderedLaw& rendered, const LawClaims& claims, const Eigen::Vector3f& a, const Eigen::Vector3f& b);
 
 }  // namespace forceshade::properties

@@ -53,9 +53,9 @@ rc::Seq<std::vector<Corner>> with_fewer_corners(const std::vector<Corner>& polyg
 
 }  // namespace
 
-Eigen::Vector3f NearbyPair::b(const Shape& shape) const {
+Eigen::Vector3f NearbyPair::b(const LawClaims& claims) const {
   if (across_axis) {
-    const auto d = static_cast<float>(shape.d);
+    const auto d = static_cast<float>(claims.d);
     return {-a.x(), a.y(), -d - (a.z() + d)};
   }
   return {neighbour(a.x(), x_steps), a.y(), neighbour(a.z(), z_steps)};
@@ -73,9 +73,9 @@ rc::Gen<NearbyPair> pair_of(const reference::Law& law) {
     rc::Random r(random);
     PositionSource source(law, r.next());
     const std::uint64_t steps = r.next();
-    const Shape shape(law);
+    const LawClaims claims(law);
     const NearbyPair pair{valid_position(source), static_cast<int>(steps % 7) - 3, static_cast<int>(steps / 7 % 7) - 3,
-                          shape.has_cylinder() && steps / 49 % 4 == 0};
+                          claims.has_cylinder() && steps / 49 % 4 == 0};
     return rc::shrinkable::shrinkRecur(pair, [](const NearbyPair& p) {
       return rc::seq::map(simpler_positions(p.a), [p](const Eigen::Vector3f& a) {
         NearbyPair simpler_pair = p;
@@ -92,7 +92,7 @@ Eigen::Vector3f Neighbours::b() const {
 
 rc::Gen<Eigen::Vector3f> position_of(const HeightTarget& map) {
   return [map](const rc::Random& random, int) {
-    HeightPositionSource source(map.law, map.shape, rc::Random(random).next());
+    HeightPositionSource source(map.law, map.claims, rc::Random(random).next());
     return rc::shrinkable::shrinkRecur(source.next().position, &simpler_positions);
   };
 }
@@ -100,7 +100,7 @@ rc::Gen<Eigen::Vector3f> position_of(const HeightTarget& map) {
 rc::Gen<Neighbours> neighbours_on(const HeightTarget& map) {
   return [map](const rc::Random& random, int) {
     rc::Random r(random);
-    HeightPositionSource source(map.law, map.shape, r.next());
+    HeightPositionSource source(map.law, map.claims, r.next());
     const std::uint64_t steps = r.next();
     Neighbours pair{valid_position(source), {}};
     if (steps % 2 == 0) {
@@ -122,12 +122,12 @@ rc::Gen<Neighbours> neighbours_on(const HeightTarget& map) {
 rc::Gen<std::vector<Eigen::Vector3f>> polygon_of(const HeightTarget& map) {
   return [map](const rc::Random& random, int) {
     rc::Random r(random);
-    HeightPositionSource source(map.law, map.shape, r.next());
+    HeightPositionSource source(map.law, map.claims, r.next());
     const auto uniform = [&r](double low, double high) {
       return low + (high - low) * static_cast<double>(r.next() >> 11) * 0x1p-53;
     };
     const std::array<float, 2> middle = r.next() % 2 == 0 ? source.on_a_line() : source.anywhere();
-    const double size = map.shape.parts[r.next() % map.shape.parts.size()].reach * std::exp2(-uniform(0, 10));
+    const double size = map.claims.parts[r.next() % map.claims.parts.size()].reach * std::exp2(-uniform(0, 10));
     std::vector<Eigen::Vector3f> polygon(3 + r.next() % 4);
     for (Eigen::Vector3f& corner : polygon) {
       const auto within = [](double coordinate) { return static_cast<float>(std::clamp(coordinate, -1e4, 1e4)); };
@@ -142,16 +142,16 @@ rc::Gen<std::vector<Eigen::Vector3f>> polygon_of(const HeightTarget& map) {
 rc::Gen<std::vector<PathPoint>> polygon_of(const reference::Law& law) {
   return [law](const rc::Random& random, int) {
     rc::Random r(random);
-    const Shape shape(law);
+    const LawClaims claims(law);
     const auto uniform = [&r](double low, double high) {
       return low + (high - low) * static_cast<double>(r.next() >> 11) * 0x1p-53;
     };
-    const double width = shape.w > 0 ? static_cast<double>(shape.w) : 30;
-    const double depth = shape.w > 0 ? static_cast<double>(shape.h) + width / 8 : 5;
+    const double width = claims.w > 0 ? static_cast<double>(claims.w) : 30;
+    const double depth = claims.w > 0 ? static_cast<double>(claims.h) + width / 8 : 5;
     std::vector<PathPoint> polygon(3 + r.next() % 6);
     for (PathPoint& corner : polygon) {
       const double x = uniform(-0.7, 0.7) * width;
-      const double z = static_cast<double>(shape.surface(static_cast<long double>(x))) - uniform(-0.2, 1) * depth;
+      const double z = static_cast<double>(claims.surface(static_cast<long double>(x))) - uniform(-0.2, 1) * depth;
       corner = {std::clamp(x, -1e4, 1e4), std::clamp(z, -1e4, 1e4)};  // outside there is no force
     }
     return rc::shrinkable::shrinkRecur(polygon, &with_fewer_corners<PathPoint>);

@@ -22,14 +22,14 @@ struct NearbyPair {
   int x_steps = 0, z_steps = 0;
   bool across_axis = false;
 
-  Eigen::Vector3f b(const Shape& shape) const;
+  Eigen::Vector3f b(const LawClaims& claims) const;
 };
 rc::Gen<NearbyPair> pair_of(const reference::Law& law);
 
-// On a height map. The law and its shape must outlive the generator.
+// On a height map. The law and its claims must outlive the generator.
 struct HeightTarget {
   const reference::HeightMapField& law;
-  const HeightShape& shape;
+  const HeightMapClaims& claims;
 };
 rc::Gen<Eigen::Vector3f> position_of(const HeightTarget& map);
 

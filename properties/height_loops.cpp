@@ -10,15 +10,15 @@ namespace {
 
 // By the force at the middle of steps no longer than 1 µm.
 double walked(const Renderer& renderer, const std::vector<Eigen::Vector3f>& path, const reference::Watch& watch) {
-  double paid = 0;
+  double generated = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {
     watch.at(static_cast<double>(i) / static_cast<double>(path.size()));
     const Eigen::Vector3d from = path[i - 1].cast<double>(), way = path[i].cast<double>() - from;
     const int steps = static_cast<int>(std::ceil(way.norm() * 1000));
     for (int k = 0; k < steps; ++k)
-      paid += renderer((from + (k + 0.5) / steps * way).cast<float>()).force.cast<double>().dot(way) / steps;
+      generated += renderer((from + (k + 0.5) / steps * way).cast<float>()).force.cast<double>().dot(way) / steps;
   }
-  return paid;
+  return generated;
 }
 
 }  // namespace
@@ -40,8 +40,8 @@ std::vector<LoopEnergy> loop_energies(const RenderedHeightMap& rendered, const r
     if (slice_error(law, slice, depth)) continue;
     const auto bound = loop_bound(law, slice, depth, half.part(0, 0.4));
     const auto loop = witness(law, slice, depth, half.part(0.4, 0.6));
-    const auto paid = work(law, loop, half.part(0.6, 0.8));
-    energies.push_back({static_cast<double>(depth), binary64(bound.most()), binary64(paid)[0],
+    const auto generated = work(law, loop, half.part(0.6, 0.8));
+    energies.push_back({static_cast<double>(depth), binary64(bound.most()), binary64(generated)[0],
                         walked(rendered.renderer, loop, half.part(0.8, 1))});
   }
   return energies;

@@ -34,14 +34,14 @@ HeightMapSubject::HeightMapSubject(const std::string& name, const HeightMap& map
     : render_(std::move(render)),
       calls_(render_(map, rendering, stiffness)),
       rendered_{built<reference::HeightMapField>(map, rendering, stiffness), renderer_of(calls_)},
-      shape_(rendered_.law),
+      claims_(rendered_.law),
       identity_(identity_of(name, map, rendering, stiffness)) {}
 
 HeightMapSubject::HeightMapSubject(RenderedHeightMap rendered, const std::string& name)
     : render_(&fast_height_map),
       calls_(calls_of(rendered.renderer)),
       rendered_(std::move(rendered)),
-      shape_(rendered_.law),
+      claims_(rendered_.law),
       identity_(identity_of(name, rendered_.law.map(), rendered_.law.rendering(), rendered_.law.stiffness())) {}
 
 std::unique_ptr<ReferenceSession> HeightMapSubject::open_reference() const {
@@ -49,37 +49,37 @@ std::unique_ptr<ReferenceSession> HeightMapSubject::open_reference() const {
 }
 
 std::unique_ptr<Positions> HeightMapSubject::positions(std::uint64_t seed) const {
-  return std::make_unique<HeightPositionSource>(rendered_.law, shape_, seed);
+  return std::make_unique<HeightPositionSource>(rendered_.law, claims_, seed);
 }
 
 std::vector<Eigen::Vector3f> HeightMapSubject::draw_path() const {
-  return {*position_of(HeightTarget{rendered_.law, shape_})};
+  return {*position_of(HeightTarget{rendered_.law, claims_})};
 }
 
 Violation HeightMapSubject::check_continuity() const {
-  const Neighbours pair = *neighbours_on({rendered_.law, shape_});
+  const Neighbours pair = *neighbours_on({rendered_.law, claims_});
   const Eigen::Vector3f b = pair.b();
-  return is_valid(b) ? continuity(rendered_, shape_, pair.a, b) : std::nullopt;
+  return is_valid(b) ? continuity(rendered_, claims_, pair.a, b) : std::nullopt;
 }
 
 Violation HeightMapSubject::check_unit_normals() const {
-  return unit_normals(rendered_, *position_of(HeightTarget{rendered_.law, shape_}));
+  return unit_normals(rendered_, *position_of(HeightTarget{rendered_.law, claims_}));
 }
 
 Violation HeightMapSubject::check_passivity() const {
-  return passivity(rendered_, shape_, *polygon_of(HeightTarget{rendered_.law, shape_}));
+  return passivity(rendered_, claims_, *polygon_of(HeightTarget{rendered_.law, claims_}));
 }
 
 std::vector<FurtherProperty> HeightMapSubject::further_properties() const {
   const auto has_cells = [](const PartShape& part) { return part.columns.has_value(); };
-  if (std::none_of(shape_.parts.begin(), shape_.parts.begin() + static_cast<std::ptrdiff_t>(shape_.map_parts), has_cells))
+  if (std::none_of(claims_.parts.begin(), claims_.parts.begin() + static_cast<std::ptrdiff_t>(claims_.map_parts), has_cells))
     return {};
   return {{"cell lines", [this]() -> Violation {
-             Neighbours pair = *neighbours_on({rendered_.law, shape_});
+             Neighbours pair = *neighbours_on({rendered_.law, claims_});
              const double surface = static_cast<double>(rendered_.law.estimate({pair.a.x(), pair.a.y(), 0}).gap.mid());
              pair.a.z() = static_cast<float>(surface - 1);  // deep enough that both are in contact
              const Eigen::Vector3f b = pair.b();
-             return is_valid(pair.a) && is_valid(b) ? gradient_across_cells(rendered_, shape_, pair.a, b) : std::nullopt;
+             return is_valid(pair.a) && is_valid(b) ? gradient_across_cells(rendered_, claims_, pair.a, b) : std::nullopt;
            }}};
 }
 

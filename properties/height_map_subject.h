@@ -2,7 +2,7 @@
 #pragma once
 // A height map as a subject.
 
-#include "forceshade/properties/height_shape.h"
+#include "forceshade/properties/height_map_claims.h"
 #include "forceshade/properties/subject.h"
 
 namespace forceshade::properties {
@@ -31,10 +31,10 @@ class HeightMapSubject final : public Subject {
   // "cell lines", where the map has a grid: whether its gradient is continuous across them. A bilinear grid's is not, and a
   // certificate does not demand it.
   std::vector<FurtherProperty> further_properties() const override;
-  std::vector<std::string> jumps() const override { return shape_.jumps(); }
+  std::vector<std::string> jumps() const override { return claims_.jumps(); }
   // A conservative map's normal is not one, and should not be.
   bool has_unit_directions() const override { return rendered_.law.rendering() != height::Rendering::conservative; }
-  bool is_conservative() const override { return shape_.is_conservative; }
+  bool is_conservative() const override { return claims_.is_conservative; }
   std::vector<LoopEnergy> energies(const reference::Watch& watch) const override;
   DrawnSubject with_drawn_parameters(std::uint64_t seed) const override;
   // The two sides of a map take long to build, so there are few sets.
@@ -44,7 +44,7 @@ class HeightMapSubject final : public Subject {
   RenderHeightMap render_;
   Calls calls_;
   RenderedHeightMap rendered_;
-  HeightShape shape_;
+  HeightMapClaims claims_;
   Identity identity_;
 };
 

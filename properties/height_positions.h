@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "forceshade/properties/height_shape.h"
+#include "forceshade/properties/height_map_claims.h"
 #include "forceshade/properties/positions.h"
 
 namespace forceshade::properties {
@@ -14,7 +14,7 @@ namespace forceshade::properties {
 class HeightPositionSource final : public Positions, private Draws {
  public:
   // Both must outlive this.
-  HeightPositionSource(const reference::HeightMapField& law, const HeightShape& shape, std::uint64_t seed)
+  HeightPositionSource(const reference::HeightMapField& law, const HeightMapClaims& shape, std::uint64_t seed)
       : Draws(seed), law_(law), shape_(shape) {}
 
   Aimed next() override;
@@ -37,7 +37,7 @@ class HeightPositionSource final : public Positions, private Draws {
   Eigen::Vector3f near_tie(Eigen::Vector3f position);
 
   const reference::HeightMapField& law_;
-  const HeightShape& shape_;
+  const HeightMapClaims& shape_;
 };
 
 }  // namespace forceshade::properties

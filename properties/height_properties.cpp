@@ -28,9 +28,9 @@ Real rounding(const Eigen::Vector3f& force) {
 }
 
 // What the magnitude is given: a unit normal, or, where the map is conservative, a vector as long as that is steep.
-Vector direction(const HeightShape& shape, const Exact& exact) {
+Vector direction(const HeightMapClaims& claims, const Exact& exact) {
   const Vector normal(-exact.Ux.mid(), -exact.Uy.mid(), 1);
-  return shape.rendering == height::Rendering::conservative ? normal : normal.normalized();
+  return claims.rendering == height::Rendering::conservative ? normal : normal.normalized();
 }
 
 Vector force_of(const Exact& exact) {
@@ -38,21 +38,21 @@ Vector force_of(const Exact& exact) {
   return {exact.x.mid(), exact.y.mid(), exact.z.mid()};
 }
 
-Real magnitude(const HeightShape& shape, const Exact& exact) {
-  return static_cast<Real>(shape.stiffness) * std::max(Real(0), exact.gap.mid());
+Real magnitude(const HeightMapClaims& claims, const Exact& exact) {
+  return static_cast<Real>(claims.stiffness) * std::max(Real(0), exact.gap.mid());
 }
 
 // How much the magnitude's part of the force may change on a way of `apart` mm where the surface that depth is measured from is
 // nowhere steeper, N.
-Real change_of_magnitude(const HeightShape& shape, Real apart, Real steepest) {
+Real change_of_magnitude(const HeightMapClaims& claims, Real apart, Real steepest) {
   const Real slope = std::hypot(Real(1), steepest);
-  const Real longest = shape.rendering == height::Rendering::conservative ? slope : 1;
-  return static_cast<Real>(shape.stiffness) * slope * apart * longest;
+  const Real longest = claims.rendering == height::Rendering::conservative ? slope : 1;
+  return static_cast<Real>(claims.stiffness) * slope * apart * longest;
 }
 
-Bend bend_between(const HeightShape& shape, const Vector& a, const Vector& b) {
+GradientChange gradient_change_between(const HeightMapClaims& claims, const Vector& a, const Vector& b) {
   const auto middle = static_cast<Eigen::Vector3d>((0.5L * (a + b)).cast<double>());
-  return shape.bend(middle.x(), middle.y(), static_cast<double>((a - b).head<2>().norm()));
+  return claims.gradient_change(middle.x(), middle.y(), static_cast<double>((a - b).head<2>().norm()));
 }
 
 std::string between(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
@@ -61,18 +61,19 @@ std::string between(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
 
 }  // namespace
 
-Violation continuity(const RenderedHeightMap& rendered, const HeightShape& shape, const Eigen::Vector3f& a,
+Violation continuity(const RenderedHeightMap& rendered, const HeightMapClaims& claims, const Eigen::Vector3f& a,
                      const Eigen::Vector3f& b) {
   const Exact exact_a = rendered.law.estimate(a), exact_b = rendered.law.estimate(b);
   const Vector at_a = placed(a), at_b = placed(b);
-  const Real apart = (at_a - at_b).norm(), size = std::max(magnitude(shape, exact_a), magnitude(shape, exact_b));
-  const Bend bend = bend_between(shape, at_a, at_b);
+  const Real apart = (at_a - at_b).norm(), size = std::max(magnitude(claims, exact_a), magnitude(claims, exact_b));
+  const GradientChange change_of_gradient = gradient_change_between(claims, at_a, at_b);
   const Eigen::Vector3f force_a = rendered.renderer(a).force, force_b = rendered.renderer(b).force;
   const Real change = (force_a.cast<Real>() - force_b.cast<Real>()).norm();
 
-  const Real jump = bend.kink ? size * (direction(shape, exact_a) - direction(shape, exact_b)).norm() : 0;
-  const Real turning = bend.kink ? 0 : size * static_cast<Real>(bend.rate) * (at_a - at_b).head<2>().norm();
-  const Real reach = (change_of_magnitude(shape, apart, static_cast<Real>(shape.steepest_surface)) + turning +
+  const Real jump = change_of_gradient.kink ? size * (direction(claims, exact_a) - direction(claims, exact_b)).norm() : 0;
+  const Real turning =
+      change_of_gradient.kink ? 0 : size * static_cast<Real>(change_of_gradient.rate) * (at_a - at_b).head<2>().norm();
+  const Real reach = (change_of_magnitude(claims, apart, static_cast<Real>(claims.steepest_surface)) + turning +
                       rounding(force_a) + rounding(force_b)) *
                      (1 + static_cast<Real>(kRates));
   if (std::fabs(change - jump) <= reach) return std::nullopt;
@@ -81,19 +82,19 @@ Violation continuity(const RenderedHeightMap& rendered, const HeightShape& shape
   return between(a, b) + numbers;
 }
 
-Violation gradient_across_cells(const RenderedHeightMap& rendered, const HeightShape& shape, const Eigen::Vector3f& a,
+Violation gradient_across_cells(const RenderedHeightMap& rendered, const HeightMapClaims& claims, const Eigen::Vector3f& a,
                                 const Eigen::Vector3f& b) {
   const Vector at_a = placed(a), at_b = placed(b);
   const auto apart = static_cast<double>((at_a - at_b).head<2>().norm());
   const auto x = static_cast<double>(at_a.x()), y = static_cast<double>(at_a.y());
   double rate = 0;
   std::string line;
-  for (std::size_t i = 0; i < shape.map_parts; ++i) {
-    const PartShape& part = shape.parts[i];
-    const Bend bend = part.bend(x, y, apart);
-    rate += bend.rate;
+  for (std::size_t i = 0; i < claims.map_parts; ++i) {
+    const PartShape& part = claims.parts[i];
+    const GradientChange change_of_gradient = part.gradient_change(x, y, apart);
+    rate += change_of_gradient.rate;
     if (!part.columns) {
-      if (bend.kink) return std::nullopt;
+      if (change_of_gradient.kink) return std::nullopt;
       continue;
     }
     const bool is_column = part.columns->distance(x) <= part.rows->distance(y);
@@ -119,7 +120,8 @@ Violation gradient_across_cells(const RenderedHeightMap& rendered, const HeightS
   return between(a, b) + line + numbers;
 }
 
-Violation passivity(const RenderedHeightMap& rendered, const HeightShape& shape, const std::vector<Eigen::Vector3f>& corners) {
+Violation passivity(const RenderedHeightMap& rendered, const HeightMapClaims& claims,
+                    const std::vector<Eigen::Vector3f>& corners) {
   constexpr int kPieces = 24;  // of each edge, each taken at its middle
   Work work;
   Real quadrature = 0;  // mJ: how far that may be from the exact law's work
@@ -130,19 +132,21 @@ Violation passivity(const RenderedHeightMap& rendered, const HeightShape& shape,
       const Eigen::Vector3f middle = (from + (piece + 0.5) * step).cast<float>();
       const Exact exact = rendered.law.estimate(middle);
       work.add(rendered.renderer(middle).force, force_of(exact), step);
-      if (!shape.is_conservative) continue;
+      if (!claims.is_conservative) continue;
       // No position of the piece is farther than this from where the force was taken, rounded to binary32.
       const Real length = step.norm(), far = length / 2 + rounding(middle);
-      const Bend bend = shape.bend(static_cast<double>(middle.x()), static_cast<double>(middle.y()), static_cast<double>(far));
-      const Real rate = static_cast<Real>(bend.rate) * far, global = static_cast<Real>(shape.steepest);
-      const Real steepest = bend.kink ? global : std::min(global, std::hypot(exact.Ux.mid(), exact.Uy.mid()) + rate);
-      const Real change = change_of_magnitude(shape, far, steepest);
-      quadrature += length * (change + (magnitude(shape, exact) + change) * (bend.kink ? 2 * global : rate));
+      const GradientChange change_of_gradient =
+          claims.gradient_change(static_cast<double>(middle.x()), static_cast<double>(middle.y()), static_cast<double>(far));
+      const Real rate = static_cast<Real>(change_of_gradient.rate) * far, global = static_cast<Real>(claims.steepest);
+      const Real steepest =
+          change_of_gradient.kink ? global : std::min(global, std::hypot(exact.Ux.mid(), exact.Uy.mid()) + rate);
+      const Real change = change_of_magnitude(claims, far, steepest);
+      quadrature += length * (change + (magnitude(claims, exact) + change) * (change_of_gradient.kink ? 2 * global : rate));
     }
   }
   const double slack = work.rounding + work.summing();
   const bool gives = work.rendered > work.exact + slack;
-  const bool gives_though_conservative = shape.is_conservative && work.rendered > static_cast<double>(quadrature) + slack;
+  const bool gives_though_conservative = claims.is_conservative && work.rendered > static_cast<double>(quadrature) + slack;
   if (!gives && !gives_though_conservative) return std::nullopt;
   std::string loop;
   for (const Eigen::Vector3f& corner : corners) loop += (loop.empty() ? "" : ", ") + show(corner);

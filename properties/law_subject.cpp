@@ -35,14 +35,14 @@ LawSubject::LawSubject(LawId law, const Parameters& parameters, RenderLaw render
     : render_(std::move(render)),
       calls_(render_(law, parameters)),
       rendered_{reference_of(law, parameters), renderer_of(calls_)},
-      shape_(rendered_.law),
+      claims_(rendered_.law),
       identity_(identity_of(law, parameters)) {}
 
 LawSubject::LawSubject(RenderedLaw rendered)
     : render_(&fast_law),
       calls_(calls_of(rendered.renderer)),
       rendered_(std::move(rendered)),
-      shape_(rendered_.law),
+      claims_(rendered_.law),
       identity_(identity_of(rendered_.law.id(), rendered_.law.parameters())) {}
 
 std::unique_ptr<ReferenceSession> LawSubject::open_reference() const {
@@ -59,8 +59,8 @@ std::vector<Eigen::Vector3f> LawSubject::draw_path() const {
 
 Violation LawSubject::check_continuity() const {
   const NearbyPair pair = *pair_of(rendered_.law);
-  const Eigen::Vector3f b = pair.b(shape_);
-  return is_valid(b) ? continuity(rendered_, shape_, pair.a, b) : std::nullopt;
+  const Eigen::Vector3f b = pair.b(claims_);
+  return is_valid(b) ? continuity(rendered_, claims_, pair.a, b) : std::nullopt;
 }
 
 Violation LawSubject::check_unit_normals() const {
@@ -68,13 +68,13 @@ Violation LawSubject::check_unit_normals() const {
 }
 
 Violation LawSubject::check_passivity() const {
-  return passivity(rendered_, shape_, *polygon_of(rendered_.law));
+  return passivity(rendered_, claims_, *polygon_of(rendered_.law));
 }
 
 std::vector<std::function<Violation()>> LawSubject::fixed_loops() const {
   std::vector<std::function<Violation()>> loops;
   for (const float depth : witness_depths(rendered_.law))
-    loops.emplace_back([this, depth] { return witness_is_reached(rendered_, shape_, depth); });
+    loops.emplace_back([this, depth] { return witness_is_reached(rendered_, claims_, depth); });
   return loops;
 }
 
@@ -88,8 +88,8 @@ std::vector<LoopEnergy> LawSubject::energies(const reference::Watch& watch) cons
   for (std::size_t i = 0; i < depths.size(); ++i) {
     watch.at(static_cast<double>(i) / static_cast<double>(depths.size()));
     const WitnessLoop loop = witness_loop(rendered_.law, depths[i]);
-    energies.push_back(
-        {static_cast<double>(depths[i]), loop.bound_mJ, loop.given_mJ, work_around(rendered_, shape_, loop.vertices).rendered});
+    energies.push_back({static_cast<double>(depths[i]), loop.bound_mJ, loop.given_mJ,
+                        work_around(rendered_, claims_, loop.vertices).rendered});
   }
   return energies;
 }

@@ -2,7 +2,7 @@
 #pragma once
 // A law as a subject.
 
-#include "forceshade/properties/shape.h"
+#include "forceshade/properties/law_claims.h"
 #include "forceshade/properties/subject.h"
 
 namespace forceshade::properties {
@@ -27,7 +27,7 @@ class LawSubject final : public Subject {
   Violation check_unit_normals() const override;
   Violation check_passivity() const override;
   std::vector<std::function<Violation()>> fixed_loops() const override;
-  std::vector<std::string> jumps() const override { return shape_.jumps(); }
+  std::vector<std::string> jumps() const override { return claims_.jumps(); }
   bool has_unit_directions() const override { return true; }
   bool is_conservative() const override;
   std::vector<LoopEnergy> energies(const reference::Watch& watch) const override;
@@ -38,7 +38,7 @@ class LawSubject final : public Subject {
   RenderLaw render_;
   Calls calls_;
   RenderedLaw rendered_;
-  Shape shape_;
+  LawClaims claims_;
   Identity identity_;
 };
 

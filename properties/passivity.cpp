@@ -30,27 +30,27 @@ std::string loop_text(const std::vector<PathPoint>& vertices) {
 }
 
 // A loop through the object that ends where nothing is felt.
-std::vector<PathPoint> through(const Shape& shape, double depth) {
-  if (!shape.has_cylinder()) return {{-5, -depth}, {5, -depth}, {3, 1}, {-4, 1}};
-  const auto h = static_cast<double>(shape.h), w = static_cast<double>(shape.w);
+std::vector<PathPoint> through(const LawClaims& claims, double depth) {
+  if (!claims.has_cylinder()) return {{-5, -depth}, {5, -depth}, {3, 1}, {-4, 1}};
+  const auto h = static_cast<double>(claims.h), w = static_cast<double>(claims.w);
   return {{-w / 4, h - depth}, {w / 4, h - depth}, {w / 8, h + 1}, {-w / 8, h + 1}};
 }
 
 }  // namespace
 
-Violation passivity(const RenderedLaw& rendered, const Shape& shape, const std::vector<PathPoint>& vertices) {
-  const Work work = work_around(rendered, shape, vertices);
-  const double allowed = (shape.is_conservative() ? work.placing : work.exact) + work.rounding + work.summing();
+Violation passivity(const RenderedLaw& rendered, const LawClaims& claims, const std::vector<PathPoint>& vertices) {
+  const Work work = work_around(rendered, claims, vertices);
+  const double allowed = (claims.is_conservative() ? work.placing : work.exact) + work.rounding + work.summing();
   if (work.rendered <= allowed) return std::nullopt;
   char numbers[200];
   std::snprintf(numbers, sizeof numbers, "gives %.9g mJ to the hand; the exact law gives %.9g mJ and rounding may add %.3g mJ",
-                work.rendered, shape.is_conservative() ? 0.0 : work.exact, work.rounding);
+                work.rendered, claims.is_conservative() ? 0.0 : work.exact, work.rounding);
   return "the closed path " + loop_text(vertices) + " mm " + numbers;
 }
 
 WitnessLoop witness_loop(const reference::Law& law, float depth) {
   const std::vector<reference::PathPoint> corners = reference::witness(law, depth);
-  if (corners.empty()) return {through(Shape(law), static_cast<double>(depth)), {0, 0}, 0};
+  if (corners.empty()) return {through(LawClaims(law), static_cast<double>(depth)), {0, 0}, 0};
   WitnessLoop loop{{}, binary64(reference::loop_bound(law, depth).anywhere), binary64(reference::work(law, corners))[0]};
   // work_around() closes it.
   for (std::size_t i = 1; i < corners.size(); ++i)
@@ -58,9 +58,9 @@ WitnessLoop witness_loop(const reference::Law& law, float depth) {
   return loop;
 }
 
-Violation witness_is_reached(const RenderedLaw& rendered, const Shape& shape, float depth) {
+Violation witness_is_reached(const RenderedLaw& rendered, const LawClaims& claims, float depth) {
   const WitnessLoop loop = witness_loop(rendered.law, depth);
-  const Work work = work_around(rendered, shape, loop.vertices);
+  const Work work = work_around(rendered, claims, loop.vertices);
   const double allowed = work.rounding + work.placing + work.summing() + kVerticalTangent * loop.given_mJ;
   if (std::fabs(work.rendered - loop.given_mJ) <= allowed && loop.given_mJ >= kWitnessShare * loop.bound_mJ[1])
     return std::nullopt;

@@ -9,7 +9,7 @@
 
 namespace forceshade::properties {
 
-Violation passivity(const RenderedLaw& rendered, const Shape& shape, const std::vector<PathPoint>& vertices);
+Violation passivity(const RenderedLaw& rendered, const LawClaims& claims, const std::vector<PathPoint>& vertices);
 
 // The loop that shows how much energy a law gives (docs/energy.md); for a conservative law one through the object, which gives
 // none.
@@ -24,6 +24,6 @@ WitnessLoop witness_loop(const reference::Law& law, float depth);
 
 // Whether the renderer gives around the witness loop what the exact law gives, to within its own rounding and one part in 10^4,
 // and that reaches the bound.
-Violation witness_is_reached(const RenderedLaw& rendered, const Shape& shape, float depth);
+Violation witness_is_reached(const RenderedLaw& rendered, const LawClaims& claims, float depth);
 
 }  // namespace forceshade::properties

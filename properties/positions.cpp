@@ -57,17 +57,17 @@ float Draws::domain_end() {
 }
 
 float PositionSource::in_volume_x() {
-  const double reach = shape_.R > 0 ? 0.6 * static_cast<double>(shape_.w) : 20;
+  const double reach = claims_.R > 0 ? 0.6 * static_cast<double>(claims_.w) : 20;
   return static_cast<float>(uniform(-reach, reach));
 }
 
 float PositionSource::near_surface(float x) {
-  const auto surface = static_cast<float>(shape_.surface(static_cast<long double>(x)));
+  const auto surface = static_cast<float>(claims_.surface(static_cast<long double>(x)));
   return neighbour(surface, small_step());
 }
 
 float PositionSource::near_line() {
-  std::array<long double, 4> lines{0, shape_.w / 2, shape_.w_prime / 2, shape_.R};
+  std::array<long double, 4> lines{0, claims_.w / 2, claims_.w_prime / 2, claims_.R};
   const auto x = static_cast<float>(lines[bits() % lines.size()]);
   return neighbour((bits() & 1) != 0 ? x : -x, small_step());
 }
@@ -92,9 +92,9 @@ Eigen::Vector3f PositionSource::near_tie(Eigen::Vector3f position) {
 Aimed PositionSource::next() {
   const std::uint64_t choice = bits() % 64;
   const float y = choice % 8 == 0 ? any_float() : static_cast<float>(uniform(-100, 100));
-  const double depth = static_cast<double>(shape_.R > 0 ? shape_.h + shape_.w / 8 : 5);
+  const double depth = static_cast<double>(claims_.R > 0 ? claims_.h + claims_.w / 8 : 5);
   const auto below_surface = [&](float x) {
-    return static_cast<float>(static_cast<double>(shape_.surface(static_cast<long double>(x))) - uniform(-0.2, 1) * depth);
+    return static_cast<float>(static_cast<double>(claims_.surface(static_cast<long double>(x))) - uniform(-0.2, 1) * depth);
   };
   if (choice < 8) return {{any_float(), y, any_float()}, Aim::any_bits};
   if (choice < 32) {
@@ -125,11 +125,11 @@ Aimed PositionSource::next() {
     return {near_tie({x, 0, below_surface(x)}), Aim::tie};
   }
   if (choice < 58) {
-    const auto axis = static_cast<float>(-shape_.d);
+    const auto axis = static_cast<float>(-claims_.d);
     const float x = choice == 55 ? 0.0F : choice == 56 ? neighbour(0, small_step()) * 0x1p120F : in_volume_x() * 0x1p-20F;
     return {{x, y, neighbour(axis, small_step())}, Aim::axis};
   }
-  return {{few_bits(shape_.R > 0 ? 0.6 * static_cast<double>(shape_.w) : 20), y, few_bits(depth)}, Aim::few_bits};
+  return {{few_bits(claims_.R > 0 ? 0.6 * static_cast<double>(claims_.w) : 20), y, few_bits(depth)}, Aim::few_bits};
 }
 
 }  // namespace forceshade::properties

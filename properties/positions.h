@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <random>
 
-#include "forceshade/properties/shape.h"
+#include "forceshade/properties/law_claims.h"
 #include "forceshade/vocabulary/breakdown.h"
 
 namespace forceshade::properties {
@@ -55,7 +55,7 @@ class Positions {
 // facet lines, the position quantum, domain ends, rounding ties, the axis, and numbers of few bits (which make exact ties).
 class PositionSource final : public Positions, private Draws {
  public:
-  PositionSource(const reference::Law& law, std::uint64_t seed) : Draws(seed), law_(law), shape_(law) {}
+  PositionSource(const reference::Law& law, std::uint64_t seed) : Draws(seed), law_(law), claims_(law) {}
 
   Aimed next() override;
 
@@ -66,7 +66,7 @@ class PositionSource final : public Positions, private Draws {
   Eigen::Vector3f near_tie(Eigen::Vector3f position);
 
   reference::Law law_;
-  Shape shape_;
+  LawClaims claims_;
 };
 
 }  // namespace forceshade::properties

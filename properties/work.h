@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "forceshade/properties/law_claims.h"
 #include "forceshade/properties/rendered.h"
-#include "forceshade/properties/shape.h"
 
 namespace forceshade::properties {
 
@@ -31,6 +31,6 @@ struct Work {
 
 // Along the closed polygon through `vertices`. Each edge is cut where the force has a kink or a jump and each piece is
 // integrated by 15-point Gauss-Legendre, so on a conservative law `exact` is zero but for `placing`.
-Work work_around(const RenderedLaw& rendered, const Shape& shape, const std::vector<PathPoint>& vertices);
+Work work_around(const RenderedLaw& rendered, const LawClaims& claims, const std::vector<PathPoint>& vertices);
 
 }  // namespace forceshade::properties

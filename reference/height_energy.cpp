@@ -9,7 +9,7 @@
 namespace forceshade::reference {
 namespace {
 
-Interval paid(const HeightMapField& law, const Ball64& over_stiffness) {
+Interval generated(const HeightMapField& law, const Ball64& over_stiffness) {
   const Ball64 energy = Ball64(static_cast<double>(law.stiffness())) * over_stiffness;
   if (!is_finite(energy)) throw NotEnclosed("an energy that is not finite");
   return interval(Multiprecision(std::max(0.0L, energy.low())), Multiprecision(energy.high()));
@@ -27,8 +27,8 @@ SliceBound loop_bound(const HeightMapField& law, const Slice& slice, float depth
   set_precision(kEnergyBits);
   return decided([&] {
     const Circulation circulation(law, slice, depth);
-    const Paid sum = circulation.paid(circulation.stretches(1e-8L, watch));
-    return SliceBound{paid(law, sum.counter_clockwise), paid(law, sum.clockwise)};
+    const Generated sum = circulation.generated(circulation.stretches(1e-8L, watch));
+    return SliceBound{generated(law, sum.counter_clockwise), generated(law, sum.clockwise)};
   });
 }
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "forceshade/reference/energy/bend.h"
+#include "forceshade/reference/energy/slope_and_curvature.h"
 #include "forceshade/reference/heights/sum.h"
 #include "forceshade/reference/position.h"
 
@@ -33,13 +33,13 @@ struct Piece {
 };
 
 Enclosure angle(const std::vector<height::Part>& parts, double x, double inside) {
-  return atan(bend(parts, Enclosure(x), inside).slope);
+  return atan(slope_and_curvature(parts, Enclosure(x), inside).slope);
 }
 
 Piece piece(const std::vector<height::Part>& parts, double from, double to) {
   const double inside = 0.5 * (from + to);
   const Enclosure change = abs(Enclosure(angle(parts, to, inside) - angle(parts, from, inside)));
-  const Enclosure curvature = bend(parts, between(from, to), inside).curvature;
+  const Enclosure curvature = slope_and_curvature(parts, between(from, to), inside).curvature;
   if (lower(curvature) >= 0 || upper(curvature) <= 0) return {from, to, change, true};
   // The angle changes no faster than the slope.
   const Multiprecision most = upper(Enclosure(abs(curvature) * (Enclosure(to) - Enclosure(from))));

@@ -70,7 +70,7 @@ std::string surface_figure(int number, const Parameters& parameters) {
     panels.push_back({heading, svg_plot(cross_section(side_view(Drawn(id, parameters))))});
   }
   const auto mm = [](long double size) { return html_number(static_cast<double>(size), 5) + "\u202Fmm"; };
-  const Shape& shape = cylinder.shape;
+  const LawClaims& shape = cylinder.shape;
   return figure(
       number, "four", "Nominal surfaces",
       legend_line(kDepthColours[2], "where the force begins") +

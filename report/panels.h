@@ -10,7 +10,7 @@
 
 #include "forceshade/certificate/certificate.h"
 #include "forceshade/fast/law.h"
-#include "forceshade/properties/shape.h"
+#include "forceshade/properties/law_claims.h"
 #include "forceshade/reference/law.h"
 
 namespace forceshade::properties {
@@ -21,7 +21,7 @@ struct Drawn {
   Findings findings;  // of a certificate; else none
   fast::Law law;
   reference::Law reference;
-  Shape shape;
+  LawClaims shape;
 
   // Throws PlotError if the parameters are outside the law's domain.
   Drawn(LawId id, const Parameters& parameters, Findings findings = {});

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "forceshade/properties/height_shape.h"
+#include "forceshade/properties/height_map_claims.h"
 #include "forceshade/reference/energy.h"
 #include "forceshade/report/pictures.h"
 
@@ -73,7 +73,7 @@ SideView side_view(const Drawn& law) {
   view.surface = [shape = law.shape](double x) { return static_cast<double>(shape.surface(static_cast<long double>(x))); };
   view.stands_for = [shape = law.shape, is_bump](double x) {
     if (!is_bump || shape.id == LawId::bump_cylinder || 2 * std::fabs(x) > static_cast<double>(shape.w)) return std::nan("");
-    Shape cylinder = shape;
+    LawClaims cylinder = shape;
     cylinder.id = LawId::bump_cylinder;
     return static_cast<double>(cylinder.surface(static_cast<long double>(x)));
   };
@@ -90,7 +90,7 @@ SideView side_view(const RenderedHeightMap& rendered, const std::string& name, c
   constexpr int kSteps = 480;
   constexpr double kBeside = 1e-5;  // mm: how far from a jump it is looked at
   const Section section{rendered.law, range.y};
-  const HeightShape shape(rendered.law);
+  const HeightMapClaims shape(rendered.law);
   const auto left = static_cast<double>(range.from), right = static_cast<double>(range.to), width = right - left;
   const double step = width / kSteps, deepest = width / 12;
   const bool is_shaded = rendered.law.rendering() == height::Rendering::force_shaded;
@@ -108,7 +108,7 @@ SideView side_view(const RenderedHeightMap& rendered, const std::string& name, c
       high = std::max(high, one->surface(x));
     }
     // A line between two steps belongs to one of them, whichever rounding says: it is looked for in both.
-    if (i == kSteps || !shape.bend(x + step / 2, static_cast<double>(range.y), step).kink) continue;
+    if (i == kSteps || !shape.gradient_change(x + step / 2, static_cast<double>(range.y), step).kink) continue;
     const auto jump = jump_between(section, x, x + step);
     if (jump && (view.jumps.empty() || *jump - view.jumps.back() > 2 * kBeside)) view.jumps.push_back(*jump);
   }

@@ -14,7 +14,7 @@ struct Point {
   Eigen::Vector3d position, velocity;
 };
 
-Point point_of(const Way& way, double period, double s) noexcept {
+Point point_of(const HermiteStep& way, double period, double s) noexcept {
   const double u = 1 - s;
   const Eigen::Vector3d rise = way.to - way.from;
   return {way.from + s * s * (3 - 2 * s) * rise + period * s * u * (u * way.from_velocity - s * way.to_velocity),
@@ -48,7 +48,7 @@ Pull pull_on(const Plant& plant, const Motion& m, const Pose& pose, const Joints
 
 }  // namespace
 
-Motion Plant::advanced(Motion m, const Joints& torque, const Way& way, double period, int steps) const noexcept {
+Motion Plant::advanced(Motion m, const Joints& torque, const HermiteStep& way, double period, int steps) const noexcept {
   const double h = period / steps;
   for (int k = 0; k < steps; ++k) {
     const Point begin = point_of(way, period, static_cast<double>(k) / steps),

@@ -17,7 +17,7 @@ struct Motion {
 };
 
 // A target's way through one period: the cubic that has its positions and velocities at both ends.
-struct Way {
+struct HermiteStep {
   Eigen::Vector3d from{0, 0, 0}, from_velocity{0, 0, 0}, to{0, 0, 0}, to_velocity{0, 0, 0};  // m, m/s
 };
 
@@ -27,7 +27,7 @@ struct Plant {
   std::optional<Grip> grip;
 
   // `steps` equal steps through `period` seconds, the motors' torque held.
-  Motion advanced(Motion motion, const Joints& torque, const Way& way, double period, int steps) const noexcept;
+  Motion advanced(Motion motion, const Joints& torque, const HermiteStep& way, double period, int steps) const noexcept;
 };
 
 }  // namespace forceshade::device

@@ -59,7 +59,7 @@ ReadResult Simulated::read() noexcept {
   if (period_ == 0) return Fault{"the simulated device was not started"};
   if (hand_ && hand_->ends && static_cast<double>(readings_) * period_ > hand_->intention.end()) return EndOfData{};
   if (readings_ > 0) {
-    Way way;
+    HermiteStep way;
     if (hand_) {
       const Target from = meant_at(readings_ - 1), to = meant_at(readings_);
       way = {metres(from.position), metres(from.velocity), metres(to.position), metres(to.velocity)};

@@ -193,7 +193,7 @@ class Parts {
     if (other == kRim || (normal_at(next(other)) == a && normal_at(other) == b)) return from_its_side(between(a, b));
     // D = α n1 + β n2, α and β of the side's sign; they carry it to the direction.
     const Face &first = mesh_.face(face_of(spot_.half)), &second = mesh_.face(face_of(other));
-    if (first.bend(corner_of(spot_.half)) == Bend::flat) return {Outcome::none, {}};
+    if (first.edge_angle(corner_of(spot_.half)) == EdgeAngle::flat) return {Outcome::none, {}};
     if (rest_ == Rest::at_spot) {
       const Sign along = proved_sign(dot(way.vector, edge()));
       if (along == Sign::unknown) return {Outcome::unknown, {}};

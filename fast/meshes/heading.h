@@ -10,7 +10,7 @@ namespace forceshade::fast {
 enum class Aim { on, open, front, back };
 
 // The steepest way along the surface.
-struct Way {
+struct Slide {
   enum class Along { nothing, edge, triangle } along = Along::nothing;
   HalfEdge half = 0;         // edge: one of its halves; triangle: one of its edges
   bool is_reversed = false;  // edge: from the half's end to its start
@@ -18,7 +18,7 @@ struct Way {
 
 struct Heading {
   Aim aim;
-  Way way;
+  Slide way;
 };
 
 // 2^24(p - g) or its opposite.
@@ -76,17 +76,17 @@ class Headings {
     const HalfEdge other = mesh_.twin(h);
     const Aim aim = aim_at_edge(h);
     const bool into_first = inward(h) > 0, into_second = other != kRim && inward(other) > 0;
-    if (!into_first && !into_second) return {aim, {Way::Along::edge, h, false}};
+    if (!into_first && !into_second) return {aim, {Slide::Along::edge, h, false}};
     const bool is_second =
-        into_second && (!into_first || is_better({Way::Along::triangle, other, false}, {Way::Along::triangle, h, false}));
-    return {aim, {Way::Along::triangle, is_second ? other : h, false}};
+        into_second && (!into_first || is_better({Slide::Along::triangle, other, false}, {Slide::Along::triangle, h, false}));
+    return {aim, {Slide::Along::triangle, is_second ? other : h, false}};
   }
 
   // At a vertex: with Along::nothing, the surface does not lead nearer. d is not 0.
   Heading at_vertex(std::uint32_t vertex) const noexcept {
-    Way best;
-    const auto offer = [&](const Way& way) {
-      if (best.along == Way::Along::nothing || is_better(way, best)) best = way;
+    Slide best;
+    const auto offer = [&](const Slide& way) {
+      if (best.along == Slide::Along::nothing || is_better(way, best)) best = way;
     };
     // An edge is the steepest way only if neither of its triangles leads inward from it.
     const HalfEdge start = mesh_.first_around(vertex);
@@ -98,16 +98,16 @@ class Headings {
       if (h == start && !is_at_rim)
         into_first_from_start = from_edge;
       else if (into_last <= 0 && from_edge <= 0)
-        offer({Way::Along::edge, h, false});
-      if (from_edge > 0 && from_other > 0) offer({Way::Along::triangle, h, false});
+        offer({Slide::Along::edge, h, false});
+      if (from_edge > 0 && from_other > 0) offer({Slide::Along::triangle, h, false});
       into_last = from_other;
       const HalfEdge following = mesh_.around(h);
-      if (following == kRim && into_last <= 0) offer({Way::Along::edge, previous(h), true});
+      if (following == kRim && into_last <= 0) offer({Slide::Along::edge, previous(h), true});
       h = following;
     } while (h != kRim && h != start);
-    if (!is_at_rim && into_last <= 0 && into_first_from_start <= 0) offer({Way::Along::edge, start, false});
+    if (!is_at_rim && into_last <= 0 && into_first_from_start <= 0) offer({Slide::Along::edge, start, false});
     const Aim aim = aim_at_vertex(best, is_at_rim);
-    if (best.along == Way::Along::edge && along(best) <= 0) best = {};
+    if (best.along == Slide::Along::edge && along(best) <= 0) best = {};
     return {aim, best};
   }
 
@@ -117,12 +117,12 @@ class Headings {
 
   // Beside an edge with two triangles, d being on neither.
   Aim of_two(HalfEdge h, int first, int second) const noexcept {
-    const bool is_narrow = mesh_.face(face_of(h)).bend(corner_of(h)) == Bend::narrow;
+    const bool is_narrow = mesh_.face(face_of(h)).edge_angle(corner_of(h)) == EdgeAngle::narrow;
     return aim_of(is_narrow ? first > 0 && second > 0 : first > 0 || second > 0);
   }
 
-  Aim aim_at_vertex(const Way& best, bool is_at_rim) const noexcept {
-    if (best.along == Way::Along::triangle) {
+  Aim aim_at_vertex(const Slide& best, bool is_at_rim) const noexcept {
+    if (best.along == Slide::Along::triangle) {
       const int sign = side(face_of(best.half));
       return sign == 0 ? Aim::on : is_at_rim ? Aim::open : aim_of(sign > 0);
     }
@@ -133,25 +133,25 @@ class Headings {
   }
 
   // e·d, e leading away from the vertex.
-  Vector3<double> edge(const Way& way) const noexcept {
+  Vector3<double> edge(const Slide& way) const noexcept {
     const float *a = mesh_.start_point(way.half), *b = end_point(way.half);
     return way.is_reversed ? difference(a, b) : difference(b, a);
   }
-  ExactDifference exact_edge(const Way& way) const noexcept {
+  ExactDifference exact_edge(const Slide& way) const noexcept {
     const float *a = mesh_.start_point(way.half), *b = end_point(way.half);
     return way.is_reversed ? exact_difference(a, b) : exact_difference(b, a);
   }
-  DoubleWithError along_edge(const Way& way) const noexcept {
+  DoubleWithError along_edge(const Slide& way) const noexcept {
     const Vector3<double> e = edge(way);
     return {dot(direction_.d, e), kAlong.error * direction_.size * size_of(e)};
   }
-  int along(const Way& way) const noexcept {
+  int along(const Slide& way) const noexcept {
     return sign_of(along_edge(way), stages_, [&] { return dot(direction_.exact(), exact_edge(way)).sign(); });
   }
 
   // The square of the part of d along the way, with the part's sign.
-  DoubleWithError part_along(const Way& way) const noexcept {
-    if (way.along == Way::Along::edge) {
+  DoubleWithError part_along(const Slide& way) const noexcept {
+    if (way.along == Slide::Along::edge) {
       const Vector3<double> e = edge(way);
       const double size = size_of(e);
       const DoubleWithError part = along_edge(way);
@@ -165,11 +165,11 @@ class Headings {
   }
 
   // Whether `a` is steeper than `b`, or comes before it where both are alike.
-  bool is_better(const Way& a, const Way& b) const noexcept {
+  bool is_better(const Slide& a, const Slide& b) const noexcept {
     int sign = 0;
-    if (a.along == Way::Along::triangle && b.along == Way::Along::triangle) {
+    if (a.along == Slide::Along::triangle && b.along == Slide::Along::triangle) {
       // The nearer the plane, the longer the projection.
-      const auto angle = [&](const Way& way) {
+      const auto angle = [&](const Slide& way) {
         const FaceNumbers face(mesh_.face(face_of(way.half)));
         const DoubleWithError across{dot(face.n, direction_.d), kAcross.error * face.area * direction_.size};
         return across * across / DoubleWithError{dot(face.n, face.n), kArea.error * face.area * face.area};
@@ -179,26 +179,26 @@ class Headings {
       sign = sign_of(part_along(a) - part_along(b), stages_, [&] { return exact_compare(a, b); });
     }
     if (sign != 0) return sign > 0;
-    if (a.along != b.along) return a.along == Way::Along::edge;
-    if (a.along == Way::Along::triangle) return mesh_.face(face_of(a.half)).index() < mesh_.face(face_of(b.half)).index();
+    if (a.along != b.along) return a.along == Slide::Along::edge;
+    if (a.along == Slide::Along::triangle) return mesh_.face(face_of(a.half)).index() < mesh_.face(face_of(b.half)).index();
     return ends(a) < ends(b);
   }
-  std::array<std::uint32_t, 2> ends(const Way& way) const noexcept {
+  std::array<std::uint32_t, 2> ends(const Slide& way) const noexcept {
     const std::uint32_t a = mesh_.start(way.half), b = mesh_.start(next(way.half));
     return a < b ? std::array{a, b} : std::array{b, a};
   }
 
-  [[gnu::noinline]] int exact_compare(const Way& a, const Way& b) const noexcept {
-    if (a.along == Way::Along::edge && b.along == Way::Along::triangle) return -exact_compare(b, a);
+  [[gnu::noinline]] int exact_compare(const Slide& a, const Slide& b) const noexcept {
+    if (a.along == Slide::Along::edge && b.along == Slide::Along::triangle) return -exact_compare(b, a);
     const ExactOffset d = direction_.exact();
-    if (b.along == Way::Along::triangle) {
+    if (b.along == Slide::Along::triangle) {
       const auto n1 = ExactFace(mesh_.face(face_of(a.half))).n, n2 = ExactFace(mesh_.face(face_of(b.half))).n;
       const auto first = dot(n1, d), second = dot(n2, d);
       return (second * second * square(n1)).compare(first * first * square(n2));
     }
     const ExactDifference e = exact_edge(b);
     const auto part = dot(d, e);
-    if (a.along == Way::Along::triangle) {
+    if (a.along == Slide::Along::triangle) {
       if (part.sign() <= 0) return 1;  // a triangle is offered only with a projection, which is longer than 0
       const auto n = ExactFace(mesh_.face(face_of(a.half))).n;
       return (square(cross(d, n)) * square(e)).compare(part * part * square(n));

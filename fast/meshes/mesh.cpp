@@ -100,7 +100,7 @@ std::variant<Mesh, std::string> Mesh::build(const mesh::TriangleMesh& triangles,
     result.face_of_file_[order[f]] = f;
     face.vertex = triangles.triangles[order[f]];
     face.twin.fill(kRim);
-    face.index_and_bends = order[f] << Face::kBendBits;
+    face.index_and_edge_angles = order[f] << Face::kBendBits;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t axis = 0; axis < 3; ++axis) {
         face.corner[i][axis] = quantised(triangles.vertices[face.vertex[i]][axis]);
@@ -188,9 +188,9 @@ void Mesh::find_bends() {
     const HalfEdge other = twin(h);
     if (other == kRim || other < h) continue;
     const int sign = side_of(face, start_point(previous(other)), FilteredStages());
-    const auto bend = static_cast<std::uint32_t>(sign > 0 ? Bend::narrow : sign == 0 ? Bend::flat : Bend::wide);
-    face.index_and_bends |= bend << (2 * corner_of(h));
-    faces_[face_of(other)].index_and_bends |= bend << (2 * corner_of(other));
+    const auto angle = static_cast<std::uint32_t>(sign > 0 ? EdgeAngle::narrow : sign == 0 ? EdgeAngle::flat : EdgeAngle::wide);
+    face.index_and_edge_angles |= angle << (2 * corner_of(h));
+    faces_[face_of(other)].index_and_edge_angles |= angle << (2 * corner_of(other));
   }
 }
 

@@ -131,7 +131,7 @@ class Walk {
         const Vector3<double> w = difference(p_.data(), corner.corner[0]);
         const Direction direction{w, size_of(w), &corner, p_.data(), false};
         const Heading heading = Headings<Stages>(mesh_, direction, stages_).at_edge(spot_.half);
-        if (heading.aim == Aim::on && heading.way.along == Way::Along::edge && is_at_position()) return rest(Rest::at_spot);
+        if (heading.aim == Aim::on && heading.way.along == Slide::Along::edge && is_at_position()) return rest(Rest::at_spot);
         if (is_own(heading.aim)) return fly();
         return slide(heading);
       }
@@ -163,15 +163,15 @@ class Walk {
   }
 
   Step slide(const Heading& heading) noexcept {
-    if (heading.way.along == Way::Along::nothing) return rest(Rest::at_spot);
-    if (heading.way.along == Way::Along::edge) return slide_along(heading.way);
+    if (heading.way.along == Slide::Along::nothing) return rest(Rest::at_spot);
+    if (heading.way.along == Slide::Along::edge) return slide_along(heading.way);
     const std::uint32_t f = face_of(heading.way.half);
     const Face& face = mesh_.face(f);
     return slide_in(f, Weights(FaceNumbers(face), difference(p_.data(), face.corner[0].data())), heading.aim == Aim::on);
   }
 
   // From the spot towards p's nearest point q of the edge's line.
-  Step slide_along(const Way& way) noexcept {
+  Step slide_along(const Slide& way) noexcept {
     const HalfEdge h = way.half;
     const Foot foot(mesh_.start_point(h), mesh_.start_point(next(h)), p_.data());
     const auto beyond = [&](std::uint32_t weight) {

@@ -27,10 +27,10 @@ constexpr long double kSlack = 0x1p-60L;
 }  // namespace
 
 Circulation::Circulation(const HeightMapField& law, const Slice& slice, float depth)
-    : line_(law, way_of(slice)), depth_(static_cast<double>(depth)) {}
+    : line_(law, segment_of(slice)), depth_(static_cast<double>(depth)) {}
 
 std::array<Ball64, 2> Circulation::density(const HeightLine::Piece& piece, const Ball64& t) const {
-  const auto at = line_.ground(piece, GroundSeries::variable(t, 1.0));
+  const auto at = line_.ground(piece, SectionSeries::variable(t, 1.0));
   const Ball64 surface = (at.excess * at.upright)[0];
   return {surface, surface + depth_ * at.upright[1]};
 }
@@ -41,17 +41,17 @@ Ball64 Circulation::rise(std::size_t piece) const {
 }
 
 void Circulation::judge(Stretch& stretch) const {
-  using Ground = Ground<GroundSeries>;
+  using SectionSample = SectionSample<SectionSeries>;
   using Function = Local::Function;
   const Local local(line_, stretch);
   const Ball64 two(2.0), half = depth_ / two;
-  const auto surface = local.function([&](const Ground& g, const auto&) { return (g.excess * g.upright).shorter(); });
-  const auto slope = local.function([&](const Ground& g, const auto&) { return g.upright.derivative(); });
+  const auto surface = local.function([&](const SectionSample& g, const auto&) { return (g.excess * g.upright).shorter(); });
+  const auto slope = local.function([&](const SectionSample& g, const auto&) { return g.upright.derivative(); });
   const auto bottom = surface + depth_ * slope;
   // Of the same signs, n and n³ times as large: without a root, so that they are certain on longer stretches.
-  const auto excess = local.function([&](const Ground& g, const auto&) { return g.excess.shorter(); });
+  const auto excess = local.function([&](const SectionSample& g, const auto&) { return g.excess.shorter(); });
   const auto below = local.function(
-      [&](const Ground& g, const auto&) { return (g.excess * g.squared).shorter() + -half * g.squared.derivative(); });
+      [&](const SectionSample& g, const auto&) { return (g.excess * g.squared).shorter() + -half * g.squared.derivative(); });
   const Range shallow = with_sign(local.range(surface), local.range(excess)),
               deep = with_sign(local.range(bottom), local.range(below));
   const Ball64 turned = line_.ground(*stretch.piece, stretch.to).upright - line_.ground(*stretch.piece, stretch.from).upright;
@@ -63,15 +63,15 @@ void Circulation::judge(Stretch& stretch) const {
   }
   if (shallow.low >= 0 && deep.low >= 0) {
     stretch.enclosed = Enclosed::all;
-    stretch.paid = total;
+    stretch.generated = total;
     return;
   }
   stretch.enclosed = total.low() > 0 ? Enclosed::all : Enclosed::nothing;
   stretch.change = local.change(shallow.low < 0 && shallow.high > 0 ? excess : below);
   const long double D = depth_.mid(), width = stretch.width() * (1 + kSlack);
-  const long double paid = positive_part(shallow.high, deep.high, D) * width,
+  const long double generated = positive_part(shallow.high, deep.high, D) * width,
                     cost = positive_part(-shallow.low, -deep.low, D) * width;
-  stretch.paid = ball(std::max(0.0L, total.low()), std::max(0.0L, std::min(paid, total.high() + cost)));
+  stretch.generated = ball(std::max(0.0L, total.low()), std::max(0.0L, std::min(generated, total.high() + cost)));
   const bool is_top = shallow.low > 0 && deep.high < 0;
   if (is_top || (shallow.high < 0 && deep.low > 0)) {
     // A triangle over the depths that pay.
@@ -79,15 +79,15 @@ void Circulation::judge(Stretch& stretch) const {
       const Function& f = is_top ? surface : bottom;
       const Ball64 triangle = local.integral(f * f / (is_top ? -two * slope : two * slope));
       stretch.enclosed = is_top ? Enclosed::top : Enclosed::bottom;
-      if (triangle.rad() < stretch.paid.rad()) stretch.paid = triangle;
+      if (triangle.rad() < stretch.generated.rad()) stretch.generated = triangle;
     } catch (const Undecided&) {
     }
   }
-  stretch.cost = stretch.paid - total;
+  stretch.cost = stretch.generated - total;
 }
 
-Paid Circulation::lines() const {
-  Paid sum;
+Generated Circulation::lines() const {
+  Generated sum;
   const Ball64 half = depth_ * depth_ / Ball64(2.0);
   for (std::size_t i = 1; i < line_.pieces().size(); ++i) {
     const Ball64 one = half * rise(i);
@@ -97,17 +97,17 @@ Paid Circulation::lines() const {
   return sum;
 }
 
-Paid Circulation::paid(const std::vector<Stretch>& stretches) const {
-  Paid sum = lines();
+Generated Circulation::generated(const std::vector<Stretch>& stretches) const {
+  Generated sum = lines();
   for (const Stretch& stretch : stretches) {
-    sum.counter_clockwise = sum.counter_clockwise + stretch.paid;
+    sum.counter_clockwise = sum.counter_clockwise + stretch.generated;
     sum.clockwise = sum.clockwise + stretch.cost;
   }
   return sum;
 }
 
 std::vector<Stretch> Circulation::stretches(long double relative, const Watch& watch) const {
-  const Paid on_lines = lines();
+  const Generated on_lines = lines();
   const long double D = depth_.mid(), floor = std::max(D * D * 0x1p-44L, relative * std::max(on_lines.counter_clockwise.mid(),
                                                                                              on_lines.clockwise.mid()));
   return refine(

@@ -8,14 +8,14 @@
 
 namespace forceshade::reference {
 
-inline Way way_of(const Slice& s) {
-  return s.along == Slice::Along::x ? Way{s.from, s.at, s.to, s.at} : Way{s.at, s.from, s.at, s.to};
+inline Segment segment_of(const Slice& s) {
+  return s.along == Slice::Along::x ? Segment{s.from, s.at, s.to, s.at} : Segment{s.at, s.from, s.at, s.to};
 }
 
 // No height of the surface that depths are measured from is larger in size, mm.
 double tallest(const HeightMapField& law, const Slice& slice);
 
-struct Paid {
+struct Generated {
   Ball64 counter_clockwise, clockwise;
 };
 
@@ -27,8 +27,8 @@ class Circulation {
   const HeightLine& line() const { return line_; }
 
   // What the lines on which 1/n jumps pay, over K; and with them, the stretches between.
-  Paid lines() const;
-  Paid paid(const std::vector<Stretch>& stretches) const;
+  Generated lines() const;
+  Generated generated(const std::vector<Stretch>& stretches) const;
 
   // What is paid between them, over K; certain to `relative` of all. In order of t.
   std::vector<Stretch> stretches(long double relative, const Watch& watch = {}) const;

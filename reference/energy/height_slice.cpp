@@ -14,7 +14,7 @@ constexpr float kMostCells = 65536;
 
 double tallest(const HeightMapField& law, const Slice& slice) {
   const bool is_shaded = law.rendering() == height::Rendering::force_shaded;
-  const Way way = way_of(slice);
+  const Segment way = segment_of(slice);
   const double largest_x = std::max(size_of(way.x0), size_of(way.x1)), largest_y = std::max(size_of(way.y0), size_of(way.y1));
   double sum = 0;
   for (const height::Part& part : is_shaded ? law.map().surface : law.map().parts)

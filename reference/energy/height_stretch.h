@@ -18,13 +18,13 @@ enum class Enclosed { nothing, all, top, bottom };
 // A stretch of a piece and what it is worth.
 struct Stretch {
   const HeightLine::Piece* piece;
-  Ball64 from, to;        // t
-  Ball64 paid{}, cost{};  // the integral over it; of a circulation its positive part and the size of its negative part
+  Ball64 from, to;             // t
+  Ball64 generated{}, cost{};  // the integral over it; of a circulation its positive part and the size of its negative part
   Enclosed enclosed = Enclosed::nothing;
   long double change = from.mid();  // where to cut it best, if that is inside
 
   long double width() const { return to.high() - from.low(); }
-  long double doubt() const { return paid.rad() + cost.rad(); }
+  long double doubt() const { return generated.rad() + cost.rad(); }
 
   // Off the ends: what is left to be certain of next to a cut gains nothing by another.
   long double cut() const {
@@ -56,14 +56,14 @@ class Local {
         reach_(std::max(stretch.to.high() - middle_, middle_ - stretch.from.low())),
         from_(stretch.from - Ball64(middle_, 0)),
         to_(stretch.to - Ball64(middle_, 0)),
-        at_middle_(line.ground(*stretch.piece, GroundSeries::variable(Ball64(middle_, 0), 1.0))),
-        over_(line.ground(*stretch.piece, GroundSeries::variable(Ball64(middle_, reach_), 1.0))) {}
+        at_middle_(line.ground(*stretch.piece, SectionSeries::variable(Ball64(middle_, 0), 1.0))),
+        over_(line.ground(*stretch.piece, SectionSeries::variable(Ball64(middle_, reach_), 1.0))) {}
 
   // f(ground, t) gives a Series<kOrder>.
   template <class F>
   Function function(const F& f) const {
-    return {f(at_middle_, GroundSeries::variable(Ball64(middle_, 0), 1.0)),
-            f(over_, GroundSeries::variable(Ball64(middle_, reach_), 1.0))};
+    return {f(at_middle_, SectionSeries::variable(Ball64(middle_, 0), 1.0)),
+            f(over_, SectionSeries::variable(Ball64(middle_, reach_), 1.0))};
   }
 
   // Not wider than the width times all values, however bad the series is.
@@ -108,7 +108,7 @@ class Local {
  private:
   long double middle_, reach_;
   Ball64 from_, to_;
-  Ground<GroundSeries> at_middle_, over_;
+  SectionSample<SectionSeries> at_middle_, over_;
 };
 
 // f(), with what a formula leaves open where nothing can be cut said as NotEnclosed.
@@ -138,7 +138,7 @@ std::vector<Stretch> refine(const HeightLine& line, const Judge& judge, long dou
     Stretch s{piece, from, to};
     try {
       judge(s);
-      if (is_finite(s.paid) && is_finite(s.cost)) return s;
+      if (is_finite(s.generated) && is_finite(s.cost)) return s;
     } catch (const Undecided&) {
     }
     return Stretch{piece, from, to, {0, kInfinity}};
@@ -147,14 +147,14 @@ std::vector<Stretch> refine(const HeightLine& line, const Judge& judge, long dou
   for (const HeightLine::Piece& piece : line.pieces()) all.push_back(judged(&piece, piece.from, piece.to));
   long double first = 0;
   for (;;) {
-    long double paid = 0, cost = 0, doubt = 0, worst = 0;
+    long double generated = 0, cost = 0, doubt = 0, worst = 0;
     for (const Stretch& s : all) {
-      paid += s.paid.mid();
+      generated += s.generated.mid();
       cost += s.cost.mid();
       doubt += s.doubt();
       if (s.can_be_cut()) worst = std::max(worst, s.doubt());
     }
-    const long double larger = std::max(std::fabs(paid), std::fabs(cost)), allowed = std::max(relative * larger, floor);
+    const long double larger = std::max(std::fabs(generated), std::fabs(cost)), allowed = std::max(relative * larger, floor);
     if (doubt <= allowed) return all;
     const long double enough = allowed / (2 * static_cast<long double>(all.size()));
     const bool is_enough = all.size() >= most || (all.size() >= many && doubt <= kFair * larger);

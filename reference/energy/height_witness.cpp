@@ -107,7 +107,7 @@ class Columns {
     const bool is_paid = !is_smooth && (rise.mid() > 0) != is_clockwise_;
     // The surface bends on the line, and is as good as straight beside it.
     const auto before = circulation_.line().ground(left, right.from), after = circulation_.line().ground(right, right.from);
-    const auto steepness = [&](const Ground<Ball64>& g) {
+    const auto steepness = [&](const SectionSample<Ball64>& g) {
       const Ball64 slope = g.climb + g.excess;
       return std::max(std::fabs(slope.low()), std::fabs(slope.high())) / (slice_.to - slice_.from);
     };
@@ -127,7 +127,7 @@ class Columns {
     const long double middle = (stretch.from.mid() + stretch.to.mid()) / 2, D = circulation_.depth().mid();
     const long double half = std::max(stretch.to.high() - middle, middle - stretch.from.low());
     const Ball64 bend =
-        circulation_.line().ground(*stretch.piece, GroundSeries::variable(Ball64(middle, half), 1.0)).surface[2];
+        circulation_.line().ground(*stretch.piece, SectionSeries::variable(Ball64(middle, half), 1.0)).surface[2];
     const long double most = std::max(std::fabs(bend.low()), std::fabs(bend.high())) * stretch.width() * stretch.width() / 4;
     const long double leaves = enclosed == Enclosed::all ? 0 : bend_of_change(*stretch.piece, from, to);
     const auto chords_for = [&](long double height) { return static_cast<int>(std::ceil(std::sqrt(height / (D * kSagitta)))); };
@@ -244,10 +244,11 @@ std::vector<Eigen::Vector3f> witness(const HeightMapField& law, const Slice& sli
   return decided([&] {
     const Circulation circulation(law, slice, depth);
     const std::vector<Stretch> stretches = circulation.stretches(1e-4L, watch.part(0, 0.75));
-    const Paid paid = circulation.paid(stretches);
-    const long double D = circulation.depth().mid(), most = std::max(paid.counter_clockwise.high(), paid.clockwise.high());
+    const Generated generated = circulation.generated(stretches);
+    const long double D = circulation.depth().mid(),
+                      most = std::max(generated.counter_clockwise.high(), generated.clockwise.high());
     if (most <= D * D * kLeast) return std::vector<Eigen::Vector3f>{};
-    const bool is_clockwise = paid.counter_clockwise.high() < paid.clockwise.high();
+    const bool is_clockwise = generated.counter_clockwise.high() < generated.clockwise.high();
     std::vector<Corner> corners = Columns(law, slice, circulation, stretches, is_clockwise, watch.part(0.75, 1)).polygon();
     if (is_clockwise) std::reverse(corners.begin(), corners.end());
     if (!corners.empty()) corners.push_back(corners.front());

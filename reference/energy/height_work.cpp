@@ -34,28 +34,30 @@ Ball64 work_across(const HeightMapField& law, const Eigen::Vector3f& a, const Ei
   const HeightLine line(law, {a.x(), a.y(), b.x(), b.y()});
   const Ball64 z0(static_cast<double>(a.z())), dz = Ball64(static_cast<double>(b.z())) - z0;
   const auto judge = [&](Stretch& stretch) {
-    using Ground = Ground<GroundSeries>;
+    using SectionSample = SectionSample<SectionSeries>;
     const Local local(line, stretch);
-    const auto depth = [&](const Ground& g, const GroundSeries& t) {
-      return (g.surface - GroundSeries(z0) - GroundSeries(dz) * t).shorter();
+    const auto depth = [&](const SectionSample& g, const SectionSeries& t) {
+      return (g.surface - SectionSeries(z0) - SectionSeries(dz) * t).shorter();
     };
-    const auto share = [&](const Ground& g, const auto&) { return ((GroundSeries(dz) - g.climb) * g.upright).shorter(); };
-    const auto force = [&](const Ground& g, const auto& t) { return depth(g, t) * share(g, t); };
+    const auto share = [&](const SectionSample& g, const auto&) {
+      return ((SectionSeries(dz) - g.climb) * g.upright).shorter();
+    };
+    const auto force = [&](const SectionSample& g, const auto& t) { return depth(g, t) * share(g, t); };
     const Range below = local.range(local.function(depth));
     if (below.high <= 0) return;
     const Ball64 total = below.low < -below.high ? Ball64() : local.integral(local.function(force));
-    stretch.paid = total;
+    stretch.generated = total;
     if (below.low >= 0) return;
     // Within what the part on the other side of the surface would add.
     stretch.change = local.change(local.function(depth));
     const Range along = local.range(local.function(share));
     const long double most = std::min(-below.low, below.high) * stretch.width() * (1 + 0x1p-60L);
-    stretch.paid = total + ball(std::min(0.0L, along.low) * most, std::max(0.0L, along.high) * most);
+    stretch.generated = total + ball(std::min(0.0L, along.low) * most, std::max(0.0L, along.high) * most);
   };
   // What 64 bits cannot do better.
   const long double floor = static_cast<long double>((b - a).norm() * (1 + a.cwiseAbs().maxCoeff())) * 0x1p-50L;
   Ball64 sum;
-  for (const Stretch& stretch : refine(line, judge, 1e-10L, floor, watch)) sum = sum + stretch.paid;
+  for (const Stretch& stretch : refine(line, judge, 1e-10L, floor, watch)) sum = sum + stretch.generated;
   return Ball64(static_cast<double>(law.stiffness())) * sum;
 }
 

@@ -19,7 +19,8 @@ inline DomainError check_cap(float radius, float width) {
   return check("width", "mm", width, 0.001F, std::nextafter(2 * radius, 0.0F));
 }
 
-inline Bend bend_of_cap(float centre_x, float centre_y, float radius, float width, const Enclosure& x, double inside) {
+inline SlopeAndCurvature bend_of_cap(float centre_x, float centre_y, float radius, float width, const Enclosure& x,
+                                     double inside) {
   using namespace section;
   if (!is_within(relative(Enclosure(inside), centre_x), half_chord_squared(width, centre_y))) return level();
   const Enclosure X = relative(x, centre_x), Y = relative(Enclosure(0), centre_y);

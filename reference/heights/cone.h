@@ -41,8 +41,8 @@ inline DomainError error_of(const height::Cone& c) {
 }
 
 inline void cut(const height::Cone& cone, Cuts& cuts) {
-  const Rational x = from_centre<Rational>(static_cast<double>(cuts.way().x0), cone.x);
-  const Rational y = from_centre<Rational>(static_cast<double>(cuts.way().y0), cone.y);
+  const Rational x = from_centre<Rational>(static_cast<double>(cuts.segment().x0), cone.x);
+  const Rational y = from_centre<Rational>(static_cast<double>(cuts.segment().y0), cone.y);
   const bool is_through_apex = sign(Rational(x * cuts.along_y<Rational>() - y * cuts.along_x<Rational>())) == 0;
   const auto radius = [&]<class N>() -> N { return Cuts::number<N>(cone.radius); };
   cuts.circle(cone.x, cone.y, radius, is_through_apex ? kTowardsApex : kInside, is_through_apex ? kFromApex : kInside);
@@ -61,7 +61,7 @@ Jet<N> jet_in(const height::Cone& cone, const OnWay<N>& at) {
   return ray_jet(cone, N(X * along_x + Y * along_y), along_x, along_y);
 }
 
-inline Bend bend_of(const height::Cone& c, const Enclosure& x, double inside) {
+inline SlopeAndCurvature slope_and_curvature_of(const height::Cone& c, const Enclosure& x, double inside) {
   using namespace section;
   const Enclosure X = relative(x, c.x), Y = relative(Enclosure(0), c.y), fall = exactly(c.height) / exactly(c.radius);
   if (!is_within(relative(Enclosure(inside), c.x), half_chord_squared(2 * c.radius, c.y))) return level();
@@ -89,7 +89,7 @@ inline Outline outline_of(const height::Cone& cone) {
   shape.steepest = std::fabs(static_cast<double>(cone.height)) / radius;
   shape.rim = Rim{shape.x, shape.y, radius};
   if (cone.height != 0) shape.kinks = {"its apex", "its rim"};
-  shape.bend = [rim = *shape.rim, fall = shape.steepest](double x, double y, double reach) {
+  shape.gradient_change = [rim = *shape.rim, fall = shape.steepest](double x, double y, double reach) {
     const double rho = std::hypot(x - rim.x, y - rim.y), nearest = rho - reach;
     if (nearest > rim.radius + kOutlineSlack) return GradientChange{};
     return GradientChange{fall / std::max(nearest, kOutlineSlack),

@@ -13,7 +13,7 @@
 namespace forceshade::reference {
 
 // Over the plane from (x0, y0) at t = 0 to (x1, y1) at t = 1, two different points; mm.
-struct Way {
+struct Segment {
   float x0, y0, x1, y1;
 };
 
@@ -42,13 +42,13 @@ struct Cut {
 // For one part after the other: the cell at the start, the cuts after it.
 class Cuts {
  public:
-  explicit Cuts(const Way& way) : way_(way) {}
+  explicit Cuts(const Segment& way) : segment_(way) {}
 
   // Of the parts so far; a kind's cut() sets the last cell.
   std::vector<Cell> cells;
   std::vector<Cut> cuts;
 
-  const Way& way() const { return way_; }
+  const Segment& segment() const { return segment_; }
 
   // t: a function object that gives the place in any of the reference's numbers.
   template <class T>
@@ -60,8 +60,8 @@ class Cuts {
   template <class Radius>
   void circle(float x, float y, const Radius& radius, long on_the_way_in, long on_the_way_out) {
     const auto discriminant = [&]<class N>() -> N {
-      const N across = from_centre<N>(static_cast<double>(way_.x0), x) * along_y<N>() -
-                       from_centre<N>(static_cast<double>(way_.y0), y) * along_x<N>();
+      const N across = from_centre<N>(static_cast<double>(segment_.x0), x) * along_y<N>() -
+                       from_centre<N>(static_cast<double>(segment_.y0), y) * along_x<N>();
       const N r = radius.template operator()<N>();
       return r * r * length_squared<N>() - across * across;
     };
@@ -78,11 +78,11 @@ class Cuts {
 
   template <class N>
   N along_x() const {
-    return number<N>(way_.x1) - number<N>(way_.x0);
+    return number<N>(segment_.x1) - number<N>(segment_.x0);
   }
   template <class N>
   N along_y() const {
-    return number<N>(way_.y1) - number<N>(way_.y0);
+    return number<N>(segment_.y1) - number<N>(segment_.y0);
   }
   template <class N>
   N length_squared() const {
@@ -91,8 +91,8 @@ class Cuts {
   // The t of the point nearest to a centre.
   template <class N>
   N nearest(float x, float y) const {
-    return -(from_centre<N>(static_cast<double>(way_.x0), x) * along_x<N>() +
-             from_centre<N>(static_cast<double>(way_.y0), y) * along_y<N>()) /
+    return -(from_centre<N>(static_cast<double>(segment_.x0), x) * along_x<N>() +
+             from_centre<N>(static_cast<double>(segment_.y0), y) * along_y<N>()) /
            length_squared<N>();
   }
 
@@ -102,7 +102,7 @@ class Cuts {
   }
 
  private:
-  const Way& way_;
+  const Segment& segment_;
 };
 
 // A place on the way, mm, in a cell of the part; dx, dy: mm per unit of t.

@@ -31,7 +31,7 @@ inline DomainError error_of(const height::CylinderCap& c) {
 }
 
 inline void cut(const height::CylinderCap& cap, Cuts& cuts) {
-  const Way& way = cuts.way();
+  const Segment& way = cuts.segment();
   if (way.x0 == way.x1) {
     const Rational half = Rational(static_cast<double>(cap.width)) / Rational(2);
     const bool is_in = is_inside(from_centre<Rational>(static_cast<double>(way.x0), cap.x), Rational(0), half);
@@ -51,7 +51,7 @@ Jet<N> jet_in(const height::CylinderCap& cap, const OnWay<N>& at) {
   return at.cell.column == kOutside ? Jet<N>::flat() : ridge_jet(cap, at.x_from(cap.x));
 }
 
-inline Bend bend_of(const height::CylinderCap& c, const Enclosure& x, double inside) {
+inline SlopeAndCurvature slope_and_curvature_of(const height::CylinderCap& c, const Enclosure& x, double inside) {
   return bend_of_cap(c.x, 0, c.radius, c.width, x, inside);
 }
 inline Kink kink_of(const height::CylinderCap& c, double a, double b) {
@@ -71,7 +71,7 @@ inline Outline outline_of(const height::CylinderCap& cap) {
   const auto radius = static_cast<double>(cap.radius), half = 0.5 * static_cast<double>(cap.width);
   shape.steepest = steepest_of_cap(radius, half);
   shape.kinks = {"its two edges"};
-  shape.bend = [axis = shape.x, radius, half](double x, double, double reach) {
+  shape.gradient_change = [axis = shape.x, radius, half](double x, double, double reach) {
     return change_of_cap(radius, half, std::fabs(x - axis), reach);
   };
   return shape;

@@ -38,7 +38,7 @@ Jet<N> jet_in(const height::Gaussian& g, const OnWay<N>& at) {
   return hill_jet(g, at.x_from(g.x), at.y_from(g.y));
 }
 
-inline Bend bend_of(const height::Gaussian& g, const Enclosure& x, double) {
+inline SlopeAndCurvature slope_and_curvature_of(const height::Gaussian& g, const Enclosure& x, double) {
   using namespace section;
   const Enclosure X = relative(x, g.x), Y = relative(Enclosure(0), g.y), variance = exactly(g.sigma) * exactly(g.sigma);
   const Enclosure U = exactly(g.height) * exp(Enclosure(-(X * X + Y * Y) / (2 * variance)));
@@ -62,7 +62,7 @@ inline Outline outline_of(const height::Gaussian& hill) {
   const double height = std::fabs(static_cast<double>(hill.height)), sigma = static_cast<double>(hill.sigma);
   shape.steepest = height / sigma * std::exp(-0.5);
   // The second derivatives are those of exp(-u²/2), u = ρ/σ: at most exp(-u²/2), or (u² - 1)·exp(-u²/2), largest at u = √3.
-  shape.bend = [x0 = shape.x, y0 = shape.y, height, sigma](double x, double y, double reach) {
+  shape.gradient_change = [x0 = shape.x, y0 = shape.y, height, sigma](double x, double y, double reach) {
     const double u = std::max(0.0, std::hypot(x - x0, y - y0) - reach) / sigma, fallen = std::exp(-0.5 * u * u);
     const double size = u * u < 3 ? std::max(fallen, 2 * std::exp(-1.5)) : (u * u - 1) * fallen;
     return GradientChange{height / (sigma * sigma) * size, false};

@@ -40,7 +40,7 @@ Jet<N> jet_in(const height::Grating& grating, const OnWay<N>& at) {
   return wave_jet(grating, at.x, at.y);
 }
 
-inline Bend bend_of(const height::Grating& g, const Enclosure& x, double) {
+inline SlopeAndCurvature slope_and_curvature_of(const height::Grating& g, const Enclosure& x, double) {
   using section::exactly;
   const Enclosure wave = exactly(g.wave_x), angle = wave * x + exactly(g.phase);
   return {-exactly(g.height) * wave * sin(angle), -exactly(g.height) * wave * wave * cos(angle)};
@@ -66,7 +66,7 @@ inline Outline outline_of(const height::Grating& grating) {
     *marks = {0};
     if (along != 0) marks->push_back(-grating.phase / along);  // a crest
   }
-  shape.bend = [rate = height * wave * wave](auto...) { return GradientChange{rate, false}; };
+  shape.gradient_change = [rate = height * wave * wave](auto...) { return GradientChange{rate, false}; };
   return shape;
 }
 

@@ -140,7 +140,7 @@ inline long cut_lines(const height::Grid& grid, std::uint32_t count, float from,
 }
 
 inline void cut(const height::Grid& grid, Cuts& cuts) {
-  const Way& way = cuts.way();
+  const Segment& way = cuts.segment();
   cuts.cells.back().column = cut_lines(grid, grid.columns, way.x0, way.x1, {1, 0}, cuts);
   cuts.cells.back().row = cut_lines(grid, grid.rows, way.y0, way.y1, {0, 1}, cuts);
 }
@@ -156,7 +156,7 @@ Jet<N> jet_in(const height::Grid& grid, const OnWay<N>& at) {
 }
 
 // Of a spline: a quadratic in each cell, of the differences between columns.
-inline Bend bend_of(const height::Grid& grid, const Enclosure& x, double inside) {
+inline SlopeAndCurvature slope_and_curvature_of(const height::Grid& grid, const Enclosure& x, double inside) {
   using section::exactly;
   const auto column = GridCell::at(inside, grid.pitch, grid.columns), row = GridCell::at(0, grid.pitch, grid.rows);
   const auto weights = cubic_basis(row.t(Enclosure(0))).value;
@@ -239,13 +239,13 @@ inline Outline outline_of(const height::Grid& grid) {
       shape.kinks = {"its cell lines, the gradient by up to " + properties::digits(differences.kink / pitch, 3) + " at (" +
                      properties::digits(columns.at(differences.kink_column), 6) + ", " +
                      properties::digits(rows.at(differences.kink_row), 6) + ") mm"};
-    shape.bend = [=, rate = differences.mixed / (pitch * pitch)](double x, double y, double reach) {
+    shape.gradient_change = [=, rate = differences.mixed / (pitch * pitch)](double x, double y, double reach) {
       return GradientChange{rate, std::min(columns.distance(x), rows.distance(y)) <= reach + kOutlineSlack};
     };
   } else {
     // The second derivatives are averages of second differences, with weights that add up to 1.
     const double rate = std::max(differences.second_along, differences.second_across) + differences.mixed;
-    shape.bend = [rate = rate / (pitch * pitch)](auto...) { return GradientChange{rate, false}; };
+    shape.gradient_change = [rate = rate / (pitch * pitch)](auto...) { return GradientChange{rate, false}; };
   }
   return shape;
 }

@@ -16,12 +16,12 @@ bool is_polynomial(const height::Part& part) {
 
 }  // namespace
 
-HeightLine::HeightLine(const HeightMapField& law, const Way& way)
+HeightLine::HeightLine(const HeightMapField& law, const Segment& way)
     : law_(law),
-      way_(way),
+      segment_(way),
       along_{Ball64(static_cast<double>(way.x1)) - Ball64(static_cast<double>(way.x0)),
              Ball64(static_cast<double>(way.y1)) - Ball64(static_cast<double>(way.y0))} {
-  Cuts found(way_);
+  Cuts found(segment_);
   for (const auto* parts : {&law.map().parts, &law.map().surface})
     for (const height::Part& part : *parts) {
       found.cells.emplace_back();
@@ -48,7 +48,7 @@ HeightLine::HeightLine(const HeightMapField& law, const Way& way)
   }
   for (Piece& piece : pieces_) {
     piece.middle = static_cast<double>((piece.from.mid() + piece.to.mid()) / 2);
-    const auto all = GroundSeries::variable(piece.middle, 1.0);
+    const auto all = SectionSeries::variable(piece.middle, 1.0);
     piece.polynomial = {sum(law.map().parts, 0, piece, all, true),
                         sum(law.map().surface, law.map().parts.size(), piece, all, true)};
   }
@@ -58,7 +58,7 @@ template <class N>
 Jet<N> HeightLine::sum(const std::vector<height::Part>& parts, std::size_t first, const Piece& piece, const N& t,
                        bool of_polynomials) const {
   const N dx(along_.x), dy(along_.y);
-  const N x = N(static_cast<double>(way_.x0)) + dx * t, y = N(static_cast<double>(way_.y0)) + dy * t;
+  const N x = N(static_cast<double>(segment_.x0)) + dx * t, y = N(static_cast<double>(segment_.y0)) + dy * t;
   Jet<N> sum = Jet<N>::flat();
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (is_polynomial(parts[i]) != of_polynomials) continue;
@@ -70,13 +70,13 @@ Jet<N> HeightLine::sum(const std::vector<height::Part>& parts, std::size_t first
 }
 
 template <class N>
-Ground<N> HeightLine::ground(const Piece& piece, const N& t) const {
-  const auto at = [s = t - N(piece.middle)](const GroundSeries& polynomial) {
+SectionSample<N> HeightLine::ground(const Piece& piece, const N& t) const {
+  const auto at = [s = t - N(piece.middle)](const SectionSeries& polynomial) {
     N sum(0.0);
     for (std::size_t k = polynomial.length(); k-- > 0;) sum = s * sum + N(polynomial[k]);
     return sum;
   };
-  const auto jet = [&](const std::vector<height::Part>& parts, std::size_t first, const Jet<GroundSeries>& polynomial) {
+  const auto jet = [&](const std::vector<height::Part>& parts, std::size_t first, const Jet<SectionSeries>& polynomial) {
     return Jet<N>{at(polynomial.U), at(polynomial.Ux), at(polynomial.Uy)} + sum(parts, first, piece, t, false);
   };
   const auto slope = [&](const Jet<N>& jet) -> N { return N(along_.x) * jet.Ux + N(along_.y) * jet.Uy; };
@@ -88,7 +88,7 @@ Ground<N> HeightLine::ground(const Piece& piece, const N& t) const {
   return {surface.U, climb, slope(surface) - climb, squared, upright};
 }
 
-template Ground<Ball64> HeightLine::ground(const Piece& piece, const Ball64& t) const;
-template Ground<GroundSeries> HeightLine::ground(const Piece& piece, const GroundSeries& t) const;
+template SectionSample<Ball64> HeightLine::ground(const Piece& piece, const Ball64& t) const;
+template SectionSample<SectionSeries> HeightLine::ground(const Piece& piece, const SectionSeries& t) const;
 
 }  // namespace forceshade::reference

@@ -13,11 +13,11 @@
 namespace forceshade::reference {
 
 // One order more than is integrated, for a derivative; enough for what two cubics make along a diagonal.
-using GroundSeries = Series<7>;
+using SectionSeries = Series<7>;
 
 // What the force is made of, at a t or over a stretch of it.
 template <class N>
-struct Ground {
+struct SectionSample {
   N surface;  // mm: what the depth is measured from
   N climb;    // mm per unit of t: U_t
   N excess;   // mm per unit of t: that of the surface, less U_t
@@ -33,17 +33,17 @@ class HeightLine {
     std::vector<Cell> cells;  // of each part
     // Of the map and of the surface, the sum of the parts that are polynomials: its series about the middle is all of it.
     double middle = 0;
-    std::array<Jet<GroundSeries>, 2> polynomial;
+    std::array<Jet<SectionSeries>, 2> polynomial;
   };
 
   // Both must outlive it.
-  HeightLine(const HeightMapField& law, const Way& way);
+  HeightLine(const HeightMapField& law, const Segment& way);
 
   // In order of t. Cuts at one and the same place are one.
   const std::vector<Piece>& pieces() const { return pieces_; }
 
   template <class N>
-  Ground<N> ground(const Piece& piece, const N& t) const;
+  SectionSample<N> ground(const Piece& piece, const N& t) const;
 
  private:
   // The sum of those parts that are polynomials along the way, or of those that are not; piece.cells[first] is the first's.
@@ -52,14 +52,14 @@ class HeightLine {
              bool of_polynomials) const;
 
   const HeightMapField& law_;
-  Way way_;
+  Segment segment_;
   struct {
     Ball64 x, y;  // mm per unit of t
   } along_;
   std::vector<Piece> pieces_;
 };
 
-extern template Ground<Ball64> HeightLine::ground(const Piece& piece, const Ball64& t) const;
-extern template Ground<GroundSeries> HeightLine::ground(const Piece& piece, const GroundSeries& t) const;
+extern template SectionSample<Ball64> HeightLine::ground(const Piece& piece, const Ball64& t) const;
+extern template SectionSample<SectionSeries> HeightLine::ground(const Piece& piece, const SectionSeries& t) const;
 
 }  // namespace forceshade::reference

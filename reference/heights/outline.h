@@ -44,7 +44,7 @@ struct Lines {
 struct Outline {
   std::string kind;
   double steepest = 0;  // mm/mm: bounds the gradient's length
-  std::function<GradientChange(double x, double y, double reach)> bend = [](auto...) { return GradientChange{}; };
+  std::function<GradientChange(double x, double y, double reach)> gradient_change = [](auto...) { return GradientChange{}; };
   std::vector<std::string> kinks = {};  // where the gradient jumps, in words
   double x = 0, y = 0, reach = 20;      // mm: its middle, and how far from there to look
   std::vector<float> xs = {}, ys = {};  // mm: coordinates at which something changes

@@ -34,7 +34,7 @@ Jet<N> jet_in(const height::Plane& plane, const OnWay<N>& at) {
   return plane_jet(plane, at.x, at.y);
 }
 
-inline Bend bend_of(const height::Plane& p, const Enclosure&, double) {
+inline SlopeAndCurvature slope_and_curvature_of(const height::Plane& p, const Enclosure&, double) {
   return {section::exactly(p.slope_x), Enclosure(0)};
 }
 inline Kink kink_of(const height::Plane&, double, double) {

@@ -52,12 +52,12 @@ inline DomainError error_of(const height::Polygons& p) {
 
 // The column counts the knots that lie behind, seen from smaller x.
 inline void cut(const height::Polygons& polygons, Cuts& cuts) {
-  const auto from = static_cast<double>(cuts.way().x0), to = static_cast<double>(cuts.way().x1);
+  const auto from = static_cast<double>(cuts.segment().x0), to = static_cast<double>(cuts.segment().x1);
   for (const height::Knot& knot : polygons.knots) {
     const auto x = -from_centre<double>(0, knot.x);
     if (x < from || (x == from && !(to < from))) ++cuts.cells.back().column;
     if (!((from < x && x < to) || (to < x && x < from))) continue;
-    const auto t = [&]<class N>() -> N { return (N(x) - Cuts::number<N>(cuts.way().x0)) / cuts.along_x<N>(); };
+    const auto t = [&]<class N>() -> N { return (N(x) - Cuts::number<N>(cuts.segment().x0)) / cuts.along_x<N>(); };
     cuts.add(t, {from < to ? 1 : -1, 0});
   }
 }
@@ -66,7 +66,7 @@ Jet<N> jet_in(const height::Polygons& polygons, const OnWay<N>& at) {
   return stretch_jet(polygons, static_cast<std::size_t>(at.cell.column), at.x);
 }
 
-inline Bend bend_of(const height::Polygons& p, const Enclosure&, double inside) {
+inline SlopeAndCurvature slope_and_curvature_of(const height::Polygons& p, const Enclosure&, double inside) {
   return {jet<Enclosure>(p, {inside, 0}).Ux, Enclosure(0)};
 }
 inline Kink kink_of(const height::Polygons& p, double a, double b) {
@@ -97,7 +97,7 @@ inline Outline outline_of(const height::Polygons& polygons) {
   shape.x = 0.5 * (static_cast<double>(shape.xs.front()) + static_cast<double>(shape.xs.back()));
   shape.reach = 1.3 * (static_cast<double>(shape.xs.back()) - shape.x);
   if (shape.steepest > 0) shape.kinks = {"its knots"};
-  shape.bend = [xs = shape.xs](double x, double, double reach) {
+  shape.gradient_change = [xs = shape.xs](double x, double, double reach) {
     const auto is_near = [&](float knot) { return std::fabs(static_cast<double>(knot) - x) <= reach + kOutlineSlack; };
     return GradientChange{0, std::any_of(xs.begin(), xs.end(), is_near)};
   };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // How a part slopes and curves along the line y = 0, over a whole stretch of it at once, and where it kinks. Each kind has in
-// its own header a bend_of(), for every x of a stretch that holds `inside` and has no kink or grid line in its interior, and a
-// kink_of(), what kinks strictly between two places, if anything does.
+// its own header a slope_and_curvature_of(), for every x of a stretch that holds `inside` and has no kink or grid line in its
+// interior, and a kink_of(), what kinks strictly between two places, if anything does.
 
 #include <optional>
 
@@ -11,7 +11,7 @@
 
 namespace forceshade::reference {
 
-struct Bend {
+struct SlopeAndCurvature {
   Enclosure slope;      // mm/mm: U_x
   Enclosure curvature;  // 1/mm: U_xx
 };
@@ -20,7 +20,7 @@ using Kink = std::optional<const char*>;
 
 namespace section {
 
-inline Bend level() {
+inline SlopeAndCurvature level() {
   return {Enclosure(0), Enclosure(0)};
 }
 

@@ -33,7 +33,7 @@ Jet<N> jet_in(const height::SphereCap& cap, const OnWay<N>& at) {
   return cap_jet(cap.radius, cap.width, at.x_from(cap.x), at.y_from(cap.y));
 }
 
-inline Bend bend_of(const height::SphereCap& c, const Enclosure& x, double inside) {
+inline SlopeAndCurvature slope_and_curvature_of(const height::SphereCap& c, const Enclosure& x, double inside) {
   return bend_of_cap(c.x, c.y, c.radius, c.width, x, inside);
 }
 inline Kink kink_of(const height::SphereCap& c, double a, double b) {
@@ -54,7 +54,7 @@ inline Outline outline_of(const height::SphereCap& cap) {
   shape.steepest = steepest_of_cap(radius, half);
   shape.rim = Rim{shape.x, shape.y, half};
   shape.kinks = {"its rim"};
-  shape.bend = [rim = *shape.rim, radius](double x, double y, double reach) {
+  shape.gradient_change = [rim = *shape.rim, radius](double x, double y, double reach) {
     return change_of_cap(radius, rim.radius, std::hypot(x - rim.x, y - rim.y), reach);
   };
   return shape;

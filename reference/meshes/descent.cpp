@@ -26,8 +26,8 @@ struct Rested {  // at the point of the feature nearest to p
 struct Freed {};  // at p
 using End = std::variant<Stopped, Rested, Freed>;
 
-Side side_of(Way way) {
-  return way == Way::back ? Side::back : Side::front;
+Side side_of(DirectionKind way) {
+  return way == DirectionKind::back ? Side::back : Side::front;
 }
 
 class Tick {
@@ -60,7 +60,7 @@ class Tick {
       const Vector u = p_ - g;
       if (is_zero(u)) return rests_at(at, side, TickStatus::touching);
       const Directions ways = directions(surface_, at.feature, u);
-      const bool is_flight = ways.way == Way::open || (ways.way != Way::on && side_of(ways.way) == side);
+      const bool is_flight = ways.way == DirectionKind::open || (ways.way != DirectionKind::on && side_of(ways.way) == side);
       if (!is_flight && !ways.is_nearer) return rests_at(at, side, TickStatus::touching);
       if (moves_ == most_moves) return rests_at(at, side, TickStatus::unfinished);
       const End end = is_flight ? fly(g) : slide(g, ways.along, side);
@@ -84,10 +84,10 @@ class Tick {
   End fly(const Vector& g) const {
     const Vector u = p_ - g;
     for (const Crossing& crossing : crossings_.between(g, p_)) {
-      const Way A = directions(surface_, crossing.point.feature, -u).way;
-      const Way B = directions(surface_, crossing.point.feature, u).way;
-      const bool leaves = sides_ == Sides::front && A == Way::back && B == Way::front;
-      if (B != Way::open && B != A && !leaves) return Stopped{crossing.point, side_of(A)};
+      const DirectionKind A = directions(surface_, crossing.point.feature, -u).way;
+      const DirectionKind B = directions(surface_, crossing.point.feature, u).way;
+      const bool leaves = sides_ == Sides::front && A == DirectionKind::back && B == DirectionKind::front;
+      if (B != DirectionKind::open && B != A && !leaves) return Stopped{crossing.point, side_of(A)};
     }
     if (const auto point = crossings_.at(p_))
       return Rested{point->feature, side_of(directions(surface_, point->feature, -u).way)};

@@ -49,14 +49,14 @@ void offer_edge(Largest& largest, const Surface& surface, std::size_t index, con
                                        surface.edges()[index].length_squared});
 }
 
-Way side_of_triangle(const Triangle& triangle, const Vector& u) {
-  return dot(triangle.normal, u) > 0 ? Way::front : Way::back;
+DirectionKind side_of_triangle(const Triangle& triangle, const Vector& u) {
+  return dot(triangle.normal, u) > 0 ? DirectionKind::front : DirectionKind::back;
 }
 
-Way side_of_edge(const Surface& surface, const Edge& edge, const Vector& u) {
+DirectionKind side_of_edge(const Surface& surface, const Edge& edge, const Vector& u) {
   const auto is_before = [&](std::size_t i) { return dot(surface.triangles()[edge.triangles[i]].normal, u) > 0; };
   const bool is_front = edge.fold == Fold::narrow ? is_before(0) && is_before(1) : is_before(0) || is_before(1);
-  return is_front ? Way::front : Way::back;
+  return is_front ? DirectionKind::front : DirectionKind::back;
 }
 
 }  // namespace
@@ -86,8 +86,8 @@ Directions directions(const Surface& surface, const Feature& feature, const Vect
     return {side_of_triangle(surface.triangles()[feature.index], u), feature, false, false};
   const auto& [along, signed_square] = *largest.best();
   const auto way = [&, along = along, square = signed_square] {
-    if (square == Fraction{u_squared, 1}) return Way::on;
-    if (surface.is_at_rim(feature)) return Way::open;
+    if (square == Fraction{u_squared, 1}) return DirectionKind::on;
+    if (surface.is_at_rim(feature)) return DirectionKind::open;
     return along.place == Place::edge ? side_of_edge(surface, surface.edges()[along.index], u)
                                       : side_of_triangle(surface.triangles()[along.index], u);
   };

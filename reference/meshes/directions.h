@@ -7,11 +7,11 @@
 namespace forceshade::reference::meshes {
 
 // Of a direction u at a point: it lies on the surface, passes it at the rim, or points to one side.
-enum class Way { on, open, front, back };
+enum class DirectionKind { on, open, front, back };
 
 // With v the unit direction along the surface that has the largest u·v.
 struct Directions {
-  Way way;
+  DirectionKind way;
   Feature along;   // the triangle or the edge in which v lies
   bool is_nearer;  // u·v > 0: along v a point that is off by u comes nearer
   bool is_tied;    // another direction has the same u·v, so that the numbering decides

@@ -125,7 +125,7 @@ TEST(plant, rests_exactly_below_breakaway_and_moves_above) {
 TEST(plant, comes_to_rest_in_a_hand) {
   const Model model = premium_1_5();
   const Plant plant{model.arm, model.coulomb, model.viscous, Grip{}};
-  Way way;
+  HermiteStep way;
   way.from = way.to = {0.001, 0.0005, -0.0003};
   Motion motion;
   motion = plant.advanced(motion, Joints::Zero(), way, 5, 100'000);
@@ -156,7 +156,7 @@ TEST(plant, follows_a_target_along_the_cubic_through_its_ends) {
   const Eigen::Vector3d a(0.3, -0.1, 0.2), b(4, 2, -3), c(-50, 30, 20);
   const auto position = [&](double t) -> Eigen::Vector3d { return t * (a + t * (b + t * c)); };
   const auto velocity = [&](double t) -> Eigen::Vector3d { return a + t * (2 * b + t * 3 * c); };
-  const auto way = [&](double begin, double end) -> Way {
+  const auto way = [&](double begin, double end) -> HermiteStep {
     return {position(begin), velocity(begin), position(end), velocity(end)};
   };
   const Motion whole = plant.advanced({}, Joints::Zero(), way(0, 0.1), 0.1, 2000);
@@ -170,7 +170,7 @@ TEST(plant, follows_a_target_along_the_cubic_through_its_ends) {
 TEST(plant, gives_the_same_bits_again) {
   const Model model = premium_1_5();
   const Plant plant{model.arm, model.coulomb, model.viscous, Grip{}};
-  const Way way{.to = {0.01, 0.02, 0.005}, .to_velocity = {0.1, 0, 0}};
+  const HermiteStep way{.to = {0.01, 0.02, 0.005}, .to_velocity = {0.1, 0, 0}};
   const Motion a = plant.advanced(thrown(), {0.1, 0.05, 0}, way, 1, 20'000);
   const Motion b = plant.advanced(thrown(), {0.1, 0.05, 0}, way, 1, 20'000);
   EXPECT_EQ(std::memcmp(&a, &b, sizeof a), 0);

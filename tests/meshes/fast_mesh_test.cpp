@@ -50,11 +50,11 @@ TEST(fast_mesh, joins_the_triangles_as_their_vertices_say) {
       ++joined;
       ASSERT_EQ(mesh.twin(other), h);
       ASSERT_EQ(mesh.start(other), b);
-      const Bend bend = mesh.face(face_of(h)).bend(corner_of(h));
-      ASSERT_EQ(bend, mesh.face(face_of(other)).bend(corner_of(other)));
+      const EdgeAngle angle = mesh.face(face_of(h)).edge_angle(corner_of(h));
+      ASSERT_EQ(angle, mesh.face(face_of(other)).edge_angle(corner_of(other)));
       const int sign = exact_side_of(mesh.face(face_of(h)), mesh.start_point(previous(other)));
-      ASSERT_EQ(bend, sign > 0 ? Bend::narrow : sign == 0 ? Bend::flat : Bend::wide);
-      (bend == Bend::narrow ? narrow : bend == Bend::flat ? flat : wide) += 1;
+      ASSERT_EQ(angle, sign > 0 ? EdgeAngle::narrow : sign == 0 ? EdgeAngle::flat : EdgeAngle::wide);
+      (angle == EdgeAngle::narrow ? narrow : angle == EdgeAngle::flat ? flat : wide) += 1;
     }
     for (std::uint32_t t = 0; t < mesh.faces(); ++t) {
       ASSERT_EQ(mesh.face(mesh.face_of_file(t)).index(), t);

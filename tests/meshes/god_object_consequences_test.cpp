@@ -472,8 +472,9 @@ TEST(god_object_consequences, every_rest_but_a_refusal_is_a_local_minimum_and_of
     if (!is_at_p) {
       // u at r is -D, from a point with other parameters than the state's: rests at a foot are no refusals.
       const auto ways = directions(scene.surface, feature, -rest.D_over);
-      const auto own = rest.side == Side::front ? reference::meshes::Way::front : reference::meshes::Way::back;
-      if (ways.is_nearer || ways.way == own || ways.way == reference::meshes::Way::open) {
+      const auto own =
+          rest.side == Side::front ? reference::meshes::DirectionKind::front : reference::meshes::DirectionKind::back;
+      if (ways.is_nearer || ways.way == own || ways.way == reference::meshes::DirectionKind::open) {
         ++counts["refused"];
         EXPECT_EQ(rest.D_under, 1) << "a refusal rests at a point of the grid";
         return;

@@ -90,7 +90,8 @@ void expect_refused(const RenderedHeightMap& subject, const std::vector<std::str
 TEST(height_properties, name_every_kink) {
   std::map<std::string, std::string> words;
   for (const auto& [name, map] : maps())
-    for (const std::string& jump : HeightShape(subject_of(map, Rendering::true_height).law).jumps()) words[name] += jump + "; ";
+    for (const std::string& jump : HeightMapClaims(subject_of(map, Rendering::true_height).law).jumps())
+      words[name] += jump + "; ";
   EXPECT_EQ(words["cone"], "part 1, cone: its apex; part 1, cone: its rim; ");
   EXPECT_EQ(words["dent"], "part 1, sphere-cap: its rim; ");
   EXPECT_EQ(words["polygons"], "part 1, polygons: its knots; ");
@@ -149,10 +150,10 @@ TEST(height_properties, refuse_a_force_from_the_wrong_cell) {
 TEST(height_properties, refuse_energy_from_a_map_that_should_have_a_potential) {
   for (const auto& [name, map] : maps()) {
     const RenderedHeightMap subject = subject_of(map, Rendering::force_shaded);
-    HeightShape shape(subject.law);
-    shape.is_conservative = true;
-    const HeightTarget target{subject.law, shape};
-    EXPECT_FALSE(run_property("passivity", kCases, kSeed, [&] { return passivity(subject, shape, *polygon_of(target)); }).held)
+    HeightMapClaims claims(subject.law);
+    claims.is_conservative = true;
+    const HeightTarget target{subject.law, claims};
+    EXPECT_FALSE(run_property("passivity", kCases, kSeed, [&] { return passivity(subject, claims, *polygon_of(target)); }).held)
         << name;
   }
 }
@@ -162,21 +163,21 @@ TEST(height_properties, hold_where_depth_is_measured_from_another_surface) {
   const RenderedHeightMap subject = subject_of(map, Rendering::force_shaded);
   for (const PropertyResult& result : run_properties(HeightMapSubject(subject), kCases, kSeed))
     EXPECT_TRUE(result.held) << result.name << ": " << result.counterexample;
-  EXPECT_EQ(HeightShape(subject.law).jumps(), std::vector<std::string>{"part 1, cylinder-cap: its two edges"});
+  EXPECT_EQ(HeightMapClaims(subject.law).jumps(), std::vector<std::string>{"part 1, cylinder-cap: its two edges"});
 }
 
 TEST(height_properties, find_where_the_gradient_of_a_bilinear_map_jumps_and_by_how_much) {
   const HeightMap roof{
       {{std::make_shared<const height::Grid>(height::Grid{3, 2, 2, Edge::clamp, Interpolant::bilinear, {0, 1, 0, 0, 1, 0}})}}};
   const RenderedHeightMap subject = subject_of(roof, Rendering::true_height);
-  const HeightShape shape(subject.law);
-  EXPECT_EQ(shape.jumps(),
+  const HeightMapClaims claims(subject.law);
+  EXPECT_EQ(claims.jumps(),
             std::vector<std::string>{"part 1, bilinear grid: its cell lines, the gradient by up to 1 at (0, -1) mm"});
-  const auto found = gradient_across_cells(subject, shape, {-0x1p-20F, 0.5F, -1}, {0x1p-20F, 0.5F, -1});
+  const auto found = gradient_across_cells(subject, claims, {-0x1p-20F, 0.5F, -1}, {0x1p-20F, 0.5F, -1});
   ASSERT_TRUE(found);
   EXPECT_NE(found->find("across a cell line at x = -0x1p-20"), std::string::npos) << *found;
   EXPECT_NE(found->find("the gradient jumps by 1;"), std::string::npos) << *found;
-  EXPECT_EQ(continuity(subject, shape, {-0x1p-20F, 0.5F, -1}, {0x1p-20F, 0.5F, -1}), std::nullopt) << "a known kink";
+  EXPECT_EQ(continuity(subject, claims, {-0x1p-20F, 0.5F, -1}, {0x1p-20F, 0.5F, -1}), std::nullopt) << "a known kink";
   const PropertyResult result = result_of(subject, "cell lines");
   EXPECT_FALSE(result.held);
   EXPECT_NE(result.counterexample.find("the gradient jumps by"), std::string::npos) << result.counterexample;
@@ -189,8 +190,8 @@ TEST(height_properties, hold_on_generated_maps) {
   const PropertyResult result = run_property("any map", 500, kSeed, [&]() -> Violation {
     const AnyHeightMap any = *any_height_map();
     const auto subject = std::get<RenderedHeightMap>(fast_rendering(any.map, any.rendering, any.stiffness));
-    const HeightShape shape(subject.law);
-    const HeightTarget target{subject.law, shape};
+    const HeightMapClaims claims(subject.law);
+    const HeightTarget target{subject.law, claims};
     for (int i = 0; i < 8; ++i) {
       const Eigen::Vector3f position = *position_of(target);
       ++statuses[static_cast<std::size_t>(subject.renderer(position).status)];
@@ -199,8 +200,8 @@ TEST(height_properties, hold_on_generated_maps) {
     }
     const Neighbours pair = *neighbours_on(target);
     if ((pair.b().array().abs() <= 1e4F).all())
-      if (const Violation violation = continuity(subject, shape, pair.a, pair.b())) return violation;
-    return passivity(subject, shape, *polygon_of(target));
+      if (const Violation violation = continuity(subject, claims, pair.a, pair.b())) return violation;
+    return passivity(subject, claims, *polygon_of(target));
   });
   EXPECT_TRUE(result.held) << result.counterexample;
   std::printf("  %llu maps; free %d, contact %d, invalid %d\n", static_cast<unsigned long long>(result.cases), statuses[0],

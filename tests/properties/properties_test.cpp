@@ -160,12 +160,12 @@ TEST(properties, continuity_is_as_strict_on_the_left_edge_as_on_the_right) {
         return answer;
       });
       const RenderedLaw right = std::get<RenderedLaw>(fast_rendering(law, kBump));
-      const Shape shape(right.law);
+      const LawClaims claims(right.law);
       const float edge = kBump.width / 2, beyond = neighbour(edge, 1);
       for (const float below : {-1.5F, neighbour(-1.5F, -20)}) {
         const Eigen::Vector3f a(side * edge, 0, -1.5F), b(side * beyond, 0, below);
-        EXPECT_EQ(continuity(right, shape, a, b), std::nullopt) << name_of(law);
-        EXPECT_NE(continuity(wrong, shape, a, b), std::nullopt) << name_of(law) << ", side " << side;
+        EXPECT_EQ(continuity(right, claims, a, b), std::nullopt) << name_of(law);
+        EXPECT_NE(continuity(wrong, claims, a, b), std::nullopt) << name_of(law) << ", side " << side;
       }
     }
 }
@@ -175,19 +175,19 @@ TEST(properties, continuity_knows_the_size_of_every_listed_jump) {
   for (const LawId law :
        {LawId::bump_2p, LawId::bump_3p, LawId::bump_1p_shaded, LawId::bump_2p_shaded, LawId::bump_3p_shaded}) {
     const RenderedLaw subject = std::get<RenderedLaw>(fast_rendering(law, kBump));
-    const Shape shape(subject.law);
-    ASSERT_FALSE(shape.jump_lines.empty());
-    for (const JumpLine& line : shape.jump_lines) {
+    const LawClaims claims(subject.law);
+    ASSERT_FALSE(claims.jump_lines.empty());
+    for (const JumpLine& line : claims.jump_lines) {
       // The last position that the <= gives to the inside, and the first outside; for x = 0, either side of it.
       float inside = static_cast<float>(line.x);
       while (static_cast<long double>(inside) > line.x) inside = neighbour(inside, -1);
       const float a = line.x == 0 ? -0x1p-30F : inside, b = line.x == 0 ? 0.0F : neighbour(inside, 1);
       const float z = static_cast<float>(line.height) - 1.5F;
-      const AllowedChange allowed = allowed_change(subject.law, shape, {a, 0, z}, {b, 0, z});
+      const AllowedChange allowed = allowed_change(subject.law, claims, {a, 0, z}, {b, 0, z});
       EXPECT_TRUE(allowed.is_known);
       EXPECT_GT(allowed.jump, 0.1L) << name_of(law);
       EXPECT_LT(allowed.reach, 1e-5L);
-      EXPECT_EQ(continuity(subject, shape, {a, 0, z}, {b, 0, z}), std::nullopt);
+      EXPECT_EQ(continuity(subject, claims, {a, 0, z}, {b, 0, z}), std::nullopt);
     }
   }
 }
@@ -195,10 +195,10 @@ TEST(properties, continuity_knows_the_size_of_every_listed_jump) {
 TEST(properties, continuity_expects_twice_K_R_across_the_axis) {
   for (const LawId law : {LawId::cylinder, LawId::bump_cylinder}) {
     const RenderedLaw subject = std::get<RenderedLaw>(fast_rendering(law, {1.25F, 1.5F, 2}));
-    const Shape shape(subject.law);
+    const LawClaims claims(subject.law);
     const Eigen::Vector3f a(1e-5F, 0, -1), b(-1e-5F, 0, -1);
-    EXPECT_NEAR(static_cast<double>(allowed_change(subject.law, shape, a, b).jump), 2 * 2 * 1.25, 1e-12);
-    EXPECT_EQ(continuity(subject, shape, a, b), std::nullopt);
+    EXPECT_NEAR(static_cast<double>(allowed_change(subject.law, claims, a, b).jump), 2 * 2 * 1.25, 1e-12);
+    EXPECT_EQ(continuity(subject, claims, a, b), std::nullopt);
   }
 }
 
@@ -218,11 +218,11 @@ TEST(properties, passivity_refuses_a_force_that_always_pays_a_little) {
 TEST(properties, active_laws_pay_what_is_promised_and_conservative_laws_nothing) {
   for (const LawName& law : kLaws) {
     const RenderedLaw subject = std::get<RenderedLaw>(fast_rendering(law.id, kBump));
-    const Shape shape(subject.law);
+    const LawClaims claims(subject.law);
     for (const float depth : {0.5F, 1.0F, 2.0F, 6.0F}) {
       const WitnessLoop loop = witness_loop(subject.law, depth);
-      EXPECT_EQ(loop.bound_mJ[1] == 0, shape.is_conservative()) << law.name;
-      EXPECT_EQ(witness_is_reached(subject, shape, depth), std::nullopt) << law.name;
+      EXPECT_EQ(loop.bound_mJ[1] == 0, claims.is_conservative()) << law.name;
+      EXPECT_EQ(witness_is_reached(subject, claims, depth), std::nullopt) << law.name;
     }
   }
 }
@@ -233,7 +233,7 @@ TEST(properties, a_renderer_that_pays_less_than_promised_is_refused) {
       answer.force *= 0.999F;
       return answer;
     });
-    EXPECT_NE(witness_is_reached(weak, Shape(weak.law), 2), std::nullopt) << name_of(law);
+    EXPECT_NE(witness_is_reached(weak, LawClaims(weak.law), 2), std::nullopt) << name_of(law);
   }
 }
 

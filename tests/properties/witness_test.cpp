@@ -8,7 +8,7 @@
 #include <random>
 
 #include "forceshade/fast/law.h"
-#include "forceshade/properties/shape.h"
+#include "forceshade/properties/law_claims.h"
 #include "forceshade/reference/energy.h"
 
 namespace forceshade::reference {
@@ -51,14 +51,14 @@ std::vector<Case> cases() {
 
 // The deepest a path is below the nominal surface: at a corner, or where the surface has one.
 long double deepest(const Law& law, const std::vector<PathPoint>& path) {
-  const properties::Shape shape(law);
+  const properties::LawClaims claims(law);
   long double most = -1e9L;
   for (std::size_t i = 1; i < path.size(); ++i) {
     const long double x0 = path[i - 1].x, z0 = path[i - 1].z, x1 = path[i].x, z1 = path[i].z;
-    most = std::max(most, shape.surface(x1) - z1);
-    for (const long double corner : {-shape.w / 2, -shape.w_prime / 2, 0.0L, shape.w_prime / 2, shape.w / 2})
+    most = std::max(most, claims.surface(x1) - z1);
+    for (const long double corner : {-claims.w / 2, -claims.w_prime / 2, 0.0L, claims.w_prime / 2, claims.w / 2})
       if ((x0 - corner) * (x1 - corner) < 0)
-        most = std::max(most, shape.surface(corner) - (z0 + (z1 - z0) * (corner - x0) / (x1 - x0)));
+        most = std::max(most, claims.surface(corner) - (z0 + (z1 - z0) * (corner - x0) / (x1 - x0)));
   }
   return most;
 }
@@ -84,17 +84,17 @@ TEST(witness, is_a_simple_loop_no_deeper_than_asked_that_is_paid_99_percent_of_t
         EXPECT_TRUE(loop.empty()) << what;
         continue;
       }
-      const Interval paid = work(law, loop);
+      const Interval generated = work(law, loop);
       ASSERT_EQ(loop.front().x, loop.back().x) << what;
       ASSERT_EQ(loop.front().z, loop.back().z) << what;
-      EXPECT_LE(paid.low, bound.anywhere.high) << what;
-      EXPECT_GE(paid.low, 0.99 * bound.anywhere.high) << what;
+      EXPECT_LE(generated.low, bound.anywhere.high) << what;
+      EXPECT_GE(generated.low, 0.99 * bound.anywhere.high) << what;
       EXPECT_LE(deepest(law, loop), static_cast<long double>(depth)) << what;
       // The ridge of the largest bump is at the end of the domain, where the two sides of the loop touch.
       EXPECT_TRUE((id == LawId::bump_2p_shaded && p.width == 2e4F) || is_simple(loop)) << what;
       for (const PathPoint& corner : loop) EXPECT_LE(std::max(std::fabs(corner.x), std::fabs(corner.z)), 1e4F) << what;
       longest = std::max(longest, loop.size());
-      worst = std::min(worst, Multiprecision(paid.low / bound.anywhere.high).convert_to<double>());
+      worst = std::min(worst, Multiprecision(generated.low / bound.anywhere.high).convert_to<double>());
     }
   std::printf("  paid %.2f %% of the bound or more; at most %zu corners\n", 100 * worst, longest);
   EXPECT_LE(longest, 250U);
@@ -108,12 +108,12 @@ TEST(witness, of_a_conservative_law_is_none) {
 // The hand walks from a to b in small steps and is paid the force at the middle of each.
 double walked(const fast::Law& law, const PathPoint& a, const PathPoint& b, int steps) {
   const Eigen::Vector3d from(a.x, 0, a.z), way = Eigen::Vector3d(b.x, 0, b.z) - from;
-  double paid = 0;
+  double generated = 0;
   for (int k = 0; k < steps; ++k) {
     const Eigen::Vector3d middle = from + way * ((k + 0.5) / steps);
-    paid += law.force(middle.cast<float>()).cast<double>().dot(way) / steps;
+    generated += law.force(middle.cast<float>()).cast<double>().dot(way) / steps;
   }
-  return paid;
+  return generated;
 }
 
 TEST(witness, walked_on_the_fast_path_is_paid_as_much) {
@@ -129,20 +129,20 @@ TEST(witness, walked_on_the_fast_path_is_paid_as_much) {
       // and the shaded direction turns by 1/d. The middle of a step stands for it to within a quarter of that times the step;
       // rounding moves a position by 2⁻²⁰ mm and a force by 2⁻²⁴ of itself, at most. What crosses a line is one step.
       const double rate = K * (1 / std::cos(2 * alpha / 3) + D / d);
-      double paid = 0, tolerance = 0;
+      double generated = 0, tolerance = 0;
       for (std::size_t i = 1; i < loop.size(); ++i) {
         const double length = std::hypot(loop[i].x - loop[i - 1].x, loop[i].z - loop[i - 1].z);
         const int steps = static_cast<int>(std::ceil(length / kStep));
-        paid += walked(fast, loop[i - 1], loop[i], steps);
+        generated += walked(fast, loop[i - 1], loop[i], steps);
         tolerance += length * (rate * (length / steps / 4 + 0x1p-20) + K * D * (steps == 1 ? 1 : 0x1p-24));
       }
       const double most = loop_bound(law, depth).anywhere.high.convert_to<double>();
       const double exact = work(law, loop).low.convert_to<double>();
       std::printf("  %-15s D %g: bound %.6f, exact %.6f, walked %.6f mJ, within %.1e\n", name_of(id).data(), D, most, exact,
-                  paid, tolerance);
-      EXPECT_NEAR(paid, exact, tolerance);
-      EXPECT_GE(paid + tolerance, 0.99 * most);
-      EXPECT_LE(paid - tolerance, most);
+                  generated, tolerance);
+      EXPECT_NEAR(generated, exact, tolerance);
+      EXPECT_GE(generated + tolerance, 0.99 * most);
+      EXPECT_LE(generated - tolerance, most);
       EXPECT_LT(tolerance, 0.05 * most);
     }
 }

@@ -44,11 +44,11 @@ TEST(work, equals_quadrature_of_the_force) {
   for (const LawName& name : kLaws)
     for (const Parameters& p : kBumps) {
       const auto subject = std::get<properties::RenderedLaw>(properties::fast_rendering(name.id, p));
-      const properties::Shape shape(subject.law);
+      const properties::LawClaims claims(subject.law);
       for (int i = 0; i < 60; ++i) {
         const Path path = random_polygon(random, p);
         const Interval exact = work(subject.law, path);
-        const properties::Work other = work_around(subject, shape, [&] {
+        const properties::Work other = work_around(subject, claims, [&] {
           std::vector<properties::PathPoint> vertices;
           for (const PathPoint& point : path) vertices.push_back({static_cast<double>(point.x), static_cast<double>(point.z)});
           return vertices;
@@ -121,9 +121,9 @@ TEST(work, is_nothing_above_the_surface_and_along_it) {
 
 // Up by one millimetre to the height of the line, one millimetre under it: what is paid is ½K·F_z/|F|.
 double share(LawId id, const Parameters& p, float x, float height) {
-  const Interval paid = work(build(id, p), {{x, height - 1}, {x, height}});
-  EXPECT_LT(width(paid), 1e-60);
-  return low(paid) / (0.5 * static_cast<double>(p.stiffness));
+  const Interval generated = work(build(id, p), {{x, height - 1}, {x, height}});
+  EXPECT_LT(width(generated), 1e-60);
+  return low(generated) / (0.5 * static_cast<double>(p.stiffness));
 }
 
 TEST(work, along_a_line_of_jump_is_that_of_the_side_it_belongs_to) {

@@ -128,12 +128,12 @@ TEST(energy, bounds_equal_independent_quadrature) {
 }
 
 TEST(energy, laws_of_the_page_pay_what_it_says) {
-  const auto paid = [](LawId id) { return low(loop_bound(build(id), 2).anywhere); };
-  EXPECT_NEAR(paid(LawId::bump_2p), 0.1189, 5e-5);
-  EXPECT_NEAR(paid(LawId::bump_3p), 0.4160, 5e-5);
-  EXPECT_NEAR(paid(LawId::bump_1p_shaded), 5.2917, 5e-5);
-  EXPECT_NEAR(paid(LawId::bump_2p_shaded), 3.6675, 5e-5);
-  EXPECT_NEAR(paid(LawId::bump_3p_shaded), 2.7236, 5e-5);
+  const auto generated = [](LawId id) { return low(loop_bound(build(id), 2).anywhere); };
+  EXPECT_NEAR(generated(LawId::bump_2p), 0.1189, 5e-5);
+  EXPECT_NEAR(generated(LawId::bump_3p), 0.4160, 5e-5);
+  EXPECT_NEAR(generated(LawId::bump_1p_shaded), 5.2917, 5e-5);
+  EXPECT_NEAR(generated(LawId::bump_2p_shaded), 3.6675, 5e-5);
+  EXPECT_NEAR(generated(LawId::bump_3p_shaded), 2.7236, 5e-5);
 }
 
 TEST(energy, a_law_has_a_potential_exactly_where_its_bound_is_zero) {
@@ -214,11 +214,11 @@ TEST(energy, no_simple_loop_is_paid_more_than_the_bound) {
               {static_cast<float>(middle + reach * size * std::cos(angle)), static_cast<float>(deep * size * std::sin(angle))});
         }
         loop.push_back(loop.front());
-        Interval paid = work(law, loop);
-        if (paid.high < 0) paid = {-paid.high, -paid.low};  // the other way round
+        Interval generated = work(law, loop);
+        if (generated.high < 0) generated = {-generated.high, -generated.low};  // the other way round
         const LoopBound bound = loop_bound(law, static_cast<float>(depth) * (1 + 0x1p-22F));
-        EXPECT_LE(paid.high, bound.anywhere.low) << name_of(id);
-        best = std::max(best, low(paid) / low(bound.anywhere));
+        EXPECT_LE(generated.high, bound.anywhere.low) << name_of(id);
+        best = std::max(best, low(generated) / low(bound.anywhere));
       }
     }
   EXPECT_GT(best, 0.3) << "loops that come nowhere near it test nothing";

@@ -116,7 +116,7 @@ TEST(enclosure, of_what_is_not_finite_or_not_in_order_is_refused) {
 struct Verdict {
   SliceBound bound;
   std::vector<Eigen::Vector3f> witness;
-  Interval paid;
+  Interval generated;
   double share = 0;  // of the bound that the witness is paid
 };
 
@@ -128,13 +128,13 @@ void expect_enclosed(const Interval& value, const std::string& what) {
 // Finite, in order, and no less than what the witness is paid.
 Verdict verdict(const HeightMapField& law, const Slice& slice, float depth, const std::string& what) {
   Verdict v{loop_bound(law, slice, depth), witness(law, slice, depth), {}};
-  v.paid = work(law, v.witness);
-  for (const Interval& value : {v.bound.counter_clockwise, v.bound.clockwise, v.bound.most(), v.paid})
+  v.generated = work(law, v.witness);
+  for (const Interval& value : {v.bound.counter_clockwise, v.bound.clockwise, v.bound.most(), v.generated})
     expect_enclosed(value, what);
   EXPECT_GE(v.bound.counter_clockwise.low, 0) << what;
   EXPECT_GE(v.bound.clockwise.low, 0) << what;
-  EXPECT_LE(v.paid.low, v.bound.most().high) << what;
-  v.share = v.bound.most().high > 0 ? number(Multiprecision(v.paid.low / v.bound.most().high)) : 1;
+  EXPECT_LE(v.generated.low, v.bound.most().high) << what;
+  v.share = v.bound.most().high > 0 ? number(Multiprecision(v.generated.low / v.bound.most().high)) : 1;
   return v;
 }
 
@@ -178,11 +178,11 @@ TEST(height_enclosures, of_fine_gratings_equal_the_closed_forms) {
       EXPECT_NEAR(number(on_flank.counter_clockwise.high), shaded, 1e-7 * shaded) << h << ' ' << wave;
       // From flank to crest and back, at every crest and in every valley, of which there are three.
       const Slice waves{Along::x, 0, static_cast<float>(-1.5 * M_PI / wave), static_cast<float>(1.5 * M_PI / wave)};
-      const double paid = 3 * D * D / 2 * (1 - upright(M_PI / 2));
+      const double generated = 3 * D * D / 2 * (1 - upright(M_PI / 2));
       const SliceBound bound = loop_bound(build(map, Rendering::true_height), waves, static_cast<float>(D));
       for (const Interval& sense : {bound.counter_clockwise, bound.clockwise}) {
-        EXPECT_NEAR(number(sense.low), paid, 2e-7 * paid) << h << ' ' << wave;
-        EXPECT_NEAR(number(sense.high), paid, 2e-7 * paid) << h << ' ' << wave;
+        EXPECT_NEAR(number(sense.low), generated, 2e-7 * generated) << h << ' ' << wave;
+        EXPECT_NEAR(number(sense.high), generated, 2e-7 * generated) << h << ' ' << wave;
       }
     }
 }
@@ -240,7 +240,7 @@ height::Part random_part(Random& random, double reach) {
 
 // What the fast path pays along a path, by the force at the middle of 500 steps a segment, and by how much that may be wrong.
 struct Walked {
-  double paid = 0, tolerance = 0;  // mJ
+  double generated = 0, tolerance = 0;  // mJ
 };
 
 Walked walked(const fast::HeightMapField& law, const std::vector<Eigen::Vector3f>& path) {
@@ -251,7 +251,7 @@ Walked walked(const fast::HeightMapField& law, const std::vector<Eigen::Vector3f
     Eigen::Vector3d last = law.force(path[i - 1]).cast<double>();
     for (int k = 0; k < kSteps; ++k) {
       const Eigen::Vector3d force = law.force((from + (k + 0.5) * step).cast<float>()).cast<double>();
-      sum.paid += force.dot(step);
+      sum.generated += force.dot(step);
       // A step may be wrong by all that the force changes on it; positions and forces are rounded by 2^-24 of their size.
       sum.tolerance += (step.norm() + 0x1p-23 * from.norm()) * (force - last).norm() + 0x1p-23 * force.norm() * step.norm();
       last = force;
@@ -287,10 +287,10 @@ TEST(height_enclosures, of_random_maps_are_finite_and_in_order_or_refused) {
       const auto top = static_cast<float>(tallest(law, slice)), bottom = std::nextafter(top - depth, top);
       for (int loop = 0; loop < 5; ++loop) {
         const Walked around = walked(fast, random_loop(loops, slice, bottom, top + depth / 4));
-        EXPECT_LE(around.paid, number(v.bound.counter_clockwise.high) + around.tolerance) << what;
-        EXPECT_LE(-around.paid, number(v.bound.clockwise.high) + around.tolerance) << what;
-        if (std::fabs(around.paid) > around.tolerance) ++felt;
-        best = std::max(best, (std::fabs(around.paid) - around.tolerance) / number(v.bound.most().high));
+        EXPECT_LE(around.generated, number(v.bound.counter_clockwise.high) + around.tolerance) << what;
+        EXPECT_LE(-around.generated, number(v.bound.clockwise.high) + around.tolerance) << what;
+        if (std::fabs(around.generated) > around.tolerance) ++felt;
+        best = std::max(best, (std::fabs(around.generated) - around.tolerance) / number(v.bound.most().high));
       }
       const double most = number(v.bound.most().high), width = most - number(v.bound.most().low);
       const auto K = static_cast<double>(law.stiffness()), D = static_cast<double>(depth);
@@ -333,9 +333,9 @@ TEST(height_enclosures, of_laws_are_finite_and_in_order) {
       const LoopBound bound = loop_bound(*law, depth);
       for (const Interval& value : {bound.counter_clockwise, bound.clockwise, bound.anywhere})
         expect_enclosed(value, std::string(name.name) + ' ' + std::to_string(R) + ' ' + std::to_string(w));
-      const Interval paid = work(*law, witness(*law, depth));
-      expect_enclosed(paid, std::string(name.name));
-      EXPECT_LE(paid.low, bound.anywhere.high) << name.name;
+      const Interval generated = work(*law, witness(*law, depth));
+      expect_enclosed(generated, std::string(name.name));
+      EXPECT_LE(generated.low, bound.anywhere.high) << name.name;
     }
   }
 }

@@ -155,7 +155,7 @@ std::array<double, 2> bound_by_columns(const HeightExample& example, Rendering r
     return across ? (U(0, kStep) - U(0, -kStep)) / (2 * kStep) : (U(kStep, 0) - U(-kStep, 0)) / (2 * kStep);
   };
   const auto upright = [&](double s) { return 1 / std::hypot(1, slope(s, false), slope(s, true)); };
-  std::array<double, 2> paid{};
+  std::array<double, 2> generated{};
   double left = upright(start + 0.25 * step);
   for (int i = 0; i < kColumns; ++i) {
     const double middle = start + (i + 0.75) * step, right = upright(start + (i + 1.25) * step);
@@ -166,10 +166,10 @@ std::array<double, 2> bound_by_columns(const HeightExample& example, Rendering r
     constexpr int kDepths = 32;
     for (int k = 0; k < kDepths; ++k) {
       const double pay = D * (k + 0.5) / kDepths * rise + excess;
-      paid[pay > 0 ? 0 : 1] += std::fabs(pay) * D / kDepths;
+      generated[pay > 0 ? 0 : 1] += std::fabs(pay) * D / kDepths;
     }
   }
-  return paid;
+  return generated;
 }
 
 TEST(height_energy, bounds_equal_columns_summed) {
@@ -206,10 +206,10 @@ TEST(height_energy, no_simple_loop_is_paid_more_than_the_bound) {
         const float bottom = static_cast<float>(least) - 0.5F, top = static_cast<float>(most) + 0.25F;
         const SliceBound bound = loop_bound(law, slice, top - bottom);
         for (int i = 0; i < 10; ++i) {
-          const Interval paid = work(law, random_loop(random, slice, bottom, top));
-          EXPECT_LE(low(paid), bound.counter_clockwise.high) << example.name;
-          EXPECT_LE(-paid.high, bound.clockwise.high) << example.name;
-          if (bound.counter_clockwise.high > 0) best = std::max(best, low(paid) / low(bound.counter_clockwise));
+          const Interval generated = work(law, random_loop(random, slice, bottom, top));
+          EXPECT_LE(low(generated), bound.counter_clockwise.high) << example.name;
+          EXPECT_LE(-generated.high, bound.clockwise.high) << example.name;
+          if (bound.counter_clockwise.high > 0) best = std::max(best, low(generated) / low(bound.counter_clockwise));
         }
       }
   std::printf("  the best is paid %.0f %% of it\n", 100 * best);

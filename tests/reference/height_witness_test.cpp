@@ -74,11 +74,11 @@ TEST(height_witness, is_a_simple_loop_no_deeper_than_asked_that_is_paid_99_perce
                 << what;
           }
           EXPECT_LE(deepest(example, rendering, loop), static_cast<double>(depth) + 1e-12) << what;
-          const Interval paid = work(law, loop);
-          EXPECT_LE(paid.low, bound.most().high) << what;
-          EXPECT_GE(paid.low, 0.99 * bound.most().high) << what;
+          const Interval generated = work(law, loop);
+          EXPECT_LE(generated.low, bound.most().high) << what;
+          EXPECT_GE(generated.low, 0.99 * bound.most().high) << what;
           longest = std::max(longest, loop.size());
-          worst = std::min(worst, Multiprecision(paid.low / bound.most().high).convert_to<double>());
+          worst = std::min(worst, Multiprecision(generated.low / bound.most().high).convert_to<double>());
         }
   std::printf("  paid %.2f %% of the bound or more; at most %zu corners\n", 100 * worst, longest);
 }
@@ -110,14 +110,14 @@ TEST(height_witness, walked_on_the_fast_path_is_paid_the_same) {
             std::get<fast::HeightMapField>(fast::HeightMapField::build(example.map, rendering, static_cast<float>(K)));
         const Path loop = witness(law, slice, static_cast<float>(D));
         if (loop.empty()) continue;
-        double paid = 0, length = 0;
+        double generated = 0, length = 0;
         for (std::size_t i = 1; i < loop.size(); ++i) {
           const Vector3d from = loop[i - 1].cast<double>(), way = loop[i].cast<double>() - from;
           const int steps = static_cast<int>(std::ceil(way.norm() / kStep));
           for (int step = 0; step < steps; ++step) {
             const Vector3f at = (from + (step + 0.5) / steps * way).cast<float>();
             const Vector3f force = fast.evaluate(at).force;
-            paid += force.cast<double>().dot(way) / steps;
+            generated += force.cast<double>().dot(way) / steps;
             if (!force.isZero()) length += way.norm() / steps;
           }
         }
@@ -126,9 +126,9 @@ TEST(height_witness, walked_on_the_fast_path_is_paid_the_same) {
         // By no more than 2 N/mm does the force change off the kinks, which are gone round in steps of their own; positions are
         // rounded by 2^-21 mm, forces by 2^-24 of K·D.
         const double tolerance = length * (2 * (kStep / 4 + 0x1p-21) + K * D * 0x1p-24);
-        EXPECT_NEAR(paid, exact, tolerance) << example.name;
-        EXPECT_GE(paid + tolerance, 0.99 * most) << example.name;
-        EXPECT_LE(paid - tolerance, most) << example.name;
+        EXPECT_NEAR(generated, exact, tolerance) << example.name;
+        EXPECT_GE(generated + tolerance, 0.99 * most) << example.name;
+        EXPECT_LE(generated - tolerance, most) << example.name;
         EXPECT_LT(tolerance, 0.2 * most) << example.name;
       }
 }

@@ -48,21 +48,21 @@ TEST(height_work, equals_the_force_summed_along_the_path) {
       for (int i = 0; i < 3; ++i) {
         const Path path = random_path(random);
         const Interval exact = work(law, path);
-        double paid = 0, length = 0;
+        double generated = 0, length = 0;
         for (std::size_t k = 1; k < path.size(); ++k) {
           const Vector3d from = path[k - 1].cast<double>(), way = path[k].cast<double>() - from;
           length += way.norm();
           for (int step = 0; step < kSteps; ++step) {
             const Vector3f at = (from + (step + 0.5) / kSteps * way).cast<float>();
-            paid += law.round_to_binary32(at).force.cast<double>().dot(way) / kSteps;
+            generated += law.round_to_binary32(at).force.cast<double>().dot(way) / kSteps;
           }
         }
         // A step may straddle a kink: some ten of them, where the force turns by 0.6 N or so, half a step each.
         const double tolerance = 10 * 0.6 * length / 3 / kSteps / 2;
         EXPECT_GE(width(exact), 0);
         EXPECT_LT(width(exact), 1e-8) << example.name;
-        EXPECT_NEAR(low(exact), paid, tolerance) << example.name << ' ' << name;
-        worst = std::max(worst, std::fabs(low(exact) - paid) / tolerance);
+        EXPECT_NEAR(low(exact), generated, tolerance) << example.name << ' ' << name;
+        worst = std::max(worst, std::fabs(low(exact) - generated) / tolerance);
       }
     }
   std::printf("  worst difference %.2f of what the steps allow\n", worst);
@@ -105,8 +105,8 @@ TEST(height_work, there_and_back_is_nothing) {
       for (const auto& [from, to] : {std::pair{Vector3f(0.375F, 2, -0.5F), Vector3f(-5, 2, -0.25F)},
                                      {{3, 1.125F, -0.5F}, {-1, -1.125F, 0.25F}},
                                      {{5, -0.5F, -0.5F}, {-3, -0.5F, -0.5F}}}) {
-        const Interval paid = work(build(example.map, rendering), {from, to, from});
-        EXPECT_LT(std::fabs(low(paid)), 1e-9) << example.name << ' ' << name;
+        const Interval generated = work(build(example.map, rendering), {from, to, from});
+        EXPECT_LT(std::fabs(low(generated)), 1e-9) << example.name << ' ' << name;
       }
 }
 
@@ -131,9 +131,9 @@ TEST(height_work, along_a_kink_is_that_of_the_side_with_larger_x_then_y) {
         {{std::make_shared<height::Grid>(height::Grid{3, 3, 1, height::Edge::clamp, height::Interpolant::bilinear, values})}}};
   };
   // At a depth of 1, down by 1/4 along it: K·∫depth/n.
-  const double paid = -static_cast<double>(kStiffness) * (0.25 + 0.03125) * 0.8;
-  EXPECT_NEAR(low(work(build(fold(false), Rendering::force_shaded), {{0, -0.5F, -1}, {0, 0.5F, -1.25F}})), paid, 1e-12);
-  EXPECT_NEAR(low(work(build(fold(true), Rendering::force_shaded), {{-0.5F, 0, -1}, {0.5F, 0, -1.25F}})), paid, 1e-12);
+  const double generated = -static_cast<double>(kStiffness) * (0.25 + 0.03125) * 0.8;
+  EXPECT_NEAR(low(work(build(fold(false), Rendering::force_shaded), {{0, -0.5F, -1}, {0, 0.5F, -1.25F}})), generated, 1e-12);
+  EXPECT_NEAR(low(work(build(fold(true), Rendering::force_shaded), {{-0.5F, 0, -1}, {0.5F, 0, -1.25F}})), generated, 1e-12);
 }
 
 TEST(series, holds_the_taylor_coefficients_of_what_was_computed) {

@@ -11,12 +11,12 @@
 
 namespace forceshade::properties {
 
-using Bend = reference::GradientChange;
+using GradientChange = reference::GradientChange;
 using reference::Lines;
 using reference::Rim;
 using PartShape = reference::Outline;  // of one part of a map
 
-struct HeightShape {
+struct HeightMapClaims {
   height::Rendering rendering;
   double stiffness;  // N/mm
   bool is_conservative;
@@ -25,10 +25,10 @@ struct HeightShape {
   std::vector<PartShape> parts;  // of the map, then of a surface of its own
   std::size_t map_parts;
 
-  explicit HeightShape(const reference::HeightMapField& law);
+  explicit HeightMapClaims(const reference::HeightMapField& law);
 
   // Of the gradient that the direction comes from.
-  Bend bend(double x, double y, double reach) const;
+  GradientChange gradient_change(double x, double y, double reach) const;
 
   // Where the force jumps, in words; none where it is continuous.
   std::vector<std::string> jumps() const;

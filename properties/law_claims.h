@@ -17,7 +17,7 @@ struct JumpLine {
   long double angle;   // rad
 };
 
-struct Shape {
+struct LawClaims {
   LawId id;
   long double R, w, K, d;    // mm, mm, N/mm, mm; R = w = 0 for the wall
   long double alpha, theta;  // rad: half the subtended angle; the slope of a three-polygon side
@@ -25,7 +25,7 @@ struct Shape {
   std::vector<JumpLine> jump_lines;
   long double steepest;  // largest |dH/dx| of the nominal surface where H is polygonal, else 0
 
-  explicit Shape(const reference::Law& law);
+  explicit LawClaims(const reference::Law& law);
 
   // H(x), mm: where the force begins on the way down at x. NaN is never returned; beside the bump it is 0.
   long double surface(long double x) const;

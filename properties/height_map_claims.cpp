@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/height_shape.h"
+#include "forceshade/properties/height_map_claims.h"
 
 #include "forceshade/reference/height_energy.h"
 
 namespace forceshade::properties {
 
-HeightShape::HeightShape(const reference::HeightMapField& law)
+HeightMapClaims::HeightMapClaims(const reference::HeightMapField& law)
     : rendering(law.rendering()),
       stiffness(static_cast<double>(law.stiffness())),
       is_conservative(reference::potential(law).has_value()) {
@@ -21,17 +21,17 @@ HeightShape::HeightShape(const reference::HeightMapField& law)
   if (rendering != height::Rendering::force_shaded) steepest_surface = steepest;
 }
 
-Bend HeightShape::bend(double x, double y, double reach) const {
-  Bend sum;
+GradientChange HeightMapClaims::gradient_change(double x, double y, double reach) const {
+  GradientChange sum;
   for (std::size_t i = 0; i < map_parts; ++i) {
-    const Bend one = parts[i].bend(x, y, reach);
+    const GradientChange one = parts[i].gradient_change(x, y, reach);
     sum.rate += one.rate;
     sum.kink = sum.kink || one.kink;
   }
   return sum;
 }
 
-std::vector<std::string> HeightShape::jumps() const {
+std::vector<std::string> HeightMapClaims::jumps() const {
   std::vector<std::string> words;
   for (std::size_t i = 0; i < map_parts; ++i)
     for (const std::string& kink : parts[i].kinks)

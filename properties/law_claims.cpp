@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/shape.h"
+#include "forceshade/properties/law_claims.h"
 
 #include <cmath>
 
 namespace forceshade::properties {
 
-Shape::Shape(const reference::Law& law)
+LawClaims::LawClaims(const reference::Law& law)
     : id(law.id()),
       R(has_bump_geometry(id) ? law.geometry().R.mid() : 0),
       w(has_bump_geometry(id) ? law.geometry().w.mid() : 0),
@@ -36,7 +36,7 @@ Shape::Shape(const reference::Law& law)
   }
 }
 
-long double Shape::surface(long double x) const {
+long double LawClaims::surface(long double x) const {
   const long double ax = std::fabs(x);
   switch (id) {
     case LawId::wall:
@@ -52,15 +52,15 @@ long double Shape::surface(long double x) const {
   return 0;
 }
 
-bool Shape::is_shaded() const {
+bool LawClaims::is_shaded() const {
   return id == LawId::bump_1p_shaded || id == LawId::bump_2p_shaded || id == LawId::bump_3p_shaded;
 }
 
-bool Shape::is_conservative() const {
+bool LawClaims::is_conservative() const {
   return id == LawId::wall || id == LawId::bump_1p || has_cylinder();
 }
 
-std::vector<std::string> Shape::jumps() const {
+std::vector<std::string> LawClaims::jumps() const {
   if (has_cylinder()) return {"the axis"};
   std::vector<std::string> words;
   for (const JumpLine& line : jump_lines) words.push_back(line.x == 0 ? "x = 0" : line.x == w / 2 ? "|x| = w/2" : "|x| = w'/2");

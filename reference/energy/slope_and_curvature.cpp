@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/energy/bend.h"
+#include "forceshade/reference/energy/slope_and_curvature.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -8,12 +8,13 @@
 
 namespace forceshade::reference {
 
-Bend bend(const std::vector<height::Part>& parts, const Enclosure& x, double inside) {
-  Bend sum = section::level();
+SlopeAndCurvature slope_and_curvature(const std::vector<height::Part>& parts, const Enclosure& x, double inside) {
+  SlopeAndCurvature sum = section::level();
   for (const height::Part& part : parts) {
-    const Bend one = std::visit([&](const auto& shape) { return bend_of(as_shape(shape), x, inside); }, part.shape);
-    sum = part.negated ? Bend{sum.slope - one.slope, sum.curvature - one.curvature}
-                       : Bend{sum.slope + one.slope, sum.curvature + one.curvature};
+    const SlopeAndCurvature one =
+        std::visit([&](const auto& shape) { return slope_and_curvature_of(as_shape(shape), x, inside); }, part.shape);
+    sum = part.negated ? SlopeAndCurvature{sum.slope - one.slope, sum.curvature - one.curvature}
+                       : SlopeAndCurvature{sum.slope + one.slope, sum.curvature + one.curvature};
   }
   return sum;
 }

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What a participant answered, one row a trial: what a session yields and what the analysis takes (thesis 5.5, 5.6, chapter 6).
+
+#include <string>
+#include <vector>
+
+namespace forceshade::experiments {
+
+// Where a matching trial's radius began, beside the reference radius: the symbols +, × and o of the thesis's plots. Where the
+// largest or smallest initial radius equals the reference, that trial is still of its own condition.
+enum class InitialRadius { large, same, small };
+
+struct MatchingResult {
+  std::string participant;  // a pseudonym
+  int trial = 0;            // from 1, in the order of the session
+  bool vision = true;
+  std::string stimulus;  // the matching bump, as the protocol names it: bump-1p-shaded and so on
+  InitialRadius initial = InitialRadius::same;
+  int repetition = 0;  // from 1
+  // mil
+  double reference_radius = 0, initial_radius = 0, final_radius = 0;
+  int satisfaction = 0;  // 1 to 10
+  int steps = 0;         // changes of the radius
+  double seconds = 0;    // from the first tick of the trial to the satisfaction entered
+};
+
+struct ClassificationResult {
+  std::string participant;
+  int trial = 0;
+  std::string stimulus;
+  double radius = 0;  // mil
+  int repetition = 0;
+  int answer = 0;  // 1 to 4: plane, two polygons, three polygons, cylinder (figure 5-8)
+  double seconds = 0;
+};
+
+// Practice trials are not among them.
+struct Results {
+  std::vector<MatchingResult> matching;
+  std::vector<ClassificationResult> classification;
+};
+
+}  // namespace forceshade::experiments
