@@ -64,7 +64,7 @@ class BumpOptions {
   // From then on they are refused beside this option.
   void allow_instead(CLI::Option* other);
 
-  // With a stiffness of 1 N/mm, which the geometry does not ask for. Throws BadInput.
+  // With a stiffness of 1 N/mm, which the geometry does not need. Throws BadInput.
   Parameters bump() const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a drive tells when it is over, to people and to programs.
+// The summary of a drive, for people and for programs.
 
 #include <nlohmann/json.hpp>
 

@@ -54,7 +54,7 @@ bool may_be_driven(const Certified& certified, bool uncertified) {
   if (certified.digest) return true;
   const std::string why = csv::printable(certified.why_not);
   if (uncertified)
-    std::fprintf(stderr, "*** DRIVING UNCERTIFIED, as told by --uncertified: %s ***\n", why.c_str());
+    std::fprintf(stderr, "*** DRIVING UNCERTIFIED, because of --uncertified: %s ***\n", why.c_str());
   else
     std::fprintf(stderr, "forceshade: refused to drive: %s\n", why.c_str());
   return uncertified;

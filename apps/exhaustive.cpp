@@ -100,10 +100,10 @@ void ExhaustiveOptions::add_to(CLI::App& command) {
 }
 
 int run_exhaustive(const ExhaustiveOptions& options, properties::SweepPlan plan, unsigned threads, const OutFolder& out) {
-  const auto wants = [&](const char* kind) { return std::ranges::find(options.sweeps, kind) != options.sweeps.end(); };
-  plan.directions = wants("directions");
-  plan.heights = wants("heights");
-  plan.lines = wants("lines");
+  const auto is_chosen = [&](const char* kind) { return std::ranges::find(options.sweeps, kind) != options.sweeps.end(); };
+  plan.directions = is_chosen("directions");
+  plan.heights = is_chosen("heights");
+  plan.lines = is_chosen("lines");
   const Shard shard = parse_shard(options.shards);
   const Sweeps all = properties::planned(plan);
   if (all.results.empty()) throw BadInput("--sweeps: expected a kind of sweep that the law has, got none of them");

@@ -10,7 +10,7 @@
 
 namespace forceshade::apps {
 
-// What is told goes to standard error.
+// Messages go to standard error.
 class TerminalAttendant : public device::Attendant {
  public:
   // what_else: what to do where there is no terminal, for instance "give --in-reset-pose".

@@ -13,7 +13,7 @@
 namespace forceshade::properties {
 
 // direction: every x of the bump on z = -1 mm, where the force of a flat shaded law is K times its direction.
-// height: every x of the bump, where the highest position in contact and the lowest free one must be told apart; for a law
+// height: every x of the bump, where the highest position in contact and the lowest free one must be distinguished; for a law
 //   whose surface is flat, every z on x = 0.
 // line: every x on a chosen z. column: every z on a chosen x.
 enum class SweepKind { direction, height, line, column };

@@ -64,7 +64,7 @@ void convert(const char* text, locale_t locale, double& value) {
 }
 
 // from_chars decides what a number looks like. Its value is used only for decimals in range: libstdc++ 12 rounds some
-// subnormal hexfloats wrongly (0x5.fbdaa4p-131), and out of range it does not tell too large from too small.
+// subnormal hexfloats wrongly (0x5.fbdaa4p-131), and out of range it does not distinguish too large from too small.
 template <class T>
 std::optional<T> parse(const std::string& text) {
   std::string_view digits = text;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How fast a hand on a device moves, in mm/s: what tells a hand from a device that runs away or an encoder that fails.
+// How fast a hand on a device moves, in mm/s: what distinguishes a hand from a device that runs away or an encoder that fails.
 
 namespace forceshade::device {
 

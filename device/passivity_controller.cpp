@@ -120,7 +120,7 @@ Eigen::Vector3d PassivityController::shaped(const Eigen::Vector3d& wanted) const
   // A hand at rest keeps a tenth of the force along the way that it came.
   constexpr double kSlow = 20, kAtRest = 0.9;  // mm/s
   const double moves = motion_.squaredNorm(), slow = kSlow * settings_.period, moving = moves / (moves + slow * slow);
-  // At most as much as turns that part round: what is owed is paid back, with no longer force.
+  // At most as much as turns that part round: what was given in advance is taken back, with no larger force.
   if (damps) return force - std::min(1 - limit / along, kAtRest + (2 - kAtRest) * moving) * along * way;
   constexpr double kAlong = 0.25;  // the cosine from which on a force goes along the way
   const double part = (kAtRest + (1 - kAtRest) * moving) * std::min(1.0, along / (kAlong * force.norm()));

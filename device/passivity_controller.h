@@ -23,8 +23,8 @@ struct PassivitySettings {
   double period = 0.001;  // s, between two readings
 };
 
-// For a hand no faster than kFastestUnderForce. Epsilon is twice what a wall of 1 N/mm asks for on credit, so that no softer
-// one is altered when pressed slowly: it wants K δ ready for the next step (two steps, with latency) when ½K δ² was put in.
+// For a hand no faster than kFastestUnderForce. Epsilon is twice what a wall of 1 N/mm needs in advance, so that no softer
+// one is altered when pressed slowly: it needs K δ for the next step (two steps, with latency) when ½K δ² was put in.
 // Of the friction that the device's sheet has, half is counted.
 PassivitySettings passivity_settings(const Capabilities& capabilities, double rate) noexcept;
 
@@ -32,9 +32,9 @@ PassivitySettings passivity_settings(const Capabilities& capabilities, double ra
 // them, by the readings.
 // Doubles as they are: 600'000 ticks of an account within ±1 J round it by less than 1e-7 mJ.
 struct PassivityAccount {
-  double balance = 0;         // put in by the hand, less what it was given; with what friction paid and what was forgiven
-  double dissipated = 0;      // by friction in the arm, which the account counts as taken from the hand
-  double forgiven = 0;        // of what steps longer than the longest took beyond epsilon
+  double balance = 0;     // put in by the hand, less what it was given; with what friction dissipated and what was written off
+  double dissipated = 0;  // by friction in the arm, which the account counts as taken from the hand
+  double forgiven = 0;    // of what steps longer than the longest took beyond epsilon
   double lowest_balance = 0;  // never below -epsilon while no step under force was longer than the longest
   double given = 0;           // the part of the balance that went to the hand, counted positive
   double withheld = 0;        // what the wanted force would have given in the same steps, less what was given

@@ -134,8 +134,8 @@ std::optional<Rule> Supervisor::trip_rule(const Reading& reading, const State& s
   return std::nullopt;
 }
 
-// Time alone does not tell a frozen encoder from a hand at rest: friction holds a device still for minutes. But no hand stops
-// dead from 100 mm/s, within one period and on every axis; and none stays where it was after its force has changed by
+// Time alone does not distinguish a frozen encoder from a hand at rest: friction holds a device still for minutes. But no hand
+// stops dead from 100 mm/s, within one period and on every axis; and none stays where it was after its force has changed by
 // half a newton, which is a millimetre of its flesh.
 bool Supervisor::is_frozen(double step, double elapsed, const Eigen::Vector3f& felt) noexcept {
   if (step > 0 || felt.isZero(0) || !(limits_.resolution > 0)) {

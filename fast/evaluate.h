@@ -37,7 +37,7 @@ struct Built {
       : geometry(Definition::template geometry<DoubleDouble>(p)), definition(p, geometry) {}
 };
 
-// The answer of a ball stage, where it can tell.
+// The answer of a ball stage, where it can decide.
 template <class N, class Definition>
 std::optional<Evaluation> decide(const Definition& law, const Parameters& p,
                                  const typename Definition::template Geometry<N>& geometry, float x, float z,

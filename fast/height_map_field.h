@@ -29,7 +29,7 @@ class HeightMapField {
   // rounding mode. The last stage takes up to 3 MiB of stack. Should its numbers not decide (docs/proofs.md says for which
   // identities that could be), Status::invalid and no force.
   Evaluation evaluate(const Eigen::Vector3f& position) const noexcept {
-    Evaluation answer;  // one object, built where the caller wants it: a copy would wait for what was just written
+    Evaluation answer;  // one object, built where the caller needs it: a copy would wait for what was just written
     if (spline_ != nullptr) {
       const Sign contact = first_stage_(*spline_, position.data(), answer.force.data());
       answer.status = contact == Sign::positive ? Status::contact : Status::free;

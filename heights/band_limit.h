@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Heights without waves that are too short to be sampled well, or that nobody wants to feel.
+// Heights without waves that are too short to be sampled well, or that should not be felt.
 
 #include <cstdint>
 #include <vector>

@@ -31,7 +31,7 @@ Samples read(const Source& source) {
   throw Error(file, "is none of PNG, TIFF, greyscale PFM and NPY");
 }
 
-// As many digits as tell it from any other number.
+// As many digits as distinguish it from any other number.
 std::string words_of(double number) {
   std::array<char, 32> text{};
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A sampled height map from an image or array file: greyscale PNG, TIFF and PFM, or NPY of two dimensions, told apart by how
+// A sampled height map from an image or array file: greyscale PNG, TIFF and PFM, or NPY of two dimensions, distinguished by how
 // the file begins. Whole and binary numbers of 8 to 64 bits: the table in docs/height-maps.md says how each becomes a height.
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PFM: "Pf", columns, rows, a number whose sign tells the byte order (negative: the smallest first), then binary32 numbers from
+// PFM: "Pf", columns, rows, a number whose sign gives the byte order (negative: the smallest first), then binary32 numbers from
 // the bottom row up (Paul Debevec, 2001). The words of the header may end in CRLF; the numbers fill the rest of the file.
 
 #include <cctype>

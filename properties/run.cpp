@@ -26,7 +26,7 @@ PropertyResult run_property(const std::string& name, int cases, std::uint64_t se
   params.seed = seed;
   params.maxSuccess = cases;
   Silent silent;
-  // The form with a (here empty) map of cases to reproduce is the one that asks no environment variable.
+  // The form with a (here empty) map of cases to reproduce is the one that reads no environment variable.
   const rc::detail::TestResult result = rc::detail::checkTestable(
       [&] {
         if (const Violation violation = property()) RC_FAIL(*violation);

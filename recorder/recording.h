@@ -31,7 +31,7 @@ class Recording {
   // would not be seen.
   bool has_digest() const { return metadata_.contains(kDigestKey); }
 
-  // Why the metadata are not those that were written; empty if they are, or if no digest tells.
+  // Why the metadata are not those that were written; empty if they are, or if there is no digest.
   const std::string& metadata_problem() const noexcept { return metadata_problem_; }
 
   // From the table of chunks, without looking into them; all zero if there is none. `missing` ticks were left out on

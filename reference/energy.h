@@ -19,14 +19,14 @@ struct PathPoint {
 // runs along a line of jump feels the side the line belongs to.
 Interval work(const Law& law, const std::vector<PathPoint>& path);
 
-// κ = ∂F_z/∂x - ∂F_x/∂z, mJ/mm²: what a small loop is paid counter-clockwise (x right, z up) for its area. On a line where
+// κ = ∂F_z/∂x - ∂F_x/∂z, mJ/mm²: what a small loop generates counter-clockwise (x right, z up) for its area. On a line where
 // formulas meet, that of the side the line belongs to. |x| < R.
 Interval circulation_density(const Law& law, const PathPoint& at);
 
 // A vertical line on which F_z jumps, x > 0; its mirror image jumps the other way.
 struct LineTerm {
   Interval x;     // mm
-  Interval rise;  // (F_z just right - F_z just left)/(K·depth): what the line pays a counter-clockwise loop
+  Interval rise;  // (F_z just right - F_z just left)/(K·depth): what a counter-clockwise loop generates on the line
 };
 std::vector<LineTerm> line_terms(const Law& law);
 
@@ -43,7 +43,7 @@ LoopBound loop_bound(const Law& law, float depth);
 // depth: mm, from R/10^4 (the wall: 10^-3) to 10^4. Below, the binary32 points of a witness are too coarse.
 std::optional<ParameterError> depth_error(const Law& law, float depth);
 
-// A simple polygon, closed and no deeper than `depth`, that is paid 99 % of the bound or more; no point where that is 0.
+// A simple polygon, closed and no deeper than `depth`, that generates 99 % of the bound or more; no point where that is 0.
 std::vector<PathPoint> witness(const Law& law, float depth);
 
 }  // namespace forceshade::reference

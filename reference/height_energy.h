@@ -13,12 +13,12 @@
 
 namespace forceshade::reference {
 
-// The formula of the field's potential, mJ; nothing where no closed path is known to pay nothing: true heights have one where
-// every part is a plane or level, shaded ones where that holds of the surface too, and both have one gradient.
+// The formula of the field's potential, mJ; nothing where closed paths are not known to generate nothing: true heights have one
+// where every part is a plane or level, shaded ones where that holds of the surface too, and both have one gradient.
 std::optional<std::string> potential(const HeightMapField& law);
 
 // All that follows throws NotEnclosed where a map is too steep or too fine to be enclosed at all, and Interrupted when the
-// watch is told to stop.
+// watch stops it.
 
 // mJ, along the polyline through the points, mm, in the position domain; to ten digits or more of each segment.
 Interval work(const HeightMapField& law, const std::vector<Eigen::Vector3f>& path, const Watch& watch = {});
@@ -43,8 +43,8 @@ SliceBound loop_bound(const HeightMapField& law, const Slice& slice, float depth
 // binary32 points of a witness are too coarse.
 std::optional<ParameterError> slice_error(const HeightMapField& law, const Slice& slice, float depth);
 
-// A simple polygon in the slice, closed and no deeper than `depth`, that is paid nearly the bound, for most maps 99 % of it
-// (docs/energy.md); no point where no loop is paid as much as 10^-12 K·depth².
+// A simple polygon in the slice, closed and no deeper than `depth`, that generates nearly the bound, for most maps 99 % of it
+// (docs/energy.md); no point where no loop generates as much as 10^-12 K·depth².
 std::vector<Eigen::Vector3f> witness(const HeightMapField& law, const Slice& slice, float depth, const Watch& watch = {});
 
 }  // namespace forceshade::reference

@@ -20,7 +20,7 @@ struct Point {
   explicit Point(const Eigen::Vector3f& position) : x(quantised(position.x())), z(quantised(position.z())) {}
 };
 
-// Throws Undecided where 64 bits do not tell.
+// Throws Undecided where 64 bits do not decide.
 Law::Estimate filtered(LawId id, const BumpGeometry<Ball64>& geometry, const Point& point) {
   return with_law(id, [&](auto law) {
     const Ball64 x(point.x), z(point.z);
@@ -166,7 +166,7 @@ EnclosedForce enclosure(const Law& law, const Eigen::Vector3f& position, unsigne
   for (unsigned bits = digits * 10 / 3;; bits *= 2) {
     set_precision(bits);
     const Force<Enclosure> value = force.enclose();
-    // A component that is exactly zero may keep a width however far one goes: ask the exact numbers.
+    // A component that is exactly zero may keep a width at any precision: the exact numbers decide.
     const bool x_is_zero = !is_narrow(value.x) && force.exact().x.sign() == 0;
     const bool z_is_zero = !is_narrow(value.z) && force.exact().z.sign() == 0;
     if ((x_is_zero || is_narrow(value.x)) && (z_is_zero || is_narrow(value.z))) {

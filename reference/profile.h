@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The profile of a height map, its section y = 0 between two x, and polygons under it: what the theta-critical hypothesis
-// (5.2), stated for a cylinder, asks of any smooth profile.
+// (5.2), stated for a cylinder, requires of any smooth profile.
 
 #include <memory>
 #include <vector>

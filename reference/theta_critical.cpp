@@ -30,7 +30,7 @@ std::string subtended_degrees(const Parameters& bump, unsigned polygons, unsigne
       digits, [&] { return Enclosure(enclosing_degrees(bump) / polygons); },
       [&](const CORE::BigRat& q) {
         const auto rational = rational_degrees(bump);
-        // An irrational number is no q; it would have been told apart by now.
+        // An irrational number is no q; it would have been distinguished by now.
         return rational ? sign(CORE::BigRat(*rational) / CORE::BigRat(polygons) - q) : 1;
       });
 }

@@ -16,7 +16,7 @@
 namespace forceshade::properties {
 namespace {
 
-// Okabe and Ito's colours, told apart with any colour vision.
+// Okabe and Ito's colours, distinct with any colour vision.
 constexpr std::array<const char*, 5> kLawColours{"#0072b2", "#d55e00", "#222222", "#009e73", "#b3589a"};
 constexpr std::array<int, 5> kLawMarks{7, 5, 9, 13, 11};
 constexpr const char *kBelow = "#2166ac", *kNone = "#ece7dc", *kAbove = "#b35806";

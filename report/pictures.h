@@ -12,7 +12,7 @@
 
 namespace forceshade::properties {
 
-// Shades of one hue, told apart by lightness: the three depths of a profile.
+// Shades of one hue, distinct by lightness: the three depths of a profile.
 inline constexpr std::array<const char*, 3> kDepthColours{"#85b8dc", "#2f7ab5", "#08315c"};
 inline constexpr const char* kCurveColour = "#d55e00";
 

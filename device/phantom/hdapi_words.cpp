@@ -32,7 +32,7 @@ constexpr std::array kMeanings{
     Meaning{kInvalidEnum, "the driver does not know this property", "check that driver and library are of one version"},
     Meaning{kInvalidValue, "the driver refuses this value", "check it against what the device's manual allows"},
     Meaning{kInvalidOperation, "the driver refuses this now", kOurs},
-    Meaning{kInvalidInputType, "the driver wants another type", kOurs},
+    Meaning{kInvalidInputType, "the driver expects another type", kOurs},
     Meaning{kBadHandle, "the driver does not know the device", "check that no other part of this program disabled it"},
     Meaning{kIllegalBegin, "a frame was begun twice", kOurs},
     Meaning{kIllegalEnd, "a frame was ended twice", kOurs},

@@ -37,7 +37,7 @@ using Clock = std::chrono::steady_clock;
 constexpr milliseconds kListen{50}, kPoll{1};
 constexpr milliseconds kEnding{1500};  // for the process to end by itself
 
-// Words of a fault live as long as the program, so that a result can be told after its device is gone.
+// Words of a fault live as long as the program, so that a result can be reported after its device is gone.
 std::array<char, 4096>* room_for_words() {
   static std::mutex mutex;
   static std::deque<std::array<char, 4096>> rooms;
@@ -123,7 +123,7 @@ PhantomMessage Phantom::answer(milliseconds patience) {
                 " s: check cable and power, and whether another program holds the device");
 }
 
-// The exit status of the process, once it has ended; 0 where the program has told the system that it does not care for those.
+// The exit status of the process, once it has ended; 0 where the program ignores SIGCHLD, so that the system keeps none.
 std::optional<int> Phantom::ended_within(milliseconds patience) noexcept {
   int status = 0;
   for (const auto deadline = Clock::now() + patience; ::waitpid(process_, &status, WNOHANG) == 0;) {

@@ -39,7 +39,7 @@ class Phantom final : public Device {
   explicit Phantom(const std::string& name) : Phantom(name, PhantomOptions{}) {}
 
   // Zero force, output off, scheduler stopped, device released, in this order, and the process ended. Waits for the driver a
-  // moment, not for ever: then the process is ended all the same, and the attendant told.
+  // moment, not for ever: then the process is ended all the same, and the attendant gets a message.
   ~Phantom() override;
   Phantom(const Phantom&) = delete;
   Phantom& operator=(const Phantom&) = delete;

@@ -186,7 +186,8 @@ void PhantomFrames::watch_calibration() noexcept {
   went_well("updating the calibration");
 }
 
-// A driver reports a lost connection once, and only to the first who asks for errors; from then on the position stands still.
+// A driver reports a lost connection once, and only to the first call that reads errors; from then on the position stands
+// still.
 void PhantomFrames::watch_rate() noexcept {
   if (!sample_.has_rate) return;
   int rate = 0;

@@ -14,7 +14,7 @@ namespace forceshade::device {
 std::optional<std::filesystem::path> file_of_library(const std::string& name);
 
 // What it lacks, or one that it needs lacks: names of libraries, and versions of those that are there, each once, as `ldd`
-// says. None where ldd could not tell.
+// says. None where ldd could not find out.
 std::optional<std::vector<std::string>> missing_dependencies(const std::filesystem::path& file);
 
 // The Debian package, or the vendor's, that has this library; empty where it is not known.

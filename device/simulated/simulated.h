@@ -54,7 +54,7 @@ class Simulated final : public Device {
 
   State state() const noexcept override;
 
-  // What no encoder tells: the tip itself, mm in the laws' frame, and all that moves.
+  // What no encoder measures: the tip itself, mm in the laws' frame, and all that moves.
   Eigen::Vector3d tip() const noexcept;
   const Motion& motion() const noexcept { return motion_; }
 

@@ -17,7 +17,7 @@ struct RoundedComponent {
 
 struct HeightForce {
   float x, y, z;  // N
-  Sign contact;   // unknown: binary64 cannot tell, or not how to round
+  Sign contact;   // unknown: binary64 cannot decide it, or not the rounding
 };
 
 // Minus the force of a gap (mm) over slopes, along x and y, and the force up: K·gap·(U_x, U_y, 1)/n, n = √(1 + U_x² + U_y²), or
@@ -49,7 +49,8 @@ FORCESHADE_INLINE HeightForce height_force(const Jet<DoubleWithError>& map, heig
   const double M = of_jet.up;
   double error = K * gap_error;
   if (rendering != height::Rendering::conservative) error = error + M * (map.Ux.error + map.Uy.error);
-  // Over a flat place all is exact as often as not, ties included, which no error bound could tell from their neighbours.
+  // Over a flat place all is exact as often as not, ties included, which no error bound could distinguish from their
+  // neighbours.
   const bool is_exact = Ux == 0 && Uy == 0 && gap_error + map.Ux.error + map.Uy.error == 0 &&
                         two_sum(map.U.value, -z).lo == 0 && two_product(K, gap).lo == 0;
   error = is_exact ? 0 : kSlack * error + kHeightForceError * M;

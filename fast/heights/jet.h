@@ -15,7 +15,7 @@ template <class N>
 struct Jet {
   N U;                  // mm
   N Ux, Uy;             // mm/mm
-  bool decided = true;  // false: N cannot tell on which side of a kink the point lies, and the rest means nothing
+  bool decided = true;  // false: N cannot decide on which side of a kink the point lies, and the rest means nothing
 
   FORCESHADE_INLINE friend Jet operator+(const Jet& a, const Jet& b) noexcept {
     return {a.U + b.U, a.Ux + b.Ux, a.Uy + b.Uy, a.decided && b.decided};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the exact stages ask of their numbers: a value with a proven error bound, and comparisons that may say "unknown".
+// What the exact stages require of their numbers: a value with a proven error bound, and comparisons that may say "unknown".
 //
 // A Ball type N (DoubleDouble, BigFloatBall<>) offers N::exactly(double), + - * /, square_root(N), sign(N), midpoint(N) (the
 // same value with the error dropped), truncated(N, bits) (as midpoint, but good to `bits` bits is enough), widened(N, k) (the
@@ -24,7 +24,7 @@ Sign proved_sign(const N& value) noexcept {
   return sign(value);
 }
 
-// The binary32 nearest to the number that `value` encloses, ties to even; empty when the enclosure cannot tell.
+// The binary32 nearest to the number that `value` encloses, ties to even; empty when the enclosure does not decide it.
 // The candidates are the binary32 nearest to the midpoint and its two neighbours; a rounding boundary between binary32
 // neighbours is a binary64 number, so each comparison is with an exact number.
 //

@@ -27,7 +27,7 @@ template <class Real>
 using MaskOf = typename MaskTrait<Real>::Type;
 
 // A law's answer in binary64, before rounding. x and z are within the law's kErrorBound (relative) of the exact
-// components and `contact` is exact, unless `doubt` is set; then only a later stage can tell.
+// components and `contact` is exact, unless `doubt` is set; then only a later stage can decide.
 template <class Real>
 struct FirstStage {
   Real x, z;  // N; +0 or -0 where contact does not hold

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Exact rational numbers of bounded size: the last word on height maps, where an enclosure cannot tell a tie from what is
-// beside it. No error bound is needed: a number is held without rounding, or says that it is not.
+// Exact rational numbers of bounded size: the last word on height maps, where an enclosure cannot distinguish a tie from what
+// is beside it. No error bound is needed: a number is held without rounding, or says that it is not.
 
 #include "forceshade/fast/numbers/big_float_ball.h"
 

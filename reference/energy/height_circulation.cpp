@@ -74,7 +74,7 @@ void Circulation::judge(Stretch& stretch) const {
   stretch.generated = ball(std::max(0.0L, total.low()), std::max(0.0L, std::min(generated, total.high() + cost)));
   const bool is_top = shallow.low > 0 && deep.high < 0;
   if (is_top || (shallow.high < 0 && deep.low > 0)) {
-    // A triangle over the depths that pay.
+    // A triangle over the depths that generate energy.
     try {
       const Function& f = is_top ? surface : bottom;
       const Ball64 triangle = local.integral(f * f / (is_top ? -two * slope : two * slope));

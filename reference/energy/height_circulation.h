@@ -26,11 +26,11 @@ class Circulation {
 
   const HeightLine& line() const { return line_; }
 
-  // What the lines on which 1/n jumps pay, over K; and with them, the stretches between.
+  // What the lines on which 1/n jumps generate, over K; and with them, the stretches between.
   Generated lines() const;
   Generated generated(const std::vector<Stretch>& stretches) const;
 
-  // What is paid between them, over K; certain to `relative` of all. In order of t.
+  // What is generated between them, over K; certain to `relative` of all. In order of t.
   std::vector<Stretch> stretches(long double relative, const Watch& watch = {}) const;
 
   // By how much 1/n rises where a piece begins; not the first.

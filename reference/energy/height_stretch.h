@@ -121,8 +121,8 @@ auto decided(const F& f) {
   }
 }
 
-// All of the line in order of t, the least certain stretches cut in two until what is paid and what it costs are certain to
-// `relative` of the larger, or to `floor`. From kMany stretches on, and 64 more a piece, kFair of the larger is enough; from
+// All of the line in order of t, the least certain stretches cut in two until what is generated and what it costs are certain
+// to `relative` of the larger, or to `floor`. From kMany stretches on, and 64 more a piece, kFair of the larger is enough; from
 // kMost on the answer is right but less certain. judge(stretch) sets what is not its place; where it throws Undecided the
 // stretch is cut. Throws NotEnclosed where one remains that is not finite.
 constexpr std::size_t kMany = 16384, kMost = 16 * kMany;

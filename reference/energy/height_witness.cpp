@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The witness goes round upright columns side by side, each of which takes in what pays of its width. Its lower side runs along
-// the slice, its upper side back. Where nothing is to be taken in both run above the surface.
+// The witness goes round upright columns side by side, each of which takes in the part of its width that generates energy. Its
+// lower side runs along the slice, its upper side back. Where nothing is to be taken in both run above the surface.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSagitta = 0x1p-11;    // of the depth: how far a chord may leave the surface's shape
 constexpr double kPassage = 0x1p-8;     // of the depth: stays open below what is left out at the top
-constexpr long double kLeast = 1e-12L;  // of K·depth²: what is paid less for binary32 corners to show
+constexpr long double kLeast = 1e-12L;  // of K·depth²: what is lost by binary32 corners
 constexpr int kChords = 6;              // along where the circulation changes its sign
 
 struct Corner {
@@ -104,7 +104,7 @@ class Columns {
     const bool is_smooth = std::fabs(rise.mid()) <= rise.rad();
     const HeightLine::Piece &left = pieces[index - 1], &right = pieces[index];
     const float from = left_of(right.from), to = right_of(right.from);
-    const bool is_paid = !is_smooth && (rise.mid() > 0) != is_clockwise_;
+    const bool generates = !is_smooth && (rise.mid() > 0) != is_clockwise_;
     // The surface bends on the line, and is as good as straight beside it.
     const auto before = circulation_.line().ground(left, right.from), after = circulation_.line().ground(right, right.from);
     const auto steepness = [&](const SectionSample<Ball64>& g) {
@@ -113,7 +113,7 @@ class Columns {
     };
     const long double highest = after.surface.high() + 2 * std::max(steepness(before), steepness(after)) * (to - from);
     const float bottom = up(highest - static_cast<long double>(depth() * (1 - kSagitta)));
-    if (is_paid || (is_smooth && !columns_.empty() && columns_.back().enclosed != Enclosed::nothing))
+    if (generates || (is_smooth && !columns_.empty() && columns_.back().enclosed != Enclosed::nothing))
       push({{{from, bottom}, {to, bottom}}, {{from, top_}, {to, top_}}, Enclosed::all});
     else
       push_nothing(from, to);

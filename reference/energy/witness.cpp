@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The witness encloses what pays counter-clockwise at x >= 0 and, at x <= 0, the mirror image of what pays clockwise there. Its
-// lower side runs from left to right, its upper side back. Where nothing is to be enclosed both run above the surface.
+// The witness encloses what generates energy counter-clockwise at x >= 0 and, at x <= 0, the mirror image of what does so
+// clockwise there. Its lower side runs from left to right, its upper side back. Where nothing is to be enclosed both run above
+// the surface.
 
 #include <algorithm>
 #include <cmath>
@@ -77,10 +78,11 @@ std::vector<PathPoint> around_lines(const Half& half, const Levels& levels) {
   return polygon_of(lower, {{lower.front().x, levels.top}, {lower.back().x, levels.top}});
 }
 
-// The three boundaries under a shaded strip: of what pays counter-clockwise, and below and above what pays clockwise.
+// The three boundaries under a shaded strip: of what generates energy counter-clockwise, and below and above what does so
+// clockwise.
 struct Boundaries {
   Side floor, bottom, roof;
-  bool is_paid_clockwise = false;
+  bool generates_clockwise = false;
 
   void add(const Strip& strip, const ShadedStrip& shaded, const Levels& levels) {
     const bool is_flat = upper(strip.slope) == 0;
@@ -109,8 +111,8 @@ struct Boundaries {
     };
     follow(shaded.start(), shaded.first());
     follow(shaded.second(), strip.right);
-    is_paid_clockwise =
-        is_paid_clockwise || surely_less(strip.left, shaded.first()) || surely_less(shaded.second(), strip.right);
+    generates_clockwise =
+        generates_clockwise || surely_less(strip.left, shaded.first()) || surely_less(shaded.second(), strip.right);
   }
 };
 
@@ -122,7 +124,7 @@ std::vector<PathPoint> around_shaded(const Half& half, const Levels& levels) {
   Side lower = right.floor;
   if (rim < kDomainEnd) lower = joined(lower, {{rim, bottom}, {std::nextafter(rim, kDomainEnd), bottom}});
   Side upper{{0, levels.top}, {lower.back().x, levels.top}};
-  if (right.is_paid_clockwise) {
+  if (right.generates_clockwise) {
     lower = joined(mirrored(right.bottom), lower);
     upper = joined(mirrored(right.roof), upper);
   }

@@ -55,7 +55,7 @@ Enclosure work_in_strip(const BumpGeometry<Enclosure>& g, const Strip& strip, co
   if (is_in_at_from && is_in_at_to) return shaded_work(g, p, s, m, from, to);
   if (surely_at_most(depth_from, 0) && surely_at_most(depth_to, 0)) return 0;
   if (lower(s) <= 0 && upper(s) >= 0) {
-    // Along the surface, as far as one can tell: no deeper than the width of the enclosures.
+    // Along the surface, as far as the enclosures show: no deeper than the width of the enclosures.
     const Multiprecision most = upper(g.K * positive(larger(depth_from, depth_to)) * (abs(to - from) + abs(m * (to - from))));
     return {-most, most};
   }
@@ -102,7 +102,7 @@ class Field {
     for (const Strip& strip : half_.strips) {
       if (surely_at_most(at, strip.right)) return strip;
       if (surely_less(strip.right, at)) continue;
-      // w/2 is a binary32, so it is the flat top's edge that x cannot be told from.
+      // w/2 is a binary32, so it is the flat top's edge that x cannot be distinguished from.
       if (Exact(2.0 * static_cast<double>(x)) <= exact_geometry(law_.parameters()).w_prime) return strip;
     }
     return half_.strips.back();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which lanes of a batch on a B-spline are answered: none whose force lies so near a tie that binary64 cannot tell its sides
+// Which lanes of a batch on a B-spline are answered: none whose force lies so near a tie that binary64 cannot decide its sides
 // apart, none whose slopes are too small beside their errors, and nearly all others. The stiffness is chosen so that forces
 // come as near to ties as that.
 

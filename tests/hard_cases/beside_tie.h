@@ -29,7 +29,7 @@ struct BesideTie {
   float depth() const { return std::ldexp(static_cast<float>(b), -11); }      // 4096 to 8192 mm
 };
 
-// Measures with BigFloatBall, for double-double cannot tell the nearest from ties.
+// Measures with BigFloatBall, for double-double cannot distinguish the nearest from ties.
 template <class Definition>
 void offer_beside_tie(Hardest& hardest, const Parameters& p, float x, float z) {
   using BigFloatBall = fast::BigFloatBall<Definition::kWideLimbs>;

@@ -117,7 +117,7 @@ class HeightSearch {
     }
   }
 
-  // As near as no candidate before, and ties. 2^-37 is what the fixed point of next_in_range() can tell apart.
+  // As near as no candidate before, and ties. 2^-37 is what the fixed point of next_in_range() can distinguish.
   void nearest(const std::string& component, const Eigen::Vector3f& at, std::size_t axis, const DoubleDouble& c, bool may_tie) {
     const std::string kind = component + ": nearest to a tie";
     const double bar = hardest_.bar(kind);

@@ -100,7 +100,7 @@ class Sweep {
     });
   }
 
-  // As near as no candidate before, and ties. 2^-37 is what the fixed point of next_in_range() can tell apart.
+  // As near as no candidate before, and ties. 2^-37 is what the fixed point of next_in_range() can distinguish.
   void nearest_to_tie(const std::string& where, float x, float z, const DoubleDouble& c, bool doubt, bool may_tie) {
     const double bar = hardest_.bar(where + kNearest);
     const double reach = bar > 0 ? std::max(0x1p-36, std::ldexp(1.0, static_cast<int>(std::ceil(24 - bar)))) : 0x1p-20;

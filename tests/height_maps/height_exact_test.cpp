@@ -300,7 +300,7 @@ class PartsAtAPlace {
 struct Agreement {
   int compared = 0, unknown = 0;
 
-  // An enclosure that can tell must not be contradicted.
+  // An enclosure that decides must not be contradicted.
   void expect(Sign exact, Sign enclosed, const char* what) {
     if (enclosed == Sign::unknown) return;
     ++compared;

@@ -29,7 +29,7 @@ TEST(bump_3p, has_rational_faces_where_the_cubic_has_a_rational_root) {
 }
 
 TEST(bump_3p, answers_an_exact_tie_on_a_flat_bump) {
-  // h' - z is half way between two binary32 numbers, which only the widest stage can tell. Where w/2R <= 1/2, Newton's
+  // h' - z is half way between two binary32 numbers, which only the widest stage can decide. Where w/2R <= 1/2, Newton's
   // method for t divides by negative numbers.
   const Parameters p{0x1.2bddap+12F, 0x1.0a96cp+12F, 1};
   const auto fast = std::get<fast::Law>(fast::Law::build(LawId::bump_3p, p));

@@ -18,7 +18,7 @@ TEST(bump_cylinder, is_the_sum_of_cylinder_and_wall_rounded_once) {
     EXPECT_EQ(fast.force(position), sum.round_to_binary32(position).force);
     rounded_twice_differs += fast.force(position).z() != twice;
   }
-  EXPECT_GT(rounded_twice_differs, 0) << "otherwise this test could not tell";
+  EXPECT_GT(rounded_twice_differs, 0) << "otherwise this test could not fail";
 }
 
 TEST(bump_cylinder, can_push_down_below_the_axis) {

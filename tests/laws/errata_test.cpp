@@ -402,13 +402,13 @@ TEST(errata, printed_sign_of_zero_gives_a_short_normal_on_the_ridge) {
   EXPECT_LT(std::cos(g.alpha / 2), 0.9);
   EXPECT_TRUE(has_its_full_length_on_the_ridge(upright, g));
 
-  // A unit normal straight up is paid for by every stroke along the ridge; ours is not.
+  // With a unit normal straight up, every stroke along the ridge generates energy; with ours none does.
   constexpr double kDepth = 2;
   const double listed = 0.5 * g.K * kDepth * kDepth * (1 - std::cos(g.alpha / 2));
   const double rounding = 0x1p-22 * g.K * kDepth * kDepth;
   EXPECT_NEAR(energy_along_the_ridge(upright, g, kDepth), listed, rounding);
   EXPECT_GT(listed, 1000 * rounding);
-  EXPECT_NEAR(energy_along_the_ridge(printed, g, kDepth), 0, rounding) << "too short, but not paid";
+  EXPECT_NEAR(energy_along_the_ridge(printed, g, kDepth), 0, rounding) << "too short, but it generates nothing";
   for (const Side& side : ours(LawId::bump_2p, kBump)) {
     EXPECT_TRUE(has_its_full_length_on_the_ridge(side.field, g)) << side.name;
     EXPECT_NEAR(energy_along_the_ridge(side.field, g, kDepth), 0, rounding) << side.name;

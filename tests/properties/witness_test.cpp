@@ -69,7 +69,7 @@ bool is_simple(const std::vector<PathPoint>& path) {
   return CGAL::is_simple_2(corners.begin(), corners.end());
 }
 
-TEST(witness, is_a_simple_loop_no_deeper_than_asked_that_is_paid_99_percent_of_the_bound) {
+TEST(witness, is_a_simple_loop_no_deeper_than_asked_that_generates_99_percent_of_the_bound) {
   double worst = 1;
   std::size_t longest = 0;
   for (const LawId id : kActive)
@@ -96,7 +96,7 @@ TEST(witness, is_a_simple_loop_no_deeper_than_asked_that_is_paid_99_percent_of_t
       longest = std::max(longest, loop.size());
       worst = std::min(worst, Multiprecision(generated.low / bound.anywhere.high).convert_to<double>());
     }
-  std::printf("  paid %.2f %% of the bound or more; at most %zu corners\n", 100 * worst, longest);
+  std::printf("  generates %.2f %% of the bound or more; at most %zu corners\n", 100 * worst, longest);
   EXPECT_LE(longest, 250U);
 }
 
@@ -105,7 +105,7 @@ TEST(witness, of_a_conservative_law_is_none) {
     EXPECT_TRUE(witness(std::get<Law>(Law::build(id, kBump)), 2).empty());
 }
 
-// The hand walks from a to b in small steps and is paid the force at the middle of each.
+// The hand walks from a to b in small steps and gets the work of the force at the middle of each.
 double walked(const fast::Law& law, const PathPoint& a, const PathPoint& b, int steps) {
   const Eigen::Vector3d from(a.x, 0, a.z), way = Eigen::Vector3d(b.x, 0, b.z) - from;
   double generated = 0;
@@ -116,7 +116,7 @@ double walked(const fast::Law& law, const PathPoint& a, const PathPoint& b, int 
   return generated;
 }
 
-TEST(witness, walked_on_the_fast_path_is_paid_as_much) {
+TEST(witness, walked_on_the_fast_path_generates_as_much) {
   constexpr double kStep = 1e-4;  // mm
   const double K = 0.5, R = 15.24, alpha = std::asin(25.4 / (2 * R)), d = R * std::cos(alpha);
   for (const LawId id : kActive)

@@ -119,7 +119,7 @@ TEST(work, is_nothing_above_the_surface_and_along_it) {
   }
 }
 
-// Up by one millimetre to the height of the line, one millimetre under it: what is paid is ½K·F_z/|F|.
+// Up by one millimetre to the height of the line, one millimetre under it: what it generates is ½K·F_z/|F|.
 double share(LawId id, const Parameters& p, float x, float height) {
   const Interval generated = work(build(id, p), {{x, height - 1}, {x, height}});
   EXPECT_LT(width(generated), 1e-60);
@@ -149,7 +149,7 @@ TEST(work, along_a_line_of_jump_is_that_of_the_side_it_belongs_to) {
 }
 
 TEST(work, knows_the_half_cylinders_vertical_edge) {
-  // w = 2R: on x = R the shaded force points sideways, and nothing is paid for going up.
+  // w = 2R: on x = R the shaded force points sideways, and going up generates nothing.
   EXPECT_EQ(share(LawId::bump_1p_shaded, {10, 20, 1}, 10, 0), 0);
   // Outward at the depth D: K·D·∫x/R dx = K·D·R/2.
   const Interval outward = work(build(LawId::bump_1p_shaded, {10, 20, 1}), {{0, -2}, {10, -2}});

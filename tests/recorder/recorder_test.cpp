@@ -92,7 +92,7 @@ TEST(recorder, allocates_nothing_in_push) {
   EXPECT_GT(tests::allocations(), before) << "the trap does not see allocations";
 }
 
-// Nothing is written before the ring is full: the first hundred are kept, the rest is a gap that the file tells of.
+// Nothing is written before the ring is full: the first hundred are kept, the rest is a gap that the file reports.
 TEST(recorder, counts_what_a_full_ring_refuses_and_shows_the_gap) {
   const TemporaryDirectory directory;
   const std::string path = directory.file("run.fsr");

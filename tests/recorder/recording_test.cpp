@@ -162,7 +162,7 @@ TEST(recording, as_npy_is_a_header_and_the_samples) {
   EXPECT_TRUE(npy.substr(length) == bytes);
 }
 
-// Where each column's bytes lie is told by the sizes of those before it.
+// The sizes of the columns before it give the place of each column's bytes.
 TEST(recording, names_its_columns_where_they_are) {
   Sample sample;
   const auto* base = reinterpret_cast<const char*>(&sample);

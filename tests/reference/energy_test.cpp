@@ -195,7 +195,7 @@ TEST(energy, density_is_the_work_around_a_small_square_over_its_area) {
   EXPECT_GT(largest, 0.3);
 }
 
-TEST(energy, no_simple_loop_is_paid_more_than_the_bound) {
+TEST(energy, no_simple_loop_generates_more_than_the_bound) {
   std::mt19937 random(4);
   const auto uniform = [&](double from, double to) { return std::uniform_real_distribution<double>(from, to)(random); };
   double best = 0;

@@ -117,7 +117,7 @@ struct Verdict {
   SliceBound bound;
   std::vector<Eigen::Vector3f> witness;
   Interval generated;
-  double share = 0;  // of the bound that the witness is paid
+  double share = 0;  // of the bound that the witness generates
 };
 
 void expect_enclosed(const Interval& value, const std::string& what) {
@@ -125,7 +125,7 @@ void expect_enclosed(const Interval& value, const std::string& what) {
   EXPECT_LE(value.low, value.high) << what;
 }
 
-// Finite, in order, and no less than what the witness is paid.
+// Finite, in order, and no less than what the witness generates.
 Verdict verdict(const HeightMapField& law, const Slice& slice, float depth, const std::string& what) {
   Verdict v{loop_bound(law, slice, depth), witness(law, slice, depth), {}};
   v.generated = work(law, v.witness);
@@ -169,7 +169,7 @@ TEST(height_enclosures, of_fine_gratings_equal_the_closed_forms) {
       const HeightMap map{{{height::Grating{static_cast<float>(h), static_cast<float>(wave), 0, 0}}}};
       const auto upright = [&](double angle) { return 1 / std::hypot(1, steepness * std::sin(angle)); };
       const auto area = [&](double angle) { return std::asin(steepness * std::cos(angle) / std::hypot(1, steepness)) / wave; };
-      // A piece of a flank, all of which pays.
+      // A piece of a flank, all of which generates energy.
       const Slice flank{Along::x, 0, static_cast<float>(1 / wave), static_cast<float>(1.25 / wave)};
       const double from = static_cast<double>(flank.from) * wave, to = static_cast<double>(flank.to) * wave;
       const double shaded = D * (area(from) - area(to)) + D * D / 2 * (upright(to) - upright(from));
@@ -238,7 +238,8 @@ height::Part random_part(Random& random, double reach) {
   return {height::make_shape(random.below(height::kKinds), make), is_negated};
 }
 
-// What the fast path pays along a path, by the force at the middle of 500 steps a segment, and by how much that may be wrong.
+// What the fast path generates along a path, by the force at the middle of 500 steps a segment, and by how much that may be
+// wrong.
 struct Walked {
   double generated = 0, tolerance = 0;  // mJ
 };
@@ -301,7 +302,7 @@ TEST(height_enclosures, of_random_maps_are_finite_and_in_order_or_refused) {
         ++met;
       }
       if (most > 0 && !v.witness.empty() && v.share < 0.99)
-        std::printf("  %s: the witness is paid %.4f of it\n", what.c_str(), v.share);
+        std::printf("  %s: the witness generates %.4f of it\n", what.c_str(), v.share);
       if (width > 1e-4 * most && width > 1e-9) {
         ++wide;
         std::printf("  %s: between %.6g and %.6g mJ\n", what.c_str(), most - width, most);
@@ -313,7 +314,7 @@ TEST(height_enclosures, of_random_maps_are_finite_and_in_order_or_refused) {
   }
   std::printf("  %d met to 99 %%, %d without a witness, %d wide, %d refused, %d outside the domain\n", met, none, wide, refused,
               outside);
-  std::printf("  %d of the loops are felt; the best is paid %.0f %% of its bound\n", felt, 100 * best);
+  std::printf("  %d of the loops are felt; the best generates %.0f %% of its bound\n", felt, 100 * best);
   EXPECT_GE(met, 50);
   EXPECT_GE(felt, 50);
   EXPECT_LE(wide + refused, 2);

@@ -83,7 +83,7 @@ TEST(height_energy, bounds_equal_the_closed_forms) {
   const auto bound = [](const HeightMap& map, Rendering rendering, const Slice& slice, float depth, float K = 1) {
     return loop_bound(build(map, rendering, K), slice, depth);
   };
-  // The rectangle under cos x from 0.5 to 1.5, which all pays.
+  // The rectangle under cos x from 0.5 to 1.5, all of which generates energy.
   const auto upright = [](double x) { return 1 / std::hypot(1, std::sin(x)); };
   const auto area = [](double x) { return std::asin(std::cos(x) / std::sqrt(2)); };
   const double D = static_cast<double>(0.1F);
@@ -142,7 +142,7 @@ TEST(height_energy, polygons_shaded_by_a_ridge_are_the_law_bump_2p_shaded) {
   }
 }
 
-// Of 20 000 columns, each of which takes in what pays, with the slopes of the second program's heights.
+// Of 20 000 columns, each of which takes in what generates energy, with the slopes of the second program's heights.
 std::array<double, 2> bound_by_columns(const HeightExample& example, Rendering rendering, const Slice& slice, double D) {
   constexpr int kColumns = 20000;
   const auto [along, at, from, to] = slice;
@@ -189,7 +189,7 @@ TEST(height_energy, bounds_equal_columns_summed) {
   std::printf("  worst difference %.1e of the bound\n", worst);
 }
 
-TEST(height_energy, no_simple_loop_is_paid_more_than_the_bound) {
+TEST(height_energy, no_simple_loop_generates_more_than_the_bound) {
   std::mt19937 random(4);
   double best = 0;
   for (const HeightExample& example : height_examples())
@@ -212,7 +212,7 @@ TEST(height_energy, no_simple_loop_is_paid_more_than_the_bound) {
           if (bound.counter_clockwise.high > 0) best = std::max(best, low(generated) / low(bound.counter_clockwise));
         }
       }
-  std::printf("  the best is paid %.0f %% of it\n", 100 * best);
+  std::printf("  the best generates %.0f %% of it\n", 100 * best);
   EXPECT_GT(best, 0.3) << "loops that come nowhere near it test nothing";
 }
 

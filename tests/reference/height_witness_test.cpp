@@ -47,7 +47,7 @@ double deepest(const HeightExample& example, Rendering rendering, const Path& pa
   return most;
 }
 
-TEST(height_witness, is_a_simple_loop_no_deeper_than_asked_that_is_paid_99_percent_of_the_bound) {
+TEST(height_witness, is_a_simple_loop_no_deeper_than_asked_that_generates_99_percent_of_the_bound) {
   double worst = 1;
   std::size_t longest = 0;
   for (const HeightExample& example : height_examples())
@@ -80,7 +80,7 @@ TEST(height_witness, is_a_simple_loop_no_deeper_than_asked_that_is_paid_99_perce
           longest = std::max(longest, loop.size());
           worst = std::min(worst, Multiprecision(generated.low / bound.most().high).convert_to<double>());
         }
-  std::printf("  paid %.2f %% of the bound or more; at most %zu corners\n", 100 * worst, longest);
+  std::printf("  generates %.2f %% of the bound or more; at most %zu corners\n", 100 * worst, longest);
 }
 
 TEST(height_witness, goes_round_kinks_closer_than_a_binary32_step) {
@@ -99,8 +99,8 @@ TEST(height_witness, of_a_field_with_a_potential_is_none) {
     EXPECT_TRUE(witness(build(example.map, Rendering::conservative, 1), {}, 2).empty());
 }
 
-// Walked at no more than 2·10^-4 mm a step, the hand is paid the force at the middle of each.
-TEST(height_witness, walked_on_the_fast_path_is_paid_the_same) {
+// Walked at no more than 2·10^-4 mm a step, the hand gets the work of the force at the middle of each.
+TEST(height_witness, walked_on_the_fast_path_generates_the_same) {
   constexpr double kStep = 2e-4, K = 0.5, D = 0.5;
   for (const HeightExample& example : height_examples())
     for (const Rendering rendering : kActive)

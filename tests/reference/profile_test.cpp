@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Polygons under any profile: how far its normal turns, how many polygons that asks for, and where their ends are.
+// Polygons under any profile: how far its normal turns, how many polygons that requires, and where their ends are.
 
 #include "forceshade/reference/profile.h"
 
@@ -69,7 +69,7 @@ TEST(profile, needs_as_many_polygons_as_the_bumps_of_the_thesis) {
 TEST(profile, equality_needs_one_more_polygon) {
   const Profile sixty({{height::CylinderCap{0, 5, 5}}}, -2.5F, 2.5F);
   EXPECT_EQ(sixty.polygons_needed(60).polygons, 2U);
-  EXPECT_FALSE(sixty.polygons_needed(60).is_fewest) << "not to be told by enclosures";
+  EXPECT_FALSE(sixty.polygons_needed(60).is_fewest) << "enclosures do not decide it";
   EXPECT_EQ(sixty.polygons_needed(std::nextafter(60, 61)).polygons, 1U);
   EXPECT_EQ(sixty.polygons_needed(30).polygons, 3U);
 }

@@ -57,7 +57,7 @@ TEST(side_view, finds_the_lines_on_which_the_force_jumps) {
 }
 
 // κ = -M(U_x U_xx + U_y U_xy)/n³ for a true height; of a field with a potential nothing.
-TEST(side_view, maps_the_energy_that_small_loops_are_paid) {
+TEST(side_view, maps_the_energy_that_small_loops_generate) {
   const HeightMap hill{{{height::Gaussian{0, 0, 3, 5}}}};
   const double x = 4, y = 2, z = -1, U = 3 * std::exp(-0.5 * (x * x + y * y) / 25), ux = -x / 25 * U, uy = -y / 25 * U;
   const double uxx = (x * x / 25 - 1) / 25 * U, uxy = x * y / 625 * U;

@@ -203,7 +203,7 @@ class ErrorNumber {
   Exact greatest() const { return high_ + Exact{error()}; }
 
   Exact low_, high_;
-  std::map<int, double> terms_;  // errors by their origin: the size is a bound, the sign tells two uses of one error apart
+  std::map<int, double> terms_;  // errors by their origin: the size is a bound, the sign distinguishes two uses of one error
   int quantum_;                  // the computed numbers are multiples of 2^quantum_
 };
 
