@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// forceshade plot and forceshade figures: pictures of a law or a height map, and figures of the thesis drawn again.
+// forceshade plot and forceshade figures: pictures of a law, a height map or a mesh, and figures of the thesis drawn again.
 
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/length.h"
+#include "forceshade/apps/mesh_option.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/output_options.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/csv/csv.h"
+#include "forceshade/properties/mesh_subject.h"
+#include "forceshade/report/mesh_picture.h"
 #include "forceshade/report/pictures.h"
 #include "forceshade/report/thesis_figures.h"
 
@@ -21,6 +25,7 @@ namespace {
 
 using properties::Picture;
 using properties::SideView;
+using properties::Ticked;
 
 Picture force_of(const SideView& view) {
   const properties::ForceProfile profile(view, view.depths);
@@ -85,25 +90,74 @@ void write(const Picture& picture, const std::filesystem::path& stem) {
   std::printf("%s.svg\n%s.png\n", stem.c_str(), stem.c_str());
 }
 
+// What the fast path does at each position of a CSV, in their order; "-" is standard input.
+std::vector<Ticked> path_of(const std::string& input, fast::TickSession& session) {
+  std::ifstream file;
+  if (input != "-") file = csv::open_input(input);
+  csv::Reader rows(input == "-" ? std::cin : file, input == "-" ? "standard input" : input, {"x_mm", "y_mm", "z_mm"});
+  std::vector<Ticked> path;
+  while (rows.next()) {
+    if (interrupted()) throw Interrupted("no picture was drawn");
+    const std::array<float, 3> position{rows.binary32(0), rows.binary32(1), rows.binary32(2)};
+    path.push_back({position, session.tick(position)});
+  }
+  return path;
+}
+
+struct MeshPlotOptions {
+  std::string input;
+  properties::ViewDirection direction;
+
+  void draw(const MeshOption& option, float stiffness, const OutFolder& out) const {
+    const std::string name = std::filesystem::path(option.name()).stem();
+    const properties::MeshRendering rendering = option.read(stiffness);
+    std::vector<Ticked> path;
+    if (!input.empty()) path = path_of(input, *properties::fast_god_object(rendering)(stiffness));
+    std::string words = std::to_string(rendering.mesh.triangles.size()) + " triangles";
+    if (!path.empty())
+      words += "; K = " + csv::shortest(stiffness) + " N/mm, shading " + std::string(name_of(rendering.shading)) + ", sides " +
+               std::string(name_of(rendering.sides));
+    out.make({name + "-mesh.svg", name + "-mesh.png"});
+    write(mesh_picture(rendering.mesh, path, direction, name, {option.name(), words}),
+          std::filesystem::path(out.path()) / (name + "-mesh"));
+  }
+};
+
 }  // namespace
 
 void add_plot(CLI::App& app, int&) {
-  CLI::App* command =
-      app.add_subcommand("plot", "Draw a law or a height map: force profile, directions, nominal geometry, energy map");
+  CLI::App* command = app.add_subcommand(
+      "plot", "Draw a law or a height map: force profile, directions, nominal geometry, energy map; or a mesh");
   const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all);
   const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
+  const auto mesh = std::make_shared<MeshOption>(*command, *law);
   const auto options = std::make_shared<PlotOptions>();
+  const auto mesh_options = std::make_shared<MeshPlotOptions>();
   const auto add = [&](const char* name, std::string& value, const char* help) {
     add_length(*command, name, value, help)->needs("--height-map");
   };
   add("--at", options->y, "y of the section of a height map that is drawn");
   add("--from", options->from, "x where the section begins");
   add("--to", options->to, "x where it ends");
-  add_word(*command, "--what", options->what, "which picture", {"force", "directions", "geometry", "energy", "all"});
+  add_word(*command, "--what", options->what, "which picture", {"force", "directions", "geometry", "energy", "all"})
+      ->excludes("--mesh");
+  command
+      ->add_option("--input", mesh_options->input,
+                   "positions as CSV (x_mm, y_mm, z_mm) in their order, whose path on a mesh is drawn; - is standard input")
+      ->type_name("FILE")
+      ->needs("--mesh");
+  const auto turn = [&](const char* name, double& degrees, const char* help, double most) {
+    add_angle(*command, name, help, {-most, most}, [&degrees](double given) { degrees = given; })
+        ->default_str(csv::shortest(degrees))
+        ->needs("--mesh");
+  };
+  turn("--azimuth", mesh_options->direction.azimuth, "of the view of a mesh: from -y towards +x", 360);
+  turn("--elevation", mesh_options->direction.elevation, "of the view of a mesh: above the plane of x and y", 90);
   const auto out = std::make_shared<OutFolder>(*command, "directory for NAME-PICTURE.svg and .png");
   out->require();
-  command->callback([law, height_map, options, out] {
+  command->callback([law, height_map, mesh, options, mesh_options, out] {
     watch_for_interrupt();
+    if (mesh->is_given()) return mesh_options->draw(*mesh, law->stiffness(), *out);
     const std::vector<Kind> kinds = options->kinds();
     const auto draw = [&](const SideView& view) {
       for (const Kind& kind : kinds) write(kind.draw(view), std::filesystem::path(out->path()) / stem(view.name, kind));

@@ -73,7 +73,8 @@ class FileActions {
   posix_spawn_file_actions_t actions_;
 };
 
-// What gnuplot prints when given `commands` on standard input.
+// What gnuplot prints when given `commands` on standard input. It is opened by name, because gnuplot reads its own standard
+// input byte by byte, and a picture has megabytes.
 std::string run_gnuplot(std::string_view commands) {
   Scratch input, output, errors;
   input.write(commands);
@@ -82,8 +83,8 @@ std::string run_gnuplot(std::string_view commands) {
   actions.redirect(output.descriptor(), STDOUT_FILENO);
   actions.redirect(errors.descriptor(), STDERR_FILENO);
 
-  std::string name = "gnuplot", no_user_settings = "--default-settings";
-  std::array<char*, 3> arguments{name.data(), no_user_settings.data(), nullptr};
+  std::string name = "gnuplot", no_user_settings = "--default-settings", file = "/dev/stdin";
+  std::array<char*, 4> arguments{name.data(), no_user_settings.data(), file.data(), nullptr};
   pid_t child = 0;
   const int reason = ::posix_spawnp(&child, name.c_str(), actions.get(), nullptr, arguments.data(), environ);
   if (reason == ENOENT) throw PlotError("gnuplot was not found: install the package gnuplot-nox");

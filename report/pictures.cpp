@@ -11,20 +11,8 @@ namespace forceshade::properties {
 
 namespace {
 
-// Rows of text above a picture, in px: two of the heading, one of the legend; none without a heading.
-constexpr int kHeadingHeight = 66;
-
 int heading_height(const SideView& view) {
   return view.heading.title.empty() ? 0 : kHeadingHeight;
-}
-
-// The heading of a picture of this many pixels, and its legend in the row below.
-std::string heading(const SideView& view, int width, int height) {
-  if (heading_height(view) == 0) return "";
-  const auto row = [&](int px) { return "screen " + plotted(8.0 / width) + ", screen " + plotted(1 - px / double(height)); };
-  return "set label 101 " + quoted(view.heading.title) + " noenhanced at " + row(14) + " left font ',13'\n" + "set label 102 " +
-         quoted(view.heading.parameters) + " noenhanced at " + row(33) + " left font ',10'\n" + "set key at " + row(52) +
-         " left center vertical maxrows 1 Left reverse samplen 1.5 width 0 font ',10'\n";
 }
 
 // A plot of this many pixels across, with these margins, in which one millimetre is as long up as across.
@@ -45,7 +33,7 @@ struct Frame {
            range("x", view.left, view.right) + range("y", shown.low, shown.high) +
            ticks("x", view.right - view.left, std::clamp(static_cast<int>((across - left - right) / 44), 1, 8)) +
            ticks("y", shown.high - shown.low, std::clamp(static_cast<int>(up(view, shown) / 20), 1, 5)) + kXName +
-           vertical_name("{/:Italic z} (mm)") + heading(view, width, static_cast<int>(high));
+           vertical_name("{/:Italic z} (mm)") + heading_commands(view.heading, width, static_cast<int>(high));
   }
   // A box of colours beside the plot, with what they mean above it, where no number of its own can be.
   std::string colours(const SideView& view, const Heights& shown, const std::string& meaning) const {
@@ -68,6 +56,14 @@ std::string surface_block(const SideView& view) {
 }
 
 }  // namespace
+
+std::string heading_commands(const Heading& heading, int width, int height) {
+  if (heading.title.empty()) return "";
+  const auto row = [&](int px) { return "screen " + plotted(8.0 / width) + ", screen " + plotted(1 - px / double(height)); };
+  return "set label 101 " + quoted(heading.title) + " noenhanced at " + row(14) + " left font ',13'\n" + "set label 102 " +
+         quoted(heading.parameters) + " noenhanced at " + row(33) + " left font ',10'\n" + "set key at " + row(52) +
+         " left center vertical maxrows 1 Left reverse samplen 1.5 width 0 font ',10'\n";
+}
 
 std::array<double, 3> profile_depths(const std::vector<Drawn>& laws) {
   double deepest = 2;
@@ -108,13 +104,13 @@ Picture force_profile(const SideView& view, const ForceProfile& profile, double 
     return margins(kLeft / double(width), 1 - kRight / double(width), 1 - from_top / double(height),
                    1 - (from_top + kPanel) / double(height));
   };
-  const std::string script = "$force << EOD\n" + profile.block + "EOD\n" + kPlain + range("x", view.left, view.right) +
-                             ticks("x", view.right - view.left, 7) + heading(view, width, height) + "set multiplot\n" +
-                             panel(above + kTop) + range("y", 0, up) + ticks("y", up, 4) + "set format x ''\n" +
-                             vertical_name("{/:Italic F}_z (N)") + plots(3) + "unset key\nunset label 101\nunset label 102\n" +
-                             panel(above + kTop + kPanel + kBetween) + range("y", -side, side) + ticks("y", side, 2) +
-                             "set format x '%g'\n" + kXName + "set xzeroaxis lc rgb '#bbbbbb' lt 1\n" +
-                             vertical_name("{/:Italic F}_x (N)") + plots(2) + "unset multiplot\n";
+  const std::string script =
+      "$force << EOD\n" + profile.block + "EOD\n" + kPlain + range("x", view.left, view.right) +
+      ticks("x", view.right - view.left, 7) + heading_commands(view.heading, width, height) + "set multiplot\n" +
+      panel(above + kTop) + range("y", 0, up) + ticks("y", up, 4) + "set format x ''\n" + vertical_name("{/:Italic F}_z (N)") +
+      plots(3) + "unset key\nunset label 101\nunset label 102\n" + panel(above + kTop + kPanel + kBetween) +
+      range("y", -side, side) + ticks("y", side, 2) + "set format x '%g'\n" + kXName + "set xzeroaxis lc rgb '#bbbbbb' lt 1\n" +
+      vertical_name("{/:Italic F}_x (N)") + plots(2) + "unset multiplot\n";
   return {{width, height, "force-" + view.name, "Force of " + view.name + " against x at three depths: F_z above, F_x below"},
           script};
 }

@@ -16,6 +16,11 @@ namespace forceshade::properties {
 inline constexpr std::array<const char*, 3> kDepthColours{"#85b8dc", "#2f7ab5", "#08315c"};
 inline constexpr const char* kCurveColour = "#d55e00";
 
+// Rows of text above a picture, in px: two of the heading, one of the legend.
+inline constexpr int kHeadingHeight = 66;
+// Draws the heading of a picture of this many pixels, and its legend in the row below; nothing without a title.
+std::string heading_commands(const Heading& heading, int width, int height);
+
 // Depths in mm that show what is special of each of the laws.
 std::array<double, 3> profile_depths(const std::vector<Drawn>& laws);
 

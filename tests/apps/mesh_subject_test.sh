@@ -32,6 +32,20 @@ straight=$("$forceshade" force $mesh --crease 45 --input beside.csv | tail -n 1)
 same "15,3,19,0,0,0.5,contact" "$straight"
 [ "$tilted" != "$straight" ] || { echo "FAILED: --crease changes nothing"; exit 1; }
 
+# plot: the mesh alone, and a path on it.
+expect 0 "drawn/cube-mesh.svg" -- "$forceshade" plot $mesh --out drawn
+! grep -q "god-object" drawn/cube-mesh.svg || { echo "FAILED: a path is drawn where none is given"; exit 1; }
+expect 2 "--out: expected" -- "$forceshade" plot $mesh --input path.csv --out drawn
+expect 0 "drawn/cube-mesh.png" -- "$forceshade" plot $mesh --input path.csv --azimuth=-40 --elevation 0.5rad --out drawn --overwrite
+grep -q "ticks: 2 free, 3 touching" drawn/cube-mesh.svg || { echo "FAILED: the picture does not say what came of the path"; exit 1; }
+grep -q "azimuth -40°, elevation 28.6478" drawn/cube-mesh.svg || { echo "FAILED: the picture does not say from where it is seen"; exit 1; }
+expect 2 "--input" -- "$forceshade" plot --law wall --input path.csv --out drawn
+expect 2 "--azimuth" -- "$forceshade" plot --law wall --azimuth 3 --out drawn
+expect 2 "--elevation: expected an angle from -90 to 90 degrees" -- "$forceshade" plot $mesh --elevation 91 --out drawn
+expect 2 "--what" -- "$forceshade" plot $mesh --what force --out drawn
+expect 2 "bad.csv:2: z_mm: expected" -- "$forceshade" plot $mesh --input <(printf 'x_mm,y_mm,z_mm\n0,0,up\n') --out other
+[ ! -e other ] || { echo "FAILED: a folder is left behind"; exit 1; }
+
 # What is missing, wrong, or no mesh.
 expect 2 "--unit is required beside --mesh: expected mm, m or in" -- "$forceshade" force --mesh cube.off --input path.csv
 expect 2 "expected --law, --height-map or --mesh, got none" -- "$forceshade" force --input path.csv

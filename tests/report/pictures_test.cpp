@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <regex>
 
+#include "forceshade/report/mesh_picture.h"
 #include "forceshade/report/thesis_figures.h"
 
 namespace forceshade::properties {
@@ -19,7 +21,19 @@ struct Text {
   std::string words;
 };
 
-std::vector<Text> texts_of(const std::string& svg) {
+// Without the bytes of images, which a regular expression would take seconds to search.
+std::string without_images(const std::string& svg) {
+  std::string rest;
+  std::size_t begin = 0;
+  for (std::size_t image; (image = svg.find("base64,", begin)) != std::string::npos;) {
+    rest += svg.substr(begin, image - begin);
+    begin = std::min(svg.find_first_of("'\"", image), svg.size());
+  }
+  return rest + svg.substr(begin);
+}
+
+std::vector<Text> texts_of(const std::string& whole) {
+  const std::string svg = without_images(whole);
   const std::regex text(
       "translate\\(([-0-9.]+),([-0-9.]+)\\)\"[^>]*font-size=\"([0-9.]+)\"\\s+text-anchor=\"(\\w+)\">\\s*"
       "<text>(.*)</text>");
@@ -80,6 +94,47 @@ TEST(pictures, of_a_height_map_hold_their_words_whole) {
   const HeightMap hill{{{height::Gaussian{0, 0, 3, 5}}}};
   expect_whole(side_view(std::get<RenderedHeightMap>(fast_rendering(hill, height::Rendering::force_shaded, 0.5F)), "map",
                          {0, -1234.5F, 1345.6F}));
+}
+
+// A square wall from which a path of four positions is drawn: through it from above, past its rim and back.
+TEST(pictures, of_a_mesh_hold_their_words_whole_and_divide_the_path_into_seen_and_hidden) {
+  const mesh::TriangleMesh wall{{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  const auto touching = [](float z, std::uint32_t k, std::uint32_t l) {
+    mesh::Tick tick{mesh::TickStatus::touching, 1, {0, 0, -z}, {}};
+    tick.after = {mesh::Place::triangle, mesh::Side::front, {}, {0}, {k, l}};
+    return Ticked{{0, -1, z}, tick};
+  };
+  const auto free = [](const MeshPosition& position) {
+    mesh::Tick tick{mesh::TickStatus::free, 1, {}, {}};
+    tick.after.place = mesh::Place::free;
+    tick.after.position = position;
+    return Ticked{position, tick};
+  };
+  const std::vector<Ticked> path{free({0, -1, 4}),
+                                 touching(-2, 1U << 22U, 1U << 22U),
+                                 free({9, 0, -2}),
+                                 {{NAN, 0, 0}, {mesh::TickStatus::invalid, 0, {}, {}}}};
+  const Heading heading{"title 'of' \"it\" {/:Bold x}_y.off",
+                        "268435456 triangles; K = 123.45678 N/mm, shading vertex, sides both"};
+  const Picture picture = mesh_picture(wall, path, {30, 25}, "wall", heading);
+  const std::string svg = svg_file(picture);
+  expect_nothing_cut_off(picture, svg);
+  for (const char* words : {"sides both", "{/:Bold x}_y", "device", "god-object", "force, at most 2 N",
+                            "ticks: 2 free, 1 touching, 1 invalid", "azimuth 30", "2 mm"})
+    EXPECT_TRUE(holds(svg, words)) << words;
+  const auto rows_of = [&](const std::string& block) {
+    const std::size_t begin = picture.commands.find('$' + block + " << EOD\n"), end = picture.commands.find("\nEOD", begin);
+    return std::count(picture.commands.begin() + static_cast<std::ptrdiff_t>(begin),
+                      picture.commands.begin() + static_cast<std::ptrdiff_t>(end), '\n');
+  };
+  EXPECT_GT(rows_of("device"), 100) << "above the wall and beside it";
+  EXPECT_GT(rows_of("device_hidden"), 20) << "below the wall";
+  EXPECT_GT(rows_of("god_object"), 100);
+  EXPECT_EQ(rows_of("forces"), 1);
+
+  const std::string alone = svg_file(mesh_picture(wall, {}, {30, 25}, "wall", heading));
+  EXPECT_TRUE(holds(alone, "azimuth 30"));
+  for (const char* words : {"device", "ticks:", "at most"}) EXPECT_FALSE(holds(alone, words)) << words;
 }
 
 TEST(pictures, of_the_thesis_hold_their_words_whole) {
