@@ -17,8 +17,8 @@ struct MeshRendering {
   mesh::CornerNormals normals;
   mesh::Sides sides = mesh::Sides::front;
   mesh::Shading shading = mesh::Shading::none;
-  float stiffness = 0;    // K, N/mm, in [10^-3, 10^3]
-  mesh::Texture texture;  // of the texture scheme
+  float stiffness = 0;         // K, N/mm, in [10^-3, 10^3]
+  mesh::Texture texture = {};  // of the texture scheme
 };
 
 // name: of the mesh's file. The digest is that of every coordinate, index and normal, and of a texture: of the points and

@@ -270,9 +270,9 @@ class Parts {
     const auto tilt = [&](float slope, const Vector3<N>& gradient) {
       return scaled(N::exactly(static_cast<double>(*size) * static_cast<double>(slope)), gradient);  // a product of 48 bits
     };
-    return smooth -
-           sum(tilt(slopes->values[0], mean([&](HalfEdge h) -> const mesh::Normal& { return texture_at(h).gradient_x; })),
-               tilt(slopes->values[1], mean([&](HalfEdge h) -> const mesh::Normal& { return texture_at(h).gradient_y; })));
+    const Vector3<N> along_x = mean([&](HalfEdge h) -> const mesh::Normal& { return texture_at(h).gradient_x; }),
+                     along_y = mean([&](HalfEdge h) -> const mesh::Normal& { return texture_at(h).gradient_y; });
+    return smooth - sum(tilt(slopes->values[0], along_x), tilt(slopes->values[1], along_y));
   }
 
   // Up to a common factor.
