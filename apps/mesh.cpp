@@ -67,6 +67,17 @@ void write_mesh(const std::string& path, const mesh::TriangleMesh& triangles) {
   file.commit();
 }
 
+using TexturePoints = std::vector<std::array<mesh::TexturePoint, 3>>;
+
+// A mesh that is made, with its texture if the file can hold one.
+void write_made(const std::string& path, const mesh::TriangleMesh& triangles,
+                TexturePoints (*texture)(const mesh::TriangleMesh&)) {
+  if (std::filesystem::path(path).extension() != ".obj") return write_mesh(path, triangles);
+  csv::OutputFile file(path);
+  mesh::write_obj(file.stream(), triangles, texture(triangles));
+  file.commit();
+}
+
 constexpr const char kFailedHeading[] = "FAILED: no mesh that can be rendered; faces and vertices are counted from 0";
 
 int check(const MeshFileOptions& options) {
@@ -219,7 +230,8 @@ mesh::TriangleMesh made(const MakeOptions& options) {
 
 int make(const MakeOptions& options) {
   try {
-    write_mesh(options.out, made(options));
+    const bool is_solid = options.shape == "icosphere" || options.shape == "cube" || options.shape == "torus";
+    write_made(options.out, made(options), is_solid ? &mesh::texture_from_box : &mesh::texture_from_above);
   } catch (const std::invalid_argument& error) {
     throw BadInput("mesh make " + options.shape + ": " + error.what());
   }
@@ -244,7 +256,8 @@ void add_make(CLI::App& command, int& result) {
             "along each side of the square, or around a torus; each edge of an icosahedron becomes so many", {1, 16384});
   verb->add_option("--height-map", options->height_map, "for the shape height-map: a TOML file (docs/height-maps.md)")
       ->type_name("SPEC");
-  add_output(*verb, "--out", options->out, "the mesh, an OFF file in mm")->required();
+  add_output(*verb, "--out", options->out, "the mesh in mm: NAME.obj, an OBJ file with texture coordinates; else an OFF file")
+      ->required();
   verb->callback([options, &result] { result = make(*options); });
 }
 

@@ -4,9 +4,13 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "forceshade/apps/height_map_option.h"
+#include "forceshade/apps/length.h"
 #include "forceshade/apps/options.h"
+#include "forceshade/heights/spec.h"
 #include "forceshade/meshes/facts.h"
 #include "forceshade/meshes/normals.h"
+#include "forceshade/meshes/texture.h"
 
 namespace forceshade::apps {
 namespace {
@@ -14,6 +18,23 @@ namespace {
 template <class Value, std::size_t N>
 Value value_named(const std::string& word, const std::array<std::string_view, N>& names) {
   return static_cast<Value>(std::find(names.begin(), names.end(), word) - names.begin());
+}
+
+constexpr std::string_view kTexturePrefix = "texture:";
+
+bool is_texture(const std::string& shading) {
+  return shading.starts_with(kTexturePrefix) && shading.size() > kTexturePrefix.size();
+}
+
+mesh::Shading shading_named(const std::string& word) {
+  return is_texture(word) ? mesh::Shading::texture_scheme : value_named<mesh::Shading>(word, mesh::kShadingNames);
+}
+
+// A name of the list, but for texture: that needs its file.
+std::string refusal_of_shading(const std::string& got) {
+  const bool is_name = static_cast<std::size_t>(shading_named(got)) < mesh::kShadingNames.size();
+  if (is_texture(got) || (is_name && got != name_of(mesh::Shading::texture_scheme))) return {};
+  return "expected one of vertex, edge, none, texture:FILE; got \"" + got + '"';
 }
 
 }  // namespace
@@ -33,9 +54,19 @@ MeshOption::MeshOption(CLI::App& command, LawOptions& law) {
   add_word(command, "--sides", sides_, "of a mesh that block motion; front where it is closed, else both, unless said",
            {"front", "both"})
       ->needs(option);
-  add_word(command, "--shading", shading_,
-           "of a mesh: vertex turns the force to the interpolated normal, edge as the thesis has it",
-           {"vertex", "edge", "none"})
+  command
+      .add_option("--shading", shading_,
+                  "of a mesh: vertex turns the force to the interpolated normal, edge as the thesis has it, texture tilts that "
+                  "normal by a height map, a TOML file")
+      ->type_name("vertex|edge|none|texture:FILE")
+      ->capture_default_str()
+      ->check(CLI::Validator(&refusal_of_shading, ""))
+      ->needs(option);
+  command
+      .add_option_function<std::string>(
+          "--texture-scale", [this](const std::string& text) { texture_scale_ = parse_length("--texture-scale", text); },
+          "of a textured mesh: the length of one unit of the texture coordinates in its file, which no format says")
+      ->type_name("LENGTH")
       ->needs(option);
   add_angle(command, "--crease", "of a mesh: an edge that turns by more is not shaded over", {0, 180}, [this](double degrees) {
     crease_degrees_ = degrees;
@@ -48,17 +79,44 @@ std::string MeshOption::name() const {
 
 properties::MeshRendering MeshOption::read(float stiffness) const {
   if (unit_.empty()) throw BadInput("--unit is required beside --mesh: expected mm, m or in, for no mesh file says its unit");
-  auto checked = mesh::check(mesh::load(file_, unit_named(unit_)));
+  mesh::LoadedMesh loaded = mesh::load_with_corners(file_, unit_named(unit_));
+  auto checked = mesh::check(std::move(loaded.mesh));
   if (const auto* findings = std::get_if<mesh::Findings>(&checked))
     throw BadInput(file_ + ": cannot be rendered:\n" + findings->words() + "\n'forceshade mesh repair' mends some of this");
   const auto& found = std::get<mesh::CheckedMesh>(checked);
-  properties::MeshRendering rendering{found.mesh(), {}, {}, {}, stiffness};
+  properties::MeshRendering rendering{found.mesh(), {}, {}, {}, stiffness, {}};
   const std::string sides = sides_.empty() ? (mesh::facts_of(found).is_closed() ? "front" : "both") : sides_;
   rendering.sides = value_named<mesh::Sides>(sides, mesh::kSidesNames);
-  rendering.shading = value_named<mesh::Shading>(shading_, mesh::kShadingNames);
-  if (rendering.shading == mesh::Shading::vertex_scheme)
-    rendering.normals = mesh::corner_normals(found, crease_degrees_).normals;
+  rendering.shading = shading_named(shading_);
+  if (mesh::has_corner_normals(rendering.shading)) rendering.normals = mesh::corner_normals(found, crease_degrees_).normals;
+  if (rendering.shading == mesh::Shading::texture_scheme)
+    read_texture(found, loaded.texture, rendering);
+  else if (texture_scale_)
+    throw BadInput("--texture-scale is for --shading texture:FILE alone");
   return rendering;
+}
+
+void MeshOption::read_texture(const mesh::CheckedMesh& checked, const std::vector<std::array<mesh::TexturePoint, 3>>& points,
+                              properties::MeshRendering& rendering) const {
+  if (points.empty())
+    throw BadInput(file_ +
+                   ": has no texture coordinates at some or all corners; expected them beside --shading texture:FILE: vt of an "
+                   "OBJ file, s and t or u and v or texcoord of a PLY file, or ST of an OFF file");
+  if (!texture_scale_)
+    throw BadInput(
+        "--texture-scale is required beside --shading texture:FILE: expected the length of one unit of the texture "
+        "coordinates, such as 1mm, for no mesh file says it");
+  const std::string file = shading_.substr(kTexturePrefix.size());
+  heights::Spec spec = heights::read_spec(file);
+  expect_valid(file, spec, 1);
+  if (!spec.map.surface.empty())
+    throw BadInput(file + ": has a surface to measure the depth from; expected none, for the depth is that of the mesh");
+  rendering.texture.map = std::move(spec.map);
+  try {
+    rendering.texture.corners = mesh::corner_textures(checked, points, *texture_scale_, crease_degrees_);
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(file_ + ": cannot be textured: " + error.what());
+  }
 }
 
 }  // namespace forceshade::apps

@@ -7,6 +7,7 @@
 
 #include "forceshade/apps/command.h"
 #include "forceshade/identity/mesh_identity.h"
+#include "forceshade/meshes/check.h"
 #include "forceshade/meshes/load.h"
 
 namespace forceshade::apps {
@@ -28,8 +29,12 @@ class MeshOption {
   properties::MeshRendering read(float stiffness) const;
 
  private:
+  void read_texture(const mesh::CheckedMesh& checked, const std::vector<std::array<mesh::TexturePoint, 3>>& points,
+                    properties::MeshRendering& rendering) const;
+
   std::string file_, unit_, sides_, shading_ = "vertex";
   double crease_degrees_ = 180;
+  std::optional<float> texture_scale_;  // mm
 };
 
 }  // namespace forceshade::apps

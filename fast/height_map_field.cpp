@@ -38,6 +38,46 @@ std::optional<Evaluation> height_force(const Jet<N>& map, height::Rendering rend
   return Evaluation{{*x, *y, *fz}, Status::contact, stage};
 }
 
+constexpr double kLeastSlope = static_cast<double>(kPositionQuantum);
+
+// Of a correctly rounded slope.
+float without_tiny(float slope) noexcept {
+  return std::fabs(static_cast<double>(slope)) < kLeastSlope ? 0.0F : slope + 0.0F;
+}
+
+template <class N, class Exact>
+std::optional<std::array<float, 2>> rounded_slopes(const Jet<N>& map, const Exact& exact) noexcept {
+  if (!map.decided) return std::nullopt;
+  const auto rounded = [&](std::size_t axis, const N& slope) -> std::optional<float> {
+    const N bound = N::exactly(kLeastSlope / 2);
+    if (proved_sign(slope - bound) == Sign::negative && proved_sign(slope + bound) == Sign::positive) return 0.0F;
+    const auto nearest = round_to_binary32(approximately(slope), [&](double tie) {
+      const Sign sign = proved_sign(slope - N::exactly(tie));
+      return sign != Sign::unknown ? sign
+                                   : exact([&](const ExactPlace& place) { return place.sign_of_slope_excess(axis, tie); });
+    });
+    if (!nearest) return std::nullopt;
+    return without_tiny(*nearest);
+  };
+  const auto x = rounded(0, map.Ux), y = rounded(1, map.Uy);
+  if (!x || !y) return std::nullopt;
+  return std::array{*x, *y};
+}
+
+// The first stage: both ends of the enclosure round to the answer.
+std::optional<std::array<float, 2>> rounded_slopes(const Jet<DoubleWithError>& map) noexcept {
+  if (!map.decided) return std::nullopt;
+  const auto rounded = [](const DoubleWithError& slope) -> std::optional<float> {
+    if (std::fabs(slope.value) + slope.error < kLeastSlope / 2) return 0.0F;
+    const auto nearest = round_to_binary32(slope);
+    if (!nearest) return std::nullopt;
+    return without_tiny(*nearest);
+  };
+  const auto x = rounded(map.Ux), y = rounded(map.Uy);
+  if (!x || !y) return std::nullopt;
+  return std::array{*x, *y};
+}
+
 Evaluation evaluation_of(const HeightForce& force) noexcept {
   return {{force.x, force.y, force.z}, force.contact == Sign::positive ? Status::contact : Status::free, Stage::binary64};
 }
@@ -125,6 +165,30 @@ FORCESHADE_INLINE Jet<N> HeightMapField::jet_at(const Place& at) const noexcept 
   // Waves that all but cancel: more bits once more.
   return height_force(jet_at<BigFloatBall<128>>(at), rendering_, stiffness_, z, Stage::wide, exact)
       .value_or(undecided_evaluation());
+}
+
+std::optional<HeightMapField::Slopes> HeightMapField::slopes(float x, float y, bool is_filtered) const noexcept {
+  const Place at(quantised(x), quantised(y));
+  if (is_filtered) {
+    if (const auto first = rounded_slopes(sum_at<DoubleWithError>(at, parts_))) return Slopes{*first, Stage::binary64};
+    const auto nobody = [](const auto&) { return Sign::unknown; };
+    if (const auto second = rounded_slopes(sum_at<DoubleDouble>(at, parts_), nobody))
+      return Slopes{*second, Stage::double_double};
+  }
+  return slopes_wide(at);
+}
+
+// Kept out of line as evaluate_wide() is.
+[[gnu::noinline]] std::optional<HeightMapField::Slopes> HeightMapField::slopes_wide(const Place& at) const noexcept {
+  std::optional<ExactPlace> place;
+  const auto exact = [&](const auto& question) {
+    if (!place) describe(place.emplace(at, 0, rendering_, stiffness_));
+    return question(*place);
+  };
+  auto slopes = rounded_slopes(sum_at<BigFloatBall<32>>(at, parts_), exact);
+  if (!slopes) slopes = rounded_slopes(sum_at<BigFloatBall<128>>(at, parts_), exact);
+  if (!slopes) return std::nullopt;
+  return Slopes{*slopes, Stage::wide};
 }
 
 void HeightMapField::describe(ExactPlace& place) const noexcept {

@@ -3,6 +3,8 @@
 // The real-time renderer of height maps: a force at the surface's own depth, or at the plane's, along the map's normal.
 
 #include <Eigen/Core>
+#include <array>
+#include <optional>
 #include <span>
 #include <variant>
 #include <vector>
@@ -41,6 +43,15 @@ class HeightMapField {
   }
   Eigen::Vector3f force(const Eigen::Vector3f& position) const noexcept { return evaluate(position).force; }
 
+  // U_x and U_y, mm/mm, and the stage that decided them.
+  struct Slopes {
+    std::array<float, 2> values;
+    Stage stage;
+  };
+  // At a place of the domain, mm: each slope the binary32 nearest to the exact one, and 0 below 2^-30 in size. Nothing where
+  // evaluate() could not decide either. As evaluate() in all else. is_filtered: for tests; false leaves all to the last stage.
+  std::optional<Slopes> slopes(float x, float y, bool is_filtered = true) const noexcept;
+
   // to[i] = force at positions[i], bit for bit what evaluate() gives, whatever the instruction set; as many as the shorter span
   // has. `to` may begin where `positions` begins, and then takes their place; any other overlap is not allowed. An instruction
   // set this machine lacks falls back to the best it has. Vectors speed up a map that is one B-spline.
@@ -64,6 +75,7 @@ class HeightMapField {
   Jet<N> jet_at(const Place& at) const noexcept;
   Evaluation evaluate_in_stages(const Eigen::Vector3f& position) const noexcept;
   Evaluation evaluate_wide(const Place& at, double z) const noexcept;
+  std::optional<Slopes> slopes_wide(const Place& at) const noexcept;
   void describe(ExactPlace& place) const noexcept;
 
   std::vector<Part> parts_, surface_;

@@ -18,6 +18,16 @@ Identity identity_of(const std::string& name, const MeshRendering& rendering) {
   for (const auto& corners : rendering.normals)
     for (const mesh::Normal& normal : corners)
       for (const float component : normal) digest.number(component);
+  if (!rendering.texture.corners.empty()) {
+    line("texture", rendering.texture.corners.size());
+    for (const auto& corners : rendering.texture.corners)
+      for (const mesh::CornerTexture& corner : corners) {
+        for (const float coordinate : corner.point) digest.number(coordinate);
+        for (const mesh::Normal& gradient : {corner.gradient_x, corner.gradient_y})
+          for (const float component : gradient) digest.number(component);
+      }
+    digest.line("map " + identity_of("", rendering.texture.map, height::Rendering::force_shaded, 1).digest);
+  }
   return {kMeshKind,
           name,
           {{"sides", std::string(name_of(rendering.sides))},

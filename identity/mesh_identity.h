@@ -17,10 +17,12 @@ struct MeshRendering {
   mesh::CornerNormals normals;
   mesh::Sides sides = mesh::Sides::front;
   mesh::Shading shading = mesh::Shading::none;
-  float stiffness = 0;  // K, N/mm, in [10^-3, 10^3]
+  float stiffness = 0;         // K, N/mm, in [10^-3, 10^3]
+  mesh::Texture texture = {};  // of the texture scheme
 };
 
-// name: of the mesh's file. The digest is that of every coordinate, index and normal.
+// name: of the mesh's file. The digest is that of every coordinate, index and normal, and of a texture: of the points and
+// gradients of its corners and of its height map.
 Identity identity_of(const std::string& name, const MeshRendering& rendering);
 
 }  // namespace forceshade::properties

@@ -149,6 +149,40 @@ void require_cap(double radius, double width) {
 
 }  // namespace
 
+std::vector<std::array<TexturePoint, 3>> texture_from_above(const TriangleMesh& mesh) {
+  std::vector<std::array<TexturePoint, 3>> points;
+  for (const Triangle& triangle : mesh.triangles) {
+    points.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) points.back()[i] = {mesh.vertices[triangle[i]][0], mesh.vertices[triangle[i]][1]};
+  }
+  return points;
+}
+
+std::vector<std::array<TexturePoint, 3>> texture_from_box(const TriangleMesh& mesh) {
+  std::vector<std::array<TexturePoint, 3>> points;
+  for (const Triangle& triangle : mesh.triangles) {
+    const auto side = [&](std::size_t end, std::size_t axis) {
+      return static_cast<double>(mesh.vertices[triangle[end]][axis]) - static_cast<double>(mesh.vertices[triangle[0]][axis]);
+    };
+    std::size_t longest = 0;
+    double most = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t j = (axis + 1) % 3, k = (axis + 2) % 3;
+      const double component = side(1, j) * side(2, k) - side(1, k) * side(2, j);
+      if (std::fabs(component) <= std::fabs(most)) continue;
+      longest = axis;
+      most = component;
+    }
+    points.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vertex& vertex = mesh.vertices[triangle[i]];
+      const float across = vertex[(longest + 1) % 3];
+      points.back()[i] = {most < 0 ? 0.0F - across : across, vertex[(longest + 2) % 3]};
+    }
+  }
+  return points;
+}
+
 TriangleMesh icosphere(std::uint32_t frequency, double radius) {
   require(frequency >= 1, "expected a frequency of 1 or more");
   require_length(radius);

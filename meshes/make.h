@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "forceshade/vocabulary/mesh.h"
+#include "forceshade/meshes/load.h"
 
 namespace forceshade::mesh {
 
@@ -36,5 +36,11 @@ TriangleMesh height_map(double size_x, double size_y, std::uint32_t columns, std
 TriangleMesh bump(double radius, double width, double size, std::uint32_t cells);
 // The same of a cylinder along y.
 TriangleMesh cylinder_bump(double radius, double width, double size, std::uint32_t cells);
+
+// Points of a texture, in mm, for each corner of each triangle. Seen from above: x and y of the vertex, one chart. From a box:
+// those two coordinates of it that are across the axis along which the triangle's normal is longest, as they are seen from
+// outside; so there are up to six charts, with seams between them.
+std::vector<std::array<TexturePoint, 3>> texture_from_above(const TriangleMesh& mesh);
+std::vector<std::array<TexturePoint, 3>> texture_from_box(const TriangleMesh& mesh);
 
 }  // namespace forceshade::mesh

@@ -402,6 +402,54 @@ mesh::CornerNormals MeshSource::normals_of(const mesh::TriangleMesh& mesh) {
   return normals;
 }
 
+mesh::CornerTextures MeshSource::textures_of(const mesh::TriangleMesh& mesh) {
+  const auto kept = [](double value, double most) {
+    const auto rounded = static_cast<float>(std::clamp(value, -most, most));
+    return std::fabs(rounded) < 0x1p-30F ? 0.0F : rounded;
+  };
+  double size = 0;
+  for (const mesh::Triangle& triangle : mesh.triangles)
+    for (const std::uint32_t v : triangle) {
+      const Point off = difference(wide(mesh.vertices[v]), wide(mesh.vertices[mesh.triangles[0][0]]));
+      size = std::max(size, std::sqrt(dot(off, off)));
+    }
+  // Along axes every other time, so that coordinates have few bits and the map's edges and kinks are met.
+  const bool is_along_axes = bits() % 2 == 0;
+  const double per_mm = is_along_axes ? std::exp2(std::round(std::log2(10 / size))) : uniform(1, 20) / size;
+  const std::size_t first = bits() % 3;
+  const auto direction = [&](std::size_t axis) {
+    Point along{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
+    if (is_along_axes) {
+      along = {};
+      along[(first + axis) % 3] = 1;
+    }
+    for (double& component : along) component *= per_mm;
+    return along;
+  };
+  const std::array<Point, 2> along{direction(0), direction(1)};
+  const std::uint64_t seam = bits() % 3 == 0 ? 0 : 4 + bits() % 16;
+  const Point origin = wide(mesh.vertices[mesh.triangles[0][0]]);
+  const auto corner = [&](std::uint32_t vertex) {
+    mesh::CornerTexture its;
+    const bool is_own = seam != 0 && bits() % seam == 0;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const double step = is_own ? std::round(uniform(-4, 4)) : 0;
+      its.point[axis] = kept(dot(along[axis], difference(wide(mesh.vertices[vertex]), origin)) + step, 1e4);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double component = is_own ? uniform(-1, 1) : along[axis][i];
+        (axis == 0 ? its.gradient_x : its.gradient_y)[i] = kept(component, 1e3);
+      }
+    }
+    return its;
+  };
+  mesh::CornerTextures textures;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const mesh::CornerTexture first_corner = corner(a), second = corner(b), third = corner(c);
+    textures.push_back({first_corner, second, third});
+  }
+  return textures;
+}
+
 MeshPath::MeshPath(const mesh::TriangleMesh& mesh, std::uint64_t seed) : Draws(seed), mesh_(mesh), size_(0) {
   for (const mesh::Triangle& triangle : mesh_.triangles)
     for (const std::uint32_t v : triangle) {

@@ -45,6 +45,9 @@ class MeshSource : private Draws {
   // Of each vertex one normal, or one for each of some of its triangles; unit vectors about those of the surface, but for some
   // that point elsewhere.
   mesh::CornerNormals normals_of(const mesh::TriangleMesh& mesh);
+  // A map laid along two directions, some 20 mm of it over the mesh; some corners have a point or a gradient of their own, so
+  // that there are seams.
+  mesh::CornerTextures textures_of(const mesh::TriangleMesh& mesh);
 
  private:
   using Point = std::array<double, 3>;

@@ -21,7 +21,7 @@ MeshPosition position_of(const Eigen::Vector3f& v) {
 }
 
 reference::GodObject built(const MeshRendering& of) {
-  auto built = reference::GodObject::build(of.mesh, of.normals, of.sides, of.shading, of.stiffness);
+  auto built = reference::GodObject::build(of.mesh, of.normals, of.sides, of.shading, of.stiffness, of.texture);
   if (const auto* error = std::get_if<ParameterError>(&built)) throw std::invalid_argument(error->message());
   return std::get<reference::GodObject>(std::move(built));
 }
@@ -131,7 +131,7 @@ Violation differs(std::size_t i, const MeshPosition& p, const mesh::Tick& got, c
 }  // namespace
 
 OpenTicks fast_god_object(const MeshRendering& rendering) {
-  auto built = fast::Mesh::build(rendering.mesh, rendering.normals, rendering.sides);
+  auto built = fast::Mesh::build(rendering.mesh, rendering.normals, rendering.sides, rendering.texture);
   if (const auto* error = std::get_if<std::string>(&built)) throw std::invalid_argument(*error);
   return [mesh = std::make_shared<const fast::Mesh>(std::get<fast::Mesh>(std::move(built))),
           shading = rendering.shading](float stiffness) -> std::unique_ptr<fast::TickSession> {
@@ -148,8 +148,10 @@ MeshSubject::MeshSubject(const std::string& name, MeshRendering rendering, OpenT
       identity_(identity_of(name, *rendering_)) {}
 
 std::vector<std::string> MeshSubject::parts() const {
-  return {std::to_string(rendering_->mesh.triangles.size()) + " triangles, " +
-          std::to_string(rendering_->mesh.vertices.size()) + " vertices"};
+  std::vector<std::string> lines{std::to_string(rendering_->mesh.triangles.size()) + " triangles, " +
+                                 std::to_string(rendering_->mesh.vertices.size()) + " vertices"};
+  for (const std::string& part : properties::words_of(rendering_->texture.map)) lines.push_back("texture, " + part);
+  return lines;
 }
 
 std::unique_ptr<ReferenceSession> MeshSubject::open_reference() const {
@@ -234,6 +236,10 @@ std::vector<FurtherProperty> MeshSubject::further_properties() const {
 std::vector<std::string> MeshSubject::jumps() const {
   std::vector<std::string> words{"where the god-object leaves a rim, a wide edge or a vertex"};
   if (rendering_->shading != mesh::Shading::none) words.emplace_back("where the shading is given up");
+  if (rendering_->shading == mesh::Shading::texture_scheme) {
+    words.emplace_back("where the texture's slope jumps, and between the steps of its rounded coordinates");
+    words.emplace_back("on flat and wide edges that separate the texture, its seams");
+  }
   return words;
 }
 

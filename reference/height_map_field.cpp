@@ -107,6 +107,31 @@ Rounded round_by_enclosures(const HeightMapField& law, const Point2& at, double 
   return round_exactly(law, at, z);
 }
 
+constexpr double kLeastSlope = 0x1p-30;
+
+// Of the middle of two neighbours, or of both ends, where they agree.
+float without_tiny(float slope) {
+  return std::fabs(static_cast<double>(slope)) < kLeastSlope ? 0.0F : slope;
+}
+
+float rounded_slope(const HeightMapField& law, const Point2& at, std::size_t axis) {
+  const auto slope_of = [&]<class N>(const Jet<N>& jet) -> const N& { return axis == 0 ? jet.Ux : jet.Uy; };
+  mpfr_set_emin(mpfr_get_emin_min());
+  for (unsigned bits = 128;; bits *= 2) {
+    set_precision(bits);
+    const Jet<Enclosure> jet = sum_jet<Enclosure>(law.map().parts, at);
+    const Enclosure& slope = slope_of(jet);
+    if (lower(slope) > -kLeastSlope / 2 && upper(slope) < kLeastSlope / 2) return 0;
+    const RoundedEnds ends(slope);
+    if (ends.agree()) return without_tiny(ends.low);
+    // From here on only a tie is left.
+    if (bits < 768 || !ends.are_neighbours()) continue;
+    const double tie = 0.5 * (static_cast<double>(ends.low) + static_cast<double>(ends.high));
+    const Jet<ExponentialSum> exact = sum_jet<ExponentialSum>(law.map().parts, at);
+    return without_tiny(rounded_between(ends.low, ends.high, (slope_of(exact) - tie).sign()));
+  }
+}
+
 bool is_transcendental(const HeightMap& map) {
   const auto is = [](const height::Part& part) {
     return std::visit([]<class T>(const T&) { return kFormula<T> == Formula::transcendental; }, part.shape);
@@ -137,6 +162,21 @@ Rounded HeightMapField::round_to_binary32(const Eigen::Vector3f& position) const
   } catch (const Undecided&) {
     return round_by_enclosures(*this, at, z);
   }
+}
+
+std::array<float, 2> HeightMapField::slopes(float x, float y) const {
+  const Point2 at{quantised(x), quantised(y)};
+  const std::lock_guard lock(exact_arithmetic);
+  if (!is_transcendental(map_)) try {
+      const Jet<Ball64> quick = sum_jet<Ball64>(map_.parts, at);
+      const auto rounded = [](const Ball64& slope) {
+        if (slope.low() > -kLeastSlope / 2 && slope.high() < kLeastSlope / 2) return 0.0F;
+        return without_tiny(slope.round());
+      };
+      return {rounded(quick.Ux), rounded(quick.Uy)};
+    } catch (const Undecided&) {
+    }
+  return {rounded_slope(*this, at, 0), rounded_slope(*this, at, 1)};
 }
 
 HeightMapField::Estimate HeightMapField::estimate(const Eigen::Vector3f& position) const {

@@ -3,6 +3,7 @@
 // The truth about a height map's force: rounded to binary32, with proof (docs/height-maps.md).
 
 #include <Eigen/Core>
+#include <array>
 #include <variant>
 
 #include "forceshade/reference/law.h"
@@ -21,6 +22,10 @@ class HeightMapField {
 
   // As Law::round_to_binary32: every answer is decided. What enclosures of 768 bits leave open, exact sums decide.
   Rounded round_to_binary32(const Eigen::Vector3f& position) const;
+
+  // U_x and U_y at a place of the plane within the domain, mm: each the binary32 nearest to the exact one, ties to even, and 0
+  // below 2^-30 in size.
+  std::array<float, 2> slopes(float x, float y) const;
 
   // The force at a valid position to about 17 digits, and what it is made of, for properties that need a size, not a proof.
   // Where the gap is not positive there is no force, whatever x, y and z say.

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "forceshade/vocabulary/height_map.h"
+
 namespace forceshade::mesh {
 
 using Vertex = std::array<float, 3>;            // mm
@@ -22,19 +24,39 @@ struct TriangleMesh {
 // One normal for each corner of each triangle, in the order of the triangle's vertices (the vertex scheme).
 using CornerNormals = std::vector<std::array<Normal, 3>>;
 
+// A corner of a triangle on a height map that is laid over the mesh (the texture scheme).
+struct CornerTexture {
+  std::array<float, 2> point{};       // (x, y) on the map, mm
+  Normal gradient_x{}, gradient_y{};  // mm/mm: how fast, and in which direction along the surface, x and y grow
+
+  bool operator==(const CornerTexture&) const = default;
+};
+using CornerTextures = std::vector<std::array<CornerTexture, 3>>;
+
+// Of each corner of each triangle. No corners: there is no texture.
+struct Texture {
+  CornerTextures corners;
+  HeightMap map;  // `surface` is not used: the depth is that of the mesh
+};
+
 // From which sides a triangle blocks motion: against its normal, or against and along it.
 enum class Sides { front, both };
 
-enum class Shading { none, vertex_scheme, edge_scheme };
+// The one list of the shading schemes. vertex_scheme uses corner normals; texture_scheme these and a texture.
+enum class Shading { none, vertex_scheme, edge_scheme, texture_scheme };
 
 inline constexpr std::array<std::string_view, 2> kSidesNames{"front", "both"};
-inline constexpr std::array<std::string_view, 3> kShadingNames{"none", "vertex", "edge"};
+inline constexpr std::array<std::string_view, 4> kShadingNames{"none", "vertex", "edge", "texture"};
 
 constexpr std::string_view name_of(Sides sides) {
   return kSidesNames[static_cast<std::size_t>(sides)];
 }
 constexpr std::string_view name_of(Shading shading) {
   return kShadingNames[static_cast<std::size_t>(shading)];
+}
+
+constexpr bool has_corner_normals(Shading shading) {
+  return shading == Shading::vertex_scheme || shading == Shading::texture_scheme;
 }
 
 // Where the god-object is. `nowhere`: no valid position has come yet.

@@ -233,6 +233,11 @@ Sign ExactPlace::sign_of_excess(std::size_t axis, double tie) const noexcept {
   return of_squares == Sign::positive ? Sign::negative : Sign::positive;
 }
 
+Sign ExactPlace::sign_of_slope_excess(std::size_t axis, double tie) const noexcept {
+  return sign_of([&](const Variables& v) { return v.slope(axis) + v.constant(Fraction::exactly(-tie)); },
+                 {false, axis == 0, axis == 1}, true);
+}
+
 const char* ExactPlace::arithmetic_fault() noexcept {
   return arithmetic_fault_here();
 }

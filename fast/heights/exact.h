@@ -44,6 +44,8 @@ class ExactPlace {
   // Unknown where the numbers outgrow their room.
   Sign sign_of_gap() const noexcept;
   Sign sign_of_excess(std::size_t axis, double tie) const noexcept;
+  // Of the slope along `axis` (0 or 1) less `tie`.
+  Sign sign_of_slope_excess(std::size_t axis, double tie) const noexcept;
 
  private:
   enum class Kind { rational, root, decay, wave };

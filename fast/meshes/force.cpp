@@ -4,6 +4,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "forceshade/fast/height_map_field.h"
 #include "forceshade/fast/numbers/arithmetic.h"
 #include "forceshade/fast/numbers/big_float_ball.h"
 
@@ -59,6 +60,31 @@ Vector3<DoubleWithError> near(const Vector3<T>& a, double unit) noexcept {
 }
 constexpr double kUnit = 0x1p-53;  // mm, of coordinates; of products of two, three and four of them:
 constexpr double kUnit2 = kUnit * kUnit, kUnit3 = kUnit2 * kUnit, kUnit4 = kUnit2 * kUnit2;
+
+// The binary32 nearest to over/under, and to √over/under; 0 < under, 0 <= over under a root. Empty where these numbers cannot
+// tell.
+std::optional<float> nearest_quotient(const DoubleWithError& over, const DoubleWithError& under) noexcept {
+  const DoubleWithError value = over / under;
+  // A coordinate as small as this is read as 0.
+  if (__builtin_fabs(value.value) + value.error < 0x1p-31) return 0.0F;
+  return round_to_binary32(value);
+}
+std::optional<float> nearest_quotient(const Shaded& over, const Shaded& under) noexcept {
+  using Short = BigFloatBall<4>;
+  return round_to_binary32(approximately(Short(over) / Short(under)),
+                           [&](double tie) { return proved_sign(over - Shaded::exactly(tie) * under); });
+}
+std::optional<float> nearest_root(const DoubleWithError& over, const DoubleWithError& under) noexcept {
+  return round_to_binary32(square_root(over) / under);
+}
+std::optional<float> nearest_root(const Shaded& over, const Shaded& under) noexcept {
+  using Short = BigFloatBall<4>;
+  return round_to_binary32(approximately(square_root(Short(over)) / Short(under)), [&](double tie) {
+    if (tie < 0) return Sign::positive;
+    const Shaded bound = Shaded::exactly(tie) * under;
+    return proved_sign(over - bound * bound);
+  });
+}
 
 // What a rest's force is made of, in the numbers N. kIsFromIntegers: what cancels is computed in integers first, so that each
 // number is good to a few units of its last place, and 0 where it is 0.
@@ -172,25 +198,19 @@ class Parts {
       return spot_.place == mesh::Place::triangle ? by_edges() : Shading{Outcome::none, {}};
     if (spot_.place == mesh::Place::vertex) {
       const HalfEdge first = mesh_.first_around(mesh_.start(spot_.half));
-      const mesh::Normal& common = normal_at(first);
       for (HalfEdge h = mesh_.around(first); h != kRim && h != first; h = mesh_.around(h))
-        if (normal_at(h) != common) return {Outcome::none, {}};
-      return from_its_side(point<N>(common.data()));
+        if (!are_same_corners(h, first)) return {Outcome::none, {}};
+      return shaded_by(interpolated<1>({first}, {N::exactly(1)}));
     }
     if (spot_.place == mesh::Place::triangle) {
-      const std::array<N, 3> weight = weights_in_triangle();
       const HalfEdge h = spot_.half;
-      return from_its_side(
-          sum(sum(scaled(weight[0], point<N>(normal_at(h).data())), scaled(weight[1], point<N>(normal_at(h + 1).data()))),
-              scaled(weight[2], point<N>(normal_at(h + 2).data()))));
+      return shaded_by(interpolated<3>({h, h + 1, h + 2}, weights_in_triangle()));
     }
     const HalfEdge other = mesh_.twin(spot_.half);
     const std::array<N, 2> weight = weights_on_edge();
-    const auto between = [&](const mesh::Normal& a, const mesh::Normal& b) {
-      return sum(scaled(weight[0], point<N>(a.data())), scaled(weight[1], point<N>(b.data())));
-    };
-    const mesh::Normal &a = normal_at(spot_.half), &b = normal_at(next(spot_.half));
-    if (other == kRim || (normal_at(next(other)) == a && normal_at(other) == b)) return from_its_side(between(a, b));
+    const std::array<HalfEdge, 2> ends{spot_.half, next(spot_.half)}, beyond{next(other), other};
+    if (other == kRim || (are_same_corners(ends[0], beyond[0]) && are_same_corners(ends[1], beyond[1])))
+      return shaded_by(interpolated<2>(ends, weight));
     // D = α n1 + β n2, α and β of the side's sign; they carry it to the direction.
     const Face &first = mesh_.face(face_of(spot_.half)), &second = mesh_.face(face_of(other));
     if (first.edge_angle(corner_of(spot_.half)) == EdgeAngle::flat) return {Outcome::none, {}};
@@ -207,10 +227,52 @@ class Parts {
       if (sign == against) return {Outcome::none, {}};
     }
     const std::optional<float> q1 = length(n1), q2 = length(n2);
-    if (!q1 || !q2) return {Outcome::unknown, {}};
-    return {Outcome::direction,
-            sum(scaled(alpha * N::exactly(static_cast<double>(*q1)), between(a, b)),
-                scaled(beta * N::exactly(static_cast<double>(*q2)), between(normal_at(next(other)), normal_at(other))))};
+    const auto first_side = interpolated<2>(ends, weight), second_side = interpolated<2>(beyond, weight);
+    if (!q1 || !q2 || !first_side || !second_side) return {Outcome::unknown, {}};
+    return {Outcome::direction, sum(scaled(alpha * N::exactly(static_cast<double>(*q1)), *first_side),
+                                    scaled(beta * N::exactly(static_cast<double>(*q2)), *second_side))};
+  }
+
+  Shading shaded_by(const std::optional<Vector3<N>>& direction) const noexcept {
+    return direction ? from_its_side(*direction) : Shading{Outcome::unknown, {}};
+  }
+
+  bool is_textured() const noexcept { return scheme_ == mesh::Shading::texture_scheme; }
+  const mesh::CornerTexture& texture_at(HalfEdge h) const noexcept { return (*mesh_.texture(face_of(h)))[corner_of(h)]; }
+  bool are_same_corners(HalfEdge a, HalfEdge b) const noexcept {
+    return normal_at(a) == normal_at(b) && (!is_textured() || texture_at(a) == texture_at(b));
+  }
+
+  // The scheme's N between these corners of a triangle, times the sum of their weights. Empty where these numbers cannot tell
+  // to what a part of it is rounded.
+  template <std::size_t kCount>
+  std::optional<Vector3<N>> interpolated(const std::array<HalfEdge, kCount>& corners,
+                                         const std::array<N, kCount>& weight) const noexcept {
+    const auto mean = [&](const auto& vector_of) {
+      Vector3<N> all = scaled(weight[0], point<N>(vector_of(corners[0]).data()));
+      for (std::size_t i = 1; i < kCount; ++i) all = sum(all, scaled(weight[i], point<N>(vector_of(corners[i]).data())));
+      return all;
+    };
+    const Vector3<N> smooth = mean([&](HalfEdge h) -> const mesh::Normal& { return normal_at(h); });
+    if (!is_textured()) return smooth;
+    N all = weight[0];
+    for (std::size_t i = 1; i < kCount; ++i) all = all + weight[i];
+    const auto coordinate = [&](std::size_t axis) {
+      const auto of = [&](std::size_t i) { return N::exactly(static_cast<double>(texture_at(corners[i]).point[axis])); };
+      N over = weight[0] * of(0);
+      for (std::size_t i = 1; i < kCount; ++i) over = over + weight[i] * of(i);
+      return nearest_quotient(over, all);
+    };
+    const std::optional<float> x = coordinate(0), y = coordinate(1), size = nearest_root(square(smooth), all);
+    if (!x || !y || !size) return std::nullopt;
+    const auto slopes = mesh_.texture_map()->slopes(*x, *y);
+    if (!slopes) return std::nullopt;
+    const auto tilt = [&](float slope, const Vector3<N>& gradient) {
+      return scaled(N::exactly(static_cast<double>(*size) * static_cast<double>(slope)), gradient);  // a product of 48 bits
+    };
+    const Vector3<N> along_x = mean([&](HalfEdge h) -> const mesh::Normal& { return texture_at(h).gradient_x; }),
+                     along_y = mean([&](HalfEdge h) -> const mesh::Normal& { return texture_at(h).gradient_y; });
+    return smooth - sum(tilt(slopes->values[0], along_x), tilt(slopes->values[1], along_y));
   }
 
   // Up to a common factor.
@@ -239,15 +301,7 @@ class Parts {
   }
 
   // The binary32 nearest to n's length.
-  std::optional<float> length(const Vector3<N>& n) const noexcept {
-    const N all = square(n);
-    if constexpr (std::is_same_v<N, DoubleWithError>) {
-      return round_to_binary32(square_root(all));
-    } else {
-      return round_to_binary32(approximately(square_root(BigFloatBall<4>(all))),
-                               [&](double tie) { return proved_sign(all - N::exactly(tie) * N::exactly(tie)); });
-    }
-  }
+  std::optional<float> length(const Vector3<N>& n) const noexcept { return nearest_root(square(n), N::exactly(1)); }
 
   const Mesh& mesh_;
   mesh::Shading scheme_;
@@ -364,12 +418,25 @@ std::optional<Force3> shaded_force(const Mesh& mesh, const Arrival& arrival, con
   return std::nullopt;
 }
 
-// Kept out of line: it is reached for few positions.
-[[gnu::noinline]] Force3 exact_shaded(const Mesh& mesh, const Arrival& arrival, const Force3& p, double K, mesh::Shading scheme,
-                                      bool is_filtered) noexcept {
-  if (is_filtered)
-    if (const auto force = shaded_force<DoubleWithError, true>(mesh, arrival, p, K, scheme)) return *force;
+// Both kept out of line: they are reached for few positions.
+[[gnu::noinline]] std::optional<Force3> shaded_force_from_integers(const Mesh& mesh, const Arrival& arrival, const Force3& p,
+                                                                   double K, mesh::Shading scheme) noexcept {
+  return shaded_force<DoubleWithError, true>(mesh, arrival, p, K, scheme);
+}
+[[gnu::noinline]] Force3 shaded_force_in_wide_numbers(const Mesh& mesh, const Arrival& arrival, const Force3& p, double K,
+                                                      mesh::Shading scheme) noexcept {
   return shaded_force<Shaded>(mesh, arrival, p, K, scheme).value_or(Force3{});
+}
+
+// Whether the mesh has what the scheme uses.
+bool can_shade(const Mesh& mesh, mesh::Shading scheme) noexcept {
+  switch (scheme) {
+    case mesh::Shading::none: return false;
+    case mesh::Shading::vertex_scheme: return mesh.normals(0) != nullptr;
+    case mesh::Shading::edge_scheme: return true;
+    case mesh::Shading::texture_scheme: return mesh.texture_map() != nullptr;
+  }
+  return false;
 }
 
 // a·b - c·d for differences of coordinates, with a bound; known to be 0 where it is so because the same two are multiplied.
@@ -428,21 +495,28 @@ FORCESHADE_INLINE std::optional<Force3> quick_force(const Face& f, const Force3&
 }  // namespace
 
 std::array<float, 3> mesh_force(const Mesh& mesh, const Arrival& arrival, const std::array<float, 3>& p, float stiffness,
-                                mesh::Shading shading, bool is_filtered) noexcept {
+                                mesh::Shading shading, bool is_filtered, ForceStage* decided) noexcept {
+  if (decided != nullptr) *decided = ForceStage::unshaded;
   if (arrival.rest == Rest::none || arrival.rest == Rest::at_position) return {};
   const auto K = static_cast<double>(stiffness);
-  const bool is_shaded =
-      shading == mesh::Shading::edge_scheme || (shading == mesh::Shading::vertex_scheme && mesh.normals(0) != nullptr);
-  if (!is_shaded) {
+  if (!can_shade(mesh, shading)) {
     if (is_filtered && arrival.rest == Rest::in_triangle)
       if (const auto force = quick_force(mesh.face(face_of(arrival.spot.half)), p, K)) [[likely]]
         return *force;
     return exact_unshaded(mesh, arrival, p.data(), K, is_filtered);
   }
-  if (is_filtered)
+  const auto note = [&](ForceStage stage) {
+    if (decided != nullptr) *decided = stage;
+  };
+  if (is_filtered) {
+    note(ForceStage::binary64);
     if (const auto force = shaded_force<DoubleWithError>(mesh, arrival, p, K, shading)) [[likely]]
       return *force;
-  return exact_shaded(mesh, arrival, p, K, shading, is_filtered);
+    note(ForceStage::from_integers);
+    if (const auto force = shaded_force_from_integers(mesh, arrival, p, K, shading)) return *force;
+  }
+  note(ForceStage::wide);
+  return shaded_force_in_wide_numbers(mesh, arrival, p, K, shading);
 }
 
 const char* force_arithmetic_fault() noexcept {

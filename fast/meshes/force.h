@@ -7,9 +7,13 @@
 
 namespace forceshade::fast {
 
-// N. p: mm, in the domain and quantised; stiffness: N/mm. is_filtered: for tests; false leaves all to exact numbers.
+// The numbers that decided a shaded force; unshaded ones are not told apart.
+enum class ForceStage { unshaded, binary64, from_integers, wide };
+
+// N. p: mm, in the domain and quantised; stiffness: N/mm. Where the mesh lacks what the scheme uses, the force is unshaded.
+// is_filtered: for tests; false leaves all to exact numbers. decided: for tests, where it is not null.
 std::array<float, 3> mesh_force(const Mesh& mesh, const Arrival& arrival, const std::array<float, 3>& p, float stiffness,
-                                mesh::Shading shading, bool is_filtered = true) noexcept;
+                                mesh::Shading shading, bool is_filtered = true, ForceStage* decided = nullptr) noexcept;
 
 // Of force.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h.
 const char* force_arithmetic_fault() noexcept;

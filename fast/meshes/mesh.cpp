@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "forceshade/fast/domain.h"
+#include "forceshade/fast/height_map_field.h"
 #include "forceshade/fast/meshes/decide.h"
 #include "forceshade/fast/meshes/session.h"
 #include "forceshade/fast/numbers/arithmetic.h"
@@ -83,14 +84,40 @@ std::string first_error(const mesh::TriangleMesh& mesh, const mesh::CornerNormal
   return {};
 }
 
+// Of the corners of a texture: points within the domain, gradients of 0 or from 2^-30 to 1000 mm/mm.
+std::string first_error(const mesh::CornerTextures& corners, std::size_t triangles, bool has_normals) {
+  constexpr float kSteepest = 1000;
+  if (corners.size() != triangles) return "expected the points of the texture of as many triangles as the mesh has";
+  if (!has_normals) return "a texture needs corner normals";
+  for (std::uint32_t t = 0; t < corners.size(); ++t)
+    for (const mesh::CornerTexture& corner : corners[t]) {
+      if (!in_domain(corner.point[0]) || !in_domain(corner.point[1]))
+        return face_text(t) + " has a point of the texture outside the domain";
+      for (const mesh::Normal& gradient : {corner.gradient_x, corner.gradient_y})
+        for (const float component : gradient) {
+          const float size = std::fabs(component);
+          if (!(size == 0 || (size >= kPositionQuantum && size <= kSteepest)))
+            return face_text(t) + " has a gradient of its texture outside 2^-30 to 1000 mm/mm";
+        }
+    }
+  return {};
+}
+
 }  // namespace
 
 std::variant<Mesh, std::string> Mesh::build(const mesh::TriangleMesh& triangles, const mesh::CornerNormals& normals,
-                                            mesh::Sides sides) {
+                                            mesh::Sides sides, const mesh::Texture& texture) {
   for (const char* fault : {arithmetic_fault_here(), force_arithmetic_fault(), MeshSession::arithmetic_fault()})
     if (fault != nullptr) return ParameterError{"arithmetic", "", 0, 0, 0, fault}.message();
   if (std::string error = first_error(triangles, normals); !error.empty()) return error;
   Mesh result;
+  if (!texture.corners.empty()) {
+    if (std::string error = first_error(texture.corners, triangles.triangles.size(), !normals.empty()); !error.empty())
+      return error;
+    auto map = HeightMapField::build({texture.map.parts}, height::Rendering::force_shaded, 1);
+    if (const auto* error = std::get_if<ParameterError>(&map)) return "the texture's height map: " + error->message();
+    result.texture_map_ = std::make_shared<const HeightMapField>(std::get<HeightMapField>(std::move(map)));
+  }
   result.sides_ = sides;
   const std::vector<std::uint32_t> order = curve_order(triangles);
   result.faces_.resize(order.size());
@@ -113,6 +140,10 @@ std::variant<Mesh, std::string> Mesh::build(const mesh::TriangleMesh& triangles,
   if (!normals.empty()) {
     result.normals_.reserve(order.size());
     for (const std::uint32_t t : order) result.normals_.push_back(normals[t]);
+  }
+  if (!texture.corners.empty()) {
+    result.textures_.reserve(order.size());
+    for (const std::uint32_t t : order) result.textures_.push_back(texture.corners[t]);
   }
   result.tree_ = BoxTree(result.faces_);
   return result;
@@ -196,7 +227,8 @@ void Mesh::find_bends() {
 
 std::size_t Mesh::bytes() const noexcept {
   return faces_.capacity() * sizeof(Face) + first_around_.capacity() * sizeof(HalfEdge) +
-         face_of_file_.capacity() * sizeof(std::uint32_t) + normals_.capacity() * sizeof(normals_[0]) + tree_.bytes();
+         face_of_file_.capacity() * sizeof(std::uint32_t) + normals_.capacity() * sizeof(normals_[0]) +
+         textures_.capacity() * sizeof(textures_[0]) + tree_.bytes();
 }
 
 }  // namespace forceshade::fast

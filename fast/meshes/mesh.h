@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -13,6 +14,8 @@
 #include "forceshade/vocabulary/mesh.h"
 
 namespace forceshade::fast {
+
+class HeightMapField;
 
 // How two triangles meet along an edge, seen from in front: n1·(d - a) is > 0, 0 or < 0 (docs/meshes.md).
 enum class EdgeAngle : std::uint32_t { narrow, flat, wide };
@@ -59,9 +62,10 @@ class Mesh {
 
   // The mesh must be embedded, as docs/meshes.md demands: that is for the caller to have checked. Vertices are read as
   // positions are. A message where the numbers or the way the triangles are joined are not those of such a mesh. Normals: of
-  // each corner, or none. Under an arithmetic fault (fast/numbers/arithmetic.h) nothing is built. Allocates.
+  // each corner, or none; a texture needs them. Under an arithmetic fault (fast/numbers/arithmetic.h) nothing is built.
+  // Allocates.
   static std::variant<Mesh, std::string> build(const mesh::TriangleMesh& triangles, const mesh::CornerNormals& normals,
-                                               mesh::Sides sides);
+                                               mesh::Sides sides, const mesh::Texture& texture = {});
 
   const Face& face(std::uint32_t f) const noexcept { return faces_[f]; }
   std::uint32_t vertices() const noexcept { return static_cast<std::uint32_t>(first_around_.size()); }
@@ -84,7 +88,12 @@ class Mesh {
   const std::array<mesh::Normal, 3>* normals(std::uint32_t f) const noexcept {
     return normals_.empty() ? nullptr : &normals_[f];
   }
-  // Of everything that it holds.
+  // The height map that is laid over the mesh, and where the corners of face f are on it; null where the mesh has none.
+  const HeightMapField* texture_map() const noexcept { return texture_map_.get(); }
+  const std::array<mesh::CornerTexture, 3>* texture(std::uint32_t f) const noexcept {
+    return textures_.empty() ? nullptr : &textures_[f];
+  }
+  // Of everything that it holds but the height map, which is shared.
   std::size_t bytes() const noexcept;
 
  private:
@@ -95,6 +104,8 @@ class Mesh {
   std::vector<HalfEdge> first_around_;       // by vertex of the file
   std::vector<std::uint32_t> face_of_file_;  // by triangle of the file
   std::vector<std::array<mesh::Normal, 3>> normals_;
+  mesh::CornerTextures textures_;
+  std::shared_ptr<const HeightMapField> texture_map_;
   BoxTree tree_;
   mesh::Sides sides_ = mesh::Sides::front;
   float largest_coordinate_ = 0;

@@ -32,7 +32,8 @@ EdgeScheme::EdgeScheme(const Surface& surface) : surface_(surface) {
 
 // With N0i = N0 + Ni for the neighbour at side i, and x_i the distance of r from the line of side i, N is the sum of x_i times
 // the two N0j of the other sides. x_i is in the ratio of the weight of the corner opposite to side i, over the side's length.
-std::optional<Vector> EdgeScheme::direction(const SurfacePoint& r) const {
+Direction EdgeScheme::direction(const Rest& rest) const {
+  const SurfacePoint& r = rest.r;
   if (r.feature.place != mesh::Place::triangle) return std::nullopt;
   const std::size_t index = r.feature.index;
   std::array<Vector, 3> mixed;

@@ -3,19 +3,18 @@
 // The thesis's edge scheme (3.3): a triangle's normal, mixed with those of its three neighbours. It jumps across edges; the
 // vertex scheme does not.
 
-#include <optional>
 #include <vector>
 
-#include "forceshade/reference/meshes/descent.h"
+#include "forceshade/reference/meshes/scheme.h"
 
 namespace forceshade::reference::meshes {
 
-class EdgeScheme {
+class EdgeScheme final : public Scheme {
  public:
   explicit EdgeScheme(const Surface& surface);
 
-  // N but for its length, as it is seen from in front; inside triangles alone.
-  std::optional<Vector> direction(const SurfacePoint& r) const;
+  // Inside triangles alone.
+  Direction direction(const Rest& rest) const override;
 
  private:
   const Surface& surface_;

@@ -2,20 +2,12 @@
 #pragma once
 // The force at rest, each component rounded once to binary32.
 
-#include <optional>
-
-#include "forceshade/reference/meshes/descent.h"
+#include "forceshade/reference/meshes/scheme.h"
 
 namespace forceshade::reference::meshes {
 
 // K D; stiffness in N/mm, the force in N.
 std::array<float, 3> unshaded_force(const Rest& rest, float stiffness);
-
-// A direction of any length, as it is seen from in front; none where a scheme gives none.
-using Direction = std::optional<Vector>;
-
-// N at r from the corner normals (docs/meshes.md).
-Direction vertex_scheme_direction(const Surface& surface, const mesh::CornerNormals& normals, const Rest& rest);
 
 // K |D| N/|N|; K D where there is no direction, or N·D <= 0.
 std::array<float, 3> shaded_force(const Direction& seen_from_front, const Rest& rest, float stiffness);

@@ -7,54 +7,90 @@
 
 #include "forceshade/reference/meshes/edge_scheme.h"
 #include "forceshade/reference/meshes/force.h"
+#include "forceshade/reference/meshes/texture_scheme.h"
 
 namespace forceshade::reference {
 
 struct GodObject::Parts {
-  Parts(const mesh::TriangleMesh& triangles, mesh::CornerNormals corner_normals, mesh::Sides blocked, mesh::Shading scheme,
-        float K)
-      : surface(triangles),
-        crossings(surface),
-        normals(std::move(corner_normals)),
-        sides(blocked),
-        shading(scheme),
-        stiffness(K) {
-    if (shading == mesh::Shading::edge_scheme) edge_scheme.emplace(surface);
-  }
+  Parts(const mesh::TriangleMesh& triangles, mesh::Sides blocked, float K)
+      : surface(triangles), crossings(surface), sides(blocked), stiffness(K) {}
 
   std::array<float, 3> force(const meshes::Rest& rest) const {
-    switch (shading) {
-      case mesh::Shading::none: break;
-      case mesh::Shading::vertex_scheme:
-        return meshes::shaded_force(meshes::vertex_scheme_direction(surface, normals, rest), rest, stiffness);
-      case mesh::Shading::edge_scheme: return meshes::shaded_force(edge_scheme->direction(rest.r), rest, stiffness);
-    }
-    return meshes::unshaded_force(rest, stiffness);
+    return scheme == nullptr ? meshes::unshaded_force(rest, stiffness)
+                             : meshes::shaded_force(scheme->direction(rest), rest, stiffness);
   }
 
   const meshes::Surface surface;
   const meshes::Crossings crossings;
-  const mesh::CornerNormals normals;
   const mesh::Sides sides;
-  const mesh::Shading shading;
   const float stiffness;
-  std::optional<meshes::EdgeScheme> edge_scheme;
+  std::unique_ptr<const meshes::Scheme> scheme;  // null: the force is not shaded
 };
 
+namespace {
+
+std::optional<ParameterError> outside(const char* name, const char* unit, float value, float most) {
+  if (std::fabs(value) <= most) return std::nullopt;
+  return ParameterError{name, unit, value, -most, most};
+}
+
+std::optional<ParameterError> error_of_count(const char* name, std::size_t count, const mesh::TriangleMesh& mesh) {
+  const auto expected = static_cast<float>(mesh.triangles.size());
+  if (count == mesh.triangles.size()) return std::nullopt;
+  return ParameterError{name, "", static_cast<float>(count), expected, expected};
+}
+
+std::optional<ParameterError> error_of(const mesh::CornerNormals& normals, const mesh::TriangleMesh& mesh) {
+  if (const auto error = error_of_count("number of triangles with normals", normals.size(), mesh)) return error;
+  for (const auto& corners : normals)
+    for (const mesh::Normal& normal : corners)
+      for (const float component : normal)
+        if (const auto error = outside("component of a normal", "", component, 2)) return error;
+  return std::nullopt;
+}
+
+std::optional<ParameterError> error_of(const mesh::CornerTextures& textures, const mesh::TriangleMesh& mesh) {
+  if (const auto error = error_of_count("number of triangles with texture", textures.size(), mesh)) return error;
+  for (const auto& corners : textures)
+    for (const mesh::CornerTexture& corner : corners) {
+      for (const float coordinate : corner.point)
+        if (const auto error = outside("texture coordinate", "mm", coordinate, 10000)) return error;
+      for (const mesh::Normal& gradient : {corner.gradient_x, corner.gradient_y})
+        for (const float component : gradient) {
+          if (const auto error = outside("gradient of a texture coordinate", "mm/mm", component, 1000)) return error;
+          const float least = std::ldexp(1.0F, -30);
+          if (component != 0 && std::fabs(component) < least)
+            return ParameterError{"size of a gradient of a texture coordinate", "mm/mm", std::fabs(component), least, 1000};
+        }
+    }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::variant<GodObject, ParameterError> GodObject::build(const mesh::TriangleMesh& mesh, mesh::CornerNormals normals,
-                                                         mesh::Sides sides, mesh::Shading shading, float stiffness) {
+                                                         mesh::Sides sides, mesh::Shading shading, float stiffness,
+                                                         const mesh::Texture& texture) {
   if (!(stiffness >= 0.001F && stiffness <= 1000)) return ParameterError{"stiffness", "N/mm", stiffness, 0.001F, 1000};
   if (const auto error = meshes::Surface::first_error(mesh)) return *error;
-  if (shading == mesh::Shading::vertex_scheme) {
-    const auto count = static_cast<float>(mesh.triangles.size());
-    if (normals.size() != mesh.triangles.size())
-      return ParameterError{"number of triangles with normals", "", static_cast<float>(normals.size()), count, count};
-    for (const auto& corners : normals)
-      for (const mesh::Normal& normal : corners)
-        for (const float component : normal)
-          if (!(std::fabs(component) <= 2)) return ParameterError{"component of a normal", "", component, -2, 2};
+  if (mesh::has_corner_normals(shading))
+    if (const auto error = error_of(normals, mesh)) return *error;
+  auto parts = std::make_shared<Parts>(mesh, sides, stiffness);
+  switch (shading) {
+    case mesh::Shading::none: break;
+    case mesh::Shading::vertex_scheme:
+      parts->scheme = std::make_unique<meshes::VertexScheme>(parts->surface, std::move(normals));
+      break;
+    case mesh::Shading::edge_scheme: parts->scheme = std::make_unique<meshes::EdgeScheme>(parts->surface); break;
+    case mesh::Shading::texture_scheme: {
+      if (const auto error = error_of(texture.corners, mesh)) return *error;
+      auto map = HeightMapField::build({texture.map.parts}, height::Rendering::force_shaded, 1);
+      if (const auto* error = std::get_if<ParameterError>(&map)) return *error;
+      parts->scheme = std::make_unique<meshes::TextureScheme>(parts->surface, std::move(normals), texture.corners,
+                                                              std::get<HeightMapField>(std::move(map)));
+    }
   }
-  return GodObject(std::make_shared<const Parts>(mesh, std::move(normals), sides, shading, stiffness));
+  return GodObject(std::move(parts));
 }
 
 mesh::Tick GodObject::step(const mesh::GodObject& before, const std::array<float, 3>& position, unsigned most_moves) const {

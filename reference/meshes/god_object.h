@@ -17,10 +17,12 @@ class GodObject {
  public:
   static constexpr unsigned kMostMoves = 256;  // in a tick
 
-  // The vertex scheme needs finite normals, the other shadings none. That the triangles meet in nothing but what they share is
-  // a precondition. Refused with the reason: a stiffness outside 10^-3 to 10^3 N/mm and what is no surface.
+  // The vertex scheme needs finite normals, the texture scheme these and a texture, the other shadings neither. That the
+  // triangles meet in nothing but what they share is a precondition. Refused with the reason: a stiffness outside 10^-3 to 10^3
+  // N/mm, what is no surface, and a texture whose numbers are outside their domain (docs/meshes.md).
   static std::variant<GodObject, ParameterError> build(const mesh::TriangleMesh& mesh, mesh::CornerNormals normals,
-                                                       mesh::Sides sides, mesh::Shading shading, float stiffness);
+                                                       mesh::Sides sides, mesh::Shading shading, float stiffness,
+                                                       const mesh::Texture& texture = {});
 
   // What a position in mm does to a state of this mesh. A position that is invalid gives no force and leaves the state as it
   // is. 1 <= most_moves; with fewer than kMostMoves, more ticks are unfinished.

@@ -8,6 +8,8 @@ for shape in icosphere cube wall torus bump cylinder-bump; do
   expect 0 "" -- mesh make $shape --cells 8 --out $shape.off
   expect 0 "held: a mesh of " -- mesh check $shape.off --unit mm
   expect 0 "faces  " -- mesh info $shape.off --unit mm
+  expect 0 "" -- mesh make $shape --cells 8 --out $shape.obj
+  expect 0 "texture          in the file" -- mesh info $shape.obj --unit mm
 done
 expect 0 "held: a mesh of 1280 faces" -- mesh check icosphere.off --unit mm
 expect 0 "the fronts are outside" -- mesh info torus.off --unit mm

@@ -75,4 +75,30 @@ same 1 "$("$forceshade" recording recompute run.fsr $mesh | grep -c 'ticks, [1-9
 expect 2 "run.fsr: sides is front; expected both" -- "$forceshade" recording recompute run.fsr $mesh --sides both
 expect 2 "expected wall" -- "$forceshade" recording recompute run.fsr --law wall
 
+# A texture: on a wall the force is that of the force-shaded height map with the same slope, 0.75: (-3, 0, 4)/5.
+printf 'render = "height-map-shaded"\n[[part]]\nshape = "plane"\nslope_x = 0.75\n' > ramp.toml
+expect 0 "" -- "$forceshade" mesh make wall --size 40 --cells 3 --out wall.obj
+textured="--mesh wall.obj --unit mm --shading texture:ramp.toml --texture-scale 1mm"
+printf 'x_mm,y_mm,z_mm\n1,2,3\n1,2,-0.5\n' > above.csv
+for path in fast reference; do
+  same "1,2,-0.5,-0.15,0,0.2,contact" "$("$forceshade" force $textured --stiffness 0.5 --path $path --input above.csv | tail -n 1)"
+done
+expect 0 "wall.obj        states        held    20 cases" -- "$forceshade" properties $textured --cases 20
+expect 2 "--texture-scale is required beside --shading texture:FILE" -- "$forceshade" force --mesh wall.obj --unit mm \
+  --shading texture:ramp.toml --input above.csv
+expect 2 "--texture-scale is for --shading texture:FILE alone" -- "$forceshade" force $mesh --texture-scale 1 --input above.csv
+expect 2 "wall.off: has no texture coordinates" -- "$forceshade" force --mesh wall.off --unit mm --shading texture:ramp.toml \
+  --texture-scale 1 --input above.csv
+expect 2 "--shading: expected one of vertex, edge, none, texture:FILE; got \"texture\"" -- "$forceshade" force $mesh \
+  --shading texture --input above.csv
+expect 2 "none.toml" -- "$forceshade" force --mesh wall.obj --unit mm --shading texture:none.toml --texture-scale 1 --input above.csv
+sed 's/^vt .*/vt 1 1/' wall.obj > flat.obj
+expect 2 "flat.obj: cannot be textured: face 0 has no area in the texture" -- "$forceshade" force --mesh flat.obj --unit mm \
+  --shading texture:ramp.toml --texture-scale 1 --input above.csv
+expect 0 "certified" -- "$forceshade" certify $textured --points 200000 --cases 2000 --out textured
+expect 0 "(time up)" -- "$forceshade" drive $textured --device replay:hand.csv --free-run --seconds 1 --record textured.fsr \
+  --certificate textured/certificate.json
+expect 0 " differ" -- "$forceshade" recording recompute textured.fsr $textured
+expect 2 "textured.fsr: shading is texture; expected vertex" -- "$forceshade" recording recompute textured.fsr --mesh wall.obj --unit mm
+
 echo "$checks checks"

@@ -21,13 +21,17 @@ namespace {
 MeshRendering rendering_of(MeshSource& source, std::size_t family, mesh::Shading shading) {
   RandomMesh random = source.of_family(family);
   MeshRendering rendering{std::move(random.mesh), {}, random.sides, shading, 0.3F};
-  if (shading == mesh::Shading::vertex_scheme) rendering.normals = source.normals_of(rendering.mesh);
+  if (mesh::has_corner_normals(shading)) rendering.normals = source.normals_of(rendering.mesh);
+  if (shading == mesh::Shading::texture_scheme)
+    rendering.texture = {source.textures_of(rendering.mesh),
+                         {{{height::Grating{1, 0.5F, 0.75F, 0}}, {height::Cone{1, 2, 3, 4}}}}};
   return rendering;
 }
 
 TEST(mesh_subject, has_every_property_on_every_family_of_meshes) {
   for (std::size_t family = 0; family < kMeshFamilies.size(); ++family)
-    for (const mesh::Shading shading : {mesh::Shading::none, mesh::Shading::vertex_scheme, mesh::Shading::edge_scheme}) {
+    for (const mesh::Shading shading :
+         {mesh::Shading::none, mesh::Shading::vertex_scheme, mesh::Shading::edge_scheme, mesh::Shading::texture_scheme}) {
       MeshSource source(2026 + family);
       const MeshSubject subject(std::string(kMeshFamilies[family]), rendering_of(source, family, shading));
       for (const PropertyResult& result : run_properties(subject, 40, 7))
@@ -141,6 +145,23 @@ TEST(mesh_subject, identity_is_that_of_every_number) {
       changed([](MeshRendering& r) { r.sides = r.sides == mesh::Sides::both ? mesh::Sides::front : mesh::Sides::both; }));
   EXPECT_TRUE(changed([](MeshRendering& r) { r.shading = mesh::Shading::none; }));
   EXPECT_TRUE(changed([](MeshRendering& r) { r.stiffness = 0.5F; }));
+}
+
+TEST(mesh_subject, identity_is_that_of_every_number_of_a_texture) {
+  MeshSource source(5);
+  const MeshRendering first = rendering_of(source, 7, mesh::Shading::texture_scheme);
+  const Identity its = identity_of("star.obj", first);
+  EXPECT_TRUE(its.is_same(identity_of("star.obj", first)));
+  const auto changed = [&](const std::function<void(mesh::Texture&)>& change) {
+    MeshRendering other = first;
+    change(other.texture);
+    return !its.is_alike(identity_of("star.obj", other));
+  };
+  EXPECT_TRUE(changed([](mesh::Texture& t) { t.corners[4][2].point[1] += 0x1p-10F; }));
+  EXPECT_TRUE(changed([](mesh::Texture& t) { t.corners[4][1].gradient_x[0] += 0x1p-20F; }));
+  EXPECT_TRUE(changed([](mesh::Texture& t) { t.corners[4][1].gradient_y[2] += 0x1p-20F; }));
+  EXPECT_TRUE(changed([](mesh::Texture& t) { t.map.parts.pop_back(); }));
+  EXPECT_TRUE(changed([](mesh::Texture& t) { t.corners.clear(); }));
 }
 
 }  // namespace

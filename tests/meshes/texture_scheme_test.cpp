@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A height map that is laid over a mesh turns the force (docs/meshes.md, the texture scheme): both sides, and what it promises.
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <random>
+
+#include "forceshade/fast/height_map_field.h"
+#include "forceshade/fast/meshes/session.h"
+#include "forceshade/meshes/check.h"
+#include "forceshade/meshes/make.h"
+#include "forceshade/meshes/normals.h"
+#include "forceshade/meshes/texture.h"
+#include "forceshade/properties/height_generators.h"
+#include "forceshade/properties/mesh_generators.h"
+#include "forceshade/properties/mesh_properties.h"
+#include "forceshade/reference/height_map_field.h"
+#include "forceshade/reference/meshes/god_object.h"
+#include "forceshade/tests/meshes/god_object_paths.h"
+#include "forceshade/tests/support/allocations.h"
+
+namespace forceshade {
+namespace {
+
+using Position = std::array<float, 3>;
+
+constexpr float kStiffness = 0.3F;  // N/mm
+
+std::map<std::string, std::size_t> counts;
+
+void expect_all(const std::vector<const char*>& names) {
+  for (const char* name : names) {
+    std::printf("  %9zu %s\n", counts[name], name);
+    EXPECT_GT(counts[name], 0U) << name;
+  }
+  counts.clear();
+}
+
+// More by hand: FORCESHADE_TEXTURE_TICKS.
+std::size_t ticks_of_a_test(std::size_t usual) {
+  const char* wanted = std::getenv("FORCESHADE_TEXTURE_TICKS");
+  return wanted == nullptr ? usual : std::strtoull(wanted, nullptr, 10);
+}
+
+HeightMap random_map(std::uint64_t seed) {
+  return {properties::any_height_map()(rc::Random(seed), 40).value().map.parts};
+}
+
+fast::Mesh built(const mesh::TriangleMesh& triangles, const mesh::CornerNormals& normals, mesh::Sides sides,
+                 const mesh::Texture& texture) {
+  auto mesh = fast::Mesh::build(triangles, normals, sides, texture);
+  if (const auto* message = std::get_if<std::string>(&mesh)) throw std::runtime_error(*message);
+  return std::get<fast::Mesh>(std::move(mesh));
+}
+
+reference::GodObject definition(const mesh::TriangleMesh& triangles, const mesh::CornerNormals& normals, mesh::Sides sides,
+                                const mesh::Texture& texture) {
+  auto god_object = reference::GodObject::build(triangles, normals, sides, mesh::Shading::texture_scheme, kStiffness, texture);
+  if (const auto* error = std::get_if<ParameterError>(&god_object)) throw std::runtime_error(error->message());
+  return std::get<reference::GodObject>(std::move(god_object));
+}
+
+const char* name_of_stage(fast::Stage stage) {
+  return stage == fast::Stage::binary64 ? "binary64" : stage == fast::Stage::double_double ? "double-double" : "wide";
+}
+
+TEST(texture_scheme, slopes_are_the_reference_s_in_every_bit_on_random_maps_and_with_every_filter) {
+  constexpr std::uint64_t kMaps = 200;
+  std::mt19937_64 random(5);
+  for (std::uint64_t seed = 0; seed < kMaps; ++seed) {
+    const HeightMap map = random_map(seed);
+    const auto fast_map = fast::HeightMapField::build(map, height::Rendering::force_shaded, 1);
+    const auto reference_map = reference::HeightMapField::build(map, height::Rendering::force_shaded, 1);
+    ASSERT_TRUE(std::holds_alternative<fast::HeightMapField>(fast_map) &&
+                std::holds_alternative<reference::HeightMapField>(reference_map));
+    const auto& fast_field = std::get<fast::HeightMapField>(fast_map);
+    for (int i = 0; i < 20; ++i) {
+      const auto coordinate = [&] {
+        const auto whole = static_cast<float>(static_cast<std::int32_t>(random() >> 40) - (1 << 23));
+        return i % 3 == 0 ? std::round(whole * 0x1p-19F) / 2 : whole * (i % 3 == 1 ? 0x1p-19F : 0x1p-10F);
+      };
+      const float x = coordinate(), y = coordinate();
+      const auto expected = std::get<reference::HeightMapField>(reference_map).slopes(x, y);
+      const auto found = fast_field.slopes(x, y), unfiltered = fast_field.slopes(x, y, false);
+      ASSERT_TRUE(found && unfiltered) << seed;
+      for (const auto& values : {found->values, unfiltered->values})
+        for (std::size_t axis = 0; axis < 2; ++axis)
+          ASSERT_EQ(std::bit_cast<std::uint32_t>(values[axis]), std::bit_cast<std::uint32_t>(expected[axis]))
+              << "map " << seed << " at " << x << ", " << y << ": " << values[axis] << ", expected " << expected[axis];
+      ++counts[name_of_stage(found->stage)];
+      counts["a slope of 0"] += expected[0] == 0 || expected[1] == 0;
+      counts["a slope other than 0"] += expected[0] != 0 || expected[1] != 0;
+    }
+  }
+  expect_all({"binary64", "double-double", "a slope of 0", "a slope other than 0"});
+}
+
+// 1/3 + 2/3 and a little: only exact numbers see that the slope is midway between two binary32 numbers.
+TEST(texture_scheme, a_slope_that_is_a_tie_is_rounded_to_even_on_both_sides) {
+  const auto rising = [](float height) { return height::Part{height::Polygons{{{-3, -height}, {0, 0}, {3, height}}}}; };
+  for (const auto& [more, expected] : {std::pair(0x1p-24F, 1.0F), std::pair(0x1.8p-23F, 1 + 0x1p-22F)}) {
+    const HeightMap map{{rising(1), rising(2), {height::Plane{more, 0, 0}}}};
+    const auto fast_map = fast::HeightMapField::build(map, height::Rendering::force_shaded, 1);
+    const auto reference_map = reference::HeightMapField::build(map, height::Rendering::force_shaded, 1);
+    const auto found = std::get<fast::HeightMapField>(fast_map).slopes(1, 2);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->values[0], expected);
+    EXPECT_EQ(found->values[1], 0);
+    EXPECT_EQ(found->stage, fast::Stage::wide);
+    EXPECT_EQ(std::get<reference::HeightMapField>(reference_map).slopes(1, 2), found->values);
+  }
+}
+
+TEST(texture_scheme, is_the_reference_in_every_bit_on_random_meshes_and_maps) {
+  constexpr std::size_t kTicksOfAMesh = 250;
+  const std::size_t ticks = ticks_of_a_test(12000);
+  properties::MeshSource source(33);
+  for (std::uint64_t seed = 0; seed * kTicksOfAMesh < ticks; ++seed) {
+    const properties::RandomMesh made = source.next();
+    const mesh::CornerNormals normals = source.normals_of(made.mesh);
+    const mesh::Texture texture{source.textures_of(made.mesh), random_map(seed)};
+    const fast::Mesh mesh = built(made.mesh, normals, made.sides, texture);
+    reference::GodObjectSession session(definition(made.mesh, normals, made.sides, texture));
+    properties::MeshPath path(made.mesh, seed);
+    mesh::GodObject state;
+    for (std::size_t i = 0; i < kTicksOfAMesh; ++i) {
+      const Position p = path.next();
+      const mesh::Tick expected = session.step(p);
+      const std::size_t allocated = tests::allocations();
+      step(mesh, state, p, kStiffness, mesh::Shading::texture_scheme);
+      ASSERT_EQ(tests::allocations(), allocated);
+      for (const mesh::Tick& found : {step(mesh, state, p, kStiffness, mesh::Shading::texture_scheme),
+                                      step(mesh, state, p, kStiffness, mesh::Shading::texture_scheme, fast::ExactStages())})
+        ASSERT_TRUE(tests::is_same(found, expected))
+            << "mesh " << seed << ", " << properties::kMeshFamilies[made.family] << ", tick " << i << ": expected "
+            << tests::show(expected) << ", found " << tests::show(found);
+      const fast::MeshTick tick = step(mesh, spot_of(mesh, state), p, kStiffness, mesh::Shading::texture_scheme);
+      if (tick.status != mesh::TickStatus::invalid) {
+        fast::ForceStage stage{};
+        const Position read{fast::quantised(p[0]), fast::quantised(p[1]), fast::quantised(p[2])};
+        fast::mesh_force(mesh, tick.arrival, read, kStiffness, mesh::Shading::texture_scheme, true, &stage);
+        const Position untilted = step(mesh, state, p, kStiffness, mesh::Shading::vertex_scheme).force;
+        if (stage != fast::ForceStage::unshaded) {
+          counts["force from binary64"] += stage == fast::ForceStage::binary64;
+          counts["force from integers, rounded"] += stage == fast::ForceStage::from_integers;
+          counts["force from wide numbers"] += stage == fast::ForceStage::wide;
+          ++counts[std::string("at ") + std::string(mesh::kPlaceNames[static_cast<std::size_t>(expected.after.place)])];
+          ++counts[std::string(mesh::kSideNames[static_cast<std::size_t>(expected.after.side)])];
+          ++counts[untilted == expected.force ? "not turned by the texture" : "turned by the texture"];
+          counts["turned on an edge"] += expected.after.place == mesh::Place::edge && untilted != expected.force;
+        }
+      }
+      state = expected.after;
+    }
+  }
+  expect_all({"force from binary64", "force from integers, rounded", "force from wide numbers", "at vertex", "at edge",
+              "at triangle", "front", "back", "turned by the texture", "not turned by the texture", "turned on an edge"});
+}
+
+// A mesh with points of a texture in mm, its normals and its gradients.
+properties::MeshRendering textured(mesh::TriangleMesh triangles, const std::vector<std::array<mesh::TexturePoint, 3>>& points,
+                                   HeightMap map) {
+  const auto checked = std::get<mesh::CheckedMesh>(mesh::check(std::move(triangles)));
+  return {checked.mesh(),     mesh::corner_normals(checked).normals,
+          mesh::Sides::front, mesh::Shading::texture_scheme,
+          kStiffness,         {mesh::corner_textures(checked, points, 1), std::move(map)}};
+}
+
+fast::MeshSession session_of(const properties::MeshRendering& of) {
+  return {std::make_shared<const fast::Mesh>(built(of.mesh, of.normals, of.sides, of.texture)), of.stiffness, of.shading};
+}
+
+double turn_between(const Position& a, const Position& b) {
+  const Eigen::Vector3d F = Eigen::Vector3f(a[0], a[1], a[2]).cast<double>(),
+                        G = Eigen::Vector3f(b[0], b[1], b[2]).cast<double>();
+  return (F.normalized() - G.normalized()).norm();
+}
+
+HeightMap cylinder_cap() {
+  return {{{height::CylinderCap{0.5F, 15.24F, 25.4F}}}};
+}
+HeightMap bilinear_samples() {
+  height::Grid grid{5, 4, 7, height::Edge::tile, height::Interpolant::bilinear, {}};
+  for (int i = 0; i < 20; ++i) grid.values.push_back(static_cast<float>(i * i % 7) * 0.25F);
+  return {{{std::make_shared<const height::Grid>(std::move(grid))}}};
+}
+
+// The thesis's force-shaded height map is a flat polygon with a texture. Only that the slopes are rounded is different.
+TEST(texture_scheme, on_a_plane_the_force_is_that_of_the_force_shaded_height_map) {
+  const mesh::TriangleMesh plane = mesh::thin_wall(60, 60, 7, 5);
+  std::mt19937_64 random(8);
+  for (const HeightMap& map : {cylinder_cap(), bilinear_samples()}) {
+    const properties::MeshRendering rendering = textured(plane, mesh::texture_from_above(plane), map);
+    const auto field = fast::HeightMapField::build(map, height::Rendering::force_shaded, kStiffness);
+    double largest = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const auto coordinate = [&](float reach) { return reach * static_cast<float>(random() >> 40) * 0x1p-24F; };
+      const Position p{coordinate(50) - 25, coordinate(50) - 25, -coordinate(2) - 0.01F};
+      fast::MeshSession session = session_of(rendering);
+      session.step({p[0], p[1], 1});
+      const mesh::Tick tick = session.step(p);
+      const Eigen::Vector3f expected = std::get<fast::HeightMapField>(field).force({p[0], p[1], p[2]});
+      const Eigen::Vector3f found(tick.force[0], tick.force[1], tick.force[2]);
+      ++counts[found.x() == 0 ? "upright" : "tilted"];
+      largest = std::max(largest, static_cast<double>((found - expected).norm() / expected.norm()));
+    }
+    std::printf("  the largest difference: %.3g of the force\n", largest);
+    // Roundings: of two slopes, each turns the direction by 2^-25 of the slope/(1 + slope²) at most; of three components twice.
+    EXPECT_LE(largest, 2 * 0x1p-25 + 4 * 0x1p-24);
+  }
+  expect_all({"upright", "tilted"});
+}
+
+// A chart is the triangles whose normals are longest along the same axis, on the same side.
+TEST(texture_scheme, the_direction_is_continuous_within_a_chart_and_jumps_at_seams) {
+  const mesh::TriangleMesh sphere = mesh::icosphere(7, 20);
+  const auto points = mesh::texture_from_box(sphere);
+  constexpr float kHeight = 0.5F, kWave = 0.5F;  // mm, rad/mm
+  const properties::MeshRendering rendering = textured(sphere, points, {{{height::Grating{kHeight, kWave, 0, 0}}}});
+  // N' = N - l U_x G: with L the Lipschitz constants of N and G in a triangle, |G|, |N| and the step of x along the surface
+  // at most 1, and slope and curvature of the grating, N' changes by so much a mm. It is 0.7 long or more.
+  double change_of_normal = 0, change_of_gradient = 0, shortest = 1;
+  const auto wide = [](const mesh::Normal& v) { return Eigen::Vector3d(Eigen::Vector3f(v[0], v[1], v[2]).cast<double>()); };
+  for (std::size_t i = 0; i < sphere.triangles.size(); ++i) {
+    const auto& [a, b, c] = sphere.triangles[i];
+    const Eigen::Vector3d A = wide(sphere.vertices[a]), B = wide(sphere.vertices[b]), C = wide(sphere.vertices[c]);
+    const double longest = std::max({(B - A).norm(), (C - B).norm(), (A - C).norm()});
+    const auto step = [&](std::size_t corner, std::size_t axis) {
+      return static_cast<double>(points[i][corner][axis]) - static_cast<double>(points[i][0][axis]);
+    };
+    ASSERT_GT(step(1, 0) * step(2, 1) - step(2, 0) * step(1, 1), 0) << "a triangle is turned over in the texture";
+    const double altitude = (B - A).cross(C - A).norm() / longest;
+    const auto change = [&](const auto& at) {
+      return ((wide(at(1)) - wide(at(0))).norm() + (wide(at(2)) - wide(at(0))).norm()) / altitude;
+    };
+    change_of_normal = std::max(change_of_normal, change([&](std::size_t k) { return rendering.normals[i][k]; }));
+    change_of_gradient =
+        std::max(change_of_gradient, change([&](std::size_t k) { return rendering.texture.corners[i][k].gradient_x; }));
+    for (std::size_t k = 0; k < 3; ++k) {
+      ASSERT_LE(wide(rendering.texture.corners[i][k].gradient_x).norm(), 1 + 1e-6);
+      shortest = std::min(shortest, wide(rendering.normals[i][k]).dot(wide(rendering.normals[i][(k + 1) % 3])));
+    }
+  }
+  constexpr double kSlope = static_cast<double>(kHeight * kWave), kCurvature = kSlope * static_cast<double>(kWave);
+  ASSERT_GT(shortest - kSlope, 0.7);
+  const double most = (change_of_normal * (1 + kSlope) + kSlope * change_of_gradient + kCurvature) / 0.7;
+  const auto chart = [&](std::uint32_t triangle) {
+    const auto& [a, b, c] = sphere.triangles[triangle];
+    const Eigen::Vector3d n =
+        (wide(sphere.vertices[b]) - wide(sphere.vertices[a])).cross(wide(sphere.vertices[c]) - wide(sphere.vertices[a]));
+    Eigen::Index axis = 0;
+    n.cwiseAbs().maxCoeff(&axis);
+    return 2 * axis + (n[axis] < 0);
+  };
+  fast::MeshSession session = session_of(rendering);
+  double largest_jump = 0, largest_share = 0;
+  mesh::Tick before;
+  for (int i = 0; i < 40000; ++i) {
+    const double turn = 2e-4 * i, climb = 0.9 * std::sin(0.37 * turn), depth = i == 0 ? -1 : 0.4;
+    const double around = (20 - depth) * std::cos(climb);
+    const Position p{static_cast<float>(around * std::cos(turn)), static_cast<float>(around * std::sin(turn)),
+                     static_cast<float>((20 - depth) * std::sin(climb))};
+    const mesh::Tick tick = session.step(p);
+    const auto violation = properties::force_is_as_long_as_the_spring(rendering, {p, tick});
+    ASSERT_FALSE(violation) << *violation;
+    if (before.after.place == mesh::Place::triangle && tick.after.place == mesh::Place::triangle) {
+      const double moved =
+          (properties::point_of(sphere, tick.after) - properties::point_of(sphere, before.after)).norm() + 0x1p-18;
+      const double change = turn_between(before.force, tick.force);
+      const bool is_same_chart = chart(before.after.index[0]) == chart(tick.after.index[0]);
+      if (is_same_chart) {
+        ASSERT_LE(change, most * moved + 0x1p-20) << "tick " << i;
+        largest_share = std::max(largest_share, change / (most * moved));
+      } else {
+        largest_jump = std::max(largest_jump, change);
+      }
+      ++counts[!is_same_chart                                 ? "over a seam"
+               : before.after.index[0] != tick.after.index[0] ? "over an edge of a chart"
+                                                              : "within a triangle"];
+    }
+    before = tick;
+  }
+  std::printf("  within a chart at most %.2f of the bound, %.3f a mm; over a seam at most %.3f\n", largest_share, most,
+              largest_jump);
+  EXPECT_GT(largest_jump, 0.1);
+  expect_all({"within a triangle", "over an edge of a chart", "over a seam"});
+}
+
+std::string refusal(const std::vector<std::array<mesh::TexturePoint, 3>>& points, float scale) {
+  const auto checked =
+      std::get<mesh::CheckedMesh>(mesh::check({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}}));
+  try {
+    mesh::corner_textures(checked, points, scale);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(texture_scheme, gradients_are_those_of_the_map_and_what_cannot_be_laid_over_a_mesh_is_refused) {
+  const std::array<mesh::TexturePoint, 3> first{{{0, 0}, {1, 0}, {1, 1}}}, second{{{0, 0}, {1, 1}, {0, 1}}};
+  const mesh::TriangleMesh square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  const auto checked = std::get<mesh::CheckedMesh>(mesh::check(square));
+  for (const auto& corners : mesh::corner_textures(checked, {first, second}, 3))
+    for (const mesh::CornerTexture& corner : corners) {
+      EXPECT_EQ(corner.gradient_x, (mesh::Normal{3, 0, 0}));
+      EXPECT_EQ(corner.gradient_y, (mesh::Normal{0, 3, 0}));
+    }
+  // The second triangle twice as fast along y, joined to the first at one corner only: a seam.
+  const std::array<mesh::TexturePoint, 3> other{{{0, 0}, {1, 1}, {0, 2}}}, apart{{{0, 0}, {2, 2}, {0, 2}}};
+  const auto joined = mesh::corner_textures(checked, {first, other}, 1),
+             split = mesh::corner_textures(checked, {first, apart}, 1);
+  EXPECT_EQ(joined[0][0].gradient_y, joined[1][0].gradient_y);  // the mean of (0, 1) and (-1, 2)
+  EXPECT_EQ(joined[0][0].gradient_y, (mesh::Normal{-0.5F, 1.5F, 0}));
+  EXPECT_EQ(joined[0][1].gradient_y, (mesh::Normal{0, 1, 0}));
+  EXPECT_EQ(split[0][0].gradient_y, (mesh::Normal{0, 1, 0}));
+  EXPECT_EQ(split[1][0].gradient_y, (mesh::Normal{0, 2, 0}));
+  // Turned over, with the same points along the common edge.
+  const std::array<mesh::TexturePoint, 3> mirrored{{{0, 0}, {1, 1}, {2, 0}}};
+  EXPECT_EQ(mesh::corner_textures(checked, {first, mirrored}, 1)[0][0].gradient_y, (mesh::Normal{0, 1, 0}));
+  // 1 + 2^-24 is midway between two binary32 numbers.
+  const auto tie = mesh::corner_textures(checked, {{{{{-0x1p-24F, 0}, {1, 0}, {1, 1}}}, second}}, 1);
+  EXPECT_EQ(tie[0][1].gradient_x[0], 1);
+
+  const std::array<mesh::TexturePoint, 3> line{{{0, 0}, {1, 1}, {2, 2}}};
+  EXPECT_EQ(refusal({first, line}, 1), "face 1 has no area in the texture: its three points lie on a line");
+  EXPECT_EQ(refusal({first, second}, 10000), "face 0 has a texture that goes by at 10000 mm/mm; expected 1000 at most");
+  EXPECT_EQ(refusal({first, other}, 9000), "face 1 has a point of the texture at 18000 mm; expected one within 10000 mm");
+  EXPECT_EQ(refusal({first, second}, 0), "expected a scale of 0.001 to 10000 mm");
+  EXPECT_EQ(refusal({first}, 1), "expected points of the texture for each face");
+}
+
+// A texture that a side cannot hold is refused by both.
+TEST(texture_scheme, both_sides_refuse_the_same_textures) {
+  const mesh::TriangleMesh plane = mesh::thin_wall(10, 10, 1, 1);
+  const properties::MeshRendering good = textured(plane, mesh::texture_from_above(plane), cylinder_cap());
+  const auto are_refused = [&](const mesh::Texture& texture) {
+    const auto by_reference =
+        reference::GodObject::build(good.mesh, good.normals, good.sides, good.shading, kStiffness, texture);
+    const auto by_fast = fast::Mesh::build(good.mesh, good.normals, good.sides, texture);
+    const bool is_refused = std::holds_alternative<std::string>(by_fast);
+    EXPECT_EQ(std::holds_alternative<ParameterError>(by_reference), is_refused);
+    return is_refused;
+  };
+  EXPECT_FALSE(are_refused(good.texture));
+  const auto with = [&](const auto& change) {
+    mesh::Texture texture = good.texture;
+    change(texture);
+    return texture;
+  };
+  EXPECT_TRUE(are_refused(with([](mesh::Texture& t) { t.corners.pop_back(); })));
+  EXPECT_TRUE(are_refused(with([](mesh::Texture& t) { t.corners[1][2].point[1] = 10001; })));
+  EXPECT_TRUE(are_refused(with([](mesh::Texture& t) { t.corners[1][2].point[0] = NAN; })));
+  EXPECT_TRUE(are_refused(with([](mesh::Texture& t) { t.corners[0][0].gradient_x[2] = 1001; })));
+  EXPECT_TRUE(are_refused(with([](mesh::Texture& t) { t.corners[0][0].gradient_y[0] = 0x1p-31F; })));
+  EXPECT_TRUE(are_refused(with([](mesh::Texture& t) { t.map.parts.clear(); })));
+}
+
+}  // namespace
+}  // namespace forceshade
