@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/experiments/results_csv.h"
+
+#include <gtest/gtest.h>
+
+#include "forceshade/csv/csv.h"
+#include "forceshade/csv/output_file.h"
+#include "forceshade/tests/support/temporary_directory.h"
+
+namespace forceshade::experiments {
+namespace {
+
+using tests::TemporaryDirectory;
+
+Results some_results() {
+  Results results;
+  results.matching = {
+      {"P 1, left-handed", 1, true, "bump-1p-shaded", InitialRadius::large, 1, 600, 1400, 0.1 + 0.2, 7, 12, 61.25},
+      {"\"P2\"", 2, false, "bump-cylinder", InitialRadius::same, 4, 800, 800, 812.5, 10, 0, 0},
+      {"P3", 3, false, "bump-2p-shaded", InitialRadius::small, 2, 1400, 600, 1e-7, 1, 100000, 1e6}};
+  results.classification = {{"P3", 1, "bump-3p", 1400, 24, 4, 9.5}, {"P3", 2, "bump-1p", 600, 1, 1, 1 / 3.0}};
+  return results;
+}
+
+constexpr const char* kHeader =
+    "participant,trial,vision,stimulus,initial,repetition,reference_radius_mil,initial_radius_mil,final_radius_mil,"
+    "satisfaction,"
+    "steps,seconds\n";
+constexpr const char* kClassificationHeader = "participant,trial,stimulus,radius_mil,repetition,answer,seconds\n";
+
+std::string error_of(const TemporaryDirectory& folder) {
+  try {
+    read_results(folder.path());
+  } catch (const csv::Error& error) {
+    std::string words = error.what();
+    const std::size_t at = words.find(folder.path());
+    return at == std::string::npos ? words : words.erase(at, folder.path().size());
+  }
+  return "no error";
+}
+
+TEST(results_csv, reads_back_what_it_writes) {
+  const TemporaryDirectory folder;
+  const Results written = some_results();
+  write_results(written, folder.path());
+  const Results read = read_results(folder.path());
+  ASSERT_EQ(read.matching.size(), written.matching.size());
+  for (std::size_t i = 0; i < read.matching.size(); ++i) {
+    const MatchingResult &a = read.matching[i], &b = written.matching[i];
+    EXPECT_EQ(std::tie(a.participant, a.trial, a.vision, a.stimulus, a.initial, a.repetition, a.reference_radius,
+                       a.initial_radius, a.final_radius, a.satisfaction, a.steps, a.seconds),
+              std::tie(b.participant, b.trial, b.vision, b.stimulus, b.initial, b.repetition, b.reference_radius,
+                       b.initial_radius, b.final_radius, b.satisfaction, b.steps, b.seconds));
+  }
+  ASSERT_EQ(read.classification.size(), written.classification.size());
+  for (std::size_t i = 0; i < read.classification.size(); ++i) {
+    const ClassificationResult &a = read.classification[i], &b = written.classification[i];
+    EXPECT_EQ(std::tie(a.participant, a.trial, a.stimulus, a.radius, a.repetition, a.answer, a.seconds),
+              std::tie(b.participant, b.trial, b.stimulus, b.radius, b.repetition, b.answer, b.seconds));
+  }
+  EXPECT_TRUE(folder.read("matching.csv").starts_with(kHeader));
+  EXPECT_TRUE(folder.read("classification.csv").starts_with(kClassificationHeader));
+  EXPECT_EQ(folder.entries(), 2);
+}
+
+TEST(results_csv, reads_the_file_that_is_there) {
+  const TemporaryDirectory folder;
+  EXPECT_EQ(error_of(folder), ": expected a folder with matching.csv or classification.csv");
+  folder.write("classification.csv", std::string(kClassificationHeader).append("P1,1,bump-1p,600,1,1,9\n"));
+  EXPECT_EQ(read_results(folder.path()).classification.size(), 1U);
+  EXPECT_TRUE(read_results(folder.path()).matching.empty());
+}
+
+TEST(results_csv, names_file_line_and_column_of_a_wrong_field) {
+  struct Case {
+    const char *row, *error;
+  };
+  const std::vector<Case> matching{
+      {",1,yes,bump-1p,large,1,600,1400,600,7,3,60", "column 1 (participant): expected a name, got \"\""},
+      {"P,0,yes,bump-1p,large,1,600,1400,600,7,3,60", "column 2 (trial): expected a whole number from 1, got \"0\""},
+      {"P,1,true,bump-1p,large,1,600,1400,600,7,3,60", "column 3 (vision): expected yes or no, got \"true\""},
+      {"P,1,yes,,large,1,600,1400,600,7,3,60", "column 4 (stimulus): expected a name, got \"\""},
+      {"P,1,yes,bump-1p,+,1,600,1400,600,7,3,60", "column 5 (initial): expected large, same or small, got \"+\""},
+      {"P,1,yes,bump-1p,large,1.5,600,1400,600,7,3,60", "column 6 (repetition): expected a whole number from 1, got \"1.5\""},
+      {"P,1,yes,bump-1p,large,1,0,1400,600,7,3,60",
+       "column 7 (reference_radius_mil): expected a radius above 0 mil, got \"0\""},
+      {"P,1,yes,bump-1p,large,1,600,nan,600,7,3,60",
+       "column 8 (initial_radius_mil): expected a radius above 0 mil, got \"nan\""},
+      {"P,1,yes,bump-1p,large,1,600,1400,inf,7,3,60",
+       "column 9 (final_radius_mil): expected a radius above 0 mil, got \"inf\""},
+      {"P,1,yes,bump-1p,large,1,600,1400,600,11,3,60",
+       "column 10 (satisfaction): expected a whole number from 1 to 10, got \"11\""},
+      {"P,1,yes,bump-1p,large,1,600,1400,600,7,-1,60", "column 11 (steps): expected a whole number from 0, got \"-1\""},
+      {"P,1,yes,bump-1p,large,1,600,1400,600,7,99999999999,60",
+       "column 11 (steps): expected a whole number from 0, got \"99999999999\""},
+      {"P,1,yes,bump-1p,large,1,600,1400,600,7,3,-1", "column 12 (seconds): expected a time from 0 s, got \"-1\""},
+      {"P,1,yes,bump-1p,large,1,600,1400,600,7,3,soon", "column 12 (seconds): expected a number, got \"soon\""},
+      {"P,1,yes,bump-1p,large,1,600,1400,600,7,3", "expected 12 fields, got 11: column 12 (seconds) is missing"}};
+  for (const auto& [row, error] : matching) {
+    const TemporaryDirectory folder;
+    folder.write("matching.csv", std::string(kHeader) + "P,7,no,bump-1p,small,1,600,600,600,7,3,60\n" + row + '\n');
+    EXPECT_EQ(error_of(folder), std::string("/matching.csv:3: ") + error);
+  }
+  const std::vector<Case> classification{
+      {"P,2,bump-1p,-600,1,1,9", "column 4 (radius_mil): expected a radius above 0 mil, got \"-600\""},
+      {"P,2,bump-1p,600,1,5,9", "column 6 (answer): expected a whole number from 1 to 4, got \"5\""},
+      {"P,2,bump-1p,600,1,0,9", "column 6 (answer): expected a whole number from 1 to 4, got \"0\""},
+      {"P,1,bump-1p,600,1,1,9", "column 2 (trial): expected a trial that the participant has not had yet, got \"1\""}};
+  for (const auto& [row, error] : classification) {
+    const TemporaryDirectory folder;
+    folder.write("classification.csv", std::string(kClassificationHeader) + "P,1,bump-1p,600,1,1,9\n" + row + '\n');
+    EXPECT_EQ(error_of(folder), std::string("/classification.csv:3: ") + error);
+  }
+}
+
+TEST(results_csv, says_which_column_is_missing) {
+  const TemporaryDirectory folder;
+  folder.write("matching.csv", "participant,trial\nP,1\n");
+  EXPECT_TRUE(error_of(folder).starts_with("/matching.csv:1: no column vision: expected columns participant, trial, vision"))
+      << error_of(folder);
+}
+
+TEST(results_csv, writes_nothing_into_a_folder_that_is_not_there) {
+  const TemporaryDirectory folder;
+  EXPECT_THROW(write_results(some_results(), folder.file("absent")), csv::OutputError);
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+}  // namespace
+}  // namespace forceshade::experiments
