@@ -65,13 +65,19 @@ int whole_in(const csv::Reader& reader, std::size_t column, int least, int large
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || value < least || value > largest)
-    throw reader.unexpected(column, "a whole number, " + std::to_string(least) + " to " + std::to_string(largest));
+    throw reader.unexpected(column, "a whole number from " + std::to_string(least) + " to " + std::to_string(largest));
   return value;
 }
 
-double number_in(const csv::Reader& reader, std::size_t column, double largest) {
+double radius_in(const csv::Reader& reader, std::size_t column) {
   const double value = reader.binary64(column);
-  if (!(value >= 0 && value <= largest)) throw reader.unexpected(column, "a number, 0 to " + csv::shortest(largest));
+  if (!(value > 0 && value <= kLargestMil)) throw reader.unexpected(column, "a radius above 0 and at most 1000000 mil");
+  return value;
+}
+
+double seconds_in(const csv::Reader& reader, std::size_t column) {
+  const double value = reader.binary64(column);
+  if (!(value >= 0 && value <= kMostSeconds)) throw reader.unexpected(column, "a time from 0 to 1000000 s");
   return value;
 }
 
@@ -136,21 +142,20 @@ Results read_results(const fs::path& folder) {
       folder / "matching.csv", kMatchingColumns, true, [&](const csv::Reader& in, std::string participant, int trial) {
         if (in.text(2) != "yes" && in.text(2) != "no") throw in.unexpected(2, "yes or no");
         all.matching.push_back({std::move(participant), trial, in.text(2) == "yes", words_in(in, 3), initial_in(in, 4),
-                                whole_in(in, 5, 1, kMostSteps), number_in(in, 6, kLargestMil), number_in(in, 7, kLargestMil),
-                                number_in(in, 8, kLargestMil), whole_in(in, 9, 1, 10), whole_in(in, 10, 0, kMostSteps),
-                                number_in(in, 11, kMostSeconds)});
+                                whole_in(in, 5, 1, kMostSteps), radius_in(in, 6), radius_in(in, 7), radius_in(in, 8),
+                                whole_in(in, 9, 1, 10), whole_in(in, 10, 0, kMostSteps), seconds_in(in, 11)});
       });
-  const bool has_classification = read_file(
-      folder / "classification.csv", kClassificationColumns, true,
-      [&](const csv::Reader& in, std::string participant, int trial) {
-        all.classification.push_back({std::move(participant), trial, words_in(in, 2), number_in(in, 3, kLargestMil),
-                                      whole_in(in, 4, 1, kMostSteps), whole_in(in, 5, 1, 4), number_in(in, 6, kMostSeconds)});
-      });
+  const bool has_classification =
+      read_file(folder / "classification.csv", kClassificationColumns, true,
+                [&](const csv::Reader& in, std::string participant, int trial) {
+                  all.classification.push_back({std::move(participant), trial, words_in(in, 2), radius_in(in, 3),
+                                                whole_in(in, 4, 1, kMostSteps), whole_in(in, 5, 1, 4), seconds_in(in, 6)});
+                });
   if (!has_matching && !has_classification)
     throw Error(folder, "expected matching.csv, classification.csv or both, found neither");
   read_file(folder / "radius.csv", kRadiusColumns, false, [&](const csv::Reader& in, std::string participant, int trial) {
-    all.radius_changes.push_back({std::move(participant), trial, whole_in(in, 2, 0, kMostSteps), number_in(in, 3, kMostSeconds),
-                                  number_in(in, 4, kLargestMil)});
+    all.radius_changes.push_back(
+        {std::move(participant), trial, whole_in(in, 2, 0, kMostSteps), seconds_in(in, 3), radius_in(in, 4)});
   });
   return all;
 }

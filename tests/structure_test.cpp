@@ -112,9 +112,9 @@ const std::map<std::string, std::vector<std::string>> kMayInclude{
     {"report", {"vocabulary", "identity", "reference", "fast", "properties", "certificate", "csv"}},
     {"device", {"vocabulary", "fast", "csv"}},
     {"recorder", {"vocabulary", "fast", "csv", "device"}},
-    {"experiments", {"vocabulary", "csv"}},
+    {"experiments", {"vocabulary", "csv", "heights", "fast"}},
     {"analysis",
-     {"vocabulary", "csv", "experiments", "report", "certificate", "properties", "identity", "reference", "fast"}},
+     {"vocabulary", "csv", "heights", "experiments", "report", "certificate", "properties", "identity", "reference", "fast"}},
     {"apps",
      {"vocabulary", "identity", "reference", "fast", "heights", "meshes", "properties", "certificate", "report", "device",
       "recorder", "csv", "experiments", "analysis"}},
@@ -169,13 +169,19 @@ std::vector<Sort> sorts() {
   for (const LawName& law : kLaws) laws.all.emplace_back(law.name);
   for (const std::string_view kind : height::kKindNames) kinds.all.emplace_back(kind);
   const std::string chosen = "it tests chosen laws and numbers, while loops over kLaws test every law",
-                    figures = "the thesis's own figures";
+                    figures = "the thesis's own figures", stimuli = "the stimuli of the thesis's two experiments";
   laws.exceptions = {
+      {"analysis/thesis.cpp", stimuli},
       {"report/figures.cpp", figures},
       {"report/thesis_figures.cpp", figures},
+      {"tests/analysis/psychometric_test.cpp", stimuli},
+      {"tests/analysis/simulated.h", stimuli},
+      {"tests/analysis/thesis_numbers_test.cpp", stimuli},
       {"tests/certificate/comparison_test.cpp", chosen},
       {"tests/certificate/refusal_test.cpp", chosen},
       {"tests/certificate/sweep_test.cpp", chosen},
+      {"tests/experiments/results_csv_test.cpp", stimuli},
+      {"tests/experiments/virtual_fit.cpp", stimuli},
       {"tests/hard_cases/search.cpp", "extra places to aim at; it searches every law"},
       {"tests/laws/errata_test.cpp", "the thesis's errata"},
       {"tests/properties/properties_test.cpp", chosen},
@@ -196,6 +202,7 @@ std::vector<Sort> sorts() {
       {"tests/reference/height_energy_test.cpp", maps},
       {"tests/reference/height_reference_test.cpp", maps},
       {"tests/reference/profile_test.cpp", maps},
+      {"tests/meshes/texture_scheme_test.cpp", maps},
       {"tests/report/side_view_test.cpp", maps},
   };
   return {laws, kinds};
