@@ -55,6 +55,7 @@ double milliseconds(Clock::duration duration) {
 struct Trouble {
   std::function<void(Orders&)> orders = {};
   std::chrono::milliseconds stall{0};  // of the loop
+  bool waits = false;                  // the loop, until the frames have answered by themselves
 };
 
 // What a run is judged by, as its loop saw it.
@@ -109,6 +110,14 @@ class FrameByFrame final : public device::Device {
     watched.waited = milliseconds(watched.since - read_);
     watched.fault = tell(orders);
     std::this_thread::sleep_for(trouble_.stall);
+    if (trouble_.waits) let_frames_answer();
+  }
+
+  // The frame that is under way, the one that shows the fault, and two more.
+  static void let_frames_answer() {
+    const auto frames = stand_in_hd::arm().frames + 4;
+    for (const auto latest = Clock::now() + 5s; stand_in_hd::arm().frames < frames && Clock::now() < latest;)
+      std::this_thread::sleep_for(1ms);
   }
 
   Phantom& phantom_;
@@ -212,11 +221,12 @@ Fault phantom(std::string what, std::string reaction, std::optional<double> to_z
           .run = [=](const Bench& bench) { return drive_in_time(at_height(0.05), trouble, unit, shown_by, bench); }};
 }
 
-// While it runs, and answered by the frame itself, however late the machine runs the frame: what its beginning shows leaves
-// that frame no force. What is shown when the force is set or sent comes too late for that one, and the next has none.
+// While it runs, and answered by the frame itself, however late the machine runs the frame, and before the loop does anything:
+// what its beginning shows leaves that frame no force. What is shown when the force is set or sent comes too late for that one,
+// and the next has none.
 Fault in_frame(std::string what, std::string reaction, ShownBy shown_by, std::function<void(Orders&)> orders) {
-  return phantom(std::move(what), std::move(reaction), shown_by == kBegun ? 0 : 1, Unit::frames, {.orders = std::move(orders)},
-                 shown_by);
+  return phantom(std::move(what), std::move(reaction), shown_by == kBegun ? 0 : 1, Unit::frames,
+                 {.orders = std::move(orders), .waits = true}, shown_by);
 }
 
 // Before there is any force.
