@@ -108,6 +108,9 @@ TEST(signals, two_at_once_end_a_run_in_order_too) {
 
 // Its recording goes into a pipe that nobody reads.
 TEST(signals, a_person_who_insists_ends_at_once_an_end_that_hangs) {
+#ifdef __SANITIZE_THREAD__
+  GTEST_SKIP() << "the thread sanitizer keeps signals back until the call returns that hangs here, open()";
+#endif
   const TemporaryDirectory here;
   ASSERT_EQ(::mkfifo(here.file("nobody").c_str(), 0600), 0);
   std::filesystem::create_directory(here.file("kept"));

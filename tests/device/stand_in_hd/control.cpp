@@ -38,12 +38,12 @@ void reset() {
   ++m.resets;
 }
 
-void tell(const Orders& orders) {
+std::uint64_t tell(const Orders& orders) {
   Memory& m = memory();
   const Lock lock(m);
   m.orders = orders;
   m.noted.killed = m.noted.crashed = {};
-  ++m.tellings;
+  return ++m.tellings;
 }
 
 Seen seen() {
@@ -70,7 +70,8 @@ Seen seen() {
   seen.updates = noted.updates;
   seen.rate = noted.rate;
   seen.frames.reserve(frames.size());
-  for (const Memory::Frame& frame : frames) seen.frames.push_back({frame.position, frame.force, frame.time, frame.output});
+  for (const Memory::Frame& frame : frames)
+    seen.frames.push_back({frame.position, frame.force, frame.time, frame.output, frame.begun, frame.set, frame.ended});
   seen.pushed_until = noted.pushed_until;
   seen.killed = known(noted.killed);
   seen.crashed = known(noted.crashed);
@@ -88,7 +89,7 @@ Arm arm() {
   Memory& m = memory();
   const Lock lock(m);
   const Eigen::Vector3d force = m.noted.force;
-  return {force, m.noted.changed, force.isZero(0) ? m.noted.pushed_until : Clock::now(), m.noted.pid};
+  return {force, m.noted.changed, force.isZero(0) ? m.noted.pushed_until : Clock::now(), m.noted.pid, m.noted.frame_count};
 }
 
 }  // namespace forceshade::stand_in_hd

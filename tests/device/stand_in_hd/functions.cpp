@@ -98,6 +98,7 @@ void hdBeginFrame(HHD device) {
       return call.fail(kIllegalBegin);
     }
     d.in_frame = true;
+    d.begun = d.set = d.tellings;
     d.force.setZero();
     ++d.frames;
     if (d.noted.output) ++d.frames_on;
@@ -126,7 +127,13 @@ void hdEndFrame(HHD) {
     const bool contact = Eigen::Vector3d(d.noted.force).norm() > kContact;
     d.in_contact = contact ? d.in_contact + 1 : 0;
     if (contact) ++d.contacts;
-    d.memory.frames[d.noted.frame_count % d.memory.frames.size()] = {d.position, d.force, Clock::now(), d.noted.output};
+    d.memory.frames[d.noted.frame_count % d.memory.frames.size()] = {.position = d.position,
+                                                                     .force = d.force,
+                                                                     .time = Clock::now(),
+                                                                     .output = d.noted.output,
+                                                                     .begun = d.begun,
+                                                                     .set = d.set,
+                                                                     .ended = d.tellings};
     ++d.noted.frame_count;
     for (const HDerror code : d.orders.end) call.fail_in_frame(code);
     due = stand_in_hd::due(d);
@@ -173,6 +180,7 @@ void hdSetDoublev(HDenum what, const double* value) {
   Call call("hdSetDoublev", Where::in_frame);
   if (what != kForce) return call.fail(kInvalidEnum);
   call.d.force = {value[0], value[1], value[2]};
+  call.d.set = call.d.tellings;
   call.fail_in_frame(call.d.orders.set);
 }
 
