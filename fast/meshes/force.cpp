@@ -75,6 +75,8 @@ std::optional<float> nearest_quotient(const Shaded& over, const Shaded& under) n
                            [&](double tie) { return proved_sign(over - Shaded::exactly(tie) * under); });
 }
 std::optional<float> nearest_root(const DoubleWithError& over, const DoubleWithError& under) noexcept {
+  // As in along(); 0 itself is exact.
+  if (!(over.value > 0x1p-600) && sign(over) != Sign::zero) return std::nullopt;
   return round_to_binary32(square_root(over) / under);
 }
 std::optional<float> nearest_root(const Shaded& over, const Shaded& under) noexcept {

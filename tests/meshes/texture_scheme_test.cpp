@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -103,9 +105,11 @@ TEST(texture_scheme, slopes_are_the_reference_s_in_every_bit_on_random_maps_and_
 
 // 1/3 + 2/3 and a little: only exact numbers see that the slope is midway between two binary32 numbers.
 TEST(texture_scheme, a_slope_that_is_a_tie_is_rounded_to_even_on_both_sides) {
-  const auto rising = [](float height) { return height::Part{height::Polygons{{{-3, -height}, {0, 0}, {3, height}}}}; };
+  const auto rising = [](float run, float height) {
+    return height::Part{height::Polygons{{{-run, -height}, {0, 0}, {run, height}}}};
+  };
   for (const auto& [more, expected] : {std::pair(0x1p-24F, 1.0F), std::pair(0x1.8p-23F, 1 + 0x1p-22F)}) {
-    const HeightMap map{{rising(1), rising(2), {height::Plane{more, 0, 0}}}};
+    const HeightMap map{{rising(3, 1), rising(3, 2), rising(2, 2 * more)}};
     const auto fast_map = fast::HeightMapField::build(map, height::Rendering::force_shaded, 1);
     const auto reference_map = reference::HeightMapField::build(map, height::Rendering::force_shaded, 1);
     const auto found = std::get<fast::HeightMapField>(fast_map).slopes(1, 2);
