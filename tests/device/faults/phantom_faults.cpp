@@ -55,7 +55,7 @@ double milliseconds(Clock::duration duration) {
 struct Trouble {
   std::function<void(Orders&)> orders = {};
   std::chrono::milliseconds stall{0};  // of the loop
-  bool waits = false;                  // the loop, until the frames have answered by themselves
+  bool waits = false;                  // the loop, until the frames have let the arm go by themselves
 };
 
 // What a run is judged by, as its loop saw it.
@@ -110,13 +110,12 @@ class FrameByFrame final : public device::Device {
     watched.waited = milliseconds(watched.since - read_);
     watched.fault = tell(orders);
     std::this_thread::sleep_for(trouble_.stall);
-    if (trouble_.waits) let_frames_answer();
+    if (trouble_.waits) wait_until_let_go();
   }
 
-  // The frame that is under way, the one that shows the fault, and two more.
-  static void let_frames_answer() {
-    const auto frames = stand_in_hd::arm().frames + 4;
-    for (const auto latest = Clock::now() + 5s; stand_in_hd::arm().frames < frames && Clock::now() < latest;)
+  // For a program that never does, the loop goes on.
+  static void wait_until_let_go() {
+    for (const auto latest = Clock::now() + 5s; !stand_in_hd::arm().force.isZero(0) && Clock::now() < latest;)
       std::this_thread::sleep_for(1ms);
   }
 

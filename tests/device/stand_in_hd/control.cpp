@@ -89,7 +89,7 @@ Arm arm() {
   Memory& m = memory();
   const Lock lock(m);
   const Eigen::Vector3d force = m.noted.force;
-  return {force, m.noted.changed, force.isZero(0) ? m.noted.pushed_until : Clock::now(), m.noted.pid, m.noted.frame_count};
+  return {force, m.noted.changed, force.isZero(0) ? m.noted.pushed_until : Clock::now(), m.noted.pid};
 }
 
 }  // namespace forceshade::stand_in_hd

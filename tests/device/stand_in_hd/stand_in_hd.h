@@ -37,7 +37,6 @@ struct Arm {
   Clock::time_point changed{};     // the force
   Clock::time_point pushed_until;  // the last moment at which it was not zero: now, where it is not
   pid_t pid = 0;                   // of the process that initialised the device last
-  std::uint64_t frames = 0;        // since reset()
 };
 
 struct Seen {
