@@ -8,7 +8,7 @@
 
 namespace forceshade::fast {
 
-BoxTree::BoxTree(const std::vector<Face>& faces) : faces_(static_cast<std::uint32_t>(faces.size())) {
+BoxTree::BoxTree(const Faces& faces) : faces_(static_cast<std::uint32_t>(faces.size())) {
   const auto over = [](std::uint32_t count, std::uint32_t by) { return (count + by - 1) / by; };
   std::uint32_t total = 0, boxes = over(faces_, kRun);
   std::array<std::uint32_t, kMostLevels> boxes_of{};
@@ -40,6 +40,13 @@ BoxTree::BoxTree(const std::vector<Face>& faces) : faces_(static_cast<std::uint3
       for (std::size_t i = 0; i < 3; ++i)
         include(level, box, i, *std::ranges::min_element(node.low[i]), *std::ranges::max_element(node.high[i]));
     }
+}
+
+void BoxTree::begin(Search& search, const Vector3<double>& point, double square) const noexcept {
+  search.at_ = {point.x, point.y, point.z};
+  search.square_ = search.beyond_ = square;
+  search.count_ = 0;
+  if (levels_ > 0) search.stack_[search.count_++] = {levels_, 0, 0.0};
 }
 
 }  // namespace forceshade::fast

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "forceshade/fast/meshes/large_pages.h"
 #include "forceshade/fast/meshes/vector3.h"
 
 namespace forceshade::fast {
@@ -21,17 +22,48 @@ class BoxTree {
   static constexpr std::uint32_t kRun = 4, kWidth = 8;  // triangles of a leaf, children of a node
 
   BoxTree() = default;
-  explicit BoxTree(const std::vector<Face>& faces);
+  explicit BoxTree(const std::vector<Face, LargePages<Face>>& faces);
 
   // Calls visit(f) for every triangle f of a leaf whose box the segment may meet. The ends: within 2^-50, relative to 2^14 mm.
   template <class Visit>
   void along(const Vector3<double>& from, const Vector3<double>& to, const Visit& visit) const noexcept;
 
-  // A lower bound of the squared distance from the point to the nearest triangle, mm², or `square` where that is less;
-  // bound(f): one of triangle f. What lies beyond about nine tenths of the distance is looked at no closer, so the bound is as
-  // much too low at most, and far fewer boxes are opened.
+  // A search for a lower bound of the squared distance from a point to the nearest triangle, in pieces. The bound is at most
+  // half too low: what lies beyond half of the square of the distance that is known is looked at no closer, so that far fewer
+  // boxes are opened.
+  class Search {
+   public:
+    bool is_done() const noexcept { return count_ == 0; }
+    const std::array<double, 3>& point() const noexcept { return at_; }
+    // mm², once it is done: the bound, or the `square` that it began with where that is less.
+    double square() const noexcept { return square_ < beyond_ ? square_ : beyond_; }
+
+   private:
+    friend class BoxTree;
+    static constexpr std::size_t kStack = 11 * 8;
+
+    // A box that is still to be opened, and a lower bound of the squared distance to what it holds.
+    struct Entry {
+      std::uint32_t level, box;  // level 0: a leaf's triangles
+      double lower;
+    };
+
+    bool passes_over(double lower) noexcept {
+      if (lower < 0.5 * square_) return false;
+      if (lower < beyond_) beyond_ = lower;
+      return true;
+    }
+
+    std::array<double, 3> at_{};
+    double square_ = 0, beyond_ = 0;  // the least so far; nothing that was passed over is nearer
+    std::size_t count_ = 0;
+    std::array<Entry, kStack> stack_{};
+  };
+
+  void begin(Search& search, const Vector3<double>& point, double square) const noexcept;
+  // Opens at most `boxes` boxes, the nearest first; bound(f): a lower bound of the squared distance to triangle f.
   template <class Bound>
-  double distance(const Vector3<double>& point, double square, const Bound& bound) const noexcept;
+  void advance(Search& search, int boxes, const Bound& bound) const noexcept;
 
   std::size_t bytes() const noexcept { return nodes_.capacity() * sizeof(Node); }
 
@@ -45,8 +77,9 @@ class BoxTree {
     std::uint32_t level, node;
   };
   static constexpr std::size_t kStack = kMostLevels * kWidth;
+  static_assert(Search::kStack >= kStack + kWidth);
 
-  std::vector<Node> nodes_;                         // level by level, from the leaves on
+  std::vector<Node, LargePages<Node>> nodes_;       // level by level, from the leaves on
   std::array<std::uint32_t, kMostLevels> first_{};  // node of each level
   std::uint32_t levels_ = 0, faces_ = 0;
 };
@@ -110,55 +143,37 @@ void BoxTree::along(const Vector3<double>& from, const Vector3<double>& to, cons
 }
 
 template <class Bound>
-double BoxTree::distance(const Vector3<double>& point, double square, const Bound& bound) const noexcept {
-  if (levels_ == 0) return square;
-  const std::array<double, 3> at{point.x, point.y, point.z};
-  std::array<Entry, kStack> stack;
-  std::array<double, kStack> lower_bound;
-  double beyond = square;  // nothing that was passed over is nearer
-  const auto passes_over = [&](double lower) {
-    if (lower < 0.8 * square) return false;
-    if (lower < beyond) beyond = lower;
-    return true;
-  };
-  std::size_t count = 0;
-  stack[count] = {levels_ - 1, 0};
-  lower_bound[count++] = 0;
-  while (count > 0) {
-    const Entry entry = stack[--count];
-    if (passes_over(lower_bound[count])) continue;
-    const Node& node = nodes_[first_[entry.level] + entry.node];
+void BoxTree::advance(Search& search, int boxes, const Bound& bound) const noexcept {
+  for (; boxes > 0 && search.count_ > 0; --boxes) {
+    const Search::Entry entry = search.stack_[--search.count_];
+    if (search.passes_over(entry.lower)) continue;
+    if (entry.level == 0) {
+      const std::uint32_t end = kRun * (entry.box + 1) < faces_ ? kRun * (entry.box + 1) : faces_;
+      for (std::uint32_t f = kRun * entry.box; f < end; ++f) {
+        const double one = bound(f);
+        if (one < search.square_) search.square_ = one;
+      }
+      continue;
+    }
+    const Node& node = nodes_[first_[entry.level - 1] + entry.box];
     std::array<double, kWidth> away{};
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t c = 0; c < kWidth; ++c) {
-        const double below = static_cast<double>(node.low[i][c]) - at[i], above = at[i] - static_cast<double>(node.high[i][c]);
+        const double below = static_cast<double>(node.low[i][c]) - search.at_[i],
+                     above = search.at_[i] - static_cast<double>(node.high[i][c]);
         const double off = below > above ? below : above;
         away[c] += off > 0 ? off * off : 0;
       }
     // The nearest child last, so that it is next: an insertion into the part of the stack above `base`.
-    const std::size_t base = count;
+    const std::size_t base = search.count_;
     for (std::uint32_t c = 0; c < kWidth; ++c) {
       const double lower = away[c] * (1 - 0x1p-40);
-      if (passes_over(lower)) continue;
-      const std::uint32_t child = kWidth * entry.node + c;
-      if (entry.level == 0) {
-        const std::uint32_t end = kRun * (child + 1) < faces_ ? kRun * (child + 1) : faces_;
-        for (std::uint32_t f = kRun * child; f < end; ++f) {
-          const double one = bound(f);
-          if (one < square) square = one;
-        }
-        continue;
-      }
-      std::size_t i = count++;
-      for (; i > base && lower_bound[i - 1] < lower; --i) {
-        stack[i] = stack[i - 1];
-        lower_bound[i] = lower_bound[i - 1];
-      }
-      stack[i] = {entry.level - 1, child};
-      lower_bound[i] = lower;
+      if (search.passes_over(lower)) continue;
+      std::size_t i = search.count_++;
+      for (; i > base && search.stack_[i - 1].lower < lower; --i) search.stack_[i] = search.stack_[i - 1];
+      search.stack_[i] = {entry.level - 1, kWidth * entry.box + c, lower};
     }
   }
-  return square < beyond ? square : beyond;
 }
 
 }  // namespace forceshade::fast

@@ -159,12 +159,22 @@ struct ExactFoot {
 
 // ---- Fractions num/den with den > 0 against the grid of parameters.
 
+// factor·a, the factor being no approximation.
+FORCESHADE_INLINE DoubleWithError times(double factor, const DoubleWithError& a) noexcept {
+  return DoubleWithError::rounded(factor * a.value, __builtin_fabs(factor) * a.error);
+}
+// 2^kPower·a.
+template <int kPower>
+FORCESHADE_INLINE DoubleWithError shifted(const DoubleWithError& a) noexcept {
+  constexpr auto kFactor = static_cast<double>(std::uint64_t{1} << kPower);
+  return {kFactor * a.value, kFactor * a.error};
+}
+
 // The sign of 2^25 num/den - halves.
 template <class Stages, class Exact>
 FORCESHADE_INLINE int compare_with_halves(const DoubleWithError& num, const DoubleWithError& den, std::uint32_t halves,
                                           const Stages& stages, const Exact& exact) noexcept {
-  const auto factor = DoubleWithError::exactly(0x1p25), grid = DoubleWithError::exactly(static_cast<double>(halves));
-  return sign_of(factor * num - grid * den, stages, exact);
+  return sign_of(shifted<25>(num) - times(static_cast<double>(halves), den), stages, exact);
 }
 template <int kNum, int kDen>
 int exact_compare_with_halves(const FixedInteger<kNum>& num, const FixedInteger<kDen>& den, std::uint32_t halves) noexcept {
@@ -189,19 +199,6 @@ Cell exact_cell(const FixedInteger<kNum>& num, const FixedInteger<kDen>& den) no
   }
   return {static_cast<std::uint32_t>(guess), sign == 0};
 }
-template <class Stages, class Exact>
-FORCESHADE_INLINE Cell cell_of(const DoubleWithError& num, const DoubleWithError& den, const Stages& stages,
-                               const Exact& exact) noexcept {
-  const DoubleWithError scaled = DoubleWithError::exactly(0x1p24) * num / den;
-  const double low = scaled.value - scaled.error, high = scaled.value + scaled.error;
-  const auto floor = static_cast<std::int64_t>(scaled.value);
-  // The ends are rounded by less than 2^-28, for a quotient that is not refused here is at most 2^24.
-  if (stages.sure(low > static_cast<double>(floor) + 0x1p-27 && high < static_cast<double>(floor) + (1 - 0x1p-27) &&
-                  floor >= 0 && floor < kGrid))
-    return {static_cast<std::uint32_t>(floor), false};
-  return exact();
-}
-
 // The parameter nearest to 2^24 num/den, 0 < num < den: ties to even.
 template <int kNum, int kDen>
 std::uint32_t exact_nearest(const FixedInteger<kNum>& num, const FixedInteger<kDen>& den) noexcept {
@@ -209,28 +206,46 @@ std::uint32_t exact_nearest(const FixedInteger<kNum>& num, const FixedInteger<kD
   const int above = exact_compare_with_halves(num, den, 2 * cell.floor + 1);
   return cell.floor + (above > 0 || (above == 0 && cell.floor % 2 == 1) ? 1 : 0);
 }
-// Of several num over one den, whose inverse is computed once.
-class NearestParameters {
+// The grid's parameters of several num over one den > 0, whose inverse is computed once.
+class Parameters {
  public:
-  FORCESHADE_INLINE explicit NearestParameters(const DoubleWithError& den) noexcept {
+  FORCESHADE_INLINE explicit Parameters(const DoubleWithError& den) noexcept {
     if (!(den.value > 0x1p10 * den.error)) return;
     inverse_ = 0x1p24 / den.value;
     relative_ = (1 + 0x1p-9) * den.error / den.value + 0x1p-51;
   }
 
-  // With q = 2^24 num/den, computed by an inverse and a product of three roundings: |q|·relative_ + 2^24·num.error/den·(1 +
-  // 2^-9) bounds the error.
+  // The nearest one: see exact_nearest().
   template <class Stages, class Exact>
-  FORCESHADE_INLINE std::uint32_t of(const DoubleWithError& num, const Stages& stages, const Exact& exact) const noexcept {
-    const double scaled = num.value * inverse_;
-    const double error = __builtin_fabs(scaled) * relative_ + (1 + 0x1p-8) * num.error * inverse_;
-    const auto nearest = static_cast<std::int64_t>(scaled + 0.5);
-    if (stages.sure(__builtin_fabs(scaled - static_cast<double>(nearest)) + error < 0.5 - 0x1p-27))
+  FORCESHADE_INLINE std::uint32_t nearest(const DoubleWithError& num, const Stages& stages, const Exact& exact) const noexcept {
+    const DoubleWithError scaled = quotient(num);
+    const auto nearest = static_cast<std::int64_t>(scaled.value + 0.5);
+    if (stages.sure(__builtin_fabs(scaled.value - static_cast<double>(nearest)) + scaled.error < 0.5 - 0x1p-27)) [[likely]]
       return static_cast<std::uint32_t>(nearest);
     return exact();
   }
 
+  // The one below: see exact_cell().
+  template <class Stages, class Exact>
+  FORCESHADE_INLINE Cell cell(const DoubleWithError& num, const Stages& stages, const Exact& exact) const noexcept {
+    const DoubleWithError scaled = quotient(num);
+    const double low = scaled.value - scaled.error, high = scaled.value + scaled.error;
+    const auto floor = static_cast<std::int64_t>(scaled.value);
+    // The ends are rounded by less than 2^-28, for a quotient that is not refused here is at most 2^24.
+    if (stages.sure(low > static_cast<double>(floor) + 0x1p-27 && high < static_cast<double>(floor) + (1 - 0x1p-27) &&
+                    floor >= 0 && floor < kGrid)) [[likely]]
+      return {static_cast<std::uint32_t>(floor), false};
+    return exact();
+  }
+
  private:
+  // With q = 2^24 num/den, computed by an inverse and a product of three roundings: |q|·relative_ + 2^24·num.error/den·(1 +
+  // 2^-9) bounds the error.
+  FORCESHADE_INLINE DoubleWithError quotient(const DoubleWithError& num) const noexcept {
+    const double scaled = num.value * inverse_;
+    return {scaled, __builtin_fabs(scaled) * relative_ + (1 + 0x1p-8) * num.error * inverse_};
+  }
+
   double inverse_ = 0, relative_ = HUGE_VAL;  // with these, nothing is sure
 };
 

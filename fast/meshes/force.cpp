@@ -5,14 +5,17 @@
 #include <type_traits>
 
 #include "forceshade/fast/height_map_field.h"
+#include "forceshade/fast/meshes/bit_span.h"
 #include "forceshade/fast/numbers/arithmetic.h"
 #include "forceshade/fast/numbers/big_float_ball.h"
 
 namespace forceshade::fast {
 namespace {
 
-// Exact: docs/meshes.md counts the bits that the longest expressions take, of which these have more.
-using Shaded = BigFloatBall<64>;
+// Exact, because no expression takes more bits than these have.
+constexpr std::size_t kShadedLimbs = 64;
+using Shaded = BigFloatBall<kShadedLimbs>;
+static_assert(most_bits_of_shaded_force() <= static_cast<int>(64 * kShadedLimbs));
 
 // r - p = vector/length, length > 0.
 template <class N>
@@ -441,6 +444,15 @@ bool can_shade(const Mesh& mesh, mesh::Shading scheme) noexcept {
   return false;
 }
 
+// The unshaded force in binary64; empty where that cannot decide it. A component that is 0 because the edge is parallel to an
+// axis is 0 here too.
+[[gnu::noinline]] std::optional<Force3> unshaded_force(const Mesh& mesh, const Arrival& arrival, const Force3& p,
+                                                       double K) noexcept {
+  const auto way = Parts<DoubleWithError>(mesh, arrival, p.data(), mesh::Shading::none).way();
+  const DoubleWithError factor = DoubleWithError::exactly(K) / way.length;
+  return each([&](const DoubleWithError& one) { return round_to_binary32(factor * one); }, way.vector);
+}
+
 // a·b - c·d for differences of coordinates, with a bound; known to be 0 where it is so because the same two are multiplied.
 struct Minor {
   double value, error;
@@ -502,8 +514,9 @@ std::array<float, 3> mesh_force(const Mesh& mesh, const Arrival& arrival, const 
   if (arrival.rest == Rest::none || arrival.rest == Rest::at_position) return {};
   const auto K = static_cast<double>(stiffness);
   if (!can_shade(mesh, shading)) {
-    if (is_filtered && arrival.rest == Rest::in_triangle)
-      if (const auto force = quick_force(mesh.face(face_of(arrival.spot.half)), p, K)) [[likely]]
+    if (is_filtered)
+      if (const auto force = arrival.rest == Rest::in_triangle ? quick_force(mesh.face(face_of(arrival.spot.half)), p, K)
+                                                               : unshaded_force(mesh, arrival, p, K)) [[likely]]
         return *force;
     return exact_unshaded(mesh, arrival, p.data(), K, is_filtered);
   }

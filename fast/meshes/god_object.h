@@ -9,26 +9,22 @@
 
 namespace forceshade::fast {
 
-// One position of a god-object's path, by the mesh's own numbering.
-struct MeshTick {
-  Arrival arrival;
-  mesh::TickStatus status = mesh::TickStatus::invalid;
-  std::array<float, 3> force{};  // N
-};
-
-template <class Stages = FilteredStages>
-MeshTick step(const Mesh& mesh, const Spot& before, const std::array<float, 3>& position, float stiffness,
-              mesh::Shading shading, const Stages& stages = {}) noexcept {
-  if (!in_domain(position[0]) || !in_domain(position[1]) || !in_domain(position[2]))
-    return {{before}, mesh::TickStatus::invalid, {}};
+// Moves a god-object, by the mesh's own numbering, to where one position of its path leads it. `tick` gets all but the state.
+// An invalid position leaves it as it was.
+template <class Stages>
+FORCESHADE_INLINE void step(const Mesh& mesh, Arrival& at, const std::array<float, 3>& position, float stiffness,
+                            mesh::Shading shading, const Stages& stages, mesh::Tick& tick) noexcept {
+  tick.force = {};
+  tick.moves = 0;
+  tick.status = mesh::TickStatus::invalid;
+  if (!in_domain(position[0]) || !in_domain(position[1]) || !in_domain(position[2])) return;
   const std::array<float, 3> p{quantised(position[0]), quantised(position[1]), quantised(position[2])};
-  MeshTick tick;
-  tick.arrival = Walk<Stages>(mesh, p, stages).run(before);
-  tick.status = !tick.arrival.is_finished                      ? mesh::TickStatus::unfinished
-                : tick.arrival.spot.place == mesh::Place::free ? mesh::TickStatus::free
-                                                               : mesh::TickStatus::touching;
-  tick.force = mesh_force(mesh, tick.arrival, p, stiffness, shading, Stages::kFilter);
-  return tick;
+  Walk<Stages>(mesh, at, p, stages).run();
+  tick.moves = static_cast<std::uint16_t>(at.moves);
+  tick.status = !at.is_finished                      ? mesh::TickStatus::unfinished
+                : at.spot.place == mesh::Place::free ? mesh::TickStatus::free
+                                                     : mesh::TickStatus::touching;
+  tick.force = mesh_force(mesh, at, p, stiffness, shading, Stages::kFilter);
 }
 
 // What one position does to a god-object. Without allocation, lock or exception; a tick makes 256 moves at most. position: mm;
@@ -36,8 +32,11 @@ MeshTick step(const Mesh& mesh, const Spot& before, const std::array<float, 3>& 
 template <class Stages = FilteredStages>
 mesh::Tick step(const Mesh& mesh, const mesh::GodObject& before, const std::array<float, 3>& position, float stiffness,
                 mesh::Shading shading, const Stages& stages = {}) noexcept {
-  const MeshTick tick = step(mesh, spot_of(mesh, before), position, stiffness, shading, stages);
-  return {tick.status, tick.arrival.moves, tick.force, object_of(mesh, tick.arrival.spot)};
+  Arrival at{spot_of(mesh, before), Rest::none, 0, true};
+  mesh::Tick tick;
+  step(mesh, at, position, stiffness, shading, stages, tick);
+  tick.after = object_of(mesh, at.spot);
+  return tick;
 }
 
 }  // namespace forceshade::fast

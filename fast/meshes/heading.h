@@ -21,6 +21,26 @@ struct Heading {
   Slide way;
 };
 
+// Beside an edge with two triangles, d being on neither; first, second: the signs of n·d.
+FORCESHADE_INLINE Aim aim_between(const Mesh& mesh, HalfEdge h, int first, int second) noexcept {
+  const bool is_narrow = mesh.face(face_of(h)).edge_angle(corner_of(h)) == EdgeAngle::narrow;
+  return (is_narrow ? first > 0 && second > 0 : first > 0 || second > 0) ? Aim::front : Aim::back;
+}
+
+// How a direction d at an edge lies to a triangle there: the signs of n·d, and of (e x d)·n, which is positive where d leads
+// from the edge into the triangle.
+struct Beside {
+  int side = 0, inward = 0;
+};
+
+// Where d points from a point inside the edge h. second: of the triangle beyond the edge; at the rim there is none.
+FORCESHADE_INLINE Aim aim_beside(const Mesh& mesh, HalfEdge h, const Beside& first, const Beside& second) noexcept {
+  if (first.side == 0 && first.inward >= 0) return Aim::on;
+  if (mesh.twin(h) == kRim) return Aim::open;
+  if (second.side == 0 && second.inward >= 0) return Aim::on;
+  return aim_between(mesh, h, first.side, second.side);
+}
+
 // 2^24(p - g) or its opposite.
 struct Direction {
   Vector3<double> d;
@@ -63,23 +83,8 @@ class Headings {
   // At a point inside an edge.
   Aim aim_at_edge(HalfEdge h) const noexcept {
     const HalfEdge other = mesh_.twin(h);
-    const int first = side(face_of(h));
-    if (first == 0 && inward(h) >= 0) return Aim::on;
-    if (other == kRim) return Aim::open;
-    const int second = side(face_of(other));
-    if (second == 0 && inward(other) >= 0) return Aim::on;
-    return of_two(h, first, second);
-  }
-
-  // At a point inside an edge, whose part along the edge is not looked at here: with Along::edge the caller chooses the end.
-  Heading at_edge(HalfEdge h) const noexcept {
-    const HalfEdge other = mesh_.twin(h);
-    const Aim aim = aim_at_edge(h);
-    const bool into_first = inward(h) > 0, into_second = other != kRim && inward(other) > 0;
-    if (!into_first && !into_second) return {aim, {Slide::Along::edge, h, false}};
-    const bool is_second =
-        into_second && (!into_first || is_better({Slide::Along::triangle, other, false}, {Slide::Along::triangle, h, false}));
-    return {aim, {Slide::Along::triangle, is_second ? other : h, false}};
+    return aim_beside(mesh_, h, {side(face_of(h)), inward(h)},
+                      other == kRim ? Beside{} : Beside{side(face_of(other)), inward(other)});
   }
 
   // At a vertex: with Along::nothing, the surface does not lead nearer. d is not 0.
@@ -111,15 +116,29 @@ class Headings {
     return {aim, best};
   }
 
+  // Whether `a` is steeper than `b`, or comes before it where both are alike.
+  bool is_better(const Slide& a, const Slide& b) const noexcept {
+    int sign = 0;
+    if (a.along == Slide::Along::triangle && b.along == Slide::Along::triangle) {
+      // The nearer the plane, the longer the projection.
+      const auto angle = [&](const Slide& way) {
+        const FaceNumbers face(mesh_.face(face_of(way.half)));
+        const DoubleWithError across{dot(face.n, direction_.d), kAcross.error * face.area * direction_.size};
+        return across * across / DoubleWithError{dot(face.n, face.n), kArea.error * face.area * face.area};
+      };
+      sign = sign_of(angle(b) - angle(a), stages_, [&] { return exact_compare(a, b); });
+    } else {
+      sign = sign_of(part_along(a) - part_along(b), stages_, [&] { return exact_compare(a, b); });
+    }
+    if (sign != 0) return sign > 0;
+    if (a.along != b.along) return a.along == Slide::Along::edge;
+    if (a.along == Slide::Along::triangle) return mesh_.face(face_of(a.half)).index() < mesh_.face(face_of(b.half)).index();
+    return ends(a) < ends(b);
+  }
+
  private:
   const float* end_point(HalfEdge h) const noexcept { return mesh_.start_point(next(h)); }
   static Aim aim_of(bool is_front) noexcept { return is_front ? Aim::front : Aim::back; }
-
-  // Beside an edge with two triangles, d being on neither.
-  Aim of_two(HalfEdge h, int first, int second) const noexcept {
-    const bool is_narrow = mesh_.face(face_of(h)).edge_angle(corner_of(h)) == EdgeAngle::narrow;
-    return aim_of(is_narrow ? first > 0 && second > 0 : first > 0 || second > 0);
-  }
 
   Aim aim_at_vertex(const Slide& best, bool is_at_rim) const noexcept {
     if (best.along == Slide::Along::triangle) {
@@ -129,7 +148,7 @@ class Headings {
     const int first = side(face_of(best.half));
     if (first == 0 && inward(best.half) == 0 && along(best) > 0) return Aim::on;
     if (is_at_rim) return Aim::open;
-    return of_two(best.half, first, side(face_of(mesh_.twin(best.half))));
+    return aim_between(mesh_, best.half, first, side(face_of(mesh_.twin(best.half))));
   }
 
   // e·d, e leading away from the vertex.
@@ -164,25 +183,6 @@ class Headings {
     return length - across * across / DoubleWithError{dot(face.n, face.n), kArea.error * face.area * face.area};
   }
 
-  // Whether `a` is steeper than `b`, or comes before it where both are alike.
-  bool is_better(const Slide& a, const Slide& b) const noexcept {
-    int sign = 0;
-    if (a.along == Slide::Along::triangle && b.along == Slide::Along::triangle) {
-      // The nearer the plane, the longer the projection.
-      const auto angle = [&](const Slide& way) {
-        const FaceNumbers face(mesh_.face(face_of(way.half)));
-        const DoubleWithError across{dot(face.n, direction_.d), kAcross.error * face.area * direction_.size};
-        return across * across / DoubleWithError{dot(face.n, face.n), kArea.error * face.area * face.area};
-      };
-      sign = sign_of(angle(b) - angle(a), stages_, [&] { return exact_compare(a, b); });
-    } else {
-      sign = sign_of(part_along(a) - part_along(b), stages_, [&] { return exact_compare(a, b); });
-    }
-    if (sign != 0) return sign > 0;
-    if (a.along != b.along) return a.along == Slide::Along::edge;
-    if (a.along == Slide::Along::triangle) return mesh_.face(face_of(a.half)).index() < mesh_.face(face_of(b.half)).index();
-    return ends(a) < ends(b);
-  }
   std::array<std::uint32_t, 2> ends(const Slide& way) const noexcept {
     const std::uint32_t a = mesh_.start(way.half), b = mesh_.start(next(way.half));
     return a < b ? std::array{a, b} : std::array{b, a};

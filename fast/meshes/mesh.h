@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "forceshade/fast/meshes/box_tree.h"
+#include "forceshade/fast/meshes/large_pages.h"
 #include "forceshade/vocabulary/mesh.h"
 
 namespace forceshade::fast {
@@ -35,6 +36,7 @@ struct alignas(64) Face {
   EdgeAngle edge_angle(std::uint32_t i) const noexcept { return static_cast<EdgeAngle>(index_and_edge_angles >> (2 * i) & 3U); }
 };
 static_assert(sizeof(Face) == 64);
+using Faces = std::vector<Face, LargePages<Face>>;
 
 inline std::uint32_t face_of(HalfEdge h) noexcept {
   return h / 3;
@@ -70,13 +72,18 @@ class Mesh {
   const Face& face(std::uint32_t f) const noexcept { return faces_[f]; }
   std::uint32_t vertices() const noexcept { return static_cast<std::uint32_t>(first_around_.size()); }
   std::uint32_t faces() const noexcept { return static_cast<std::uint32_t>(faces_.size()); }
-  const std::vector<Face>& all_faces() const noexcept { return faces_; }
+  const Faces& all_faces() const noexcept { return faces_; }
   // From the vertex; where it is at the rim, the one from which around() reaches every other.
   HalfEdge first_around(std::uint32_t vertex) const noexcept { return first_around_[vertex]; }
   std::uint32_t face_of_file(std::uint32_t triangle) const noexcept { return face_of_file_[triangle]; }
   HalfEdge twin(HalfEdge h) const noexcept { return faces_[face_of(h)].twin[corner_of(h)]; }
   std::uint32_t start(HalfEdge h) const noexcept { return faces_[face_of(h)].vertex[corner_of(h)]; }
   const float* start_point(HalfEdge h) const noexcept { return faces_[face_of(h)].corner[corner_of(h)].data(); }
+  // Has the triangles beside f brought into the cache while other work is done: a slide goes through one of them, in this tick
+  // or in a later one.
+  FORCESHADE_INLINE void fetch_neighbours(std::uint32_t f) const noexcept {
+    for (const HalfEdge other : faces_[f].twin) __builtin_prefetch(&faces_[other == kRim ? f : face_of(other)]);
+  }
   // The next half-edge from the same vertex, counter-clockwise as seen from in front; kRim after the last one.
   HalfEdge around(HalfEdge h) const noexcept { return twin(previous(h)); }
   bool is_at_rim(std::uint32_t vertex) const noexcept { return twin(first_around_[vertex]) == kRim; }
@@ -100,7 +107,7 @@ class Mesh {
   std::string join();
   void find_bends();
 
-  std::vector<Face> faces_;
+  Faces faces_;
   std::vector<HalfEdge> first_around_;       // by vertex of the file
   std::vector<std::uint32_t> face_of_file_;  // by triangle of the file
   std::vector<std::array<mesh::Normal, 3>> normals_;

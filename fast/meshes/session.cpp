@@ -51,28 +51,43 @@ double lower_bound_of_square(const Face& face, const Vector3<double>& at) noexce
 }  // namespace
 
 [[gnu::noinline]] mesh::Tick MeshSession::step_on_mesh(const std::array<float, 3>& position) noexcept {
-  const MeshTick tick = fast::step(*mesh_, spot_, position, stiffness_, shading_);
-  spot_ = tick.arrival.spot;
+  mesh::Tick tick;
+  fast::step(*mesh_, at_, position, stiffness_, shading_, FilteredStages{}, tick);
   if (tick.status != mesh::TickStatus::invalid) square_ = 0;  // a ball is of use only to a god-object that is in it
-  if (tick.status == mesh::TickStatus::free) {
-    if (ticks_until_ball_ > 0)
-      --ticks_until_ball_;
-    else
-      find_empty_ball();
-  }
-  return {tick.status, tick.arrival.moves, tick.force, object_of(*mesh_, spot_)};
+  if (tick.status == mesh::TickStatus::free)
+    seek_ball();
+  else if (tick.status != mesh::TickStatus::invalid)
+    is_seeking_ = false;
+  tick.after = object_of(*mesh_, at_.spot);
+  return tick;
 }
 
-// Around the god-object. A ball that the path leaves at once is not worth its search: then the next search waits.
-void MeshSession::find_empty_ball() noexcept {
+// Around where the god-object is when the search begins. It takes some ticks, so that each is short; meanwhile the ball before
+// may still serve. A ball that the path leaves at once is not worth its search: then the next one waits.
+[[gnu::noinline]] void MeshSession::seek_ball() noexcept {
   constexpr double kLeastSquare = 0x1p-4, kMostSquare = 0x1p30;  // mm²
-  constexpr int kPause = 16;
-  const Vector3<double> at{static_cast<double>(spot_.position[0]), static_cast<double>(spot_.position[1]),
-                           static_cast<double>(spot_.position[2])};
-  const double square =
-      mesh_->tree().distance(at, kMostSquare, [&](std::uint32_t f) { return lower_bound_of_square(mesh_->face(f), at); });
-  centre_ = {at.x, at.y, at.z};
-  square_ = square * (1 - 0x1p-30);
+  constexpr int kPause = 16, kBoxesOfATick = 4;
+  const std::array<float, 3>& position = at_.spot.position;
+  if (!is_seeking_) {
+    if (ticks_until_ball_ > 0) {
+      --ticks_until_ball_;
+      return;
+    }
+    mesh_->tree().begin(search_,
+                        {static_cast<double>(position[0]), static_cast<double>(position[1]), static_cast<double>(position[2])},
+                        kMostSquare);
+    is_seeking_ = true;
+    renew_square_ = -1;
+  }
+  const std::array<double, 3>& centre = search_.point();
+  const Vector3<double> at{centre[0], centre[1], centre[2]};
+  mesh_->tree().advance(search_, kBoxesOfATick, [&](std::uint32_t f) { return lower_bound_of_square(mesh_->face(f), at); });
+  if (!search_.is_done()) return;
+  is_seeking_ = false;
+  centre_ = centre;
+  square_ = search_.square() * (1 - 0x1p-30);
+  renew_square_ = square_ / 4;
+  if (!is_in_ball(position)) square_ = 0;  // the god-object has left it during the search
   ticks_until_ball_ = square_ < kLeastSquare ? kPause : 0;
 }
 

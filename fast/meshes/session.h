@@ -19,10 +19,11 @@ class MeshSession {
 
   // position: mm, the next one of the path. Without allocation, lock or exception.
   mesh::Tick step(const std::array<float, 3>& position) noexcept {
-    if (spot_.place == mesh::Place::free && is_empty_at(position)) {
+    if (at_.spot.place == mesh::Place::free && is_in_ball(position)) {
       const std::array<float, 3> p{quantised(position[0]), quantised(position[1]), quantised(position[2])};
-      const std::uint16_t moves = p == spot_.position ? 0 : 1;
-      spot_.position = p;
+      const std::uint16_t moves = p == at_.spot.position ? 0 : 1;
+      at_.spot.position = p;
+      if (off_centre(position) > renew_square_) seek_ball();
       mesh::Tick tick{mesh::TickStatus::free, moves, {}, {}};
       tick.after.place = mesh::Place::free;
       tick.after.position = p;
@@ -34,34 +35,42 @@ class MeshSession {
   // Of session.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h. Under a fault no mesh is built.
   static const char* arithmetic_fault() noexcept;
 
-  mesh::GodObject state() const noexcept { return object_of(*mesh_, spot_); }
+  mesh::GodObject state() const noexcept { return object_of(*mesh_, at_.spot); }
   // Goes on from a state of this mesh, as a recording holds it.
   void resume(const mesh::GodObject& state) noexcept {
-    spot_ = spot_of(*mesh_, state);
+    at_.spot = spot_of(*mesh_, state);
     square_ = 0;
+    is_seeking_ = false;
   }
 
  private:
-  // Whether the position is in the ball: false for NaN. The ball's radius leaves room for these roundings.
-  bool is_empty_at(const std::array<float, 3>& position) const noexcept {
+  // mm²; NaN for NaN.
+  FORCESHADE_INLINE double off_centre(const std::array<float, 3>& position) const noexcept {
     double square = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const double off = static_cast<double>(position[i]) - centre_[i];
       square += off * off;
     }
-    return square < square_ && in_domain(position[0]) && in_domain(position[1]) && in_domain(position[2]);
+    return square;
+  }
+  // Whether the position is in the ball: false for NaN. The ball's radius leaves room for these roundings.
+  FORCESHADE_INLINE bool is_in_ball(const std::array<float, 3>& position) const noexcept {
+    return off_centre(position) < square_ && in_domain(position[0]) && in_domain(position[1]) && in_domain(position[2]);
   }
 
   mesh::Tick step_on_mesh(const std::array<float, 3>& position) noexcept;
-  void find_empty_ball() noexcept;
+  void seek_ball() noexcept;
 
   std::shared_ptr<const Mesh> mesh_;
   float stiffness_;
   mesh::Shading shading_;
-  Spot spot_;
+  Arrival at_;
   std::array<double, 3> centre_{};  // mm, of the ball
   double square_ = 0;               // mm², of its radius; 0: there is none
+  double renew_square_ = 0;         // mm²: farther from the centre than this, the next ball is sought
   int ticks_until_ball_ = 0;        // while small balls would be left at once
+  bool is_seeking_ = false;
+  BoxTree::Search search_;
 };
 
 }  // namespace forceshade::fast

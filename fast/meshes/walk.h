@@ -18,7 +18,7 @@ enum class Rest {
 struct Arrival {
   Spot spot;
   Rest rest = Rest::none;
-  std::uint16_t moves = 0;
+  int moves = 0;
   bool is_finished = true;
 };
 
@@ -27,40 +27,57 @@ class Walk {
  public:
   static constexpr int kMostMoves = 256;
 
-  // p: mm, in the domain and quantised.
-  Walk(const Mesh& mesh, const std::array<float, 3>& p, const Stages& stages = {}) noexcept
-      : mesh_(mesh), p_(p), stages_(stages), largest_(static_cast<double>(mesh.largest_coordinate())) {
-    for (const float coordinate : p)
-      if (std::fabs(coordinate) > largest_) largest_ = static_cast<double>(std::fabs(coordinate));
-  }
+  // Moves `at`, from where its spot is. p: mm, in the domain and quantised. Both have to outlive the walk.
+  FORCESHADE_INLINE Walk(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, const Stages& stages = {}) noexcept
+      : mesh_(mesh), at_(at), spot_(at.spot), p_(p), stages_(stages) {}
 
-  Arrival run(const Spot& from) noexcept {
-    spot_ = from;
+  FORCESHADE_INLINE void run() noexcept {
+    // A god-object that went through triangles in the last tick goes on through their neighbours, two or more of them.
+    if (at_.moves > 1 && spot_.place == mesh::Place::triangle)
+      for (const HalfEdge other : mesh_.face(face_of(spot_.half)).twin)
+        if (other != kRim) mesh_.fetch_neighbours(face_of(other));
+    at_.moves = 0;
+    at_.is_finished = true;
     if (spot_.place == mesh::Place::nowhere) return start();
-    for (;;) {
-      const Step step = move();
-      if (step == Step::rest) return {spot_, rest_, static_cast<std::uint16_t>(moves_), true};
-      if (step == Step::exhausted) return {spot_, Rest::at_spot, static_cast<std::uint16_t>(moves_), false};
-    }
+    Step step;
+    do step = spot_.place == mesh::Place::triangle ? move_in_triangle() : move();
+    while (step == Step::onward);
+    if (step == Step::rest) return;
+    at_.rest = Rest::at_spot;
+    at_.is_finished = false;
   }
 
  private:
   enum class Step { onward, rest, exhausted };
 
-  Step rest(Rest how) noexcept {
-    rest_ = how;
+  FORCESHADE_INLINE Step rest(Rest how) noexcept {
+    at_.rest = how;
     return Step::rest;
   }
-  Step rest(Rest how, const Spot& at) noexcept {
-    spot_ = at;
+  FORCESHADE_INLINE Step rest(Rest how, const Spot& at) noexcept {
+    put(at);
     return rest(how);
   }
-  Step onward(const Spot& to) noexcept {
-    spot_ = to;
+  FORCESHADE_INLINE Step onward(const Spot& to) noexcept {
+    put(to);
     return Step::onward;
   }
+  // One member at a time: a load that spans several recent stores waits for them.
+  FORCESHADE_INLINE void put(const Spot& to) noexcept {
+    spot_.place = to.place;
+    spot_.side = to.side;
+    spot_.half = to.half;
+    spot_.weight[0] = to.weight[0];
+    spot_.weight[1] = to.weight[1];
+  }
+  FORCESHADE_INLINE Step be_free() noexcept {
+    spot_.place = mesh::Place::free;
+    spot_.side = mesh::Side::front;
+    spot_.position = p_;
+    return rest(Rest::none);
+  }
 
-  Arrival start() noexcept {
+  [[gnu::noinline]] void start() noexcept {
     Hit hit;
     const Vector3<double> place{static_cast<double>(p_[0]), static_cast<double>(p_[1]), static_cast<double>(p_[2])};
     mesh_.tree().along(place, place, [&](std::uint32_t f) {
@@ -68,11 +85,11 @@ class Walk {
       const Hit found = Flight<Stages>::part_at(mesh_, f, p_.data(), stages_);
       if (found.part != Hit::Part::none) hit = found;
     });
-    if (hit.part == Hit::Part::none) return {free_spot(), Rest::none, 0, true};
-    return {spot_at_position(hit), Rest::at_position, 0, true};
+    if (hit.part == Hit::Part::none)
+      be_free();
+    else
+      rest(Rest::at_position, spot_at_position(hit));
   }
-
-  Spot free_spot() const noexcept { return {mesh::Place::free, mesh::Side::front, 0, {}, p_}; }
 
   // p, which lies on the surface at the hit, with its parameters rounded.
   Spot spot_at_position(const Hit& hit) const noexcept {
@@ -87,17 +104,17 @@ class Walk {
 
   Spot rest_on_edge(HalfEdge h, mesh::Side side) const noexcept {
     const Foot foot(mesh_.start_point(h), mesh_.start_point(next(h)), p_.data());
-    std::uint32_t m = NearestParameters(foot.length).of(foot.along, stages_, [&] {
+    std::uint32_t m = Parameters(foot.length).nearest(foot.along, stages_, [&] {
       const ExactFoot exact = exact_foot(h);
       return exact_nearest(exact.along, exact.length);
     });
     m = m < 1 ? 1 : m > kGrid - 1 ? kGrid - 1 : m;
     return spot_on_edge(mesh_, h, m, side);
   }
-  Spot rest_in_triangle(std::uint32_t f, const Weights& weights, mesh::Side side) const noexcept {
-    const NearestParameters parameters(weights.all);
+  FORCESHADE_INLINE Spot rest_in_triangle(std::uint32_t f, const Weights& weights, mesh::Side side) const noexcept {
+    const Parameters parameters(weights.all);
     const auto parameter = [&](std::size_t corner) {
-      const std::uint32_t nearest = parameters.of(weights.corner[corner], stages_, [&] {
+      const std::uint32_t nearest = parameters.nearest(weights.corner[corner], stages_, [&] {
         const ExactWeights exact(mesh_.face(f), p_.data());
         return exact_nearest(exact.corner[corner], exact.all);
       });
@@ -108,46 +125,100 @@ class Walk {
       const std::uint32_t excess = k + l - (kGrid - 1);
       (k >= l ? k : l) -= excess;
     }
-    return spot_in_triangle(mesh_, f, k, l, side);
+    return {mesh::Place::triangle, side, 3 * f, {k, l}, {}};
   }
 
   // ---- Moves.
 
-  Step move() noexcept {
+  // How p lies to a triangle.
+  struct Facing {
+    FaceNumbers numbers;
+    Vector3<double> w;  // p less the first corner
+    int side;           // of n·w
+    Weights weights;
+
+    FORCESHADE_INLINE Facing(const Face& face, const float* p, const Stages& stages) noexcept
+        : numbers(face),
+          w(difference(p, face.corner[0].data())),
+          side(side_of(numbers, face, p, w, stages)),
+          weights(numbers, w) {}
+  };
+  // On which side of the edge h the foot of p lies: see Headings::inward().
+  FORCESHADE_INLINE int inward(const Facing& facing, HalfEdge h) const noexcept {
+    const std::uint32_t opposite = before(corner_of(h));
+    return sign_of(facing.weights.corner[opposite], stages_,
+                   [&] { return ExactWeights(mesh_.face(face_of(h)), p_.data()).corner[opposite].sign(); });
+  }
+
+  FORCESHADE_INLINE Step move_in_triangle() noexcept {
+    const std::uint32_t f = face_of(spot_.half);
+    const Facing facing(mesh_.face(f), p_.data(), stages_);
+    const int side = facing.side;
+    if (side == 0 && is_at_position()) return rest(Rest::at_spot);
+    if (is_own(side > 0 ? Aim::front : side < 0 ? Aim::back : Aim::on)) return fly();
+    return slide_in(f, facing);
+  }
+
+  // All that is decided beside an edge is the same from each of its points.
+  FORCESHADE_INLINE Step move_on_edge() noexcept {
+    const HalfEdge h = spot_.half, other = mesh_.twin(h);
+    // The triangle that a slide has just left does not lead back.
+    const bool is_left = left_.half == h && left_.beside.inward < 0;
+    if (is_left && other != kRim) {
+      const Facing second(mesh_.face(face_of(other)), p_.data(), stages_);
+      return move_beside(h, left_.beside, {second.side, inward(second, other)}, second, second);
+    }
+    return move_on_any_edge(h, other);
+  }
+  [[gnu::noinline]] Step move_on_any_edge(HalfEdge h, HalfEdge other) noexcept {
+    const Facing first(mesh_.face(face_of(h)), p_.data(), stages_);
+    if (other == kRim) return move_beside(h, {first.side, inward(first, h)}, {0, -1}, first, first);
+    const Facing second(mesh_.face(face_of(other)), p_.data(), stages_);
+    return move_beside(h, {first.side, inward(first, h)}, {second.side, inward(second, other)}, first, second);
+  }
+  // facing_first, facing_second: of the triangles on either side of h; any, where that triangle is not led into.
+  FORCESHADE_INLINE Step move_beside(HalfEdge h, const Beside& first, const Beside& second, const Facing& facing_first,
+                                     const Facing& facing_second) noexcept {
+    const Aim aim = aim_beside(mesh_, h, first, second);
+    const bool into_first = first.inward > 0, into_second = second.inward > 0;
+    if (!into_first && !into_second) {
+      if (aim == Aim::on && is_at_position()) return rest(Rest::at_spot);
+      if (is_own(aim)) return fly();
+      return slide_along({Slide::Along::edge, h, false});
+    }
+    if (is_own(aim)) return fly();
+    const bool is_second = into_second && (!into_first || is_second_nearer(h));
+    return is_second ? slide_in(face_of(mesh_.twin(h)), facing_second) : slide_in(face_of(h), facing_first);
+  }
+  // Whether the triangle beyond the edge h is the steeper way: both lead inward.
+  [[gnu::noinline]] bool is_second_nearer(HalfEdge h) const noexcept {
+    const Point corner = Point::at(mesh_.start_point(h));
+    const Vector3<double> w = difference(p_.data(), corner.corner[0]);
+    const Direction direction{w, size_of(w), &corner, p_.data(), false};
+    return Headings<Stages>(mesh_, direction, stages_)
+        .is_better({Slide::Along::triangle, mesh_.twin(h), false}, {Slide::Along::triangle, h, false});
+  }
+
+  FORCESHADE_INLINE Step move() noexcept {
     switch (spot_.place) {
-      case mesh::Place::triangle: {
-        const std::uint32_t f = face_of(spot_.half);
-        const Face& face = mesh_.face(f);
-        const FaceNumbers numbers(face);
-        const Vector3<double> w = difference(p_.data(), face.corner[0].data());
-        const int side = side_of(numbers, face, p_.data(), w, stages_);
-        if (side == 0 && is_at_position()) return rest(Rest::at_spot);
-        if (is_own(side > 0 ? Aim::front : side < 0 ? Aim::back : Aim::on)) return fly();
-        return slide_in(f, Weights(numbers, w), side == 0);
-      }
-      case mesh::Place::edge: {
-        // All that is decided beside an edge is the same from each of its points.
-        const Point corner = Point::at(mesh_.start_point(spot_.half));
-        const Vector3<double> w = difference(p_.data(), corner.corner[0]);
-        const Direction direction{w, size_of(w), &corner, p_.data(), false};
-        const Heading heading = Headings<Stages>(mesh_, direction, stages_).at_edge(spot_.half);
-        if (heading.aim == Aim::on && heading.way.along == Slide::Along::edge && is_at_position()) return rest(Rest::at_spot);
-        if (is_own(heading.aim)) return fly();
-        return slide(heading);
-      }
-      case mesh::Place::vertex: {
-        const Point corner = Point::at(mesh_.start_point(spot_.half));
-        const Vector3<double> w = difference(p_.data(), corner.corner[0]);
-        const Direction direction{w, size_of(w), &corner, p_.data(), false};
-        if (direction.size == 0) return rest(Rest::at_spot);
-        const Heading heading = Headings<Stages>(mesh_, direction, stages_).at_vertex(mesh_.start(spot_.half));
-        if (is_own(heading.aim)) return fly();
-        return slide(heading);
-      }
+      case mesh::Place::edge: return move_on_edge();
+      case mesh::Place::vertex: return move_at_vertex();
       default:
         if (spot_.position == p_) return rest(Rest::none);
         return fly();
     }
+  }
+  [[gnu::noinline]] Step move_at_vertex() noexcept {
+    const Point corner = Point::at(mesh_.start_point(spot_.half));
+    const Vector3<double> w = difference(p_.data(), corner.corner[0]);
+    const Direction direction{w, size_of(w), &corner, p_.data(), false};
+    if (direction.size == 0) return rest(Rest::at_spot);
+    const Heading heading = Headings<Stages>(mesh_, direction, stages_).at_vertex(mesh_.start(spot_.half));
+    if (is_own(heading.aim)) return fly();
+    if (heading.way.along == Slide::Along::nothing) return rest(Rest::at_spot);
+    if (heading.way.along == Slide::Along::edge) return slide_along(heading.way);
+    const std::uint32_t f = face_of(heading.way.half);
+    return slide_in(f, Facing(mesh_.face(f), p_.data(), stages_));
   }
 
   // Whether the god-object may leave the surface that way.
@@ -157,17 +228,9 @@ class Walk {
 
   bool is_at_position() const noexcept {
     const Point g = point_of(mesh_, spot_);
-    const Offset U = offset_from(g, p_.data(), largest_);
+    const Offset U = offset_from(g, p_.data(), largest());
     if (stages_.sure(U.size < HUGE_VAL)) return false;
     return is_zero(exact_offset_from(g, p_.data()));
-  }
-
-  Step slide(const Heading& heading) noexcept {
-    if (heading.way.along == Slide::Along::nothing) return rest(Rest::at_spot);
-    if (heading.way.along == Slide::Along::edge) return slide_along(heading.way);
-    const std::uint32_t f = face_of(heading.way.half);
-    const Face& face = mesh_.face(f);
-    return slide_in(f, Weights(FaceNumbers(face), difference(p_.data(), face.corner[0].data())), heading.aim == Aim::on);
   }
 
   // From the spot towards p's nearest point q of the edge's line.
@@ -186,8 +249,8 @@ class Walk {
       if (onward == 0) return rest(Rest::at_spot);
       is_towards_start = onward < 0;
     }
-    if (moves_ == kMostMoves) return Step::exhausted;
-    ++moves_;
+    if (at_.moves == kMostMoves) return Step::exhausted;
+    ++at_.moves;
     if (is_towards_start ? beyond(0) > 0 : beyond(kGrid) < 0) return rest(Rest::on_edge, rest_on_edge(h, spot_.side));
     const HalfEdge end = is_towards_start ? h : next(h);
     const Spot vertex = spot_at_vertex(mesh_, end, spot_.side);
@@ -199,27 +262,33 @@ class Walk {
   }
   bool is_position(const float* point) const noexcept { return point[0] == p_[0] && point[1] == p_[1] && point[2] == p_[2]; }
 
-  // From the spot, through the triangle, towards p's nearest point q of its plane. is_on: p lies in that plane.
-  Step slide_in(std::uint32_t f, const Weights& weights, bool is_on) noexcept {
+  // From the spot, through the triangle, towards p's nearest point q of its plane.
+  FORCESHADE_INLINE Step slide_in(std::uint32_t f, const Facing& facing) noexcept {
+    const Weights& weights = facing.weights;
+    if (spot_.place != mesh::Place::triangle) mesh_.fetch_neighbours(f);
     std::array<int, 3> inside;
     for (std::size_t i = 0; i < 3; ++i)
       inside[i] = sign_of(weights.corner[i], stages_, [&] { return ExactWeights(mesh_.face(f), p_.data()).corner[i].sign(); });
-    if (inside[0] > 0 && inside[1] > 0 && inside[2] > 0) {
-      const Spot to = rest_in_triangle(f, weights, spot_.side);
-      if (spot_.place == mesh::Place::triangle && to.weight == spot_.weight && is_nearest_already(f, weights))
-        return rest(Rest::at_spot);
-      if (moves_ == kMostMoves) return Step::exhausted;
-      ++moves_;
-      return rest(is_on ? Rest::at_position : Rest::in_triangle, to);
-    }
-    if (moves_ == kMostMoves) return Step::exhausted;
-    ++moves_;
+    if (inside[0] <= 0 || inside[1] <= 0 || inside[2] <= 0) return slide_out(f, facing, inside);
+    const Spot to = rest_in_triangle(f, weights, spot_.side);
+    if (spot_.place == mesh::Place::triangle && to.weight[0] == spot_.weight[0] && to.weight[1] == spot_.weight[1] &&
+        is_nearest_already(f, weights))
+      return rest(Rest::at_spot);
+    if (at_.moves == kMostMoves) return Step::exhausted;
+    ++at_.moves;
+    return rest(facing.side == 0 ? Rest::at_position : Rest::in_triangle, to);
+  }
+  // The same where q is not strictly inside.
+  FORCESHADE_INLINE Step slide_out(std::uint32_t f, const Facing& facing, const std::array<int, 3>& inside) noexcept {
+    const Weights& weights = facing.weights;
+    if (at_.moves == kMostMoves) return Step::exhausted;
+    ++at_.moves;
     // It leaves through the edge opposite to a corner whose weight falls to 0 on the way from G, the spot's, to q.
     const std::array<std::uint32_t, 3> G = weights_in(mesh_, spot_, f);
     const auto falls = [&](std::uint32_t i) { return inside[i] <= 0 && G[i] > 0; };
     std::uint32_t i = falls(0) ? 0 : falls(1) ? 1 : 2;
     // The weight of corner j where corner i's is 0, as num/den.
-    const auto num = [&](std::uint32_t j) { return whole(G[i]) * weights.corner[j] - whole(G[j]) * weights.corner[i]; };
+    const auto num = [&](std::uint32_t j) { return times(G[i], weights.corner[j]) - times(G[j], weights.corner[i]); };
     const auto exact_num = [&](const ExactWeights& exact, std::uint32_t j) {
       return exact.corner[j] * integer(G[i]) - exact.corner[i] * integer(G[j]);
     };
@@ -235,16 +304,28 @@ class Walk {
       if (first < 0) i = j;
     }
     const HalfEdge edge = 3 * f + after(i);
-    if (is_on && inside[i] == 0) return rest(Rest::at_position, rest_on_edge(edge, spot_.side));
+    if (facing.side == 0 && inside[i] == 0) return rest(Rest::at_position, rest_on_edge(edge, spot_.side));
     const std::uint32_t j = before(i);  // the edge's end
-    const Cell cell =
-        cell_of(num(j), whole(G[i]) * weights.all - DoubleWithError::exactly(0x1p24) * weights.corner[i], stages_, [&] {
-          const ExactWeights exact(mesh_.face(f), p_.data());
-          return exact_cell(exact_num(exact, j), exact.all * integer(G[i]) - exact.corner[i].template shifted<24>());
-        });
-    return arrive(spot_on_edge(mesh_, edge, rounded_on_edge(edge, cell), spot_.side));
+    const Cell cell = Parameters(times(G[i], weights.all) - shifted<24>(weights.corner[i])).cell(num(j), stages_, [&] {
+      const ExactWeights exact(mesh_.face(f), p_.data());
+      return exact_cell(exact_num(exact, j), exact.all * integer(G[i]) - exact.corner[i].template shifted<24>());
+    });
+    const Foot foot(mesh_.start_point(edge), mesh_.start_point(next(edge)), p_.data());
+    left_ = {edge, {facing.side, inside[i]}};
+    const Spot to = spot_on_edge(mesh_, edge, rounded_on_edge(edge, cell, foot), spot_.side);
+    return stages_.sure(is_surely_nearer(G[i], weights.all, foot.length)) ? onward(to) : arrive(to);
   }
-  static DoubleWithError whole(std::uint32_t weight) noexcept { return DoubleWithError::exactly(static_cast<double>(weight)); }
+  // Whether a slide to an edge ends nearer to p by more than the rounding takes away. weight: of the corner opposite to the
+  // edge, at the slide's start; n_n, e_e: the squares of the triangle's normal and of the edge. The slide's length d is at
+  // least the start's distance from the edge, weight/2^24·|n|/|e|. It brings the square of the distance to p down by d² at
+  // least, and the rounding up by (|e|/2^24)²/4 at most (docs/meshes.md, "Consequences").
+  static bool is_surely_nearer(std::uint32_t weight, const DoubleWithError& n_n, const DoubleWithError& e_e) noexcept {
+    const double across = 2 * static_cast<double>(weight), along = e_e.value + e_e.error;
+    return across * across * (n_n.value - n_n.error) > (1 + 0x1p-40) * (along * along);
+  }
+  FORCESHADE_INLINE static DoubleWithError times(std::uint32_t weight, const DoubleWithError& a) noexcept {
+    return fast::times(static_cast<double>(weight), a);
+  }
   static FixedInteger<25> integer(std::uint32_t weight) noexcept { return FixedInteger<25>(static_cast<std::int64_t>(weight)); }
 
   // Whether the spot, whose parameters are those of q rounded, is q.
@@ -262,9 +343,8 @@ class Walk {
   // ---- Rule 3.
 
   // The end of the cell that is nearer to p; equally near: the one nearer to the edge's lower vertex.
-  std::uint32_t rounded_on_edge(HalfEdge h, const Cell& cell) const noexcept {
+  FORCESHADE_INLINE std::uint32_t rounded_on_edge(HalfEdge h, const Cell& cell, const Foot& foot) const noexcept {
     if (cell.is_whole) return cell.floor;
-    const Foot foot(mesh_.start_point(h), mesh_.start_point(next(h)), p_.data());
     const int beyond = compare_with_halves(foot.along, foot.length, 2 * cell.floor + 1, stages_, [&] {
       const ExactFoot exact = exact_foot(h);
       return exact_compare_with_halves(exact.along, exact.length, 2 * cell.floor + 1);
@@ -274,25 +354,25 @@ class Walk {
   }
 
   // At the rounded point, unless it is not nearer to p: then the move, counted already, is refused.
-  Step arrive(const Spot& to) noexcept {
+  [[gnu::noinline]] Step arrive(const Spot& to) noexcept {
     const Point here = point_of(mesh_, spot_), there = point_of(mesh_, to);
     const auto length = [&](const Point& point) -> DoubleWithError {
-      const Offset U = offset_from(point, p_.data(), largest_);
+      const Offset U = offset_from(point, p_.data(), largest());
       return {square(U.U), kOffsetLength.error * U.size * U.size};
     };
     const int nearer = sign_of(length(here) - length(there), stages_, [&] {
       return square(exact_offset_from(here, p_.data())).compare(square(exact_offset_from(there, p_.data())));
     });
     if (nearer > 0) return onward(to);
-    --moves_;
+    --at_.moves;
     return rest(Rest::at_spot);
   }
 
   [[gnu::noinline]] Step fly() noexcept {
-    if (moves_ == kMostMoves) return Step::exhausted;
-    ++moves_;
+    if (at_.moves == kMostMoves) return Step::exhausted;
+    ++at_.moves;
     const Point g = point_of(mesh_, spot_);
-    double largest = largest_;
+    double largest = this->largest();
     if (spot_.place == mesh::Place::free)
       for (const float coordinate : spot_.position)
         if (std::fabs(coordinate) > largest) largest = static_cast<double>(std::fabs(coordinate));
@@ -301,24 +381,38 @@ class Walk {
     flight.run();
     const Hit& landing = flight.landing();
     if (landing.part == Hit::Part::none) {
-      if (flight.end().part == Hit::Part::none) return rest(Rest::none, free_spot());
+      if (flight.end().part == Hit::Part::none) return be_free();
       return rest(Rest::at_position, spot_at_position(flight.end()));
     }
     const HalfEdge h = 3 * landing.face + landing.corner;
     const Spot to = landing.part == Hit::Part::corner ? spot_at_vertex(mesh_, h, landing.side)
-                    : landing.part == Hit::Part::edge
-                        ? spot_on_edge(mesh_, h, rounded_on_edge(h, flight.cell_on_edge()), landing.side)
-                        : flight.rounded_in_triangle();
+                    : landing.part == Hit::Part::edge ? rounded_landing(h, flight.cell_on_edge(), landing.side)
+                                                      : flight.rounded_in_triangle();
     return spot_.place == mesh::Place::free ? onward(to) : arrive(to);
+  }
+  Spot rounded_landing(HalfEdge h, const Cell& cell, mesh::Side side) const noexcept {
+    const Foot foot(mesh_.start_point(h), mesh_.start_point(next(h)), p_.data());
+    return spot_on_edge(mesh_, h, rounded_on_edge(h, cell, foot), side);
+  }
+
+  // Of p's coordinates and the mesh's.
+  double largest() const noexcept {
+    float largest = mesh_.largest_coordinate();
+    for (const float coordinate : p_)
+      if (std::fabs(coordinate) > largest) largest = std::fabs(coordinate);
+    return static_cast<double>(largest);
   }
 
   const Mesh& mesh_;
-  std::array<float, 3> p_;
+  Arrival& at_;
+  Spot& spot_;
+  const std::array<float, 3>& p_;
   Stages stages_;
-  double largest_;  // of p's coordinates and the mesh's
-  Spot spot_;
-  Rest rest_ = Rest::none;
-  int moves_ = 0;
+  // The edge that the last slide went out through, and how p lies to the triangle that it left: that depends on p alone.
+  struct {
+    HalfEdge half = kRim;
+    Beside beside{};
+  } left_;
 };
 
 }  // namespace forceshade::fast

@@ -13,6 +13,7 @@
 #include "forceshade/fast/heights/spline.h"
 #include "forceshade/fast/heights/spline_force.h"
 #include "forceshade/fast/law.h"
+#include "forceshade/fast/meshes/vector3.h"
 #include "forceshade/tests/fast/pack_operations.h"
 #include "forceshade/tests/fast/recorded_row.h"
 #include "forceshade/tests/fast/recorded_run.h"
@@ -311,6 +312,32 @@ void height_spline(ComparedScript& script, bool is_fused) {
   expect("aside", weights, columns.twice_slope, one.Uy, side_by_side.Uy);
 }
 
+// The header's products of vectors; each component of a cross product is the script's first, with the axes in turn.
+void mesh_decisions(ComparedScript& script, bool is_fused) {
+  RecordedRun run(script, is_fused);
+  run.expressions.products_always_round = true;
+  const auto vector = [&](const char* x, const char* y, const char* z) {
+    return fast::Vector3<Recorded>{run.input(x, 0.3), run.input(y, -0.7), run.input(z, 0.9)};
+  };
+  const auto a = vector("ax", "ay", "az"), b = vector("bx", "by", "bz"), c = vector("cx", "cy", "cz"),
+             d = vector("dx", "dy", "dz");
+  const auto n = fast::cross(a, b);
+  for (const char* piece : {"along", "length", "offset_length"}) run.expect(piece, fast::dot(a, b));
+  for (const char* piece : {"across", "passes"}) run.expect(piece, fast::dot(n, c));
+  for (const char* piece : {"inside", "area"}) run.expect(piece, fast::dot(fast::cross(c, d), n));
+  const auto expect = [&](const Recorded& found, const Recorded& ay, const Recorded& az, const Recorded& by,
+                          const Recorded& bz) {
+    run.bind("ay", ay);
+    run.bind("az", az);
+    run.bind("by", by);
+    run.bind("bz", bz);
+    run.expect("normal", found);
+  };
+  expect(n.x, a.y, a.z, b.y, b.z);
+  expect(n.y, a.z, a.x, b.z, b.x);
+  expect(n.z, a.x, a.y, b.x, b.y);
+}
+
 using Compare = void (*)(ComparedScript& script, bool is_fused);
 const std::map<std::string, Compare> kComparisons{
     {"laws/wall", &wall},
@@ -326,6 +353,7 @@ const std::map<std::string, Compare> kComparisons{
     {"numbers/double_double", &double_double},
     {"heights/force", &height_force},
     {"heights/spline", &height_spline},
+    {"meshes/decide", &mesh_decisions},
 };
 
 TEST(proof_operations, of_every_piece_of_every_script_are_those_of_its_header) {

@@ -85,6 +85,7 @@ check() {  # script's basename, bound that its intervals must imply, or "" if on
 check polygon_gap ""
 check double_double "$(constant "$fast/numbers/double_double.h" kRelativeError)"
 check spline "$(constant "$fast/heights/spline.h" kSplineError)"
+check decide ""
 check force "$(constant "$fast/heights/force.h" kHeightForceError)"
 laws=$(sed -n 's/.*{LawId::[a-z0-9_]*, "[^"]*", "\([a-z0-9_]*\)"},/\1/p' "$2/vocabulary/law.h")
 [ "$(wc -w <<<"$laws")" -ge 9 ] || fail "only $(wc -w <<<"$laws") laws found in vocabulary/law.h"

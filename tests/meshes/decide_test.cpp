@@ -7,7 +7,13 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <map>
 #include <random>
+#include <string>
+
+#include "forceshade/fast/meshes/bit_span.h"
 
 namespace forceshade::fast {
 namespace {
@@ -32,6 +38,65 @@ TEST(decide, has_the_bounds_that_counting_by_hand_gives) {
   expect_units(kLength, 3, (1 + 1 + 1) * 3 + 2 + 3);
   expect_units(kOffsetLength, 3, (2 + 2 + 1) * 3 + 2 + 3);
   expect_units(kPasses, 6, (beside + 2 + 2) * 3 + 4 + 6);
+}
+
+// Of numbers that binary64 holds without rounding. The ends of each span are met, so that none is too wide either.
+// What Gappa proves of each expression (fast/meshes/decide.g), in units of 2^-53.
+TEST(decide, has_bounds_that_the_proofs_of_gappa_imply) {
+  const std::map<std::string, RoundingBound> bounds{{"normal", kNormal.x},
+                                                    {"across", kAcross},
+                                                    {"inside", kInside},
+                                                    {"area", kArea},
+                                                    {"along", kAlong},
+                                                    {"length", kLength},
+                                                    {"offset_length", kOffsetLength},
+                                                    {"passes", kPasses}};
+  std::ifstream file(FORCESHADE_SOURCE_DIR "/fast/meshes/decide.gappa-expected");
+  std::size_t found = 0;
+  for (std::string line; std::getline(file, line);) {
+    const std::string piece = line.substr(0, line.find(':'));
+    const auto bound = bounds.find(piece);
+    if (bound == bounds.end()) continue;
+    ++found;
+    const double proved = std::strtod(line.c_str() + line.rfind(',') + 1, nullptr);
+    std::printf("  %-14s %6.2f, proved %6.2f\n", piece.c_str(), bound->second.error * 0x1p53, proved * 0x1p53);
+    // Gappa prints six digits, and the header has its slack.
+    EXPECT_LE(proved, bound->second.error * (1 + 1e-5)) << piece;
+    EXPECT_GE(proved, bound->second.error * (1 - 1e-3)) << piece;
+  }
+  EXPECT_EQ(found, bounds.size());
+}
+
+TEST(decide, counts_the_bits_of_sums_and_products) {
+  std::mt19937 random(8);
+  int longest_sums = 0, longest_products = 0;
+  for (int i = 0; i < 100000; ++i) {
+    struct Number {
+      BitSpan span;
+      double value;
+    };
+    const auto draw = [&]() -> Number {
+      const int low = static_cast<int>(random() % 40) - 20, bits = 1 + static_cast<int>(random() % 6);
+      const auto size = static_cast<int>(random() % (1U << bits));
+      return {{low, low + bits}, std::ldexp(random() % 2 == 0 ? size : -size, low)};
+    };
+    const Number a = draw(), b = draw();
+    const auto is_in = [](const BitSpan& span, double value) {
+      const double units = std::ldexp(value, -span.low);
+      return units == std::trunc(units) && std::fabs(value) < std::ldexp(1.0, span.high);
+    };
+    ASSERT_TRUE(is_in(a.span + b.span, a.value + b.value));
+    ASSERT_TRUE(is_in(a.span - b.span, a.value - b.value));
+    ASSERT_TRUE(is_in(a.span * b.span, a.value * b.value));
+    longest_sums += !is_in({(a.span + b.span).low, (a.span + b.span).high - 1}, a.value + b.value);
+    longest_products += !is_in({(a.span * b.span).low, (a.span * b.span).high - 1}, a.value * b.value);
+  }
+  std::printf("  %d sums and %d products as long as can be; the shaded force takes %d bits\n", longest_sums, longest_products,
+              most_bits_of_shaded_force());
+  EXPECT_GT(longest_sums, 500);
+  EXPECT_GT(longest_products, 1000);
+  // docs/meshes.md states it.
+  EXPECT_EQ(most_bits_of_shaded_force(), 3283);
 }
 
 TEST(decide, stays_within_the_bounds_on_flat_and_thin_triangles) {

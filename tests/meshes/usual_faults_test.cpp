@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is usually wrong with a god-object, each fault with a test that the one of this project does not have it.
+
+#include <gtest/gtest.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+#include "forceshade/fast/meshes/session.h"
+#include "forceshade/meshes/make.h"
+#include "forceshade/meshes/normals.h"
+#include "forceshade/tests/meshes/loaded.h"
+
+namespace forceshade {
+namespace {
+
+using fast::MeshSession;
+using mesh::Place;
+using mesh::Shading;
+using mesh::Sides;
+using mesh::TickStatus;
+using Position = std::array<float, 3>;
+
+constexpr float kStiffness = 0.5F;  // N/mm
+
+std::shared_ptr<const fast::Mesh> built(const mesh::TriangleMesh& triangles, Sides sides,
+                                        const mesh::CornerNormals& normals = {}) {
+  auto result = fast::Mesh::build(triangles, normals, sides);
+  if (const auto* message = std::get_if<std::string>(&result)) throw std::runtime_error(*message);
+  return std::make_shared<const fast::Mesh>(std::get<fast::Mesh>(std::move(result)));
+}
+
+bool is_same(const mesh::Tick& a, const mesh::Tick& b) {
+  return a.status == b.status && a.moves == b.moves && a.after == b.after &&
+         std::memcmp(a.force.data(), b.force.data(), sizeof a.force) == 0;
+}
+
+double length(const std::array<double, 3>& a) {
+  return std::hypot(a[0], a[1], a[2]);
+}
+// Radians.
+double angle(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  const std::array<double, 3> cross{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  return std::atan2(length(cross), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+}
+std::array<double, 3> binary64(const Position& a) {
+  return {static_cast<double>(a[0]), static_cast<double>(a[1]), static_cast<double>(a[2])};
+}
+
+// The path of the benchmark around the sphere, 0.5 to 2 mm deep.
+Position around_the_sphere(double t) {
+  constexpr double kPi = std::numbers::pi;
+  const double theta = kPi / 2 + 1.30 * std::sin(2 * kPi * 0.110 * t), phi = 2 * kPi * 0.170 * t;
+  const double radius = 50 - (1.25 + 0.75 * std::sin(2 * kPi * 1.30 * t));
+  return {static_cast<float>(radius * std::sin(theta) * std::cos(phi)),
+          static_cast<float>(radius * std::sin(theta) * std::sin(phi)), static_cast<float>(radius * std::cos(theta))};
+}
+
+// The cosine of the largest angle at the centre between a triangle's normal and its corners, which lie on the sphere: the
+// smallest distance of a triangle's plane from the centre, in radii.
+double least_cosine(const mesh::TriangleMesh& sphere, double radius) {
+  double least = 1;
+  for (const mesh::Triangle& t : sphere.triangles) {
+    std::array<double, 3> a = binary64(sphere.vertices[t[0]]), e1{}, e2{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      e1[i] = static_cast<double>(sphere.vertices[t[1]][i]) - a[i];
+      e2[i] = static_cast<double>(sphere.vertices[t[2]][i]) - a[i];
+    }
+    const std::array<double, 3> n{e1[1] * e2[2] - e1[2] * e2[1], e1[2] * e2[0] - e1[0] * e2[2], e1[0] * e2[1] - e1[1] * e2[0]};
+    least = std::fmin(least, (n[0] * a[0] + n[1] * a[1] + n[2] * a[2]) / length(n) / radius);
+  }
+  return least;
+}
+
+// A rest in a triangle has the force along the triangle's normal. Let rho be the largest angle at the centre between a
+// triangle's normal and one of its points: that of a corner. The position p is inside the sphere, and p's foot in the triangle
+// is p plus a multiple of the normal. So both have the same distance from the normal's line through the centre: |p| sin(p,
+// normal) = |foot| sin(foot, normal) <= R sin(rho). Two forces in turn therefore differ by the angle between the two positions,
+// which is the turn on the exact sphere, and by twice asin(R sin(rho)/|p|), which is a facet's angle as it is seen at p.
+TEST(usual_faults, the_force_does_not_turn_to_and_fro_on_a_sphere) {
+  constexpr double kRadius = 50;
+  for (const std::uint32_t frequency : {7U, 22U, 71U}) {
+    const mesh::TriangleMesh sphere = mesh::icosphere(frequency, kRadius);
+    // The vertices are rounded by up to 2^-20 mm; 2^-15 covers what this does to the normal of the smallest triangle.
+    const double rho = std::acos(least_cosine(sphere, kRadius)) + 0x1p-15;
+    MeshSession session(built(sphere, Sides::front), kStiffness, Shading::none);
+    session.step({60, 0, 0});
+    Position before{}, force_before{};
+    double most = 0, most_of_bound = 0;
+    int facets = 0, turns_back = 0;
+    std::uint32_t facet = 0, facet_before = 0;
+    for (int i = 0; i < 100000; ++i) {
+      const Position p = around_the_sphere(1e-3 * i);
+      const mesh::Tick tick = session.step(p);
+      ASSERT_EQ(tick.status, TickStatus::touching) << i;
+      ASSERT_EQ(tick.after.place, Place::triangle) << i;
+      if (i > 0) {
+        const auto seen = [&](const Position& at) { return std::asin(kRadius * std::sin(rho) / length(binary64(at))); };
+        const double turn = angle(binary64(force_before), binary64(tick.force));
+        const double exact = angle(binary64(before), binary64(p)), bound = exact + seen(before) + seen(p);
+        ASSERT_LE(turn, bound) << "tick " << i;
+        ASSERT_LE(turn, 2 * exact + seen(before) + seen(p)) << "tick " << i;
+        most = std::fmax(most, turn);
+        most_of_bound = std::fmax(most_of_bound, turn / bound);
+        if (tick.after.index[0] != facet) {
+          ++facets;
+          turns_back += tick.after.index[0] == facet_before;
+          facet_before = facet;
+        }
+      }
+      facet = tick.after.index[0];
+      before = p;
+      force_before = tick.force;
+    }
+    std::printf(
+        "  %zu triangles: %d changes of the triangle, %d back to the one before; the largest turn %.4f rad, %.2f of its "
+        "bound\n",
+        sphere.triangles.size(), facets, turns_back, most, most_of_bound);
+    EXPECT_GT(facets, 1000);
+    // A sawtooth goes back at every second change. A smooth path goes back only where it cuts a corner of a triangle twice.
+    EXPECT_LT(10 * turns_back, facets);
+  }
+}
+
+TEST(usual_faults, a_hand_that_is_held_still_has_the_same_force_for_ever) {
+  MeshSession session(built(mesh::icosphere(22, 50), Sides::front), kStiffness, Shading::none);
+  session.step({60, 0, 0});
+  int stills = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Position p = around_the_sphere(0.01 * i);
+    const mesh::Tick first = session.step(p);
+    for (int k = 0; k < 5; ++k) {
+      const mesh::Tick again = session.step(p);
+      ASSERT_EQ(again.after, first.after) << i;
+      ASSERT_EQ(std::memcmp(again.force.data(), first.force.data(), sizeof again.force), 0) << i;
+    }
+    stills += first.status == TickStatus::touching;
+  }
+  EXPECT_EQ(stills, 2000);
+}
+
+// ---- The unit of length.
+
+// All digits of a binary32 number of moderate size, with what stands behind them.
+std::string decimal(float number, const char* behind) {
+  std::array<char, 64> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::fixed).ptr;
+  return std::string(text.data(), end) + behind;
+}
+std::string off_text(const mesh::TriangleMesh& mesh, const char* behind) {
+  std::string text = "OFF\n" + std::to_string(mesh.vertices.size()) + " " + std::to_string(mesh.triangles.size()) + " 0\n";
+  for (const mesh::Vertex& v : mesh.vertices)
+    text += decimal(v[0], behind) + " " + decimal(v[1], behind) + " " + decimal(v[2], behind) + "\n";
+  for (const mesh::Triangle& t : mesh.triangles)
+    text += "3 " + std::to_string(t[0]) + " " + std::to_string(t[1]) + " " + std::to_string(t[2]) + "\n";
+  return text;
+}
+template <class Number>
+void append(std::string& bytes, Number number) {
+  char raw[sizeof number];
+  std::memcpy(raw, &number, sizeof number);
+  bytes.append(raw, sizeof number);
+}
+// Little-endian, as this machine is.
+std::string binary_stl(const mesh::TriangleMesh& mesh, double unit) {
+  std::string bytes(80, ' ');
+  append(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
+  for (const mesh::Triangle& t : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) append(bytes, 0.0F);
+    for (const std::uint32_t v : t)
+      for (const float coordinate : mesh.vertices[v]) append(bytes, static_cast<float>(static_cast<double>(coordinate) / unit));
+    append(bytes, std::uint16_t{0});
+  }
+  return bytes;
+}
+
+TEST(usual_faults, a_text_in_m_gives_the_same_bits_as_the_same_text_in_mm) {
+  const mesh::TriangleMesh sphere = mesh::icosphere(9, 50);
+  const mesh::Loaded in_mm = mesh::of_text("ball.off", off_text(sphere, ""), mesh::Unit::mm),
+                     in_m = mesh::of_text("ball.off", off_text(sphere, "e-3"), mesh::Unit::m);
+  ASSERT_EQ(in_mm.refusal + in_m.refusal, "");
+  EXPECT_EQ(in_mm.mesh.mesh.vertices, in_m.mesh.mesh.vertices);
+  EXPECT_EQ(in_mm.mesh.mesh.triangles, in_m.mesh.mesh.triangles);
+  EXPECT_EQ(in_mm.mesh.mesh.vertices, sphere.vertices);
+  MeshSession a(built(in_mm.mesh.mesh, Sides::front), kStiffness, Shading::none),
+      b(built(in_m.mesh.mesh, Sides::front), kStiffness, Shading::none);
+  a.step({60, 0, 0});
+  b.step({60, 0, 0});
+  int touching = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Position p = around_the_sphere(1e-3 * i);
+    const mesh::Tick in_a = a.step(p), in_b = b.step(p);
+    ASSERT_TRUE(is_same(in_a, in_b)) << i;
+    touching += in_a.status == TickStatus::touching;
+  }
+  EXPECT_EQ(touching, 5000);
+}
+
+// A binary32 number of m is not the same rational as the one of mm beside it: whoever wrote the file has rounded it, by up to
+// half a unit in its last place. Reading rounds the product with 1000 once more. These two roundings are all.
+TEST(usual_faults, a_binary_file_in_m_differs_by_the_rounding_of_its_numbers_alone) {
+  const mesh::TriangleMesh sphere = mesh::icosphere(22, 50);
+  const mesh::Loaded in_mm = mesh::of_text("ball.stl", binary_stl(sphere, 1), mesh::Unit::mm),
+                     in_m = mesh::of_text("ball.stl", binary_stl(sphere, 1000), mesh::Unit::m);
+  ASSERT_EQ(in_mm.refusal + in_m.refusal, "");
+  ASSERT_EQ(in_mm.mesh.mesh.triangles.size(), in_m.mesh.mesh.triangles.size());
+  int same = 0, other = 0;
+  for (std::size_t t = 0; t < sphere.triangles.size(); ++t)
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const float mm = in_mm.mesh.mesh.vertices[in_mm.mesh.mesh.triangles[t][c]][i],
+                    m = in_m.mesh.mesh.vertices[in_m.mesh.mesh.triangles[t][c]][i];
+        const float expected = sphere.vertices[sphere.triangles[t][c]][i];
+        EXPECT_EQ(mm, expected);
+        // The product has 34 bits, so binary64 holds it and it is rounded once here.
+        const auto in_file = static_cast<float>(static_cast<double>(expected) / 1000);
+        const auto product = static_cast<float>(1000 * static_cast<double>(in_file));
+        EXPECT_EQ(m, std::fabs(product) < 0x1p-30F ? 0 : product);
+        EXPECT_LE(std::fabs(static_cast<double>(m) - static_cast<double>(mm)), 0x1p-23 * std::fabs(static_cast<double>(mm)));
+        ++(m == mm ? same : other);
+      }
+  std::printf("  %d coordinates are the same, %d are not\n", same, other);
+  EXPECT_GT(same, 0);
+  EXPECT_GT(other, 0);
+}
+
+// ---- Numbers that are no positions.
+
+TEST(usual_faults, nan_infinity_and_1e26_change_nothing_in_contact_and_in_free_space) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
+  const auto mesh = built(mesh::icosphere(7, 50), Sides::front);
+  MeshSession disturbed(mesh, kStiffness, Shading::none), quiet(mesh, kStiffness, Shading::none);
+  int in_contact = 0, in_free_space = 0;
+  for (int i = 0; i < 400; ++i) {
+    // 5 mm above, then in contact, by turns of 100 ticks: long enough for an empty ball to be found.
+    const bool is_above = i / 100 % 2 == 0;
+    Position p = around_the_sphere(1e-3 * i);
+    if (is_above)
+      for (float& coordinate : p) coordinate *= 1.125F;
+    ASSERT_TRUE(is_same(disturbed.step(p), quiet.step(p))) << i;
+    ++(is_above ? in_free_space : in_contact);
+    for (const float wrong : {kNan, -kNan, kInfinity, -kInfinity, 1e26F, -1e26F, std::nextafter(1e4F, kInfinity)})
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        Position off = p;
+        off[axis] = wrong;
+        const mesh::GodObject before = disturbed.state();
+        const mesh::Tick tick = disturbed.step(off);
+        ASSERT_EQ(tick.status, TickStatus::invalid) << i << ": " << wrong;
+        ASSERT_EQ(tick.force, (Position{0, 0, 0}));
+        ASSERT_EQ(tick.moves, 0);
+        ASSERT_EQ(tick.after, before);
+        ASSERT_EQ(disturbed.state(), before);
+      }
+  }
+  EXPECT_EQ(in_contact, 200);
+  EXPECT_EQ(in_free_space, 200);
+}
+
+TEST(usual_faults, a_vertex_at_1e26_is_refused_in_words) {
+  mesh::TriangleMesh triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1e26F, 0}}, {{0, 1, 2}}};
+  const auto refused = fast::Mesh::build(triangle, {}, Sides::both);
+  ASSERT_TRUE(std::holds_alternative<std::string>(refused));
+  EXPECT_EQ(std::get<std::string>(refused), "vertex 2 is outside the domain");
+  const mesh::Loaded loaded = mesh::of_text("far.obj", "v 0 0 0\nv 1 0 0\nv 0 1e26 0\nf 1 2 3\n");
+  EXPECT_TRUE(loaded.refusal.starts_with("line 3: ")) << loaded.refusal;
+  EXPECT_NE(loaded.refusal.find("10000"), std::string::npos) << loaded.refusal;
+}
+
+// ---- Passing through.
+
+// Straight down through a wall without thickness, and along slanted lines; through its triangles, edges and vertices. Below,
+// the foot of the position is in the wall, so the god-object comes to rest above it.
+TEST(usual_faults, a_jump_of_10_m_does_not_pass_through_a_thin_wall) {
+  const auto wall = built(mesh::thin_wall(100, 100, 4, 4), Sides::both);
+  int jumps = 0;
+  for (const float x : {0.0F, 25.0F, 10.0F, -7.3F})
+    for (const float y : {0.0F, -25.0F, 10.0F, 3.1F})
+      for (const float slant : {0.0F, 20.0F, 70.0F}) {
+        MeshSession session(wall, kStiffness, Shading::none);
+        ASSERT_EQ(session.step({x - slant, y, 5000}).status, TickStatus::free);
+        const mesh::Tick below = session.step({x, y, -5000});
+        ASSERT_EQ(below.status, TickStatus::touching) << x << " " << y << " " << slant;
+        EXPECT_EQ(below.after.side, mesh::Side::front);
+        EXPECT_EQ(below.force, (Position{0, 0, 2500}));
+        const mesh::Tick above = session.step({x, y, 5000});
+        EXPECT_EQ(above.status, TickStatus::free);
+        EXPECT_EQ(above.force, (Position{0, 0, 0}));
+        ++jumps;
+      }
+  EXPECT_EQ(jumps, 48);
+}
+
+// The top of a plate of 0.01 mm holds what comes from above, at whatever speed, and not the bottom.
+TEST(usual_faults, a_jump_of_10_m_stops_at_the_first_of_two_sheets_that_nearly_touch) {
+  MeshSession session(built(mesh::box(100, 100, 0.01), Sides::front), kStiffness, Shading::none);
+  session.step({1, 2, 5000});
+  const mesh::Tick tick = session.step({3, 4, -5000});
+  ASSERT_EQ(tick.status, TickStatus::touching);
+  const double height = static_cast<double>(static_cast<float>(0.005)) + 5000;
+  EXPECT_EQ(tick.force, (Position{0, 0, static_cast<float>(0.5 * height)}));
+}
+
+// ---- Creases.
+
+mesh::CornerNormals normals_of(const mesh::TriangleMesh& triangles, double crease) {
+  return mesh::corner_normals(std::get<mesh::CheckedMesh>(mesh::check(triangles)), crease).normals;
+}
+
+// Inside a cube: up along its side until above the top, down again, and along the top.
+TEST(usual_faults, a_crease_stays_a_crease_under_shading) {
+  const mesh::TriangleMesh cube = mesh::cube(20);
+  MeshSession sharp(built(cube, Sides::front, normals_of(cube, 30)), kStiffness, Shading::vertex_scheme),
+      plain(built(cube, Sides::front), kStiffness, Shading::none),
+      smooth(built(cube, Sides::front, normals_of(cube, 180)), kStiffness, Shading::vertex_scheme);
+  for (MeshSession* session : {&sharp, &plain, &smooth}) session->step({15, 1, 0});
+  int on_side = 0, on_top = 0, is_free = 0, turned_by_shading = 0;
+  for (int i = 0; i < 2150; ++i) {
+    const float way = 0.01F * static_cast<float>(i);
+    const Position p = i < 1050 ? Position{9, 1, way} : i < 1250 ? Position{9, 1, 21.0F - way} : Position{21.5F - way, 1, 8.5F};
+    const mesh::Tick tick = sharp.step(p), expected = plain.step(p), turned = smooth.step(p);
+    ASSERT_EQ(tick.after, expected.after) << i;
+    ASSERT_EQ(tick.force, expected.force) << i;
+    const bool is_side = tick.force[0] > 0 && tick.force[1] == 0 && tick.force[2] == 0;
+    const bool is_top = tick.force[0] == 0 && tick.force[1] == 0 && tick.force[2] > 0;
+    ASSERT_TRUE(is_side || is_top || tick.force == Position{}) << i;
+    on_side += is_side;
+    on_top += is_top;
+    is_free += tick.status == TickStatus::free;
+    turned_by_shading += turned.force != tick.force;
+  }
+  std::printf("  %d ticks on the side, %d on top, %d free; shading without the crease turned %d forces\n", on_side, on_top,
+              is_free, turned_by_shading);
+  EXPECT_GT(on_side, 900);
+  EXPECT_GT(on_top, 900);
+  EXPECT_GT(is_free, 50);
+  EXPECT_GT(turned_by_shading, 900);
+}
+
+// A groove along the x axis with sides at 45 degrees: whoever is pressed into it stays at its bottom, and feels nothing along
+// it.
+TEST(usual_faults, a_groove_holds_the_god_object_at_its_bottom) {
+  mesh::TriangleMesh groove;
+  constexpr std::uint32_t kColumns = 40;
+  for (std::uint32_t i = 0; i <= kColumns; ++i)
+    for (const float y : {-20.0F, 0.0F, 20.0F}) groove.vertices.push_back({static_cast<float>(i) - 20, y, std::fabs(y)});
+  for (std::uint32_t i = 0; i < kColumns; ++i)
+    for (std::uint32_t row = 0; row < 2; ++row) {
+      const std::uint32_t a = 3 * i + row;
+      groove.triangles.push_back({a, a + 3, a + 4});
+      groove.triangles.push_back({a, a + 4, a + 1});
+    }
+  MeshSession session(built(groove, Sides::both), kStiffness, Shading::none);
+  session.step({0.4F, 0.1F, 5});
+  int at_edges = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const double t = 1e-3 * i;
+    const Position p{static_cast<float>(15 * std::sin(3 * t)), static_cast<float>(0.9 * std::sin(40 * t)), -1};
+    const mesh::Tick tick = session.step(p);
+    ASSERT_EQ(tick.status, TickStatus::touching) << i;
+    ASSERT_TRUE(tick.after.place == Place::edge || tick.after.place == Place::vertex) << i;
+    at_edges += tick.after.place == Place::edge;
+    if (tick.after.place == Place::edge) {
+      ASSERT_EQ(tick.force, (Position{0, -kStiffness * p[1], kStiffness})) << i;
+    }
+  }
+  EXPECT_GT(at_edges, 2900);
+}
+
+}  // namespace
+}  // namespace forceshade
