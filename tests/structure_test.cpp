@@ -202,7 +202,6 @@ std::vector<Sort> sorts() {
       {"tests/reference/height_energy_test.cpp", maps},
       {"tests/reference/height_reference_test.cpp", maps},
       {"tests/reference/profile_test.cpp", maps},
-      {"tests/meshes/texture_scheme_test.cpp", maps},
       {"tests/report/side_view_test.cpp", maps},
   };
   return {laws, kinds};

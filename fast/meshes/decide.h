@@ -207,9 +207,9 @@ std::uint32_t exact_nearest(const FixedInteger<kNum>& num, const FixedInteger<kD
   return cell.floor + (above > 0 || (above == 0 && cell.floor % 2 == 1) ? 1 : 0);
 }
 // The grid's parameters of several num over one den > 0, whose inverse is computed once.
-class Parameters {
+class GridParameters {
  public:
-  FORCESHADE_INLINE explicit Parameters(const DoubleWithError& den) noexcept {
+  FORCESHADE_INLINE explicit GridParameters(const DoubleWithError& den) noexcept {
     if (!(den.value > 0x1p10 * den.error)) return;
     inverse_ = 0x1p24 / den.value;
     relative_ = (1 + 0x1p-9) * den.error / den.value + 0x1p-51;

@@ -104,7 +104,7 @@ class Walk {
 
   Spot rest_on_edge(HalfEdge h, mesh::Side side) const noexcept {
     const Foot foot(mesh_.start_point(h), mesh_.start_point(next(h)), p_.data());
-    std::uint32_t m = Parameters(foot.length).nearest(foot.along, stages_, [&] {
+    std::uint32_t m = GridParameters(foot.length).nearest(foot.along, stages_, [&] {
       const ExactFoot exact = exact_foot(h);
       return exact_nearest(exact.along, exact.length);
     });
@@ -112,7 +112,7 @@ class Walk {
     return spot_on_edge(mesh_, h, m, side);
   }
   FORCESHADE_INLINE Spot rest_in_triangle(std::uint32_t f, const Weights& weights, mesh::Side side) const noexcept {
-    const Parameters parameters(weights.all);
+    const GridParameters parameters(weights.all);
     const auto parameter = [&](std::size_t corner) {
       const std::uint32_t nearest = parameters.nearest(weights.corner[corner], stages_, [&] {
         const ExactWeights exact(mesh_.face(f), p_.data());
@@ -306,7 +306,7 @@ class Walk {
     const HalfEdge edge = 3 * f + after(i);
     if (facing.side == 0 && inside[i] == 0) return rest(Rest::at_position, rest_on_edge(edge, spot_.side));
     const std::uint32_t j = before(i);  // the edge's end
-    const Cell cell = Parameters(times(G[i], weights.all) - shifted<24>(weights.corner[i])).cell(num(j), stages_, [&] {
+    const Cell cell = GridParameters(times(G[i], weights.all) - shifted<24>(weights.corner[i])).cell(num(j), stages_, [&] {
       const ExactWeights exact(mesh_.face(f), p_.data());
       return exact_cell(exact_num(exact, j), exact.all * integer(G[i]) - exact.corner[i].template shifted<24>());
     });

@@ -144,11 +144,13 @@ TEST(texture_scheme, is_the_reference_in_every_bit_on_random_meshes_and_maps) {
         ASSERT_TRUE(tests::is_same(found, expected))
             << "mesh " << seed << ", " << properties::kMeshFamilies[made.family] << ", tick " << i << ": expected "
             << tests::show(expected) << ", found " << tests::show(found);
-      const fast::MeshTick tick = step(mesh, spot_of(mesh, state), p, kStiffness, mesh::Shading::texture_scheme);
+      fast::Arrival arrival{spot_of(mesh, state), fast::Rest::none, 0, true};
+      mesh::Tick tick;
+      step(mesh, arrival, p, kStiffness, mesh::Shading::texture_scheme, fast::FilteredStages(), tick);
       if (tick.status != mesh::TickStatus::invalid) {
         fast::ForceStage stage{};
         const Position read{fast::quantised(p[0]), fast::quantised(p[1]), fast::quantised(p[2])};
-        fast::mesh_force(mesh, tick.arrival, read, kStiffness, mesh::Shading::texture_scheme, true, &stage);
+        fast::mesh_force(mesh, arrival, read, kStiffness, mesh::Shading::texture_scheme, true, &stage);
         const Position untilted = step(mesh, state, p, kStiffness, mesh::Shading::vertex_scheme).force;
         if (stage != fast::ForceStage::unshaded) {
           counts["force from binary64"] += stage == fast::ForceStage::binary64;
