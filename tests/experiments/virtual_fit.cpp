@@ -94,7 +94,7 @@ Cell cell_of(const std::vector<const MatchingResult*>& trials) {
 Results results_of_one(const Protocol& protocol, const Language& language, const Feel& feel, const Observer& observer,
                        int number) {
   Random seeds(1995, static_cast<std::uint64_t>(number));
-  SavedSession saved{"V" + std::to_string(number), seeds.next(), protocol, language, {}, {}};
+  SavedSession saved{std::to_string(number), seeds.next(), protocol, language, {}, {}};
   Session session(protocol, language, saved.seed, [&](const Event& event) { saved.events.push_back(event); });
   VirtualParticipant participant(protocol, observer, feel, seeds.next());
   run_to_end(session, participant);
