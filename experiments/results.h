@@ -35,10 +35,20 @@ struct ClassificationResult {
   double seconds = 0;
 };
 
+// The matching radius through one trial: figure 6-6 of the thesis.
+struct RadiusChange {
+  std::string participant;
+  int trial = 0;
+  int step = 0;        // 0 for the initial radius, then 1 to MatchingResult::steps
+  double seconds = 0;  // since the trial's first tick
+  double radius = 0;   // mil
+};
+
 // Practice trials are not among them.
 struct Results {
   std::vector<MatchingResult> matching;
   std::vector<ClassificationResult> classification;
+  std::vector<RadiusChange> radius_changes;  // of the matching trials, in their order
 };
 
 }  // namespace forceshade::experiments

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What is wrong with a file of an experiment, in words for whoever edits it.
+
+#include <cstddef>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace forceshade::experiments {
+
+// "FILE: reason", or "FILE:LINE: reason" where a line is known; the reason names the key or column, what was expected and what
+// was got.
+class Error : public std::runtime_error {
+ public:
+  Error(const std::filesystem::path& file, const std::string& reason) : runtime_error(file.string() + ": " + reason) {}
+  Error(const std::filesystem::path& file, std::size_t line, const std::string& reason)
+      : runtime_error(file.string() + ":" + std::to_string(line) + ": " + reason) {}
+};
+
+}  // namespace forceshade::experiments

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A session with one participant as a deterministic state machine: presses in; screen, bumps to render and events out.
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "forceshade/experiments/language.h"
+#include "forceshade/experiments/order.h"
+#include "forceshade/experiments/protocol.h"
+#include "forceshade/experiments/screen.h"
+
+namespace forceshade::experiments {
+
+enum class EventKind {
+  run_started,     // run
+  block_started,   // block; by enter on its instructions
+  trial_started,   // block, trial (index), attempt, condition; by the press before it
+  radius_changed,  // radius
+  match_done,      // radius
+  answered,        // radius; answer: satisfaction 1 to 10, or picture 1 to 4
+  break_started,
+  break_ended,
+  question_answered,  // answer: number of the question from 1; text
+  session_ended,
+  run_ended,  // the window was closed, or the session is over
+};
+
+// One line of the trial log. What a kind does not list keeps its zero.
+struct Event {
+  EventKind kind = EventKind::run_started;
+  double time = 0;  // s since the first tick of the run
+  int run = 0;      // from 1; one for each start of the program
+  int block = 0;    // Block::number
+  int index = 0;    // of the trial in its block, from 1
+  int attempt = 0;  // from 1; more after an interruption
+  Trial trial;      // of trial_started
+  Mil radius = 0;
+  int answer = 0;
+  std::string text;
+
+  friend bool operator==(const Event&, const Event&) = default;
+};
+
+// What the servo loop renders now: nothing, one bump, or reference and matching bump.
+struct Scene {
+  std::optional<Bump> left, right;  // a single bump, at position 0, is `left`
+  friend bool operator==(const Scene&, const Scene&) = default;
+};
+
+class Session {
+ public:
+  // Called with each event before the session goes on: a log that throws leaves the session where it was.
+  using Log = std::function<void(const Event&)>;
+
+  // `earlier`: the events of earlier runs, in their order; none for a new session. Throws std::invalid_argument where they
+  // cannot have come from this protocol and seed. Logs run_started at time 0.
+  Session(Protocol protocol, Language language, std::uint64_t seed, Log log, std::span<const Event> earlier = {},
+          KeyNames keys = {});
+
+  Screen screen() const;
+  Scene scene() const;
+
+  // A press that has no meaning on this screen changes nothing. `time`: s since the first tick of the run, never less than in
+  // an earlier call.
+  void press(const Press& press, double time);
+
+  // Logs run_ended once; after it, presses change nothing.
+  void close(double time);
+
+  // Trial of the session that is going on, practice among them; none between trials.
+  struct Current {
+    int run, block, index, attempt;
+    bool is_practice;
+    Trial trial;
+    Mil radius;      // of the matching bump, or the bump
+    double started;  // s of the run
+  };
+  std::optional<Current> current() const;
+
+  bool is_over() const { return place_ == Place::end; }
+  const Protocol& protocol() const { return protocol_; }
+  const Language& language() const { return language_; }
+  const std::vector<Block>& blocks() const { return blocks_; }
+
+ private:
+  enum class Place { instructions, block_text, trial, satisfaction, pause, question, resumed, end };
+
+  void replay(std::span<const Event> earlier);
+  void emit(Event event);
+  void after_text(double time);
+  void start_trial(double time);
+  void change_radius(int direction, double time);
+  void enter(double time);
+  void after_answer(double time);
+  std::string filled(const std::string& text) const;
+  const Block& block() const { return blocks_[block_]; }
+  std::size_t questions() const;
+
+  Protocol protocol_;
+  Language language_;
+  Log log_;
+  KeyNames keys_;
+  std::vector<Block> blocks_;
+  Place place_ = Place::instructions;
+  std::size_t block_ = 0, trial_ = 0, question_ = 0;
+  std::vector<std::vector<int>> attempts_;  // of each block's trials
+  Mil radius_ = 0;
+  std::string entry_;
+  int run_ = 1;
+  double started_ = 0;
+  bool is_closed_ = false;
+};
+
+}  // namespace forceshade::experiments
