@@ -55,7 +55,7 @@ class OpenGl {
 // Keys that type nothing, under the names of kNamedKeys. The others come as characters, as the keyboard's layout types them.
 std::string name_of(int key) {
   if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) return "return";
-  if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return "f" + std::to_string(key - GLFW_KEY_F1 + 1);
+  if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return std::string(1, 'f').append(std::to_string(key - GLFW_KEY_F1 + 1));
   constexpr std::pair<int, const char*> kNames[]{{GLFW_KEY_BACKSPACE, "backspace"},
                                                  {GLFW_KEY_DELETE, "delete"},
                                                  {GLFW_KEY_TAB, "tab"},
@@ -205,7 +205,6 @@ class Window::Display {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    glfwWindowHint(GLFW_SAMPLES, 4);
     if (settings_.is_fullscreen) {
       glfwWindowHint(GLFW_REFRESH_RATE, mode->refreshRate);
       glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);

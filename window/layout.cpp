@@ -34,6 +34,7 @@ class Layout {
         window_(window),
         measure_(measure),
         body_(text_size(window) * settings.text_scale),
+        label_(std::min({body_, window.height / 26, window.width / 34})),
         margin_(0.05 * window.height) {
     picture_.background = kPaper;
   }
@@ -75,25 +76,25 @@ class Layout {
     if (screen_.trials > 0) {
       const std::string which =
           settings_.words.trial + " " + std::to_string(screen_.trial) + " / " + std::to_string(screen_.trials);
-      add_line(which, right, margin_, body_, kMuted, Align::right);
-      right -= measure_.width(which, body_) + body_;
+      add_line(which, right, margin_, label_, kMuted, Align::right);
+      right -= measure_.width(which, label_) + label_;
     }
     if (screen_.is_practice) {
-      const double size = 0.85 * body_, width = measure_.width(settings_.words.practice, size) + 1.2 * size;
-      const double top = margin_ + (line(body_) - line(size)) / 2;
+      const double size = 0.85 * label_, width = measure_.width(settings_.words.practice, size) + 1.2 * size;
+      const double top = margin_ + (line(label_) - line(size)) / 2;
       add(Box{{right - width, top - 0.1 * size, right, top + line(size)}, 0.4 * size, kAccent, {}, 0});
       add_line(settings_.words.practice, right - width / 2, top, size, kWhite, Align::centre);
-      right -= width + body_;
+      right -= width + label_;
     }
-    const double bottom = scene_area(window_).top - 0.3 * body_;
-    const Fitted title = fitted(screen_.title, right - margin_, bottom - margin_, 1.25 * body_, measure_);
+    const double bottom = scene_area(window_).top - 0.3 * label_;
+    const Fitted title = fitted(screen_.title, right - margin_, bottom - margin_, 1.25 * label_, measure_);
     add_lines(title, margin_, margin_ - 0.15 * title.size, kInk);
     return bottom;
   }
 
   // What keys do, along the bottom. Each key stands in a cap, as on a keyboard.
   void draw_keys(const Caps& caps) {
-    double size = 0.85 * body_;
+    double size = 0.85 * label_;
     const auto width_of_all = [&] {
       double width = -2 * size;
       for (const auto& [keys, words] : caps) {
@@ -102,7 +103,7 @@ class Layout {
       }
       return width;
     };
-    while (width_of_all() > window_.width - 2 * margin_ && size > 0.2 * body_) size *= 0.95;
+    while (width_of_all() > window_.width - 2 * margin_ && size > 1) size *= 0.95;
     double x = (window_.width - width_of_all()) / 2;
     const double top = window_.height - 0.6 * margin_ - line(size);
     for (const auto& [keys, words] : caps) {
@@ -133,7 +134,7 @@ class Layout {
 
   Caps enter_key() const { return {{caps_of(settings_.keys.enter), settings_.words.enter}}; }
 
-  double bottom_of_text() const { return window_.height - margin_ - 1.9 * body_; }
+  double bottom_of_text() const { return window_.height - margin_ - 1.9 * label_; }
 
   void draw_text_page(bool goes_on) {
     const double width = std::min(window_.width - 2 * margin_, kColumn * body_), left = (window_.width - width) / 2;
@@ -148,10 +149,10 @@ class Layout {
     if (goes_on) draw_keys(enter_key());
   }
 
-  // The text under the scene, in the middle, down to `bottom`.
-  void draw_text_below(double bottom) {
+  // Between a picture and what is at the bottom, in the middle.
+  void draw_text_between(double above, double bottom) {
     if (screen_.text.empty()) return;
-    const double top = scene_area(window_).bottom + 0.5 * body_;
+    const double top = above + 0.5 * label_;
     const double width = std::min(window_.width - 2 * margin_, 1.4 * kColumn * body_);
     const Fitted text = fitted(screen_.text, width, bottom - top, body_, measure_);
     add_lines(text, window_.width / 2, top + (bottom - top - text.height()) * 0.4, kInk, Align::centre);
@@ -163,7 +164,7 @@ class Layout {
     picture_.scene = area;
     add(Box{area, 0, kPanel, {}, 0});
     if (screen_.shows_scene) draw_bumps(area);
-    draw_text_below(bottom_of_text());
+    draw_text_between(area.bottom, bottom_of_text());
     const Keys& keys = settings_.keys;
     const Words& words = settings_.words;
     draw_keys({{caps_of(keys.smaller), words.smaller}, {caps_of(keys.bigger), words.bigger}, {caps_of(keys.done), words.done}});
@@ -181,10 +182,14 @@ class Layout {
                       .edge = std::max(1.0, view.pixels_per_mm() / 8),
                       .pixel = [&](const Position& p) { return view.pixel(p); }};
     for (Item& item : drawn_out(both, solid)) add(std::move(item));
-    const double size = std::min(0.9 * body_, 3.6 * view.pixels_per_mm());
+    const double size = std::min(0.9 * label_, 3.4 * view.pixels_per_mm()),
+                 room = 0.9 * scene_.separation * view.pixels_per_mm();
     const double top = view.pixel({0, -kSceneDepth / 2, -kSlabThickness}).y + 0.35 * size;
-    add_line(settings_.words.reference, view.pixel({-scene_.separation / 2, 0, 0}).x, top, size, kInk, Align::centre);
-    add_line(settings_.words.matching, view.pixel({scene_.separation / 2, 0, 0}).x, top, size, kInk, Align::centre);
+    const auto name = [&](const std::string& words, double x) {
+      add_lines(fitted(words, room, line(size), size, measure_), view.pixel({x, 0, 0}).x, top, kInk, Align::centre);
+    };
+    name(settings_.words.reference, -scene_.separation / 2);
+    name(settings_.words.matching, scene_.separation / 2);
     if (scene_.tip) draw_tip(view, area);
   }
 
@@ -212,7 +217,7 @@ class Layout {
 
   // Where what was typed stands, in the middle: above the keys.
   void draw_entry() {
-    const double size = 1.3 * body_, width = 4 * size, bottom = bottom_of_text(), top = bottom - line(size) - 0.5 * size;
+    const double size = 1.3 * label_, width = 4 * size, bottom = bottom_of_text(), top = bottom - line(size) - 0.5 * size;
     const double x = window_.width / 2;
     add(Box{{x - width / 2, top, x + width / 2, bottom}, 0.25 * size, kWhite, kAccent, std::max(1.5, size / 14)});
     const Fitted entry = fitted(screen_.entry, 0.9 * width, line(size), size, measure_);
@@ -224,14 +229,21 @@ class Layout {
     add(Line{{{x, top + 0.15 * size}, {x, top + 1.2 * size}}, kAccent, std::max(1.5, size / 12)});
   }
 
-  double top_of_entry() const { return bottom_of_text() - 1.3 * body_ * (kLineHeight + 0.5) - 0.5 * body_; }
+  double top_of_entry() const { return bottom_of_text() - 1.3 * label_ * (kLineHeight + 0.5) - 0.5 * label_; }
+
+  // Smaller than a scene, for the entry is under it.
+  Rectangle area_of_answers() const {
+    Rectangle area = scene_area(window_);
+    area.bottom = 0.62 * window_.height;
+    return area;
+  }
 
   void draw_satisfaction() {
     draw_header();
-    const Rectangle area = scene_area(window_);
+    const Rectangle area = area_of_answers();
     const double side = std::min(area.width() / 14, area.height() / 4), gap = side / 4, all = 10 * side + 9 * gap;
     const double left = (window_.width - all) / 2, top = area.top + (area.height() - side) * 0.45;
-    const double size = std::min(1.2 * body_, 0.5 * side);
+    const double size = std::min(1.2 * label_, 0.5 * side);
     for (int i = 0; i < 10; ++i) {
       const std::string number = std::to_string(i + 1);
       const bool is_chosen = screen_.entry == number;
@@ -243,25 +255,25 @@ class Layout {
               std::max(1.0, side / 40)});
       add_line(number, x + side / 2, top + (side - line(size)) / 2, size, is_chosen ? kWhite : kInk, Align::centre);
     }
-    const double words_top = top + side + 0.5 * body_, room = area.bottom - words_top;
-    add_lines(fitted(settings_.words.different, 0.48 * all, room, 0.9 * body_, measure_), left, words_top, kMuted);
-    add_lines(fitted(settings_.words.same, 0.48 * all, room, 0.9 * body_, measure_), left + all, words_top, kMuted,
+    const double words_top = top + side + 0.5 * label_, room = area.bottom - words_top;
+    add_lines(fitted(settings_.words.different, 0.48 * all, room, 0.9 * label_, measure_), left, words_top, kMuted);
+    add_lines(fitted(settings_.words.same, 0.48 * all, room, 0.9 * label_, measure_), left + all, words_top, kMuted,
               Align::right);
-    draw_text_below(top_of_entry());
+    draw_text_between(area.bottom, top_of_entry());
     draw_entry();
     draw_keys(enter_key());
   }
 
   void draw_classification() {
     draw_header();
-    const Rectangle area = scene_area(window_);
+    const Rectangle area = area_of_answers();
     const double gap = area.width() / 50, width = (area.width() - 3 * gap) / 4;
     const double height = std::min(area.height(), 1.15 * width), top = area.top + (area.height() - height) / 2;
     for (std::size_t i = 0; i < kShapes.size(); ++i) {
       const double left = area.left + static_cast<double>(i) * (width + gap);
       draw_card(kShapes[i], std::to_string(i + 1), {left, top, left + width, top + height});
     }
-    draw_text_below(top_of_entry());
+    draw_text_between(area.bottom, top_of_entry());
     draw_entry();
     draw_keys(enter_key());
   }
@@ -282,7 +294,7 @@ class Layout {
                         return Point{x + scale * p.x, y - scale * (p.z + kSine * p.y)};
                       }};
     for (Item& item : drawn_out(profile(shape, kWidth, kRadius, kExtent), solid)) add(std::move(item));
-    const double size = std::min(1.4 * body_, 0.16 * card.height());
+    const double size = std::min(1.4 * label_, 0.16 * card.height());
     add_line(number, x, card.bottom - 1.35 * line(size) + 0.2 * size, size, is_chosen ? kAccent : kInk, Align::centre);
   }
 
@@ -303,16 +315,16 @@ class Layout {
 
   // The last lines of a long answer: those that are being written.
   void draw_answer(const Rectangle& box) {
-    const double inset = 0.5 * body_;
-    std::vector<std::string> lines = wrapped(screen_.entry, box.width() - 2 * inset, body_, measure_);
-    const auto room = static_cast<std::size_t>(std::max(1.0, std::floor((box.height() - 2 * inset) / line(body_))));
+    const double size = std::min(body_, box.height() / 5), inset = 0.5 * size;
+    std::vector<std::string> lines = wrapped(screen_.entry, box.width() - 2 * inset, size, measure_);
+    const auto room = static_cast<std::size_t>(std::max(1.0, std::floor((box.height() - 2 * inset) / line(size))));
     if (lines.size() > room) lines.erase(lines.begin(), lines.end() - static_cast<std::ptrdiff_t>(room));
     double top = box.top + inset;
     for (const std::string& words : lines) {
-      add_line(words, box.left + inset, top, body_, kInk);
-      top += line(body_);
+      add_line(words, box.left + inset, top, size, kInk);
+      top += line(size);
     }
-    draw_caret(box.left + inset + measure_.width(lines.back(), body_) + 2, top - line(body_), body_);
+    draw_caret(box.left + inset + measure_.width(lines.back(), size) + 2, top - line(size), size);
   }
 
   const Screen& screen_;
@@ -320,7 +332,8 @@ class Layout {
   const Settings& settings_;
   const Size window_;
   const Measure& measure_;
-  const double body_, margin_;
+  const double body_, label_;  // of running text; of labels, which have a place of limited size
+  const double margin_;
   Picture picture_;
 };
 

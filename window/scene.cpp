@@ -7,8 +7,8 @@
 namespace forceshade::window {
 namespace {
 
-// Intervals of the arc: at 12 pixels per mm its chords stay within a tenth of a pixel of the circle.
-constexpr int kArcIntervals = 48;
+// Intervals of the arc: so many that neither the chords nor the shades of the faces between them can be told apart.
+constexpr int kArcIntervals = 160;
 
 // Points on the circle at equal angles, from one foot of the bump to the other.
 std::vector<ProfilePoint> sampled(double width, double radius, int intervals) {

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLargestSettings = 1 << 16;  // bytes; every key with a long text takes a twentieth
 
 [[noreturn]] void refuse(const fs::path& file, std::uint32_t line, const std::string& reason) {
-  throw Error(file.string() + ": line " + std::to_string(line) + ": " + reason);
+  throw Error(file.string() + ":" + std::to_string(line) + ": " + reason);
 }
 
 bool is_a_character(const std::string& key) {
@@ -75,7 +75,8 @@ class SettingsTable {
   void text(const char* key, std::string& value) {
     if (const toml::node* node = find(key)) {
       const auto got = node->value_exact<std::string>();
-      if (!got || got->empty() || !csv::is_printable(*got)) fail(*node, key, "a text in quotes, on one line and not empty");
+      if (!got || got->empty() || !csv::is_printable(*got))
+        fail(*node, key, "a text in quotes, of one line at least one character long");
       value = *got;
     }
   }
@@ -132,7 +133,9 @@ class SettingsTable {
   [[noreturn]] void fail(const toml::node& node, const char* key, const std::string& expected) const {
     std::ostringstream got;
     node.visit([&](const auto& value) {
-      if constexpr (toml::is_value<decltype(value)>)
+      if constexpr (toml::is_string<decltype(value)>)
+        got << *value;
+      else if constexpr (toml::is_value<decltype(value)>)
         got << value;
       else
         got << "a list or table";

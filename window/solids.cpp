@@ -7,7 +7,7 @@ namespace forceshade::window {
 namespace {
 
 constexpr Colour kLit{0.867F, 0.894F, 0.914F}, kShade{0.357F, 0.435F, 0.506F};
-constexpr Colour kCutTop{0.482F, 0.565F, 0.635F}, kCutBottom{0.404F, 0.486F, 0.557F};
+constexpr Colour kCut{0.443F, 0.525F, 0.596F};
 constexpr Colour kFrontEdge{0.176F, 0.239F, 0.298F}, kBackEdge{0.541F, 0.612F, 0.671F}, kRidge{0.318F, 0.396F, 0.463F};
 
 Colour blend(Colour from, Colour to, double share) {
@@ -42,10 +42,10 @@ std::vector<Item> drawn_out(std::span<const ProfilePoint> profile, const Solid& 
     const Point near_a = near.points[i - 1], far_a = far.points[i - 1];
     const Colour colour = shade(b.z - a.z, b.x - a.x);
     add_quadrangle(faces, {{{near_a, colour}, {far_a, colour}, {far_b, colour}, {near_b, colour}}});
-    add_quadrangle(faces, {{{near_a, kCutTop},
-                            {near_b, kCutTop},
-                            {solid.pixel({b.x, front, -solid.thickness}), kCutBottom},
-                            {solid.pixel({a.x, front, -solid.thickness}), kCutBottom}}});
+    add_quadrangle(faces, {{{near_a, kCut},
+                            {near_b, kCut},
+                            {solid.pixel({b.x, front, -solid.thickness}), kCut},
+                            {solid.pixel({a.x, front, -solid.thickness}), kCut}}});
   }
   std::vector<Item> items{faces};
   for (std::size_t i = 1; solid.has_ridges && i + 1 < profile.size(); ++i)

@@ -64,12 +64,11 @@ std::vector<std::string> wrapped(std::string_view text, double width, double siz
 
 Fitted fitted(std::string_view text, double width, double height, double size, const Measure& measure) {
   Fitted result;
-  for (int twentieths = 20; twentieths >= 5; --twentieths) {
-    result.size = size * twentieths / 20;
-    result.lines = wrapped(text, width, result.size, measure);
-    if (result.height() <= height) break;
+  for (;; size *= 0.95) {
+    result.size = size;
+    result.lines = wrapped(text, width, size, measure);
+    if (result.height() <= height || size < 1) return result;
   }
-  return result;
 }
 
 std::u32string code_points(std::string_view text) {

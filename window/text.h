@@ -34,8 +34,8 @@ struct Fitted {
   double height() const { return static_cast<double>(lines.size()) * size * kLineHeight; }
 };
 
-// In the largest size up to `size` in which the text is no higher than `height`, by steps of a twentieth down to a quarter; in
-// that quarter if it is higher even then.
+// In the largest size up to `size` in which the text is no higher than `height`, by steps of a twentieth; below one pixel,
+// where nothing can be read, in that size.
 Fitted fitted(std::string_view text, double width, double height, double size, const Measure& measure);
 
 // The code points of a text; bytes that are not UTF-8 are left out.
