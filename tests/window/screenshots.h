@@ -33,7 +33,4 @@ inline std::future<int> by_hand(const std::string& what) {
   return std::async(std::launch::async, [command = "xdotool " + what] { return std::system(command.c_str()); });
 }
 
-// As a window manager does when the button for it is clicked.
-void ask_to_close();
-
 }  // namespace forceshade::window

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "ask_to_close.h"
 #include "forceshade/window/layout.h"
 #include "forceshade/window/view.h"
 #include "screenshots.h"
@@ -260,7 +261,7 @@ TEST_F(window_display, closing_the_window_ends_drawing_and_loses_no_press) {
   const Screen match = all_screens()[1].screen;
   ASSERT_TRUE(window.draw(match, {}));
   EXPECT_EQ(by_hand("key j").get(), 0);
-  ask_to_close();
+  ASSERT_TRUE(ask_to_close());
   int frame = 0;
   while (frame < kMostFrames && window.draw(match, {})) ++frame;
   EXPECT_LT(frame, kMostFrames);
