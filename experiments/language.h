@@ -18,7 +18,7 @@ struct Language {
   std::string name;                  // in the language itself: English, Deutsch
   Heading matching, classification;  // the instructions before the first trial
   Heading practice;
-  Heading block_with_vision, block_without_vision;
+  Heading block_with_vision, block_without_vision, classification_block;
   Heading pause, resumed, end;
   Heading match, satisfy, classify;  // short, shown during the trial
   Heading question;                  // shown with each question; its text comes before the question's own

@@ -93,6 +93,11 @@ struct Protocol {
   const Stimulus& stimulus(std::string_view name) const;
   Parameters parameters(Mil radius) const;  // of a law: mm, N/mm
 
+  // Of the classification experiment: those at which a stimulus is presented.
+  std::vector<Mil> radii_of(const Stimulus& stimulus) const;
+  // What the keys make of a radius: direction 1 is the next larger one, -1 the next smaller; the same at the limit.
+  Mil stepped(const Stimulus& stimulus, Mil radius, int direction) const;
+
   // Trials of one participant without practice.
   int trials() const;
 
@@ -100,9 +105,13 @@ struct Protocol {
   std::vector<Bump> bumps() const;
 };
 
+// Whether the height maps and meshes that a protocol names have to be there: not where a finished session is analysed.
+enum class Files { must_exist, may_be_missing };
+
 // Files within it are relative to `folder`; without one, to the protocol's. Throws Error with file, line and key, also where a
-// condition cannot be rendered: a radius below half the width, a variant that a condition needs and that is missing. Files of
-// height maps and meshes have to exist; what is in them is for their own readers.
-Protocol read_protocol(const std::filesystem::path& file, const std::filesystem::path& folder = {});
+// condition cannot be rendered: a radius below half the width, a variant that a condition needs and that is missing. What is in
+// the files of height maps, meshes and texts is for their own readers.
+Protocol read_protocol(const std::filesystem::path& file, const std::filesystem::path& folder = {},
+                       Files files = Files::must_exist);
 
 }  // namespace forceshade::experiments

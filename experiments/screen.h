@@ -19,10 +19,10 @@ enum class ScreenKind {
 
 struct Screen {
   ScreenKind kind = ScreenKind::text;
-  std::string title, text;    // in the participant's language
-  std::string entry;          // what was typed so far
-  bool shows_scene = true;    // false: the trial is without vision
-  int trial = 0, trials = 0;  // of this block, from 1; 0 outside trials
+  std::string title = {}, text = {};  // in the participant's language
+  std::string entry = {};             // what was typed so far
+  bool shows_scene = true;            // false: the trial is without vision
+  int trial = 0, trials = 0;          // of this block, from 1; 0 outside trials
   bool is_practice = false;
 };
 
@@ -30,7 +30,7 @@ enum class Action { smaller, bigger, done, enter, erase, type };
 
 struct Press {
   Action action = Action::enter;
-  std::string typed;  // UTF-8, of type alone
+  std::string typed = {};  // UTF-8, of type alone
 };
 
 }  // namespace forceshade::experiments

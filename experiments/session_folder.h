@@ -16,24 +16,29 @@ namespace forceshade::experiments {
 // A pseudonym: 1 to 32 letters, digits and dashes of ASCII, the first no dash.
 bool is_participant(std::string_view id);
 
+// Whether each event reaches the disk before the session goes on. Without it, a crash of the machine, not of the program, may
+// lose the last seconds: enough for virtual participants.
+enum class Sync { each_event, never };
+
 // The session with its log: each event is a line of trials.jsonl, on the disk before the session goes on.
 class RecordedSession {
  public:
   // Makes the folder, which must not exist or be empty, with session.json, protocol.toml, language.toml, trials.jsonl and an
   // empty ticks/. Throws Error.
   static RecordedSession start(const std::filesystem::path& folder, const std::filesystem::path& protocol,
-                               const std::string& participant, std::uint64_t seed, KeyNames keys = {});
+                               const std::string& participant, std::uint64_t seed, KeyNames keys = {},
+                               Sync sync = Sync::each_event);
 
   // Goes on with an interrupted session. A torn last line is cut off the log, and note() says so. Throws Error, also for a
   // session that is over, or is open in another process.
-  static RecordedSession resume(const std::filesystem::path& folder, KeyNames keys = {});
+  static RecordedSession resume(const std::filesystem::path& folder, KeyNames keys = {}, Sync sync = Sync::each_event);
 
   Session& session() { return *session_; }
   const Session& session() const { return *session_; }
   const std::string& participant() const { return participant_; }
   int run() const { return run_; }  // from 1
   const std::filesystem::path& folder() const { return folder_; }
-  // Where the ticks of this run belong: FOLDER/ticks/run-1.fsrec and so on.
+  // Where the ticks of this run belong: FOLDER/ticks/run-1.fsr and so on.
   std::filesystem::path recording() const;
   // Words about what was repaired; empty if nothing was.
   const std::string& note() const { return note_; }
