@@ -160,6 +160,10 @@ double Apparatus::seconds() {
 
 device::ServoResult Apparatus::stop() {
   stop_ = true;
+  return stop_at_the_end();
+}
+
+device::ServoResult Apparatus::stop_at_the_end() {
   if (loop_.joinable()) loop_.join();
   parts_.end(thrown_ ? "not begun" : std::string(name_of(result_.end_reason)));
   if (thrown_) std::rethrow_exception(thrown_);

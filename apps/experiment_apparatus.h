@@ -57,6 +57,8 @@ class Apparatus {
   // The loop ends with zero force, and the recording with it. Throws what the loop threw, and RecordingError for ticks that
   // were lost.
   device::ServoResult stop();
+  // The same, once the device has ended the loop.
+  device::ServoResult stop_at_the_end();
 
  private:
   struct Latest final : device::SampleSink {
