@@ -59,6 +59,7 @@ std::optional<Press> press_of(const Keys& keys, ScreenKind kind, const Key& key)
 
 std::string cap(std::string_view name) {
   if (name == " ") return "Space";
+  if (name == "return") return "Enter";
   std::string all(name);
   if (!all.empty() && is_small_letter(all[0])) all[0] = static_cast<char>(all[0] - ('a' - 'A'));
   if (all.size() > 1) std::ranges::replace(all, '-', ' ');

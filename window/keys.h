@@ -34,7 +34,7 @@ struct Key {
 // answer is typed: one press is one change of the radius, and no screen is skipped by holding Return.
 std::optional<experiments::Press> press_of(const Keys& keys, experiments::ScreenKind kind, const Key& key);
 
-// The key as a participant reads it on a keyboard: "J", "Return", "Page up", "F1".
+// The key as a participant reads it on a keyboard: "J", "Enter", "Page up", "F1".
 std::string cap(std::string_view name);
 
 }  // namespace forceshade::window

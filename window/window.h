@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "forceshade/experiments/language.h"
 #include "forceshade/experiments/screen.h"
 #include "forceshade/window/error.h"
 #include "forceshade/window/scene.h"
@@ -29,9 +30,9 @@ struct Image {
 // nothing here is known to it: a frame takes the screen and the scene as values.
 class Window {
  public:
-  // Opens the window. Throws Error: no display, no OpenGL 3.3, no such monitor, an unreadable font, a second window, or a build
-  // without the libraries of a window.
-  explicit Window(const Settings& settings);
+  // Opens the window; the labels are in the language of the screens. Throws Error: no display, no OpenGL 3.3, no such monitor,
+  // an unreadable font, a second window, or a build without the libraries of a window.
+  explicit Window(const Settings& settings, const experiments::Labels& labels = {});
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;

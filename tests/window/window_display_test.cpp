@@ -49,7 +49,14 @@ struct Shown {
 };
 
 std::vector<Shown> all_screens() {
-  const Screen match{ScreenKind::matching, "Make the right bump feel like the left one", "", "", true, 7, 60, false};
+  const Screen match{ScreenKind::matching,
+                     "Make the right bump feel like the left one",
+                     "J: smaller   K: bigger   L: as alike as possible",
+                     "",
+                     true,
+                     7,
+                     60,
+                     false};
   Screen blind = match, practice = match;
   blind.shows_scene = false;
   practice.is_practice = true;
@@ -285,18 +292,10 @@ TEST_F(window_display, settings_change_size_text_and_language) {
   settings.height = 700;
   settings.text_scale = 1.6;
   settings.font = "DejaVu Serif";
-  settings.words.reference = "Vorlage";
-  settings.words.matching = "Einstellbar";
-  settings.words.smaller = "kleiner";
-  settings.words.bigger = "größer";
-  settings.words.done = "fertig";
-  settings.words.trial = "Durchgang";
-  settings.keys.smaller = {"left"};
-  settings.keys.bigger = {"right"};
-  settings.keys.done = {"return"};
-  Window window(settings);
+  Window window(settings, {"Durchgang", "Übung", "Vorlage", "Anzugleichen", "ganz verschieden", "kein Unterschied"});
   Screen match = all_screens()[1].screen;
   match.title = "Gleichen Sie den rechten Höcker dem linken an";
+  match.text = "J: kleiner   K: größer   L: so gleich wie möglich";
   const Image image = shown(window, match, hand_at(-25.4, 0, 0), "another-language");
   EXPECT_EQ(image.width, 1000);
   EXPECT_EQ(image.height, 700);

@@ -122,8 +122,8 @@ Scene with_tip(Position tip, double felt = 0) {
   return scene;
 }
 
-Picture shown(const Screen& screen, const Scene& scene = {}, Size size = {1280, 800}, const Settings& settings = {}) {
-  return picture_of(screen, scene, settings, size, kFont);
+Picture shown(const Screen& screen, const Scene& scene = {}, Size size = {1280, 800}, const Look& look = {}) {
+  return picture_of(screen, scene, look, size, kFont);
 }
 
 template <class T>
@@ -185,7 +185,7 @@ TEST(window_layout, without_vision_nothing_of_the_scene_is_drawn) {
   EXPECT_EQ(inside(blind), 0);
   EXPECT_FALSE(blind.cursor.has_value());
   EXPECT_FALSE(says(blind, "Reference"));
-  EXPECT_TRUE(says(blind, "smaller"));
+  EXPECT_TRUE(says(blind, "Some text."));
 }
 
 // Claim: a picture that follows the radius would show the answer; this one is given no radius, and the height that is felt
@@ -235,9 +235,8 @@ TEST(window_layout, all_text_fits_on_every_screen) {
           screen.trial = 480;
           screen.trials = 480;
           screen.is_practice = true;
-          Settings settings;
-          settings.text_scale = scale;
-          const Picture picture = shown(screen, with_tip({0, 0, 1}), size, settings);
+          const Look look{{}, scale};
+          const Picture picture = shown(screen, with_tip({0, 0, 1}), size, look);
           const auto lines = all_of<Text>(picture);
           texts += static_cast<int>(lines.size());
           for (std::size_t i = 0; i < lines.size(); ++i) {
