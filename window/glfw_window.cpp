@@ -259,8 +259,7 @@ class Window::Display {
   }
 
   void take_keys() {
-    for (const Key& key : keys_)
-      if (auto press = press_of(settings_.keys, screen_.kind, key)) presses_.push_back(std::move(*press));
+    for (experiments::Press& press : presses_of(settings_.keys, screen_.kind, keys_)) presses_.push_back(std::move(press));
     keys_.clear();
   }
 

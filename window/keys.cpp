@@ -2,6 +2,7 @@
 #include "forceshade/window/keys.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "forceshade/csv/printable.h"
 
@@ -55,6 +56,17 @@ std::optional<Press> press_of(const Keys& keys, ScreenKind kind, const Key& key)
   if (is_one_of(keys.erase, key.name)) return Press{Action::erase, {}};
   if (kind != ScreenKind::question) return key.is_repeat ? std::nullopt : digit(keys, key.name);
   return is_character(key.name) ? std::optional(Press{Action::type, key.name}) : std::nullopt;
+}
+
+std::vector<Press> presses_of(const Keys& keys, ScreenKind kind, std::span<const Key> typed) {
+  std::vector<Press> presses;
+  for (const Key& key : typed) {
+    auto press = press_of(keys, kind, key);
+    if (!press) continue;
+    presses.push_back(std::move(*press));
+    if (presses.back().action == Action::enter || presses.back().action == Action::done) break;
+  }
+  return presses;
 }
 
 std::string cap(std::string_view name) {

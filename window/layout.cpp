@@ -222,8 +222,28 @@ class Layout {
       const double left = area.left + static_cast<double>(i) * (width + gap);
       draw_card(kShapes[i], std::to_string(i + 1), {left, top, left + width, top + height});
     }
-    draw_text_between(area.bottom, top_of_entry());
+    if (scene_.shows_tip_alone && scene_.tip)
+      draw_tip_alone({area.left, area.bottom, area.right, top_of_entry()});
+    else
+      draw_text_between(area.bottom, top_of_entry());
     draw_entry();
+  }
+
+  // Where the tip is, over the line z = 0, in a strip that is as wide as the scene. The text of the screen gives way to it.
+  void draw_tip_alone(const Rectangle& strip) {
+    const View view(scene_, window_);
+    const double radius = 0.8 * kTipRadius * view.pixels_per_mm(), inset = 0.5 * label_;
+    const Rectangle area{strip.left, strip.top + inset, strip.right, strip.bottom - inset};
+    add(Box{area, 0, kPanel, {}, 0});
+    const double plane = area.bottom - 0.25 * area.height();
+    add(Line{{{area.left, plane}, {area.right, plane}}, kRule, 1.5});
+    const auto finite = [](double value) { return std::isfinite(value) ? value : 0; };
+    const Point at = view.pixel({finite(scene_.tip->x), 0, 0});
+    const Point centre{
+        std::clamp(at.x, area.left + radius, area.right - radius),
+        std::clamp(plane - finite(scene_.tip->z) * view.pixels_per_mm(), area.top + radius, area.bottom - radius)};
+    add(Ellipse{centre, radius, radius, kCursor});
+    picture_.cursor = centre;
   }
 
   // The bumps of the pictures are steeper than those of the scene, so that their faces are told apart at a glance.

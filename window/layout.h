@@ -22,8 +22,8 @@ double text_size(Size window);
 inline constexpr Colour kPaper{0.965F, 0.961F, 0.949F}, kPanel{0.925F, 0.918F, 0.898F}, kCursor{0.784F, 0.251F, 0.141F};
 
 // The bumps and the cursor are drawn on screens of kind matching alone, and there only while shows_scene is true; else their
-// area is one colour. The four pictures of a classification are always drawn, for they are the answers. Text that is too long
-// for its place is made smaller until it fits (text.h).
+// area is one colour (but see Scene::shows_tip_alone). The four pictures of a classification are always drawn, for they are the
+// answers. Text that is too long for its place is made smaller until it fits (text.h).
 Picture picture_of(const experiments::Screen& screen, const Scene& scene, const Look& look, Size window,
                    const Measure& measure);
 

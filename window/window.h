@@ -42,8 +42,8 @@ class Window {
   // soon as the window was closed: nothing is drawn any more, and what was typed before can still be taken.
   bool draw(const experiments::Screen& screen, const Scene& scene);
 
-  // Since the last call, in their order. What a key means follows from the kind of the screen that was last drawn. A press is
-  // known at the frame after it: up to a sixtieth of a second late.
+  // Since the last call, in their order: take them after every frame. What a key means follows from the screen that was last
+  // drawn (keys.h). A press is known at the frame after it: up to a sixtieth of a second late.
   std::vector<experiments::Press> presses();
 
   // Where the mouse points in the plane y = 0 of the scene that was last drawn, in mm; nothing while it is outside the window.

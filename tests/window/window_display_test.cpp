@@ -76,6 +76,8 @@ std::vector<Shown> all_screens() {
                         false};
   Screen chosen = classify;
   chosen.entry.assign(1, '3');
+  Scene by_mouse = hand_at(-8, 0, 2.5);
+  by_mouse.shows_tip_alone = true;
   return {
       {"instructions", {ScreenKind::text, "Matching two bumps", kInstructions, "", true, 0, 0, false}, {}},
       {"matching-on-reference", match, hand_at(-25.4, 0, -1.2, 0)},
@@ -86,6 +88,7 @@ std::vector<Shown> all_screens() {
       {"satisfaction-unanswered", unanswered, {}},
       {"classification", classify, {}},
       {"classification-chosen", chosen, {}},
+      {"classification-by-mouse", classify, by_mouse},
       {"question",
        {ScreenKind::question, "Question 1 of 4",
         "How did you compare the two bumps? Describe how you moved over them: for instance "

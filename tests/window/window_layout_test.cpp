@@ -217,6 +217,20 @@ TEST(window_layout, the_answer_that_was_typed_is_marked) {
   }
 }
 
+TEST(window_layout, a_classification_shows_the_tip_to_those_alone_who_cannot_feel_it) {
+  Scene scene = with_tip({5, 0, -1}, 3);
+  EXPECT_FALSE(shown(screen_of(ScreenKind::classification), scene).cursor.has_value());
+  scene.shows_tip_alone = true;
+  const Point in = *shown(screen_of(ScreenKind::classification), scene).cursor;
+  scene.tip->z = 0.5;
+  EXPECT_LT(shown(screen_of(ScreenKind::classification), scene).cursor->y, in.y);  // in the surface it is no different
+  scene.tip = Position{std::nan(""), 1e9, -1e300};
+  for (const Size size : {Size{640, 480}, Size{3840, 1080}}) {
+    const Point rim = *shown(screen_of(ScreenKind::classification), scene, size).cursor;
+    EXPECT_TRUE((Rectangle{0, 0, size.width, size.height}.contains(rim))) << rim.x << ' ' << rim.y;
+  }
+}
+
 // Claim: no text leaves the window, and no line of it lies on another, whatever the texts, the window and the size of text.
 TEST(window_layout, all_text_fits_on_every_screen) {
   std::string paragraph;

@@ -174,6 +174,20 @@ TEST(window_keys, a_key_that_is_held_down_repeats_in_answers_alone) {
   EXPECT_EQ(described(press_of({}, ScreenKind::question, {"backspace", true})), "erase");
 }
 
+TEST(window_keys, keys_after_one_that_leaves_the_screen_are_left_out) {
+  const auto presses = [](ScreenKind kind, const std::vector<std::string>& names) {
+    std::vector<Key> typed;
+    for (const std::string& name : names) typed.push_back({name, false});
+    std::string all;
+    for (const Press& press : presses_of({}, kind, typed)) all += described(press) + '|';
+    return all;
+  };
+  EXPECT_EQ(presses(ScreenKind::matching, {"j", "x", "k", "l", "j"}), "smaller|bigger|done|");
+  EXPECT_EQ(presses(ScreenKind::classification, {"3", "return", "4", "return"}), "type 3|enter|");
+  EXPECT_EQ(presses(ScreenKind::text, {"return", "return"}), "enter|");
+  EXPECT_EQ(presses(ScreenKind::question, {"a", "backspace", "b"}), "type a|erase|type b|");
+}
+
 TEST(window_keys, other_keys_can_be_given) {
   Keys keys;
   keys.smaller = {"a", "left"};
