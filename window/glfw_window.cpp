@@ -139,7 +139,8 @@ bool is_open_anywhere = false;
 // Undoes what the constructor did, also where it threw half way.
 class Window::Display {
  public:
-  explicit Display(const Settings& settings) : settings_(settings) {
+  Display(const Settings& settings, const experiments::Labels& labels)
+      : settings_(settings), look_{labels, settings.text_scale} {
     if (is_open_anywhere) throw Error("a window is open already; expected one at a time");
     if (glfwInit() != GLFW_TRUE) throw Error("no window can be opened: " + last_glfw_error() + " (is there a display?)");
     is_open_anywhere = true;
@@ -258,8 +259,7 @@ class Window::Display {
   }
 
   void take_keys() {
-    for (const Key& key : keys_)
-      if (auto press = press_of(settings_.keys, screen_.kind, key)) presses_.push_back(std::move(*press));
+    for (experiments::Press& press : presses_of(settings_.keys, screen_.kind, keys_)) presses_.push_back(std::move(press));
     keys_.clear();
   }
 
@@ -272,7 +272,7 @@ class Window::Display {
   void render() {
     const Size size = this->size();
     if (size.width < 1 || size.height < 1) return;  // minimised
-    const Picture picture = picture_of(screen_, scene_, settings_, size, *font_);
+    const Picture picture = picture_of(screen_, scene_, look_, size, *font_);
     if (font_->prepare(picture)) ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
@@ -298,6 +298,7 @@ class Window::Display {
   }
 
   const Settings settings_;
+  const Look look_;
   OpenGl gl_;
   GLFWwindow* window_ = nullptr;
   ImGuiContext* context_ = nullptr;
@@ -312,7 +313,8 @@ class Window::Display {
   Clock::time_point next_ = Clock::now();
 };
 
-Window::Window(const Settings& settings) : display_(std::make_unique<Display>(settings)) {}
+Window::Window(const Settings& settings, const experiments::Labels& labels)
+    : display_(std::make_unique<Display>(settings, labels)) {}
 Window::~Window() = default;
 
 bool Window::draw(const experiments::Screen& screen, const Scene& scene) {

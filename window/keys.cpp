@@ -2,6 +2,7 @@
 #include "forceshade/window/keys.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "forceshade/csv/printable.h"
 
@@ -57,8 +58,20 @@ std::optional<Press> press_of(const Keys& keys, ScreenKind kind, const Key& key)
   return is_character(key.name) ? std::optional(Press{Action::type, key.name}) : std::nullopt;
 }
 
+std::vector<Press> presses_of(const Keys& keys, ScreenKind kind, std::span<const Key> typed) {
+  std::vector<Press> presses;
+  for (const Key& key : typed) {
+    auto press = press_of(keys, kind, key);
+    if (!press) continue;
+    presses.push_back(std::move(*press));
+    if (presses.back().action == Action::enter || presses.back().action == Action::done) break;
+  }
+  return presses;
+}
+
 std::string cap(std::string_view name) {
   if (name == " ") return "Space";
+  if (name == "return") return "Enter";
   std::string all(name);
   if (!all.empty() && is_small_letter(all[0])) all[0] = static_cast<char>(all[0] - ('a' - 'A'));
   if (all.size() > 1) std::ranges::replace(all, '-', ' ');

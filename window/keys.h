@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,7 +35,11 @@ struct Key {
 // answer is typed: one press is one change of the radius, and no screen is skipped by holding Return.
 std::optional<experiments::Press> press_of(const Keys& keys, experiments::ScreenKind kind, const Key& key);
 
-// The key as a participant reads it on a keyboard: "J", "Return", "Page up", "F1".
+// What keys typed within one frame do, in their order. Those after one that leaves the screen (enter, done) are left out: they
+// were meant for a screen that the participant had not seen.
+std::vector<experiments::Press> presses_of(const Keys& keys, experiments::ScreenKind kind, std::span<const Key> typed);
+
+// The key as a participant reads it on a keyboard: "J", "Enter", "Page up", "F1".
 std::string cap(std::string_view name);
 
 }  // namespace forceshade::window

@@ -27,13 +27,13 @@ enum class Align : std::uint8_t { left, centre, right };
 
 class Layout {
  public:
-  Layout(const Screen& screen, const Scene& scene, const Settings& settings, Size window, const Measure& measure)
+  Layout(const Screen& screen, const Scene& scene, const Look& look, Size window, const Measure& measure)
       : screen_(screen),
         scene_(scene),
-        settings_(settings),
+        look_(look),
         window_(window),
         measure_(measure),
-        body_(text_size(window) * settings.text_scale),
+        body_(text_size(window) * look.text_scale),
         label_(std::min({body_, window.height / 26, window.width / 34})),
         margin_(0.05 * window.height) {
     picture_.background = kPaper;
@@ -41,8 +41,8 @@ class Layout {
 
   Picture made() && {
     switch (screen_.kind) {
-      case ScreenKind::text: draw_text_page(true); break;
-      case ScreenKind::end: draw_text_page(false); break;
+      case ScreenKind::text:
+      case ScreenKind::end: draw_text_page(); break;
       case ScreenKind::matching: draw_matching(); break;
       case ScreenKind::satisfaction: draw_satisfaction(); break;
       case ScreenKind::classification: draw_classification(); break;
@@ -52,8 +52,6 @@ class Layout {
   }
 
  private:
-  using Caps = std::vector<std::pair<std::vector<std::string>, std::string>>;  // keys and what they do
-
   void add(Item item) { picture_.items.push_back(std::move(item)); }
 
   double line(double size) const { return size * kLineHeight; }
@@ -70,73 +68,30 @@ class Layout {
       add_line(text.lines[i], x, top + static_cast<double>(i) * line(text.size), text.size, colour, align);
   }
 
-  // Which trial it is at the right; the title in what is left. Returns where the area under it begins.
-  double draw_header() {
+  // Which trial it is at the right; the title in what is left.
+  void draw_header() {
     double right = window_.width - margin_;
     if (screen_.trials > 0) {
       const std::string which =
-          settings_.words.trial + " " + std::to_string(screen_.trial) + " / " + std::to_string(screen_.trials);
+          look_.labels.trial + " " + std::to_string(screen_.trial) + " / " + std::to_string(screen_.trials);
       add_line(which, right, margin_, label_, kMuted, Align::right);
       right -= measure_.width(which, label_) + label_;
     }
     if (screen_.is_practice) {
-      const double size = 0.85 * label_, width = measure_.width(settings_.words.practice, size) + 1.2 * size;
+      const double size = 0.85 * label_, width = measure_.width(look_.labels.practice, size) + 1.2 * size;
       const double top = margin_ + (line(label_) - line(size)) / 2;
       add(Box{{right - width, top - 0.1 * size, right, top + line(size)}, 0.4 * size, kAccent, {}, 0});
-      add_line(settings_.words.practice, right - width / 2, top, size, kWhite, Align::centre);
+      add_line(look_.labels.practice, right - width / 2, top, size, kWhite, Align::centre);
       right -= width + label_;
     }
     const double bottom = scene_area(window_).top - 0.3 * label_;
     const Fitted title = fitted(screen_.title, right - margin_, bottom - margin_, 1.25 * label_, measure_);
     add_lines(title, margin_, margin_ - 0.15 * title.size, kInk);
-    return bottom;
   }
 
-  // What keys do, along the bottom. Each key stands in a cap, as on a keyboard.
-  void draw_keys(const Caps& caps) {
-    double size = 0.85 * label_;
-    const auto width_of_all = [&] {
-      double width = -2 * size;
-      for (const auto& [keys, words] : caps) {
-        for (const std::string& key : keys) width += cap_width(key, size) + 0.5 * size;
-        width += measure_.width(words, size) + 2 * size;
-      }
-      return width;
-    };
-    while (width_of_all() > window_.width - 2 * margin_ && size > 1) size *= 0.95;
-    double x = (window_.width - width_of_all()) / 2;
-    const double top = window_.height - 0.6 * margin_ - line(size);
-    for (const auto& [keys, words] : caps) {
-      for (const std::string& key : keys) {
-        const double width = cap_width(key, size);
-        add(Box{{x, top - 0.15 * size, x + width, top + line(size) + 0.05 * size},
-                0.3 * size,
-                kWhite,
-                kMuted,
-                std::max(1.0, size / 16)});
-        add_line(key, x + width / 2, top, size, kInk, Align::centre);
-        x += width + 0.5 * size;
-      }
-      add_line(words, x, top, size, kMuted);
-      x += measure_.width(words, size) + 2 * size;
-    }
-  }
+  double bottom_of_text() const { return window_.height - margin_; }
 
-  double cap_width(const std::string& key, double size) const {
-    return std::max(line(size) + 0.2 * size, measure_.width(key, size) + size);
-  }
-
-  std::vector<std::string> caps_of(const std::vector<std::string>& keys) const {
-    std::vector<std::string> all;
-    for (const std::string& key : keys) all.push_back(key == "return" ? settings_.words.return_key : cap(key));
-    return all;
-  }
-
-  Caps enter_key() const { return {{caps_of(settings_.keys.enter), settings_.words.enter}}; }
-
-  double bottom_of_text() const { return window_.height - margin_ - 1.9 * label_; }
-
-  void draw_text_page(bool goes_on) {
+  void draw_text_page() {
     const double width = std::min(window_.width - 2 * margin_, kColumn * body_), left = (window_.width - width) / 2;
     const double title_room = 0.25 * window_.height;
     const Fitted title = screen_.title.empty() ? Fitted{} : fitted(screen_.title, width, title_room, 1.5 * body_, measure_);
@@ -146,7 +101,6 @@ class Layout {
     const double top = std::max(margin_, (bottom_of_text() - height) * 0.42);
     add_lines(title, left, top, kInk);
     add_lines(text, left, top + title.height() + gap, kInk);
-    if (goes_on) draw_keys(enter_key());
   }
 
   // Between a picture and what is at the bottom, in the middle.
@@ -165,9 +119,6 @@ class Layout {
     add(Box{area, 0, kPanel, {}, 0});
     if (screen_.shows_scene) draw_bumps(area);
     draw_text_between(area.bottom, bottom_of_text());
-    const Keys& keys = settings_.keys;
-    const Words& words = settings_.words;
-    draw_keys({{caps_of(keys.smaller), words.smaller}, {caps_of(keys.bigger), words.bigger}, {caps_of(keys.done), words.done}});
   }
 
   void draw_bumps(const Rectangle& area) {
@@ -188,8 +139,8 @@ class Layout {
     const auto name = [&](const std::string& words, double x) {
       add_lines(fitted(words, room, line(size), size, measure_), view.pixel({x, 0, 0}).x, top, kInk, Align::centre);
     };
-    name(settings_.words.reference, -scene_.separation / 2);
-    name(settings_.words.matching, scene_.separation / 2);
+    name(look_.labels.reference, -scene_.separation / 2);
+    name(look_.labels.matching, scene_.separation / 2);
     if (scene_.tip) draw_tip(view, area);
   }
 
@@ -234,7 +185,7 @@ class Layout {
   // Smaller than a scene, for the entry is under it.
   Rectangle area_of_answers() const {
     Rectangle area = scene_area(window_);
-    area.bottom = 0.62 * window_.height;
+    area.bottom = 0.64 * window_.height;
     return area;
   }
 
@@ -256,12 +207,10 @@ class Layout {
       add_line(number, x + side / 2, top + (side - line(size)) / 2, size, is_chosen ? kWhite : kInk, Align::centre);
     }
     const double words_top = top + side + 0.5 * label_, room = area.bottom - words_top;
-    add_lines(fitted(settings_.words.different, 0.48 * all, room, 0.9 * label_, measure_), left, words_top, kMuted);
-    add_lines(fitted(settings_.words.same, 0.48 * all, room, 0.9 * label_, measure_), left + all, words_top, kMuted,
-              Align::right);
+    add_lines(fitted(look_.labels.different, 0.48 * all, room, 0.9 * label_, measure_), left, words_top, kMuted);
+    add_lines(fitted(look_.labels.same, 0.48 * all, room, 0.9 * label_, measure_), left + all, words_top, kMuted, Align::right);
     draw_text_between(area.bottom, top_of_entry());
     draw_entry();
-    draw_keys(enter_key());
   }
 
   void draw_classification() {
@@ -273,9 +222,28 @@ class Layout {
       const double left = area.left + static_cast<double>(i) * (width + gap);
       draw_card(kShapes[i], std::to_string(i + 1), {left, top, left + width, top + height});
     }
-    draw_text_between(area.bottom, top_of_entry());
+    if (scene_.shows_tip_alone && scene_.tip)
+      draw_tip_alone({area.left, area.bottom, area.right, top_of_entry()});
+    else
+      draw_text_between(area.bottom, top_of_entry());
     draw_entry();
-    draw_keys(enter_key());
+  }
+
+  // Where the tip is, over the line z = 0, in a strip that is as wide as the scene. The text of the screen gives way to it.
+  void draw_tip_alone(const Rectangle& strip) {
+    const View view(scene_, window_);
+    const double radius = 0.8 * kTipRadius * view.pixels_per_mm(), inset = 0.5 * label_;
+    const Rectangle area{strip.left, strip.top + inset, strip.right, strip.bottom - inset};
+    add(Box{area, 0, kPanel, {}, 0});
+    const double plane = area.bottom - 0.25 * area.height();
+    add(Line{{{area.left, plane}, {area.right, plane}}, kRule, 1.5});
+    const auto finite = [](double value) { return std::isfinite(value) ? value : 0; };
+    const Point at = view.pixel({finite(scene_.tip->x), 0, 0});
+    const Point centre{
+        std::clamp(at.x, area.left + radius, area.right - radius),
+        std::clamp(plane - finite(scene_.tip->z) * view.pixels_per_mm(), area.top + radius, area.bottom - radius)};
+    add(Ellipse{centre, radius, radius, kCursor});
+    picture_.cursor = centre;
   }
 
   // The bumps of the pictures are steeper than those of the scene, so that their faces are told apart at a glance.
@@ -310,7 +278,6 @@ class Layout {
     const Rectangle box{left, question_top + question.height() + gap, left + width, bottom_of_text()};
     add(Box{box, 0.25 * body_, kWhite, kAccent, std::max(1.5, body_ / 14)});
     draw_answer(box);
-    draw_keys(enter_key());
   }
 
   // The last lines of a long answer: those that are being written.
@@ -329,7 +296,7 @@ class Layout {
 
   const Screen& screen_;
   const Scene& scene_;
-  const Settings& settings_;
+  const Look& look_;
   const Size window_;
   const Measure& measure_;
   const double body_, label_;  // of running text; of labels, which have a place of limited size
@@ -343,8 +310,8 @@ double text_size(Size window) {
   return std::min(window.height / 34, window.width / 54);
 }
 
-Picture picture_of(const Screen& screen, const Scene& scene, const Settings& settings, Size window, const Measure& measure) {
-  return Layout(screen, scene, settings, window, measure).made();
+Picture picture_of(const Screen& screen, const Scene& scene, const Look& look, Size window, const Measure& measure) {
+  return Layout(screen, scene, look, window, measure).made();
 }
 
 }  // namespace forceshade::window

@@ -7,7 +7,7 @@ namespace forceshade::window {
 
 class Window::Display {};
 
-Window::Window(const Settings&) {
+Window::Window(const Settings&, const experiments::Labels&) {
   throw Error(
       "this build has no window: expected GLFW, OpenGL, Dear ImGui and fontconfig when it was configured (Debian: "
       "libglfw3-dev, "

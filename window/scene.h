@@ -20,6 +20,9 @@ struct Scene {
   // Of the tip of the stylus, in the frame in which the two bumps stand at x = -separation/2 and +separation/2 on the plane z =
   // 0. Not given: no cursor is drawn.
   std::optional<Position> tip;
+  // On a classification screen, which has no scene: whether the tip is shown there by itself, in front of no surface. So
+  // somebody without a PHANToM sees how the surface pushes the hand that the mouse moves. Not for a hand that can feel.
+  bool shows_tip_alone = false;
   double felt_height = 0;  // of the surface that is rendered there: the nominal surface, on which the force begins
   double separation = 50.8;
   double width = 25.4;  // of each bump

@@ -16,7 +16,7 @@ constexpr double kRoomAbove = 18, kRoomBelow = 6;
 
 Rectangle scene_area(Size window) {
   const double margin = 0.05 * window.height;
-  return {margin, 0.16 * window.height, window.width - margin, 0.70 * window.height};
+  return {margin, 0.16 * window.height, window.width - margin, 0.76 * window.height};
 }
 
 View::View(const Scene& scene, Rectangle area) : extent_(scene.separation / 2 + 1.1 * scene.width) {

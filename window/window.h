@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "forceshade/experiments/language.h"
 #include "forceshade/experiments/screen.h"
 #include "forceshade/window/error.h"
 #include "forceshade/window/scene.h"
@@ -29,9 +30,9 @@ struct Image {
 // nothing here is known to it: a frame takes the screen and the scene as values.
 class Window {
  public:
-  // Opens the window. Throws Error: no display, no OpenGL 3.3, no such monitor, an unreadable font, a second window, or a build
-  // without the libraries of a window.
-  explicit Window(const Settings& settings);
+  // Opens the window; the labels are in the language of the screens. Throws Error: no display, no OpenGL 3.3, no such monitor,
+  // an unreadable font, a second window, or a build without the libraries of a window.
+  explicit Window(const Settings& settings, const experiments::Labels& labels = {});
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
@@ -41,8 +42,8 @@ class Window {
   // soon as the window was closed: nothing is drawn any more, and what was typed before can still be taken.
   bool draw(const experiments::Screen& screen, const Scene& scene);
 
-  // Since the last call, in their order. What a key means follows from the kind of the screen that was last drawn. A press is
-  // known at the frame after it: up to a sixtieth of a second late.
+  // Since the last call, in their order: take them after every frame. What a key means follows from the screen that was last
+  // drawn (keys.h). A press is known at the frame after it: up to a sixtieth of a second late.
   std::vector<experiments::Press> presses();
 
   // Where the mouse points in the plane y = 0 of the scene that was last drawn, in mm; nothing while it is outside the window.

@@ -49,7 +49,14 @@ struct Shown {
 };
 
 std::vector<Shown> all_screens() {
-  const Screen match{ScreenKind::matching, "Make the right bump feel like the left one", "", "", true, 7, 60, false};
+  const Screen match{ScreenKind::matching,
+                     "Make the right bump feel like the left one",
+                     "J: smaller   K: bigger   L: as alike as possible",
+                     "",
+                     true,
+                     7,
+                     60,
+                     false};
   Screen blind = match, practice = match;
   blind.shows_scene = false;
   practice.is_practice = true;
@@ -69,6 +76,8 @@ std::vector<Shown> all_screens() {
                         false};
   Screen chosen = classify;
   chosen.entry.assign(1, '3');
+  Scene by_mouse = hand_at(-8, 0, 2.5);
+  by_mouse.shows_tip_alone = true;
   return {
       {"instructions", {ScreenKind::text, "Matching two bumps", kInstructions, "", true, 0, 0, false}, {}},
       {"matching-on-reference", match, hand_at(-25.4, 0, -1.2, 0)},
@@ -79,6 +88,7 @@ std::vector<Shown> all_screens() {
       {"satisfaction-unanswered", unanswered, {}},
       {"classification", classify, {}},
       {"classification-chosen", chosen, {}},
+      {"classification-by-mouse", classify, by_mouse},
       {"question",
        {ScreenKind::question, "Question 1 of 4",
         "How did you compare the two bumps? Describe how you moved over them: for instance "
@@ -285,18 +295,10 @@ TEST_F(window_display, settings_change_size_text_and_language) {
   settings.height = 700;
   settings.text_scale = 1.6;
   settings.font = "DejaVu Serif";
-  settings.words.reference = "Vorlage";
-  settings.words.matching = "Einstellbar";
-  settings.words.smaller = "kleiner";
-  settings.words.bigger = "größer";
-  settings.words.done = "fertig";
-  settings.words.trial = "Durchgang";
-  settings.keys.smaller = {"left"};
-  settings.keys.bigger = {"right"};
-  settings.keys.done = {"return"};
-  Window window(settings);
+  Window window(settings, {"Durchgang", "Übung", "Vorlage", "Anzugleichen", "ganz verschieden", "kein Unterschied"});
   Screen match = all_screens()[1].screen;
   match.title = "Gleichen Sie den rechten Höcker dem linken an";
+  match.text = "J: kleiner   K: größer   L: so gleich wie möglich";
   const Image image = shown(window, match, hand_at(-25.4, 0, 0), "another-language");
   EXPECT_EQ(image.width, 1000);
   EXPECT_EQ(image.height, 700);

@@ -122,8 +122,8 @@ Scene with_tip(Position tip, double felt = 0) {
   return scene;
 }
 
-Picture shown(const Screen& screen, const Scene& scene = {}, Size size = {1280, 800}, const Settings& settings = {}) {
-  return picture_of(screen, scene, settings, size, kFont);
+Picture shown(const Screen& screen, const Scene& scene = {}, Size size = {1280, 800}, const Look& look = {}) {
+  return picture_of(screen, scene, look, size, kFont);
 }
 
 template <class T>
@@ -185,7 +185,7 @@ TEST(window_layout, without_vision_nothing_of_the_scene_is_drawn) {
   EXPECT_EQ(inside(blind), 0);
   EXPECT_FALSE(blind.cursor.has_value());
   EXPECT_FALSE(says(blind, "Reference"));
-  EXPECT_TRUE(says(blind, "smaller"));
+  EXPECT_TRUE(says(blind, "Some text."));
 }
 
 // Claim: a picture that follows the radius would show the answer; this one is given no radius, and the height that is felt
@@ -217,6 +217,20 @@ TEST(window_layout, the_answer_that_was_typed_is_marked) {
   }
 }
 
+TEST(window_layout, a_classification_shows_the_tip_to_those_alone_who_cannot_feel_it) {
+  Scene scene = with_tip({5, 0, -1}, 3);
+  EXPECT_FALSE(shown(screen_of(ScreenKind::classification), scene).cursor.has_value());
+  scene.shows_tip_alone = true;
+  const Point in = *shown(screen_of(ScreenKind::classification), scene).cursor;
+  scene.tip->z = 0.5;
+  EXPECT_LT(shown(screen_of(ScreenKind::classification), scene).cursor->y, in.y);  // in the surface it is no different
+  scene.tip = Position{std::nan(""), 1e9, -1e300};
+  for (const Size size : {Size{640, 480}, Size{3840, 1080}}) {
+    const Point rim = *shown(screen_of(ScreenKind::classification), scene, size).cursor;
+    EXPECT_TRUE((Rectangle{0, 0, size.width, size.height}.contains(rim))) << rim.x << ' ' << rim.y;
+  }
+}
+
 // Claim: no text leaves the window, and no line of it lies on another, whatever the texts, the window and the size of text.
 TEST(window_layout, all_text_fits_on_every_screen) {
   std::string paragraph;
@@ -235,9 +249,8 @@ TEST(window_layout, all_text_fits_on_every_screen) {
           screen.trial = 480;
           screen.trials = 480;
           screen.is_practice = true;
-          Settings settings;
-          settings.text_scale = scale;
-          const Picture picture = shown(screen, with_tip({0, 0, 1}), size, settings);
+          const Look look{{}, scale};
+          const Picture picture = shown(screen, with_tip({0, 0, 1}), size, look);
           const auto lines = all_of<Text>(picture);
           texts += static_cast<int>(lines.size());
           for (std::size_t i = 0; i < lines.size(); ++i) {
