@@ -48,16 +48,21 @@ std::string MeshOption::name() const {
 
 properties::MeshRendering MeshOption::read(float stiffness) const {
   if (unit_.empty()) throw BadInput("--unit is required beside --mesh: expected mm, m or in, for no mesh file says its unit");
-  auto checked = mesh::check(mesh::load(file_, unit_named(unit_)));
+  return read_mesh(file_, unit_named(unit_), stiffness, sides_, shading_, crease_degrees_);
+}
+
+properties::MeshRendering read_mesh(const std::string& file, mesh::Unit unit, float stiffness, const std::string& sides_of_it,
+                                    const std::string& shading, double crease_degrees) {
+  auto checked = mesh::check(mesh::load(file, unit));
   if (const auto* findings = std::get_if<mesh::Findings>(&checked))
-    throw BadInput(file_ + ": cannot be rendered:\n" + findings->words() + "\n'forceshade mesh repair' mends some of this");
+    throw BadInput(file + ": cannot be rendered:\n" + findings->words() + "\n'forceshade mesh repair' mends some of this");
   const auto& found = std::get<mesh::CheckedMesh>(checked);
   properties::MeshRendering rendering{found.mesh(), {}, {}, {}, stiffness};
-  const std::string sides = sides_.empty() ? (mesh::facts_of(found).is_closed() ? "front" : "both") : sides_;
+  const std::string sides = sides_of_it.empty() ? (mesh::facts_of(found).is_closed() ? "front" : "both") : sides_of_it;
   rendering.sides = value_named<mesh::Sides>(sides, mesh::kSidesNames);
-  rendering.shading = value_named<mesh::Shading>(shading_, mesh::kShadingNames);
+  rendering.shading = value_named<mesh::Shading>(shading, mesh::kShadingNames);
   if (rendering.shading == mesh::Shading::vertex_scheme)
-    rendering.normals = mesh::corner_normals(found, crease_degrees_).normals;
+    rendering.normals = mesh::corner_normals(found, crease_degrees).normals;
   return rendering;
 }
 

@@ -14,6 +14,11 @@ namespace forceshade::apps {
 // Of --unit, a word of mesh::kUnitNames. Throws BadInput for any other.
 mesh::Unit unit_named(const std::string& word);
 
+// A mesh that can be rendered on both sides. sides: "front", "both", or empty for front where it is closed and both where it is
+// not; shading and crease as the options of these names. Throws BadInput or mesh::Error as MeshOption::read().
+properties::MeshRendering read_mesh(const std::string& file, mesh::Unit unit, float stiffness, const std::string& sides = "",
+                                    const std::string& shading = "vertex", double crease_degrees = 180);
+
 class MeshOption {
  public:
   // From then on the command takes either: --law, --radius and --width are refused beside it.
