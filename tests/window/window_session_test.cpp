@@ -3,17 +3,18 @@
 // session of experiments/ without a device.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <map>
+#include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "forceshade/experiments/session.h"
+#include "forceshade/tests/support/temporary_directory.h"
 #include "forceshade/window/layout.h"
 #include "forceshade/window/view.h"
 #include "screenshots.h"
@@ -95,21 +96,16 @@ const std::map<ScreenKind, Habit> kHabits{{ScreenKind::text, {"key Return", 1}},
 class Participant {
  public:
   Participant(const std::string& name, const std::string& text) : name_(name) {
-    std::filesystem::create_directories(folder_);
-    std::ofstream(folder_ / "protocol.toml") << text;
     for (const char* file : {"english.toml", "german.toml"})
-      std::filesystem::copy_file(std::filesystem::path(FORCESHADE_SOURCE_DIR) / "examples/experiments" / file, folder_ / file,
-                                 std::filesystem::copy_options::overwrite_existing);
-    protocol_ = experiments::read_protocol(folder_ / "protocol.toml");
+      std::filesystem::copy_file(std::filesystem::path(FORCESHADE_SOURCE_DIR) / "examples/experiments" / file,
+                                 folder_.file(file));
+    protocol_ = experiments::read_protocol(folder_.write("protocol.toml", text));
     const experiments::Language language = experiments::read_language(protocol_.language);
     window_.emplace(Settings{}, language.labels);
     session_.emplace(
         protocol_, language, 1, [this](const Event& event) { events_.push_back(event); }, std::span<const Event>{},
         key_names(Settings{}.keys));
   }
-  ~Participant() { std::filesystem::remove_all(folder_); }
-  Participant(const Participant&) = delete;
-  Participant& operator=(const Participant&) = delete;
 
   void take_part() {
     for (int screens = 0; screens < 100 && !session_->is_over(); ++screens) {
@@ -179,8 +175,7 @@ class Participant {
   }
 
   const std::string name_;
-  const std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("forceshade-window-session-" + std::to_string(getpid()));
+  const tests::TemporaryDirectory folder_;
   Protocol protocol_;
   std::optional<Window> window_;
   std::optional<Session> session_;
