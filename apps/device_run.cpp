@@ -54,7 +54,7 @@ recorder::Metadata metadata(const RunPlan& plan, const Driven& what, const devic
                               {"passivity", std::string(name_of(plan.servo.passivity))}};
   for (const auto& [what_it_is, words] : identity(capabilities)) metadata["device_" + what_it_is] = words;
   metadata.merge(metadata_of(what.identity));
-  metadata.merge(metadata_of(safety_settings(capabilities, plan.servo)));
+  metadata.merge(recorder::metadata_of(safety_settings(capabilities, plan.servo)));
   return metadata;
 }
 

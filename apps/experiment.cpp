@@ -17,7 +17,9 @@
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/output_options.h"
 #include "forceshade/apps/placement_options.h"
+#include "forceshade/apps/session_motion.h"
 #include "forceshade/apps/signals.h"
+#include "forceshade/experiments/bids.h"
 #include "forceshade/experiments/results_csv.h"
 #include "forceshade/experiments/session_results.h"
 
@@ -129,8 +131,9 @@ struct Driving {
 
   OpenFront front(const Eigen::Vector3f& at) const {
     if (terminal) return [](Bumps&, device::Steering&) -> std::unique_ptr<Front> { return std::make_unique<TerminalFront>(); };
-    return [its = window_settings(), at](Bumps& bumps, device::Steering& steering) -> std::unique_ptr<Front> {
-      return std::make_unique<WindowFront>(its, bumps, steering, at);
+    return [its = window_settings(), at, has_mouse = device.ends_with(":mouse")](
+               Bumps& bumps, device::Steering& steering) -> std::unique_ptr<Front> {
+      return std::make_unique<WindowFront>(its, bumps, steering, at, has_mouse);
     };
   }
 };
@@ -161,10 +164,28 @@ int resume(const std::string& folder, const Driving& driving) {
                      [&] { return experiments::RecordedSession::resume(folder, driving.key_names()); });
 }
 
-int write_csv(const std::string& folder, const OutFolder& csv) {
-  const experiments::Results results = results_of(experiments::read_session(folder));
-  csv.make({"matching.csv", "classification.csv"});
-  write_results(results, csv.path());
+// Nothing that is there is replaced.
+void expect_empty(const std::string& option, const std::string& folder) {
+  if (fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder)))
+    throw BadInput(option + ": expected a folder that does not exist or is empty, got \"" + folder + '"');
+}
+
+struct ExportOptions {
+  std::vector<std::string> sessions;
+  std::string csv, bids;
+};
+
+int write_out(const ExportOptions& options) {
+  if (options.csv.empty() && options.bids.empty()) throw BadInput("expected --csv DIR, --bids DIR or both; got neither");
+  const std::vector<fs::path> folders(options.sessions.begin(), options.sessions.end());
+  if (!options.csv.empty()) {
+    expect_empty("--csv", options.csv);
+    write_results(experiments::results_of(folders), options.csv);
+  }
+  if (!options.bids.empty()) {
+    expect_empty("--bids", options.bids);
+    experiments::export_bids(folders, options.bids, motion_of);
+  }
   return kHeld;
 }
 
@@ -251,12 +272,16 @@ void add_virtual(CLI::App& experiment, int& result) {
 }
 
 void add_export(CLI::App& experiment, int& result) {
-  const auto session = std::make_shared<std::string>();
-  CLI::App* command = experiment.add_subcommand("export", "The answers of a session for other programs, as tidy CSV files");
-  command->add_option("session", *session, "its folder")->type_name(kSession)->required();
-  const auto out = std::make_shared<OutFolder>(*command, "directory for matching.csv or classification.csv, and radius.csv");
-  out->require();
-  command->callback([session, out, &result] { result = write_csv(*session, *out); });
+  const auto options = std::make_shared<ExportOptions>();
+  CLI::App* command = experiment.add_subcommand("export", "The data of sessions for other programs");
+  command->add_option("session", options->sessions, "their folders")->type_name(kSession)->required();
+  command
+      ->add_option("--csv", options->csv,
+                   "directory for the answers as tidy CSV files: matching.csv, classification.csv, radius.csv")
+      ->type_name("DIR");
+  command->add_option("--bids", options->bids, "directory for a BIDS data set: answers, events and every tick")
+      ->type_name("DIR");
+  command->callback([options, &result] { result = write_out(*options); });
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ recorder::Metadata known_before(const ApparatusPlan& plan, const device::Capabil
                                    {"device_driver", capabilities.driver},
                                    {"device_firmware", capabilities.firmware}})
     if (!words.empty()) metadata[key] = words;
-  metadata.merge(metadata_of(safety_settings(capabilities, plan.servo)));
+  metadata.merge(recorder::metadata_of(safety_settings(capabilities, plan.servo)));
   return metadata;
 }
 

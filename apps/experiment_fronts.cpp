@@ -9,7 +9,6 @@
 #include <cstdio>
 
 #include "forceshade/csv/printable.h"
-#include "forceshade/device/simulated/steering.h"
 
 namespace forceshade::apps {
 namespace {
@@ -96,16 +95,19 @@ std::vector<Press> TerminalFront::presses() {
 }
 
 WindowFront::WindowFront(const window::Settings& settings, Bumps& bumps, device::Steering& steering,
-                         const Eigen::Vector3f& origin)
-    : bumps_(bumps), steering_(steering), origin_(origin.cast<double>()), window_(settings) {
+                         const Eigen::Vector3f& origin, bool has_mouse)
+    : bumps_(bumps), steering_(steering), origin_(origin.cast<double>()), has_mouse_(has_mouse), window_(settings) {
   if (!window_.note().empty()) std::fprintf(stderr, "forceshade: %s\n", csv::printable(window_.note()).c_str());
 }
 
-window::Scene WindowFront::seen(const experiments::Scene& scene, const std::optional<device::Sample>& latest) {
-  const experiments::Protocol& protocol = bumps_.protocol();
+window::Scene WindowFront::seen(const experiments::Session& session, const std::optional<device::Sample>& latest) {
   constexpr double kMil = experiments::kMillimetresPerMil;
-  window::Scene seen{
-      .tip = std::nullopt, .felt_height = 0, .separation = protocol.spacing * kMil, .width = protocol.width * kMil};
+  const experiments::Protocol& protocol = bumps_.protocol();
+  const experiments::Scene scene = session.scene();
+  window::Scene seen;
+  seen.shows_tip_alone = has_mouse_;
+  seen.width = protocol.width * kMil;
+  if (protocol.spacing > 0) seen.separation = protocol.spacing * kMil;
   if (!latest) return seen;
   const auto& [x, y, z] = latest->position;
   const Eigen::Vector3d tip = Eigen::Vector3d(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)) - origin_;
@@ -116,7 +118,7 @@ window::Scene WindowFront::seen(const experiments::Scene& scene, const std::opti
 }
 
 bool WindowFront::show(const experiments::Session& session, const std::optional<device::Sample>& latest) {
-  const bool is_open = window_.draw(session.screen(), seen(session.scene(), latest));
+  const bool is_open = window_.draw(session.screen(), seen(session, latest));
   if (const auto mouse = window_.mouse()) steering_.aim(origin_ + Eigen::Vector3d(mouse->x, mouse->y, mouse->z));
   return is_open;
 }

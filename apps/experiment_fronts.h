@@ -37,17 +37,20 @@ std::optional<experiments::Press> press_of_character(experiments::ScreenKind kin
 class WindowFront final : public Front {
  public:
   // Bumps and steering live longer. Throws window::Error.
-  WindowFront(const window::Settings& settings, Bumps& bumps, device::Steering& steering, const Eigen::Vector3f& origin);
+  // has_mouse: the hand is the mouse, so that its place has to be seen on every screen that has something to feel.
+  WindowFront(const window::Settings& settings, Bumps& bumps, device::Steering& steering, const Eigen::Vector3f& origin,
+              bool has_mouse);
 
   bool show(const experiments::Session& session, const std::optional<device::Sample>& latest) override;
   std::vector<experiments::Press> presses() override { return window_.presses(); }
 
  private:
-  window::Scene seen(const experiments::Scene& scene, const std::optional<device::Sample>& latest);
+  window::Scene seen(const experiments::Session& session, const std::optional<device::Sample>& latest);
 
   Bumps& bumps_;
   device::Steering& steering_;
   Eigen::Vector3d origin_;
+  bool has_mouse_;
   window::Window window_;
 };
 

@@ -15,7 +15,6 @@
 #include "forceshade/apps/rule_names.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/csv/printable.h"
-#include "forceshade/device/simulated/steering.h"
 
 namespace forceshade::apps {
 namespace {
@@ -117,8 +116,9 @@ int code_of(const device::ServoResult& result, const experiments::RecordedSessio
   }
   if (recorded.session().is_over()) return kHeld;
   if (result.end_reason == device::EndReason::end_of_data) complain("the device has no more readings");
+  if (const std::string signal = interrupting_signal(); !signal.empty()) complain(signal + " ended the run");
   complain(resume);
-  return interrupted() ? kInterrupted : kHeld;
+  return kHeld;
 }
 
 }  // namespace

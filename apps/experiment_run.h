@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "forceshade/apps/experiment_apparatus.h"
+#include "forceshade/device/simulated/steering.h"
 #include "forceshade/experiments/session_folder.h"
 
 namespace forceshade::apps {

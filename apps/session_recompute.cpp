@@ -12,6 +12,7 @@
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/driven.h"
 #include "forceshade/apps/experiment_bumps.h"
+#include "forceshade/apps/session_motion.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/csv/printable.h"
 #include "forceshade/device/retrace.h"
@@ -29,15 +30,6 @@ constexpr std::uint64_t kListed = 10;  // differences
 
 void say_difference(const std::string& words) {
   std::fprintf(stderr, "forceshade: %s\n", csv::printable(words).c_str());
-}
-
-std::vector<fs::path> sorted(const fs::path& folder, const std::string& extension) {
-  std::vector<fs::path> found;
-  if (!fs::is_directory(folder)) return found;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == extension) found.push_back(entry.path());
-  std::ranges::sort(found);
-  return found;
 }
 
 // run-1, run-2 and so on, in that order.
@@ -206,7 +198,7 @@ CommandCheck::CommandCheck(const recorder::Recording& recording) {
     why_not_ = "the recording is of an earlier format, without what the device reported";
   else if (is_other("origin_mm", "0,0,0") || is_other("axes", "+x,+y,+z"))
     why_not_ = "the law was placed elsewhere, and the device's own positions are not recorded";
-  else if (const auto settings = safety_settings_in(metadata, recording.path()))
+  else if (const auto settings = recorder::safety_settings_in(metadata, recording.path()))
     checker_ = std::make_unique<Checker>(*settings);
   else
     why_not_ = "the settings of the supervisor and the passivity controller are not recorded";
@@ -233,7 +225,7 @@ int recompute_session(const fs::path& folder) {
   for (const fs::path& run_folder : runs_of(folder)) {
     Run run(run_folder, bumps);
     std::unique_ptr<CommandCheck> check;
-    const std::vector<fs::path> parts = sorted(run_folder, ".fsr");
+    const std::vector<fs::path> parts = parts_of(run_folder);
     for (const fs::path& part : parts) {
       if (interrupted()) throw Interrupted(folder.string() + " was not computed to its end");
       recorder::Recording recording(part);
@@ -271,7 +263,7 @@ int verify_session(const fs::path& folder) {
   std::uint64_t samples = 0;
   std::size_t parts = 0, problems = 0;
   for (const fs::path& run : runs_of(folder))
-    for (const fs::path& part : sorted(run, ".fsr")) {
+    for (const fs::path& part : parts_of(run)) {
       recorder::Recording recording(part);
       for (const std::string& problem : problems_of(recording)) {
         say_difference(problem);

@@ -37,8 +37,7 @@ const std::vector<std::string> kClassificationColumns{"participant", "trial",  "
                                                       "repetition",  "answer", "seconds"};
 const std::vector<std::string> kRadiusColumns{"participant", "trial", "step", "seconds", "radius_mil"};
 constexpr std::array<std::string_view, 3> kInitials{"large", "same", "small"};
-constexpr double kLargestMil = 1e6, kMostSeconds = 1e6;
-constexpr int kMostSteps = 1'000'000;
+constexpr int kLargestMil = 1'000'000, kMostSeconds = 1'000'000, kMostSteps = 1'000'000;
 
 std::string quoted(const std::string& text) {
   if (text.find_first_of(",\"") == std::string::npos) return text;
@@ -69,9 +68,9 @@ int whole_in(const csv::Reader& reader, std::size_t column, int least, int large
   return value;
 }
 
-double number_in(const csv::Reader& reader, std::size_t column, double largest) {
+double number_in(const csv::Reader& reader, std::size_t column, int largest) {
   const double value = reader.binary64(column);
-  if (!(value >= 0 && value <= largest)) throw reader.unexpected(column, "a number, 0 to " + csv::shortest(largest));
+  if (!(value >= 0 && value <= largest)) throw reader.unexpected(column, "a number, 0 to " + std::to_string(largest));
   return value;
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// virtual_fit SOURCE_DIR [SEARCHES]: fits the observer of experiments/virtual_participant.h to half of the thesis's numbers, and
-// prints how well it predicts the other half. Without SEARCHES it only prints the table for the observer in the library.
+// virtual_fit SOURCE_DIR [SEARCHES]: fits the observer of experiments/virtual_participant.h to half of the thesis's numbers,
+// and prints how well it predicts the other half. Without SEARCHES it only prints the table for the observer in the library.
 //
-// Fitted: the conditions without vision (Tables 6.1, 6.3, 6.5, 6.7: means over the five subjects of slope, mean SD, mean SI and mean
-// number of steps) and every second row of Table 6.9. Predicted: those with vision (6.2, 6.4, 6.6, 6.8) and the other rows.
+// Fitted: the conditions without vision (Tables 6.1, 6.3, 6.5, 6.7: means over the five subjects of slope, mean SD, mean SI and
+// mean number of steps) and every second row of Table 6.9. Predicted: those with vision (6.2, 6.4, 6.6, 6.8) and the other
+// rows.
 
 #include <algorithm>
 #include <array>
@@ -23,7 +24,7 @@
 namespace forceshade::experiments {
 namespace {
 
-constexpr int kParticipants = 5;  // as in the thesis; all have the same observer and seeds of their own
+constexpr int kParticipants = 5;  // as in the thesis; all have the same observer, and seeds of their own
 
 struct Cell {
   double slope, deviation, satisfaction, steps;
@@ -48,16 +49,16 @@ struct Row {
   std::array<double, 4> thesis;
 };
 const std::array<Row, 21> kClassification{{
-    {"bump-1p", 600, {99, 1, 0, 0}},          {"bump-1p", 1000, {96, 1, 1, 3}},
-    {"bump-1p", 1400, {100, 0, 0, 0}},        {"bump-2p", 600, {0, 79, 3, 19}},
-    {"bump-2p", 1000, {1, 53, 3, 43}},        {"bump-2p", 1400, {8, 47, 1, 44}},
-    {"bump-3p", 600, {0, 3, 92, 6}},          {"bump-3p", 1000, {0, 3, 86, 10}},
-    {"bump-3p", 1400, {0, 7, 87, 6}},         {"bump-cylinder", 600, {0, 7, 19, 75}},
-    {"bump-cylinder", 1000, {0, 9, 3, 88}},   {"bump-cylinder", 1400, {0, 6, 0, 94}},
-    {"bump-1p-shaded", 600, {2, 3, 38, 57}},  {"bump-1p-shaded", 1000, {3, 11, 29, 57}},
+    {"bump-1p", 600, {99, 1, 0, 0}},           {"bump-1p", 1000, {96, 1, 1, 3}},
+    {"bump-1p", 1400, {100, 0, 0, 0}},         {"bump-2p", 600, {0, 79, 3, 19}},
+    {"bump-2p", 1000, {1, 53, 3, 43}},         {"bump-2p", 1400, {8, 47, 1, 44}},
+    {"bump-3p", 600, {0, 3, 92, 6}},           {"bump-3p", 1000, {0, 3, 86, 10}},
+    {"bump-3p", 1400, {0, 7, 87, 6}},          {"bump-cylinder", 600, {0, 7, 19, 75}},
+    {"bump-cylinder", 1000, {0, 9, 3, 88}},    {"bump-cylinder", 1400, {0, 6, 0, 94}},
+    {"bump-1p-shaded", 600, {2, 3, 38, 57}},   {"bump-1p-shaded", 1000, {3, 11, 29, 57}},
     {"bump-1p-shaded", 1400, {2, 14, 36, 48}}, {"bump-2p-shaded", 600, {0, 35, 16, 48}},
-    {"bump-2p-shaded", 1000, {0, 12, 2, 87}}, {"bump-2p-shaded", 1400, {1, 6, 8, 85}},
-    {"bump-3p-shaded", 600, {1, 3, 39, 57}},  {"bump-3p-shaded", 1000, {1, 3, 15, 81}},
+    {"bump-2p-shaded", 1000, {0, 12, 2, 87}},  {"bump-2p-shaded", 1400, {1, 6, 8, 85}},
+    {"bump-3p-shaded", 600, {1, 3, 39, 57}},   {"bump-3p-shaded", 1000, {1, 3, 15, 81}},
     {"bump-3p-shaded", 1400, {0, 7, 8, 86}},
 }};
 
@@ -83,13 +84,15 @@ Cell cell_of(const std::vector<const MatchingResult*>& trials) {
     double mean = 0, squares = 0;
     for (const double value : finals) mean += value / static_cast<double>(finals.size());
     for (const double value : finals) squares += (value - mean) * (value - mean);
-    cell.deviation += 100 * std::sqrt(squares / static_cast<double>(finals.size() - 1)) / mean / static_cast<double>(by_reference.size());
+    cell.deviation +=
+        100 * std::sqrt(squares / static_cast<double>(finals.size() - 1)) / mean / static_cast<double>(by_reference.size());
   }
   return cell;
 }
 
 // A session in memory.
-Results results_of_one(const Protocol& protocol, const Language& language, const Feel& feel, const Observer& observer, int number) {
+Results results_of_one(const Protocol& protocol, const Language& language, const Feel& feel, const Observer& observer,
+                       int number) {
   Random seeds(1995, static_cast<std::uint64_t>(number));
   SavedSession saved{"V" + std::to_string(number), seeds.next(), protocol, language, {}, {}};
   Session session(protocol, language, saved.seed, [&](const Event& event) { saved.events.push_back(event); });
@@ -199,15 +202,17 @@ Observer fit(const Study& study, int searches) {
   double least = error_of(study.run(best, true), true);
   for (int i = 0; i < searches; ++i) {
     const double size = 0.5 * std::pow(0.05, static_cast<double>(i) / searches);
-    const auto changed = [&](double value) { return random.uniform() < 0.5 ? value : value * std::exp(size * random.normal()); };
-    Observer tried{changed(best.position_noise),   changed(best.direction_noise),   changed(best.criterion),
-                   changed(best.best_satisfaction), changed(best.satisfaction_loss), std::min(0.5, changed(best.lapses))};
+    const auto changed = [&](double value) {
+      return random.uniform() < 0.5 ? value : value * std::exp(size * random.normal());
+    };
+    Observer tried{changed(best.position_noise),    changed(best.direction_noise),   changed(best.criterion),
+                   changed(best.best_satisfaction), changed(best.satisfaction_loss), changed(best.round_preference)};
     const double error = error_of(study.run(tried, true), true);
     if (error >= least) continue;
     least = error;
     best = tried;
-    std::printf("%4d %.3f: %.3f %.3f %.3f %.2f %.3f %.3f\n", i, error, best.position_noise, best.direction_noise, best.criterion,
-                best.best_satisfaction, best.satisfaction_loss, best.lapses);
+    std::printf("%4d %.3f: %.3f %.3f %.3f %.2f %.3f %.3f\n", i, error, best.position_noise, best.direction_noise,
+                best.criterion, best.best_satisfaction, best.satisfaction_loss, best.round_preference);
     std::fflush(stdout);
   }
   return best;
