@@ -96,7 +96,11 @@ std::vector<Press> TerminalFront::presses() {
 
 WindowFront::WindowFront(const window::Settings& settings, Bumps& bumps, device::Steering& steering,
                          const Eigen::Vector3f& origin, bool has_mouse)
-    : bumps_(bumps), steering_(steering), origin_(origin.cast<double>()), has_mouse_(has_mouse), window_(settings) {
+    : bumps_(bumps),
+      steering_(steering),
+      origin_(origin.cast<double>()),
+      has_mouse_(has_mouse),
+      window_(settings, experiments::read_language(bumps.protocol().language).labels) {
   if (!window_.note().empty()) std::fprintf(stderr, "forceshade: %s\n", csv::printable(window_.note()).c_str());
 }
 

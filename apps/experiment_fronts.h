@@ -36,8 +36,9 @@ std::optional<experiments::Press> press_of_character(experiments::ScreenKind kin
 
 class WindowFront final : public Front {
  public:
-  // Bumps and steering live longer. Throws window::Error.
-  // has_mouse: the hand is the mouse, so that its place has to be seen on every screen that has something to feel.
+  // Bumps and steering live longer; the labels are in the language of the protocol. Throws window::Error, and
+  // experiments::Error of its file of texts. has_mouse: the hand is the mouse, so that its place has to be seen on every screen
+  // that has something to feel.
   WindowFront(const window::Settings& settings, Bumps& bumps, device::Steering& steering, const Eigen::Vector3f& origin,
               bool has_mouse);
 

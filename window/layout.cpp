@@ -107,7 +107,7 @@ class Layout {
   void draw_text_between(double above, double bottom) {
     if (screen_.text.empty()) return;
     const double top = above + 0.5 * label_;
-    const double width = std::min(window_.width - 2 * margin_, 1.4 * kColumn * body_);
+    const double width = std::min(window_.width - 2 * margin_, kColumn * body_);
     const Fitted text = fitted(screen_.text, width, bottom - top, body_, measure_);
     add_lines(text, window_.width / 2, top + (bottom - top - text.height()) * 0.4, kInk, Align::centre);
   }

@@ -19,10 +19,12 @@ Rectangle scene_area(Size window) {
   return {margin, 0.16 * window.height, window.width - margin, 0.76 * window.height};
 }
 
-View::View(const Scene& scene, Rectangle area) : extent_(scene.separation / 2 + 1.1 * scene.width) {
+View::View(const Scene& scene, Rectangle area) {
   const double below = kSceneDepth / 2 * kSine + kSlabThickness * kCosine + kRoomBelow;
   const double height = kRoomAbove * kCosine + kSceneDepth / 2 * kSine + below;
-  scale_ = std::min(area.width() / (2 * extent_), area.height() / height);
+  const double least_extent = scene.separation / 2 + 1.1 * scene.width;
+  scale_ = std::min(area.width() / (2 * least_extent), area.height() / height);
+  extent_ = area.width() / (2 * scale_);
   const double unused = area.height() - height * scale_;
   origin_ = {(area.left + area.right) / 2, area.bottom - below * scale_ - unused / 3};
 }

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "ask_to_close.h"
+#include "display.h"
 #include "forceshade/window/layout.h"
 #include "forceshade/window/view.h"
 #include "screenshots.h"

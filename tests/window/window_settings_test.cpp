@@ -2,15 +2,13 @@
 // The settings of the participant's window: what is read, what is refused and how; and what each key does on each screen.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <string>
 
 #include "forceshade/experiments/error.h"
+#include "forceshade/tests/support/temporary_directory.h"
 #include "forceshade/window/settings.h"
 
 namespace forceshade::window {
@@ -22,29 +20,21 @@ using experiments::ScreenKind;
 
 class window_settings : public testing::Test {
  protected:
-  window_settings() { std::filesystem::create_directories(folder_); }
-  ~window_settings() override { std::filesystem::remove_all(folder_); }
-
-  Settings read(const std::string& text) const {
-    std::ofstream(file_, std::ios::binary) << text;
-    return read_settings(file_);
-  }
+  Settings read(const std::string& text) const { return read_settings(folder_.write("window.toml", text)); }
 
   // What stands after "FILE:" in the message; empty if the text is read.
   std::string refusal(const std::string& text) const {
     try {
       read(text);
     } catch (const experiments::Error& error) {
-      const std::string what = error.what(), begin = file_.string() + ":";
+      const std::string what = error.what(), begin = folder_.file("window.toml") + ":";
       EXPECT_TRUE(what.starts_with(begin)) << what;
       return what.substr(begin.size());
     }
     return {};
   }
 
-  const std::filesystem::path folder_ = std::filesystem::temp_directory_path() /
-                                        ("forceshade-window-settings-" + std::to_string(getpid())),
-                              file_ = folder_ / "window.toml";
+  const tests::TemporaryDirectory folder_;
 };
 
 TEST_F(window_settings, an_empty_file_gives_the_defaults) {
@@ -60,7 +50,7 @@ TEST_F(window_settings, an_empty_file_gives_the_defaults) {
 }
 
 TEST_F(window_settings, every_key_is_read) {
-  std::ofstream(folder_ / "letters.ttf") << "a font";
+  const std::string font = folder_.write("letters.ttf", "a font");
   const Settings settings = read(R"(
 fullscreen = true
 monitor = 2
@@ -81,7 +71,7 @@ digits = ["à", "&", "é", "\"", "'", "(", "-", "è", "_", "ç"]
   EXPECT_EQ(settings.width, 1920);
   EXPECT_EQ(settings.height, 1080);
   EXPECT_EQ(settings.text_scale, 1.5);
-  EXPECT_EQ(settings.font, (folder_ / "letters.ttf").string());
+  EXPECT_EQ(settings.font, font);
   EXPECT_EQ(settings.keys.smaller, (std::vector<std::string>{"j", "left"}));
   EXPECT_EQ(settings.keys.bigger, std::vector<std::string>{"ö"});
   EXPECT_EQ(settings.keys.done, std::vector<std::string>{"f5"});
@@ -97,7 +87,7 @@ TEST_F(window_settings, what_is_wrong_is_named_with_line_key_expectation_and_val
   const std::string named =
       "return, backspace, delete, tab, escape, insert, left, right, up, down, page-up, page-down, home, end, f1, f2, f3, f4, "
       "f5, f6, f7, f8, f9, f10, f11, f12";
-  const std::string absent = (std::filesystem::absolute(folder_) / "none.ttf").string();
+  const std::string absent = folder_.file("none.ttf");
   const std::map<std::string, std::string> refusals{
       {"fullscreen = 1", "1: fullscreen: expected true or false, got 1"},
       {"\nmonitor = 0", "2: monitor: expected a whole number, 1 to 16, got 0"},
@@ -120,8 +110,8 @@ TEST_F(window_settings, what_is_wrong_is_named_with_line_key_expectation_and_val
   };
   for (const auto& [text, expected] : refusals) EXPECT_EQ(refusal(text), expected) << text;
   EXPECT_TRUE(refusal("width = ").starts_with("1: ")) << refusal("width = ");
-  EXPECT_THROW(read_settings(folder_ / "absent.toml"), experiments::Error);
-  EXPECT_THROW(read_settings(folder_), experiments::Error);
+  EXPECT_THROW(read_settings(folder_.file("absent.toml")), experiments::Error);
+  EXPECT_THROW(read_settings(folder_.path()), experiments::Error);
 }
 
 std::string described(const std::optional<Press>& press) {
