@@ -19,6 +19,7 @@
 #include "forceshade/csv/output_file.h"
 #include "forceshade/csv/printable.h"
 #include "forceshade/device/last_samples.h"
+#include "forceshade/recorder/settings.h"
 
 namespace forceshade::apps {
 namespace {
@@ -53,6 +54,7 @@ recorder::Metadata metadata(const RunPlan& plan, const Driven& what, const devic
                               {"passivity", std::string(name_of(plan.servo.passivity))}};
   for (const auto& [what_it_is, words] : identity(capabilities)) metadata["device_" + what_it_is] = words;
   metadata.merge(metadata_of(what.identity));
+  metadata.merge(recorder::metadata_of(safety_settings(capabilities, plan.servo)));
   return metadata;
 }
 

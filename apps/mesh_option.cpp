@@ -37,6 +37,29 @@ std::string refusal_of_shading(const std::string& got) {
   return "expected one of vertex, edge, none, texture:FILE; got \"" + got + '"';
 }
 
+void read_texture(const MeshChoice& choice, const mesh::CheckedMesh& checked,
+                  const std::vector<std::array<mesh::TexturePoint, 3>>& points, properties::MeshRendering& rendering) {
+  if (points.empty())
+    throw BadInput(choice.file +
+                   ": has no texture coordinates at some or all corners; expected them beside --shading texture:FILE: vt of an "
+                   "OBJ file, s and t or u and v or texcoord of a PLY file, or ST of an OFF file");
+  if (!choice.texture_scale)
+    throw BadInput(
+        "--texture-scale is required beside --shading texture:FILE: expected the length of one unit of the texture "
+        "coordinates, such as 1mm, for no mesh file says it");
+  const std::string file = choice.shading.substr(kTexturePrefix.size());
+  heights::Spec spec = heights::read_spec(file);
+  expect_valid(file, spec, 1);
+  if (!spec.map.surface.empty())
+    throw BadInput(file + ": has a surface to measure the depth from; expected none, for the depth is that of the mesh");
+  rendering.texture.map = std::move(spec.map);
+  try {
+    rendering.texture.corners = mesh::corner_textures(checked, points, *choice.texture_scale, choice.crease_degrees);
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(choice.file + ": cannot be textured: " + error.what());
+  }
+}
+
 }  // namespace
 
 mesh::Unit unit_named(const std::string& word) {
@@ -47,15 +70,16 @@ mesh::Unit unit_named(const std::string& word) {
 
 MeshOption::MeshOption(CLI::App& command, LawOptions& law) {
   CLI::Option* option =
-      command.add_option("--mesh", file_, "instead of a law: a triangle mesh, an OBJ, OFF, PLY or STL file (docs/meshes.md)")
+      command
+          .add_option("--mesh", mesh_.file, "instead of a law: a triangle mesh, an OBJ, OFF, PLY or STL file (docs/meshes.md)")
           ->type_name("FILE");
   law.allow_instead(option);
-  add_word(command, "--unit", unit_, "of a mesh's coordinates, which no format says", {"mm", "m", "in"})->needs(option);
-  add_word(command, "--sides", sides_, "of a mesh that block motion; front where it is closed, else both, unless said",
+  add_word(command, "--unit", mesh_.unit, "of a mesh's coordinates, which no format says", {"mm", "m", "in"})->needs(option);
+  add_word(command, "--sides", mesh_.sides, "of a mesh that block motion; front where it is closed, else both, unless said",
            {"front", "both"})
       ->needs(option);
   command
-      .add_option("--shading", shading_,
+      .add_option("--shading", mesh_.shading,
                   "of a mesh: vertex turns the force to the interpolated normal, edge as the thesis has it, texture tilts that "
                   "normal by a height map, a TOML file")
       ->type_name("vertex|edge|none|texture:FILE")
@@ -64,59 +88,43 @@ MeshOption::MeshOption(CLI::App& command, LawOptions& law) {
       ->needs(option);
   command
       .add_option_function<std::string>(
-          "--texture-scale", [this](const std::string& text) { texture_scale_ = parse_length("--texture-scale", text); },
+          "--texture-scale", [this](const std::string& text) { mesh_.texture_scale = parse_length("--texture-scale", text); },
           "of a textured mesh: the length of one unit of the texture coordinates in its file, which no format says")
       ->type_name("LENGTH")
       ->needs(option);
   add_angle(command, "--crease", "of a mesh: an edge that turns by more is not shaded over", {0, 180}, [this](double degrees) {
-    crease_degrees_ = degrees;
+    mesh_.crease_degrees = degrees;
   })->needs(option);
 }
 
 std::string MeshOption::name() const {
-  return std::filesystem::path(file_).filename();
+  return std::filesystem::path(mesh_.file).filename();
 }
 
 properties::MeshRendering MeshOption::read(float stiffness) const {
-  if (unit_.empty()) throw BadInput("--unit is required beside --mesh: expected mm, m or in, for no mesh file says its unit");
-  mesh::LoadedMesh loaded = mesh::load_with_corners(file_, unit_named(unit_));
-  auto checked = mesh::check(std::move(loaded.mesh));
-  if (const auto* findings = std::get_if<mesh::Findings>(&checked))
-    throw BadInput(file_ + ": cannot be rendered:\n" + findings->words() + "\n'forceshade mesh repair' mends some of this");
-  const auto& found = std::get<mesh::CheckedMesh>(checked);
-  properties::MeshRendering rendering{found.mesh(), {}, {}, {}, stiffness, {}};
-  const std::string sides = sides_.empty() ? (mesh::facts_of(found).is_closed() ? "front" : "both") : sides_;
-  rendering.sides = value_named<mesh::Sides>(sides, mesh::kSidesNames);
-  rendering.shading = shading_named(shading_);
-  if (mesh::has_corner_normals(rendering.shading)) rendering.normals = mesh::corner_normals(found, crease_degrees_).normals;
-  if (rendering.shading == mesh::Shading::texture_scheme)
-    read_texture(found, loaded.texture, rendering);
-  else if (texture_scale_)
-    throw BadInput("--texture-scale is for --shading texture:FILE alone");
-  return rendering;
+  if (mesh_.unit.empty())
+    throw BadInput("--unit is required beside --mesh: expected mm, m or in, for no mesh file says its unit");
+  return read_mesh(mesh_, stiffness);
 }
 
-void MeshOption::read_texture(const mesh::CheckedMesh& checked, const std::vector<std::array<mesh::TexturePoint, 3>>& points,
-                              properties::MeshRendering& rendering) const {
-  if (points.empty())
-    throw BadInput(file_ +
-                   ": has no texture coordinates at some or all corners; expected them beside --shading texture:FILE: vt of an "
-                   "OBJ file, s and t or u and v or texcoord of a PLY file, or ST of an OFF file");
-  if (!texture_scale_)
-    throw BadInput(
-        "--texture-scale is required beside --shading texture:FILE: expected the length of one unit of the texture "
-        "coordinates, such as 1mm, for no mesh file says it");
-  const std::string file = shading_.substr(kTexturePrefix.size());
-  heights::Spec spec = heights::read_spec(file);
-  expect_valid(file, spec, 1);
-  if (!spec.map.surface.empty())
-    throw BadInput(file + ": has a surface to measure the depth from; expected none, for the depth is that of the mesh");
-  rendering.texture.map = std::move(spec.map);
-  try {
-    rendering.texture.corners = mesh::corner_textures(checked, points, *texture_scale_, crease_degrees_);
-  } catch (const std::invalid_argument& error) {
-    throw BadInput(file_ + ": cannot be textured: " + error.what());
-  }
+properties::MeshRendering read_mesh(const MeshChoice& choice, float stiffness) {
+  mesh::LoadedMesh loaded = mesh::load_with_corners(choice.file, unit_named(choice.unit));
+  auto checked = mesh::check(std::move(loaded.mesh));
+  if (const auto* findings = std::get_if<mesh::Findings>(&checked))
+    throw BadInput(choice.file + ": cannot be rendered:\n" + findings->words() +
+                   "\n'forceshade mesh repair' mends some of this");
+  const auto& found = std::get<mesh::CheckedMesh>(checked);
+  properties::MeshRendering rendering{found.mesh(), {}, {}, {}, stiffness, {}};
+  const std::string sides = choice.sides.empty() ? (mesh::facts_of(found).is_closed() ? "front" : "both") : choice.sides;
+  rendering.sides = value_named<mesh::Sides>(sides, mesh::kSidesNames);
+  rendering.shading = shading_named(choice.shading);
+  if (mesh::has_corner_normals(rendering.shading))
+    rendering.normals = mesh::corner_normals(found, choice.crease_degrees).normals;
+  if (rendering.shading == mesh::Shading::texture_scheme)
+    read_texture(choice, found, loaded.texture, rendering);
+  else if (choice.texture_scale)
+    throw BadInput("--texture-scale is for --shading texture:FILE alone");
+  return rendering;
 }
 
 }  // namespace forceshade::apps

@@ -15,26 +15,34 @@ namespace forceshade::apps {
 // Of --unit, a word of mesh::kUnitNames. Throws BadInput for any other.
 mesh::Unit unit_named(const std::string& word);
 
+// A mesh file and how it is rendered, in the words of the options.
+struct MeshChoice {
+  std::string file, unit;
+  std::string sides;               // front, both, or empty: front where the mesh is closed, both where it is not
+  std::string shading = "vertex";  // vertex, edge, none or texture:FILE
+  double crease_degrees = 180;
+  std::optional<float> texture_scale;  // mm, of texture:FILE
+};
+
+// What can be rendered on both sides. stiffness: N/mm. Throws BadInput or mesh::Error with the file, its line or faces, and
+// what was expected.
+properties::MeshRendering read_mesh(const MeshChoice& choice, float stiffness);
+
 class MeshOption {
  public:
   // From then on the command takes either: --law, --radius and --width are refused beside it.
   MeshOption(CLI::App& command, LawOptions& law);
 
-  bool is_given() const { return !file_.empty(); }
+  bool is_given() const { return !mesh_.file.empty(); }
 
   // For people and records; no claim hangs on it.
   std::string name() const;
 
-  // What can be rendered on both sides. Throws BadInput or mesh::Error with the file, its line or faces, and what was expected.
+  // read_mesh() of the options.
   properties::MeshRendering read(float stiffness) const;
 
  private:
-  void read_texture(const mesh::CheckedMesh& checked, const std::vector<std::array<mesh::TexturePoint, 3>>& points,
-                    properties::MeshRendering& rendering) const;
-
-  std::string file_, unit_, sides_, shading_ = "vertex";
-  double crease_degrees_ = 180;
-  std::optional<float> texture_scale_;  // mm
+  MeshChoice mesh_;
 };
 
 }  // namespace forceshade::apps

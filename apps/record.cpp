@@ -2,6 +2,7 @@
 // forceshade recording: what a recording says of itself, whether it is whole, and its ticks for other programs.
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -9,6 +10,7 @@
 #include "forceshade/apps/driven.h"
 #include "forceshade/apps/output_options.h"
 #include "forceshade/apps/progress_line.h"
+#include "forceshade/apps/session_recompute.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/apps/subject_option.h"
 #include "forceshade/csv/printable.h"
@@ -63,6 +65,7 @@ int info(const RecordOptions& options) {
 }
 
 int verify(const RecordOptions& options) {
+  if (std::filesystem::is_directory(options.file)) return verify_session(options.file);
   recorder::Recording recording(options.file);
   const std::vector<std::string> problems = problems_of(recording);
   for (const std::string& problem : problems) complain(problem);
@@ -77,6 +80,7 @@ int verify(const RecordOptions& options) {
 
 // What a hand felt, computed again from the recorded positions by the definition: 0 if every force is the same.
 int recompute(const RecordOptions& options, const SubjectOption& subject_option) {
+  if (std::filesystem::is_directory(options.file)) return recompute_session(options.file);
   recorder::Recording recording(options.file);
   const auto subject = subject_option.subject();
   for (const auto& [key, expected] : metadata_of(subject->identity())) {
@@ -94,11 +98,15 @@ int recompute(const RecordOptions& options, const SubjectOption& subject_option)
   const auto reference = subject->open_reference();
   const std::uint64_t all = recording.extent().samples;
   std::uint64_t samples = 0, contacts = 0, differences = 0;
+  CommandCheck commands(recording);
   recording.for_each_chunk([&](std::span<const device::Sample> chunk) {
     if (interrupted()) throw Interrupted(options.file + " was not computed to its end");
     for (const device::Sample& sample : chunk) {
       if (sample.status == device::Sample::kEnd) continue;  // the law was not evaluated
       ++samples;
+      if (!commands.is_same(sample) && commands.differences() <= kListed)
+        complain("tick " + std::to_string(sample.tick) +
+                 ": the command is not what supervisor and controller make of the force");
       const auto& [x, y, z] = sample.position;
       const reference::Rounded exact = reference->step({x, y, z});
       const auto& [fx, fy, fz] = sample.law_force;
@@ -113,7 +121,13 @@ int recompute(const RecordOptions& options, const SubjectOption& subject_option)
   });
   std::printf("computed again: %llu ticks, %llu in contact, %llu differ\n", static_cast<unsigned long long>(samples),
               static_cast<unsigned long long>(contacts), static_cast<unsigned long long>(differences));
-  return differences == 0 ? kHeld : kFailed;
+  if (!commands.why_not().empty())
+    std::printf("commands: not computed: %s\n", commands.why_not().c_str());
+  else
+    std::printf("commands: %llu ticks, %llu changed by supervisor or controller, %llu differ\n",
+                static_cast<unsigned long long>(commands.ticks()), static_cast<unsigned long long>(commands.changed()),
+                static_cast<unsigned long long>(commands.differences()));
+  return differences == 0 && commands.differences() == 0 ? kHeld : kFailed;
 }
 
 int write(const RecordOptions& options) {
@@ -137,11 +151,17 @@ void add_recording(CLI::App& app, int& result) {
   };
   const auto [info_verb, info_options] = add("info", "What was recorded, with what", info);
   add_json(*info_verb, info_options->json, "the same");
-  add("verify", "Whether it is whole: 0 if so, 1 if cut off, damaged or with ticks missing", verify);
+  add("verify",
+      "Whether it, or every part of a session's folder, is whole: 0 if so, 1 if cut off, damaged or with ticks missing",
+      verify);
   const auto recomputed = std::make_shared<RecordOptions>();
   CLI::App* again = command->add_subcommand(
-      "recompute", "Whether every recorded force of a law, height map or mesh is the exact one, rounded: 0 if so");
-  again->add_option("file", recomputed->file, "a recording, FILE.fsr")->type_name("FILE")->required();
+      "recompute",
+      "Whether every recorded force of a law, height map or mesh is the exact one, rounded, and every command what supervisor "
+      "and controller make of it: 0 if so");
+  again->add_option("file", recomputed->file, "a recording, FILE.fsr; or the folder of a session, which needs no other option")
+      ->type_name("FILE")
+      ->required();
   const auto subject = std::make_shared<SubjectOption>(*again, LawOptions::Laws::one);
   again->callback([recomputed, subject, &result] { result = recompute(*recomputed, *subject); });
   const auto [export_verb, export_options] = add("export", "The ticks for other programs", write);

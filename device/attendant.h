@@ -8,6 +8,8 @@
 
 namespace forceshade::device {
 
+class Steering;  // device/simulated/steering.h
+
 // This one is nobody: hears nothing and does nothing.
 class Attendant {
  public:
@@ -28,6 +30,9 @@ class Attendant {
   // they have none to offer.
   static constexpr int kButtons = 2;  // as many as the stylus of a Touch has
   virtual const std::atomic<std::uint16_t>* buttons() noexcept { return nullptr; }
+
+  // Where they mean a simulated hand to be, with a mouse for instance. As long as they live; null if they steer nothing.
+  virtual Steering* steering() noexcept { return nullptr; }
 };
 
 }  // namespace forceshade::device

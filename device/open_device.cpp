@@ -24,7 +24,7 @@ std::unique_ptr<Device> open_device(const std::string& name, Attendant& attendan
   if (name.starts_with(kPhantom) && name[kPhantom.size()] == ':' && name.size() > kPhantom.size() + 1)
     return open_phantom(name.substr(kPhantom.size() + 1), attendant, forces);
   throw UnknownDevice("unknown device \"" + name +
-                      "\": expected null, replay:FILE.csv, simulated[:MODEL[:RECORDING.csv]] or phantom[:NAME]");
+                      "\": expected null, replay:FILE.csv, simulated[:MODEL[:RECORDING.csv or :mouse]] or phantom[:NAME]");
 }
 
 std::unique_ptr<Device> open_device(const std::string& name) {

@@ -33,8 +33,17 @@ struct Sample {
   std::uint8_t late = 0;      // 1 if the force was commanded after the next tick was due
   std::uint8_t altered = 0;   // 1 if the passivity controller changed the supervisor's force
   std::uint8_t tripped = 0;   // the rule that stopped the run, from 1; 0 for none
+
+  // From here on what formats before 4 lack: with these the commanded force can be computed again (device/retrace.h).
+  std::uint64_t shown = 0;                       // fast::Session::shown()
+  double sent_work = 0;                          // mJ, Sent::work
+  std::array<float, 3> sent_acted = {0, 0, 0};   // N, in the device's own frame, as the next
+  std::array<float, 3> sent_acting = {0, 0, 0};  // N
+  float temperature = 0;                         // State::temperature
+  std::uint32_t device_state = 0;                // kCalibrated and so on, of this reading
+  static constexpr std::uint32_t kCalibrated = 1, kForcesOn = 2, kReportsSent = 4;
 };
-static_assert(sizeof(Sample) == 128 && std::is_trivially_copyable_v<Sample>);
+static_assert(sizeof(Sample) == 176 && std::is_trivially_copyable_v<Sample>);
 
 // push() is called from the servo loop: it must neither wait nor allocate.
 class SampleSink {

@@ -90,18 +90,14 @@ class Run {
         period_(std::llround(1e9 / options.rate_hz)),
         ticks_(ticks_in(options.max_seconds, options.rate_hz)) {
     const Capabilities capabilities = device.capabilities();
-    SupervisorLimits limits = supervisor_limits(capabilities, options.rate_hz);
-    limits.patience = options.patience.value_or(limits.patience);
+    const SafetySettings settings = safety_settings(capabilities, options);
     // Longer than the device itself waits for its frames, so that it is the one to say what happened.
-    longest_wait_ = std::llround(2e9 * limits.patience);
+    longest_wait_ = std::llround(2e9 * settings.limits.patience);
     result.followed_device = options.paced && options.follows_device && capabilities.paces;
-    result.supervised = std::isfinite(capabilities.peak_force);
-    if (result.supervised) {
-      limits.dead_man_button = options.dead_man_button;
-      supervisor_.emplace(limits, options.rate_hz);
-      result.passivity = options.passivity;
-    }
-    result.passivity_settings = passivity_settings(capabilities, options.rate_hz);
+    result.supervised = settings.supervised;
+    if (result.supervised) supervisor_.emplace(settings.limits, options.rate_hz);
+    result.passivity = settings.passivity;
+    result.passivity_settings = settings.passivity_settings;
     controller_.emplace(result.passivity_settings, result.passivity);
   }
 
@@ -197,9 +193,10 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
   const Placement& placement = options_.placement;
   const fast::Evaluation evaluation = session_.step(placement.to_subject(reading.position));
   const Eigen::Vector3f wanted = placement.turned_to_device(evaluation.force);
+  const State state = device_.state();
   Verdict verdict{.force = wanted};
   if (supervisor_)
-    verdict = supervisor_->supervise(reading, device_.state(), wanted, evaluation.status, static_cast<double>(latency) / 1e9);
+    verdict = supervisor_->supervise(reading, state, wanted, evaluation.status, static_cast<double>(latency) / 1e9);
   const Eigen::Vector3f force = controller_->passed(reading, verdict.force);
   if (supervisor_) supervisor_->commanded(force, controller_->account().forgiven);
   device_.allow(controller_->allowance());
@@ -225,6 +222,15 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
   sample.limited = verdict.limited.bits();
   sample.altered = force != verdict.force;
   sample.tripped = verdict.trip ? static_cast<std::uint8_t>(1 + static_cast<int>(*verdict.trip)) : 0;
+  sample.shown = session_.shown();
+  sample.temperature = state.temperature;
+  sample.device_state = (state.calibrated ? Sample::kCalibrated : 0) | (state.forces_on ? Sample::kForcesOn : 0);
+  if (reading.sent) {
+    sample.device_state |= Sample::kReportsSent;
+    sample.sent_work = reading.sent->work;
+    sample.sent_acted = array(reading.sent->acted);
+    sample.sent_acting = array(reading.sent->acting);
+  }
   push(sample);
   if (verdict.trip) end_with(EndReason::tripped);
   end_with(refused);
@@ -242,6 +248,20 @@ void Run::finish() noexcept {
 }
 
 }  // namespace
+
+SafetySettings safety_settings(const Capabilities& capabilities, const ServoOptions& options) noexcept {
+  SafetySettings settings{.rate_hz = options.rate_hz};
+  SupervisorLimits limits = supervisor_limits(capabilities, options.rate_hz);
+  limits.patience = options.patience.value_or(limits.patience);
+  settings.supervised = std::isfinite(capabilities.peak_force);
+  if (settings.supervised) {
+    limits.dead_man_button = options.dead_man_button;
+    settings.passivity = options.passivity;
+  }
+  settings.limits = limits;
+  settings.passivity_settings = passivity_settings(capabilities, options.rate_hz);
+  return settings;
+}
 
 std::string_view name_of(EndReason reason) noexcept {
   switch (reason) {

@@ -59,6 +59,19 @@ struct ServoOptions {
   std::vector<SampleSink*> sinks = {};
 };
 
+// What the supervisor and the passivity controller go by, fixed before a run: with these and its samples, every command of the
+// run can be computed again (device/retrace.h).
+struct SafetySettings {
+  double rate_hz = 1000;
+  bool supervised = false;    // the device can push
+  SupervisorLimits limits{};  // of no use where it is not supervised
+  PassivityController::Kind passivity = PassivityController::Kind::observer;
+  PassivitySettings passivity_settings{};
+};
+
+// Those of a run with these options on such a device.
+SafetySettings safety_settings(const Capabilities& capabilities, const ServoOptions& options) noexcept;
+
 enum class EndReason { end_of_data, time_up, stopped, tripped, device_fault };
 
 std::string_view name_of(EndReason reason) noexcept;

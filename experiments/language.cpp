@@ -40,6 +40,14 @@ Heading heading(TomlTable& root, std::string_view name, const Places& more = {})
   return heading;
 }
 
+Labels labels(TomlTable& root) {
+  TomlTable table = root.table("labels");
+  Labels labels{table.text("trial"),    table.text("practice"),  table.text("reference"),
+                table.text("matching"), table.text("different"), table.text("same")};
+  table.expect_no_other();
+  return labels;
+}
+
 }  // namespace
 
 Language read_language(const std::filesystem::path& file) {
@@ -62,6 +70,7 @@ Language read_language(const std::filesystem::path& file) {
   language.question = heading(table, "question");
   language.questions_after_matching = table.texts("questions_after_matching", 0);
   language.questions_after_classification = table.texts("questions_after_classification", 0);
+  language.labels = labels(table);
   language.pictures = table.texts("pictures", 4);
   if (language.pictures.size() != 4) table.fail("pictures", "expected four names");
   table.expect_no_other();

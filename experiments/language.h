@@ -12,6 +12,13 @@ struct Heading {
   std::string title, text;
 };
 
+// Short words beside what a window draws.
+struct Labels {
+  std::string trial = "Trial", practice = "Practice";
+  std::string reference = "Reference", matching = "Matching";            // the left bump and the right one
+  std::string different = "entirely different", same = "no difference";  // the ends of the scale of satisfaction
+};
+
 // Texts may hold {smaller}, {bigger}, {done}, {enter} and {erase}, the names of keys; those of a block {block} and {blocks},
 // those of a break {trial} and {trials}.
 struct Language {
@@ -23,6 +30,7 @@ struct Language {
   Heading match, satisfy, classify;  // short, shown during the trial
   Heading question;                  // shown with each question; its text comes before the question's own
   std::vector<std::string> questions_after_matching, questions_after_classification;
+  Labels labels;
   std::vector<std::string> pictures;  // names of the four of figure 5-8: plane, two polygons, three polygons, cylinder
 };
 

@@ -10,21 +10,23 @@
 
 namespace forceshade::experiments {
 
-// splitmix64 (Steele, Lea and Flood 2014): 2^64 numbers before it repeats.
+// The output of splitmix64 (Steele, Lea and Flood 2014) for a state.
+constexpr std::uint64_t mixed(std::uint64_t state) {
+  state = (state ^ (state >> 30U)) * 0xbf58476d1ce4e5b9U;
+  state = (state ^ (state >> 27U)) * 0x94d049bb133111ebU;
+  return state ^ (state >> 31U);
+}
+
+// splitmix64: 2^64 numbers before it repeats.
 class Random {
  public:
-  // Streams of one seed are independent of each other for practical purposes.
-  explicit Random(std::uint64_t seed, std::uint64_t stream = 0) : state_(seed) {
-    state_ = next() ^ (stream * 0xd1342543de82ef95U);
-  }
+  static constexpr std::uint64_t kIncrement = 0x9e3779b97f4a7c15U;
 
-  std::uint64_t next() {
-    state_ += 0x9e3779b97f4a7c15U;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31U);
-  }
+  // Each stream of a seed is another sequence.
+  explicit Random(std::uint64_t seed, std::uint64_t stream = 0)
+      : state_(mixed(seed + kIncrement) ^ (stream * 0xd1342543de82ef95U)) {}
+
+  std::uint64_t next() { return mixed(state_ += kIncrement); }
 
   // 0 to count - 1, each as likely as the others: numbers in the last, incomplete multiple of count are drawn again.
   std::size_t below(std::size_t count) {

@@ -37,8 +37,7 @@ const std::vector<std::string> kClassificationColumns{"participant", "trial",  "
                                                       "repetition",  "answer", "seconds"};
 const std::vector<std::string> kRadiusColumns{"participant", "trial", "step", "seconds", "radius_mil"};
 constexpr std::array<std::string_view, 3> kInitials{"large", "same", "small"};
-constexpr double kLargestMil = 1e6, kMostSeconds = 1e6;
-constexpr int kMostSteps = 1'000'000;
+constexpr int kLargestMil = 1'000'000, kMostSeconds = 1'000'000, kMostSteps = 1'000'000;
 
 std::string quoted(const std::string& text) {
   if (text.find_first_of(",\"") == std::string::npos) return text;

@@ -115,6 +115,14 @@ std::vector<int> TomlTable::wholes(std::string_view key, int least, int largest)
   return all;
 }
 
+bool TomlTable::flag(std::string_view key, bool otherwise) {
+  const toml::node* node = find(key, true);
+  if (!node) return otherwise;
+  const auto value = node->value_exact<bool>();
+  if (!value) fail(*node, key, "true or false");
+  return *value;
+}
+
 std::vector<bool> TomlTable::flags(std::string_view key) {
   const toml::node* node = find(key, false);
   const std::string expected = "a list of true, false or both, each once";

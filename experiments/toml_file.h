@@ -34,6 +34,7 @@ class TomlTable {
   std::string text(std::string_view key, bool may_have_lines = false);
   // A list of at least one whole number, each once.
   std::vector<int> wholes(std::string_view key, int least, int largest);
+  bool flag(std::string_view key, bool otherwise);
   std::vector<bool> flags(std::string_view key);
   std::vector<std::string> texts(std::string_view key, std::size_t least);
   TomlTable table(std::string_view key);

@@ -27,6 +27,8 @@ constexpr double kDirectionThreshold = 25.6, kDirectionThresholdWithVision = 18.
 constexpr int kMostComparisons = 60, kMostPressesAtOnce = 20;
 constexpr double kMotorNoise = 0.3;         // of the number of presses of a burst, as a share of it
 constexpr double kSatisfactionNoise = 0.5;  // standard deviation
+constexpr int kRoundPicture = 4;            // of figure 5-8
+constexpr double kLapses = 0.02;            // share of classifications at random
 // The participant's own time, which no fit uses: the thesis states a minute and a half, and ten seconds, for a trial.
 constexpr double kSecondsOfStroke = 4, kSecondsOfPress = 0.4, kSecondsOfAnswer = 3, kSecondsOfText = 15;
 
@@ -251,7 +253,7 @@ class VirtualParticipant::Model {
   // The picture that, in its best size, is nearest to what was felt. Noise at each place is so large that the mean over the
   // places has the noise of a comparison.
   int classify(const Bump& bump) {
-    if (random_.uniform() < observer_.lapses) return 1 + static_cast<int>(random_.below(4));
+    if (random_.uniform() < kLapses) return 1 + static_cast<int>(random_.below(4));
     const double noise = std::sqrt(static_cast<double>(kStrokePlaces));
     const double of_height = noise * height_noise(), of_direction = noise * direction_noise(true);
     Stroke felt = feel_(bump);
@@ -262,7 +264,7 @@ class VirtualParticipant::Model {
     int best = 0;
     double least = std::numeric_limits<double>::infinity();
     for (const Template& one : templates_) {
-      double distance = 0;
+      double distance = one.picture == kRoundPicture ? -observer_.round_preference : 0;
       for (std::size_t i = 0; i < felt.size(); ++i) {
         const double height = (felt[i].height - one.stroke[i].height) / of_height,
                      direction = (felt[i].direction - one.stroke[i].direction) / of_direction;
@@ -300,7 +302,7 @@ Response VirtualParticipant::next(const Screen& screen, const Scene& scene) {
 }
 
 Observer fitted_observer() {
-  return {};
+  return {1.04, 0.123, 0.563, 7.76, 0.405, 3.331};
 }
 
 double run_to_end(Session& session, VirtualParticipant& participant) {
@@ -321,7 +323,8 @@ std::vector<std::filesystem::path> run_virtual_study(const std::filesystem::path
   const Protocol read = read_protocol(protocol);
   const Feel feel = feel_of_laws(read);
   for (int i = 1; i <= participants; ++i) {
-    const std::string name = "V" + std::to_string(i);
+    std::string name = "V";
+    name += std::to_string(i);
     Random seeds(seed, static_cast<std::uint64_t>(i));
     RecordedSession recorded = RecordedSession::start(folder / name, protocol, name, seeds.next(), {}, sync);
     VirtualParticipant participant(read, observer, feel, seeds.next());

@@ -42,7 +42,8 @@ struct Observer {
   double criterion = 0.5;      // a match is accepted below this multiple of the felt difference's standard deviation
   double best_satisfaction = 8.5;
   double satisfaction_loss = 1;  // for each standard deviation of difference that is left
-  double lapses = 0.02;          // share of classifications at random
+// Head start of the round bump over the other pictures, as a squared distance in standard deviations.
+  double round_preference = 0;
 };
 
 // Fitted to half of the thesis's numbers by tests/experiments/virtual_fit.cpp.

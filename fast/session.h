@@ -2,6 +2,7 @@
 #pragma once
 // One path through a renderer: what a servo loop drives, and what is compared with the reference.
 
+#include <cstdint>
 #include <memory>
 #include <utility>
 
@@ -16,6 +17,11 @@ class Session {
 
   // position: mm, the next one of the path. Without allocation, lock or exception.
   virtual Evaluation step(const Eigen::Vector3f& position) noexcept = 0;
+
+  // Where renderers can be exchanged while the loop runs: in the lower 32 bits the number of the one that answered the last
+  // step, in the upper ones of the one that waits to take its place and followed the same step. Else 0. Recorded with every
+  // tick.
+  virtual std::uint64_t shown() const noexcept { return 0; }
 };
 
 // Of a field, whose force depends on nothing but the position: a law or a height map.

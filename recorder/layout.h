@@ -15,9 +15,10 @@ namespace forceshade::recorder {
 using device::Sample;
 
 // In the header of every recording: "FSHR", and the version that a change of the schema, of a sample's bytes or of the metadata
-// raises. Format 3 is format 2 with a digest of the metadata; no other is read.
+// raises. Format 4 has more columns behind those of format 3, which is format 2 with a digest of the metadata; no other is
+// read.
 inline constexpr int kApplicationId = 0x46534852;
-inline constexpr int kFormatVersion = 3, kFormatWithoutDigest = 2;
+inline constexpr int kFormatVersion = 4, kFormatOfFewerColumns = 3, kFormatWithoutDigest = 2;
 
 // As SQLite keeps them, word for word: a file with any other table, a view or a trigger is no recording.
 inline constexpr std::array<std::string_view, 2> kTables{
@@ -39,19 +40,53 @@ struct Column {
 };
 
 // In the order of Sample's members.
-inline constexpr std::array<Column, 27> kColumns{{
-    {"tick", "<u8"},         {"wall_ns", "<i8"},   {"device_t_s", "<f8"}, {"encoder_1", "<i8"},    {"encoder_2", "<i8"},
-    {"encoder_3", "<i8"},    {"energy_mJ", "<f8"}, {"compute_ns", "<i8"}, {"wakeup_ns", "<i8"},    {"x_mm", "<f4"},
-    {"y_mm", "<f4"},         {"z_mm", "<f4"},      {"law_fx_N", "<f4"},   {"law_fy_N", "<f4"},     {"law_fz_N", "<f4"},
-    {"fx_N", "<f4"},         {"fy_N", "<f4"},      {"fz_N", "<f4"},       {"gimbal_1_rad", "<f4"}, {"gimbal_2_rad", "<f4"},
-    {"gimbal_3_rad", "<f4"}, {"buttons", "<u2"},   {"limited", "<u2"},    {"status", "|u1"},       {"late", "|u1"},
-    {"altered", "|u1"},      {"tripped", "|u1"},
+inline constexpr std::array<Column, 37> kColumns{{
+    {"tick", "<u8"},
+    {"wall_ns", "<i8"},
+    {"device_t_s", "<f8"},
+    {"encoder_1", "<i8"},
+    {"encoder_2", "<i8"},
+    {"encoder_3", "<i8"},
+    {"energy_mJ", "<f8"},
+    {"compute_ns", "<i8"},
+    {"wakeup_ns", "<i8"},
+    {"x_mm", "<f4"},
+    {"y_mm", "<f4"},
+    {"z_mm", "<f4"},
+    {"law_fx_N", "<f4"},
+    {"law_fy_N", "<f4"},
+    {"law_fz_N", "<f4"},
+    {"fx_N", "<f4"},
+    {"fy_N", "<f4"},
+    {"fz_N", "<f4"},
+    {"gimbal_1_rad", "<f4"},
+    {"gimbal_2_rad", "<f4"},
+    {"gimbal_3_rad", "<f4"},
+    {"buttons", "<u2"},
+    {"limited", "<u2"},
+    {"status", "|u1"},
+    {"late", "|u1"},
+    {"altered", "|u1"},
+    {"tripped", "|u1"},
+    {"shown", "<u8"},
+    {"sent_work_mJ", "<f8"},
+    {"sent_acted_fx_N", "<f4"},
+    {"sent_acted_fy_N", "<f4"},
+    {"sent_acted_fz_N", "<f4"},
+    {"sent_acting_fx_N", "<f4"},
+    {"sent_acting_fy_N", "<f4"},
+    {"sent_acting_fz_N", "<f4"},
+    {"temperature", "<f4"},
+    {"device_state", "<u4"},
 }};
 
+// Of a sample before format 4: the first columns, and their bytes.
+inline constexpr std::size_t kFewerColumns = 27, kFewerBytes = 128;
+
 // The columns as a NumPy dtype, [('tick', '<u8'), ...]: in every recording's metadata, and in the header of an NPY file.
-inline std::string layout() {
+inline std::string layout(std::size_t columns = kColumns.size()) {
   std::string text = "[";
-  for (const Column& column : kColumns) text += std::string("('") + column.name + "', '" + column.type + "'), ";
+  for (std::size_t i = 0; i < columns; ++i) text += std::string("('") + kColumns[i].name + "', '" + kColumns[i].type + "'), ";
   return text + "]";
 }
 

@@ -36,15 +36,18 @@ Recording::Recording(const std::string& path) : database_(readable(path), Databa
   if (database_.integer("PRAGMA application_id") != kApplicationId)
     throw RecordingError(path + ": a database, but not a forceshade recording");
   const auto version = database_.integer("PRAGMA user_version");
-  if (version != kFormatVersion && version != kFormatWithoutDigest)
-    throw RecordingError(path + ": expected a recording of format " + std::to_string(kFormatWithoutDigest) + " or " +
+  if (version < kFormatWithoutDigest || version > kFormatVersion)
+    throw RecordingError(path + ": expected a recording of format " + std::to_string(kFormatWithoutDigest) + " to " +
                          std::to_string(kFormatVersion) + ", got format " + std::to_string(version));
+  const bool has_fewer = version <= kFormatOfFewerColumns;
+  if (has_fewer) sample_bytes_ = kFewerBytes;
   expect_tables_of_a_recording();
   read_metadata();
-  if (const auto found = metadata_.find("layout"); found == metadata_.end() || found->second != layout())
-    throw RecordingError(path + ": expected samples of " + layout() + ", got " +
+  const std::string expected = has_fewer ? layout(kFewerColumns) : layout();
+  if (const auto found = metadata_.find("layout"); found == metadata_.end() || found->second != expected)
+    throw RecordingError(path + ": expected samples of " + expected + ", got " +
                          (found == metadata_.end() ? "none" : found->second.substr(0, kLongestQuote)));
-  if (has_digest() != (version == kFormatVersion))
+  if (has_digest() != (version != kFormatWithoutDigest))
     metadata_problem_ = std::string("of format ") + std::to_string(version) + (has_digest() ? " with" : " without") +
                         " a digest of its metadata: one of the two is not what was written";
   else if (has_digest() && metadata_.at(kDigestKey) != digest_of(metadata_, kDigestKey))
@@ -108,11 +111,11 @@ void Recording::for_each_chunk(const std::function<void(std::span<const device::
   while (row.step()) {
     const auto first = static_cast<std::uint64_t>(row.integer(0)), last = static_cast<std::uint64_t>(row.integer(1));
     const auto data = row.blob(4);
-    const bool intact = data.size() == static_cast<std::size_t>(row.integer(2)) * sizeof(Sample) && !data.empty() &&
+    const bool intact = data.size() == static_cast<std::size_t>(row.integer(2)) * sample_bytes_ && !data.empty() &&
                         std::ranges::equal(row.blob(3), sha256(data));
     if (intact) {
-      samples.resize(data.size() / sizeof(Sample));
-      std::memcpy(samples.data(), data.data(), data.size());
+      samples.assign(data.size() / sample_bytes_, Sample{});
+      for (std::size_t i = 0; i < samples.size(); ++i) std::memcpy(&samples[i], data.data() + i * sample_bytes_, sample_bytes_);
     }
     if (!intact || samples.front().tick != first || samples.back().tick != last)
       throw RecordingError(path() + ": the chunk of " + ticks(first, last) + " is not what was written");

@@ -42,6 +42,9 @@ class Recording {
   };
   Extent extent();
 
+  // Whether it has the columns from `shown` on; without them (before format 4) they are zero.
+  bool has_all_columns() const noexcept { return sample_bytes_ == sizeof(device::Sample); }
+
   // In order, chunk by chunk. Throws RecordingError at the first chunk that is not as it was written.
   void for_each_chunk(const std::function<void(std::span<const device::Sample>)>& take);
 
@@ -51,6 +54,7 @@ class Recording {
   void read_metadata();
 
   Database database_;
+  std::size_t sample_bytes_ = sizeof(device::Sample);  // in the file
   Metadata metadata_;
   std::string metadata_problem_;
 };

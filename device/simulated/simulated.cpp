@@ -37,17 +37,20 @@ Capabilities Simulated::capabilities() const noexcept {
           .buttons = options_.buttons != nullptr ? Attendant::kButtons : 0};
 }
 
-Target Simulated::meant_at(std::size_t reading) const noexcept {
-  const double time = static_cast<double>(reading) * period_;
-  const Target meant = hand_->intention.at(time), shake = hand_->tremor.at(time);
+// At the reading that comes next.
+Target Simulated::next_meant() noexcept {
+  const double time = static_cast<double>(readings_) * period_;
+  const Target meant = options_.steering != nullptr ? options_.steering->next(period_) : hand_->intention.at(time);
+  const Target shake = hand_->tremor.at(time);
   return {meant.position + shake.position, meant.velocity + shake.velocity};
 }
 
 std::optional<Fault> Simulated::start(double rate) noexcept {
   period_ = 1 / rate;
   if (!hand_) return std::nullopt;
-  const Target meant = meant_at(0);
-  motion_.hand = metres(meant.position);
+  if (options_.steering != nullptr) options_.steering->stay_within(0.5 * model_.sheet.workspace);
+  meant_ = next_meant();
+  motion_.hand = metres(meant_.position);
   motion_.hand_velocity.setZero();
   const auto angles = model_.arm.inverse(motion_.hand);
   if (!angles) return Fault{"the simulated hand starts where the arm does not reach"};
@@ -61,7 +64,7 @@ ReadResult Simulated::read() noexcept {
   if (readings_ > 0) {
     HermiteStep way;
     if (hand_) {
-      const Target from = meant_at(readings_ - 1), to = meant_at(readings_);
+      const Target from = std::exchange(meant_, next_meant()), &to = meant_;
       way = {metres(from.position), metres(from.velocity), metres(to.position), metres(to.velocity)};
     }
     const int steps = std::max(1, static_cast<int>(std::ceil(options_.step_rate * period_ - 1e-9)));
@@ -130,6 +133,14 @@ std::unique_ptr<Device> open_simulated(const std::string& rest, Attendant& atten
     if (colon == rest.size())
       return std::make_unique<Simulated>(model, Operator{Grip{}, strokes(), Tremor(1, 0.03), false},
                                          Simulated::Options{.buttons = attendant.buttons()});
+    if (rest.substr(colon + 1) == "mouse") {
+      if (attendant.steering() == nullptr)
+        throw UnknownDevice("the device simulated:" + rest +
+                            ": expected a window with a mouse that steers it, as 'forceshade experiment run' has; got none");
+      return std::make_unique<Simulated>(
+          model, Operator{Grip{}, Intention({{0, Eigen::Vector3d::Zero()}}, Intention::Between::straight), Tremor(1, 0), false},
+          Simulated::Options{.buttons = attendant.buttons(), .steering = attendant.steering()});
+    }
     std::vector<Intention::Point> points;
     // A recorded hand trembles already.
     const Replay replay = Replay::load(rest.substr(colon + 1));

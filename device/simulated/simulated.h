@@ -12,6 +12,7 @@
 #include "forceshade/device/sent_forces.h"
 #include "forceshade/device/simulated/model.h"
 #include "forceshade/device/simulated/plant.h"
+#include "forceshade/device/simulated/steering.h"
 
 namespace forceshade::device {
 
@@ -35,6 +36,8 @@ class Simulated final : public Device {
     Joints start{0, 0, 0};      // where an arm that nobody holds starts from; in a hand it is where the hand is
     // Attendant::kButtons of them, which live as long as the device; null: it has no button.
     const std::atomic<std::uint16_t>* buttons = nullptr;
+    // Who means the hand to be somewhere, instead of its intention; lives as long as the device. Null: the intention.
+    Steering* steering = nullptr;
   };
 
   Simulated(const Model& model, std::optional<Operator> hand, const Options& options);
@@ -59,7 +62,7 @@ class Simulated final : public Device {
   const Motion& motion() const noexcept { return motion_; }
 
  private:
-  Target meant_at(std::size_t reading) const noexcept;
+  Target next_meant() noexcept;
   void send(const Eigen::Vector3d& force) noexcept;
 
   Model model_;
@@ -67,6 +70,7 @@ class Simulated final : public Device {
   Options options_;
   Plant plant_;
   Motion motion_;
+  Target meant_;       // as of the last reading
   double period_ = 0;  // s; 0 before start
   std::size_t readings_ = 0;
   Joints measured_{0, 0, 0};  // angles as the encoders have them
@@ -76,8 +80,9 @@ class Simulated final : public Device {
   std::array<Heat, 3> heat_{};
 };
 
-// "", MODEL or MODEL:RECORDING.csv. A recording is a hand's intention, with the columns of a replay's; without one the hand
-// makes strokes. Its buttons are the attendant's. Throws UnknownDevice, or csv::Error for a recording that cannot be read.
+// "", MODEL, MODEL:mouse or MODEL:RECORDING.csv. A recording is a hand's intention, with the columns of a replay's; without one
+// the hand makes strokes, or means to be where the attendant steers it. Its buttons are the attendant's. Throws UnknownDevice,
+// also for a mouse where the attendant steers nothing, or csv::Error for a recording that cannot be read.
 std::unique_ptr<Device> open_simulated(const std::string& rest, Attendant& attendant);
 
 }  // namespace forceshade::device

@@ -210,7 +210,7 @@ TEST(open_device, lists_the_kinds_it_knows) {
       FAIL() << name;
     } catch (const UnknownDevice& error) {
       EXPECT_EQ(error.what(), "unknown device \"" + name +
-                                  "\": expected null, replay:FILE.csv, simulated[:MODEL[:RECORDING.csv]] or phantom[:NAME]");
+                                  "\": expected null, replay:FILE.csv, simulated[:MODEL[:RECORDING.csv or :mouse]] or phantom[:NAME]");
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 
+#include "forceshade/recorder/checksum.h"
 #include "forceshade/recorder/export.h"
 #include "forceshade/recorder/recording.h"
 #include "forceshade/tests/support/temporary_directory.h"
@@ -31,6 +32,33 @@ class Hostile {
   std::string bytes() const { return directory_.read("run.fsr"); }
   void set_bytes(const std::string& bytes) const { directory_.write("run.fsr", bytes); }
   void execute(const std::string& sql) const { Database(path(), Database::Access::write).execute(sql); }
+
+  // As a program of that time would have written it: with fewer columns, and without a digest before format 3.
+  void write_as_format(int version) const {
+    std::vector<std::pair<std::int64_t, std::string>> chunks;
+    auto recording = std::make_optional<Recording>(path());
+    Metadata metadata = recording->metadata();
+    recording->for_each_chunk([&](std::span<const Sample> chunk) {
+      std::string& bytes = chunks.emplace_back(static_cast<std::int64_t>(chunks.size()) + 1, "").second;
+      for (const Sample& sample : chunk) bytes.append(reinterpret_cast<const char*>(&sample), kFewerBytes);
+    });
+    recording.reset();
+    Database database(path(), Database::Access::write);
+    for (const auto& [id, bytes] : chunks) {
+      const auto data = std::as_bytes(std::span(bytes));
+      database.prepare("UPDATE chunk SET data = ?, sha256 = ? WHERE id = ?")
+          .bind(0, data)
+          .bind(1, sha256(data))
+          .bind(2, id)
+          .run();
+    }
+    metadata["layout"] = layout(kFewerColumns);
+    database.prepare("UPDATE metadata SET value = ? WHERE key = 'layout'").bind(0, metadata["layout"]).run();
+    database.prepare("UPDATE metadata SET value = ? WHERE key = 'metadata_sha256'")
+        .bind(0, digest_of(metadata, kDigestKey))
+        .run();
+    database.execute("PRAGMA user_version = " + std::to_string(version));
+  }
 
   // Without the file's name: why it is refused when opened, or the first problem that verify finds.
   std::string refusal() const {
@@ -137,7 +165,7 @@ TEST(recording, that_is_cut_off_covers_its_metadata) {
 
 TEST(recording, of_the_format_without_a_digest_is_read_and_says_so) {
   const Hostile recording;
-  recording.execute("PRAGMA user_version = 2");
+  recording.write_as_format(2);
   EXPECT_EQ(recording.problem(), "of format 2 with a digest of its metadata: one of the two is not what was written");
   recording.execute("DELETE FROM metadata WHERE key = 'metadata_sha256'");
   EXPECT_EQ(recording.problem(), "");
@@ -145,6 +173,27 @@ TEST(recording, of_the_format_without_a_digest_is_read_and_says_so) {
   EXPECT_EQ(Recording(recording.path()).metadata().at("law"), "wall");
   recording.execute("PRAGMA user_version = 3");
   EXPECT_EQ(recording.problem(), "of format 3 without a digest of its metadata: one of the two is not what was written");
+}
+
+TEST(recording, of_the_format_with_fewer_columns_is_read_with_zeros_for_the_others) {
+  const Hostile recording;
+  EXPECT_TRUE(Recording(recording.path()).has_all_columns());
+  recording.execute("PRAGMA user_version = 3");
+  EXPECT_NE(recording.refusal().find("expected samples of [('tick', '<u8'), "), std::string::npos) << recording.refusal();
+  recording.execute("PRAGMA user_version = 4");
+  recording.write_as_format(3);
+  EXPECT_EQ(recording.problem(), "");
+  Recording read(recording.path());
+  EXPECT_FALSE(read.has_all_columns());
+  std::uint64_t samples = 0;
+  read.for_each_chunk([&](std::span<const Sample> chunk) {
+    for (const Sample& sample : chunk) {
+      EXPECT_EQ(sample.tick, samples++);
+      EXPECT_EQ(sample.status, 1);
+      EXPECT_EQ(sample.device_state, 0U);
+    }
+  });
+  EXPECT_EQ(samples, kSamples);
 }
 
 TEST(recording, with_a_chunk_twice_counts_nothing_below_zero) {

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/apps/experiment_apparatus.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "forceshade/apps/command.h"
+#include "forceshade/apps/driven.h"
+#include "forceshade/apps/experiment_certificates.h"
+#include "forceshade/apps/signals.h"
+#include "forceshade/certificate/build.h"
+#include "forceshade/csv/csv.h"
+#include "forceshade/recorder/settings.h"
+
+namespace forceshade::apps {
+namespace {
+
+namespace fs = std::filesystem;
+using experiments::Bump;
+using nlohmann::ordered_json;
+
+// 16 s at 1 kHz: a part lasts a minute and a half, and one is begun while another is closed.
+constexpr std::size_t kRing = std::size_t{1} << 14;
+
+// Digits in front, so that the parts are in order by their names.
+std::string numbered(int number, const std::string& place) {
+  char digits[16];
+  std::snprintf(digits, sizeof digits, "%05d-", number);
+  return digits + place + ".fsr";
+}
+
+recorder::Metadata known_before(const ApparatusPlan& plan, const device::Capabilities& capabilities) {
+  const properties::Build build = properties::current_build();
+  recorder::Metadata metadata = plan.metadata;
+  metadata.insert({{"library_digest", build.library_digest},
+                   {"version", build.version},
+                   {"revision", build.revision},
+                   {"compiler", build.compiler},
+                   {"flags", build.flags},
+                   {"instruction_set", build.instruction_set},
+                   {"device", plan.device},
+                   {"stimuli", "stimuli.jsonl"},
+                   {"certified", plan.certificates.empty() ? "no" : "yes"},
+                   {"paced", plan.servo.paced ? "yes" : "no"}});
+  for (const auto& [key, words] : {std::pair<const char*, std::string_view>{"device_model", capabilities.model},
+                                   {"device_serial", capabilities.serial},
+                                   {"device_driver", capabilities.driver},
+                                   {"device_firmware", capabilities.firmware}})
+    if (!words.empty()) metadata[key] = words;
+  metadata.merge(recorder::metadata_of(safety_settings(capabilities, plan.servo)));
+  return metadata;
+}
+
+}  // namespace
+
+void Apparatus::Latest::push(const device::Sample& sample) noexcept {
+  mailbox.publish({sample, true});
+  if (interrupted()) *stop = true;
+}
+
+Apparatus::Apparatus(device::Device& device, Bumps& bumps, ApparatusPlan plan)
+    : device_(device), bumps_(bumps), plan_(std::move(plan)), parts_({.ring = kRing, .waits = !plan_.servo.paced}) {
+  latest_.stop = &stop_;
+  std::error_code error;
+  if (!fs::create_directory(plan_.folder, error))
+    throw BadInput(plan_.folder.string() +
+                   ": cannot make the folder of this run's ticks: " + (error ? error.message() : "it is there already"));
+  stimuli_.open(plan_.folder / "stimuli.jsonl");
+  if (!stimuli_) throw BadInput((plan_.folder / "stimuli.jsonl").string() + ": cannot be written");
+  plan_.metadata = known_before(plan_, device_.capabilities());
+  plan_.servo.sinks.push_back(&parts_);
+  plan_.servo.sinks.push_back(&latest_);
+}
+
+Apparatus::~Apparatus() {
+  stop_ = true;
+  if (loop_.joinable()) loop_.join();
+}
+
+void Apparatus::start() {
+  loop_ = std::thread([this] {
+    try {
+      result_ = device::run_servo_loop(device_, stage_, plan_.servo, stop_);
+    } catch (...) {
+      thrown_ = std::current_exception();
+    }
+    ended_ = true;
+  });
+}
+
+void Apparatus::follow(const experiments::Session& session) {
+  begin_part(session);
+  if (const experiments::Scene scene = session.scene(); scene != offered_) offer(scene);
+  stage_.collect();
+}
+
+void Apparatus::begin_part(const experiments::Session& session) {
+  const auto current = session.current();
+  std::string place = "between";
+  recorder::Metadata metadata = plan_.metadata;
+  if (current) {
+    place = (current->is_practice ? "practice" : "block-" + std::to_string(current->block)) + "-trial-" +
+            std::to_string(current->index) + "-" + std::to_string(current->attempt);
+    metadata.insert({{"block", std::to_string(current->block)},
+                     {"trial_of_block", std::to_string(current->index)},
+                     {"attempt", std::to_string(current->attempt)},
+                     {"trial", std::to_string(current->trial.number)},
+                     {"practice", current->is_practice ? "yes" : "no"},
+                     {"stimulus", current->trial.stimulus},
+                     {"radius_mil", std::to_string(current->trial.radius)},
+                     {"repetition", std::to_string(current->trial.repetition)}});
+  }
+  if (place == place_) return;
+  parts_.begin(plan_.folder / numbered(part_ + 1, place), std::move(metadata));
+  ++part_;
+  place_ = place;
+}
+
+void Apparatus::offer(const experiments::Scene& scene) {
+  auto stimulus = std::make_unique<device::Stimulus>();
+  stimulus->number = ++number_;
+  stimulus->seam = plan_.origin.x();
+  ordered_json line{{"number", number_}, {"seam_mm", static_cast<double>(plan_.origin.x())}};
+  const auto place = [&](const std::optional<Bump>& bump, std::optional<device::Placed>& placed, const char* side) {
+    line[side] = nullptr;
+    if (!bump) return;
+    const properties::Subject& subject = bumps_.of(*bump);
+    placed = device::Placed{subject.calls().open(), Bumps::place_of(*bump, plan_.origin)};
+    const std::string name = certificate_name(subject.identity());
+    const auto digest = plan_.certificates.find(name);
+    const Eigen::Vector3d origin = placed->origin.cast<double>();
+    line[side] = {{"stimulus", bump->stimulus},
+                  {"radius_mil", bump->radius},
+                  {"origin_mm", {origin.x(), origin.y(), origin.z()}},
+                  {"subject", summary_of(subject.identity())},
+                  {"certificate", name},
+                  {"certificate_digest", digest == plan_.certificates.end() ? "none" : digest->second}};
+    if (!plan_.certificates.empty() && digest == plan_.certificates.end())
+      throw BadInput(words_of(*bump) + ": no certificate was checked for it before the session");
+  };
+  place(scene.left, stimulus->left, "left");
+  place(scene.right, stimulus->right, "right");
+  stimuli_ << line.dump() << '\n' << std::flush;
+  if (!stimuli_) throw BadInput((plan_.folder / "stimuli.jsonl").string() + ": cannot be written");
+  stage_.offer(std::move(stimulus));
+  offered_ = scene;
+}
+
+std::optional<device::Sample> Apparatus::latest() {
+  const Latest::Tick& tick = latest_.mailbox.latest();
+  return tick.is_there ? std::optional(tick.sample) : std::nullopt;
+}
+
+double Apparatus::seconds() {
+  const auto sample = latest();
+  if (!sample) return 0;
+  return plan_.servo.paced ? static_cast<double>(sample->wall_ns) / 1e9 : sample->device_time;
+}
+
+device::ServoResult Apparatus::stop() {
+  stop_ = true;
+  return stop_at_the_end();
+}
+
+device::ServoResult Apparatus::stop_at_the_end() {
+  if (loop_.joinable()) loop_.join();
+  parts_.end(thrown_ ? "not begun" : std::string(name_of(result_.end_reason)));
+  if (thrown_) std::rethrow_exception(thrown_);
+  return std::move(result_);
+}
+
+}  // namespace forceshade::apps

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A device that renders what a session shows, in a thread of its own, with every tick recorded.
+
+#include <atomic>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "forceshade/apps/experiment_bumps.h"
+#include "forceshade/device/servo_loop.h"
+#include "forceshade/device/stage.h"
+#include "forceshade/device/triple_buffer.h"
+#include "forceshade/recorder/parts.h"
+
+namespace forceshade::apps {
+
+struct ApparatusPlan {
+  std::string device;                               // as the command line names it
+  std::filesystem::path folder;                     // of this run's ticks; it does not exist yet
+  std::map<std::string, std::string> certificates;  // digests by certificate_name(); empty: uncertified
+  Eigen::Vector3f origin{0, 0, 0};                  // mm, of the scene in the device's frame
+  recorder::Metadata metadata = {};                 // of each part, beside what the apparatus knows itself
+  device::ServoOptions servo = {};                  // its placement stays as it is: the stage places the bumps
+};
+
+// Two kinds of file are in the folder. NUMBER-PLACE.fsr are the parts of the run, one for each trial and one for each time
+// between trials; together they hold every tick once. stimuli.jsonl has a line for each stimulus that the stage was offered,
+// written before the offer: what `shown` in the ticks means.
+class Apparatus {
+ public:
+  // Makes the folder. Bumps and device live longer. Throws BadInput or RecordingError.
+  Apparatus(device::Device& device, Bumps& bumps, ApparatusPlan plan);
+  // Stops where stop() was not called.
+  ~Apparatus();
+  Apparatus(const Apparatus&) = delete;
+  Apparatus& operator=(const Apparatus&) = delete;
+
+  // The loop begins, in its own thread. A signal that ends the work ends it, whatever the calling thread does.
+  void start();
+
+  // What the session shows now is offered to the loop, and a trial that began gets its part. Call after every press, and often
+  // meanwhile. Throws RecordingError where the disk has refused.
+  void follow(const experiments::Session& session);
+
+  // s since the first tick: by this machine's clock, and by the device's where the run is not paced.
+  double seconds();
+  // The latest tick; none before the first.
+  std::optional<device::Sample> latest();
+
+  bool has_ended() const noexcept { return ended_; }
+
+  // The loop ends with zero force, and the recording with it. Throws what the loop threw, and RecordingError for ticks that
+  // were lost.
+  device::ServoResult stop();
+  // The same, once the device has ended the loop.
+  device::ServoResult stop_at_the_end();
+
+ private:
+  struct Latest final : device::SampleSink {
+    struct Tick {
+      device::Sample sample;
+      bool is_there = false;
+    };
+    void push(const device::Sample& sample) noexcept override;
+    device::TripleBuffer<Tick> mailbox;
+    std::atomic<bool>* stop = nullptr;
+  };
+  void begin_part(const experiments::Session& session);
+  void offer(const experiments::Scene& scene);
+
+  device::Device& device_;
+  Bumps& bumps_;
+  ApparatusPlan plan_;
+  device::Stage stage_;
+  recorder::Parts parts_;
+  Latest latest_;
+  std::ofstream stimuli_;
+  std::atomic<bool> stop_ = false, ended_ = false;
+  std::thread loop_;
+  device::ServoResult result_;
+  std::exception_ptr thrown_;
+
+  std::optional<experiments::Scene> offered_;
+  std::uint32_t number_ = 0;
+  int part_ = 0;
+  std::string place_;  // of the part: "block-1-trial-7-1", "between"
+};
+
+}  // namespace forceshade::apps

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/apps/experiment_bumps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "forceshade/apps/command.h"
+#include "forceshade/apps/height_map_option.h"
+#include "forceshade/apps/mesh_option.h"
+#include "forceshade/heights/spec.h"
+#include "forceshade/properties/height_map_subject.h"
+#include "forceshade/properties/law_subject.h"
+#include "forceshade/properties/mesh_subject.h"
+
+namespace forceshade::apps {
+namespace {
+
+using experiments::Bump;
+using experiments::kMillimetresPerMil;
+using experiments::StimulusKind;
+
+std::unique_ptr<properties::Subject> subject_of(const experiments::Protocol& protocol, const Bump& bump) {
+  const experiments::Stimulus& stimulus = protocol.stimulus(bump.stimulus);
+  if (stimulus.kind == StimulusKind::law)
+    return std::make_unique<properties::LawSubject>(stimulus.law, protocol.parameters(bump.radius));
+  const auto variant = std::ranges::find(stimulus.variants, bump.radius, &experiments::Variant::radius);
+  if (variant == stimulus.variants.end()) throw BadInput(words_of(bump) + ": the protocol has no such shape");
+  const std::string file = variant->file, name = variant->file.filename();
+  if (stimulus.kind == StimulusKind::mesh)
+    return std::make_unique<properties::MeshSubject>(name,
+                                                     read_mesh({.file = file, .unit = variant->unit}, protocol.stiffness));
+  const heights::Spec spec = heights::read_spec(file);
+  expect_valid(file, spec, protocol.stiffness);
+  return std::make_unique<properties::HeightMapSubject>(name, spec.map, spec.rendering, protocol.stiffness);
+}
+
+}  // namespace
+
+std::string words_of(const Bump& bump) {
+  return bump.radius == 0 ? bump.stimulus : bump.stimulus + ", " + std::to_string(bump.radius) + " mil";
+}
+
+Bumps::Kept& Bumps::kept(const Bump& bump) {
+  Kept& kept = kept_[{bump.stimulus, bump.radius}];
+  if (!kept.subject) kept.subject = subject_of(protocol_, bump);
+  return kept;
+}
+
+const properties::Subject& Bumps::of(const Bump& bump) {
+  return *kept(bump).subject;
+}
+
+Eigen::Vector3f Bumps::place_of(const Bump& bump, const Eigen::Vector3f& origin) {
+  return origin + Eigen::Vector3f(static_cast<float>(bump.position * kMillimetresPerMil), 0, 0);
+}
+
+double Bumps::height(const Bump& bump, double x) {
+  if (protocol_.stimulus(bump.stimulus).kind == StimulusKind::mesh) return 0;
+  Kept& its = kept(bump);
+  if (!its.looked_at) its.looked_at = its.subject->calls().open();
+  // The highest place with a force, to a hundredth of a millimetre; a height map is at most as high as its domain.
+  const auto is_inside = [&](double z) {
+    return its.looked_at->step({static_cast<float>(x), 0, static_cast<float>(z)}).status == Status::contact;
+  };
+  double inside = -100, outside = 100;
+  if (!std::isfinite(x) || !is_inside(inside)) return 0;
+  while (outside - inside > 0.01) {
+    const double middle = 0.5 * (inside + outside);
+    (is_inside(middle) ? inside : outside) = middle;
+  }
+  return 0.5 * (inside + outside);
+}
+
+}  // namespace forceshade::apps

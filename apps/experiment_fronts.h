@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The two fronts of a session: the terminal, and the participant's window.
+
+#include <termios.h>
+
+#include <string>
+
+#include "forceshade/apps/experiment_run.h"
+#include "forceshade/window/window.h"
+
+namespace forceshade::apps {
+
+// Texts go to standard output when they change, keys come from standard input: a terminal, where each key acts at once, or a
+// pipe. j, k, l, Enter, Backspace as in the window; Ctrl-D, or the end of a pipe, closes it.
+class TerminalFront final : public Front {
+ public:
+  TerminalFront();
+  ~TerminalFront() override;
+  TerminalFront(const TerminalFront&) = delete;
+  TerminalFront& operator=(const TerminalFront&) = delete;
+
+  bool show(const experiments::Session& session, const std::optional<device::Sample>& latest) override;
+  std::vector<experiments::Press> presses() override;
+  bool waits_at_the_end() const override { return false; }
+
+ private:
+  bool is_terminal_, is_closed_ = false;
+  termios before_{};
+  experiments::ScreenKind kind_ = experiments::ScreenKind::text;
+  std::string shown_, typed_;
+};
+
+// A key of the terminal on a screen of this kind: the bytes of one character. Nothing where it has no meaning there.
+std::optional<experiments::Press> press_of_character(experiments::ScreenKind kind, const std::string& character);
+
+class WindowFront final : public Front {
+ public:
+  // Bumps and steering live longer; the labels are in the language of the protocol. Throws window::Error, and
+  // experiments::Error of its file of texts. has_mouse: the hand is the mouse, so that its place has to be seen on every screen
+  // that has something to feel.
+  WindowFront(const window::Settings& settings, Bumps& bumps, device::Steering& steering, const Eigen::Vector3f& origin,
+              bool has_mouse);
+
+  bool show(const experiments::Session& session, const std::optional<device::Sample>& latest) override;
+  std::vector<experiments::Press> presses() override { return window_.presses(); }
+
+ private:
+  window::Scene seen(const experiments::Session& session, const std::optional<device::Sample>& latest);
+
+  Bumps& bumps_;
+  device::Steering& steering_;
+  Eigen::Vector3d origin_;
+  bool has_mouse_;
+  window::Window window_;
+};
+
+}  // namespace forceshade::apps

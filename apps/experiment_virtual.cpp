@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/apps/experiment_virtual.h"
+
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <mutex>
+#include <numbers>
+#include <thread>
+#include <vector>
+
+#include "forceshade/apps/command.h"
+#include "forceshade/apps/experiment_apparatus.h"
+#include "forceshade/apps/experiment_certificates.h"
+#include "forceshade/apps/signals.h"
+#include "forceshade/csv/printable.h"
+#include "forceshade/device/open_device.h"
+#include "forceshade/device/simulated/steering.h"
+#include "forceshade/experiments/random.h"
+#include "forceshade/experiments/session_folder.h"
+#include "forceshade/experiments/virtual_participant.h"
+
+namespace forceshade::apps {
+namespace {
+
+using experiments::RecordedSession;
+using experiments::Session;
+
+// A simulated PHANToM whose hand is told before every reading where to go, in the loop's own thread: it may take its time,
+// because such a loop is not paced.
+class Told final : public device::Device {
+ public:
+  Told(std::unique_ptr<device::Device> device, std::function<bool()> tell)
+      : device_(std::move(device)), tell_(std::move(tell)) {}
+
+  device::Capabilities capabilities() const noexcept override { return device_->capabilities(); }
+  std::optional<device::Fault> start(double rate) noexcept override { return device_->start(rate); }
+  device::ReadResult read() noexcept override {
+    try {
+      if (!tell_()) return device::EndOfData{};
+    } catch (...) {
+      thrown_ = std::current_exception();
+      return device::EndOfData{};
+    }
+    return device_->read();
+  }
+  void allow(const device::Allowance& allowance) noexcept override { device_->allow(allowance); }
+  std::optional<device::Fault> command(const Eigen::Vector3f& force) noexcept override { return device_->command(force); }
+  device::State state() const noexcept override { return device_->state(); }
+
+  void rethrow() const {
+    if (thrown_) std::rethrow_exception(thrown_);
+  }
+
+ private:
+  std::unique_ptr<device::Device> device_;
+  std::function<bool()> tell_;
+  std::exception_ptr thrown_;
+};
+
+struct SteeringOnly final : device::Attendant {
+  device::Steering* steering() noexcept override { return &hand; }
+  device::Steering hand;
+};
+
+// Where the hand means to be, tick by tick: a stroke across all bumps and back, and a moment in the air after each press.
+class Hand {
+ public:
+  Hand(device::Steering& steering, double reach) : steering_(steering), reach_(reach) {}
+
+  void begin_stroke() { tick_ = 0; }
+  // False once the hand has nothing to do but to rest in the air.
+  bool goes_on() {
+    if (tick_ > kStroke + kRise) return false;
+    const double share = std::min(1.0, static_cast<double>(tick_) / kStroke);
+    // Down beside the bumps, across them, and up where it began.
+    const double x = -reach_ * std::cos(2 * std::numbers::pi * share);
+    steering_.aim({x, 0, tick_ < kDescent || tick_ > kStroke ? kAir : kDepth});
+    ++tick_;
+    return true;
+  }
+  // So many ticks in the air.
+  void rest() { tick_ = kStroke + kRise - kBetweenPresses; }
+
+ private:
+  static constexpr int kStroke = 900, kDescent = 100, kRise = 60, kBetweenPresses = 8;  // ticks
+  static constexpr double kAir = 8, kDepth = -3;                                        // mm
+  device::Steering& steering_;
+  double reach_;
+  int tick_ = kStroke + kRise;
+};
+
+void run_participant(const VirtualOptions& options, const std::map<std::string, std::string>& certificates, int number) {
+  const std::string id = "V" + std::to_string(number);
+  const std::uint64_t seed = experiments::Random(options.seed, static_cast<std::uint64_t>(number)).next();
+  RecordedSession recorded = RecordedSession::start(options.out / id, options.protocol, id, seed, {}, experiments::Sync::never);
+  Session& session = recorded.session();
+  const experiments::Protocol& protocol = session.protocol();
+  Bumps bumps(protocol);
+  experiments::VirtualParticipant participant(protocol, experiments::fitted_observer(), experiments::feel_of_laws(protocol),
+                                              seed + 1);
+  SteeringOnly steered;
+  Hand hand(steered.hand, (protocol.spacing / 2 + protocol.width) * experiments::kMillimetresPerMil);
+  std::unique_ptr<Apparatus> apparatus;
+  int trial = 0;  // that the stroke was of
+  const auto tell = [&] {
+    if (interrupted()) return false;
+    if (hand.goes_on()) return true;
+    if (session.is_over()) return false;
+    const auto response = participant.next(session.screen(), session.scene());
+    session.press(response.press, apparatus->seconds());
+    apparatus->follow(session);
+    const auto current = session.current();
+    const int now = current ? 1000 * current->block + current->index : 0;
+    if (current && now != trial)
+      hand.begin_stroke();
+    else
+      hand.rest();
+    trial = now;
+    return true;
+  };
+  Told device(device::open_device("simulated:" + options.model + ":mouse", steered), tell);
+  apparatus = std::make_unique<Apparatus>(device, bumps,
+                                          ApparatusPlan{.device = "simulated:" + options.model + ":mouse",
+                                                        .folder = recorded.folder() / "ticks" / "run-1",
+                                                        .certificates = certificates,
+                                                        .origin = {0, 0, 0},
+                                                        .metadata = {{"participant", id}, {"run", "1"}, {"virtual", "yes"}},
+                                                        .servo = {.paced = false}});
+  apparatus->follow(session);
+  apparatus->start();
+  const device::ServoResult result = apparatus->stop_at_the_end();
+  session.close(apparatus->seconds());
+  device.rethrow();
+  if (result.trip)
+    throw std::runtime_error(id + ": the supervisor stopped the run: " + std::string(name_of(result.trip->rule)));
+  if (!session.is_over() && interrupted()) throw Interrupted("the sessions so far are in " + options.out.string());
+  std::printf("%s: %zu ticks, every trial done\n", id.c_str(), result.ticks);
+}
+
+}  // namespace
+
+int run_virtual(const VirtualOptions& options) {
+  watch_for_interrupt();
+  std::map<std::string, std::string> certificates;
+  if (!options.certificates.empty()) {
+    Bumps bumps(experiments::read_protocol(options.protocol));
+    certificates = certificates_of(bumps, options.certificates);
+  }
+  std::atomic<int> next = 1;
+  std::mutex mutex;
+  std::exception_ptr failed;
+  std::vector<std::thread> threads;
+  for (unsigned i = 0; i < options.threads; ++i)
+    threads.emplace_back([&] {
+      for (int number = next++; number <= options.participants; number = next++) try {
+          run_participant(options, certificates, number);
+        } catch (...) {
+          const std::lock_guard lock(mutex);
+          if (!failed) failed = std::current_exception();
+          return;
+        }
+    });
+  for (std::thread& thread : threads) thread.join();
+  if (failed) std::rethrow_exception(failed);
+  return kHeld;
+}
+
+}  // namespace forceshade::apps

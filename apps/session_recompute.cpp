@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/apps/session_recompute.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <vector>
+
+#include "forceshade/apps/command.h"
+#include "forceshade/apps/driven.h"
+#include "forceshade/apps/experiment_bumps.h"
+#include "forceshade/apps/session_motion.h"
+#include "forceshade/apps/signals.h"
+#include "forceshade/csv/printable.h"
+#include "forceshade/device/retrace.h"
+#include "forceshade/experiments/session_folder.h"
+#include "forceshade/properties/binary32.h"
+#include "forceshade/recorder/settings.h"
+
+namespace forceshade::apps {
+namespace {
+
+namespace fs = std::filesystem;
+using experiments::Bump;
+
+constexpr std::uint64_t kShownDifferences = 10;  // differences
+
+void say_difference(const std::string& words) {
+  std::fprintf(stderr, "forceshade: %s\n", csv::printable(words).c_str());
+}
+
+// run-1, run-2 and so on, in that order.
+std::vector<fs::path> runs_of(const fs::path& session) {
+  std::vector<fs::path> runs;
+  for (int run = 1; fs::is_directory(session / "ticks" / ("run-" + std::to_string(run))); ++run)
+    runs.push_back(session / "ticks" / ("run-" + std::to_string(run)));
+  if (runs.empty()) throw BadInput(session.string() + ": expected a session with ticks/run-1, got none");
+  return runs;
+}
+
+// One side of a stimulus.
+struct Side {
+  Bump bump;
+  Eigen::Vector3f origin;
+};
+
+struct Line {
+  std::optional<Side> left, right;
+  float seam = 0;
+};
+
+// What stimuli.jsonl says; a line that a crash cut short was never offered.
+class Stimuli {
+ public:
+  Stimuli(const fs::path& file, Bumps& bumps) {
+    std::ifstream in(file);
+    if (!in) throw BadInput(file.string() + ": cannot be opened");
+    std::size_t number = 0;
+    for (std::string text; std::getline(in, text);) {
+      ++number;
+      if (in.eof()) break;
+      const auto refuse = [&](const std::string& what) {
+        return BadInput(file.string() + ":" + std::to_string(number) + ": " + what);
+      };
+      try {
+        const auto json = nlohmann::ordered_json::parse(text);
+        Line line{.left = std::nullopt, .right = std::nullopt, .seam = json.at("seam_mm").get<float>()};
+        for (const auto& [side, key] : {std::pair{&line.left, "left"}, std::pair{&line.right, "right"}}) {
+          if (json.at(key).is_null()) continue;
+          const auto& its = json.at(key);
+          const auto& origin = its.at("origin_mm");
+          *side = Side{{its.at("stimulus").get<std::string>(), its.at("radius_mil").get<int>(), 0},
+                       {origin.at(0).get<float>(), origin.at(1).get<float>(), origin.at(2).get<float>()}};
+          const nlohmann::ordered_json subject = summary_of(bumps.of((*side)->bump).identity());
+          if (its.at("subject") != subject)
+            throw refuse("the rendered " + words_of((*side)->bump) + " was " + its.at("subject").dump() +
+                         "; the protocol's is " + subject.dump());
+        }
+        lines_[json.at("number").get<std::uint32_t>()] = line;
+      } catch (const nlohmann::json::exception& error) {
+        throw refuse(error.what());
+      }
+    }
+  }
+
+  const Line* find(std::uint32_t number) const {
+    const auto found = lines_.find(number);
+    return found == lines_.end() ? nullptr : &found->second;
+  }
+
+ private:
+  std::map<std::uint32_t, Line> lines_;
+};
+
+// The exact definition of a stimulus along the path since it was first stepped.
+class Definition {
+ public:
+  Definition(std::uint32_t number, const Line& line, Bumps& bumps) : number_(number), line_(line) {
+    if (line.left) left_ = bumps.of(line.left->bump).open_reference();
+    if (line.right) right_ = bumps.of(line.right->bump).open_reference();
+  }
+
+  std::uint32_t number() const { return number_; }
+
+  // Both sides follow the path, as in the stage.
+  reference::Rounded step(const Eigen::Vector3f& position) {
+    const auto answer = [&](auto& reference, const std::optional<Side>& side) {
+      return reference ? reference->step(position - side->origin) : reference::Rounded{};
+    };
+    const reference::Rounded left = answer(left_, line_.left);
+    if (!right_) return left;
+    const reference::Rounded right = answer(right_, line_.right);
+    return position.x() < line_.seam ? left : right;
+  }
+
+ private:
+  std::uint32_t number_;
+  Line line_;
+  std::unique_ptr<properties::ReferenceSession> left_, right_;
+};
+
+struct Counts {
+  std::uint64_t ticks = 0, contacts = 0, differences = 0;
+};
+
+// One run, from its first tick through all of its parts.
+class Run {
+ public:
+  Run(const fs::path& folder, Bumps& bumps)
+      : bumps_(bumps), stimuli_(folder / "stimuli.jsonl", bumps), name_(folder.string()) {}
+
+  void compute(const recorder::Recording& recording, const device::Sample& sample, Counts& counts) {
+    const auto& [x, y, z] = sample.position;
+    const Eigen::Vector3f position(x, y, z);
+    ++counts.ticks;
+    const auto shown = static_cast<std::uint32_t>(sample.shown), waiting = static_cast<std::uint32_t>(sample.shown >> 32U);
+    // The one that waited last may be the one that is felt now.
+    if (shown != number_of(current_)) {
+      current_ = shown == number_of(waiting_) ? std::move(waiting_) : opened(shown, recording, sample);
+      waiting_.reset();
+    }
+    if (waiting != number_of(waiting_)) waiting_ = waiting == 0 ? nullptr : opened(waiting, recording, sample);
+    const reference::Rounded exact = current_ ? current_->step(position) : reference::Rounded{};
+    if (waiting_) waiting_->step(position);
+    counts.contacts += exact.status == Status::contact ? 1 : 0;
+    const auto& [fx, fy, fz] = sample.law_force;
+    if (static_cast<std::uint8_t>(exact.status) == sample.status && (exact.force.array() == Eigen::Array3f(fx, fy, fz)).all())
+      return;
+    if (++counts.differences > kShownDifferences) return;
+    say_difference(recording.path() + ": tick " + std::to_string(sample.tick) + ": recorded " +
+                   properties::show(Eigen::Vector3f(fx, fy, fz)) + " N, expected " + properties::show(exact.force) + " N");
+  }
+
+ private:
+  static std::uint32_t number_of(const std::unique_ptr<Definition>& of) { return of ? of->number() : 0; }
+
+  std::unique_ptr<Definition> opened(std::uint32_t number, const recorder::Recording& recording, const device::Sample& sample) {
+    if (number == 0) return nullptr;
+    const Line* line = stimuli_.find(number);
+    if (line == nullptr)
+      throw BadInput(recording.path() + ": tick " + std::to_string(sample.tick) + " has the stimulus " +
+                     std::to_string(number) + ", which " + name_ + "/stimuli.jsonl does not list");
+    return std::make_unique<Definition>(number, *line, bumps_);
+  }
+
+  Bumps& bumps_;
+  Stimuli stimuli_;
+  std::string name_;
+  std::unique_ptr<Definition> current_, waiting_;
+};
+
+// A part that a crash cut off is whole as far as it goes.
+bool is_whole(recorder::Recording& recording, bool is_last) {
+  bool whole = true;
+  for (const std::string& problem : problems_of(recording)) {
+    if (is_last && !recording.ended() && problem.find(": no end: cut off") != std::string::npos) continue;
+    say_difference(problem);
+    whole = false;
+  }
+  return whole;
+}
+
+}  // namespace
+
+class CommandCheck::Checker {
+ public:
+  explicit Checker(const device::SafetySettings& settings) : retrace_(settings) {}
+  device::Retrace retrace_;
+};
+
+CommandCheck::CommandCheck(const recorder::Recording& recording) {
+  const recorder::Metadata& metadata = recording.metadata();
+  const auto is_other = [&](const char* key, const char* plain) { return metadata.contains(key) && metadata.at(key) != plain; };
+  if (!recording.has_all_columns())
+    why_not_ = "the recording is of an earlier format, without what the device reported";
+  else if (is_other("origin_mm", "0,0,0") || is_other("axes", "+x,+y,+z"))
+    why_not_ = "the law was placed elsewhere, and the device's own positions are not recorded";
+  else if (const auto settings = recorder::safety_settings_in(metadata, recording.path()))
+    checker_ = std::make_unique<Checker>(*settings);
+  else
+    why_not_ = "the settings of the supervisor and the passivity controller are not recorded";
+}
+
+CommandCheck::~CommandCheck() = default;
+
+bool CommandCheck::is_same(const device::Sample& sample) {
+  if (!checker_ || sample.status == device::Sample::kEnd) return true;
+  ++ticks_;
+  changed_ += sample.law_force != sample.force ? 1 : 0;
+  if (device::is_same(checker_->retrace_.next(sample), sample)) return true;
+  ++differences_;
+  return false;
+}
+
+int recompute_session(const fs::path& folder) {
+  const experiments::SavedSession saved = experiments::read_session(folder);
+  Bumps bumps(saved.protocol);
+  watch_for_interrupt();
+  Counts counts;
+  std::uint64_t commands = 0, changed = 0, other_commands = 0;
+  bool whole = true;
+  for (const fs::path& run_folder : runs_of(folder)) {
+    Run run(run_folder, bumps);
+    std::unique_ptr<CommandCheck> check;
+    const std::vector<fs::path> parts = parts_of(run_folder);
+    for (const fs::path& part : parts) {
+      if (interrupted()) throw Interrupted(folder.string() + " was not computed to its end");
+      recorder::Recording recording(part);
+      // After a gap the supervisor's memory is not what it was.
+      if (!is_whole(recording, part == parts.back())) {
+        whole = false;
+        break;
+      }
+      if (!check) check = std::make_unique<CommandCheck>(recording);
+      if (!check->why_not().empty()) throw BadInput(part.string() + ": commands cannot be computed: " + check->why_not());
+      recording.for_each_chunk([&](std::span<const device::Sample> chunk) {
+        for (const device::Sample& sample : chunk) {
+          if (sample.status == device::Sample::kEnd) continue;
+          run.compute(recording, sample, counts);
+          if (!check->is_same(sample) && other_commands + check->differences() <= kShownDifferences)
+            say_difference(part.string() + ": tick " + std::to_string(sample.tick) +
+                           ": the command is not what supervisor and controller make of the force");
+        }
+      });
+    }
+    if (!check) continue;
+    commands += check->ticks();
+    changed += check->changed();
+    other_commands += check->differences();
+  }
+  const auto number = [](std::uint64_t count) { return static_cast<unsigned long long>(count); };
+  std::printf("computed again: %llu ticks, %llu in contact, %llu differ\n", number(counts.ticks), number(counts.contacts),
+              number(counts.differences));
+  std::printf("commands: %llu ticks, %llu changed by supervisor or controller, %llu differ\n", number(commands),
+              number(changed), number(other_commands));
+  return whole && counts.differences == 0 && other_commands == 0 ? kHeld : kFailed;
+}
+
+int verify_session(const fs::path& folder) {
+  std::uint64_t samples = 0;
+  std::size_t parts = 0, problems = 0;
+  for (const fs::path& run : runs_of(folder))
+    for (const fs::path& part : parts_of(run)) {
+      recorder::Recording recording(part);
+      for (const std::string& problem : problems_of(recording)) {
+        say_difference(problem);
+        ++problems;
+      }
+      ++parts;
+      samples += recording.extent().samples;
+    }
+  if (problems > 0) return kFailed;
+  std::printf("whole: %zu parts, %llu samples, every tick and every checksum, and the metadata\n", parts,
+              static_cast<unsigned long long>(samples));
+  return kHeld;
+}
+
+}  // namespace forceshade::apps

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/recorder/parts.h"
+
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "forceshade/recorder/sqlite.h"
+
+namespace forceshade::recorder {
+
+struct Parts::Part {
+  Part(const std::string& path_of_it, Metadata metadata, const Recorder::Options& options)
+      : path(path_of_it), recorder(path_of_it, std::move(metadata), options) {}
+
+  std::string path;
+  Recorder recorder;
+  std::uint64_t ticks = 0;  // the loop's
+};
+
+Parts::Parts(const Recorder::Options& options) : options_(options) {}
+
+Parts::~Parts() = default;
+
+void Parts::begin(const std::string& path, Metadata metadata) {
+  expect_closed();
+  metadata["part"] = std::to_string(number_ + 1);
+  auto next = std::make_unique<Part>(path, std::move(metadata), options_);
+  ++number_;
+  // A hazard pointer: the loop says what it uses before it looks again whether that is still current.
+  current_ = next.get();
+  if (std::unique_ptr<Part> before = std::exchange(part_, std::move(next))) {
+    while (in_use_ == before.get()) std::this_thread::sleep_for(std::chrono::microseconds(50));
+    close(std::move(before), "the next part began");
+  }
+}
+
+void Parts::end(const std::string& end_reason) {
+  current_ = nullptr;
+  std::unique_ptr<Part> last = std::move(part_);
+  try {
+    expect_closed();
+  } catch (const RecordingError&) {
+    if (last) last->recorder.close(end_reason);
+    throw;
+  }
+  if (last) close(std::move(last), end_reason);
+  expect_closed();
+}
+
+bool Parts::failing() const noexcept {
+  return part_ && part_->recorder.failing();
+}
+
+void Parts::push(const device::Sample& sample) noexcept {
+  Part* part = nullptr;
+  do {
+    part = current_;
+    in_use_ = part;
+  } while (part != current_);
+  if (part != nullptr) {
+    device::Sample own = sample;
+    own.tick = part->ticks++;
+    part->recorder.push(own);
+  }
+  in_use_ = nullptr;
+}
+
+void Parts::close(std::unique_ptr<Part> part, const std::string& why) {
+  closing_ = std::async(std::launch::async, [closed = std::move(part), why] {
+    const auto [written, lost, error] = closed->recorder.close(why);
+    if (lost == 0 && error.empty()) return std::string();
+    return (error.empty() ? closed->path + ": the disk was too slow" : error) + "; recorded " + std::to_string(written) +
+           " samples, lost " + std::to_string(lost);
+  });
+}
+
+void Parts::expect_closed() {
+  if (!closing_.valid()) return;
+  if (const std::string lost = closing_.get(); !lost.empty()) throw RecordingError(lost);
+}
+
+}  // namespace forceshade::recorder

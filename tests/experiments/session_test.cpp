@@ -1,0 +1,466 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A session as a state machine, its log on disk, its resumption and its results.
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "forceshade/csv/csv.h"
+#include "forceshade/csv/output_file.h"
+#include "forceshade/experiments/error.h"
+#include "forceshade/experiments/random.h"
+#include "forceshade/experiments/results_csv.h"
+#include "forceshade/experiments/session_folder.h"
+#include "forceshade/experiments/session_results.h"
+#include "forceshade/experiments/trial_log.h"
+#include "forceshade/tests/support/temporary_directory.h"
+
+namespace forceshade::experiments {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Two blocks of six trials: one reference radius, three initial radii, two repetitions.
+std::string small_matching(const std::string& resume) {
+  return R"(experiment = "matching"
+name = "m"
+language = ")" FORCESHADE_SOURCE_DIR R"(/examples/experiments/english.toml"
+width_mil = 1000
+stiffness_N_per_mm = 0.5
+spacing_mil = 1500
+practice_trials = 1
+trials_before_break = 4
+resume = ")" +
+         resume + R"("
+block_order = "as-listed"
+reference = { law = "bump-cylinder" }
+stimuli = [{ law = "bump-1p-shaded" }]
+vision = [true, false]
+reference_radii_mil = [1000]
+large_initial_radius_mil = 1400
+small_initial_radius_mil = 600
+repetitions = 2
+radius_step_mil = 100
+least_radius_mil = 550
+largest_radius_mil = 1450
+bigger = "higher"
+)";
+}
+
+const std::string kSmallClassification = R"(experiment = "classification"
+name = "c"
+language = ")" FORCESHADE_SOURCE_DIR R"(/examples/experiments/german.toml"
+width_mil = 1000
+stiffness_N_per_mm = 0.5
+resume = "trial"
+stimuli = [{ law = "bump-1p" }, { law = "bump-cylinder" }]
+radii_mil = [600, 1000]
+repetitions = 2
+)";
+
+Press type(const std::string& text) {
+  return {Action::type, text};
+}
+
+// What a patient participant does, one press at a time: one step up, done, 7; or picture 3.
+Press next_press(const Screen& screen, int& presses_of_trial) {
+  switch (screen.kind) {
+    case ScreenKind::matching: return {presses_of_trial++ == 0 ? Action::bigger : Action::done};
+    case ScreenKind::satisfaction: presses_of_trial = 0; return screen.entry.empty() ? type("7") : Press{Action::enter};
+    case ScreenKind::classification: return screen.entry.empty() ? type("3") : Press{Action::enter};
+    case ScreenKind::question: return screen.entry.empty() ? type("ö") : Press{Action::enter};
+    default: return {Action::enter};
+  }
+}
+
+// Presses until the session is over or `most` presses are done.
+void go_on(Session& session, double& time, int most = 100'000) {
+  int presses_of_trial = 0;
+  for (int i = 0; i < most && !session.is_over(); ++i)
+    session.press(next_press(session.screen(), presses_of_trial), time += 0.5);
+}
+
+TEST(session, goes_through_a_whole_experiment_and_its_results_are_what_was_pressed) {
+  const tests::TemporaryDirectory directory;
+  const fs::path folder = directory.file("s");
+  RecordedSession recorded = RecordedSession::start(folder, directory.write("p.toml", small_matching("trial")), "P-1", 11);
+  double time = 0;
+  go_on(recorded.session(), time);
+  recorded.session().close(time);
+  EXPECT_EQ(recorded.session().screen().kind, ScreenKind::end);
+  EXPECT_EQ(recorded.recording(), folder / "ticks" / "run-1.fsr");
+  const SavedSession saved = read_session(folder);
+  const Results results = results_of(saved);
+  ASSERT_EQ(results.matching.size(), 12U);
+  int number = 0, at_reference = 0;
+  for (const MatchingResult& trial : results.matching) {
+    EXPECT_EQ(trial.participant, "P-1");
+    EXPECT_EQ(trial.trial, ++number);
+    EXPECT_EQ(trial.vision, number <= 6);
+    EXPECT_EQ(trial.satisfaction, 7);
+    EXPECT_EQ(trial.steps, 1);
+    // The key for a bigger bump lowers the radius by a step, or to the limit.
+    EXPECT_EQ(trial.final_radius, std::max(550.0, trial.initial_radius - 100));
+    EXPECT_DOUBLE_EQ(trial.seconds, 2);  // four presses after the one that began it
+    at_reference += trial.initial == InitialRadius::same ? 1 : 0;
+  }
+  EXPECT_EQ(at_reference, 4);
+  ASSERT_EQ(results.radius_changes.size(), 24U);
+  EXPECT_EQ(results.radius_changes[1].step, 1);
+  EXPECT_DOUBLE_EQ(results.radius_changes[1].seconds, 0.5);
+  const auto count = [&](EventKind kind) { return std::ranges::count(saved.events, kind, &Event::kind); };
+  EXPECT_EQ(count(EventKind::break_started), 2);
+  EXPECT_EQ(count(EventKind::question_answered), 5);
+  EXPECT_EQ(count(EventKind::trial_started), 13);  // one of them practice
+  EXPECT_EQ(count(EventKind::session_ended), 1);
+  EXPECT_EQ(saved.events.back().kind, EventKind::run_ended);
+}
+
+TEST(session, shows_and_renders_what_the_trial_is_about) {
+  const tests::TemporaryDirectory directory;
+  RecordedSession recorded =
+      RecordedSession::start(directory.file("s"), directory.write("p.toml", small_matching("trial")), "A", 1);
+  Session& session = recorded.session();
+  EXPECT_EQ(session.scene(), Scene());
+  EXPECT_NE(session.screen().text.find("press j to make it smaller and k"), std::string::npos) << session.screen().text;
+  session.press({Action::smaller}, 1);  // means nothing here
+  session.press({Action::enter}, 1);
+  session.press({Action::enter}, 2);
+  const Screen practice = session.screen();
+  EXPECT_EQ(practice.kind, ScreenKind::matching);
+  EXPECT_TRUE(practice.is_practice);
+  const auto current = session.current();
+  ASSERT_TRUE(current);
+  EXPECT_EQ(session.scene().left, (Bump{"bump-cylinder", 1000, -750}));
+  EXPECT_EQ(session.scene().right, (Bump{"bump-1p-shaded", current->trial.initial_radius, 750}));
+  session.press({Action::done}, 3);
+  session.press({Action::enter}, 4);  // nothing entered yet
+  EXPECT_EQ(session.screen().kind, ScreenKind::satisfaction);
+  for (const char* typed : {"0", "x", "1", "1", "0", "0"}) session.press(type(typed), 5);
+  EXPECT_EQ(session.screen().entry, "10");
+  session.press({Action::erase}, 6);
+  EXPECT_EQ(session.screen().entry, "1");
+  EXPECT_TRUE(session.scene().right);
+  session.press({Action::enter}, 7);
+  EXPECT_EQ(session.screen().kind, ScreenKind::text);
+  EXPECT_EQ(session.screen().title, "Part 1 of 2: with a picture");
+  session.close(8);
+  session.press({Action::enter}, 9);
+  EXPECT_EQ(session.scene(), Scene());
+}
+
+TEST(session, the_keys_stop_at_the_limits) {
+  const tests::TemporaryDirectory directory;
+  RecordedSession recorded =
+      RecordedSession::start(directory.file("s"), directory.write("p.toml", small_matching("trial")), "A", 1);
+  Session& session = recorded.session();
+  session.press({Action::enter}, 0);
+  session.press({Action::enter}, 0);
+  for (int i = 0; i < 20; ++i) session.press({Action::bigger}, 1);
+  EXPECT_EQ(session.scene().right->radius, 550);
+  for (int i = 0; i < 20; ++i) session.press({Action::smaller}, 2);
+  EXPECT_EQ(session.scene().right->radius, 1450);
+}
+
+TEST(session, a_classification_has_one_bump_and_an_answer_that_can_be_changed) {
+  const tests::TemporaryDirectory directory;
+  RecordedSession recorded =
+      RecordedSession::start(directory.file("s"), directory.write("p.toml", kSmallClassification), "A", 1);
+  Session& session = recorded.session();
+  session.press({Action::enter}, 0);
+  session.press({Action::enter}, 0);
+  EXPECT_EQ(session.screen().kind, ScreenKind::classification);
+  EXPECT_TRUE(session.scene().left && !session.scene().right);
+  EXPECT_EQ(session.scene().left->position, 0);
+  for (const char* typed : {"5", "2", "4"}) session.press(type(typed), 1);
+  EXPECT_EQ(session.screen().entry, "4");
+  double time = 1;
+  go_on(session, time);
+  const std::vector<fs::path> folders{recorded.folder()};
+  const Results results = results_of(folders);
+  ASSERT_EQ(results.classification.size(), 8U);
+  EXPECT_EQ(results.classification[0].answer, 4);
+  EXPECT_EQ(results.classification[1].answer, 3);
+}
+
+// The log may end anywhere: after each event of a session, and within the line of the next one.
+TEST(session, resumes_at_the_very_trial_wherever_the_log_ends) {
+  const tests::TemporaryDirectory directory;
+  const fs::path whole = directory.file("whole");
+  const std::string protocol = directory.write("p.toml", small_matching("trial"));
+  double time = 0;
+  {
+    RecordedSession recorded = RecordedSession::start(whole, protocol, "P", 5);
+    go_on(recorded.session(), time);
+  }
+  const std::string log = (std::ostringstream() << std::ifstream(whole / "trials.jsonl").rdbuf()).str();
+  int torn = 0, in_trial = 0;
+  const fs::path folder = directory.file("cut");
+  for (std::size_t end = log.find('\n'); end + 1 < log.size(); end = log.find('\n', end + 1)) {
+    fs::remove_all(folder);
+    fs::copy(whole, folder, fs::copy_options::recursive);
+    const std::size_t extra = end % 3 * 20;  // bytes of the next line
+    fs::resize_file(folder / "trials.jsonl", end + 1 + extra);
+    const std::size_t events =
+        static_cast<std::size_t>(std::count(log.begin(), log.begin() + static_cast<std::ptrdiff_t>(end) + 1, '\n'));
+    if (log.find("session-ended") < end) break;
+    RecordedSession resumed = RecordedSession::resume(folder, {}, Sync::never);
+    EXPECT_EQ(resumed.note().empty(), extra == 0) << resumed.note();
+    torn += extra > 0 ? 1 : 0;
+    EXPECT_EQ(resumed.run(), 2);
+    const SavedSession before = read_session(folder);
+    // The end of the session follows without a press where all questions were answered.
+    EXPECT_EQ(before.events.size(), events + (resumed.session().is_over() ? 2 : 1));
+    in_trial += before.events[events - 1].kind == EventKind::radius_changed ? 1 : 0;
+    double later = 0;
+    go_on(resumed.session(), later);
+    ASSERT_TRUE(resumed.session().is_over());
+    const Results results = results_of(read_session(folder));
+    EXPECT_EQ(results.matching.size(), 12U);
+    std::set<int> trials;
+    for (const MatchingResult& trial : results.matching) {
+      EXPECT_EQ(trial.steps, 1) << "an interrupted trial begins at its initial radius";
+      trials.insert(trial.trial);
+    }
+    EXPECT_EQ(trials.size(), 12U);
+  }
+  std::cout << torn << " logs with a torn line, " << in_trial << " within a trial\n";
+  EXPECT_GT(torn, 10);
+  EXPECT_GT(in_trial, 10);
+}
+
+TEST(session, repeats_the_block_with_its_instructions_where_the_protocol_says_so) {
+  const tests::TemporaryDirectory directory;
+  const fs::path folder = directory.file("s");
+  double time = 0;
+  {
+    RecordedSession recorded = RecordedSession::start(folder, directory.write("p.toml", small_matching("block")), "P", 5);
+    go_on(recorded.session(), time, 2 + 4 + 1 + 3 * 4 + 1);  // into the fourth trial of the first block
+    EXPECT_EQ(recorded.session().current()->index, 4);
+  }
+  EXPECT_EQ(results_of(read_session(folder)).matching.size(), 3U);
+  RecordedSession resumed = RecordedSession::resume(folder);
+  EXPECT_EQ(resumed.session().screen().title, "Part 1 of 2: with a picture");
+  double later = 0;
+  go_on(resumed.session(), later, 1);
+  EXPECT_EQ(resumed.session().current()->index, 1);
+  EXPECT_EQ(resumed.session().current()->attempt, 2);
+  EXPECT_EQ(results_of(read_session(folder)).matching.size(), 0U);
+  go_on(resumed.session(), later);
+  EXPECT_EQ(results_of(read_session(folder)).matching.size(), 12U);
+}
+
+// A process that is killed in the middle of its presses: every event that its session went on from is in the log.
+TEST(session, killed_at_any_time_loses_no_event) {
+  const tests::TemporaryDirectory directory;
+  const std::string protocol = directory.write("p.toml", small_matching("trial"));
+  for (int round = 0; round < 3; ++round) {
+    const fs::path folder = directory.file("s" + std::to_string(round));
+    int pipe_ends[2];
+    ASSERT_EQ(pipe(pipe_ends), 0);
+    const pid_t child = fork();
+    if (child == 0) {
+      RecordedSession recorded = RecordedSession::start(folder, protocol, "P", 5);
+      double time = 0;
+      int presses = 0;
+      for (;;) {
+        recorded.session().press(next_press(recorded.session().screen(), presses), time += 0.5);
+        const char done = 'x';
+        if (write(pipe_ends[1], &done, 1) != 1 || recorded.session().is_over()) pause();
+      }
+    }
+    char byte = 0;
+    const int presses = 10 + 7 * round;
+    for (int i = 0; i < presses; ++i) ASSERT_EQ(read(pipe_ends[0], &byte, 1), 1);
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    close(pipe_ends[0]);
+    close(pipe_ends[1]);
+    // The same presses in this process.
+    std::vector<Event> expected;
+    const Protocol read_again = read_protocol(protocol);
+    Session session(read_again, read_language(read_again.language), 5, [&](const Event& event) { expected.push_back(event); });
+    double time = 0;
+    go_on(session, time, presses);
+    const SavedSession saved = read_session(folder);
+    ASSERT_GE(saved.events.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_TRUE(saved.events[i] == expected[i]) << i;
+    EXPECT_NO_THROW(RecordedSession::resume(folder));
+  }
+}
+
+TEST(session, a_log_that_fails_leaves_the_session_where_it_was) {
+  const tests::TemporaryDirectory directory;
+  const Protocol protocol = read_protocol(directory.write("p.toml", small_matching("trial")));
+  bool fails = false;
+  Session session(protocol, read_language(protocol.language), 1, [&](const Event&) {
+    if (fails) throw std::runtime_error("disk full");
+  });
+  session.press({Action::enter}, 0);
+  session.press({Action::enter}, 0);
+  const Scene before = session.scene();
+  fails = true;
+  EXPECT_THROW(session.press({Action::smaller}, 1), std::runtime_error);
+  EXPECT_EQ(session.scene(), before);
+  fails = false;
+  session.press({Action::smaller}, 1);
+  EXPECT_FALSE(session.scene() == before);
+}
+
+std::string words_of_reading(const fs::path& folder) {
+  try {
+    read_session(folder);
+    return "";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+TEST(trial_log, any_changed_byte_is_found_out) {
+  const tests::TemporaryDirectory directory;
+  const fs::path folder = directory.file("s"), file = folder / "trials.jsonl";
+  double time = 0;
+  {
+    RecordedSession recorded = RecordedSession::start(folder, directory.write("p.toml", small_matching("trial")), "P", 5);
+    go_on(recorded.session(), time, 12);
+  }
+  const std::string log = (std::ostringstream() << std::ifstream(file).rdbuf()).str();
+  const std::size_t last = log.rfind('\n', log.size() - 2) + 1;
+  Random random(1);
+  int refused = 0, noted = 0;
+  for (int i = 0; i < 300; ++i) {
+    std::string changed = log;
+    const std::size_t at = random.below(log.size());
+    changed[at] = static_cast<char>(changed[at] ^ static_cast<char>(1U << random.below(8)));
+    std::ofstream(file, std::ios::binary) << changed;
+    if (const std::string words = words_of_reading(folder); !words.empty()) {
+      EXPECT_TRUE(words.starts_with(file.string() + ':')) << words;
+      ++refused;
+    } else {
+      EXPECT_GE(at, last - 1) << "a change before the last line was read over";
+      EXPECT_FALSE(read_session(folder).note.empty());
+      ++noted;
+    }
+  }
+  std::cout << refused << " refused, " << noted << " taken for a torn last line\n";
+  EXPECT_GT(refused, 100);
+  EXPECT_GT(noted, 5);
+}
+
+TEST(trial_log, the_checksum_is_that_of_png_and_zlib) {
+  EXPECT_EQ(crc32("123456789"), 0xcbf43926U);  // the check value of CRC-32/ISO-HDLC
+}
+
+TEST(trial_log, another_protocol_or_seed_is_refused_with_the_line) {
+  const tests::TemporaryDirectory directory;
+  const fs::path folder = directory.file("s");
+  double time = 0;
+  {
+    RecordedSession recorded = RecordedSession::start(folder, directory.write("p.toml", small_matching("trial")), "P", 5);
+    go_on(recorded.session(), time, 30);
+  }
+  std::string about = (std::ostringstream() << std::ifstream(folder / "session.json").rdbuf()).str();
+  about.replace(about.find("\"5\""), 3, "\"6\"");
+  std::ofstream(folder / "session.json") << about;
+  const std::string words = words_of_reading(folder);
+  EXPECT_TRUE(words.starts_with((folder / "trials.jsonl").string() + ":3: expected another trial: protocol.toml or the seed"))
+      << words;
+}
+
+TEST(session_folder, refuses_what_would_mix_two_sessions) {
+  const tests::TemporaryDirectory directory;
+  const fs::path folder = directory.file("s");
+  const std::string protocol = directory.write("p.toml", kSmallClassification);
+  for (const char* id : {"", "Anna Maria", "-x", "ä", "a/b"})
+    EXPECT_THROW(RecordedSession::start(folder, protocol, id, 1), Error) << id;
+  EXPECT_FALSE(fs::exists(folder));
+  double time = 0;
+  {
+    RecordedSession recorded = RecordedSession::start(folder, protocol, "A-1", 1);
+    EXPECT_THROW(RecordedSession::start(folder, protocol, "A-1", 1), Error);
+    EXPECT_THROW(RecordedSession::resume(folder), Error) << "it is open";
+    go_on(recorded.session(), time);
+  }
+  EXPECT_THROW(RecordedSession::resume(folder), Error) << "it is over";
+  EXPECT_NO_THROW(read_session(folder));
+  const std::vector<fs::path> twice{folder, folder};
+  EXPECT_THROW(results_of(twice), Error);
+}
+
+// A full disk, by the limit of a file's size.
+TEST(session_folder, leaves_nothing_half_written) {
+  const tests::TemporaryDirectory directory;
+  const fs::path folder = directory.file("s");
+  const std::string protocol = directory.write("p.toml", kSmallClassification);
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit small = before;
+  small.rlim_cur = 1000;  // enough for the protocol, too little for the texts
+  setrlimit(RLIMIT_FSIZE, &small);
+  bool is_refused = false;
+  try {
+    RecordedSession::start(folder, protocol, "A", 1);
+  } catch (const csv::OutputError&) {
+    is_refused = true;
+  }
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_TRUE(is_refused);
+  EXPECT_FALSE(fs::exists(folder));
+}
+
+TEST(results_csv, read_back_as_they_were_written) {
+  const tests::TemporaryDirectory directory;
+  Results results;
+  results.matching.push_back({"P,1", 1, true, "a \"b\"", InitialRadius::small, 2, 600, 600, 580, 9, 3, 12.345678901234567});
+  results.classification.push_back({"P", 2, "bump-2p", 1400, 24, 4, 0.1});
+  results.radius_changes.push_back({"P,1", 1, 0, 0, 600});
+  write_results(results, directory.path());
+  const Results again = read_results(directory.path());
+  ASSERT_EQ(again.matching.size(), 1U);
+  EXPECT_EQ(again.matching[0].participant, "P,1");
+  EXPECT_EQ(again.matching[0].stimulus, "a \"b\"");
+  EXPECT_EQ(again.matching[0].initial, InitialRadius::small);
+  EXPECT_EQ(again.matching[0].seconds, 12.345678901234567);
+  ASSERT_EQ(again.classification.size(), 1U);
+  EXPECT_EQ(again.classification[0].answer, 4);
+  ASSERT_EQ(again.radius_changes.size(), 1U);
+  EXPECT_EQ(directory.read("classification.csv"),
+            "participant,trial,stimulus,radius_mil,repetition,answer,seconds\nP,2,bump-2p,1400,24,4,0.1\n");
+}
+
+TEST(results_csv, a_mistake_is_named_with_line_and_column) {
+  const tests::TemporaryDirectory directory;
+  const std::string header = "participant,trial,stimulus,radius_mil,repetition,answer,seconds\n",
+                    row = "P,2,bump-2p,1400,24,4,0.1\n";
+  const auto words = [&](const std::string& text) -> std::string {
+    const std::string file = directory.write("classification.csv", text);
+    try {
+      read_results(directory.path());
+      return "";
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what()).substr(file.size());
+    }
+  };
+  EXPECT_EQ(words(header + row), "");
+  EXPECT_EQ(words(header + row + row), ":3: trial 2 of participant P is in line 2, too");
+  EXPECT_EQ(words(header + "P,2,bump-2p,1400,24,5,0.1\n"), ":2: column 6 (answer): expected a whole number, 1 to 4, got \"5\"");
+  EXPECT_EQ(words(header + "P,2,bump-2p,1400,24,4,-1\n"),
+            ":2: column 7 (seconds): expected a number, 0 to 1000000, got \"-1\"");
+  fs::remove(directory.file("classification.csv"));
+  EXPECT_THROW(read_results(directory.path()), Error);
+}
+
+}  // namespace
+}  // namespace forceshade::experiments

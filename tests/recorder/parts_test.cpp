@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/recorder/parts.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+#include "forceshade/recorder/recording.h"
+#include "forceshade/recorder/settings.h"
+#include "forceshade/tests/support/temporary_directory.h"
+
+namespace forceshade::recorder {
+namespace {
+
+using tests::TemporaryDirectory;
+
+TEST(parts, have_every_tick_once_and_in_order_whenever_the_next_one_begins) {
+  const TemporaryDirectory directory;
+  constexpr int kParts = 5;
+  const auto path = [&](int part) { return directory.file("part-" + std::to_string(part) + ".fsr"); };
+  Parts parts({.ring = 1 << 14, .waits = true});
+  std::atomic<std::uint64_t> pushed = 0;
+  std::atomic<bool> stop = false;
+  parts.begin(path(1), {{"trial", "1"}});
+  std::thread loop([&] {
+    while (!stop) {
+      // The tick's number, where a part does not count it anew.
+      parts.push({.tick = pushed, .wall_ns = static_cast<std::int64_t>(pushed.load())});
+      ++pushed;
+    }
+  });
+  for (int part = 2; part <= kParts; ++part) {
+    const std::uint64_t before = pushed;
+    while (pushed < before + 1000) std::this_thread::yield();
+    parts.begin(path(part), {});
+  }
+  stop = true;
+  loop.join();
+  parts.end("stopped");
+
+  std::int64_t next = 0;
+  for (int part = 1; part <= kParts; ++part) {
+    Recording recording(path(part));
+    EXPECT_EQ(problems_of(recording), std::vector<std::string>{});
+    EXPECT_EQ(recording.metadata().at("part"), std::to_string(part));
+    EXPECT_EQ(recording.metadata().at("end_reason"), part == kParts ? "stopped" : "the next part began");
+    std::uint64_t tick = 0;
+    recording.for_each_chunk([&](std::span<const Sample> chunk) {
+      for (const Sample& sample : chunk) {
+        ASSERT_EQ(sample.tick, tick++);
+        ASSERT_EQ(sample.wall_ns, next++);
+      }
+    });
+    EXPECT_GE(tick, part == kParts ? 0U : 1000U);
+  }
+  EXPECT_EQ(next, static_cast<std::int64_t>(pushed.load()));
+}
+
+TEST(parts, that_cannot_be_made_leave_the_one_before_as_it_is) {
+  const TemporaryDirectory directory;
+  Parts parts(Recorder::Options{});
+  parts.push({.tick = 0});  // goes nowhere
+  parts.begin(directory.file("a.fsr"), {});
+  parts.push({.tick = 0});
+  EXPECT_THROW(parts.begin(directory.file("a.fsr"), {}), RecordingError);
+  parts.push({.tick = 1});
+  parts.end("over");
+  Recording recording(directory.file("a.fsr"));
+  EXPECT_EQ(problems_of(recording), std::vector<std::string>{});
+  EXPECT_EQ(recording.extent().samples, 2U);
+}
+
+TEST(parts, without_an_end_are_marked_as_cut_off) {
+  const TemporaryDirectory directory;
+  {
+    Parts parts(Recorder::Options{});
+    parts.begin(directory.file("a.fsr"), {});
+    parts.push({.tick = 0});
+  }
+  Recording recording(directory.file("a.fsr"));
+  EXPECT_FALSE(recording.ended());
+  EXPECT_EQ(recording.extent().samples, 1U);
+}
+
+// Every number another one, so that none can be in another's place.
+device::SafetySettings odd_settings() {
+  device::SafetySettings settings{.rate_hz = 998.5, .supervised = true};
+  float single = 0.1F;
+  double next = 0.1;
+  auto& limits = settings.limits;
+  for (double* number :
+       {&limits.peak_force, &limits.continuous_force, &limits.slew, &limits.workspace_margin, &limits.resolution,
+        &limits.speed_under_force, &limits.speed, &limits.frozen, &limits.frozen_speed, &limits.frozen_force, &limits.forgiven,
+        &limits.ramp_down, &limits.patience, &limits.felt_free, &limits.ramp_up, &settings.passivity_settings.longest_step,
+        &settings.passivity_settings.epsilon, &settings.passivity_settings.friction, &settings.passivity_settings.period})
+    *number = next += 1.0 / 3;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    limits.workspace_low[i] = -(single += 1.0F / 3);
+    limits.workspace_high[i] = single += 1.0F / 3;
+  }
+  limits.peak_force = std::numeric_limits<double>::infinity();
+  limits.held_ticks = 7;
+  limits.dead_man_button = 1;
+  settings.passivity = device::PassivityController::Kind::tank;
+  settings.passivity_settings.latency = true;
+  return settings;
+}
+
+TEST(settings, of_a_run_are_read_as_they_were_written) {
+  const Metadata written = metadata_of(odd_settings());
+  const auto read = safety_settings_in(written, "run.fsr");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(metadata_of(*read), written);
+  EXPECT_EQ(read->limits.dead_man_button, 1);
+  EXPECT_EQ(read->limits.ramp_up, odd_settings().limits.ramp_up);
+  EXPECT_EQ(read->limits.workspace_high, odd_settings().limits.workspace_high);
+  EXPECT_TRUE(std::isinf(read->limits.peak_force));
+  EXPECT_EQ(read->passivity_settings.period, odd_settings().passivity_settings.period);
+  EXPECT_EQ(read->passivity, device::PassivityController::Kind::tank);
+  EXPECT_FALSE(safety_settings_in({{"law", "wall"}}, "run.fsr"));
+}
+
+TEST(settings, that_are_missing_or_odd_are_refused_by_their_key) {
+  const Metadata good = metadata_of(odd_settings());
+  const auto words = [&](const std::string& key, const char* value) -> std::string {
+    Metadata bad = good;
+    if (value == nullptr)
+      bad.erase(key);
+    else
+      bad[key] = value;
+    try {
+      safety_settings_in(bad, "run.fsr");
+    } catch (const RecordingError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  int missing = 0;
+  for (const auto& [key, value] : good) {
+    if (key == "supervised") continue;
+    EXPECT_EQ(words(key, nullptr), "run.fsr: " + key + " is not recorded");
+    EXPECT_NE(words(key, ""), "") << key;
+    ++missing;
+  }
+  EXPECT_GE(missing, 25);
+  EXPECT_EQ(words("supervisor_slew_N_per_s", "1x"), "run.fsr: supervisor_slew_N_per_s is 1x; expected a number");
+  EXPECT_EQ(words("supervisor_slew_N_per_s", "nan"), "run.fsr: supervisor_slew_N_per_s is nan; expected a number");
+  EXPECT_EQ(words("supervised", "maybe"), "run.fsr: supervised is maybe; expected yes or no");
+  EXPECT_EQ(words("passivity", "magic"), "run.fsr: passivity is magic; expected observer, tank or damping");
+  EXPECT_EQ(words("rate_hz", "0"), "run.fsr: rate_hz is 0; expected 100 to 10000");
+  EXPECT_EQ(words("dead_man_button", "16"), "run.fsr: dead_man_button is 16; expected none, or a button from 0 to 15");
+}
+
+}  // namespace
+}  // namespace forceshade::recorder
