@@ -101,7 +101,7 @@ void go_through(Session& session, Apparatus& apparatus, Front& front, double ful
   }
 }
 
-void complain(const std::string& words) {
+void tell_experimenter(const std::string& words) {
   std::fprintf(stderr, "forceshade: %s\n", csv::printable(words).c_str());
 }
 
@@ -109,15 +109,15 @@ int code_of(const device::ServoResult& result, const experiments::RecordedSessio
   const std::string resume =
       "the session is kept; 'forceshade experiment resume " + recorded.folder().string() + "' goes on with it";
   if (result.trip || result.end_reason == device::EndReason::device_fault) {
-    complain(result.trip ? "the supervisor stopped the run: " + std::string(name_of(result.trip->rule))
-                         : "device fault: " + std::string(result.fault));
-    complain(resume);
+    tell_experimenter(result.trip ? "the supervisor stopped the run: " + std::string(name_of(result.trip->rule))
+                                  : "device fault: " + std::string(result.fault));
+    tell_experimenter(resume);
     return kDeviceFault;
   }
   if (recorded.session().is_over()) return kHeld;
-  if (result.end_reason == device::EndReason::end_of_data) complain("the device has no more readings");
-  if (const std::string signal = interrupting_signal(); !signal.empty()) complain(signal + " ended the run");
-  complain(resume);
+  if (result.end_reason == device::EndReason::end_of_data) tell_experimenter("the device has no more readings");
+  if (const std::string signal = interrupting_signal(); !signal.empty()) tell_experimenter(signal + " ended the run");
+  tell_experimenter(resume);
   return kHeld;
 }
 
@@ -135,7 +135,7 @@ int run_session(const experiments::Protocol& protocol, const SessionOptions& opt
   if (!options.certificates.empty())
     plan.certificates = certificates_of(bumps, options.certificates);
   else
-    complain("*** DRIVING UNCERTIFIED, as told by --uncertified ***");
+    tell_experimenter("*** DRIVING UNCERTIFIED, as told by --uncertified ***");
 
   end_runs_in_order();
   device::Steering steering({static_cast<double>(options.origin.x()), static_cast<double>(options.origin.y()),
@@ -144,7 +144,7 @@ int run_session(const experiments::Protocol& protocol, const SessionOptions& opt
   const std::unique_ptr<device::Device> device = open_for_a_run(options.device, person);
   const std::unique_ptr<Front> front = open_front(bumps, steering);
   experiments::RecordedSession recorded = open_session();
-  if (!recorded.note().empty()) complain(recorded.note());
+  if (!recorded.note().empty()) tell_experimenter(recorded.note());
   plan.folder = recorded.folder() / "ticks" / ("run-" + std::to_string(recorded.run()));
   plan.metadata = {{"participant", recorded.participant()}, {"run", std::to_string(recorded.run())}};
   const double peak = static_cast<double>(device->capabilities().peak_force);
@@ -158,7 +158,7 @@ int run_session(const experiments::Protocol& protocol, const SessionOptions& opt
     try {
       apparatus.stop();
     } catch (const std::exception& also) {
-      complain(also.what());
+      tell_experimenter(also.what());
     }
     session.close(seconds);
     throw;

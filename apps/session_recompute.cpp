@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using experiments::Bump;
 
-constexpr std::uint64_t kListed = 10;  // differences
+constexpr std::uint64_t kShownDifferences = 10;  // differences
 
 void say_difference(const std::string& words) {
   std::fprintf(stderr, "forceshade: %s\n", csv::printable(words).c_str());
@@ -149,7 +149,7 @@ class Run {
     const auto& [fx, fy, fz] = sample.law_force;
     if (static_cast<std::uint8_t>(exact.status) == sample.status && (exact.force.array() == Eigen::Array3f(fx, fy, fz)).all())
       return;
-    if (++counts.differences > kListed) return;
+    if (++counts.differences > kShownDifferences) return;
     say_difference(recording.path() + ": tick " + std::to_string(sample.tick) + ": recorded " +
                    properties::show(Eigen::Vector3f(fx, fy, fz)) + " N, expected " + properties::show(exact.force) + " N");
   }
@@ -240,7 +240,7 @@ int recompute_session(const fs::path& folder) {
         for (const device::Sample& sample : chunk) {
           if (sample.status == device::Sample::kEnd) continue;
           run.compute(recording, sample, counts);
-          if (!check->is_same(sample) && other_commands + check->differences() <= kListed)
+          if (!check->is_same(sample) && other_commands + check->differences() <= kShownDifferences)
             say_difference(part.string() + ": tick " + std::to_string(sample.tick) +
                            ": the command is not what supervisor and controller make of the force");
         }

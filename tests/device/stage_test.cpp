@@ -197,12 +197,29 @@ TEST(stage, never_begins_a_renderer_with_a_memory_inside_its_object) {
   EXPECT_EQ(stage.step({0, 0, -2}).force, Vector3f(0, 0, 2));
 }
 
+// Says whether it was destroyed by the thread of a loop.
+struct Freed final : fast::Session {
+  fast::Evaluation step(const Vector3f&) noexcept override { return {}; }
+  ~Freed() override {
+    ++freed;
+    if (is_in_loop) ++freed_in_loop;
+  }
+  static inline std::atomic<int> freed = 0, freed_in_loop = 0;
+  static inline thread_local bool is_in_loop = false;
+};
+
 TEST(stage, allocates_nothing_in_the_loop_and_frees_nothing_there) {
   Stage stage;
+  const auto tracked = [](std::uint32_t number) {
+    auto stimulus = pair_of(number, LawId::bump_3p_shaded, 16 + static_cast<float>(number % 9));
+    if (number % 2 == 0) stimulus->left->session = std::make_unique<Freed>();
+    return stimulus;
+  };
   std::atomic<bool> done = false;
   std::atomic<std::size_t> exchanges = 0;
   std::size_t allocations = 0;
   std::thread loop([&] {
+    Freed::is_in_loop = true;
     std::uint64_t last = 0;
     const std::size_t before = tests::allocations();
     for (std::uint64_t tick = 0; !done; ++tick) {
@@ -214,11 +231,12 @@ TEST(stage, allocates_nothing_in_the_loop_and_frees_nothing_there) {
     }
     allocations = tests::allocations() - before;
   });
-  for (std::uint32_t number = 1; exchanges < 200; ++number)
-    stage.offer(pair_of(number, LawId::bump_3p_shaded, 16 + static_cast<float>(number % 9)));
+  for (std::uint32_t number = 1; exchanges < 200; ++number) stage.offer(tracked(number));
   done = true;
   loop.join();
   EXPECT_EQ(allocations, 0U);
+  EXPECT_GT(Freed::freed, 50);
+  EXPECT_EQ(Freed::freed_in_loop, 0);
 }
 
 }  // namespace
