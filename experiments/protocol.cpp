@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "forceshade/experiments/error.h"
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 // The domain of the laws (docs/laws.md): 0.1 mm to 10 m for a radius, 0.001 mm to twice the radius for a width.
 constexpr Mil kLeastRadius = 4, kLargestRadius = 393'700, kLargestWidth = 787'400;
 constexpr double kLeastStiffness = 1e-3, kLargestStiffness = 1e3;  // N/mm
-constexpr int kMostRepetitions = 1000, kMostTrials = 100'000;
+constexpr int kMostRepetitions = 1000, kMostTrials = 100'000, kMostRadiusSteps = 10'000;
 
 constexpr std::array<std::pair<std::string_view, Experiment>, 2> kExperiments{
     {{"matching", Experiment::matching}, {"classification", Experiment::classification}}};
@@ -139,6 +140,9 @@ void read_matching(TomlTable& table, const Beside& where, Protocol& protocol) {
   protocol.radius_step = table.whole("radius_step_mil", 1, kLargestRadius);
   protocol.least_radius = table.whole("least_radius_mil", kLeastRadius, protocol.small_initial_radius);
   protocol.largest_radius = table.whole("largest_radius_mil", protocol.large_initial_radius, kLargestRadius);
+  if ((protocol.largest_radius - protocol.least_radius) / protocol.radius_step > kMostRadiusSteps)
+    table.fail("radius_step_mil",
+               "expected at most " + std::to_string(kMostRadiusSteps) + " steps between the limits, got more");
   protocol.bigger = table.word<Bigger>("bigger", kBiggers);
   protocol.block_order = table.word<BlockOrder>("block_order", kBlockOrders);
   protocol.spacing = table.whole("spacing_mil", protocol.width, kLargestWidth);
@@ -206,10 +210,13 @@ int Protocol::trials() const {
 }
 
 std::vector<Bump> Protocol::bumps() const {
-  std::vector<Bump> all;
+  std::vector<std::pair<std::string, std::set<Mil>>> all;  // in the order of the protocol
   const auto add = [&](const Stimulus& one, const std::set<Mil>& its_radii) {
-    for (const Mil radius : its_radii)
-      if (const Bump bump{one.name, radius, 0}; std::ranges::find(all, bump) == all.end()) all.push_back(bump);
+    const auto at = std::ranges::find(all, one.name, &std::pair<std::string, std::set<Mil>>::first);
+    if (at == all.end())
+      all.emplace_back(one.name, its_radii);
+    else
+      at->second.insert(its_radii.begin(), its_radii.end());
   };
   if (experiment == Experiment::matching) add(reference, {reference_radii.begin(), reference_radii.end()});
   for (const Stimulus& one : stimuli) {
@@ -230,7 +237,10 @@ std::vector<Bump> Protocol::bumps() const {
     }
     add(one, reached);
   }
-  return all;
+  std::vector<Bump> bumps;
+  for (const auto& [name, its_radii] : all)
+    for (const Mil radius : its_radii) bumps.push_back({name, radius, 0});
+  return bumps;
 }
 
 Protocol read_protocol(const fs::path& file, const fs::path& folder, Files files) {

@@ -177,19 +177,28 @@ RecordedSession RecordedSession::start(const fs::path& folder, const fs::path& p
   std::error_code error;
   if (fs::exists(folder, error) && (!fs::is_directory(folder, error) || !fs::is_empty(folder, error)))
     throw Error(folder, "expected no file of this name, or an empty folder: a session has a folder of its own");
-  fs::create_directories(folder / "ticks", error);
-  if (error) throw Error(folder, "cannot be made: " + error.message());
-  write_whole(folder / "protocol.toml", content_of(protocol_file));
-  write_whole(folder / "language.toml", content_of(protocol.language));
-  const nlohmann::ordered_json about{{"schema", kSessionSchema},
-                                     {"participant", participant},
-                                     {"experiment", name_of(protocol.experiment)},
-                                     {"seed", std::to_string(seed)},
-                                     {"files_from", fs::absolute(protocol_file).parent_path().string()}};
-  write_whole(folder / "session.json", about.dump(2) + '\n');
+  const bool is_new = !fs::exists(folder, error);
   RecordedSession recorded;
-  recorded.log_ = std::make_shared<Log>(log_in(folder), O_CREAT | O_EXCL, sync);
-  sync_folder(folder);
+  try {
+    fs::create_directories(folder / "ticks", error);
+    if (error) throw Error(folder, "cannot be made: " + error.message());
+    write_whole(folder / "protocol.toml", content_of(protocol_file));
+    write_whole(folder / "language.toml", content_of(protocol.language));
+    const nlohmann::ordered_json about{{"schema", kSessionSchema},
+                                       {"participant", participant},
+                                       {"experiment", name_of(protocol.experiment)},
+                                       {"seed", std::to_string(seed)},
+                                       {"files_from", fs::absolute(protocol_file).parent_path().string()}};
+    write_whole(folder / "session.json", about.dump(2) + '\n');
+    recorded.log_ = std::make_shared<Log>(log_in(folder), O_CREAT | O_EXCL, sync);
+    sync_folder(folder);
+  } catch (...) {
+    // Nothing half-written: the folder was empty, or was not there.
+    for (const char* name : {"protocol.toml", "language.toml", "session.json", "trials.jsonl", "ticks"})
+      fs::remove(folder / name, error);
+    if (is_new) fs::remove(folder, error);
+    throw;
+  }
   recorded.folder_ = folder;
   recorded.participant_ = participant;
   recorded.session_ = std::make_unique<Session>(

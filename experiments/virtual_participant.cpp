@@ -302,7 +302,7 @@ Response VirtualParticipant::next(const Screen& screen, const Scene& scene) {
 }
 
 Observer fitted_observer() {
-  return {1.04, 0.123, 0.563, 7.97, 0.458, 3.434};
+  return {1.04, 0.123, 0.563, 7.76, 0.405, 3.331};
 }
 
 double run_to_end(Session& session, VirtualParticipant& participant) {

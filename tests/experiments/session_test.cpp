@@ -2,6 +2,7 @@
 // A session as a state machine, its log on disk, its resumption and its results.
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "forceshade/csv/csv.h"
+#include "forceshade/csv/output_file.h"
 #include "forceshade/experiments/error.h"
 #include "forceshade/experiments/random.h"
 #include "forceshade/experiments/results_csv.h"
@@ -393,6 +395,29 @@ TEST(session_folder, refuses_what_would_mix_two_sessions) {
   EXPECT_NO_THROW(read_session(folder));
   const std::vector<fs::path> twice{folder, folder};
   EXPECT_THROW(results_of(twice), Error);
+}
+
+// A full disk, by the limit of a file's size.
+TEST(session_folder, leaves_nothing_half_written) {
+  const tests::TemporaryDirectory directory;
+  const fs::path folder = directory.file("s");
+  const std::string protocol = directory.write("p.toml", kSmallClassification);
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit small = before;
+  small.rlim_cur = 1000;  // enough for the protocol, too little for the texts
+  setrlimit(RLIMIT_FSIZE, &small);
+  bool is_refused = false;
+  try {
+    RecordedSession::start(folder, protocol, "A", 1);
+  } catch (const csv::OutputError&) {
+    is_refused = true;
+  }
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_TRUE(is_refused);
+  EXPECT_FALSE(fs::exists(folder));
 }
 
 TEST(results_csv, read_back_as_they_were_written) {

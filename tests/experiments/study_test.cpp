@@ -95,7 +95,7 @@ TEST(virtual_participant, without_noise_matches_cylinders) {
 }
 
 // The combination of cues: one who cannot feel directions takes every shaded plane for flat, and makes it as high as the keys
-// allow; one who cannot feel heights matches directions. Pressed 2 mm deep, a cylinder has those of a radius 2 mm smaller.
+// allow; one who cannot feel heights makes the mean direction that of the reference, to a step of the keys.
 TEST(virtual_participant, weighs_the_cues_by_their_noise) {
   Protocol protocol = read_protocol(kExamples / "matching.toml");
   std::erase_if(protocol.stimuli, [](const Stimulus& stimulus) { return stimulus.name != "bump-1p-shaded"; });
@@ -103,12 +103,19 @@ TEST(virtual_participant, weighs_the_cues_by_their_noise) {
   Observer by_height = fitted_observer(), by_direction = fitted_observer();
   by_height.position_noise = by_direction.direction_noise = 0.01;
   by_height.direction_noise = by_direction.position_noise = 50;
+  const Feel feel = feel_of_laws(protocol);
   int matched = 0;
   for (const MatchingResult& trial : run_in_memory(protocol, by_height, 1).results.matching)
     EXPECT_EQ(trial.final_radius, protocol.least_radius);
   for (const MatchingResult& trial : run_in_memory(protocol, by_direction, 1).results.matching) {
-    EXPECT_LE(trial.final_radius, trial.reference_radius + protocol.radius_step);
-    EXPECT_GE(trial.final_radius, trial.reference_radius - 2 / kMillimetresPerMil - protocol.radius_step);
+    const auto mean_direction = [&](const std::string& stimulus, double radius) {
+      double sum = 0;
+      for (const Felt& felt : feel({stimulus, static_cast<Mil>(radius), 0})) sum += felt.direction;
+      return sum / kStrokePlaces;
+    };
+    const double reference = mean_direction("bump-cylinder", trial.reference_radius);
+    EXPECT_LE(mean_direction(trial.stimulus, trial.final_radius + protocol.radius_step), reference);
+    EXPECT_GE(mean_direction(trial.stimulus, trial.final_radius - protocol.radius_step), reference);
     ++matched;
   }
   EXPECT_EQ(matched, 2 * 4 * 3 * 4);

@@ -94,7 +94,7 @@ Cell cell_of(const std::vector<const MatchingResult*>& trials) {
 Results results_of_one(const Protocol& protocol, const Language& language, const Feel& feel, const Observer& observer,
                        int number) {
   Random seeds(1995, static_cast<std::uint64_t>(number));
-  SavedSession saved{"V" + std::to_string(number), seeds.next(), protocol, language, {}, {}};
+  SavedSession saved{std::to_string(number), seeds.next(), protocol, language, {}, {}};
   Session session(protocol, language, saved.seed, [&](const Event& event) { saved.events.push_back(event); });
   VirtualParticipant participant(protocol, observer, feel, seeds.next());
   run_to_end(session, participant);
@@ -148,25 +148,65 @@ class Study {
   Feel feel_matching_, feel_classification_;
 };
 
-// Root mean square of the differences, each in a unit that makes the kinds of numbers comparable: 0.1 in slope, 2 % in SD, 1 in
-// satisfaction, 5 steps, and 10 % in a share.
-double error_of(const Simulated& simulated, bool of_fitted) {
-  double sum = 0, n = 0;
-  const auto add = [&](double value, double thesis, double unit, double weight) {
-    sum += weight * (value - thesis) / unit * (value - thesis) / unit;
-    n += weight;
-  };
-  for (std::size_t i = 0; i < kMatching.size(); ++i) {
-    const Cell &cell = simulated.matching[i][of_fitted ? 0 : 1], &thesis = kMatching[i].thesis[of_fitted ? 0 : 1];
-    add(cell.slope, thesis.slope, 0.1, 1);
-    add(cell.deviation, thesis.deviation, 2, 1);
-    add(cell.satisfaction, thesis.satisfaction, 1, 1);
-    add(cell.steps, thesis.steps, 5, 1);
+// Sums of squared differences, each in a unit that makes the kinds of numbers comparable: 0.1 in slope, 2 % in SD, 1 in
+// satisfaction, 5 steps, and 10 % in a share, which weighs a quarter, because a row has four.
+struct Errors {
+  std::array<double, 5> squares{}, counts{};
+
+  void add(std::size_t kind, double value, double thesis) {
+    constexpr std::array<double, 5> units{0.1, 2, 1, 5, 10};
+    const double difference = (value - thesis) / units[kind], weight = kind == 4 ? 0.25 : 1;
+    squares[kind] += weight * difference * difference;
+    counts[kind] += weight;
   }
+  void add(const Cell& cell, const Cell& thesis) {
+    add(0, cell.slope, thesis.slope);
+    add(1, cell.deviation, thesis.deviation);
+    add(2, cell.satisfaction, thesis.satisfaction);
+    add(3, cell.steps, thesis.steps);
+  }
+
+  // Root mean square, of all or of one kind.
+  double all() const {
+    double sum = 0, count = 0;
+    for (std::size_t kind = 0; kind < 5; ++kind) {
+      sum += squares[kind];
+      count += counts[kind];
+    }
+    return std::sqrt(sum / count);
+  }
+  double of(std::size_t kind) const { return std::sqrt(squares[kind] / counts[kind]); }
+};
+
+Errors errors_of(const Simulated& simulated, bool of_fitted) {
+  Errors errors;
+  const std::size_t vision = of_fitted ? 0 : 1;
+  for (std::size_t i = 0; i < kMatching.size(); ++i) errors.add(simulated.matching[i][vision], kMatching[i].thesis[vision]);
   for (std::size_t i = of_fitted ? 0 : 1; i < kClassification.size(); i += 2)
     for (std::size_t answer = 0; answer < 4; ++answer)
-      add(simulated.classification[i][answer], kClassification[i].thesis[answer], 10, 0.25);
-  return std::sqrt(sum / n);
+      errors.add(4, simulated.classification[i][answer], kClassification[i].thesis[answer]);
+  return errors;
+}
+
+double error_of(const Simulated& simulated, bool of_fitted) {
+  return errors_of(simulated, of_fitted).all();
+}
+
+// What needs no model: numbers with vision are those without, and a row of Table 6.9 is the mean of the rows before and after
+// it.
+Errors errors_without_a_model() {
+  Errors errors;
+  for (const Condition& condition : kMatching) errors.add(condition.thesis[0], condition.thesis[1]);
+  for (std::size_t i = 1; i + 1 < kClassification.size(); i += 2)
+    for (std::size_t answer = 0; answer < 4; ++answer)
+      errors.add(4, (kClassification[i - 1].thesis[answer] + kClassification[i + 1].thesis[answer]) / 2,
+                 kClassification[i].thesis[answer]);
+  return errors;
+}
+
+void print(const char* name, const Errors& errors) {
+  std::printf("%-18s slope %.3f  SD %.1f %%  SI %.2f  steps %.1f  share %.0f %%  all %.2f\n", name, 0.1 * errors.of(0),
+              2 * errors.of(1), errors.of(2), 5 * errors.of(3), 10 * errors.of(4), errors.all());
 }
 
 void print(const Simulated& simulated) {
@@ -191,8 +231,10 @@ void print(const Simulated& simulated) {
     right += most(shares) == most(row.thesis) ? 1 : 0;
   }
   std::printf("most frequent answer right in %d of %d predicted rows\n", right, predicted);
-  std::printf("root mean square error (unit: see the source): fitted %.2f, predicted %.2f\n", error_of(simulated, true),
-              error_of(simulated, false));
+  std::printf("root mean square errors; all: in the units of Errors\n");
+  print("fitted", errors_of(simulated, true));
+  print("predicted", errors_of(simulated, false));
+  print("without a model", errors_without_a_model());
 }
 
 // Random changes of one to all numbers, kept where they are better; smaller from search to search.
