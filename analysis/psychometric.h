@@ -37,8 +37,9 @@ struct PsychometricParameters {
 
 double probability_at(double angle, const PsychometricParameters& parameters, Shape shape);
 
-// What a maximum of the likelihood is found by: the best places of a grid, each improved by the simplex method of Nelder and
-// Mead (1965), started twice. A parameter x in [low, high] is searched as low + (high - low) * sin(u)^2, so that an end of its
+// The maximum of the likelihood is sought from the best place of a grid for each of five scales by the simplex method of Nelder
+// and Mead (1965), which is started once more from the best of the places found; refits of the bootstrap start from the fit and
+// two places of the grid. A parameter x in [low, high] is searched as low + (high - low) * sin(u)^2, so that an end of its
 // range can be the answer. The threshold may lie as far outside the angles as they reach, and the scale from 1/1000 to 10 times
 // that reach.
 struct PsychometricFit {
