@@ -199,7 +199,8 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
   const Eigen::Vector3f wanted = placement.turned_to_device(evaluation.force);
   Verdict verdict{.force = wanted};
   if (supervisor_)
-    verdict = supervisor_->supervise(reading, device_.state(), wanted, evaluation.status, static_cast<double>(latency) / 1e9);
+    verdict = supervisor_->supervise(reading, device_.state(), wanted, evaluation.status, static_cast<double>(latency) / 1e9,
+                                     evaluation.is_unfinished);
   const Eigen::Vector3f force = controller_->passed(reading, verdict.force);
   if (supervisor_) supervisor_->commanded(force, controller_->account().forgiven);
   device_.allow(controller_->allowance());
@@ -210,6 +211,7 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
   if (late) ++result.missed_deadlines;
   if (late && processor_time() - computed_ > period_) ++result.overruns;
   if (evaluation.status == Status::invalid) ++result.invalid_positions;
+  if (evaluation.is_unfinished) ++result.unfinished_ticks;
   result.peak_force_N = std::max(result.peak_force_N, force.cast<double>().norm());
   if (options_.paced) wakeup_.add(latency);
   compute_.add(commanded_at - read_at);

@@ -43,18 +43,23 @@ struct GodObject::Parts {
 
 std::variant<GodObject, ParameterError> GodObject::build(const mesh::TriangleMesh& mesh, mesh::CornerNormals normals,
                                                          mesh::Sides sides, mesh::Shading shading, float stiffness) {
-  if (!(stiffness >= 0.001F && stiffness <= 1000)) return ParameterError{"stiffness", "N/mm", stiffness, 0.001F, 1000};
   if (const auto error = meshes::Surface::first_error(mesh)) return *error;
-  if (shading == mesh::Shading::vertex_scheme) {
-    const auto count = static_cast<float>(mesh.triangles.size());
-    if (normals.size() != mesh.triangles.size())
-      return ParameterError{"number of triangles with normals", "", static_cast<float>(normals.size()), count, count};
-    for (const auto& corners : normals)
-      for (const mesh::Normal& normal : corners)
-        for (const float component : normal)
-          if (!(std::fabs(component) <= 2)) return ParameterError{"component of a normal", "", component, -2, 2};
-  }
+  if (const auto error = first_error(mesh, normals, shading, stiffness)) return *error;
   return GodObject(std::make_shared<const Parts>(mesh, std::move(normals), sides, shading, stiffness));
+}
+
+std::optional<ParameterError> GodObject::first_error(const mesh::TriangleMesh& mesh, const mesh::CornerNormals& normals,
+                                                     mesh::Shading shading, float stiffness) {
+  if (!(stiffness >= 0.001F && stiffness <= 1000)) return ParameterError{"stiffness", "N/mm", stiffness, 0.001F, 1000};
+  if (shading != mesh::Shading::vertex_scheme) return std::nullopt;
+  const auto count = static_cast<float>(mesh.triangles.size());
+  if (normals.size() != mesh.triangles.size())
+    return ParameterError{"number of triangles with normals", "", static_cast<float>(normals.size()), count, count};
+  for (const auto& corners : normals)
+    for (const mesh::Normal& normal : corners)
+      for (const float component : normal)
+        if (!(std::fabs(component) <= 2)) return ParameterError{"component of a normal", "", component, -2, 2};
+  return std::nullopt;
 }
 
 mesh::Tick GodObject::step(const mesh::GodObject& before, const std::array<float, 3>& position, unsigned most_moves) const {

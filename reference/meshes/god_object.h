@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <variant>
 
 #include "forceshade/vocabulary/law.h"
@@ -21,6 +22,10 @@ class GodObject {
   // a precondition. Refused with the reason: a stiffness outside 10^-3 to 10^3 N/mm and what is no surface.
   static std::variant<GodObject, ParameterError> build(const mesh::TriangleMesh& mesh, mesh::CornerNormals normals,
                                                        mesh::Sides sides, mesh::Shading shading, float stiffness);
+
+  // Why build() refuses what is given beside the mesh.
+  static std::optional<ParameterError> first_error(const mesh::TriangleMesh& mesh, const mesh::CornerNormals& normals,
+                                                   mesh::Shading shading, float stiffness);
 
   // What a position in mm does to a state of this mesh. A position that is invalid gives no force and leaves the state as it
   // is. 1 <= most_moves; with fewer than kMostMoves, more ticks are unfinished.
