@@ -73,6 +73,7 @@ void print(const ServoResult& run) {
   if (account.forgiven > 0)
     std::printf("                  %.3f mJ were forgiven: late ticks let the hand take more than the bound\n",
                 account.forgiven);
+  if (run.unfinished_ticks > 0) std::printf("unfinished ticks  %zu (the god-object used up its moves)\n", run.unfinished_ticks);
   if (run.invalid_positions > 0) std::printf("invalid positions %zu (zero force)\n", run.invalid_positions);
   const auto& [scheduling, memory_locked, cpu] = run.privileges;
   std::printf("scheduling        %s, memory %s, %s\n", scheduling ? "real-time (SCHED_FIFO)" : "ordinary",
@@ -92,6 +93,7 @@ ordered_json to_json(const ServoResult& run) {
           {"missed_deadlines", run.missed_deadlines},
           {"overruns", run.overruns},
           {"invalid_positions", run.invalid_positions},
+          {"unfinished_ticks", run.unfinished_ticks},
           {"rate_hz", run.achieved_rate_hz},
           {"paced_by", pacer ? ordered_json(pacer) : ordered_json(nullptr)},
           {"compute_us", times(run.compute_us)},

@@ -10,11 +10,13 @@
 
 namespace forceshade::apps {
 
-// Of Sample::limited: bit k is rule k.
+// Of Sample::limited.
 inline std::vector<std::string> rule_names(std::uint16_t rules) {
   std::vector<std::string> names;
-  for (std::size_t rule = 0; rule < device::kRules; ++rule)
-    if ((rules >> rule & 1U) != 0) names.emplace_back(name_of(static_cast<device::Rule>(rule)));
+  for (std::size_t i = 0; i < device::kRules; ++i) {
+    const auto rule = static_cast<device::Rule>(i);
+    if (device::Rules::limits(rule) && (rules >> device::Rules::bit_of(rule) & 1U) != 0) names.emplace_back(name_of(rule));
+  }
   return names;
 }
 

@@ -40,8 +40,9 @@ Retraced Retrace::next(const Sample& sample) noexcept {
   const Eigen::Vector3f wanted = vector_of(sample.law_force);
   Verdict verdict{.force = wanted};
   if (supervisor_)
-    verdict = supervisor_->supervise(reading, state_of(sample), wanted, static_cast<Status>(sample.status),
-                                     static_cast<double>(sample.wakeup_ns) / 1e9);
+    verdict =
+        supervisor_->supervise(reading, state_of(sample), wanted, static_cast<Status>(sample.status),
+                               static_cast<double>(sample.wakeup_ns) / 1e9, (sample.device_state & Sample::kUnfinished) != 0);
   Retraced retraced;
   retraced.force = controller_.passed(reading, verdict.force);
   if (supervisor_) supervisor_->commanded(retraced.force, controller_.account().forgiven);

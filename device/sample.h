@@ -28,7 +28,7 @@ struct Sample {
   std::array<float, 3> force = {0, 0, 0};                                // N, as commanded
   std::array<float, 3> gimbal = {kUnknown, kUnknown, kUnknown};          // rad
   std::uint16_t buttons = 0;                                             // bit k is set while button k is down
-  std::uint16_t limited = 0;  // bit k is set if the supervisor's rule k changed the law's force
+  std::uint16_t limited = 0;  // bit Rules::bit_of(rule) is set if this rule of the supervisor changed the law's force
   std::uint8_t status = 0;    // free 0, contact 1, invalid 2; kEnd for the zero force that ends a run
   std::uint8_t late = 0;      // 1 if the force was commanded after the next tick was due
   std::uint8_t altered = 0;   // 1 if the passivity controller changed the supervisor's force
@@ -41,7 +41,7 @@ struct Sample {
   std::array<float, 3> sent_acting = {0, 0, 0};  // N
   float temperature = 0;                         // State::temperature
   std::uint32_t device_state = 0;                // kCalibrated and so on, of this reading
-  static constexpr std::uint32_t kCalibrated = 1, kForcesOn = 2, kReportsSent = 4;
+  static constexpr std::uint32_t kCalibrated = 1, kForcesOn = 2, kReportsSent = 4, kUnfinished = 8;
 };
 static_assert(sizeof(Sample) == 176 && std::is_trivially_copyable_v<Sample>);
 

@@ -196,7 +196,8 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
   const State state = device_.state();
   Verdict verdict{.force = wanted};
   if (supervisor_)
-    verdict = supervisor_->supervise(reading, state, wanted, evaluation.status, static_cast<double>(latency) / 1e9);
+    verdict = supervisor_->supervise(reading, state, wanted, evaluation.status, static_cast<double>(latency) / 1e9,
+                                     evaluation.is_unfinished);
   const Eigen::Vector3f force = controller_->passed(reading, verdict.force);
   if (supervisor_) supervisor_->commanded(force, controller_->account().forgiven);
   device_.allow(controller_->allowance());
@@ -207,6 +208,7 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
   if (late) ++result.missed_deadlines;
   if (late && processor_time() - computed_ > period_) ++result.overruns;
   if (evaluation.status == Status::invalid) ++result.invalid_positions;
+  if (evaluation.is_unfinished) ++result.unfinished_ticks;
   result.peak_force_N = std::max(result.peak_force_N, force.cast<double>().norm());
   if (options_.paced) wakeup_.add(latency);
   compute_.add(commanded_at - read_at);
@@ -224,7 +226,8 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
   sample.tripped = verdict.trip ? static_cast<std::uint8_t>(1 + static_cast<int>(*verdict.trip)) : 0;
   sample.shown = session_.shown();
   sample.temperature = state.temperature;
-  sample.device_state = (state.calibrated ? Sample::kCalibrated : 0) | (state.forces_on ? Sample::kForcesOn : 0);
+  sample.device_state = (state.calibrated ? Sample::kCalibrated : 0) | (state.forces_on ? Sample::kForcesOn : 0) |
+                        (evaluation.is_unfinished ? Sample::kUnfinished : 0);
   if (reading.sent) {
     sample.device_state |= Sample::kReportsSent;
     sample.sent_work = reading.sent->work;

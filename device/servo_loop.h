@@ -85,6 +85,7 @@ struct ServoResult {
   std::size_t missed_deadlines = 0;   // ticks whose force was commanded after the next tick was due
   std::size_t overruns = 0;           // those of them that computed for longer than a period, by processor time: our own fault
   std::size_t invalid_positions = 0;  // ticks where the law refused the position; the force was zero
+  std::size_t unfinished_ticks = 0;   // fast::Evaluation::is_unfinished
   double achieved_rate_hz = 0;        // ticks over the time they took
   Durations wakeup_us;                // from due to awake; none if not paced
   Durations compute_us;               // from position read to force commanded

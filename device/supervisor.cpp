@@ -42,9 +42,10 @@ std::string_view name_of(Rule rule) noexcept {
     case Rule::frozen_encoder: return "frozen encoder";
     case Rule::watchdog: return "watchdog";
     case Rule::oscillation: return "oscillation";
-    case Rule::energy: break;
+    case Rule::energy: return "energy";
+    case Rule::unfinished: break;
   }
-  return "energy";
+  return "unfinished";
 }
 
 SupervisorLimits supervisor_limits(const Capabilities& capabilities, double rate) noexcept {
@@ -65,14 +66,15 @@ Supervisor::Supervisor(const SupervisorLimits& limits, double rate) noexcept
     : limits_(limits), period_(1 / rate), motor_(as_one_motor(limits)), oscillation_(limits.resolution, period_) {}
 
 Verdict Supervisor::supervise(const Reading& reading, const State& state, const Eigen::Vector3f& wanted, Status status,
-                              double late) noexcept {
+                              double late, bool unfinished) noexcept {
   Verdict verdict;
   const auto trip = [&](Rule rule) {
     trip_ = Trip{rule, tick_};
     ++counts_[static_cast<std::size_t>(rule)];
   };
   if (!trip_) {
-    memory_.late_ticks = late > period_ ? memory_.late_ticks + 1 : 0;
+    memory_.behind = late > period_ ? Rule::missed_deadlines : Rule::unfinished;
+    memory_.late_ticks = late > period_ || unfinished ? memory_.late_ticks + 1 : 0;
     if (const auto rule = trip_rule(reading, state, wanted, status, late)) trip(*rule);
   }
   if (!trip_) {
@@ -118,7 +120,7 @@ std::optional<Rule> Supervisor::trip_rule(const Reading& reading, const State& s
   if (!wanted.allFinite()) return Rule::invalid_force;
   if (late > limits_.patience || std::isnan(late)) return Rule::watchdog;
   if (memory_.late_ticks >= std::max(limits_.held_ticks + ticks_in(limits_.ramp_down), ticks_in(limits_.patience)))
-    return Rule::missed_deadlines;
+    return memory_.behind;
   if (forgiven_ - excused_ > limits_.forgiven) return Rule::energy;
   if (!memory_.position) return std::nullopt;
 
@@ -173,7 +175,7 @@ Eigen::Vector3f Supervisor::limited(const Reading& reading, const State& state, 
     const int ramped = std::max(0, memory_.late_ticks - limits_.held_ticks);
     const double left = std::max(0.0, 1 - ramped / static_cast<double>(ticks_in(limits_.ramp_down)));
     const double held = left * memory_.punctual_force.cast<double>().norm();
-    replace(shortened(memory_.punctual_force, std::min(held, force.cast<double>().norm())), Rule::missed_deadlines);
+    replace(shortened(memory_.punctual_force, std::min(held, force.cast<double>().norm())), memory_.behind);
   }
   limit(limits_.peak_force, Rule::peak_force);
   if (std::isfinite(limits_.peak_force) && std::isfinite(limits_.continuous_force)) {

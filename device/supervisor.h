@@ -43,22 +43,33 @@ enum class Rule : std::uint8_t {
   oscillation,
   // This trips.
   energy,
+  // This limits at first, then trips.
+  unfinished,
 };
-inline constexpr std::size_t kRules = static_cast<std::size_t>(Rule::energy) + 1;
-static_assert(static_cast<std::size_t>(Rule::oscillation) < 16, "Sample::limited has a bit for each rule that limits");
+inline constexpr std::size_t kRules = static_cast<std::size_t>(Rule::unfinished) + 1;
 
 std::string_view name_of(Rule rule) noexcept;
 
 // A set of rules that limit.
 class Rules {
  public:
+  // In Sample::limited, of rule k: bit k, which recordings rely on. The last rule has the bit of a rule that only trips.
+  static constexpr unsigned bit_of(Rule rule) noexcept {
+    return static_cast<unsigned>(rule == Rule::unfinished ? Rule::watchdog : rule);
+  }
+  static constexpr bool limits(Rule rule) noexcept {
+    return rule <= Rule::missed_deadlines || rule == Rule::oscillation || rule == Rule::unfinished;
+  }
+
   void add(Rule rule) noexcept { bits_ = static_cast<std::uint16_t>(bits_ | bit(rule)); }
   bool has(Rule rule) const noexcept { return (bits_ & bit(rule)) != 0; }
   bool none() const noexcept { return bits_ == 0; }
-  std::uint16_t bits() const noexcept { return bits_; }  // bit k is rule k
+  std::uint16_t bits() const noexcept { return bits_; }
 
  private:
-  static std::uint16_t bit(Rule rule) noexcept { return static_cast<std::uint16_t>(1U << static_cast<unsigned>(rule)); }
+  static std::uint16_t bit(Rule rule) noexcept {
+    return limits(rule) ? static_cast<std::uint16_t>(1U << bit_of(rule)) : std::uint16_t{0};
+  }
   std::uint16_t bits_ = 0;
 };
 
@@ -105,9 +116,9 @@ class Supervisor {
   Supervisor(const SupervisorLimits& limits, double rate) noexcept;
 
   // Once a tick. `wanted` and `status` are the law's, at the reading's position; `late` is by how many seconds the tick began
-  // after it was due.
-  Verdict supervise(const Reading& reading, const State& state, const Eigen::Vector3f& wanted, Status status,
-                    double late) noexcept;
+  // after it was due; `unfinished` as fast::Evaluation has it.
+  Verdict supervise(const Reading& reading, const State& state, const Eigen::Vector3f& wanted, Status status, double late,
+                    bool unfinished = false) noexcept;
 
   // What was in the end commanded this tick, where that is not the verdict's force, and what the account has forgiven so far,
   // in mJ. The next tick's rules go by what the hand was given: by what the device says it sent or, where it says nothing, by
@@ -147,11 +158,12 @@ class Supervisor {
   // What rearm() forgets.
   struct Memory {
     Eigen::Vector3f force{0, 0, 0};           // commanded last
-    Eigen::Vector3f punctual_force{0, 0, 0};  // commanded last in a tick that was not late
+    Eigen::Vector3f punctual_force{0, 0, 0};  // commanded last in a tick that was neither late nor unfinished
     std::optional<Eigen::Vector3f> position;
     double time = 0;                       // s, by the device's clock
     double late = 0;                       // s, the last tick
-    int late_ticks = 0;                    // in a row
+    int late_ticks = 0;                    // in a row, or unfinished ...
+    Rule behind = Rule::missed_deadlines;  // ... which the last one of them was
     int still_ticks = 0;                   // in a row, under force
     int changed_ticks = 0;                 // in a row of those, since the force has changed
     bool was_fast = false;                 // the last step that was one

@@ -32,9 +32,16 @@ Violation force_is_as_long_as_the_spring(const MeshRendering& rendering, const T
 // than the stiffness times what position and god-object move; unshaded, so does the force.
 Violation force_follows_the_spring(const MeshRendering& rendering, const Ticked& one, const Ticked& other);
 
+// The most by which the vertex scheme turns the force of a rest inside this triangle, as a chord: |N/|N| - n/|n|| is at most
+// this, for every N that is interpolated between the corners' normals. A normal at a right angle to n, or beyond, gives the
+// root of 2, because no N with N·D <= 0 is used. It contains the error of its own arithmetic.
+double largest_turn(const MeshRendering& rendering, std::uint32_t triangle);
+
 // Along a path of valid positions the god-object never moves away from the position: from tick to tick its distance to the new
 // one is at most what it would be had it not moved. So an unshaded force gives no more energy than sampling does: over one tick
-// F·(p' - p) <= (F² - F'²)/2K + K/2 |p' - p|², which is checked of the forces, too.
+// F·(p' - p) <= (F² - F'²)/2K + K/2 |p' - p|², which is checked of the forces, too. A shaded force is as long as the spring's
+// and gives at most t |F| |p' - p| more, where t is largest_turn() at a rest inside a triangle, else the root of 2
+// (docs/energy.md).
 Violation spring_gives_no_energy(const MeshRendering& rendering, std::span<const Ticked> path);
 
 }  // namespace forceshade::properties

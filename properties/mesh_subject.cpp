@@ -20,12 +20,6 @@ MeshPosition position_of(const Eigen::Vector3f& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-reference::GodObject built(const MeshRendering& of) {
-  auto built = reference::GodObject::build(of.mesh, of.normals, of.sides, of.shading, of.stiffness, of.texture);
-  if (const auto* error = std::get_if<ParameterError>(&built)) throw std::invalid_argument(error->message());
-  return std::get<reference::GodObject>(std::move(built));
-}
-
 class ReferenceOfMesh final : public ReferenceSession {
  public:
   explicit ReferenceOfMesh(reference::GodObject god_object) : session_(std::move(god_object)) {}
@@ -144,18 +138,37 @@ MeshSubject::MeshSubject(const std::string& name, MeshRendering rendering, OpenT
       stiffness_(rendering_->stiffness),
       open_(std::move(open)),
       calls_{[its = open_, K = stiffness_] { return its(K); }},
-      reference_(built(*rendering_)),
-      identity_(identity_of(name, *rendering_)) {}
+      identity_(identity_of(name, *rendering_)) {
+  const MeshRendering& of = *rendering_;
+  if (const auto error = reference::GodObject::first_error(of.mesh, of.normals, of.shading, of.stiffness, of.texture))
+    throw std::invalid_argument(error->message());
+}
+
+const reference::GodObject& MeshSubject::reference() const {
+  std::call_once(is_built_, [this] {
+    const MeshRendering& of = *rendering_;
+    auto built = reference::GodObject::build(of.mesh, of.normals, of.sides, of.shading, of.stiffness, of.texture);
+    if (const auto* error = std::get_if<ParameterError>(&built)) throw std::invalid_argument(error->message());
+    reference_ = std::get<reference::GodObject>(std::move(built));
+  });
+  return *reference_;
+}
 
 std::vector<std::string> MeshSubject::parts() const {
-  std::vector<std::string> lines{std::to_string(rendering_->mesh.triangles.size()) + " triangles, " +
+  std::vector<std::string> words{std::to_string(rendering_->mesh.triangles.size()) + " triangles, " +
                                  std::to_string(rendering_->mesh.vertices.size()) + " vertices"};
-  for (const std::string& part : properties::words_of(rendering_->texture.map)) lines.push_back("texture, " + part);
-  return lines;
+  if (rendering_->shading == mesh::Shading::vertex_scheme) {
+    double turn = 0;
+    for (std::uint32_t i = 0; i < rendering_->mesh.triangles.size(); ++i) turn = std::max(turn, largest_turn(*rendering_, i));
+    words.push_back("at a rest inside a triangle the shading gives at most " + show(static_cast<float>(turn)) +
+                    " mJ more per mm of path and N of force");
+  }
+  for (const std::string& part : properties::words_of(rendering_->texture.map)) words.push_back("texture, " + part);
+  return words;
 }
 
 std::unique_ptr<ReferenceSession> MeshSubject::open_reference() const {
-  return std::make_unique<ReferenceOfMesh>(reference_);
+  return std::make_unique<ReferenceOfMesh>(reference());
 }
 
 std::unique_ptr<Positions> MeshSubject::positions(std::uint64_t seed) const {
@@ -212,7 +225,7 @@ std::vector<FurtherProperty> MeshSubject::further_properties() const {
         session = open_(stiffness_);
         session->resume(state);
       }
-      const mesh::Tick expected = reference_.step(state, path[i]);
+      const mesh::Tick expected = reference().step(state, path[i]);
       if (auto violation = differs(i, path[i], session->tick(path[i]), expected)) return violation;
       state = expected.after;
     }

@@ -2,6 +2,9 @@
 #pragma once
 // A god-object on a mesh as a subject.
 
+#include <mutex>
+#include <optional>
+
 #include "forceshade/fast/meshes/tick_session.h"
 #include "forceshade/identity/mesh_identity.h"
 #include "forceshade/properties/subject.h"
@@ -48,8 +51,11 @@ class MeshSubject final : public Subject {
   float stiffness_;
   OpenTicks open_;
   Calls calls_;
-  reference::GodObject reference_;
   Identity identity_;
+  // Built when it is first needed: it takes some 2 kB for each triangle, and a servo loop needs none.
+  const reference::GodObject& reference() const;
+  mutable std::once_flag is_built_;
+  mutable std::optional<reference::GodObject> reference_;
 };
 
 }  // namespace forceshade::properties

@@ -16,14 +16,14 @@ class TickSession : public Session {
   // Goes on from a state of this mesh, as a tick gave it.
   virtual void resume(const mesh::GodObject& state) noexcept = 0;
 
-  // An unfinished tick is a contact: its force is that of the point which the god-object has come to.
+  // An unfinished tick is a contact, and is marked.
   Evaluation step(const Eigen::Vector3f& position) noexcept final {
     const mesh::Tick its = tick({position.x(), position.y(), position.z()});
     const Eigen::Vector3f force(its.force[0], its.force[1], its.force[2]);
     switch (its.status) {
       case mesh::TickStatus::free: return {};
       case mesh::TickStatus::invalid: return {{0, 0, 0}, Status::invalid};
-      default: return {force, Status::contact};
+      default: return {force, Status::contact, Stage::binary64, its.status == mesh::TickStatus::unfinished};
     }
   }
 };

@@ -66,15 +66,17 @@ std::optional<ParameterError> error_of(const mesh::CornerTextures& textures, con
   return std::nullopt;
 }
 
+std::variant<HeightMapField, ParameterError> field_of(const mesh::Texture& texture) {
+  return HeightMapField::build({texture.map.parts}, height::Rendering::force_shaded, 1);
+}
+
 }  // namespace
 
 std::variant<GodObject, ParameterError> GodObject::build(const mesh::TriangleMesh& mesh, mesh::CornerNormals normals,
                                                          mesh::Sides sides, mesh::Shading shading, float stiffness,
                                                          const mesh::Texture& texture) {
-  if (!(stiffness >= 0.001F && stiffness <= 1000)) return ParameterError{"stiffness", "N/mm", stiffness, 0.001F, 1000};
   if (const auto error = meshes::Surface::first_error(mesh)) return *error;
-  if (mesh::has_corner_normals(shading))
-    if (const auto error = error_of(normals, mesh)) return *error;
+  if (const auto error = first_error(mesh, normals, shading, stiffness, texture)) return *error;
   auto parts = std::make_shared<Parts>(mesh, sides, stiffness);
   switch (shading) {
     case mesh::Shading::none: break;
@@ -82,15 +84,24 @@ std::variant<GodObject, ParameterError> GodObject::build(const mesh::TriangleMes
       parts->scheme = std::make_unique<meshes::VertexScheme>(parts->surface, std::move(normals));
       break;
     case mesh::Shading::edge_scheme: parts->scheme = std::make_unique<meshes::EdgeScheme>(parts->surface); break;
-    case mesh::Shading::texture_scheme: {
-      if (const auto error = error_of(texture.corners, mesh)) return *error;
-      auto map = HeightMapField::build({texture.map.parts}, height::Rendering::force_shaded, 1);
-      if (const auto* error = std::get_if<ParameterError>(&map)) return *error;
+    case mesh::Shading::texture_scheme:
       parts->scheme = std::make_unique<meshes::TextureScheme>(parts->surface, std::move(normals), texture.corners,
-                                                              std::get<HeightMapField>(std::move(map)));
-    }
+                                                              std::get<HeightMapField>(field_of(texture)));
+      break;
   }
   return GodObject(std::move(parts));
+}
+
+std::optional<ParameterError> GodObject::first_error(const mesh::TriangleMesh& mesh, const mesh::CornerNormals& normals,
+                                                     mesh::Shading shading, float stiffness, const mesh::Texture& texture) {
+  if (!(stiffness >= 0.001F && stiffness <= 1000)) return ParameterError{"stiffness", "N/mm", stiffness, 0.001F, 1000};
+  if (mesh::has_corner_normals(shading))
+    if (const auto error = error_of(normals, mesh)) return error;
+  if (shading != mesh::Shading::texture_scheme) return std::nullopt;
+  if (const auto error = error_of(texture.corners, mesh)) return error;
+  const auto map = field_of(texture);
+  const auto* error = std::get_if<ParameterError>(&map);
+  return error == nullptr ? std::nullopt : std::optional(*error);
 }
 
 mesh::Tick GodObject::step(const mesh::GodObject& before, const std::array<float, 3>& position, unsigned most_moves) const {

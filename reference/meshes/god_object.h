@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <variant>
 
 #include "forceshade/vocabulary/law.h"
@@ -23,6 +24,10 @@ class GodObject {
   static std::variant<GodObject, ParameterError> build(const mesh::TriangleMesh& mesh, mesh::CornerNormals normals,
                                                        mesh::Sides sides, mesh::Shading shading, float stiffness,
                                                        const mesh::Texture& texture = {});
+
+  // Why build() refuses what is given beside the mesh.
+  static std::optional<ParameterError> first_error(const mesh::TriangleMesh& mesh, const mesh::CornerNormals& normals,
+                                                   mesh::Shading shading, float stiffness, const mesh::Texture& texture = {});
 
   // What a position in mm does to a state of this mesh. A position that is invalid gives no force and leaves the state as it
   // is. 1 <= most_moves; with fewer than kMostMoves, more ticks are unfinished.

@@ -89,6 +89,33 @@ TEST(servo_loop, counts_invalid_positions_and_goes_on) {
   EXPECT_EQ(result.energy_taken_mJ(), 0);
 }
 
+// A god-object that uses up its moves in three ticks, in which its force is too large.
+TEST(servo_loop, counts_unfinished_ticks_and_holds_their_force) {
+  struct Lagging final : fast::Session {
+    fast::Evaluation step(const Eigen::Vector3f& position) noexcept override {
+      if (position.z() > 0) return {};
+      const bool lags = touching >= 1000 && touching < 1003;
+      ++touching;
+      return {{0, 0, lags ? 5.0F : 0.125F}, Status::contact, fast::Stage::binary64, lags};
+    }
+    int touching = 0;
+  } session;
+  class Long final : public Pushing {
+  } device;
+  tests::KeptSamples kept;
+  ServoOptions options{.max_seconds = 1.2, .paced = false};
+  options.sinks.push_back(&kept);
+  const ServoResult result = run_servo_loop(device, session, options, kNeverStop);
+  EXPECT_EQ(result.end_reason, EndReason::time_up);
+  EXPECT_EQ(result.unfinished_ticks, 3U);
+  EXPECT_EQ(result.limited_ticks[static_cast<std::size_t>(Rule::unfinished)], 3U);
+  EXPECT_LE(result.peak_force_N, 0.1251);
+  std::size_t held = 0;
+  for (const Sample& sample : kept.samples)
+    if ((sample.limited >> Rules::bit_of(Rule::unfinished) & 1U) != 0) held += sample.law_force[2] == 5 ? 1U : 0U;
+  EXPECT_EQ(held, 3U);
+}
+
 TEST(servo_loop, ends_when_time_is_up) {
   Endless device;
   const Kept result(device, wall(), {.max_seconds = 0.07, .paced = false});

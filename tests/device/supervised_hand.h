@@ -33,7 +33,7 @@ class Hand {
   Verdict supervise(const Force& wanted, Status status = Status::contact) {
     reading.position.y() += tremor;
     tremor = -tremor;
-    return supervisor.supervise(reading, state, wanted, status, late);
+    return supervisor.supervise(reading, state, wanted, status, late, unfinished);
   }
   Verdict supervise_for(int ticks, const Force& wanted) {
     Verdict verdict;
@@ -45,6 +45,7 @@ class Hand {
   Reading reading{.position = {1, 2, -1}};
   State state;
   double late = 0;
+  bool unfinished = false;
   float tremor = 0.03F;
 };
 

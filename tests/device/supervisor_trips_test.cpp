@@ -52,6 +52,56 @@ TEST(supervisor, gives_late_ticks_no_force_after_the_ramp_and_trips_no_earlier_t
   expect_tripped(hand.supervise({0, 0, 2}), Rule::missed_deadlines);
 }
 
+TEST(supervisor, treats_the_force_of_an_unfinished_tick_as_that_of_a_late_one) {
+  Hand hand(lenient());
+  hand.supervise({0, 0, 1});
+  hand.unfinished = true;
+  expect_only(hand.supervise({0, 0, 20}), Rule::unfinished);
+  EXPECT_EQ(hand.supervise({3, 0, 4}).force, Force(0, 0, 1)) << "the force of the last finished tick";
+  EXPECT_NEAR(hand.supervise({0, 0, 0.5F}).force.z(), 0.5, 1e-6) << "never more than is wanted";
+  hand.unfinished = false;
+  EXPECT_EQ(hand.supervise({0, 0, 2}).force.z(), 2) << "one finished tick ends it";
+  hand.unfinished = true;
+  for (int tick = 0; tick < 3; ++tick) ASSERT_EQ(hand.supervise({0, 0, 20}).force.z(), 2);
+  for (int tick = 1; tick < 20; ++tick) ASSERT_NEAR(hand.supervise({0, 0, 20}).force.z(), 2 - tick / 10.0, 1e-5);
+  EXPECT_EQ(hand.supervisor.count(Rule::unfinished), 25U);
+  EXPECT_EQ(hand.supervisor.count(Rule::missed_deadlines), 0U);
+  expect_tripped(hand.supervise({0, 0, 20}), Rule::unfinished);
+}
+
+TEST(supervisor, counts_late_and_unfinished_ticks_in_one_row_and_names_the_last_one) {
+  for (const bool last_is_late : {false, true}) {
+    Hand hand(lenient());
+    hand.supervise({0, 0, 1});
+    for (int tick = 0; tick < 23; ++tick) {
+      hand.late = (tick % 2 == 0) == last_is_late ? 0.0011 : 0;
+      hand.unfinished = hand.late == 0;
+      const Verdict verdict = hand.supervise({0, 0, 2});
+      if (tick < 22) {
+        expect_only(verdict, hand.unfinished ? Rule::unfinished : Rule::missed_deadlines);
+      } else {
+        expect_tripped(verdict, last_is_late ? Rule::missed_deadlines : Rule::unfinished);
+      }
+    }
+  }
+}
+
+// Recordings hold the rules that limited as bits.
+TEST(supervisor, gives_each_rule_that_limits_a_bit_of_its_own_and_other_rules_none) {
+  unsigned taken = 0;
+  for (std::size_t i = 0; i < kRules; ++i) {
+    const Rule rule = static_cast<Rule>(i);
+    Rules rules;
+    rules.add(rule);
+    EXPECT_EQ(rules.has(rule), Rules::limits(rule)) << name_of(rule);
+    if (!Rules::limits(rule)) continue;
+    EXPECT_EQ(rules.bits(), 1U << Rules::bit_of(rule));
+    EXPECT_EQ(taken & rules.bits(), 0U) << name_of(rule);
+    taken |= rules.bits();
+  }
+  EXPECT_EQ(taken, 0b1100'0000'1111'1111U);
+}
+
 TEST(supervisor, trips_at_once_after_a_long_stall) {
   for (const auto& [late, trips] : {std::pair{0.02, false}, std::pair{0.0201, true}, std::pair{std::nan(""), true}}) {
     Hand hand(lenient());

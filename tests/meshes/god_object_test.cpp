@@ -11,6 +11,7 @@
 
 #include "forceshade/csv/csv.h"
 #include "forceshade/fast/meshes/session.h"
+#include "forceshade/fast/meshes/tick_session.h"
 #include "forceshade/properties/mesh_generators.h"
 #include "forceshade/reference/meshes/god_object.h"
 #include "forceshade/tests/meshes/god_object_paths.h"
@@ -198,6 +199,7 @@ TEST(god_object, goes_on_where_it_has_used_up_its_moves_as_the_reference_does) {
   const Mesh mesh = built(strip, {}, mesh::Sides::both);
   reference::GodObjectSession session(std::get<reference::GodObject>(
       reference::GodObject::build(strip, {}, mesh::Sides::both, mesh::Shading::none, kStiffness)));
+  GodObjectSession driven(std::make_shared<const Mesh>(mesh), kStiffness, mesh::Shading::none);
   mesh::GodObject state;
   int unfinished = 0;
   for (const std::array<float, 3>& p : {std::array{1.0F, 0.1F, 1.0F},
@@ -210,6 +212,9 @@ TEST(god_object, goes_on_where_it_has_used_up_its_moves_as_the_reference_does) {
     const mesh::Tick expected = session.step(p), found = step(mesh, state, p, kStiffness, mesh::Shading::none);
     EXPECT_TRUE(tests::is_same(found, expected)) << tests::show(expected) << ", found " << tests::show(found);
     state = found.after;
+    const Evaluation evaluation = driven.step({p[0], p[1], p[2]});
+    EXPECT_EQ(evaluation.is_unfinished, found.status == mesh::TickStatus::unfinished) << "what a supervisor is given";
+    EXPECT_EQ(evaluation.status, found.status == mesh::TickStatus::free ? Status::free : Status::contact);
     if (found.status == mesh::TickStatus::unfinished) {
       ++unfinished;
       EXPECT_EQ(found.moves, 256);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A text as a mesh file.
+// A text as a mesh file, and numbers as the bytes of one.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 #include <string>
 
 #include "forceshade/meshes/load.h"
@@ -29,6 +31,15 @@ inline Loaded of_text(const std::string& name, const std::string& text, Unit uni
     EXPECT_TRUE(words.starts_with(file + ": ")) << words;
     return {{}, words.substr(std::min(words.size(), file.size() + 2))};
   }
+}
+
+// The bytes of a number, the smallest first or last.
+template <class T>
+std::string bytes_of(T number, std::endian order) {
+  std::string bytes(sizeof number, '\0');
+  std::memcpy(bytes.data(), &number, sizeof number);
+  if (order != std::endian::native) std::reverse(bytes.begin(), bytes.end());
+  return bytes;
 }
 
 }  // namespace forceshade::mesh

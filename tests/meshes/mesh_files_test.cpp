@@ -91,15 +91,6 @@ TEST(mesh_files, of_obj_may_have_normals_and_a_texture) {
   EXPECT_EQ(some.mesh.notes, std::vector<std::string>{"normals are not used: face 2 has none at a corner"});
 }
 
-// The bytes of a number, the smallest first or last.
-template <class T>
-std::string bytes_of(T number, std::endian order) {
-  std::string bytes(sizeof number, '\0');
-  std::memcpy(bytes.data(), &number, sizeof number);
-  if (order != std::endian::native) std::reverse(bytes.begin(), bytes.end());
-  return bytes;
-}
-
 TEST(mesh_files, of_ply_are_text_or_binary_in_either_order) {
   const std::string elements =
       "comment made by hand\nelement vertex 4\nproperty uchar red\nproperty double x\nproperty float y\nproperty list uchar "

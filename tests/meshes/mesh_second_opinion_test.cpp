@@ -5,13 +5,14 @@
 #include <CGAL/Simple_cartesian.h>
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <cmath>
+#include <cstdio>
 #include <sstream>
 
-#include "forceshade/meshes/load.h"
 #include "forceshade/meshes/make.h"
 #include "forceshade/meshes/save.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "forceshade/tests/meshes/loaded.h"
+#include "forceshade/tests/meshes/real_meshes.h"
 
 namespace forceshade::mesh {
 namespace {
@@ -31,11 +32,9 @@ Corners by_cgal(const std::string& file) {
   std::vector<std::vector<std::size_t>> polygons;
   EXPECT_TRUE(CGAL::IO::read_polygon_soup(file, points, polygons)) << file;
   Corners corners;
-  const auto vertex = [&](std::size_t i) {
-    // -0 is 0, as in the definition.
-    return Vertex{static_cast<float>(points[i].x()) + 0, static_cast<float>(points[i].y()) + 0,
-                  static_cast<float>(points[i].z()) + 0};
-  };
+  // As the definition reads a coordinate.
+  const auto read = [](double x) { return std::fabs(x) < 0x1p-30 ? 0.0F : static_cast<float>(x); };
+  const auto vertex = [&](std::size_t i) { return Vertex{read(points[i].x()), read(points[i].y()), read(points[i].z())}; };
   for (const auto& polygon : polygons)
     for (std::size_t i = 2; i < polygon.size(); ++i)
       corners.push_back({vertex(polygon[0]), vertex(polygon[i - 1]), vertex(polygon[i])});
@@ -65,14 +64,6 @@ std::string obj_text(const TriangleMesh& mesh) {
   for (const auto& [a, b, c] : mesh.triangles)
     text += "f " + std::to_string(a + 1) + ' ' + std::to_string(b + 1) + ' ' + std::to_string(c + 1) + '\n';
   return text;
-}
-
-template <class T>
-std::string bytes_of(T number, std::endian order) {
-  std::string bytes(sizeof number, '\0');
-  std::memcpy(bytes.data(), &number, sizeof number);
-  if (order != std::endian::native) std::reverse(bytes.begin(), bytes.end());
-  return bytes;
 }
 
 std::string ply_text(const TriangleMesh& mesh, const std::string& format) {
@@ -142,6 +133,25 @@ TEST(mesh_files, are_read_as_by_another_program) {
   expect_same("normals.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvn 0 0 1\nvt 0 0\nf 1/1/1 2/1/1 3/1/1\nf 3//1 2//1 1//1\n");
   expect_same("backwards.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\n");
   std::printf("%d files\n", files);
+}
+
+TEST(mesh_files, that_others_have_made_are_read_as_by_another_program) {
+  const tests::RealMeshes real;
+  if (real.files().empty()) GTEST_SKIP() << "Debian's libcgal-demo is not installed";
+  int compared = 0, refused = 0;
+  for (const std::string& file : real.files()) {
+    TriangleMesh ours;
+    try {
+      ours = load(file, Unit::mm);
+    } catch (const Error&) {
+      ++refused;
+      continue;
+    }
+    EXPECT_EQ(corners_of(ours), by_cgal(file)) << file;
+    ++compared;
+  }
+  std::printf("%d files compared, %d refused\n", compared, refused);
+  EXPECT_GT(compared, 10 * refused);
 }
 
 }  // namespace

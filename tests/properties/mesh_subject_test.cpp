@@ -6,9 +6,14 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdio>
 #include <functional>
 #include <limits>
 #include <map>
+#include <numbers>
+#include <random>
 #include <set>
 
 #include "forceshade/properties/mesh_generators.h"
@@ -125,6 +130,116 @@ TEST(mesh_subject, finds_a_renderer_that_is_wrong) {
     EXPECT_TRUE(failed(stays_behind, shading).contains("continuity"));
   }
   EXPECT_TRUE(failed(stays_behind, mesh::Shading::none).contains("passivity"));
+}
+
+// A plane whose normals for |x| <= w/2 are those of a cylinder of radius R around the y axis: bump-1p-shaded as a mesh.
+MeshRendering shaded_plane(double R) {
+  constexpr double kHalf = 12.7;
+  constexpr std::uint32_t kCells = 400, kColumns = 450;  // across the bump; with the plane beside it
+  MeshRendering rendering{{}, {}, mesh::Sides::front, mesh::Shading::vertex_scheme, 0.5F};
+  for (std::uint32_t i = 0; i <= kColumns; ++i)
+    for (const float y : {-5.0F, 5.0F})
+      rendering.mesh.vertices.push_back({static_cast<float>(-kHalf + 2 * kHalf * i / kCells), y, 0});
+  const auto normal = [&](std::uint32_t column, std::uint32_t v) {
+    const double x = column < kCells ? static_cast<double>(rendering.mesh.vertices[v][0]) / R : 0;
+    return mesh::Normal{static_cast<float>(x), 0, static_cast<float>(std::sqrt(1 - x * x))};
+  };
+  for (std::uint32_t i = 0; i < kColumns; ++i)
+    for (const mesh::Triangle& t : {mesh::Triangle{2 * i, 2 * i + 2, 2 * i + 1}, {2 * i + 1, 2 * i + 2, 2 * i + 3}}) {
+      rendering.mesh.triangles.push_back(t);
+      rendering.normals.push_back({normal(i, t[0]), normal(i, t[1]), normal(i, t[2])});
+    }
+  return rendering;
+}
+
+// The hand presses at x = 0, goes outward past w/2 at depth D and comes back above the surface; the law gives K D w²/8R
+// (docs/energy.md).
+TEST(mesh_subject, shading_gives_what_the_law_gives_and_no_more_than_its_turns_allow) {
+  constexpr double kR = 15.24, kHalf = 12.7, kDepth = 2, kStep = 0.01, kStiffness = 0.5;
+  MeshRendering rendering = shaded_plane(kR);
+  std::vector<MeshPosition> loop;
+  const auto go = [&](double x, double z) {
+    MeshPosition from = loop.empty() ? MeshPosition{0, 0.3F, 1} : loop.back();
+    const double dx = x - static_cast<double>(from[0]), dz = z - static_cast<double>(from[2]);
+    const int steps = std::max(1, static_cast<int>(std::ceil(std::hypot(dx, dz) / kStep)));
+    for (int i = 1; i <= steps; ++i)
+      loop.push_back({static_cast<float>(static_cast<double>(from[0]) + dx * i / steps), 0.3F,
+                      static_cast<float>(static_cast<double>(from[2]) + dz * i / steps)});
+  };
+  go(0.001, 1);
+  go(0.001, -kDepth);
+  go(kHalf + 0.1, -kDepth);
+  go(kHalf + 0.1, 1);
+  go(0.001, 1);
+  const auto given = [&](mesh::Shading shading) {
+    rendering.shading = shading;
+    const auto session = fast_god_object(rendering)(rendering.stiffness);
+    std::vector<Ticked> ticks;
+    for (const MeshPosition& position : loop) ticks.push_back({position, session->tick(position)});
+    const Violation violation = spring_gives_no_energy(rendering, ticks);
+    EXPECT_FALSE(violation) << *violation;
+    double energy = 0, allowed = 0;
+    for (std::size_t i = 1; i < ticks.size(); ++i) {
+      const auto difference = [&](std::size_t axis) {
+        return static_cast<double>(ticks[i].position[axis]) - static_cast<double>(ticks[i - 1].position[axis]);
+      };
+      const auto& force = ticks[i - 1].tick.force;
+      const double length = std::hypot(difference(0), difference(1), difference(2));
+      double size = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        energy += static_cast<double>(force[axis]) * difference(axis);
+        size = std::hypot(size, static_cast<double>(force[axis]));
+      }
+      const mesh::GodObject& state = ticks[i - 1].tick.after;
+      const double turn = shading == mesh::Shading::none         ? 0
+                          : state.place == mesh::Place::triangle ? largest_turn(rendering, state.index[0])
+                                                                 : std::numbers::sqrt2;
+      allowed += 0.5 * kStiffness * length * length + turn * size * length;
+    }
+    return std::array{energy, allowed};
+  };
+  const auto [flat, sampled] = given(mesh::Shading::none);
+  EXPECT_LE(flat, sampled);
+  const auto [shaded, allowed] = given(mesh::Shading::vertex_scheme);
+  const double law = kStiffness * kDepth * 4 * kHalf * kHalf / (8 * kR);
+  std::printf("a loop gives %.4f mJ unshaded (at most %.4f), %.4f mJ shaded (at most %.4f); the law gives %.4f mJ\n", flat,
+              sampled, shaded, allowed, law);
+  EXPECT_NEAR(shaded, law, 0.01 * law);
+  EXPECT_LE(shaded, allowed);
+  EXPECT_GE(shaded, allowed / 2) << "the bound is not idle";
+
+  const auto steeper = fast_god_object(shaded_plane(13))(rendering.stiffness);
+  std::vector<Ticked> ticks;
+  for (const MeshPosition& position : loop) ticks.push_back({position, steeper->tick(position)});
+  EXPECT_TRUE(spring_gives_no_energy(rendering, ticks)) << "a renderer with steeper normals is found";
+}
+
+// Its bound is the root of 2 where a normal does not point to the front of its triangle.
+TEST(mesh_subject, knows_the_largest_turn_of_a_triangle) {
+  MeshRendering rendering{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, {}, {}, mesh::Shading::vertex_scheme, 1};
+  const auto turn = [&](const mesh::Normal& a, const mesh::Normal& b, const mesh::Normal& c) {
+    rendering.normals = {{a, b, c}};
+    return largest_turn(rendering, 0);
+  };
+  EXPECT_NEAR(turn({0, 0, 1}, {0, 0, 1}, {0, 0, 1}), 0, 1e-14);
+  EXPECT_NEAR(turn({0, 0, 1}, {0, 0.6F, 0.8F}, {0, 0, 1}), 2 * std::sin(std::asin(0.6) / 2), 1e-7);
+  EXPECT_NEAR(turn({0, 0, 1}, {0, 0, 0}, {0, -0.6F, 0.8F}), 2 * std::sin(std::asin(0.6) / 2), 1e-7);
+  EXPECT_EQ(turn({0, 0, 1}, {0, 1, 0}, {0, 0, 1}), std::numbers::sqrt2);
+  EXPECT_EQ(turn({0, 0, 1}, {0, 0, -1}, {0, 0, 1}), std::numbers::sqrt2);
+  // N between the corners' normals is never turned by more.
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> share(0, 1), side(-1, 1);
+  for (int i = 0; i < 1000; ++i) {
+    std::array<mesh::Normal, 3> normals{};
+    for (mesh::Normal& normal : normals) {
+      const Eigen::Vector3d drawn = Eigen::Vector3d(side(random), side(random), 1).normalized();
+      for (std::size_t axis = 0; axis < 3; ++axis) normal[axis] = static_cast<float>(drawn[static_cast<Eigen::Index>(axis)]);
+    }
+    Eigen::Vector3d N(0, 0, 0);
+    for (const mesh::Normal& normal : normals)
+      N += share(random) * Eigen::Vector3f(normal[0], normal[1], normal[2]).cast<double>();
+    EXPECT_LE((N.normalized() - Eigen::Vector3d::UnitZ()).norm(), turn(normals[0], normals[1], normals[2]));
+  }
 }
 
 TEST(mesh_subject, identity_is_that_of_every_number) {
