@@ -18,10 +18,10 @@ mesh::Unit unit_named(const std::string& word);
 // A mesh file and how it is rendered, in the words of the options.
 struct MeshChoice {
   std::string file, unit;
-  std::string sides;               // front, both, or empty: front where the mesh is closed, both where it is not
+  std::string sides = {};          // front, both, or empty: front where the mesh is closed, both where it is not
   std::string shading = "vertex";  // vertex, edge, none or texture:FILE
   double crease_degrees = 180;
-  std::optional<float> texture_scale;  // mm, of texture:FILE
+  std::optional<float> texture_scale = std::nullopt;  // mm, of texture:FILE
 };
 
 // What can be rendered on both sides. stiffness: N/mm. Throws BadInput or mesh::Error with the file, its line or faces, and
