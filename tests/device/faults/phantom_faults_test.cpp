@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every fault of a PHANToM is answered as the catalogue says. Driven in this process, on the stand-in for its driver.
+
+#include <gtest/gtest.h>
+
+#include "forceshade/tests/device/faults/fault_suite.h"
+
+namespace forceshade::faults {
+namespace {
+
+INSTANTIATE_TEST_SUITE_P(faults, fault, testing::ValuesIn(phantom_faults()), test_name);
+
+}  // namespace
+}  // namespace forceshade::faults
