@@ -283,6 +283,7 @@ int main(int argc, char** argv) {
   using namespace forceshade::bench;
   const double most = argc > 1 ? std::atof(argv[1]) : 1.1e6, fewest = argc > 2 ? std::atof(argv[2]) : 0;
   constexpr std::size_t kContact = 200000, kFree = 20000;
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
   const Scale clock = scale();
   Memory memory;
   const auto is_in_range = [&](double triangles) { return triangles >= fewest && triangles <= most; };

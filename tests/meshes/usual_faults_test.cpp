@@ -86,8 +86,10 @@ TEST(usual_faults, the_force_does_not_turn_to_and_fro_on_a_sphere) {
   constexpr double kRadius = 50;
   for (const std::uint32_t frequency : {7U, 22U, 71U}) {
     const mesh::TriangleMesh sphere = mesh::icosphere(frequency, kRadius);
-    // The vertices are rounded by up to 2^-20 mm; 2^-15 covers what this does to the normal of the smallest triangle.
-    const double rho = std::acos(least_cosine(sphere, kRadius)) + 0x1p-15;
+    // Rounding moves a corner by less than 2^-18 mm away from the centre, which is 2^-23 of the cosine. The last summand covers
+    // what this does to an angle of 0.01 or more.
+    const double rho = std::acos(least_cosine(sphere, kRadius)) + 0x1p-16;
+    ASSERT_GT(rho, 0.01);
     MeshSession session(built(sphere, Sides::front), kStiffness, Shading::none);
     session.step({60, 0, 0});
     Position before{}, force_before{};
