@@ -23,6 +23,43 @@ std::string face(std::size_t i) {
   return "face " + std::to_string(i);
 }
 
+// A binary64 number with a bound of its error: that of a rounding, 2^-53 of the result, and those handed on. The factor covers
+// the bound's own roundings. No product of a mesh's lengths is so small that it would be subnormal.
+struct BoundedNumber {
+  double value = 0, error = 0;
+
+  static BoundedNumber rounded(double value, double propagated) {
+    return {value, (1 + 0x1p-50) * (propagated + 0x1p-53 * std::fabs(value))};
+  }
+  friend BoundedNumber operator+(const BoundedNumber& a, const BoundedNumber& b) {
+    return rounded(a.value + b.value, a.error + b.error);
+  }
+  friend BoundedNumber operator-(const BoundedNumber& a, const BoundedNumber& b) {
+    return rounded(a.value - b.value, a.error + b.error);
+  }
+  friend BoundedNumber operator*(const BoundedNumber& a, const BoundedNumber& b) {
+    return rounded(a.value * b.value, std::fabs(a.value) * b.error + (std::fabs(b.value) * a.error + a.error * b.error));
+  }
+  friend BoundedNumber operator/(const BoundedNumber& a, const BoundedNumber& b) {
+    const double least = std::fabs(b.value) - b.error;
+    if (!(least > 0)) return {0, HUGE_VAL};
+    const double quotient = a.value / b.value;
+    return rounded(quotient, (a.error + std::fabs(quotient) * b.error) / least);
+  }
+  friend BoundedNumber sqrt(const BoundedNumber& a) {
+    if (!(a.value > a.error)) return {0, HUGE_VAL};
+    const double root = std::sqrt(a.value);
+    return rounded(root, a.error / root);
+  }
+
+  // The binary32 numbers nearest to the ends.
+  float nearest_to_low() const { return static_cast<float>(value - reach()); }
+  float nearest_to_high() const { return static_cast<float>(value + reach()); }
+
+ private:
+  double reach() const { return error + 0x1p-52 * std::fabs(value); }
+};
+
 // In mm.
 std::vector<Points> scaled_points(const std::vector<Points>& points, float scale) {
   std::vector<Points> all = points;
@@ -103,46 +140,56 @@ class Gradients {
 
   // With the sides e and f from corner 0, n = e x f, and d and g the steps of the coordinate along them, a triangle's gradient
   // is (d f x n + g n x e)/n², and twice its area is |n|.
-  std::array<Interval, 3> mean_in_intervals(const std::vector<std::uint32_t>& group, std::size_t axis, mpfr_prec_t bits) const {
-    const Interval zero(bits);
-    std::array<Interval, 3> sum{zero, zero, zero};
-    Interval areas(bits);
-    const auto exact = [bits](float number) { return Interval(bits, static_cast<double>(number)); };
+  // zero: of the numbers that it is computed in; exact(number) is a binary32 number as one of them.
+  template <class N, class Exact>
+  std::array<N, 3> mean(const std::vector<std::uint32_t>& group, std::size_t axis, const N& zero, const Exact& exact) const {
+    using Vector = std::array<N, 3>;
+    Vector sum{zero, zero, zero};
+    N areas = zero;
+    const auto cross = [](const Vector& a, const Vector& b) -> Vector {
+      return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    };
     for (const std::uint32_t h : group) {
       const TrianglePoints t = triangle(h / 3);
       const Points& p = points_[h / 3];
       const auto side = [&](std::size_t end, std::size_t i) { return exact(t[end][i]) - exact(t[0][i]); };
-      const std::array<Interval, 3> e{side(1, 0), side(1, 1), side(1, 2)}, f{side(2, 0), side(2, 1), side(2, 2)};
-      const auto cross = [](const std::array<Interval, 3>& a, const std::array<Interval, 3>& b) -> std::array<Interval, 3> {
-        return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-      };
-      const std::array<Interval, 3> n = cross(e, f), along_e = cross(f, n), along_f = cross(n, e);
-      const Interval length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-      const Interval d = exact(p[1][axis]) - exact(p[0][axis]), g = exact(p[2][axis]) - exact(p[0][axis]);
+      const Vector e{side(1, 0), side(1, 1), side(1, 2)}, f{side(2, 0), side(2, 1), side(2, 2)};
+      const Vector n = cross(e, f), along_e = cross(f, n), along_f = cross(n, e);
+      const N length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+      const N d = exact(p[1][axis]) - exact(p[0][axis]), g = exact(p[2][axis]) - exact(p[0][axis]);
       for (std::size_t i = 0; i < 3; ++i) sum[i] = sum[i] + (d * along_e[i] + g * along_f[i]) / length;
       areas = areas + length;
     }
-    for (Interval& component : sum) component = component / areas;
+    for (N& component : sum) component = component / areas;
     return sum;
+  }
+
+  // What the ends of the enclosures round to; false where they leave a doubt. Then, of two neighbours, it is the middle
+  // rounded: a tie goes to the even one.
+  template <class N>
+  static bool round(const std::array<N, 3>& mean, Normal& gradient) {
+    bool is_decided = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto low = static_cast<double>(mean[i].nearest_to_low()), high = static_cast<double>(mean[i].nearest_to_high());
+      const bool is_tiny = low > -kLeastGradient && high < kLeastGradient;
+      is_decided &= is_tiny || low == high;
+      gradient[i] = is_tiny ? 0.0F : static_cast<float>(0.5 * (low + high));
+    }
+    return is_decided;
   }
 
   Normal gradient_of(const std::vector<std::uint32_t>& group, std::size_t axis) const {
     Normal gradient{};
-    for (mpfr_prec_t bits = kFirstTextureBits; bits <= kLastTextureBits; bits *= 2) {
-      const std::array<Interval, 3> mean = mean_in_intervals(group, axis, bits);
-      bool is_decided = true;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto low = static_cast<double>(mean[i].nearest_to_low()), high = static_cast<double>(mean[i].nearest_to_high());
-        const bool is_tiny = low > -kLeastGradient && high < kLeastGradient;
-        is_decided &= is_tiny || low == high;
-        // Two neighbours: the middle is a tie, and rounds to the even one.
-        gradient[i] = is_tiny ? 0.0F : static_cast<float>(0.5 * (low + high));
-        if (!(std::fabs(static_cast<double>(gradient[i])) <= kSteepest))
-          throw std::invalid_argument(face(group.front() / 3) + " has a texture that goes by at " +
-                                      words_of(static_cast<double>(gradient[i])) + " mm/mm; expected 1000 at most");
-      }
-      if (is_decided) break;
+    const auto in_binary64 = [](float number) { return BoundedNumber{static_cast<double>(number), 0}; };
+    bool is_decided = round(mean(group, axis, BoundedNumber{}, in_binary64), gradient);
+    for (mpfr_prec_t bits = kFirstTextureBits; !is_decided && bits <= kLastTextureBits; bits *= 2) {
+      const auto in_intervals = [bits](float number) { return Interval(bits, static_cast<double>(number)); };
+      is_decided = round(mean(group, axis, Interval(bits), in_intervals), gradient);
     }
+    for (const float component : gradient)
+      if (!(std::fabs(static_cast<double>(component)) <= kSteepest))
+        throw std::invalid_argument(face(group.front() / 3) + " has a texture that goes by at " +
+                                    words_of(static_cast<double>(component)) + " mm/mm; expected 1000 at most");
     return gradient;
   }
 

@@ -17,6 +17,7 @@ struct MeshScene {
   mesh::CornerNormals normals;
   mesh::Sides sides;
   mesh::Shading shading;
+  mesh::Texture texture = {};
 };
 
 // 12 x 12 cells of 1 mm, of heights up to 2 mm.
@@ -55,11 +56,27 @@ inline mesh::CornerNormals normals_towards(const mesh::TriangleMesh& of) {
   return normals;
 }
 
+// At each corner x and y of its vertex, a little stretched; a dent, a hill and ripples over it.
+inline mesh::Texture texture_above(const mesh::TriangleMesh& of) {
+  mesh::Texture texture{
+      {}, {{{height::Cone{1, 0.5F, 1, 3}, true}, {height::Gaussian{-1, -2, 1, 2}}, {height::Grating{0.125F, 2, 1, 0}}}}};
+  for (const mesh::Triangle& triangle : of.triangles) {
+    texture.corners.emplace_back();
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const mesh::Vertex& vertex = of.vertices[triangle[corner]];
+      texture.corners.back()[corner] = {{1.25F * vertex[0], vertex[1]}, {1.25F, 0, 0.125F * vertex[2]}, {0, 1, 0}};
+    }
+  }
+  return texture;
+}
+
 inline std::vector<MeshScene> mesh_scenes() {
   const mesh::TriangleMesh sheet = rough_sheet(), solid = octahedron();
   return {{"mesh-sheet", sheet, {}, mesh::Sides::both, mesh::Shading::none},
           {"mesh-octahedron", solid, {}, mesh::Sides::front, mesh::Shading::none},
-          {"mesh-octahedron-shaded", solid, normals_towards(solid), mesh::Sides::front, mesh::Shading::vertex_scheme}};
+          {"mesh-octahedron-shaded", solid, normals_towards(solid), mesh::Sides::front, mesh::Shading::vertex_scheme},
+          {"mesh-octahedron-textured", solid, normals_towards(solid), mesh::Sides::front, mesh::Shading::texture_scheme,
+           texture_above(solid)}};
 }
 
 // Steps of every size within about 8 mm of the origin, jumps, positions of few bits, any bits.
@@ -90,7 +107,7 @@ class MeshBits {
 };
 
 inline Bits bits_of(const MeshScene& scene) {
-  auto built = fast::Mesh::build(scene.mesh, scene.normals, scene.sides);
+  auto built = fast::Mesh::build(scene.mesh, scene.normals, scene.sides, scene.texture);
   if (const auto* error = std::get_if<std::string>(&built)) throw std::runtime_error(*error);
   fast::MeshSession session(std::make_shared<const fast::Mesh>(std::get<fast::Mesh>(std::move(built))), 0.7F, scene.shading);
   MeshBits positions;

@@ -61,6 +61,8 @@ struct Row {
 // Units: 53 for a difference of two of p and vertices, 77 where a point of the grid takes part.
 const std::vector<Row>& rows() {
   static const Integer l = kDistance2, n = kArea2, v = kVolume2;
+  // The square of a component on a crease: |α| <= |e² D| |n₂| |n₁ x n₂|, q² <= 2n², e² N′, and two terms.
+  static const Integer on_crease = 4 * (l * l * l * n * n * n) * (2 * n) * ((l * l) << 88U);
   static const std::vector<Row> all{
       {"n·(p − a), a corner of the triangle", v, 159},
       {"e·(p − a), a a vertex", l * l, 106},
@@ -80,6 +82,9 @@ const std::vector<Row>& rows() {
       {"‖x − p‖², x of the grid", l * l, 154},
       {"t of a foot, times 2²⁵", l * l, 131},
       {"β of a foot, times 2²⁵", n * n, 237},
+      {"a component of N′ with a texture, times n²", (n * n) << 88U, 467},
+      {"a component of αq₁N₁′ + βq₂N₂′ with a texture", on_crease, 987},
+      {"its square, times those of K and of e² D", (on_crease * on_crease * l * l * l * l * l * l) << 40U, 2358},
   };
   return all;
 }

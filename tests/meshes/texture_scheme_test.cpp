@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <random>
 
 #include "forceshade/fast/height_map_field.h"
@@ -103,21 +104,34 @@ TEST(texture_scheme, slopes_are_the_reference_s_in_every_bit_on_random_maps_and_
   expect_all({"binary64", "double-double", "a slope of 0", "a slope other than 0"});
 }
 
-// 1/3 + 2/3 and a little: only exact numbers see that the slope is midway between two binary32 numbers.
-TEST(texture_scheme, a_slope_that_is_a_tie_is_rounded_to_even_on_both_sides) {
+// 1/3 + 2/3 and a little: only exact numbers see that the slope is midway between two binary32 numbers; or that it is not, by
+// the tail of a Gaussian, e^-500000 or so.
+TEST(texture_scheme, a_slope_that_is_a_tie_is_rounded_to_even_and_one_beside_it_is_not_on_both_sides) {
   const auto rising = [](float run, float height) {
     return height::Part{height::Polygons{{{-run, -height}, {0, 0}, {run, height}}}};
   };
-  for (const auto& [more, expected] : {std::pair(0x1p-24F, 1.0F), std::pair(0x1.8p-23F, 1 + 0x1p-22F)}) {
-    const HeightMap map{{rising(3, 1), rising(3, 2), rising(2, 2 * more)}};
+  const height::Gaussian far{-1000, 2, 1, 1};
+  struct Case {
+    float more;
+    std::optional<height::Part> tail;
+    float expected;
+  };
+  const float one = 1, above = 1 + 0x1p-23F, next = 1 + 0x1p-22F;
+  for (const auto& [more, tail, expected] :
+       {Case{0x1p-24F, std::nullopt, one}, Case{0x1.8p-23F, std::nullopt, next}, Case{0x1p-24F, height::Part{far, true}, above},
+        Case{0x1p-24F, height::Part{far}, one}, Case{0x1.8p-23F, height::Part{far}, above},
+        Case{0x1.8p-23F, height::Part{far, true}, next}}) {
+    HeightMap map{{rising(3, 1), rising(3, 2), rising(2, 2 * more)}};
+    if (tail) map.parts.push_back(*tail);
     const auto fast_map = fast::HeightMapField::build(map, height::Rendering::force_shaded, 1);
     const auto reference_map = reference::HeightMapField::build(map, height::Rendering::force_shaded, 1);
     const auto found = std::get<fast::HeightMapField>(fast_map).slopes(1, 2);
     ASSERT_TRUE(found);
-    EXPECT_EQ(found->values[0], expected);
+    EXPECT_EQ(found->values[0], expected) << more << ' ' << tail.has_value();
     EXPECT_EQ(found->values[1], 0);
     EXPECT_EQ(found->stage, fast::Stage::wide);
-    EXPECT_EQ(std::get<reference::HeightMapField>(reference_map).slopes(1, 2), found->values);
+    EXPECT_EQ(std::get<reference::HeightMapField>(reference_map).slopes(1, 2), found->values)
+        << more << ' ' << tail.has_value();
   }
 }
 
@@ -227,10 +241,11 @@ TEST(texture_scheme, on_a_plane_the_force_is_that_of_the_force_shaded_height_map
 TEST(texture_scheme, the_direction_is_continuous_within_a_chart_and_jumps_at_seams) {
   const mesh::TriangleMesh sphere = mesh::icosphere(7, 20);
   const auto points = mesh::texture_from_box(sphere);
-  constexpr float kHeight = 0.5F, kWave = 0.5F;  // mm, rad/mm
-  const properties::MeshRendering rendering = textured(sphere, points, {{{height::Grating{kHeight, kWave, 0, 0}}}});
-  // N' = N - l U_x G: with L the Lipschitz constants of N and G in a triangle, |G|, |N| and the step of x along the surface
-  // at most 1, and slope and curvature of the grating, N' changes by so much a mm. It is 0.7 long or more.
+  constexpr float kHeight = 4, kSigma = 12;  // mm
+  const properties::MeshRendering rendering = textured(sphere, points, {{{height::Gaussian{0, 0, kHeight, kSigma}}}});
+  // N' = N - l (U_x G_x + U_y G_y): with L the Lipschitz constants of N, G_x and G_y in a triangle, |G_x|, |G_y|, |N| and the
+  // steps of x and y along the surface at most 1, and the largest slope and curvature of the Gaussian, N' changes by so much a
+  // mm. It is 0.5 long or more.
   double change_of_normal = 0, change_of_gradient = 0, shortest = 1;
   const auto wide = [](const mesh::Normal& v) { return Eigen::Vector3d(Eigen::Vector3f(v[0], v[1], v[2]).cast<double>()); };
   for (std::size_t i = 0; i < sphere.triangles.size(); ++i) {
@@ -246,16 +261,20 @@ TEST(texture_scheme, the_direction_is_continuous_within_a_chart_and_jumps_at_sea
       return ((wide(at(1)) - wide(at(0))).norm() + (wide(at(2)) - wide(at(0))).norm()) / altitude;
     };
     change_of_normal = std::max(change_of_normal, change([&](std::size_t k) { return rendering.normals[i][k]; }));
-    change_of_gradient =
-        std::max(change_of_gradient, change([&](std::size_t k) { return rendering.texture.corners[i][k].gradient_x; }));
+    const auto& corners = rendering.texture.corners[i];
+    change_of_gradient = std::max({change_of_gradient, change([&](std::size_t k) { return corners[k].gradient_x; }),
+                                   change([&](std::size_t k) { return corners[k].gradient_y; })});
     for (std::size_t k = 0; k < 3; ++k) {
-      ASSERT_LE(wide(rendering.texture.corners[i][k].gradient_x).norm(), 1 + 1e-6);
+      for (const mesh::Normal& gradient : {corners[k].gradient_x, corners[k].gradient_y})
+        ASSERT_LE(wide(gradient).norm(), 1 + 1e-6);
       shortest = std::min(shortest, wide(rendering.normals[i][k]).dot(wide(rendering.normals[i][(k + 1) % 3])));
     }
   }
-  constexpr double kSlope = static_cast<double>(kHeight * kWave), kCurvature = kSlope * static_cast<double>(kWave);
-  ASSERT_GT(shortest - kSlope, 0.7);
-  const double most = (change_of_normal * (1 + kSlope) + kSlope * change_of_gradient + kCurvature) / 0.7;
+  // Of a Gaussian: e^(-1/2) and 1 times height over sigma and sigma². As a vector the slope is no longer, a component is one.
+  constexpr double kSlope = 0.607 * static_cast<double>(kHeight / kSigma),
+                   kCurvature = static_cast<double>(kHeight / (kSigma * kSigma));
+  ASSERT_GT(shortest - 2 * kSlope, 0.5);
+  const double most = (change_of_normal * (1 + 2 * kSlope) + 2 * kSlope * change_of_gradient + 2 * kCurvature) / 0.5;
   const auto chart = [&](std::uint32_t triangle) {
     const auto& [a, b, c] = sphere.triangles[triangle];
     const Eigen::Vector3d n =
