@@ -48,7 +48,7 @@ struct Event {
   friend bool operator==(const Event&, const Event&) = default;
 };
 
-// An event that cannot have come from the session's protocol and seed: which one, from 0. what() says what was expected.
+// An event that cannot have come from the session's protocol and seed: which one, from 0; what() states what was expected.
 struct ReplayError : std::invalid_argument {
   ReplayError(std::size_t its_event, const std::string& reason) : invalid_argument(reason), event(its_event) {}
   std::size_t event;

@@ -29,7 +29,7 @@ class RecordedSession {
                                const std::string& participant, std::uint64_t seed, KeyNames keys = {},
                                Sync sync = Sync::each_event);
 
-  // Goes on with an interrupted session. A torn last line is cut off the log, and note() says so. Throws Error, also for a
+  // Goes on with an interrupted session. A torn last line is cut off the log, which note() reports. Throws Error, also for a
   // session that is over, or is open in another process.
   static RecordedSession resume(const std::filesystem::path& folder, KeyNames keys = {}, Sync sync = Sync::each_event);
 

@@ -34,7 +34,7 @@ using Feel = std::function<Stroke(const Bump&)>;
 // that is no law.
 Feel feel_of_laws(const Protocol& protocol);
 
-// The numbers of the model. docs/experiments.md defines it, and says how the defaults were fitted.
+// The numbers of the model. docs/experiments.md defines it and describes the fit.
 struct Observer {
   // Standard deviation of what one comparison yields, as a multiple of a threshold from the literature.
   double position_noise = 1;   // of the mean height of a bump; 1: 0.43 mm
@@ -42,7 +42,7 @@ struct Observer {
   double criterion = 0.5;      // a match is accepted below this multiple of the felt difference's standard deviation
   double best_satisfaction = 8.5;
   double satisfaction_loss = 1;  // for each standard deviation of difference that is left
-// Head start of the round bump over the other pictures, as a squared distance in standard deviations.
+  // Head start of the round bump over the other pictures, as a squared distance in standard deviations.
   double round_preference = 0;
 };
 

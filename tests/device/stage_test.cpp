@@ -85,7 +85,7 @@ TEST(stage, has_the_same_force_on_both_sides_of_the_seam_down_to_where_a_cylinde
       const double r = static_cast<double>(radius), axis = std::sqrt(r * r - 12.7 * 12.7);
       const double half = static_cast<double>(kHalf);
       const double begins = law.id == LawId::bump_cylinder && r > half ? axis - std::sqrt(r * r - half * half) : HUGE_VAL;
-      Placed left = bump(LawId::bump_1p, 15.24F, -kHalf), right = bump(law.id, radius, kHalf);
+      Placed left = bump(LawId::bump_1p_shaded, 15.24F, -kHalf), right = bump(law.id, radius, kHalf);
       for (float depth = 0.05F; depth < 12; depth += 0.05F) {
         const Vector3f at(0, 1, -depth);
         const fast::Evaluation a = left.session->step(at - left.origin), b = right.session->step(at - right.origin);
@@ -156,11 +156,11 @@ TEST(stage, forgets_an_offer_that_a_later_one_replaces) {
 TEST(stage, goes_on_with_what_it_has_while_nobody_collects) {
   Stage stage;
   for (std::uint32_t number = 1; number <= 2; ++number) {
-    stage.offer(pair_of(number, LawId::bump_1p, 15.24F));
+    stage.offer(pair_of(number, LawId::bump_1p_shaded, 15.24F));
     stage.step(kFree);
   }
   // The first was retired, and is collected by this offer; the second is retired then, and nobody collects it.
-  stage.offer(pair_of(3, LawId::bump_1p, 15.24F));
+  stage.offer(pair_of(3, LawId::bump_1p_shaded, 15.24F));
   stage.step(kFree);
   EXPECT_EQ(stage.shown(), 3U);
   stage.collect();

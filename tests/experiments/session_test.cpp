@@ -194,10 +194,10 @@ TEST(session, a_classification_has_one_bump_and_an_answer_that_can_be_changed) {
 }
 
 // The log may end anywhere: after each event of a session, and within the line of the next one.
-TEST(session, resumes_at_the_very_trial_wherever_the_log_ends) {
+void expect_a_whole_session_wherever_the_log_ends(const std::string& resume) {
   const tests::TemporaryDirectory directory;
   const fs::path whole = directory.file("whole");
-  const std::string protocol = directory.write("p.toml", small_matching("trial"));
+  const std::string protocol = directory.write("p.toml", small_matching(resume));
   double time = 0;
   {
     RecordedSession recorded = RecordedSession::start(whole, protocol, "P", 5);
@@ -229,7 +229,7 @@ TEST(session, resumes_at_the_very_trial_wherever_the_log_ends) {
     EXPECT_EQ(results.matching.size(), 12U);
     std::set<int> trials;
     for (const MatchingResult& trial : results.matching) {
-      EXPECT_EQ(trial.steps, 1) << "an interrupted trial begins at its initial radius";
+      EXPECT_EQ(trial.steps, 1) << "an interrupted trial begins at its initial radius again";
       trials.insert(trial.trial);
     }
     EXPECT_EQ(trials.size(), 12U);
@@ -237,6 +237,14 @@ TEST(session, resumes_at_the_very_trial_wherever_the_log_ends) {
   std::cout << torn << " logs with a torn line, " << in_trial << " within a trial\n";
   EXPECT_GT(torn, 10);
   EXPECT_GT(in_trial, 10);
+}
+
+TEST(session, resumes_at_the_very_trial_wherever_the_log_ends) {
+  expect_a_whole_session_wherever_the_log_ends("trial");
+}
+
+TEST(session, resumes_with_the_block_wherever_the_log_ends) {
+  expect_a_whole_session_wherever_the_log_ends("block");
 }
 
 TEST(session, repeats_the_block_with_its_instructions_where_the_protocol_says_so) {
