@@ -172,6 +172,7 @@ std::vector<Sort> sorts() {
   laws.exceptions = {
       {"report/figures.cpp", figures},
       {"report/thesis_figures.cpp", figures},
+      {"tests/device/stage_test.cpp", chosen},
       {"tests/experiments/virtual_fit.cpp", "Table 6.9 of the thesis"},
       {"tests/certificate/comparison_test.cpp", chosen},
       {"tests/certificate/refusal_test.cpp", chosen},

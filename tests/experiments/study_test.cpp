@@ -101,7 +101,7 @@ TEST(virtual_participant, weighs_the_cues_by_their_noise) {
   std::erase_if(protocol.stimuli, [](const Stimulus& stimulus) { return stimulus.name != "bump-1p-shaded"; });
   protocol.reference_radii = {800, 1000, 1200, 1400};
   Observer by_height = fitted_observer(), by_direction = fitted_observer();
-  by_height.position_noise = by_direction.direction_noise = 0.01;
+  by_height.position_noise = by_direction.direction_noise = 0.0001;
   by_height.direction_noise = by_direction.position_noise = 50;
   const Feel feel = feel_of_laws(protocol);
   int matched = 0;
