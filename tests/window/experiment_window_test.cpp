@@ -235,7 +235,7 @@ class Person {
         kind == ScreenKind::satisfaction || kind == ScreenKind::classification || kind == ScreenKind::question;
     const auto has_come = [&] { return events().size() >= expected_.size(); };
     for (int attempt = 0; attempt < 6 && !has_come(); ++attempt) {
-      std::this_thread::sleep_for(200ms);
+      std::this_thread::sleep_for(80ms);
       if (attempt == 0 && kind != ScreenKind::matching) see(names_of(kind));
       ASSERT_EQ(by_hand("key --delay 60 " + std::string(is_answer ? "BackSpace BackSpace BackSpace " : "") + keys).get(), 0);
       for (int i = 0; i < 400 && !has_come(); ++i) std::this_thread::sleep_for(20ms);
