@@ -85,7 +85,8 @@ bool comes_true(const Condition& condition) {
   return false;
 }
 
-// A participant who knows what comes: a session of their own, which is given the same presses, says what the window shows.
+// A participant whose screens are computed: another session in this process is given the same presses, so its screens and
+// events are those that the command must have.
 class Person {
  public:
   Person(const std::string& name, const char* text) : name_(name) {
