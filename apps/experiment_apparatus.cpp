@@ -145,6 +145,14 @@ void Apparatus::offer(const experiments::Scene& scene) {
   if (!stimuli_) throw BadInput((plan_.folder / "stimuli.jsonl").string() + ": cannot be written");
   stage_.offer(std::move(stimulus));
   offered_ = scene;
+  scenes_[number_] = scene;
+}
+
+experiments::Scene Apparatus::felt(const device::Sample& tick) {
+  const auto found = scenes_.find(static_cast<std::uint32_t>(tick.shown & 0xFFFF'FFFF));
+  if (found == scenes_.end()) return {};
+  scenes_.erase(scenes_.begin(), found);
+  return found->second;
 }
 
 std::optional<device::Sample> Apparatus::latest() {

@@ -51,6 +51,9 @@ class Apparatus {
   double seconds();
   // The latest tick; none before the first.
   std::optional<device::Sample> latest();
+  // What was felt at the tick. A bump that was changed under the tip is exchanged later (device/stage.h): until then this is
+  // what the session showed before. By rising ticks.
+  experiments::Scene felt(const device::Sample& tick);
 
   bool has_ended() const noexcept { return ended_; }
 
@@ -86,6 +89,7 @@ class Apparatus {
   std::exception_ptr thrown_;
 
   std::optional<experiments::Scene> offered_;
+  std::map<std::uint32_t, experiments::Scene> scenes_;  // by number: what is felt, and what was offered since
   std::uint32_t number_ = 0;
   int part_ = 0;
   std::string place_;  // of the part: "block-1-trial-7-1", "between"

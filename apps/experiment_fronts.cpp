@@ -63,7 +63,7 @@ TerminalFront::~TerminalFront() {
   if (is_terminal_) ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &before_);
 }
 
-bool TerminalFront::show(const experiments::Session& session, const std::optional<device::Sample>&) {
+bool TerminalFront::show(const experiments::Session& session, const std::optional<device::Sample>&, const experiments::Scene&) {
   const Screen screen = session.screen();
   kind_ = screen.kind;
   if (const std::string words = words_of_screen(screen); words != shown_) {
@@ -104,10 +104,9 @@ WindowFront::WindowFront(const window::Settings& settings, Bumps& bumps, device:
   if (!window_.note().empty()) std::fprintf(stderr, "forceshade: %s\n", csv::printable(window_.note()).c_str());
 }
 
-window::Scene WindowFront::seen(const experiments::Session& session, const std::optional<device::Sample>& latest) {
+window::Scene WindowFront::seen(const std::optional<device::Sample>& latest, const experiments::Scene& felt) {
   constexpr double kMil = experiments::kMillimetresPerMil;
   const experiments::Protocol& protocol = bumps_.protocol();
-  const experiments::Scene scene = session.scene();
   window::Scene seen;
   seen.shows_tip_alone = has_mouse_;
   seen.width = protocol.width * kMil;
@@ -116,13 +115,14 @@ window::Scene WindowFront::seen(const experiments::Session& session, const std::
   const auto& [x, y, z] = latest->position;
   const Eigen::Vector3d tip = Eigen::Vector3d(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)) - origin_;
   seen.tip = window::Position{tip.x(), tip.y(), tip.z()};
-  const auto& bump = scene.right && tip.x() >= 0 ? scene.right : scene.left;
+  const auto& bump = felt.right && tip.x() >= 0 ? felt.right : felt.left;
   if (bump) seen.felt_height = bumps_.height(*bump, tip.x() - bump->position * kMil);
   return seen;
 }
 
-bool WindowFront::show(const experiments::Session& session, const std::optional<device::Sample>& latest) {
-  const bool is_open = window_.draw(session.screen(), seen(session, latest));
+bool WindowFront::show(const experiments::Session& session, const std::optional<device::Sample>& latest,
+                       const experiments::Scene& felt) {
+  const bool is_open = window_.draw(session.screen(), seen(latest, felt));
   if (const auto mouse = window_.mouse()) steering_.aim(origin_ + Eigen::Vector3d(mouse->x, mouse->y, mouse->z));
   return is_open;
 }

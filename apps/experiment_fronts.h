@@ -20,7 +20,8 @@ class TerminalFront final : public Front {
   TerminalFront(const TerminalFront&) = delete;
   TerminalFront& operator=(const TerminalFront&) = delete;
 
-  bool show(const experiments::Session& session, const std::optional<device::Sample>& latest) override;
+  bool show(const experiments::Session& session, const std::optional<device::Sample>& latest,
+            const experiments::Scene& felt) override;
   std::vector<experiments::Press> presses() override;
   bool waits_at_the_end() const override { return false; }
 
@@ -42,11 +43,12 @@ class WindowFront final : public Front {
   WindowFront(const window::Settings& settings, Bumps& bumps, device::Steering& steering, const Eigen::Vector3f& origin,
               bool has_mouse);
 
-  bool show(const experiments::Session& session, const std::optional<device::Sample>& latest) override;
+  bool show(const experiments::Session& session, const std::optional<device::Sample>& latest,
+            const experiments::Scene& felt) override;
   std::vector<experiments::Press> presses() override { return window_.presses(); }
 
  private:
-  window::Scene seen(const experiments::Session& session, const std::optional<device::Sample>& latest);
+  window::Scene seen(const std::optional<device::Sample>& latest, const experiments::Scene& felt);
 
   Bumps& bumps_;
   device::Steering& steering_;

@@ -91,7 +91,7 @@ void go_through(Session& session, Apparatus& apparatus, Front& front, double ful
   apparatus.start();
   while (!interrupted() && !apparatus.has_ended()) {
     const auto latest = apparatus.latest();
-    const bool is_open = front.show(session, latest);
+    const bool is_open = front.show(session, latest, latest ? apparatus.felt(*latest) : experiments::Scene{});
     const std::vector<experiments::Press> presses = front.presses();
     if (session.is_over() && (!presses.empty() || !front.waits_at_the_end())) return;
     press_all(session, apparatus, presses);

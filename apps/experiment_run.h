@@ -19,8 +19,10 @@ class Front {
  public:
   virtual ~Front() = default;
 
-  // Shows what the session shows and where the tip is, and waits a sixtieth of a second or less. False once it was closed.
-  virtual bool show(const experiments::Session& session, const std::optional<device::Sample>& latest) = 0;
+  // Shows what the session shows and where the tip is, at the latest tick, with what was felt there; waits a sixtieth of a
+  // second or less. False once it was closed.
+  virtual bool show(const experiments::Session& session, const std::optional<device::Sample>& latest,
+                    const experiments::Scene& felt) = 0;
 
   // Since the last call, in their order.
   virtual std::vector<experiments::Press> presses() = 0;
