@@ -103,5 +103,6 @@ void add_recording(CLI::App& app, int& result);
 void add_device(CLI::App& app, int& result);
 void add_mesh(CLI::App& app, int& result);
 void add_experiment(CLI::App& app, int& result);
+void add_analyze(CLI::App& app, int& result);
 
 }  // namespace forceshade::apps

@@ -46,6 +46,7 @@ int run(int argc, char** argv) {
   add_device(app, result);
   add_mesh(app, result);
   add_experiment(app, result);
+  add_analyze(app, result);
   add_man(app);
   add_completion(app);
   refuse_empty_values(app);

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// forceshade analyze: the thesis's tables and figures from the results of sessions, with intervals, beside the thesis's
+// numbers.
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "forceshade/analysis/number_words.h"
+#include "forceshade/analysis/page.h"
+#include "forceshade/analysis/thesis.h"
+#include "forceshade/apps/command.h"
+#include "forceshade/apps/length.h"
+#include "forceshade/apps/options.h"
+#include "forceshade/apps/output_options.h"
+#include "forceshade/apps/signals.h"
+#include "forceshade/csv/csv.h"
+#include "forceshade/csv/printable.h"
+#include "forceshade/experiments/results_csv.h"
+#include "forceshade/experiments/session_results.h"
+
+namespace forceshade::apps {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using properties::Picture;
+
+struct AnalyzeOptions {
+  std::vector<std::string> folders;
+  std::string json, width = kThesisWidth, unit = "trials", shape = "logistic";
+  analysis::AnalysisOptions options;
+
+  // Throws BadInput.
+  void read() {
+    options.width = static_cast<double>(parse_length("--width", width)) / 0.0254;
+    if (!(options.width > 0)) throw BadInput("--width: expected a length above 0 mm, got \"" + width + '"');
+    options.resampling.unit = unit == "trials" ? analysis::Unit::trials : analysis::Unit::participants;
+    options.model.shape = shape == "logistic" ? analysis::Shape::logistic : analysis::Shape::gaussian;
+    options.psychometric_count = std::min<std::size_t>(options.resampling.count, 1000);
+  }
+};
+
+experiments::Results read_folders(const std::vector<std::string>& folders) {
+  experiments::Results all;
+  std::set<std::filesystem::path> seen;
+  for (const std::string& folder : folders) {
+    std::error_code unresolved;
+    const std::filesystem::path path = std::filesystem::canonical(folder, unresolved);
+    if (!unresolved && !seen.insert(path).second) throw BadInput(folder + ": expected each folder once");
+    const bool is_session = std::filesystem::exists(path / "trials.jsonl");
+    experiments::Results one =
+        is_session ? experiments::results_of(experiments::read_session(path)) : experiments::read_results(folder);
+    all.matching.insert(all.matching.end(), one.matching.begin(), one.matching.end());
+    all.classification.insert(all.classification.end(), one.classification.begin(), one.classification.end());
+  }
+  for (const std::string& name : analysis::participants_of(all))
+    if (name == analysis::kOverall) throw BadInput("participant: expected a name other than \"overall\", which the tables use");
+  if (all.matching.empty() && all.classification.empty())
+    throw BadInput(folders.front() + ": expected at least one trial, got none");
+  return all;
+}
+
+Json number_json(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json estimate_json(const analysis::Estimate& of) {
+  return {{"value", number_json(of.value)}, {"low", number_json(of.interval.low)}, {"high", number_json(of.interval.high)}};
+}
+
+constexpr std::array<const char*, 4> kColumnKeys{"slope", "mean_sd_percent", "mean_satisfaction", "mean_steps"};
+
+Json matching_json(const analysis::MatchingTable& table) {
+  Json rows = Json::array();
+  for (const analysis::MatchingRow& row : table.rows) {
+    Json one{{"participant", row.participant}, {"trials", row.trials}, {"intercept_mil", number_json(row.line.intercept)}};
+    for (std::size_t k = 0; k < kColumnKeys.size(); ++k) one[kColumnKeys[k]] = estimate_json(row.columns[k]);
+    rows.push_back(one);
+  }
+  const analysis::ThesisMatchingTable* thesis = analysis::thesis_matching(table.stimulus, table.vision);
+  Json printed = nullptr;
+  if (thesis != nullptr) {
+    printed = {{"table", thesis->number}};
+    for (std::size_t k = 0; k < kColumnKeys.size(); ++k) printed[kColumnKeys[k]] = thesis->overall().values[k];
+  }
+  return {{"stimulus", table.stimulus}, {"vision", table.vision}, {"rows", rows}, {"thesis_overall", printed}};
+}
+
+Json classification_json(const analysis::ClassificationRow& row) {
+  Json percents = Json::array(), printed = nullptr;
+  for (const analysis::Estimate& percent : row.percents) percents.push_back(estimate_json(percent));
+  const analysis::ThesisClassificationRow* thesis = analysis::thesis_classification(row.stimulus, row.radius);
+  if (thesis != nullptr && row.participant == analysis::kOverall) printed = thesis->percents;
+  return {{"participant", row.participant}, {"stimulus", row.stimulus}, {"radius_mil", row.radius},
+          {"trials", row.trials},           {"percents", percents},     {"thesis_overall", printed}};
+}
+
+Json psychometric_json(const analysis::PsychometricEstimate& one) {
+  Json points = Json::array();
+  for (const analysis::AngleCount& point : one.points)
+    points.push_back({{"angle_deg", point.angle}, {"chosen", point.chosen}, {"trials", point.trials}});
+  const auto& [threshold, scale, guess, lapse] = one.fit.parameters;
+  return {{"participant", one.participant},
+          {"theta_critical_deg", estimate_json({threshold, one.threshold})},
+          {"scale_deg", estimate_json({scale, one.scale})},
+          {"guess", estimate_json({guess, one.guess})},
+          {"lapse", estimate_json({lapse, one.lapse})},
+          {"deviance", one.fit.deviance},
+          {"p_bootstrap", number_json(one.p_bootstrap)},
+          {"p_chi_square", number_json(one.p_chi_square)},
+          {"at_limit", one.fit.is_at_limit},
+          {"points", points}};
+}
+
+std::string analysis_json(const analysis::Analysis& analysis, const AnalyzeOptions& options) {
+  const analysis::Resampling& resampling = analysis.options.resampling;
+  Json json{{"method",
+             {{"interval", "BCa"},
+              {"level", resampling.level},
+              {"unit", options.unit},
+              {"seed", resampling.seed},
+              {"resamples", resampling.count},
+              {"psychometric_shape", options.shape},
+              {"psychometric_refits", analysis.options.psychometric_count},
+              {"width_mil", analysis.options.width}}},
+            {"matching", Json::array()},
+            {"classification", Json::array()},
+            {"psychometric", Json::array()}};
+  for (const auto& table : analysis.matching) json["matching"].push_back(matching_json(table));
+  for (const auto& row : analysis.classification) json["classification"].push_back(classification_json(row));
+  for (const auto& one : analysis.psychometric) json["psychometric"].push_back(psychometric_json(one));
+  return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
+}
+
+// Names of conditions become names of files.
+std::string figure_file(const Picture& picture) {
+  std::string name = picture.frame.id;
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_' && c != '.') c = '_';
+  return name;
+}
+
+int analyze(AnalyzeOptions& options, const OutFolder& out) {
+  options.read();
+  experiments::Results results = read_folders(options.folders);
+  watch_for_interrupt();
+  const bool has_folder = !out.path().empty();
+  if (has_folder) out.make({"report.html", "tables.csv"});
+  const analysis::Analysis analysis = analysis::analyze(std::move(results), options.options);
+  if (!options.json.empty()) write_file(options.json, analysis_json(analysis, options));
+  if (options.json != "-") std::printf("%s", analysis::to_text(analysis).c_str());
+  if (!has_folder) return kHeld;
+  const std::vector<Picture> pictures = analysis::pictures(analysis, {});
+  std::vector<std::string> files;
+  for (const Picture& picture : pictures)
+    for (const char* ending : {".svg", ".png"}) files.push_back(figure_file(picture) + ending);
+  out.make(files);
+  const std::filesystem::path folder = out.path();
+  std::vector<std::string> drawn;
+  try {
+    for (const Picture& picture : pictures) {
+      if (interrupted()) throw Interrupted("not all figures were drawn");
+      drawn.push_back(properties::svg_plot(picture));
+      write_file((folder / (figure_file(picture) + ".svg")).string(), properties::svg_file(picture));
+      write_file((folder / (figure_file(picture) + ".png")).string(), properties::png_file(picture));
+    }
+  } catch (const properties::PlotError& error) {
+    if (interrupted()) throw Interrupted("not all figures were drawn");
+    std::fprintf(stderr, "forceshade: warning: no figures: %s\n", csv::printable(error.what()).c_str());
+    drawn.clear();
+  }
+  write_file((folder / "tables.csv").string(), analysis::to_csv(analysis));
+  write_file((folder / "report.html").string(), analysis::to_html(analysis, pictures, drawn));
+  return kHeld;
+}
+
+}  // namespace
+
+void add_analyze(CLI::App& app, int& result) {
+  CLI::App* command = app.add_subcommand(
+      "analyze",
+      "Make the tables and figures of the thesis from the results of sessions, with intervals, beside the thesis's numbers");
+  const auto options = std::make_shared<AnalyzeOptions>();
+  command
+      ->add_option("folder", options->folders,
+                   "folders of sessions, or with matching.csv, classification.csv or both; all trials are taken together")
+      ->type_name("FOLDER")
+      ->required();
+  const auto out =
+      std::make_shared<OutFolder>(*command, "directory for report.html, tables.csv and the figures as .svg and .png");
+  add_json(*command, options->json, "all numbers");
+  analysis::Resampling& resampling = options->options.resampling;
+  add_whole(*command, "--seed", resampling.seed, "of the resamples: the same seed gives the same intervals", kSeeds);
+  add_whole(*command, "--bootstrap", resampling.count,
+            "number of resamples for each interval; of these at most 1000 for a psychometric fit", {100, 1000000});
+  add_word(*command, "--resample", options->unit,
+           "what is drawn again for the intervals of overall rows: trials, for statements about these participants, or whole "
+           "participants, for statements about others, which needs many",
+           {"trials", "participants"});
+  add_word(*command, "--psychometric", options->shape, "function that is fitted to the answers", {"logistic", "gaussian"});
+  add_length(*command, "--width", options->width, "of the bumps, from which the angles of their polygons follow");
+  command->callback([options, out, &result] { result = analyze(*options, *out); });
+}
+
+}  // namespace forceshade::apps
