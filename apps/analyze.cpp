@@ -20,6 +20,7 @@
 #include "forceshade/csv/csv.h"
 #include "forceshade/csv/printable.h"
 #include "forceshade/experiments/results_csv.h"
+#include "forceshade/experiments/session_results.h"
 
 namespace forceshade::apps {
 namespace {
@@ -49,7 +50,9 @@ experiments::Results read_folders(const std::vector<std::string>& folders) {
     std::error_code unresolved;
     const std::filesystem::path path = std::filesystem::canonical(folder, unresolved);
     if (!unresolved && !seen.insert(path).second) throw BadInput(folder + ": expected each folder once");
-    experiments::Results one = experiments::read_results(folder);
+    const bool is_session = std::filesystem::exists(path / "trials.jsonl");
+    experiments::Results one =
+        is_session ? experiments::results_of(experiments::read_session(path)) : experiments::read_results(folder);
     all.matching.insert(all.matching.end(), one.matching.begin(), one.matching.end());
     all.classification.insert(all.classification.end(), one.classification.begin(), one.classification.end());
   }
@@ -183,7 +186,7 @@ void add_analyze(CLI::App& app, int& result) {
   const auto options = std::make_shared<AnalyzeOptions>();
   command
       ->add_option("folder", options->folders,
-                   "folders with matching.csv, classification.csv or both; all trials are taken together")
+                   "folders of sessions, or with matching.csv, classification.csv or both; all trials are taken together")
       ->type_name("FOLDER")
       ->required();
   const auto out =

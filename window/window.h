@@ -27,7 +27,7 @@ struct Image {
 };
 
 // One at a time, and every call from the main thread, as the windowing system requires. No call waits for the servo loop, and
-// nothing here is known to it: a frame takes the screen and the scene as values.
+// the servo loop waits for none: a frame takes the screen and the scene as values.
 class Window {
  public:
   // Opens the window; the labels are in the language of the screens. Throws Error: no display, no OpenGL 3.3, no such monitor,
@@ -43,7 +43,7 @@ class Window {
   bool draw(const experiments::Screen& screen, const Scene& scene);
 
   // Since the last call, in their order: take them after every frame. What a key means follows from the screen that was last
-  // drawn (keys.h). A press is known at the frame after it: up to a sixtieth of a second late.
+  // drawn (keys.h). A press is there at the frame after it: up to a sixtieth of a second late.
   std::vector<experiments::Press> presses();
 
   // Where the mouse points in the plane y = 0 of the scene that was last drawn, in mm; nothing while it is outside the window.

@@ -85,7 +85,8 @@ bool comes_true(const Condition& condition) {
   return false;
 }
 
-// A participant who knows what comes: a session of their own, which is given the same presses, says what the window shows.
+// A participant whose screens are computed: another session in this process is given the same presses, so its screens and
+// events are those that the command must have.
 class Person {
  public:
   Person(const std::string& name, const char* text) : name_(name) {
@@ -235,7 +236,7 @@ class Person {
         kind == ScreenKind::satisfaction || kind == ScreenKind::classification || kind == ScreenKind::question;
     const auto has_come = [&] { return events().size() >= expected_.size(); };
     for (int attempt = 0; attempt < 6 && !has_come(); ++attempt) {
-      std::this_thread::sleep_for(200ms);
+      std::this_thread::sleep_for(80ms);
       if (attempt == 0 && kind != ScreenKind::matching) see(names_of(kind));
       ASSERT_EQ(by_hand("key --delay 60 " + std::string(is_answer ? "BackSpace BackSpace BackSpace " : "") + keys).get(), 0);
       for (int i = 0; i < 400 && !has_come(); ++i) std::this_thread::sleep_for(20ms);

@@ -31,7 +31,7 @@ constexpr const char* kInstructions =
     "can.\n\n"
     "The left bump is the reference: it does not change. The right bump is yours: press j to make it smaller, and k to make it "
     "bigger. Go back and forth as often as you like.\n\n"
-    "When you are sure that you cannot do better, press l. You are then asked how alike the two bumps feel, from 1 to 10:\n\n"
+    "When you are sure that you cannot do better, press l. Then enter how alike the two bumps feel, from 1 to 10:\n\n"
     "10  there is no difference between the two bumps\n"
     "  1  the two bumps are completely different";
 
