@@ -18,7 +18,7 @@ namespace {
 // The size in which words are measured; widths in other sizes follow in proportion.
 constexpr int kMeasured = 32;
 
-// The biggest size, that the texture stays within what OpenGL 3.3 guarantees for it in every language with an alphabet.
+// Larger text is drawn in this size, so that the texture of an alphabet stays small.
 constexpr int kLargest = 160;
 
 bool is_font(const std::string& bytes, int face) {
