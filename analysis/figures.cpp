@@ -87,10 +87,6 @@ bool is_of(const MatchingResult& trial, const MatchingTable& table, const Matchi
   return is_in_table && (&row == &table.rows.back() || trial.participant == row.participant);
 }
 
-std::string condition_of(const MatchingTable& table) {
-  return table.stimulus + (table.vision ? "-vision" : "-no-vision");
-}
-
 Bounds radii_of(const MatchingTable& table) {
   Bounds bounds;
   for (const Spread& spread : table.overall().spreads) bounds.add(spread.reference);
@@ -98,6 +94,15 @@ Bounds radii_of(const MatchingTable& table) {
 }
 
 }  // namespace
+
+std::string condition_name(const std::string& stimulus, bool vision) {
+  std::string name = stimulus;
+  for (char& c : name) {
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+    if (!is_plain) c = '_';
+  }
+  return name + (vision ? "-vision" : "-no-vision");
+}
 
 Picture scatter(const experiments::Results& results, const MatchingTable& table) {
   const Bounds across = radii_of(table);
@@ -140,7 +145,8 @@ Picture scatter(const experiments::Results& results, const MatchingTable& table)
                          (row.columns[0].interval.is_defined() ? " (" + fixed(row.columns[0].interval, 2) + ')' : ""),
                      commands);
   }
-  return panels("matching-" + condition_of(table), "Final against reference radius, " + title_of(table.stimulus), all,
+  return panels("matching-" + condition_name(table.stimulus, table.vision),
+                "Final against reference radius, " + title_of(table.stimulus), all,
                 kLegend + axes("reference radius (mil)", "final radius (mil)") +
                     properties::range("x", across.low, across.high) + properties::range("y", up.low, up.high));
 }
@@ -171,8 +177,8 @@ Picture satisfaction(const experiments::Results& results, const MatchingTable& t
                 place + " using 1:2 with linespoints pt 5 ps 0.6 lw 1.6 lc rgb '#111111' title 'mean'\n";
     all.emplace_back(row.participant + ": mean " + fixed(row.columns[2].value, 1), commands);
   }
-  return panels("satisfaction-" + condition_of(table), "Satisfaction against reference radius, " + title_of(table.stimulus),
-                all,
+  return panels("satisfaction-" + condition_name(table.stimulus, table.vision),
+                "Satisfaction against reference radius, " + title_of(table.stimulus), all,
                 kLegend + axes("reference radius (mil)", "satisfaction index") +
                     properties::range("x", across.low, across.high) + "set yrange [0.3:10.7]\nset ytics 1, 1, 10\n");
 }

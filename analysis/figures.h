@@ -12,7 +12,11 @@
 
 namespace forceshade::analysis {
 
-// A figure has a panel for each participant, and the last one for all; `frame.id` is a good name for its file.
+// "bump-cylinder-no-vision", for names of files and ids: what is no ASCII letter, digit or - in the stimulus becomes _.
+std::string condition_name(const std::string& stimulus, bool vision);
+
+// A figure has a panel for each participant, and the last one for all; `frame.id` is the name for its file: matching-, then
+// condition_name().
 
 // Figures 6-2, 6-3 and so on: the final radius against the reference radius, with the line of least squares. o, x and + are
 // trials that began at the small, the same and the large radius.

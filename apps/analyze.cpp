@@ -2,6 +2,8 @@
 // forceshade analyze: the thesis's tables and figures from the results of sessions, with intervals, beside the thesis's
 // numbers.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -9,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "forceshade/analysis/number_words.h"
+#include "forceshade/analysis/figures.h"
 #include "forceshade/analysis/page.h"
 #include "forceshade/analysis/thesis.h"
 #include "forceshade/apps/command.h"
@@ -135,12 +137,21 @@ std::string analysis_json(const analysis::Analysis& analysis, const AnalyzeOptio
   return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
-// Names of conditions become names of files.
-std::string figure_file(const Picture& picture) {
-  std::string name = picture.frame.id;
-  for (char& c : name)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_' && c != '.') c = '_';
-  return name;
+// What will be written. Throws BadInput where two conditions would have the same file.
+std::vector<std::string> files_of(const experiments::Results& results) {
+  std::set<std::pair<std::string, bool>> conditions;
+  for (const experiments::MatchingResult& trial : results.matching) conditions.emplace(trial.stimulus, trial.vision);
+  std::vector<std::string> stems;
+  for (const auto& [stimulus, vision] : conditions) {
+    const std::string name = analysis::condition_name(stimulus, vision);
+    if (std::ranges::find(stems, "matching-" + name) != stems.end())
+      throw BadInput("stimulus: expected names that differ in letters and digits; two are " + name);
+    stems.insert(stems.end(), {"matching-" + name, "satisfaction-" + name});
+  }
+  if (!results.classification.empty()) stems.emplace_back("psychometric");
+  std::vector<std::string> files{"report.html", "tables.csv"};
+  for (const std::string& stem : stems) files.insert(files.end(), {stem + ".svg", stem + ".png"});
+  return files;
 }
 
 int analyze(AnalyzeOptions& options, const OutFolder& out) {
@@ -148,24 +159,20 @@ int analyze(AnalyzeOptions& options, const OutFolder& out) {
   experiments::Results results = read_folders(options.folders);
   watch_for_interrupt();
   const bool has_folder = !out.path().empty();
-  if (has_folder) out.make({"report.html", "tables.csv"});
+  if (has_folder) out.make(files_of(results));
   const analysis::Analysis analysis = analysis::analyze(std::move(results), options.options);
   if (!options.json.empty()) write_file(options.json, analysis_json(analysis, options));
   if (options.json != "-") std::printf("%s", analysis::to_text(analysis).c_str());
   if (!has_folder) return kHeld;
   const std::vector<Picture> pictures = analysis::pictures(analysis, {});
-  std::vector<std::string> files;
-  for (const Picture& picture : pictures)
-    for (const char* ending : {".svg", ".png"}) files.push_back(figure_file(picture) + ending);
-  out.make(files);
   const std::filesystem::path folder = out.path();
   std::vector<std::string> drawn;
   try {
     for (const Picture& picture : pictures) {
       if (interrupted()) throw Interrupted("not all figures were drawn");
       drawn.push_back(properties::svg_plot(picture));
-      write_file((folder / (figure_file(picture) + ".svg")).string(), properties::svg_file(picture));
-      write_file((folder / (figure_file(picture) + ".png")).string(), properties::png_file(picture));
+      write_file((folder / (picture.frame.id + ".svg")).string(), properties::svg_file(picture));
+      write_file((folder / (picture.frame.id + ".png")).string(), properties::png_file(picture));
     }
   } catch (const properties::PlotError& error) {
     if (interrupted()) throw Interrupted("not all figures were drawn");

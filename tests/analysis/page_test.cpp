@@ -17,7 +17,7 @@ Analysis small_analysis() {
   Random random(1, "page");
   for (const char* name : {"P1", "<P2> & 'co'"}) {
     tests::add_matching(results.matching, random, {60, 0.85, 0.13, 7.7, 1.3, 3.2, 0.4}, name, "bump-1p-shaded", false);
-    tests::add_matching(results.matching, random, {60, 0.85, 0.13, 7.7, 1.3, 3.2, 0.4}, name, "own-bump", true);
+    tests::add_matching(results.matching, random, {60, 0.85, 0.13, 7.7, 1.3, 3.2, 0.4}, name, "own <bump>'", true);
     tests::add_classification(results.classification, random, {58, 9, 0.2, 0.08}, name);
   }
   AnalysisOptions options;
@@ -48,15 +48,17 @@ TEST(page, draws_every_figure_of_chapter_6) {
     EXPECT_TRUE(drawn.back().starts_with("<svg") && has(drawn.back(), "<path")) << picture.frame.id;
   }
   EXPECT_EQ(ids,
-            "matching-bump-1p-shaded-no-vision satisfaction-bump-1p-shaded-no-vision matching-own-bump-vision "
-            "satisfaction-own-bump-vision psychometric radius-profiles position-profile-1 position-profile-2 ");
+            "matching-bump-1p-shaded-no-vision satisfaction-bump-1p-shaded-no-vision matching-own__bump__-vision "
+            "satisfaction-own__bump__-vision psychometric radius-profiles position-profile-1 position-profile-2 ");
   EXPECT_TRUE(properties::png_file(all[0]).starts_with("\x89PNG"));
   const std::string page = to_html(analysis, all, drawn);
-  for (const char* part : {"Table 6.3: Flat, shaded, no vision", "Table: own-bump, with vision", "Table 7.1", "Table 6.9",
-                           "θ-critical", "BCa", "seed 1", "<span>Figure 8</span>", "&lt;P2&gt; &amp; &#39;co&#39;"})
+  for (const char* part :
+       {"Table 6.3: Flat, shaded, no vision", "Table: own &lt;bump&gt;&#39;, with vision", "Table 7.1", "Table 6.9",
+        "θ-critical", "BCa", "seed 1", "<span>Figure 8</span>", "&lt;P2&gt; &amp; &#39;co&#39;"})
     EXPECT_TRUE(has(page, part)) << part;
   // Nothing is loaded from elsewhere, and no name becomes an element.
-  for (const char* part : {"<script", " src=", "@import", "url(http", "<P2>", "<link"}) EXPECT_FALSE(has(page, part)) << part;
+  for (const char* part : {"<script", " src=", "@import", "url(http", "<P2>", "<bump>", "<link"})
+    EXPECT_FALSE(has(page, part)) << part;
 }
 
 TEST(page, is_made_without_pictures_where_gnuplot_is_missing) {

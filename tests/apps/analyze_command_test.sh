@@ -47,7 +47,7 @@ PATH=/nonexistent expect 0 "warning: no figures: gnuplot was not found" -- analy
 same "report.html tables.csv" "$(ls bare | tr '\n' ' ' | sed 's/ $//')"
 
 # Two folders are taken together; classification alone is enough.
-mkdir second
+mkdir second broken empty
 echo participant,trial,stimulus,radius_mil,repetition,answer,seconds > second/classification.csv
 for radius in 600 1000 1400; do for bump in 1p 2p 3p; do for answer in 4 4 3; do
   trial=$((trial + 1)); echo "C,$trial,bump-$bump-shaded,$radius,1,$answer,10" >> second/classification.csv
@@ -57,8 +57,16 @@ expect 0 "Two polygons, shaded    600           3       0 (0 to 71)  0 (0 to 71)
 expect 0 "Answer 4 against the angle" -- analyze hand second --bootstrap 100
 same '[3,9]' "$(analyze hand second --bootstrap 100 --json | jq -c '[(.matching[0].rows | length), (.psychometric[0].points | length)]')"
 
+# Names that no file can have.
+sed 's/bump-cylinder/own bump/' hand/matching.csv > second/matching.csv
+expect 0 "Table: own bump, no vision" -- analyze second --bootstrap 100 --out named
+if command -v gnuplot > /dev/null; then
+  [ -s named/matching-own_bump-no-vision.svg ] || { echo "FAILED: files of own names: $(ls named)"; exit 1; }
+fi
+{ cat second/matching.csv; sed '1d; s/bump-cylinder/own_bump/; s/^\([AB]\),/\12,/' hand/matching.csv; } > broken/matching.csv
+expect 2 'two are own_bump-no-vision' -- analyze broken --out none
+
 # What is refused: file, line and column, and nothing is left behind.
-mkdir broken empty
 sed '4s/A,3/A,x/' hand/matching.csv > broken/matching.csv
 expect 2 'broken/matching.csv:4: column 2 (trial): expected a whole number from 1, got "x"' -- analyze broken --out none
 expect 2 'empty: expected a folder with matching.csv or classification.csv' -- analyze empty --out none
