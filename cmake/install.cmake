@@ -8,11 +8,13 @@ function(install_headers module)
     install(FILES ${module}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/forceshade/${module}/${folder})
   endforeach()
 endfunction()
-install_headers(vocabulary breakdown.h height_map.h law.h results.h)
+install_headers(vocabulary breakdown.h height_map.h law.h mesh.h results.h)
 file(GLOB law_headers RELATIVE ${PROJECT_SOURCE_DIR}/fast CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/fast/laws/*.h)
 install_headers(fast domain.h evaluate.h height_map_field.h heights/force.h heights/grid.h heights/jet.h
-                heights/shape.h heights/spline.h heights/spline_force.h instruction_set.h law.h ${law_headers} numbers/arithmetic.h numbers/ball.h numbers/big_float_ball.h numbers/double_double.h
-                numbers/double_with_error.h numbers/first_stage.h numbers/inline.h numbers/row.h session.h
+                heights/shape.h heights/spline.h heights/spline_force.h instruction_set.h law.h ${law_headers} meshes/box_tree.h
+                meshes/decide.h meshes/flight.h meshes/force.h meshes/god_object.h meshes/heading.h meshes/mesh.h meshes/rounding_bound.h
+                meshes/session.h meshes/spot.h meshes/tick_session.h meshes/vector3.h meshes/walk.h numbers/arithmetic.h numbers/ball.h numbers/big_float_ball.h numbers/double_double.h
+                numbers/double_with_error.h numbers/first_stage.h numbers/fixed_integer.h numbers/inline.h numbers/row.h session.h
                 simd/batch.h)
 install_headers(csv csv.h)
 install_headers(device attendant.h device.h hand_speed.h last_samples.h limited.h null.h open_device.h oscillation.h
@@ -27,19 +29,23 @@ if(NOT FORCESHADE_FAST_ONLY)
   install(DIRECTORY ${PROJECT_BINARY_DIR}/apps/documentation/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
   install(FILES ${PROJECT_BINARY_DIR}/apps/documentation/forceshade
           DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-  # What needs more than Eigen is a component of its own: find_package(forceshade COMPONENTS heights properties).
+  # What needs more than Eigen is a component of its own: find_package(forceshade COMPONENTS heights meshes properties).
   install_headers(heights load.h spec.h)
-  install_headers(identity identity.h)
-  install_headers(reference height_map_field.h heights/outline.h law.h laws/bump_geometry.h laws/force.h numbers/ball64.h watch.h)
-  install_headers(properties calls.h height_map_subject.h height_map_claims.h law_claims.h law_subject.h positions.h rendered.h run.h
+  install_headers(meshes check.h facts.h load.h normals.h repair.h)
+  install_headers(identity identity.h mesh_identity.h)
+  install_headers(reference height_map_field.h heights/outline.h law.h laws/bump_geometry.h laws/force.h meshes/god_object.h numbers/ball64.h
+                  watch.h)
+  install_headers(properties calls.h height_map_subject.h height_map_claims.h law_claims.h law_subject.h mesh_subject.h positions.h rendered.h run.h
                   subject.h)
   set_target_properties(forceshade_heights PROPERTIES EXPORT_NAME heights)
+  set_target_properties(forceshade_meshes PROPERTIES EXPORT_NAME meshes)
   set_target_properties(forceshade_identity PROPERTIES EXPORT_NAME identity)
   set_target_properties(forceshade_reference PROPERTIES EXPORT_NAME reference)
   set_target_properties(forceshade_properties PROPERTIES EXPORT_NAME properties)
   install(TARGETS forceshade_heights EXPORT forceshade_heights_targets)
+  install(TARGETS forceshade_meshes EXPORT forceshade_meshes_targets)
   install(TARGETS forceshade_identity forceshade_reference forceshade_properties EXPORT forceshade_properties_targets)
-  list(APPEND export_sets forceshade_heights_targets forceshade_properties_targets)
+  list(APPEND export_sets forceshade_heights_targets forceshade_meshes_targets forceshade_properties_targets)
 endif()
 foreach(set IN LISTS export_sets)
   install(EXPORT ${set} NAMESPACE forceshade:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/forceshade)
@@ -65,6 +71,8 @@ install_pc(forceshade DESCRIPTION "${PROJECT_DESCRIPTION}" REQUIRES "eigen3 >= 3
 if(NOT FORCESHADE_FAST_ONLY)
   install_pc(forceshade-heights DESCRIPTION "Height maps from TOML, image and array files"
              REQUIRES "forceshade, libpng, libtiff-4, tomlplusplus" LIBRARIES "-lforceshade_heights")
+  install_pc(forceshade-meshes DESCRIPTION "Triangle meshes from files, checked and repaired"
+             REQUIRES "forceshade" LIBRARIES "-lforceshade_meshes -lmpfi -lmpfr -lgmp -pthread")
   install_pc(forceshade-properties DESCRIPTION "Properties that a haptic renderer must have"
              REQUIRES "forceshade, libcrypto"
              LIBRARIES "-lforceshade_properties -lforceshade_identity -lforceshade_reference -lrapidcheck -lmpfi -lmpfr -lgmp")

@@ -134,8 +134,7 @@ double largest_turn(const MeshRendering& rendering, std::uint32_t triangle) {
   double turn = 0;
   for (const mesh::Normal& normal : rendering.normals[triangle]) {
     const Eigen::Vector3d N = vector_of(normal);
-    if (N.isZero(0)) continue;  // it adds nothing to the others
-    if (N.normalized().dot(n.normalized()) <= error) return std::numbers::sqrt2;
+    if (N.isZero(0)) continue;  // it adds nothing to the others; a chord beyond the root of 2 is that of an angle above 90°
     turn = std::max(turn, (N.normalized() - n.normalized()).norm() + error);
   }
   return std::min(turn, std::numbers::sqrt2);

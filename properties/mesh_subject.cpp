@@ -4,6 +4,9 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
@@ -160,8 +163,10 @@ std::vector<std::string> MeshSubject::parts() const {
   if (rendering_->shading == mesh::Shading::vertex_scheme) {
     double turn = 0;
     for (std::uint32_t i = 0; i < rendering_->mesh.triangles.size(); ++i) turn = std::max(turn, largest_turn(*rendering_, i));
-    words.push_back("at a rest inside a triangle the shading gives at most " + show(static_cast<float>(turn)) +
-                    " mJ more per mm of path and N of force");
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.4f", std::ceil(turn * 1e4) / 1e4);
+    words.push_back(std::string("at a rest inside a triangle the shading gives at most ") + text.data() +
+                    " mJ more for each mm of path and N of force");
   }
   for (const std::string& part : properties::words_of(rendering_->texture.map)) words.push_back("texture, " + part);
   return words;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/report/matrix.h"
 
+#include <algorithm>
+
 #include "forceshade/report/html.h"
 
 namespace forceshade::properties {
@@ -34,12 +36,20 @@ std::string energy_of(const Findings& law) {
 
 }  // namespace
 
+std::string subject_word(const Certificate& certificate) {
+  const std::string& kind = certificate.subjects.front().identity.kind;
+  const auto is_other = [&](const SubjectResult& subject) { return subject.identity.kind != kind; };
+  return std::any_of(certificate.subjects.begin(), certificate.subjects.end(), is_other) ? "subject" : escaped(kind);
+}
+
 std::string matrix(const Certificate& certificate) {
   if (certificate.subjects.empty()) return "";
-  std::string html =
-      "<section>\n<h2>What kind of force each law is</h2>\n<table class=\"summary\">\n<thead>\n<tr><th scope=\"col\">law</th>"
-      "<th scope=\"col\">continuous</th><th scope=\"col\">unit direction</th><th scope=\"col\">conservative</th>"
-      "<th scope=\"col\">most energy per loop</th></tr>\n</thead>\n<tbody>\n";
+  const std::string word = subject_word(certificate);
+  std::string html = "<section>\n<h2>What kind of force each " + word +
+                     " is</h2>\n<table class=\"summary\">\n<thead>\n<tr><th scope=\"col\">" + word +
+                     "</th>"
+                     "<th scope=\"col\">continuous</th><th scope=\"col\">unit direction</th><th scope=\"col\">conservative</th>"
+                     "<th scope=\"col\">most energy per loop</th></tr>\n</thead>\n<tbody>\n";
   for (const SubjectResult& law : certificate.subjects)
     html += "<tr><th scope=\"row\">" + escaped(law.name()) + "</th>" +
             cell("continuous", yes_or_no(law.jumps.empty(), jumps_of(law))) + cell("unit direction", unit_of(law)) +
@@ -47,7 +57,7 @@ std::string matrix(const Certificate& certificate) {
   return html +
          "</tbody>\n</table>\n<p class=\"note\">Energy: the most that any simple loop no deeper below the nominal surface can "
          "give to the hand (in a height map: any in the slice y = 0, 12.7\u202Fmm to both sides or 250 cells of its finest "
-         "grid), and "
+         "grid; it is not measured for a mesh), and "
          "what the fast path gave around one that comes within 1\u202F% of it.</p>\n</section>\n";
 }
 

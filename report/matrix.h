@@ -8,6 +8,9 @@
 
 namespace forceshade::properties {
 
+// "law", "height map" or "mesh" where all subjects are of that kind, else "subject". The certificate has a subject.
+std::string subject_word(const Certificate& certificate);
+
 // A <section> with one row per law; empty where no law was checked.
 std::string matrix(const Certificate& certificate);
 

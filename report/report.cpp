@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "forceshade/fast/instruction_set.h"
+#include "forceshade/identity/mesh_identity.h"
 #include "forceshade/report/figures.h"
 #include "forceshade/report/html.h"
 #include "forceshade/report/matrix.h"
@@ -17,13 +19,6 @@ std::uint64_t spread_points_of(const Certificate& certificate) {
   std::uint64_t sum = 0;
   for (const Findings& law : certificate.subjects) sum += law.spread.points;
   return sum;
-}
-
-// "law" or "height map" where all subjects are of that kind.
-std::string subject_word(const Certificate& certificate) {
-  const std::string& kind = certificate.subjects.front().identity.kind;
-  const auto is_other = [&](const SubjectResult& subject) { return subject.identity.kind != kind; };
-  return std::any_of(certificate.subjects.begin(), certificate.subjects.end(), is_other) ? "subject" : kind;
 }
 
 std::string points_per_law(const Certificate& certificate) {
@@ -160,11 +155,18 @@ std::string summary_row(const SubjectResult& law) {
          cell("closest call", closest_call_of(law, law.identity.kind != kLawKind)) + "</tr>\n";
 }
 
+bool has_mesh(const Certificate& certificate) {
+  return std::any_of(certificate.subjects.begin(), certificate.subjects.end(),
+                     [](const SubjectResult& subject) { return subject.identity.kind == kMeshKind; });
+}
+
 std::string summary(const Certificate& certificate) {
   std::string html =
       "<section>\n<h2>Summary</h2>\n<table class=\"summary\">\n<thead>\n<tr><th></th><th></th><th></th><th></th>"
       "<th colspan=\"3\">points decided by</th><th colspan=\"4\">properties</th><th></th></tr>\n"
-      "<tr><th scope=\"col\">law</th><th scope=\"col\">parameters</th><th scope=\"col\" class=\"number\">points</th>"
+      "<tr><th scope=\"col\">" +
+      subject_word(certificate) +
+      "</th><th scope=\"col\">parameters</th><th scope=\"col\" class=\"number\">points</th>"
       "<th scope=\"col\" class=\"number\">mismatches</th><th scope=\"col\" class=\"number\">binary64</th>"
       "<th scope=\"col\" class=\"number\">double-double</th><th scope=\"col\" class=\"number\">wide</th>"
       "<th scope=\"col\">equivalence</th><th scope=\"col\">continuity</th><th scope=\"col\">unit normals</th>"
@@ -177,20 +179,30 @@ std::string summary(const Certificate& certificate) {
          "rounding. Closest call: the point, in mm, whose exact force came nearest to the middle between two neighbouring "
          "binary32 numbers without being there, and how near, in units of the last place (ulp). Where a law is not "
          "conservative, "
-         "passivity says that the fast path gives no more energy than the exact law does plus its rounding.</p>\n</section>\n";
+         "passivity says that the fast path gives no more energy than the exact law does plus its rounding." +
+         (has_mesh(certificate)
+              ? " The points of a mesh are a path, in their order. Of a mesh, passivity says that the god-object "
+                "never moves away from the position, and that no tick gives more energy than holding the force "
+                "and turning it do."
+              : "") +
+         "</p>\n</section>\n";
 }
 
 // What the subjects are that a name and parameters do not describe: in words, and by their digest.
 std::string digests_table(const Certificate& certificate) {
   std::string rows;
+  std::set<std::string> kinds;
   for (const SubjectResult& subject : certificate.subjects) {
     if (subject.identity.digest.empty()) continue;
+    kinds.insert(subject.identity.kind);
     rows += "<tr><th scope=\"row\">" + escaped(subject.name()) + "</th><td>";
     for (const std::string& part : subject.parts) rows += escaped(part) + "<br>";
     rows += "SHA-256 of its numbers <code>" + escaped(subject.identity.digest) + "</code></td></tr>\n";
   }
   if (rows.empty()) return "";
-  return "<section>\n<h2>The height maps</h2>\n<table class=\"facts\">\n" + rows + "</table>\n</section>\n";
+  const std::string kind = kinds.size() > 1 ? "subject" : *kinds.begin();
+  return "<section>\n<h2>The " + escaped(kind) + (kind.ends_with('h') ? "es" : "s") + "</h2>\n<table class=\"facts\">\n" +
+         rows + "</table>\n</section>\n";
 }
 
 // One row for each law and kind of sweep.
@@ -283,7 +295,8 @@ constexpr const char* kLimits = R"html(<section>
 <ul class="limits">
 <li>Points were checked, not all inputs. Many were aimed at what is hard: surfaces, edges, near-ties, ends of the domain. That every
 input is right is a matter of proof, by a machine and separate from this page.</li>
-<li>It covers the parameters and height maps in the tables above. For any other radius, width, stiffness or map, certify again.</li>
+<li>It covers the parameters, height maps and meshes in the tables above. For any other radius, width, stiffness, map, mesh or way to
+render a mesh, certify again.</li>
 <li>It covers this build: these compiled objects on this kind of machine. Another compiler, flag or revision has another digest and
 needs its own certificate.</li>
 <li>Lengths are in mm, forces in N, stiffness in N/mm, energy in mJ. A position is three binary32 numbers within ±10<sup>4</sup> mm;

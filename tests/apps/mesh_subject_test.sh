@@ -43,7 +43,8 @@ expect 2 "--input" -- "$forceshade" plot --law wall --input path.csv --out drawn
 expect 2 "--azimuth" -- "$forceshade" plot --law wall --azimuth 3 --out drawn
 expect 2 "--elevation: expected an angle from -90 to 90 degrees" -- "$forceshade" plot $mesh --elevation 91 --out drawn
 expect 2 "--what" -- "$forceshade" plot $mesh --what force --out drawn
-expect 2 "bad.csv:2: z_mm: expected" -- "$forceshade" plot $mesh --input <(printf 'x_mm,y_mm,z_mm\n0,0,up\n') --out other
+printf 'x_mm,y_mm,z_mm\n0,0,up\n' > bad.csv
+expect 2 "bad.csv:2: column 3 (z_mm): expected a number" -- "$forceshade" plot $mesh --input bad.csv --out other
 [ ! -e other ] || { echo "FAILED: a folder is left behind"; exit 1; }
 
 # What is missing, wrong, or no mesh.

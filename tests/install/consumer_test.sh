@@ -9,11 +9,14 @@ prefix=$scratch/prefix
 cmake --install "$build" --prefix "$prefix" > "$scratch/install.log"
 fail() { echo "$1" >&2; exit 1; }
 
-use() {  # the three consumers of a folder
+use() {  # the four consumers of a folder
   "$1/consumer"
   "$1/heights_consumer" "$source/../../examples/leather.toml"
+  "$1/meshes_consumer" "$scratch/tetrahedron.off" > "$scratch/meshes.log" 2>&1 || { cat "$scratch/meshes.log"; exit 1; }
   "$1/properties_consumer" > "$scratch/properties.log" 2>&1 || { cat "$scratch/properties.log"; exit 1; }
 }
+
+printf 'OFF\n4 4 0\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n' > "$scratch/tetrahedron.off"
 
 echo "== find_package"
 cmake -S "$source" -B "$scratch/build" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_COMPILER="$compiler" \
@@ -24,8 +27,10 @@ use "$scratch/build"
 echo "== pkg-config"
 pc=$(dirname "$(find "$prefix" -name forceshade.pc)")
 mkdir "$scratch/by-pc"
-for consumer in consumer:forceshade heights_consumer:forceshade-heights properties_consumer:forceshade-properties; do
-  needed=$(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs "${consumer#*:}")
+for consumer in consumer:forceshade heights_consumer:forceshade-heights "meshes_consumer:forceshade-meshes forceshade-properties" \
+  properties_consumer:forceshade-properties; do
+  # shellcheck disable=SC2086  # names are words
+  needed=$(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs ${consumer#*:})
   # shellcheck disable=SC2086  # flags are words
   "$compiler" -std=c++20 -O1 $flags "$source/${consumer%:*}.cpp" -o "$scratch/by-pc/${consumer%:*}" $needed
 done

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "forceshade/identity/mesh_identity.h"
 #include "forceshade/report/gnuplot.h"
 
 namespace forceshade::properties {
@@ -212,6 +213,24 @@ TEST(report, sets_the_laws_side_by_side) {
   EXPECT_EQ(count(html, "<td data-label=\"unit direction\">yes"), 9U);
   EXPECT_EQ(count(html, "<td data-label=\"most energy per loop\">0</td>"), 4U);
   EXPECT_TRUE(has(html, "0.12346\u202FmJ<small>2\u202Fmm deep; fast path 0.12339\u202FmJ</small>"));
+}
+
+TEST(report, names_a_mesh_and_says_what_was_checked_of_it) {
+  Certificate certificate = certificate_of_every_law();
+  certificate.subjects.resize(1);
+  SubjectResult& mesh = certificate.subjects.front();
+  mesh.identity = {
+      kMeshKind, "ball.off", {{"sides", "front"}, {"shading", "vertex"}, {"stiffness_N_per_mm", 0.5F}}, std::string(64, 'b')};
+  mesh.parts = {"980 triangles, 492 vertices"};
+  mesh.energy.clear();
+  mesh.conservative = false;
+  const std::string html = to_html(certificate);
+  for (const char* words :
+       {"points per mesh", "<h2>The meshes</h2>", "<th scope=\"col\">mesh</th>", "ball.off", "sides front", "shading vertex",
+        "980 triangles", "What kind of force each mesh is", "The points of a mesh are a path"})
+    EXPECT_TRUE(has(html, words)) << words;
+  for (const char* words : {"The height maps", "<th scope=\"col\">law</th>"}) EXPECT_FALSE(has(html, words)) << words;
+  EXPECT_FALSE(has(page(), "The points of a mesh"));
 }
 
 TEST(report, leaves_out_figures_that_have_nothing_to_show) {
