@@ -175,7 +175,6 @@ std::vector<Sort> sorts() {
       {"analysis/thesis.cpp", thesis},
       {"report/figures.cpp", figures},
       {"report/thesis_figures.cpp", figures},
-      {"tests/device/stage_test.cpp", chosen},
       {"tests/experiments/virtual_fit.cpp", "Table 6.9 of the thesis"},
       {"tests/analysis/psychometric_test.cpp", thesis},
       {"tests/analysis/simulated.h", thesis},
