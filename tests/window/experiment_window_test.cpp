@@ -102,7 +102,9 @@ class Person {
   void take_part(std::size_t answers = 1000) {
     while (!session_->is_over() && answered() < answers) {
       const experiments::Screen screen = session_->screen();
-      if (screen.kind == ScreenKind::matching) ASSERT_NO_FATAL_FAILURE(touch(screen));
+      if (screen.kind == ScreenKind::matching) {
+        ASSERT_NO_FATAL_FAILURE(touch(screen));
+      }
       switch (screen.kind) {
         case ScreenKind::matching:
           for (const char* key : {"j", "k", "k"})
@@ -267,7 +269,9 @@ void expect_same(std::vector<Event> got, const std::vector<Event>& expected) {
   ASSERT_EQ(got.size(), expected.size());
   double before = 0;
   for (std::size_t i = 0; i < got.size(); ++i) {
-    if (i > 0 && got[i].run == got[i - 1].run) EXPECT_GE(got[i].time, before);
+    if (i > 0 && got[i].run == got[i - 1].run) {
+      EXPECT_GE(got[i].time, before);
+    }
     before = got[i].time;
     got[i].time = expected[i].time;
     EXPECT_EQ(got[i], expected[i]) << "event " << i;
