@@ -14,10 +14,9 @@ using tests::TemporaryDirectory;
 
 Results some_results() {
   Results results;
-  results.matching = {
-      {"P 1, left-handed", 1, true, "flat", InitialRadius::large, 1, 600, 1400, 0.1 + 0.2, 7, 12, 61.25},
-      {"\"P2\"", 2, false, "round", InitialRadius::same, 4, 800, 800, 812.5, 10, 0, 0},
-      {"P3", 3, false, "two", InitialRadius::small, 2, 1400, 600, 1e-7, 1, 100000, 1e6}};
+  results.matching = {{"P 1, left-handed", 1, true, "flat", InitialRadius::large, 1, 600, 1400, 0.1 + 0.2, 7, 12, 61.25},
+                      {"\"P2\"", 2, false, "round", InitialRadius::same, 4, 800, 800, 812.5, 10, 0, 0},
+                      {"P3", 3, false, "two", InitialRadius::small, 2, 1400, 600, 1e-7, 1, 100000, 1e6}};
   results.classification = {{"P3", 1, "three", 1400, 24, 4, 9.5}, {"P3", 2, "bump-1p", 600, 1, 1, 1 / 3.0}};
   return results;
 }
