@@ -19,6 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::require(trials == static_cast<std::size_t>(protocol.trials()) && trials > 0, "every trial has its place");
     fuzz::require(!protocol.bumps().empty(), "a session renders something");
   });
-  fuzz::read_or_refuse<Error>(file, [&] { fuzz::require(!experiments::read_language(file).name.empty(), "a language has a name"); });
+  fuzz::read_or_refuse<Error>(file,
+                              [&] { fuzz::require(!experiments::read_language(file).name.empty(), "a language has a name"); });
   return 0;
 }
