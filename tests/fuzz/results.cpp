@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/experiments/results_csv.h"
-
 #include <stdexcept>
 
+#include "forceshade/experiments/results_csv.h"
 #include "forceshade/tests/fuzz/input_file.h"
 
 // The input as matching.csv when its first byte is even, else as classification.csv. What is read is written and read again.
