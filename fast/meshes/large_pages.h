@@ -30,11 +30,8 @@ struct LargePages {
     return static_cast<T*>(place);
   }
   void deallocate(T* place, std::size_t count) noexcept {
-    const std::size_t bytes = count * sizeof(T);
-    if (bytes < kPage)
-      ::operator delete (place, bytes, std::align_val_t{alignof(T)});
-    else
-      ::operator delete (place, whole_pages(bytes), std::align_val_t{kPage});
+    // Without the size, which clang++ 14 takes only with a flag.
+    ::operator delete (place, std::align_val_t{count * sizeof(T) < kPage ? alignof(T) : kPage});
   }
 
   template <class Other>
