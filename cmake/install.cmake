@@ -12,7 +12,8 @@ install_headers(vocabulary breakdown.h height_map.h law.h mesh.h results.h)
 file(GLOB law_headers RELATIVE ${PROJECT_SOURCE_DIR}/fast CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/fast/laws/*.h)
 install_headers(fast domain.h evaluate.h height_map_field.h heights/force.h heights/grid.h heights/jet.h
                 heights/shape.h heights/spline.h heights/spline_force.h instruction_set.h law.h ${law_headers} meshes/box_tree.h
-                meshes/decide.h meshes/flight.h meshes/force.h meshes/god_object.h meshes/heading.h meshes/mesh.h meshes/rounding_bound.h
+                meshes/decide.h meshes/flight.h meshes/force.h meshes/god_object.h meshes/heading.h meshes/large_pages.h meshes/mesh.h
+                meshes/rounding_bound.h
                 meshes/session.h meshes/spot.h meshes/tick_session.h meshes/vector3.h meshes/walk.h numbers/arithmetic.h numbers/ball.h numbers/big_float_ball.h numbers/double_double.h
                 numbers/double_with_error.h numbers/first_stage.h numbers/fixed_integer.h numbers/inline.h numbers/row.h session.h
                 simd/batch.h)
@@ -20,7 +21,7 @@ install_headers(csv csv.h)
 install_headers(device attendant.h device.h hand_speed.h last_samples.h limited.h null.h open_device.h oscillation.h
                 passivity_controller.h placement.h real_time.h replay.h sample.h sent_forces.h servo_loop.h
                 shortened.h simulated/arm.h simulated/friction.h simulated/hand.h simulated/model.h simulated/motor.h
-                simulated/plant.h simulated/simulated.h supervisor.h timing.h)
+                simulated/plant.h simulated/simulated.h simulated/steering.h supervisor.h timing.h triple_buffer.h)
 
 install(TARGETS forceshade_fast forceshade_csv forceshade_device EXPORT forceshade_targets)
 set(export_sets forceshade_targets)
