@@ -49,9 +49,7 @@ recorder::Metadata metadata(const RunPlan& plan, const Driven& what, const devic
                               {"device", plan.device},
                               {"origin_mm", origin_words(plan.servo.placement)},
                               {"axes", axes_words(plan.servo.placement)},
-                              {"rate_hz", csv::shortest(plan.servo.rate_hz)},
-                              {"paced", plan.servo.paced ? "yes" : "no"},
-                              {"passivity", std::string(name_of(plan.servo.passivity))}};
+                              {"paced", plan.servo.paced ? "yes" : "no"}};
   for (const auto& [what_it_is, words] : identity(capabilities)) metadata["device_" + what_it_is] = words;
   metadata.merge(metadata_of(what.identity));
   metadata.merge(recorder::metadata_of(safety_settings(capabilities, plan.servo)));
