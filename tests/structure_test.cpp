@@ -181,7 +181,6 @@ std::vector<Sort> sorts() {
       {"tests/certificate/comparison_test.cpp", chosen},
       {"tests/certificate/refusal_test.cpp", chosen},
       {"tests/certificate/sweep_test.cpp", chosen},
-      {"tests/experiments/results_csv_test.cpp", stimuli},
       {"tests/experiments/virtual_fit.cpp", stimuli},
       {"tests/hard_cases/search.cpp", "extra places to aim at; it searches every law"},
       {"tests/laws/errata_test.cpp", "the thesis's errata"},

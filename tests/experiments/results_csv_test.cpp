@@ -18,6 +18,7 @@ Results some_results() {
                       {"\"P2\"", 2, false, "round", InitialRadius::same, 4, 800, 800, 812.5, 10, 0, 0},
                       {"P3", 3, false, "two", InitialRadius::small, 2, 1400, 600, 1e-7, 1, 100000, 1e6}};
   results.classification = {{"P3", 1, "three", 1400, 24, 4, 9.5}, {"P3", 2, "bump-1p", 600, 1, 1, 1 / 3.0}};
+  results.radius_changes = {{"P3", 3, 0, 0, 600}, {"P3", 3, 1, 2.5, 620}};
   return results;
 }
 
@@ -57,9 +58,15 @@ TEST(results_csv, reads_back_what_it_writes) {
     EXPECT_EQ(std::tie(a.participant, a.trial, a.stimulus, a.radius, a.repetition, a.answer, a.seconds),
               std::tie(b.participant, b.trial, b.stimulus, b.radius, b.repetition, b.answer, b.seconds));
   }
+  ASSERT_EQ(read.radius_changes.size(), written.radius_changes.size());
+  for (std::size_t i = 0; i < read.radius_changes.size(); ++i) {
+    const RadiusChange &a = read.radius_changes[i], &b = written.radius_changes[i];
+    EXPECT_EQ(std::tie(a.participant, a.trial, a.step, a.seconds, a.radius),
+              std::tie(b.participant, b.trial, b.step, b.seconds, b.radius));
+  }
   EXPECT_TRUE(folder.read("matching.csv").starts_with(kHeader));
   EXPECT_TRUE(folder.read("classification.csv").starts_with(kClassificationHeader));
-  EXPECT_EQ(folder.entries(), 2);
+  EXPECT_EQ(folder.entries(), 3);
 }
 
 TEST(results_csv, reads_the_file_that_is_there) {

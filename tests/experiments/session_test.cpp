@@ -19,7 +19,6 @@
 #include "forceshade/csv/output_file.h"
 #include "forceshade/experiments/error.h"
 #include "forceshade/experiments/random.h"
-#include "forceshade/experiments/results_csv.h"
 #include "forceshade/experiments/session_folder.h"
 #include "forceshade/experiments/session_results.h"
 #include "forceshade/experiments/trial_log.h"
@@ -426,48 +425,6 @@ TEST(session_folder, leaves_nothing_half_written) {
   std::signal(SIGXFSZ, handler);
   EXPECT_TRUE(is_refused);
   EXPECT_FALSE(fs::exists(folder));
-}
-
-TEST(results_csv, read_back_as_they_were_written) {
-  const tests::TemporaryDirectory directory;
-  Results results;
-  results.matching.push_back({"P,1", 1, true, "a \"b\"", InitialRadius::small, 2, 600, 600, 580, 9, 3, 12.345678901234567});
-  results.classification.push_back({"P", 2, "bump-2p", 1400, 24, 4, 0.1});
-  results.radius_changes.push_back({"P,1", 1, 0, 0, 600});
-  write_results(results, directory.path());
-  const Results again = read_results(directory.path());
-  ASSERT_EQ(again.matching.size(), 1U);
-  EXPECT_EQ(again.matching[0].participant, "P,1");
-  EXPECT_EQ(again.matching[0].stimulus, "a \"b\"");
-  EXPECT_EQ(again.matching[0].initial, InitialRadius::small);
-  EXPECT_EQ(again.matching[0].seconds, 12.345678901234567);
-  ASSERT_EQ(again.classification.size(), 1U);
-  EXPECT_EQ(again.classification[0].answer, 4);
-  ASSERT_EQ(again.radius_changes.size(), 1U);
-  EXPECT_EQ(directory.read("classification.csv"),
-            "participant,trial,stimulus,radius_mil,repetition,answer,seconds\nP,2,bump-2p,1400,24,4,0.1\n");
-}
-
-TEST(results_csv, a_mistake_is_named_with_line_and_column) {
-  const tests::TemporaryDirectory directory;
-  const std::string header = "participant,trial,stimulus,radius_mil,repetition,answer,seconds\n",
-                    row = "P,2,bump-2p,1400,24,4,0.1\n";
-  const auto words = [&](const std::string& text) -> std::string {
-    const std::string file = directory.write("classification.csv", text);
-    try {
-      read_results(directory.path());
-      return "";
-    } catch (const std::runtime_error& error) {
-      return std::string(error.what()).substr(file.size());
-    }
-  };
-  EXPECT_EQ(words(header + row), "");
-  EXPECT_EQ(words(header + row + row), ":3: trial 2 of participant P is in line 2, too");
-  EXPECT_EQ(words(header + "P,2,bump-2p,1400,24,5,0.1\n"), ":2: column 6 (answer): expected a whole number, 1 to 4, got \"5\"");
-  EXPECT_EQ(words(header + "P,2,bump-2p,1400,24,4,-1\n"),
-            ":2: column 7 (seconds): expected a number, 0 to 1000000, got \"-1\"");
-  fs::remove(directory.file("classification.csv"));
-  EXPECT_THROW(read_results(directory.path()), Error);
 }
 
 }  // namespace
