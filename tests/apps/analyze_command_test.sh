@@ -69,7 +69,7 @@ expect 2 'two are own_bump-no-vision' -- analyze broken --out none
 # What is refused: file, line and column, and nothing is left behind.
 sed '4s/A,3/A,x/' hand/matching.csv > broken/matching.csv
 expect 2 'broken/matching.csv:4: column 2 (trial): expected a whole number from 1 to 1000000, got "x"' -- analyze broken --out none
-expect 2 'empty: expected a folder with matching.csv or classification.csv' -- analyze empty --out none
+expect 2 'empty: expected matching.csv, classification.csv or both, found neither' -- analyze empty --out none
 expect 2 'hand: expected each folder once' -- analyze hand ./hand --out none
 head -1 hand/matching.csv > empty/matching.csv
 expect 2 'empty: expected at least one trial, got none' -- analyze empty --out none
