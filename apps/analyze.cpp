@@ -19,6 +19,7 @@
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/output_options.h"
 #include "forceshade/apps/signals.h"
+#include "forceshade/apps/trial_profiles.h"
 #include "forceshade/csv/csv.h"
 #include "forceshade/csv/printable.h"
 #include "forceshade/experiments/results_csv.h"
@@ -31,7 +32,7 @@ using Json = nlohmann::ordered_json;
 using properties::Picture;
 
 struct AnalyzeOptions {
-  std::vector<std::string> folders;
+  std::vector<std::string> folders, trials;
   std::string json, width = kThesisWidth, unit = "trials", shape = "logistic";
   analysis::AnalysisOptions options;
 
@@ -57,6 +58,7 @@ experiments::Results read_folders(const std::vector<std::string>& folders) {
         is_session ? experiments::results_of(experiments::read_session(path)) : experiments::read_results(folder);
     all.matching.insert(all.matching.end(), one.matching.begin(), one.matching.end());
     all.classification.insert(all.classification.end(), one.classification.begin(), one.classification.end());
+    all.radius_changes.insert(all.radius_changes.end(), one.radius_changes.begin(), one.radius_changes.end());
   }
   for (const std::string& name : analysis::participants_of(all))
     if (name == analysis::kOverall) throw BadInput("participant: expected a name other than \"overall\", which the tables use");
@@ -138,7 +140,7 @@ std::string analysis_json(const analysis::Analysis& analysis, const AnalyzeOptio
 }
 
 // What will be written. Throws BadInput where two conditions would have the same file.
-std::vector<std::string> files_of(const experiments::Results& results) {
+std::vector<std::string> files_of(const experiments::Results& results, const analysis::Profiles& profiles) {
   std::set<std::pair<std::string, bool>> conditions;
   for (const experiments::MatchingResult& trial : results.matching) conditions.emplace(trial.stimulus, trial.vision);
   std::vector<std::string> stems;
@@ -149,6 +151,8 @@ std::vector<std::string> files_of(const experiments::Results& results) {
     stems.insert(stems.end(), {"matching-" + name, "satisfaction-" + name});
   }
   if (!results.classification.empty()) stems.emplace_back("psychometric");
+  if (!profiles.radii.empty()) stems.emplace_back("radius-profiles");
+  for (std::size_t i = 1; i <= profiles.positions.size(); ++i) stems.push_back("position-profile-" + std::to_string(i));
   std::vector<std::string> files{"report.html", "tables.csv"};
   for (const std::string& stem : stems) files.insert(files.end(), {stem + ".svg", stem + ".png"});
   return files;
@@ -159,12 +163,14 @@ int analyze(AnalyzeOptions& options, const OutFolder& out) {
   experiments::Results results = read_folders(options.folders);
   watch_for_interrupt();
   const bool has_folder = !out.path().empty();
-  if (has_folder) out.make(files_of(results));
+  if (!has_folder && !options.trials.empty()) throw BadInput("--trial: expected --out beside it, for its figures");
+  const analysis::Profiles profiles = profiles_of(options.trials, {options.folders.begin(), options.folders.end()}, results);
+  if (has_folder) out.make(files_of(results, profiles));
   const analysis::Analysis analysis = analysis::analyze(std::move(results), options.options);
   if (!options.json.empty()) write_file(options.json, analysis_json(analysis, options));
   if (options.json != "-") std::printf("%s", analysis::to_text(analysis).c_str());
   if (!has_folder) return kHeld;
-  const std::vector<Picture> pictures = analysis::pictures(analysis, {});
+  const std::vector<Picture> pictures = analysis::pictures(analysis, profiles);
   const std::filesystem::path folder = out.path();
   std::vector<std::string> drawn;
   try {
@@ -199,6 +205,11 @@ void add_analyze(CLI::App& app, int& result) {
   const auto out =
       std::make_shared<OutFolder>(*command, "directory for report.html, tables.csv and the figures as .svg and .png");
   add_json(*command, options->json, "all numbers");
+  command
+      ->add_option("--trial", options->trials,
+                   "also draw this trial's radii and positions, such as P-01:12; may be given several times")
+      ->type_name("PARTICIPANT:NUMBER")
+      ->allow_extra_args(false);
   analysis::Resampling& resampling = options->options.resampling;
   add_whole(*command, "--seed", resampling.seed, "of the resamples: the same seed gives the same intervals", kSeeds);
   add_whole(*command, "--bootstrap", resampling.count,

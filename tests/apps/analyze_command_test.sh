@@ -66,6 +66,18 @@ fi
 { cat second/matching.csv; sed '1d; s/bump-cylinder/own_bump/; s/^\([AB]\),/\12,/' hand/matching.csv; } > broken/matching.csv
 expect 2 'two are own_bump-no-vision' -- analyze broken --out none
 
+# The course of one trial: its radii from radius.csv.
+expect 2 "--trial: expected PARTICIPANT:NUMBER such as P-01:12, got \"A\"" -- analyze hand --trial A --out none
+expect 2 "--trial: expected --out beside it" -- analyze hand --trial A:2
+expect 2 "with its radii (radius.csv) or its ticks (the folder of a session), got A:2" -- analyze hand --trial A:2 --out none
+[ ! -e none ] || { echo "FAILED: a folder is left behind"; exit 1; }
+printf 'participant,trial,step,seconds,radius_mil\nA,2,0,0,600\nA,2,1,3.5,620\nA,2,2,5,600\n' > hand/radius.csv
+if command -v gnuplot > /dev/null; then
+  expect 0 "" -- analyze hand --bootstrap 100 --trial A:2 --out course
+  grep -q "A, bump-cylinder, no vision, trial 2" course/radius-profiles.svg || { echo "FAILED: the radii have no title"; exit 1; }
+fi
+rm hand/radius.csv
+
 # What is refused: file, line and column, and nothing is left behind.
 sed '4s/A,3/A,x/' hand/matching.csv > broken/matching.csv
 expect 2 'broken/matching.csv:4: column 2 (trial): expected a whole number from 1 to 1000000, got "x"' -- analyze broken --out none
