@@ -90,7 +90,7 @@ TEST(nesting, of_random_texts_never_harms_the_parser) {
   std::mt19937 random(3);
   const std::vector<std::string> pieces{"a",  ".",  "[", "]", "{",  "}",     "=",   "\"",   "'",       "\"\"\"", "'''", "#",
                                         "\n", "\\", ",", "1", "a.", "a = [", "a={", "\r\n", "[[a]]\n", "a = \"", "a.b."};
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 1500; ++i) {
     std::string text;
     for (std::size_t k = random() % 60; k > 0; --k) text += repeated(pieces[random() % pieces.size()], 1 + random() % 3);
     EXPECT_NE(words_of(text), "") << text;
