@@ -22,6 +22,7 @@ using properties::plotted;
 using properties::quoted;
 
 constexpr int kColumns = 3, kPanelWidth = 320, kPanelHeight = 280, kLegendHeight = 34;
+constexpr int kWideTitle = 400;  // of a panel whose title names participant, bump, vision and trial
 
 struct Mark {
   InitialRadius initial;
@@ -50,16 +51,16 @@ struct Bounds {
 // Panels in rows of three at most; each is a title and commands.
 Picture panels(const std::string& id, const std::string& description,
                const std::vector<std::pair<std::string, std::string>>& all, const std::string& common,
-               int height = kPanelHeight) {
+               int height = kPanelHeight, int width = kPanelWidth) {
   const int columns = std::clamp(static_cast<int>(all.size()), 1, kColumns);
   const int rows = std::max((static_cast<int>(all.size()) + columns - 1) / columns, 1);
-  const double full_width = columns * kPanelWidth, full_height = rows * height + kLegendHeight;
+  const double full_width = columns * width, full_height = rows * height + kLegendHeight;
   std::string commands = std::string(properties::kPlain) + "set multiplot\n" + common;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const int column = static_cast<int>(i) % columns, row = static_cast<int>(i) / columns;
-    const double left = column * kPanelWidth, top = kLegendHeight + row * height;
-    commands += properties::margins((left + 64) / full_width, (left + kPanelWidth - 12) / full_width,
-                                    1 - (top + 34) / full_height, 1 - (top + height - 52) / full_height) +
+    const double left = column * width, top = kLegendHeight + row * height;
+    commands += properties::margins((left + 64) / full_width, (left + width - 12) / full_width, 1 - (top + 34) / full_height,
+                                    1 - (top + height - 52) / full_height) +
                 "set title " + quoted(all[i].first) + " noenhanced font ',11' offset 0, -0.4\n" + (i > 0 ? "unset key\n" : "") +
                 all[i].second;
   }
@@ -242,7 +243,8 @@ Picture radius_profiles(const std::vector<RadiusProfile>& profiles) {
   }
   return panels("radius-profiles", "The matching radius, step by step", all,
                 kLegend + axes("step", "radius (mil)") + properties::range("x", 0, static_cast<double>(most)) +
-                    properties::range("y", up.low, up.high));
+                    properties::range("y", up.low, up.high),
+                kPanelHeight, kWideTitle);
 }
 
 Picture position_profile(const PositionProfile& profile) {
