@@ -209,8 +209,9 @@ TEST(open_device, lists_the_kinds_it_knows) {
       open_device(name);
       FAIL() << name;
     } catch (const UnknownDevice& error) {
-      EXPECT_EQ(error.what(), "unknown device \"" + name +
-                                  "\": expected null, replay:FILE.csv, simulated[:MODEL[:RECORDING.csv or :mouse]] or phantom[:NAME]");
+      EXPECT_EQ(error.what(),
+                "unknown device \"" + name +
+                    "\": expected null, replay:FILE.csv, simulated[:MODEL[:RECORDING.csv or :mouse]] or phantom[:NAME]");
     }
   }
 }
