@@ -19,7 +19,6 @@
 #include "forceshade/csv/output_file.h"
 #include "forceshade/csv/printable.h"
 #include "forceshade/device/last_samples.h"
-#include "forceshade/recorder/settings.h"
 
 namespace forceshade::apps {
 namespace {
@@ -27,32 +26,12 @@ namespace {
 constexpr const char* kNotBegun = "the run had not begun";
 
 // What the device says of itself; what it does not say is left out.
-std::vector<std::pair<std::string, std::string>> identity(const device::Capabilities& capabilities) {
-  std::vector<std::pair<std::string, std::string>> known;
-  for (const auto& [what, words] : {std::pair<const char*, std::string_view>{"model", capabilities.model},
-                                    {"serial", capabilities.serial},
-                                    {"driver", capabilities.driver},
-                                    {"firmware", capabilities.firmware}})
-    if (!words.empty()) known.emplace_back(what, words);
-  return known;
-}
-
 recorder::Metadata metadata(const RunPlan& plan, const Driven& what, const device::Capabilities& capabilities) {
-  const properties::Build build = properties::current_build();
-  recorder::Metadata metadata{{"certificate_digest", plan.digest.value_or("none")},
-                              {"library_digest", build.library_digest},
-                              {"version", build.version},
-                              {"revision", build.revision},
-                              {"compiler", build.compiler},
-                              {"flags", build.flags},
-                              {"instruction_set", build.instruction_set},
-                              {"device", plan.device},
-                              {"origin_mm", origin_words(plan.servo.placement)},
-                              {"axes", axes_words(plan.servo.placement)},
-                              {"paced", plan.servo.paced ? "yes" : "no"}};
-  for (const auto& [what_it_is, words] : identity(capabilities)) metadata["device_" + what_it_is] = words;
+  recorder::Metadata metadata = metadata_of_run(plan.device, capabilities, plan.servo);
+  metadata.insert({{"certificate_digest", plan.digest.value_or("none")},
+                   {"origin_mm", origin_words(plan.servo.placement)},
+                   {"axes", axes_words(plan.servo.placement)}});
   metadata.merge(metadata_of(what.identity));
-  metadata.merge(recorder::metadata_of(safety_settings(capabilities, plan.servo)));
   return metadata;
 }
 
@@ -64,7 +43,7 @@ nlohmann::ordered_json summary(const device::ServoResult& run, const std::vector
   const Eigen::Vector3d origin = plan.servo.placement.origin().cast<double>();
   json["placement"] = {{"origin_mm", {origin.x(), origin.y(), origin.z()}}, {"axes", axes_words(plan.servo.placement)}};
   json["device"] = {{"name", plan.device}};
-  for (const auto& [what_it_is, words] : identity(capabilities)) json["device"][what_it_is] = words;
+  for (const auto& [what_it_is, words] : words_of(capabilities)) json["device"][what_it_is] = words;
   json.update(to_json(run));
   const std::string signal = interrupting_signal();
   json["signal"] = signal.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(signal);

@@ -10,6 +10,7 @@
 #include "forceshade/csv/printable.h"
 #include "forceshade/identity/digest.h"
 #include "forceshade/identity/identity_json.h"
+#include "forceshade/recorder/settings.h"
 
 namespace forceshade::apps {
 
@@ -35,6 +36,32 @@ recorder::Metadata metadata_of(const properties::Identity& identity) {
   recorder::Metadata metadata{{key_of_kind(identity), identity.name}};
   if (!identity.digest.empty()) metadata["digest"] = identity.digest;
   for (const auto& [key, value] : identity.parameters) metadata[key] = properties::text_of(value);
+  return metadata;
+}
+
+std::vector<std::pair<std::string, std::string>> words_of(const device::Capabilities& capabilities) {
+  std::vector<std::pair<std::string, std::string>> known;
+  for (const auto& [what, words] : {std::pair<const char*, std::string_view>{"model", capabilities.model},
+                                    {"serial", capabilities.serial},
+                                    {"driver", capabilities.driver},
+                                    {"firmware", capabilities.firmware}})
+    if (!words.empty()) known.emplace_back(what, words);
+  return known;
+}
+
+recorder::Metadata metadata_of_run(const std::string& device, const device::Capabilities& capabilities,
+                                   const device::ServoOptions& servo) {
+  const properties::Build build = properties::current_build();
+  recorder::Metadata metadata{{"library_digest", build.library_digest},
+                              {"version", build.version},
+                              {"revision", build.revision},
+                              {"compiler", build.compiler},
+                              {"flags", build.flags},
+                              {"instruction_set", build.instruction_set},
+                              {"device", device},
+                              {"paced", servo.paced ? "yes" : "no"}};
+  for (const auto& [what, words] : words_of(capabilities)) metadata["device_" + what] = words;
+  metadata.merge(recorder::metadata_of(device::safety_settings(capabilities, servo)));
   return metadata;
 }
 

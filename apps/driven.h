@@ -6,7 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "forceshade/device/servo_loop.h"
 #include "forceshade/fast/session.h"
 #include "forceshade/properties/subject.h"
 #include "forceshade/recorder/recorder.h"
@@ -23,6 +26,14 @@ struct Driven {
 // As a run's summary names it, and as a recording does.
 nlohmann::ordered_json summary_of(const properties::Identity& identity);
 recorder::Metadata metadata_of(const properties::Identity& identity);
+
+// What a device says of itself: model, serial, driver, firmware, as far as it says them.
+std::vector<std::pair<std::string, std::string>> words_of(const device::Capabilities& capabilities);
+
+// Of every recording: the build, the device by its name and by its own words, the pace, the settings of supervisor and
+// controller.
+recorder::Metadata metadata_of_run(const std::string& device, const device::Capabilities& capabilities,
+                                   const device::ServoOptions& servo);
 
 // The digest of the certificate's file; none where it does not cover what is to be driven, with the reason why.
 struct Certified {

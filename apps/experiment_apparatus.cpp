@@ -9,9 +9,7 @@
 #include "forceshade/apps/driven.h"
 #include "forceshade/apps/experiment_certificates.h"
 #include "forceshade/apps/signals.h"
-#include "forceshade/certificate/build.h"
 #include "forceshade/csv/csv.h"
-#include "forceshade/recorder/settings.h"
 
 namespace forceshade::apps {
 namespace {
@@ -31,24 +29,9 @@ std::string numbered(int number, const std::string& place) {
 }
 
 recorder::Metadata known_before(const ApparatusPlan& plan, const device::Capabilities& capabilities) {
-  const properties::Build build = properties::current_build();
   recorder::Metadata metadata = plan.metadata;
-  metadata.insert({{"library_digest", build.library_digest},
-                   {"version", build.version},
-                   {"revision", build.revision},
-                   {"compiler", build.compiler},
-                   {"flags", build.flags},
-                   {"instruction_set", build.instruction_set},
-                   {"device", plan.device},
-                   {"stimuli", "stimuli.jsonl"},
-                   {"certified", plan.certificates.empty() ? "no" : "yes"},
-                   {"paced", plan.servo.paced ? "yes" : "no"}});
-  for (const auto& [key, words] : {std::pair<const char*, std::string_view>{"device_model", capabilities.model},
-                                   {"device_serial", capabilities.serial},
-                                   {"device_driver", capabilities.driver},
-                                   {"device_firmware", capabilities.firmware}})
-    if (!words.empty()) metadata[key] = words;
-  metadata.merge(recorder::metadata_of(safety_settings(capabilities, plan.servo)));
+  metadata.insert({{"stimuli", "stimuli.jsonl"}, {"certified", plan.certificates.empty() ? "no" : "yes"}});
+  metadata.merge(metadata_of_run(plan.device, capabilities, plan.servo));
   return metadata;
 }
 
