@@ -26,7 +26,7 @@ namespace {
 using experiments::RecordedSession;
 using experiments::Session;
 
-// A simulated PHANToM whose hand is told before every reading where to go, in the loop's own thread: it may take its time,
+// A simulated PHANToM whose hand gets its aim before every reading, in the loop's own thread: it may take its time,
 // because such a loop is not paced.
 class Told final : public device::Device {
  public:
