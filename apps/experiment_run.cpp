@@ -145,7 +145,7 @@ int run_session(const experiments::Protocol& protocol, const SessionOptions& opt
   const std::unique_ptr<Front> front = open_front(bumps, steering);
   experiments::RecordedSession recorded = open_session();
   if (!recorded.note().empty()) tell_experimenter(recorded.note());
-  plan.folder = recorded.folder() / "ticks" / ("run-" + std::to_string(recorded.run()));
+  plan.folder = recorded.ticks();
   plan.metadata = {{"participant", recorded.participant()}, {"run", std::to_string(recorded.run())}};
   const double peak = static_cast<double>(device->capabilities().peak_force);
   Apparatus apparatus(*device, bumps, std::move(plan));
