@@ -72,6 +72,8 @@ void Apparatus::start() {
 }
 
 void Apparatus::follow(const experiments::Session& session) {
+  // Answers to what was not recorded are worth little, and the disk may take no answer either.
+  if (parts_.failing()) throw recorder::RecordingError(plan_.folder.string() + ": the disk refuses the ticks; is it full?");
   begin_part(session);
   if (const experiments::Scene scene = session.scene(); scene != offered_) offer(scene);
   stage_.collect();
