@@ -133,10 +133,13 @@ Analysis analyze(experiments::Results results, const AnalysisOptions& options) {
   return analysis;
 }
 
+std::string condition_words(const MatchingTable& table) {
+  return title_of(table.stimulus) + (table.vision ? ", with vision" : ", no vision");
+}
+
 std::string heading_of(const MatchingTable& table) {
   const ThesisMatchingTable* thesis = thesis_matching(table.stimulus, table.vision);
-  return (thesis == nullptr ? "Table: " : "Table " + thesis->number + ": ") + title_of(table.stimulus) +
-         (table.vision ? ", with vision" : ", no vision");
+  return (thesis == nullptr ? "Table: " : "Table " + thesis->number + ": ") + condition_words(table);
 }
 
 std::string method_of(const AnalysisOptions& options) {

@@ -27,6 +27,9 @@ struct Analysis {
 
 Analysis analyze(experiments::Results results, const AnalysisOptions& options);
 
+// "Circular cylinder, no vision"
+std::string condition_words(const MatchingTable& table);
+
 // "Table 6.1: Circular cylinder, no vision", without a number for a condition that the thesis does not have.
 std::string heading_of(const MatchingTable& table);
 

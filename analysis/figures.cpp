@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "forceshade/analysis/analysis.h"
 #include "forceshade/analysis/number_words.h"
 #include "forceshade/analysis/thesis.h"
 #include "forceshade/report/plot_text.h"
@@ -148,7 +149,7 @@ Picture scatter(const experiments::Results& results, const MatchingTable& table)
                      commands);
   }
   return panels("matching-" + condition_name(table.stimulus, table.vision),
-                "Final against reference radius, " + title_of(table.stimulus), all,
+                "Final against reference radius: " + condition_words(table), all,
                 kLegend + axes("reference radius (mil)", "final radius (mil)") +
                     properties::range("x", across.low, across.high) + properties::range("y", up.low, up.high));
 }
@@ -180,7 +181,7 @@ Picture satisfaction(const experiments::Results& results, const MatchingTable& t
     all.emplace_back(row.participant + ": mean " + fixed(row.columns[2].value, 1), commands);
   }
   return panels("satisfaction-" + condition_name(table.stimulus, table.vision),
-                "Satisfaction against reference radius, " + title_of(table.stimulus), all,
+                "Satisfaction against reference radius: " + condition_words(table), all,
                 kLegend + axes("reference radius (mil)", "satisfaction index") +
                     properties::range("x", across.low, across.high) + "set yrange [0.3:10.7]\nset ytics 1, 1, 10\n");
 }

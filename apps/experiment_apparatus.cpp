@@ -9,14 +9,13 @@
 #include "forceshade/apps/driven.h"
 #include "forceshade/apps/experiment_certificates.h"
 #include "forceshade/apps/signals.h"
-#include "forceshade/csv/csv.h"
+#include "forceshade/experiments/stimulus_list.h"
 
 namespace forceshade::apps {
 namespace {
 
 namespace fs = std::filesystem;
 using experiments::Bump;
-using nlohmann::ordered_json;
 
 // 16 s at 1 kHz: a part lasts a minute and a half, and one is begun while another is closed.
 constexpr std::size_t kRing = std::size_t{1} << 14;
@@ -73,6 +72,8 @@ void Apparatus::start() {
 }
 
 void Apparatus::follow(const experiments::Session& session) {
+  // Answers to what was not recorded are worth little, and the disk may take no answer either.
+  if (parts_.failing()) throw recorder::RecordingError(plan_.folder.string() + ": the disk refuses the ticks; is it full?");
   begin_part(session);
   if (const experiments::Scene scene = session.scene(); scene != offered_) offer(scene);
   stage_.collect();
@@ -104,27 +105,26 @@ void Apparatus::offer(const experiments::Scene& scene) {
   auto stimulus = std::make_unique<device::Stimulus>();
   stimulus->number = ++number_;
   stimulus->seam = plan_.origin.x();
-  ordered_json line{{"number", number_}, {"seam_mm", static_cast<double>(plan_.origin.x())}};
-  const auto place = [&](const std::optional<Bump>& bump, std::optional<device::Placed>& placed, const char* side) {
-    line[side] = nullptr;
+  experiments::ListedStimulus listed{.number = number_, .seam = plan_.origin.x(), .left = {}, .right = {}};
+  const auto place = [&](const std::optional<Bump>& bump, std::optional<device::Placed>& placed,
+                         std::optional<experiments::ListedBump>& side) {
     if (!bump) return;
     const properties::Subject& subject = bumps_.of(*bump);
     placed = device::Placed{subject.calls().open(), Bumps::place_of(*bump, plan_.origin)};
     const std::string name = certificate_name(subject.identity());
     const auto digest = plan_.certificates.find(name);
-    const Eigen::Vector3d origin = placed->origin.cast<double>();
-    line[side] = {{"stimulus", bump->stimulus},
-                  {"radius_mil", bump->radius},
-                  {"origin_mm", {origin.x(), origin.y(), origin.z()}},
-                  {"subject", summary_of(subject.identity())},
-                  {"certificate", name},
-                  {"certificate_digest", digest == plan_.certificates.end() ? "none" : digest->second}};
+    side = {bump->stimulus,
+            bump->radius,
+            {placed->origin.x(), placed->origin.y(), placed->origin.z()},
+            summary_of(subject.identity()).dump(),
+            name,
+            digest == plan_.certificates.end() ? "none" : digest->second};
     if (!plan_.certificates.empty() && digest == plan_.certificates.end())
       throw BadInput(words_of(*bump) + ": no certificate was checked for it before the session");
   };
-  place(scene.left, stimulus->left, "left");
-  place(scene.right, stimulus->right, "right");
-  stimuli_ << line.dump() << '\n' << std::flush;
+  place(scene.left, stimulus->left, listed.left);
+  place(scene.right, stimulus->right, listed.right);
+  stimuli_ << experiments::line_of(listed) << std::flush;
   if (!stimuli_) throw BadInput((plan_.folder / "stimuli.jsonl").string() + ": cannot be written");
   stage_.offer(std::move(stimulus));
   offered_ = scene;

@@ -105,9 +105,22 @@ void tell_experimenter(const std::string& words) {
   std::fprintf(stderr, "forceshade: %s\n", csv::printable(words).c_str());
 }
 
+std::string words_of_resume(const experiments::RecordedSession& recorded) {
+  return "the session is kept; 'forceshade experiment resume " + recorded.folder().string() + "' goes on with it";
+}
+
+// On a full disk more than one thing fails: what fails later is said, and what failed first is thrown.
+template <class Work>
+void say_what_fails(const Work& work) {
+  try {
+    work();
+  } catch (const std::exception& also) {
+    tell_experimenter(also.what());
+  }
+}
+
 int code_of(const device::ServoResult& result, const experiments::RecordedSession& recorded) {
-  const std::string resume =
-      "the session is kept; 'forceshade experiment resume " + recorded.folder().string() + "' goes on with it";
+  const std::string resume = words_of_resume(recorded);
   if (result.trip || result.end_reason == device::EndReason::device_fault) {
     tell_experimenter(result.trip ? "the supervisor stopped the run: " + std::string(name_of(result.trip->rule))
                                   : "device fault: " + std::string(result.fault));
@@ -145,25 +158,24 @@ int run_session(const experiments::Protocol& protocol, const SessionOptions& opt
   const std::unique_ptr<Front> front = open_front(bumps, steering);
   experiments::RecordedSession recorded = open_session();
   if (!recorded.note().empty()) tell_experimenter(recorded.note());
-  plan.folder = recorded.folder() / "ticks" / ("run-" + std::to_string(recorded.run()));
+  plan.folder = recorded.ticks();
   plan.metadata = {{"participant", recorded.participant()}, {"run", std::to_string(recorded.run())}};
   const double peak = static_cast<double>(device->capabilities().peak_force);
   Apparatus apparatus(*device, bumps, std::move(plan));
   Session& session = recorded.session();
+  device::ServoResult result;
+  bool was_stopped = false;
   try {
     go_through(session, apparatus, *front, std::isfinite(peak) ? peak : 5);
+    was_stopped = true;
+    result = apparatus.stop();
   } catch (...) {
-    // Zero force first, then the log: what is wrong is said by who caught it.
-    const double seconds = apparatus.seconds();
-    try {
-      apparatus.stop();
-    } catch (const std::exception& also) {
-      tell_experimenter(also.what());
-    }
-    session.close(seconds);
+    // Zero force first, then the log.
+    if (!was_stopped) say_what_fails([&] { apparatus.stop(); });
+    say_what_fails([&] { session.close(apparatus.seconds()); });
+    if (!session.is_over()) tell_experimenter(words_of_resume(recorded));
     throw;
   }
-  const device::ServoResult result = apparatus.stop();
   session.close(apparatus.seconds());
   std::printf("run %d of %s: %zu ticks (%s), %zu late\n", recorded.run(), recorded.participant().c_str(), result.ticks,
               name_of(result.end_reason).data(), result.missed_deadlines);

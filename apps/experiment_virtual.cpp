@@ -122,7 +122,7 @@ void run_participant(const VirtualOptions& options, const std::map<std::string, 
   Told device(device::open_device("simulated:" + options.model + ":mouse", steered), tell);
   apparatus = std::make_unique<Apparatus>(device, bumps,
                                           ApparatusPlan{.device = "simulated:" + options.model + ":mouse",
-                                                        .folder = recorded.folder() / "ticks" / "run-1",
+                                                        .folder = recorded.ticks(),
                                                         .certificates = certificates,
                                                         .origin = {0, 0, 0},
                                                         .metadata = {{"participant", id}, {"run", "1"}, {"virtual", "yes"}},

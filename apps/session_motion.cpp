@@ -2,10 +2,12 @@
 #include "forceshade/apps/session_motion.h"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
-#include <string>
+#include <span>
 #include <utility>
 
+#include "forceshade/experiments/session_folder.h"
 #include "forceshade/recorder/recording.h"
 #include "forceshade/recorder/settings.h"
 
@@ -67,7 +69,7 @@ std::vector<fs::path> parts_of(const fs::path& run) {
 }
 
 std::optional<experiments::Motion> motion_of(const fs::path& session, int run) {
-  std::vector<fs::path> parts = parts_of(session / "ticks" / ("run-" + std::to_string(run)));
+  std::vector<fs::path> parts = parts_of(experiments::ticks_of_run(session, run));
   if (parts.empty()) return std::nullopt;
   experiments::Motion motion;
   {

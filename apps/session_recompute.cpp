@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
-#include <set>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "forceshade/apps/command.h"
@@ -17,6 +20,7 @@
 #include "forceshade/csv/printable.h"
 #include "forceshade/device/retrace.h"
 #include "forceshade/experiments/session_folder.h"
+#include "forceshade/experiments/stimulus_list.h"
 #include "forceshade/properties/binary32.h"
 #include "forceshade/recorder/settings.h"
 
@@ -35,8 +39,8 @@ void say_difference(const std::string& words) {
 // run-1, run-2 and so on, in that order.
 std::vector<fs::path> runs_of(const fs::path& session) {
   std::vector<fs::path> runs;
-  for (int run = 1; fs::is_directory(session / "ticks" / ("run-" + std::to_string(run))); ++run)
-    runs.push_back(session / "ticks" / ("run-" + std::to_string(run)));
+  for (int run = 1; fs::is_directory(experiments::ticks_of_run(session, run)); ++run)
+    runs.push_back(experiments::ticks_of_run(session, run));
   if (runs.empty()) throw BadInput(session.string() + ": expected a session with ticks/run-1, got none");
   return runs;
 }
@@ -52,37 +56,22 @@ struct Line {
   float seam = 0;
 };
 
-// What stimuli.jsonl says; a line that a crash cut short was never offered.
+// What stimuli.jsonl says.
 class Stimuli {
  public:
   Stimuli(const fs::path& file, Bumps& bumps) {
-    std::ifstream in(file);
-    if (!in) throw BadInput(file.string() + ": cannot be opened");
-    std::size_t number = 0;
-    for (std::string text; std::getline(in, text);) {
-      ++number;
-      if (in.eof()) break;
-      const auto refuse = [&](const std::string& what) {
-        return BadInput(file.string() + ":" + std::to_string(number) + ": " + what);
-      };
-      try {
-        const auto json = nlohmann::ordered_json::parse(text);
-        Line line{.left = std::nullopt, .right = std::nullopt, .seam = json.at("seam_mm").get<float>()};
-        for (const auto& [side, key] : {std::pair{&line.left, "left"}, std::pair{&line.right, "right"}}) {
-          if (json.at(key).is_null()) continue;
-          const auto& its = json.at(key);
-          const auto& origin = its.at("origin_mm");
-          *side = Side{{its.at("stimulus").get<std::string>(), its.at("radius_mil").get<int>(), 0},
-                       {origin.at(0).get<float>(), origin.at(1).get<float>(), origin.at(2).get<float>()}};
-          const nlohmann::ordered_json subject = summary_of(bumps.of((*side)->bump).identity());
-          if (its.at("subject") != subject)
-            throw refuse("the rendered " + words_of((*side)->bump) + " was " + its.at("subject").dump() +
-                         "; the protocol's is " + subject.dump());
-        }
-        lines_[json.at("number").get<std::uint32_t>()] = line;
-      } catch (const nlohmann::json::exception& error) {
-        throw refuse(error.what());
+    for (const experiments::ListedStimulus& listed : experiments::read_stimuli(file)) {
+      Line line{.left = std::nullopt, .right = std::nullopt, .seam = listed.seam};
+      for (const auto& [side, its] : {std::pair{&line.left, &listed.left}, std::pair{&line.right, &listed.right}}) {
+        if (!*its) continue;
+        const Bump bump{(*its)->stimulus, (*its)->radius, 0};
+        const auto& [x, y, z] = (*its)->origin;
+        if (const std::string subject = summary_of(bumps.of(bump).identity()).dump(); (*its)->subject != subject)
+          throw BadInput(file.string() + ":" + std::to_string(listed.number) + ": the rendered " + words_of(bump) + " was " +
+                         (*its)->subject + "; the protocol's is " + subject);
+        *side = Side{bump, {x, y, z}};
       }
+      lines_[listed.number] = line;
     }
   }
 

@@ -2,8 +2,12 @@
 #pragma once
 // Whether what a session commanded follows from what it recorded.
 
+#include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <string>
 
+#include "forceshade/device/sample.h"
 #include "forceshade/recorder/recording.h"
 
 namespace forceshade::apps {

@@ -10,13 +10,14 @@
 #include <charconv>
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include "forceshade/csv/output_file.h"
 #include "forceshade/csv/printable.h"
 #include "forceshade/experiments/error.h"
+#include "forceshade/experiments/json_text.h"
 #include "forceshade/experiments/trial_log.h"
 
 namespace forceshade::experiments {
@@ -66,18 +67,18 @@ About read_about(const fs::path& folder) {
   const fs::path file = folder / "session.json";
   const std::string text = content_of(file);
   try {
-    const auto json = nlohmann::json::parse(text);
-    if (json.at("schema") != kSessionSchema) throw Error(file, "schema: expected 1, got " + json.at("schema").dump());
+    const Json json = json_of(text);
+    whole_member(json, "schema", kSessionSchema, kSessionSchema);
     About about;
-    about.participant = json.at("participant").get<std::string>();
-    if (!is_participant(about.participant)) throw Error(file, "participant: expected letters, digits and dashes");
-    const std::string seed = json.at("seed").get<std::string>();
+    about.participant = text_member(json, "participant");
+    if (!is_participant(about.participant)) throw std::invalid_argument("participant: expected letters, digits and dashes");
+    const std::string seed = text_member(json, "seed");
     const auto [end, error] = std::from_chars(seed.data(), seed.data() + seed.size(), about.seed);
     if (error != std::errc() || end != seed.data() + seed.size())
-      throw Error(file, "seed: expected a whole number below 2^64 in quotes, got " + csv::printable(seed));
-    about.files_from = json.at("files_from").get<std::string>();
+      throw std::invalid_argument("seed: expected a whole number below 2^64 in quotes, got " + seed);
+    about.files_from = text_member(json, "files_from");
     return about;
-  } catch (const nlohmann::json::exception& error) {
+  } catch (const std::invalid_argument& error) {
     throw Error(file, csv::printable(error.what()));
   }
 }
@@ -118,6 +119,10 @@ bool is_participant(std::string_view id) {
   };
   return !id.empty() && id.size() <= kLongestId && is_alphanumeric(id.front()) &&
          std::ranges::all_of(id, [&](char c) { return is_alphanumeric(c) || c == '-'; });
+}
+
+fs::path ticks_of_run(const fs::path& session, int run) {
+  return session / "ticks" / ("run-" + std::to_string(run));
 }
 
 // Appends lines; holds a lock on the file, so that no second process goes on with the same session.
@@ -184,11 +189,11 @@ RecordedSession RecordedSession::start(const fs::path& folder, const fs::path& p
     if (error) throw Error(folder, "cannot be made: " + error.message());
     write_whole(folder / "protocol.toml", content_of(protocol_file));
     write_whole(folder / "language.toml", content_of(protocol.language));
-    const nlohmann::ordered_json about{{"schema", kSessionSchema},
-                                       {"participant", participant},
-                                       {"experiment", name_of(protocol.experiment)},
-                                       {"seed", std::to_string(seed)},
-                                       {"files_from", fs::absolute(protocol_file).parent_path().string()}};
+    const Json about{{"schema", kSessionSchema},
+                     {"participant", participant},
+                     {"experiment", name_of(protocol.experiment)},
+                     {"seed", std::to_string(seed)},
+                     {"files_from", fs::absolute(protocol_file).parent_path().string()}};
     write_whole(folder / "session.json", about.dump(2) + '\n');
     recorded.log_ = std::make_shared<Log>(log_in(folder), O_CREAT | O_EXCL, sync);
     sync_folder(folder);
@@ -227,10 +232,6 @@ RecordedSession RecordedSession::resume(const fs::path& folder, KeyNames keys, S
       std::move(all.protocol), std::move(all.language), all.about.seed,
       [log = recorded.log_](const Event& event) { log->append(event); }, text.events, keys);
   return recorded;
-}
-
-fs::path RecordedSession::recording() const {
-  return folder_ / "ticks" / ("run-" + std::to_string(run_) + ".fsr");
 }
 
 SavedSession read_session(const fs::path& folder) {

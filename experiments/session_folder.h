@@ -16,6 +16,9 @@ namespace forceshade::experiments {
 // A pseudonym: 1 to 32 letters, digits and dashes of ASCII, the first no dash.
 bool is_participant(std::string_view id);
 
+// The folder for the ticks of a run, from 1: SESSION/ticks/run-1 and so on. It need not exist.
+std::filesystem::path ticks_of_run(const std::filesystem::path& session, int run);
+
 // Whether each event reaches the disk before the session goes on. Without it, a crash of the machine, not of the program, may
 // lose the last seconds: enough for virtual participants.
 enum class Sync { each_event, never };
@@ -38,8 +41,8 @@ class RecordedSession {
   const std::string& participant() const { return participant_; }
   int run() const { return run_; }  // from 1
   const std::filesystem::path& folder() const { return folder_; }
-  // Where the ticks of this run belong: FOLDER/ticks/run-1.fsr and so on.
-  std::filesystem::path recording() const;
+  // Where the ticks of this run belong.
+  std::filesystem::path ticks() const { return ticks_of_run(folder_, run_); }
   // Words about what was repaired; empty if nothing was.
   const std::string& note() const { return note_; }
 

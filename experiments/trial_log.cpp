@@ -6,18 +6,17 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include "forceshade/csv/printable.h"
 #include "forceshade/experiments/error.h"
+#include "forceshade/experiments/json_text.h"
 
 namespace forceshade::experiments {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 11> kEventNames{"run-started",       "block-started", "trial-started", "radius-changed",
                                                        "match-done",        "answered",      "break-started", "break-ended",
@@ -57,26 +56,28 @@ std::size_t place_in(const std::array<std::string_view, n>& names, const Json& n
 }
 
 Event event_of(std::string_view line, std::size_t number) {
-  const Json json = Json::parse(line);
-  if (json.at("n") != number) throw std::invalid_argument("expected event " + std::to_string(number));
+  const Json json = json_of(line);
+  if (member(json, "n") != number) throw std::invalid_argument("expected event " + std::to_string(number));
   Event event;
-  event.kind = static_cast<EventKind>(place_in(kEventNames, json.at("event")));
-  event.time = json.at("t").get<double>();
-  event.run = json.at("run").get<int>();
-  event.block = json.value("block", 0);
-  event.index = json.value("index", 0);
-  event.attempt = json.value("attempt", 0);
-  event.radius = json.value("radius_mil", 0);
-  event.answer = json.value("answer", 0);
-  event.text = json.value("text", "");
+  event.kind = static_cast<EventKind>(place_in(kEventNames, member(json, "event")));
+  if (!member(json, "t").is_number()) throw std::invalid_argument("t: expected a number of seconds");
+  event.time = member(json, "t").get<double>();
+  event.run = whole_member(json, "run");
+  const auto whole = [&](const char* key) { return json.contains(key) ? whole_member(json, key) : 0; };
+  event.block = whole("block");
+  event.index = whole("index");
+  event.attempt = whole("attempt");
+  event.radius = whole("radius_mil");
+  event.answer = whole("answer");
+  if (json.contains("text")) event.text = text_member(json, "text");
   if (json.contains("trial")) {
-    const Json& trial = json.at("trial");
-    event.trial = {trial.at("number").get<int>(),
-                   trial.at("stimulus").get<std::string>(),
-                   trial.at("radius_mil").get<int>(),
-                   static_cast<InitialRadius>(place_in(kInitialNames, trial.at("initial"))),
-                   trial.at("initial_radius_mil").get<int>(),
-                   trial.at("repetition").get<int>()};
+    const Json& trial = member(json, "trial");
+    event.trial = {whole_member(trial, "number"),
+                   text_member(trial, "stimulus"),
+                   whole_member(trial, "radius_mil"),
+                   static_cast<InitialRadius>(place_in(kInitialNames, member(trial, "initial"))),
+                   whole_member(trial, "initial_radius_mil"),
+                   whole_member(trial, "repetition")};
   }
   return event;
 }

@@ -255,7 +255,7 @@ class VirtualParticipant::Model {
   int classify(const Bump& bump) {
     if (random_.uniform() < kLapses) return 1 + static_cast<int>(random_.below(4));
     const double noise = std::sqrt(static_cast<double>(kStrokePlaces));
-    const double of_height = noise * height_noise(), of_direction = noise * direction_noise(true);
+    const double of_height = noise * height_noise(), of_direction = noise * direction_noise(true);  // pictures are seen
     Stroke felt = feel_(bump);
     for (Felt& place : felt) {
       place.height += of_height * random_.normal();

@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/recorder/settings.h"
 
+#include <Eigen/Core>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <string>
+#include <system_error>
+#include <type_traits>
 
 #include "forceshade/csv/csv.h"
+#include "forceshade/device/passivity_controller.h"
+#include "forceshade/device/sample.h"
 
 namespace forceshade::recorder {
 namespace {

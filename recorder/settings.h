@@ -3,6 +3,7 @@
 // What the supervisor and the passivity controller of a run went by, as its recording keeps it.
 
 #include <optional>
+#include <string>
 
 #include "forceshade/device/servo_loop.h"
 #include "forceshade/recorder/recorder.h"

@@ -54,6 +54,7 @@ TEST(page, draws_every_figure_of_chapter_6) {
   const std::string page = to_html(analysis, all, drawn);
   for (const char* part :
        {"Table 6.3: Flat, shaded, no vision", "Table: own &lt;bump&gt;&#39;, with vision", "Table 7.1", "Table 6.9",
+        "Final against reference radius: Flat, shaded, no vision", "Satisfaction against reference radius: own &lt;bump&gt;",
         "θ-critical", "BCa", "seed 1", "<span>Figure 8</span>", "&lt;P2&gt; &amp; &#39;co&#39;"})
     EXPECT_TRUE(has(page, part)) << part;
   // Nothing is loaded from elsewhere, and no name becomes an element.

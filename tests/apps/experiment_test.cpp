@@ -2,6 +2,7 @@
 // forceshade experiment as a lab calls it: sessions on the simulated device, with keys through a pipe, killed and resumed.
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -304,6 +305,32 @@ TEST(experiment, ends_with_zero_force_and_goes_on_later_when_a_signal_comes_or_i
   EXPECT_EQ(count(session, EventKind::run_ended), 2);
   const auto whole = lab.run("recording verify S");
   EXPECT_EQ(whole.code, 0) << whole.err;
+}
+
+// A full disk, by the limit of a file's size, which the command inherits.
+TEST(experiment, ends_where_the_disk_refuses_the_ticks_and_goes_on_later) {
+  const Lab lab;
+  const std::string session = lab.file("S");
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit small = before;
+  small.rlim_cur = 200'000;  // less than a second
+  setrlimit(RLIMIT_FSIZE, &small);
+  {
+    Running run(lab, run_of("matching.toml"));
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    run.type(kBegin);
+    EXPECT_EQ(run.end(), 2) << "without another key";
+    EXPECT_NE(run.err().find("the disk refuses the ticks"), std::string::npos) << run.err();
+    EXPECT_NE(run.err().find("'forceshade experiment resume S' goes on with it"), std::string::npos) << run.err();
+  }
+  EXPECT_EQ(count(session, EventKind::run_ended), 1);
+  Running resumed(lab, std::string("experiment resume S") + kDriving);
+  resumed.close_keys();
+  EXPECT_EQ(resumed.end(), 0) << resumed.err();
+  EXPECT_EQ(count(session, EventKind::run_ended), 2);
 }
 
 TEST(experiment, is_refused_before_the_session_where_a_bump_is_not_certified) {

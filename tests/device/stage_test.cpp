@@ -139,6 +139,30 @@ TEST(stage, exchanges_only_where_the_force_does_not_change) {
   EXPECT_GT(waited, 1000);
 }
 
+// A bump may reach across the seam, as a wide cylinder does. The tip that crosses the seam next would be in the new one.
+TEST(stage, waits_while_the_side_that_is_not_felt_would_change_under_the_tip) {
+  for (const bool is_left_felt : {true, false}) {
+    const auto stimulus = [&](std::uint32_t number, float radius) {
+      const float x = is_left_felt ? kHalf : -kHalf;
+      Placed changes = bump(LawId::bump_1p_shaded, radius, x), stays = bump(LawId::bump_cylinder, 15.24F, -x);
+      return std::make_unique<Stimulus>(is_left_felt ? Stimulus{number, std::move(stays), std::move(changes), 2 * kHalf}
+                                                     : Stimulus{number, std::move(changes), std::move(stays), -2 * kHalf});
+    };
+    const Vector3f at(is_left_felt ? kHalf + 5 : -kHalf - 5, 0, -1);
+    const Stimulus::Answer old = stimulus(1, 15.24F)->step(at), next = stimulus(2, 25.4F)->step(at);
+    expect_same(old.felt, next.felt);
+    ASSERT_NE(is_left_felt ? old.right.force : old.left.force, is_left_felt ? next.right.force : next.left.force);
+    Stage stage;
+    stage.offer(stimulus(1, 15.24F));
+    stage.step(kFree);
+    stage.offer(stimulus(2, 25.4F));
+    stage.step(at);
+    EXPECT_EQ(stage.shown(), std::uint64_t{2} << 32 | 1U);
+    stage.step(kFree);
+    EXPECT_EQ(stage.shown(), 2U);
+  }
+}
+
 TEST(stage, forgets_an_offer_that_a_later_one_replaces) {
   Stage stage;
   stage.offer(pair_of(1, LawId::bump_1p_shaded, 15.24F));

@@ -21,6 +21,7 @@
 #include "forceshade/experiments/random.h"
 #include "forceshade/experiments/session_folder.h"
 #include "forceshade/experiments/session_results.h"
+#include "forceshade/experiments/stimulus_list.h"
 #include "forceshade/experiments/trial_log.h"
 #include "forceshade/tests/support/temporary_directory.h"
 
@@ -97,7 +98,7 @@ TEST(session, goes_through_a_whole_experiment_and_its_results_are_what_was_press
   go_on(recorded.session(), time);
   recorded.session().close(time);
   EXPECT_EQ(recorded.session().screen().kind, ScreenKind::end);
-  EXPECT_EQ(recorded.recording(), folder / "ticks" / "run-1.fsr");
+  EXPECT_EQ(recorded.ticks(), folder / "ticks" / "run-1");
   const SavedSession saved = read_session(folder);
   const Results results = results_of(saved);
   ASSERT_EQ(results.matching.size(), 12U);
@@ -425,6 +426,87 @@ TEST(session_folder, leaves_nothing_half_written) {
   std::signal(SIGXFSZ, handler);
   EXPECT_TRUE(is_refused);
   EXPECT_FALSE(fs::exists(folder));
+}
+
+TEST(session_folder, refuses_a_session_json_with_file_and_key) {
+  const tests::TemporaryDirectory directory;
+  const fs::path folder = directory.file("s");
+  RecordedSession::start(folder, directory.write("p.toml", kSmallClassification), "A", 1);
+  const std::string right = directory.read("s/session.json");
+  const auto with = [&](const std::string& key, const std::string& value) {
+    std::string text = right;
+    const std::size_t begin = text.find('"' + key + "\": ") + key.size() + 4;
+    return text.replace(begin, text.find_first_of(",\n", begin) - begin, value);
+  };
+  const std::string deep = std::string(17, '[') + std::string(17, ']'), less_deep = deep.substr(2, 30);
+  for (const auto& [text, expected] : std::vector<std::pair<std::string, std::string>>{
+           {with("schema", "2"), "schema: expected 1, got 2"},
+           {with("schema", "1.5"), "schema: expected 1, got 1.5"},
+           {with("schema", "18446744073709551615"), "schema: expected 1, got 18446744073709551615"},
+           {with("schema", less_deep), "schema: expected 1, got " + less_deep},
+           {with("schema", deep), "expected at most 16 levels of objects and lists, got more"},
+           {with("participant", "7"), "participant: expected a text in quotes, got 7"},
+           {with("participant", "\"A\\u0007\""), "participant: expected letters, digits and dashes"},
+           {with("seed", "\"1x\""), "seed: expected a whole number below 2^64 in quotes, got 1x"},
+           {"{}", "the key schema is missing"},
+           {"[]", "expected an object with the key schema"}}) {
+    directory.write("s/session.json", text);
+    EXPECT_EQ(words_of_reading(folder), (folder / "session.json").string() + ": " + expected);
+  }
+  directory.write("s/session.json", right);
+  EXPECT_EQ(words_of_reading(folder), "");
+}
+
+std::vector<ListedStimulus> some_stimuli() {
+  const ListedBump left{"bump-cylinder", 1000, {-19.05F, 0, 0}, R"({"law":"bump-cylinder"})", "c.json", "none"},
+      right{"a \"name\"", 0, {19.05F, -0.1F, 3e-41F}, R"({"mesh":"a.off"})", "d.json", "00ff"};
+  return {{1, 0, std::nullopt, std::nullopt}, {2, 0.1F, left, right}, {3, 0, right, std::nullopt}};
+}
+
+TEST(stimulus_list, reads_back_what_was_written_wherever_a_crash_cut_it_short) {
+  const tests::TemporaryDirectory directory;
+  const std::vector<ListedStimulus> all = some_stimuli();
+  std::string text;
+  std::vector<std::size_t> ends;
+  for (const ListedStimulus& stimulus : all) ends.push_back((text += line_of(stimulus)).size());
+  for (std::size_t size = 0; size <= text.size(); ++size) {
+    const auto whole = std::ranges::count_if(ends, [&](std::size_t end) { return end <= size; });
+    EXPECT_EQ(read_stimuli(directory.write("s.jsonl", text.substr(0, size))),
+              std::vector<ListedStimulus>(all.begin(), all.begin() + whole))
+        << size;
+  }
+  EXPECT_THROW(read_stimuli(directory.file("no_such.jsonl")), Error);
+}
+
+TEST(stimulus_list, refuses_another_line_with_file_and_line) {
+  const tests::TemporaryDirectory directory;
+  const std::string first = line_of(some_stimuli()[0]), second = line_of(some_stimuli()[1]);
+  const auto changed = [&](const std::string& what, const std::string& by) {
+    std::string text = second;
+    EXPECT_NE(text.find(what), std::string::npos) << what;
+    return first + text.replace(text.find(what), what.size(), by);
+  };
+  for (const auto& [text, expected] : std::vector<std::pair<std::string, std::string>>{
+           {first + first, "number: expected 2"},
+           {changed("\"number\":2", "\"number\":-1"), "number: expected a whole number, 1 to 2147483647, got -1"},
+           {changed("\"radius_mil\":1000", "\"radius_mil\":1e300"),
+            "radius_mil: expected a whole number, 0 to 2147483647, got 1e+300"},
+           {changed("\"radius_mil\":1000", "\"radius_mil\":-1"),
+            "radius_mil: expected a whole number, 0 to 2147483647, got -1"},
+           {changed("\"seam_mm\":0.1", "\"seam_mm\":1e39,\"x\":0.1"), "seam_mm: expected a number of millimetres"},
+           {changed("[-19.0", "[1,-19.0"), "origin_mm: expected a list of three numbers"},
+           {changed("[-19.0", "[null,-19.0"), "origin_mm: expected a list of three numbers"},
+           {changed("\"c.json\"", "null"), "certificate: expected a text in quotes, got null"},
+           {changed("\"left\"", "\"links\""), "the key left is missing"}}) {
+    const std::string file = directory.write("s.jsonl", text);
+    std::string words;
+    try {
+      read_stimuli(file);
+    } catch (const Error& error) {
+      words = error.what();
+    }
+    EXPECT_EQ(words, file + ":2: " + expected);
+  }
 }
 
 }  // namespace

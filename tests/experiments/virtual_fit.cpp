@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// virtual_fit SOURCE_DIR [SEARCHES]: fits the observer of experiments/virtual_participant.h to half of the thesis's numbers,
-// and prints how well it predicts the other half. Without SEARCHES it only prints the table for the observer in the library.
+// virtual_fit SOURCE_DIR [SEARCHES [PARTICIPANTS]]: fits the observer of experiments/virtual_participant.h to half of the
+// thesis's numbers, and prints how well it predicts the other half. Without SEARCHES, or with 0, it only prints the table for
+// the observer in the library. There are 5 participants unless said, as in the thesis; more show what is chance.
 //
 // Fitted: the conditions without vision (Tables 6.1, 6.3, 6.5, 6.7: means over the five subjects of slope, mean SD, mean SI and
 // mean number of steps) and every second row of Table 6.9. Predicted: those with vision (6.2, 6.4, 6.6, 6.8) and the other
@@ -23,8 +24,6 @@
 
 namespace forceshade::experiments {
 namespace {
-
-constexpr int kParticipants = 5;  // as in the thesis; all have the same observer, and seeds of their own
 
 struct Cell {
   double slope, deviation, satisfaction, steps;
@@ -108,8 +107,10 @@ struct Simulated {
 
 class Study {
  public:
-  explicit Study(const std::filesystem::path& examples)
-      : matching_(read_protocol(examples / "matching.toml")),
+  // All participants have the same observer, and seeds of their own.
+  Study(const std::filesystem::path& examples, int participants)
+      : participants_(participants),
+        matching_(read_protocol(examples / "matching.toml")),
         classification_(read_protocol(examples / "classification.toml")),
         language_(read_language(matching_.language)),
         feel_matching_(feel_of_laws(matching_)),
@@ -119,7 +120,7 @@ class Study {
     Simulated all;
     Protocol protocol = matching_;
     if (fitted_alone) protocol.vision = {false};
-    for (int number = 1; number <= kParticipants; ++number) {
+    for (int number = 1; number <= participants_; ++number) {
       const Results matched = results_of_one(protocol, language_, feel_matching_, observer, number);
       for (std::size_t i = 0; i < kMatching.size(); ++i)
         for (const bool vision : protocol.vision) {
@@ -128,21 +129,22 @@ class Study {
             if (trial.stimulus == kMatching[i].stimulus && trial.vision == vision) trials.push_back(&trial);
           const Cell cell = cell_of(trials);
           Cell& mean = all.matching[i][vision ? 1 : 0];
-          mean.slope += cell.slope / kParticipants;
-          mean.deviation += cell.deviation / kParticipants;
-          mean.satisfaction += cell.satisfaction / kParticipants;
-          mean.steps += cell.steps / kParticipants;
+          mean.slope += cell.slope / participants_;
+          mean.deviation += cell.deviation / participants_;
+          mean.satisfaction += cell.satisfaction / participants_;
+          mean.steps += cell.steps / participants_;
         }
       const Results classified = results_of_one(classification_, language_, feel_classification_, observer, number);
       for (const ClassificationResult& trial : classified.classification)
         for (std::size_t i = 0; i < kClassification.size(); ++i)
           if (trial.stimulus == kClassification[i].stimulus && trial.radius == kClassification[i].radius)
-            all.classification[i][static_cast<std::size_t>(trial.answer - 1)] += 100.0 / (24 * kParticipants);
+            all.classification[i][static_cast<std::size_t>(trial.answer - 1)] += 100.0 / (24 * participants_);
     }
     return all;
   }
 
  private:
+  int participants_;
   Protocol matching_, classification_;
   Language language_;
   Feel feel_matching_, feel_classification_;
@@ -266,8 +268,8 @@ Observer fit(const Study& study, int searches) {
 int main(int argc, char** argv) {
   using namespace forceshade::experiments;
   try {
-    const Study study(std::filesystem::path(argc > 1 ? argv[1] : ".") / "examples/experiments");
-    const int searches = argc > 2 ? std::atoi(argv[2]) : 0;
+    const int searches = argc > 2 ? std::atoi(argv[2]) : 0, participants = argc > 3 ? std::max(std::atoi(argv[3]), 1) : 5;
+    const Study study(std::filesystem::path(argc > 1 ? argv[1] : ".") / "examples/experiments", participants);
     print(study.run(searches > 0 ? fit(study, searches) : fitted_observer(), false));
     return 0;
   } catch (const std::exception& error) {

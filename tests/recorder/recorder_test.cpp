@@ -14,6 +14,7 @@
 #include "forceshade/recorder/recording.h"
 #include "forceshade/tests/recorder/faulty_disk.h"
 #include "forceshade/tests/support/allocations.h"
+#include "forceshade/tests/support/comes_true.h"
 #include "forceshade/tests/support/temporary_directory.h"
 
 namespace forceshade::recorder {
@@ -21,6 +22,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using device::Sample;
+using tests::comes_true;  // the writer's thread has come so far
 using tests::FaultyDisk;
 using tests::TemporaryDirectory;
 using Clock = std::chrono::steady_clock;
@@ -47,14 +49,6 @@ void expect_ticks(const std::vector<Sample>& samples) {
     const Sample expected = sample(k);
     ASSERT_EQ(std::memcmp(&samples[k], &expected, sizeof expected), 0) << "tick " << k;
   }
-}
-
-// Within ten seconds, for the writer's thread to come that far.
-template <class Condition>
-bool comes_true(Condition condition) {
-  for (const auto end = Clock::now() + 10s; Clock::now() < end; std::this_thread::sleep_for(1ms))
-    if (condition()) return true;
-  return false;
 }
 
 TEST(recorder, gives_back_every_sample_to_the_bit) {

@@ -8,12 +8,12 @@
 
 namespace forceshade::tests {
 
-// Within twenty seconds, for a busy machine. A condition that throws is not true yet.
+// Within twenty seconds unless said, for a busy machine. A condition that throws is not true yet.
 template <class Condition>
-bool comes_true(Condition condition) {
-  using namespace std::chrono_literals;
-  for (const auto end = std::chrono::steady_clock::now() + 20s; std::chrono::steady_clock::now() < end;
-       std::this_thread::sleep_for(1ms)) {
+bool comes_true(Condition condition, std::chrono::steady_clock::duration patience = std::chrono::seconds(20),
+                std::chrono::steady_clock::duration pause = std::chrono::milliseconds(1)) {
+  for (const auto end = std::chrono::steady_clock::now() + patience; std::chrono::steady_clock::now() < end;
+       std::this_thread::sleep_for(pause)) {
     try {
       if (condition()) return true;
     } catch (const std::exception&) {

@@ -16,11 +16,13 @@
 #include "display.h"
 #include "forceshade/experiments/session_folder.h"
 #include "forceshade/tests/device/faults/command.h"
+#include "forceshade/tests/support/comes_true.h"
 #include "forceshade/tests/support/temporary_directory.h"
 #include "forceshade/window/layout.h"
 #include "forceshade/window/settings.h"
 #include "forceshade/window/view.h"
 #include "screenshots.h"
+#include "short_protocols.h"
 
 namespace forceshade::window {
 namespace {
@@ -37,62 +39,17 @@ using namespace std::chrono_literals;
 constexpr std::uint64_t kSeed = 5;
 constexpr int kWindowLeft = 160, kWindowTop = 100;  // a window of 1280 x 800 in the middle of 1600 x 1000
 
-const char* const kMatching = R"(
-experiment = "matching"
-name = "Three trials with vision, three without"
-language = "english.toml"
-width_mil = 1000
-stiffness_N_per_mm = 0.5
-spacing_mil = 1500
-practice_trials = 0
-trials_before_break = 0
-resume = "trial"
-block_order = "as-listed"
-reference = { law = "bump-cylinder" }
-stimuli = [{ law = "bump-1p-shaded" }]
-vision = [true, false]
-reference_radii_mil = [1000]
-large_initial_radius_mil = 1400
-small_initial_radius_mil = 600
-repetitions = 1
-radius_step_mil = 20
-least_radius_mil = 520
-largest_radius_mil = 2000
-bigger = "higher"
-)";
-
-const char* const kClassification = R"(
-experiment = "classification"
-name = "Four trials"
-language = "german.toml"
-width_mil = 1000
-stiffness_N_per_mm = 0.5
-practice_trials = 1
-trials_before_break = 2
-resume = "trial"
-stimuli = [{ law = "bump-2p" }, { law = "bump-3p-shaded" }]
-radii_mil = [600, 1000]
-repetitions = 1
-)";
-
-// Until it holds; false after a minute, within which every machine has drawn a frame.
-template <class Condition>
-bool comes_true(const Condition& condition) {
-  for (int i = 0; i < 3000; ++i) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(20ms);
-  }
-  return false;
+// Within a minute every machine has drawn a frame; a picture of the display takes a while.
+bool comes_true(const auto& condition) {
+  return tests::comes_true(condition, 60s, 20ms);
 }
 
 // A participant whose screens are computed: another session in this process is given the same presses, so its screens and
 // events are those that the command must have.
 class Person {
  public:
-  Person(const std::string& name, const char* text) : name_(name) {
-    const std::filesystem::path texts = std::filesystem::path(FORCESHADE_SOURCE_DIR) / "examples/experiments";
-    for (const char* file : {"english.toml", "german.toml"}) std::filesystem::copy_file(texts / file, folder_.file(file));
-    protocol_ = experiments::read_protocol(folder_.write("protocol.toml", text));
+  Person(const std::string& name, const std::string& text) : name_(name) {
+    protocol_ = experiments::read_protocol(written_protocol(folder_, text));
     expect_run({});
     start(
         {"experiment", "run", "protocol.toml", "--participant", "P1", "--session", "session", "--seed", std::to_string(kSeed)});
@@ -286,7 +243,7 @@ class experiment_window : public testing::Test {
 };
 
 TEST_F(experiment_window, matching_goes_from_start_to_end_by_keys_and_mouse) {
-  Person person("matching", kMatching);
+  Person person("matching", short_matching("english", 0));
   if (HasFatalFailure()) return;
   ASSERT_NO_FATAL_FAILURE(person.take_part());
   const std::string end = person.leave();
@@ -299,7 +256,7 @@ TEST_F(experiment_window, matching_goes_from_start_to_end_by_keys_and_mouse) {
 }
 
 TEST_F(experiment_window, a_closed_window_loses_nothing_and_the_session_goes_on) {
-  Person person("classification", kClassification);
+  Person person("classification", short_classification("german", 1, 2));
   if (HasFatalFailure()) return;
   ASSERT_NO_FATAL_FAILURE(person.take_part(3));
   const std::string closed = person.close();

@@ -18,6 +18,7 @@
 #include "forceshade/window/layout.h"
 #include "forceshade/window/view.h"
 #include "screenshots.h"
+#include "short_protocols.h"
 
 namespace forceshade::window {
 namespace {
@@ -30,44 +31,6 @@ using experiments::ScreenKind;
 using experiments::Session;
 
 constexpr int kMostFrames = 600;
-
-const char* const kMatching = R"(
-experiment = "matching"
-name = "Two trials"
-language = "german.toml"
-width_mil = 1000
-stiffness_N_per_mm = 0.5
-spacing_mil = 1500
-practice_trials = 1
-trials_before_break = 0
-resume = "trial"
-block_order = "as-listed"
-reference = { law = "bump-cylinder" }
-stimuli = [{ law = "bump-1p-shaded" }]
-vision = [true, false]
-reference_radii_mil = [1000]
-large_initial_radius_mil = 1400
-small_initial_radius_mil = 600
-repetitions = 1
-radius_step_mil = 20
-least_radius_mil = 520
-largest_radius_mil = 2000
-bigger = "higher"
-)";
-
-const char* const kClassification = R"(
-experiment = "classification"
-name = "Four trials"
-language = "english.toml"
-width_mil = 1000
-stiffness_N_per_mm = 0.5
-practice_trials = 0
-trials_before_break = 0
-resume = "trial"
-stimuli = [{ law = "bump-2p" }, { law = "bump-3p-shaded" }]
-radii_mil = [600, 1000]
-repetitions = 1
-)";
 
 const char* kind_name(ScreenKind kind) {
   switch (kind) {
@@ -96,10 +59,7 @@ const std::map<ScreenKind, Habit> kHabits{{ScreenKind::text, {"key Return", 1}},
 class Participant {
  public:
   Participant(const std::string& name, const std::string& text) : name_(name) {
-    for (const char* file : {"english.toml", "german.toml"})
-      std::filesystem::copy_file(std::filesystem::path(FORCESHADE_SOURCE_DIR) / "examples/experiments" / file,
-                                 folder_.file(file));
-    protocol_ = experiments::read_protocol(folder_.write("protocol.toml", text));
+    protocol_ = experiments::read_protocol(written_protocol(folder_, text));
     const experiments::Language language = experiments::read_language(protocol_.language);
     window_.emplace(Settings{}, language.labels);
     session_.emplace(
@@ -199,7 +159,7 @@ class window_session : public testing::Test {
 };
 
 TEST_F(window_session, the_matching_experiment_goes_from_its_instructions_to_its_end) {
-  Participant participant("matching", kMatching);
+  Participant participant("matching", short_matching("german", 1));
   ASSERT_NO_FATAL_FAILURE(participant.take_part());
   const auto& events = participant.events();
   const std::size_t trials = 1 + static_cast<std::size_t>(participant.protocol().trials());
@@ -220,7 +180,7 @@ TEST_F(window_session, the_matching_experiment_goes_from_its_instructions_to_its
 }
 
 TEST_F(window_session, the_classification_experiment_goes_from_its_instructions_to_its_end) {
-  Participant participant("classification", kClassification);
+  Participant participant("classification", short_classification("english", 0, 0));
   ASSERT_NO_FATAL_FAILURE(participant.take_part());
   const auto answers = of_kind(participant.events(), EventKind::answered);
   EXPECT_EQ(answers.size(), 4U);

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <thread>
 
+#include "forceshade/tests/support/comes_true.h"
 #include "forceshade/tests/support/temporary_directory.h"
 
 namespace forceshade::deaths {
@@ -49,12 +50,6 @@ std::optional<std::string> ended(pid_t process, Clock::duration patience) {
       return WIFEXITED(status) ? "exit " + std::to_string(WEXITSTATUS(status)) : "signal " + std::to_string(WTERMSIG(status));
   }
   return std::nullopt;
-}
-
-bool comes_true_within(Clock::duration patience, auto condition) {
-  for (const auto deadline = Clock::now() + patience; Clock::now() < deadline; std::this_thread::sleep_for(1ms))
-    if (condition()) return true;
-  return false;
 }
 
 bool is_gone(pid_t process) {
@@ -134,7 +129,7 @@ Outcome tried(const Death& death, Moment phase) {
                             : started(directory, {FORCESHADE_MORTAL, death.way, seconds});
   Outcome outcome;
   std::optional<std::string> end;
-  comes_true_within(10s, [&] { return (end = ended(program, 1ms)).has_value() || stand_in_hd::struck(); });
+  tests::comes_true([&] { return (end = ended(program, 1ms)).has_value() || stand_in_hd::struck(); }, 10s);
   // Long enough for the program to end in order, for a driver that is alive to let go, and for a run that goes on to go on.
   if (!end) end = ended(program, 4s);
   if (!end) {
@@ -146,7 +141,7 @@ Outcome tried(const Death& death, Moment phase) {
     outcome.end = *end;
   }
   const auto arm = stand_in_hd::arm();
-  comes_true_within(4s, [&] { return is_gone(arm.pid); });
+  tests::comes_true([&] { return is_gone(arm.pid); }, 4s);
   const auto moment = stand_in_hd::struck();
   outcome.took_effect = moment.has_value();
   outcome.force = stand_in_hd::arm().force.norm();

@@ -20,6 +20,7 @@
 
 #include "forceshade/device/phantom/hdapi_library.h"
 #include "forceshade/tests/device/stand_in_hd/stand_in_hd.h"
+#include "forceshade/tests/support/comes_true.h"
 
 namespace forceshade::stand_in_hd {
 
@@ -28,9 +29,7 @@ using namespace hdapi;
 
 // However busy the machine is: 66 000 frames of a sanitized stand-in take more than 20 s beside others. Far from CTest's limit.
 inline bool comes_true(const std::function<bool()>& condition) {
-  for (const auto deadline = Clock::now() + 300s; Clock::now() < deadline; std::this_thread::sleep_for(1ms))
-    if (condition()) return true;
-  return false;
+  return tests::comes_true(condition, 300s);
 }
 
 // A disciplined caller, in a process that has loaded the library: switches the output on after 20 frames, and presses against a

@@ -13,6 +13,7 @@
 
 #include "forceshade/device/phantom/phantom.h"
 #include "forceshade/tests/device/stand_in_hd/stand_in_hd.h"
+#include "forceshade/tests/support/comes_true.h"
 
 namespace forceshade::device {
 using namespace std::chrono_literals;
@@ -20,6 +21,7 @@ using stand_in_hd::Answer;
 using stand_in_hd::Orders;
 using stand_in_hd::seen;
 using stand_in_hd::tell;
+using tests::comes_true;
 using Clock = std::chrono::steady_clock;
 
 // A busy machine may keep either thread waiting and makes frames come late; where it does not matter, patience is long.
@@ -43,12 +45,6 @@ class Listener final : public Attendant {
   bool does = false, leaves = false;
   std::function<void(const std::string&)> on_words;
 };
-
-inline bool comes_true(const std::function<bool()>& condition) {
-  for (const auto deadline = Clock::now() + 20s; Clock::now() < deadline; std::this_thread::sleep_for(1ms))
-    if (condition()) return true;
-  return false;
-}
 
 inline void expect_words(const std::string& text, const std::vector<std::string>& words) {
   for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << word << "\nnot in: " << text;
