@@ -45,8 +45,8 @@ void draw_progress(std::string_view name, double done) {
 void print(const std::string& name, const properties::Findings& law) {
   std::printf("%-15s %s  %llu points, %llu mismatches", name.c_str(), law.held() ? "held  " : "FAILED",
               static_cast<unsigned long long>(law.points), static_cast<unsigned long long>(law.mismatches));
-  for (const char* stage : {"binary64", "double-double", "wide"})
-    std::printf(", %llu %s", static_cast<unsigned long long>(law.points_by_stage.at(stage)), stage);
+  for (const std::string_view stage : properties::kStageNames)
+    std::printf(", %llu %s", static_cast<unsigned long long>(law.points_by_stage.at(std::string(stage))), stage.data());
   std::printf("; with %llu other parameters %llu points, %llu mismatches\n",
               static_cast<unsigned long long>(law.spread.parameter_sets), static_cast<unsigned long long>(law.spread.points),
               static_cast<unsigned long long>(law.spread.mismatches));

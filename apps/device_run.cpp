@@ -56,7 +56,7 @@ double bar_of(const device::Capabilities& capabilities) {
   return std::isfinite(capabilities.peak_force) ? static_cast<double>(capabilities.peak_force) : 5;
 }
 
-// Where nobody looks, or where the words of something else go, no line is drawn.
+// No line is drawn where the output is no terminal, or where another output goes there.
 bool is_watched() {
   return isatty(STDERR_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
 }

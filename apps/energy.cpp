@@ -4,6 +4,7 @@
 
 #include "forceshade/reference/energy.h"
 
+#include <array>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -27,141 +28,126 @@ struct EnergyOptions {
   std::string depth, json, along = "x", at = "0", from = "-12.7mm", to = "12.7mm";
 };
 
+// Of a law or a height map. What differs between the two is in its JSON and its words.
 struct Verdict {
-  const reference::Law& law;
-  float depth;
-  std::optional<std::string> potential = reference::potential(law);
-  reference::LoopBound bound = reference::loop_bound(law, depth);
-  std::vector<reference::PathPoint> witness = reference::witness(law, depth);
-  double witness_mJ = binary64(reference::work(law, witness))[0];
-  double most_mJ = binary64(bound.anywhere)[1];
+  std::string name;
+  Json of;            // the first members of the JSON: the law or map, its parameters, and where the loops lie
+  std::string where;  // in words: empty, or "over …, "
+  float depth;        // mm, of the loops
+  std::optional<std::string> potential;
+  std::array<double, 2> bound;  // mJ, enclosed
+  Json senses;                  // the bounds of each sense, mJ, under their keys
+  std::string senses_in_words;
+  std::vector<std::vector<double>> witness;  // its corners, mm
+  double witness_mJ;
+
+  double most_mJ() const { return bound[1]; }
+  // A bound of which the witness gives less is not known to be met by any loop.
+  static constexpr double kMet = 0.99;
+  bool is_met() const { return witness_mJ >= kMet * most_mJ(); }
 };
 
-// A bound of which the witness gives less is not known to be met by any loop.
-constexpr double kMet = 0.99;
-
-template <class V>
-void add_witness(Json& json, const V& verdict) {
-  json["witness_mJ"] = verdict.witness_mJ;
-  if (verdict.most_mJ == 0) return;
-  json["witness_share_of_bound"] = verdict.witness_mJ / verdict.most_mJ;
-  json["bound_is_met"] = verdict.witness_mJ >= kMet * verdict.most_mJ;
+// mJ of the loops in either sense, in words.
+std::string words_of(const reference::Interval& counter_clockwise, const reference::Interval& clockwise, const char* right) {
+  std::array<char, 128> text{};
+  std::snprintf(text.data(), text.size(), "%.6g mJ counter-clockwise, %.6g mJ clockwise (%s right, z up)",
+                binary64(counter_clockwise)[1], binary64(clockwise)[1], right);
+  return text.data();
 }
 
-template <class V>
-void print_witness(const V& verdict) {
-  if (!verdict.witness.empty())
-    std::printf("witness: %zu corners, gives %.6g mJ, %.2f %% of the bound; --json lists them\n", verdict.witness.size() - 1,
-                verdict.witness_mJ, 100 * verdict.witness_mJ / verdict.most_mJ);
-  if (verdict.witness_mJ < kMet * verdict.most_mJ)
-    std::printf(
-        "the bound is not met: no loop was found that gives %g %% of it to the hand; the most that a loop can give lies "
-        "between "
-        "%.6g and %.6g mJ\n",
-        100 * kMet, verdict.witness_mJ, verdict.most_mJ);
+Verdict verdict_on(const reference::Law& law, float depth) {
+  const Parameters& p = law.parameters();
+  Json parameters;
+  if (has_bump_geometry(law.id()))
+    parameters = {{"radius_mm", static_cast<double>(p.radius)}, {"width_mm", static_cast<double>(p.width)}};
+  parameters["stiffness_N_per_mm"] = static_cast<double>(p.stiffness);
+  const reference::LoopBound bound = reference::loop_bound(law, depth);
+  const auto witness = reference::witness(law, depth);
+  Verdict verdict{
+      .name = std::string(name_of(law.id())),
+      .of = {{"law", name_of(law.id())}, {"parameters", parameters}},
+      .where = "",
+      .depth = depth,
+      .potential = reference::potential(law),
+      .bound = binary64(bound.anywhere),
+      .senses = {{"right_half_mJ",
+                  {{"counter_clockwise", binary64(bound.counter_clockwise)}, {"clockwise", binary64(bound.clockwise)}}}},
+      .senses_in_words = "on the half x >= 0 alone: " + words_of(bound.counter_clockwise, bound.clockwise, "x"),
+      .witness = {},
+      .witness_mJ = binary64(reference::work(law, witness))[0]};
+  for (const auto& [x, z] : witness) verdict.witness.push_back({static_cast<double>(x), static_cast<double>(z)});
+  return verdict;
+}
+
+Verdict verdict_on(const reference::HeightMapField& law, const std::string& name, const reference::Slice& slice, float depth) {
+  ProgressLine line(name);
+  const reference::Watch watch([&](double done) { line.draw(done); }, interrupted());
+  const reference::SliceBound bound = reference::loop_bound(law, slice, depth, watch.part(0, 0.4));
+  const auto witness = reference::witness(law, slice, depth, watch.part(0.4, 0.7));
+  const bool is_x = slice.along == reference::Slice::Along::x;
+  const double at = static_cast<double>(slice.at), from = static_cast<double>(slice.from), to = static_cast<double>(slice.to);
+  std::array<char, 128> where{};
+  std::snprintf(where.data(), where.size(), "over %s = %g mm, %s from %g to %g mm, ", is_x ? "y" : "x", at, is_x ? "x" : "y",
+                from, to);
+  Verdict verdict{
+      .name = name + ", " + std::string(name_of(law.rendering())),
+      .of = {{"height_map", name},
+             {"rendering", name_of(law.rendering())},
+             {"parameters", {{"stiffness_N_per_mm", static_cast<double>(law.stiffness())}}},
+             {"slice", {{"along", is_x ? "x" : "y"}, {"at_mm", at}, {"from_mm", from}, {"to_mm", to}}}},
+      .where = where.data(),
+      .depth = depth,
+      .potential = reference::potential(law),
+      .bound = binary64(bound.most()),
+      .senses = {{"counter_clockwise_mJ", binary64(bound.counter_clockwise)}, {"clockwise_mJ", binary64(bound.clockwise)}},
+      .senses_in_words = words_of(bound.counter_clockwise, bound.clockwise, is_x ? "x" : "y"),
+      .witness = {},
+      .witness_mJ = binary64(reference::work(law, witness, watch.part(0.7, 1)))[0]};
+  for (const Eigen::Vector3f& corner : witness)
+    verdict.witness.push_back(
+        {static_cast<double>(corner.x()), static_cast<double>(corner.y()), static_cast<double>(corner.z())});
+  return verdict;
 }
 
 Json json_of(const Verdict& verdict) {
-  const Parameters& p = verdict.law.parameters();
-  Json parameters;
-  if (has_bump_geometry(verdict.law.id()))
-    parameters = {{"radius_mm", static_cast<double>(p.radius)}, {"width_mm", static_cast<double>(p.width)}};
-  parameters["stiffness_N_per_mm"] = static_cast<double>(p.stiffness);
-  Json json{{"law", name_of(verdict.law.id())},
-            {"parameters", parameters},
-            {"depth_mm", static_cast<double>(verdict.depth)},
-            {"conservative", verdict.potential.has_value()}};
+  Json json = verdict.of;
+  json["depth_mm"] = static_cast<double>(verdict.depth);
+  json["conservative"] = verdict.potential.has_value();
   if (verdict.potential) json["potential"] = *verdict.potential;
-  json["bound_mJ"] = binary64(verdict.bound.anywhere);
-  json["right_half_mJ"] = {{"counter_clockwise", binary64(verdict.bound.counter_clockwise)},
-                           {"clockwise", binary64(verdict.bound.clockwise)}};
-  add_witness(json, verdict);
-  json["witness"] = Json::array();
-  for (const auto& [x, z] : verdict.witness) json["witness"].push_back({static_cast<double>(x), static_cast<double>(z)});
+  json["bound_mJ"] = verdict.bound;
+  json.update(verdict.senses);
+  json["witness_mJ"] = verdict.witness_mJ;
+  if (verdict.most_mJ() != 0) {
+    json["witness_share_of_bound"] = verdict.witness_mJ / verdict.most_mJ();
+    json["bound_is_met"] = verdict.is_met();
+  }
+  json["witness"] = verdict.witness;
   return json;
 }
 
 void print(const Verdict& verdict) {
-  const char* name = name_of(verdict.law.id()).data();
+  const char* name = verdict.name.c_str();
   if (verdict.potential) {
     std::printf("%s: conservative: no loop gives energy to the hand; the force is minus the gradient of %s\n", name,
                 verdict.potential->c_str());
     return;
   }
-  std::printf("%s: active: a simple loop no deeper than %g mm gives the hand up to %.6g mJ\n", name,
-              static_cast<double>(verdict.depth), verdict.most_mJ);
-  std::printf("on the half x >= 0 alone: %.6g mJ counter-clockwise, %.6g mJ clockwise (x right, z up)\n",
-              binary64(verdict.bound.counter_clockwise)[1], binary64(verdict.bound.clockwise)[1]);
-  print_witness(verdict);
+  std::printf("%s: %s: %sa simple loop no deeper than %g mm gives the hand up to %.6g mJ\n", name,
+              verdict.most_mJ() > 0 ? "active" : "gives no energy", verdict.where.c_str(), static_cast<double>(verdict.depth),
+              verdict.most_mJ());
+  if (verdict.most_mJ() == 0) return;
+  std::printf("%s\n", verdict.senses_in_words.c_str());
+  if (!verdict.witness.empty())
+    std::printf("witness: %zu corners, gives %.6g mJ, %.2f %% of the bound; --json lists them\n", verdict.witness.size() - 1,
+                verdict.witness_mJ, 100 * verdict.witness_mJ / verdict.most_mJ());
+  if (!verdict.is_met())
+    std::printf(
+        "the bound is not met: no loop was found that gives %g %% of it to the hand; the most that a loop can give lies "
+        "between %.6g and %.6g mJ\n",
+        100 * Verdict::kMet, verdict.witness_mJ, verdict.most_mJ());
 }
 
-struct HeightVerdict {
-  std::string name;
-  const reference::HeightMapField& law;
-  reference::Slice slice;
-  float depth;
-  std::optional<std::string> potential;
-  reference::SliceBound bound;
-  std::vector<Eigen::Vector3f> witness;
-  double witness_mJ, most_mJ;
-};
-
-HeightVerdict verdict_on(const reference::HeightMapField& law, const std::string& name, const reference::Slice& slice,
-                         float depth) {
-  ProgressLine line(name);
-  const reference::Watch watch([&](double done) { line.draw(done); }, interrupted());
-  const auto bound = reference::loop_bound(law, slice, depth, watch.part(0, 0.4));
-  const auto witness = reference::witness(law, slice, depth, watch.part(0.4, 0.7));
-  const double witness_mJ = binary64(reference::work(law, witness, watch.part(0.7, 1)))[0];
-  return {name, law, slice, depth, reference::potential(law), bound, witness, witness_mJ, binary64(bound.most())[1]};
-}
-
-Json json_of(const HeightVerdict& verdict) {
-  const auto& [along, at, from, to] = verdict.slice;
-  Json json{{"height_map", verdict.name},
-            {"rendering", name_of(verdict.law.rendering())},
-            {"parameters", {{"stiffness_N_per_mm", static_cast<double>(verdict.law.stiffness())}}},
-            {"slice",
-             {{"along", along == reference::Slice::Along::x ? "x" : "y"},
-              {"at_mm", static_cast<double>(at)},
-              {"from_mm", static_cast<double>(from)},
-              {"to_mm", static_cast<double>(to)}}},
-            {"depth_mm", static_cast<double>(verdict.depth)},
-            {"conservative", verdict.potential.has_value()}};
-  if (verdict.potential) json["potential"] = *verdict.potential;
-  json["bound_mJ"] = binary64(verdict.bound.most());
-  json["counter_clockwise_mJ"] = binary64(verdict.bound.counter_clockwise);
-  json["clockwise_mJ"] = binary64(verdict.bound.clockwise);
-  add_witness(json, verdict);
-  json["witness"] = Json::array();
-  for (const Eigen::Vector3f& corner : verdict.witness)
-    json["witness"].push_back(
-        {static_cast<double>(corner.x()), static_cast<double>(corner.y()), static_cast<double>(corner.z())});
-  return json;
-}
-
-void print(const HeightVerdict& verdict) {
-  const char *name = verdict.name.c_str(), *rendering = name_of(verdict.law.rendering()).data();
-  if (verdict.potential) {
-    std::printf("%s, %s: conservative: no loop gives energy to the hand; the force is minus the gradient of %s\n", name,
-                rendering, verdict.potential->c_str());
-    return;
-  }
-  const auto& [along, at, from, to] = verdict.slice;
-  const bool is_x = along == reference::Slice::Along::x;
-  std::printf(
-      "%s, %s: %s: over %s = %g mm, %s from %g to %g mm, a simple loop no deeper than %g mm gives the hand up to %.6g mJ\n",
-      name, rendering, verdict.most_mJ > 0 ? "active" : "gives no energy", is_x ? "y" : "x", static_cast<double>(at),
-      is_x ? "x" : "y", static_cast<double>(from), static_cast<double>(to), static_cast<double>(verdict.depth),
-      verdict.most_mJ);
-  if (verdict.most_mJ == 0) return;
-  std::printf("%.6g mJ counter-clockwise, %.6g mJ clockwise (%s right, z up)\n", binary64(verdict.bound.counter_clockwise)[1],
-              binary64(verdict.bound.clockwise)[1], is_x ? "x" : "y");
-  print_witness(verdict);
-}
-
-template <class V>
-void answer(const V& verdict, const EnergyOptions& options) {
+void answer(const Verdict& verdict, const EnergyOptions& options) {
   if (!options.json.empty()) write_file(options.json, json_of(verdict).dump() + "\n");
   if (options.json != "-") print(verdict);
 }
@@ -169,7 +155,7 @@ void answer(const V& verdict, const EnergyOptions& options) {
 void run_law(const EnergyOptions& options, const LawOptions& law_options, float depth) {
   const auto law = std::get<reference::Law>(reference::Law::build(law_options.law(), law_options.parameters()));
   if (const auto error = reference::depth_error(law, depth)) throw BadInput("--" + error->message());
-  answer(Verdict{law, depth}, options);
+  answer(verdict_on(law, depth), options);
 }
 
 int run_height_map(const EnergyOptions& options, const LawOptions& law_options, const HeightMapOption& height_map,

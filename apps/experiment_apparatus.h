@@ -24,7 +24,7 @@ struct ApparatusPlan {
   std::filesystem::path folder;                     // of this run's ticks; it does not exist yet
   std::map<std::string, std::string> certificates;  // digests by certificate_name(); empty: uncertified
   Eigen::Vector3f origin{0, 0, 0};                  // mm, of the scene in the device's frame
-  recorder::Metadata metadata = {};                 // of each part, beside what the apparatus knows itself
+  recorder::Metadata metadata = {};                 // of each part, beside what the apparatus adds
   device::ServoOptions servo = {};                  // its placement stays as it is: the stage places the bumps
 };
 

@@ -148,7 +148,7 @@ int run_session(const experiments::Protocol& protocol, const SessionOptions& opt
   if (!options.certificates.empty())
     plan.certificates = certificates_of(bumps, options.certificates);
   else
-    tell_experimenter("*** DRIVING UNCERTIFIED, as told by --uncertified ***");
+    tell_experimenter("*** DRIVING UNCERTIFIED, because of --uncertified ***");
 
   end_runs_in_order();
   device::Steering steering({static_cast<double>(options.origin.x()), static_cast<double>(options.origin.y()),

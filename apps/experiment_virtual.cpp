@@ -26,18 +26,18 @@ namespace {
 using experiments::RecordedSession;
 using experiments::Session;
 
-// A simulated PHANToM whose hand gets its aim before every reading, in the loop's own thread: it may take its time,
-// because such a loop is not paced.
-class Told final : public device::Device {
+// A simulated PHANToM for which aim() is called before every reading, in the loop's own thread; where it returns false, the
+// data end. It may take its time, because such a loop is not paced.
+class SteeredDevice final : public device::Device {
  public:
-  Told(std::unique_ptr<device::Device> device, std::function<bool()> tell)
-      : device_(std::move(device)), tell_(std::move(tell)) {}
+  SteeredDevice(std::unique_ptr<device::Device> device, std::function<bool()> aim)
+      : device_(std::move(device)), aim_(std::move(aim)) {}
 
   device::Capabilities capabilities() const noexcept override { return device_->capabilities(); }
   std::optional<device::Fault> start(double rate) noexcept override { return device_->start(rate); }
   device::ReadResult read() noexcept override {
     try {
-      if (!tell_()) return device::EndOfData{};
+      if (!aim_()) return device::EndOfData{};
     } catch (...) {
       thrown_ = std::current_exception();
       return device::EndOfData{};
@@ -54,7 +54,7 @@ class Told final : public device::Device {
 
  private:
   std::unique_ptr<device::Device> device_;
-  std::function<bool()> tell_;
+  std::function<bool()> aim_;
   std::exception_ptr thrown_;
 };
 
@@ -103,7 +103,7 @@ void run_participant(const VirtualOptions& options, const std::map<std::string, 
   Hand hand(steered.hand, (protocol.spacing / 2 + protocol.width) * experiments::kMillimetresPerMil);
   std::unique_ptr<Apparatus> apparatus;
   int trial = 0;  // that the stroke was of
-  const auto tell = [&] {
+  const auto aim = [&] {
     if (interrupted()) return false;
     if (hand.goes_on()) return true;
     if (session.is_over()) return false;
@@ -119,7 +119,7 @@ void run_participant(const VirtualOptions& options, const std::map<std::string, 
     trial = now;
     return true;
   };
-  Told device(device::open_device("simulated:" + options.model + ":mouse", steered), tell);
+  SteeredDevice device(device::open_device("simulated:" + options.model + ":mouse", steered), aim);
   apparatus = std::make_unique<Apparatus>(device, bumps,
                                           ApparatusPlan{.device = "simulated:" + options.model + ":mouse",
                                                         .folder = recorded.ticks(),

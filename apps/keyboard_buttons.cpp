@@ -20,7 +20,7 @@ KeyboardButtons::KeyboardButtons() : terminal_(::open("/dev/tty", O_RDWR | O_NOC
   by_key.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
   by_key.c_cc[VMIN] = 1;
   by_key.c_cc[VTIME] = 0;
-  // What was typed before is meant for nobody.
+  // What was typed before is not for these buttons.
   if (::tcsetattr(terminal_, TCSAFLUSH, &by_key) != 0) return;
   thread_ = std::thread([this] { follow(); });
 }
@@ -40,7 +40,7 @@ void KeyboardButtons::follow() noexcept {
     if (::poll(&input, 1, kBetweenLooks) <= 0) continue;
     char key = 0;
     if (::read(terminal_, &key, 1) != 1) {
-      down_ = 0;  // nobody can let go any more
+      down_ = 0;  // no key can release them any more
       return;
     }
     const int button = key - '0';

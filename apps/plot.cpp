@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <memory>
 
@@ -66,12 +67,43 @@ std::string stem(const std::string& name, const Kind& kind) {
   return name + '-' + kind.name;
 }
 
-// What is drawn of each of the names.
-std::vector<std::string> files(const std::vector<std::string>& names, const std::vector<Kind>& kinds) {
+// A law or a height map that will be drawn. Its view is built when it is its turn.
+struct PlannedView {
+  std::string name;
+  std::function<SideView()> view;
+};
+
+std::vector<PlannedView> views_of_laws(const LawOptions& law) {
+  const Parameters parameters = law.parameters();
+  std::vector<PlannedView> views;
+  for (const LawId id : law.laws())
+    views.push_back({std::string(name_of(id)), [id, parameters] {
+                       SideView view = side_view(properties::Drawn(id, parameters));
+                       view.heading = {view.name, has_bump_geometry(id)
+                                                      ? "R = " + csv::shortest(parameters.radius) +
+                                                            " mm, w = " + csv::shortest(parameters.width) + " mm, "
+                                                      : ""};
+                       view.heading.parameters += "K = " + csv::shortest(parameters.stiffness) + " N/mm";
+                       return view;
+                     }});
+  return views;
+}
+
+PlannedView view_of_height_map(const HeightMapOption& height_map, float stiffness, const properties::Range& range) {
+  const std::string name = std::filesystem::path(height_map.name()).stem();
+  return {name, [=, spec = height_map.read(stiffness), title = height_map.name()] {
+            SideView view = side_view(built(properties::fast_rendering(spec.map, spec.rendering, stiffness)), name, range);
+            view.heading = {title, std::string(name_of(spec.rendering)) + ", K = " + csv::shortest(stiffness) +
+                                       " N/mm, y = " + csv::shortest(range.y) + " mm"};
+            return view;
+          }};
+}
+
+std::vector<std::string> files(const std::vector<PlannedView>& views, const std::vector<Kind>& kinds) {
   std::vector<std::string> all;
-  for (const std::string& name : names)
+  for (const PlannedView& one : views)
     for (const Kind& kind : kinds)
-      for (const char* ending : {".svg", ".png"}) all.push_back(stem(name, kind) + ending);
+      for (const char* ending : {".svg", ".png"}) all.push_back(stem(one.name, kind) + ending);
   return all;
 }
 
@@ -159,31 +191,13 @@ void add_plot(CLI::App& app, int&) {
     watch_for_interrupt();
     if (mesh->is_given()) return mesh_options->draw(*mesh, law->stiffness(), *out);
     const std::vector<Kind> kinds = options->kinds();
-    const auto draw = [&](const SideView& view) {
-      for (const Kind& kind : kinds) write(kind.draw(view), std::filesystem::path(out->path()) / stem(view.name, kind));
-    };
-    if (height_map->is_given()) {
-      const float stiffness = law->stiffness();
-      const auto [map, rendering] = height_map->read(stiffness);
-      const properties::Range range = options->range();
-      const std::string name = std::filesystem::path(height_map->name()).stem();
-      out->make(files({name}, kinds));
-      SideView view = side_view(built(properties::fast_rendering(map, rendering, stiffness)), name, range);
-      view.heading = {height_map->name(), std::string(name_of(rendering)) + ", K = " + csv::shortest(stiffness) +
-                                              " N/mm, y = " + csv::shortest(range.y) + " mm"};
-      return draw(view);
-    }
-    const Parameters parameters = law->parameters();
-    std::vector<std::string> names;
-    for (const LawId id : law->laws()) names.emplace_back(name_of(id));
-    out->make(files(names, kinds));
-    for (const LawId id : law->laws()) {
-      SideView view = side_view(properties::Drawn(id, parameters));
-      view.heading = {view.name, has_bump_geometry(id) ? "R = " + csv::shortest(parameters.radius) +
-                                                             " mm, w = " + csv::shortest(parameters.width) + " mm, "
-                                                       : ""};
-      view.heading.parameters += "K = " + csv::shortest(parameters.stiffness) + " N/mm";
-      draw(view);
+    const std::vector<PlannedView> views =
+        height_map->is_given() ? std::vector{view_of_height_map(*height_map, law->stiffness(), options->range())}
+                               : views_of_laws(*law);
+    out->make(files(views, kinds));
+    for (const PlannedView& one : views) {
+      const SideView view = one.view();
+      for (const Kind& kind : kinds) write(kind.draw(view), std::filesystem::path(out->path()) / stem(one.name, kind));
     }
   });
 }

@@ -67,12 +67,14 @@ Json sweeps_json(const Sweeps& sweeps) {
                     {"at_mm", static_cast<double>(result.sweep.at)},
                     {"inputs", result.inputs},
                     {"mismatches", result.mismatches}});
+  Json stages = Json::object();
+  for (std::size_t i = 0; i < kStageNames.size(); ++i) stages[std::string(kStageNames[i])] = sweeps.stages[i];
   return {{"finished", sweeps.is_finished()},
           {"units", {{"first", sweeps.first}, {"end", sweeps.end}, {"next", sweeps.next}, {"of", sweeps.units()}}},
           {"seconds", sweeps.seconds},
           {"inputs", sweeps.inputs()},
           {"mismatches", sweeps.mismatches()},
-          {"calls_by_stage", {{"binary64", sweeps.stages[0]}, {"double-double", sweeps.stages[1]}, {"wide", sweeps.stages[2]}}},
+          {"calls_by_stage", stages},
           {"counterexamples", sweeps.counterexamples},
           {"sweeps", list}};
 }

@@ -58,7 +58,7 @@ struct Comparison {
   bool covers(const std::string& instruction_set) const;
 };
 
-// The same subject with other parameters, drawn from the domain: the asked-for ones may make every product exact, and
+// The same subject with other parameters, drawn from the domain: the given ones may make every product exact, and
 // then test no rounding.
 struct Spread : Comparison {
   std::uint64_t parameter_sets = 0;
@@ -107,7 +107,7 @@ struct CertificateError : std::runtime_error {
 std::string to_json(const Certificate& certificate);
 
 // Strict: what is missing, unknown, twice there, of another type, out of its range, or contradicts the rest is refused with a
-// CertificateError. A seal against mistakes; that nobody forged the file it cannot say (docs/certificate.md).
+// CertificateError. This protects against mistakes, not against forgery (docs/certificate.md).
 Certificate from_json(const std::string& text, const std::string& file);
 
 // The text of a certificate's file. Throws CertificateError, with the system's reason, where it cannot be read, is empty, or is

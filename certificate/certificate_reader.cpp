@@ -258,7 +258,7 @@ Sweeps sweeps_from(Fields fields) {
   sweeps.seconds = fields.number("seconds");
   fields.expect("seconds", sweeps.seconds >= 0, "0 or more");
   Fields stages = fields.object("calls_by_stage");
-  sweeps.stages = {stages.count("binary64"), stages.count("double-double"), stages.count("wide")};
+  for (std::size_t i = 0; i < kStageNames.size(); ++i) sweeps.stages[i] = stages.count(kStageNames[i].data());
   stages.end();
   std::uint64_t calls = 0;  // on both sides of a surface
   for (const SweepResult& result : sweeps.results) calls += result.inputs * (result.sweep.kind == SweepKind::height ? 2 : 1);

@@ -18,13 +18,13 @@ constexpr std::uint64_t points_of_kind(std::string_view kind) {
   return kind == kLawKind ? 1000000 : 200000;
 }
 
-// Points of a certificate's spread over other parameters: a quarter as many as with those asked for, one at least.
+// Points of a certificate's spread over other parameters: a quarter as many as with the given ones, one at least.
 constexpr std::uint64_t spread_points(std::uint64_t points) {
   return (points + 3) / 4;
 }
 
 // What is too little for driving, in words: "the certificate has 1 point for wall; driving needs at least 1000000". Each aim
-// must be reached, with the parameters asked for and in the spread, and each stage that a law can reach in one of them. Which
+// must be reached, with the given parameters and in the spread, and each stage that a law can reach in one of them. Which
 // stages another subject can reach depends on what it is made of: binary64 is all that is expected of it.
 std::optional<std::string> lacking(const SubjectResult& subject);
 

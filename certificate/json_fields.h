@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Strict reading of JSON from a file that nobody vouches for.
+// Strict reading of JSON from a file that may be damaged or hostile.
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a force-feedback device is to the servo loop: it gives positions and takes forces. No law knows a device, no device a
-// law. Positions and forces are in the frame of docs/laws.md: x right, y into the page, z up.
+// What a force-feedback device is to the servo loop: it gives positions and takes forces. Neither depends on the
+// other. Positions and forces are in the frame of docs/laws.md: x right, y into the page, z up.
 
 #include <Eigen/Core>
 #include <array>
@@ -47,7 +47,7 @@ struct Fault {
 
 using ReadResult = std::variant<Reading, EndOfData, Fault>;
 
-// What a device can do, fixed while it is open. The default is one that knows no limit.
+// What a device can do, fixed while it is open. The default has no limits.
 struct Capabilities {
   static constexpr float kNone = std::numeric_limits<float>::infinity();
 
@@ -67,16 +67,16 @@ struct Capabilities {
   bool gimbal = false;
 };
 
-// What a device knows about itself, as of the last reading.
+// What a device reports about itself, as of the last reading.
 struct State {
   bool calibrated = true;  // else its positions mean nothing
-  bool forces_on = true;   // else commands are taken and not obeyed: a dead-man switch, amplifiers off
+  bool forces_on = true;   // else commands are accepted and not carried out: a dead-man switch, amplifiers off
   float temperature = 0;   // of the hottest motor: 0 is the room's, 1 the highest allowed
   double update_rate = 0;  // Hz, by the driver's own count; 0 from a device that does not count
 };
 
 // read() and command() are called from the servo loop, in turns: they allocate nothing, throw nothing and return well within
-// a tick. Until start() a device gives no force, whatever else is asked of it, and when destroyed it gives none again.
+// a tick. Until start() a device gives no force, whatever else is called, and when destroyed it gives none again.
 class Device {
  public:
   virtual ~Device() = default;
@@ -95,13 +95,13 @@ class Device {
   // For the commands that follow. A device without an account of its own may ignore it.
   virtual void allow(const Allowance& allowance) noexcept { static_cast<void>(allowance); }
 
-  // Holds this force, in N, until the next command. Zero must be obeyed even after a fault. A device with real motors lets go
-  // by itself when it hears nothing for some 25 ms: then nobody is left to say so.
+  // Holds this force, in N, until the next command. Zero must be carried out even after a fault. A device with real motors
+  // sets the force to zero by itself when it gets no command for some 25 ms: the program may be gone then.
   virtual std::optional<Fault> command(const Eigen::Vector3f& force) noexcept = 0;
 
   virtual State state() const noexcept { return {}; }
 
-  // How many readings are still to come, from a device that knows.
+  // How many readings are still to come, from a device whose readings end.
   virtual std::optional<std::size_t> readings_left() const noexcept { return std::nullopt; }
 };
 

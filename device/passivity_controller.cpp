@@ -50,7 +50,7 @@ Allowance PassivityController::allowance() const noexcept {
   return {.work = settings_.epsilon + account_.dissipated + account_.forgiven, .longest_step = settings_.longest_step};
 }
 
-Eigen::Vector3f PassivityController::passed(const Reading& reading, const Eigen::Vector3f& wanted) noexcept {
+Eigen::Vector3f PassivityController::limited(const Reading& reading, const Eigen::Vector3f& wanted) noexcept {
   constexpr double kRoom = 0x1p-22;  // for rounding
   const Eigen::Vector3d here = reading.position.cast<double>();
   const bool seen = here.allFinite();

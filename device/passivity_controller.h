@@ -58,7 +58,7 @@ class PassivityController {
 
   // Once a tick, last before the device: what to command at this reading instead of `wanted` (N). Never longer than `wanted`.
   // Zero if the position or the force is not finite.
-  Eigen::Vector3f passed(const Reading& reading, const Eigen::Vector3f& wanted) noexcept;
+  Eigen::Vector3f limited(const Reading& reading, const Eigen::Vector3f& wanted) noexcept;
 
   // What the device may give from now on: with it the bound holds however late the next tick is.
   Allowance allowance() const noexcept;

@@ -8,7 +8,7 @@
 
 namespace forceshade::device {
 
-// What was asked for and given; all of it for the calling thread, but for the memory.
+// What was requested and granted; all of it for the calling thread, but for the memory.
 struct Privileges {
   bool scheduling = false;  // SCHED_FIFO
   bool memory_locked = false;

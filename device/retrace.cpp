@@ -44,7 +44,7 @@ Retraced Retrace::next(const Sample& sample) noexcept {
         supervisor_->supervise(reading, state_of(sample), wanted, static_cast<Status>(sample.status),
                                static_cast<double>(sample.wakeup_ns) / 1e9, (sample.device_state & Sample::kUnfinished) != 0);
   Retraced retraced;
-  retraced.force = controller_.passed(reading, verdict.force);
+  retraced.force = controller_.limited(reading, verdict.force);
   if (supervisor_) supervisor_->commanded(retraced.force, controller_.account().forgiven);
   retraced.limited = verdict.limited.bits();
   retraced.altered = retraced.force != verdict.force;

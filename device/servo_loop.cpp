@@ -198,7 +198,7 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
   if (supervisor_)
     verdict = supervisor_->supervise(reading, state, wanted, evaluation.status, static_cast<double>(latency) / 1e9,
                                      evaluation.is_unfinished);
-  const Eigen::Vector3f force = controller_->passed(reading, verdict.force);
+  const Eigen::Vector3f force = controller_->limited(reading, verdict.force);
   if (supervisor_) supervisor_->commanded(force, controller_->account().forgiven);
   device_.allow(controller_->allowance());
   const std::optional<Fault> refused = device_.command(force);

@@ -102,7 +102,7 @@ struct ServoResult {
   double energy_taken_mJ() const noexcept { return account.taken(); }
 
   bool followed_device = false;  // as ServoOptions says, and the device paces
-  Privileges privileges;         // asked for only when paced
+  Privileges privileges;         // requested only when paced
 };
 
 // fast::arithmetic_fault() found one: every proof about the fast path would be void.
@@ -116,7 +116,7 @@ struct FloatingPointModeError : std::runtime_error {
 // of the supervisor tripped, so is that very tick's, and only another call starts again.
 // Between the first reading and that command nothing is allocated, locked, written or thrown.
 // Before them, throws FloatingPointModeError, or std::invalid_argument for an option out of range or a device that does not
-// know its own limits.
+// report its limits.
 ServoResult run_servo_loop(Device& device, fast::Session& session, const ServoOptions& options, const std::atomic<bool>& stop);
 
 // Of a law or a height map.

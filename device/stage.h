@@ -25,8 +25,8 @@ struct Stimulus {
   std::optional<Placed> left, right;
   float seam = 0;  // mm: where x is smaller the left one is felt, else the right one
 
-  // Of the one that is felt at a position of the path: both follow the path, for a renderer that remembers it has to know how
-  // the tip came to where it is.
+  // Of the one that is felt at a position of the path: both follow the path, because the force of a renderer with memory
+  // depends on how the tip came to where it is.
   struct Answer {
     fast::Evaluation left, right, felt;
   };

@@ -2,34 +2,16 @@
 #include "forceshade/experiments/toml_file.h"
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <fstream>
 #include <sstream>
-#include <system_error>
 
 #include "forceshade/csv/printable.h"
 #include "forceshade/experiments/error.h"
-#include "forceshade/heights/nesting.h"
+#include "forceshade/heights/toml_file.h"
 
 namespace forceshade::experiments {
 namespace {
 
 constexpr std::size_t kLargestToml = 1 << 20;
-
-std::string text_of_toml(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw Error(file, "cannot be opened: " + std::generic_category().message(errno));
-  std::string text;
-  std::array<char, 1 << 16> bytes;
-  do {
-    in.read(bytes.data(), bytes.size());
-    text.append(bytes.data(), static_cast<std::size_t>(in.gcount()));
-    if (text.size() > kLargestToml) throw Error(file, "expected at most " + std::to_string(kLargestToml) + " bytes, got more");
-  } while (in);
-  if (in.bad()) throw Error(file, "cannot be read: " + std::generic_category().message(errno));
-  return text;
-}
 
 std::string range_of(auto least, auto largest) {
   std::ostringstream words;
@@ -40,18 +22,12 @@ std::string range_of(auto least, auto largest) {
 }  // namespace
 
 toml::table parsed_toml(const std::filesystem::path& file) {
-  const std::string text = text_of_toml(file);
-  if (const auto line = heights::line_nested_too_deep(text))
-    throw Error(file, *line,
-                "expected at most " + std::to_string(heights::kMostBrackets) + " brackets within each other and " +
-                    std::to_string(heights::kMostDots) + " dots in a key, got more");
-  try {
-    return toml::parse(text, file.string());
-  } catch (const toml::parse_error& error) {
-    const std::string reason = csv::printable(error.description());
-    if (error.source().begin.line == 0) throw Error(file, reason);
-    throw Error(file, error.source().begin.line, reason);
+  auto root = heights::parse_toml_file(file, kLargestToml);
+  if (const auto* fault = std::get_if<heights::TomlFault>(&root)) {
+    const std::string reason = csv::printable(fault->reason);
+    throw fault->line == 0 ? Error(file, reason) : Error(file, fault->line, reason);
   }
+  return std::get<toml::table>(std::move(root));
 }
 
 const toml::node* TomlTable::find(std::string_view key, bool is_optional) {
@@ -62,15 +38,8 @@ const toml::node* TomlTable::find(std::string_view key, bool is_optional) {
 }
 
 void TomlTable::fail(const toml::node& node, std::string_view key, const std::string& expected) const {
-  std::ostringstream got;
-  node.visit([&](const auto& value) {
-    if constexpr (toml::is_value<decltype(value)>)
-      got << value;
-    else
-      got << "a list or table";
-  });
   throw Error(file_, node.source().begin.line,
-              std::string(key) + ": expected " + expected + ", got " + csv::printable(got.str()));
+              std::string(key) + ": expected " + expected + ", got " + csv::printable(heights::words_of(node)));
 }
 
 void TomlTable::fail(std::string_view key, const std::string& reason) const {

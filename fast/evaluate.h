@@ -23,7 +23,7 @@ struct Evaluation {
   bool is_unfinished = false;
 };
 
-// BigFloatBall numbers always tell (fast/numbers/big_float_ball.h). Should they not: no force, and a status on which a loop
+// BigFloatBall numbers always decide (fast/numbers/big_float_ball.h). Should they not: no force, and a status on which a loop
 // stops.
 inline Evaluation undecided_evaluation() noexcept {
   return {{0, 0, 0}, Status::invalid, Stage::wide};

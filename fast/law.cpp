@@ -79,7 +79,7 @@ BatchResult Law::force(std::span<const float> x, std::span<const float> z, std::
         const std::size_t count = std::min(std::min(x.size(), z.size()), std::min(fx.size(), fz.size()));
         const auto overwrites = [&](std::span<float> out) { return out.data() == x.data() || out.data() == z.data(); };
         const bool is_in_place = overwrites(fx) || overwrites(fz);
-        float kept_x[kBlock], kept_z[kBlock];  // in place: a block writes its answers before it knows whether they hold
+        float kept_x[kBlock], kept_z[kBlock];  // in place: a block writes its answers before it is decided whether they hold
         BatchResult result;
         for (std::size_t begin = 0; begin < count; begin += kBlock) {
           const std::size_t size = std::min(kBlock, count - begin);

@@ -60,7 +60,7 @@ class Axis {
 };
 
 // What is left of a wave of length l: share_squared is (L/l)².
-double passed(double share_squared) {
+double gain(double share_squared) {
   if (share_squared >= 1) return 0;
   return share_squared <= 0.25 ? 1 : 0.5 - 0.5 * std::cos(2 * std::numbers::pi * std::sqrt(share_squared));
 }
@@ -82,7 +82,7 @@ void limit_band(std::vector<float>& heights, std::uint32_t columns, std::uint32_
     up.to_waves(column.data());
     for (std::size_t j = 0; j < rows; ++j) {
       const double y = up.frequency(j) * shortest_wavelength;
-      column[j] *= passed(x * x + y * y);
+      column[j] *= gain(x * x + y * y);
     }
     up.to_heights(column.data());
     for (std::size_t j = 0; j < rows; ++j) waves[j * columns + i] = column[j];

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/heights/spec.h"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
 #include <fstream>
 #include <optional>
@@ -13,10 +10,9 @@
 #include <span>
 #include <sstream>
 #include <string>
-#include <system_error>
 #include <utility>
 
-#include "forceshade/heights/nesting.h"
+#include "forceshade/heights/toml_file.h"
 
 namespace forceshade::heights {
 namespace {
@@ -91,27 +87,20 @@ class Table {
     fail(*node, key, expected);
   }
 
-  // A key that nobody asked for is a mistake, most likely a misspelt one.
+  // A key that was not read is a mistake, most likely a misspelt one.
   void expect_no_other() const {
     for (const auto& [key, node] : table_)
-      if (!asked_.contains(std::string(key.str()))) throw Error(file_, line_of(node) + "unknown key " + std::string(key.str()));
+      if (!read_.contains(std::string(key.str()))) throw Error(file_, line_of(node) + "unknown key " + std::string(key.str()));
   }
 
   std::string line_of(const toml::node& node) const { return "line " + std::to_string(node.source().begin.line) + ": "; }
   [[noreturn]] void fail(const toml::node& node, std::string_view key, const std::string& expected) const {
-    std::ostringstream got;
-    node.visit([&](const auto& value) {
-      if constexpr (toml::is_value<decltype(value)>)
-        got << value;
-      else
-        got << "a list or table";
-    });
-    throw Error(file_, line_of(node) + std::string(key) + ": expected " + expected + ", got " + got.str());
+    throw Error(file_, line_of(node) + std::string(key) + ": expected " + expected + ", got " + words_of(node));
   }
 
  private:
   const toml::node* find(std::string_view key, bool optional) {
-    asked_.emplace(key);
+    read_.emplace(key);
     const toml::node* node = table_.get(key);
     if (!node && !optional) throw Error(file_, line_of(table_) + "key " + std::string(key) + " is missing");
     return node;
@@ -119,7 +108,7 @@ class Table {
 
   const fs::path& file_;
   const toml::table& table_;
-  std::set<std::string> asked_;
+  std::set<std::string> read_;
 };
 
 constexpr std::array<std::pair<std::string_view, height::Edge>, 2> kEdges{
@@ -143,20 +132,10 @@ height::Shape grid(Table& table, const fs::path& file) {
 height::Shape shape(Table& table, const fs::path& file) {
   std::array<std::pair<std::string_view, std::size_t>, height::kKinds> kinds;
   for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = {height::kKindNames[i], i};
-  return height::make_shape(
-      table.word<std::size_t>("shape", kinds), [&]<class Kind>(std::type_identity<Kind>) -> height::Shape {
-        if constexpr (height::HasNumbers<Kind>) {
-          Kind one;
-          for (const height::Number<Kind>& number : Kind::numbers())
-            one.*number.member = table.number(number.key, number.is_required ? std::nullopt : std::optional(0.0F));
-          return one;
-        } else if constexpr (std::is_same_v<Kind, height::Polygons>) {
-          return height::Polygons{table.knots("knots_mm")};
-        } else {
-          static_assert(std::is_same_v<Kind, height::Grid>);
-          return grid(table, file);
-        }
-      });
+  return height::shape_of_kind(
+      table.word<std::size_t>("shape", kinds),
+      [&](const auto& number) { return table.number(number.key, number.is_required ? std::nullopt : std::optional(0.0F)); },
+      [&] { return height::Polygons{table.knots("knots_mm")}; }, [&] { return grid(table, file); });
 }
 
 height::Part part(const fs::path& file, const toml::table& table) {
@@ -169,32 +148,11 @@ height::Part part(const fs::path& file, const toml::table& table) {
 // 16 parts and 16 surfaces of 1025 knots each, at 40 bytes a knot, take a third of it.
 constexpr std::size_t kLargestFile = 4 << 20;
 
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw Error(file, "cannot be opened: " + std::generic_category().message(errno));
-  std::string text;
-  std::array<char, 1 << 16> bytes;
-  do {
-    in.read(bytes.data(), bytes.size());
-    text.append(bytes.data(), static_cast<std::size_t>(in.gcount()));
-    if (text.size() > kLargestFile)
-      throw Error(file, "is larger than " + std::to_string(kLargestFile) + " bytes, the most that a height map may take");
-  } while (in);
-  if (in.bad()) throw Error(file, "cannot be read: " + std::generic_category().message(errno));
-  return text;
-}
-
 toml::table parsed(const fs::path& file) {
-  const std::string text = text_of(file);
-  if (const auto line = line_nested_too_deep(text))
-    throw Error(file, "line " + std::to_string(*line) + ": expected at most " + std::to_string(kMostBrackets) +
-                          " brackets within each other and " + std::to_string(kMostDots) + " dots in a key, got more");
-  try {
-    return toml::parse(text, file.string());
-  } catch (const toml::parse_error& error) {
-    if (error.source().begin.line == 0) throw Error(file, std::string(error.description()));
-    throw Error(file, "line " + std::to_string(error.source().begin.line) + ": " + std::string(error.description()));
-  }
+  auto root = parse_toml_file(file, kLargestFile);
+  if (const auto* fault = std::get_if<TomlFault>(&root))
+    throw Error(file, (fault->line == 0 ? "" : "line " + std::to_string(fault->line) + ": ") + fault->reason);
+  return std::get<toml::table>(std::move(root));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ struct Shared {
 
 Calls calls_of(const fast::Law& law) {
   return {[law] { return fast::session_of(law); },
-          // This batch call knows no y: a position refused for its y alone is sent as one refused for its x.
+          // This batch call has no y: a position refused for its y alone is sent as one refused for its x.
           [law](std::span<const Eigen::Vector3f> positions, std::span<Eigen::Vector3f> forces, fast::InstructionSet set) {
             std::vector<float> x, z, fx(positions.size()), fz(positions.size());
             for (const Eigen::Vector3f& position : positions) {

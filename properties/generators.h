@@ -13,7 +13,7 @@
 
 namespace forceshade::properties {
 
-// A position of every kind PositionSource knows, the invalid ones included.
+// A position of every kind that PositionSource has, the invalid ones included.
 rc::Gen<Eigen::Vector3f> position_of(const reference::Law& law);
 
 // A valid position and one a few binary32 steps away in x and z; or, for the cylinders, its mirror image in the axis.

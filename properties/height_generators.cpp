@@ -44,23 +44,17 @@ class Shapes {
   float height() { return number(1e4F, 1); }
 
   height::Shape shape() {
-    return height::make_shape(draws_.bits() % height::kKinds, [&]<class Kind>(std::type_identity<Kind>) -> height::Shape {
-      if constexpr (height::HasNumbers<Kind>) {
-        Kind one;
-        for (const height::Number<Kind>& number : Kind::numbers()) one.*number.member = drawn(one, number.meaning);
-        return one;
-      } else if constexpr (std::is_same_v<Kind, height::Polygons>) {
-        return polygons();
-      } else {
-        static_assert(std::is_same_v<Kind, height::Grid>);
-        return grid();
-      }
-    });
+    float radius = 0;  // of a cap, which is drawn before its chord
+    const auto drawn = [&](const auto& number) {
+      const float value = this->drawn(number.meaning, radius);
+      if (number.meaning == height::Meaning::radius) radius = value;
+      return value;
+    };
+    return height::shape_of_kind(
+        draws_.bits() % height::kKinds, drawn, [&] { return polygons(); }, [&] { return grid(); });
   }
 
-  // The next number of a map whose numbers before it are drawn.
-  template <class Kind>
-  float drawn(const Kind& one, height::Meaning meaning) {
+  float drawn(height::Meaning meaning, float radius) {
     switch (meaning) {
       case height::Meaning::centre: return coordinate();
       case height::Meaning::height: return height();
@@ -70,10 +64,8 @@ class Shapes {
       case height::Meaning::radius: return size(0.1F, 1e4F, 5);
       case height::Meaning::chord: break;
     }
-    if constexpr (requires { one.radius; }) return width(one.radius);
-    return 0;
+    return size(1e-3F, std::nextafter(2 * radius, 0.0F), radius);
   }
-  float width(float radius) { return size(1e-3F, std::nextafter(2 * radius, 0.0F), radius); }
 
   height::Shape polygons() {
     height::Polygons polygons;

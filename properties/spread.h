@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Parameters from all of the domain, for what a certificate checks besides the ones asked for.
+// Parameters from all of the domain, for what a certificate checks besides the given ones.
 
 #include <cstdint>
 #include <random>

@@ -180,7 +180,7 @@ class Surface {
  private:
   bool is_contact(float x, float z) const { return law_.round_to_binary32({x, 0, z}).status == Status::contact; }
 
-  // From a first guess, by asking.
+  // From a first guess, by testing positions beside it.
   void find_one(float x, std::size_t i) {
     ++run_.one_by_one;
     const double there = std::fabs(x) < kPositionQuantum ? 0.0 : static_cast<double>(x);

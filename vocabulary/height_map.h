@@ -159,6 +159,24 @@ Shape make_shape(std::size_t index, const Make& make) {
   (std::make_index_sequence<kKinds>());
 }
 
+// A shape of the kind of this index: value(number) for each of its numbers, in their order. The kinds whose numbers are no
+// fixed list are polygons() and grid().
+template <class Value, class MakePolygons, class MakeGrid>
+Shape shape_of_kind(std::size_t index, const Value& value, const MakePolygons& polygons, const MakeGrid& grid) {
+  return make_shape(index, [&]<class Kind>(std::type_identity<Kind>) -> Shape {
+    if constexpr (HasNumbers<Kind>) {
+      Kind one;
+      for (const Number<Kind>& number : Kind::numbers()) one.*number.member = value(number);
+      return one;
+    } else if constexpr (std::is_same_v<Kind, Polygons>) {
+      return polygons();
+    } else {
+      static_assert(std::is_same_v<Kind, Grid>);
+      return grid();
+    }
+  });
+}
+
 // By index.
 inline constexpr std::array<std::string_view, kKinds> kKindNames = []<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
   return std::array<std::string_view, kKinds>{KindOf<std::variant_alternative_t<kIndex, Shape>>::type::kName...};

@@ -246,7 +246,7 @@ class Layout {
     picture_.cursor = centre;
   }
 
-  // The bumps of the pictures are steeper than those of the scene, so that their faces are told apart at a glance.
+  // The bumps of the pictures are steeper than those of the scene, so that their faces can be distinguished at once.
   void draw_card(Shape shape, const std::string& number, const Rectangle& card) {
     const bool is_chosen = screen_.entry == number;
     add(Box{card, card.width() / 24, kWhite, is_chosen ? kAccent : kRule,

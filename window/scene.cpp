@@ -7,7 +7,7 @@
 namespace forceshade::window {
 namespace {
 
-// Intervals of the arc: so many that neither the chords nor the shades of the faces between them can be told apart.
+// Intervals of the arc: so many that neither the chords nor the shades of the faces between them can be distinguished.
 constexpr int kArcIntervals = 160;
 
 // Points on the circle at equal angles, from one foot of the bump to the other.

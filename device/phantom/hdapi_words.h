@@ -52,9 +52,10 @@ inline constexpr const char* kDriverEnded =
     "the process of the PHANToM's driver has ended: the vendor's library failed in it, or it was killed. If the device still "
     "pushes, switch it off";
 inline constexpr const char* kTemperatureUnknown =
-    "the driver does not know this device's motor temperatures: nothing but the continuous force keeps the motors from burning";
+    "the driver does not report this device's motor temperatures: nothing but the continuous force keeps the motors from "
+    "burning";
 inline constexpr const char* kRateUnknown =
-    "the driver does not know this device's update rate: a lost connection that it reports to nobody is not noticed";
+    "the driver does not report this device's update rate: a lost connection is noticed only if the driver reports it";
 inline constexpr const char* kNoEnd =
     "the PHANToM's driver did not end as it should, and its process was ended: if the device still pushes, switch it off";
 inline constexpr const char* kNoStart = "the driver's scheduler does not start: check cable and power, then start again";

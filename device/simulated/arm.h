@@ -18,7 +18,7 @@ struct Inertia {
   double turn, turn_upper, turn_fore, coupling, upper, fore;
 };
 
-// Angles with their sines and cosines, taken once for all that is asked of a pose.
+// Angles with their sines and cosines, computed once for all that is computed of a pose.
 struct Pose {
   Pose(const Joints& angles) noexcept;  // implicit: a pose is its angles
 

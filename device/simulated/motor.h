@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A motor and its amplifier behind a gear: what torque comes out of what was asked for, and what that does to the motor.
+// A motor and its amplifier behind a gear: what torque comes out for a commanded one, and how that heats the motor.
 
 #include "forceshade/device/simulated/arm.h"
 
@@ -29,7 +29,7 @@ Heat heated(const Motor& motor, Heat heat, double torque, double seconds) noexce
 inline constexpr double kDeratingStart = 0.9;
 double torque_limit(const Motor& motor, const Heat& heat) noexcept;
 
-// What comes out at the joints when `torque` is asked for. A limit shortens the whole vector: a force that is too large keeps
+// What comes out at the joints when `torque` is commanded. A limit shortens the whole vector: a force that is too large keeps
 // its direction, which is what force shading is about. Then the current is rounded to the amplifier's nearest step.
 Joints delivered(const Motor& motor, const Eigen::Vector3d& gears, const Eigen::Vector3d& limits,
                  const Joints& torque) noexcept;

@@ -8,7 +8,7 @@
 # product, is within 3.003·2^-53, relative; column k of the window is at most |k - 1| + T + (1 - T)^3/3 <= |k - 1| + 1 steps from c,
 # for the weights along y are the B-splines; the sizes of the weights of the three steps sum to 2 - 2T/3 in BEND, to 2 in TILT and
 # TWICE_SLOPE, to 4 - 2T in TWICE_BEND. The place may be 2^-36 outside of its cell (docs/proofs.md), where each of these grows by
-# less than 2^-34, which their .0001 pays for.
+# less than 2^-34, which their .0001 covers.
 
 t = t_; a0 = a0_; a3 = a3_;
 outer = add_rel<53>(mul_rel<53>(add_rel<53>(mul_rel<53>(add_rel<53>(mul_rel<53>(a3, t), A2), t), A1), t), a0);

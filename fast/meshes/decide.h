@@ -16,6 +16,7 @@
 #include "forceshade/fast/meshes/vector3.h"
 #include "forceshade/fast/numbers/double_double.h"
 #include "forceshade/fast/numbers/double_with_error.h"
+#include "forceshade/fast/numbers/first_stage.h"
 
 namespace forceshade::fast {
 
@@ -206,19 +207,37 @@ std::uint32_t exact_nearest(const FixedInteger<kNum>& num, const FixedInteger<kD
   const int above = exact_compare_with_halves(num, den, 2 * cell.floor + 1);
   return cell.floor + (above > 0 || (above == 0 && cell.floor % 2 == 1) ? 1 : 0);
 }
+// Of quotients 2^24 num/den, 0 < 2^10 error < den: 2^24/den, and the share of a quotient that its error may be by den's error
+// and by rounding. grid_parameters.g proves what quotient() charges.
+template <class Real>
+struct GridScale {
+  Real inverse, relative;
+
+  struct Quotient {
+    Real value, error;
+  };
+
+  FORCESHADE_INLINE static GridScale over(const Real& den, const Real& error) noexcept {
+    return {Real(0x1p24) / den, Real(1 + 0x1p-9) * error / den + Real(0x1p-51)};
+  }
+  // num is within num_error of the true one.
+  FORCESHADE_INLINE Quotient quotient(const Real& num, const Real& num_error) const noexcept {
+    const Real scaled = num * inverse;
+    return {scaled, absolute(scaled) * relative + Real(1 + 0x1p-8) * num_error * inverse};
+  }
+};
+
 // The grid's parameters of several num over one den > 0, whose inverse is computed once.
 class GridParameters {
  public:
   FORCESHADE_INLINE explicit GridParameters(const DoubleWithError& den) noexcept {
-    if (!(den.value > 0x1p10 * den.error)) return;
-    inverse_ = 0x1p24 / den.value;
-    relative_ = (1 + 0x1p-9) * den.error / den.value + 0x1p-51;
+    if (den.value > 0x1p10 * den.error) scale_ = GridScale<double>::over(den.value, den.error);
   }
 
   // The nearest one: see exact_nearest().
   template <class Stages, class Exact>
   FORCESHADE_INLINE std::uint32_t nearest(const DoubleWithError& num, const Stages& stages, const Exact& exact) const noexcept {
-    const DoubleWithError scaled = quotient(num);
+    const auto scaled = scale_.quotient(num.value, num.error);
     const auto nearest = static_cast<std::int64_t>(scaled.value + 0.5);
     if (stages.sure(__builtin_fabs(scaled.value - static_cast<double>(nearest)) + scaled.error < 0.5 - 0x1p-27)) [[likely]]
       return static_cast<std::uint32_t>(nearest);
@@ -228,7 +247,7 @@ class GridParameters {
   // The one below: see exact_cell().
   template <class Stages, class Exact>
   FORCESHADE_INLINE Cell cell(const DoubleWithError& num, const Stages& stages, const Exact& exact) const noexcept {
-    const DoubleWithError scaled = quotient(num);
+    const auto scaled = scale_.quotient(num.value, num.error);
     const double low = scaled.value - scaled.error, high = scaled.value + scaled.error;
     const auto floor = static_cast<std::int64_t>(scaled.value);
     // The ends are rounded by less than 2^-28, for a quotient that is not refused here is at most 2^24.
@@ -239,14 +258,7 @@ class GridParameters {
   }
 
  private:
-  // With q = 2^24 num/den, computed by an inverse and a product of three roundings: |q|·relative_ + 2^24·num.error/den·(1 +
-  // 2^-9) bounds the error.
-  FORCESHADE_INLINE DoubleWithError quotient(const DoubleWithError& num) const noexcept {
-    const double scaled = num.value * inverse_;
-    return {scaled, __builtin_fabs(scaled) * relative_ + (1 + 0x1p-8) * num.error * inverse_};
-  }
-
-  double inverse_ = 0, relative_ = HUGE_VAL;  // with these, nothing is sure
+  GridScale<double> scale_{0, HUGE_VAL};  // with these, nothing is sure
 };
 
 // ---- The offset U = 2^24(p - g).

@@ -64,8 +64,8 @@ Vector3<DoubleWithError> near(const Vector3<T>& a, double unit) noexcept {
 constexpr double kUnit = 0x1p-53;  // mm, of coordinates; of products of two, three and four of them:
 constexpr double kUnit2 = kUnit * kUnit, kUnit3 = kUnit2 * kUnit, kUnit4 = kUnit2 * kUnit2;
 
-// The binary32 nearest to over/under, and to √over/under; 0 < under, 0 <= over under a root. Empty where these numbers cannot
-// tell.
+// The binary32 nearest to over/under, and to √over/under; 0 < under, 0 <= over under a root. Empty where these numbers do not
+// decide.
 std::optional<float> nearest_quotient(const DoubleWithError& over, const DoubleWithError& under) noexcept {
   const DoubleWithError value = over / under;
   // A coordinate as small as this is read as 0.
@@ -248,8 +248,8 @@ class Parts {
     return normal_at(a) == normal_at(b) && (!is_textured() || texture_at(a) == texture_at(b));
   }
 
-  // The scheme's N between these corners of a triangle, times the sum of their weights. Empty where these numbers cannot tell
-  // to what a part of it is rounded.
+  // The scheme's N between these corners of a triangle, times the sum of their weights. Empty where these numbers do not
+  // decide to what a part of it is rounded.
   template <std::size_t kCount>
   std::optional<Vector3<N>> interpolated(const std::array<HalfEdge, kCount>& corners,
                                          const std::array<N, kCount>& weight) const noexcept {

@@ -7,7 +7,7 @@
 
 namespace forceshade::fast {
 
-// The numbers that decided a shaded force; unshaded ones are not told apart.
+// The numbers that decided a shaded force; unshaded ones are not distinguished.
 enum class ForceStage { unshaded, binary64, from_integers, wide };
 
 // N. p: mm, in the domain and quantised; stiffness: N/mm. Where the mesh lacks what the scheme uses, the force is unshaded.

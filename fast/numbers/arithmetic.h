@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Whether arithmetic rounds as the proofs assume. No macro tells of contraction, nor clang's of reordering, and the mode
-// belongs to the thread: so the processor is asked. Each file that evaluates a law asks for itself, for flags go by file.
+// Whether arithmetic rounds as the proofs assume. No macro shows contraction or clang's reordering, and the mode belongs
+// to the thread: so the processor is tested. Each file that evaluates a law does it, because each file has flags of its own.
 
 #include "forceshade/fast/numbers/inline.h"
 

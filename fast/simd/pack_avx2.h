@@ -57,7 +57,7 @@ struct Pack {
   }
 };
 
-// What keeps a block from being answered by packs, gathered over the block and asked for once, all in integers: they leave
+// What keeps a block from being answered by packs, gathered over the block and tested once, all in integers: they leave
 // the floating-point units free, and cost no masks.
 struct Watch {
   __m256i largest = _mm256_setzero_si256();  // of the coordinates' sizes, as bits: NaN above infinity above every number

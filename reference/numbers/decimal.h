@@ -9,7 +9,7 @@
 
 namespace forceshade::reference {
 
-// `enclose` evaluates at the precision in force; `compare(q)` is the sign of the value minus the rational q, and is asked
+// `enclose` evaluates at the precision in force; `compare(q)` is the sign of the value minus the rational q, and is called
 // only when no reasonable precision decides, which means zero or a tie. Ties go to the even digit.
 std::string correctly_rounded(unsigned digits, const std::function<Enclosure()>& enclose,
                               const std::function<int(const CORE::BigRat&)>& compare);

@@ -198,7 +198,7 @@ TEST(passivity_controller, trembling_on_encoder_counts_harvests_a_little_from_a_
     double begin = 0;
     for (int tick = 0; tick < 22'000; ++tick) {
       const Reading reading = std::get<Reading>(device.read());
-      device.command(controller.passed(reading, law_of(LawId::wall).force(reading.position)));
+      device.command(controller.limited(reading, law_of(LawId::wall).force(reading.position)));
       if (tick == 2000) begin = controller.account().balance;
     }
     const double harvested = (begin - controller.account().balance) / 20;
@@ -266,20 +266,20 @@ TEST(passivity_controller, friction_pays_debts_and_saves_nothing) {
 TEST(passivity_controller, gives_no_force_at_what_is_no_position_and_assumes_the_worst_of_it) {
   const float nan = std::nanf("");
   PassivityController controller({.longest_step = 1, .epsilon = 10});
-  EXPECT_EQ(controller.passed({.position = {0, 0, -1}}, {0, 0, 2}), Eigen::Vector3f(0, 0, 2));
-  EXPECT_EQ(controller.passed({.position = {0, nan, -1}}, {0, 0, 2}), Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(controller.limited({.position = {0, 0, -1}}, {0, 0, 2}), Eigen::Vector3f(0, 0, 2));
+  EXPECT_EQ(controller.limited({.position = {0, nan, -1}}, {0, 0, 2}), Eigen::Vector3f(0, 0, 0));
   EXPECT_EQ(controller.account().balance, -2);
-  EXPECT_EQ(controller.passed({.position = {0, 0, 5}}, {0, 0, 1}), Eigen::Vector3f(0, 0, 1));
+  EXPECT_EQ(controller.limited({.position = {0, 0, 5}}, {0, 0, 1}), Eigen::Vector3f(0, 0, 1));
   EXPECT_EQ(controller.account().balance, -2);
-  EXPECT_EQ(controller.passed({.position = {0, 0, 5.5F}}, {0, 0, HUGE_VALF}), Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(controller.limited({.position = {0, 0, 5.5F}}, {0, 0, HUGE_VALF}), Eigen::Vector3f(0, 0, 0));
   EXPECT_EQ(controller.account().balance, -2.5) << "the step was seen";
   EXPECT_EQ(controller.account().longest_step, 0.5) << "and the one to 5 mm was not";
 }
 
 TEST(passivity_controller, counts_no_friction_in_a_step_that_was_not_seen) {
   PassivityController controller({.longest_step = 1, .epsilon = 10, .friction = 0.5});
-  controller.passed({.position = {0, 0, -1}}, {0, 0, 2});
-  controller.passed({.position = {0, std::nanf(""), -1}}, {0, 0, 2});
+  controller.limited({.position = {0, 0, -1}}, {0, 0, 2});
+  controller.limited({.position = {0, std::nanf(""), -1}}, {0, 0, 2});
   EXPECT_EQ(controller.account().dissipated, 0);
   EXPECT_EQ(controller.account().balance, -2);
 }
@@ -289,15 +289,15 @@ TEST(passivity_controller, counts_no_friction_in_a_step_that_was_not_seen) {
 TEST(passivity_controller, forgives_what_a_stall_took_and_says_how_much) {
   for (const Kind kind : {Kind::tank, Kind::damping}) {
     PassivityController controller({.longest_step = 1, .epsilon = 2}, kind);
-    controller.passed({.position = {0, 0, 0}}, {0, 0, 1});
-    EXPECT_GT(controller.passed({.position = {0, 0, 5}}, {0, 0, 1}).norm(), 0) << "it is not lost for ever";
+    controller.limited({.position = {0, 0, 0}}, {0, 0, 1});
+    EXPECT_GT(controller.limited({.position = {0, 0, 5}}, {0, 0, 1}).norm(), 0) << "it is not lost for ever";
     EXPECT_EQ(controller.account().lowest_balance, -5);
     EXPECT_EQ(controller.account().forgiven, 4);
     EXPECT_EQ(controller.account().balance, -1);
     EXPECT_EQ(controller.account().net(), 5) << "it was given all the same";
     EXPECT_EQ(controller.allowance().work, 2 + 4);
-    const Eigen::Vector3f acting = controller.passed({.position = {0, 0, 5}}, {0, 0, 1});
-    controller.passed({.position = {0, 0, 4.5F}}, {0, 0, 1});
+    const Eigen::Vector3f acting = controller.limited({.position = {0, 0, 5}}, {0, 0, 1});
+    controller.limited({.position = {0, 0, 4.5F}}, {0, 0, 1});
     EXPECT_EQ(controller.account().balance, -1 + 0.5 * static_cast<double>(acting.z())) << "and the account goes on";
   }
 }
@@ -306,9 +306,9 @@ TEST(passivity_controller, forgives_what_a_stall_took_and_says_how_much) {
 // much as was wanted.
 TEST(passivity_controller, accounts_for_what_it_altered) {
   PassivityController controller({.longest_step = 1, .epsilon = 1}, Kind::tank);
-  controller.passed({.position = {0, 0, 0}}, {0, 0, 3});
-  controller.passed({.position = {0, 0, 0.5F}}, {0, 0, 0.1F});
-  controller.passed({.position = {0, 0, 0.25F}}, {0, 0, 0.1F});
+  controller.limited({.position = {0, 0, 0}}, {0, 0, 3});
+  controller.limited({.position = {0, 0, 0.5F}}, {0, 0, 0.1F});
+  controller.limited({.position = {0, 0, 0.25F}}, {0, 0, 0.1F});
   const PassivityAccount& account = controller.account();
   EXPECT_EQ(account.altered, 1U);
   EXPECT_NEAR(account.largest_change, 3 - 0.8, 1e-5);
@@ -323,7 +323,7 @@ TEST(passivity_controller, accounts_for_what_it_altered) {
 TEST(passivity_controller, knows_which_force_was_withheld_where_it_is_felt_late) {
   PassivityController controller({.longest_step = 1, .epsilon = 1, .latency = true});
   const auto pass = [&](float z, float wanted, float acted, double work) {
-    controller.passed({.position = {0, 0, z}, .sent = Sent{.acted = {0, 0, acted}, .work = work}}, {0, 0, wanted});
+    controller.limited({.position = {0, 0, z}, .sent = Sent{.acted = {0, 0, acted}, .work = work}}, {0, 0, wanted});
   };
   pass(0, 3, 0, 0);
   pass(0.25F, 0, 0, 0);
@@ -377,7 +377,7 @@ TEST(passivity_controller, alters_ordinary_strokes_little) {
       for (int tick = 0; tick < 20'000; ++tick) {
         const Reading reading = std::get<Reading>(device.read());
         const fast::Evaluation wanted = law_of(id).evaluate(reading.position);
-        const Eigen::Vector3f force = controller.passed(reading, wanted.force);
+        const Eigen::Vector3f force = controller.limited(reading, wanted.force);
         device.allow(controller.allowance());
         device.command(force);
         chatter.next(force, wanted.force);

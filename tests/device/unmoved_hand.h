@@ -59,7 +59,7 @@ class Hand {
       reading.sent = frames_.report();
     }
     wanted = law_.force(reading.position);
-    force = controller.passed(reading, wanted);
+    force = controller.limited(reading, wanted);
     frames_.allow(controller.allowance());
     if (!settings.latency) acting = force.cast<double>();
     lengthened |= force.cast<double>().norm() > (1 + 1e-15) * wanted.cast<double>().norm();  // two ways to sum

@@ -13,6 +13,7 @@
 #include "forceshade/fast/heights/spline.h"
 #include "forceshade/fast/heights/spline_force.h"
 #include "forceshade/fast/law.h"
+#include "forceshade/fast/meshes/decide.h"
 #include "forceshade/fast/meshes/vector3.h"
 #include "forceshade/tests/fast/pack_operations.h"
 #include "forceshade/tests/fast/recorded_row.h"
@@ -338,6 +339,21 @@ void mesh_decisions(ComparedScript& script, bool is_fused) {
   expect(n.z, a.x, a.y, b.x, b.y);
 }
 
+// The parts of the bound that the pieces share_… divide by are those of its sum.
+void grid_parameters(ComparedScript& script, bool is_fused) {
+  for (const double sign : {1.0, -1.0}) {
+    RecordedRun run(script, is_fused);
+    run.expressions.products_always_round = true;
+    const Recorded n = run.input("n", 0.7), en = run.input("en", 1e-15);
+    const auto scale = fast::GridScale<Recorded>::over(run.input("d", 1.3), run.input("ed", 1e-14));
+    const auto quotient = scale.quotient(sign > 0 ? n : -n, en);
+    run.expect("share_of_rounding", sign > 0 ? quotient.value : -quotient.value);
+    run.expect("bound", quotient.error);
+    run.expect_value("relative", scale.relative.expression());
+    script.compared.insert({"share_of_divisor", "share_of_numerator"});
+  }
+}
+
 using Compare = void (*)(ComparedScript& script, bool is_fused);
 const std::map<std::string, Compare> kComparisons{
     {"laws/wall", &wall},
@@ -354,6 +370,7 @@ const std::map<std::string, Compare> kComparisons{
     {"heights/force", &height_force},
     {"heights/spline", &height_spline},
     {"meshes/decide", &mesh_decisions},
+    {"meshes/grid_parameters", &grid_parameters},
 };
 
 TEST(proof_operations, of_every_piece_of_every_script_are_those_of_its_header) {

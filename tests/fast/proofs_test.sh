@@ -2,7 +2,8 @@
 # proofs_test.sh GAPPA SOURCE_DIR [store]: runs every Gappa script in fast/. Each interval that Gappa prints must be the one
 # stored beside the script, and must imply the constant in the header: neither exceed it nor leave it idle by more than 4.
 # A script holds definitions and then pieces; a piece ("#! piece NAME") is a proposition of its own over the definitions.
-# A piece whose name begins with sign_ proves no more than a sign: its relative error must be below 1.
+# A piece whose name begins with sign_ proves no more than a sign: its relative error must be below 1. One whose name begins with
+# share_ compares a part of an error with what the header charges for it: below 1, less the few roundings of their sum.
 # "# from FILE PREFIX" after a hypothesis: it follows from the bounds of those pieces, and that is checked too.
 # With "store" the intervals are written instead of compared.
 set -euo pipefail
@@ -70,7 +71,8 @@ check() {  # script's basename, bound that its intervals must imply, or "" if on
       fail "$1: the hypothesis $line is not proved by $from $prefix"
   done < <(grep '# from ' "$script" | grep -v '^#')
   at_most "$(grep -q '^sign_' "$stored" && largest "$stored" sign_ || echo 0)" 0.999 || fail "$1: a sign is not proved"
-  most=$(largest "$stored" "([^s]|s[^i]|si[^g])")
+  at_most "$(grep -q '^share_' "$stored" && largest "$stored" share_ || echo 0)" 0.9999 || fail "$1: a part of an error is not covered"
+  most=$(largest <(grep -Ev '^(sign|share)_' "$stored") "")
   if [ -z "$bound" ]; then
     echo "$1: proved $most"
   elif ! at_most "$most" "$bound"; then
@@ -86,6 +88,7 @@ check polygon_gap ""
 check double_double "$(constant "$fast/numbers/double_double.h" kRelativeError)"
 check spline "$(constant "$fast/heights/spline.h" kSplineError)"
 check decide ""
+check grid_parameters ""
 check force "$(constant "$fast/heights/force.h" kHeightForceError)"
 laws=$(sed -n 's/.*{LawId::[a-z0-9_]*, "[^"]*", "\([a-z0-9_]*\)"},/\1/p' "$2/vocabulary/law.h")
 [ "$(wc -w <<<"$laws")" -ge 9 ] || fail "only $(wc -w <<<"$laws") laws found in vocabulary/law.h"

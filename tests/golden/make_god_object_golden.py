@@ -427,15 +427,17 @@ class Mesh:
 
     # ------------------------------------------------------------ force
 
+    def direction_in(self, i, rest):
+        """N at the resting place, by the corners of triangle i alone."""
+        return tuple(map(sum, zip(*(times(w, self.corner(i, v)) for v, w in self.weights(rest)))))
+
     def shading_direction(self, rest, side, D):
         """N at the resting place, or None for unshaded; D = r − p."""
-        def mean(i):
-            return tuple(map(sum, zip(*(times(w, self.corner(i, v)) for v, w in self.weights(rest)))))
         own = self.fans[rest[1]] if rest[0] == 'v' else self.edges[rest[1:3]] if rest[0] == 'e' else [rest[1]]
         corners = {tuple(self.corner(i, v) for v, _ in self.weights(rest)) for i in own}
         facing = 1 if side == 'front' else -1
         if len(corners) == 1:
-            N = times(facing, mean(own[0]))
+            N = times(facing, self.direction_in(own[0], rest))
         elif rest[0] == 'v':
             self.reached['unshaded at a vertex'] += 1
             return None
@@ -449,7 +451,8 @@ class Mesh:
                 return None
             self.reached['shaded on a crease'] += 1
             q1, q2 = (Fraction(rounded_root(Fraction(dot(n, n), UNIT**4))) for n in (n1, n2))
-            N = times(facing, plus(times(s * q1, mean(own[0])), times(t * q2, mean(own[1]))))
+            N1, N2 = (self.direction_in(i, rest) for i in own)
+            N = times(facing, plus(times(s * q1, N1), times(t * q2, N2)))
         if dot(N, D) <= 0:
             self.reached['unshaded, N away from D'] += 1
             return None
@@ -535,23 +538,55 @@ def exact_decimal(vector):
     return tuple(Decimal(c.numerator) / Decimal(c.denominator) for c in map(Fraction, vector))
 
 
-def corner_normals(mesh, crease_degrees):
-    """The unit angle-weighted means, as binary32; no component is near enough to a tie to be in doubt."""
+def unit_normals(mesh):
+    """In the precision of the context."""
+    unit = []
+    for n in mesh.normals:
+        n = exact_decimal(Fraction(c, UNIT**2) for c in n)
+        unit.append(times(1 / dot(n, n).sqrt(), n))
+    return unit
+
+
+def creases(mesh, crease_degrees):
+    """The edges whose two triangles turn by more."""
+    if crease_degrees == 180:
+        return set()
     with localcontext() as context:
         context.prec = DIGITS + 20
-        unit = []
-        for n in mesh.normals:
-            n = exact_decimal(Fraction(c, UNIT**2) for c in n)
-            unit.append(times(1 / dot(n, n).sqrt(), n))
-        least = cosine(crease_degrees)
+        unit, least = unit_normals(mesh), cosine(crease_degrees)
+        excess = {edge: dot(unit[own[0]], unit[own[1]]) - least for edge, own in mesh.edges.items() if len(own) == 2}
+        assert all(abs(c) > Decimal(10)**-60 for c in excess.values())
+        return {edge for edge, c in excess.items() if c < 0}
 
-        def separates(edge):
-            if crease_degrees == 180:
-                return False
-            i, j = mesh.edges[edge]
-            excess = dot(unit[i], unit[j]) - least
-            assert abs(excess) > Decimal(10)**-60
-            return excess < 0
+
+def groups(mesh, separating):
+    """(vertex, triangles) for those around a vertex that are joined over edges there which do not separate."""
+    for v, fan in mesh.fans.items():
+        group = {i: i for i in fan}
+
+        def first(i):
+            return i if group[i] == i else first(group[i])
+        for edge in mesh.spokes[v]:
+            if len(mesh.edges[edge]) == 2 and edge not in separating:
+                i, j = map(first, mesh.edges[edge])
+                group[max(i, j)] = min(i, j)
+        for leader in sorted(set(map(first, fan))):
+            yield v, [i for i in fan if first(i) == leader]
+
+
+def rounded_surely(c):
+    """The binary32 nearest to a decimal with an error below DOUBT."""
+    low, high = rounded(Fraction(c) - DOUBT), rounded(Fraction(c) + DOUBT)
+    assert low == high or abs(c) < DOUBT
+    return low if low == high else 0.0
+
+
+def corner_normals(mesh, crease_degrees):
+    """The unit angle-weighted means, as binary32; no component is near enough to a tie to be in doubt."""
+    separating = creases(mesh, crease_degrees)
+    with localcontext() as context:
+        context.prec = DIGITS + 20
+        unit = unit_normals(mesh)
 
         def angle(i, v):
             k = mesh.triangles[i].index(v)
@@ -560,29 +595,14 @@ def corner_normals(mesh, crease_degrees):
             area, along = cross(x, y), dot(x, y)
             size = (dot(x, x) * dot(y, y)).sqrt()
             return 2 * arc_tangent(dot(area, area).sqrt() / (size + along))
-
-        def rounded_surely(c):
-            low, high = rounded(Fraction(c) - DOUBT), rounded(Fraction(c) + DOUBT)
-            assert low == high or abs(c) < DOUBT
-            return low if low == high else 0.0
         result = [[None] * 3 for _ in mesh.triangles]
-        for v, fan in mesh.fans.items():
-            group = {i: i for i in fan}
-
-            def first(i):
-                return i if group[i] == i else first(group[i])
-            for edge in mesh.spokes[v]:
-                if len(mesh.edges[edge]) == 2 and not separates(edge):
-                    i, j = map(first, mesh.edges[edge])
-                    group[max(i, j)] = min(i, j)
-            for leader in set(map(first, fan)):
-                own = [i for i in fan if first(i) == leader]
-                total = (Decimal(0),) * 3
-                for i in own:
-                    total = plus(total, times(angle(i, v), unit[i]))
-                normal = tuple(map(rounded_surely, times(1 / dot(total, total).sqrt(), total)))
-                for i in own:
-                    result[i][mesh.triangles[i].index(v)] = normal
+        for v, own in groups(mesh, separating):
+            total = (Decimal(0),) * 3
+            for i in own:
+                total = plus(total, times(angle(i, v), unit[i]))
+            normal = tuple(map(rounded_surely, times(1 / dot(total, total).sqrt(), total)))
+            for i in own:
+                result[i][mesh.triangles[i].index(v)] = normal
     return result
 
 
@@ -917,9 +937,12 @@ class Paths:
                 yield from found
                 return
 
+    def pieces(self):
+        often = [*[self.stroke] * 3, *[self.walk] * 2, *[self.along_axis] * 2, self.jumps, self.on_it, self.next_door]
+        return often + ([*[self.hot] * 4, *[self.refusal] * 4] if self.scene.hot else [])
+
     def positions(self):
-        pieces = [*[self.stroke] * 3, *[self.walk] * 2, *[self.along_axis] * 2, self.jumps, self.on_it, self.next_door]
-        pieces += [*[self.hot] * 4, *[self.refusal] * 4] if self.scene.hot else []
+        pieces = self.pieces()
         start = self.above(self.scene.size)
         count = 0
         for piece in self.pieces_in_turn(pieces, start):
@@ -951,6 +974,23 @@ MUST_OCCUR = ['free', 'touching', 'unfinished', 'invalid', 'v front', 'v back', 
               'unshaded at a vertex', 'unshaded, N away from D']
 
 
+def write_path(directory, scene, normals, rows):
+    lines = ['OFF', f'{len(scene.vertices)} {len(scene.triangles)} 0']
+    lines += [' '.join(map(shortest, v)) for v in scene.vertices]
+    lines += [' '.join(map(str, (3, *t))) for t in scene.triangles]
+    (directory / f'{scene.name}.off').write_text('\n'.join(lines) + '\n')
+    write(directory / f'{scene.name}.normals.csv',
+          [['triangle', 'corner', 'nx', 'ny', 'nz'],
+           *([i, k, *map(shortest, n)] for i, corners in enumerate(normals) for k, n in enumerate(corners))])
+    write(directory / f'{scene.name}.csv', [COLUMNS.split(','), *rows])
+
+
+def places_of(rows):
+    seen = Counter(row[3] for row in rows)
+    seen.update(f'{row[4][0]} {row[5]}' for row in rows if row[3] == 'touching')
+    return seen
+
+
 def main(directory):
     directory.mkdir(exist_ok=True)
     table = []
@@ -960,17 +1000,9 @@ def main(directory):
         normals = corner_normals(mesh, scene.crease)
         mesh.corner_normals = [[tuple(map(Fraction, n)) for n in corners] for corners in normals]
         rows = list(follow(mesh, Paths(scene, mesh).positions()))
-        lines = ['OFF', f'{len(scene.vertices)} {len(scene.triangles)} 0']
-        lines += [' '.join(map(shortest, v)) for v in scene.vertices]
-        lines += [' '.join(map(str, (3, *t))) for t in scene.triangles]
-        (directory / f'{scene.name}.off').write_text('\n'.join(lines) + '\n')
-        write(directory / f'{scene.name}.normals.csv',
-              [['triangle', 'corner', 'nx', 'ny', 'nz'],
-               *([i, k, *map(shortest, n)] for i, corners in enumerate(normals) for k, n in enumerate(corners))])
-        write(directory / f'{scene.name}.csv', [COLUMNS.split(','), *rows])
+        write_path(directory, scene, normals, rows)
         table.append([scene.name, scene.sides, scene.crease, len(scene.triangles), len(rows)])
-        seen = Counter(row[3] for row in rows)
-        seen.update(f'{row[4][0]} {row[5]}' for row in rows if row[3] == 'touching')
+        seen = places_of(rows)
         Mesh.reached.update(seen)
         print(f'{scene.name:13}', *(f'{kind} {seen[kind]:3}' for kind in MUST_OCCUR[:10]))
     write(directory / 'meshes.csv', [TABLE, *table])

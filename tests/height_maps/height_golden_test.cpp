@@ -8,14 +8,13 @@
 #include <array>
 #include <map>
 #include <set>
-#include <sstream>
-#include <stdexcept>
 
 #include "forceshade/csv/csv.h"
 #include "forceshade/fast/height_map_field.h"
 #include "forceshade/properties/binary32.h"
 #include "forceshade/reference/height_map_field.h"
 #include "forceshade/tests/height_maps/height_cases.h"
+#include "forceshade/tests/height_maps/height_maps_file.h"
 
 namespace forceshade {
 namespace {
@@ -25,55 +24,6 @@ using properties::show;
 using N = fast::BigFloatBall<32>;
 
 const std::string kGolden = std::string(FORCESHADE_SOURCE_DIR) + "/tests/golden/";
-
-std::vector<float> numbers_in(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<float> numbers;
-  for (std::string word; in >> word;) numbers.push_back(std::strtof(word.c_str(), nullptr));
-  return numbers;
-}
-
-height::Shape grid_of(const std::string& shape, const std::vector<float>& n) {
-  const bool is_bilinear = shape.starts_with("bilinear"), is_tiled = shape.ends_with("tile");
-  return std::make_shared<const height::Grid>(
-      height::Grid{static_cast<std::uint32_t>(n[0]),
-                   static_cast<std::uint32_t>(n[1]),
-                   n[2],
-                   is_tiled ? height::Edge::tile : height::Edge::clamp,
-                   is_bilinear ? height::Interpolant::bilinear : height::Interpolant::cubic_spline,
-                   {n.begin() + 3, n.end()}});
-}
-
-// The numbers of a kind in the order in which vocabulary/height_map.h has them.
-height::Shape shape_of(const std::string& shape, const std::vector<float>& n) {
-  const auto named = std::ranges::find(height::kKindNames, shape);
-  if (named == height::kKindNames.end()) return grid_of(shape, n);
-  const auto index = static_cast<std::size_t>(named - height::kKindNames.begin());
-  return height::make_shape(index, [&]<class Kind>(std::type_identity<Kind>) -> height::Shape {
-    Kind one;
-    if constexpr (height::HasNumbers<Kind>)
-      for (std::size_t i = 0; i < Kind::numbers().size(); ++i) one.*Kind::numbers()[i].member = n.at(i);
-    if constexpr (std::is_same_v<Kind, height::Polygons>)
-      for (std::size_t i = 0; i < n.size(); i += 2) one.knots.push_back({n[i], n[i + 1]});
-    if constexpr (std::is_same_v<Kind, height::Grid>)
-      throw std::invalid_argument("a grid has the name of its interpolant and edge");
-    else
-      return one;
-  });
-}
-
-std::map<std::string, HeightMap> golden_maps() {
-  const std::string path = kGolden + "height_maps.csv";
-  std::ifstream in = csv::open_input(path);
-  csv::Reader rows(in, path, {"map", "use", "negated", "shape", "numbers"});
-  std::map<std::string, HeightMap> maps;
-  while (rows.next()) {
-    HeightMap& map = maps[rows.text(0)];
-    (rows.text(1) == "map" ? map.parts : map.surface)
-        .push_back({shape_of(rows.text(3), numbers_in(rows.text(4))), rows.text(2) == "1"});
-  }
-  return maps;
-}
 
 // The decimal as it is written, scientific; enclosed.
 N decimal(const std::string& text) {
@@ -103,7 +53,7 @@ bool has_these_digits(const N& force, const std::string& text) {
 }
 
 TEST(height_golden, forces_are_met_to_every_bit_and_digit) {
-  const auto maps = golden_maps();
+  const auto maps = tests::height_maps_in(kGolden + "height_maps.csv");
   const std::string path = kGolden + "height_forces.csv";
   std::ifstream in = csv::open_input(path);
   csv::Reader rows(in, path,

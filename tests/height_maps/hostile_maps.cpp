@@ -61,31 +61,21 @@ height::Shape HostileMaps::shape() {
   const auto wave = [&] { return once_in(3) ? 0 : once_in(2) ? either_sign(one_of({1, 2, 0.5F, 1e3F})) : uniform(-20, 20); };
   const std::uint64_t kind = pick(height::kKinds + 1);
   if (kind == height::kKinds) return height::Plane{0, 0, high()};
-  return height::make_shape(kind, [&]<class Kind>(std::type_identity<Kind>) -> height::Shape {
-    if constexpr (height::HasNumbers<Kind>) {
-      Kind one;
-      float radius = 1;
-      for (const height::Number<Kind>& number : Kind::numbers()) {
-        float& value = one.*number.member;
-        switch (number.meaning) {
-          case height::Meaning::centre: value = coordinate(); break;
-          case height::Meaning::height: value = high(); break;
-          case height::Meaning::slope: value = slope(); break;
-          case height::Meaning::wave: value = wave(); break;
-          case height::Meaning::reach: value = reach(); break;
-          case height::Meaning::radius: value = radius = std::max(reach(), 0.1F); break;
-          case height::Meaning::chord:
-            value = std::clamp(radius * one_of({0.5F, 1, 1.5F, 1.6F, 0x1.fffffep0F}), 1e-3F, std::nextafter(2 * radius, 0.0F));
-        }
-      }
-      return one;
-    } else if constexpr (std::is_same_v<Kind, height::Polygons>) {
-      return polygons();
-    } else {
-      static_assert(std::is_same_v<Kind, height::Grid>);
-      return grid();
+  float radius = 1;
+  const auto drawn = [&](const auto& number) {
+    switch (number.meaning) {
+      case height::Meaning::centre: return coordinate();
+      case height::Meaning::height: return high();
+      case height::Meaning::slope: return slope();
+      case height::Meaning::wave: return wave();
+      case height::Meaning::reach: return reach();
+      case height::Meaning::radius: return radius = std::max(reach(), 0.1F);
+      case height::Meaning::chord: break;
     }
-  });
+    return std::clamp(radius * one_of({0.5F, 1, 1.5F, 1.6F, 0x1.fffffep0F}), 1e-3F, std::nextafter(2 * radius, 0.0F));
+  };
+  return height::shape_of_kind(
+      kind, drawn, [&] { return polygons(); }, [&] { return grid(); });
 }
 
 height::Shape HostileMaps::polygons() {

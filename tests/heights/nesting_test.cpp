@@ -99,8 +99,7 @@ TEST(nesting, of_random_texts_never_harms_the_parser) {
 
 TEST(height_spec_file, larger_than_its_limit_is_refused) {
   const std::string size = std::to_string(4 << 20);
-  EXPECT_EQ(words_of(std::string((4 << 20) + 1, '\n')),
-            "is larger than " + size + " bytes, the most that a height map may take");
+  EXPECT_EQ(words_of(std::string((4 << 20) + 1, '\n')), "expected at most " + size + " bytes, got more");
   EXPECT_TRUE(words_of(std::string(4 << 20, '\n')).ends_with("key render is missing"));
 }
 

@@ -197,8 +197,8 @@ height::Part random_part(Random& random, double reach) {
   const bool is_negated = random.is(0.5);
   const float radius = random.size(0.1, 1e3);
   const double most_wave = std::min(1e3, 30 / reach);
-  const auto drawn = [&](height::Meaning meaning) {
-    switch (meaning) {
+  const auto drawn = [&](const auto& number) {
+    switch (number.meaning) {
       case height::Meaning::centre: return near();
       case height::Meaning::height: return random.either_sign(1e-6, 1e3);
       case height::Meaning::slope: return random.either_sign(1e-3, 1e3);
@@ -223,19 +223,7 @@ height::Part random_part(Random& random, double reach) {
     for (int i = 0; i < 45; ++i) grid.values.push_back(random.either_sign(1e-7, most));
     return std::make_shared<const height::Grid>(grid);
   };
-  const auto make = [&]<class Kind>(std::type_identity<Kind>) -> height::Shape {
-    if constexpr (height::HasNumbers<Kind>) {
-      Kind one;
-      for (const height::Number<Kind>& number : Kind::numbers()) one.*number.member = drawn(number.meaning);
-      return one;
-    } else if constexpr (std::is_same_v<Kind, height::Polygons>) {
-      return polygons();
-    } else {
-      static_assert(std::is_same_v<Kind, height::Grid>);
-      return grid();
-    }
-  };
-  return {height::make_shape(random.below(height::kKinds), make), is_negated};
+  return {height::shape_of_kind(random.below(height::kKinds), drawn, polygons, grid), is_negated};
 }
 
 // What the fast path generates along a path, by the force at the middle of 500 steps a segment, and by how much that may be

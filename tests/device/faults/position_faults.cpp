@@ -50,7 +50,7 @@ std::vector<Fault> position_faults() {
                [=](Reading& r, Since since) {
                  if (since == 0) r.position.setConstant(nan);
                }),
-      position("position is outside what the law knows", "trip: invalid position", 0,
+      position("position is outside the law's domain", "trip: invalid position", 0,
                [](Reading& r, Since) { r.position.x() = 2e4F; }),
       position("position jumps by 10 mm", "trip: jump", 0, [](Reading& r, Since) { r.position.x() += 10; }),
       position("position jumps by 10 mm and back", "trip: jump", 0,

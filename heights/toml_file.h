@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A TOML file, read and parsed within limits. Included by source files alone.
+
+#include <toml++/toml.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <variant>
+
+namespace forceshade::heights {
+
+// What keeps a file from being parsed. The reason may hold text of the file.
+struct TomlFault {
+  std::uint32_t line;  // from 1; 0 where none is known
+  std::string reason;
+};
+
+// Of a file of at most `most_bytes`, which nests no deeper than nesting.h allows.
+std::variant<toml::table, TomlFault> parse_toml_file(const std::filesystem::path& file, std::size_t most_bytes);
+
+// The node's value as it may stand behind "got".
+std::string words_of(const toml::node& node);
+
+}  // namespace forceshade::heights

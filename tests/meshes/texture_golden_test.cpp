@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The texture scheme on both sides against tests/golden/textured_god_object/, which an independent program makes: the corners
+// of each mesh, and every column of every tick.
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <map>
+#include <variant>
+
+#include "forceshade/csv/csv.h"
+#include "forceshade/fast/meshes/god_object.h"
+#include "forceshade/meshes/check.h"
+#include "forceshade/meshes/texture.h"
+#include "forceshade/reference/meshes/god_object.h"
+#include "forceshade/tests/height_maps/height_maps_file.h"
+#include "forceshade/tests/meshes/god_object_paths.h"
+
+namespace forceshade {
+namespace {
+
+const std::string kFolder = std::string(FORCESHADE_SOURCE_DIR) + "/tests/golden/textured_god_object";
+
+struct Corners {
+  std::vector<std::array<mesh::TexturePoint, 3>> points;  // in the file's unit
+  mesh::CornerTextures textures;
+};
+
+Corners read_corners(const std::string& name) {
+  const std::string path = kFolder + "/" + name + ".texture.csv";
+  std::ifstream in = csv::open_input(path);
+  csv::Reader rows(in, path, {"triangle", "corner", "u", "v", "x_mm", "y_mm", "xx", "xy", "xz", "yx", "yy", "yz"});
+  Corners corners;
+  for (std::size_t i = 0; rows.next(); ++i) {
+    if (rows.text(0) != std::to_string(i / 3) || rows.text(1) != std::to_string(i % 3))
+      throw rows.unexpected(0, "the corners in order");
+    if (i % 3 == 0) {
+      corners.points.emplace_back();
+      corners.textures.emplace_back();
+    }
+    corners.points.back()[i % 3] = {rows.binary32(2), rows.binary32(3)};
+    corners.textures.back()[i % 3] = {{rows.binary32(4), rows.binary32(5)},
+                                      {rows.binary32(6), rows.binary32(7), rows.binary32(8)},
+                                      {rows.binary32(9), rows.binary32(10), rows.binary32(11)}};
+  }
+  return corners;
+}
+
+struct Options {
+  double crease_degrees;
+  float scale;  // mm for a unit of the points
+};
+
+std::map<std::string, Options> read_options() {
+  const std::string path = kFolder + "/meshes.csv";
+  std::ifstream in = csv::open_input(path);
+  csv::Reader rows(in, path, {"name", "crease_degrees", "scale_mm"});
+  std::map<std::string, Options> options;
+  while (rows.next()) options[rows.text(0)] = {static_cast<double>(rows.binary32(1)), rows.binary32(2)};
+  return options;
+}
+
+TEST(texture_golden, corners_and_ticks_are_those_of_the_python_program_on_both_sides) {
+  const auto maps = tests::height_maps_in(kFolder + "/maps.csv");
+  std::map<std::string, int> reached;
+  for (const auto& [name, options] : read_options()) {
+    const tests::GodObjectPath path = tests::read_god_object_path(kFolder, name);
+    const Corners corners = read_corners(name);
+    const auto checked = std::get<mesh::CheckedMesh>(mesh::check(path.mesh));
+    ASSERT_EQ(mesh::corner_textures(checked, corners.points, options.scale, options.crease_degrees), corners.textures) << name;
+
+    constexpr auto kScheme = mesh::Shading::texture_scheme;
+    const mesh::Texture texture{corners.textures, maps.at(name)};
+    const auto definition = std::get<reference::GodObject>(
+        reference::GodObject::build(path.mesh, path.normals, path.sides, kScheme, path.stiffness, texture));
+    const auto rendered = std::get<fast::Mesh>(fast::Mesh::build(path.mesh, path.normals, path.sides, texture));
+    mesh::GodObject state;
+    for (const tests::PathTick& row : path.ticks) {
+      mesh::Tick expected = row.tick;
+      expected.force = row.shaded;
+      for (const auto& [side, tick] :
+           {std::pair("reference", definition.step(state, row.position)),
+            std::pair("fast", step(rendered, state, row.position, path.stiffness, kScheme)),
+            std::pair("fast, in integers", step(rendered, state, row.position, path.stiffness, kScheme, fast::ExactStages()))})
+        ASSERT_TRUE(tests::is_same(tick, expected))
+            << row.place << ": " << side << " gives " << tests::show(tick) << ", expected " << tests::show(expected);
+      state = expected.after;
+      ++reached["ticks"];
+      ++reached[std::string(mesh::kTickStatusNames[static_cast<std::size_t>(expected.status)])];
+      if (expected.status != mesh::TickStatus::touching) continue;
+      ++reached[std::string(mesh::kPlaceNames[static_cast<std::size_t>(state.place)])];
+      ++reached[std::string(mesh::kSideNames[static_cast<std::size_t>(state.side)])];
+      ++reached[row.shaded == row.tick.force ? "unshaded" : "turned"];
+    }
+    ++reached["meshes"];
+  }
+  for (const char* what : {"meshes", "ticks", "free", "touching", "invalid", "vertex", "edge", "triangle", "front", "back",
+                           "unshaded", "turned"}) {
+    std::printf("  %7d %s\n", reached[what], what);
+    EXPECT_GT(reached[what], 0) << what;
+  }
+  EXPECT_EQ(reached["meshes"], static_cast<int>(maps.size()));
+}
+
+}  // namespace
+}  // namespace forceshade
