@@ -96,7 +96,7 @@ int check(const MeshFileOptions& options) {
   if (findings == nullptr) {
     const auto& held = std::get<mesh::CheckedMesh>(checked);
     std::printf("held: a mesh of %zu faces%s\n", held.mesh().triangles.size(),
-                held.is_embedded() ? "" : "; whether faces meet or cross was not checked");
+                held.is_embedded() ? "" : "; whether faces without a common vertex cross was not checked");
     return kHeld;
   }
   std::printf("%s\n", kFailedHeading);
@@ -112,7 +112,7 @@ int info(const MeshFileOptions& options) {
   mesh::LoadedMesh loaded = load(options);
   const std::vector<std::string> notes = loaded.notes;
   const bool has_normals = !loaded.normals.empty(), has_texture = !loaded.texture.empty();
-  const auto checked = mesh::check(std::move(loaded.mesh), mesh::SelfIntersections::allowed);
+  const auto checked = mesh::check(std::move(loaded.mesh), mesh::SelfIntersections::unchecked);
   if (const auto* findings = std::get_if<mesh::Findings>(&checked)) {
     write_json(options, {{"file", options.file}, {"notes", notes}, {"faults", lines_of(*findings)}});
     if (options.json == "-") return kFailed;
@@ -276,7 +276,7 @@ void add_mesh(CLI::App& app, int& result) {
     return std::pair(verb, options);
   };
   const auto allow_self_intersections = [](CLI::App& verb, MeshFileOptions& options) {
-    verb.add_flag("--self-intersecting", options.self_intersecting, "do not look whether faces meet or cross");
+    verb.add_flag("--self-intersecting", options.self_intersecting, "allow faces without a common vertex to cross");
   };
   const auto [check_verb, check_options] =
       add("check", "Whether it is a mesh that can be rendered: 0 if so, 1 and what is wrong, with the numbers of faces, if not",

@@ -92,6 +92,10 @@ MeshOption::MeshOption(CLI::App& command, LawOptions& law) {
           "of a textured mesh: the length of one unit of the texture coordinates in its file, which no format says")
       ->type_name("LENGTH")
       ->needs(option);
+  command
+      .add_flag("--self-intersecting", mesh_.is_self_intersecting,
+                "of a mesh: faces without a common vertex may cross; each way is tested against the whole mesh")
+      ->needs(option);
   add_angle(command, "--crease", "of a mesh: an edge that turns by more is not shaded over", {0, 180}, [this](double degrees) {
     mesh_.crease_degrees = degrees;
   })->needs(option);
@@ -109,12 +113,17 @@ properties::MeshRendering MeshOption::read(float stiffness) const {
 
 properties::MeshRendering read_mesh(const MeshChoice& choice, float stiffness) {
   mesh::LoadedMesh loaded = mesh::load_with_corners(choice.file, unit_named(choice.unit));
-  auto checked = mesh::check(std::move(loaded.mesh));
-  if (const auto* findings = std::get_if<mesh::Findings>(&checked))
-    throw BadInput(choice.file + ": cannot be rendered:\n" + findings->words() +
-                   "\n'forceshade mesh repair' mends some of this");
+  const auto self_intersections =
+      choice.is_self_intersecting ? mesh::SelfIntersections::allowed : mesh::SelfIntersections::refused;
+  auto checked = mesh::check(std::move(loaded.mesh), self_intersections);
+  if (const auto* findings = std::get_if<mesh::Findings>(&checked)) {
+    const bool crosses = findings->counts[static_cast<std::size_t>(mesh::Fault::meeting)] > 0;
+    throw BadInput(
+        choice.file + ": cannot be rendered:\n" + findings->words() + "\n'forceshade mesh repair' mends some of this" +
+        (crosses && !choice.is_self_intersecting ? "; with --self-intersecting, faces without a common vertex may cross" : ""));
+  }
   const auto& found = std::get<mesh::CheckedMesh>(checked);
-  properties::MeshRendering rendering{found.mesh(), {}, {}, {}, stiffness, {}};
+  properties::MeshRendering rendering{found.mesh(), {}, {}, {}, stiffness, {}, self_intersections};
   const std::string sides = choice.sides.empty() ? (mesh::facts_of(found).is_closed() ? "front" : "both") : choice.sides;
   rendering.sides = value_named<mesh::Sides>(sides, mesh::kSidesNames);
   rendering.shading = shading_named(choice.shading);

@@ -22,6 +22,7 @@ struct MeshChoice {
   std::string shading = "vertex";  // vertex, edge, none or texture:FILE
   double crease_degrees = 180;
   std::optional<float> texture_scale = std::nullopt;  // mm, of texture:FILE
+  bool is_self_intersecting = false;
 };
 
 // What can be rendered on both sides. stiffness: N/mm. Throws BadInput or mesh::Error with the file, its line or faces, and

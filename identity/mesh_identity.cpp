@@ -28,12 +28,17 @@ Identity identity_of(const std::string& name, const MeshRendering& rendering) {
       }
     digest.line("map " + identity_of("", rendering.texture.map, height::Rendering::force_shaded, 1).digest);
   }
-  return {kMeshKind,
-          name,
-          {{"sides", std::string(name_of(rendering.sides))},
-           {"shading", std::string(name_of(rendering.shading))},
-           {"stiffness_N_per_mm", rendering.stiffness}},
-          digest.hex()};
+  // Named only where they are allowed, so that what was certified or recorded before there was such a choice is still the same.
+  const bool has_sheets = rendering.self_intersections == mesh::SelfIntersections::allowed;
+  if (has_sheets) digest.line("self-intersections allowed");
+  Identity identity{kMeshKind,
+                    name,
+                    {{"sides", std::string(name_of(rendering.sides))},
+                     {"shading", std::string(name_of(rendering.shading))},
+                     {"stiffness_N_per_mm", rendering.stiffness}},
+                    digest.hex()};
+  if (has_sheets) identity.parameters.push_back({"self_intersections", std::string("allowed")});
+  return identity;
 }
 
 }  // namespace forceshade::properties

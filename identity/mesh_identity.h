@@ -19,6 +19,7 @@ struct MeshRendering {
   mesh::Shading shading = mesh::Shading::none;
   float stiffness = 0;         // K, N/mm, in [10^-3, 10^3]
   mesh::Texture texture = {};  // of the texture scheme
+  mesh::SelfIntersections self_intersections = mesh::SelfIntersections::refused;
 };
 
 // name: of the mesh's file. The digest is that of every coordinate, index and normal, and of a texture: of the points and

@@ -162,7 +162,11 @@ std::size_t shared_first(Triangle& s, Triangle& t) {
   return shared;
 }
 
-void check_pair(const TriangleMesh& mesh, std::uint32_t i, std::uint32_t j, Collector& found) {
+bool are_in_one_plane(const TrianglePoints& s, const TrianglePoints& t) {
+  return std::ranges::all_of(t, [&](const Vertex& point) { return side_of(s[0], s[1], s[2], point) == 0; });
+}
+
+void check_pair(const TriangleMesh& mesh, std::uint32_t i, std::uint32_t j, bool may_cross, Collector& found) {
   Triangle s = mesh.triangles[i], t = mesh.triangles[j];
   const std::size_t shared = shared_first(s, t);
   const TrianglePoints of_s = points_of(mesh, s), of_t = points_of(mesh, t);
@@ -170,12 +174,16 @@ void check_pair(const TriangleMesh& mesh, std::uint32_t i, std::uint32_t j, Coll
                         : shared == 1 ? meet_beside_corner(of_s, of_t)
                                       : shared == 2 && meet_beside_edge(of_s, of_t);
   if (!is_wrong) return;
+  if (may_cross && shared == 0) {
+    if (are_in_one_plane(of_s, of_t)) found.add(Fault::in_one_plane, {i, j}, {});
+    return;
+  }
   std::vector<std::uint32_t> common(s.begin(), s.begin() + static_cast<std::ptrdiff_t>(shared));
   std::sort(common.begin(), common.end());
   found.add(Fault::meeting, {i, j}, std::move(common));
 }
 
-void check_meetings(const TriangleMesh& mesh, Collector& found) {
+void check_meetings(const TriangleMesh& mesh, bool may_cross, Collector& found) {
   const BoxTree tree(mesh);
   const std::uint64_t most = kMostPairs + 64 * mesh.triangles.size();
   std::atomic<std::size_t> task = 0;
@@ -186,7 +194,7 @@ void check_meetings(const TriangleMesh& mesh, Collector& found) {
     std::uint64_t uncounted = 0;
     bool goes_on = true;
     const auto pair = [&](std::uint32_t i, std::uint32_t j) {
-      check_pair(mesh, i, j, of_thread);
+      check_pair(mesh, i, j, may_cross, of_thread);
       constexpr std::uint64_t kMany = std::uint64_t{1} << 16;
       if (++uncounted < kMany) return true;
       uncounted = 0;
@@ -234,6 +242,7 @@ std::string words_of(const Finding& finding) {
       if (finding.vertices.size() == 1)
         return "faces " + faces + " have vertex " + vertices + " in common, but meet elsewhere, too";
       return "faces " + faces + " are folded onto each other at their edge, of vertices " + vertices;
+    case Fault::in_one_plane: return "faces " + faces + " meet in one plane, but have no vertex in common";
     case Fault::undecided: return "it cannot be decided in reasonable time whether faces meet: too many are near each other";
   }
   return "";
@@ -264,12 +273,12 @@ std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections s
     check_edges(mesh, opposite, found);
     if (!found.has(Fault::many_at_edge) && !found.has(Fault::same_direction)) check_fans(mesh, opposite, found);
   }
-  const bool must_be_embedded = self_intersections == SelfIntersections::refused;
   const bool can_be_decided = !found.has(Fault::index) && !found.has(Fault::vertex_twice) && !found.has(Fault::coordinate) &&
                               !found.has(Fault::no_area);
-  if (must_be_embedded && can_be_decided) check_meetings(mesh, found);
+  if (self_intersections != SelfIntersections::unchecked && can_be_decided)
+    check_meetings(mesh, self_intersections == SelfIntersections::allowed, found);
   if (Findings findings = found.take(); !findings.empty()) return findings;
-  return CheckedMesh(std::move(mesh), must_be_embedded);
+  return CheckedMesh(std::move(mesh), self_intersections == SelfIntersections::refused);
 }
 
 }  // namespace forceshade::mesh

@@ -24,9 +24,10 @@ enum class Fault {
   same_direction,  // two triangles run along their edge in the same direction
   several_fans,    // the triangles at a vertex are not one fan
   meeting,         // two triangles have more points in common than their common vertices say
+  in_one_plane,    // the same in one plane, of triangles that may cross elsewhere
   undecided        // too many pairs of triangles are near each other to decide the last in reasonable time
 };
-inline constexpr std::size_t kFaults = 11;
+inline constexpr std::size_t kFaults = 12;
 
 struct Finding {
   Fault fault{};
@@ -49,9 +50,6 @@ struct Findings {
   std::string words() const;
 };
 
-// Whether triangles may meet or cross beside their common vertices.
-enum class SelfIntersections { refused, allowed };
-
 // A mesh that has been found to be one. Only check() makes it.
 class CheckedMesh {
  public:
@@ -69,7 +67,8 @@ class CheckedMesh {
 
 // A coordinate below 2^-30 mm in size is 0 in the mesh that it gives. Nothing else is changed. All faults are looked for that
 // can still be decided beside those found. Takes some 50 bytes a triangle beside the mesh, and as many threads as the machine
-// has cores, 8 at most; what it finds does not depend on their number.
+// has cores, 8 at most; what it finds does not depend on their number. With self-intersections allowed, triangles with a common
+// vertex still meet in what they share alone, and those in one plane do not meet.
 std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections self_intersections = SelfIntersections::refused);
 
 }  // namespace forceshade::mesh

@@ -128,7 +128,8 @@ Violation differs(std::size_t i, const MeshPosition& p, const mesh::Tick& got, c
 }  // namespace
 
 OpenTicks fast_god_object(const MeshRendering& rendering) {
-  auto built = fast::Mesh::build(rendering.mesh, rendering.normals, rendering.sides, rendering.texture);
+  auto built =
+      fast::Mesh::build(rendering.mesh, rendering.normals, rendering.sides, rendering.texture, rendering.self_intersections);
   if (const auto* error = std::get_if<std::string>(&built)) throw std::invalid_argument(*error);
   return [mesh = std::make_shared<const fast::Mesh>(std::get<fast::Mesh>(std::move(built))),
           shading = rendering.shading](float stiffness) -> std::unique_ptr<fast::TickSession> {
@@ -150,7 +151,8 @@ MeshSubject::MeshSubject(const std::string& name, MeshRendering rendering, OpenT
 const reference::GodObject& MeshSubject::reference() const {
   std::call_once(is_built_, [this] {
     const MeshRendering& of = *rendering_;
-    auto built = reference::GodObject::build(of.mesh, of.normals, of.sides, of.shading, of.stiffness, of.texture);
+    auto built =
+        reference::GodObject::build(of.mesh, of.normals, of.sides, of.shading, of.stiffness, of.texture, of.self_intersections);
     if (const auto* error = std::get_if<ParameterError>(&built)) throw std::invalid_argument(error->message());
     reference_ = std::get<reference::GodObject>(std::move(built));
   });

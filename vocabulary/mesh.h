@@ -42,6 +42,9 @@ struct Texture {
 // From which sides a triangle blocks motion: against its normal, or against and along it.
 enum class Sides { front, both };
 
+// Whether triangles that have no vertex in common may meet or cross, if not in one plane. `unchecked`: no renderer takes it.
+enum class SelfIntersections { refused, allowed, unchecked };
+
 // The one list of the shading schemes. vertex_scheme uses corner normals; texture_scheme these and a texture.
 enum class Shading { none, vertex_scheme, edge_scheme, texture_scheme };
 

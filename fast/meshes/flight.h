@@ -16,6 +16,18 @@ struct Hit {
   DoubleWithError remaining{};  // what is left of the flight there: 1 at g, 0 at p
 };
 
+// part: not none.
+inline FeatureKey key_at(const Mesh& mesh, std::uint32_t face, Hit::Part part, std::uint32_t corner) noexcept {
+  return key_of(mesh,
+                part == Hit::Part::triangle ? mesh::Place::triangle
+                : part == Hit::Part::edge   ? mesh::Place::edge
+                                            : mesh::Place::vertex,
+                3 * face + corner);
+}
+inline FeatureKey key_of(const Mesh& mesh, const Hit& hit) noexcept {
+  return key_at(mesh, hit.face, hit.part, hit.corner);
+}
+
 template <class Stages>
 class Flight {
  public:
@@ -38,10 +50,32 @@ class Flight {
   // p itself, where it lies on the surface.
   const Hit& end() const noexcept { return end_; }
 
+  // The parameters of the landing's corners. On an edge, of its ends.
+  std::array<Cell, 3> cells() const noexcept {
+    std::array<Cell, 3> cells{};
+    if (landing_.part == Hit::Part::edge) cells[after(landing_.corner)] = cell_on_edge();
+    if (landing_.part != Hit::Part::triangle) return cells;
+    const ExactPassing passing(*this, landing_.face);
+    for (std::size_t i = 0; i < 3; ++i) cells[i] = passing.cell(i);
+    return cells;
+  }
+  // The same where p is, which is in the plane of the triangle.
+  std::array<Cell, 3> cells_at_end() const noexcept {
+    const ExactWeights weights(mesh_.face(end_.face), p_);
+    std::array<Cell, 3> cells{};
+    for (std::size_t i = 0; i < 3; ++i) cells[i] = exact_cell(weights.corner[i], weights.all);
+    return cells;
+  }
+
+  // What is left of the flight at a hit, as num/den with den > 0.
+  struct Fraction {
+    FixedInteger<304> num, den;
+  };
+  Fraction left_at_landing() const noexcept { return remaining(landing_); }
+
   // Where it lands in a triangle: the point of the grid beside it that is nearest to p.
   Spot rounded_in_triangle() const noexcept {
-    const ExactPassing passing(*this, landing_.face);
-    const std::array<Cell, 3> cells{passing.cell(0), passing.cell(1), passing.cell(2)};
+    const std::array<Cell, 3> cells = this->cells();
     const std::uint32_t k = cells[1].floor, l = cells[2].floor;
     struct Corner {
       std::uint32_t k, l;
@@ -185,10 +219,6 @@ class Flight {
     }
   }
 
-  // What is left of the flight at the hit, as num/den with den > 0.
-  struct Fraction {
-    FixedInteger<304> num, den;
-  };
   [[gnu::noinline]] Fraction remaining(const Hit& hit) const noexcept {
     const Face& face = mesh_.face(hit.face);
     const ExactOffset U = exact_offset_from(g_, p_);
@@ -207,14 +237,15 @@ class Flight {
     return positive(dot(cross(e, w(hit.corner)), n), dot(cross(e, U), n));
   }
 
-  // Keeps the hit if it comes before the one that is kept, and the flight may not go on there.
+  // Keeps the hit if it comes before the one that is kept, and the flight may not go on there. Where sheets cross, of hits in
+  // one place the first feature counts.
   void offer(Hit hit) noexcept {
     if (landing_.part != Hit::Part::none) {
       const int nearer = sign_of(hit.remaining - landing_.remaining, stages_, [&] {
         const Fraction a = remaining(hit), b = remaining(landing_);
         return (a.num * b.den).compare(b.num * a.den);
       });
-      if (nearer <= 0) return;
+      if (nearer < 0 || (nearer == 0 && key_of(mesh_, hit) >= key_of(mesh_, landing_))) return;
     }
     if (is_blocked(hit)) landing_ = hit;
   }
@@ -242,6 +273,7 @@ class Flight {
   void end_in(std::uint32_t f) noexcept {
     Hit hit = part_at(mesh_, f, p_, stages_);
     if (hit.part == Hit::Part::none) return;
+    if (end_.part != Hit::Part::none && key_of(mesh_, hit) >= key_of(mesh_, end_)) return;
     if (hit.part == Hit::Part::triangle) {
       hit.side = sign_of({dot(FaceNumbers(mesh_.face(f)).n, U_.U), HUGE_VAL}, stages_,
                          [&] { return dot(ExactFace(mesh_.face(f)).n, exact_offset_from(g_, p_)).sign(); }) < 0

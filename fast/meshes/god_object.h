@@ -19,7 +19,10 @@ FORCESHADE_INLINE void step(const Mesh& mesh, Arrival& at, const std::array<floa
   tick.status = mesh::TickStatus::invalid;
   if (!in_domain(position[0]) || !in_domain(position[1]) || !in_domain(position[2])) return;
   const std::array<float, 3> p{quantised(position[0]), quantised(position[1]), quantised(position[2])};
-  Walk<Stages>(mesh, at, p, stages).run();
+  if (mesh.has_sheets()) [[unlikely]]
+    Walk<Stages, true>(mesh, at, p, stages).run();
+  else
+    Walk<Stages>(mesh, at, p, stages).run();
   tick.moves = static_cast<std::uint16_t>(at.moves);
   tick.status = !at.is_finished                      ? mesh::TickStatus::unfinished
                 : at.spot.place == mesh::Place::free ? mesh::TickStatus::free

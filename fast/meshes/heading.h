@@ -48,8 +48,10 @@ struct Direction {
   const Point* from;
   const float* to;
   bool is_opposite;
+  const ExactOffset* known = nullptr;  // the same in integers, instead of the two points
 
   ExactOffset exact() const noexcept {
+    if (known != nullptr) return *known;
     const ExactOffset U = exact_offset_from(*from, to);
     return is_opposite ? ExactOffset{-U.x, -U.y, -U.z} : U;
   }

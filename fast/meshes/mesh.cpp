@@ -106,7 +106,8 @@ std::string first_error(const mesh::CornerTextures& corners, std::size_t triangl
 }  // namespace
 
 std::variant<Mesh, std::string> Mesh::build(const mesh::TriangleMesh& triangles, const mesh::CornerNormals& normals,
-                                            mesh::Sides sides, const mesh::Texture& texture) {
+                                            mesh::Sides sides, const mesh::Texture& texture,
+                                            mesh::SelfIntersections self_intersections) {
   for (const char* fault : {arithmetic_fault_here(), force_arithmetic_fault(), MeshSession::arithmetic_fault()})
     if (fault != nullptr) return ParameterError{"arithmetic", "", 0, 0, 0, fault}.message();
   if (std::string error = first_error(triangles, normals); !error.empty()) return error;
@@ -119,6 +120,7 @@ std::variant<Mesh, std::string> Mesh::build(const mesh::TriangleMesh& triangles,
     result.texture_map_ = std::make_shared<const HeightMapField>(std::get<HeightMapField>(std::move(map)));
   }
   result.sides_ = sides;
+  result.has_sheets_ = self_intersections == mesh::SelfIntersections::allowed;
   const std::vector<std::uint32_t> order = curve_order(triangles);
   result.faces_.resize(order.size());
   result.face_of_file_.resize(order.size());

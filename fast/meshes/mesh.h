@@ -62,12 +62,14 @@ class Mesh {
  public:
   static constexpr std::size_t kMostTriangles = std::size_t{1} << 26;
 
-  // The mesh must be embedded, as docs/meshes.md demands: that is for the caller to have checked. Vertices are read as
-  // positions are. A message where the numbers or the way the triangles are joined are not those of such a mesh. Normals: of
+  // The mesh must be embedded, as docs/meshes.md demands: that is for the caller to have checked. With self-intersections
+  // allowed, triangles may meet that have no vertex in common, and each way is tested against the whole mesh. Vertices are read
+  // as positions are. A message where the numbers or the way the triangles are joined are not those of such a mesh. Normals: of
   // each corner, or none; a texture needs them. Under an arithmetic fault (fast/numbers/arithmetic.h) nothing is built.
   // Allocates.
   static std::variant<Mesh, std::string> build(const mesh::TriangleMesh& triangles, const mesh::CornerNormals& normals,
-                                               mesh::Sides sides, const mesh::Texture& texture = {});
+                                               mesh::Sides sides, const mesh::Texture& texture = {},
+                                               mesh::SelfIntersections self_intersections = mesh::SelfIntersections::refused);
 
   const Face& face(std::uint32_t f) const noexcept { return faces_[f]; }
   std::uint32_t vertices() const noexcept { return static_cast<std::uint32_t>(first_around_.size()); }
@@ -89,6 +91,7 @@ class Mesh {
   bool is_at_rim(std::uint32_t vertex) const noexcept { return twin(first_around_[vertex]) == kRim; }
 
   mesh::Sides sides() const noexcept { return sides_; }
+  bool has_sheets() const noexcept { return has_sheets_; }  // which may cross
   const BoxTree& tree() const noexcept { return tree_; }
   float largest_coordinate() const noexcept { return largest_coordinate_; }
   // Of the three corners of face f; empty where the mesh has none.
@@ -115,6 +118,7 @@ class Mesh {
   std::shared_ptr<const HeightMapField> texture_map_;
   BoxTree tree_;
   mesh::Sides sides_ = mesh::Sides::front;
+  bool has_sheets_ = false;
   float largest_coordinate_ = 0;
 };
 

@@ -32,6 +32,25 @@ inline Spot spot_in_triangle(const Mesh& mesh, std::uint32_t face, std::uint32_t
   return {mesh::Place::triangle, side, 3 * face, {k, l}, {}};
 }
 
+// A vertex, an edge or a triangle by the file's numbers, in the order in which they count where sheets meet: vertices, edges by
+// their lower and their higher vertex, triangles.
+struct FeatureKey {
+  mesh::Place place = mesh::Place::nowhere;
+  std::array<std::uint32_t, 2> index{};
+
+  auto operator<=>(const FeatureKey&) const = default;
+};
+inline FeatureKey key_of(const Mesh& mesh, mesh::Place place, HalfEdge h) noexcept {
+  const std::uint32_t a = mesh.start(h);
+  if (place == mesh::Place::vertex) return {place, {a, 0}};
+  if (place == mesh::Place::triangle) return {place, {mesh.face(face_of(h)).index(), 0}};
+  const std::uint32_t b = mesh.start(next(h));
+  return {place, a < b ? std::array{a, b} : std::array{b, a}};
+}
+inline FeatureKey key_of(const Mesh& mesh, const Spot& spot) noexcept {
+  return key_of(mesh, spot.place, spot.half);
+}
+
 // The weights of the corners of `face`, which the spot belongs to.
 inline std::array<std::uint32_t, 3> weights_in(const Mesh& mesh, const Spot& spot, std::uint32_t face) noexcept {
   std::array<std::uint32_t, 3> weights{};

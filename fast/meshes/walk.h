@@ -2,7 +2,7 @@
 #pragma once
 // One tick of the god-object: the descent of docs/meshes.md, rule by rule.
 
-#include "forceshade/fast/meshes/flight.h"
+#include "forceshade/fast/meshes/sheets.h"
 
 namespace forceshade::fast {
 
@@ -22,7 +22,8 @@ struct Arrival {
   bool is_finished = true;
 };
 
-template <class Stages>
+// kHasSheets: whether ways are tested against the whole mesh, whose sheets may cross.
+template <class Stages, bool kHasSheets = false>
 class Walk {
  public:
   static constexpr int kMostMoves = 256;
@@ -43,7 +44,7 @@ class Walk {
     do step = spot_.place == mesh::Place::triangle ? move_in_triangle() : move();
     while (step == Step::onward);
     if (step == Step::rest) return;
-    at_.rest = Rest::at_spot;
+    at_.rest = spot_.place == mesh::Place::free ? Rest::none : Rest::at_spot;
     at_.is_finished = false;
   }
 
@@ -62,6 +63,29 @@ class Walk {
     put(to);
     return Step::onward;
   }
+  // The same after a slide in the triangle f, or along an edge of it.
+  FORCESHADE_INLINE Step slid(Rest how, const Spot& at, std::uint32_t f) noexcept {
+    if constexpr (kHasSheets)
+      if (const auto other = diverted(at, f)) return *other;
+    return rest(how, at);
+  }
+  FORCESHADE_INLINE Step slid_onward(const Spot& to, std::uint32_t f) noexcept {
+    if constexpr (kHasSheets)
+      if (const auto other = diverted(to, f)) return *other;
+    return onward(to);
+  }
+  // Where another sheet is in the way; none where it is clear. The move is counted already.
+  [[gnu::noinline]] std::optional<Step> diverted(const Spot& to, std::uint32_t f) noexcept {
+    const Sheets<Stages> sheets(mesh_, p_.data(), stages_);
+    const auto block = sheets.block(spot_, to, f);
+    if (!block) return std::nullopt;
+    return arrive_instead(sheets.detour(spot_, to, f, *block));
+  }
+  Step arrive_instead(const std::optional<Spot>& other) noexcept {
+    if (other) return onward(*other);
+    --at_.moves;
+    return spot_.place == mesh::Place::free ? Step::exhausted : rest(Rest::at_spot);
+  }
   // One member at a time: a load that spans several recent stores waits for them.
   FORCESHADE_INLINE void put(const Spot& to) noexcept {
     spot_.place = to.place;
@@ -78,12 +102,13 @@ class Walk {
   }
 
   [[gnu::noinline]] void start() noexcept {
-    Hit hit;
+    Hit hit;  // the first of the features that are there
     const Vector3<double> place{static_cast<double>(p_[0]), static_cast<double>(p_[1]), static_cast<double>(p_[2])};
     mesh_.tree().along(place, place, [&](std::uint32_t f) {
       if (side_of(mesh_.face(f), p_.data(), stages_) != 0) return;
       const Hit found = Flight<Stages>::part_at(mesh_, f, p_.data(), stages_);
-      if (found.part != Hit::Part::none) hit = found;
+      if (found.part == Hit::Part::none) return;
+      if (hit.part == Hit::Part::none || key_of(mesh_, found) < key_of(mesh_, hit)) hit = found;
     });
     if (hit.part == Hit::Part::none)
       be_free();
@@ -251,11 +276,17 @@ class Walk {
     }
     if (at_.moves == kMostMoves) return Step::exhausted;
     ++at_.moves;
-    if (is_towards_start ? beyond(0) > 0 : beyond(kGrid) < 0) return rest(Rest::on_edge, rest_on_edge(h, spot_.side));
+    if (is_towards_start ? beyond(0) > 0 : beyond(kGrid) < 0)
+      return slid(Rest::on_edge, rest_on_edge(h, spot_.side), first_beside(h));
     const HalfEdge end = is_towards_start ? h : next(h);
     const Spot vertex = spot_at_vertex(mesh_, end, spot_.side);
-    if (is_position(mesh_.start_point(end))) return rest(Rest::at_position, vertex);
-    return onward(vertex);
+    if (is_position(mesh_.start_point(end))) return slid(Rest::at_position, vertex, first_beside(h));
+    return slid_onward(vertex, first_beside(h));
+  }
+  // The triangle beside the edge that comes first in the file.
+  std::uint32_t first_beside(HalfEdge h) const noexcept {
+    const std::uint32_t f = face_of(h), other = mesh_.twin(h) == kRim ? f : face_of(mesh_.twin(h));
+    return mesh_.face(other).index() < mesh_.face(f).index() ? other : f;
   }
   ExactFoot exact_foot(HalfEdge h) const noexcept {
     return ExactFoot(mesh_.start_point(h), mesh_.start_point(next(h)), p_.data());
@@ -276,7 +307,7 @@ class Walk {
       return rest(Rest::at_spot);
     if (at_.moves == kMostMoves) return Step::exhausted;
     ++at_.moves;
-    return rest(facing.side == 0 ? Rest::at_position : Rest::in_triangle, to);
+    return slid(facing.side == 0 ? Rest::at_position : Rest::in_triangle, to, f);
   }
   // The same where q is not strictly inside.
   FORCESHADE_INLINE Step slide_out(std::uint32_t f, const Facing& facing, const std::array<int, 3>& inside) noexcept {
@@ -298,13 +329,13 @@ class Walk {
       if (first == 0) {
         const HalfEdge corner = 3 * f + (3 - i - j);
         const Spot vertex = spot_at_vertex(mesh_, corner, spot_.side);
-        if (is_position(mesh_.start_point(corner))) return rest(Rest::at_position, vertex);
-        return onward(vertex);
+        if (is_position(mesh_.start_point(corner))) return slid(Rest::at_position, vertex, f);
+        return slid_onward(vertex, f);
       }
       if (first < 0) i = j;
     }
     const HalfEdge edge = 3 * f + after(i);
-    if (facing.side == 0 && inside[i] == 0) return rest(Rest::at_position, rest_on_edge(edge, spot_.side));
+    if (facing.side == 0 && inside[i] == 0) return slid(Rest::at_position, rest_on_edge(edge, spot_.side), f);
     const std::uint32_t j = before(i);  // the edge's end
     const Cell cell = GridParameters(times(G[i], weights.all) - shifted<24>(weights.corner[i])).cell(num(j), stages_, [&] {
       const ExactWeights exact(mesh_.face(f), p_.data());
@@ -313,7 +344,8 @@ class Walk {
     const Foot foot(mesh_.start_point(edge), mesh_.start_point(next(edge)), p_.data());
     left_ = {edge, {facing.side, inside[i]}};
     const Spot to = spot_on_edge(mesh_, edge, rounded_on_edge(edge, cell, foot), spot_.side);
-    return stages_.sure(is_surely_nearer(G[i], weights.all, foot.length)) ? onward(to) : arrive(to);
+    if (stages_.sure(is_surely_nearer(G[i], weights.all, foot.length)) || is_nearer(to)) return slid_onward(to, f);
+    return refuse();
   }
   // Whether a slide to an edge ends nearer to p by more than the rounding takes away. weight: of the corner opposite to the
   // edge, at the slide's start; n_n, e_e: the squares of the triangle's normal and of the edge. The slide's length d is at
@@ -353,17 +385,19 @@ class Walk {
     return cell.floor + (is_upper ? 1 : 0);
   }
 
-  // At the rounded point, unless it is not nearer to p: then the move, counted already, is refused.
-  [[gnu::noinline]] Step arrive(const Spot& to) noexcept {
+  // Whether the rounded point is nearer to p.
+  [[gnu::noinline]] bool is_nearer(const Spot& to) const noexcept {
     const Point here = point_of(mesh_, spot_), there = point_of(mesh_, to);
     const auto length = [&](const Point& point) -> DoubleWithError {
       const Offset U = offset_from(point, p_.data(), largest());
       return {square(U.U), kOffsetLength.error * U.size * U.size};
     };
-    const int nearer = sign_of(length(here) - length(there), stages_, [&] {
-      return square(exact_offset_from(here, p_.data())).compare(square(exact_offset_from(there, p_.data())));
-    });
-    if (nearer > 0) return onward(to);
+    return sign_of(length(here) - length(there), stages_, [&] {
+             return square(exact_offset_from(here, p_.data())).compare(square(exact_offset_from(there, p_.data())));
+           }) > 0;
+  }
+  // The move is counted already.
+  Step refuse() noexcept {
     --at_.moves;
     return rest(Rest::at_spot);
   }
@@ -382,14 +416,28 @@ class Walk {
     const Hit& landing = flight.landing();
     if (landing.part == Hit::Part::none) {
       if (flight.end().part == Hit::Part::none) return be_free();
-      return rest(Rest::at_position, spot_at_position(flight.end()));
+      const Spot to = spot_at_position(flight.end());
+      if constexpr (kHasSheets) {
+        const Sheets<Stages> sheets(mesh_, p_.data(), stages_);
+        if (!sheets.is_apart(g, flight.end(), {}, FixedInteger<304>(1), to))
+          return arrive_instead(sheets.landing(g, spot_if_touching(), sheets.bases(flight.end(), flight.cells_at_end())));
+      }
+      return rest(Rest::at_position, to);
     }
     const HalfEdge h = 3 * landing.face + landing.corner;
     const Spot to = landing.part == Hit::Part::corner ? spot_at_vertex(mesh_, h, landing.side)
                     : landing.part == Hit::Part::edge ? rounded_landing(h, flight.cell_on_edge(), landing.side)
                                                       : flight.rounded_in_triangle();
-    return spot_.place == mesh::Place::free ? onward(to) : arrive(to);
+    if (spot_.place != mesh::Place::free && !is_nearer(to)) return refuse();
+    if constexpr (kHasSheets) {
+      const Sheets<Stages> sheets(mesh_, p_.data(), stages_);
+      const auto left = flight.left_at_landing();
+      if (!sheets.is_apart(g, landing, left.num, left.den, to))
+        return arrive_instead(sheets.landing(g, spot_if_touching(), sheets.bases(landing, flight.cells())));
+    }
+    return onward(to);
   }
+  const Spot* spot_if_touching() const noexcept { return spot_.place == mesh::Place::free ? nullptr : &spot_; }
   Spot rounded_landing(HalfEdge h, const Cell& cell, mesh::Side side) const noexcept {
     const Foot foot(mesh_.start_point(h), mesh_.start_point(next(h)), p_.data());
     return spot_on_edge(mesh_, h, rounded_on_edge(h, cell, foot), side);

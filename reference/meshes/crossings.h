@@ -12,6 +12,10 @@ namespace forceshade::reference::meshes {
 struct Crossing {
   Fraction s;  // from 0 to 1 along the flight, excluding both
   SurfacePoint point;
+
+  // Along the flight. Where sheets cross, several are at one place: vertices first, then edges, then triangles, by their index.
+  friend std::strong_ordering operator<=>(const Crossing& a, const Crossing& b);
+  friend bool operator==(const Crossing& a, const Crossing& b) { return (a <=> b) == 0; }
 };
 
 // Tries every feature of the surface, but for those whose box is apart from the flight's.
@@ -23,8 +27,13 @@ class Crossings {
   // triangle's plane, or along an edge, only the points at which it meets that triangle's border, or that edge's ends. So the
   // first point of every part of the flight that is in the surface is one of them, unless that part begins at g.
   std::vector<Crossing> between(const Vector& g, const Vector& p) const;
+  // Whether the point `over`/`scale` of the surface is in one feature alone, and there is nothing such from it to e. It is in
+  // the box around `ends`.
+  bool is_alone(const Vector& over, const Integer& scale, const Vector& e, const std::array<Vector, 2>& ends) const;
 
-  // The point of the surface that is at p.
+  // The features that a point lies in, in the same order: more than one only where sheets meet.
+  std::vector<Feature> features_at(const Vector& p) const;
+  // The point of the surface that is at p, in the first of them.
   std::optional<SurfacePoint> at(const Vector& p) const;
 
  private:
@@ -35,6 +44,10 @@ class Crossings {
     Box join(const Box& other) const;
     bool is_apart(const Box& other) const;
   };
+
+  // Of the surface times scale.
+  std::vector<Crossing> between(const Vector& g, const Vector& p, const Integer& scale, const Box& box) const;
+  std::vector<Feature> features_at(const Vector& over, const Integer& scale, const Box& box) const;
 
   const Surface& surface_;
   std::vector<Box> vertices_, edges_, triangles_;

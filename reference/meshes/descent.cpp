@@ -18,6 +18,7 @@ using mesh::TickStatus;
 struct Stopped {  // on the surface, not at rest
   SurfacePoint x;
   Side side;
+  Fraction s = {};  // of a flight: where x is on it
 };
 struct Rested {  // at the point of the feature nearest to p
   Feature feature;
@@ -32,8 +33,13 @@ Side side_of(DirectionKind way) {
 
 class Tick {
  public:
-  Tick(const Surface& surface, const Crossings& crossings, Sides sides, const std::array<float, 3>& position)
-      : surface_(surface), crossings_(crossings), sides_(sides), p_(exact_point(position)) {
+  Tick(const Surface& surface, const Crossings& crossings, Sides sides, bool has_sheets, const std::array<float, 3>& position)
+      : surface_(surface),
+        crossings_(crossings),
+        sides_(sides),
+        has_sheets_(has_sheets),
+        p_(exact_point(position)),
+        sheets_(surface, crossings, sides, p_) {
     for (std::size_t axis = 0; axis < 3; ++axis) quantised_[axis] = p_[axis].is_zero() ? 0.0F : position[axis];
   }
 
@@ -46,11 +52,20 @@ class Tick {
     const Vector g = exact_point(position);
     if (g == p_) return is_free();
     const End end = fly(g);
+    if (std::holds_alternative<Freed>(end)) {
+      ++moves_;
+      return is_free();
+    }
+    if (has_sheets_ && !may_land(g, end)) {
+      const auto landed = sheets_.landing(g, std::nullopt, point_of(end));
+      if (!landed) return stays_free(position);
+      ++moves_;
+      return from_surface(landed->at, landed->side, most_moves);
+    }
     ++moves_;
-    if (std::holds_alternative<Freed>(end)) return is_free();
     if (const auto* rested = std::get_if<Rested>(&end)) return rests_at_foot(*rested);
-    const auto& [x, side] = std::get<Stopped>(end);
-    return from_surface(rounded_towards(surface_, x, p_), side, most_moves);
+    const auto& stopped = std::get<Stopped>(end);
+    return from_surface(rounded_towards(surface_, stopped.x, p_), stopped.side, most_moves);
   }
 
   Descended from_surface(GridPoint at, Side side, unsigned most_moves) {
@@ -64,18 +79,41 @@ class Tick {
       if (!is_flight && !ways.is_nearer) return rests_at(at, side, TickStatus::touching);
       if (moves_ == most_moves) return rests_at(at, side, TickStatus::unfinished);
       const End end = is_flight ? fly(g) : slide(g, ways.along, side);
-      if (std::holds_alternative<Freed>(end) || std::holds_alternative<Rested>(end)) {
+      if (std::holds_alternative<Freed>(end)) {
         ++moves_;
-        const auto* rested = std::get_if<Rested>(&end);
-        return rested == nullptr ? is_free() : rests_at_foot(*rested);
+        return is_free();
       }
-      const auto& stopped = std::get<Stopped>(end);
-      const GridPoint next = rounded_towards(surface_, stopped.x, p_);
-      const Vector rest = p_ - surface_.position(next);
-      if (dot(rest, rest) >= dot(u, u)) return rests_at(at, side, TickStatus::touching);  // refused
+      const auto* rested = std::get_if<Rested>(&end);
+      Reached next{grid_point_of(end), side_at(end)};
+      if (rested == nullptr) {
+        const Vector rest = p_ - surface_.position(next.at);
+        if (dot(rest, rest) >= dot(u, u)) return rests_at(at, side, TickStatus::touching);  // refused
+      }
+      if (has_sheets_) {
+        const Reached from{at, side};
+        std::optional<Reached> other;
+        bool is_clear = true;
+        if (is_flight) {
+          is_clear = may_land(g, end);
+          if (!is_clear) other = sheets_.landing(g, from, point_of(end));
+        } else if (const auto block = sheets_.block(g, next.at)) {
+          is_clear = false;
+          const bool is_edge = ways.along.place == Place::edge;
+          const std::size_t carrier = is_edge ? surface_.edges()[ways.along.index].triangles[0] : ways.along.index;
+          other = sheets_.detour(from, next.at, carrier, *block);
+        }
+        if (!is_clear) {
+          if (!other) return rests_at(at, side, TickStatus::touching);
+          ++moves_;
+          at = other->at;
+          side = other->side;
+          continue;
+        }
+      }
       ++moves_;
-      at = next;
-      side = stopped.side;
+      if (rested != nullptr) return rests_at_foot(*rested);
+      at = next.at;
+      side = next.side;
     }
   }
 
@@ -84,10 +122,9 @@ class Tick {
   End fly(const Vector& g) const {
     const Vector u = p_ - g;
     for (const Crossing& crossing : crossings_.between(g, p_)) {
-      const DirectionKind A = directions(surface_, crossing.point.feature, -u).way;
-      const DirectionKind B = directions(surface_, crossing.point.feature, u).way;
-      const bool leaves = sides_ == Sides::front && A == DirectionKind::back && B == DirectionKind::front;
-      if (B != DirectionKind::open && B != A && !leaves) return Stopped{crossing.point, side_of(A)};
+      const Feature& feature = crossing.point.feature;
+      if (sheets_.is_blocked(feature, u))
+        return Stopped{crossing.point, side_of(directions(surface_, feature, -u).way), crossing.s};
     }
     if (const auto point = crossings_.at(p_))
       return Rested{point->feature, side_of(directions(surface_, point->feature, -u).way)};
@@ -128,6 +165,28 @@ class Tick {
     return Stopped{x, side};
   }
 
+  // Where a flight or a slide that does not end free meets the surface, on which side, and where its end is rounded to.
+  SurfacePoint point_of(const End& end) const {
+    if (const auto* stopped = std::get_if<Stopped>(&end)) return stopped->x;
+    return foot(surface_, std::get<Rested>(end).feature, p_);
+  }
+  static Side side_at(const End& end) {
+    const auto* stopped = std::get_if<Stopped>(&end);
+    return stopped != nullptr ? stopped->side : std::get<Rested>(end).side;
+  }
+  GridPoint grid_point_of(const End& end) const {
+    const SurfacePoint point = point_of(end);
+    return std::holds_alternative<Stopped>(end) ? rounded_towards(surface_, point, p_) : rounded_inside(point);
+  }
+
+  // Whether no other sheet is between the point that a flight ends in and the point of the grid.
+  bool may_land(const Vector& g, const End& end) const {
+    const GridPoint c = grid_point_of(end);
+    const auto* stopped = std::get_if<Stopped>(&end);
+    if (stopped == nullptr) return sheets_.is_apart(g, p_, 1, c);
+    return sheets_.is_apart(g, stopped->s.under * g + stopped->s.over * (p_ - g), stopped->s.under, c);
+  }
+
   Side stored(Side side, const Feature& feature) const {
     return sides_ == Sides::front || surface_.is_at_rim(feature) ? Side::front : side;
   }
@@ -137,6 +196,14 @@ class Tick {
     after.place = Place::free;
     after.position = quantised_;
     return {TickStatus::free, moves_, after, {}};
+  }
+
+  // Between sheets so near each other that no point of the grid is free to land on.
+  Descended stays_free(const std::array<float, 3>& position) const {
+    mesh::GodObject after;
+    after.place = Place::free;
+    after.position = position;
+    return {TickStatus::unfinished, moves_, after, {}};
   }
 
   Descended rests_at(const GridPoint& at, Side side, TickStatus status) const {
@@ -178,16 +245,18 @@ class Tick {
   const Surface& surface_;
   const Crossings& crossings_;
   const Sides sides_;
+  const bool has_sheets_;
   const Vector p_;
+  const Sheets sheets_;
   std::array<float, 3> quantised_{};
   unsigned moves_ = 0;
 };
 
 }  // namespace
 
-Descended descend(const Surface& surface, const Crossings& crossings, Sides sides, const mesh::GodObject& before,
-                  const std::array<float, 3>& position, unsigned most_moves) {
-  Tick tick(surface, crossings, sides, position);
+Descended descend(const Surface& surface, const Crossings& crossings, Sides sides, mesh::SelfIntersections self_intersections,
+                  const mesh::GodObject& before, const std::array<float, 3>& position, unsigned most_moves) {
+  Tick tick(surface, crossings, sides, self_intersections == mesh::SelfIntersections::allowed, position);
   if (before.place == Place::nowhere) return tick.start();
   if (before.place == Place::free) return tick.from_free(before.position, most_moves);
   const std::size_t index =

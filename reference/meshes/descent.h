@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "forceshade/reference/meshes/crossings.h"
+#include "forceshade/reference/meshes/sheets.h"
 
 namespace forceshade::reference::meshes {
 
@@ -23,8 +23,10 @@ struct Descended {
   std::optional<Rest> rest;  // where it is touching
 };
 
-// `position` is valid; `before` is a state on this surface; at least one move is allowed.
-Descended descend(const Surface& surface, const Crossings& crossings, mesh::Sides sides, const mesh::GodObject& before,
+// `position` is valid; `before` is a state on this surface; at least one move is allowed. self_intersections: whether ways are
+// tested against the whole surface.
+Descended descend(const Surface& surface, const Crossings& crossings, mesh::Sides sides,
+                  mesh::SelfIntersections self_intersections, const mesh::GodObject& before,
                   const std::array<float, 3>& position, unsigned most_moves);
 
 }  // namespace forceshade::reference::meshes

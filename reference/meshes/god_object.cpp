@@ -12,8 +12,8 @@
 namespace forceshade::reference {
 
 struct GodObject::Parts {
-  Parts(const mesh::TriangleMesh& triangles, mesh::Sides blocked, float K)
-      : surface(triangles), crossings(surface), sides(blocked), stiffness(K) {}
+  Parts(const mesh::TriangleMesh& triangles, mesh::Sides blocked, mesh::SelfIntersections allowed, float K)
+      : surface(triangles), crossings(surface), sides(blocked), self_intersections(allowed), stiffness(K) {}
 
   std::array<float, 3> force(const meshes::Rest& rest) const {
     return scheme == nullptr ? meshes::unshaded_force(rest, stiffness)
@@ -23,6 +23,7 @@ struct GodObject::Parts {
   const meshes::Surface surface;
   const meshes::Crossings crossings;
   const mesh::Sides sides;
+  const mesh::SelfIntersections self_intersections;
   const float stiffness;
   std::unique_ptr<const meshes::Scheme> scheme;  // null: the force is not shaded
 };
@@ -74,10 +75,11 @@ std::variant<HeightMapField, ParameterError> field_of(const mesh::Texture& textu
 
 std::variant<GodObject, ParameterError> GodObject::build(const mesh::TriangleMesh& mesh, mesh::CornerNormals normals,
                                                          mesh::Sides sides, mesh::Shading shading, float stiffness,
-                                                         const mesh::Texture& texture) {
+                                                         const mesh::Texture& texture,
+                                                         mesh::SelfIntersections self_intersections) {
   if (const auto error = meshes::Surface::first_error(mesh)) return *error;
   if (const auto error = first_error(mesh, normals, shading, stiffness, texture)) return *error;
-  auto parts = std::make_shared<Parts>(mesh, sides, stiffness);
+  auto parts = std::make_shared<Parts>(mesh, sides, self_intersections, stiffness);
   switch (shading) {
     case mesh::Shading::none: break;
     case mesh::Shading::vertex_scheme:
@@ -107,8 +109,8 @@ std::optional<ParameterError> GodObject::first_error(const mesh::TriangleMesh& m
 mesh::Tick GodObject::step(const mesh::GodObject& before, const std::array<float, 3>& position, unsigned most_moves) const {
   const auto is_in_domain = [](float coordinate) { return coordinate >= -10000 && coordinate <= 10000; };
   if (!std::ranges::all_of(position, is_in_domain)) return {mesh::TickStatus::invalid, 0, {}, before};
-  const meshes::Descended end =
-      meshes::descend(parts_->surface, parts_->crossings, parts_->sides, before, position, most_moves);
+  const meshes::Descended end = meshes::descend(parts_->surface, parts_->crossings, parts_->sides, parts_->self_intersections,
+                                                before, position, most_moves);
   mesh::Tick tick{end.status, static_cast<std::uint16_t>(end.moves), {}, end.after};
   if (end.rest) tick.force = parts_->force(*end.rest);
   return tick;

@@ -19,11 +19,12 @@ class GodObject {
   static constexpr unsigned kMostMoves = 256;  // in a tick
 
   // The vertex scheme needs finite normals, the texture scheme these and a texture, the other shadings neither. That the
-  // triangles meet in nothing but what they share is a precondition. Refused with the reason: a stiffness outside 10^-3 to 10^3
+  // triangles meet in nothing but what they share is a precondition; with self-intersections allowed, that of those that share
+  // a vertex. Refused with the reason: a stiffness outside 10^-3 to 10^3
   // N/mm, what is no surface, and a texture whose numbers are outside their domain (docs/meshes.md).
-  static std::variant<GodObject, ParameterError> build(const mesh::TriangleMesh& mesh, mesh::CornerNormals normals,
-                                                       mesh::Sides sides, mesh::Shading shading, float stiffness,
-                                                       const mesh::Texture& texture = {});
+  static std::variant<GodObject, ParameterError> build(
+      const mesh::TriangleMesh& mesh, mesh::CornerNormals normals, mesh::Sides sides, mesh::Shading shading, float stiffness,
+      const mesh::Texture& texture = {}, mesh::SelfIntersections self_intersections = mesh::SelfIntersections::refused);
 
   // Why build() refuses what is given beside the mesh.
   static std::optional<ParameterError> first_error(const mesh::TriangleMesh& mesh, const mesh::CornerNormals& normals,

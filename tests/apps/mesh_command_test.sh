@@ -37,7 +37,10 @@ expect 2 "expected one of mm, m, in; got \"cm\"" -- mesh check cube.off --unit c
 printf 'OFF\n4 2 0\n0 0 0\n4 0 0\n2 3 0\n2 1 0\n3 0 1 2\n3 1 0 3\n' > folded.off
 expect 1 "faces 0 and 1 are folded onto each other at their edge, of vertices 0 and 1" -- mesh check folded.off --unit mm
 expect 1 "FAILED: " -- mesh check folded.off --unit mm
-expect 0 "whether faces meet or cross was not checked" -- mesh check folded.off --unit mm --self-intersecting
+expect 1 "faces 0 and 1 are folded onto each other" -- mesh check folded.off --unit mm --self-intersecting
+printf 'OFF\n6 2 0\n0 0 0\n4 0 0\n2 3 0\n2 1 -1\n2 1 1\n6 1 0\n3 0 1 2\n3 3 4 5\n' > crossing.off
+expect 1 "faces 0 and 1 meet, but have no vertex in common" -- mesh check crossing.off --unit mm
+expect 0 "whether faces without a common vertex cross was not checked" -- mesh check crossing.off --unit mm --self-intersecting
 expect 1 '"held": false' -- mesh check folded.off --unit mm --json
 expect 0 '"held": true' -- mesh check cube.off --unit mm --json
 expect 0 '"rim_edges": 0' -- mesh info cube.off --unit mm --json

@@ -79,7 +79,18 @@ TEST(mesh_check, refuses_two_parts_at_one_vertex_and_neighbours_that_cross) {
   // A fan whose last face goes through the first one.
   const TriangleMesh fan{{{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {-2, 1, 1}, {5, 1, -1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}};
   EXPECT_EQ(words(fan), "faces 0 and 2 have vertex 0 in common, but meet elsewhere, too\n");
-  EXPECT_EQ(words(fan, SelfIntersections::allowed), "");
+  EXPECT_EQ(words(fan, SelfIntersections::allowed), words(fan));
+  EXPECT_EQ(words(fan, SelfIntersections::unchecked), "");
+}
+
+TEST(mesh_check, allows_faces_without_a_common_vertex_to_cross_but_not_to_meet_in_one_plane) {
+  const TriangleMesh crossing{{{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, 1, -1}, {2, 1, 1}, {6, 1, 0}}, {{0, 1, 2}, {3, 4, 5}}};
+  EXPECT_EQ(words(crossing), "faces 0 and 1 meet, but have no vertex in common\n");
+  EXPECT_EQ(words(crossing, SelfIntersections::allowed), "");
+  const TriangleMesh flat{{{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, 1, 0}, {2, 5, 0}, {6, 1, 0}}, {{0, 1, 2}, {3, 4, 5}}};
+  EXPECT_EQ(words(flat, SelfIntersections::allowed), "faces 0 and 1 meet in one plane, but have no vertex in common\n");
+  EXPECT_EQ(words({kSix, {{0, 1, 2}, {1, 0, 5}}}, SelfIntersections::allowed),
+            "faces 0 and 1 are folded onto each other at their edge, of vertices 0 and 1\n");
 }
 
 TEST(mesh_check, gives_a_mesh_that_says_what_was_looked_for) {

@@ -1,0 +1,543 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The god-object's ways on a mesh whose sheets may cross each other (docs/meshes.md, "Meshes that intersect themselves"). The
+// tree gives the triangles that a way may meet, binary64 drops those whose plane surely has both ends on one side, and what is
+// left is decided in integers: few ways are blocked.
+
+#include <optional>
+
+#include "forceshade/fast/meshes/flight.h"
+
+namespace forceshade::fast {
+
+// A point in units of 2^-77 mm.
+using GridPlace = Vector3<FixedInteger<92>>;
+
+inline GridPlace place_of(const Point& g) noexcept {
+  const auto coordinate = [&](std::size_t axis) {
+    FixedInteger<92> sum;
+    for (int c = 0; c < g.count; ++c) {
+      const auto i = static_cast<std::size_t>(c);
+      // No partial sum exceeds 2^24 times the largest coordinate: the weights add up to 2^24.
+      const auto next = sum + in_units(g.corner[i][axis]) * FixedInteger<25>(static_cast<std::int64_t>(g.weight[i]));
+      sum = FixedInteger<92>(next.words());
+    }
+    return sum;
+  };
+  return {coordinate(0), coordinate(1), coordinate(2)};
+}
+
+// A straight way. Its ends are `scale` times as long as they are in units of 2^-53 mm.
+template <int kEnd, int kScale>
+class Segment {
+ public:
+  using End = Vector3<FixedInteger<kEnd>>;
+  Segment(const End& from, const End& to, const FixedInteger<kScale>& scale) noexcept : from_(from), to_(to), scale_(scale) {}
+
+  // How far along the way it meets a feature, as num/den from 0 to 1.
+  struct Fraction {
+    FixedInteger<2 * kEnd + 142> num, den;
+  };
+
+  // Calls meets(part, corner, where) for each feature of the triangle that it meets strictly between its ends. Where it lies in
+  // the triangle's plane, these are its edges and corners. where(): a Fraction.
+  template <class Meets>
+  void meet(const Face& f, const Meets& meets) const noexcept {
+    const ExactFace face(f);
+    const auto u = to_ - from_;
+    const auto at_start = dot(face.n, from_ - corner(f, 0)), at_end = dot(face.n, to_ - corner(f, 0));
+    const int before_plane = at_start.sign(), beyond = at_end.sign();
+    if (before_plane == 0 && beyond == 0) return meet_flat(f, u, meets);
+    if (before_plane * beyond >= 0) return;
+    std::array<int, 3> inside;  // of the edge opposite to a corner
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      inside[i] = beyond * opposite(f, i, u).sign();
+      if (inside[i] < 0) return;
+    }
+    const auto where = [&] {
+      const auto all = at_start - at_end;
+      return before_plane < 0 ? Fraction{-at_start, -all} : Fraction{at_start, all};
+    };
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if (inside[i] != 0) continue;
+      if (inside[after(i)] == 0) return meets(Hit::Part::corner, before(i), where);
+      if (inside[before(i)] != 0) return meets(Hit::Part::edge, after(i), where);
+    }
+    meets(Hit::Part::triangle, 0, where);
+  }
+
+  // n·u times the weight that the corner i has where the way's line goes through the plane.
+  template <class Direction>
+  auto opposite(const Face& f, std::uint32_t i, const Direction& u) const noexcept {
+    const std::uint32_t a = after(i), b = after(a);
+    return dot(cross(from_ - corner(f, a), u), exact_difference(f.corner[b].data(), f.corner[a].data()));
+  }
+
+  // The feature of the triangle that the start lies in.
+  Hit::Part start_in(const Face& f, std::uint32_t& corner_or_edge) const noexcept {
+    const ExactFace face(f);
+    if (!dot(face.n, from_ - corner(f, 0)).is_zero()) return Hit::Part::none;
+    std::array<int, 3> inside;  // of edge i
+    int zeros = 0;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const auto e = exact_difference(f.corner[after(i)].data(), f.corner[i].data());
+      inside[i] = dot(cross(e, from_ - corner(f, i)), face.n).sign();
+      if (inside[i] < 0) return Hit::Part::none;
+      zeros += inside[i] == 0;
+    }
+    corner_or_edge = 0;
+    if (zeros == 0) return Hit::Part::triangle;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if (zeros == 1 && inside[i] == 0) corner_or_edge = i;
+      if (zeros == 2 && inside[i] != 0) corner_or_edge = before(i);
+    }
+    return zeros == 1 ? Hit::Part::edge : Hit::Part::corner;
+  }
+
+ private:
+  auto corner(const Face& f, std::uint32_t i) const noexcept {
+    const auto& c = f.corner[i];
+    return Vector3<FixedInteger<67 + kScale>>{in_units(c[0]) * scale_, in_units(c[1]) * scale_, in_units(c[2]) * scale_};
+  }
+
+  template <class Direction, class Meets>
+  void meet_flat(const Face& f, const Direction& u, const Meets& meets) const noexcept {
+    const auto is_zero = [](const auto& v) { return v.x.is_zero() && v.y.is_zero() && v.z.is_zero(); };
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const auto w = corner(f, i) - from_;
+      const auto along = dot(w, u), length = dot(u, u);
+      if (is_zero(cross(w, u)) && along.sign() > 0 && along.compare(length) < 0)
+        meets(Hit::Part::corner, i, [&] { return Fraction{along, length}; });
+      const auto e = exact_difference(f.corner[after(i)].data(), f.corner[i].data());
+      const auto across = cross(u, e);
+      if (is_zero(across)) continue;
+      const auto all = dot(across, across), s = dot(cross(w, e), across);
+      const auto t = dot(cross(w, u), across);  // times the scale
+      if (s.sign() > 0 && s.compare(all) < 0 && t.sign() > 0 && t.compare(all * scale_) < 0)
+        meets(Hit::Part::edge, i, [&] { return Fraction{s, all}; });
+    }
+  }
+
+  const End from_, to_;
+  const FixedInteger<kScale> scale_;
+};
+using GridSegment = Segment<92, 25>;
+
+// In one tick, towards p.
+template <class Stages>
+class Sheets {
+ public:
+  // Where a way is blocked, from 0 to 1 along it; 1 where its end lies on another feature, too.
+  struct Block {
+    typename GridSegment::Fraction s;
+    HalfEdge half = 0;  // as Spot::half
+    FeatureKey key{};
+  };
+
+  Sheets(const Mesh& mesh, const float* p, const Stages& stages) noexcept : mesh_(mesh), p_(p), stages_(stages) {}
+
+  // The first place at which the way in a triangle from one point of it to another is blocked.
+  std::optional<Block> block(const Spot& from, const Spot& to, std::uint32_t triangle) const noexcept {
+    return first_block(place_at(from), place_at(to), key_of(mesh_, to), &mesh_.face(triangle));
+  }
+
+  // Whether a flight from g that met the surface in `hit`, `left`/`all` of it being left there, may be rounded to c.
+  bool is_apart(const Point& g, const Hit& hit, const FixedInteger<304>& left, const FixedInteger<304>& all,
+                const Spot& c) const noexcept {
+    const Place end = place_at(c);
+    if (other_at(end, key_of(mesh_, c))) return false;
+    const GridPlace p = place_of(Point::at(p_));
+    const ExactOffset U = exact_offset_from(g, p_);
+    using Long = FixedInteger<400>;
+    const auto over = [&](const FixedInteger<92>& at_p, const FixedInteger<95>& u) {
+      return Long((at_p * all - u * left).words());
+    };
+    const Segment<400, 329> way({over(p.x, U.x), over(p.y, U.y), over(p.z, U.z)},
+                                {end.exact.x * all, end.exact.y * all, end.exact.z * all}, all.template shifted<24>());
+    // x is within a cell of the grid from c, or is p.
+    const double reach = hit.part == Hit::Part::corner ? 0 : kCell * static_cast<double>(mesh_.largest_coordinate());
+    const FeatureKey own = key_at(mesh_, hit.face, hit.part, hit.corner);
+    bool is_alone = true;
+    const Vector3<double> low{end.about.x - reach, end.about.y - reach, end.about.z - reach},
+        high{end.about.x + reach, end.about.y + reach, end.about.z + reach};
+    mesh_.tree().along(low, high, [&](std::uint32_t f) {
+      const Face& face = mesh_.face(f);
+      const FaceNumbers numbers(face);
+      const DoubleWithError side = side_about(face, numbers, end.about);
+      if (!is_alone || stages_.sure(__builtin_fabs(side.value) > side.error + 8 * reach * numbers.area)) return;
+      std::uint32_t corner = 0;
+      const Hit::Part part = way.start_in(face, corner);
+      if (part != Hit::Part::none && key_at(mesh_, f, part, corner) != own) is_alone = false;
+      way.meet(face, [&](Hit::Part, std::uint32_t, const auto&) { is_alone = false; });
+    });
+    return is_alone;
+  }
+
+  // A grid point of the closed triangle `face`, by the weights of its second and third corner.
+  struct Base {
+    std::uint32_t face = 0, k = 0, l = 0;
+  };
+  struct Bases {
+    std::array<Base, 8> all;
+    std::size_t count = 0;
+  };
+  // Those at a hit whose parameters are `cells`, of the corners of hit.face. Where it lies in an edge, the parameter of its end
+  // with the higher number is rounded down.
+  Bases bases(const Hit& hit, const std::array<Cell, 3>& cells) const noexcept {
+    Bases result;
+    if (hit.part == Hit::Part::triangle) {
+      result.all[result.count++] = {hit.face, cells[1].floor, cells[2].floor};
+      return result;
+    }
+    const HalfEdge h = 3 * hit.face + hit.corner;
+    Spot at{hit.part == Hit::Part::edge ? mesh::Place::edge : mesh::Place::vertex, mesh::Side::front, h, {}, {}};
+    if (hit.part == Hit::Part::edge) {
+      const Cell& cell = cells[after(hit.corner)];
+      const bool is_upwards = mesh_.start(h) < mesh_.start(next(h));
+      at.weight[0] = is_upwards || cell.is_whole ? cell.floor : cell.floor + 1;
+    }
+    const Triangles triangles = triangles_at(at.place, h);
+    for (std::size_t i = 0; i < triangles.count; ++i) {
+      const auto weights = weights_in(mesh_, at, triangles.all[i]);
+      result.all[result.count++] = {triangles.all[i], weights[1], weights[2]};
+    }
+    return result;
+  }
+
+  // A point of the grid around these to which there is a clear way from g. from: g's spot where it is on the surface; then the
+  // point is nearer to p.
+  std::optional<Spot> landing(const Point& g, const Spot* from, const Bases& bases) const noexcept {
+    struct Step {
+      std::int64_t k, l;
+    };
+    constexpr std::array<Step, 4> kAround{{{0, 0}, {1, 0}, {0, 1}, {1, 1}}};
+    constexpr std::array<Step, 6> kRing{{{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}}};
+    constexpr int kRings = 8;
+    const Place start{g, place_of(g), about(g)};
+    for (int ring = 0; ring <= kRings; ++ring) {
+      Nearest best;
+      if (from != nullptr) best.limit = distance(g);
+      best.has_limit = from != nullptr;
+      const std::int64_t reach = ring == 0 ? 1 : std::int64_t{1} << (ring - 1);
+      for (std::size_t b = 0; b < bases.count; ++b)
+        for (std::size_t i = 0; i < (ring == 0 ? kAround.size() : kRing.size()); ++i) {
+          const Step& step = ring == 0 ? kAround[i] : kRing[i];
+          const std::int64_t k = bases.all[b].k + reach * step.k, l = bases.all[b].l + reach * step.l;
+          if (k < 0 || l < 0 || k + l > kGrid) continue;
+          Spot c = spot_in_triangle(mesh_, bases.all[b].face, static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(l),
+                                    mesh::Side::front);
+          const Distance off = distance(point_of(mesh_, c));
+          if (!best.would_take(off) || !arrives(start, from, c)) continue;
+          best.offer(c, off);
+        }
+      if (best.is_found) return best.spot;
+    }
+    return std::nullopt;
+  }
+
+  // Where the god-object goes instead of to e, in the closed triangle `carrier` as it is itself: a point nearer to p, or none.
+  std::optional<Spot> detour(const Spot& from, const Spot& e, std::uint32_t carrier, const Block& block) const noexcept {
+    Nearest best;
+    best.limit = distance(point_of(mesh_, from));
+    best.has_limit = true;
+    const Distance limit = best.limit;
+    shorten(best, limit, from, e, carrier, block);
+    const Triangles here = triangles_at(from.place, from.half), there = triangles_at(block.key.place, block.half);
+    for (std::size_t i = 0; i < here.count; ++i)
+      for (std::size_t j = 0; j < there.count; ++j) go_beside(best, limit, from, here.all[i], there.all[j]);
+    for (std::size_t j = 0; j < there.count; ++j) change_sheet(best, from, e, carrier, there.all[j]);
+    if (!best.is_found) return std::nullopt;
+    return best.spot;
+  }
+
+ private:
+  // mm: more than binary64 rounds a point's coordinates by.
+  static constexpr double kAbout = 0x1p-35;
+  // Of the largest coordinate: longer than a cell of the grid, which is at most 2·√3·2^-24 of it.
+  static constexpr double kCell = 0x1p-22;
+
+  struct Place {
+    Point point;
+    GridPlace exact;
+    Vector3<double> about;
+  };
+  using Distance = FixedInteger<192>;  // squared, in units of 2^-154 mm²
+  // The nearest of those that are offered; of equally near ones the first.
+  struct Nearest {
+    Spot spot{};
+    Distance limit{};
+    bool has_limit = false, is_found = false;
+    bool would_take(const Distance& off) const noexcept { return !has_limit || off.compare(limit) < 0; }
+    void offer(const Spot& c, const Distance& off) noexcept {
+      if (!would_take(off)) return;
+      spot = c;
+      limit = off;
+      has_limit = is_found = true;
+    }
+  };
+  struct Triangles {
+    std::array<std::uint32_t, 8> all;
+    std::size_t count = 0;
+  };
+
+  static Vector3<double> about(const Point& g) noexcept {
+    const auto coordinate = [&](std::size_t axis) {
+      double sum = 0;
+      for (int c = 0; c < g.count; ++c) {
+        const auto i = static_cast<std::size_t>(c);
+        sum += static_cast<double>(g.weight[i]) * static_cast<double>(g.corner[i][axis]);
+      }
+      return 0x1p-24 * sum;
+    };
+    return {coordinate(0), coordinate(1), coordinate(2)};
+  }
+  Place place_at(const Spot& spot) const noexcept {
+    const Point point = point_of(mesh_, spot);
+    return {point, place_of(point), about(point)};
+  }
+  Distance distance(const Point& point) const noexcept { return square(exact_offset_from(point, p_)); }
+
+  // Those of a feature, by their index in the file, the first eight.
+  Triangles triangles_at(mesh::Place place, HalfEdge h) const noexcept {
+    Triangles found;
+    const auto add = [&](std::uint32_t f) {
+      std::size_t i = found.count < found.all.size() ? found.count++ : found.all.size();
+      const auto index = [&](std::uint32_t of) { return mesh_.face(of).index(); };
+      if (i == found.all.size() && index(found.all[--i]) < index(f)) return;
+      for (; i > 0 && index(found.all[i - 1]) > index(f); --i) found.all[i] = found.all[i - 1];
+      found.all[i] = f;
+    };
+    if (place == mesh::Place::triangle) {
+      add(face_of(h));
+    } else if (place == mesh::Place::edge) {
+      add(face_of(h));
+      if (mesh_.twin(h) != kRim) add(face_of(mesh_.twin(h)));
+    } else {
+      const HalfEdge first = mesh_.first_around(mesh_.start(h));
+      HalfEdge around = first;
+      do {
+        add(face_of(around));
+        around = mesh_.around(around);
+      } while (around != kRim && around != first);
+    }
+    return found;
+  }
+
+  // n·(at - a), `at` being good to kAbout.
+  static DoubleWithError side_about(const Face& face, const FaceNumbers& numbers, const Vector3<double>& at) noexcept {
+    const auto& a = face.corner[0];
+    const Vector3<double> w{at.x - static_cast<double>(a[0]), at.y - static_cast<double>(a[1]),
+                            at.z - static_cast<double>(a[2])};
+    return {dot(numbers.n, w), numbers.area * (kAcross.error * size_of(w) + 8 * kAbout)};
+  }
+
+  static bool have_common_vertex(const Face& a, const Face& b) noexcept {
+    for (const std::uint32_t v : a.vertex)
+      for (const std::uint32_t other : b.vertex)
+        if (v == other) return true;
+    return false;
+  }
+
+  Aim aim_at(const FeatureKey& key, HalfEdge half, const ExactOffset& d) const noexcept {
+    if (key.place == mesh::Place::triangle) {
+      const int sign = dot(ExactFace(mesh_.face(face_of(half))).n, d).sign();
+      return sign > 0 ? Aim::front : sign < 0 ? Aim::back : Aim::on;
+    }
+    const auto near = [](const FixedInteger<95>& component) { return 0x1p-53 * component.approximately(); };
+    const Vector3<double> rounded{near(d.x), near(d.y), near(d.z)};
+    const Direction direction{rounded, size_of(rounded), nullptr, nullptr, false, &d};
+    const Headings<Stages> headings(mesh_, direction, stages_);
+    return key.place == mesh::Place::edge ? headings.aim_at_edge(half) : headings.at_vertex(mesh_.start(half)).aim;
+  }
+  static ExactOffset opposite(const ExactOffset& d) noexcept { return {-d.x, -d.y, -d.z}; }
+  static ExactOffset offset(const GridPlace& from, const GridPlace& to) noexcept {
+    return {to.x - from.x, to.y - from.y, to.z - from.z};
+  }
+
+  // Whether a move in direction u may not go on at a point of the feature.
+  bool is_blocked(const FeatureKey& key, HalfEdge half, const ExactOffset& u) const noexcept {
+    const Aim from = aim_at(key, half, opposite(u)), onward = aim_at(key, half, u);
+    const bool leaves = mesh_.sides() == mesh::Sides::front && from == Aim::back && onward == Aim::front;
+    return onward != Aim::open && onward != from && !leaves;
+  }
+
+  // inside: a triangle that the way lies in, and so meets no triangle with which that has a vertex in common.
+  std::optional<Block> first_block(const Place& from, const Place& to, const FeatureKey& own,
+                                   const Face* inside) const noexcept {
+    const ExactOffset u = offset(from.exact, to.exact);
+    if (is_zero(u)) return std::nullopt;
+    std::optional<Block> first;
+    const GridSegment way(from.exact, to.exact, FixedInteger<25>(kGrid));
+    mesh_.tree().along(from.about, to.about, [&](std::uint32_t f) {
+      const Face& face = mesh_.face(f);
+      if (inside != nullptr && have_common_vertex(face, *inside)) return;
+      const FaceNumbers numbers(face);
+      const DoubleWithError at_start = side_about(face, numbers, from.about), at_end = side_about(face, numbers, to.about);
+      const bool is_before = at_start.value > at_start.error && at_end.value > at_end.error,
+                 is_beyond = at_start.value < -at_start.error && at_end.value < -at_end.error;
+      if (stages_.sure(is_before || is_beyond)) return;
+      way.meet(face, [&](Hit::Part part, std::uint32_t corner, const auto& where) {
+        const Block found{where(), 3 * f + corner, key_at(mesh_, f, part, corner)};
+        if (first) {
+          const int order = (found.s.num * first->s.den).compare(first->s.num * found.s.den);
+          if (order > 0 || (order == 0 && found.key >= first->key)) return;
+        }
+        if (is_blocked(found.key, found.half, u)) first = found;
+      });
+    });
+    if (first) return first;
+    return other_at(to, own, inside);
+  }
+
+  // The first feature at a point but its own.
+  std::optional<Block> other_at(const Place& at, const FeatureKey& own, const Face* inside = nullptr) const noexcept {
+    std::optional<Block> first;
+    const GridSegment way(at.exact, at.exact, FixedInteger<25>(kGrid));
+    mesh_.tree().along(at.about, at.about, [&](std::uint32_t f) {
+      const Face& face = mesh_.face(f);
+      if (inside != nullptr && have_common_vertex(face, *inside)) return;
+      const DoubleWithError side = side_about(face, FaceNumbers(face), at.about);
+      if (stages_.sure(__builtin_fabs(side.value) > side.error)) return;
+      std::uint32_t corner = 0;
+      const Hit::Part part = way.start_in(face, corner);
+      if (part == Hit::Part::none) return;
+      using Number = decltype(GridSegment::Fraction::num);
+      const Block found{{Number(1), Number(1)}, 3 * f + corner, key_at(mesh_, f, part, corner)};
+      if (found.key != own && (!first || found.key < first->key)) first = found;
+    });
+    return first;
+  }
+
+  // Whether a direct way from g to c is clear; sets c's side.
+  bool arrives(const Place& g, const Spot* from, Spot& c) const noexcept {
+    const Place end = place_at(c);
+    const ExactOffset u = offset(g.exact, end.exact);
+    if (is_zero(u)) return false;
+    if (from != nullptr) {
+      const Aim blocked = from->side == mesh::Side::front ? Aim::back : Aim::front;
+      if (aim_at(key_of(mesh_, *from), from->half, u) == blocked) return false;
+    }
+    const FeatureKey own = key_of(mesh_, c);
+    const Aim A = aim_at(own, c.half, opposite(u));
+    const bool is_one_sided = mesh_.sides() == mesh::Sides::front;
+    if (A == Aim::on || (is_one_sided && A == Aim::back) || first_block(g, end, own, nullptr)) return false;
+    c.side = A == Aim::back ? mesh::Side::back : mesh::Side::front;
+    return true;
+  }
+
+  // The grid points beside a point of the closed triangle, up to four.
+  template <class Visit>
+  void around(std::uint32_t face, const Cell& k, const Cell& l, mesh::Side side, const Visit& visit) const noexcept {
+    for (std::uint32_t across = 0; across < 2; ++across)
+      for (std::uint32_t up = 0; up < 2; ++up) {
+        if ((up == 1 && k.is_whole) || (across == 1 && l.is_whole) || k.floor + up + l.floor + across > kGrid) continue;
+        visit(spot_in_triangle(mesh_, face, k.floor + up, l.floor + across, side));
+      }
+  }
+
+  // Along the way to e, as far as it is clear about.
+  void shorten(Nearest& best, const Distance& limit, const Spot& from, const Spot& e, std::uint32_t carrier,
+               const Block& blocked) const noexcept {
+    const auto G = weights_in(mesh_, from, carrier), E = weights_in(mesh_, e, carrier);
+    const std::uint32_t most =
+        blocked.s.num.compare(blocked.s.den) == 0 ? kGrid : exact_cell(blocked.s.num, blocked.s.den).floor;
+    const auto at = [&](std::uint32_t m, std::size_t i) {
+      const std::int64_t sum = std::int64_t{G[i]} * kGrid + std::int64_t{m} * (std::int64_t{E[i]} - std::int64_t{G[i]});
+      return Cell{static_cast<std::uint32_t>(sum / kGrid), sum % kGrid == 0};
+    };
+    for (std::uint32_t back = 0; back < most; back = back == 0 ? 1 : 2 * back) {
+      Nearest of_these;
+      of_these.limit = limit;
+      of_these.has_limit = true;
+      around(carrier, at(most - back, 1), at(most - back, 2), from.side, [&](const Spot& c) {
+        const Distance off = distance(point_of(mesh_, c));
+        if (of_these.would_take(off) && !block(from, c, carrier)) of_these.offer(c, off);
+      });
+      if (!of_these.is_found) continue;
+      return best.offer(of_these.spot, of_these.limit);
+    }
+  }
+
+  // In the triangle `along`, parallel to the plane of the triangle `beside`.
+  void go_beside(Nearest& best, const Distance& limit, const Spot& from, std::uint32_t along,
+                 std::uint32_t beside) const noexcept {
+    const ExactFace T(mesh_.face(along));
+    const auto n = ExactFace(mesh_.face(beside)).n;
+    using Step = FixedInteger<212>;
+    std::array<Step, 3> d{Step{}, dot(n, T.e2), -dot(n, T.e1)};
+    d[0] = Step((-d[1] - d[2]).words());
+    const auto scaled = [](const auto& by, const auto& v) { return Vector3<decltype(by * v.x)>{by * v.x, by * v.y, by * v.z}; };
+    const auto D = scaled(d[1], T.e1) - scaled(-d[2], T.e2);
+    auto onward = dot(exact_offset_from(point_of(mesh_, from), p_), D);
+    if (onward.is_zero()) return;
+    if (onward.is_negative()) {
+      onward = -onward;
+      for (Step& one : d) one = -one;
+    }
+    const auto G = weights_in(mesh_, from, along);
+    const auto whole = [](std::uint32_t weight) { return FixedInteger<26>(static_cast<std::int64_t>(weight)); };
+    // The way's length times 2^24, as num/den.
+    using Number = FixedInteger<600>;
+    Number num = onward, den = dot(D, D);
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!d[i].is_negative()) continue;
+      if ((whole(G[i]) * den).compare(num * -d[i]) >= 0) continue;
+      num = whole(G[i]);
+      den = -d[i];
+    }
+    if (num.is_zero()) return;
+    const auto end = [&](std::size_t i) { return exact_cell(whole(G[i]) * den + num * d[i], den.template shifted<24>()); };
+    struct Candidate {
+      Spot spot;
+      Distance off;
+    };
+    std::array<Candidate, 4> ends;
+    std::size_t count = 0;
+    around(along, end(1), end(2), from.side, [&](const Spot& c) {
+      const Distance off = distance(point_of(mesh_, c));
+      std::size_t i = count++;
+      for (; i > 0 && off.compare(ends[i - 1].off) < 0; --i) ends[i] = ends[i - 1];
+      ends[i] = {c, off};
+    });
+    std::optional<Block> blocked;
+    Spot end_of_blocked;
+    for (std::size_t i = 0; i < count && ends[i].off.compare(limit) < 0; ++i) {
+      const std::optional<Block> found = block(from, ends[i].spot, along);
+      if (!found) return best.offer(ends[i].spot, ends[i].off);
+      if (blocked) continue;
+      blocked = found;
+      end_of_blocked = ends[i].spot;
+    }
+    if (blocked) shorten(best, limit, from, end_of_blocked, along, *blocked);
+  }
+
+  // Onto the triangle `to`, where the way to e goes through its plane: if p is beyond that plane, and its foot there is not
+  // beyond the plane of the triangle that the god-object slides in.
+  void change_sheet(Nearest& best, const Spot& from, const Spot& e, std::uint32_t carrier, std::uint32_t to) const noexcept {
+    const Face &here = mesh_.face(carrier), &there = mesh_.face(to);
+    const auto n = ExactFace(there).n, own = ExactFace(here).n;
+    const Place start = place_at(from), end = place_at(e);
+    const ExactOffset u = offset(start.exact, end.exact);
+    const int through = dot(n, u).sign();
+    const auto beyond = dot(n, exact_difference(p_, there.corner[0].data()));
+    if (through == 0 || through != beyond.sign()) return;
+    const int foot = (dot(own, exact_difference(p_, here.corner[0].data())) * square(n) - beyond * dot(own, n)).sign();
+    if (from.side == mesh::Side::front ? foot < 0 : foot > 0) return;
+    const GridSegment way(start.exact, end.exact, FixedInteger<25>(kGrid));
+    const auto first = way.opposite(there, 0, u), second = way.opposite(there, 1, u), third = way.opposite(there, 2, u);
+    const auto all = first + second + third;
+    const auto down = [&](const auto& weight) {
+      return (all.is_negative() ? exact_cell(-weight, -all) : exact_cell(weight, all)).floor;
+    };
+    Bases base;
+    base.all[base.count++] = {to, down(second), down(third)};
+    const std::optional<Spot> found = landing(start.point, &from, base);
+    if (found) best.offer(*found, distance(point_of(mesh_, *found)));
+  }
+
+  const Mesh& mesh_;
+  const float* p_;
+  const Stages& stages_;
+};
+
+}  // namespace forceshade::fast
