@@ -331,6 +331,25 @@ class Sheets {
     return {dot(numbers.n, w), numbers.area * (kAcross.error * size_of(w) + 8 * kAbout)};
   }
 
+  // Whether a way between two such points surely passes the triangle by: both are beyond the plane through one of its edges
+  // that is at a right angle to it.
+  bool surely_passes_by(const Face& face, const FaceNumbers& numbers, const Vector3<double>& from,
+                        const Vector3<double>& to) const noexcept {
+    bool passes = false;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const auto &a = face.corner[i], &b = face.corner[after(i)];
+      const Vector3<double> e = difference(b.data(), a.data());
+      const double unit = numbers.area * size_of(e);
+      const auto is_beyond = [&](const Vector3<double>& at) {
+        const Vector3<double> w{at.x - static_cast<double>(a[0]), at.y - static_cast<double>(a[1]),
+                                at.z - static_cast<double>(a[2])};
+        return dot(cross(e, w), numbers.n) < -unit * (kInside.error * size_of(w) + 16 * kAbout);
+      };
+      passes = passes || (is_beyond(from) && is_beyond(to));
+    }
+    return stages_.sure(passes);
+  }
+
   static bool have_common_vertex(const Face& a, const Face& b) noexcept {
     for (const std::uint32_t v : a.vertex)
       for (const std::uint32_t other : b.vertex)
@@ -375,7 +394,7 @@ class Sheets {
       const DoubleWithError at_start = side_about(face, numbers, from.about), at_end = side_about(face, numbers, to.about);
       const bool is_before = at_start.value > at_start.error && at_end.value > at_end.error,
                  is_beyond = at_start.value < -at_start.error && at_end.value < -at_end.error;
-      if (stages_.sure(is_before || is_beyond)) return;
+      if (stages_.sure(is_before || is_beyond) || surely_passes_by(face, numbers, from.about, to.about)) return;
       way.meet(face, [&](Hit::Part part, std::uint32_t corner, const auto& where) {
         const Block found{where(), 3 * f + corner, key_at(mesh_, f, part, corner)};
         if (first) {
@@ -396,8 +415,9 @@ class Sheets {
     mesh_.tree().along(at.about, at.about, [&](std::uint32_t f) {
       const Face& face = mesh_.face(f);
       if (inside != nullptr && have_common_vertex(face, *inside)) return;
-      const DoubleWithError side = side_about(face, FaceNumbers(face), at.about);
-      if (stages_.sure(__builtin_fabs(side.value) > side.error)) return;
+      const FaceNumbers numbers(face);
+      const DoubleWithError side = side_about(face, numbers, at.about);
+      if (stages_.sure(__builtin_fabs(side.value) > side.error) || surely_passes_by(face, numbers, at.about, at.about)) return;
       std::uint32_t corner = 0;
       const Hit::Part part = way.start_in(face, corner);
       if (part == Hit::Part::none) return;

@@ -76,6 +76,36 @@ same 1 "$("$forceshade" recording recompute run.fsr $mesh | grep -c 'ticks, [1-9
 expect 2 "run.fsr: sides is front; expected both" -- "$forceshade" recording recompute run.fsr $mesh --sides both
 expect 2 "expected wall" -- "$forceshade" recording recompute run.fsr --law wall
 
+# Faces that cross: refused, unless --self-intersecting is given; then part of what is certified and recorded. A floor and a wall
+# through it: the god-object stops before the wall and goes along it.
+printf 'OFF\n8 4 0\n-20 -20 0\n20 -20 0\n20 20 0\n-20 20 0\n0 -19 -7\n0 19 -7\n0 19 9\n0 -19 9\n3 0 1 2\n3 0 2 3\n3 4 5 6\n3 4 6 7\n' > plates.off
+plates="--mesh plates.off --unit mm --sides front --shading none"
+crossing="$plates --self-intersecting"
+printf 'x_mm,y_mm,z_mm\n5,1,3\n5,1,-1\n-1,1,-1\n-1,3,-1\n5,3,-1\n' > groove.csv
+expect 2 "with --self-intersecting, faces without a common vertex may cross" -- "$forceshade" force $plates --input groove.csv
+for path in fast reference; do
+  same "x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status
+5,1,3,0,0,0,free
+5,1,-1,0.00,0.00,0.50,contact
+-1,1,-1,0.50,0.00,0.50,contact
+-1,3,-1,0.50,0.00,0.50,contact
+5,3,-1,0.00,0.00,0.50,contact" "$("$forceshade" force $crossing --stiffness 0.5 --path $path --input groove.csv |
+    awk -F, -v OFS=, 'NR > 2 { for (i = 4; i < 7; ++i) $i = sprintf("%.2f", $i < 0 ? -$i : $i) } 1')"
+done
+expect 0 "plates.off        states        held    50 cases" -- "$forceshade" properties $crossing --cases 50
+expect 0 "certified: 200000 points" -- "$forceshade" certify $crossing --points 200000 --cases 2000 --out crossing
+printf 't_s,x_mm,y_mm,z_mm\n' > across.csv
+for i in $(seq 0 999); do echo "0.$(printf %03d "$i"),$((5 - i / 100)).5,$((i / 100)),-1"; done >> across.csv
+sed -i '2s/-1$/3/' across.csv
+expect 0 "(time up)" -- "$forceshade" drive $crossing --device replay:across.csv --free-run --seconds 1 --record crossing.fsr \
+  --certificate crossing/certificate.json
+expect 0 " differ" -- "$forceshade" recording recompute crossing.fsr $crossing
+same 1 "$("$forceshade" recording recompute crossing.fsr $crossing | grep -c 'ticks, [1-9][0-9]* in contact, 0 differ')"
+expect 2 "crossing.fsr: " -- "$forceshade" recording recompute crossing.fsr $mesh
+printf 'OFF\n6 2 0\n0 0 0\n4 0 0\n2 3 0\n2 1 0\n2 5 0\n6 1 0\n3 0 1 2\n3 3 4 5\n' > flat_pair.off
+expect 2 "faces 0 and 1 meet in one plane, but have no vertex in common" -- "$forceshade" force --mesh flat_pair.off --unit mm \
+  --self-intersecting --input groove.csv
+
 # A texture: on a wall the force is that of the force-shaded height map with the same slope, 0.75: (-3, 0, 4)/5.
 printf 'render = "height-map-shaded"\n[[part]]\nshape = "plane"\nslope_x = 0.75\n' > ramp.toml
 expect 0 "" -- "$forceshade" mesh make wall --size 40 --cells 3 --out wall.obj

@@ -202,11 +202,12 @@ TEST(crossing_sheets, fast_is_the_reference_in_every_bit) {
   std::map<std::string, std::size_t> reached;
   Source source(71);
   constexpr std::size_t kTicks = 250;
-  const std::size_t ticks = ticks_of_a_test(10000);
+  const std::size_t ticks = ticks_of_a_test(5000);
   for (std::uint64_t seed = 0; seed * kTicks < ticks; ++seed) {
     const Made made = source.next();
     const Sides sides = seed % 3 == 0 ? Sides::both : Sides::front;
-    const fast::Mesh mesh = built(made.mesh, sides, mesh::SelfIntersections::allowed);
+    const fast::Mesh mesh = built(made.mesh, sides, mesh::SelfIntersections::allowed),
+                     untested = built(made.mesh, sides, mesh::SelfIntersections::refused);
     reference::GodObjectSession session(defined(made.mesh, sides, mesh::SelfIntersections::allowed));
     properties::MeshPath path(made.mesh, seed);
     mesh::GodObject state;
@@ -218,23 +219,32 @@ TEST(crossing_sheets, fast_is_the_reference_in_every_bit) {
       ASSERT_TRUE(tests::is_same(found, expected) && tests::is_same(exact, expected))
           << "mesh " << seed << ", " << kKinds[made.kind] << ", tick " << i << ": expected " << tests::show(expected)
           << ", found " << tests::show(found) << ", in integers " << tests::show(exact);
+      const mesh::Tick without = fast::step(untested, state, p, kStiffness, mesh::Shading::none);
+      reached["a way that is blocked"] += !tests::is_same(found, without);
+      reached["a rest where a way is blocked"] += found.status == mesh::TickStatus::touching && found.after != without.after;
+      reached["a move onto another part"] += found.moves > 1 && found.after.place == mesh::Place::triangle &&
+                                             state.place == mesh::Place::triangle && !tests::is_same(found, without) &&
+                                             found.after.index != state.index;
       state = found.after;
       ++reached[made.is_embedded ? "embedded" : kKinds[made.kind]];
       ++reached[std::string(mesh::kTickStatusNames[static_cast<std::size_t>(found.status)])];
       reached["more than one move"] += found.moves > 1;
+      reached["free and unfinished"] += found.status == mesh::TickStatus::unfinished && found.after.place == mesh::Place::free;
       auto& most = reached["most moves"];
       most = std::max<std::size_t>(most, found.moves);
     }
   }
   for (const auto& [name, count] : reached) std::printf("  %8zu %s\n", count, name.c_str());
   for (const char* kind : kKinds) EXPECT_GT(reached[kind], 0U) << kind;
+  for (const char* name : {"a way that is blocked", "a rest where a way is blocked", "a move onto another part"})
+    EXPECT_GT(reached[name], 0U) << name;
 }
 
 // Where no triangles cross, testing the ways changes nothing.
 TEST(crossing_sheets, an_embedded_mesh_is_rendered_as_ever_in_every_bit) {
   std::size_t touching = 0;
   properties::MeshSource source(72);
-  const std::size_t ticks = ticks_of_a_test(22000);
+  const std::size_t ticks = ticks_of_a_test(11000);
   for (std::uint64_t seed = 0; seed * 500 < ticks; ++seed) {
     const properties::RandomMesh made = source.next();
     const fast::Mesh plain = built(made.mesh, made.sides, mesh::SelfIntersections::refused),
@@ -311,7 +321,7 @@ int times_around(const TriangleMesh& mesh, std::size_t first, std::size_t last, 
 TEST(crossing_sheets, a_god_object_that_begins_outside_is_never_inside_a_part) {
   std::map<std::string, std::size_t> reached;
   Source source(73);
-  const std::size_t ticks = ticks_of_a_test(9000);
+  const std::size_t ticks = ticks_of_a_test(1500);
   for (std::uint64_t seed = 0, done = 0; done < ticks; ++seed) {
     const Closed made = source.next_closed();
     const fast::Mesh mesh = built(made.mesh, Sides::front, mesh::SelfIntersections::allowed);
