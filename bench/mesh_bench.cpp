@@ -19,32 +19,35 @@
 #include "forceshade/bench/naive_mesh.h"
 #include "forceshade/fast/meshes/large_pages.h"
 #include "forceshade/fast/meshes/session.h"
+#include "forceshade/meshes/make.h"
+#include "forceshade/meshes/normals.h"
+#include "forceshade/meshes/texture.h"
 
 namespace {
 std::atomic<std::size_t> allocations{0};
 }  // namespace
 
-void* operator new(std::size_t size) {
+[[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (void* place = std::malloc(size)) return place;
   throw std::bad_alloc();
 }
-void* operator new(std::size_t size, std::align_val_t alignment) {
+[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
   ++allocations;
   const auto to = static_cast<std::size_t>(alignment);
   if (void* place = std::aligned_alloc(to, (size + to - 1) / to * to)) return place;
   throw std::bad_alloc();
 }
-void operator delete(void* place) noexcept {
+[[gnu::noinline]] void operator delete(void* place) noexcept {
   std::free(place);
 }
-void operator delete(void* place, std::size_t) noexcept {
+[[gnu::noinline]] void operator delete(void* place, std::size_t) noexcept {
   std::free(place);
 }
-void operator delete(void* place, std::align_val_t) noexcept {
+[[gnu::noinline]] void operator delete(void* place, std::align_val_t) noexcept {
   std::free(place);
 }
-void operator delete(void* place, std::size_t, std::align_val_t) noexcept {
+[[gnu::noinline]] void operator delete(void* place, std::size_t, std::align_val_t) noexcept {
   std::free(place);
 }
 
@@ -88,6 +91,8 @@ Scale scale() {
   return {per_count, static_cast<double>(idle[1000])};
 }
 
+constexpr int kPasses = 5;
+
 struct Times {
   double median, most_of_1000, longest;  // µs; 999 of 1000 ticks are no longer than the second
   std::size_t allocations;
@@ -100,6 +105,11 @@ double time_of(const Scale& scale, const Step& step) {
   return std::max(0.0, (static_cast<double>(now() - before) - scale.counts_to_read) * scale.microseconds_per_count);
 }
 
+Times summary(std::vector<double> times, std::size_t allocated) {
+  std::ranges::sort(times);
+  return {times[times.size() / 2], times[times.size() * 999 / 1000], times.back(), allocated};
+}
+
 // times: those of the path's ticks, in order.
 template <class Step>
 Times measure(const std::vector<std::array<float, 3>>& path, const Scale& scale, std::vector<double>& times, const Step& step) {
@@ -108,9 +118,7 @@ Times measure(const std::vector<std::array<float, 3>>& path, const Scale& scale,
   const std::size_t before = allocations;
   for (const auto& p : path) times.push_back(time_of(scale, [&] { step(p); }));
   const std::size_t allocated = allocations - before;
-  std::vector<double> sorted(times);
-  std::ranges::sort(sorted);
-  return {sorted[sorted.size() / 2], sorted[sorted.size() * 999 / 1000], sorted.back(), allocated};
+  return summary(times, allocated);
 }
 constexpr Times kNone{HUGE_VAL, HUGE_VAL, HUGE_VAL, 0};
 Times least(const Times& a, const Times& b) {
@@ -118,26 +126,36 @@ Times least(const Times& a, const Times& b) {
           a.allocations + b.allocations};
 }
 
-// Memory that no cache of this machine holds.
+template <class Value>
+void keep(const Value& value) {
+  asm volatile("" : : "g"(&value) : "memory");
+}
+
+// Memory that no cache of this machine holds, in pages like those of a mesh.
 class Memory {
  public:
-  // A ring through all lines in random order.
-  Memory() : lines_(kLines) {
-    std::vector<std::uint32_t> order(kLines);
+  // A ring through all lines in random order, as many as the mesh has triangles, but 2^22 at least.
+  explicit Memory(std::size_t triangles) : lines_(std::max(triangles, kLeastLines)) {
+    std::vector<std::uint32_t> order(lines_.size());
     std::iota(order.begin(), order.end(), 0U);
     std::shuffle(order.begin(), order.end(), std::mt19937(1));
-    for (std::size_t i = 0; i < kLines; ++i) lines_[order[i]].next = order[(i + 1) % kLines];
+    for (std::size_t i = 0; i < order.size(); ++i) lines_[order[i]].next = order[(i + 1) % order.size()];
   }
-  // µs that one load takes which depends on the one before.
+  // µs that one load takes which depends on the one before: the least of five medians.
   double latency(const Scale& scale) {
-    constexpr int kLoads = 500, kTries = 200;
-    std::vector<double> times;
-    for (int i = 0; i < kTries; ++i)
-      times.push_back(time_of(scale, [&] {
-        for (int k = 0; k < kLoads; ++k) at_ = lines_[at_].next;
-      }));
-    std::ranges::sort(times);
-    return times[kTries / 2] / kLoads;
+    constexpr int kLoads = 500, kTries = 40;
+    double least = HUGE_VAL;
+    for (int pass = 0; pass < kPasses; ++pass) {
+      std::vector<double> times;
+      for (int i = 0; i < kTries; ++i)
+        times.push_back(time_of(scale, [&] {
+          for (int k = 0; k < kLoads; ++k) at_ = lines_[at_].next;
+          keep(at_);
+        }));
+      std::ranges::sort(times);
+      least = std::min(least, times[kTries / 2] / kLoads);
+    }
+    return least;
   }
   // Reads enough of it that nothing else is left in the caches.
   void flush_caches() {
@@ -150,7 +168,7 @@ class Memory {
   struct alignas(64) Line {
     std::uint32_t next;
   };
-  static constexpr std::size_t kLines = std::size_t{1} << 22, kFlush = std::size_t{1} << 20;  // 256 MB, 64 MB
+  static constexpr std::size_t kLeastLines = std::size_t{1} << 22, kFlush = std::size_t{1} << 20;  // 256 MB, 64 MB
   std::vector<Line, fast::LargePages<Line>> lines_;
   std::uint32_t at_ = 0;
   volatile std::uint32_t sum_ = 0;
@@ -172,66 +190,134 @@ void print(const char* what, const Times& times) {
               times.longest, times.allocations);
 }
 
-template <class Value>
-void keep(const Value& value) {
-  asm volatile("" : : "g"(&value) : "memory");
+constexpr auto kStiffness = static_cast<float>(kMeshStiffness);
+
+// What is rendered.
+struct Rendering {
+  std::shared_ptr<const fast::Mesh> mesh;
+  mesh::Shading shading = mesh::Shading::none;
+
+  // At the beginning of the path in contact.
+  fast::MeshSession session(const MeshWorkload& workload) const {
+    fast::MeshSession session(mesh, kStiffness, shading);
+    for (const auto& p : workload.approach) session.step(p);
+    return session;
+  }
+};
+
+double percentile(std::vector<double> times, double part) {
+  std::ranges::sort(times);
+  return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
 }
 
-constexpr auto kStiffness = static_cast<float>(kMeshStiffness);
-constexpr int kPasses = 5;
-
-// Every pass goes along the same path; the least of each percentile counts, since other programs disturb some of them.
-void run_exact(const MeshWorkload& workload, const std::shared_ptr<const fast::Mesh>& mesh, const Scale& scale,
-               Memory& memory) {
-  std::size_t touching = 0, moves = 0, in_contact = 0, moves_in_contact = 0;
-  Times contact = kNone, free = kNone;
-  std::vector<double> times, shortest(workload.contact.size(), HUGE_VAL);
+// Of the ticks in contact, without look_ahead() and after it. Every pass goes along the same path; the least of each percentile
+// counts, since other programs disturb some of them. shortest: of each tick, over the passes without.
+void run_contact(const MeshWorkload& workload, const Rendering& rendering, const Scale& scale, std::vector<double>& shortest) {
+  Times at_once = kNone, after_look = kNone, look = kNone;
+  std::vector<double> times, looks;
+  looks.reserve(workload.contact.size());
+  shortest.assign(workload.contact.size(), HUGE_VAL);
   for (int pass = 0; pass < kPasses; ++pass) {
-    fast::MeshSession session(mesh, kStiffness, mesh::Shading::none);
-    const auto step = [&](const std::array<float, 3>& p) {
-      const mesh::Tick tick = session.step(p);
-      touching += tick.status == mesh::TickStatus::touching;
-      moves += tick.moves;
-      keep(tick);
-    };
-    for (const auto& p : workload.approach) session.step(p);
-    touching = moves = 0;
-    contact = least(contact, measure(workload.contact, scale, times, step));
+    fast::MeshSession session = rendering.session(workload);
+    at_once = least(at_once, measure(workload.contact, scale, times, [&](const auto& p) { keep(session.step(p)); }));
     for (std::size_t i = 0; i < times.size(); ++i) shortest[i] = std::min(shortest[i], times[i]);
-    in_contact = touching;
-    moves_in_contact = moves;
-    session.step(workload.free.front());
-    free = least(free, measure(workload.free, scale, times, step));
+
+    fast::MeshSession other = rendering.session(workload);
+    times.clear();
+    looks.clear();
+    for (const auto& p : workload.contact) {
+      looks.push_back(time_of(scale, [&] { other.look_ahead(); }));
+      times.push_back(time_of(scale, [&] { keep(other.step(p)); }));
+    }
+    after_look = least(after_look, summary(times, 0));
+    look = least(look, summary(looks, 0));
   }
-  const auto ticks = static_cast<double>(workload.contact.size());
-  print("exact, contact", contact);
-  print("exact, free", free);
-  std::printf("  %zu of %zu ticks in contact, %.2f moves a tick\n", in_contact, workload.contact.size(),
-              static_cast<double>(moves_in_contact) / ticks);
+  print("exact, contact", at_once);
+  print("exact, after look_ahead()", after_look);
+  print("look_ahead() itself", look);
+}
+
+// The same ticks where nothing has to come from memory: pieces of the path, each gone through several times.
+void run_in_caches(const MeshWorkload& workload, const Rendering& rendering, const Scale& scale) {
+  constexpr std::size_t kPieces = 20, kLength = 1000;
+  const std::size_t apart = workload.contact.size() / kPieces;
+  fast::MeshSession session = rendering.session(workload);
+  std::vector<double> all;
+  for (std::size_t piece = 0; piece < kPieces; ++piece) {
+    const std::size_t begin = piece * apart;
+    const mesh::GodObject start = session.state();
+    std::vector<double> shortest(kLength, HUGE_VAL);
+    for (int pass = 0; pass <= kPasses; ++pass) {
+      session.resume(start);
+      for (std::size_t i = 0; i < kLength; ++i) {
+        const double time = time_of(scale, [&] { keep(session.step(workload.contact[begin + i])); });
+        if (pass > 0) shortest[i] = std::min(shortest[i], time);
+      }
+    }
+    all.insert(all.end(), shortest.begin(), shortest.end());
+    for (std::size_t i = kLength; i < apart; ++i) session.step(workload.contact[begin + i]);
+  }
+  print("exact, all in the caches", summary(all, 0));
+}
+
+// As a loop of 1 kHz meets it when other programs have used the caches since the last tick.
+void run_cold(const MeshWorkload& workload, const Rendering& rendering, const Scale& scale, Memory& memory) {
+  for (const bool looks_ahead : {false, true}) {
+    fast::MeshSession session = rendering.session(workload);
+    const std::size_t every = workload.contact.size() / 300;
+    std::vector<double> cold;
+    for (std::size_t i = 0; i < workload.contact.size(); ++i) {
+      const auto step = [&] { keep(session.step(workload.contact[i])); };
+      if (i % every != every - 1) {
+        step();
+        continue;
+      }
+      memory.flush_caches();
+      if (looks_ahead) session.look_ahead();
+      cold.push_back(time_of(scale, step));
+    }
+    std::printf("  %-28s p50 %6.3f  p99   %6.3f us\n", looks_ahead ? "cold caches, look_ahead()" : "cold caches",
+                percentile(cold, 0.5), percentile(cold, 0.99));
+  }
+}
+
+void run_exact(const MeshWorkload& workload, const Rendering& rendering, const Scale& scale) {
+  std::vector<double> shortest, times;
+  run_contact(workload, rendering, scale, shortest);
+  run_in_caches(workload, rendering, scale);
+  Memory memory(rendering.mesh->faces());
+  run_cold(workload, rendering, scale, memory);
 
   std::vector<mesh::GodObject> states;  // before each tick in contact
-  fast::MeshSession session(mesh, kStiffness, mesh::Shading::none);
-  for (const auto& p : workload.approach) session.step(p);
+  std::vector<double> entered;          // triangles, by each tick
+  std::size_t touching = 0;
+  fast::MeshSession session = rendering.session(workload);
   for (const auto& p : workload.contact) {
     states.push_back(session.state());
-    session.step(p);
+    const mesh::Tick tick = session.step(p);
+    touching += tick.status == mesh::TickStatus::touching;
+    entered.push_back(tick.moves > 0 ? tick.moves - 1.0 : 0.0);
   }
-  // As a loop of 1 kHz meets it when other programs have used the caches since the last tick.
-  std::vector<double> cold;
-  for (std::size_t i = 0; i < workload.contact.size(); i += workload.contact.size() / 300) {
-    session.resume(states[i]);
-    memory.flush_caches();
-    cold.push_back(time_of(scale, [&] { keep(session.step(workload.contact[i])); }));
+  const double mean = std::accumulate(entered.begin(), entered.end(), 0.0) / static_cast<double>(entered.size());
+  std::printf("  %zu of %zu ticks in contact, %.2f moves a tick\n", touching, entered.size(), 1 + mean);
+  const double latency = memory.latency(scale), usual = percentile(entered, 0.5), most = percentile(entered, 0.999);
+  std::printf(
+      "  a load from memory %.3f us; a tick goes on to %.0f further triangles (p99.9: %.0f); loaded one after another: %.3f us "
+      "(%.3f)\n",
+      latency, usual, most, usual * latency, most * latency);
+
+  Times free = kNone;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    session.step(workload.free.front());
+    free = least(free, measure(workload.free, scale, times, [&](const auto& p) { keep(session.step(p)); }));
   }
-  std::ranges::sort(cold);
-  std::printf("  %-28s p50 %6.3f  p99   %6.3f us; a load from memory %.3f us\n", "exact, contact, cold caches",
-              cold[cold.size() / 2], cold[cold.size() * 99 / 100], memory.latency(scale));
+  print("exact, free", free);
 
   // The tick that took longest even in its shortest pass; not one of the first, which find other caches than the rest.
   constexpr std::ptrdiff_t kFirst = 100;
   const auto worst = static_cast<std::size_t>(std::max_element(shortest.begin() + kFirst, shortest.end()) - shortest.begin());
   int in_binary64 = 0, in_integers = 0;
-  const mesh::Tick tick = fast::step(*mesh, states[worst], workload.contact[worst], kStiffness, mesh::Shading::none,
+  const mesh::Tick tick = fast::step(*rendering.mesh, states[worst], workload.contact[worst], kStiffness, rendering.shading,
                                      CountedStages{&in_binary64, &in_integers});
   std::printf(
       "  the longest tick, in its shortest pass: tick %zu, %.3f us, %d moves, %d decisions in binary64, %d in integers, "
@@ -241,8 +327,8 @@ void run_exact(const MeshWorkload& workload, const std::shared_ptr<const fast::M
       mesh::kPlaceNames[static_cast<std::size_t>(tick.after.place)].data());
 }
 
-void run_naive(const MeshWorkload& workload, const Scale& scale) {
-  NaiveGodObject naive(workload.mesh, kStiffness);
+void run_naive(const MeshWorkload& workload, const Scale& scale, const mesh::CornerNormals& normals = {}) {
+  NaiveGodObject naive(workload.mesh, kStiffness, normals);
   const auto step = [&](const std::array<float, 3>& p) { keep(naive.step(Eigen::Vector3f(p.data()))); };
   Times contact = kNone, free = kNone;
   std::vector<double> times;
@@ -252,27 +338,65 @@ void run_naive(const MeshWorkload& workload, const Scale& scale) {
     step(workload.free.front());
     free = least(free, measure(workload.free, scale, times, step));
   }
-  print("naive, contact", contact);
-  print("naive, free", free);
+  print(normals.empty() ? "naive, contact" : "naive, vertex shading", contact);
+  if (normals.empty()) print("naive, free", free);
 }
 
-void run(const MeshWorkload& workload, const Scale& scale, Memory& memory) {
+// The value, or the program's end with the message.
+template <class T>
+T value_of(std::variant<T, std::string> made, const MeshWorkload& workload) {
+  if (const auto* message = std::get_if<std::string>(&made)) {
+    std::printf("%s: %s\n", workload.name.c_str(), message->c_str());
+    std::exit(1);
+  }
+  return std::get<T>(std::move(made));
+}
+
+// A B-spline of 1024 x 1024 samples over the mesh, seen from above, with slopes up to about one.
+mesh::Texture texture_of(const mesh::CheckedMesh& checked) {
+  height::Grid grid{1024, 1024, 0.1F, height::Edge::clamp, height::Interpolant::cubic_spline, {}};
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> uniform(-0.05F, 0.05F);
+  for (std::uint32_t i = 0; i < grid.columns * grid.rows; ++i) grid.values.push_back(uniform(random));
+  return {mesh::corner_textures(checked, mesh::texture_from_above(checked.mesh()), 1),
+          {{{std::make_shared<const height::Grid>(std::move(grid))}}}};
+}
+
+// Contact with the interpolated normal, and with a texture too where the mesh can be seen whole from above.
+void run_shaded(const MeshWorkload& workload, bool is_seen_from_above, const Scale& scale) {
+  auto check = mesh::check(workload.mesh);
+  const auto* checked = std::get_if<mesh::CheckedMesh>(&check);
+  if (checked == nullptr) return;
+  const mesh::CornerNormals normals = mesh::corner_normals(*checked).normals;
+  const mesh::Texture texture = is_seen_from_above ? texture_of(*checked) : mesh::Texture();
+  const Rendering rendering{std::make_shared<const fast::Mesh>(
+      value_of(fast::Mesh::build(workload.mesh, normals, mesh::Sides::front, texture), workload))};
+  for (const mesh::Shading shading : {mesh::Shading::vertex_scheme, mesh::Shading::texture_scheme}) {
+    if (shading == mesh::Shading::texture_scheme && !is_seen_from_above) continue;
+    Times contact = kNone;
+    std::vector<double> times;
+    for (int pass = 0; pass < kPasses; ++pass) {
+      fast::MeshSession session = Rendering{rendering.mesh, shading}.session(workload);
+      contact = least(contact, measure(workload.contact, scale, times, [&](const auto& p) { keep(session.step(p)); }));
+    }
+    print(shading == mesh::Shading::vertex_scheme ? "exact, vertex shading" : "exact, texture shading", contact);
+  }
+  run_naive(workload, scale, normals);
+}
+
+void run(const MeshWorkload& workload, const Scale& scale) {
   double seconds = HUGE_VAL;
-  std::shared_ptr<const fast::Mesh> mesh;
+  Rendering rendering;
   for (int i = 0; i < 3; ++i) {
     const auto start = Clock::now();
     auto built = fast::Mesh::build(workload.mesh, {}, mesh::Sides::front);
     seconds = std::min(seconds, seconds_since(start));
-    if (const auto* message = std::get_if<std::string>(&built)) {
-      std::printf("%s: %s\n", workload.name.c_str(), message->c_str());
-      std::exit(1);
-    }
-    mesh = std::make_shared<const fast::Mesh>(std::get<fast::Mesh>(std::move(built)));
+    rendering.mesh = std::make_shared<const fast::Mesh>(value_of(std::move(built), workload));
   }
   const auto triangles = static_cast<double>(workload.mesh.triangles.size());
   std::printf("%s: %.0f triangles, built in %.3f s, %.1f bytes a triangle\n", workload.name.c_str(), triangles, seconds,
-              static_cast<double>(mesh->bytes()) / triangles);
-  run_exact(workload, mesh, scale, memory);
+              static_cast<double>(rendering.mesh->bytes()) / triangles);
+  run_exact(workload, rendering, scale);
   run_naive(workload, scale);
 }
 
@@ -283,12 +407,20 @@ int main(int argc, char** argv) {
   using namespace forceshade::bench;
   const double most = argc > 1 ? std::atof(argv[1]) : 1.1e6, fewest = argc > 2 ? std::atof(argv[2]) : 0;
   constexpr std::size_t kContact = 200000, kFree = 20000;
+  constexpr int kShadedSphere = 71, kShadedBump = 224;  // 10^5 triangles
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   const Scale clock = scale();
-  Memory memory;
   const auto is_in_range = [&](double triangles) { return triangles >= fewest && triangles <= most; };
-  for (const int f : {7, 22, 71, 224, 707})
-    if (is_in_range(20.0 * f * f)) run(sphere_workload(f, kContact, kFree), clock, memory);
-  for (const int n : {22, 71, 224, 707, 2236})
-    if (is_in_range(2.0 * n * n)) run(bump_workload(n, kContact, kFree), clock, memory);
+  for (const int f : {7, 22, 71, 224, 707}) {
+    if (!is_in_range(20.0 * f * f)) continue;
+    const MeshWorkload workload = sphere_workload(f, kContact, kFree);
+    run(workload, clock);
+    if (f == kShadedSphere) run_shaded(workload, false, clock);
+  }
+  for (const int n : {22, 71, 224, 707, 2236}) {
+    if (!is_in_range(2.0 * n * n)) continue;
+    const MeshWorkload workload = bump_workload(n, kContact, kFree);
+    run(workload, clock);
+    if (n == kShadedBump) run_shaded(workload, true, clock);
+  }
 }

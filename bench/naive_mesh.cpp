@@ -15,7 +15,8 @@ constexpr float kEpsilon = 1e-4F;  // mm
 constexpr std::uint32_t kLeaf = 4;
 }  // namespace
 
-NaiveGodObject::NaiveGodObject(const mesh::TriangleMesh& mesh, float stiffness) : stiffness_(stiffness) {
+NaiveGodObject::NaiveGodObject(const mesh::TriangleMesh& mesh, float stiffness, const mesh::CornerNormals& normals)
+    : stiffness_(stiffness) {
   std::vector<Corner3> corners;
   for (const mesh::Triangle& t : mesh.triangles) {
     const auto at = [&](std::size_t i) { return Vector3f(mesh.vertices[t[i]].data()); };
@@ -27,6 +28,9 @@ NaiveGodObject::NaiveGodObject(const mesh::TriangleMesh& mesh, float stiffness) 
   nodes_.emplace_back();
   split(0, 0, static_cast<std::uint32_t>(order.size()), order, corners);
   for (const std::uint32_t t : order) triangles_.push_back(corners[t]);
+  if (normals.empty()) return;
+  for (const std::uint32_t t : order)
+    normals_.push_back({Vector3f(normals[t][0].data()), Vector3f(normals[t][1].data()), Vector3f(normals[t][2].data())});
 }
 
 void NaiveGodObject::split(std::uint32_t node, std::uint32_t begin, std::uint32_t end, std::vector<std::uint32_t>& order,
@@ -83,6 +87,13 @@ NaiveGodObject::RayHit NaiveGodObject::cast(const Vector3f& from, const Vector3f
   return best;
 }
 
+Vector3f NaiveGodObject::interpolated_normal(std::uint32_t i) const {
+  const Corner3 &t = triangles_[i], &normal = normals_[i];
+  const Vector3f e1 = t.b - t.a, e2 = t.c - t.a, n = e1.cross(e2), w = place_ - t.a;
+  const float second = w.cross(e2).dot(n) / n.squaredNorm(), third = e1.cross(w).dot(n) / n.squaredNorm();
+  return ((1 - second - third) * normal.a + second * normal.b + third * normal.c).normalized();
+}
+
 Vector3f NaiveGodObject::step(const Vector3f& position) {
   if (!has_place_) {
     place_ = position;
@@ -92,7 +103,7 @@ Vector3f NaiveGodObject::step(const Vector3f& position) {
   Vector3f planes[3];
   int count = 0;
   Vector3f goal = position;
-  bool touches = false;
+  std::uint32_t touched = ~0U;
   for (int i = 0; i < 10; ++i) {
     const Vector3f by = goal - place_;
     if (by.squaredNorm() < 1e-12F) break;
@@ -101,7 +112,7 @@ Vector3f NaiveGodObject::step(const Vector3f& position) {
       place_ = goal;
       break;
     }
-    touches = true;
+    touched = hit.triangle;
     const Corner3& t = triangles_[hit.triangle];
     const Vector3f n = (t.b - t.a).cross(t.c - t.a).normalized();
     place_ += hit.t * by + kEpsilon * n;
@@ -119,7 +130,9 @@ Vector3f NaiveGodObject::step(const Vector3f& position) {
       break;
     }
   }
-  return touches ? Vector3f(stiffness_ * (place_ - position)) : Vector3f::Zero();
+  if (touched == ~0U) return Vector3f::Zero();
+  const Vector3f spring = place_ - position;
+  return normals_.empty() ? Vector3f(stiffness_ * spring) : Vector3f(stiffness_ * spring.norm() * interpolated_normal(touched));
 }
 
 }  // namespace forceshade::bench

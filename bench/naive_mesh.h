@@ -13,7 +13,8 @@ namespace forceshade::bench {
 // Moves towards the position along up to three planes that it has met (Zilles and Salisbury 1995), staying kEpsilon above them.
 class NaiveGodObject {
  public:
-  NaiveGodObject(const mesh::TriangleMesh& mesh, float stiffness);
+  // normals: of each corner, for a force along the interpolated one, or none.
+  NaiveGodObject(const mesh::TriangleMesh& mesh, float stiffness, const mesh::CornerNormals& normals = {});
 
   // N. position: mm.
   Eigen::Vector3f step(const Eigen::Vector3f& position);
@@ -33,10 +34,12 @@ class NaiveGodObject {
 
   void split(std::uint32_t node, std::uint32_t begin, std::uint32_t end, std::vector<std::uint32_t>& order,
              const std::vector<Corner3>& corners);
+  // The normal between the corners of triangle i, at the point of it that is nearest to the place.
+  Eigen::Vector3f interpolated_normal(std::uint32_t i) const;
   RayHit cast(const Eigen::Vector3f& from, const Eigen::Vector3f& by) const;
 
   std::vector<Node> nodes_;
-  std::vector<Corner3> triangles_;
+  std::vector<Corner3> triangles_, normals_;
   float stiffness_;
   Eigen::Vector3f place_{0, 0, 0};
   bool has_place_ = false;

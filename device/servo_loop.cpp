@@ -172,11 +172,16 @@ std::int64_t Run::wait() noexcept {
 }
 
 void Run::tick() noexcept {
+  // A frame's position is as old as the frame, so nothing is done between them. By the loop's own clock the position is read
+  // last, when whatever used the caches during the wait is through.
+  const bool has_frames = result.followed_device;
+  if (options_.paced && has_frames) session_.look_ahead();
   due_ = wait();
   const std::int64_t woken_at = monotonic_now();
   if (options_.paced) computed_ = processor_time();
   if (stop_) return end_with(EndReason::stopped);
   if (result.ticks == ticks_) return end_with(EndReason::time_up);
+  if (options_.paced && !has_frames) session_.look_ahead();
   const ReadResult read = device_.read();
   const std::int64_t read_at = monotonic_now();
   if (const Fault* fault = std::get_if<Fault>(&read)) return end_with(*fault);

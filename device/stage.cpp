@@ -27,6 +27,11 @@ Stimulus::Answer Stimulus::step(const Eigen::Vector3f& position) noexcept {
   return answer;
 }
 
+void Stimulus::look_ahead() noexcept {
+  for (const std::optional<Placed>* placed : {&left, &right})
+    if (*placed) (*placed)->session->look_ahead();
+}
+
 Stage::~Stage() {
   delete offered_.load();
   delete retired_.load();
@@ -64,6 +69,11 @@ fast::Evaluation Stage::step(const Eigen::Vector3f& position) noexcept {
   const auto number = [](const std::unique_ptr<Stimulus>& of) -> std::uint64_t { return of ? of->number : 0; };
   shown_.store(number(pending_) << 32 | number(current_), std::memory_order_relaxed);
   return now.felt;
+}
+
+void Stage::look_ahead() noexcept {
+  for (Stimulus* stimulus : {current_.get(), pending_.get()})
+    if (stimulus != nullptr) stimulus->look_ahead();
 }
 
 }  // namespace forceshade::device

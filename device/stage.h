@@ -31,6 +31,7 @@ struct Stimulus {
     fast::Evaluation left, right, felt;
   };
   Answer step(const Eigen::Vector3f& position) noexcept;
+  void look_ahead() noexcept;
 };
 
 // A stimulus takes the place of the one before at the first tick at which both give the same force and status, to the bit, on
@@ -56,6 +57,7 @@ class Stage final : public fast::Session {
 
   // By the loop.
   fast::Evaluation step(const Eigen::Vector3f& position) noexcept override;
+  void look_ahead() noexcept override;
   // The number of what answered the last step, and of what waits; 0 for none. By any thread.
   std::uint64_t shown() const noexcept override { return shown_.load(std::memory_order_relaxed); }
 

@@ -18,6 +18,10 @@ class Session {
   // position: mm, the next one of the path. Without allocation, lock or exception.
   virtual Evaluation step(const Eigen::Vector3f& position) noexcept = 0;
 
+  // Brings what the next step will probably use into the caches, for a loop that has time before it reads the position. Changes
+  // no later answer. Without allocation, lock or exception; takes no longer than a step.
+  virtual void look_ahead() noexcept {}
+
   // Where renderers can be exchanged while the loop runs: in the lower 32 bits the number of the one that answered the last
   // step, in the upper ones of the one that waits to take its place and followed the same step. Else 0. Recorded with every
   // tick.

@@ -108,8 +108,11 @@ void BoxTree::along(const Vector3<double>& from, const Vector3<double>& to, cons
     std::array<bool, kWidth> meets;
     for (std::size_t c = 0; c < kWidth; ++c) {
       bool inside = true;
-      for (std::size_t i = 0; i < 3; ++i)
-        inside = inside & (static_cast<double>(node.low[i][c]) <= high[i]) & (static_cast<double>(node.high[i][c]) >= low[i]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const bool begins = static_cast<double>(node.low[i][c]) <= high[i],
+                   ends = static_cast<double>(node.high[i][c]) >= low[i];
+        inside = inside & begins & ends;  // without branches
+      }
       meets[c] = inside;
     }
     for (std::uint32_t c = kWidth; c-- > 0;) {

@@ -116,6 +116,7 @@ struct Weights {
   std::array<DoubleWithError, 3> corner;
   DoubleWithError all;
 
+  Weights() = default;
   FORCESHADE_INLINE Weights(const FaceNumbers& f, const Vector3<double>& w) noexcept {
     const double unit = kInside.error * f.area * size_of(w);
     corner[1] = {dot(cross(w, f.e2), f.n), unit * f.s2};

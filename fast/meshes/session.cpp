@@ -62,6 +62,16 @@ double lower_bound_of_square(const Face& face, const Vector3<double>& at) noexce
   return tick;
 }
 
+[[gnu::noinline]] void MeshSession::look_ahead() const noexcept {
+  std::array<float, 3> position{};
+  for (std::size_t i = 0; i < 3; ++i) position[i] = last_[i] + (last_[i] - before_[i]);
+  if (at_.spot.place == mesh::Place::free && is_in_ball(position)) return;
+  Arrival at = at_;
+  mesh::Tick tick;
+  fast::step(*mesh_, at, position, stiffness_, shading_, FilteredStages{}, tick);
+  [[maybe_unused]] const volatile float kept = tick.force[0];  // so that the compiler does not leave out what leads to it
+}
+
 // Around where the god-object is when the search begins. It takes some ticks, so that each is short; meanwhile the ball before
 // may still serve. A ball that the path leaves at once is not worth its search: then the next one waits.
 [[gnu::noinline]] void MeshSession::seek_ball() noexcept {

@@ -19,6 +19,8 @@ class MeshSession {
 
   // position: mm, the next one of the path. Without allocation, lock or exception.
   mesh::Tick step(const std::array<float, 3>& position) noexcept {
+    before_ = last_;
+    last_ = position;
     if (at_.spot.place == mesh::Place::free && is_in_ball(position)) {
       const std::array<float, 3> p{quantised(position[0]), quantised(position[1]), quantised(position[2])};
       const std::uint16_t moves = p == at_.spot.position ? 0 : 1;
@@ -31,6 +33,11 @@ class MeshSession {
     }
     return step_on_mesh(position);
   }
+
+  // Brings what the next step will probably use into the caches: it takes that step to where the hand arrives if it goes on as
+  // in the last one, and forgets the result. Changes no later state or force. Takes as long as a step. For a loop that has time
+  // before it reads the position.
+  void look_ahead() const noexcept;
 
   // Of session.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h. Under a fault no mesh is built.
   static const char* arithmetic_fault() noexcept;
@@ -65,10 +72,11 @@ class MeshSession {
   float stiffness_;
   mesh::Shading shading_;
   Arrival at_;
-  std::array<double, 3> centre_{};  // mm, of the ball
-  double square_ = 0;               // mm², of its radius; 0: there is none
-  double renew_square_ = 0;         // mm²: farther from the centre than this, the next ball is sought
-  int ticks_until_ball_ = 0;        // while small balls would be left at once
+  std::array<float, 3> last_{}, before_{};  // mm: the positions of the last two steps
+  std::array<double, 3> centre_{};          // mm, of the ball
+  double square_ = 0;                       // mm², of its radius; 0: there is none
+  double renew_square_ = 0;                 // mm²: farther from the centre than this, the next ball is sought
+  int ticks_until_ball_ = 0;                // while small balls would be left at once
   bool is_seeking_ = false;
   BoxTree::Search search_;
 };

@@ -36,6 +36,7 @@ class GodObjectSession final : public TickSession {
 
   mesh::Tick tick(const std::array<float, 3>& position) noexcept override { return session_.step(position); }
   void resume(const mesh::GodObject& state) noexcept override { session_.resume(state); }
+  void look_ahead() noexcept override { session_.look_ahead(); }
 
  private:
   MeshSession session_;

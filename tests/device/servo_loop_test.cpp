@@ -11,6 +11,7 @@
 #include <cmath>
 #include <ctime>
 #include <set>
+#include <string>
 #include <string_view>
 #include <thread>
 #include <tuple>
@@ -274,6 +275,47 @@ TEST(servo_loop, runs_on_the_processor_it_is_told) {
   EXPECT_EQ(Kept(device, wall(), {.max_seconds = 0.005, .cpu = CPU_SETSIZE}).privileges.cpu, std::nullopt);
   ASSERT_EQ(sched_getaffinity(0, sizeof after, &after), 0);
   EXPECT_TRUE(CPU_EQUAL(&before, &after));
+}
+
+// r: a reading, s: a step, l: a look ahead, f: waiting for a frame.
+TEST(servo_loop, looks_ahead_before_it_reads_or_waits_for_a_frame_and_only_when_paced) {
+  struct Logged final : Still {
+    Logged(std::string& its, bool has_frames) : log(its), paces(has_frames) {}
+    Capabilities capabilities() const noexcept override {
+      Capabilities result;
+      result.paces = paces;
+      return result;
+    }
+    std::int64_t wait_for_frame(std::int64_t deadline) noexcept override {
+      log += 'f';
+      return deadline;
+    }
+    ReadResult at(std::size_t) noexcept override {
+      log += 'r';
+      return here();
+    }
+    std::string& log;
+    bool paces;
+  };
+  struct LoggedSession final : fast::Session {
+    explicit LoggedSession(std::string& its) : log(its) {}
+    fast::Evaluation step(const Eigen::Vector3f&) noexcept override {
+      log += 's';
+      return {};
+    }
+    void look_ahead() noexcept override { log += 'l'; }
+    std::string& log;
+  };
+  const auto log_of = [](bool has_frames, bool paced) {
+    std::string log;
+    Logged device(log, has_frames);
+    LoggedSession session(log);
+    run_servo_loop(device, session, {.max_seconds = 0.003, .paced = paced}, kNeverStop);
+    return log;
+  };
+  EXPECT_EQ(log_of(false, true), "lrslrslrs");
+  EXPECT_EQ(log_of(true, true), "lfrslfrslfrslf");
+  EXPECT_EQ(log_of(false, false), "rsrsrs");
 }
 
 // Sleeping until an absolute time never ends early, so this holds on a machine under any load.
