@@ -94,6 +94,15 @@ std::vector<analysis::Position> surface_of(const SavedSession& session, const Sp
   return line;
 }
 
+// "P-01, bump-2p-shaded, 920 mil at the end, reference 800 mil, trial 12"; a shape of one size has no radius.
+std::string title_of_positions(const SavedSession& session, const Span& span, const Named& one) {
+  const bool is_matching = session.protocol.experiment == Experiment::matching;
+  std::string title = one.participant + ", " + span.trial.stimulus;
+  if (span.radius > 0) title += ", " + std::to_string(span.radius) + (is_matching ? " mil at the end" : " mil");
+  if (is_matching) title += ", reference " + std::to_string(span.trial.radius) + " mil";
+  return title + ", trial " + std::to_string(one.trial);
+}
+
 std::optional<analysis::RadiusProfile> radius_profile(const experiments::Results& results, const Named& one) {
   const auto is_its = [&](const auto& row) { return row.participant == one.participant && row.trial == one.trial; };
   const auto trial = std::ranges::find_if(results.matching, is_its);
@@ -130,8 +139,7 @@ analysis::Profiles profiles_of(const std::vector<std::string>& trials, const std
       std::vector<analysis::Position> positions = positions_of(folder, *span);
       if (positions.empty()) continue;
       profiles.positions.push_back(
-          {all[i].participant + ", " + span->trial.stimulus + ", trial " + std::to_string(all[i].trial), std::move(positions),
-           surface_of(session, *span)});
+          {title_of_positions(session, *span, all[i]), std::move(positions), surface_of(session, *span)});
       has_profile[i] = true;
     }
   }
