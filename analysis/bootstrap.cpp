@@ -87,6 +87,7 @@ double quantile(const std::vector<double>& sorted, double probability) {
 std::vector<Interval> bca_intervals(const std::vector<Stratum>& strata, const Statistic& statistic,
                                     const Resampling& resampling, std::string_view purpose) {
   std::vector<std::size_t> sizes;
+  sizes.reserve(strata.size());
   for (const Stratum& stratum : strata) sizes.push_back(stratum.size());
   return bca_intervals(strata, statistic, World{strata, sizes, statistic}, resampling, purpose);
 }

@@ -39,7 +39,7 @@ const toml::node* TomlTable::find(std::string_view key, bool is_optional) {
 
 void TomlTable::fail(const toml::node& node, std::string_view key, const std::string& expected) const {
   throw Error(file_, node.source().begin.line,
-              std::string(key) + ": expected " + expected + ", got " + csv::printable(heights::words_of(node)));
+              std::string(key) + ": expected " + expected + ", got " + csv::printable(heights::words_of_value(node)));
 }
 
 void TomlTable::fail(std::string_view key, const std::string& reason) const {

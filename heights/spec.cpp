@@ -95,7 +95,7 @@ class Table {
 
   std::string line_of(const toml::node& node) const { return "line " + std::to_string(node.source().begin.line) + ": "; }
   [[noreturn]] void fail(const toml::node& node, std::string_view key, const std::string& expected) const {
-    throw Error(file_, line_of(node) + std::string(key) + ": expected " + expected + ", got " + words_of(node));
+    throw Error(file_, line_of(node) + std::string(key) + ": expected " + expected + ", got " + words_of_value(node));
   }
 
  private:

@@ -32,7 +32,7 @@ std::variant<toml::table, TomlFault> parse_toml_file(const std::filesystem::path
   }
 }
 
-std::string words_of(const toml::node& node) {
+std::string words_of_value(const toml::node& node) {
   std::ostringstream words;
   node.visit([&](const auto& value) {
     if constexpr (toml::is_value<decltype(value)>)

@@ -22,6 +22,6 @@ struct TomlFault {
 std::variant<toml::table, TomlFault> parse_toml_file(const std::filesystem::path& file, std::size_t most_bytes);
 
 // The node's value as it may stand behind "got".
-std::string words_of(const toml::node& node);
+std::string words_of_value(const toml::node& node);
 
 }  // namespace forceshade::heights
