@@ -66,10 +66,9 @@ double lower_bound_of_square(const Face& face, const Vector3<double>& at) noexce
   std::array<float, 3> position{};
   for (std::size_t i = 0; i < 3; ++i) position[i] = last_[i] + (last_[i] - before_[i]);
   if (at_.spot.place == mesh::Place::free && is_in_ball(position)) return;
-  Arrival at = at_;
-  mesh::Tick tick;
-  fast::step(*mesh_, at, position, stiffness_, shading_, FilteredStages{}, tick);
-  [[maybe_unused]] const volatile float kept = tick.force[0];  // so that the compiler does not leave out what leads to it
+  // The same code as the step's, which has to be in the cache too.
+  MeshSession ahead(*this);
+  [[maybe_unused]] const volatile float kept = ahead.step_on_mesh(position).force[0];
 }
 
 // Around where the god-object is when the search begins. It takes some ticks, so that each is short; meanwhile the ball before
