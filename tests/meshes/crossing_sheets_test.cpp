@@ -17,6 +17,7 @@
 #include "forceshade/properties/mesh_generators.h"
 #include "forceshade/reference/meshes/god_object.h"
 #include "forceshade/tests/meshes/god_object_paths.h"
+#include "forceshade/tests/support/allocations.h"
 
 namespace forceshade {
 namespace {
@@ -214,7 +215,9 @@ TEST(crossing_sheets, fast_is_the_reference_in_every_bit) {
     for (std::size_t i = 0; i < kTicks; ++i) {
       const std::array<float, 3> p = path.next();
       const mesh::Tick expected = session.step(p);
+      const std::size_t allocated = tests::allocations();
       const mesh::Tick found = fast::step(mesh, state, p, kStiffness, mesh::Shading::none);
+      ASSERT_EQ(tests::allocations(), allocated);
       const mesh::Tick exact = fast::step(mesh, state, p, kStiffness, mesh::Shading::none, fast::ExactStages());
       ASSERT_TRUE(tests::is_same(found, expected) && tests::is_same(exact, expected))
           << "mesh " << seed << ", " << kKinds[made.kind] << ", tick " << i << ": expected " << tests::show(expected)
@@ -385,6 +388,26 @@ TEST(crossing_sheets, a_god_object_goes_along_the_line_where_a_floor_and_a_wall_
     EXPECT_EQ(again.force, tick.force);
   }
   std::printf("  at most %zu moves in a tick\n", most);
+}
+
+// The one way to a point of the grid that lies in two features.
+TEST(crossing_sheets, a_path_may_begin_where_sheets_cross) {
+  const TriangleMesh plates = floor_and_wall(0);
+  for (const Sides sides : {Sides::front, Sides::both}) {
+    const fast::Mesh mesh = built(plates, sides, mesh::SelfIntersections::allowed);
+    const reference::GodObject definition = defined(plates, sides, mesh::SelfIntersections::allowed);
+    for (const float x : {-1e-7F, 0.0F, 1e-7F, -1.0F, 1.0F})
+      for (const float z : {-1e-7F, 0.0F, 1e-7F, -1.0F, 1.0F}) {
+        mesh::GodObject state;
+        for (const std::array<float, 3>& p : {std::array{0.1F, 1.0F, 0.0F}, {0.1F + x, 1.0F, z}, {0.1F - x, 1.1F, -z}}) {
+          const mesh::Tick expected = definition.step(state, p),
+                           found = fast::step(mesh, state, p, kStiffness, mesh::Shading::none);
+          ASSERT_TRUE(tests::is_same(found, expected))
+              << x << ' ' << z << ": expected " << tests::show(expected) << ", found " << tests::show(found);
+          state = found.after;
+        }
+      }
+  }
 }
 
 TEST(crossing_sheets, a_god_object_climbs_a_ramp_that_goes_through_the_floor) {
