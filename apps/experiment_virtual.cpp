@@ -100,7 +100,7 @@ void run_participant(const VirtualOptions& options, const std::map<std::string, 
   experiments::VirtualParticipant participant(protocol, experiments::fitted_observer(), experiments::feel_of_laws(protocol),
                                               seed + 1);
   SteeringOnly steered;
-  Hand hand(steered.hand, (protocol.spacing / 2 + protocol.width) * experiments::kMillimetresPerMil);
+  Hand hand(steered.hand, (0.5 * protocol.spacing + protocol.width) * experiments::kMillimetresPerMil);
   std::unique_ptr<Apparatus> apparatus;
   int trial = 0;  // that the stroke was of
   const auto aim = [&] {
