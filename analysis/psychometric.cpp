@@ -211,6 +211,7 @@ std::vector<AngleCount> angle_counts(const experiments::Results& results, double
     ++point.trials;
   }
   std::vector<AngleCount> list;
+  list.reserve(points.size());
   for (const auto& [ignored, point] : points) list.push_back(point);
   std::ranges::stable_sort(list, {}, &AngleCount::angle);
   return list;
