@@ -4,26 +4,16 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
-#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "forceshade/apps/bad_input.h"
 #include "forceshade/vocabulary/law.h"
 
 namespace forceshade::apps {
 
 enum ExitCode { kHeld = 0, kFailed = 1, kBadInput = 2, kDeviceFault = 3, kInterrupted = 130 };
-
-// Becomes exit code 2; what() says what was expected and what was got.
-struct BadInput : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-// By a signal, before the work was done; becomes exit code 130. what() says what was not done.
-struct Interrupted : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 // What --radius and --width are unless said: 600 and 1000 mil.
 inline constexpr const char *kThesisRadius = "15.24mm", *kThesisWidth = "25.4mm";

@@ -5,12 +5,13 @@
 
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/drive_summary.h"
 #include "forceshade/apps/last_ticks.h"
 #include "forceshade/apps/live_view.h"
-#include "forceshade/apps/placement_options.h"
+#include "forceshade/apps/placement_text.h"
 #include "forceshade/apps/run_record.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/apps/terminal_attendant.h"

@@ -2,7 +2,7 @@
 #pragma once
 // The summary of a drive, for people and for programs.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "forceshade/device/servo_loop.h"
 

@@ -3,7 +3,7 @@
 // What is rendered on a device, and whether a certificate covers it.
 
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <utility>

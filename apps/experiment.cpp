@@ -16,7 +16,7 @@
 #include "forceshade/apps/experiment_virtual.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/output_options.h"
-#include "forceshade/apps/placement_options.h"
+#include "forceshade/apps/placement_text.h"
 #include "forceshade/apps/session_motion.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/experiments/bids.h"

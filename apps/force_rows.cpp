@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "forceshade/apps/command.h"
+#include "forceshade/apps/bad_input.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/csv/csv.h"
 #include "forceshade/csv/printable.h"

@@ -10,7 +10,7 @@
 namespace forceshade::apps {
 namespace {
 
-constexpr int kBetweenLooks = 50;  // ms, at whether this is over
+constexpr int kBetweenKeys = 50;  // ms, at whether this is over
 
 }  // namespace
 
@@ -37,7 +37,7 @@ KeyboardButtons::~KeyboardButtons() {
 void KeyboardButtons::follow() noexcept {
   while (!stopping_) {
     pollfd input{.fd = terminal_, .events = POLLIN, .revents = 0};
-    if (::poll(&input, 1, kBetweenLooks) <= 0) continue;
+    if (::poll(&input, 1, kBetweenKeys) <= 0) continue;
     char key = 0;
     if (::read(terminal_, &key, 1) != 1) {
       down_ = 0;  // no key can release them any more

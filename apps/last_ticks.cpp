@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "forceshade/apps/rule_names.h"
 

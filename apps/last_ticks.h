@@ -2,7 +2,7 @@
 #pragma once
 // The last ticks before a run was stopped by the supervisor or by a fault of the device, in words and as JSON.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 #include "forceshade/device/sample.h"

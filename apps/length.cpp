@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string_view>
 
-#include "forceshade/apps/command.h"
+#include "forceshade/apps/bad_input.h"
 
 namespace forceshade::apps {
 namespace {

@@ -30,6 +30,9 @@ if(NOT FORCESHADE_FAST_ONLY)
   install(DIRECTORY ${PROJECT_BINARY_DIR}/apps/documentation/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
   install(FILES ${PROJECT_BINARY_DIR}/apps/documentation/forceshade
           DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  install(FILES ${PROJECT_BINARY_DIR}/apps/documentation/_forceshade DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+  install(FILES ${PROJECT_BINARY_DIR}/apps/documentation/forceshade.fish
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
   # What needs more than Eigen is a component of its own: find_package(forceshade COMPONENTS heights meshes properties).
   install_headers(heights load.h spec.h)
   install_headers(meshes check.h facts.h load.h normals.h repair.h)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# documentation_test.sh FORCESHADE: every command and option that --help shows stands in the man pages and is completed by bash;
-# man and mandoc, where they are installed, find nothing wrong in the pages.
+# documentation_test.sh FORCESHADE: every command and option that --help shows stands in the man pages and is completed by bash,
+# zsh and fish; man, mandoc, zsh and fish are tried where they are installed.
 set -u
 forceshade=$(realpath "$1")
 scratch=$(mktemp -d)
@@ -12,6 +12,7 @@ fail() { echo "FAILED: $*"; exit 1; }
 "$forceshade" man --out pages || fail "no man pages were written"
 "$forceshade" completion bash > forceshade.bash || fail "no completion was written"
 . ./forceshade.bash || fail "bash cannot read the completion"
+for shell in zsh fish; do "$forceshade" completion $shell > forceshade.$shell || fail "no completion for $shell was written"; done
 
 # completed WORD...: what bash completes after the words; the last one is begun, and may be empty.
 completed() {
@@ -45,6 +46,10 @@ for command in "${commands[@]}"; do
   for option in $options; do
     grep -qE -e "^(-h, )?$option( |$)" <<< "$plain" || fail "$page lacks $option"
     completes "$option" forceshade "${words[@]}" "${option:0:4}"
+    checks=$((checks + 2))
+    grep -qE -e "^    +'forceshade${command:+ $command}'\) known='(.* )?$option[ ']" forceshade.zsh || fail "the completion of zsh lacks $command $option"
+    grep -q -e "^complete -c forceshade -n '__forceshade_is \"forceshade${command:+ $command}\"' -l ${option#--} " forceshade.fish ||
+      fail "the completion of fish lacks $command $option"
   done
   for verb in $(below "${words[@]}"); do
     grep -qx -e ".B $verb" <<< "$plain" || fail "$page lacks $verb"
@@ -77,4 +82,50 @@ completes simulated forceshade drive --device s
 completes simulated forceshade device check s
 [ -z "$(completed forceshade energy --law wal | grep -v '^wall$')" ] || fail "more than the law is completed after --law"
 [ -z "$(completed forceshade energy --depth '')" ] || fail "a number is completed: $(completed forceshade energy --depth '')"
+
+# zsh calls the function with the words and the place of the cursor; what it adds is printed here instead.
+if command -v zsh > /dev/null; then
+  zsh -n forceshade.zsh || fail "zsh cannot read its completion"
+  cat > called.zsh << 'EOF'
+compadd() { shift; print -l -- "$@"; }
+compset() { :; }
+compdef() { :; }
+_files() { print -l -- "files $*"; }
+source ./forceshade.zsh
+words=("$@") CURRENT=$# PREFIX=${@[-1]}
+_forceshade
+EOF
+  added() {  # EXPECTED WORD...
+    checks=$((checks + 1))
+    zsh -f called.zsh "${@:2}" | grep -qxF -e "$1" || fail "zsh completes ${*:2} with: $(zsh -f called.zsh "${@:2}" | tr '\n' ' '); expected $1"
+  }
+  added observer forceshade drive --passivity ''
+  added observer forceshade drive --passivity=
+  added bump-2p-shaded forceshade energy --law ''
+  added 'files ' forceshade force --input ''
+  added 'files -/' forceshade plot --out ''
+  added --depth forceshade energy --json ''
+  added check forceshade device ''
+  added --seconds forceshade device check ''
+  added recording forceshade man ''
+  [ -z "$(zsh -f called.zsh forceshade energy --depth '')" ] || fail "zsh completes a number"
+fi
+if command -v fish > /dev/null; then
+  fish -n forceshade.fish || fail "fish cannot read its completion"
+  offered() {  # EXPECTED COMMAND_LINE
+    local words
+    words=$(HOME=$scratch fish --no-config -c 'source forceshade.fish; complete -C $argv[1]' "$2" | cut -f1)
+    checks=$((checks + 1))
+    grep -qxF -e "$1" <<< "$words" || fail "fish completes $2 with: $(tr '\n' ' ' <<< "$words"); expected $1"
+  }
+  offered observer 'forceshade drive --passivity '
+  offered --passivity=observer 'forceshade drive --passivity=o'
+  offered bump-2p-shaded 'forceshade energy --law bump-2p-'
+  offered 'a file.csv' 'forceshade force --input a'
+  offered folder/ 'forceshade plot --out f'
+  offered --depth 'forceshade energy --json --de'
+  offered check 'forceshade device c'
+  offered --seconds 'forceshade device check --se'
+  offered recording 'forceshade man rec'
+fi
 echo "$checks checks passed"

@@ -10,17 +10,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "forceshade/apps/command.h"
+#include "forceshade/apps/bad_input.h"
 #include "forceshade/csv/csv.h"
 
 namespace forceshade::apps {
-
-// The command's own is set by signals.
-const std::atomic<bool>& interrupted() {
-  static const std::atomic<bool> never{false};
-  return never;
-}
-
 namespace {
 
 struct Answered {

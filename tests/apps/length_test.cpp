@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "forceshade/apps/command.h"
+#include "forceshade/apps/bad_input.h"
 
 namespace forceshade::apps {
 namespace {

@@ -23,7 +23,7 @@ namespace {
 
 using fast::InstructionSet;
 
-constexpr Parameters kBump{15.24F, 25.4F, 0.5F};
+constexpr Parameters kThesisBump{15.24F, 25.4F, 0.5F};
 
 // What is compared, made anew with every change of a test to its calls.
 using Change = std::function<Calls(Calls)>;
@@ -31,14 +31,14 @@ using Subjects = std::function<std::shared_ptr<const Subject>(const Change&)>;
 
 Subjects law_of(LawId id) {
   return [id](const Change& change) {
-    return std::make_shared<LawSubject>(id, kBump,
+    return std::make_shared<LawSubject>(id, kThesisBump,
                                         [change](LawId law, const Parameters& p) { return change(fast_law(law, p)); });
   };
 }
 
 Subjects map_of(const HeightMap& map) {
   return [map](const Change& change) {
-    return std::make_shared<HeightMapSubject>("map.toml", map, height::Rendering::true_height, kBump.stiffness,
+    return std::make_shared<HeightMapSubject>("map.toml", map, height::Rendering::true_height, kThesisBump.stiffness,
                                               [change](const HeightMap& its, height::Rendering rendering, float stiffness) {
                                                 return change(fast_height_map(its, rendering, stiffness));
                                               });
@@ -215,7 +215,7 @@ TEST(comparison, finds_by_default_that_a_wall_truncates_instead_of_rounding) {
                      return result;
                    }};
     };
-    options.subjects = {std::make_shared<LawSubject>(law, kBump, truncating)};
+    options.subjects = {std::make_shared<LawSubject>(law, kThesisBump, truncating)};
     const Certificate certificate = certified(options);
     const Findings& found = only(certificate);
     EXPECT_LT(found.mismatches, found.points / 100) << "subnormal forces alone";
@@ -237,7 +237,7 @@ class Undecided final : public tests::SubjectWrapper {
 };
 
 TEST(comparison, counts_what_the_reference_does_not_decide_as_a_mismatch) {
-  const Undecided undecided(std::make_shared<LawSubject>(LawId::wall, kBump));
+  const Undecided undecided(std::make_shared<LawSubject>(LawId::wall, kThesisBump));
   Tally tally;
   compare_chunk(undecided, 1, 5, 0, "", tally);
   const Comparison found = tally.comparison();

@@ -33,7 +33,7 @@ bool obeys(Phantom& device) {
   return comes_true([] { return stand_in_hd::arm().force == Eigen::Vector3d(0, 1, 0); });
 }
 
-std::string fault_of(Phantom& device) {
+std::string words_of_fault(Phantom& device) {
   std::string words;
   comes_true([&] {
     const ReadResult read = device.read();
@@ -151,7 +151,7 @@ TEST_F(phantom, whose_library_fails_in_a_frame_says_so_and_leaves_no_process) {
   {
     Phantom device("", kHurried);
     ASSERT_FALSE(device.start(1000));
-    EXPECT_EQ(fault_of(device), hdapi::kDriverEnded);
+    EXPECT_EQ(words_of_fault(device), hdapi::kDriverEnded);
   }
   EXPECT_TRUE(has_no_child());
 }
@@ -160,7 +160,7 @@ TEST_F(phantom, whose_process_is_killed_says_so_and_leaves_none) {
   Phantom device("", kHurried);
   ASSERT_FALSE(device.start(1000));
   ::kill(device.process(), SIGKILL);
-  EXPECT_EQ(fault_of(device), hdapi::kDriverEnded);
+  EXPECT_EQ(words_of_fault(device), hdapi::kDriverEnded);
   EXPECT_TRUE(has_no_child());
 }
 
@@ -205,7 +205,7 @@ TEST_F(phantom, whose_driver_never_returns_from_a_call_ends_in_bounded_time_and_
     ASSERT_FALSE(device->start(1000));
     tell({.blocks = blocks});
     if (blocks == Blocks::end_frame) {
-      EXPECT_EQ(fault_of(*device), hdapi::kSilent);
+      EXPECT_EQ(words_of_fault(*device), hdapi::kSilent);
     }
     const auto before = Clock::now();
     device.reset();

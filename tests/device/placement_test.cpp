@@ -11,8 +11,8 @@
 #include <set>
 #include <string>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/placement_options.h"
+#include "forceshade/apps/bad_input.h"
+#include "forceshade/apps/placement_text.h"
 #include "forceshade/device/replay.h"
 #include "forceshade/tests/device/servo_loop_fixture.h"
 

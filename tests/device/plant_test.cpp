@@ -12,7 +12,7 @@
 namespace forceshade::device {
 namespace {
 
-const Joints kReset{0, 0, 0};
+const Joints kResetPose{0, 0, 0};
 
 constexpr double kTick = 1e-3;  // s
 constexpr int kSteps = 20;      // to a tick: 20 kHz
@@ -73,7 +73,7 @@ TEST(plant, a_motor_gives_the_work_of_its_torque) {
 TEST(plant, viscous_friction_slows_joint_1_as_an_exponential) {
   const Plant plant{counterbalanced(premium_1_5()).arm, {0, 1, 1}, {5e-3, 0, 0}, std::nullopt};
   const Motion motion = plant.advanced({.velocity = {1, 0, 0}}, Joints::Zero(), {}, 0.5, 10'000);
-  EXPECT_NEAR(motion.velocity[0], std::exp(-5e-3 / plant.arm.mass(kReset)(0, 0) * 0.5), 1e-9);
+  EXPECT_NEAR(motion.velocity[0], std::exp(-5e-3 / plant.arm.mass(kResetPose)(0, 0) * 0.5), 1e-9);
 }
 
 TEST(plant, coulomb_friction_stops_joint_1_where_a_brick_would_stop) {
@@ -138,13 +138,13 @@ TEST(plant, comes_to_rest_in_a_hand) {
 TEST(plant, hand_gives_way_like_its_two_springs_in_series) {
   const Plant plant{counterbalanced(premium_1_5()).arm, Joints::Zero(), Joints::Constant(5e-3), Grip{}};
   const Eigen::Vector3d force(0.1, 0.2, -0.1);
-  const Motion motion = plant.advanced({}, plant.arm.jacobian(kReset).transpose() * force, {}, 10, 200'000);
+  const Motion motion = plant.advanced({}, plant.arm.jacobian(kResetPose).transpose() * force, {}, 10, 200'000);
   const Grip& grip = *plant.grip;
   const Eigen::Vector3d expected = force * (1 / grip.flesh_stiffness + 1 / grip.arm_stiffness);
   // The torque is held while the pose turns a little.
   EXPECT_LE((plant.arm.forward(motion.angles) - expected).norm(), 0.02 * expected.norm());
-  EXPECT_LE((motion.hand - plant.arm.jacobian(motion.angles).transpose().inverse() * plant.arm.jacobian(kReset).transpose() *
-                               force / grip.arm_stiffness)
+  EXPECT_LE((motion.hand - plant.arm.jacobian(motion.angles).transpose().inverse() *
+                               plant.arm.jacobian(kResetPose).transpose() * force / grip.arm_stiffness)
                 .norm(),
             1e-9);
 }

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "forceshade/apps/command.h"
+#include "forceshade/apps/bad_input.h"
 #include "forceshade/tests/fuzz/input_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -32,7 +32,7 @@ Number dot(const Vector& a, const Vector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-CheckedMesh checked(TriangleMesh mesh) {
+CheckedMesh checked_mesh(TriangleMesh mesh) {
   auto result = check(std::move(mesh), SelfIntersections::allowed);
   if (const auto* findings = std::get_if<Findings>(&result)) throw std::logic_error(findings->words());
   return std::get<CheckedMesh>(std::move(result));
@@ -74,7 +74,7 @@ TEST(corner_normals, are_the_nearest_binary32_numbers) {
   int zeros = 0;
   for (const TriangleMesh& mesh :
        {icosphere(8, 50), bump(15.24, 25.4, 60, 24), torus(20, 5, 24, 12), cube(3), rough, thin, far, needle}) {
-    const CheckedMesh of = checked(mesh);
+    const CheckedMesh of = checked_mesh(mesh);
     const ComputedNormals computed = corner_normals(of);
     stages.binary64 += computed.stages.binary64;
     stages.intervals += computed.stages.intervals;
@@ -99,7 +99,7 @@ TEST(corner_normals, are_the_nearest_binary32_numbers) {
 
 // Each face of a cube turns from the next by 90 degrees, exactly.
 TEST(corner_normals, are_of_a_side_alone_behind_a_crease) {
-  const CheckedMesh mesh = checked(cube(2));
+  const CheckedMesh mesh = checked_mesh(cube(2));
   for (const double smooth : {90.0, 90.0000001, 180.0})
     for (const auto& corners : corner_normals(mesh, smooth).normals)
       for (const Normal& normal : corners)
@@ -120,7 +120,7 @@ TEST(corner_normals, separate_where_the_angle_is_more_than_the_crease) {
     double degrees;
   };
   for (const Case& of : {Case{{-1, 0, 0}, 0}, Case{{-1, 0, 1}, 45}, Case{{0, 0, 1}, 90}, Case{{1, 0, 1}, 135}}) {
-    const CheckedMesh mesh = checked({{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, of.corner}, {{0, 2, 1}, {0, 1, 3}}});
+    const CheckedMesh mesh = checked_mesh({{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, of.corner}, {{0, 2, 1}, {0, 1, 3}}});
     const auto is_smooth = [&](double crease) {
       const CornerNormals normals = corner_normals(mesh, crease).normals;
       EXPECT_EQ(normals[0][0] == normals[1][0], normals[0][2] == normals[1][1]);
@@ -139,7 +139,8 @@ TEST(corner_normals, separate_where_the_angle_is_more_than_the_crease) {
 // Around a closed fan one edge that separates divides nothing, two do.
 TEST(corner_normals, are_shared_around_the_other_way) {
   const auto mesh = [](float z) {
-    return checked({{{0, 0, 0}, {4, 0, z}, {0, 4, 0}, {-4, 0, z}, {0, -4, 0}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}});
+    return checked_mesh(
+        {{{0, 0, 0}, {4, 0, z}, {0, 4, 0}, {-4, 0, z}, {0, -4, 0}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}});
   };
   // A roof along y turns by 90 degrees there.
   const CornerNormals roof = corner_normals(mesh(-4), 45).normals;
@@ -159,7 +160,7 @@ TEST(corner_normals, are_those_of_an_independent_program) {
     const std::string name = entry.path().stem();
     if (entry.path().extension() != ".off") continue;
     const double crease = name == "l_prism_creased" ? 30 : name == "rough_field_creased" ? 45 : 180;
-    const CornerNormals normals = corner_normals(checked(load(entry.path(), Unit::mm)), crease).normals;
+    const CornerNormals normals = corner_normals(checked_mesh(load(entry.path(), Unit::mm)), crease).normals;
     std::ifstream rows(std::filesystem::path(folder) / (name + ".normals.csv"));
     std::string line;
     std::getline(rows, line);

@@ -14,8 +14,8 @@ namespace {
 
 using Path = std::vector<PathPoint>;
 
-constexpr Parameters kBump{15.24F, 25.4F, 0.5F};
-const std::vector<Parameters> kBumps{kBump, {35.56F, 25.4F, 2}, {1.25F, 1.5F, 1}, {100, 1, 1000}, {5, 8, 0.01F}};
+constexpr Parameters kThesisBump{15.24F, 25.4F, 0.5F};
+const std::vector<Parameters> kBumps{kThesisBump, {35.56F, 25.4F, 2}, {1.25F, 1.5F, 1}, {100, 1, 1000}, {5, 8, 0.01F}};
 
 Law build(LawId id, const Parameters& p) {
   return std::get<Law>(Law::build(id, p));
@@ -67,7 +67,7 @@ TEST(work, of_a_small_step_is_the_force_times_the_step) {
   std::mt19937 random(6);
   constexpr float kStep = 0x1p-10F;
   for (const LawName& name : kLaws) {
-    const Law law = build(name.id, kBump);
+    const Law law = build(name.id, kThesisBump);
     for (int i = 0; i < 100; ++i) {
       // Steps of 1/64 mm, no line of jump within a step of them; deep enough to be in contact, well above the axis.
       const float x = std::floor(std::uniform_real_distribution<float>(-900, 900)(random)) / 64 + 0x1p-7F;
@@ -98,7 +98,7 @@ TEST(work, around_a_closed_path_is_nothing_where_the_law_is_conservative) {
 
 TEST(work, does_not_depend_on_where_a_straight_path_is_cut) {
   for (const LawName& name : kLaws) {
-    const Law law = build(name.id, kBump);
+    const Law law = build(name.id, kThesisBump);
     const Path whole{{-16, -2}, {8, 1}}, cut{{-16, -2}, {-8, -1}, {0, 0}, {4, 0.5F}, {8, 1}};
     const Interval a = work(law, whole), b = work(law, cut);
     EXPECT_LE(std::max(a.low, b.low), std::min(a.high, b.high)) << name.name;
@@ -108,7 +108,7 @@ TEST(work, does_not_depend_on_where_a_straight_path_is_cut) {
 
 TEST(work, is_nothing_above_the_surface_and_along_it) {
   for (const LawName& name : kLaws) {
-    const Interval above = work(build(name.id, kBump), {{-20, 7}, {20, 7}, {20, 1}, {13, 0.5F}, {13, 0}, {30, 0}});
+    const Interval above = work(build(name.id, kThesisBump), {{-20, 7}, {20, 7}, {20, 1}, {13, 0.5F}, {13, 0}, {30, 0}});
     EXPECT_EQ(above.low, 0) << name.name;
     EXPECT_EQ(above.high, 0) << name.name;
   }
@@ -135,8 +135,8 @@ TEST(work, along_a_line_of_jump_is_that_of_the_side_it_belongs_to) {
                                                         {LawId::bump_3p_shaded, std::cos(alpha)}}};
   for (const auto& [id, cosine] : inside)
     for (const float sign : {-1.0F, 1.0F}) {
-      EXPECT_NEAR(share(id, kBump, sign * 12.7F, 0), cosine, 1e-6) << name_of(id);
-      EXPECT_NEAR(share(id, kBump, sign * std::nextafter(12.7F, 13.0F), 0), 1, 1e-15) << name_of(id);
+      EXPECT_NEAR(share(id, kThesisBump, sign * 12.7F, 0), cosine, 1e-6) << name_of(id);
+      EXPECT_NEAR(share(id, kThesisBump, sign * std::nextafter(12.7F, 13.0F), 0), 1, 1e-15) << name_of(id);
     }
   // w'/2 = R/2 where w = 2R, and 1/4 where R = 1, w = 1.375: the only kind of w'/2 a position can be on.
   for (const auto& [p, x, height] :

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// How a subcommand ends before its work is done. This header is apart from command.h because CLI11 takes seconds to compile.
+
+#include <stdexcept>
+
+namespace forceshade::apps {
+
+// Becomes exit code 2; what() says what was expected and what was got.
+struct BadInput : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// By a signal, before the work was done; becomes exit code 130. what() says what was not done.
+struct Interrupted : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace forceshade::apps

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/apps/placement_text.h"
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "forceshade/apps/bad_input.h"
+#include "forceshade/apps/length.h"
+#include "forceshade/csv/csv.h"
+
+namespace forceshade::apps {
+namespace {
+
+constexpr float kFarthest = 1e4F;  // mm: a position of the domain
+
+std::vector<std::string> at_commas(const std::string& text) {
+  std::vector<std::string> parts(1);
+  for (const char c : text)
+    if (c == ',')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
+}
+
+// "z90", "x-90deg": the axis, and how many quarter turns.
+std::pair<int, int> quarter_turns(const std::string& text) {
+  const auto refuse = [&] {
+    return BadInput("--turn: expected an axis and a multiple of 90 degrees, such as z90 or x-90,z180, got \"" + text +
+                    "\"; another angle would round the force");
+  };
+  const std::size_t axis = std::string_view("xyz").find(text.empty() ? ' ' : text[0]);
+  if (axis == std::string_view::npos) throw refuse();
+  int degrees = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data() + 1, end, degrees);
+  const std::string_view unit(rest, static_cast<std::size_t>(end - rest));
+  if (error != std::errc{} || (!unit.empty() && unit != "deg") || degrees % 90 != 0) throw refuse();
+  return {static_cast<int>(axis), degrees / 90};
+}
+
+}  // namespace
+
+device::Placement parse_placement(const std::string& origin, const std::string& turn) {
+  Eigen::Vector3f shift{0, 0, 0};
+  if (!origin.empty()) {
+    const std::vector<std::string> lengths = at_commas(origin);
+    if (lengths.size() != 3)
+      throw BadInput("--origin: expected three lengths X,Y,Z such as 10mm,0,-1in, got \"" + origin + '"');
+    for (std::size_t i = 0; i < 3; ++i) {
+      const float length = parse_length("--origin", lengths[i]);
+      if (!(std::fabs(length) <= kFarthest))
+        throw BadInput("--origin: expected at most 10000 mm each way, got \"" + lengths[i] + '"');
+      shift[static_cast<Eigen::Index>(i)] = length;
+    }
+  }
+  device::Placement placement(shift);
+  if (turn.empty()) return placement;
+  for (const std::string& one : at_commas(turn)) {
+    const auto [axis, quarters] = quarter_turns(one);
+    placement = placement.turned(axis, quarters);
+  }
+  return placement;
+}
+
+std::string origin_words(const device::Placement& placement) {
+  const Eigen::Vector3f& origin = placement.origin();
+  return csv::shortest(origin.x()) + ',' + csv::shortest(origin.y()) + ',' + csv::shortest(origin.z());
+}
+
+std::string axes_words(const device::Placement& placement) {
+  std::string words;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (i > 0) words += ',';
+    words += placement.is_against(i) ? '-' : '+';
+    words += static_cast<char>('x' + placement.axis(i));
+  }
+  return words;
+}
+
+}  // namespace forceshade::apps
