@@ -463,7 +463,8 @@ TEST(god_object_consequences, every_rest_but_a_refusal_is_a_local_minimum_and_of
                                           "at the rim"};
   on_random_paths(8, 330, 200, expected, [](const Scene& scene, const Step& step, Counts& counts) {
     if (step.tick.status != TickStatus::touching) return;
-    const auto end = descend(scene.surface, scene.crossings, scene.made.sides, step.before, step.position, 256);
+    const auto end = descend(scene.surface, scene.crossings, scene.made.sides, mesh::SelfIntersections::refused, step.before,
+                             step.position, 256);
     const auto& rest = end.rest.value();
     const Vector p = reference::meshes::exact_point(step.position);
     const Feature& feature = rest.r.feature;
