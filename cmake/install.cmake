@@ -10,11 +10,11 @@ function(install_headers module)
 endfunction()
 install_headers(vocabulary breakdown.h height_map.h law.h mesh.h results.h)
 file(GLOB law_headers RELATIVE ${PROJECT_SOURCE_DIR}/fast CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/fast/laws/*.h)
-install_headers(fast domain.h evaluate.h height_map_field.h heights/force.h heights/grid.h heights/jet.h
-                heights/shape.h heights/spline.h heights/spline_force.h instruction_set.h law.h ${law_headers} meshes/box_tree.h
-                meshes/decide.h meshes/flight.h meshes/force.h meshes/god_object.h meshes/heading.h meshes/large_pages.h meshes/mesh.h
-                meshes/rounding_bound.h
-                meshes/session.h meshes/spot.h meshes/tick_session.h meshes/vector3.h meshes/walk.h numbers/arithmetic.h numbers/ball.h numbers/big_float_ball.h numbers/double_double.h
+install_headers(fast domain.h evaluate.h height_map_field.h heights/force.h heights/grid.h heights/jet.h heights/shape.h
+                heights/spline.h heights/spline_force.h instruction_set.h law.h ${law_headers} meshes/box_tree.h meshes/decide.h
+                meshes/flight.h meshes/force.h meshes/god_object.h meshes/heading.h meshes/large_pages.h meshes/mesh.h
+                meshes/rounding_bound.h meshes/session.h meshes/sheets.h meshes/spot.h meshes/tick_session.h meshes/vector3.h
+                meshes/walk.h numbers/arithmetic.h numbers/ball.h numbers/big_float_ball.h numbers/double_double.h
                 numbers/double_with_error.h numbers/first_stage.h numbers/fixed_integer.h numbers/inline.h numbers/row.h session.h
                 simd/batch.h)
 install_headers(csv csv.h)

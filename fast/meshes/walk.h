@@ -192,7 +192,8 @@ class Walk {
     // The triangle that a slide has just left does not lead back.
     const bool is_left = left_.half == h && left_.beside.inward < 0;
     if (is_left && other != kRim) {
-      if (const std::optional<Step> step = cross(h, other)) return *step;
+      if constexpr (!kHasSheets)  // its slides are not tested against other sheets
+        if (const std::optional<Step> step = cross(h, other)) return *step;
       const Facing second(mesh_.face(face_of(other)), p_.data(), stages_);
       return move_beside(h, left_.beside, {second.side, inward(second, other)}, second, second);
     }
