@@ -92,7 +92,7 @@ for path in fast reference; do
 5,3,-1,0.00,0.00,0.50,contact" "$("$forceshade" force $crossing --stiffness 0.5 --path $path --input groove.csv |
     awk -F, -v OFS=, 'NR > 2 { for (i = 4; i < 7; ++i) $i = sprintf("%.2f", $i < 0 ? -$i : $i) } 1')"
 done
-expect 0 "plates.off        states        held    50 cases" -- "$forceshade" properties $crossing --cases 50
+expect 0 "plates.off      states        held    50 cases" -- "$forceshade" properties $crossing --cases 50
 expect 0 "certified: 200000 points" -- "$forceshade" certify $crossing --points 200000 --cases 2000 --out crossing
 printf 't_s,x_mm,y_mm,z_mm\n' > across.csv
 for i in $(seq 0 999); do echo "0.$(printf %03d "$i"),$((5 - i / 100)).5,$((i / 100)),-1"; done >> across.csv

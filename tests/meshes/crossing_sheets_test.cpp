@@ -17,6 +17,7 @@
 #include "forceshade/properties/mesh_generators.h"
 #include "forceshade/reference/meshes/god_object.h"
 #include "forceshade/tests/meshes/god_object_paths.h"
+#include "forceshade/tests/support/allocations.h"
 
 namespace forceshade {
 namespace {
@@ -214,7 +215,9 @@ TEST(crossing_sheets, fast_is_the_reference_in_every_bit) {
     for (std::size_t i = 0; i < kTicks; ++i) {
       const std::array<float, 3> p = path.next();
       const mesh::Tick expected = session.step(p);
+      const std::size_t allocated = tests::allocations();
       const mesh::Tick found = fast::step(mesh, state, p, kStiffness, mesh::Shading::none);
+      ASSERT_EQ(tests::allocations(), allocated);
       const mesh::Tick exact = fast::step(mesh, state, p, kStiffness, mesh::Shading::none, fast::ExactStages());
       ASSERT_TRUE(tests::is_same(found, expected) && tests::is_same(exact, expected))
           << "mesh " << seed << ", " << kKinds[made.kind] << ", tick " << i << ": expected " << tests::show(expected)
