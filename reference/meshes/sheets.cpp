@@ -75,6 +75,7 @@ bool Sheets::is_blocked(const Feature& feature, const Vector& u) const {
 
 std::optional<Block> Sheets::block(const Vector& g, const GridPoint& c) const {
   const Vector end = surface_.position(c);
+  if (end == g) return std::nullopt;
   for (const Crossing& crossing : crossings_.between(g, end))
     if (is_blocked(crossing.point.feature, end - g)) return Block{crossing.s, crossing.point.feature};
   for (const Feature& feature : crossings_.features_at(end))

@@ -390,6 +390,26 @@ TEST(crossing_sheets, a_god_object_goes_along_the_line_where_a_floor_and_a_wall_
   std::printf("  at most %zu moves in a tick\n", most);
 }
 
+// The one way to a point of the grid that lies in two features.
+TEST(crossing_sheets, a_path_may_begin_where_sheets_cross) {
+  const TriangleMesh plates = floor_and_wall(0);
+  for (const Sides sides : {Sides::front, Sides::both}) {
+    const fast::Mesh mesh = built(plates, sides, mesh::SelfIntersections::allowed);
+    const reference::GodObject definition = defined(plates, sides, mesh::SelfIntersections::allowed);
+    for (const float x : {-1e-7F, 0.0F, 1e-7F, -1.0F, 1.0F})
+      for (const float z : {-1e-7F, 0.0F, 1e-7F, -1.0F, 1.0F}) {
+        mesh::GodObject state;
+        for (const std::array<float, 3>& p : {std::array{0.1F, 1.0F, 0.0F}, {0.1F + x, 1.0F, z}, {0.1F - x, 1.1F, -z}}) {
+          const mesh::Tick expected = definition.step(state, p),
+                           found = fast::step(mesh, state, p, kStiffness, mesh::Shading::none);
+          ASSERT_TRUE(tests::is_same(found, expected))
+              << x << ' ' << z << ": expected " << tests::show(expected) << ", found " << tests::show(found);
+          state = found.after;
+        }
+      }
+  }
+}
+
 TEST(crossing_sheets, a_god_object_climbs_a_ramp_that_goes_through_the_floor) {
   const TriangleMesh plates = floor_and_wall(1);  // its front towards (1, 0, 1)
   const fast::Mesh mesh = built(plates, Sides::front, mesh::SelfIntersections::allowed);
