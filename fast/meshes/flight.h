@@ -276,9 +276,9 @@ class Flight {
     if (end_.part != Hit::Part::none && key_of(mesh_, hit) >= key_of(mesh_, end_)) return;
     if (hit.part == Hit::Part::triangle) {
       hit.side = sign_of({dot(FaceNumbers(mesh_.face(f)).n, U_.U), HUGE_VAL}, stages_,
-                         [&] { return dot(ExactFace(mesh_.face(f)).n, exact_offset_from(g_, p_)).sign(); }) < 0
-                     ? mesh::Side::front
-                     : mesh::Side::back;
+                         [&] { return dot(ExactFace(mesh_.face(f)).n, exact_offset_from(g_, p_)).sign(); }) > 0
+                     ? mesh::Side::back
+                     : mesh::Side::front;
     } else {
       hit.side = aim(hit, true) == Aim::back ? mesh::Side::back : mesh::Side::front;
     }
