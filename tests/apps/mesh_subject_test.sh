@@ -93,7 +93,7 @@ for path in fast reference; do
     awk -F, -v OFS=, 'NR > 2 { for (i = 4; i < 7; ++i) $i = sprintf("%.2f", $i < 0 ? -$i : $i) } 1')"
 done
 expect 0 "plates.off      states        held    50 cases" -- "$forceshade" properties $crossing --cases 50
-expect 0 "certified: 200000 points" -- "$forceshade" certify $crossing --points 200000 --cases 2000 --out crossing
+expect 0 "certified: 250000 points" -- "$forceshade" certify $crossing --points 200000 --cases 2000 --out crossing
 printf 't_s,x_mm,y_mm,z_mm\n' > across.csv
 for i in $(seq 0 999); do echo "0.$(printf %03d "$i"),$((5 - i / 100)).5,$((i / 100)),-1"; done >> across.csv
 sed -i '2s/-1$/3/' across.csv
