@@ -5,9 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <random>
 
 #include "forceshade/csv/csv.h"
 #include "forceshade/fast/meshes/session.h"
@@ -185,6 +188,54 @@ TEST(god_object, is_the_same_with_and_without_a_filter_and_from_tick_to_tick_in_
   std::vector<const char*> names = kReached;
   names.insert(names.end(), {"decided in binary64", "decided in integers"});
   reached.expect_all(names);
+}
+
+// A sheet of n x n cells of 1 mm with hills and dents; hands that go up to four cells a tick over it, below and above it.
+TEST(god_object, slides_over_many_edges_of_a_fine_sheet_as_without_a_filter) {
+  constexpr std::uint32_t n = 48;
+  std::mt19937_64 random(33);
+  const auto within = [&](double from, double to) { return std::uniform_real_distribution(from, to)(random); };
+  Reached reached;
+  for (int round = 0; round < 12; ++round) {
+    const double hills = within(0, 1.5), dents = within(0, 0.5);
+    const auto height = [&](double x, double y) { return hills * std::sin(0.5 * x) * std::cos(0.4 * y); };
+    mesh::TriangleMesh sheet;
+    for (std::uint32_t j = 0; j <= n; ++j)
+      for (std::uint32_t i = 0; i <= n; ++i)
+        sheet.vertices.push_back(
+            {static_cast<float>(i), static_cast<float>(j), static_cast<float>(height(i, j) + within(-dents, dents))});
+    for (std::uint32_t j = 0; j < n; ++j)
+      for (std::uint32_t i = 0; i < n; ++i) {
+        const std::uint32_t a = j * (n + 1) + i, b = a + 1, c = a + n + 1, d = c + 1;
+        sheet.triangles.push_back({a, b, d});
+        sheet.triangles.push_back({a, d, c});
+      }
+    const Mesh mesh = built(sheet, {}, mesh::Sides::both);
+    mesh::GodObject state;
+    double x = 0.5 * n, y = 0.5 * n, step_x = 1, step_y = 0, depth = -2;
+    for (int i = 0; i < 2000; ++i) {
+      if (i % 10 == 0) {
+        const double way = within(0, 6.3), length = within(0, 4);
+        step_x = length * std::cos(way);
+        step_y = length * std::sin(way);
+        depth = within(-0.5, 2.5);
+      }
+      x = std::clamp(x + step_x, 2.0, n - 2.0);
+      y = std::clamp(y + step_y, 2.0, n - 2.0);
+      const std::array<float, 3> p{static_cast<float>(x), static_cast<float>(y), static_cast<float>(height(x, y) - depth)};
+      const mesh::Tick exact = step(mesh, state, p, kStiffness, mesh::Shading::none, ExactStages());
+      const mesh::Tick filtered = step(mesh, state, p, kStiffness, mesh::Shading::none, FilteredStages());
+      ASSERT_TRUE(tests::is_same(filtered, exact)) << "round " << round << ", tick " << i << ": in integers "
+                                                   << tests::show(exact) << ", found " << tests::show(filtered);
+      const bool was_in_contact = state.place != mesh::Place::free;
+      state = exact.after;
+      reached.note(exact);
+      reached.counts["more than five moves"] += exact.moves > 5;
+      reached.counts["moved, then left"] += was_in_contact && exact.moves > 2 && state.place == mesh::Place::free;
+    }
+  }
+  reached.expect_all(
+      {"free", "touching", "at edge", "at triangle", "front", "back", "more than five moves", "moved, then left"});
 }
 
 // A long strip of narrow cells, so that one jump along it takes more moves than a tick has.
