@@ -94,7 +94,9 @@ double lower_bound_of_square(const Face& face, const Vector3<double>& at) noexce
   if (!search_.is_done()) return;
   is_seeking_ = false;
   centre_ = centre;
-  square_ = search_.square() * (1 - 0x1p-30);
+  // Coordinates below the quantum are read as 0: p is up to sqrt(3) quanta from where the hand is.
+  const double radius = std::sqrt(search_.square()) - 2 * static_cast<double>(kPositionQuantum);
+  square_ = radius > 0 ? radius * radius * (1 - 0x1p-30) : 0;
   renew_square_ = square_ / 4;
   if (!is_in_ball(position)) square_ = 0;  // the god-object has left it during the search
   ticks_until_ball_ = square_ < kLeastSquare ? kPause : 0;

@@ -238,6 +238,29 @@ TEST(god_object, slides_over_many_edges_of_a_fine_sheet_as_without_a_filter) {
       {"free", "touching", "at edge", "at triangle", "front", "back", "more than five moves", "moved, then left"});
 }
 
+// Coordinates below 2^-30 mm are read as 0, so a hand that nears an edge along an axis may be read as on it.
+TEST(god_object, in_a_session_meets_an_edge_that_it_is_read_as_being_on) {
+  const mesh::TriangleMesh roof{{{0.5F, 0, 0.5F}, {0.5F, 1, 0.5F}, {0, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {1, 3, 2}}};
+  const auto mesh = std::make_shared<const Mesh>(built(roof, {}, mesh::Sides::both));
+  std::mt19937_64 random(34);
+  std::uniform_real_distribution<float> coordinate(0.5F, 4);
+  Reached reached;
+  for (int round = 0; round < 2000; ++round) {
+    MeshSession session(mesh, kStiffness, mesh::Shading::none);
+    mesh::GodObject state;
+    for (int i = 0; i < 40; ++i) {
+      const float far = i < 30 ? 1.25F : 1;
+      const std::array<float, 3> p{far * coordinate(random) * 0x1p-31F, 0.25F, -far * coordinate(random) * 0x1p-31F};
+      const mesh::Tick exact = step(*mesh, state, p, kStiffness, mesh::Shading::none, ExactStages()), found = session.step(p);
+      ASSERT_TRUE(tests::is_same(found, exact))
+          << "round " << round << ", tick " << i << ": in integers " << tests::show(exact) << ", found " << tests::show(found);
+      state = exact.after;
+      reached.note(exact);
+    }
+  }
+  reached.expect_all({"free", "touching", "at edge"});
+}
+
 // A long strip of narrow cells, so that one jump along it takes more moves than a tick has.
 TEST(god_object, goes_on_where_it_has_used_up_its_moves_as_the_reference_does) {
   mesh::TriangleMesh strip;
