@@ -2,6 +2,7 @@
 #pragma once
 // The domain of positions and the position quantum, as the real-time side applies them.
 
+#include <array>
 #include <cstdint>
 
 #include "forceshade/fast/numbers/inline.h"
@@ -26,6 +27,14 @@ FORCESHADE_INLINE bool is_plain(float coordinate) {
 
 FORCESHADE_INLINE float quantised(float coordinate) {
   return __builtin_fabsf(coordinate) >= kPositionQuantum ? coordinate : 0.0F;
+}
+
+// The same of a position.
+FORCESHADE_INLINE bool in_domain(const std::array<float, 3>& position) {
+  return in_domain(position[0]) && in_domain(position[1]) && in_domain(position[2]);
+}
+FORCESHADE_INLINE std::array<float, 3> quantised(const std::array<float, 3>& position) {
+  return {quantised(position[0]), quantised(position[1]), quantised(position[2])};
 }
 
 }  // namespace forceshade::fast

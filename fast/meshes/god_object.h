@@ -17,8 +17,8 @@ FORCESHADE_INLINE void step(const Mesh& mesh, Arrival& at, const std::array<floa
   tick.force = {};
   tick.moves = 0;
   tick.status = mesh::TickStatus::invalid;
-  if (!in_domain(position[0]) || !in_domain(position[1]) || !in_domain(position[2])) return;
-  const std::array<float, 3> p{quantised(position[0]), quantised(position[1]), quantised(position[2])};
+  if (!in_domain(position)) return;
+  const std::array<float, 3> p = quantised(position);
   if (mesh.has_sheets()) [[unlikely]]
     Walk<Stages, true>(mesh, at, p, stages).run();
   else

@@ -65,7 +65,7 @@ double lower_bound_of_square(const Face& face, const Vector3<double>& at) noexce
 [[gnu::noinline]] void MeshSession::look_ahead() const noexcept {
   std::array<float, 3> position{};
   for (std::size_t i = 0; i < 3; ++i) position[i] = last_[i] + (last_[i] - before_[i]);
-  if (at_.spot.place == mesh::Place::free && is_in_ball(position)) return;
+  if (stays_free(position)) return;
   // The same code as the step's, which has to be in the cache too.
   MeshSession ahead(*this);
   [[maybe_unused]] const volatile float kept = ahead.step_on_mesh(position).force[0];
@@ -94,9 +94,7 @@ double lower_bound_of_square(const Face& face, const Vector3<double>& at) noexce
   if (!search_.is_done()) return;
   is_seeking_ = false;
   centre_ = centre;
-  // Coordinates below the quantum are read as 0: p is up to sqrt(3) quanta from where the hand is.
-  const double radius = std::sqrt(search_.square()) - 2 * static_cast<double>(kPositionQuantum);
-  square_ = radius > 0 ? radius * radius * (1 - 0x1p-30) : 0;
+  square_ = search_.square() * (1 - 0x1p-30);
   renew_square_ = square_ / 4;
   if (!is_in_ball(position)) square_ = 0;  // the god-object has left it during the search
   ticks_until_ball_ = square_ < kLeastSquare ? kPause : 0;

@@ -21,11 +21,11 @@ class MeshSession {
   mesh::Tick step(const std::array<float, 3>& position) noexcept {
     before_ = last_;
     last_ = position;
-    if (at_.spot.place == mesh::Place::free && is_in_ball(position)) {
-      const std::array<float, 3> p{quantised(position[0]), quantised(position[1]), quantised(position[2])};
+    if (stays_free(position)) {
+      const std::array<float, 3> p = quantised(position);
       const std::uint16_t moves = p == at_.spot.position ? 0 : 1;
       at_.spot.position = p;
-      if (off_centre(position) > renew_square_) seek_ball();
+      if (off_centre(p) > renew_square_) seek_ball();
       mesh::Tick tick{mesh::TickStatus::free, moves, {}, {}};
       tick.after.place = mesh::Place::free;
       tick.after.position = p;
@@ -51,18 +51,20 @@ class MeshSession {
   }
 
  private:
-  // mm²; NaN for NaN.
-  FORCESHADE_INLINE double off_centre(const std::array<float, 3>& position) const noexcept {
+  // mm². p: in the domain and quantised, as the mesh and the ball's centre are.
+  FORCESHADE_INLINE double off_centre(const std::array<float, 3>& p) const noexcept {
     double square = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      const double off = static_cast<double>(position[i]) - centre_[i];
+      const double off = static_cast<double>(p[i]) - centre_[i];
       square += off * off;
     }
     return square;
   }
-  // Whether the position is in the ball: false for NaN. The ball's radius leaves room for these roundings.
-  FORCESHADE_INLINE bool is_in_ball(const std::array<float, 3>& position) const noexcept {
-    return off_centre(position) < square_ && in_domain(position[0]) && in_domain(position[1]) && in_domain(position[2]);
+  // The ball's radius leaves room for these roundings.
+  FORCESHADE_INLINE bool is_in_ball(const std::array<float, 3>& p) const noexcept { return off_centre(p) < square_; }
+  // Whether the god-object is free and the ball proves that it still is when it has followed the hand to this position.
+  FORCESHADE_INLINE bool stays_free(const std::array<float, 3>& position) const noexcept {
+    return at_.spot.place == mesh::Place::free && in_domain(position) && is_in_ball(quantised(position));
   }
 
   mesh::Tick step_on_mesh(const std::array<float, 3>& position) noexcept;

@@ -380,7 +380,18 @@ class Sheets {
     return onward != Aim::open && onward != from && !leaves;
   }
 
-  // inside: a triangle that the way lies in, and so meets no triangle with which that has a vertex in common.
+  // Whether a way between two such points surely does not meet the triangle. inside: a triangle that the way lies in, and so
+  // meets no triangle with which that has a vertex in common.
+  bool surely_misses(const Face& face, const Vector3<double>& from, const Vector3<double>& to,
+                     const Face* inside) const noexcept {
+    if (inside != nullptr && have_common_vertex(face, *inside)) return true;
+    const FaceNumbers numbers(face);
+    const DoubleWithError at_start = side_about(face, numbers, from), at_end = side_about(face, numbers, to);
+    const bool is_before = at_start.value > at_start.error && at_end.value > at_end.error,
+               is_beyond = at_start.value < -at_start.error && at_end.value < -at_end.error;
+    return stages_.sure(is_before || is_beyond) || surely_passes_by(face, numbers, from, to);
+  }
+
   std::optional<Block> first_block(const Place& from, const Place& to, const FeatureKey& own,
                                    const Face* inside) const noexcept {
     const ExactOffset u = offset(from.exact, to.exact);
@@ -389,12 +400,7 @@ class Sheets {
     const GridSegment way(from.exact, to.exact, FixedInteger<25>(kGrid));
     mesh_.tree().along(from.about, to.about, [&](std::uint32_t f) {
       const Face& face = mesh_.face(f);
-      if (inside != nullptr && have_common_vertex(face, *inside)) return;
-      const FaceNumbers numbers(face);
-      const DoubleWithError at_start = side_about(face, numbers, from.about), at_end = side_about(face, numbers, to.about);
-      const bool is_before = at_start.value > at_start.error && at_end.value > at_end.error,
-                 is_beyond = at_start.value < -at_start.error && at_end.value < -at_end.error;
-      if (stages_.sure(is_before || is_beyond) || surely_passes_by(face, numbers, from.about, to.about)) return;
+      if (surely_misses(face, from.about, to.about, inside)) return;
       way.meet(face, [&](Hit::Part part, std::uint32_t corner, const auto& where) {
         const Block found{where(), 3 * f + corner, key_at(mesh_, f, part, corner)};
         if (first) {
@@ -414,10 +420,7 @@ class Sheets {
     const GridSegment way(at.exact, at.exact, FixedInteger<25>(kGrid));
     mesh_.tree().along(at.about, at.about, [&](std::uint32_t f) {
       const Face& face = mesh_.face(f);
-      if (inside != nullptr && have_common_vertex(face, *inside)) return;
-      const FaceNumbers numbers(face);
-      const DoubleWithError side = side_about(face, numbers, at.about);
-      if (stages_.sure(__builtin_fabs(side.value) > side.error) || surely_passes_by(face, numbers, at.about, at.about)) return;
+      if (surely_misses(face, at.about, at.about, inside)) return;
       std::uint32_t corner = 0;
       const Hit::Part part = way.start_in(face, corner);
       if (part == Hit::Part::none) return;
