@@ -17,6 +17,7 @@
 #include "forceshade/properties/mesh_generators.h"
 #include "forceshade/reference/meshes/god_object.h"
 #include "forceshade/tests/meshes/god_object_paths.h"
+#include "forceshade/tests/meshes/steps.h"
 #include "forceshade/tests/support/allocations.h"
 
 namespace forceshade {

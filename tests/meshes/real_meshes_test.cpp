@@ -9,7 +9,6 @@
 #include <map>
 #include <optional>
 
-#include "forceshade/fast/meshes/god_object.h"
 #include "forceshade/meshes/check.h"
 #include "forceshade/meshes/facts.h"
 #include "forceshade/meshes/load.h"
@@ -18,6 +17,7 @@
 #include "forceshade/properties/mesh_generators.h"
 #include "forceshade/reference/meshes/god_object.h"
 #include "forceshade/tests/meshes/god_object_paths.h"
+#include "forceshade/tests/meshes/steps.h"
 
 namespace forceshade::tests {
 namespace {

@@ -9,12 +9,12 @@
 #include <variant>
 
 #include "forceshade/csv/csv.h"
-#include "forceshade/fast/meshes/god_object.h"
 #include "forceshade/meshes/check.h"
 #include "forceshade/meshes/texture.h"
 #include "forceshade/reference/meshes/god_object.h"
 #include "forceshade/tests/height_maps/height_maps_file.h"
 #include "forceshade/tests/meshes/god_object_paths.h"
+#include "forceshade/tests/meshes/steps.h"
 
 namespace forceshade {
 namespace {

@@ -26,6 +26,7 @@
 #include "forceshade/reference/height_map_field.h"
 #include "forceshade/reference/meshes/god_object.h"
 #include "forceshade/tests/meshes/god_object_paths.h"
+#include "forceshade/tests/meshes/steps.h"
 #include "forceshade/tests/support/allocations.h"
 
 namespace forceshade {
