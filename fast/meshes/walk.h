@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "forceshade/fast/meshes/glide.h"
 #include "forceshade/fast/meshes/sheets.h"
 
 namespace forceshade::fast {
@@ -192,82 +193,10 @@ class Walk {
     // The triangle that a slide has just left does not lead back.
     const bool is_left = left_.half == h && left_.beside.inward < 0;
     if (is_left && other != kRim) {
-      if constexpr (!kHasSheets)  // its slides are not tested against other sheets
-        if (const std::optional<Step> step = cross(h, other)) return *step;
       const Facing second(mesh_.face(face_of(other)), p_.data(), stages_);
       return move_beside(h, left_.beside, {second.side, inward(second, other)}, second, second);
     }
     return move_on_any_edge(h, other);
-  }
-  // The moves of most ticks on fine meshes: out of the triangle that the last slide left, over the edge h, and on over edges as
-  // long as binary64 proves each decision, until a slide ends in a triangle. All else is left, from where it is then, to the
-  // moves that decide everything; empty where it has not moved. What it decides is what they decide, in fewer operations: S and
-  // E, the ends of the edge, and O, the triangle's third corner, take the places of the corners 0 to 2, so that of the next
-  // edge's vectors one or both are known.
-  [[gnu::noinline]] std::optional<Step> cross(HalfEdge h, HalfEdge other) noexcept {
-    const auto unsure = [] { return 0; };
-    const float *S = mesh_.start_point(h), *E = mesh_.start_point(next(h));
-    Vector3<double> e = difference(E, S), w = difference(p_.data(), S);  // E - S, p - S
-    std::uint32_t weight = spot_.weight[0];                              // of E
-    int side_left = left_.beside.side;
-    bool has_moved = false;
-    while (at_.moves < kMostMoves) {
-      const std::uint32_t f = face_of(other), c = corner_of(other);  // the edge from E to S
-      const Face& face = mesh_.face(f);
-      mesh_.fetch_neighbours(f);
-      const float* const O = face.corner[before(c)].data();
-      const Vector3<double> o = difference(O, S), n = fast::cross(o, e);
-      const double size_e = size_of(e), size_o = size_of(o), size_w = size_of(w), area = size_e * size_o;
-      const int side = sign_of({dot(n, w), kAcross.error * area * size_w}, stages_, unsure);
-      if (side == 0 || is_own(aim_between(mesh_, other, side_left, side))) break;
-      const double unit = kInside.error * area * size_w;
-      const DoubleWithError at_O{dot(fast::cross(w, e), n), unit * size_e}, at_E{dot(fast::cross(o, w), n), unit * size_o},
-          all{dot(n, n), kArea.error * area * area}, at_S = all - (at_E + at_O);
-      if (sign_of(at_O, stages_, unsure) <= 0) break;
-      const int inside_S = sign_of(at_S, stages_, unsure), inside_E = sign_of(at_E, stages_, unsure);
-      if (inside_S > 0 && inside_E > 0) {
-        Weights weights;
-        weights.corner[c] = at_E;
-        weights.corner[after(c)] = at_S;
-        weights.corner[before(c)] = at_O;
-        weights.all = all;
-        const Spot to = rest_in_triangle(f, weights, spot_.side);
-        ++at_.moves;
-        return rest(Rest::in_triangle, to);
-      }
-      if (inside_S * inside_E >= 0) break;
-      const bool is_over_O_E = inside_S < 0;  // out over the edge from O to E; else over that from S to O
-      const double G_S = static_cast<double>(kGrid - weight), G_E = static_cast<double>(weight);
-      const DoubleWithError num = is_over_O_E ? fast::times(G_S, at_E) - fast::times(G_E, at_S) : fast::times(G_E, at_O),
-                            den = is_over_O_E ? fast::times(G_S, all) - shifted<24>(at_S)
-                                              : fast::times(G_E, all) - shifted<24>(at_E);
-      const Cell cell = GridParameters(den).cell(num, stages_, [] { return Cell{0, true}; });
-      if (cell.is_whole) break;
-      const float* const from = is_over_O_E ? O : S;
-      const Vector3<double> along = is_over_O_E ? difference(E, O) : o, off = is_over_O_E ? difference(p_.data(), O) : w;
-      const double size = size_of(along);
-      const DoubleWithError foot{dot(off, along), kAlong.error * size * size_of(off)},
-          length{dot(along, along), kLength.error * size * size};
-      const int beyond = compare_with_halves(foot, length, 2 * cell.floor + 1, stages_, unsure);
-      if (beyond == 0 || !stages_.sure(is_surely_nearer(is_over_O_E ? kGrid - weight : weight, all, length))) break;
-      const std::uint32_t to = cell.floor + (beyond > 0 ? 1 : 0);
-      const std::uint32_t i = is_over_O_E ? before(c) : after(c);  // the edge from O, from S
-      const HalfEdge edge = 3 * f + i, twin = face.twin[i];
-      if (to == 0 || to == kGrid || twin == kRim) break;
-      spot_.half = edge;
-      spot_.weight[0] = to;
-      left_ = {edge, {side, -1}};
-      ++at_.moves;
-      has_moved = true;
-      other = twin;
-      weight = to;
-      side_left = side;
-      S = from;
-      E = is_over_O_E ? E : O;
-      e = along;
-      w = off;
-    }
-    return has_moved ? std::optional(Step::onward) : std::nullopt;
   }
   [[gnu::noinline]] Step move_on_any_edge(HalfEdge h, HalfEdge other) noexcept {
     const Facing first(mesh_.face(face_of(h)), p_.data(), stages_);
@@ -411,6 +340,11 @@ class Walk {
     const HalfEdge edge = 3 * f + after(i);
     if (facing.side == 0 && inside[i] == 0) return slid(Rest::at_position, rest_on_edge(edge, spot_.side), f);
     const std::uint32_t j = before(i);  // the edge's end
+    if constexpr (!kHasSheets)
+      if (facing.side != 0 && inside[i] < 0 && at_.moves >= glide_from_) {
+        const DoubleWithError along = num(j), all = times(G[i], weights.all) - shifted<24>(weights.corner[i]);
+        if (glide(edge, along, all, G[i], weights.all)) return Step::rest;
+      }
     const Cell cell = GridParameters(times(G[i], weights.all) - shifted<24>(weights.corner[i])).cell(num(j), stages_, [&] {
       const ExactWeights exact(mesh_.face(f), p_.data());
       return exact_cell(exact_num(exact, j), exact.all * integer(G[i]) - exact.corner[i].template shifted<24>());
@@ -420,6 +354,23 @@ class Walk {
     const Spot to = spot_on_edge(mesh_, edge, rounded_on_edge(edge, cell, foot), spot_.side);
     if (stages_.sure(is_surely_nearer(G[i], weights.all, foot.length)) || is_nearer(to)) return slid_onward(to, f);
     return refuse();
+  }
+  [[gnu::noinline]] bool glide(HalfEdge h, const DoubleWithError& num, const DoubleWithError& den, std::uint32_t weight,
+                               const DoubleWithError& n_n) noexcept {
+    const double x = num.value / den.value, low = x - 0x1p-23, high = x + 0x1p-23;
+    const double size = size_of(difference(mesh_.start_point(next(h)), mesh_.start_point(h)));
+    if (!stages_.sure(den.value > 0x1p26 * (num.error + den.error) && low > 0 && high < 1 &&
+                      is_surely_nearer(weight, n_n, {3 * size * size, 0})))
+      return false;
+    int moves = at_.moves;
+    const auto end = Glider<Stages>(mesh_, p_.data(), spot_.side == mesh::Side::front, kMostMoves, stages_).run(h, low, high, moves);
+    if (!end) {
+      glide_from_ = moves + 2;
+      return false;
+    }
+    at_.moves = end->moves;
+    rest(Rest::in_triangle, rest_in_triangle(end->face, end->weights, spot_.side));
+    return true;
   }
   // Whether a slide to an edge ends nearer to p by more than the rounding takes away. weight: of the corner opposite to the
   // edge, at the slide's start; n_n, e_e: the squares of the triangle's normal and of the edge. The slide's length d is at
@@ -535,6 +486,7 @@ class Walk {
     HalfEdge half = kRim;
     Beside beside{};
   } left_;
+  int glide_from_ = 0;
 };
 
 }  // namespace forceshade::fast
