@@ -29,6 +29,9 @@ across = add_rel<53>(add_rel<53>(mul_rel<53>(nx, cx), mul_rel<53>(ny, cy)), mul_
 ACROSS = (NX * CX + NY * CY) + NZ * CZ;
 inside = add_rel<53>(add_rel<53>(mul_rel<53>(mx, nx), mul_rel<53>(my, ny)), mul_rel<53>(mz, nz));
 INSIDE = (MX * NX + MY * NY) + MZ * NZ;
+all = all_; second = second_; other = other_;
+third = sub_rel<53>(all, add_rel<53>(second, other));
+THIRD = ALL - (SECOND + OTHER);
 # Of two differences: a triangle's normal.
 #! piece normal
 { |ax| <= 1 /\ |ay| <= 1 /\ |az| <= 1 /\ |ax - AX| <= 1b-53 /\ |ay - AY| <= 1b-53 /\ |az - AZ| <= 1b-53
@@ -73,3 +76,7 @@ INSIDE = (MX * NX + MY * NY) + MZ * NZ;
 /\ |cx| <= 1 /\ |cy| <= 1 /\ |cz| <= 1 /\ |cx - CX| <= 1b-53 /\ |cy - CY| <= 1b-53 /\ |cz - CZ| <= 1b-53
 /\ |dx| <= 1 /\ |dy| <= 1 /\ |dz| <= 1 /\ |dx - DX| <= 1b-53 /\ |dy - DY| <= 1b-53 /\ |dz - DZ| <= 1b-53
 -> inside - INSIDE in ? }
+# What is left of n·n without the weights of two corners, whose sizes and errors the pieces area and inside bound.
+#! piece third
+{ |all| <= 12.0001 /\ |second| <= 12.0001 /\ |other| <= 12.0001 /\ |all - ALL| <= 128b-53 /\ |second - SECOND| <= 140b-53
+/\ |other - OTHER| <= 140b-53 -> third - THIRD in ? }

@@ -69,6 +69,20 @@ inline constexpr RoundingBound kOffsetLength = dot(kOffset, kOffset);           
 inline constexpr RoundingBound kPasses = dot(cross(kDifference, kOffset), kDifference);  // (w x U)·e
 inline constexpr RoundingBound kPassesFlat = dot(cross(kDifference, kOffset), kNormal);  // (w x U)·n
 
+// The weight of a triangle's third corner: n·n less those of the others.
+template <class T>
+FORCESHADE_INLINE constexpr T third_weight(const T& all, const T& first, const T& second) noexcept {
+  return all - (first + second);
+}
+inline constexpr RoundingBound kThird = third_weight(kArea, kInside, kInside);  // its unit is the sum of theirs
+
+// How p lies to a triangle's plane.
+struct Plane {
+  Vector3<double> n;    // the triangle's normal
+  double across, all;   // n·(p - a), a being a corner; n·n
+  double area, size_w;  // n's unit, and the size of p - a
+};
+
 // A triangle's numbers.
 struct FaceNumbers {
   Vector3<double> e1, e2, n;  // b - a, c - a, e1 x e2
@@ -111,18 +125,17 @@ int side_of(const Face& f, const float* p, const Stages& stages) noexcept {
 }
 
 // n·n times the weights of the triangle's corners at p's nearest point of its plane, and n·n. The weight of a corner is
-// positive iff that point lies on the triangle's side of the opposite edge.
+// positive iff that point lies on the triangle's side of the opposite edge. One bound holds for all four.
 struct Weights {
   std::array<DoubleWithError, 3> corner;
   DoubleWithError all;
 
   Weights() = default;
   FORCESHADE_INLINE Weights(const FaceNumbers& f, const Vector3<double>& w) noexcept {
-    const double unit = kInside.error * f.area * size_of(w);
-    corner[1] = {dot(cross(w, f.e2), f.n), unit * f.s2};
-    corner[2] = {dot(cross(f.e1, w), f.n), unit * f.s1};
-    all = {dot(f.n, f.n), kArea.error * f.area * f.area};
-    corner[0] = all - (corner[1] + corner[2]);
+    const double error = kThird.error * f.area * (size_of(w) * (f.s1 + f.s2) + f.area);
+    const double second = dot(cross(w, f.e2), f.n), third = dot(cross(f.e1, w), f.n);
+    all = {dot(f.n, f.n), error};
+    corner = {{{third_weight(all.value, second, third), error}, {second, error}, {third, error}}};
   }
 };
 struct ExactWeights {

@@ -453,55 +453,41 @@ bool can_shade(const Mesh& mesh, mesh::Shading scheme) noexcept {
   return each([&](const DoubleWithError& one) { return round_to_binary32(factor * one); }, way.vector);
 }
 
-// a·b - c·d for differences of coordinates, with a bound; known to be 0 where it is so because the same two are multiplied.
-struct Minor {
-  double value, error;
-
-  FORCESHADE_INLINE Minor(double a, double b, double c, double d) noexcept {
-    const double first = a * b, second = c * d;
-    value = first - second;
-    // Two rounded factors, the product and the difference: 2^-53 each.
-    error = 0x1.1p-51 * (__builtin_fabs(first) + __builtin_fabs(second));
-  }
-};
-
-// Whether the differences of the triangle's corners along an axis are binary64 numbers.
-bool are_exact(const Face& f, std::size_t axis) noexcept {
-  const auto at = [&](std::size_t corner) { return static_cast<double>(f.corner[corner][axis]); };
-  return two_sum(at(1), -at(0)).lo == 0 && two_sum(at(2), -at(0)).lo == 0;
+// Whether a component of the triangle's normal is surely 0, as it is wherever the triangle, seen along that axis, is on a line
+// which is parallel to an axis or has the slope 1. axis_1, axis_2: the other two.
+bool is_normal_zero(const Face& f, std::size_t axis_1, std::size_t axis_2) noexcept {
+  const auto &a = f.corner[0], &b = f.corner[1], &c = f.corner[2];
+  const bool same_1 = a[axis_1] == b[axis_1], same_2 = a[axis_2] == b[axis_2];
+  if (same_1 ? same_2 || a[axis_1] == c[axis_1] : same_2 && a[axis_2] == c[axis_2]) return true;
+  const auto is_one_place = [&](const auto& of) { return of[axis_1] == c[axis_1] && of[axis_2] == c[axis_2]; };
+  if (is_one_place(a) || is_one_place(b)) return true;
+  const auto is_diagonal = [&](const auto& of) {
+    const TwoTerms along_1 = two_sum(static_cast<double>(of[axis_1]), -static_cast<double>(a[axis_1])),
+                   along_2 = two_sum(static_cast<double>(of[axis_2]), -static_cast<double>(a[axis_2]));
+    return along_1.hi == along_2.hi && along_1.lo == along_2.lo;
+  };
+  return is_diagonal(b) && is_diagonal(c);
 }
 
-// The unshaded force of a rest in a triangle, the case of nearly every tick: as unshaded() with fewer operations.
-FORCESHADE_INLINE std::optional<Force3> quick_force(const Face& f, const Force3& p, double K) noexcept {
-  const FaceNumbers face(f);
-  const Vector3<double> w = difference(p.data(), f.corner[0].data());
-  const double across = dot(face.n, w), all = dot(face.n, face.n);
-  const double factor = K * across / all;
-  // Of the factor: its relative error, from those of n·w and n·n, and three roundings.
-  const double all_error = kArea.error * face.area * face.area;
-  if (!(all > 0x1p20 * all_error)) return std::nullopt;
+// The unshaded force of a rest in a triangle, the case of nearly every tick: as unshaded_force() with fewer operations.
+FORCESHADE_INLINE std::optional<Force3> quick_force(const Face& f, const Plane& plane, double K) noexcept {
+  const double all_error = kArea.error * plane.area * plane.area;
+  if (!(plane.all > 0x1p20 * all_error)) return std::nullopt;
+  const double inverse = 1 / plane.all, factor = K * plane.across * inverse, size = __builtin_fabs(factor);
+  // Of the factor: its error, from those of n·w and n·n, and three roundings. Then that of a component.
   const double factor_error =
-      (1 + 0x1p-18) * (K * kAcross.error * face.area * size_of(w) / all + __builtin_fabs(factor) * (all_error / all + 0x1p-51));
-  const Minor x(face.e1.y, face.e2.z, face.e1.z, face.e2.y), y(face.e1.z, face.e2.x, face.e1.x, face.e2.z),
-      z(face.e1.x, face.e2.y, face.e1.y, face.e2.x);
-  const auto is_zero = [&](const Minor& n, double a, double b, double c, double d, std::size_t first, std::size_t second) {
-    if (n.value != 0) return false;
-    if (n.error == 0) return true;
-    return ((a == c && b == d) || (a == d && b == c)) && are_exact(f, first) && are_exact(f, second);
-  };
+      (1 + 0x1p-18) * (K * kAcross.error * plane.area * plane.size_w * inverse + size * (all_error * inverse + 0x1p-51));
+  const double fixed = (1 + 0x1p-18) * (size + factor_error) * (kNormal.x.error * plane.area),
+               relative = (1 + 0x1p-18) * (factor_error + 0x1p-51 * size);
   bool is_sure = true;
-  const auto component = [&](const Minor& n, bool zero) -> float {
-    if (zero) return 0;
-    const double value = -factor * n.value;
-    const double reach = (1 + 0x1p-18) * (__builtin_fabs(factor) * n.error +
-                                          factor_error * (__builtin_fabs(n.value) + n.error) + 0x1p-51 * __builtin_fabs(value));
+  const auto component = [&](double n, std::size_t axis_1, std::size_t axis_2) -> float {
+    if (n == 0 && is_normal_zero(f, axis_1, axis_2)) return 0;
+    const double value = -factor * n, reach = fixed + __builtin_fabs(n) * relative;
     const auto low = static_cast<float>(value - reach), high = static_cast<float>(value + reach);
     is_sure = is_sure && low == high;
     return low + 0.0F;
   };
-  const Force3 force{component(x, is_zero(x, face.e1.y, face.e2.z, face.e1.z, face.e2.y, 1, 2)),
-                     component(y, is_zero(y, face.e1.z, face.e2.x, face.e1.x, face.e2.z, 2, 0)),
-                     component(z, is_zero(z, face.e1.x, face.e2.y, face.e1.y, face.e2.x, 0, 1))};
+  const Force3 force{component(plane.n.x, 1, 2), component(plane.n.y, 2, 0), component(plane.n.z, 0, 1)};
   if (!is_sure) return std::nullopt;
   return force;
 }
@@ -515,8 +501,9 @@ std::array<float, 3> mesh_force(const Mesh& mesh, const Arrival& arrival, const 
   const auto K = static_cast<double>(stiffness);
   if (!can_shade(mesh, shading)) {
     if (is_filtered)
-      if (const auto force = arrival.rest == Rest::in_triangle ? quick_force(mesh.face(face_of(arrival.spot.half)), p, K)
-                                                               : unshaded_force(mesh, arrival, p, K)) [[likely]]
+      if (const auto force = arrival.rest == Rest::in_triangle
+                                 ? quick_force(mesh.face(face_of(arrival.spot.half)), arrival.plane, K)
+                                 : unshaded_force(mesh, arrival, p, K)) [[likely]]
         return *force;
     return exact_unshaded(mesh, arrival, p.data(), K, is_filtered);
   }

@@ -22,6 +22,7 @@ struct Arrival {
   Rest rest = Rest::none;
   int moves = 0;
   bool is_finished = true;
+  Plane plane{};  // of the rest's triangle: in_triangle alone
 };
 
 // kHasSheets: whether ways are tested against the whole mesh, whose sheets may cross.
@@ -138,16 +139,17 @@ class Walk {
     m = m < 1 ? 1 : m > kGrid - 1 ? kGrid - 1 : m;
     return spot_on_edge(mesh_, h, m, side);
   }
+  FORCESHADE_INLINE std::uint32_t rested(std::uint32_t f, const GridParameters& parameters, const Weights& weights,
+                                         std::size_t corner) const noexcept {
+    const std::uint32_t nearest = parameters.nearest(weights.corner[corner], stages_, [&] {
+      const ExactWeights exact(mesh_.face(f), p_.data());
+      return exact_nearest(exact.corner[corner], exact.all);
+    });
+    return nearest < 1 ? 1 : nearest;
+  }
   FORCESHADE_INLINE Spot rest_in_triangle(std::uint32_t f, const Weights& weights, mesh::Side side) const noexcept {
     const GridParameters parameters(weights.all);
-    const auto parameter = [&](std::size_t corner) {
-      const std::uint32_t nearest = parameters.nearest(weights.corner[corner], stages_, [&] {
-        const ExactWeights exact(mesh_.face(f), p_.data());
-        return exact_nearest(exact.corner[corner], exact.all);
-      });
-      return nearest < 1 ? 1 : nearest;
-    };
-    std::uint32_t k = parameter(1), l = parameter(2);
+    std::uint32_t k = rested(f, parameters, weights, 1), l = rested(f, parameters, weights, 2);
     if (k + l > kGrid - 1) {
       const std::uint32_t excess = k + l - (kGrid - 1);
       (k >= l ? k : l) -= excess;
@@ -192,82 +194,10 @@ class Walk {
     // The triangle that a slide has just left does not lead back.
     const bool is_left = left_.half == h && left_.beside.inward < 0;
     if (is_left && other != kRim) {
-      if constexpr (!kHasSheets)  // its slides are not tested against other sheets
-        if (const std::optional<Step> step = cross(h, other)) return *step;
       const Facing second(mesh_.face(face_of(other)), p_.data(), stages_);
       return move_beside(h, left_.beside, {second.side, inward(second, other)}, second, second);
     }
     return move_on_any_edge(h, other);
-  }
-  // The moves of most ticks on fine meshes: out of the triangle that the last slide left, over the edge h, and on over edges as
-  // long as binary64 proves each decision, until a slide ends in a triangle. All else is left, from where it is then, to the
-  // moves that decide everything; empty where it has not moved. What it decides is what they decide, in fewer operations: S and
-  // E, the ends of the edge, and O, the triangle's third corner, take the places of the corners 0 to 2, so that of the next
-  // edge's vectors one or both are known.
-  [[gnu::noinline]] std::optional<Step> cross(HalfEdge h, HalfEdge other) noexcept {
-    const auto unsure = [] { return 0; };
-    const float *S = mesh_.start_point(h), *E = mesh_.start_point(next(h));
-    Vector3<double> e = difference(E, S), w = difference(p_.data(), S);  // E - S, p - S
-    std::uint32_t weight = spot_.weight[0];                              // of E
-    int side_left = left_.beside.side;
-    bool has_moved = false;
-    while (at_.moves < kMostMoves) {
-      const std::uint32_t f = face_of(other), c = corner_of(other);  // the edge from E to S
-      const Face& face = mesh_.face(f);
-      mesh_.fetch_neighbours(f);
-      const float* const O = face.corner[before(c)].data();
-      const Vector3<double> o = difference(O, S), n = fast::cross(o, e);
-      const double size_e = size_of(e), size_o = size_of(o), size_w = size_of(w), area = size_e * size_o;
-      const int side = sign_of({dot(n, w), kAcross.error * area * size_w}, stages_, unsure);
-      if (side == 0 || is_own(aim_between(mesh_, other, side_left, side))) break;
-      const double unit = kInside.error * area * size_w;
-      const DoubleWithError at_O{dot(fast::cross(w, e), n), unit * size_e}, at_E{dot(fast::cross(o, w), n), unit * size_o},
-          all{dot(n, n), kArea.error * area * area}, at_S = all - (at_E + at_O);
-      if (sign_of(at_O, stages_, unsure) <= 0) break;
-      const int inside_S = sign_of(at_S, stages_, unsure), inside_E = sign_of(at_E, stages_, unsure);
-      if (inside_S > 0 && inside_E > 0) {
-        Weights weights;
-        weights.corner[c] = at_E;
-        weights.corner[after(c)] = at_S;
-        weights.corner[before(c)] = at_O;
-        weights.all = all;
-        const Spot to = rest_in_triangle(f, weights, spot_.side);
-        ++at_.moves;
-        return rest(Rest::in_triangle, to);
-      }
-      if (inside_S * inside_E >= 0) break;
-      const bool is_over_O_E = inside_S < 0;  // out over the edge from O to E; else over that from S to O
-      const double G_S = static_cast<double>(kGrid - weight), G_E = static_cast<double>(weight);
-      const DoubleWithError num = is_over_O_E ? fast::times(G_S, at_E) - fast::times(G_E, at_S) : fast::times(G_E, at_O),
-                            den = is_over_O_E ? fast::times(G_S, all) - shifted<24>(at_S)
-                                              : fast::times(G_E, all) - shifted<24>(at_E);
-      const Cell cell = GridParameters(den).cell(num, stages_, [] { return Cell{0, true}; });
-      if (cell.is_whole) break;
-      const float* const from = is_over_O_E ? O : S;
-      const Vector3<double> along = is_over_O_E ? difference(E, O) : o, off = is_over_O_E ? difference(p_.data(), O) : w;
-      const double size = size_of(along);
-      const DoubleWithError foot{dot(off, along), kAlong.error * size * size_of(off)},
-          length{dot(along, along), kLength.error * size * size};
-      const int beyond = compare_with_halves(foot, length, 2 * cell.floor + 1, stages_, unsure);
-      if (beyond == 0 || !stages_.sure(is_surely_nearer(is_over_O_E ? kGrid - weight : weight, all, length))) break;
-      const std::uint32_t to = cell.floor + (beyond > 0 ? 1 : 0);
-      const std::uint32_t i = is_over_O_E ? before(c) : after(c);  // the edge from O, from S
-      const HalfEdge edge = 3 * f + i, twin = face.twin[i];
-      if (to == 0 || to == kGrid || twin == kRim) break;
-      spot_.half = edge;
-      spot_.weight[0] = to;
-      left_ = {edge, {side, -1}};
-      ++at_.moves;
-      has_moved = true;
-      other = twin;
-      weight = to;
-      side_left = side;
-      S = from;
-      E = is_over_O_E ? E : O;
-      e = along;
-      w = off;
-    }
-    return has_moved ? std::optional(Step::onward) : std::nullopt;
   }
   [[gnu::noinline]] Step move_on_any_edge(HalfEdge h, HalfEdge other) noexcept {
     const Facing first(mesh_.face(face_of(h)), p_.data(), stages_);
@@ -381,6 +311,7 @@ class Walk {
       return rest(Rest::at_spot);
     if (at_.moves == kMostMoves) return Step::exhausted;
     ++at_.moves;
+    at_.plane = {facing.numbers.n, dot(facing.numbers.n, facing.w), weights.all.value, facing.numbers.area, size_of(facing.w)};
     return slid(facing.side == 0 ? Rest::at_position : Rest::in_triangle, to, f);
   }
   // The same where q is not strictly inside.
@@ -411,23 +342,111 @@ class Walk {
     const HalfEdge edge = 3 * f + after(i);
     if (facing.side == 0 && inside[i] == 0) return slid(Rest::at_position, rest_on_edge(edge, spot_.side), f);
     const std::uint32_t j = before(i);  // the edge's end
-    const Cell cell = GridParameters(times(G[i], weights.all) - shifted<24>(weights.corner[i])).cell(num(j), stages_, [&] {
+    const DoubleWithError along = num(j), whole = times(G[i], weights.all) - shifted<24>(weights.corner[i]);
+    if constexpr (!kHasSheets)  // whose slides have to be tested one by one
+      if (inside[i] < 0 && facing.side == (spot_.side == mesh::Side::front ? -1 : 1) && at_.moves >= glide_from_ &&
+          glide(edge, along, whole, static_cast<double>(G[i]), weights.all))
+        return Step::rest;
+    const Cell cell = GridParameters(whole).cell(along, stages_, [&] {
       const ExactWeights exact(mesh_.face(f), p_.data());
       return exact_cell(exact_num(exact, j), exact.all * integer(G[i]) - exact.corner[i].template shifted<24>());
     });
     const Foot foot(mesh_.start_point(edge), mesh_.start_point(next(edge)), p_.data());
     left_ = {edge, {facing.side, inside[i]}};
     const Spot to = spot_on_edge(mesh_, edge, rounded_on_edge(edge, cell, foot), spot_.side);
-    if (stages_.sure(is_surely_nearer(G[i], weights.all, foot.length)) || is_nearer(to)) return slid_onward(to, f);
+    if (stages_.sure(is_surely_nearer(static_cast<double>(G[i]), weights.all.value - weights.all.error,
+                                      foot.length.value + foot.length.error)) ||
+        is_nearer(to))
+      return slid_onward(to, f);
     return refuse();
+  }
+  // The slides that follow one which leaves its triangle over the edge h, until one rests inside a triangle, and that rest. So
+  // are the moves of most ticks on fine meshes. Nothing but the rest stays of them, so their ends are not rounded: it suffices
+  // where on its edge each rounded end is, about. False, and nothing is done, where binary64 does not prove each of the
+  // decisions: that p is behind the triangle, so that no edge leads away from the surface; through which edge the slide leaves
+  // it, not at a vertex; and that its rounded end is nearer to p. num/den: where it crosses h; weight, n_n: as in
+  // is_surely_nearer().
+  //
+  // S and E are the ends of the edge, O the corner beyond it. With u the weight at the start of the corner whose weight falls
+  // to 0, that of O is then u·at_O/(u·all - falling), which grows with u. So the ends of an interval for u give those of one
+  // for it. To each is added a step of the grid for the rounding, and one for all errors, which are less than 2^-24: those of
+  // den and of num are below 2^-26 den together, or each of the three numbers has one below 2^-28 den.
+  [[gnu::noinline]] bool glide(HalfEdge h, const DoubleWithError& num, const DoubleWithError& den, double weight,
+                               const DoubleWithError& n_n) noexcept {
+    const auto point = [](const float* at) {
+      return Vector3<double>{static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2])};
+    };
+    const Vector3<double> p = point(p_.data());
+    Vector3<double> S = point(mesh_.start_point(h)), E = point(mesh_.start_point(next(h))), e = E - S, w = p - S;
+    double size_e = size_of(e), low = num.value / den.value - kTwoSteps, high = num.value / den.value + kTwoSteps;
+    bool is_sure =
+        den.value > 0x1p26 * (num.error + den.error) && is_surely_nearer(weight, n_n.value - n_n.error, 3 * size_e * size_e);
+    int moves = at_.moves;
+    const auto is_going_on = [&] { return stages_.sure(is_sure && low > 0 && high < 1) && moves < kMostMoves; };
+    for (HalfEdge other = mesh_.twin(h); other != kRim && is_going_on(); ++moves) {
+      const std::uint32_t f = face_of(other), c = corner_of(other);  // the edge from E to S
+      const Face& face = mesh_.face(f);
+      const HalfEdge over_O_E = face.twin[before(c)], over_S_O = face.twin[after(c)];
+      mesh_.fetch_beyond(over_O_E);
+      mesh_.fetch_beyond(over_S_O);
+      const Vector3<double> O = point(face.corner[before(c)].data()), o = O - S, n = cross(o, e);
+      const double size_o = size_of(o), size_w = size_of(w), area = size_e * size_o, across = dot(n, w);
+      const double outward = spot_.side == mesh::Side::front ? across : -across;
+      if (!stages_.sure(outward < -kAcross.error * area * size_w)) break;
+      const double at_O = dot(cross(w, e), n), at_E = dot(cross(o, w), n), all = dot(n, n),
+                   at_S = third_weight(all, at_E, at_O);
+      const double error = kThird.error * area * (size_w * (size_e + size_o) + area);
+      if (!stages_.sure(at_O > error)) break;
+      if (stages_.sure(at_S > error && at_E > error)) {
+        Weights weights;
+        weights.corner[c] = {at_E, error};
+        weights.corner[after(c)] = {at_S, error};
+        weights.corner[before(c)] = {at_O, error};
+        weights.all = {all, error};
+        at_.moves = moves + 1;
+        at_.plane = {n, across, all, area, size_w};
+        rest(Rest::in_triangle, rest_in_triangle(f, weights, spot_.side));
+        return true;
+      }
+      bool is_over_O_E = at_S < 0;  // out over the edge from O to E; else over that from S to O
+      if (stages_.sure(at_S < -error && at_E < -error)) {
+        // Both fall to 0: this is positive where S's does so first, and grows along the edge.
+        is_over_O_E = (1 - low) * at_E - low * at_S > 2 * error;
+        if (!stages_.sure(is_over_O_E || (1 - high) * at_E - high * at_S < -2 * error)) break;
+      } else if (!stages_.sure(is_over_O_E ? at_S < -error && at_E > error : at_E < -error && at_S > error)) {
+        break;
+      }
+      const double falling = is_over_O_E ? at_S : at_E;
+      const double least = is_over_O_E ? 1 - high : low, most = is_over_O_E ? 1 - low : high;
+      const double den_low = least * all - falling, den_high = most * all - falling;
+      const double x_low = least * at_O / den_low - kTwoSteps, x_high = most * at_O / den_high + kTwoSteps;
+      if (is_over_O_E) {
+        other = over_O_E;
+        low = 1 - x_high;
+        high = 1 - x_low;
+        S = O;
+        e = E - S;
+        w = p - S;
+        size_e = size_of(e);
+      } else {
+        other = over_S_O;
+        low = x_low;
+        high = x_high;
+        E = O;
+        e = o;
+        size_e = size_o;
+      }
+      is_sure = den_low > 0x1p28 * error && is_surely_nearer(0x1p24 * least, all - error, 3 * size_e * size_e);
+    }
+    glide_from_ = moves + 1;
+    return false;
   }
   // Whether a slide to an edge ends nearer to p by more than the rounding takes away. weight: of the corner opposite to the
   // edge, at the slide's start; n_n, e_e: the squares of the triangle's normal and of the edge. The slide's length d is at
   // least the start's distance from the edge, weight/2^24·|n|/|e|. It brings the square of the distance to p down by d² at
   // least, and the rounding up by (|e|/2^24)²/4 at most (docs/meshes.md, "Consequences").
-  static bool is_surely_nearer(std::uint32_t weight, const DoubleWithError& n_n, const DoubleWithError& e_e) noexcept {
-    const double across = 2 * static_cast<double>(weight), along = e_e.value + e_e.error;
-    return across * across * (n_n.value - n_n.error) > (1 + 0x1p-40) * (along * along);
+  FORCESHADE_INLINE static bool is_surely_nearer(double weight, double n_n, double e_e) noexcept {
+    return 4 * weight * weight * n_n > (1 + 0x1p-40) * (e_e * e_e);
   }
   FORCESHADE_INLINE static DoubleWithError times(std::uint32_t weight, const DoubleWithError& a) noexcept {
     return fast::times(static_cast<double>(weight), a);
@@ -535,6 +554,8 @@ class Walk {
     HalfEdge half = kRim;
     Beside beside{};
   } left_;
+  int glide_from_ = 0;  // with fewer moves, a glide would meet the same doubt again
+  static constexpr double kTwoSteps = 0x1p-23;
 };
 
 }  // namespace forceshade::fast

@@ -337,6 +337,7 @@ void mesh_decisions(ComparedScript& script, bool is_fused) {
   expect(n.x, a.y, a.z, b.y, b.z);
   expect(n.y, a.z, a.x, b.z, b.x);
   expect(n.z, a.x, a.y, b.x, b.y);
+  run.expect("third", fast::third_weight(run.input("all", 0.8), run.input("second", 0.4), run.input("other", -0.3)));
 }
 
 // The parts of the bound that the pieces share_… divide by are those of its sum.

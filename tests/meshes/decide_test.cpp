@@ -34,6 +34,7 @@ TEST(decide, has_the_bounds_that_counting_by_hand_gives) {
   expect_units(kAcross, 6, (n + 2 * 2 + 2) * 3 + 4 + 6);
   expect_units(kInside, 12, (2 * beside + 2 * n + 4) * 3 + 8 + 12);
   expect_units(kArea, 12, (2 * n + 2 * n + 4) * 3 + 8 + 12);
+  expect_units(kThird, 36, 128 + (140 + 140 + 24) + 36);
   expect_units(kAlong, 3, (2 + 1 + 1) * 3 + 2 + 3);
   expect_units(kLength, 3, (1 + 1 + 1) * 3 + 2 + 3);
   expect_units(kOffsetLength, 3, (2 + 2 + 1) * 3 + 2 + 3);
@@ -50,7 +51,8 @@ TEST(decide, has_bounds_that_the_proofs_of_gappa_imply) {
                                                     {"along", kAlong},
                                                     {"length", kLength},
                                                     {"offset_length", kOffsetLength},
-                                                    {"passes", kPasses}};
+                                                    {"passes", kPasses},
+                                                    {"third", kThird}};
   std::ifstream file(FORCESHADE_SOURCE_DIR "/fast/meshes/decide.gappa-expected");
   std::size_t found = 0;
   for (std::string line; std::getline(file, line);) {
