@@ -21,6 +21,7 @@ class MeshSession {
   mesh::Tick step(const std::array<float, 3>& position) noexcept {
     before_ = last_;
     last_ = position;
+    stage_ = Stage::binary64;
     if (stays_free(position)) {
       const std::array<float, 3> p = quantised(position);
       const std::uint16_t moves = p == at_.spot.position ? 0 : 1;
@@ -33,6 +34,9 @@ class MeshSession {
     }
     return step_on_mesh(position);
   }
+
+  // Of the last step: binary64 only where that took every decision and gave the force.
+  Stage stage() const noexcept { return stage_; }
 
   // Brings what the next step will probably use into the caches: it takes that step to where the hand arrives if it goes on as
   // in the last one, and forgets the result. Changes no later state or force. Takes as long as a step. For a loop that has time
@@ -80,6 +84,7 @@ class MeshSession {
   double renew_square_ = 0;                 // mm²: farther from the centre than this, the next ball is sought
   int ticks_until_ball_ = 0;                // while small balls would be left at once
   bool is_seeking_ = false;
+  Stage stage_ = Stage::binary64;
   BoxTree::Search search_;
 };
 

@@ -205,7 +205,7 @@ class Walk {
   // E, the ends of the edge, and O, the triangle's third corner, take the places of the corners 0 to 2, so that of the next
   // edge's vectors one or both are known.
   [[gnu::noinline]] std::optional<Step> cross(HalfEdge h, HalfEdge other) noexcept {
-    const auto unsure = [] { return 0; };
+    constexpr LeftOpen unsure{0};
     const float *S = mesh_.start_point(h), *E = mesh_.start_point(next(h));
     Vector3<double> e = difference(E, S), w = difference(p_.data(), S);  // E - S, p - S
     std::uint32_t weight = spot_.weight[0];                              // of E
@@ -241,7 +241,7 @@ class Walk {
       const DoubleWithError num = is_over_O_E ? fast::times(G_S, at_E) - fast::times(G_E, at_S) : fast::times(G_E, at_O),
                             den = is_over_O_E ? fast::times(G_S, all) - shifted<24>(at_S)
                                               : fast::times(G_E, all) - shifted<24>(at_E);
-      const Cell cell = GridParameters(den).cell(num, stages_, [] { return Cell{0, true}; });
+      const Cell cell = GridParameters(den).cell(num, stages_, LeftOpen{Cell{0, true}});
       if (cell.is_whole) break;
       const float* const from = is_over_O_E ? O : S;
       const Vector3<double> along = is_over_O_E ? difference(E, O) : o, off = is_over_O_E ? difference(p_.data(), O) : w;
@@ -329,6 +329,7 @@ class Walk {
     const Point g = point_of(mesh_, spot_);
     const Offset U = offset_from(g, p_.data(), largest());
     if (stages_.sure(U.size < HUGE_VAL)) return false;
+    stages_.note(Stage::wide);
     return is_zero(exact_offset_from(g, p_.data()));
   }
 
