@@ -84,7 +84,7 @@ class MeshSession {
   double renew_square_ = 0;                 // mm²: farther from the centre than this, the next ball is sought
   int ticks_until_ball_ = 0;                // while small balls would be left at once
   bool is_seeking_ = false;
-  Stage stage_ = Stage::binary64;
+  Stage stage_{};
   BoxTree::Search search_;
 };
 

@@ -2,6 +2,7 @@
 #include "forceshade/reference/meshes/sheets.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace forceshade::reference::meshes {

@@ -210,6 +210,8 @@ TEST(god_object, in_a_session_gives_the_stage_that_decided_its_tick) {
   EXPECT_EQ(stage_at(1.1F, 3.3F, -0.6F), Stage::binary64) << "a slide over an edge";
   EXPECT_EQ(stage_at(1.2F, 3.4F, 0), Stage::wide) << "in the floor's plane";
   EXPECT_EQ(stage_at(1.2F, 3.4F, -0.5F), Stage::binary64) << "below it again";
+  // 0.3F has the 24 bits of 10066330, and five times this number is halfway between two of 24 bits.
+  EXPECT_EQ(stage_at(1.2F, 3.4F, -1.25F), Stage::wide) << "a force that is a tie";
   EXPECT_EQ(stage_at(std::nanf(""), 0, 0), Stage::binary64) << "no position";
 }
 
