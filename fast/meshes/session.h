@@ -21,11 +21,11 @@ class MeshSession {
   mesh::Tick step(const std::array<float, 3>& position) noexcept {
     before_ = last_;
     last_ = position;
-    stage_ = Stage::binary64;
     if (stays_free(position)) {
       const std::array<float, 3> p = quantised(position);
       const std::uint16_t moves = p == at_.spot.position ? 0 : 1;
       at_.spot.position = p;
+      stage_ = Stage::binary64;
       if (off_centre(p) > renew_square_) seek_ball();
       mesh::Tick tick{mesh::TickStatus::free, moves, {}, {}};
       tick.after.place = mesh::Place::free;

@@ -204,6 +204,8 @@ TEST(god_object, in_a_session_gives_the_stage_that_decided_its_tick) {
                                  {{0, 1, 2}, {0, 2, 3}}};
   GodObjectSession session(std::make_shared<const Mesh>(built(floor, {}, mesh::Sides::front)), kStiffness, mesh::Shading::none);
   const auto stage_at = [&](float x, float y, float z) { return session.step({x, y, z}).stage; };
+  EXPECT_EQ(stage_at(-8.55F, -8.9F, 0), Stage::wide) << "in the floor's plane, beside it";
+  EXPECT_EQ(stage_at(-8.55F, -8.9F, 0.01F), Stage::binary64) << "in a ball around that place";
   EXPECT_EQ(stage_at(3.1F, 1.3F, 2), Stage::binary64) << "free";
   EXPECT_EQ(stage_at(3.1F, 1.3F, -0.7F), Stage::wide) << "a landing";
   EXPECT_EQ(stage_at(3.2F, 1.3F, -0.7F), Stage::binary64) << "a slide in a triangle";
