@@ -27,4 +27,8 @@ MeshWorkload sphere_workload(int f, std::size_t contact_ticks, std::size_t free_
 // path goes to and fro over the ridge, 1 to 2 mm deep.
 MeshWorkload bump_workload(int n, std::size_t contact_ticks, std::size_t free_ticks);
 
+// A floor of ±20 mm in n x n cells of two triangles, and a wall of two triangles through it, which crosses the cells aslant.
+// The path stays 1 mm below the floor: beside the wall, or along it and 1 to 2 mm behind it.
+MeshWorkload crossing_workload(int n, bool is_along_wall, std::size_t contact_ticks);
+
 }  // namespace forceshade::bench

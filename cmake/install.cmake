@@ -16,7 +16,7 @@ install_headers(fast domain.h evaluate.h height_map_field.h heights/force.h heig
                 meshes/rounding_bound.h meshes/session.h meshes/sheets.h meshes/spot.h meshes/tick_session.h meshes/vector3.h
                 meshes/walk.h numbers/arithmetic.h numbers/ball.h numbers/big_float_ball.h numbers/double_double.h
                 numbers/double_with_error.h numbers/first_stage.h numbers/fixed_integer.h numbers/inline.h numbers/row.h session.h
-                simd/batch.h)
+                simd/batch.h stage.h)
 install_headers(csv csv.h)
 install_headers(device attendant.h device.h hand_speed.h last_samples.h limited.h null.h open_device.h oscillation.h
                 passivity_controller.h placement.h real_time.h replay.h sample.h sent_forces.h servo_loop.h

@@ -8,12 +8,10 @@
 #include "forceshade/fast/laws/outcome.h"
 #include "forceshade/fast/numbers/big_float_ball.h"
 #include "forceshade/fast/numbers/first_stage.h"
+#include "forceshade/fast/stage.h"
 #include "forceshade/vocabulary/law.h"
 
 namespace forceshade::fast {
-
-// Which arithmetic decided the answer, cheapest first.
-enum class Stage { binary64, double_double, wide };
 
 struct Evaluation {
   Eigen::Vector3f force{0, 0, 0};  // N; zero unless status is contact

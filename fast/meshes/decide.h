@@ -17,27 +17,38 @@
 #include "forceshade/fast/numbers/double_double.h"
 #include "forceshade/fast/numbers/double_with_error.h"
 #include "forceshade/fast/numbers/first_stage.h"
+#include "forceshade/fast/stage.h"
 
 namespace forceshade::fast {
 
 // Which decisions binary64 may take, and what is noted about them. `sure`: whether the number's sign, or another property of
-// it, is proved. A kind of its own counts in tests.
+// it, is proved. `note`: that another stage takes a decision. A kind of its own counts in tests.
 struct FilteredStages {
   static constexpr bool kFilter = true;
+  Stage* last = nullptr;  // where it is not null, raised to the stage of each decision that binary64 does not take
   FORCESHADE_INLINE bool sure(bool is_proved) const noexcept { return is_proved; }
+  void note(Stage stage) const noexcept {
+    if (last != nullptr) raise(*last, stage);
+  }
 };
 // For tests: all decisions in integers.
 struct ExactStages {
   static constexpr bool kFilter = false;
   bool sure(bool) const noexcept { return false; }
+  void note(Stage) const noexcept {}
 };
 
+template <class Stages, class Exact>
+FORCESHADE_INLINE auto in_integers(const Stages& stages, const Exact& exact) noexcept {
+  stages.note(Stage::wide);
+  return exact();
+}
 // value, with |error| as a bound: its sign, or that of exact().
 template <class Stages, class Exact>
 FORCESHADE_INLINE int sign_of(const DoubleWithError& value, const Stages& stages, const Exact& exact) noexcept {
   if (stages.sure(__builtin_fabs(value.value) > value.error)) [[likely]]
     return value.value > 0 ? 1 : -1;
-  return exact();
+  return in_integers(stages, exact);
 }
 
 inline constexpr std::uint32_t kGrid = std::uint32_t{1} << 24;  // parameters are in units of 1/kGrid
@@ -255,7 +266,7 @@ class GridParameters {
     const auto nearest = static_cast<std::int64_t>(scaled.value + 0.5);
     if (stages.sure(__builtin_fabs(scaled.value - static_cast<double>(nearest)) + scaled.error < 0.5 - 0x1p-27)) [[likely]]
       return static_cast<std::uint32_t>(nearest);
-    return exact();
+    return in_integers(stages, exact);
   }
 
   // The one below: see exact_cell().
@@ -268,7 +279,7 @@ class GridParameters {
     if (stages.sure(low > static_cast<double>(floor) + 0x1p-27 && high < static_cast<double>(floor) + (1 - 0x1p-27) &&
                     floor >= 0 && floor < kGrid)) [[likely]]
       return {static_cast<std::uint32_t>(floor), false};
-    return exact();
+    return in_integers(stages, exact);
   }
 
  private:

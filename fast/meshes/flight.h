@@ -55,12 +55,14 @@ class Flight {
     std::array<Cell, 3> cells{};
     if (landing_.part == Hit::Part::edge) cells[after(landing_.corner)] = cell_on_edge();
     if (landing_.part != Hit::Part::triangle) return cells;
+    stages_.note(Stage::wide);  // once a landing: it is not tried in binary64
     const ExactPassing passing(*this, landing_.face);
     for (std::size_t i = 0; i < 3; ++i) cells[i] = passing.cell(i);
     return cells;
   }
   // The same where p is, which is in the plane of the triangle.
   std::array<Cell, 3> cells_at_end() const noexcept {
+    stages_.note(Stage::wide);
     const ExactWeights weights(mesh_.face(end_.face), p_);
     std::array<Cell, 3> cells{};
     for (std::size_t i = 0; i < 3; ++i) cells[i] = exact_cell(weights.corner[i], weights.all);
@@ -117,6 +119,7 @@ class Flight {
 
   // Where it lands on an edge: the cell of the edge's half in landing().face, as the weight of the half's end.
   Cell cell_on_edge() const noexcept {
+    stages_.note(Stage::wide);
     const std::uint32_t i = landing_.corner, j = after(i);
     const Face& f = mesh_.face(landing_.face);
     if (!landing_.is_flat) return ExactPassing(*this, landing_.face).cell_between(i, j);

@@ -96,8 +96,15 @@ std::optional<float> nearest_root(const Shaded& over, const Shaded& under) noexc
 template <class N, bool kIsFromIntegers = false>
 class Parts {
  public:
-  Parts(const Mesh& mesh, const Arrival& arrival, const float* p, mesh::Shading scheme) noexcept
-      : mesh_(mesh), scheme_(scheme), spot_(arrival.spot), rest_(arrival.rest), position_(p), p_(point<N>(p)) {}
+  // slopes: raised to the stage of each slope of a texture.
+  Parts(const Mesh& mesh, const Arrival& arrival, const float* p, mesh::Shading scheme, Stage& slopes) noexcept
+      : mesh_(mesh),
+        scheme_(scheme),
+        spot_(arrival.spot),
+        rest_(arrival.rest),
+        position_(p),
+        p_(point<N>(p)),
+        stage_of_slopes_(slopes) {}
 
   Way3<N> way() const noexcept {
     switch (rest_) {
@@ -272,6 +279,7 @@ class Parts {
     if (!x || !y || !size) return std::nullopt;
     const auto slopes = mesh_.texture_map()->slopes(*x, *y);
     if (!slopes) return std::nullopt;
+    raise(stage_of_slopes_, slopes->stage);
     const auto tilt = [&](float slope, const Vector3<N>& gradient) {
       return scaled(N::exactly(static_cast<double>(*size) * static_cast<double>(slope)), gradient);  // a product of 48 bits
     };
@@ -314,6 +322,7 @@ class Parts {
   Rest rest_;
   const float* position_;
   Vector3<N> p_;
+  Stage& stage_of_slopes_;
 };
 
 template <class Rounded>
@@ -348,8 +357,10 @@ float rounded_quotient(const FixedInteger<kNum>& num, const FixedInteger<kDen>& 
   return *rounded;  // the value is within a unit of binary32, so one of its neighbours is the answer
 }
 
-[[gnu::noinline]] Force3 exact_unshaded(const Mesh& mesh, const Arrival& arrival, const float* p, double K,
-                                        bool is_filtered) noexcept {
+// last: as ForceDecision::last.
+[[gnu::noinline]] Force3 exact_unshaded(const Mesh& mesh, const Arrival& arrival, const float* p, double K, bool is_filtered,
+                                        Stage& last) noexcept {
+  raise(last, Stage::wide);
   const auto rounded = [&](const auto& vector, const auto& length) -> Force3 {
     return {rounded_quotient(vector.x, length, K, is_filtered), rounded_quotient(vector.y, length, K, is_filtered),
             rounded_quotient(vector.z, length, K, is_filtered)};
@@ -406,31 +417,31 @@ bool is_zero(const DoubleWithError& a) noexcept {
 
 // The shaded force with the numbers N; empty where they cannot decide it.
 template <class N, bool kIsFromIntegers = false>
-std::optional<Force3> shaded_force(const Mesh& mesh, const Arrival& arrival, const Force3& p, double K,
-                                   mesh::Shading scheme) noexcept {
+std::optional<Force3> shaded_force(const Mesh& mesh, const Arrival& arrival, const Force3& p, double K, mesh::Shading scheme,
+                                   Stage& last) noexcept {
   using Numbers = Parts<N, kIsFromIntegers>;
-  const Numbers parts(mesh, arrival, p.data(), scheme);
+  const Numbers parts(mesh, arrival, p.data(), scheme, last);
   const Way3<N> way = parts.way();
   const auto shading = parts.shading(way);
   if (shading.outcome == Numbers::Outcome::unknown) return std::nullopt;
-  if (shading.outcome == Numbers::Outcome::none) return exact_unshaded(mesh, arrival, p.data(), K, true);
+  if (shading.outcome == Numbers::Outcome::none) return exact_unshaded(mesh, arrival, p.data(), K, true, last);
   if (const auto force = along(way, shading.direction, K)) return force;
   // On flat parts the shading direction often is the way's own, and ties are as common as without shading.
   if constexpr (kIsFromIntegers) {
     const auto aside = cross(way.vector, shading.direction);
-    if (is_zero(aside.x) && is_zero(aside.y) && is_zero(aside.z)) return exact_unshaded(mesh, arrival, p.data(), K, true);
+    if (is_zero(aside.x) && is_zero(aside.y) && is_zero(aside.z)) return exact_unshaded(mesh, arrival, p.data(), K, true, last);
   }
   return std::nullopt;
 }
 
 // Both kept out of line: they are reached for few positions.
 [[gnu::noinline]] std::optional<Force3> shaded_force_from_integers(const Mesh& mesh, const Arrival& arrival, const Force3& p,
-                                                                   double K, mesh::Shading scheme) noexcept {
-  return shaded_force<DoubleWithError, true>(mesh, arrival, p, K, scheme);
+                                                                   double K, mesh::Shading scheme, Stage& last) noexcept {
+  return shaded_force<DoubleWithError, true>(mesh, arrival, p, K, scheme, last);
 }
 [[gnu::noinline]] Force3 shaded_force_in_wide_numbers(const Mesh& mesh, const Arrival& arrival, const Force3& p, double K,
-                                                      mesh::Shading scheme) noexcept {
-  return shaded_force<Shaded>(mesh, arrival, p, K, scheme).value_or(Force3{});
+                                                      mesh::Shading scheme, Stage& last) noexcept {
+  return shaded_force<Shaded>(mesh, arrival, p, K, scheme, last).value_or(Force3{});
 }
 
 // Whether the mesh has what the scheme uses.
@@ -448,7 +459,8 @@ bool can_shade(const Mesh& mesh, mesh::Shading scheme) noexcept {
 // axis is 0 here too.
 [[gnu::noinline]] std::optional<Force3> unshaded_force(const Mesh& mesh, const Arrival& arrival, const Force3& p,
                                                        double K) noexcept {
-  const auto way = Parts<DoubleWithError>(mesh, arrival, p.data(), mesh::Shading::none).way();
+  Stage slopes{};  // there are none
+  const auto way = Parts<DoubleWithError>(mesh, arrival, p.data(), mesh::Shading::none, slopes).way();
   const DoubleWithError factor = DoubleWithError::exactly(K) / way.length;
   return each([&](const DoubleWithError& one) { return round_to_binary32(factor * one); }, way.vector);
 }
@@ -495,8 +507,10 @@ FORCESHADE_INLINE std::optional<Force3> quick_force(const Face& f, const Plane& 
 }  // namespace
 
 std::array<float, 3> mesh_force(const Mesh& mesh, const Arrival& arrival, const std::array<float, 3>& p, float stiffness,
-                                mesh::Shading shading, bool is_filtered, ForceStage* decided) noexcept {
-  if (decided != nullptr) *decided = ForceStage::unshaded;
+                                mesh::Shading shading, bool is_filtered, ForceDecision* decided) noexcept {
+  ForceDecision ignored;
+  ForceDecision& by = decided != nullptr ? *decided : ignored;
+  by = {};
   if (arrival.rest == Rest::none || arrival.rest == Rest::at_position) return {};
   const auto K = static_cast<double>(stiffness);
   if (!can_shade(mesh, shading)) {
@@ -505,20 +519,19 @@ std::array<float, 3> mesh_force(const Mesh& mesh, const Arrival& arrival, const 
                                  ? quick_force(mesh.face(face_of(arrival.spot.half)), arrival.plane, K)
                                  : unshaded_force(mesh, arrival, p, K)) [[likely]]
         return *force;
-    return exact_unshaded(mesh, arrival, p.data(), K, is_filtered);
+    return exact_unshaded(mesh, arrival, p.data(), K, is_filtered, by.last);
   }
-  const auto note = [&](ForceStage stage) {
-    if (decided != nullptr) *decided = stage;
-  };
   if (is_filtered) {
-    note(ForceStage::binary64);
-    if (const auto force = shaded_force<DoubleWithError>(mesh, arrival, p, K, shading)) [[likely]]
+    by.numbers = ForceStage::binary64;
+    if (const auto force = shaded_force<DoubleWithError>(mesh, arrival, p, K, shading, by.last)) [[likely]]
       return *force;
-    note(ForceStage::from_integers);
-    if (const auto force = shaded_force_from_integers(mesh, arrival, p, K, shading)) return *force;
+    raise(by.last, Stage::wide);
+    by.numbers = ForceStage::from_integers;
+    if (const auto force = shaded_force_from_integers(mesh, arrival, p, K, shading, by.last)) return *force;
   }
-  note(ForceStage::wide);
-  return shaded_force_in_wide_numbers(mesh, arrival, p, K, shading);
+  raise(by.last, Stage::wide);
+  by.numbers = ForceStage::wide;
+  return shaded_force_in_wide_numbers(mesh, arrival, p, K, shading, by.last);
 }
 
 const char* force_arithmetic_fault() noexcept {

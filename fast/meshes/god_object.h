@@ -27,7 +27,9 @@ FORCESHADE_INLINE void step(const Mesh& mesh, Arrival& at, const std::array<floa
   tick.status = !at.is_finished                      ? mesh::TickStatus::unfinished
                 : at.spot.place == mesh::Place::free ? mesh::TickStatus::free
                                                      : mesh::TickStatus::touching;
-  tick.force = mesh_force(mesh, at, p, stiffness, shading, Stages::kFilter);
+  ForceDecision decided;
+  tick.force = mesh_force(mesh, at, p, stiffness, shading, Stages::kFilter, &decided);
+  if (decided.last != Stage::binary64) stages.note(decided.last);
 }
 
 // What one position does to a god-object. Without allocation, lock or exception; a tick makes 256 moves at most. position: mm;

@@ -52,7 +52,8 @@ double lower_bound_of_square(const Face& face, const Vector3<double>& at) noexce
 
 [[gnu::noinline]] mesh::Tick MeshSession::step_on_mesh(const std::array<float, 3>& position) noexcept {
   mesh::Tick tick;
-  fast::step(*mesh_, at_, position, stiffness_, shading_, FilteredStages{}, tick);
+  stage_ = Stage::binary64;
+  fast::step(*mesh_, at_, position, stiffness_, shading_, FilteredStages{&stage_}, tick);
   if (tick.status != mesh::TickStatus::invalid) square_ = 0;  // a ball is of use only to a god-object that is in it
   if (tick.status == mesh::TickStatus::free)
     seek_ball();

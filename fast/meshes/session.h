@@ -25,6 +25,7 @@ class MeshSession {
       const std::array<float, 3> p = quantised(position);
       const std::uint16_t moves = p == at_.spot.position ? 0 : 1;
       at_.spot.position = p;
+      stage_ = Stage::binary64;
       if (off_centre(p) > renew_square_) seek_ball();
       mesh::Tick tick{mesh::TickStatus::free, moves, {}, {}};
       tick.after.place = mesh::Place::free;
@@ -33,6 +34,9 @@ class MeshSession {
     }
     return step_on_mesh(position);
   }
+
+  // Of the last step: binary64 only where that took every decision and gave the force.
+  Stage stage() const noexcept { return stage_; }
 
   // Brings what the next step will probably use into the caches: it takes that step to where the hand arrives if it goes on as
   // in the last one, and forgets the result. Changes no later state or force. Takes as long as a step. For a loop that has time
@@ -80,6 +84,7 @@ class MeshSession {
   double renew_square_ = 0;                 // mm²: farther from the centre than this, the next ball is sought
   int ticks_until_ball_ = 0;                // while small balls would be left at once
   bool is_seeking_ = false;
+  Stage stage_{};
   BoxTree::Search search_;
 };
 

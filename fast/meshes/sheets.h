@@ -4,6 +4,8 @@
 // tree gives the triangles that a way may meet, binary64 drops those whose plane surely has both ends on one side, and what is
 // left is decided in integers: few ways are blocked.
 
+#include <algorithm>
+#include <cstdlib>
 #include <optional>
 
 #include "forceshade/fast/meshes/flight.h"
@@ -165,6 +167,7 @@ class Sheets {
       const FaceNumbers numbers(face);
       const DoubleWithError side = side_about(face, numbers, end.about);
       if (!is_alone || stages_.sure(__builtin_fabs(side.value) > side.error + 8 * reach * numbers.area)) return;
+      stages_.note(Stage::wide);
       std::uint32_t corner = 0;
       const Hit::Part part = way.start_in(face, corner);
       if (part != Hit::Part::none && key_at(mesh_, f, part, corner) != own) is_alone = false;
@@ -253,6 +256,7 @@ class Sheets {
  private:
   // mm: more than binary64 rounds a point's coordinates by.
   static constexpr double kAbout = 0x1p-35;
+  static constexpr int kLeastSteps = 8;
   // Of the largest coordinate: longer than a cell of the grid, which is at most 2·√3·2^-24 of it.
   static constexpr double kCell = 0x1p-22;
 
@@ -401,6 +405,7 @@ class Sheets {
     mesh_.tree().along(from.about, to.about, [&](std::uint32_t f) {
       const Face& face = mesh_.face(f);
       if (surely_misses(face, from.about, to.about, inside)) return;
+      stages_.note(Stage::wide);
       way.meet(face, [&](Hit::Part part, std::uint32_t corner, const auto& where) {
         const Block found{where(), 3 * f + corner, key_at(mesh_, f, part, corner)};
         if (first) {
@@ -421,6 +426,7 @@ class Sheets {
     mesh_.tree().along(at.about, at.about, [&](std::uint32_t f) {
       const Face& face = mesh_.face(f);
       if (surely_misses(face, at.about, at.about, inside)) return;
+      stages_.note(Stage::wide);
       std::uint32_t corner = 0;
       const Hit::Part part = way.start_in(face, corner);
       if (part == Hit::Part::none) return;
@@ -458,7 +464,8 @@ class Sheets {
       }
   }
 
-  // Along the way to e, as far as it is clear about.
+  // Along the way to e, as far as it is clear about. Not within kLeastSteps of the grid: around so near a place there often is
+  // a point beside the way that is a little nearer to p, and the god-object would creep along the sheet from point to point.
   void shorten(Nearest& best, const Distance& limit, const Spot& from, const Spot& e, std::uint32_t carrier,
                const Block& blocked) const noexcept {
     const auto G = weights_in(mesh_, from, carrier), E = weights_in(mesh_, e, carrier);
@@ -468,7 +475,10 @@ class Sheets {
       const std::int64_t sum = std::int64_t{G[i]} * kGrid + std::int64_t{m} * (std::int64_t{E[i]} - std::int64_t{G[i]});
       return Cell{static_cast<std::uint32_t>(sum / kGrid), sum % kGrid == 0};
     };
+    std::int64_t steps = 0;  // of the whole way
+    for (std::size_t i = 0; i < 3; ++i) steps = std::max(steps, std::abs(std::int64_t{E[i]} - std::int64_t{G[i]}));
     for (std::uint32_t back = 0; back < most; back = back == 0 ? 1 : 2 * back) {
+      if ((most - back) * steps < std::int64_t{kLeastSteps} * kGrid) return;
       Nearest of_these;
       of_these.limit = limit;
       of_these.has_limit = true;

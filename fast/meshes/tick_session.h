@@ -13,6 +13,8 @@ class TickSession : public Session {
  public:
   // position: mm, the next one of the path. Without allocation, lock or exception.
   virtual mesh::Tick tick(const std::array<float, 3>& position) noexcept = 0;
+  // Which arithmetic decided the last tick: the last stage of all its decisions.
+  virtual Stage stage() const noexcept = 0;
   // Goes on from a state of this mesh, as a tick gave it.
   virtual void resume(const mesh::GodObject& state) noexcept = 0;
 
@@ -21,9 +23,9 @@ class TickSession : public Session {
     const mesh::Tick its = tick({position.x(), position.y(), position.z()});
     const Eigen::Vector3f force(its.force[0], its.force[1], its.force[2]);
     switch (its.status) {
-      case mesh::TickStatus::free: return {};
-      case mesh::TickStatus::invalid: return {{0, 0, 0}, Status::invalid};
-      default: return {force, Status::contact, Stage::binary64, its.status == mesh::TickStatus::unfinished};
+      case mesh::TickStatus::free: return {{0, 0, 0}, Status::free, stage()};
+      case mesh::TickStatus::invalid: return {{0, 0, 0}, Status::invalid, stage()};
+      default: return {force, Status::contact, stage(), its.status == mesh::TickStatus::unfinished};
     }
   }
 };
@@ -35,6 +37,7 @@ class GodObjectSession final : public TickSession {
       : session_(std::move(mesh), stiffness, shading) {}
 
   mesh::Tick tick(const std::array<float, 3>& position) noexcept override { return session_.step(position); }
+  Stage stage() const noexcept override { return session_.stage(); }
   void resume(const mesh::GodObject& state) noexcept override { session_.resume(state); }
   void look_ahead() noexcept override { session_.look_ahead(); }
 

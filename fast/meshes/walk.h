@@ -259,6 +259,7 @@ class Walk {
     const Point g = point_of(mesh_, spot_);
     const Offset U = offset_from(g, p_.data(), largest());
     if (stages_.sure(U.size < HUGE_VAL)) return false;
+    stages_.note(Stage::wide);
     return is_zero(exact_offset_from(g, p_.data()));
   }
 

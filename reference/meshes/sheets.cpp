@@ -2,6 +2,7 @@
 #include "forceshade/reference/meshes/sheets.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace forceshade::reference::meshes {
@@ -167,7 +168,13 @@ void Sheets::shorten(Nearest& best, const Reached& from, const GridPoint& e, std
   const auto at = [&](std::uint32_t m, std::size_t i) {
     return Fraction{Integer(G[i]) * kGrid + Integer(m) * (Integer(E[i]) - Integer(G[i])), kGrid};
   };
-  for (std::uint32_t back = 0; back < most; back = back == 0 ? 1 : 2 * back) {
+  // Whether a weight changes by eight steps up to the place m. Nearer places are not tried.
+  const auto is_far = [&](std::uint32_t m) {
+    return std::ranges::any_of(std::array<std::size_t, 3>{0, 1, 2}, [&](std::size_t i) {
+      return abs(Integer(m) * (Integer(E[i]) - Integer(G[i]))) >= Integer(8) * kGrid;
+    });
+  };
+  for (std::uint32_t back = 0; back < most && is_far(most - back); back = back == 0 ? 1 : 2 * back) {
     Nearest of_these(distance(from.at));
     for (const GridPoint& c : around(carrier, at(most - back, 1), at(most - back, 2))) {
       Integer off = distance(c);

@@ -66,6 +66,10 @@ expect 1 "refused to drive: no certificate" -- "$forceshade" drive $mesh --devic
 expect 0 "certified: 250000 points" -- "$forceshade" certify $mesh --points 200000 --cases 2000 --out certificate
 expect 1 "covers cube.off with other parameters" -- "$forceshade" drive $mesh --stiffness 0.25 --device simulated --seconds 0.1 \
   --certificate certificate/certificate.json
+# The ticks by the stage that decided them, of this stiffness and of others: not all in one.
+for stage in binary64 wide; do
+  same 2 "$(grep -A 3 '"points_by_stage"' certificate/certificate.json | grep -c "\"$stage\": [1-9]")"
+done
 expect 1 "" -- "$forceshade" drive $mesh --shading none --device simulated --seconds 0.1 --certificate certificate/certificate.json
 expect 1 "" -- "$forceshade" drive $mesh --self-intersecting --device simulated --seconds 0.1 --certificate certificate/certificate.json
 printf 't_s,x_mm,y_mm,z_mm\n' > hand.csv

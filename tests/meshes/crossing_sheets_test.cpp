@@ -183,15 +183,32 @@ class Source {
   std::size_t count_ = 0;
 };
 
-fast::Mesh built(const TriangleMesh& triangles, Sides sides, mesh::SelfIntersections allowed) {
-  auto mesh = fast::Mesh::build(triangles, {}, sides, {}, allowed);
+// How it is shaded.
+struct Look {
+  mesh::Shading shading = mesh::Shading::none;
+  mesh::CornerNormals normals;
+  mesh::Texture texture;
+};
+Look look_of(const TriangleMesh& triangles, mesh::Shading shading, properties::MeshSource& source) {
+  Look look{shading, {}, {}};
+  if (mesh::has_corner_normals(shading)) look.normals = source.normals_of(triangles);
+  if (shading == mesh::Shading::texture_scheme)
+    look.texture = {source.textures_of(triangles),
+                    {{{height::Grating{1, 0.5F, 0.75F, 0}}, {height::Cone{1, 2, 3, 4}}, {height::Plane{0.25F, 0.5F, 0}}}}};
+  return look;
+}
+
+fast::Mesh built(const TriangleMesh& triangles, Sides sides, mesh::SelfIntersections allowed, const Look& look = {}) {
+  auto mesh = fast::Mesh::build(triangles, look.normals, sides, look.texture, allowed);
   if (const auto* error = std::get_if<std::string>(&mesh)) throw std::runtime_error(*error);
   return std::get<fast::Mesh>(std::move(mesh));
 }
 
-reference::GodObject defined(const TriangleMesh& triangles, Sides sides, mesh::SelfIntersections allowed) {
-  return std::get<reference::GodObject>(
-      reference::GodObject::build(triangles, {}, sides, mesh::Shading::none, kStiffness, {}, allowed));
+reference::GodObject defined(const TriangleMesh& triangles, Sides sides, mesh::SelfIntersections allowed,
+                             const Look& look = {}) {
+  auto built = reference::GodObject::build(triangles, look.normals, sides, look.shading, kStiffness, look.texture, allowed);
+  if (const auto* error = std::get_if<ParameterError>(&built)) throw std::runtime_error(error->message());
+  return std::get<reference::GodObject>(std::move(built));
 }
 
 // More by hand.
@@ -203,28 +220,36 @@ std::size_t ticks_of_a_test(std::size_t usual) {
 TEST(crossing_sheets, fast_is_the_reference_in_every_bit) {
   std::map<std::string, std::size_t> reached;
   Source source(71);
+  properties::MeshSource looks(71);
   constexpr std::size_t kTicks = 250;
   const std::size_t ticks = ticks_of_a_test(5000);
   for (std::uint64_t seed = 0; seed * kTicks < ticks; ++seed) {
     const Made made = source.next();
     const Sides sides = seed % 3 == 0 ? Sides::both : Sides::front;
-    const fast::Mesh mesh = built(made.mesh, sides, mesh::SelfIntersections::allowed),
-                     untested = built(made.mesh, sides, mesh::SelfIntersections::refused);
-    reference::GodObjectSession session(defined(made.mesh, sides, mesh::SelfIntersections::allowed));
+    const auto shading = static_cast<mesh::Shading>(seed % mesh::kShadingNames.size());
+    const std::string shaded = "turned by the shading: " + std::string(name_of(shading));
+    const Look look = look_of(made.mesh, shading, looks);
+    const fast::Mesh mesh = built(made.mesh, sides, mesh::SelfIntersections::allowed, look),
+                     untested = built(made.mesh, sides, mesh::SelfIntersections::refused, look);
+    reference::GodObjectSession session(defined(made.mesh, sides, mesh::SelfIntersections::allowed, look));
     properties::MeshPath path(made.mesh, seed);
     mesh::GodObject state;
     for (std::size_t i = 0; i < kTicks; ++i) {
       const std::array<float, 3> p = path.next();
       const mesh::Tick expected = session.step(p);
       const std::size_t allocated = tests::allocations();
-      const mesh::Tick found = fast::step(mesh, state, p, kStiffness, mesh::Shading::none);
+      const mesh::Tick found = fast::step(mesh, state, p, kStiffness, shading);
       ASSERT_EQ(tests::allocations(), allocated);
-      const mesh::Tick exact = fast::step(mesh, state, p, kStiffness, mesh::Shading::none, fast::ExactStages());
+      const mesh::Tick exact = fast::step(mesh, state, p, kStiffness, shading, fast::ExactStages());
       ASSERT_TRUE(tests::is_same(found, expected) && tests::is_same(exact, expected))
-          << "mesh " << seed << ", " << kKinds[made.kind] << ", tick " << i << ": expected " << tests::show(expected)
-          << ", found " << tests::show(found) << ", in integers " << tests::show(exact);
-      const mesh::Tick without = fast::step(untested, state, p, kStiffness, mesh::Shading::none);
-      reached["a way that is blocked"] += !tests::is_same(found, without);
+          << "mesh " << seed << ", " << kKinds[made.kind] << ", " << name_of(shading) << ", tick " << i << ": expected "
+          << tests::show(expected) << ", found " << tests::show(found) << ", in integers " << tests::show(exact);
+      const mesh::Tick without = fast::step(untested, state, p, kStiffness, shading);
+      const bool is_blocked = !tests::is_same(found, without),
+                 is_turned = found.force != fast::step(mesh, state, p, kStiffness, mesh::Shading::none).force;
+      reached["a way that is blocked"] += is_blocked;
+      reached[shaded] += is_turned;
+      reached[shaded + ", where a way is blocked"] += is_turned && is_blocked;
       reached["a rest where a way is blocked"] += found.status == mesh::TickStatus::touching && found.after != without.after;
       reached["a move onto another part"] += found.moves > 1 && found.after.place == mesh::Place::triangle &&
                                              state.place == mesh::Place::triangle && !tests::is_same(found, without) &&
@@ -242,6 +267,10 @@ TEST(crossing_sheets, fast_is_the_reference_in_every_bit) {
   for (const char* kind : kKinds) EXPECT_GT(reached[kind], 0U) << kind;
   for (const char* name : {"a way that is blocked", "a rest where a way is blocked", "a move onto another part"})
     EXPECT_GT(reached[name], 0U) << name;
+  for (const auto& [name, count] : reached) {
+    if (!name.starts_with("turned by the shading")) continue;
+    EXPECT_EQ(count == 0, name.starts_with("turned by the shading: none")) << name;
+  }
 }
 
 // Where no triangles cross, testing the ways changes nothing.
@@ -389,6 +418,35 @@ TEST(crossing_sheets, a_god_object_goes_along_the_line_where_a_floor_and_a_wall_
     EXPECT_EQ(again.force, tick.force);
   }
   std::printf("  at most %zu moves in a tick\n", most);
+}
+
+// A wall that runs nearly as the floor's grid does. Beside it some point of the grid is always a little nearer to the wall and
+// to p; a god-object that took each of them in turn would need hundreds of moves.
+TEST(crossing_sheets, a_god_object_does_not_creep_along_a_wall_from_point_to_point_of_the_grid) {
+  for (const float slope : {1 / 50.0F, 1 / 300.0F, -1 / 300.0F, 1 / 2000.0F}) {
+    TriangleMesh plates;
+    plates.vertices = {{-20, -20, 0}, {20, -20, 0}, {20, 20, 0}, {-20, 20, 0}};
+    for (const auto& [x, z] : {std::array{-19.0F, -7.0F}, {-19.0F, 9.0F}, {19.0F, 9.0F}, {19.0F, -7.0F}})
+      plates.vertices.push_back({x, 0.1F + slope * x, z});  // its front towards +y
+    plates.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
+    const fast::Mesh mesh = built(plates, Sides::front, mesh::SelfIntersections::allowed);
+    const reference::GodObject definition = defined(plates, Sides::front, mesh::SelfIntersections::allowed);
+    std::size_t most = 0, sum = 0;
+    for (int i = 0; i < 40; ++i) {
+      mesh::GodObject state;
+      const float x = 1.37F + 0.113F * static_cast<float>(i);
+      for (const std::array<float, 3>& p : {std::array{x, 5.0F, 3.0F}, {x, 5.0F, -1.0F}, {x + 0.7F, -2.3F, -1.0F}}) {
+        const mesh::Tick expected = definition.step(state, p),
+                         found = fast::step(mesh, state, p, kStiffness, mesh::Shading::none);
+        ASSERT_TRUE(tests::is_same(found, expected)) << tests::show(expected) << ", found " << tests::show(found);
+        state = found.after;
+        most = std::max<std::size_t>(most, found.moves);
+        sum += found.moves;
+      }
+    }
+    std::printf("  slope %.5f: at most %zu moves in a tick, %zu in 120\n", static_cast<double>(slope), most, sum);
+    EXPECT_LE(most, 8U) << slope;
+  }
 }
 
 // The only way to a state that lies in two features: the origin, a point of the grid of both plates, to which the start is

@@ -79,9 +79,10 @@ struct CountedStages {
   std::size_t* in_binary64;
   std::size_t* in_integers;
   bool sure(bool is_proved) const noexcept {
-    ++(is_proved ? *in_binary64 : *in_integers);
+    *in_binary64 += is_proved;
     return is_proved;
   }
+  void note(Stage) const noexcept { ++*in_integers; }
 };
 
 struct Reached {
@@ -170,16 +171,30 @@ TEST(god_object, is_the_same_with_and_without_a_filter_and_from_tick_to_tick_in_
     const auto mesh = std::make_shared<const Mesh>(scene.mesh);
     mesh::GodObject state;
     MeshSession session(mesh, kStiffness, scene.shading);
+    // Held as a session holds it: a state names an edge, and which of its two halves is held decides what is computed.
+    Arrival arrival;
     for (std::size_t i = 0; i < kTicksOfAMesh; ++i) {
       const std::array<float, 3> p = scene.path.next();
       const mesh::Tick exact = step(*mesh, state, p, kStiffness, scene.shading, ExactStages());
-      const mesh::Tick filtered = step(*mesh, state, p, kStiffness, scene.shading, CountedStages{&in_binary64, &in_integers});
-      if (i % 50 == 49) session.resume(state);
+      if (i % 50 == 49) {
+        session.resume(state);
+        arrival.spot = spot_of(*mesh, state);
+      }
+      const std::size_t before = in_integers;
+      mesh::Tick filtered;
+      step(*mesh, arrival, p, kStiffness, scene.shading, CountedStages{&in_binary64, &in_integers}, filtered);
+      filtered.after = object_of(*mesh, arrival.spot);
       if (i % 3 != 0) session.look_ahead();  // without any trace in what follows
       const mesh::Tick in_session = session.step(p);
       for (const mesh::Tick& tick : {filtered, in_session})
         ASSERT_TRUE(tests::is_same(tick, exact)) << "mesh " << seed << ", " << scene.place(i, p) << ": in integers "
                                                  << tests::show(exact) << ", found " << tests::show(tick);
+      // A free one may have a ball, in which nothing is decided.
+      const bool is_in_doubt = in_integers > before;
+      if (exact.status != mesh::TickStatus::free) {
+        EXPECT_EQ(session.stage() == Stage::binary64, !is_in_doubt) << "mesh " << seed << ", " << scene.place(i, p);
+        ++reached.counts[is_in_doubt ? "a tick not in binary64" : "a tick in binary64"];
+      }
       state = exact.after;
       reached.note(exact);
     }
@@ -187,8 +202,27 @@ TEST(god_object, is_the_same_with_and_without_a_filter_and_from_tick_to_tick_in_
   reached.counts["decided in binary64"] = in_binary64;
   reached.counts["decided in integers"] = in_integers;
   std::vector<const char*> names = kReached;
-  names.insert(names.end(), {"decided in binary64", "decided in integers"});
+  names.insert(names.end(), {"decided in binary64", "decided in integers", "a tick in binary64", "a tick not in binary64"});
   reached.expect_all(names);
+}
+
+// What a certificate counts: on a floor, a landing is rounded in integers, and a position in its plane is found there.
+TEST(god_object, in_a_session_gives_the_stage_that_decided_its_tick) {
+  const mesh::TriangleMesh floor{{{-8.3F, -9.1F, 0}, {8.7F, -9.4F, 0}, {8.2F, 7.7F, 0}, {-8.6F, 7.9F, 0}},
+                                 {{0, 1, 2}, {0, 2, 3}}};
+  GodObjectSession session(std::make_shared<const Mesh>(built(floor, {}, mesh::Sides::front)), kStiffness, mesh::Shading::none);
+  const auto stage_at = [&](float x, float y, float z) { return session.step({x, y, z}).stage; };
+  EXPECT_EQ(stage_at(-8.55F, -8.9F, 0), Stage::wide) << "in the floor's plane, beside it";
+  EXPECT_EQ(stage_at(-8.55F, -8.9F, 0.01F), Stage::binary64) << "in a ball around that place";
+  EXPECT_EQ(stage_at(3.1F, 1.3F, 2), Stage::binary64) << "free";
+  EXPECT_EQ(stage_at(3.1F, 1.3F, -0.7F), Stage::wide) << "a landing";
+  EXPECT_EQ(stage_at(3.2F, 1.3F, -0.7F), Stage::binary64) << "a slide in a triangle";
+  EXPECT_EQ(stage_at(1.1F, 3.3F, -0.6F), Stage::binary64) << "a slide over an edge";
+  EXPECT_EQ(stage_at(1.2F, 3.4F, 0), Stage::wide) << "in the floor's plane";
+  EXPECT_EQ(stage_at(1.2F, 3.4F, -0.5F), Stage::binary64) << "below it again";
+  // 0.3F has the 24 bits of 10066330, and five times this number is halfway between two of 24 bits.
+  EXPECT_EQ(stage_at(1.2F, 3.4F, -1.25F), Stage::wide) << "a force that is a tie";
+  EXPECT_EQ(stage_at(std::nanf(""), 0, 0), Stage::binary64) << "no position";
 }
 
 // A sheet of n x n cells of 1 mm with hills and dents; hands that go up to four cells a tick over it, below and above it.

@@ -163,14 +163,19 @@ TEST(texture_scheme, is_the_reference_in_every_bit_on_random_meshes_and_maps) {
       mesh::Tick tick;
       step(mesh, arrival, p, kStiffness, mesh::Shading::texture_scheme, fast::FilteredStages(), tick);
       if (tick.status != mesh::TickStatus::invalid) {
-        fast::ForceStage stage{};
+        fast::ForceDecision decided;
         const Position read{fast::quantised(p[0]), fast::quantised(p[1]), fast::quantised(p[2])};
-        fast::mesh_force(mesh, arrival, read, kStiffness, mesh::Shading::texture_scheme, true, &stage);
+        fast::mesh_force(mesh, arrival, read, kStiffness, mesh::Shading::texture_scheme, true, &decided);
+        const fast::ForceStage stage = decided.numbers;
         const Position untilted = step(mesh, state, p, kStiffness, mesh::Shading::vertex_scheme).force;
         if (stage != fast::ForceStage::unshaded) {
           counts["force from binary64"] += stage == fast::ForceStage::binary64;
           counts["force from integers, rounded"] += stage == fast::ForceStage::from_integers;
           counts["force from wide numbers"] += stage == fast::ForceStage::wide;
+          if (stage == fast::ForceStage::from_integers || stage == fast::ForceStage::wide) {
+            EXPECT_EQ(decided.last, fast::Stage::wide) << tests::show(expected);
+          }
+          counts["a slope in double-double at most"] += decided.last == fast::Stage::double_double;
           ++counts[std::string("at ") + std::string(mesh::kPlaceNames[static_cast<std::size_t>(expected.after.place)])];
           ++counts[std::string(mesh::kSideNames[static_cast<std::size_t>(expected.after.side)])];
           ++counts[untilted == expected.force ? "not turned by the texture" : "turned by the texture"];
@@ -180,8 +185,9 @@ TEST(texture_scheme, is_the_reference_in_every_bit_on_random_meshes_and_maps) {
       state = expected.after;
     }
   }
-  expect_all({"force from binary64", "force from integers, rounded", "force from wide numbers", "at vertex", "at edge",
-              "at triangle", "front", "back", "turned by the texture", "not turned by the texture", "turned on an edge"});
+  expect_all({"force from binary64", "force from integers, rounded", "force from wide numbers",
+              "a slope in double-double at most", "at vertex", "at edge", "at triangle", "front", "back",
+              "turned by the texture", "not turned by the texture", "turned on an edge"});
 }
 
 // A mesh with points of a texture in mm, its normals and its gradients.

@@ -57,6 +57,7 @@ class Changed final : public fast::TickSession {
     before_ = now;
     return answer;
   }
+  fast::Stage stage() const noexcept override { return right_->stage(); }
   void resume(const mesh::GodObject& state) noexcept override {
     right_->resume(state);
     before_ = {};
