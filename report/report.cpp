@@ -316,8 +316,8 @@ rounded correctly: it can give energy to the hand, and only a controller in the 
 
 }  // namespace
 
-std::string to_html(const Certificate& certificate, Pictures wanted) {
-  const std::string pictures = wanted == Pictures::none ? "" : figures(certificate);
+std::string to_html(const Certificate& certificate, Pictures shown) {
+  const std::string pictures = shown == Pictures::none ? "" : figures(certificate);
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>forceshade certificate: " +
          std::string(certificate.held() ? "held" : "failed") + "</title>\n<style>" + kPageStyle +

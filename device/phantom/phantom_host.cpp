@@ -218,11 +218,11 @@ void Host::start(double rate) {
   FrameSettings settings{.gimbal = description_.gimbal,
                          .style = style_,
                          .force = options_.force,
-                         .patience = options_.patience,
+                         .watchdog_timeout = options_.watchdog_timeout,
                          .rate = rate_,
                          .window = std::max(1, static_cast<int>(rate_) / kMeasured),
                          .rate_tolerance = options_.rate_tolerance,
-                         .longest_gap = std::chrono::duration<double>(options_.patience).count() / 2};
+                         .longest_gap = std::chrono::duration<double>(options_.watchdog_timeout).count() / 2};
   frames_ = std::make_unique<PhantomFrames>(hd_, device_, settings, shared_);
   hold_frames(frames_.get());
   const auto tick = [](void* self) -> unsigned {
