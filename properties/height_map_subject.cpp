@@ -2,34 +2,25 @@
 #include "forceshade/properties/height_map_subject.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "forceshade/properties/binary32.h"
+#include "forceshade/properties/built_or_throw.h"
 #include "forceshade/properties/generators.h"
 #include "forceshade/properties/height_loops.h"
 #include "forceshade/properties/height_properties.h"
 #include "forceshade/properties/spread.h"
 
 namespace forceshade::properties {
-namespace {
-
-template <class Field>
-Field built(const HeightMap& map, height::Rendering rendering, float stiffness) {
-  auto result = Field::build(map, rendering, stiffness);
-  if (const auto* error = std::get_if<ParameterError>(&result)) throw std::invalid_argument(error->message());
-  return std::get<Field>(std::move(result));
-}
-
-}  // namespace
 
 Calls fast_height_map(const HeightMap& map, height::Rendering rendering, float stiffness) {
-  return calls_of(built<fast::HeightMapField>(map, rendering, stiffness));
+  return calls_of(built_or_throw(fast::HeightMapField::build(map, rendering, stiffness)));
 }
 
 HeightMapSubject::HeightMapSubject(const std::string& name, const HeightMap& map, height::Rendering rendering, float stiffness,
                                    RenderHeightMap render)
-    : FieldSubject(render(map, rendering, stiffness), built<reference::HeightMapField>(map, rendering, stiffness),
+    : FieldSubject(render(map, rendering, stiffness),
+                   built_or_throw(reference::HeightMapField::build(map, rendering, stiffness)),
                    identity_of(name, map, rendering, stiffness)),
       render_(std::move(render)) {}
 

@@ -2,10 +2,10 @@
 #include "forceshade/properties/law_subject.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "forceshade/properties/binary32.h"
+#include "forceshade/properties/built_or_throw.h"
 #include "forceshade/properties/continuity.h"
 #include "forceshade/properties/generators.h"
 #include "forceshade/properties/passivity.h"
@@ -13,24 +13,14 @@
 #include "forceshade/reference/energy.h"
 
 namespace forceshade::properties {
-namespace {
-
-reference::Law reference_of(LawId law, const Parameters& parameters) {
-  auto built = reference::Law::build(law, parameters);
-  if (const auto* error = std::get_if<ParameterError>(&built)) throw std::invalid_argument(error->message());
-  return std::get<reference::Law>(std::move(built));
-}
-
-}  // namespace
 
 Calls fast_law(LawId law, const Parameters& parameters) {
-  const auto built = fast::Law::build(law, parameters);
-  if (const auto* error = std::get_if<ParameterError>(&built)) throw std::invalid_argument(error->message());
-  return calls_of(std::get<fast::Law>(built));
+  return calls_of(built_or_throw(fast::Law::build(law, parameters)));
 }
 
 LawSubject::LawSubject(LawId law, const Parameters& parameters, RenderLaw render)
-    : FieldSubject(render(law, parameters), reference_of(law, parameters), identity_of(law, parameters)),
+    : FieldSubject(render(law, parameters), built_or_throw(reference::Law::build(law, parameters)),
+                   identity_of(law, parameters)),
       render_(std::move(render)) {}
 
 LawSubject::LawSubject(const RenderedLaw& rendered)
