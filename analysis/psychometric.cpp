@@ -89,10 +89,10 @@ struct Start {
   PsychometricParameters parameters;
 };
 
-// Of a grid, the best place for each scale; of these the best, so many. A steep and a flat function are often both better than
+// Of a grid, the best place for each scale; of these the `most` best. A steep and a flat function are often both better than
 // what lies between them.
 std::vector<Start> starts(const std::vector<AngleCount>& points, const PsychometricModel& model, const Limits& limits,
-                          std::size_t wanted) {
+                          std::size_t most) {
   const double first = limits.low[0] + (limits.high[0] - limits.low[0]) / 3, reach = (limits.high[0] - limits.low[0]) / 3;
   std::vector<Start> best;
   for (const double scale : {reach / 64, reach / 32, reach / 16, reach / 8, reach / 3}) {
@@ -106,7 +106,7 @@ std::vector<Start> starts(const std::vector<AngleCount>& points, const Psychomet
         }
   }
   std::ranges::stable_sort(best, {}, &Start::value);
-  best.resize(std::min(best.size(), wanted));
+  best.resize(std::min(best.size(), most));
   return best;
 }
 

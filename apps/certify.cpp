@@ -116,11 +116,11 @@ int run_points(const CertifyOptions& options, properties::CertifyOptions what, c
 int run(const CertifyOptions& options, const SubjectOption& subject, const OutFolder& out, bool radius_is_given) {
   watch_for_interrupt();
   properties::CertifyOptions what{.subjects = subject.subjects()};
-  if (options.exhaustive.wanted && !subject.is_a_law())
+  if (options.exhaustive.is_given && !subject.is_a_law())
     throw BadInput("--exhaustive: expected --law, got --height-map; a height map has too many inputs to sweep");
   // Before the work, so that a path that cannot be written to is said at once.
   out.make(certificate_files());
-  if (!options.exhaustive.wanted) return run_points(options, std::move(what), out);
+  if (!options.exhaustive.is_given) return run_points(options, std::move(what), out);
   properties::SweepPlan plan{subject.law().laws(), subject.law().parameters(), {}};
   for (const properties::ThesisRadius& radius : properties::kThesisRadii) plan.radii.push_back(radius.mm);
   if (radius_is_given) plan.radii = {plan.parameters.radius};

@@ -128,15 +128,16 @@ int run(DeviceTryOptions options) {
   const std::optional<int> button = dead_man_button(options, device.capabilities().buttons);
   expect_done(person, second_step(button, options.seconds));
   Felt felt;
-  const RunOutcome outcome = run_on(
-      device, wall,
-      {.device = options.device,
-       .digest = covered.digest,
-       .record = options.record,
-       .json = options.json,
-       .overwrite = options.overwrite,
-       .servo = {
-           .max_seconds = options.seconds, .patience = options.watchdog_timeout, .dead_man_button = button, .sinks = {&felt}}});
+  const RunOutcome outcome = run_on(device, wall,
+                                    {.device = options.device,
+                                     .digest = covered.digest,
+                                     .record = options.record,
+                                     .json = options.json,
+                                     .overwrite = options.overwrite,
+                                     .servo = {.max_seconds = options.seconds,
+                                               .watchdog_timeout = options.watchdog_timeout,
+                                               .dead_man_button = button,
+                                               .sinks = {&felt}}});
   if (options.json != "-") felt.print(outcome.result);
   person.report("the run is over and there is no force; its recording is " + options.record);
   return outcome.code;
@@ -163,7 +164,7 @@ void add_device_try(CLI::App& device, int& result) {
              [options](double seconds) { options->seconds = seconds; });
   add_number(*command, "--watchdog-timeout",
              "for how many seconds ticks may be late before the run is stopped; 0.02 unless said",
-             {1 / device::kHighestRateHz, device::kLongestPatience},
+             {1 / device::kHighestRateHz, device::kLongestWatchdogTimeout},
              [options](double timeout) { options->watchdog_timeout = timeout; });
   add_in_reset_pose(*command, options->in_reset_pose);
   command->add_flag("--uncertified", options->uncertified, "try even where the certificate does not allow it");

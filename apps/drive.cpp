@@ -21,7 +21,7 @@ namespace {
 using Controller = device::PassivityController::Kind;
 
 constexpr NumberRange kSeconds{1 / device::kHighestRateHz, 1e9};
-constexpr NumberRange kWatchdogTimeout{1 / device::kHighestRateHz, device::kLongestPatience};
+constexpr NumberRange kWatchdogTimeout{1 / device::kHighestRateHz, device::kLongestWatchdogTimeout};
 constexpr WholeRange kButtons{0, std::numeric_limits<decltype(device::Reading::buttons)>::digits - 1};
 constexpr WholeRange kProcessors{0, CPU_SETSIZE - 1};
 
@@ -78,7 +78,7 @@ int run(const DriveOptions& options, const SubjectOption& subject, const Placeme
                            .follows_device = options.pace == "device",
                            .cpu = options.cpu,
                            .passivity = controller_named(options.passivity),
-                           .patience = options.watchdog_timeout,
+                           .watchdog_timeout = options.watchdog_timeout,
                            .dead_man_button = options.dead_man,
                            .placement = placement}})
       .code;

@@ -83,7 +83,7 @@ void print(const Sweeps& sweeps) {
 }  // namespace
 
 void ExhaustiveOptions::add_to(CLI::App& command) {
-  CLI::Option* flag = command.add_flag("--exhaustive", wanted,
+  CLI::Option* flag = command.add_flag("--exhaustive", is_given,
                                        "sweep over every binary32 instead of points and cases; can be stopped and resumed");
   command
       .add_option("--sweeps", sweeps,

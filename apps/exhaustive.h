@@ -12,7 +12,7 @@
 namespace forceshade::apps {
 
 struct ExhaustiveOptions {
-  bool wanted = false;
+  bool is_given = false;
   std::vector<std::string> sweeps{"directions", "heights", "lines"};
   std::string shards = "1/1";
 

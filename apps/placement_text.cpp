@@ -2,18 +2,16 @@
 #include "forceshade/apps/placement_text.h"
 
 #include <charconv>
-#include <cmath>
 #include <string_view>
 #include <vector>
 
 #include "forceshade/apps/bad_input.h"
 #include "forceshade/apps/length.h"
 #include "forceshade/csv/csv.h"
+#include "forceshade/fast/domain.h"
 
 namespace forceshade::apps {
 namespace {
-
-constexpr float kFarthest = 1e4F;  // mm: a position of the domain
 
 std::vector<std::string> at_commas(const std::string& text) {
   std::vector<std::string> parts(1);
@@ -51,8 +49,7 @@ device::Placement parse_placement(const std::string& origin, const std::string& 
       throw BadInput("--origin: expected three lengths X,Y,Z such as 10mm,0,-1in, got \"" + origin + '"');
     for (std::size_t i = 0; i < 3; ++i) {
       const float length = parse_length("--origin", lengths[i]);
-      if (!(std::fabs(length) <= kFarthest))
-        throw BadInput("--origin: expected at most 10000 mm each way, got \"" + lengths[i] + '"');
+      if (!fast::in_domain(length)) throw BadInput("--origin: expected at most 10000 mm each way, got \"" + lengths[i] + '"');
       shift[static_cast<Eigen::Index>(i)] = length;
     }
   }

@@ -45,10 +45,10 @@ struct PlotOptions {
   std::string y = "0", from = "-12.7mm", to = "12.7mm";
 
   std::vector<Kind> kinds() const {
-    std::vector<Kind> wanted;
+    std::vector<Kind> chosen;
     for (const Kind& kind : kKinds)
-      if (what == "all" || what == kind.name) wanted.push_back(kind);
-    return wanted;
+      if (what == "all" || what == kind.name) chosen.push_back(kind);
+    return chosen;
   }
 
   properties::Range range() const {

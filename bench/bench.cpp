@@ -48,8 +48,8 @@ std::size_t out_of_cache_count() {
   std::size_t largest = 0;  // bytes
   for (const auto& cache : benchmark::CPUInfo::Get().caches)
     if (cache.size > 0) largest = std::max(largest, static_cast<std::size_t>(cache.size));
-  const std::size_t wanted = std::max(kFewestOutOfCache, kCacheMultiple * largest / (4 * sizeof(float)));
-  return (wanted + kInCache - 1) / kInCache * kInCache;
+  const std::size_t fewest = std::max(kFewestOutOfCache, kCacheMultiple * largest / (4 * sizeof(float)));
+  return (fewest + kInCache - 1) / kInCache * kInCache;
 }
 
 // Positions and room for forces, each array on its own cache lines.

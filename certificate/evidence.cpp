@@ -21,11 +21,12 @@ std::string some(std::uint64_t count, const std::string& word) {
 // The product of wall and bump-1p is exact in binary64. The flat surface of bump-1p-shaded is decided by z alone; what its
 // binary64 leaves open is almost always a tie or nearly so, which only a wide number can decide.
 Names stages_of(const Identity& identity) {
+  const auto& [binary64, double_double, wide] = kStageNames;
   const auto its = law_of(identity);
-  if (!its) return {"binary64"};
+  if (!its) return {binary64};
   const LawId law = its->law;
-  if (law == LawId::wall || law == LawId::bump_1p) return {"binary64"};
-  if (law == LawId::bump_1p_shaded) return {"binary64", "wide"};
+  if (law == LawId::wall || law == LawId::bump_1p) return {binary64};
+  if (law == LawId::bump_1p_shaded) return {binary64, wide};
   return {kStageNames.begin(), kStageNames.end()};
 }
 

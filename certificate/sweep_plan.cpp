@@ -5,19 +5,17 @@
 #include <bit>
 #include <cmath>
 #include <random>
-#include <stdexcept>
 
 #include "forceshade/certificate/sweep.h"
 #include "forceshade/properties/binary32.h"
+#include "forceshade/properties/built_or_throw.h"
 #include "forceshade/properties/law_claims.h"
 
 namespace forceshade::properties {
 namespace {
 
 LawClaims claims_of(LawId law, const Parameters& parameters) {
-  const auto built = reference::Law::build(law, parameters);
-  if (const auto* error = std::get_if<ParameterError>(&built)) throw std::invalid_argument(error->message());
-  return LawClaims(std::get<reference::Law>(built));
+  return LawClaims(built_or_throw(reference::Law::build(law, parameters)));
 }
 
 bool is_flat(const LawClaims& claims) {

@@ -50,13 +50,13 @@ Allowance PassivityController::allowance() const noexcept {
   return {.work = settings_.epsilon + account_.dissipated + account_.forgiven, .longest_step = settings_.longest_step};
 }
 
-Eigen::Vector3f PassivityController::limited(const Reading& reading, const Eigen::Vector3f& wanted) noexcept {
+Eigen::Vector3f PassivityController::limited(const Reading& reading, const Eigen::Vector3f& desired) noexcept {
   constexpr double kRoom = 0x1p-22;  // for rounding
   const Eigen::Vector3d here = reading.position.cast<double>();
   const bool seen = here.allFinite();
   Eigen::Vector3d step{0, 0, 0}, finite{0, 0, 0};
   if (seen && last_position_) step = here - *last_position_;
-  if (seen && wanted.allFinite()) finite = wanted.cast<double>();
+  if (seen && desired.allFinite()) finite = desired.cast<double>();
   last_position_ = seen ? std::optional(here) : std::nullopt;
   if (!reading.sent) own_.arrived(here);
   settle(reading.sent.value_or(own_.report()), step);
@@ -102,9 +102,9 @@ void PassivityController::settle(const Sent& sent, const Eigen::Vector3d& step) 
 }
 
 // Continuous in all that it goes by, so that smooth motions under smooth laws have smooth forces.
-Eigen::Vector3d PassivityController::shaped(const Eigen::Vector3d& wanted) const noexcept {
+Eigen::Vector3d PassivityController::shaped(const Eigen::Vector3d& desired) const noexcept {
   const double s = settings_.longest_step;
-  Eigen::Vector3d force = wanted;
+  Eigen::Vector3d force = desired;
   // Well within what a device may send, which then has nothing to shorten.
   const double most = std::max(left_, 0.0) / ((settings_.latency ? 2 : 1.25) * s), length = force.norm();
   if (length > most) force *= most / length;

@@ -37,7 +37,7 @@ struct PassivityAccount {
   double forgiven = 0;    // of what steps longer than the longest took beyond epsilon
   double lowest_balance = 0;  // never below -epsilon while no step under force was longer than the longest
   double given = 0;           // the part of the balance that went to the hand, counted positive
-  double withheld = 0;        // what the wanted force would have given in the same steps, less what was given
+  double withheld = 0;        // what the desired force would have given in the same steps, less what was given
   double longest_step = 0;    // mm, seen
   double largest_change = 0;  // N: the farthest that a force was altered
   std::size_t altered = 0;    // ticks
@@ -56,9 +56,9 @@ class PassivityController {
 
   explicit PassivityController(const PassivitySettings& settings, Kind kind = Kind::damping) noexcept;
 
-  // Once a tick, last before the device: what to command at this reading instead of `wanted` (N). Never longer than `wanted`.
+  // Once a tick, last before the device: what to command at this reading instead of `desired` (N). Never longer than `desired`.
   // Zero if the position or the force is not finite.
-  Eigen::Vector3f limited(const Reading& reading, const Eigen::Vector3f& wanted) noexcept;
+  Eigen::Vector3f limited(const Reading& reading, const Eigen::Vector3f& desired) noexcept;
 
   // What the device may give from now on: with it the bound holds however late the next tick is.
   Allowance allowance() const noexcept;
@@ -67,7 +67,7 @@ class PassivityController {
 
  private:
   void settle(const Sent& sent, const Eigen::Vector3d& step) noexcept;
-  Eigen::Vector3d shaped(const Eigen::Vector3d& wanted) const noexcept;
+  Eigen::Vector3d shaped(const Eigen::Vector3d& desired) const noexcept;
   double left() const noexcept { return account_.balance + settings_.epsilon; }
 
   PassivitySettings settings_;

@@ -37,11 +37,11 @@ Retrace::Retrace(const SafetySettings& settings) : controller_(settings.passivit
 
 Retraced Retrace::next(const Sample& sample) noexcept {
   const Reading reading = reading_of(sample);
-  const Eigen::Vector3f wanted = vector_of(sample.law_force);
-  Verdict verdict{.force = wanted};
+  const Eigen::Vector3f desired = vector_of(sample.law_force);
+  Verdict verdict{.force = desired};
   if (supervisor_)
     verdict =
-        supervisor_->supervise(reading, state_of(sample), wanted, static_cast<Status>(sample.status),
+        supervisor_->supervise(reading, state_of(sample), desired, static_cast<Status>(sample.status),
                                static_cast<double>(sample.wakeup_ns) / 1e9, (sample.device_state & Sample::kUnfinished) != 0);
   Retraced retraced;
   retraced.force = controller_.limited(reading, verdict.force);

@@ -48,8 +48,8 @@ void check(const ServoOptions& options, const Capabilities& capabilities) {
     refuse("rate: expected " + csv::shortest(kLowestRateHz) + " to " + csv::shortest(kHighestRateHz) + " Hz", options.rate_hz);
   if (options.max_seconds && !(*options.max_seconds > 0 && std::isfinite(*options.max_seconds)))
     refuse("seconds: expected a positive number", *options.max_seconds);
-  if (options.patience && !(*options.patience > 0 && *options.patience <= kLongestPatience))
-    refuse("patience: expected at most " + csv::shortest(kLongestPatience) + " s", *options.patience);
+  if (options.watchdog_timeout && !(*options.watchdog_timeout > 0 && *options.watchdog_timeout <= kLongestWatchdogTimeout))
+    refuse("watchdog timeout: expected at most " + csv::shortest(kLongestWatchdogTimeout) + " s", *options.watchdog_timeout);
   // A limit that is not a number would limit nothing.
   const auto expect_number = [](const char* what, bool number) {
     if (!number) throw std::invalid_argument(std::string("the device's ") + what + " is not a number");
@@ -92,7 +92,7 @@ class Run {
     const Capabilities capabilities = device.capabilities();
     const SafetySettings settings = safety_settings(capabilities, options);
     // Longer than the device itself waits for its frames, so that it is the one to say what happened.
-    longest_wait_ = std::llround(2e9 * settings.limits.patience);
+    longest_wait_ = std::llround(2e9 * settings.limits.watchdog_timeout);
     result.followed_device = options.paced && options.follows_device && capabilities.paces;
     result.supervised = settings.supervised;
     if (result.supervised) supervisor_.emplace(settings.limits, options.rate_hz);
@@ -197,11 +197,11 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
   const std::int64_t latency = options_.paced ? woken_at - due_ : 0;
   const Placement& placement = options_.placement;
   const fast::Evaluation evaluation = session_.step(placement.to_subject(reading.position));
-  const Eigen::Vector3f wanted = placement.turned_to_device(evaluation.force);
+  const Eigen::Vector3f desired = placement.turned_to_device(evaluation.force);
   const State state = device_.state();
-  Verdict verdict{.force = wanted};
+  Verdict verdict{.force = desired};
   if (supervisor_)
-    verdict = supervisor_->supervise(reading, state, wanted, evaluation.status, static_cast<double>(latency) / 1e9,
+    verdict = supervisor_->supervise(reading, state, desired, evaluation.status, static_cast<double>(latency) / 1e9,
                                      evaluation.is_unfinished);
   const Eigen::Vector3f force = controller_->limited(reading, verdict.force);
   if (supervisor_) supervisor_->commanded(force, controller_->account().forgiven);
@@ -260,7 +260,7 @@ void Run::finish() noexcept {
 SafetySettings safety_settings(const Capabilities& capabilities, const ServoOptions& options) noexcept {
   SafetySettings settings{.rate_hz = options.rate_hz};
   SupervisorLimits limits = supervisor_limits(capabilities, options.rate_hz);
-  limits.patience = options.patience.value_or(limits.patience);
+  limits.watchdog_timeout = options.watchdog_timeout.value_or(limits.watchdog_timeout);
   settings.supervised = std::isfinite(capabilities.peak_force);
   if (settings.supervised) {
     limits.dead_man_button = options.dead_man_button;

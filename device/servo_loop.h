@@ -23,7 +23,7 @@ namespace forceshade::device {
 
 inline constexpr double kLowestRateHz = 100;
 inline constexpr double kHighestRateHz = 10000;
-inline constexpr double kLongestPatience = 10;  // s
+inline constexpr double kLongestWatchdogTimeout = 10;  // s
 
 struct ServoOptions {
   double rate_hz = 1000;  // in [kLowestRateHz, kHighestRateHz]
@@ -46,7 +46,7 @@ struct ServoOptions {
   PassivityController::Kind passivity = PassivityController::Kind::damping;
 
   // s, as in SupervisorLimits; none: 20 ms, or five periods if longer.
-  std::optional<double> patience = std::nullopt;
+  std::optional<double> watchdog_timeout = std::nullopt;
 
   // To be held down, else there is no force.
   std::optional<int> dead_man_button = std::nullopt;

@@ -58,14 +58,14 @@ SupervisorLimits supervisor_limits(const Capabilities& capabilities, double rate
   limits.speed_under_force = std::min(limits.speed_under_force, capabilities.highest_speed);
   limits.speed = std::min(limits.speed, capabilities.highest_speed);
   limits.slew = std::min(limits.slew, capabilities.highest_slew);
-  limits.patience = std::max(limits.patience, 5 / rate);
+  limits.watchdog_timeout = std::max(limits.watchdog_timeout, 5 / rate);
   return limits;
 }
 
 Supervisor::Supervisor(const SupervisorLimits& limits, double rate) noexcept
     : limits_(limits), period_(1 / rate), motor_(as_one_motor(limits)), oscillation_(limits.resolution, period_) {}
 
-Verdict Supervisor::supervise(const Reading& reading, const State& state, const Eigen::Vector3f& wanted, Status status,
+Verdict Supervisor::supervise(const Reading& reading, const State& state, const Eigen::Vector3f& desired, Status status,
                               double late, bool unfinished) noexcept {
   Verdict verdict;
   const auto trip = [&](Rule rule) {
@@ -75,10 +75,10 @@ Verdict Supervisor::supervise(const Reading& reading, const State& state, const 
   if (!trip_) {
     memory_.behind = late > period_ ? Rule::missed_deadlines : Rule::unfinished;
     memory_.late_ticks = late > period_ || unfinished ? memory_.late_ticks + 1 : 0;
-    if (const auto rule = trip_rule(reading, state, wanted, status, late)) trip(*rule);
+    if (const auto rule = trip_rule(reading, state, desired, status, late)) trip(*rule);
   }
   if (!trip_) {
-    verdict.force = limited(reading, state, wanted, status, verdict.limited);
+    verdict.force = limited(reading, state, desired, status, verdict.limited);
     for (std::size_t i = 0; i < kRules; ++i)
       if (verdict.limited.has(static_cast<Rule>(i))) ++counts_[i];
   }
@@ -113,20 +113,20 @@ int Supervisor::ticks_in(double seconds) const noexcept {
   return std::max(1, static_cast<int>(std::lround(seconds / period_)));
 }
 
-std::optional<Rule> Supervisor::trip_rule(const Reading& reading, const State& state, const Eigen::Vector3f& wanted,
+std::optional<Rule> Supervisor::trip_rule(const Reading& reading, const State& state, const Eigen::Vector3f& desired,
                                           Status status, double late) noexcept {
   if (!state.calibrated) return Rule::uncalibrated;
   if (!reading.position.allFinite() || status == Status::invalid) return Rule::invalid_position;
-  if (!wanted.allFinite()) return Rule::invalid_force;
-  if (late > limits_.patience || std::isnan(late)) return Rule::watchdog;
-  if (memory_.late_ticks >= std::max(limits_.held_ticks + ticks_in(limits_.ramp_down), ticks_in(limits_.patience)))
+  if (!desired.allFinite()) return Rule::invalid_force;
+  if (late > limits_.watchdog_timeout || std::isnan(late)) return Rule::watchdog;
+  if (memory_.late_ticks >= std::max(limits_.held_ticks + ticks_in(limits_.ramp_down), ticks_in(limits_.watchdog_timeout)))
     return memory_.behind;
   if (forgiven_ - excused_ > limits_.forgiven) return Rule::energy;
   if (!memory_.position) return std::nullopt;
 
   // A late tick saw a longer step, and so did one whose device was late by its own clock; a tick that catches up is not held
   // to a shorter one. Nor does a device's clock that leaps excuse any step: more than the watchdog allows has not passed.
-  const double by_device = std::min(reading.time - memory_.time, period_ + limits_.patience);
+  const double by_device = std::min(reading.time - memory_.time, period_ + limits_.watchdog_timeout);
   const double elapsed = std::max(period_ + std::max(0.0, late - memory_.late), by_device);
   const double step = (reading.position.cast<double>() - memory_.position->cast<double>()).norm();
   if (step > longest_step(limits_.speed, elapsed, limits_.resolution)) return Rule::jump;
@@ -151,9 +151,9 @@ bool Supervisor::is_frozen(double step, double elapsed, const Eigen::Vector3f& f
   return (memory_.was_fast ? memory_.still_ticks : memory_.changed_ticks) >= ticks_in(limits_.frozen);
 }
 
-Eigen::Vector3f Supervisor::limited(const Reading& reading, const State& state, const Eigen::Vector3f& wanted, Status status,
+Eigen::Vector3f Supervisor::limited(const Reading& reading, const State& state, const Eigen::Vector3f& desired, Status status,
                                     Rules& rules) noexcept {
-  Eigen::Vector3f force = wanted;
+  Eigen::Vector3f force = desired;
   const auto replace = [&](const Eigen::Vector3f& by, Rule rule) {
     if (by != force) rules.add(rule);
     force = by;

@@ -91,7 +91,7 @@ struct SupervisorLimits {
   double forgiven = 100;                              // mJ, in all: PassivityAccount::forgiven
   int held_ticks = 3;                                 // ticks in a row that may be late, with the force held
   double ramp_down = 0.02;                            // s, over which it then falls to zero
-  double patience = 0.02;                             // s: the latest that a tick may be, and the longest that all may be
+  double watchdog_timeout = 0.02;                     // s: the latest that a tick may be, and the longest that all may be
   double felt_free = 0.05;                            // s in free space before there is any force
   double ramp_up = 0.5;                               // s, over which it then grows
   std::optional<int> dead_man_button = std::nullopt;  // to be held down, else there is no force
@@ -115,9 +115,9 @@ class Supervisor {
   // rate: of the ticks, in Hz.
   Supervisor(const SupervisorLimits& limits, double rate) noexcept;
 
-  // Once a tick. `wanted` and `status` are the law's, at the reading's position; `late` is by how many seconds the tick began
+  // Once a tick. `desired` and `status` are the law's, at the reading's position; `late` is by how many seconds the tick began
   // after it was due; `unfinished` as fast::Evaluation has it.
-  Verdict supervise(const Reading& reading, const State& state, const Eigen::Vector3f& wanted, Status status, double late,
+  Verdict supervise(const Reading& reading, const State& state, const Eigen::Vector3f& desired, Status status, double late,
                     bool unfinished = false) noexcept;
 
   // What was in the end commanded this tick, where that is not the verdict's force, and what the account has forgiven so far,
@@ -134,11 +134,11 @@ class Supervisor {
   std::size_t count(Rule rule) const noexcept { return counts_[static_cast<std::size_t>(rule)]; }
 
  private:
-  std::optional<Rule> trip_rule(const Reading& reading, const State& state, const Eigen::Vector3f& wanted, Status status,
+  std::optional<Rule> trip_rule(const Reading& reading, const State& state, const Eigen::Vector3f& desired, Status status,
                                 double late) noexcept;
   Eigen::Vector3f felt(const Reading& reading) const noexcept;
   bool is_frozen(double step, double elapsed, const Eigen::Vector3f& felt) noexcept;
-  Eigen::Vector3f limited(const Reading& reading, const State& state, const Eigen::Vector3f& wanted, Status status,
+  Eigen::Vector3f limited(const Reading& reading, const State& state, const Eigen::Vector3f& desired, Status status,
                           Rules& rules) noexcept;
   double start_ramp(Status status) noexcept;
   double workspace_fade(const Eigen::Vector3f& position) const noexcept;

@@ -180,9 +180,9 @@ std::vector<Mil> variant_radii(const Stimulus& stimulus) {
 
 }  // namespace
 
-const Stimulus& Protocol::stimulus(std::string_view wanted) const {
+const Stimulus& Protocol::stimulus(std::string_view name) const {
   for (const Stimulus& one : stimuli)
-    if (one.name == wanted) return one;
+    if (one.name == name) return one;
   return reference;
 }
 

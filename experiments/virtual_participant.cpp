@@ -231,8 +231,8 @@ class VirtualParticipant::Model {
       return {{Action::done}, kSecondsOfStroke};
     // A step changes a round bump of the reference's size by so much.
     const double step = std::max(1e-6, cues(stepped(*scene.left, -1)).height - cues(stepped(*scene.left, 1)).height) / 2;
-    const double wanted = std::fabs(difference) / step * std::max(0.0, 1 + kMotorNoise * random_.normal());
-    presses_ = static_cast<int>(std::lround(std::clamp(wanted, 1.0, static_cast<double>(kMostPressesAtOnce)))) - 1;
+    const double presses = std::fabs(difference) / step * std::max(0.0, 1 + kMotorNoise * random_.normal());
+    presses_ = static_cast<int>(std::lround(std::clamp(presses, 1.0, static_cast<double>(kMostPressesAtOnce)))) - 1;
     is_raising_ = difference < 0;
     return {{is_raising_ ? raise() : lower()}, 2 * kSecondsOfStroke};
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The domain of positions and the position quantum, as the real-time side applies them.
+// The domain and the quantum of positions, as the fast path applies them. reference/ states both again: rule 2, CONTRIBUTING.
 
 #include <array>
 #include <cstdint>

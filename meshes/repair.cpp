@@ -129,11 +129,11 @@ class Repair {
           if (across[h] == kNoEdge) continue;
           const std::uint32_t other = across[h] / 3;
           const bool is_same_direction = start_of(mesh_, h) == start_of(mesh_, across[h]);
-          const char wanted = (state[i] == turned) == is_same_direction ? kept : turned;
+          const char expected = (state[i] == turned) == is_same_direction ? kept : turned;
           if (state[other] == unmet) {
-            state[other] = wanted;
+            state[other] = expected;
             next.push_back(other);
-          } else if (state[other] != wanted) {
+          } else if (state[other] != expected) {
             is_possible = false;
           }
         }

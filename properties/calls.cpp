@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/properties/calls.h"
 
-#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
+
+#include "forceshade/fast/domain.h"
 
 namespace forceshade::properties {
 namespace {
@@ -25,7 +26,7 @@ Calls calls_of(const fast::Law& law) {
           [law](std::span<const Eigen::Vector3f> positions, std::span<Eigen::Vector3f> forces, fast::InstructionSet set) {
             std::vector<float> x, z, fx(positions.size()), fz(positions.size());
             for (const Eigen::Vector3f& position : positions) {
-              x.push_back(std::fabs(position.y()) <= 1e4F ? position.x() : std::numeric_limits<float>::quiet_NaN());
+              x.push_back(fast::in_domain(position.y()) ? position.x() : std::numeric_limits<float>::quiet_NaN());
               z.push_back(position.z());
             }
             const fast::BatchResult result = law.force(x, z, fx, fz, set);

@@ -130,7 +130,7 @@ rc::Gen<std::vector<Eigen::Vector3f>> polygon_of(const HeightTarget& map) {
     const double size = map.claims.parts[r.next() % map.claims.parts.size()].reach * std::exp2(-uniform(0, 10));
     std::vector<Eigen::Vector3f> polygon(3 + r.next() % 4);
     for (Eigen::Vector3f& corner : polygon) {
-      const auto within = [](double coordinate) { return static_cast<float>(std::clamp(coordinate, -1e4, 1e4)); };
+      const auto within = [](double coordinate) { return static_cast<float>(kept_in_domain(coordinate)); };
       const float x = within(static_cast<double>(middle[0]) + uniform(-1, 1) * size);
       const float y = within(static_cast<double>(middle[1]) + uniform(-1, 1) * size);
       corner = {x, y, within(source.surface({x, y}) - uniform(-0.2, 1) * std::min(size, 5.0))};
@@ -152,7 +152,7 @@ rc::Gen<std::vector<PathPoint>> polygon_of(const reference::Law& law) {
     for (PathPoint& corner : polygon) {
       const double x = uniform(-0.7, 0.7) * width;
       const double z = static_cast<double>(claims.surface(static_cast<long double>(x))) - uniform(-0.2, 1) * depth;
-      corner = {std::clamp(x, -1e4, 1e4), std::clamp(z, -1e4, 1e4)};  // outside there is no force
+      corner = {kept_in_domain(x), kept_in_domain(z)};  // outside there is no force
     }
     return rc::shrinkable::shrinkRecur(polygon, &with_fewer_corners<PathPoint>);
   };

@@ -40,7 +40,7 @@ class Shapes {
     const float value = size(smallest, largest, usual);
     return choice % 2 == 0 ? value : -value;
   }
-  float coordinate() { return number(1e4F, 3); }
+  float coordinate() { return number(reference::kDomainEnd, 3); }
   float height() { return number(1e4F, 1); }
 
   height::Shape shape() {

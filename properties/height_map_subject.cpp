@@ -2,72 +2,40 @@
 #include "forceshade/properties/height_map_subject.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "forceshade/properties/binary32.h"
+#include "forceshade/properties/built_or_throw.h"
 #include "forceshade/properties/generators.h"
 #include "forceshade/properties/height_loops.h"
 #include "forceshade/properties/height_properties.h"
-#include "forceshade/properties/reference_of_field.h"
 #include "forceshade/properties/spread.h"
-#include "forceshade/properties/unit_normals.h"
 
 namespace forceshade::properties {
-namespace {
-
-template <class Field>
-Field built(const HeightMap& map, height::Rendering rendering, float stiffness) {
-  auto result = Field::build(map, rendering, stiffness);
-  if (const auto* error = std::get_if<ParameterError>(&result)) throw std::invalid_argument(error->message());
-  return std::get<Field>(std::move(result));
-}
-
-}  // namespace
 
 Calls fast_height_map(const HeightMap& map, height::Rendering rendering, float stiffness) {
-  return calls_of(built<fast::HeightMapField>(map, rendering, stiffness));
+  return calls_of(built_or_throw(fast::HeightMapField::build(map, rendering, stiffness)));
 }
 
 HeightMapSubject::HeightMapSubject(const std::string& name, const HeightMap& map, height::Rendering rendering, float stiffness,
                                    RenderHeightMap render)
-    : render_(std::move(render)),
-      calls_(render_(map, rendering, stiffness)),
-      rendered_{built<reference::HeightMapField>(map, rendering, stiffness), renderer_of(calls_)},
-      claims_(rendered_.law),
-      identity_(identity_of(name, map, rendering, stiffness)) {}
+    : FieldSubject(render(map, rendering, stiffness),
+                   built_or_throw(reference::HeightMapField::build(map, rendering, stiffness)),
+                   identity_of(name, map, rendering, stiffness)),
+      render_(std::move(render)) {}
 
-HeightMapSubject::HeightMapSubject(RenderedHeightMap rendered, const std::string& name)
-    : render_(&fast_height_map),
-      calls_(calls_of(rendered.renderer)),
-      rendered_(std::move(rendered)),
-      claims_(rendered_.law),
-      identity_(identity_of(name, rendered_.law.map(), rendered_.law.rendering(), rendered_.law.stiffness())) {}
-
-std::unique_ptr<ReferenceSession> HeightMapSubject::open_reference() const {
-  return reference_of_field(rendered_.law);
-}
+HeightMapSubject::HeightMapSubject(const RenderedHeightMap& rendered, const std::string& name)
+    : FieldSubject(rendered, identity_of(name, rendered.law.map(), rendered.law.rendering(), rendered.law.stiffness())),
+      render_(&fast_height_map) {}
 
 std::unique_ptr<Positions> HeightMapSubject::positions(std::uint64_t seed) const {
   return std::make_unique<HeightPositionSource>(rendered_.law, claims_, seed);
-}
-
-std::vector<Eigen::Vector3f> HeightMapSubject::draw_path() const {
-  return {*position_of(HeightTarget{rendered_.law, claims_})};
 }
 
 Violation HeightMapSubject::check_continuity() const {
   const Neighbours pair = *neighbours_on({rendered_.law, claims_});
   const Eigen::Vector3f b = pair.b();
   return is_valid(b) ? continuity(rendered_, claims_, pair.a, b) : std::nullopt;
-}
-
-Violation HeightMapSubject::check_unit_normals() const {
-  return unit_normals(rendered_, *position_of(HeightTarget{rendered_.law, claims_}));
-}
-
-Violation HeightMapSubject::check_passivity() const {
-  return passivity(rendered_, claims_, *polygon_of(HeightTarget{rendered_.law, claims_}));
 }
 
 std::vector<FurtherProperty> HeightMapSubject::further_properties() const {

@@ -2,8 +2,7 @@
 #pragma once
 // A height map as a subject.
 
-#include "forceshade/properties/height_map_claims.h"
-#include "forceshade/properties/subject.h"
+#include "forceshade/properties/field_subject.h"
 
 namespace forceshade::properties {
 
@@ -11,27 +10,20 @@ namespace forceshade::properties {
 using RenderHeightMap = std::function<Calls(const HeightMap& map, height::Rendering rendering, float stiffness)>;
 Calls fast_height_map(const HeightMap& map, height::Rendering rendering, float stiffness);
 
-class HeightMapSubject final : public Subject {
+class HeightMapSubject final : public FieldSubject<reference::HeightMapField, HeightMapClaims> {
  public:
   // name: of its file. Throws std::invalid_argument for a map or a stiffness outside the domain.
   HeightMapSubject(const std::string& name, const HeightMap& map, height::Rendering rendering, float stiffness,
                    RenderHeightMap render = &fast_height_map);
   // Any renderer of a map; drawn parameters are rendered by the fast path.
-  explicit HeightMapSubject(RenderedHeightMap rendered, const std::string& name = "map");
+  explicit HeightMapSubject(const RenderedHeightMap& rendered, const std::string& name = "map");
 
-  const Identity& identity() const override { return identity_; }
   std::vector<std::string> parts() const override { return words_of(rendered_.law.map()); }
-  std::unique_ptr<ReferenceSession> open_reference() const override;
-  const Calls& calls() const override { return calls_; }
   std::unique_ptr<Positions> positions(std::uint64_t seed) const override;
-  std::vector<Eigen::Vector3f> draw_path() const override;
   Violation check_continuity() const override;
-  Violation check_unit_normals() const override;
-  Violation check_passivity() const override;
   // "cell lines", where the map has a grid: whether its gradient is continuous across them. A bilinear grid's is not, and a
   // certificate does not demand it.
   std::vector<FurtherProperty> further_properties() const override;
-  std::vector<std::string> jumps() const override { return claims_.jumps(); }
   // A conservative map's normal is not one, and should not be.
   bool has_unit_directions() const override { return rendered_.law.rendering() != height::Rendering::conservative; }
   bool is_conservative() const override { return claims_.is_conservative; }
@@ -42,10 +34,6 @@ class HeightMapSubject final : public Subject {
 
  private:
   RenderHeightMap render_;
-  Calls calls_;
-  RenderedHeightMap rendered_;
-  HeightMapClaims claims_;
-  Identity identity_;
 };
 
 }  // namespace forceshade::properties

@@ -55,8 +55,8 @@ std::array<float, 2> HeightPositionSource::at_a_centre() {
 }
 
 double HeightPositionSource::surface(const std::array<float, 2>& at) const {
-  const bool is_valid = std::fabs(at[0]) <= 1e4F && std::fabs(at[1]) <= 1e4F;
-  return is_valid ? static_cast<double>(law_.estimate({at[0], at[1], 0}).gap.mid()) : 0;
+  const Eigen::Vector3f position(at[0], at[1], 0);
+  return is_valid(position) ? static_cast<double>(law_.estimate(position).gap.mid()) : 0;
 }
 
 float HeightPositionSource::below(const std::array<float, 2>& at) {
@@ -114,11 +114,12 @@ Aimed HeightPositionSource::next() {
     return {position(centre, choice == 55 ? near_surface(centre) : below(centre)), Aim::axis};
   }
   const PartShape& one = part();
-  const double reach = std::min(one.reach + std::max(std::fabs(one.x), std::fabs(one.y)), 1e4);
+  const double reach = kept_in_domain(one.reach + std::max(std::fabs(one.x), std::fabs(one.y)));
   const std::array<float, 2> round{few_bits(reach), few_bits(reach)};
   const double z = surface(round);
   const auto deep = static_cast<float>(std::round(16 * z) / 16);
-  return {position(round, std::clamp(deep - std::fabs(few_bits(depth_of(one))), -1e4F, 1e4F)), Aim::few_bits};
+  const double bottom = static_cast<double>(deep - std::fabs(few_bits(depth_of(one))));
+  return {position(round, static_cast<float>(kept_in_domain(bottom))), Aim::few_bits};
 }
 
 }  // namespace forceshade::properties

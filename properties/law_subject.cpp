@@ -2,73 +2,38 @@
 #include "forceshade/properties/law_subject.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "forceshade/properties/binary32.h"
+#include "forceshade/properties/built_or_throw.h"
 #include "forceshade/properties/continuity.h"
 #include "forceshade/properties/generators.h"
 #include "forceshade/properties/passivity.h"
-#include "forceshade/properties/reference_of_field.h"
 #include "forceshade/properties/spread.h"
-#include "forceshade/properties/unit_normals.h"
 #include "forceshade/reference/energy.h"
 
 namespace forceshade::properties {
-namespace {
-
-reference::Law reference_of(LawId law, const Parameters& parameters) {
-  auto built = reference::Law::build(law, parameters);
-  if (const auto* error = std::get_if<ParameterError>(&built)) throw std::invalid_argument(error->message());
-  return std::get<reference::Law>(std::move(built));
-}
-
-}  // namespace
 
 Calls fast_law(LawId law, const Parameters& parameters) {
-  const auto built = fast::Law::build(law, parameters);
-  if (const auto* error = std::get_if<ParameterError>(&built)) throw std::invalid_argument(error->message());
-  return calls_of(std::get<fast::Law>(built));
+  return calls_of(built_or_throw(fast::Law::build(law, parameters)));
 }
 
 LawSubject::LawSubject(LawId law, const Parameters& parameters, RenderLaw render)
-    : render_(std::move(render)),
-      calls_(render_(law, parameters)),
-      rendered_{reference_of(law, parameters), renderer_of(calls_)},
-      claims_(rendered_.law),
-      identity_(identity_of(law, parameters)) {}
+    : FieldSubject(render(law, parameters), built_or_throw(reference::Law::build(law, parameters)),
+                   identity_of(law, parameters)),
+      render_(std::move(render)) {}
 
-LawSubject::LawSubject(RenderedLaw rendered)
-    : render_(&fast_law),
-      calls_(calls_of(rendered.renderer)),
-      rendered_(std::move(rendered)),
-      claims_(rendered_.law),
-      identity_(identity_of(rendered_.law.id(), rendered_.law.parameters())) {}
-
-std::unique_ptr<ReferenceSession> LawSubject::open_reference() const {
-  return reference_of_field(rendered_.law);
-}
+LawSubject::LawSubject(const RenderedLaw& rendered)
+    : FieldSubject(rendered, identity_of(rendered.law.id(), rendered.law.parameters())), render_(&fast_law) {}
 
 std::unique_ptr<Positions> LawSubject::positions(std::uint64_t seed) const {
   return std::make_unique<PositionSource>(rendered_.law, seed);
-}
-
-std::vector<Eigen::Vector3f> LawSubject::draw_path() const {
-  return {*position_of(rendered_.law)};
 }
 
 Violation LawSubject::check_continuity() const {
   const NearbyPair pair = *pair_of(rendered_.law);
   const Eigen::Vector3f b = pair.b(claims_);
   return is_valid(b) ? continuity(rendered_, claims_, pair.a, b) : std::nullopt;
-}
-
-Violation LawSubject::check_unit_normals() const {
-  return unit_normals(rendered_, *position_of(rendered_.law));
-}
-
-Violation LawSubject::check_passivity() const {
-  return passivity(rendered_, claims_, *polygon_of(rendered_.law));
 }
 
 std::vector<std::function<Violation()>> LawSubject::fixed_loops() const {

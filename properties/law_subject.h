@@ -2,8 +2,7 @@
 #pragma once
 // A law as a subject.
 
-#include "forceshade/properties/law_claims.h"
-#include "forceshade/properties/subject.h"
+#include "forceshade/properties/field_subject.h"
 
 namespace forceshade::properties {
 
@@ -11,23 +10,16 @@ namespace forceshade::properties {
 using RenderLaw = std::function<Calls(LawId law, const Parameters& parameters)>;
 Calls fast_law(LawId law, const Parameters& parameters);
 
-class LawSubject final : public Subject {
+class LawSubject final : public FieldSubject<reference::Law, LawClaims> {
  public:
   // Throws std::invalid_argument for parameters outside the law's domain.
   LawSubject(LawId law, const Parameters& parameters, RenderLaw render = &fast_law);
   // Any renderer of a law; drawn parameters are rendered by the fast path.
-  explicit LawSubject(RenderedLaw rendered);
+  explicit LawSubject(const RenderedLaw& rendered);
 
-  const Identity& identity() const override { return identity_; }
-  std::unique_ptr<ReferenceSession> open_reference() const override;
-  const Calls& calls() const override { return calls_; }
   std::unique_ptr<Positions> positions(std::uint64_t seed) const override;
-  std::vector<Eigen::Vector3f> draw_path() const override;
   Violation check_continuity() const override;
-  Violation check_unit_normals() const override;
-  Violation check_passivity() const override;
   std::vector<std::function<Violation()>> fixed_loops() const override;
-  std::vector<std::string> jumps() const override { return claims_.jumps(); }
   bool has_unit_directions() const override { return true; }
   bool is_conservative() const override;
   std::vector<LoopEnergy> energies(const reference::Watch& watch) const override;
@@ -36,10 +28,6 @@ class LawSubject final : public Subject {
 
  private:
   RenderLaw render_;
-  Calls calls_;
-  RenderedLaw rendered_;
-  LawClaims claims_;
-  Identity identity_;
 };
 
 // The depths, in mm, at which a law's witness loop is walked.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "forceshade/properties/binary32.h"
+#include "forceshade/properties/positions.h"
 
 namespace forceshade::properties {
 namespace {
@@ -45,11 +46,11 @@ Point wide(const mesh::Vertex& v) {
 // As a mesh may have it: exactly a binary32 of the domain, and not one that is read as 0.
 bool is_coordinate(double value) {
   const auto narrow = static_cast<float>(value);
-  return static_cast<double>(narrow) == value && std::fabs(value) <= 1e4 && (value == 0 || std::fabs(value) >= 0x1p-30);
+  return static_cast<double>(narrow) == value && reference::in_domain(narrow) && reference::quantised(narrow) == narrow;
 }
 
 float in_domain(double value) {
-  return static_cast<float>(std::clamp(value, -1e4, 1e4));
+  return static_cast<float>(kept_in_domain(value));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "forceshade/properties/binary32.h"
+#include "forceshade/properties/built_or_throw.h"
 #include "forceshade/properties/generators.h"
 #include "forceshade/properties/mesh_generators.h"
 #include "forceshade/properties/mesh_properties.h"
@@ -151,10 +152,8 @@ MeshSubject::MeshSubject(const std::string& name, MeshRendering rendering, OpenT
 const reference::GodObject& MeshSubject::reference() const {
   std::call_once(is_built_, [this] {
     const MeshRendering& of = *rendering_;
-    auto built =
-        reference::GodObject::build(of.mesh, of.normals, of.sides, of.shading, of.stiffness, of.texture, of.self_intersections);
-    if (const auto* error = std::get_if<ParameterError>(&built)) throw std::invalid_argument(error->message());
-    reference_ = std::get<reference::GodObject>(std::move(built));
+    reference_ = built_or_throw(reference::GodObject::build(of.mesh, of.normals, of.sides, of.shading, of.stiffness, of.texture,
+                                                            of.self_intersections));
   });
   return *reference_;
 }

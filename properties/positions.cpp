@@ -47,12 +47,12 @@ float Draws::few_bits(double reach) {
 }
 
 float Draws::tiny() {
-  const float size = neighbour(0x1p-30F, small_step());
+  const float size = neighbour(reference::kPositionQuantum, small_step());
   return (bits() & 1) != 0 ? size : -size;
 }
 
 float Draws::domain_end() {
-  const float size = neighbour(1e4F, small_step());
+  const float size = neighbour(reference::kDomainEnd, small_step());
   return (bits() & 1) != 0 ? size : -size;
 }
 

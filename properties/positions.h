@@ -3,10 +3,12 @@
 // Where to look: positions by bit pattern over all binades, and positions aimed at whatever is hard for a law.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <random>
 
 #include "forceshade/properties/law_claims.h"
+#include "forceshade/reference/position.h"
 #include "forceshade/vocabulary/breakdown.h"
 
 namespace forceshade::properties {
@@ -16,9 +18,15 @@ enum class Aim { any_bits, volume, surface, facet_line, quantum, domain_end, tie
 inline constexpr std::size_t kAims = kAimNames.size();
 std::string_view name_of(Aim aim);
 
-// In the domain of positions: ±10^4 mm.
+// In the domain of positions, as the definition states it.
 inline bool is_valid(const Eigen::Vector3f& position) {
-  return (position.array().abs() <= 1e4F).all();
+  return reference::in_domain(position);
+}
+
+// The number of it that is nearest, mm.
+inline double kept_in_domain(double coordinate) {
+  constexpr auto kEnd = static_cast<double>(reference::kDomainEnd);
+  return std::clamp(coordinate, -kEnd, kEnd);
 }
 
 struct Aimed {

@@ -44,7 +44,7 @@ void for_each_number(Settings& settings, Visit visit) {
   visit("supervisor_frozen_force_N", limits.frozen_force);
   visit("supervisor_forgiven_mJ", limits.forgiven);
   visit("supervisor_ramp_down_s", limits.ramp_down);
-  visit("supervisor_patience_s", limits.patience);
+  visit("supervisor_patience_s", limits.watchdog_timeout);
   visit("supervisor_felt_free_s", limits.felt_free);
   visit("supervisor_ramp_up_s", limits.ramp_up);
   visit("passivity_longest_step_mm", passivity.longest_step);

@@ -11,7 +11,7 @@ namespace forceshade::recorder {
 namespace {
 
 // How long a reader and the writer of one recording wait for each other.
-constexpr int kPatience = 1000;  // ms
+constexpr int kBusyTimeoutMs = 1000;
 
 // SQLite calls back every so many steps of its machine; a call that returns anything but 0 ends the statement.
 constexpr int kSteps = 1000;
@@ -43,7 +43,7 @@ Database::Database(std::string path, Access access) : path_(std::move(path)) {
   const int code = sqlite3_open_v2(path_.c_str(), &handle, flags, nullptr);
   handle_.reset(handle);
   if (code != SQLITE_OK) throw error();
-  sqlite3_busy_timeout(handle, kPatience);
+  sqlite3_busy_timeout(handle, kBusyTimeoutMs);
   if (access == Access::read) distrust();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The domain of positions and the position quantum, as the exact side applies them.
+// The domain and the quantum of positions, as the exact side applies them. fast/ states both again: rule 2, CONTRIBUTING.
 
 #include <Eigen/Core>
 #include <cmath>

@@ -150,9 +150,9 @@ std::vector<height::Knot> Profile::knots(unsigned polygons) const {
   for (const Piece& one : pieces_->all) {
     const Multiprecision here = median(one.turning);
     while (knots.size() < polygons) {
-      const Multiprecision wanted = all * static_cast<unsigned>(knots.size()) / polygons - behind;
-      if (wanted > here) break;
-      add(pieces_->within(one, wanted));
+      const Multiprecision share = all * static_cast<unsigned>(knots.size()) / polygons - behind;
+      if (share > here) break;
+      add(pieces_->within(one, share));
     }
     behind += here;
   }

@@ -45,9 +45,9 @@ std::vector<Drawn> drawn(const Certificate& certificate) {
   return laws;
 }
 
-bool contains(const std::vector<Drawn>& laws, std::initializer_list<LawId> wanted) {
+bool contains(const std::vector<Drawn>& laws, std::initializer_list<LawId> ids) {
   return std::any_of(laws.begin(), laws.end(),
-                     [&](const Drawn& drawn) { return std::find(wanted.begin(), wanted.end(), drawn.id) != wanted.end(); });
+                     [&](const Drawn& drawn) { return std::find(ids.begin(), ids.end(), drawn.id) != ids.end(); });
 }
 
 bool are_one_size(const std::vector<Drawn>& laws) {

@@ -34,7 +34,7 @@ struct Drawn {
 // Each law of the certificate, as it was first certified.
 std::vector<Drawn> drawn(const Certificate& certificate);
 
-bool contains(const std::vector<Drawn>& laws, std::initializer_list<LawId> wanted);
+bool contains(const std::vector<Drawn>& laws, std::initializer_list<LawId> ids);
 
 // Panels are compared by eye only if they share their axes, and can share them only if the laws are of one size.
 bool are_one_size(const std::vector<Drawn>& laws);

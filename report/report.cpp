@@ -95,9 +95,9 @@ std::string header(const Certificate& certificate) {
          sweep_statement(certificate.sweeps, !certificate.subjects.empty()) + "</header>\n";
 }
 
-std::string count_cell(const char* label, const std::map<std::string, std::uint64_t>& counts, const std::string& key) {
-  const auto found = counts.find(key);
-  return cell(label, found == counts.end() ? "not counted" : grouped(found->second), "number");
+std::string stage_cell(const std::string& stage, const std::map<std::string, std::uint64_t>& points) {
+  const auto found = points.find(stage);
+  return cell(("by " + stage).c_str(), found == points.end() ? "not counted" : grouped(found->second), "number");
 }
 
 std::string property_cell(const char* name, const Findings& law) {
@@ -143,16 +143,14 @@ std::string small(bool is_there, const std::string& words) {
 }
 
 std::string summary_row(const SubjectResult& law) {
-  std::string properties;
+  std::string stages, properties;
+  for (const std::string_view stage : kStageNames) stages += stage_cell(std::string(stage), law.points_by_stage);
   for (const std::string_view name : kPropertyNames) properties += property_cell(name.data(), law);
   return "<tr><th scope=\"row\">" + escaped(law.name()) + "</th>" + cell("parameters", parameters_of(law)) +
          cell("points", grouped(law.points) + small(law.spread.points > 0, "and " + grouped(law.spread.points)), "number") +
          cell("mismatches",
               mismatches(law.mismatches) + small(law.spread.points > 0, "and " + mismatches(law.spread.mismatches)), "number") +
-         count_cell("by binary64", law.points_by_stage, "binary64") +
-         count_cell("by double-double", law.points_by_stage, "double-double") +
-         count_cell("by wide", law.points_by_stage, "wide") + properties +
-         cell("closest call", closest_call_of(law, law.identity.kind != kLawKind)) + "</tr>\n";
+         stages + properties + cell("closest call", closest_call_of(law, law.identity.kind != kLawKind)) + "</tr>\n";
 }
 
 bool has_mesh(const Certificate& certificate) {
@@ -160,17 +158,26 @@ bool has_mesh(const Certificate& certificate) {
                      [](const SubjectResult& subject) { return subject.identity.kind == kMeshKind; });
 }
 
+// The head of a column for each name.
+template <std::size_t n>
+std::string column_heads(const std::array<std::string_view, n>& names, const std::string& attributes = "") {
+  std::string html;
+  for (const std::string_view name : names) html += "<th scope=\"col\"" + attributes + '>' + std::string(name) + "</th>";
+  return html;
+}
+
 std::string summary(const Certificate& certificate) {
   std::string html =
       "<section>\n<h2>Summary</h2>\n<table class=\"summary\">\n<thead>\n<tr><th></th><th></th><th></th><th></th>"
-      "<th colspan=\"3\">points decided by</th><th colspan=\"4\">properties</th><th></th></tr>\n"
+      "<th colspan=\"" +
+      std::to_string(kStageNames.size()) + "\">points decided by</th><th colspan=\"" + std::to_string(kPropertyNames.size()) +
+      "\">properties</th><th></th></tr>\n"
       "<tr><th scope=\"col\">" +
       subject_word(certificate) +
       "</th><th scope=\"col\">parameters</th><th scope=\"col\" class=\"number\">points</th>"
-      "<th scope=\"col\" class=\"number\">mismatches</th><th scope=\"col\" class=\"number\">binary64</th>"
-      "<th scope=\"col\" class=\"number\">double-double</th><th scope=\"col\" class=\"number\">wide</th>"
-      "<th scope=\"col\">equivalence</th><th scope=\"col\">continuity</th><th scope=\"col\">unit normals</th>"
-      "<th scope=\"col\">passivity</th><th scope=\"col\">closest call</th></tr>\n"
+      "<th scope=\"col\" class=\"number\">mismatches</th>" +
+      column_heads(kStageNames, " class=\"number\"") + column_heads(kPropertyNames) +
+      "<th scope=\"col\">closest call</th></tr>\n"
       "</thead>\n<tbody>\n";
   for (const SubjectResult& law : certificate.subjects) html += summary_row(law);
   return html +
@@ -309,8 +316,8 @@ rounded correctly: it can give energy to the hand, and only a controller in the 
 
 }  // namespace
 
-std::string to_html(const Certificate& certificate, Pictures wanted) {
-  const std::string pictures = wanted == Pictures::none ? "" : figures(certificate);
+std::string to_html(const Certificate& certificate, Pictures shown) {
+  const std::string pictures = shown == Pictures::none ? "" : figures(certificate);
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>forceshade certificate: " +
          std::string(certificate.held() ? "held" : "failed") + "</title>\n<style>" + kPageStyle +

@@ -13,6 +13,6 @@ enum class Pictures { all, none };
 
 // Plots are gnuplot's SVG, drawn from the fast path itself. Needs no file or network once written. With pictures, throws
 // PlotError when gnuplot does not draw, or a certificate has parameters outside their law's domain.
-std::string to_html(const Certificate& certificate, Pictures wanted = Pictures::all);
+std::string to_html(const Certificate& certificate, Pictures shown = Pictures::all);
 
 }  // namespace forceshade::properties

@@ -95,14 +95,14 @@ Phantom::~Phantom() {
 }
 
 // The next message that is not for the attendant. Of kind failed, with why, where none came.
-PhantomMessage Phantom::answer(milliseconds patience) {
+PhantomMessage Phantom::answer(milliseconds timeout) {
   PhantomMessage message;
   const auto failed = [&](const std::string& why) {
     PhantomMessage it{.kind = Kind::failed};
     std::snprintf(it.words.data(), it.words.size(), "%s", why.c_str());
     return it;
   };
-  auto deadline = Clock::now() + patience;
+  auto deadline = Clock::now() + timeout;
   while (Clock::now() < deadline) {
     if (attendant_.has_left()) return failed("stopped before the PHANToM was ready");
     const Received received = receive_message(socket_, kListen, message);
@@ -113,20 +113,20 @@ PhantomMessage Phantom::answer(milliseconds patience) {
     } else if (message.kind == Kind::asked) {
       const bool done = attendant_.did(message.words.data());
       send_message(socket_, {.kind = done ? Kind::yes : Kind::no});
-      deadline = Clock::now() + patience;
+      deadline = Clock::now() + timeout;
     } else {
       return message;
     }
   }
-  const std::string seconds = csv::shortest(std::chrono::duration<double>(patience).count());
+  const std::string seconds = csv::shortest(std::chrono::duration<double>(timeout).count());
   return failed("the PHANToM's driver has not answered for " + seconds +
                 " s: check cable and power, and whether another program holds the device");
 }
 
 // The exit status of the process, once it has ended; 0 where the program ignores SIGCHLD, so that the system keeps none.
-std::optional<int> Phantom::ended_within(milliseconds patience) noexcept {
+std::optional<int> Phantom::ended_within(milliseconds timeout) noexcept {
   int status = 0;
-  for (const auto deadline = Clock::now() + patience; ::waitpid(process_, &status, WNOHANG) == 0;) {
+  for (const auto deadline = Clock::now() + timeout; ::waitpid(process_, &status, WNOHANG) == 0;) {
     if (Clock::now() > deadline) return std::nullopt;
     std::this_thread::sleep_for(kPoll);
   }
@@ -220,7 +220,7 @@ ReadResult Phantom::read() noexcept {
     std::snprintf(room_->data(), room_->size(), "%s", shared_->trouble.data());
     return fault();
   }
-  if (monotonic_now() - sample.time > std::chrono::nanoseconds(options_.patience).count()) {
+  if (monotonic_now() - sample.time > std::chrono::nanoseconds(options_.watchdog_timeout).count()) {
     failed_ = true;
     int status = 0;
     const bool ended = ::waitpid(process_, &status, WNOHANG) == process_;

@@ -20,7 +20,7 @@ namespace forceshade::device {
 struct PhantomOptions {
   // For how long a force is held without a new command (it fades from an eighth of it on), and for how long the driver may run
   // no frame.
-  std::chrono::milliseconds patience{25};
+  std::chrono::milliseconds watchdog_timeout{25};
   // How long the driver may take to open the device, to run good frames, and the user to calibrate it.
   std::chrono::milliseconds open{20'000}, start{5000}, calibration{120'000};
   double rate_tolerance = 0.05;  // by which share the device's frames may miss the rate
@@ -63,9 +63,9 @@ class Phantom final : public Device {
   pid_t process() const noexcept { return process_; }
 
  private:
-  PhantomMessage answer(std::chrono::milliseconds patience);
+  PhantomMessage answer(std::chrono::milliseconds timeout);
   void describe(const PhantomDescription& driver);
-  std::optional<int> ended_within(std::chrono::milliseconds patience) noexcept;
+  std::optional<int> ended_within(std::chrono::milliseconds timeout) noexcept;
   std::string how_it_ended();
   void end_process() noexcept;
   Fault fault() noexcept;

@@ -41,10 +41,10 @@ bool is_alone(int socket, pid_t parent) noexcept;
 // What the watch says for the process, and ends it, where the driver's call does not return in time.
 class LastWords {
  public:
-  void say_unless_taken_back(const std::string& words, std::chrono::milliseconds patience) {
+  void say_unless_taken_back(const std::string& words, std::chrono::milliseconds timeout) {
     const std::lock_guard lock(mutex_);
     words_ = words;
-    due_ = Clock::now() + patience;
+    due_ = Clock::now() + timeout;
   }
   void take_back() {
     const std::lock_guard lock(mutex_);

@@ -80,7 +80,7 @@ void PhantomFrames::frame() noexcept {
 
   const PhantomOrder& order = shared_.orders.latest();
   const std::int64_t age = sample_.time - order.time;
-  if (!order.force.isZero(0) && age > settings_.patience.count()) note({hdapi::kStalled});
+  if (!order.force.isZero(0) && age > settings_.watchdog_timeout.count()) note({hdapi::kStalled});
   const auto stopping = [&] { return closing_ || sample_.troubled; };
   const bool obeys = sample_.phase == Phase::ready && sample_.forces_on && !stopping();
   sent_.allow(order.allowance);
@@ -106,7 +106,7 @@ void PhantomFrames::frame() noexcept {
 }
 
 double PhantomFrames::share_of_force(std::int64_t age) const noexcept {
-  const auto whole = static_cast<double>(settings_.patience.count()), held = whole / 8;
+  const auto whole = static_cast<double>(settings_.watchdog_timeout.count()), held = whole / 8;
   return std::clamp((whole - static_cast<double>(age)) / (whole - held), 0.0, 1.0);
 }
 

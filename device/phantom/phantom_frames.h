@@ -23,7 +23,7 @@ struct FrameSettings {
   hdapi::HDenum style = 0;  // in which the driver calibrates the device while frames run; 0: in none
   bool force = true;        // false: the force output is never switched on
   // A force is held for an eighth of it without a new order, then fades, and at its end the output goes off for good.
-  std::chrono::nanoseconds patience{25'000'000};
+  std::chrono::nanoseconds watchdog_timeout{25'000'000};
   double rate = 1000;  // Hz, that the scheduler was set to
   // Forces are switched on after one window of good frames: calibrated, no error, this near to the rate, no longer gap.
   int window = 500;

@@ -60,7 +60,7 @@ class Host {
         last_words_(last_words),
         hd_(hdapi::vendor()) {}
 
-  // Opens the device, starts it when told to, and holds it until the other process is gone. Throws Refused.
+  // Opens the device, starts it when the other process orders it, and holds it until the other process is gone. Throws Refused.
   void hold() {
     open();
     PhantomMessage message;
@@ -91,7 +91,7 @@ class Host {
     return received == Received::message ? std::optional(message.kind) : std::nullopt;
   }
   void report(const std::string& words) const { send_words(socket_, Kind::report, words); }
-  bool ask(const std::string& words) const {
+  bool is_confirmed(const std::string& words) const {
     send_words(socket_, Kind::asked, words);
     PhantomMessage answer;
     return next(answer) == Kind::yes;
@@ -103,23 +103,23 @@ class Host {
     std::array<char, 512> room{};
     throw Refused(hdapi::sentence({step, error, hd_.hdGetErrorString(error.code)}, room));
   }
-  // What the driver has no answer to, stays unknown.
-  bool knows() noexcept { return hdapi::drained(hd_).code == hdapi::kSuccess; }
+  // False where the last call failed; its value is then unknown.
+  bool has_answered() noexcept { return hdapi::drained(hd_).code == hdapi::kSuccess; }
   std::optional<double> number(hdapi::HDenum what) noexcept {
     std::array<double, 16> value{};
     value[0] = std::numeric_limits<double>::quiet_NaN();
     hd_.hdGetDoublev(what, value.data());
-    return knows() ? std::optional(value[0]) : std::nullopt;
+    return has_answered() ? std::optional(value[0]) : std::nullopt;
   }
   int whole(hdapi::HDenum what) noexcept {
     int value = 0;
     hd_.hdGetIntegerv(what, &value);
-    return knows() ? value : 0;
+    return has_answered() ? value : 0;
   }
   template <std::size_t size>
   void copy_words(hdapi::HDenum what, std::array<char, size>& to) noexcept {
     const char* words = hd_.hdGetString(what);
-    if (knows() && words) std::snprintf(to.data(), to.size(), "%s", words);
+    if (has_answered() && words) std::snprintf(to.data(), to.size(), "%s", words);
   }
 
   int socket_;
@@ -168,7 +168,7 @@ PhantomDescription Host::described() {
   std::array<double, 16> box{};
   box.fill(std::numeric_limits<double>::quiet_NaN());
   hd_.hdGetDoublev(hdapi::kUsableWorkspace, box.data());
-  if (knows()) driver.workspace = {box[0], box[1], box[2], box[3], box[4], box[5]};
+  if (has_answered()) driver.workspace = {box[0], box[1], box[2], box[3], box[4], box[5]};
   const auto limits = phantom_limits(driver);
   if (const auto* why = std::get_if<std::string>(&limits)) throw Refused(*why);
   const auto& [peak, continuous, speed, slew, low, high, words] = std::get<PhantomLimits>(limits);
@@ -198,7 +198,7 @@ void Host::calibrate_by_hand() {
     const hdapi::HDenum status = hd_.hdCheckCalibration();
     expect_success("checking the calibration");
     if (status == hdapi::kCalibrated) return;
-    if (!ask(hdapi::kHoldInResetPose)) break;
+    if (!is_confirmed(hdapi::kHoldInResetPose)) break;
     hd_.hdUpdateCalibration(hdapi::kCalibratesAtResetPose);
     expect_success("updating the calibration");
   }
@@ -218,11 +218,11 @@ void Host::start(double rate) {
   FrameSettings settings{.gimbal = description_.gimbal,
                          .style = style_,
                          .force = options_.force,
-                         .patience = options_.patience,
+                         .watchdog_timeout = options_.watchdog_timeout,
                          .rate = rate_,
                          .window = std::max(1, static_cast<int>(rate_) / kMeasured),
                          .rate_tolerance = options_.rate_tolerance,
-                         .longest_gap = std::chrono::duration<double>(options_.patience).count() / 2};
+                         .longest_gap = std::chrono::duration<double>(options_.watchdog_timeout).count() / 2};
   frames_ = std::make_unique<PhantomFrames>(hd_, device_, settings, shared_);
   hold_frames(frames_.get());
   const auto tick = [](void* self) -> unsigned {
@@ -273,7 +273,7 @@ void Host::wait_until_ready() {
          (granted.cpu ? ", on processor " + std::to_string(*granted.cpu) : ""));
   const auto begin = std::chrono::steady_clock::now();
   auto calibrated_at = begin;
-  bool told = false;
+  bool has_reported = false;
   for (;;) {
     std::this_thread::sleep_for(kHostPoll);
     if (is_alone(socket_, parent_)) throw Refused("the other process is gone");
@@ -289,10 +289,10 @@ void Host::wait_until_ready() {
       if (now - calibrated_at > options_.start) throw Refused(why_not_ready(sample, rate_));
       continue;
     }
-    if (!told)
+    if (!has_reported)
       report(std::string("waiting for the PHANToM's calibration: ") +
              (style_ == hdapi::kCalibratesItself ? hdapi::kMoveItAbout : hdapi::kRestInInkwell));
-    told = true;
+    has_reported = true;
     calibrated_at = now;
     if (now - begin > options_.calibration) throw Refused(hdapi::kNotCalibrated);
   }

@@ -22,9 +22,9 @@ bool send_words(int socket, PhantomMessage::Kind kind, const std::string& words)
   return send_message(socket, message);
 }
 
-Received receive_message(int socket, std::chrono::milliseconds patience, PhantomMessage& message) noexcept {
+Received receive_message(int socket, std::chrono::milliseconds timeout, PhantomMessage& message) noexcept {
   pollfd waiting{.fd = socket, .events = POLLIN, .revents = 0};
-  if (::poll(&waiting, 1, static_cast<int>(patience.count())) <= 0) return Received::nothing_yet;  // also where a signal came
+  if (::poll(&waiting, 1, static_cast<int>(timeout.count())) <= 0) return Received::nothing_yet;  // also where a signal came
   const ssize_t size = ::recv(socket, &message, sizeof message, 0);
   if (size == static_cast<ssize_t>(sizeof message)) return Received::message;
   return size < 0 && errno == EINTR ? Received::nothing_yet : Received::closed;

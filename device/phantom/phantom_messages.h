@@ -17,6 +17,6 @@ bool send_words(int socket, PhantomMessage::Kind kind, const std::string& words)
 enum class Received { message, nothing_yet, closed };
 
 // Waits no longer than this; negative: for ever.
-Received receive_message(int socket, std::chrono::milliseconds patience, PhantomMessage& message) noexcept;
+Received receive_message(int socket, std::chrono::milliseconds timeout, PhantomMessage& message) noexcept;
 
 }  // namespace forceshade::device

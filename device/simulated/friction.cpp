@@ -42,8 +42,8 @@ Slip slip_of(const Eigen::Matrix3d& mass, const Joints& torque, const Joints& ve
   for (int round = 0; round < kRounds; ++round)
     for (int i = 0; i < 3; ++i) {
       if (velocity[i] != 0) continue;
-      const double wanted = friction[i] - mobility.row(i).dot(torque + friction) / mobility(i, i);
-      friction[i] = std::clamp(wanted, -coulomb[i], coulomb[i]);
+      const double stopping = friction[i] - mobility.row(i).dot(torque + friction) / mobility(i, i);
+      friction[i] = std::clamp(stopping, -coulomb[i], coulomb[i]);
     }
 
   Slip slip;

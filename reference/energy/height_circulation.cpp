@@ -21,7 +21,7 @@ Ball64 positive(const Ball64& value) {
   return ball(std::max(0.0L, value.low()), std::max(0.0L, value.high()));
 }
 
-// Pays for the few roundings above.
+// Covers the few roundings above.
 constexpr long double kSlack = 0x1p-60L;
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "forceshade/reference/meshes/edge_scheme.h"
 #include "forceshade/reference/meshes/force.h"
 #include "forceshade/reference/meshes/texture_scheme.h"
+#include "forceshade/reference/position.h"
 
 namespace forceshade::reference {
 
@@ -107,8 +108,7 @@ std::optional<ParameterError> GodObject::first_error(const mesh::TriangleMesh& m
 }
 
 mesh::Tick GodObject::step(const mesh::GodObject& before, const std::array<float, 3>& position, unsigned most_moves) const {
-  const auto is_in_domain = [](float coordinate) { return coordinate >= -10000 && coordinate <= 10000; };
-  if (!std::ranges::all_of(position, is_in_domain)) return {mesh::TickStatus::invalid, 0, {}, before};
+  if (!in_domain(Eigen::Vector3f(position.data()))) return {mesh::TickStatus::invalid, 0, {}, before};
   const meshes::Descended end = meshes::descend(parts_->surface, parts_->crossings, parts_->sides, parts_->self_intersections,
                                                 before, position, most_moves);
   mesh::Tick tick{end.status, static_cast<std::uint16_t>(end.moves), {}, end.after};

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "forceshade/reference/meshes/rounding.h"
+#include "forceshade/reference/position.h"
 
 namespace forceshade::reference::meshes {
 namespace {
@@ -38,7 +39,7 @@ Vector exact_point(const std::array<float, 3>& millimetres) {
 std::optional<ParameterError> Surface::first_error(const mesh::TriangleMesh& mesh) {
   for (const mesh::Vertex& vertex : mesh.vertices)
     for (const float coordinate : vertex)
-      if (!(std::fabs(coordinate) <= 10000)) return ParameterError{"coordinate of a vertex", "mm", coordinate, -10000, 10000};
+      if (!in_domain(coordinate)) return ParameterError{"coordinate of a vertex", "mm", coordinate, -kDomainEnd, kDomainEnd};
   std::map<Ends, std::vector<Ends>> runs;  // of each edge, the senses in which triangles run along it
   for (const mesh::Triangle& triangle : mesh.triangles) {
     const auto count = static_cast<float>(mesh.vertices.size());

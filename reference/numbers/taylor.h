@@ -94,7 +94,7 @@ class Taylor {
  private:
   // Twice the unit roundoff of long double.
   static constexpr long double kUnit = std::numeric_limits<long double>::epsilon();
-  // Pays for the rounding of the few positive sums and products that make a bound.
+  // Covers the rounding of the few positive sums and products that make a bound.
   static constexpr long double kSlack = 1 + 0x1p-50L;
 
   long double size() const { return std::fabs(c_[0]) + std::fabs(c_[1]) + std::fabs(c_[2]) + std::fabs(c_[3]); }

@@ -163,14 +163,14 @@ TEST(device_try, never_pushes_with_more_than_half_a_newton) {
   EXPECT_EQ(terminal.end(), 0) << terminal.shown();
   expect_holds(terminal.shown(), {"limited by peak force", "end of data"});
   recorder::Recording recording(here.file("deep.fsr"));
-  float most = 0, wanted = 0;
+  float most = 0, desired = 0;
   recording.for_each_chunk([&](std::span<const device::Sample> samples) {
     for (const device::Sample& sample : samples) {
       most = std::max(most, std::hypot(sample.force[0], sample.force[1], sample.force[2]));
-      wanted = std::max(wanted, std::hypot(sample.law_force[0], sample.law_force[1], sample.law_force[2]));
+      desired = std::max(desired, std::hypot(sample.law_force[0], sample.law_force[1], sample.law_force[2]));
     }
   });
-  EXPECT_GT(wanted, 2.0F);
+  EXPECT_GT(desired, 2.0F);
   EXPECT_LE(most, 0.5F);
   EXPECT_GT(most, 0.49F);
 }

@@ -160,7 +160,7 @@ TEST(passivity_controller, damping_turns_a_force_and_the_tank_does_not) {
         const Position from = hand.at;
         for (int i = 1; i <= 40; ++i) {
           hand.go_to(from + (corner - from) * (i / 40.0));
-          turned = std::max(turned, static_cast<double>(hand.force.cross(hand.wanted).norm()));
+          turned = std::max(turned, static_cast<double>(hand.force.cross(hand.desired).norm()));
         }
       }
     EXPECT_GT(hand.controller.account().altered, 50U);
@@ -238,8 +238,8 @@ TEST(passivity_controller, has_force_again_for_a_hand_that_pushes) {
     double full = 0;
     for (int i = 0; i <= 500 && full == 0; ++i) {
       hand.go_to({40, 0, -0.01 * i});
-      EXPECT_TRUE(i != 100 || hand.force.norm() > 0.4F * hand.wanted.norm()) << words_of(kind);
-      if (i > 100 && hand.force == hand.wanted) full = 0.01 * i;
+      EXPECT_TRUE(i != 100 || hand.force.norm() > 0.4F * hand.desired.norm()) << words_of(kind);
+      if (i > 100 && hand.force == hand.desired) full = 0.01 * i;
     }
     std::printf("  %s: in full from %.2f mm on\n", words_of(kind), full);
     EXPECT_GT(full, 0);
@@ -302,8 +302,8 @@ TEST(passivity_controller, forgives_what_a_stall_took_and_says_how_much) {
   }
 }
 
-// By hand: wanted 3 N, of which epsilon allows 1/1.25 on a step of 1 mm; half a millimetre along it, a quarter back, with as
-// much as was wanted.
+// By hand: desired 3 N, of which epsilon allows 1/1.25 on a step of 1 mm; half a millimetre along it, a quarter back, with as
+// much as was desired.
 TEST(passivity_controller, accounts_for_what_it_altered) {
   PassivityController controller({.longest_step = 1, .epsilon = 1}, Kind::tank);
   controller.limited({.position = {0, 0, 0}}, {0, 0, 3});
@@ -319,11 +319,11 @@ TEST(passivity_controller, accounts_for_what_it_altered) {
   EXPECT_EQ(account.longest_step, 0.5);
 }
 
-// What was wanted at a reading acts from the next one on.
+// What was desired at a reading acts from the next one on.
 TEST(passivity_controller, knows_which_force_was_withheld_where_it_is_felt_late) {
   PassivityController controller({.longest_step = 1, .epsilon = 1, .latency = true});
-  const auto pass = [&](float z, float wanted, float acted, double work) {
-    controller.limited({.position = {0, 0, z}, .sent = Sent{.acted = {0, 0, acted}, .work = work}}, {0, 0, wanted});
+  const auto pass = [&](float z, float desired, float acted, double work) {
+    controller.limited({.position = {0, 0, z}, .sent = Sent{.acted = {0, 0, acted}, .work = work}}, {0, 0, desired});
   };
   pass(0, 3, 0, 0);
   pass(0.25F, 0, 0, 0);
@@ -376,15 +376,15 @@ TEST(passivity_controller, alters_ordinary_strokes_little) {
       tests::Chatter chatter;
       for (int tick = 0; tick < 20'000; ++tick) {
         const Reading reading = std::get<Reading>(device.read());
-        const fast::Evaluation wanted = law_of(id).evaluate(reading.position);
-        const Eigen::Vector3f force = controller.limited(reading, wanted.force);
+        const fast::Evaluation desired = law_of(id).evaluate(reading.position);
+        const Eigen::Vector3f force = controller.limited(reading, desired.force);
         device.allow(controller.allowance());
         device.command(force);
-        chatter.next(force, wanted.force);
-        if (wanted.status != Status::contact) continue;
+        chatter.next(force, desired.force);
+        if (desired.status != Status::contact) continue;
         ++contacts;
-        changes += (force - wanted.force).cast<double>().squaredNorm();
-        forces += wanted.force.cast<double>().squaredNorm();
+        changes += (force - desired.force).cast<double>().squaredNorm();
+        forces += desired.force.cast<double>().squaredNorm();
       }
       const PassivityAccount& account = controller.account();
       const double altered = static_cast<double>(account.altered) / contacts;

@@ -408,7 +408,7 @@ TEST_F(phantom_frames, keep_the_first_trouble_that_is_no_error_of_the_drivers) {
 
 // Whole for an eighth of 24 ms, then less and less.
 TEST_F(phantom_frames, hold_no_force_for_longer_than_its_giver_may_stall) {
-  begin({.patience = 24ms});
+  begin({.watchdog_timeout = 24ms});
   push();
   for (const auto& [age, share] : {std::pair{0.0, 1.0}, {3.0, 1.0}, {13.5, 0.5}, {24.0, 0.0}}) {
     order(kForce, age);

@@ -139,8 +139,8 @@ Pressed pressed(const Orders& orders, Listener& listener) {
   Pressed outcome;
   try {
     const auto law = std::get<fast::Law>(fast::Law::build(LawId::wall, {.stiffness = 8}));
-    Phantom device("", {.patience = 20s, .start = 4s, .rate_tolerance = 1}, listener);
-    const ServoResult run = run_servo_loop(device, law, {.max_seconds = 1.1, .patience = 10}, std::atomic<bool>(false));
+    Phantom device("", {.watchdog_timeout = 20s, .start = 4s, .rate_tolerance = 1}, listener);
+    const ServoResult run = run_servo_loop(device, law, {.max_seconds = 1.1, .watchdog_timeout = 10}, std::atomic<bool>(false));
     outcome.words = run.end_reason == EndReason::tripped ? std::string(name_of(run.trip->rule)) : run.fault;
   } catch (const DeviceError& error) {
     outcome.words = error.what();

@@ -46,8 +46,9 @@ Paced paced(double frame_hz, bool follows) {
   Paced it;
   {
     Phantom device("", kPatient);
-    it.result = run_servo_loop(device, law, {.max_seconds = 0.9, .follows_device = follows, .patience = 10, .sinks = {&kept}},
-                               std::atomic<bool>(false));
+    it.result =
+        run_servo_loop(device, law, {.max_seconds = 0.9, .follows_device = follows, .watchdog_timeout = 10, .sinks = {&kept}},
+                       std::atomic<bool>(false));
   }
   it.samples = std::move(kept.samples);
   it.samples.pop_back();  // the zero force that ends the run

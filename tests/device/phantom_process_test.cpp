@@ -26,7 +26,7 @@ using stand_in_hd::Blocks;
 using stand_in_hd::Crash;
 using stand_in_hd::Moment;
 
-constexpr Phantom::Options kHurried{.patience = 200ms, .start = 20s, .rate_tolerance = 1};
+constexpr Phantom::Options kHurried{.watchdog_timeout = 200ms, .start = 20s, .rate_tolerance = 1};
 
 bool obeys(Phantom& device) {
   device.command({0, 0, 1});
@@ -170,7 +170,7 @@ TEST_F(phantom, whose_driver_never_returns_from_a_call_before_the_start_is_given
     Blocks blocks;
     const char* words;
   };
-  constexpr Phantom::Options kShort{.patience = 200ms, .open = 500ms, .start = 500ms, .rate_tolerance = 1};
+  constexpr Phantom::Options kShort{.watchdog_timeout = 200ms, .open = 500ms, .start = 500ms, .rate_tolerance = 1};
   for (const auto& [blocks, words] :
        {Case{Blocks::init_device, "the PHANToM's driver has not answered for 0.5 s"},
         Case{Blocks::start_scheduler, hdapi::kNoStart}, Case{Blocks::begin_frame, hdapi::kNoFrames}}) {

@@ -87,7 +87,7 @@ TEST_F(phantom, obeys_what_is_commanded_after_the_start_within_its_highest_force
 }
 
 TEST_F(phantom, force_is_not_held_when_the_loop_stalls_and_zero_may_be_held_for_ever) {
-  Phantom device("", {.patience = 200ms, .start = 20s, .rate_tolerance = 1});
+  Phantom device("", {.watchdog_timeout = 200ms, .start = 20s, .rate_tolerance = 1});
   ASSERT_FALSE(device.start(1000));
   device.command({0, 0, 0});
   std::this_thread::sleep_for(400ms);
@@ -105,7 +105,7 @@ TEST_F(phantom, force_is_not_held_when_the_loop_stalls_and_zero_may_be_held_for_
 }
 
 TEST_F(phantom, is_lost_when_the_driver_runs_no_frames) {
-  Phantom device("", {.patience = 200ms, .start = 20s, .rate_tolerance = 1});
+  Phantom device("", {.watchdog_timeout = 200ms, .start = 20s, .rate_tolerance = 1});
   ASSERT_FALSE(device.start(1000));
   device.command({0, 0, 1});
   EXPECT_TRUE(comes_true([] { return !last_force().isZero(0); }));
@@ -115,7 +115,7 @@ TEST_F(phantom, is_lost_when_the_driver_runs_no_frames) {
   EXPECT_TRUE(comes_true([] { return last_force().isZero(0); }));
 }
 
-TEST_F(phantom, slow_frames_within_patience_are_no_fault) {
+TEST_F(phantom, slow_frames_within_the_timeout_are_no_fault) {
   Phantom device("", kPatient);
   ASSERT_FALSE(device.start(1000));
   tell({.instantaneous_rate = 1000, .frame_time = 20ms});
@@ -174,7 +174,7 @@ TEST_F(phantom, lost_connection_ends_the_run_and_is_said_again_by_the_next) {
   }
   for (const Orders& orders : {Orders{.comm_lost = true}, Orders{.instantaneous_rate = 0}}) {
     tell(orders);
-    Phantom again("", {.patience = 2s, .start = 1s, .rate_tolerance = 1});
+    Phantom again("", {.watchdog_timeout = 2s, .start = 1s, .rate_tolerance = 1});
     const auto fault = again.start(1000);
     ASSERT_TRUE(fault);
     expect_words(fault->words, {"check cable and power"});
@@ -228,7 +228,7 @@ TEST_F(phantom, that_loses_its_calibration_under_force_trips) {
   ServoResult result;
   {
     Phantom device("", kPatient);
-    result = run_servo_loop(device, law, {.max_seconds = 20, .patience = 10}, std::atomic<bool>(false));
+    result = run_servo_loop(device, law, {.max_seconds = 20, .watchdog_timeout = 10}, std::atomic<bool>(false));
   }
   EXPECT_EQ(result.end_reason, EndReason::tripped) << result.fault;
   ASSERT_TRUE(result.trip);

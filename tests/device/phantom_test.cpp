@@ -178,12 +178,12 @@ TEST_F(phantom, waits_for_a_driver_that_hangs_no_longer_than_promised) {
 
 // Before there is force; what was measured is said.
 TEST_F(phantom, with_frames_far_from_the_rate_is_not_started) {
-  expect_words(why_not_started({.instantaneous_rate = 1000, .frame_hz = 800}, {.patience = 2s, .start = 1500ms}),
+  expect_words(why_not_started({.instantaneous_rate = 1000, .frame_hz = 800}, {.watchdog_timeout = 2s, .start = 1500ms}),
                {"too irregular", "expected 1000 frames a second", "late, longest gap"});
 }
 
 TEST_F(phantom, that_does_not_answer_its_driver_is_not_started_though_no_error_is_reported) {
-  expect_words(why_not_started({.instantaneous_rate = 0}, {.patience = 2s, .start = 1200ms, .rate_tolerance = 1}),
+  expect_words(why_not_started({.instantaneous_rate = 0}, {.watchdog_timeout = 2s, .start = 1200ms, .rate_tolerance = 1}),
                {"no longer answers"});
 }
 

@@ -42,9 +42,9 @@ Operator hand_along(const Replay& recorded, double x, double z) {
 double longest_without_force(const std::vector<Sample>& samples) {
   double longest = 0, away = 0;
   for (const Sample& sample : samples) {
-    const double wanted = tests::vector(sample.law_force).cast<double>().norm();
+    const double desired = tests::vector(sample.law_force).cast<double>().norm();
     const double force = tests::vector(sample.force).cast<double>().norm();
-    away = sample.limited == 0 && wanted > 0.1 && force < 0.01 * wanted ? away + 0.001 : 0;
+    away = sample.limited == 0 && desired > 0.1 && force < 0.01 * desired ? away + 0.001 : 0;
     longest = std::max(longest, away);
   }
   return longest;

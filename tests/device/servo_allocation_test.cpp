@@ -81,7 +81,7 @@ TEST(servo_loop, simulated_device_allocates_nothing_once_started) {
 TEST(servo_loop, phantom_allocates_nothing_once_started) {
   setenv("FORCESHADE_HD_LIBRARY", STAND_IN_HD, 1);
   stand_in_hd::reset();
-  Phantom device("", {.patience = std::chrono::seconds(20), .start = std::chrono::seconds(20), .rate_tolerance = 1});
+  Phantom device("", {.watchdog_timeout = std::chrono::seconds(20), .start = std::chrono::seconds(20), .rate_tolerance = 1});
   ASSERT_FALSE(device.start(1000));
   const std::size_t before = tests::allocations();
   for (int tick = 0; tick < 200; ++tick) {

@@ -92,17 +92,17 @@ TEST(servo_loop, has_no_deadlines_and_no_overruns_where_it_is_not_paced) {
 }
 
 // Tick 6 is late by `late` ms, and those after it make up for it.
-std::optional<Rule> trip_of(double rate, double late, std::optional<double> patience = std::nullopt) {
+std::optional<Rule> trip_of(double rate, double late, std::optional<double> timeout = std::nullopt) {
   VirtualClock clock;
   Timed device(clock, [&](std::size_t tick) {
     if (tick == 5) clock.pass(1000 / rate - 0.1 + late);
   });
-  const Kept run(device, wall(), {.rate_hz = rate, .max_seconds = 50 / rate, .patience = patience});
+  const Kept run(device, wall(), {.rate_hz = rate, .max_seconds = 50 / rate, .watchdog_timeout = timeout});
   EXPECT_EQ(run.ticks, run.trip ? 7U : 50U);
   return run.trip ? std::optional(run.trip->rule) : std::nullopt;
 }
 
-TEST(servo_loop, trips_when_a_tick_is_later_than_its_patience) {
+TEST(servo_loop, trips_when_a_tick_is_later_than_the_watchdog_timeout) {
   EXPECT_EQ(trip_of(1000, 19.9), std::nullopt);
   EXPECT_EQ(trip_of(1000, 20.1), Rule::watchdog);
   EXPECT_EQ(trip_of(100, 35), std::nullopt) << "five periods";

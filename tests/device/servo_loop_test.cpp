@@ -354,15 +354,15 @@ TEST(servo_loop, counts_a_deadline_missed_and_whose_fault_it_was) {
   EXPECT_EQ(run_servo_loop(unhurried, wall(), {.max_seconds = 0.05, .paced = false}, kNeverStop).missed_deadlines, 0U);
 }
 
-TEST(servo_loop, refuses_a_rate_duration_or_patience_out_of_range) {
+TEST(servo_loop, refuses_a_rate_duration_or_watchdog_timeout_out_of_range) {
   Endless device;
   const double nan = std::nan("");
   for (const double rate : {0.0, -1000.0, 99.9, 10000.1, nan})
     EXPECT_THROW(run_servo_loop(device, wall(), {.rate_hz = rate}, kNeverStop), std::invalid_argument) << rate;
   for (const double seconds : {0.0, -1.0, nan, HUGE_VAL})
     EXPECT_THROW(run_servo_loop(device, wall(), {.max_seconds = seconds}, kNeverStop), std::invalid_argument) << seconds;
-  for (const double patience : {0.0, -1.0, nan, 10.1, HUGE_VAL})
-    EXPECT_THROW(run_servo_loop(device, wall(), {.patience = patience}, kNeverStop), std::invalid_argument) << patience;
+  for (const double timeout : {0.0, -1.0, nan, 10.1, HUGE_VAL})
+    EXPECT_THROW(run_servo_loop(device, wall(), {.watchdog_timeout = timeout}, kNeverStop), std::invalid_argument) << timeout;
   EXPECT_TRUE(device.commands.empty());
 }
 

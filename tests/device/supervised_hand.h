@@ -30,14 +30,14 @@ class Hand {
     for (int tick = 0; tick < 2; ++tick) supervise({0, 0, 0}, Status::free);
   }
 
-  Verdict supervise(const Force& wanted, Status status = Status::contact) {
+  Verdict supervise(const Force& desired, Status status = Status::contact) {
     reading.position.y() += tremor;
     tremor = -tremor;
-    return supervisor.supervise(reading, state, wanted, status, late, unfinished);
+    return supervisor.supervise(reading, state, desired, status, late, unfinished);
   }
-  Verdict supervise_for(int ticks, const Force& wanted) {
+  Verdict supervise_for(int ticks, const Force& desired) {
     Verdict verdict;
-    for (int tick = 0; tick < ticks; ++tick) verdict = supervise(wanted);
+    for (int tick = 0; tick < ticks; ++tick) verdict = supervise(desired);
     return verdict;
   }
 

@@ -18,9 +18,9 @@ TEST(supervisor, passes_what_no_rule_forbids_to_the_bit) {
   Hand hand(supervisor_limits(Simulated(premium_1_5(), std::nullopt).capabilities(), kRate));
   for (int tick = 0; tick < 600; ++tick) hand.supervise({0, 0, 0}, Status::free);
   for (int tick = 0; tick < 600; ++tick) {
-    const Force wanted{0.1F, 0.01F, 0.003F * static_cast<float>(tick)};
-    const Verdict verdict = hand.supervise(wanted);
-    ASSERT_EQ(verdict.force, wanted);
+    const Force desired{0.1F, 0.01F, 0.003F * static_cast<float>(tick)};
+    const Verdict verdict = hand.supervise(desired);
+    ASSERT_EQ(verdict.force, desired);
     ASSERT_TRUE(verdict.limited.none());
   }
   EXPECT_FALSE(hand.supervisor.tripped());
@@ -37,7 +37,7 @@ TEST(supervisor, takes_its_limits_from_the_device_and_the_rate) {
   EXPECT_NEAR(limits.continuous_force, 1.4, 1e-7);
   EXPECT_EQ(limits.workspace_high, limits.workspace_low * -1);
   EXPECT_EQ(limits.resolution, static_cast<double>(0.03F));
-  EXPECT_EQ(limits.patience, 0.05);
+  EXPECT_EQ(limits.watchdog_timeout, 0.05);
   EXPECT_EQ(supervisor_limits({}, 1000).peak_force, SupervisorLimits::kNone);
   // Below what a driver ends a run for, and never above its own.
   const SupervisorLimits low = supervisor_limits({.highest_speed = 760, .highest_slew = 400}, 1000);
@@ -154,10 +154,10 @@ TEST(supervisor, never_lengthens_a_force_nor_lets_it_grow_faster_than_it_may) {
   for (int tick = 0; tick < 20'000; ++tick) {
     hand.late = uniform(0, 1) < 0.2F ? 0.0011 : 0;
     hand.state.temperature = uniform(0, 1);
-    const Force wanted = uniform(0, 12) * Force(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
-    const Verdict verdict = hand.supervise(wanted);
+    const Force desired = uniform(0, 12) * Force(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+    const Verdict verdict = hand.supervise(desired);
     ASSERT_FALSE(verdict.trip) << name_of(*verdict.trip);
-    ASSERT_LE(length_of(verdict.force), length_of(wanted)) << tick;
+    ASSERT_LE(length_of(verdict.force), length_of(desired)) << tick;
     ASSERT_LE(length_of(verdict.force), last + 1 + 1e-6) << tick;
     last = length_of(verdict.force);
     limited += verdict.limited.none() ? 0 : 1;
@@ -196,9 +196,9 @@ TEST(supervisor, rounds_no_force_to_a_longer_one) {
     hand.supervise_for(20, from);
     const Force beside = from.cross(Force(component(bits), component(bits), component(bits))).normalized();
     const float half = std::asin(chord(bits) / (2 * from.norm()));
-    const Force wanted = std::cos(2 * half) * from + std::sin(2 * half) * from.norm() * beside;
-    const Verdict verdict = hand.supervise(wanted);
-    ASSERT_LE(length_of(verdict.force), length_of(wanted)) << from.transpose();
+    const Force desired = std::cos(2 * half) * from + std::sin(2 * half) * from.norm() * beside;
+    const Verdict verdict = hand.supervise(desired);
+    ASSERT_LE(length_of(verdict.force), length_of(desired)) << from.transpose();
     limited += verdict.limited.has(Rule::slew) ? 1 : 0;
   }
   EXPECT_GT(limited, 1000U);

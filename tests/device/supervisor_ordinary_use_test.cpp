@@ -23,8 +23,8 @@ std::size_t limited_ticks(Device& device, LawId id, int ticks, std::optional<Rul
   Eigen::Vector3f before{0, 0, 0};
   for (int tick = 0; tick < ticks; ++tick) {
     const Reading reading = std::get<Reading>(device.read());
-    const fast::Evaluation wanted = law.evaluate(reading.position);
-    const Verdict verdict = supervisor.supervise(reading, device.state(), wanted.force, wanted.status, 0);
+    const fast::Evaluation desired = law.evaluate(reading.position);
+    const Verdict verdict = supervisor.supervise(reading, device.state(), desired.force, desired.status, 0);
     if (verdict.trip) ADD_FAILURE() << name_of(*verdict.trip) << " at tick " << tick << ", " << name_of(id);
     if (verdict.trip) break;
     if (!verdict.limited.none()) ++(expected && verdict.limited.has(*expected) ? limited_as_expected : limited);

@@ -38,9 +38,9 @@ TEST(supervisor, comes_back_from_a_few_late_ticks_and_never_holds_more_than_is_w
   EXPECT_EQ(hand.supervise_for(3, {0, 0, 3}).force.z(), 2);
 }
 
-TEST(supervisor, gives_late_ticks_no_force_after_the_ramp_and_trips_no_earlier_than_its_patience_ends) {
+TEST(supervisor, gives_late_ticks_no_force_after_the_ramp_and_trips_no_earlier_than_the_watchdog_timeout) {
   SupervisorLimits limits = lenient();
-  limits.patience = 0.05;
+  limits.watchdog_timeout = 0.05;
   Hand hand(limits);
   hand.supervise({0, 0, 1});
   hand.late = 0.0011;

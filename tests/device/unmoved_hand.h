@@ -58,12 +58,12 @@ class Hand {
       acting = frames_.send(force.cast<double>());
       reading.sent = frames_.report();
     }
-    wanted = law_.force(reading.position);
-    force = controller.limited(reading, wanted);
+    desired = law_.force(reading.position);
+    force = controller.limited(reading, desired);
     frames_.allow(controller.allowance());
     if (!settings.latency) acting = force.cast<double>();
-    lengthened |= force.cast<double>().norm() > (1 + 1e-15) * wanted.cast<double>().norm();  // two ways to sum
-    chatter.next(force, wanted);
+    lengthened |= force.cast<double>().norm() > (1 + 1e-15) * desired.cast<double>().norm();  // two ways to sum
+    chatter.next(force, desired);
   }
   // Straight there, in equal steps of at most `step` mm.
   void go_to(const Position& position, double step) {
@@ -79,10 +79,10 @@ class Hand {
   PassivityController controller;
   PassivitySettings settings;
   Position at{0, 0, 0};  // mm
-  Eigen::Vector3f wanted{0, 0, 0}, force{0, 0, 0};
+  Eigen::Vector3f desired{0, 0, 0}, force{0, 0, 0};
   Position acting{0, 0, 0};             // N, from this reading to the next
   long double balance = 0, lowest = 0;  // mJ
-  bool lengthened = false;              // some force was longer than the wanted one
+  bool lengthened = false;              // some force was longer than the desired one
   tests::Chatter chatter;
 
  private:

@@ -88,10 +88,13 @@ TEST(parts, without_an_end_are_marked_as_cut_off) {
 std::vector<double*> numbers_of(device::SafetySettings& settings) {
   auto& limits = settings.limits;
   auto& passivity = settings.passivity_settings;
-  return {&limits.peak_force,  &limits.continuous_force,  &limits.slew,      &limits.workspace_margin, &limits.resolution,
-          &limits.speed,       &limits.speed_under_force, &limits.frozen,    &limits.frozen_speed,     &limits.frozen_force,
-          &limits.forgiven,    &limits.ramp_down,         &limits.patience,  &limits.felt_free,        &limits.ramp_up,
-          &passivity.friction, &passivity.epsilon,        &passivity.period, &passivity.longest_step};
+  return {&limits.peak_force,        &limits.continuous_force, &limits.slew,
+          &limits.workspace_margin,  &limits.resolution,       &limits.speed,
+          &limits.speed_under_force, &limits.frozen,           &limits.frozen_speed,
+          &limits.frozen_force,      &limits.forgiven,         &limits.ramp_down,
+          &limits.watchdog_timeout,  &limits.felt_free,        &limits.ramp_up,
+          &passivity.friction,       &passivity.epsilon,       &passivity.period,
+          &passivity.longest_step};
 }
 
 // Every number another one, so that none can be in another's place.

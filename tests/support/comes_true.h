@@ -10,9 +10,9 @@ namespace forceshade::tests {
 
 // Within twenty seconds unless said, for a busy machine. A condition that throws is not true yet.
 template <class Condition>
-bool comes_true(Condition condition, std::chrono::steady_clock::duration patience = std::chrono::seconds(20),
+bool comes_true(Condition condition, std::chrono::steady_clock::duration timeout = std::chrono::seconds(20),
                 std::chrono::steady_clock::duration pause = std::chrono::milliseconds(1)) {
-  for (const auto end = std::chrono::steady_clock::now() + patience; std::chrono::steady_clock::now() < end;
+  for (const auto end = std::chrono::steady_clock::now() + timeout; std::chrono::steady_clock::now() < end;
        std::this_thread::sleep_for(pause)) {
     try {
       if (condition()) return true;

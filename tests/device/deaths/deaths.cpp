@@ -43,8 +43,8 @@ pid_t started(const tests::TemporaryDirectory& directory, std::vector<std::strin
 }
 
 // How the process ended, if it did within this time.
-std::optional<std::string> ended(pid_t process, Clock::duration patience) {
-  for (const auto deadline = Clock::now() + patience; Clock::now() < deadline; std::this_thread::sleep_for(1ms)) {
+std::optional<std::string> ended(pid_t process, Clock::duration timeout) {
+  for (const auto deadline = Clock::now() + timeout; Clock::now() < deadline; std::this_thread::sleep_for(1ms)) {
     int status = 0;
     if (waitpid(process, &status, WNOHANG) == process)
       return WIFEXITED(status) ? "exit " + std::to_string(WEXITSTATUS(status)) : "signal " + std::to_string(WTERMSIG(status));

@@ -30,15 +30,15 @@ namespace hdapi = device::hdapi;
 
 // Instead of 25 ms: a thread of a busy machine is taken to wake up within this, and the runs end by themselves if not. Where
 // frames are counted no time is judged, and a loop that the machine keeps waiting is not to end the run before the fault does.
-constexpr std::chrono::milliseconds kPatience{200}, kLongPatience{20'000};
-constexpr double kPatienceMs = 200;
+constexpr std::chrono::milliseconds kTimeout{200}, kLongTimeout{20'000};
+constexpr double kTimeoutMs = 200;
 constexpr double kClosingMs = 200;  // what a driver that hangs is waited for at the end
 
 // Where milliseconds are judged, a run in which the machine was later than this is tried again, whatever came out of it; the
-// last one counts in any case. A force is held for an eighth of the patience, and 20 ticks without a changed bit have half of
+// last one counts in any case. A force is held for an eighth of the timeout, and 20 ticks without a changed bit have half of
 // it. A step of 0.4 mm is fast, more than 100 mm/s, only if its two readings are less than 4 ms apart.
 constexpr int kTries = 60;
-constexpr double kLateMs = kPatienceMs / 8, kLateTicksMs = kPatienceMs / 2, kLateStepMs = 3;
+constexpr double kLateMs = kTimeoutMs / 8, kLateTicksMs = kTimeoutMs / 2, kLateStepMs = 3;
 constexpr std::size_t kFrozen = 20;  // ticks
 
 // Ticks of the run: free, two steps slower than a frozen encoder's, the ramp up to some 0.2 N, and then the fault.
@@ -166,8 +166,8 @@ Run drive(const Orders& before, const Trouble& trouble, Unit unit, ShownBy shown
   Watched watched;
   bool goes_on = false;
   try {
-    const auto patience = unit == Unit::frames ? kLongPatience : kPatience;
-    Phantom phantom("", {.patience = patience, .start = 20s, .calibration = 200ms, .rate_tolerance = 1});
+    const auto timeout = unit == Unit::frames ? kLongTimeout : kTimeout;
+    Phantom phantom("", {.watchdog_timeout = timeout, .start = 20s, .calibration = 200ms, .rate_tolerance = 1});
     recorder.emplace(directory.file("run.fsr"), recorder::Metadata{});
     FrameByFrame device(phantom, trouble, bench);
     const auto law = std::get<fast::Law>(fast::Law::build(LawId::wall, {.stiffness = 1.5F}));
@@ -267,23 +267,23 @@ std::vector<Fault> phantom_faults() {
       in_frame("the driver gives no position and no error", "position is not finite", kBegun,
                [](Orders& o) { o.withholds_position = true; }),
       // As late as the loop may be to answer a frame: from then on the frames let go by themselves.
-      phantom("position jumps by 20 mm", "trip: jump", kPatienceMs, Unit::ms,
+      phantom("position jumps by 20 mm", "trip: jump", kTimeoutMs, Unit::ms,
               {.orders = [](Orders& o) { o.position = Eigen::Vector3d(20, -0.25, 0); }}),
-      phantom("position jumps to where an uncalibrated one says it is", "trip: jump", kPatienceMs, Unit::ms,
+      phantom("position jumps to where an uncalibrated one says it is", "trip: jump", kTimeoutMs, Unit::ms,
               {.orders = [](Orders& o) { o.position = Eigen::Vector3d(0, -110, -35); }}),
-      phantom("motors warmer than allowed", "limited: warm motors", kPatienceMs, Unit::ms,
+      phantom("motors warmer than allowed", "limited: warm motors", kTimeoutMs, Unit::ms,
               {.orders = [](Orders& o) { o.temperature = 1.1; }}),
-      phantom("the calibration is lost", "trip: uncalibrated", kPatienceMs, Unit::ms,
+      phantom("the calibration is lost", "trip: uncalibrated", kTimeoutMs, Unit::ms,
               {.orders = [](Orders& o) { o.calibration = hdapi::kCalibrationNeedsUpdate; }}),
       // After 20 ticks without a changed bit, of a frame each.
-      phantom("encoders freeze after a fast step", "trip: frozen encoder", 20 + kPatienceMs, Unit::ms,
+      phantom("encoders freeze after a fast step", "trip: frozen encoder", 20 + kTimeoutMs, Unit::ms,
               {.orders = [](Orders& o) { o.position = Eigen::Vector3d(0.4, -0.25, 0); }, .is_fast = true}),
       in_frame("the emergency switch is pressed", "limited: dead-man switch", kBegun,
                [](Orders& o) { o.output_goes_off = true; }),
-      // Found after the loop's patience, which then closes; and two threads wake up for it.
-      phantom("the driver hangs", "stopped running frames", 3 * kPatienceMs + kClosingMs, Unit::ms,
+      // Found after the loop's timeout, which then closes; and two threads wake up for it.
+      phantom("the driver hangs", "stopped running frames", 3 * kTimeoutMs + kClosingMs, Unit::ms,
               {.orders = [](Orders& o) { o.hung = true; }}),
-      phantom("the loop stalls", "the servo loop stalled", 2 * kPatienceMs, Unit::ms, {.stall = 3 * kPatience}),
+      phantom("the loop stalls", "the servo loop stalled", 2 * kTimeoutMs, Unit::ms, {.stall = 3 * kTimeout}),
       phantom("frames take 20 ms", "goes on", std::nullopt, Unit::frames, {.orders = [](Orders& o) { o.frame_time = 20ms; }}),
       at_start("uncalibrated", "is not calibrated", [](Orders& o) { o.calibration = hdapi::kCalibrationNeedsHand; }),
       at_start("nobody holds the arm in its reset pose", "is not calibrated: hold it in its reset pose",

@@ -66,7 +66,7 @@ std::vector<Fault> position_faults() {
       // From x = -30 mm to 200.5 mm.
       position("position drifts out of the workspace at 0.5 m/s", "limited: workspace", 461, drifting({0.5F, 0, 0})),
       position("encoders freeze in a stroke", "trip: frozen encoder", 20, frozen(), kStroking),
-      // With at least 2 N wanted, the ramp at 1/500 a tick, and 20 ticks for the hand to move.
+      // With at least 2 N from the law, the ramp at 1/500 a tick, and 20 ticks for the hand to move.
       position("encoders freeze while the force grows", "trip: frozen encoder", 125 + 20, frozen(), kGrowing, {.depth = 20}),
       goes_on(position("encoders freeze under a resting hand", "goes on", 0, frozen())),
       goes_on(position("every other reading is the one before", "goes on", 0,

@@ -24,8 +24,8 @@ using stand_in_hd::tell;
 using tests::comes_true;
 using Clock = std::chrono::steady_clock;
 
-// A busy machine may keep either thread waiting and makes frames come late; where it does not matter, patience is long.
-inline constexpr Phantom::Options kPatient{.patience = 20s, .start = 20s, .rate_tolerance = 1};
+// A busy machine may keep either thread waiting and makes frames come late; where it does not matter, the timeout is long.
+inline constexpr Phantom::Options kPatient{.watchdog_timeout = 20s, .start = 20s, .rate_tolerance = 1};
 
 // Who keeps what is said to them, and does what the test says.
 class Listener final : public Attendant {

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/properties/field_subject.h"
+
+#include "forceshade/properties/generators.h"
+#include "forceshade/properties/height_properties.h"
+#include "forceshade/properties/passivity.h"
+#include "forceshade/properties/unit_normals.h"
+
+namespace forceshade::properties {
+namespace {
+
+// Each step depends on its position alone. The field must outlive the session.
+template <class Field>
+class ReferenceOfField final : public ReferenceSession {
+ public:
+  explicit ReferenceOfField(const Field& its) : field_(its) {}
+  reference::Rounded step(const Eigen::Vector3f& position) override { return field_.round_to_binary32(position); }
+
+ private:
+  const Field& field_;
+};
+
+// What the generators of cases take.
+const reference::Law& target_of(const reference::Law& law, const LawClaims&) {
+  return law;
+}
+HeightTarget target_of(const reference::HeightMapField& map, const HeightMapClaims& claims) {
+  return {map, claims};
+}
+
+}  // namespace
+
+template <class Field, class Claims>
+std::unique_ptr<ReferenceSession> FieldSubject<Field, Claims>::open_reference() const {
+  return std::make_unique<ReferenceOfField<Field>>(rendered_.law);
+}
+
+template <class Field, class Claims>
+std::vector<Eigen::Vector3f> FieldSubject<Field, Claims>::draw_path() const {
+  return {*position_of(target_of(rendered_.law, claims_))};
+}
+
+template <class Field, class Claims>
+Violation FieldSubject<Field, Claims>::check_unit_normals() const {
+  return unit_normals(rendered_, *position_of(target_of(rendered_.law, claims_)));
+}
+
+template <class Field, class Claims>
+Violation FieldSubject<Field, Claims>::check_passivity() const {
+  return passivity(rendered_, claims_, *polygon_of(target_of(rendered_.law, claims_)));
+}
+
+template class FieldSubject<reference::Law, LawClaims>;
+template class FieldSubject<reference::HeightMapField, HeightMapClaims>;
+
+}  // namespace forceshade::properties
