@@ -78,7 +78,7 @@ std::vector<PropertyResult> run_properties(const Subject& subject, int cases, st
   std::vector<PropertyResult> results;
   const auto run = [&](const std::string& name, const std::function<Violation()>& property) {
     const auto all = static_cast<int>(cases_of(name, static_cast<std::uint64_t>(cases)));
-    results.push_back(run_watched(name, all, seed, on_case, [&] { return is_stopped() ? Violation{} : property(); }));
+    results.push_back(run_watched(name, all, seed, on_case, [&] { return is_stopped() ? Violation("stopped") : property(); }));
   };
   const auto say = [&] {
     if (on_case) on_case(results.back().name, 1);
