@@ -11,6 +11,12 @@ struct BadInput : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// The same with several lines in what(), such as the faults of a mesh; each is printed as a line. What comes from a user or a
+// file is printable() in it, so that no name can begin a line.
+struct BadInputOfLines : BadInput {
+  using BadInput::BadInput;
+};
+
 // By a signal, before the work was done; becomes exit code 130. what() says what was not done.
 struct Interrupted : std::runtime_error {
   using std::runtime_error::runtime_error;

@@ -120,6 +120,7 @@ int run(const CertifyOptions& options, const SubjectOption& subject, const OutFo
     throw BadInput("--exhaustive: expected --law, got --height-map; a height map has too many inputs to sweep");
   // Before the work, so that a path that cannot be written to is said at once.
   out.make(certificate_files());
+  expect_folder_of("--junit", options.junit);
   if (!options.exhaustive.is_given) return run_points(options, std::move(what), out);
   properties::SweepPlan plan{subject.law().laws(), subject.law().parameters(), {}};
   for (const properties::ThesisRadius& radius : properties::kThesisRadii) plan.radii.push_back(radius.mm);
@@ -133,12 +134,12 @@ void add_certify(CLI::App& app, int& result) {
   const auto options = std::make_shared<CertifyOptions>();
   CLI::App* command = app.add_subcommand("certify", "Check the fast path against the reference and write a certificate");
   const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::one_or_all);
-  CLI::Option* points =
-      add_whole(*command, "--points",
-                "points per law, half of them aimed, and a quarter as many with other parameters; " +
-                    std::to_string(properties::points_of_kind(properties::kLawKind)) + " unless said, for a height map " +
-                    std::to_string(properties::points_of_kind(properties::kHeightMapKind)),
-                {1, 1000000000000}, [options](std::uint64_t given) { options->points = given; });
+  CLI::Option* points = add_whole(*command, "--points",
+                                  "points per law, half of them aimed, and a quarter as many with other parameters; " +
+                                      std::to_string(properties::points_of_kind(properties::kLawKind)) +
+                                      " unless said, for a height map or mesh " +
+                                      std::to_string(properties::points_of_kind(properties::kHeightMapKind)),
+                                  {1, 1000000000000}, [options](std::uint64_t given) { options->points = given; });
   CLI::Option* cases = add_whole(*command, "--cases", options->cases, "cases per property (passivity: a tenth)", kCases);
   CLI::Option* seed = add_whole(*command, "--seed", options->seed, "seed of points and cases", kSeeds);
   add_whole(*command, "--threads", options->threads, "threads", {1, 1024});

@@ -20,6 +20,11 @@
 namespace forceshade::apps {
 namespace {
 
+void print_lines(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) std::cerr << csv::printable(line) << '\n';
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Haptic force laws, correctly rounded in real time: evaluate, check, certify and drive.", "forceshade");
   app.set_version_flag("--version", [] {
@@ -73,9 +78,12 @@ int run(int argc, char** argv) {
   } catch (const device::DeviceError& error) {
     // Several lines: what was tried and what to check.
     std::cerr << "forceshade: device fault: ";
-    std::istringstream words(error.what());
-    for (std::string line; std::getline(words, line);) std::cerr << csv::printable(line) << '\n';
+    print_lines(error.what());
     return kDeviceFault;
+  } catch (const BadInputOfLines& error) {
+    std::cerr << "forceshade: ";
+    print_lines(error.what());
+    return kBadInput;
   } catch (const Interrupted& error) {
     std::cerr << "forceshade: interrupted: " << csv::printable(error.what()) << '\n';
     return kInterrupted;

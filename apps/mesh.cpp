@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // forceshade mesh: whether a file holds a mesh that can be rendered, what is in it, its repair, and meshes of simple shapes.
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/height_map_option.h"
@@ -61,6 +64,21 @@ void print(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) std::printf("%s\n", csv::printable(line).c_str());
 }
 
+std::string ending_of(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+// OFF, or OBJ where it may be that, is written. Under the ending of another format it could not be read again, and with
+// --overwrite it would replace the mesh that was to be repaired.
+void expect_ending(const std::string& path, bool may_be_obj) {
+  const std::string ending = ending_of(path);
+  if (ending == ".ply" || ending == ".stl" || (ending == ".obj" && !may_be_obj))
+    throw BadInput(std::string("--out: expected a name that ends in .off") + (may_be_obj ? " or .obj" : "") +
+                   ", which is the format of the file that is written, got \"" + path + '"');
+}
+
 void write_mesh(const std::string& path, const mesh::TriangleMesh& triangles) {
   csv::OutputFile file(path);
   mesh::write_off(file.stream(), triangles);
@@ -72,7 +90,7 @@ using TexturePoints = std::vector<std::array<mesh::TexturePoint, 3>>;
 // A mesh that is made, with its texture if the file can hold one.
 void write_made(const std::string& path, const mesh::TriangleMesh& triangles,
                 TexturePoints (*texture)(const mesh::TriangleMesh&)) {
-  if (std::filesystem::path(path).extension() != ".obj") return write_mesh(path, triangles);
+  if (ending_of(path) != ".obj") return write_mesh(path, triangles);
   csv::OutputFile file(path);
   mesh::write_obj(file.stream(), triangles, texture(triangles));
   file.commit();
@@ -160,6 +178,7 @@ int info(const MeshFileOptions& options) {
 }
 
 int repair(const MeshFileOptions& options) {
+  expect_ending(options.out, false);
   mesh::LoadedMesh loaded = load(options);
   std::vector<std::string> done = loaded.notes;
   if (!loaded.normals.empty() || !loaded.texture.empty()) done.emplace_back("normals and texture are left out");
@@ -184,6 +203,24 @@ struct MakeOptions {
   std::string radius, across_radius = "10mm", width = kThesisWidth, size = "100mm";
   std::uint32_t cells = 64;
 };
+
+struct ShapeOptions {
+  std::string_view shape, options;  // the options have an effect on the shape
+};
+constexpr ShapeOptions kShapeOptions[]{{"icosphere", "--radius --cells"},
+                                       {"cube", "--size"},
+                                       {"wall", "--size --cells"},
+                                       {"torus", "--radius --across-radius --cells"},
+                                       {"bump", "--radius --width --size --cells"},
+                                       {"cylinder-bump", "--radius --width --size --cells"},
+                                       {"height-map", "--height-map --size --cells"}};
+
+void expect_options_of(const std::string& shape, const CLI::App& command) {
+  const std::string_view options = std::ranges::find(kShapeOptions, shape, &ShapeOptions::shape)->options;
+  for (const char* option : {"--radius", "--across-radius", "--width", "--size", "--cells", "--height-map"})
+    if (command.count(option) > 0 && options.find(option) == std::string_view::npos)
+      throw BadInput(std::string(option) + ": has no effect on the shape " + shape + "; expected " + std::string(options));
+}
 
 // The lowest binary32 number above which, in this column, a height map exerts no force: its surface, rounded up.
 double surface_of(const fast::HeightMapField& field, double x, double y) {
@@ -213,11 +250,14 @@ mesh::TriangleMesh made(const MakeOptions& options) {
   const double across_radius = length("--across-radius", options.across_radius);
   const bool is_large = options.shape == "icosphere" || options.shape == "torus";
   const double radius = length("--radius", !options.radius.empty() ? options.radius : is_large ? "50mm" : kThesisRadius);
-  if (options.height_map.empty() == (options.shape == "height-map"))
-    throw BadInput("--height-map: expected a height map for the shape height-map, and for no other");
+  if (options.height_map.empty() && options.shape == "height-map")
+    throw BadInput("--height-map: expected a height map for the shape height-map, got none");
   if (options.shape == "icosphere") return mesh::icosphere(options.cells, radius);
   if (options.shape == "cube") return mesh::cube(size);
   if (options.shape == "wall") return mesh::thin_wall(size, size, options.cells, options.cells);
+  if (options.shape == "torus" && !(across_radius < radius))
+    throw BadInput("--across-radius: expected less than --radius, " + shortest(radius) + " mm, got \"" + options.across_radius +
+                   '"');
   if (options.shape == "torus") return mesh::torus(radius, across_radius, options.cells, std::max(options.cells / 2, 3U));
   if (options.shape == "bump") return mesh::bump(radius, width, size, options.cells);
   if (options.shape == "cylinder-bump") return mesh::cylinder_bump(radius, width, size, options.cells);
@@ -229,6 +269,7 @@ mesh::TriangleMesh made(const MakeOptions& options) {
 }
 
 int make(const MakeOptions& options) {
+  expect_ending(options.out, true);
   try {
     const bool is_solid = options.shape == "icosphere" || options.shape == "cube" || options.shape == "torus";
     write_made(options.out, made(options), is_solid ? &mesh::texture_from_box : &mesh::texture_from_above);
@@ -258,7 +299,10 @@ void add_make(CLI::App& command, int& result) {
       ->type_name("SPEC");
   add_output(*verb, "--out", options->out, "the mesh in mm: NAME.obj, an OBJ file with texture coordinates; else an OFF file")
       ->required();
-  verb->callback([options, &result] { result = make(*options); });
+  verb->callback([options, verb, &result] {
+    expect_options_of(options->shape, *verb);
+    result = make(*options);
+  });
 }
 
 }  // namespace

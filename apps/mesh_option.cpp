@@ -7,6 +7,7 @@
 #include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/length.h"
 #include "forceshade/apps/options.h"
+#include "forceshade/csv/printable.h"
 #include "forceshade/heights/spec.h"
 #include "forceshade/meshes/facts.h"
 #include "forceshade/meshes/normals.h"
@@ -118,8 +119,9 @@ properties::MeshRendering read_mesh(const MeshChoice& choice, float stiffness) {
   auto checked = mesh::check(std::move(loaded.mesh), self_intersections);
   if (const auto* findings = std::get_if<mesh::Findings>(&checked)) {
     const bool crosses = findings->counts[static_cast<std::size_t>(mesh::Fault::meeting)] > 0;
-    throw BadInput(
-        choice.file + ": cannot be rendered:\n" + findings->words() + "\n'forceshade mesh repair' mends some of this" +
+    throw BadInputOfLines(
+        csv::printable(choice.file) + ": cannot be rendered:\n" + findings->words() +
+        "'forceshade mesh repair' mends some of this" +
         (crosses && !choice.is_self_intersecting ? "; with --self-intersecting, faces without a common vertex may cross" : ""));
   }
   const auto& found = std::get<mesh::CheckedMesh>(checked);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/apps/output_options.h"
 
+#include <unistd.h>
+
 #include <filesystem>
 
 #include "forceshade/apps/command.h"
@@ -32,6 +34,16 @@ void expect_new(const CLI::App& command, const std::string& option, const std::s
   if (const std::string words = refusal(command, path); !words.empty()) throw BadInput(option + ": " + words);
 }
 
+void expect_folder_of(const std::string& option, const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (path.empty() || path == "-" || (fs::exists(status) && !fs::is_regular_file(status))) return;
+  const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : ".";
+  if (!fs::is_directory(folder, ignored) || ::access(folder.c_str(), W_OK | X_OK) != 0)
+    throw BadInput(option + ": expected a file in a folder that can be written to, got \"" + path + '"');
+}
+
 CLI::Option* add_output(CLI::App& command, const std::string& name, std::string& path, const std::string& help) {
   add_overwrite(command);
   return command.add_option(name, path, help)
@@ -54,6 +66,7 @@ OutFolder::OutFolder(CLI::App& command, const std::string& help)
 
 void OutFolder::make(const std::vector<std::string>& files) const {
   if (path_.empty()) throw CLI::RequiredError("--out");
+  if (path_ == "-") throw BadInput("--out: expected a directory, for the command writes several files, got \"-\"");
   for (const std::string& file : files) expect_new(command_, "--out", std::filesystem::path(path_) / file);
   make_directory("--out", path_);
 }

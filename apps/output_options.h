@@ -20,6 +20,10 @@ CLI::Option* add_json(CLI::App& command, std::string& path, const std::string& w
 // this file, or the command has an OutFolder.
 void expect_new(const CLI::App& command, const std::string& option, const std::string& path);
 
+// Throws BadInput, naming the option, where no file can be made at this path, because its folder is not there or cannot be
+// written to. So a long run does not have to end before this is reported. An empty path is an option that was not given.
+void expect_folder_of(const std::string& option, const std::string& path);
+
 // Whether --overwrite was given.
 bool overwrites(const CLI::App& command);
 

@@ -11,6 +11,7 @@
 #include "forceshade/apps/output_options.h"
 #include "forceshade/apps/part_times.h"
 #include "forceshade/apps/progress_line.h"
+#include "forceshade/apps/signals.h"
 #include "forceshade/apps/standard_streams.h"
 #include "forceshade/apps/subject_option.h"
 #include "forceshade/certificate/build.h"
@@ -81,14 +82,16 @@ class Checks {
     return run_properties(
         subject, options_.cases, options_.seed,
         [&](const properties::PropertyResult& property) {
-          line.reset();  // off the row that is printed on
+          line.reset();               // off the row that is printed on
+          if (interrupted()) return;  // not all cases were checked
           if (is_printed()) print(name, property);
         },
         [&](const std::string& property, double done) {
           times_.add(name, property);
           if (!line) line.emplace(name);
           line->draw(done);
-        });
+        },
+        &interrupted());
   }
 
   static void print(const std::string& name, const properties::PropertyResult& property) {
@@ -108,10 +111,16 @@ class Checks {
 int run(const PropertiesOptions& options, const SubjectOption& option) {
   if (!options.json.empty() && options.json == options.junit)
     throw BadInput("--json and --junit: expected two files, got \"" + options.json + "\" for both");
+  expect_folder_of("--json", options.json);
+  expect_folder_of("--junit", options.junit);
   const auto subjects = option.subjects();
   Checks checks(options);
   if (checks.is_printed()) std::printf("seed %llu\n", static_cast<unsigned long long>(options.seed));
-  for (const auto& subject : subjects) checks.add(*subject);
+  watch_for_interrupt();
+  for (const auto& subject : subjects) {
+    checks.add(*subject);
+    if (interrupted()) throw Interrupted("not all properties were checked, and nothing was written");
+  }
   checks.write();
   return checks.held() ? kHeld : kFailed;
 }

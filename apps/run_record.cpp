@@ -36,7 +36,13 @@ RunRecord::RunRecord(std::string path, recorder::Metadata metadata, bool paced, 
     directory_ = new_directory(path_);
   else if (replaces)
     remove_recording(path_);
-  recorder_.emplace(recording(), std::move(metadata), recorder::Recorder::Options{.waits = !paced});
+  try {
+    recorder_.emplace(recording(), std::move(metadata), recorder::Recorder::Options{.waits = !paced});
+  } catch (...) {  // no destructor follows
+    std::error_code ignored;
+    if (is_csv()) fs::remove_all(directory_, ignored);
+    throw;
+  }
 }
 
 RunRecord::~RunRecord() {

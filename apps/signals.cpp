@@ -104,7 +104,8 @@ std::string interrupting_signal() {
 }
 
 void watch_for_interrupt() {
-  for (const int number : {SIGINT, SIGTERM}) react(number, interrupt, static_cast<int>(SA_RESETHAND));
+  for (const int number : {SIGINT, SIGTERM, SIGHUP})
+    if (number != SIGHUP || !is_ignored(number)) react(number, interrupt, static_cast<int>(SA_RESETHAND));
 }
 
 void end_runs_in_order() {

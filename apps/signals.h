@@ -13,7 +13,8 @@ const std::atomic<bool>& interrupted();
 // The first such signal, for instance "SIGINT"; empty where none came.
 std::string interrupting_signal();
 
-// For a computation: SIGINT and SIGTERM interrupt it. A second one ends the program at once, because nothing is lost by it.
+// For a computation: SIGINT, SIGTERM and, unless it was ignored as by nohup, SIGHUP interrupt it. A second one ends the program
+// at once, because nothing is lost by it.
 void watch_for_interrupt();
 
 // For a run on a device, called before the device is opened. Every signal that would stop or end the process by default ends

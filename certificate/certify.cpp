@@ -95,7 +95,7 @@ SubjectResult checked(const Subject& subject, const Run& run, const Done& done) 
   result.spread = run.spread(subject, second_part(done));
   if (run.stop) return result;
   for (PropertyResult& property :
-       run_properties(subject, options.cases, options.seed, nullptr, run.on_case(subject.identity().name)))
+       run_properties(subject, options.cases, options.seed, nullptr, run.on_case(subject.identity().name), &run.stop))
     if (std::find(kPropertyNames.begin(), kPropertyNames.end(), property.name) != kPropertyNames.end())
       result.properties.push_back(std::move(property));
   result.jumps = subject.jumps();

@@ -89,6 +89,7 @@ bool Lines::next() {
       return false;
     }
     line_ = {buffer_.get() + begin_, length};
+    if (number_ == 1 && line_.starts_with(kByteOrderMark)) line_.remove_prefix(kByteOrderMark.size());
     begin_ += taken;
     position_ += taken;
     return true;
@@ -118,7 +119,9 @@ Error Lines::ended(const std::string& expected) const {
 
 std::string in_quotes(std::string_view word) {
   constexpr std::size_t kMost = 40;
-  return '"' + std::string(word.substr(0, kMost)) + (word.size() > kMost ? "...\"" : "\"");
+  std::string shown = "\"";
+  for (const char c : word.substr(0, kMost)) c == '\0' ? shown += "\\x00" : shown += c;
+  return shown + (word.size() > kMost ? "...\"" : "\"");
 }
 
 }  // namespace forceshade::mesh

@@ -25,7 +25,10 @@ class Words {
   std::string_view rest_;
 };
 
-// Lines end in LF, CRLF or CR.
+// In front of a text in UTF-8, as some editors write it.
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+// Lines end in LF, CRLF or CR. A byte order mark in front of the first is no part of it.
 class Lines {
  public:
   static constexpr std::size_t kLongest = std::size_t{1} << 20;  // bytes
@@ -65,7 +68,7 @@ class Lines {
   std::uint64_t number_ = 0, position_ = 0;
 };
 
-// How a message shows a word of a file.
+// How a message shows a word of a file. A zero byte, which would end the message where it is printed, becomes \x00.
 std::string in_quotes(std::string_view word);
 
 // The size of a regular file. Throws Error.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <string_view>
 
 #include "forceshade/meshes/bytes.h"
 #include "forceshade/meshes/numbers.h"
@@ -113,25 +114,36 @@ class Text {
   Welder welder_;
 };
 
+// The first bytes of a file up to the end of its first triangle, if it is binary.
+std::string head_of(const std::filesystem::path& file) {
+  std::string head;
+  for (Bytes bytes(file, 0, std::endian::little); head.size() < kHead + kTriangle && bytes.left() > 0;)
+    head += static_cast<char>(bytes.take<unsigned char>());
+  return head;
+}
+
+// Many binary files begin with the word solid, too. No text has a zero byte, but a binary file of less than 2^24 triangles has
+// one in their number.
+bool is_text(std::string_view head) {
+  if (head.find('\0') != std::string_view::npos) return false;
+  if (head.starts_with(kByteOrderMark)) head.remove_prefix(kByteOrderMark.size());
+  const std::string_view solid = "solid";
+  return head.size() >= solid.size() && std::equal(solid.begin(), solid.end(), head.begin(), [](char expected, char found) {
+           return expected == std::tolower(static_cast<unsigned char>(found));
+         });
+}
+
 }  // namespace
 
-// Many binary files begin with the word solid, too, so their size decides.
+// The size decides: a file of the size that it declares is binary.
 LoadedMesh read_stl(const std::filesystem::path& file, Unit unit) {
   const std::uint64_t size = size_of(file);
   std::uint64_t triangles = 0;
-  bool is_text = false;
-  {
-    Bytes head(file, 0, std::endian::little);
-    std::string word;
-    for (int i = 0; i < 5 && head.left() > 0; ++i) word += static_cast<char>(std::tolower(head.take<unsigned char>()));
-    is_text = word == "solid";
-    if (size >= kHead) {
-      head.skip(kHead - 4 - head.position());
-      triangles = head.take<std::uint32_t>();
-      if (size == kHead + kTriangle * triangles) return read_binary(file, unit, triangles);
-    }
+  if (size >= kHead) {
+    triangles = Bytes(file, kHead - 4, std::endian::little).take<std::uint32_t>();
+    if (size == kHead + kTriangle * triangles) return read_binary(file, unit, triangles);
   }
-  if (is_text) return Text(file, unit).read();
+  if (is_text(head_of(file))) return Text(file, unit).read();
   if (size < kHead) throw Error(file, "is no STL file: expected the word solid, or 84 bytes and more");
   throw Error(file, "byte 80: declares " + std::to_string(triangles) + " triangles, which take " +
                         std::to_string(kHead + kTriangle * triangles) + " bytes; the file has " + std::to_string(size));

@@ -20,7 +20,7 @@ struct Rendered {
   Status status = Status::free;
 };
 
-// position (mm) -> force
+// position (mm) -> force. It must not throw.
 using Renderer = std::function<Rendered(const Eigen::Vector3f& position)>;
 
 template <class Reference>

@@ -72,11 +72,13 @@ Violation equivalence_along(const Subject& subject, const std::vector<Eigen::Vec
 }  // namespace
 
 std::vector<PropertyResult> run_properties(const Subject& subject, int cases, std::uint64_t seed, const PropertyDone& done,
-                                           const OnCase& on_case) {
+                                           const OnCase& on_case, const std::atomic<bool>* stop) {
+  if (cases < 1) throw std::invalid_argument("cases of a property: expected 1 or more, got " + std::to_string(cases));
+  const auto is_stopped = [&] { return stop != nullptr && *stop; };
   std::vector<PropertyResult> results;
   const auto run = [&](const std::string& name, const std::function<Violation()>& property) {
     const auto all = static_cast<int>(cases_of(name, static_cast<std::uint64_t>(cases)));
-    results.push_back(run_watched(name, all, seed, on_case, property));
+    results.push_back(run_watched(name, all, seed, on_case, [&] { return is_stopped() ? Violation("stopped") : property(); }));
   };
   const auto say = [&] {
     if (on_case) on_case(results.back().name, 1);
@@ -91,7 +93,7 @@ std::vector<PropertyResult> run_properties(const Subject& subject, int cases, st
   run("passivity", [&] { return subject.check_passivity(); });
   for (const auto& loop : subject.fixed_loops()) {
     PropertyResult& passive = results.back();
-    if (!passive.held) break;
+    if (!passive.held || is_stopped()) break;
     ++passive.cases;
     if (const Violation violation = loop()) {
       passive.held = false;

@@ -2,6 +2,7 @@
 #pragma once
 // Runs the four properties on a renderer with RapidCheck: what `forceshade properties`, certify and the tests call.
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -20,9 +21,11 @@ using PropertyDone = std::function<void(const PropertyResult&)>;
 
 // Equivalence, continuity, unit normals, passivity, each on `cases` generated cases (passivity, whose case is a whole loop, on
 // a tenth of them, and on the subject's fixed loops), then the subject's further properties. The same seed gives the same
-// cases. Not for two threads at once: RapidCheck is not.
+// cases. Throws std::invalid_argument for fewer cases than one, which would hold of whatever is checked. Once `stop` is set,
+// nothing is checked any more, and what is returned says nothing. Not for two threads at once: RapidCheck is not.
 std::vector<PropertyResult> run_properties(const Subject& subject, int cases, std::uint64_t seed,
-                                           const PropertyDone& done = nullptr, const OnCase& on_case = nullptr);
+                                           const PropertyDone& done = nullptr, const OnCase& on_case = nullptr,
+                                           const std::atomic<bool>* stop = nullptr);
 
 // One property of one's own: `property` draws its case with RapidCheck's operator* and says what is violated.
 PropertyResult run_property(const std::string& name, int cases, std::uint64_t seed, const std::function<Violation()>& property);

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
 #include <optional>
+#include <system_error>
 
 #include "forceshade/csv/csv.h"
 #include "forceshade/recorder/checksum.h"
@@ -19,8 +21,13 @@ std::string ticks(std::uint64_t first, std::uint64_t last) {
   return first == last ? "tick " + std::to_string(first) : "ticks " + std::to_string(first) + " to " + std::to_string(last);
 }
 
-// For what SQLite itself says little about: a file that is absent or may not be read.
+// For what SQLite itself says little about: a file that is absent or may not be read. A pipe would keep the reader waiting for
+// ever.
 std::string readable(const std::string& path) {
+  std::error_code none;
+  if (const auto status = std::filesystem::status(path, none);
+      exists(status) && !is_regular_file(status) && !is_directory(status))
+    throw RecordingError(path + ": expected a recording, got no regular file");
   try {
     csv::open_input(path);
   } catch (const csv::Error& error) {

@@ -150,6 +150,11 @@ expect 1 "missed.toml: no verdict: not enclosed: the height map is so steep or s
 "$forceshade" energy --height-map far.toml --depth 2 --from=-100 --to 100 --json stopped.json > stopped.txt 2>&1 &
 sleep 1; kill -INT $!; wait $!; same 130 $?
 same "forceshade: interrupted: far.toml has no verdict, and nothing was written" "$(cat stopped.txt)"
+# A terminal that is closed interrupts like Ctrl-C.
+"$forceshade" properties --law wall --cases 1000000000 --junit hung_up.xml > /dev/null 2> stopped.txt &
+sleep 1; kill -HUP $!; wait $!; same 130 $?
+same "forceshade: interrupted: not all properties were checked, and nothing was written" "$(cat stopped.txt)"
+same "" "$(ls | grep hung_up)"
 [ ! -e stopped.json ] || { echo "FAILED: a verdict that is none was written"; exit 1; }
 expect 2 "expected a directory" -- "$forceshade" plot --law wall --what force --out in.csv/no
 expect 0 "drawn/figure-5-5.csv" -- "$forceshade" figures --out drawn
@@ -350,6 +355,15 @@ same "$(cut -d, -f1,3-10 record.csv)" "$(cut -d, -f1,3-10 run.csv)"
 same "NUMPY" "$(head -c 6 run.npy | tail -c 5)"
 expect 2 "nowhere" -- recording export run.fsr --out nowhere/run.csv
 expect 2 "in.csv: file is not a database" -- recording verify in.csv
+mkfifo pipe.fsr
+expect 2 "pipe.fsr: expected a recording, got no regular file" -- timeout 10 "$forceshade" recording verify pipe.fsr
+# Said before the work: a folder that is not there, and standard output for several files.
+expect 2 '--junit: expected a file in a folder that can be written to, got "nowhere/a.xml"' -- \
+  timeout 10 "$forceshade" properties --law all --cases 1000000000 --junit nowhere/a.xml
+expect 2 '--junit: expected a file in a folder that can be written to, got "nowhere/a.xml"' -- \
+  timeout 10 "$forceshade" certify --law wall --points 1000000000000 --out unwritten --junit nowhere/a.xml
+expect 2 '--out: expected a directory, for the command writes several files, got "-"' -- plot --law wall --out -
+same "" "$(ls -d -- unwritten - 2> /dev/null)"
 # A file that someone else made: nothing in it commands the terminal, and one that is damaged says so.
 corpus="$(dirname "$examples")/tests/fuzz/corpus"
 expect 0 'law                  \x1b[2Jwall' -- recording info "$corpus/recording/escape.fsr"
@@ -371,6 +385,9 @@ small_disk() { (trap '' XFSZ; ulimit -f 200; "$@"); }
 expect 2 "full.fsr: disk I/O error; recorded" -- \
   small_disk "$forceshade" drive --law wall --uncertified --device simulated --free-run --seconds 20 --record full.fsr
 expect 1 "no end" -- recording verify full.fsr
+no_disk() { (trap '' XFSZ; ulimit -f 0; "$@"); }
+expect 2 "run.fsr: " -- no_disk "$forceshade" drive --law wall --uncertified --device null --seconds 0.1 --record unmade.csv
+same "" "$(ls | grep unmade)"
 "$forceshade" drive --law wall --uncertified --device null --record killed.fsr 2> killed.txt &
 sleep 1; kill -KILL $!; wait $! 2> /dev/null
 expect 1 "killed.fsr: no end: cut off" -- recording verify killed.fsr

@@ -5,10 +5,11 @@ mesh() { "$forceshade" mesh "$@"; }
 
 # make, then check and info of every shape.
 for shape in icosphere cube wall torus bump cylinder-bump; do
-  expect 0 "" -- mesh make $shape --cells 8 --out $shape.off
+  cells="--cells 8"; [ $shape != cube ] || cells=""
+  expect 0 "" -- mesh make $shape $cells --out $shape.off
   expect 0 "held: a mesh of " -- mesh check $shape.off --unit mm
   expect 0 "faces  " -- mesh info $shape.off --unit mm
-  expect 0 "" -- mesh make $shape --cells 8 --out $shape.obj
+  expect 0 "" -- mesh make $shape $cells --out $shape.obj
   expect 0 "texture          in the file" -- mesh info $shape.obj --unit mm
 done
 expect 0 "held: a mesh of 1280 faces" -- mesh check icosphere.off --unit mm
@@ -25,7 +26,15 @@ expect 0 "box              -12.7, -12.7, -12.7 to 12.7, 12.7, 12.7 mm" -- mesh i
 expect 2 "expected one of icosphere, cube," -- mesh make sphere --out sphere.off
 expect 2 "mesh make bump: expected a width of at most twice the radius" -- mesh make bump --width 40 --out wide.off
 expect 2 "mesh make icosphere: expected at most 2^28 triangles" -- mesh make icosphere --cells 16384 --out large.off
-same "" "$(ls | grep -E 'wide|large|sphere.off.p')"
+expect 2 '--across-radius: expected less than --radius, 5 mm, got "6mm"' -- mesh make torus --radius 5 --across-radius 6mm --out ring.off
+expect 2 '--out: expected a name that ends in .off or .obj, which is the format of the file that is written, got "cube.stl"' -- \
+  mesh make cube --out cube.stl
+expect 0 "" -- mesh make wall --out WALL.OBJ
+expect 2 "--cells: has no effect on the shape cube; expected --size" -- mesh make cube --cells 3 --out ring.off
+expect 2 "--radius: has no effect on the shape wall; expected --size --cells" -- mesh make wall --radius 3 --out ring.off
+expect 2 "--height-map: has no effect on the shape torus" -- mesh make torus --height-map "$examples/gaussian.toml" --out ring.off
+expect 0 "texture          in the file" -- mesh info WALL.OBJ --unit mm
+same "" "$(ls | grep -E 'ring|stl|wide|large|sphere.off.p')"
 mesh make cube --out - > standard.off
 expect 0 "held" -- mesh check standard.off --unit mm
 
@@ -53,6 +62,8 @@ mkdir folder.off
 # What cannot be read: 2, with file and line or byte; no byte of a file reaches a terminal as a command.
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n2 \033[2J 0\n3 0 1 2\n' > escape.off
 expect 2 'escape.off: line 5: expected a coordinate, got "\x1b[2J"' -- mesh check escape.off --unit mm
+printf 'v 0 0\0 0\n' > zero.obj
+expect 2 'zero.obj: line 1: expected a coordinate, got "0\x00"' -- mesh check zero.obj --unit mm
 expect 2 "missing.off: is not there" -- mesh check missing.off --unit mm
 expect 2 "folder.off: is no regular file" -- mesh check folder.off --unit mm
 expect 2 "expected a name that ends in .obj, .off, .ply or .stl" -- mesh check "$examples/gaussian.toml" --unit mm
@@ -70,5 +81,11 @@ expect 0 "dropped 2 faces with the vertices of a face before them: 4, 5" -- mesh
 expect 0 "turned 1 faces over: 1" -- mesh repair broken.off --unit mm --out repaired.off --overwrite
 expect 0 '"held": true' -- mesh repair broken.off --unit mm --out repaired.off --overwrite --json
 expect 2 "is there already" -- mesh repair broken.off --unit mm --out repaired.off
+# A repaired mesh is an OFF file: it does not replace a file of another format.
+for name in mine.stl mine.PLY mine.obj; do
+  echo kept > $name
+  expect 2 "--out: expected a name that ends in .off" -- mesh repair broken.off --unit mm --out $name --overwrite
+  same kept "$(cat $name)"
+done
 expect 1 "FAILED: " -- mesh repair folded.off --unit mm --out folded2.off
 echo "$checks checks passed"

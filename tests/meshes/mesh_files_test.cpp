@@ -71,6 +71,23 @@ TEST(mesh_files, of_obj_have_faces_in_every_way_of_counting) {
   expect_split(of_text("a.obj", vertices + "f 1 2 3 4\n"), "4 corners");
 }
 
+// As some editors write it in front of a text.
+TEST(mesh_files, may_begin_with_a_byte_order_mark) {
+  const std::string mark = "\xEF\xBB\xBF";
+  for (const auto& [name, text] : {std::pair<std::string, std::string>{"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+                                   {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+                                   {"a.stl",
+                                    "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+                                    "endloop\nendfacet\nendsolid a\n"}}) {
+    const auto read = of_text(name, mark + text);
+    EXPECT_EQ(read.refusal, "") << name;
+    EXPECT_EQ(read.mesh.mesh.triangles, of_text(name, text).mesh.mesh.triangles) << name;
+    const std::size_t second = text.find('\n') + 1;
+    for (const std::string& wrong : {mark + mark + text, text.substr(0, second) + mark + text.substr(second)})
+      EXPECT_NE(of_text(name, wrong).refusal, "") << name;
+  }
+}
+
 TEST(mesh_files, of_obj_may_have_normals_and_a_texture) {
   const std::string lists = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1\nvt 1 1 0\nvt 0 1\nvn 0 0 1\n";
   const Loaded both = of_text("a.obj", lists + "f 1/1/1 2/2/1 3/3/-1\nf 1/1/1 3/3/1 4/-1/1\n");

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 
 #include "forceshade/properties/binary32.h"
 #include "forceshade/properties/continuity.h"
@@ -37,6 +39,24 @@ PropertyResult result_of(const RenderedLaw& subject, const std::string& property
 }
 
 // How far each property is goes from 0 to 1 and never back, also while a failure is shrunk; results are as without a watcher.
+TEST(properties, a_run_of_no_cases_holds_of_nothing_and_is_refused) {
+  const LawSubject wall(LawId::wall, kBump);
+  for (const int cases : {0, -5}) EXPECT_THROW(run_properties(wall, cases, kSeed), std::invalid_argument);
+}
+
+TEST(properties, a_run_that_is_stopped_calls_the_renderer_no_more) {
+  std::atomic<bool> stop{false};
+  int calls = 0, after = 0;
+  const LawSubject subject(changed(LawId::wall, [&](const Eigen::Vector3f&, Rendered answer) {
+    if (stop) ++after;
+    if (++calls == 100) stop = true;
+    return answer;
+  }));
+  run_properties(subject, 1000, kSeed, nullptr, nullptr, &stop);
+  EXPECT_GE(calls, 100);
+  EXPECT_LT(after, 10) << "the case in which it was stopped is finished";
+}
+
 TEST(properties, a_run_reports_each_case_of_each_property) {
   const LawSubject wrong(changed(LawId::bump_2p, [](const Eigen::Vector3f& position, Rendered answer) {
     if (position.x() > 1) answer.force.x() += 1;
