@@ -43,6 +43,7 @@ FORCESHADE_INLINE auto in_integers(const Stages& stages, const Exact& exact) noe
   stages.note(Stage::wide);
   return exact();
 }
+
 // value, with |error| as a bound: its sign, or that of exact().
 template <class Stages, class Exact>
 FORCESHADE_INLINE int sign_of(const DoubleWithError& value, const Stages& stages, const Exact& exact) noexcept {
