@@ -86,8 +86,9 @@ class Mesh {
   FORCESHADE_INLINE void fetch_beyond(HalfEdge h) const noexcept {
     if (h == kRim) [[unlikely]]
       return;
-    const Face* const four = faces_.data() + (face_of(h) & ~3U);
-    for (int i = 0; i < 4; ++i) __builtin_prefetch(four + i);
+    // As a number, because the last group may reach beyond the array.
+    const auto four = reinterpret_cast<std::uintptr_t>(faces_.data() + (face_of(h) & ~3U));
+    for (std::size_t i = 0; i < 4; ++i) __builtin_prefetch(reinterpret_cast<const void*>(four + i * sizeof(Face)));
   }
   FORCESHADE_INLINE void fetch_neighbours(std::uint32_t f) const noexcept {
     for (const HalfEdge other : faces_[f].twin) fetch_beyond(other);
