@@ -98,7 +98,7 @@ Picture force_profile(const SideView& view, const ForceProfile& profile, double 
   };
   // px; without a heading there is no legend either.
   constexpr int kLeft = 58, kRight = 9, kTop = 27, kPanel = 91, kBetween = 35, kBottom = 48;
-  const int width = heading_height(view) > 0 ? 430 : 350;
+  const int width = heading_height(view) > 0 ? 470 : 350;
   const int above = heading_height(view), height = above + kTop + 2 * kPanel + kBetween + kBottom;
   const auto panel = [&](int from_top) {
     return margins(kLeft / double(width), 1 - kRight / double(width), 1 - from_top / double(height),
