@@ -362,7 +362,7 @@ expect 2 '--junit: expected a file in a folder that can be written to, got "nowh
   timeout 10 "$forceshade" properties --law all --cases 1000000000 --junit nowhere/a.xml
 expect 2 '--junit: expected a file in a folder that can be written to, got "nowhere/a.xml"' -- \
   timeout 10 "$forceshade" certify --law wall --points 1000000000000 --out unwritten --junit nowhere/a.xml
-expect 2 '--out: expected a directory, for the command writes several files, got "-"' -- plot --law wall --out -
+expect 2 '--out: expected a directory, for the command writes several files, got "-"' -- "$forceshade" plot --law wall --out -
 same "" "$(ls -d -- unwritten - 2> /dev/null)"
 # A file that someone else made: nothing in it commands the terminal, and one that is damaged says so.
 corpus="$(dirname "$examples")/tests/fuzz/corpus"
