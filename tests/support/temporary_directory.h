@@ -2,8 +2,9 @@
 #pragma once
 // A directory of a test's own, gone when the test ends.
 
-#include <unistd.h>
+#include <stdlib.h>
 
+#include <cerrno>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -17,7 +18,7 @@ namespace forceshade::tests {
 
 class TemporaryDirectory {
  public:
-  TemporaryDirectory() : path_(std::filesystem::temp_directory_path() / name()) { std::filesystem::create_directories(path_); }
+  TemporaryDirectory() : path_(made()) {}
   ~TemporaryDirectory() {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
@@ -44,9 +45,11 @@ class TemporaryDirectory {
   }
 
  private:
-  static std::string name() {
-    static int count = 0;
-    return "forceshade-" + std::to_string(getpid()) + "-" + std::to_string(count++);
+  // A name that no other directory has, not even one that a test left behind when it was killed.
+  static std::string made() {
+    std::string path = std::filesystem::temp_directory_path() / "forceshade-XXXXXX";
+    if (mkdtemp(path.data()) == nullptr) throw std::system_error(errno, std::generic_category(), path);
+    return path;
   }
 
   std::filesystem::path path_;
