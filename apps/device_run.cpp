@@ -11,10 +11,12 @@
 #include "forceshade/apps/drive_summary.h"
 #include "forceshade/apps/last_ticks.h"
 #include "forceshade/apps/live_view.h"
+#include "forceshade/apps/options.h"
 #include "forceshade/apps/placement_text.h"
 #include "forceshade/apps/run_record.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/apps/terminal_attendant.h"
+#include "forceshade/apps/trip_words.h"
 #include "forceshade/certificate/build.h"
 #include "forceshade/csv/csv.h"
 #include "forceshade/csv/output_file.h"
@@ -84,6 +86,14 @@ void add_in_reset_pose(CLI::App& command, bool& in_reset_pose) {
                    "the arm is held in its reset pose: a device that calibrates there waits for no confirmation");
 }
 
+void add_watchdog_timeout(CLI::App& command, std::optional<double>& seconds) {
+  add_number(
+      command, "--watchdog-timeout",
+      "for how many seconds ticks may be late before the run is stopped. Without it, 0.02 on a device with an arm, and on "
+      "others late ticks are only counted",
+      {1 / device::kHighestRateHz, device::kLongestWatchdogTimeout}, [&seconds](double timeout) { seconds = timeout; });
+}
+
 std::unique_ptr<device::Attendant> attendant(bool in_reset_pose, bool with_buttons) {
   std::unique_ptr<TerminalAttendant> person;
   if (in_reset_pose)
@@ -130,7 +140,7 @@ RunOutcome run_on(device::Device& device, const Driven& what, RunPlan plan) {
   }
   if (const std::string signal = interrupting_signal(); !signal.empty() && result.end_reason == device::EndReason::stopped)
     std::fprintf(stderr, "forceshade: %s ended the run\n", signal.c_str());
-  if (result.trip) std::fprintf(stderr, "forceshade: the supervisor stopped the run: %s\n", name_of(result.trip->rule).data());
+  if (result.trip) std::fprintf(stderr, "forceshade: the supervisor stopped the run: %s\n", words_of_trip(result).c_str());
   if (result.end_reason == device::EndReason::device_fault)
     std::fprintf(stderr, "forceshade: device fault: %s\n", result.fault);
   const int code = has_failed(result) ? kDeviceFault : written ? kHeld : kBadInput;

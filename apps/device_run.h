@@ -31,6 +31,8 @@ struct RunOutcome {
 void add_in_reset_pose(CLI::App& command, bool& in_reset_pose);
 std::unique_ptr<device::Attendant> attendant(bool in_reset_pose, bool with_buttons = false);
 
+void add_watchdog_timeout(CLI::App& command, std::optional<double>& seconds);
+
 // The device by its name. Throws Interrupted where a signal came meanwhile, whatever the device then said.
 std::unique_ptr<device::Device> open_for_a_run(const std::string& name, device::Attendant& attendant,
                                                device::Forces forces = device::Forces::as_commanded);

@@ -162,10 +162,7 @@ void add_device_try(CLI::App& device, int& result) {
       });
   add_number(*command, "--seconds", "stop after so many seconds' worth of ticks; 30 unless said", {0.1, 600},
              [options](double seconds) { options->seconds = seconds; });
-  add_number(*command, "--watchdog-timeout",
-             "for how many seconds ticks may be late before the run is stopped; 0.02 unless said",
-             {1 / device::kHighestRateHz, device::kLongestWatchdogTimeout},
-             [options](double timeout) { options->watchdog_timeout = timeout; });
+  add_watchdog_timeout(*command, options->watchdog_timeout);
   add_in_reset_pose(*command, options->in_reset_pose);
   command->add_flag("--uncertified", options->uncertified, "try even where the certificate does not allow it");
   add_output(*command, "--record", options->record, "the recording, FILE.fsr; forceshade-try-DATE-TIME.fsr unless said");

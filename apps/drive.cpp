@@ -21,7 +21,6 @@ namespace {
 using Controller = device::PassivityController::Kind;
 
 constexpr NumberRange kSeconds{1 / device::kHighestRateHz, 1e9};
-constexpr NumberRange kWatchdogTimeout{1 / device::kHighestRateHz, device::kLongestWatchdogTimeout};
 constexpr WholeRange kButtons{0, std::numeric_limits<decltype(device::Reading::buttons)>::digits - 1};
 constexpr WholeRange kProcessors{0, CPU_SETSIZE - 1};
 
@@ -110,9 +109,7 @@ void add_drive(CLI::App& app, int& result) {
            "what a tick follows: device, the frames of one that has its own (a PHANToM), or clock, this machine's, as for any "
            "other device",
            {"device", "clock"});
-  add_number(*command, "--watchdog-timeout",
-             "for how many seconds ticks may be late before the run is stopped; 0.02 unless said", kWatchdogTimeout,
-             [options](double timeout) { options->watchdog_timeout = timeout; });
+  add_watchdog_timeout(*command, options->watchdog_timeout);
   add_whole(
       *command, "--dead-man",
       "button of the device to be held down, from 0; else there is no force. Of a simulated device: a key of the terminal, "

@@ -52,6 +52,13 @@ void print_safety(const ServoResult& run) {
   std::printf("%s\n", limited.empty() ? "nothing limited" : limited.c_str());
 }
 
+void print_lateness(const ServoResult& run) {
+  std::printf("                  tick %zu began %.1f ms late, the longest", run.worst_delay.tick, run.worst_delay.late_ms);
+  if (run.supervised && !run.acts_on_lateness)
+    std::printf("; late ticks are only counted, because the device moves no arm (unless --watchdog-timeout is given)");
+  std::printf("\n");
+}
+
 }  // namespace
 
 void print(const ServoResult& run) {
@@ -59,6 +66,7 @@ void print(const ServoResult& run) {
   const char* pacer = pacer_of(run);
   std::printf("rate              %.1f Hz%s%s\n", run.achieved_rate_hz, pacer ? ", paced by the " : "", pacer ? pacer : "");
   std::printf("missed deadlines  %zu, of them %zu by our own computing\n", run.missed_deadlines, run.overruns);
+  if (run.missed_deadlines > 0) print_lateness(run);
   print_times("compute time", run.compute_us);
   print_times("with the device", run.tick_us);
   if (!run.wakeup_us.histogram.empty()) print_times("wake-up latency", run.wakeup_us);
@@ -93,6 +101,11 @@ ordered_json to_json(const ServoResult& run) {
           {"ticks", run.ticks},
           {"missed_deadlines", run.missed_deadlines},
           {"overruns", run.overruns},
+          {"worst_delay",
+           {{"tick", run.worst_delay.tick},
+            {"late_ms", run.worst_delay.late_ms},
+            {"tick_before_ms", run.worst_delay.before_ms},
+            {"computed_before_ms", run.worst_delay.computed_ms}}},
           {"invalid_positions", run.invalid_positions},
           {"unfinished_ticks", run.unfinished_ticks},
           {"rate_hz", run.achieved_rate_hz},
@@ -103,7 +116,11 @@ ordered_json to_json(const ServoResult& run) {
           {"peak_force_N", run.peak_force_N},
           {"energy_given_mJ", run.energy_given_mJ()},
           {"energy_taken_mJ", run.energy_taken_mJ()},
-          {"supervisor", {{"supervised", run.supervised}, {"trip", trip}, {"limited_ticks", limited}}},
+          {"supervisor",
+           {{"supervised", run.supervised},
+            {"acts_on_lateness", run.acts_on_lateness},
+            {"trip", trip},
+            {"limited_ticks", limited}}},
           {"passivity",
            {{"controller", words(run.passivity)},
             {"epsilon_mJ", run.passivity_settings.epsilon},

@@ -104,9 +104,7 @@ struct Driving {
         ->type_name("X,Y,Z");
     add_whole(command, "--dead-man", "button of the device to be held down, from 0; else there is no force", {0, 15},
               [this](std::uint64_t button) { dead_man = static_cast<int>(button); });
-    add_number(
-        command, "--watchdog-timeout", "for how many seconds ticks may be late before the run is stopped; 0.02 unless said",
-        {1 / device::kHighestRateHz, device::kLongestWatchdogTimeout}, [this](double timeout) { watchdog_timeout = timeout; });
+    add_watchdog_timeout(command, watchdog_timeout);
     command.add_flag("--free-run", free_run, "the loop as fast as it goes: for checks, not for hands");
     add_in_reset_pose(command, in_reset_pose);
   }

@@ -14,6 +14,7 @@
 #include "forceshade/apps/live_line.h"
 #include "forceshade/apps/rule_names.h"
 #include "forceshade/apps/signals.h"
+#include "forceshade/apps/trip_words.h"
 #include "forceshade/csv/printable.h"
 
 namespace forceshade::apps {
@@ -122,7 +123,7 @@ void say_what_fails(const Work& work) {
 int code_of(const device::ServoResult& result, const experiments::RecordedSession& recorded) {
   const std::string resume = words_of_resume(recorded);
   if (result.trip || result.end_reason == device::EndReason::device_fault) {
-    tell_experimenter(result.trip ? "the supervisor stopped the run: " + std::string(name_of(result.trip->rule))
+    tell_experimenter(result.trip ? "the supervisor stopped the run: " + words_of_trip(result)
                                   : "device fault: " + std::string(result.fault));
     tell_experimenter(resume);
     return kDeviceFault;

@@ -57,6 +57,9 @@ struct Capabilities {
   float resolution = 0;  // mm, as a data sheet has it
   // N, as a data sheet has them. Without a peak it gives no force that a hand could feel: nobody needs to be kept from it.
   float peak_force = kNone, continuous_force = kNone;
+  // False for a device whose hand is computed, too: its arm moves only in a simulation, and its time is the number of readings,
+  // so that a late tick holds no force for longer than it should be held.
+  bool moves_an_arm = true;
   bool latency = false;  // a command acts through the period after the next reading, not up to it
   float friction = 0;    // N: the least at its tip, as a data sheet has it
   double highest_rate = std::numeric_limits<double>::infinity();  // Hz

@@ -8,7 +8,7 @@ namespace forceshade::device {
 
 class Null final : public Device {
  public:
-  Capabilities capabilities() const noexcept override { return {.model = "null"}; }
+  Capabilities capabilities() const noexcept override { return {.model = "null", .moves_an_arm = false}; }
   std::optional<Fault> start(double rate) noexcept override {
     rate_ = rate;
     return std::nullopt;

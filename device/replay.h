@@ -25,7 +25,7 @@ class Replay final : public Device {
   // business. Throws csv::Error with the line of a time that is not finite or does not increase, also when there is no row.
   static Replay load(const std::string& path);
 
-  Capabilities capabilities() const noexcept override { return {.model = "replay"}; }
+  Capabilities capabilities() const noexcept override { return {.model = "replay", .moves_an_arm = false}; }
   std::optional<Fault> start(double rate) noexcept override;
   ReadResult read() noexcept override;
   std::optional<Fault> command(const Eigen::Vector3f& force) noexcept override {

@@ -27,6 +27,10 @@ std::int64_t processor_time() noexcept {
   return time.tv_sec * kSecond + time.tv_nsec;
 }
 
+double milliseconds(std::int64_t ns) noexcept {
+  return static_cast<double>(ns) / 1e6;
+}
+
 void sleep_until(std::int64_t due, const std::atomic<bool>& stop) noexcept {
   const timespec time{.tv_sec = due / kSecond, .tv_nsec = due % kSecond};
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr) == EINTR && !stop) {
@@ -95,6 +99,8 @@ class Run {
     longest_wait_ = std::llround(2e9 * settings.limits.watchdog_timeout);
     result.followed_device = options.paced && options.follows_device && capabilities.paces;
     result.supervised = settings.supervised;
+    result.acts_on_lateness = settings.limits.acts_on_lateness;
+    result.watchdog_timeout = settings.limits.watchdog_timeout;
     if (result.supervised) supervisor_.emplace(settings.limits, options.rate_hz);
     result.passivity = settings.passivity;
     result.passivity_settings = settings.passivity_settings;
@@ -147,6 +153,9 @@ class Run {
   std::size_t ticks_;
   std::optional<Supervisor> supervisor_;
   std::optional<PassivityController> controller_;
+  struct {
+    double took_ms = 0, computed_ms = 0;
+  } before_;  // of the tick before, as Delay has it
   Reading last_{.position = Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN())};
   std::optional<EndReason> end_;
   Histogram wakeup_, compute_, tick_;
@@ -210,8 +219,15 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
   const std::int64_t commanded_at = monotonic_now();
 
   const bool late = options_.paced && commanded_at > due_ + period_;
+  const double late_ms = milliseconds(latency);
+  if (late_ms > result.worst_delay.late_ms)
+    result.worst_delay = {
+        .tick = result.ticks, .late_ms = late_ms, .before_ms = before_.took_ms, .computed_ms = before_.computed_ms};
+  // A tick that was in time cannot delay the next one, whatever it computed.
+  const std::int64_t computed = late ? processor_time() - computed_ : 0;
+  before_ = {.took_ms = milliseconds(commanded_at - woken_at), .computed_ms = milliseconds(computed)};
   if (late) ++result.missed_deadlines;
-  if (late && processor_time() - computed_ > period_) ++result.overruns;
+  if (computed > period_) ++result.overruns;
   if (evaluation.status == Status::invalid) ++result.invalid_positions;
   if (evaluation.is_unfinished) ++result.unfinished_ticks;
   result.peak_force_N = std::max(result.peak_force_N, force.cast<double>().norm());
@@ -261,6 +277,7 @@ SafetySettings safety_settings(const Capabilities& capabilities, const ServoOpti
   SafetySettings settings{.rate_hz = options.rate_hz};
   SupervisorLimits limits = supervisor_limits(capabilities, options.rate_hz);
   limits.watchdog_timeout = options.watchdog_timeout.value_or(limits.watchdog_timeout);
+  limits.acts_on_lateness = capabilities.moves_an_arm || options.watchdog_timeout;
   settings.supervised = std::isfinite(capabilities.peak_force);
   if (settings.supervised) {
     limits.dead_man_button = options.dead_man_button;

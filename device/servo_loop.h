@@ -45,7 +45,8 @@ struct ServoOptions {
   // commanded the law's force as it is.
   PassivityController::Kind passivity = PassivityController::Kind::damping;
 
-  // s, as in SupervisorLimits; none: 20 ms, or five periods if longer.
+  // s, as in SupervisorLimits; none: 20 ms, or five periods if longer, and on a device that moves no arm
+  // (Capabilities::moves_an_arm) late ticks are only counted.
   std::optional<double> watchdog_timeout = std::nullopt;
 
   // To be held down, else there is no force.
@@ -76,6 +77,15 @@ enum class EndReason { end_of_data, time_up, stopped, tripped, device_fault };
 
 std::string_view name_of(EndReason reason) noexcept;
 
+// The tick of a run that began the longest time after it was due, and what the tick before it took: a tick begins late because
+// the system woke the loop late, or because the tick before took longer than a period.
+struct Delay {
+  std::size_t tick = 0;
+  double late_ms = 0;      // 0 where every tick began in time, or nothing was due
+  double before_ms = 0;    // of the tick before, from awake to force commanded
+  double computed_ms = 0;  // of that, what this thread computed
+};
+
 struct ServoResult {
   EndReason end_reason = EndReason::stopped;
   const char* fault = "";    // the device's words if end_reason is device_fault
@@ -87,9 +97,12 @@ struct ServoResult {
   std::size_t invalid_positions = 0;  // ticks where the law refused the position; the force was zero
   std::size_t unfinished_ticks = 0;   // fast::Evaluation::is_unfinished
   double achieved_rate_hz = 0;        // ticks over the time they took
-  Durations wakeup_us;                // from due to awake; none if not paced
-  Durations compute_us;               // from position read to force commanded
-  Durations tick_us;                  // from awake to force commanded: with what the device took to be read
+  Delay worst_delay;
+  bool acts_on_lateness = true;  // this and the next as SupervisorLimits has them
+  double watchdog_timeout = 0;   // s
+  Durations wakeup_us;           // from due to awake; none if not paced
+  Durations compute_us;          // from position read to force commanded
+  Durations tick_us;             // from awake to force commanded: with what the device took to be read
   double peak_force_N = 0;
 
   bool supervised = false;                          // the device can push

@@ -67,6 +67,7 @@ Supervisor::Supervisor(const SupervisorLimits& limits, double rate) noexcept
 
 Verdict Supervisor::supervise(const Reading& reading, const State& state, const Eigen::Vector3f& desired, Status status,
                               double late, bool unfinished) noexcept {
+  if (!limits_.acts_on_lateness) late = 0;
   Verdict verdict;
   const auto trip = [&](Rule rule) {
     trip_ = Trip{rule, tick_};

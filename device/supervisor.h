@@ -95,6 +95,7 @@ struct SupervisorLimits {
   double felt_free = 0.05;                            // s in free space before there is any force
   double ramp_up = 0.5;                               // s, over which it then grows
   std::optional<int> dead_man_button = std::nullopt;  // to be held down, else there is no force
+  bool acts_on_lateness = true;                       // false: a late tick neither limits a force nor trips
 };
 
 SupervisorLimits supervisor_limits(const Capabilities& capabilities, double rate) noexcept;

@@ -19,7 +19,8 @@ namespace forceshade::recorder {
 namespace {
 
 constexpr const char *kSupervised = "supervised", *kController = "passivity", *kRate = "rate_hz", *kDeadMan = "dead_man_button",
-                     *kLatency = "passivity_latency", *kHeld = "supervisor_held_ticks", *kNobody = "none";
+                     *kLatency = "passivity_latency", *kHeld = "supervisor_held_ticks",
+                     *kActsOnLateness = "supervisor_acts_on_lateness", *kNobody = "none";
 
 // Every number of the settings with its key; `visit(key, number)`.
 template <class Settings, class Visit>
@@ -93,7 +94,8 @@ Metadata metadata_of(const device::SafetySettings& settings) {
                     {kSupervised, settings.supervised ? "yes" : "no"},
                     {kController, std::string(name_of(settings.passivity))},
                     {kLatency, settings.passivity_settings.latency ? "yes" : "no"},
-                    {kHeld, std::to_string(settings.limits.held_ticks)}};
+                    {kHeld, std::to_string(settings.limits.held_ticks)},
+                    {kActsOnLateness, settings.limits.acts_on_lateness ? "yes" : "no"}};
   const auto& button = settings.limits.dead_man_button;
   metadata[kDeadMan] = button ? std::to_string(*button) : kNobody;
   for_each_number(settings, [&](const std::string& key, auto number) { metadata[key] = csv::shortest(number); });
@@ -108,6 +110,8 @@ std::optional<device::SafetySettings> safety_settings_in(const Metadata& metadat
   settings.supervised = read.truth(kSupervised);
   settings.passivity_settings.latency = read.truth(kLatency);
   settings.limits.held_ticks = read.number<int>(kHeld);
+  // Recordings of earlier versions lack it: every late tick was acted on.
+  settings.limits.acts_on_lateness = !metadata.contains(kActsOnLateness) || read.truth(kActsOnLateness);
   if (read.text(kDeadMan) != kNobody) {
     const int button = read.number<int>(kDeadMan);
     if (button < 0 || button >= std::numeric_limits<decltype(device::Sample::buttons)>::digits)

@@ -32,6 +32,7 @@ Capabilities Simulated::capabilities() const noexcept {
           .resolution = static_cast<float>(sheet.resolution),
           .peak_force = static_cast<float>(sheet.peak_force),
           .continuous_force = static_cast<float>(sheet.continuous_force),
+          .moves_an_arm = false,
           .latency = options_.latency,
           .friction = static_cast<float>(sheet.friction),
           .buttons = options_.buttons != nullptr ? Attendant::kButtons : 0};

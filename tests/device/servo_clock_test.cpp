@@ -18,7 +18,7 @@ using faults::VirtualClock;
 constexpr std::int64_t kMillisecond = 1'000'000;  // ns
 
 // Takes 0.1 ms to be read; at a command it does what the test says, with the number of the tick.
-class Timed final : public Pushing {
+class Timed : public Pushing {
  public:
   Timed(VirtualClock& clock, std::function<void(std::size_t)> commanded) : clock_(clock), commanded_(std::move(commanded)) {}
 
@@ -110,6 +110,78 @@ TEST(servo_loop, trips_when_a_tick_is_later_than_the_watchdog_timeout) {
   EXPECT_EQ(trip_of(1000, 25, 0.03), std::nullopt);
   EXPECT_EQ(trip_of(1000, 30.1, 0.03), Rule::watchdog);
   EXPECT_EQ(trip_of(1000, 5.1, 0.005), Rule::watchdog);
+}
+
+class TimedInASimulation final : public Timed {
+ public:
+  using Timed::Timed;
+  Capabilities capabilities() const noexcept override {
+    Capabilities capabilities = Timed::capabilities();
+    capabilities.moves_an_arm = false;
+    return capabilities;
+  }
+};
+
+// Tick 205 takes 60.1 ms, and the ticks after it make up for it.
+Kept simulated_with_a_late_tick(std::optional<double> timeout) {
+  VirtualClock clock;
+  TimedInASimulation device(clock, [&](std::size_t tick) {
+    if (tick == 205) clock.pass(60);
+  });
+  return Kept(device, wall(), {.max_seconds = 0.5, .watchdog_timeout = timeout});
+}
+
+TEST(servo_loop, only_counts_late_ticks_of_a_device_that_moves_no_arm) {
+  const Kept run = simulated_with_a_late_tick(std::nullopt);
+  EXPECT_FALSE(run.acts_on_lateness);
+  EXPECT_FALSE(run.trip);
+  EXPECT_EQ(run.ticks, 500U);
+  EXPECT_EQ(run.missed_deadlines, 66U);
+  EXPECT_EQ(run.limited_ticks[static_cast<std::size_t>(Rule::missed_deadlines)], 0U);
+  EXPECT_EQ(run.worst_delay.tick, 206U);
+  EXPECT_DOUBLE_EQ(run.worst_delay.late_ms, 59.1);
+}
+
+TEST(servo_loop, acts_on_late_ticks_of_a_device_that_moves_no_arm_where_a_timeout_is_given) {
+  const Kept run = simulated_with_a_late_tick(0.02);
+  EXPECT_TRUE(run.acts_on_lateness);
+  ASSERT_TRUE(run.trip);
+  EXPECT_EQ(run.trip->rule, Rule::watchdog);
+  EXPECT_EQ(run.ticks, 207U);
+}
+
+// A tick of 30.1 ms, of which so much was computing, delays the next one.
+Delay delay_after(double computed) {
+  VirtualClock clock;
+  Timed device(clock, [&](std::size_t tick) {
+    if (tick != 5) return;
+    clock.compute(computed);
+    clock.pass(30 - computed);
+  });
+  return Kept(device, wall(), {.max_seconds = 0.1}).worst_delay;
+}
+
+TEST(servo_loop, states_the_longest_delay_and_what_the_tick_before_took) {
+  for (const double computed : {0.5, 29.0}) {
+    const Delay delay = delay_after(computed);
+    EXPECT_EQ(delay.tick, 6U);
+    EXPECT_NEAR(delay.late_ms, 29.1, 1e-9);
+    EXPECT_NEAR(delay.before_ms, 30.1, 1e-9);
+    EXPECT_NEAR(delay.computed_ms, computed, 1e-9);
+  }
+}
+
+// The system sleeps for longer than it was told to, once.
+TEST(servo_loop, states_a_delay_after_a_tick_that_was_in_time) {
+  VirtualClock clock;
+  Timed device(clock, [&](std::size_t tick) {
+    if (tick == 5) clock.oversleep(10);
+  });
+  const Delay delay = Kept(device, wall(), {.max_seconds = 0.1}).worst_delay;
+  EXPECT_EQ(delay.tick, 6U);
+  EXPECT_NEAR(delay.late_ms, 10, 1e-9);
+  EXPECT_NEAR(delay.before_ms, 0.1, 1e-9);
+  EXPECT_EQ(delay.computed_ms, 0);
 }
 
 TEST(servo_loop, sleeps_on_after_a_signal) {

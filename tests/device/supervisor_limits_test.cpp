@@ -96,6 +96,34 @@ TEST(supervisor, stays_warm_when_rearmed) {
   EXPECT_LT(hand.supervise({0, 0, 8.5F}).force.z(), 3);
 }
 
+// A millimetre to and fro at 50 Hz, under a force that the device reports to have sent; the commanded one is constant.
+double swing(Hand& hand, int ticks, float sent) {
+  float lowest = 1;
+  for (int tick = 0; tick < ticks; ++tick) {
+    const bool outward = tick / 10 % 2 == 0;
+    hand.reading.position.z() += outward ? 0.1F : -0.1F;
+    hand.reading.sent = Sent{.acted = {0, 0, outward ? sent : -sent}};
+    lowest = std::min(lowest, hand.supervise({0, 0, 1}).force.z());
+  }
+  return static_cast<double>(lowest);
+}
+
+TEST(supervisor, watches_oscillation_by_the_force_that_the_device_reports) {
+  Hand driven(lenient()), not_driven(lenient());
+  EXPECT_LT(swing(driven, 400, 0.5F), 0.7);
+  EXPECT_GT(driven.supervisor.count(Rule::oscillation), 0U);
+  EXPECT_EQ(swing(not_driven, 400, 0.01F), 1);
+}
+
+TEST(supervisor, forgets_an_oscillation_when_rearmed) {
+  Hand hand(lenient());
+  EXPECT_LT(swing(hand, 400, 0.5F), 0.7);
+  hand.supervise({0, 0, kNan});
+  hand.supervisor.rearm();
+  for (int tick = 0; tick < 3; ++tick) hand.supervise({0, 0, 0}, Status::free);
+  EXPECT_EQ(hand.supervise({0, 0, 1}).force.z(), 1);
+}
+
 TEST(supervisor, derates_motors_that_say_they_are_warm) {
   SupervisorLimits limits = lenient();
   limits.peak_force = 8.5;

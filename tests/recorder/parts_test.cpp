@@ -110,6 +110,7 @@ device::SafetySettings odd_settings() {
   }
   limits.peak_force = std::numeric_limits<double>::infinity();
   limits.held_ticks = 7;
+  limits.acts_on_lateness = false;
   limits.dead_man_button = 1;
   settings.passivity = device::PassivityController::Kind::tank;
   settings.passivity_settings.latency = true;
@@ -122,6 +123,7 @@ TEST(settings, of_a_run_are_read_as_they_were_written) {
   ASSERT_TRUE(read);
   EXPECT_EQ(metadata_of(*read), written);
   EXPECT_EQ(read->limits.dead_man_button, 1);
+  EXPECT_FALSE(read->limits.acts_on_lateness);
   device::SafetySettings expected = odd_settings(), got = *read;
   for (std::size_t i = 0; i < numbers_of(expected).size(); ++i)
     EXPECT_EQ(*numbers_of(got)[i], *numbers_of(expected)[i]) << "number " << i;
@@ -129,6 +131,14 @@ TEST(settings, of_a_run_are_read_as_they_were_written) {
   EXPECT_TRUE(std::isinf(read->limits.peak_force));
   EXPECT_EQ(read->passivity, device::PassivityController::Kind::tank);
   EXPECT_FALSE(safety_settings_in({{"law", "wall"}}, "run.fsr"));
+}
+
+constexpr const char* kLaterKey = "supervisor_acts_on_lateness";
+
+TEST(settings, of_recordings_that_lack_the_later_key_act_on_lateness) {
+  Metadata earlier = metadata_of(odd_settings());
+  ASSERT_EQ(earlier.erase(kLaterKey), 1U);
+  EXPECT_TRUE(safety_settings_in(earlier, "run.fsr")->limits.acts_on_lateness);
 }
 
 TEST(settings, that_are_missing_or_odd_are_refused_by_their_key) {
@@ -148,7 +158,7 @@ TEST(settings, that_are_missing_or_odd_are_refused_by_their_key) {
   };
   int missing = 0;
   for (const auto& [key, value] : good) {
-    if (key == "supervised") continue;
+    if (key == "supervised" || key == kLaterKey) continue;
     EXPECT_EQ(words(key, nullptr), "run.fsr: " + key + " is not recorded");
     EXPECT_NE(words(key, ""), "") << key;
     ++missing;
@@ -157,6 +167,7 @@ TEST(settings, that_are_missing_or_odd_are_refused_by_their_key) {
   EXPECT_EQ(words("supervisor_slew_N_per_s", "1x"), "run.fsr: supervisor_slew_N_per_s is 1x; expected a number");
   EXPECT_EQ(words("supervisor_slew_N_per_s", "nan"), "run.fsr: supervisor_slew_N_per_s is nan; expected a number");
   EXPECT_EQ(words("supervised", "maybe"), "run.fsr: supervised is maybe; expected yes or no");
+  EXPECT_EQ(words(kLaterKey, "maybe"), std::string("run.fsr: ") + kLaterKey + " is maybe; expected yes or no");
   EXPECT_EQ(words("passivity", "magic"), "run.fsr: passivity is magic; expected observer, tank or damping");
   EXPECT_EQ(words("rate_hz", "0"), "run.fsr: rate_hz is 0; expected 100 to 10000");
   EXPECT_EQ(words("dead_man_button", "16"), "run.fsr: dead_man_button is 16; expected none, or a button from 0 to 15");

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace forceshade::faults {
 
@@ -24,7 +25,12 @@ class VirtualClock {
     pass(milliseconds);
     processor_time_ += static_cast<std::int64_t>(milliseconds * 1e6);
   }
-  void sleep_until(std::int64_t due) noexcept { now_ = std::max(now_, due); }
+  void sleep_until(std::int64_t due) noexcept {
+    now_ = std::max(now_, due);
+    pass(std::exchange(oversleep_, 0));
+  }
+  // The next sleep ends so much too late.
+  void oversleep(double milliseconds) noexcept { oversleep_ = milliseconds; }
 
   // As many times, a signal cuts a sleep short at its beginning.
   void interrupt(int times) noexcept { interruptions_ = times; }
@@ -33,6 +39,7 @@ class VirtualClock {
  private:
   VirtualClock* outer_;
   std::int64_t now_ = 1'000'000'000, processor_time_ = 1'000'000'000;
+  double oversleep_ = 0;  // ms
   int interruptions_ = 0;
 };
 
