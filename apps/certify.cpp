@@ -4,8 +4,7 @@
 
 #include "forceshade/certificate/certify.h"
 
-#include <unistd.h>
-
+#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <thread>
@@ -14,9 +13,9 @@
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/exhaustive.h"
 #include "forceshade/apps/junit.h"
-#include "forceshade/apps/live_line.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/part_times.h"
+#include "forceshade/apps/progress_line.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/apps/subject_option.h"
 #include "forceshade/csv/printable.h"
@@ -32,15 +31,30 @@ struct CertifyOptions {
   std::string junit;
 };
 
-// On a terminal only.
-void draw_progress(std::string_view name, double done) {
-  char percent[16];
-  std::snprintf(percent, sizeof percent, "%3.0f %%", 100 * done);
-  std::string bar(40, ' ');
-  std::fill_n(bar.begin(), static_cast<int>(done * 40), '#');
-  draw_line(percent + ("  " + std::string(name)) + "  [" + bar + ']');
-  if (done >= 1) std::fprintf(stderr, "\n");
-}
+// Share and time left of a run, with the name of what is being checked and the mean rate at its points.
+class CertifyProgress {
+ public:
+  explicit CertifyProgress(const properties::CertifyOptions& what)
+      : points_(static_cast<double>(what.subjects.size() * (what.points + properties::spread_points(what.points)))) {}
+
+  void draw(std::string_view name, double done) {
+    done_ = done;
+    name_ = csv::printable(name);
+    draw();
+  }
+  void draw() {
+    const double seconds = std::chrono::duration<double>(ProgressLine::Clock::now() - start_).count();
+    char rate[32];
+    std::snprintf(rate, sizeof rate, "%.3g points/s  ", done_ * points_ / std::max(seconds, 1e-9));
+    line_.draw(done_, rate + name_);
+  }
+
+ private:
+  double points_, done_ = 0;
+  std::string name_;
+  ProgressLine::Clock::time_point start_ = ProgressLine::Clock::now();
+  ProgressLine line_{"certify"};
+};
 
 void print(const std::string& name, const properties::Findings& law) {
   std::printf("%-15s %s  %llu points, %llu mismatches", name.c_str(), law.held() ? "held  " : "FAILED",
@@ -88,24 +102,26 @@ std::string junit_of(const properties::Certificate& certificate, const PartTimes
 }
 
 int run_points(const CertifyOptions& options, properties::CertifyOptions what, const OutFolder& out) {
-  const bool terminal = isatty(STDERR_FILENO) != 0;
   what.points = options.points > 0 ? options.points : properties::points_of_kind(what.subjects.front()->identity().kind);
   what.cases = static_cast<int>(options.cases);
   what.seed = options.seed;
   what.threads = options.threads;
   PartTimes times;
+  std::optional<CertifyProgress> progress(what);
   what.on_case = [&](std::string_view subject, const std::string& property, double) {
     times.add(csv::printable(subject), property);
+    progress->draw();
   };
   const auto certificate = properties::certify(
       what,
       [&](std::string_view name, double done) {
         times.add(csv::printable(name), kPoints);
-        if (terminal) draw_progress(name, done);
+        progress->draw(name, done);
       },
       interrupted());
+  progress.reset();  // off the row that is printed on
   if (!certificate) {
-    std::fprintf(stderr, "%sforceshade: interrupted: no certificate was written\n", terminal ? "\n" : "");
+    std::fprintf(stderr, "forceshade: interrupted: no certificate was written\n");
     return kInterrupted;
   }
   for (const properties::SubjectResult& subject : certificate->subjects) print(subject.name(), subject);

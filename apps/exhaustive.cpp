@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/apps/exhaustive.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cinttypes>
@@ -12,8 +10,8 @@
 
 #include "forceshade/apps/certificate_files.h"
 #include "forceshade/apps/command.h"
-#include "forceshade/apps/live_line.h"
 #include "forceshade/apps/options.h"
+#include "forceshade/apps/progress_line.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/certificate/build.h"
 #include "forceshade/certificate/merge.h"
@@ -57,17 +55,38 @@ Certificate begin_or_resume(const std::string& file, const Sweeps& part) {
   return earlier;
 }
 
-void draw_progress(const Sweeps& sweeps, double units_per_second) {
-  const double left = static_cast<double>(sweeps.end - sweeps.next) / units_per_second;
+double share_done(const Sweeps& sweeps) {
+  return static_cast<double>(sweeps.next - sweeps.first) / static_cast<double>(sweeps.end - sweeps.first);
+}
+
+// The rate, and the sweep that is being done.
+std::string details(const Sweeps& sweeps) {
   const auto& sweep =
       sweeps.results[std::min<std::size_t>(sweeps.next / properties::kUnitsPerSweep, sweeps.results.size() - 1)].sweep;
-  char line[160];
-  std::snprintf(line, sizeof line, "%5.1f %%  %.0f M inputs/s  %d:%02d:%02d left  %s %s",
-                100 * static_cast<double>(sweeps.next - sweeps.first) / static_cast<double>(sweeps.end - sweeps.first),
-                static_cast<double>(sweeps.inputs()) / sweeps.seconds / 1e6, static_cast<int>(left / 3600),
-                static_cast<int>(left / 60) % 60, static_cast<int>(left) % 60, name_of(sweep.law).data(),
+  char words[160];
+  std::snprintf(words, sizeof words, "%.0f M inputs/s  %s %s",
+                static_cast<double>(sweeps.inputs()) / std::max(sweeps.seconds, 1e-9) / 1e6, name_of(sweep.law).data(),
                 properties::kSweepKinds[static_cast<std::size_t>(sweep.kind)].data());
-  draw_line(line);
+  return words;
+}
+
+// Until it is finished or interrupted; saved from time to time.
+void sweep(Certificate& part, unsigned threads, const std::string& file) {
+  Sweeps& sweeps = part.sweeps;
+  ProgressLine line("sweeps");
+  line.draw(share_done(sweeps));
+  double saved_at = sweeps.seconds;
+  while (!sweeps.is_finished() && !interrupted()) {
+    sweeps = properties::continued(sweeps, 8 * threads, threads);
+    if (sweeps.seconds - saved_at > kSecondsBetweenSaves) {
+      write_file(file, properties::to_json(part));
+      saved_at = sweeps.seconds;
+    }
+    line.draw(share_done(sweeps), details(sweeps));
+  }
+  part.seconds = sweeps.seconds;
+  part.date = properties::utc_now();
+  write_file(file, properties::to_json(part));
 }
 
 void print(const Sweeps& sweeps) {
@@ -110,24 +129,8 @@ int run_exhaustive(const ExhaustiveOptions& options, properties::SweepPlan plan,
   const std::string file = std::filesystem::path(out.path()) /
                            ("exhaustive-" + std::to_string(shard.k) + "-of-" + std::to_string(shard.n) + ".json");
   Certificate part = begin_or_resume(file, properties::part_of(all, shard.k, shard.n));
-  Sweeps& sweeps = part.sweeps;
-
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  const std::uint64_t begun_at = sweeps.next;
-  const double seconds_before = sweeps.seconds;
-  double saved_at = sweeps.seconds;
-  while (!sweeps.is_finished() && !interrupted()) {
-    sweeps = properties::continued(sweeps, 8 * threads, threads);
-    if (sweeps.seconds - saved_at > kSecondsBetweenSaves) {
-      write_file(file, properties::to_json(part));
-      saved_at = sweeps.seconds;
-    }
-    if (terminal) draw_progress(sweeps, static_cast<double>(sweeps.next - begun_at) / (sweeps.seconds - seconds_before));
-  }
-  part.seconds = sweeps.seconds;
-  part.date = properties::utc_now();
-  write_file(file, properties::to_json(part));
-  if (terminal) std::fprintf(stderr, "\n");
+  sweep(part, threads, file);
+  const Sweeps& sweeps = part.sweeps;
   if (!sweeps.is_finished()) {
     std::fprintf(stderr, "forceshade: stopped; the same command goes on from %s\n", file.c_str());
     return kInterrupted;

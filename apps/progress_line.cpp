@@ -3,24 +3,60 @@
 
 #include <unistd.h>
 
+#include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "forceshade/apps/live_line.h"
 
 namespace forceshade::apps {
+namespace {
 
-ProgressLine::ProgressLine(std::string name) : name_(std::move(name)), is_terminal_(isatty(STDERR_FILENO) != 0) {}
+constexpr std::chrono::milliseconds kQuiet{500}, kRedrawn{100};
+constexpr std::chrono::minutes kLogged{1};
 
-ProgressLine::~ProgressLine() {
-  if (percent_ >= 0) draw_line("");
+// "1:05:09"
+std::string hours(double seconds) {
+  const long long whole = std::llround(seconds);
+  char text[32];
+  std::snprintf(text, sizeof text, "%lld:%02lld:%02lld", whole / 3600, whole / 60 % 60, whole % 60);
+  return text;
 }
 
-void ProgressLine::draw(double done) {
-  const int percent = static_cast<int>(100 * done);
-  if (!is_terminal_ || percent == percent_) return;
-  if (std::chrono::steady_clock::now() - start_ < std::chrono::milliseconds(500)) return;
-  percent_ = percent;
-  draw_line(std::to_string(percent) + " %  Ctrl-C stops  " + name_);
+}  // namespace
+
+ProgressLine::ProgressLine(std::string name)
+    : ProgressLine(std::move(name), isatty(STDERR_FILENO) != 0, [] { return Clock::now(); }) {}
+
+ProgressLine::ProgressLine(std::string name, bool is_terminal, std::function<Clock::time_point()> now)
+    : name_(std::move(name)), is_terminal_(is_terminal), now_(std::move(now)), start_(now_()), drawn_(start_) {}
+
+ProgressLine::~ProgressLine() {
+  if (!shown_.empty()) draw_line("");
+}
+
+std::string ProgressLine::words(double done, const std::string& details) const {
+  char percent[32];
+  std::snprintf(percent, sizeof percent, "%.1f %%", 100 * done);
+  std::string text = percent;
+  const double seconds = std::chrono::duration<double>(now_() - start_).count(), ahead = done - begun_.value_or(0);
+  if (ahead > 0) text += "  " + hours(seconds * (1 - done) / ahead) + " left";
+  if (!details.empty()) text += "  " + details;
+  return text;
+}
+
+void ProgressLine::draw(double done, const std::string& details) {
+  if (!begun_) begun_ = done;
+  const Clock::time_point now = now_();
+  if (!is_terminal_) {
+    if (now - drawn_ < kLogged) return;
+    drawn_ = now;
+    std::fprintf(stderr, "forceshade: %s: %s\n", name_.c_str(), words(done, details).c_str());
+    return;
+  }
+  if (now - start_ < kQuiet || now - drawn_ < kRedrawn) return;
+  drawn_ = now;
+  if (std::string text = words(done, details) + "  Ctrl-C stops  " + name_; text != shown_) draw_line(shown_ = std::move(text));
 }
 
 }  // namespace forceshade::apps

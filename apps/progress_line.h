@@ -1,27 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How far a long computation is: one line on a terminal's standard error, removed at the end.
+// How far a long computation is, on standard error: on a terminal one line that is drawn over itself and removed at the end;
+// elsewhere a line each minute, so that a log shows that it goes on and for how long.
 
 #include <chrono>
+#include <functional>
+#include <optional>
 #include <string>
 
 namespace forceshade::apps {
 
 class ProgressLine {
  public:
+  using Clock = std::chrono::steady_clock;
+
   explicit ProgressLine(std::string name);
+  // For tests: another clock, and what standard error is.
+  ProgressLine(std::string name, bool is_terminal, std::function<Clock::time_point()> now);
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine();
 
-  // done: in [0, 1]. Draws when the percentage changes, and nothing in the first half second.
-  void draw(double done);
+  // done: in [0, 1]; that of the first call is what an earlier run had done. details: more words, for instance the rate. Draws
+  // nothing in the first half second.
+  void draw(double done, const std::string& details = "");
 
  private:
+  std::string words(double done, const std::string& details) const;
+
   std::string name_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   bool is_terminal_;
-  int percent_ = -1;
+  std::function<Clock::time_point()> now_;
+  Clock::time_point start_, drawn_;
+  std::optional<double> begun_;  // done when the first call came
+  std::string shown_;            // on the terminal
 };
 
 }  // namespace forceshade::apps
