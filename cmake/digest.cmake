@@ -1,4 +1,8 @@
-# Writes OUTPUT, a source file that returns the SHA-256 of the SHA-256 sums of OBJECTS in the order given.
+# Writes OUTPUT, a source file that returns the SHA-256 of the SHA-256 sums of OBJECTS, a list of COUNT files, in the order given.
+list(LENGTH OBJECTS given)
+if(NOT given EQUAL COUNT)
+  message(FATAL_ERROR "cmake/digest.cmake: expected ${COUNT} objects, got ${given}: ${OBJECTS}")
+endif()
 set(sums "")
 foreach(object IN LISTS OBJECTS)
   file(SHA256 ${object} sum)

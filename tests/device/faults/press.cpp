@@ -44,6 +44,7 @@ class WrongDevice final : public device::Device {
 
   device::Capabilities capabilities() const noexcept override {
     device::Capabilities capabilities = arm_.capabilities();
+    capabilities.moves_an_arm = true;  // it stands for a real one
     if (scene_.dead_man_button) capabilities.buttons = 2;
     if (wrong_.capabilities) wrong_.capabilities(capabilities);
     // The servo loop does not supervise a device that cannot push.
