@@ -501,6 +501,11 @@ TEST(output_folder, leaves_nothing_on_a_disk_that_fills_up_and_names_the_file) {
     EXPECT_TRUE(*there == '\0' || std::filesystem::is_empty(path));
     EXPECT_EQ(std::ranges::distance(std::filesystem::directory_iterator(directory.file("disk"))), *there == '\0' ? 0 : 1);
   }
+  // The folder may be the mount point itself: a file cannot be renamed from one file system into another.
+  OutputFolder whole_disk(directory.file("disk"));
+  whole_disk.write("a.svg", "a");
+  EXPECT_NO_THROW(whole_disk.commit());
+  EXPECT_EQ(directory.read("disk/a.svg"), "a");
   EXPECT_EQ(::umount(directory.file("disk").c_str()), 0);
 }
 
