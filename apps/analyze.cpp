@@ -21,6 +21,7 @@
 #include "forceshade/apps/signals.h"
 #include "forceshade/apps/trial_profiles.h"
 #include "forceshade/csv/csv.h"
+#include "forceshade/csv/output_folder.h"
 #include "forceshade/csv/printable.h"
 #include "forceshade/experiments/results_csv.h"
 #include "forceshade/experiments/session_results.h"
@@ -165,28 +166,32 @@ int analyze(AnalyzeOptions& options, const OutFolder& out) {
   const bool has_folder = !out.path().empty();
   if (!has_folder && !options.trials.empty()) throw BadInput("--trial: expected --out beside it, for its figures");
   const analysis::Profiles profiles = profiles_of(options.trials, {options.folders.begin(), options.folders.end()}, results);
-  if (has_folder) out.make(files_of(results, profiles));
+  if (has_folder) out.expect_room_for(files_of(results, profiles));
   const analysis::Analysis analysis = analysis::analyze(std::move(results), options.options);
   if (!options.json.empty()) write_file(options.json, analysis_json(analysis, options));
   if (options.json != "-") std::printf("%s", analysis::to_text(analysis).c_str());
   if (!has_folder) return kHeld;
   const std::vector<Picture> pictures = analysis::pictures(analysis, profiles);
-  const std::filesystem::path folder = out.path();
   std::vector<std::string> drawn;
+  std::vector<std::pair<std::string, std::string>> figures;  // names and bytes of their files: all figures or none
   try {
     for (const Picture& picture : pictures) {
       if (interrupted()) throw Interrupted("not all figures were drawn");
       drawn.push_back(properties::svg_plot(picture));
-      write_file((folder / (picture.frame.id + ".svg")).string(), properties::svg_file(picture));
-      write_file((folder / (picture.frame.id + ".png")).string(), properties::png_file(picture));
+      figures.emplace_back(picture.frame.id + ".svg", properties::svg_file(picture));
+      figures.emplace_back(picture.frame.id + ".png", properties::png_file(picture));
     }
   } catch (const properties::PlotError& error) {
     if (interrupted()) throw Interrupted("not all figures were drawn");
     std::fprintf(stderr, "forceshade: warning: no figures: %s\n", csv::printable(error.what()).c_str());
     drawn.clear();
+    figures.clear();
   }
-  write_file((folder / "tables.csv").string(), analysis::to_csv(analysis));
-  write_file((folder / "report.html").string(), analysis::to_html(analysis, pictures, drawn));
+  csv::OutputFolder folder(out.path());
+  for (const auto& [name, bytes] : figures) folder.write(name, bytes);
+  folder.write("tables.csv", analysis::to_csv(analysis));
+  folder.write("report.html", analysis::to_html(analysis, pictures, drawn));
+  folder.commit();
   return kHeld;
 }
 

@@ -5,6 +5,7 @@
 
 #include "forceshade/apps/command.h"
 #include "forceshade/certificate/evidence.h"
+#include "forceshade/csv/output_folder.h"
 #include "forceshade/report/report.h"
 
 namespace forceshade::apps {
@@ -57,8 +58,10 @@ std::vector<std::string> certificate_files() {
 }
 
 int write_certificate(const properties::Certificate& certificate, const std::filesystem::path& directory) {
-  write_file(directory / "certificate.json", to_json(certificate));
-  write_file(directory / "certificate.html", page(certificate));
+  csv::OutputFolder folder(directory);
+  folder.write("certificate.json", to_json(certificate));
+  folder.write("certificate.html", page(certificate));
+  folder.commit();
   std::printf("%s\n", verdict(certificate).c_str());
   print_what_drive_lacks(certificate);
   std::printf("%s\n", (directory / "certificate.html").c_str());

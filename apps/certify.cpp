@@ -135,7 +135,7 @@ int run(const CertifyOptions& options, const SubjectOption& subject, const OutFo
   if (options.exhaustive.is_given && !subject.is_a_law())
     throw BadInput("--exhaustive: expected --law, got --height-map; a height map has too many inputs to sweep");
   // Before the work, so that a path that cannot be written to is said at once.
-  out.make(certificate_files());
+  out.expect_room_for(certificate_files());
   expect_folder_of("--junit", options.junit);
   if (!options.exhaustive.is_given) return run_points(options, std::move(what), out);
   properties::SweepPlan plan{subject.law().laws(), subject.law().parameters(), {}};

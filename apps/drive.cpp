@@ -123,8 +123,10 @@ void add_drive(CLI::App& app, int& result) {
       ->excludes("--watchdog-timeout");
   add_in_reset_pose(*command, options->in_reset_pose);
   command->add_flag("--uncertified", options->uncertified, "drive even where the certificate does not allow it");
-  add_output(*command, "--record", options->record,
-             "every tick: FILE.fsr, a recording that survives a crash; else its CSV, - for standard output");
+  add_output(
+      *command, "--record", options->record,
+      "every tick: FILE.fsr, a recording that survives a crash; FILE.npy, a structured array for numpy.load; else its CSV, - "
+      "for standard output");
   add_json(*command, options->json, "the summary");
   command->callback([options, subject, place, command, &result] {
     options->overwrite = overwrites(*command);

@@ -126,6 +126,7 @@ int run_exhaustive(const ExhaustiveOptions& options, properties::SweepPlan plan,
   const Shard shard = parse_shard(options.shards);
   const Sweeps all = properties::planned(plan);
   if (all.results.empty()) throw BadInput("--sweeps: expected a kind of sweep that the law has, got none of them");
+  out.make();
   const std::string file = std::filesystem::path(out.path()) /
                            ("exhaustive-" + std::to_string(shard.k) + "-of-" + std::to_string(shard.n) + ".json");
   Certificate part = begin_or_resume(file, properties::part_of(all, shard.k, shard.n));
@@ -165,7 +166,7 @@ void add_merge(CLI::App& certify, int& result) {
     for (const std::string& name : options->files)
       files.push_back({name, properties::from_json(properties::read_certificate(name), name)});
     const Certificate certificate = properties::merged(std::move(files));
-    out->make(certificate_files());
+    out->expect_room_for(certificate_files());
     print(certificate.sweeps);
     result = write_certificate(certificate, out->path());
   });

@@ -73,7 +73,7 @@ int check(const std::string& file, const std::string& certificates) {
 int prepare(const std::string& file, const OutFolder& out, unsigned threads) {
   watch_for_interrupt();
   Bumps bumps(experiments::read_protocol(file));
-  out.make({});
+  out.make();
   return prepare_certificates(bumps, out.path(), threads) ? kHeld : kFailed;
 }
 
@@ -263,7 +263,7 @@ void add_virtual(CLI::App& experiment, int& result) {
       throw BadInput("--certificates: expected the folder of 'forceshade experiment prepare', or --uncertified; got neither");
     options->protocol = texts->protocol;
     options->certificates = texts->certificates;
-    out->make({});
+    out->make();
     options->out = out->path();
     result = run_virtual(*options);
   });

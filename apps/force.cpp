@@ -22,32 +22,34 @@ struct ForceOptions {
   unsigned digits = 30;
 };
 
-const char* word(Status status) {
-  return status == Status::contact ? "contact" : status == Status::free ? "free" : "invalid";
+RowFormat format_of(const ForceOptions& options) {
+  return options.out.ends_with(".npy") ? RowFormat::npy : RowFormat::csv;
 }
 
-void write(const Eigen::Vector3f& force, Status status, std::ostream& out) {
-  for (const float component : force) out << csv::shortest(component) << ',';
-  out << word(status);
+RowStatus row_status(Status status, bool is_unfinished) {
+  return is_unfinished               ? RowStatus::unfinished
+         : status == Status::contact ? RowStatus::contact
+         : status == Status::free    ? RowStatus::free
+                                     : RowStatus::invalid;
 }
 
-// By the fast path, or by the reference; a law's to any number of digits. Built before anything is read.
+// By the fast path, or by the reference; in a CSV a law's to any number of digits. Built before anything is read.
 Answer answer_of(const ForceOptions& options, const SubjectOption& option) {
-  if (options.path == "reference" && option.is_a_law())
-    return [law = built(reference::Law::build(option.law().law(), option.law().parameters())), digits = options.digits](
-               const auto& position, std::ostream& out) {
-      const reference::DecimalForce answer = law.decimal(position, digits);
-      out << answer.x << ",0," << answer.z << ',' << word(answer.status);
+  if (options.path == "reference" && option.is_a_law() && format_of(options) == RowFormat::csv)
+    return [law = built(reference::Law::build(option.law().law(), option.law().parameters())),
+            digits = options.digits](const auto& position) {
+      reference::DecimalForce answer = law.decimal(position, digits);
+      return AnsweredRow{{}, row_status(answer.status, false), {{std::move(answer.x), "0", std::move(answer.z)}}};
     };
   const auto subject = option.subject();
   if (options.path == "reference")
-    return [subject, reference = std::shared_ptr(subject->open_reference())](const auto& position, std::ostream& out) {
+    return [subject, reference = std::shared_ptr(subject->open_reference())](const auto& position) {
       const reference::Rounded answer = reference->step(position);
-      write(answer.force, answer.status, out);
+      return AnsweredRow{answer.force, row_status(answer.status, answer.is_unfinished), std::nullopt};
     };
-  return [session = std::shared_ptr(subject->calls().open())](const auto& position, std::ostream& out) {
+  return [session = std::shared_ptr(subject->calls().open())](const auto& position) {
     const fast::Evaluation answer = session->step(position);
-    write(answer.force, answer.status, out);
+    return AnsweredRow{answer.force, row_status(answer.status, answer.is_unfinished), std::nullopt};
   };
 }
 
@@ -59,8 +61,8 @@ ExitCode run(const ForceOptions& options, const SubjectOption& subject) {
   if (options.input != "-") file = csv::open_input(options.input);
   std::istream& in = options.input == "-" ? std::cin : file;
   csv::OutputFile output(options.out);
-  const RowCount count =
-      answer_rows(in, options.input == "-" ? "standard input" : options.input, output.stream(), std::cerr, answer);
+  const RowCount count = answer_rows(in, options.input == "-" ? "standard input" : options.input, format_of(options),
+                                     output.stream(), std::cerr, answer);
   output.commit();
   if (count.unanswered == 0) return kHeld;
   std::cerr << "forceshade: " << count.unanswered << " of " << count.rows << " rows could not be answered\n";
@@ -71,7 +73,7 @@ ExitCode run(const ForceOptions& options, const SubjectOption& subject) {
 
 void add_force(CLI::App& app, int& result) {
   const auto options = std::make_shared<ForceOptions>();
-  CLI::App* command = app.add_subcommand("force", "Read positions as CSV (x_mm, y_mm, z_mm), write forces as CSV");
+  CLI::App* command = app.add_subcommand("force", "Read positions as CSV (x_mm, y_mm, z_mm), write forces as CSV or NPY");
   const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::one);
   add_word(*command, "--path", options->path, "fast: binary32, shortest form; reference: exact, to N digits",
            {"fast", "reference"});
@@ -79,10 +81,15 @@ void add_force(CLI::App& app, int& result) {
       add_whole(*command, "--digits", options->digits, "significant decimal digits of a law's reference", kDigits);
   for (const char* other : {"--height-map", "--mesh"}) digits->excludes(command->get_option(other));
   command->add_option("--input", options->input, "CSV file; - is standard input")->type_name("FILE")->capture_default_str();
-  add_output(*command, "--out", options->out, "CSV file; - is standard output")->capture_default_str();
+  add_output(*command, "--out", options->out,
+             "FILE.npy, a structured array for numpy.load; else a CSV file, - is standard output")
+      ->capture_default_str();
   command->callback([options, subject, digits, &result] {
     if (!digits->empty() && options->path != "reference")
       throw BadInput("--digits: expected --path reference beside it, got --path fast, which prints the shortest form");
+    if (!digits->empty() && format_of(*options) == RowFormat::npy)
+      throw BadInput("--digits: expected a CSV file as --out beside it, got \"" + options->out +
+                     "\", which has binary32 numbers");
     result = run(*options, *subject);
   });
 }

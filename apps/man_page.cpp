@@ -11,6 +11,7 @@
 #include "forceshade/apps/documentation.h"
 #include "forceshade/apps/output_options.h"
 #include "forceshade/certificate/build.h"
+#include "forceshade/csv/output_folder.h"
 
 namespace forceshade::apps {
 namespace {
@@ -157,9 +158,10 @@ void add_man(CLI::App& app) {
     if (!words->empty()) throw BadInput("--out: expected no command beside it, got \"" + words->front() + '"');
     std::vector<std::string> names;
     for (const CLI::App* each : tree(app)) names.push_back(page_name(*each) + ".1");
-    out->make(names);
-    for (const CLI::App* each : tree(app))
-      write_file(std::filesystem::path(out->path()) / (page_name(*each) + ".1"), man_page(*each, version));
+    out->expect_room_for(names);
+    csv::OutputFolder folder(out->path());
+    for (const CLI::App* each : tree(app)) folder.write(page_name(*each) + ".1", man_page(*each, version));
+    folder.commit();
   });
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "forceshade/apps/command.h"
+#include "forceshade/csv/output_file.h"
 
 namespace forceshade::apps {
 namespace {
@@ -20,8 +21,16 @@ void add_overwrite(CLI::App& command) {
 // Nothing where the file may be written.
 std::string refusal(const CLI::App& command, const std::string& path) {
   std::error_code ignored;
-  if (path == "-" || overwrites(command) || !std::filesystem::is_regular_file(path, ignored)) return "";
+  if (csv::is_written_directly(path)) return "";
+  if (std::filesystem::is_directory(path, ignored)) return "expected a file, got \"" + path + "\", which is a folder";
+  if (overwrites(command) || !std::filesystem::exists(path, ignored)) return "";
   return "expected a new file, or --overwrite beside it; \"" + path + "\" is there already";
+}
+
+// One name for standard output, so that a command does not write words among what it writes there.
+std::string shorten_standard_output(std::string& path) {
+  if (csv::is_standard_output(path)) path = "-";
+  return "";
 }
 
 }  // namespace
@@ -37,8 +46,7 @@ void expect_new(const CLI::App& command, const std::string& option, const std::s
 void expect_folder_of(const std::string& option, const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  if (path.empty() || path == "-" || (fs::exists(status) && !fs::is_regular_file(status))) return;
+  if (path.empty() || csv::is_written_directly(path)) return;
   const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : ".";
   if (!fs::is_directory(folder, ignored) || ::access(folder.c_str(), W_OK | X_OK) != 0)
     throw BadInput(option + ": expected a file in a folder that can be written to, got \"" + path + '"');
@@ -48,6 +56,7 @@ CLI::Option* add_output(CLI::App& command, const std::string& name, std::string&
   add_overwrite(command);
   return command.add_option(name, path, help)
       ->type_name("FILE")
+      ->transform(CLI::Validator(shorten_standard_output, ""))
       ->check(CLI::Validator([&command](const std::string& file) { return refusal(command, file); }, ""));
 }
 
@@ -64,11 +73,28 @@ OutFolder::OutFolder(CLI::App& command, const std::string& help)
   add_overwrite(command);
 }
 
-void OutFolder::make(const std::vector<std::string>& files) const {
+void OutFolder::make() const {
+  namespace fs = std::filesystem;
   if (path_.empty()) throw CLI::RequiredError("--out");
-  if (path_ == "-") throw BadInput("--out: expected a directory, for the command writes several files, got \"-\"");
-  for (const std::string& file : files) expect_new(command_, "--out", std::filesystem::path(path_) / file);
+  std::error_code ignored;
+  const fs::file_status there = fs::status(path_, ignored);
+  if (csv::is_written_directly(path_) || (fs::exists(there) && !fs::is_directory(there)))
+    throw BadInput("--out: expected a directory, for the command writes several files, got \"" + path_ + '"');
   make_directory("--out", path_);
+}
+
+void OutFolder::expect_room_for(const std::vector<std::string>& files) const {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const bool was_there = fs::exists(path_, ignored);
+  make();
+  if (!was_there) fs::remove(path_, ignored);
+  for (const std::string& name : files) {
+    const fs::path file = fs::path(path_) / name;
+    if (const fs::file_status at = fs::symlink_status(file, ignored); fs::exists(at) && !fs::is_regular_file(at))
+      throw BadInput("--out: expected a new file or a regular one, got \"" + file.string() + '"');
+    expect_new(command_, "--out", file);
+  }
 }
 
 }  // namespace forceshade::apps

@@ -2,7 +2,8 @@
 #pragma once
 // Options that name what a command writes: --out, --record, --json, --junit. One rule holds for all of them: a file that is
 // there already is replaced only where --overwrite is given, and this is decided before any work is done. Standard output,
-// which is called "-", and what is no regular file (a pipe, /dev/null) are written to.
+// which is called "-", other open descriptors such as /dev/fd/3 or >(COMMAND), and what is no regular file (a pipe, /dev/null)
+// are written to.
 
 #include <CLI/CLI.hpp>
 #include <string>
@@ -35,8 +36,12 @@ class OutFolder {
   // The command needs it. Not where a subcommand has an --out of its own: then make() says that it is missing.
   void require() { option_->required(); }
 
-  // The folder is there afterwards, and none of these files in it, unless they may be replaced. Throws BadInput.
-  void make(const std::vector<std::string>& files) const;
+  // The folder is there afterwards. Throws BadInput.
+  void make() const;
+
+  // Throws BadInput where the folder cannot be made or written to, or has one of these files, unless it may be replaced. Only
+  // the folders that it is in are there afterwards, so that a csv::OutputFolder can make it whole.
+  void expect_room_for(const std::vector<std::string>& files) const;
 
   const std::string& path() const { return path_; }
 

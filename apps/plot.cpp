@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // forceshade plot and forceshade figures: pictures of a law, a height map or a mesh, and figures of the thesis drawn again.
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -16,6 +17,7 @@
 #include "forceshade/apps/output_options.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/csv/csv.h"
+#include "forceshade/csv/output_folder.h"
 #include "forceshade/properties/mesh_subject.h"
 #include "forceshade/report/mesh_picture.h"
 #include "forceshade/report/pictures.h"
@@ -107,7 +109,7 @@ std::vector<std::string> files(const std::vector<PlannedView>& views, const std:
   return all;
 }
 
-void write(const Picture& picture, const std::filesystem::path& stem) {
+void write(const Picture& picture, const std::string& stem, const csv::OutputFolder& folder) {
   const auto drawn = [&](std::string (*file)(const Picture&)) {
     try {
       std::string bytes = file(picture);
@@ -117,9 +119,14 @@ void write(const Picture& picture, const std::filesystem::path& stem) {
     }
     throw Interrupted("not all pictures were drawn");
   };
-  write_file(stem.string() + ".svg", drawn(properties::svg_file));
-  write_file(stem.string() + ".png", drawn(properties::png_file));
-  std::printf("%s.svg\n%s.png\n", stem.c_str(), stem.c_str());
+  folder.write(stem + ".svg", drawn(properties::svg_file));
+  folder.write(stem + ".png", drawn(properties::png_file));
+}
+
+// Puts what was drawn in place, and prints its names.
+void finish(csv::OutputFolder& folder, const OutFolder& out, const std::vector<std::string>& names) {
+  folder.commit();
+  for (const std::string& name : names) std::printf("%s\n", (std::filesystem::path(out.path()) / name).c_str());
 }
 
 // What the fast path does at each position of a CSV, in their order; "-" is standard input.
@@ -149,9 +156,14 @@ struct MeshPlotOptions {
     if (!path.empty())
       words += "; K = " + csv::shortest(stiffness) + " N/mm, shading " + std::string(name_of(rendering.shading)) + ", sides " +
                std::string(name_of(rendering.sides));
-    out.make({name + "-mesh.svg", name + "-mesh.png"});
-    write(mesh_picture(rendering.mesh, path, direction, name, {option.name(), words}),
-          std::filesystem::path(out.path()) / (name + "-mesh"));
+    const auto unfinished =
+        std::ranges::count_if(path, [](const Ticked& one) { return one.tick.status == mesh::TickStatus::unfinished; });
+    if (unfinished > 0) words += "; " + std::to_string(unfinished) + " of " + std::to_string(path.size()) + " ticks unfinished";
+    const std::vector<std::string> names{name + "-mesh.svg", name + "-mesh.png"};
+    out.expect_room_for(names);
+    csv::OutputFolder folder(out.path());
+    write(mesh_picture(rendering.mesh, path, direction, name, {option.name(), words}), name + "-mesh", folder);
+    finish(folder, out, names);
   }
 };
 
@@ -194,11 +206,14 @@ void add_plot(CLI::App& app, int&) {
     const std::vector<PlannedView> views =
         height_map->is_given() ? std::vector{view_of_height_map(*height_map, law->stiffness(), options->range())}
                                : views_of_laws(*law);
-    out->make(files(views, kinds));
+    const std::vector<std::string> names = files(views, kinds);
+    out->expect_room_for(names);
+    csv::OutputFolder folder(out->path());
     for (const PlannedView& one : views) {
       const SideView view = one.view();
-      for (const Kind& kind : kinds) write(kind.draw(view), std::filesystem::path(out->path()) / stem(one.name, kind));
+      for (const Kind& kind : kinds) write(kind.draw(view), stem(one.name, kind), folder);
     }
+    finish(folder, *out, names);
   });
 }
 
@@ -212,13 +227,13 @@ void add_figures(CLI::App& app, int&) {
     std::vector<std::string> names;
     for (const properties::ThesisFigure& figure : figures)
       for (const char* ending : {".svg", ".png", ".csv"}) names.push_back(figure.name + ending);
-    out->make(names);
+    out->expect_room_for(names);
+    csv::OutputFolder folder(out->path());
     for (const properties::ThesisFigure& figure : figures) {
-      const std::filesystem::path stem = std::filesystem::path(out->path()) / figure.name;
-      write(figure.picture, stem);
-      write_file(stem.string() + ".csv", figure.csv);
-      std::printf("%s.csv\n", stem.c_str());
+      write(figure.picture, figure.name, folder);
+      folder.write(figure.name + ".csv", figure.csv);
     }
+    finish(folder, *out, names);
   });
 }
 

@@ -132,7 +132,7 @@ int recompute(const RecordOptions& options, const SubjectOption& subject_option)
 
 int write(const RecordOptions& options) {
   recorder::Recording recording(options.file);
-  options.out.ends_with(".npy") ? export_npy(recording, options.out) : export_csv(recording, options.out);
+  export_table(recording, options.out);
   if (!recording.ended()) complain(options.file + ": the recording has no end: cut off, or still being made");
   return kHeld;
 }

@@ -15,11 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A new directory: beside the CSV, or where temporary files go if that is no file of its own (-, a pipe, /dev/null).
-fs::path new_directory(const std::string& csv) {
-  const bool beside = csv != "-" && (!fs::exists(csv) || fs::is_regular_file(csv));
-  std::string name = beside ? csv + ".partial-XXXXXX" : (fs::temp_directory_path() / "forceshade-XXXXXX").string();
-  if (!::mkdtemp(name.data())) throw csv::OutputError(csv + ": cannot write: " + std::generic_category().message(errno));
+// A new directory: beside the table, or where temporary files go if that is no file of its own (-, a pipe, /dev/null).
+fs::path new_directory(const std::string& table) {
+  const bool beside = !csv::is_written_directly(table);
+  std::string name = beside ? table + ".partial-XXXXXX" : (fs::temp_directory_path() / "forceshade-XXXXXX").string();
+  if (!::mkdtemp(name.data())) throw csv::OutputError(table + ": cannot write: " + std::generic_category().message(errno));
   return name;
 }
 
@@ -32,7 +32,7 @@ void remove_recording(const std::string& path) {
 }  // namespace
 
 RunRecord::RunRecord(std::string path, recorder::Metadata metadata, bool paced, bool replaces) : path_(std::move(path)) {
-  if (is_csv())
+  if (is_table())
     directory_ = new_directory(path_);
   else if (replaces)
     remove_recording(path_);
@@ -40,7 +40,7 @@ RunRecord::RunRecord(std::string path, recorder::Metadata metadata, bool paced, 
     recorder_.emplace(recording(), std::move(metadata), recorder::Recorder::Options{.waits = !paced});
   } catch (...) {  // no destructor follows
     std::error_code ignored;
-    if (is_csv()) fs::remove_all(directory_, ignored);
+    if (is_table()) fs::remove_all(directory_, ignored);
     throw;
   }
 }
@@ -48,8 +48,8 @@ RunRecord::RunRecord(std::string path, recorder::Metadata metadata, bool paced, 
 RunRecord::~RunRecord() {
   recorder_.reset();
   std::error_code ignored;
-  if (is_csv() && !kept_) fs::remove_all(directory_, ignored);
-  if (!is_csv() && !closed_) remove_recording(path_);
+  if (is_table() && !kept_) fs::remove_all(directory_, ignored);
+  if (!is_table() && !closed_) remove_recording(path_);
 }
 
 bool RunRecord::close(const std::string& end_reason) {
@@ -60,10 +60,10 @@ bool RunRecord::close(const std::string& end_reason) {
     std::fprintf(stderr, "forceshade: %s; recorded %llu samples, lost %llu\n",
                  error.empty() ? (recording() + ": the disk was too slow").c_str() : error.c_str(),
                  static_cast<unsigned long long>(written), static_cast<unsigned long long>(lost));
-  if (!is_csv()) return whole;
+  if (!is_table()) return whole;
   try {
     recorder::Recording finished(recording());
-    recorder::export_csv(finished, path_);
+    recorder::export_table(finished, path_);
     return whole;
   } catch (const std::exception& failure) {
     kept_ = true;

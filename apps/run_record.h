@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What --record names. A recording, FILE.fsr, is written while the loop runs; a CSV is a recording, kept beside it
-// until the run is over and then exported, so that no run is too long for it.
+// What --record names. A recording, FILE.fsr, is written while the loop runs; a table, CSV or
+// NPY, is a recording, kept beside it until the run is over and then exported, so that no run is too long for it.
 
 #include <filesystem>
 #include <memory>
@@ -14,7 +14,7 @@ namespace forceshade::apps {
 
 class RunRecord {
  public:
-  // `path` ends in .fsr, or is a CSV, - for standard output. A run that is not paced waits for the disk instead of losing
+  // `path` ends in .fsr, or is a table (recorder::export_table). A run that is not paced waits for the disk instead of losing
   // ticks. A recording that is there already is refused, or where `replaces` goes now. Throws RecordingError or
   // csv::OutputError.
   RunRecord(std::string path, recorder::Metadata metadata, bool paced, bool replaces);
@@ -31,11 +31,11 @@ class RunRecord {
   bool close(const std::string& end_reason);
 
  private:
-  bool is_csv() const { return !path_.ends_with(".fsr"); }
-  std::string recording() const { return is_csv() ? directory_ / "run.fsr" : std::filesystem::path(path_); }
+  bool is_table() const { return !path_.ends_with(".fsr"); }
+  std::string recording() const { return is_table() ? directory_ / "run.fsr" : std::filesystem::path(path_); }
 
   std::string path_;
-  std::filesystem::path directory_;  // of the recording behind a CSV
+  std::filesystem::path directory_;  // of the recording behind a table
   std::optional<recorder::Recorder> recorder_;
   bool closed_ = false, kept_ = false;
 };

@@ -2,7 +2,15 @@
 function(forceshade_library name)
   add_library(${name} STATIC ${ARGN})
   forceshade_compile_options(${name})
+  forceshade_position_independent(${name})
   forceshade_unite(${name})
+endfunction()
+
+# The libraries are static, and a plugin, a module of Python or a game engine is a shared object. No function of theirs is meant
+# to be replaced by another one at run time, so that calls within a file may still be inlined.
+function(forceshade_position_independent name)
+  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${name} PRIVATE -fno-semantic-interposition)
 endfunction()
 
 # For code that no tick runs: it takes half as long to compile, and is no slower where the time goes to multiprecision numbers.

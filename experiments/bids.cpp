@@ -12,6 +12,7 @@
 
 #include "forceshade/csv/csv.h"
 #include "forceshade/csv/output_file.h"
+#include "forceshade/csv/output_folder.h"
 #include "forceshade/experiments/error.h"
 #include "forceshade/experiments/session_folder.h"
 
@@ -312,24 +313,24 @@ void export_bids(std::span<const fs::path> sessions, const fs::path& folder, con
     if (!done.insert({session.participant, session.protocol.experiment}).second)
       throw Error(from, "participant " + session.participant + " did the same experiment in an earlier session");
   }
-  make_folder(folder);
-  for (std::size_t i = 0; i < all.size(); ++i) export_session(sessions[i], all[i], folder, motion_of);
+  csv::OutputFolder whole(folder);
+  for (std::size_t i = 0; i < all.size(); ++i) export_session(sessions[i], all[i], whole.so_far(), motion_of);
   std::string rows = "participant_id\tpseudonym\n";
   for (const auto& [label, participant] : participants) rows += "sub-" + label + '\t' + participant + '\n';
-  write_text(folder / "participants.tsv", rows);
-  write_json(folder / "participants.json",
+  write_text(whole.so_far() / "participants.tsv", rows);
+  write_json(whole.so_far() / "participants.json",
              {{"pseudonym", described("Identifier in the session; nothing else about participants was recorded")}});
   write_text(
-      folder / "README",
+      whole.so_far() / "README",
       "Haptic shape perception: sessions of forceshade's matching and classification experiments, after Morgenbesser and\n"
       "Srinivasan, Force Shading for Shape Perception in Haptic Virtual Environments (MIT, 1995).\n"
       "Trials, answers and changes of the radius: sub-*/beh. Positions and forces of the stylus: sub-*/motion.\n"
       "Exported by forceshade.\n");
-  // Last: a data set without it is not whole.
-  write_json(folder / "dataset_description.json", {{"Name", "Force shading for shape perception"},
-                                                   {"BIDSVersion", "1.9.0"},
-                                                   {"DatasetType", "raw"},
-                                                   {"GeneratedBy", BidsJson::array({{{"Name", "forceshade"}}})}});
+  write_json(whole.so_far() / "dataset_description.json", {{"Name", "Force shading for shape perception"},
+                                                           {"BIDSVersion", "1.9.0"},
+                                                           {"DatasetType", "raw"},
+                                                           {"GeneratedBy", BidsJson::array({{{"Name", "forceshade"}}})}});
+  whole.commit();
 }
 
 }  // namespace forceshade::experiments

@@ -25,7 +25,7 @@ struct Motion {
 // The motion of a session's run, from 1; nothing where none was recorded.
 using MotionOf = std::function<std::optional<Motion>(const std::filesystem::path& session, int run)>;
 
-// Writes the data set into `folder`, which must not exist or be empty. Pseudonyms lose their dashes, which BIDS does not allow
+// Writes the data set into `folder`, which must not exist or be empty, whole or not at all. Pseudonyms lose their dashes, which BIDS does not allow
 // in labels; the original is a column of participants.tsv. Throws Error where two pseudonyms become one, or a participant did
 // an experiment twice; csv::OutputError where the disk is full.
 void export_bids(std::span<const std::filesystem::path> sessions, const std::filesystem::path& folder,

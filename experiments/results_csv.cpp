@@ -13,6 +13,7 @@
 
 #include "forceshade/csv/csv.h"
 #include "forceshade/csv/output_file.h"
+#include "forceshade/csv/output_folder.h"
 #include "forceshade/csv/printable.h"
 #include "forceshade/experiments/error.h"
 
@@ -114,10 +115,9 @@ bool read_file(const fs::path& file, const std::vector<std::string>& columns, bo
 
 }  // namespace
 
-void write_results(const Results& results, const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw csv::OutputError(folder.string() + ": cannot be made: " + error.message());
+void write_results(const Results& results, const fs::path& path) {
+  csv::OutputFolder whole(path);
+  const fs::path& folder = whole.so_far();
   using csv::shortest;
   write_file(folder / "matching.csv", kMatchingColumns, results.matching, [](std::ostream& out, const MatchingResult& r) {
     out << quoted(r.participant) << ',' << r.trial << ',' << (r.vision ? "yes" : "no") << ',' << quoted(r.stimulus) << ','
@@ -133,6 +133,7 @@ void write_results(const Results& results, const fs::path& folder) {
   write_file(folder / "radius.csv", kRadiusColumns, results.radius_changes, [](std::ostream& out, const RadiusChange& r) {
     out << quoted(r.participant) << ',' << r.trial << ',' << r.step << ',' << shortest(r.seconds) << ',' << shortest(r.radius);
   });
+  whole.commit();
 }
 
 Results read_results(const fs::path& folder) {

@@ -8,8 +8,8 @@
 
 namespace forceshade::experiments {
 
-// Writes matching.csv, classification.csv and radius.csv into the folder, which is made where it is missing; an experiment
-// without trials has no file. docs/experiments.md lists the columns. Throws csv::OutputError.
+// Writes matching.csv, classification.csv and radius.csv into the folder, which is made where it is missing: all of them or
+// none. An experiment without trials has no file. docs/experiments.md lists the columns. Throws csv::OutputError.
 void write_results(const Results& results, const std::filesystem::path& folder);
 
 // Reads those of the files that exist. Throws Error, or csv::Error, with file, line and column: numbers out of their range, a

@@ -46,16 +46,6 @@ void write_whole(const fs::path& file, const std::string& text) {
   out.commit();
 }
 
-// Names of files in the folder reach the disk.
-void sync_folder(const fs::path& folder) {
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  const bool is_synced = descriptor >= 0 && ::fsync(descriptor) == 0;
-  const int reason = errno;
-  if (descriptor >= 0) ::close(descriptor);
-  errno = reason;
-  if (!is_synced) throw failed(folder, "be synced");
-}
-
 // session.json, but for the experiment, which the protocol holds.
 struct About {
   std::string participant;
@@ -196,7 +186,7 @@ RecordedSession RecordedSession::start(const fs::path& folder, const fs::path& p
                      {"files_from", fs::absolute(protocol_file).parent_path().string()}};
     write_whole(folder / "session.json", about.dump(2) + '\n');
     recorded.log_ = std::make_shared<Log>(log_in(folder), O_CREAT | O_EXCL, sync);
-    sync_folder(folder);
+    csv::sync_folder(folder);
   } catch (...) {
     // Nothing half-written: the folder was empty, or was not there.
     for (const char* name : {"protocol.toml", "language.toml", "session.json", "trials.jsonl", "ticks"})

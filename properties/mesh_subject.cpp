@@ -36,6 +36,7 @@ class ReferenceOfMesh final : public ReferenceSession {
     answer.status = tick.status == mesh::TickStatus::free      ? Status::free
                     : tick.status == mesh::TickStatus::invalid ? Status::invalid
                                                                : Status::contact;
+    answer.is_unfinished = tick.status == mesh::TickStatus::unfinished;
     return answer;
   }
 

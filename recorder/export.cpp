@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "forceshade/csv/csv.h"
+#include "forceshade/csv/npy.h"
 #include "forceshade/csv/output_file.h"
 #include "forceshade/recorder/layout.h"
 
@@ -31,7 +32,8 @@ void write_row(std::ostream& out, const Sample& sample, const std::string& path)
   number(sample.device_time);
   for (const float coordinate : sample.position) number(coordinate);
   for (const float component : sample.force) number(component);
-  out << ',' << kStatuses[sample.status];
+  const bool is_unfinished = (sample.device_state & Sample::kUnfinished) != 0;
+  out << ',' << (is_unfinished ? "unfinished" : kStatuses[sample.status]);
   scaled(sample.compute_ns, 1e3);
   for (const float component : sample.law_force) number(component);
   for (const std::int64_t count : sample.encoder) out << ',' << (count == Sample::kNoCount ? "" : std::to_string(count));
@@ -43,16 +45,6 @@ void write_row(std::ostream& out, const Sample& sample, const std::string& path)
        {unsigned{sample.late}, unsigned{sample.limited}, unsigned{sample.altered}, unsigned{sample.tripped}})
     out << ',' << flag;
   out << '\n';
-}
-
-// NPY 1.0: the magic word, the version, the length of a header that ends the first multiple of 64 bytes, the header.
-std::string npy_header(std::uint64_t rows) {
-  std::string header = "{'descr': " + layout() + ", 'fortran_order': False, 'shape': (" + std::to_string(rows) + ",), }";
-  constexpr std::size_t kPreamble = 10;
-  header.append(63 - (kPreamble + header.size()) % 64, ' ');
-  header += '\n';
-  const std::array length{static_cast<char>(header.size() & 0xFF), static_cast<char>(header.size() >> 8)};
-  return std::string("\x93NUMPY\x01\x00", 8) + std::string(length.data(), 2) + header;
 }
 
 }  // namespace
@@ -72,12 +64,16 @@ void export_csv(Recording& recording, const std::string& path) {
 void export_npy(Recording& recording, const std::string& path) {
   expect_written_metadata(recording);
   csv::OutputFile file(path);
-  file.stream() << npy_header(recording.extent().samples);
+  file.stream() << csv::npy_header(layout(), recording.extent().samples);
   recording.for_each_chunk([&](std::span<const Sample> chunk) {
     const auto bytes = std::as_bytes(chunk);
     file.stream().write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   });
   file.commit();
+}
+
+void export_table(Recording& recording, const std::string& path) {
+  path.ends_with(".npy") ? export_npy(recording, path) : export_csv(recording, path);
 }
 
 }  // namespace forceshade::recorder

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <random>
 #include <sstream>
 #include <stdexcept>
@@ -22,12 +24,12 @@ struct Answered {
 };
 
 // Answers x for a position of positive x, and nothing for another.
-Answered answered(const std::string& text) {
+Answered answered(const std::string& text, RowFormat format = RowFormat::csv) {
   std::istringstream in(text);
   std::ostringstream out, complaints;
-  const RowCount count = answer_rows(in, "in.csv", out, complaints, [](const Eigen::Vector3f& position, std::ostream& to) {
+  const RowCount count = answer_rows(in, "in.csv", format, out, complaints, [](const Eigen::Vector3f& position) {
     if (position.x() <= 0) throw std::domain_error("nobody knows \x1b[2J");
-    to << position.x() << ",0,0,ok";
+    return AnsweredRow{{position.x(), 0, 0}, position.x() > 3 ? RowStatus::unfinished : RowStatus::contact, std::nullopt};
   });
   return {count, out.str(), complaints.str()};
 }
@@ -37,11 +39,41 @@ TEST(force_rows, that_cannot_be_answered_are_reported_and_the_others_answered) {
   EXPECT_EQ(count.rows, 4U);
   EXPECT_EQ(count.unanswered, 2U);
   EXPECT_EQ(rows,
-            "x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status\n1,2,3,1,0,0,ok\n-1,2,3,nan,nan,nan,undecided\n4,2,3,4,0,0,ok\n"
+            "x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status\n1,2,3,1,0,0,contact\n-1,2,3,nan,nan,nan,undecided\n4,2,3,4,0,0,unfinished\n"
             "0,2,3,nan,nan,nan,undecided\n");
   EXPECT_EQ(complaints,
             "forceshade: in.csv:3: cannot be answered: nobody knows \\x1b[2J\n"
             "forceshade: in.csv:6: cannot be answered: nobody knows \\x1b[2J\n");
+}
+
+// The bytes as the description of the format has them: https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html
+TEST(force_rows, of_an_npy_file_are_records_of_the_same_numbers) {
+  const auto [count, file, complaints] = answered("x_mm,y_mm,z_mm\n1,2,3\n-1,2,3\n4,0.1,3\n", RowFormat::npy);
+  EXPECT_EQ(count.rows, 3U);
+  EXPECT_EQ(count.unanswered, 1U);
+  ASSERT_EQ(file.substr(0, 8), std::string("\x93NUMPY\x01\x00", 8));
+  const std::size_t header = static_cast<unsigned char>(file[8]) + 256U * static_cast<unsigned char>(file[9]);
+  EXPECT_EQ((10 + header) % 64, 0U);
+  EXPECT_TRUE(file.substr(10).starts_with(
+      "{'descr': [('x_mm', '<f4'), ('y_mm', '<f4'), ('z_mm', '<f4'), ('fx_N', '<f4'), ('fy_N', '<f4'), ('fz_N', '<f4'), "
+      "('status', '|u1')], 'fortran_order': False, 'shape': (3,), }"));
+  const std::string rows = file.substr(10 + header);
+  ASSERT_EQ(rows.size(), 3U * 25);
+  const auto number = [&](std::size_t row, std::size_t column) {
+    float value = 0;
+    std::memcpy(&value, rows.data() + 25 * row + 4 * column, sizeof value);
+    return value;
+  };
+  const auto status = [&](std::size_t row) { return static_cast<int>(rows[25 * row + 24]); };
+  EXPECT_EQ(number(0, 0), 1);
+  EXPECT_EQ(number(0, 2), 3);
+  EXPECT_EQ(number(0, 3), 1);
+  EXPECT_EQ(status(0), 1) << "contact";
+  EXPECT_TRUE(std::isnan(number(1, 3)) && std::isnan(number(1, 4)) && std::isnan(number(1, 5)));
+  EXPECT_EQ(status(1), 5) << "undecided";
+  EXPECT_EQ(number(2, 1), 0.1F);
+  EXPECT_EQ(number(2, 3), 4);
+  EXPECT_EQ(status(2), 4) << "unfinished";
 }
 
 TEST(force_rows, are_as_many_as_were_read_whichever_are_answered) {

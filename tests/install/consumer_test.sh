@@ -36,6 +36,18 @@ for consumer in consumer:forceshade heights_consumer:forceshade-heights "meshes_
 done
 use "$scratch/by-pc"
 
+echo "== shared object"
+# Every object of these libraries has to be position independent, not only those that the plugin calls.
+libraries=$(dirname "$pc")
+# shellcheck disable=SC2046,SC2086  # flags are words
+"$compiler" -std=c++20 -O1 $flags -shared -fPIC "$source/plugin.cpp" -o "$scratch/plugin.so" \
+  $(PKG_CONFIG_PATH=$pc pkg-config --cflags forceshade) -Wl,-z,defs -Wl,--whole-archive \
+  "$libraries"/libforceshade_{fast,csv,device,heights,meshes}.a -Wl,--no-whole-archive \
+  $(PKG_CONFIG_PATH=$pc pkg-config --libs forceshade-heights forceshade-meshes)
+# shellcheck disable=SC2086
+"$compiler" -std=c++20 $flags "$source/plugin_loader.cpp" -o "$scratch/plugin_loader" -ldl
+"$scratch/plugin_loader" "$scratch/plugin.so"
+
 echo "== headers"
 # What the offered headers reach is what is installed, neither less nor more.
 include=$(dirname "$(find "$prefix" -type d -name forceshade -path '*include*')")

@@ -128,6 +128,26 @@ TEST(recording, as_csv_has_every_number_of_every_tick) {
   EXPECT_EQ(count, 201U);
 }
 
+TEST(recording, as_csv_names_unfinished_ticks) {
+  const TemporaryDirectory directory;
+  {
+    Recorder recorder(directory.file("run.fsr"), {});
+    recorder.push({.tick = 0, .status = 1, .device_state = Sample::kForcesOn});
+    recorder.push({.tick = 1, .status = 1, .device_state = Sample::kForcesOn | Sample::kUnfinished});
+    recorder.close("");
+  }
+  Recording recording(directory.file("run.fsr"));
+  export_table(recording, directory.file("run.csv"));
+  auto file = csv::open_input(directory.file("run.csv"));
+  csv::Reader rows(file, "run.csv", {"status"});
+  for (const char* expected : {"contact", "unfinished"}) {
+    ASSERT_TRUE(rows.next());
+    EXPECT_EQ(rows.text(0), expected);
+  }
+  export_table(recording, directory.file("run.npy"));
+  EXPECT_TRUE(directory.read("run.npy").starts_with("\x93NUMPY"));
+}
+
 TEST(recording, as_csv_leaves_out_encoders_that_a_device_has_not) {
   const TemporaryDirectory directory;
   {

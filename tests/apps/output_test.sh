@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# output_test.sh FORCESHADE: what a command writes goes to pipes and descriptors, appears whole or not at all, and has the format
+# that its name says; an unfinished tick is called that.
+. "$(dirname "$0")/expect.sh"
+printf 'x_mm,y_mm,z_mm\n0,0,-1\n' > in.csv
+force() { "$forceshade" force --law wall --input in.csv "$@"; }
+row=0,0,-1,0,0,0.5,contact
+
+# Descriptors and pipes.
+for name in - /dev/stdout /dev/fd/1 /proc/self/fd/1; do same "$row" "$(force --out $name | tail -1)"; done
+echo before > log
+force --out /dev/fd/3 3>> log
+same "before x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status $row" "$(echo $(cat log))"
+same "$row" "$( (force --out >(tail -1 > piped; echo > done); until [ -e done ]; do sleep 0.05; done; cat piped) )"
+mkfifo named
+tail -1 named > piped & force --out named; wait $!
+same "$row" "$(cat piped)"
+[ -p named ] || { echo "FAILED: the named pipe was replaced"; exit 1; }
+expect 0 "<testsuites" -- sh -c "'$forceshade' properties --law wall --cases 20 --junit /dev/stdout | cat"
+same 1 "$("$forceshade" geometry --json /dev/stdout | wc -l)"
+expect 2 "/dev/full: cannot write: No space left on device" -- force --out /dev/full
+for name in - /dev/stdout /dev/null named in.csv; do
+  expect 2 "--out: expected a directory, for the command writes several files, got \"$name\"" -- "$forceshade" plot --law wall --out $name
+done
+expect 2 '--out: expected a file, got ".", which is a folder' -- force --out . --overwrite
+
+# NPY: 64 bytes' multiple of a header, then 25 bytes a row.
+expect 0 "" -- force --out forces.npy
+same "NUMPY" "$(head -c 6 forces.npy | tail -c 5)"
+same 25 "$(($(stat -c %s forces.npy) % 64))"
+expect 0 "" -- force --out exact.npy --path reference
+cmp forces.npy exact.npy || exit 1
+expect 2 "--digits: expected a CSV file as --out beside it" -- force --out more.npy --path reference --digits 40
+expect 0 "" -- "$forceshade" drive --law wall --uncertified --device null --seconds 0.01 --free-run --record run.npy
+same "NUMPY" "$(head -c 6 run.npy | tail -c 5)"
+
+# A folder of files appears whole, also where it is interrupted or the disk is full.
+"$forceshade" plot --law all --out stopped > stopped.txt 2>&1 &
+until ls -d stopped.partial-* > /dev/null 2>&1; do sleep 0.02; done
+kill -INT $!; wait $!; same 130 $?
+same "" "$(ls -d stopped stopped.partial-* 2> /dev/null)"
+"$forceshade" plot --law all --out killed > killed.txt 2>&1 &
+until [ -n "$(ls killed.partial-*/*.svg 2> /dev/null)" ]; do sleep 0.02; done
+kill -KILL $!; wait $! 2> /dev/null
+same "" "$(ls -d killed 2> /dev/null)"
+same 1 "$(ls -d killed.partial-* | wc -l)"
+full() {  # KILOBYTES WORDS OPTION...: with files that are at most so long
+  local most=$1 words=$2; shift 2
+  expect 2 "$words" -- bash -c 'trap "" XFSZ; ulimit -f "$0"; exec "$@"' "$most" "$forceshade" "$@"
+}
+mkdir there; echo mine > there/mine
+for folder in new there; do
+  full 20 "$folder/certificate.html: cannot write: File too large" certify --law wall --points 1000 --cases 10 --out $folder
+  full 2 "$folder/forceshade" man --out $folder
+done
+same "there/mine" "$(ls -d new* there/* there/.partial* 2> /dev/null)"
+expect 2 "--out: expected a new file or a regular one" -- sh -c "mkdir -p there/certificate.json && exec '$forceshade' certify --law wall \
+  --points 1000 --cases 10 --out there --overwrite"
+
+# A long strip of narrow faces, and a jump along it: more moves than a tick has.
+awk 'BEGIN { n = 400; print "OFF"; print 2 * n + 2, 2 * n, 0
+  for (i = 0; i <= n; ++i) { print 0.25 * i, -8, 0; print 0.25 * i, 8, 0 }
+  for (i = 0; i < n; ++i) { print 3, 2 * i, 2 * i + 2, 2 * i + 1; print 3, 2 * i + 1, 2 * i + 2, 2 * i + 3 } }' > strip.off
+mesh="--mesh strip.off --unit mm --sides both --shading none"
+printf '%s\n' x_mm,y_mm,z_mm 1,0.1,1 1,0.1,-0.7 99.1,0.3,-0.7 99.1,0.3,-0.7 99.1,0.3,-0.7 99.1,0.3,-0.7 > path.csv
+for path in fast reference; do
+  same "free contact unfinished unfinished unfinished contact" \
+    "$("$forceshade" force $mesh --path $path --input path.csv | tail -n +2 | cut -d, -f7 | paste -sd ' ')"
+done
+awk -F, 'NR == 1 { print "t_s," $0; next } { printf "%.3f,%s\n", 0.001 * (NR - 2), $0 }' path.csv > hand.csv
+expect 0 "unfinished ticks  " -- "$forceshade" drive $mesh --uncertified --device replay:hand.csv --free-run --record run.csv
+expect 0 ",unfinished," -- cat run.csv
+expect 0 "" -- "$forceshade" plot $mesh --input path.csv --out drawn
+grep -q "3 of 6 ticks unfinished" drawn/strip-mesh.svg || { echo "FAILED: the picture does not count unfinished ticks"; exit 1; }
+echo "$checks checks passed"

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# readme_test.sh FORCESHADE SOURCE: a reader can type the commands of the README twice, as they are printed. So that this takes
+# seconds, the nine laws become one where a certificate is made, and loops do not wait for the clock.
+set -u
+forceshade=$(realpath "$1") source=$(realpath "$2")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+mkdir -p build/release/apps
+ln -s "$forceshade" build/release/apps/forceshade
+for folder in examples recordings; do ln -s "$source/$folder" $folder; done
+
+# The blocks of shell commands, without those of the scripts, which build and test everything; and a line that ends in \ joined.
+sed -n '/^```sh$/,/^```$/ { /^```/d; p }' "$source/README.md" | grep -v '^scripts/' | sed -e ':a' -e '/\\$/ { N; s/\\\n *//; ba' -e '}' |
+  sed -e '/ certify --law /s/ --law all / --law bump-1p-shaded /' -e '/ drive /s/$/ --free-run/' > commands
+count=$(grep -c 'build/release/apps/forceshade ' commands)
+[ "$count" -ge 14 ] || { echo "FAILED: found only $count commands in the README"; exit 1; }
+
+for time in first second; do
+  number=0
+  while IFS= read -r command; do
+    number=$((number + 1))
+    bash -c "$command" > output 2>&1 < /dev/null || { echo "FAILED the $time time: $command"; cat output; exit 1; }
+  done < commands
+  find build -type f | LC_ALL=C sort > files.$time
+done
+[ "$(wc -l < files.first)" -ge 20 ] || { echo "FAILED: the commands wrote only: $(cat files.first)"; exit 1; }
+diff files.first files.second || { echo "FAILED: other files were written the second time"; exit 1; }
+echo "$number commands ran twice"
