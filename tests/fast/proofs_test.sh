@@ -5,6 +5,7 @@
 # A piece whose name begins with sign_ proves no more than a sign: its relative error must be below 1. One whose name begins with
 # share_ compares a part of an error with what the header charges for it: below 1, less the few roundings of their sum.
 # "# from FILE PREFIX" after a hypothesis: it follows from the bounds of those pieces, and that is checked too.
+# A rewriting of a script must be proved too: see prove below, and tests/fast/coq_test.sh.
 # With "store" the intervals are written instead of compared.
 set -euo pipefail
 . "$(dirname "$0")/gappa_pieces.sh"
@@ -12,17 +13,21 @@ gappa=$1
 fast=$2/fast
 store=${3:-}
 failures=0
+out=$(mktemp)
+trap 'rm "$out"' EXIT
 
 fail() { echo "FAILED: $*"; failures=$((failures + 1)); }
 
-# One line per proved interval: "piece: expression in [low, high]", the ends to the six digits that Gappa prints of them (their
-# 60-bit fractions differ from run to run in the last places).
+# The lines of all pieces, and what Gappa took for granted: that a denominator is not 0 (a rewriting gives its conditions, which Gappa
+# then proves, in braces), or that a rewriting is an identity which it could not see to be one (marked "# by Coq").
 prove() {  # script
   local name
   pieces_of "$1" | while read -r name; do
-    piece "$1" "$name" | "$gappa" -Wno-null-denominator 2>&1 |
-      sed -E 's/-?[0-9]+(b-?[0-9]+)? \{([^,]*),[^}]*\}/\2/g' |
-      sed -n "s/^  *\(.* in \[.*\]\)\$/$name: \1/p; s/^Error.*/$name: &/p"
+    piece "$1" "$name" | "$gappa" >"$out" 2>&1
+    intervals "$name" <"$out"
+    sed -n "s/^Warning: the expression \(.*\) has been assumed to be nonzero.*/$name: Assumed: \1 is not 0/p" "$out"
+    [ "$(grep -c 'not trivially equal' "$out")" = "$(piece_text "$1" "$name" | grep -c '# by Coq$')" ] ||
+      sed -n "s/^Warning: \(.*\) are not trivially equal.*/$name: Assumed: \1 are equal/p" "$out"
   done
 }
 
@@ -63,6 +68,7 @@ check() {  # script's basename, bound that its intervals must imply, or "" if on
   [ -z "$store" ] || printf '%s\n' "$proved" >"$stored"
   [ "$(printf '%s\n' "$proved" | cut -d: -f1 | sort -u)" = "$(pieces_of "$script" | sort)" ] ||
     fail "$1: a piece proved nothing"
+  ! grep ': Assumed: ' <<<"$proved" || fail "$1: Gappa took for granted what is printed above"
   [ "$proved" = "$(cat "$stored")" ] || { fail "$1: the proved intervals are not the stored ones"; diff <(printf '%s\n' "$proved") "$stored" || true; }
   while read -r line; do
     read -r from prefix <<<"${line##*# from }"
