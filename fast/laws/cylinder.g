@@ -123,7 +123,6 @@ b_back - zz -> (b_back - (a - b)) - (b - (a - zz));
 { d_head in [1, 2] /\ z in [-4, -0.25] /\ |TAIL| <= 0x1.01p-29 /\ d_tail = TAIL * d_head /\ |DD| <= 0x1.01p-82 /\ dD = DD * d_head /\
   l / d_head in [1b-26, 0.5]
 -> (l - L) / L in ? }
-Q -> l / (1 + (l - Q) / Q) { l <> 0, Q <> 0 };
 Q - L -> (l1 - (z + d_head)) - dD;
 (l - L) / L -> (l - Q) / Q + (Q - L) / L + ((l - Q) / Q) * ((Q - L) / L) { Q <> 0, L <> 0 };
 $ d_head in 4;
@@ -131,7 +130,6 @@ $ d_head in 4;
 { d_head in [1, 2] /\ z in [-4, -0.25] /\ |TAIL| <= 0x1.01p-29 /\ d_tail = TAIL * d_head /\ |DD| <= 0x1.01p-82 /\ dD = DD * d_head /\
   l / d_head in [-0.5, -1b-26]
 -> (l - L) / L in ? }
-Q -> l / (1 + (l - Q) / Q) { l <> 0, Q <> 0 };
 Q - L -> (l1 - (z + d_head)) - dD;
 (l - L) / L -> (l - Q) / Q + (Q - L) / L + ((l - Q) / Q) * ((Q - L) / L) { Q <> 0, L <> 0 };
 $ d_head in 4;
@@ -160,13 +158,9 @@ z + d_head -> L - (d_tail + dD);
 /\ K in [1b-10, 1000] /\ R in [0x1.9p-4, 10000] /\ TRUE_V in [1b-55, 1b27] /\ TRUE_L in [1b-43, 10001] /\ x in [1b-30, 10000]
 /\ XX / LL in [0, 1b140] /\ R / RHO in [1, 1b60] /\ RHO in [1b-43, 10001]
 -> (fx - FX) / FX in ? }
-(XX + ll - (XX + LL)) / (XX + LL) -> ((ll - LL) / LL) * (1 / (1 + XX / LL)) { TRUE_L <> 0, XX + LL <> 0 };
-(R + rho - (R + RHO)) / (R + RHO) -> ((rho - RHO) / RHO) * (1 / (1 + R / RHO)) { RHO <> 0, R + RHO <> 0 };
 #! piece force_z
 { |near_v -/ TRUE_V| <= 0x1.cp-52 # from cylinder v_
 /\ |near_l -/ TRUE_L| <= 0x1.01p-52 # from cylinder l_
 /\ K in [1b-10, 1000] /\ R in [0x1.9p-4, 10000] /\ TRUE_V in [1b-55, 1b27] /\ TRUE_L in [1b-43, 10001] /\ x in [0, 10000]
 /\ XX / LL in [0, 1b140] /\ R / RHO in [1, 1b60] /\ RHO in [1b-43, 10001]
 -> (fz - FZ) / FZ in ? }
-(XX + ll - (XX + LL)) / (XX + LL) -> ((ll - LL) / LL) * (1 / (1 + XX / LL)) { TRUE_L <> 0, XX + LL <> 0 };
-(R + rho - (R + RHO)) / (R + RHO) -> ((rho - RHO) / RHO) * (1 / (1 + R / RHO)) { RHO <> 0, R + RHO <> 0 };

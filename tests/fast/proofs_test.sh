@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# proofs_test.sh GAPPA SOURCE_DIR [store]: runs every Gappa script in fast/. Each interval that Gappa prints must be the one
+# proofs_test.sh GAPPA SOURCE_DIR [store | SCRIPT...]: runs every Gappa script in fast/, or those named. Each interval that Gappa prints must be the one
 # stored beside the script, and must imply the constant in the header: neither exceed it nor leave it idle by more than 4.
 # A script holds definitions and then pieces; a piece ("#! piece NAME") is a proposition of its own over the definitions.
 # A piece whose name begins with sign_ proves no more than a sign: its relative error must be below 1. One whose name begins with
@@ -11,15 +11,18 @@ set -euo pipefail
 . "$(dirname "$0")/gappa_pieces.sh"
 gappa=$1
 fast=$2/fast
-store=${3:-}
+store=
+only=("${@:3}")
+[ "${3:-}" != store ] || store=store only=()
 failures=0
 out=$(mktemp)
 trap 'rm "$out"' EXIT
 
 fail() { echo "FAILED: $*"; failures=$((failures + 1)); }
 
-# The lines of all pieces, and what Gappa took for granted: that a denominator is not 0 (a rewriting gives its conditions, which Gappa
-# then proves, in braces), or that a rewriting is an identity which it could not see to be one (marked "# by Coq").
+# The lines of all pieces, and what Gappa took for granted: that a denominator is not 0 (the conditions of a rewriting stand in braces
+# behind it, and Gappa then proves them; that they suffice is for Coq to say), or that a rewriting is an identity which it could not
+# see to be one (marked "# by Coq").
 prove() {  # script
   local name
   pieces_of "$1" | while read -r name; do
@@ -62,6 +65,7 @@ at_most() { awk -v a="$1" -v b="$2" 'BEGIN {exit !(a != "none" && a * (1 + 1e-5)
 
 check() {  # script's basename, bound that its intervals must imply, or "" if only others use it
   local script stored proved bound=$2 most line
+  [ ${#only[@]} = 0 ] || [[ " ${only[*]} " == *" $1 "* ]] || return 0
   script=$(echo "$fast"/*/"$1.g") stored=${script%.g}.gappa-expected
   [ -f "$script" ] || { fail "$1: no proof, $1.g is missing in fast/"; return; }
   proved=$(prove "$script")
