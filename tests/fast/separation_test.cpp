@@ -24,7 +24,7 @@ constexpr double tie(double force) {
 // degree: at most that of (component - tie)·denominator; 2^scale makes it an algebraic integer, whose conjugates are at most
 // `conjugate` times that.
 struct Separation {
-  const char* law;
+  std::string_view law;
   int bits, degree, scale;
   double conjugate, denominator;
 };
@@ -35,6 +35,8 @@ TEST(separation, of_each_law_follows_from_its_largest_conjugate) {
   const double K = kLargestK, R = kLargestR, z = kLargestZ, R2 = R * R, R4 = R2 * R2;
   const double deep = tie(K * (R + z));  // N, a boundary next to K times the largest gap
   const Separation all[] = {
+      {"wall", fast::Wall::kSeparation, 1, 150, 1, 1},
+      {"bump-1p", fast::Bump1p::kSeparation, 1, 150, 1, 1},
       {"bump-1p-shaded", fast::Bump1pShaded::kSeparation, 2, 177, K * z * R + tie(K * z) * R, R},
       {"cylinder", fast::Cylinder::kSeparation, 4, 203, K * (R + kRho) * (z + R) + tie(K * R) * kRho, R},
       {"bump-cylinder", fast::BumpCylinder::kSeparation, 4, 203, K * (R + kRho) * (z + R) + (K * z + deep) * kRho, R},
@@ -43,13 +45,17 @@ TEST(separation, of_each_law_follows_from_its_largest_conjugate) {
       {"bump-3p", fast::Bump3p::kSeparation, 6, 272, 4 * K * (R + z) * R4 + 4 * deep * R4, 4 * R4},
       {"bump-3p-shaded", fast::Bump3pShaded::kSeparation, 12, 245, 2 * K * (R + z) * R2 * R + 2 * deep * R2 * R, 2 * R2 * R},
   };
+  for (const LawName& law : kLaws)
+    EXPECT_TRUE(std::any_of(std::begin(all), std::end(all), [&](const Separation& of) { return law.name == of.law; }))
+        << law.name;
   EXPECT_GE(kRho, std::hypot(R, z + R));
   for (const Separation& of : all) {
     const double conjugate_bits = of.scale + std::log2(of.conjugate);
     const double bits = of.scale + (of.degree - 1) * conjugate_bits + std::log2(of.denominator);
     EXPECT_LE(bits, of.bits) << of.law;
     EXPECT_GE(bits + 10 + of.degree, of.bits) << of.law << ": more idle than logarithms that are rounded up";
-    std::printf("  %-15s largest conjugate 2^%.1f, separation 2^-%.1f, assumed 2^-%d\n", of.law, conjugate_bits, bits, of.bits);
+    std::printf("  %-15s largest conjugate 2^%.1f, separation 2^-%.1f, assumed 2^-%d\n", of.law.data(), conjugate_bits, bits,
+                of.bits);
   }
 }
 
