@@ -4,11 +4,11 @@
 # docs/proofs.md.
 #
 # All that is used of an operation is that it is within 2^-53 of its result, relative (rel=: tests/fast/gappa_pieces.sh):
-# multiply_add, rounded once or twice, is a product and a sum of that kind. So step and pitch may be taken as 1. Hypotheses proved by hand: t, of a difference, 1/p and a
-# product, is within 3.003·2^-53, relative; column k of the window is at most |k - 1| + T + (1 - T)^3/3 <= |k - 1| + 1 steps from c,
-# for the weights along y are the B-splines; the sizes of the weights of the three steps sum to 2 - 2T/3 in BEND, to 2 in TILT and
-# TWICE_SLOPE, to 4 - 2T in TWICE_BEND. The place may be 2^-36 outside of its cell (docs/proofs.md), where each of these grows by
-# less than 2^-34, which their .0001 covers.
+# multiply_add, rounded once or twice, is a product and a sum of that kind. So step and pitch may be taken as 1. Hypotheses
+# proved by hand: t, of a difference, 1/p and a product, is within 3.003·2^-53, relative; column k of the window is at most |k -
+# 1| + T + (1 - T)^3/3 <= |k - 1| + 1 steps from c, for the weights along y are the B-splines; the sizes of the weights of the
+# three steps sum to 2 - 2T/3 in BEND, to 2 in TILT and TWICE_SLOPE, to 4 - 2T in TWICE_BEND. The place may be 2^-36 outside of
+# its cell (docs/proofs.md), where each of these grows by less than 2^-34, which their .0001 covers.
 
 t = t_; a0 = a0_; a3 = a3_;
 outer_3 rel= a3 * t; outer_2 rel= outer_3 + A2; outer_2t rel= outer_2 * t; outer_1 rel= outer_2t + A1; outer_1t rel= outer_1 * t;
@@ -68,7 +68,8 @@ scaled rel= sum * p;
 #! piece slope_3
 { T in [-1b-36, 1.0001] /\ |t -/ T| <= 0x1.81p-52 /\ A0 = 0 /\ A1 = 0 /\ A2 = 1 / 2 -> slope - SLOPE in ? }
 #! piece value
-{ T in [-1b-36, 1.0001] /\ |t -/ T| <= 0x1.81p-52 /\ |S0| <= 1 /\ |S1| <= 1 /\ |S2| <= 1 /\ |B| <= 2 /\ |BEND| <= 2.0001 /\ |TILT| <= 2.0001 /\ |VALUE| <= 3.0001
+{ T in [-1b-36, 1.0001] /\ |t -/ T| <= 0x1.81p-52 /\ |S0| <= 1 /\ |S1| <= 1 /\ |S2| <= 1 /\ |B| <= 2
+/\ |BEND| <= 2.0001 /\ |TILT| <= 2.0001 /\ |VALUE| <= 3.0001
 /\ |s0 -/ S0| <= 1b-53 /\ |s1 -/ S1| <= 1b-53 /\ |s2 -/ S2| <= 1b-53 /\ |b -/ B| <= 1b-53
 /\ THIRD in [0.333, 0.334] /\ SIXTH in [0.166, 0.167] /\ |third -/ THIRD| <= 1b-53 /\ |sixth -/ SIXTH| <= 1b-53 -> value - VALUE in ? }
 bend ~ BEND;
