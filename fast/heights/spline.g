@@ -5,8 +5,8 @@
 #
 # All that is used of an operation is that it is within 2^-53 of its result, relative (rel=: tests/fast/gappa_pieces.sh):
 # multiply_add, rounded once or twice, is a product and a sum of that kind. So step and pitch may be taken as 1. Hypotheses
-# proved by hand: t, of a difference, 1/p and a product, is within 3.003·2^-53, relative; column k of the window is at most |k -
-# 1| + T + (1 - T)^3/3 <= |k - 1| + 1 steps from c, for the weights along y are the B-splines; the sizes of the weights of the
+# proved by hand: t, of a difference, 1/p and a product, is within 3.003·2^-53, relative; column k of the window is at most
+# |k - 1| + T + (1 - T)^3/3 <= |k - 1| + 1 steps from c, for the weights along y are the B-splines; the sizes of the weights of the
 # three steps sum to 2 - 2T/3 in BEND, to 2 in TILT and TWICE_SLOPE, to 4 - 2T in TWICE_BEND. The place may be 2^-36 outside of
 # its cell (docs/proofs.md), where each of these grows by less than 2^-34, which their .0001 covers.
 
