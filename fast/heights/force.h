@@ -75,6 +75,7 @@ struct CertaintyThresholds {
 FORCESHADE_INLINE HeightForce height_force(double gap, double Ux, double Uy, const CertaintyThresholds& sure,
                                            height::Rendering rendering, double K) noexcept {
   constexpr int kWindow = doubt_window(4 * kErrorBudgetShare);
+  static_assert(window_covers(kWindow, 4 * kErrorBudgetShare));
   if (gap <= -sure.gap) return {0, 0, 0, Sign::negative};
   const auto [x, y, M] = gap_force(gap, Ux, Uy, rendering, K);
   const bool is_sure = gap >= sure.gap && __builtin_fabs(Ux) >= sure.Ux && __builtin_fabs(Uy) >= sure.Uy &&

@@ -11,6 +11,7 @@
 #include "forceshade/fast/laws/bump_cylinder.h"
 #include "forceshade/fast/laws/cylinder.h"
 #include "forceshade/fast/laws/wall.h"
+#include "forceshade/fast/numbers/first_stage.h"
 #include "forceshade/vocabulary/law.h"
 
 namespace forceshade::fast {
@@ -18,6 +19,8 @@ namespace forceshade::fast {
 template <class... Definition>
 struct LawList {
   static constexpr std::size_t kCount = sizeof...(Definition);
+  static_assert((window_covers(doubt_window(Definition::kErrorBound), Definition::kErrorBound) && ...),
+                "the window of the rounding test holds what the error bound of each law moves");
 };
 
 using Laws = LawList<Wall, Cylinder, BumpCylinder, Bump1p, Bump2p, Bump3p, Bump1pShaded, Bump2pShaded, Bump3pShaded>;

@@ -16,11 +16,15 @@ fz_beside rnd= scale * sqrt(R * R);
 FX = GAP * (K / R) * x;
 FZ = GAP * (K / R) * sqrt((R - x) * (R + x));
 FZ_BESIDE = GAP * (K / R) * sqrt(R * R);
-# The bump: x > 0, the other side being its mirror image; where |x| = R, F_z is exactly 0.
-#! piece inside
+# F_x on the whole bump, the edge |x| = w/2 = R included: x > 0, the other side being its mirror image.
+#! piece x
+{ |gap -/ GAP| <= 0x1.bp-52 # from polygon_gap
+/\ GAP in [1b-66, 20001] /\ K in [1b-10, 1000] /\ R in [0x1.9p-4, 10000] /\ x in [1b-30, 10000] -> fx -/ FX in ? }
+# F_z on the same, but where |x| = R: there it is exactly 0, since R - x is.
+#! piece z
 { |gap -/ GAP| <= 0x1.bp-52 # from polygon_gap
 /\ GAP in [1b-66, 20001] /\ K in [1b-10, 1000] /\ R in [0x1.9p-4, 10000] /\ x in [1b-30, 10000] /\ R - x in [1b-28, 10000]
--> fx -/ FX in ? /\ fz -/ FZ in ? }
+-> fz -/ FZ in ? }
 # Beside the bump, and on x = 0: F_x = 0, and F_z goes through the same steps with 0 for x.
 #! piece beside
 { K in [1b-10, 1000] /\ R in [0x1.9p-4, 10000] /\ |gap -/ GAP| <= 0x1.bp-52 # from polygon_gap

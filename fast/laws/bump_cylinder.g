@@ -12,8 +12,6 @@ Z = TRUE_CYLINDER + from_wall;
 #! piece z
 { |from_cylinder -/ TRUE_CYLINDER| <= 0x1.0ap-49 # from cylinder force
 /\ TRUE_CYLINDER in [1b-120, 1b24] /\ from_wall / TRUE_CYLINDER in [0, 1b150] -> (sum - Z) / Z in ? }
-(from_cylinder + from_wall - Z) / Z -> ((from_cylinder - TRUE_CYLINDER) / TRUE_CYLINDER) * (1 / (1 + from_wall / TRUE_CYLINDER));
-from_wall -> (from_wall / TRUE_CYLINDER) * TRUE_CYLINDER;
 #! piece x
 { |(from_cylinder - TRUE_CYLINDER) / TRUE_CYLINDER| <= 0x1.0ap-49 # from cylinder force
 -> (from_cylinder - TRUE_CYLINDER) / TRUE_CYLINDER in ? }

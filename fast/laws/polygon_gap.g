@@ -1,83 +1,69 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The relative error of height - slope·|x| - z (fast/laws/polygon_gap.h), where it is at least 2^-27 of the height in size; so its
-# sign is right too. Lengths are scaled by a power of two, which commutes with rounding: nothing here comes near 2^-1022.
+# sign is right too. All that is used of an operation is that it is within 2^-53 of its result, relative (rel=:
+# tests/fast/gappa_pieces.sh), so lengths may be scaled by any number: nothing here comes near 2^-1022.
 # How the scripts are written and run, and the hypotheses they share: docs/proofs.md.
 
 @rnd = float<ieee_64, ne>;
-z = float<ieee_32, ne>(z_);
-ax = float<ieee_32, ne>(ax_);
-height = rnd(height_);
-height_tail = rnd(height_tail_);
-slope = float<29, -1074, ne>(slope_);
-slope_tail = rnd(slope_tail_);
+z any= float<ieee_32, ne>(z_);
+ax any= float<ieee_32, ne>(ax_);
+height any= rnd(height_);
+height_tail any= rnd(height_tail_);
+slope any= float<29, -1074, ne>(slope_);
+slope_tail any= rnd(slope_tail_);
 H = height + height_tail + dH;  # the exact height
-S = slope + slope_tail + dS;    # the exact slope; S·|x| <= H. On a flat top all of slope is 0.
+slope_ax = slope * ax;
+tail_ax = slope_tail * ax;
+S_AX = slope_ax + tail_ax + dS_AX;  # the exact slope times |x|; at most H. On a flat top all three parts are 0.
 
 # slope·ax is exact, 29 + 24 bits, and `error` is what (height - surface) - slope·ax gives (Dekker).
-surface rnd= height - slope * ax;
-error = (height - slope * ax) - surface;
-q rnd= surface - z;
-t rnd= error + (height_tail - slope_tail * ax);
-value rnd= q + t;
+surface rel= height - slope_ax;
+error = (height - slope_ax) - surface;
+tail_rounded rel= slope_tail * ax;
+tails rel= height_tail - tail_rounded;
+q rel= surface - z;
+t rel= error + tails;
+value rel= q + t;
 Q = surface - z;
-T = error + (height_tail - slope_tail * ax);
+T = error + (height_tail - tail_ax);
 V = q + t;
-GAP = H - z - S * ax;
+GAP = H - z - S_AX;
 
-# |z| at most 8 times the height, gap > 0. Q = 0 would leave value = t, which is below 2^-28 of the height.
+# |z| at most 8 times the height, which is scaled to 1; gap > 0.
 #! piece near_inside
-{ height in [1, 2] /\ |z| <= 16 /\ value / height in [1b-27, 32] /\
-  |height_tail / height| <= 1b-53 /\ |dH / height| <= 1b-94 /\ |Q| in [1b-200, 64] /\
-  |slope * ax / height| <= 0x1.01p0 /\ |slope_tail * ax / height| <= 0x1.01p-29 /\ |dS * ax / height| <= 0x1.01p-82
+{ height in [1, 1] /\ |z| <= 16 /\ value in [1b-27, 32] /\ |height_tail| <= 1b-53 /\ |dH| <= 1b-94 /\
+  |slope_ax| <= 0x1.01p0 /\ |tail_ax| <= 0x1.01p-29 /\ |dS_AX| <= 0x1.01p-82
 -> (value - GAP) / GAP in ? }
-(V - GAP) / V -> ((q - Q) / q) * (1 - t / V) + ((t - T) - (dH / height) * height + (dS * ax / height) * height) / V;
-(q - Q) / q -> ((q - Q) / Q) / (1 + (q - Q) / Q);
-slope * ax -> (slope * ax / height) * height;
-slope_tail * ax -> (slope_tail * ax / height) * height;
-height_tail -> (height_tail / height) * height;
-value -> (value / height) * height;
-V -> value / (1 + (value - V) / V);
-(value - GAP) / GAP -> ((value - V) / V + (V - GAP) / V) / (1 - (V - GAP) / V);
-$ height in 16;
-
+(V - GAP) / V -> ((q - Q) / q) * (1 - t / V) + ((t - T) - dH + dS_AX) / V { V <> 0, q <> 0 };
+(q - Q) / q -> ((q - Q) / Q) / (1 + (q - Q) / Q) { Q <> 0, q <> 0 };
+GAP -> V * (1 - (V - GAP) / V) { V <> 0 };
+(value - GAP) / GAP -> ((value - V) / V + (V - GAP) / V) / (1 - (V - GAP) / V) { V <> 0, GAP <> 0 };
 # The same, gap < 0: its sign is right.
 #! piece near_outside
-{ height in [1, 2] /\ |z| <= 16 /\ value / height in [-32, -1b-27] /\
-  |height_tail / height| <= 1b-53 /\ |dH / height| <= 1b-94 /\ |Q| in [1b-200, 64] /\
-  |slope * ax / height| <= 0x1.01p0 /\ |slope_tail * ax / height| <= 0x1.01p-29 /\ |dS * ax / height| <= 0x1.01p-82
+{ height in [1, 1] /\ |z| <= 16 /\ value in [-32, -1b-27] /\ |height_tail| <= 1b-53 /\ |dH| <= 1b-94 /\
+  |slope_ax| <= 0x1.01p0 /\ |tail_ax| <= 0x1.01p-29 /\ |dS_AX| <= 0x1.01p-82
 -> (value - GAP) / GAP in ? }
-(V - GAP) / V -> ((q - Q) / q) * (1 - t / V) + ((t - T) - (dH / height) * height + (dS * ax / height) * height) / V;
-(q - Q) / q -> ((q - Q) / Q) / (1 + (q - Q) / Q);
-slope * ax -> (slope * ax / height) * height;
-slope_tail * ax -> (slope_tail * ax / height) * height;
-height_tail -> (height_tail / height) * height;
-value -> (value / height) * height;
-V -> value / (1 + (value - V) / V);
-(value - GAP) / GAP -> ((value - V) / V + (V - GAP) / V) / (1 - (V - GAP) / V);
-$ height in 16;
+(V - GAP) / V -> ((q - Q) / q) * (1 - t / V) + ((t - T) - dH + dS_AX) / V { V <> 0, q <> 0 };
+(q - Q) / q -> ((q - Q) / Q) / (1 + (q - Q) / Q) { Q <> 0, q <> 0 };
+GAP -> V * (1 - (V - GAP) / V) { V <> 0 };
+(value - GAP) / GAP -> ((value - V) / V + (V - GAP) / V) / (1 - (V - GAP) / V) { V <> 0, GAP <> 0 };
 
 # |z|, scaled to [1, 2], at least 4 times the height.
 #! piece far_above
-{ height in [1b-60, 0.25] /\ z in [1, 2] /\
-  |height_tail / height| <= 1b-53 /\ |dH / height| <= 1b-94 /\ |Q| in [1b-200, 64] /\
-  |slope * ax / height| <= 0x1.01p0 /\ |slope_tail * ax / height| <= 0x1.01p-29 /\ |dS * ax / height| <= 0x1.01p-82
+{ height in [0, 0.25] /\ z in [1, 2] /\ |height_tail| <= 1b-55 /\ |dH| <= 1b-96 /\
+  |slope_ax| <= 0x1.01p-2 /\ |tail_ax| <= 0x1.01p-31 /\ |dS_AX| <= 0x1.01p-84
 -> (value - GAP) / GAP in ? }
-(V - GAP) / V -> ((q - Q) / q) * (1 - t / V) + ((t - T) - (dH / height) * height + (dS * ax / height) * height) / V;
-(q - Q) / q -> ((q - Q) / Q) / (1 + (q - Q) / Q);
-slope * ax -> (slope * ax / height) * height;
-slope_tail * ax -> (slope_tail * ax / height) * height;
-height_tail -> (height_tail / height) * height;
-V -> -z + (height - slope * ax) - error + (q - Q) + t;
-(value - GAP) / GAP -> ((value - V) / V + (V - GAP) / V) / (1 - (V - GAP) / V);
+(V - GAP) / V -> ((q - Q) / q) * (1 - t / V) + ((t - T) - dH + dS_AX) / V { V <> 0, q <> 0 };
+(q - Q) / q -> ((q - Q) / Q) / (1 + (q - Q) / Q) { Q <> 0, q <> 0 };
+GAP -> V * (1 - (V - GAP) / V) { V <> 0 };
+(value - GAP) / GAP -> ((value - V) / V + (V - GAP) / V) / (1 - (V - GAP) / V) { V <> 0, GAP <> 0 };
+V -> -z + (height - slope_ax) - error + (q - Q) + t;
 #! piece far_below
-{ height in [1b-60, 0.25] /\ z in [-2, -1] /\
-  |height_tail / height| <= 1b-53 /\ |dH / height| <= 1b-94 /\ |Q| in [1b-200, 64] /\
-  |slope * ax / height| <= 0x1.01p0 /\ |slope_tail * ax / height| <= 0x1.01p-29 /\ |dS * ax / height| <= 0x1.01p-82
+{ height in [0, 0.25] /\ z in [-2, -1] /\ |height_tail| <= 1b-55 /\ |dH| <= 1b-96 /\
+  |slope_ax| <= 0x1.01p-2 /\ |tail_ax| <= 0x1.01p-31 /\ |dS_AX| <= 0x1.01p-84
 -> (value - GAP) / GAP in ? }
-(V - GAP) / V -> ((q - Q) / q) * (1 - t / V) + ((t - T) - (dH / height) * height + (dS * ax / height) * height) / V;
-(q - Q) / q -> ((q - Q) / Q) / (1 + (q - Q) / Q);
-slope * ax -> (slope * ax / height) * height;
-slope_tail * ax -> (slope_tail * ax / height) * height;
-height_tail -> (height_tail / height) * height;
-V -> -z + (height - slope * ax) - error + (q - Q) + t;
-(value - GAP) / GAP -> ((value - V) / V + (V - GAP) / V) / (1 - (V - GAP) / V);
+(V - GAP) / V -> ((q - Q) / q) * (1 - t / V) + ((t - T) - dH + dS_AX) / V { V <> 0, q <> 0 };
+(q - Q) / q -> ((q - Q) / Q) / (1 + (q - Q) / Q) { Q <> 0, q <> 0 };
+GAP -> V * (1 - (V - GAP) / V) { V <> 0 };
+(value - GAP) / GAP -> ((value - V) / V + (V - GAP) / V) / (1 - (V - GAP) / V) { V <> 0, GAP <> 0 };
+V -> -z + (height - slope_ax) - error + (q - Q) + t;

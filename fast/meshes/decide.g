@@ -3,34 +3,36 @@
 # two vectors, beside the bounds that the compiler computes (fast/meshes/rounding_bound.h). How the scripts are written and
 # run: docs/proofs.md.
 #
-# All that is used of an operation is that it is within 2^-53 of its result, relative. So each vector may be taken with a largest
-# component of 1. A difference of coordinates is rounded once; an offset is within 2^-52 of its largest component.
+# All that is used of an operation is that it is within 2^-53 of its result, relative (rel=: tests/fast/gappa_pieces.sh). So each
+# vector may be taken with a largest component of 1. A difference of coordinates is rounded once; an offset is within 2^-52 of
+# its largest component.
 
 ax = ax_; ay = ay_; az = az_;
 bx = bx_; by = by_; bz = bz_;
 cx = cx_; cy = cy_; cz = cz_;
 dx = dx_; dy = dy_; dz = dz_;
 # n = a x b, m = c x d.
-nx = sub_rel<53>(mul_rel<53>(ay, bz), mul_rel<53>(az, by));
+nx_plus rel= ay * bz; nx_minus rel= az * by; nx rel= nx_plus - nx_minus;
 NX = AY * BZ - AZ * BY;
-ny = sub_rel<53>(mul_rel<53>(az, bx), mul_rel<53>(ax, bz));
+ny_plus rel= az * bx; ny_minus rel= ax * bz; ny rel= ny_plus - ny_minus;
 NY = AZ * BX - AX * BZ;
-nz = sub_rel<53>(mul_rel<53>(ax, by), mul_rel<53>(ay, bx));
+nz_plus rel= ax * by; nz_minus rel= ay * bx; nz rel= nz_plus - nz_minus;
 NZ = AX * BY - AY * BX;
-mx = sub_rel<53>(mul_rel<53>(cy, dz), mul_rel<53>(cz, dy));
+mx_plus rel= cy * dz; mx_minus rel= cz * dy; mx rel= mx_plus - mx_minus;
 MX = CY * DZ - CZ * DY;
-my = sub_rel<53>(mul_rel<53>(cz, dx), mul_rel<53>(cx, dz));
+my_plus rel= cz * dx; my_minus rel= cx * dz; my rel= my_plus - my_minus;
 MY = CZ * DX - CX * DZ;
-mz = sub_rel<53>(mul_rel<53>(cx, dy), mul_rel<53>(cy, dx));
+mz_plus rel= cx * dy; mz_minus rel= cy * dx; mz rel= mz_plus - mz_minus;
 MZ = CX * DY - CY * DX;
-short = add_rel<53>(add_rel<53>(mul_rel<53>(ax, bx), mul_rel<53>(ay, by)), mul_rel<53>(az, bz));
+# Products of two vectors.
+short_x rel= ax * bx; short_y rel= ay * by; short_z rel= az * bz; short_xy rel= short_x + short_y; short rel= short_xy + short_z;
 SHORT = (AX * BX + AY * BY) + AZ * BZ;
-across = add_rel<53>(add_rel<53>(mul_rel<53>(nx, cx), mul_rel<53>(ny, cy)), mul_rel<53>(nz, cz));
+across_x rel= nx * cx; across_y rel= ny * cy; across_z rel= nz * cz; across_xy rel= across_x + across_y; across rel= across_xy + across_z;
 ACROSS = (NX * CX + NY * CY) + NZ * CZ;
-inside = add_rel<53>(add_rel<53>(mul_rel<53>(mx, nx), mul_rel<53>(my, ny)), mul_rel<53>(mz, nz));
+inside_x rel= mx * nx; inside_y rel= my * ny; inside_z rel= mz * nz; inside_xy rel= inside_x + inside_y; inside rel= inside_xy + inside_z;
 INSIDE = (MX * NX + MY * NY) + MZ * NZ;
 all = all_; second = second_; other = other_;
-third = sub_rel<53>(all, add_rel<53>(second, other));
+others rel= second + other; third rel= all - others;
 THIRD = ALL - (SECOND + OTHER);
 # Of two differences: a triangle's normal.
 #! piece normal

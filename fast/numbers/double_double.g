@@ -40,12 +40,12 @@ ROOT = sqrt(A);
 (p + s) - A * B -> (s - (p_low + low2)) + (low2 - (a_hi * b_lo + low1)) + (low1 - (a_lo * b_hi + low0)) + (low0 - a_lo * b_lo);
 #! piece quotient
 { a_hi in [1, 2] /\ b_hi in [1, 2] /\ |a_lo| <= 1b-53 /\ |b_lo| <= 1b-53 -> ((q + e) - A / B) / (A / B) in ? }
-q_high -> -(q - a_hi / b_hi) * b_hi;
-(q + e) - A / B -> (e - E / b_hi) + (E / b_hi) * ((b_lo / b_hi) / (1 + b_lo / b_hi));
-e - E / b_hi -> (e - q_remainder / b_hi) + ((q_remainder - (q_high + q_fma)) + (q_fma - q_low)) / b_hi;
-# Gappa takes the first two rewritings on trust, for want of √a·√a = a; docs/proofs.md derives them.
+q_high -> -(q - a_hi / b_hi) * b_hi { b_hi <> 0 };
+(q + e) - A / B -> (e - E / b_hi) + (E / b_hi) * ((b_lo / b_hi) / (1 + b_lo / b_hi)) { b_hi <> 0, B <> 0 };
+e - E / b_hi -> (e - q_remainder / b_hi) + ((q_remainder - (q_high + q_fma)) + (q_fma - q_low)) / b_hi { b_hi <> 0 };
+# Gappa knows no √a·√a = a, and takes two rewritings for granted. Coq proves them, as it does all others, and docs/proofs.md too.
 #! piece root
 { a_hi in [1, 4] /\ |a_lo| <= 1b-52 -> ((r + f) - ROOT) / ROOT in ? }
-r_high -> -(r - sqrt(a_hi)) * (r + sqrt(a_hi));
-(r + f) - ROOT -> (f - F / (2 * r)) + F * F / (2 * r * ((ROOT + r) * (ROOT + r)));
-f - F / (2 * r) -> (f - r_remainder / (2 * r)) + (r_remainder - (r_high + a_lo)) / (2 * r);
+r_high -> -(r - sqrt(a_hi)) * (r + sqrt(a_hi)) { a_hi >= 0 };  # by Coq
+(r + f) - ROOT -> (f - F / (2 * r)) + F * F / (2 * r * ((ROOT + r) * (ROOT + r))) { A >= 0, r <> 0, ROOT + r <> 0 };  # by Coq
+f - F / (2 * r) -> (f - r_remainder / (2 * r)) + (r_remainder - (r_high + a_lo)) / (2 * r) { r <> 0 };

@@ -84,7 +84,12 @@ TEST(bound_constants, windows_hold_what_an_error_moves) {
     const Multiprecision units = ldexp(Multiprecision(bound), 53);
     EXPECT_GE(Multiprecision(fast::doubt_window(bound)), units) << bound;
     EXPECT_LE(Multiprecision(fast::doubt_window(bound)), units + 1) << bound;
+    const bool is_covered = units * (1 + 2 * Multiprecision(bound)) <= fast::doubt_window(bound);
+    EXPECT_EQ(fast::window_covers(fast::doubt_window(bound), bound), is_covered) << bound;
   }
+  // One unit of the last place less than the error moves; and an error whose square fills the rest of a unit.
+  EXPECT_FALSE(fast::window_covers(8, 0x1p-50));
+  EXPECT_FALSE(fast::window_covers(fast::doubt_window(0x1.0000003p-27), 0x1.0000003p-27));
 }
 
 template <int kWindow>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/tests/fast/gappa_script.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -18,7 +19,7 @@ struct Token {
 
 // Words, numbers and marks; comments left out, but "#! piece NAME" as two tokens.
 std::vector<Token> tokens_of(std::istream& in) {
-  static const std::vector<std::string> kMarks{"rnd=", "/\\", "->", "-/", "<="};
+  static const std::vector<std::string> kMarks{"rnd=", "rel=", "any=", "/\\", "->", "-/", "<="};
   std::vector<Token> tokens;
   std::string text;
   for (int line = 1; std::getline(in, text); ++line) {
@@ -127,20 +128,11 @@ class Parser {
       expect("(");
       return enclosed(")", "round", bits);
     }
-    if (word == "add_rel" || word == "sub_rel" || word == "mul_rel") {
-      for (const char* part : {"<", "53", ">", "("}) expect(part);
-      Syntax left = sum();
-      expect(",");
-      Syntax right = sum();
-      expect(")");
-      const std::string mark = word == "add_rel" ? "+" : word == "sub_rel" ? "-" : "*";
-      return {"relative", "", 53, {{mark, "", 0, {std::move(left), std::move(right)}}}};
-    }
     if (!take_if("(")) return {"name", word, 0, {}};
     if (word == "sqrt") return enclosed(")", "sqrt");
     if (word == "rnd") return enclosed(")", "round", 53);
     next_ -= 2;
-    fail("sqrt, rnd, float, add_rel, sub_rel or mul_rel");
+    fail("sqrt, rnd or float");
   }
 
  public:
@@ -181,6 +173,13 @@ double number_of(const Syntax& s) {
   if (s.operation == "negate") return -number_of(s.operands[0]);
   if (s.operation == "/") return number_of(s.operands[0]) / number_of(s.operands[1]);
   throw std::runtime_error("found " + s.operation + ", expected a number or a quotient of numbers");
+}
+
+// "p + low", or "zt", which is an operation by itself.
+bool is_one_operation(const Syntax& s) {
+  return s.operation == "name" || std::all_of(s.operands.begin(), s.operands.end(), [](const Syntax& operand) {
+           return operand.operation == "name" || operand.operation == "number";
+         });
 }
 
 GappaScript::Piece proposition(Parser& in, const std::string& name) {
@@ -231,13 +230,16 @@ GappaScript::GappaScript(const std::filesystem::path& file) : file_(file.filenam
     } else if (in.take_if("#! piece")) {
       const std::string name = in.take();
       pieces_.push_back(proposition(in, name));
-      // Rewritings and hints help Gappa, which checks them itself.
+      // Rewritings and hints help Gappa; the proofs' tests check them.
       while (!in.is_done() && !in.is("#! piece")) in.take();
     } else {
       const std::string name = in.take();
-      const bool rounds = in.take_if("rnd=");
-      if (!rounds) in.expect("=");
-      if (!definitions_.emplace(name, Definition{in.sum(), rounds}).second) in.fail("one definition of " + name);
+      // What the definitions of each kind mean: tests/fast/gappa_pieces.sh.
+      const bool is_relative = in.take_if("rel="), rounds = is_relative || in.take_if("rnd=");
+      if (!rounds && !in.take_if("any=")) in.expect("=");
+      Syntax body = in.sum();
+      if (is_relative && !is_one_operation(body)) in.fail("one operation on names or numbers before this");
+      if (!definitions_.emplace(name, Definition{std::move(body), rounds}).second) in.fail("one definition of " + name);
       in.expect(";");
     }
   }
@@ -258,7 +260,8 @@ Scaled GappaScript::of_name(const std::string& name, Expressions& expressions, c
   const Syntax& inside = body.operation == "round" ? body.operands[0] : body;
   if (inside.operation == "name" && !definitions_.contains(inside.name))
     return expressions.input(name, body.operation == "round" ? static_cast<int>(body.number) : 53);
-  return value(body, rounds, expressions, bindings);
+  const Scaled is = value(body, rounds, expressions, bindings);
+  return rounds ? expressions.rounded(is) : is;  // "zt_rounded rel= zt"
 }
 
 Scaled GappaScript::value(const Syntax& of, bool rounds_each, Expressions& expressions, const Bindings& bindings) const {
@@ -267,7 +270,7 @@ Scaled GappaScript::value(const Syntax& of, bool rounds_each, Expressions& expre
   if (of.operation == "name") return of_name(of.name, expressions, bindings);
   if (of.operation == "number") return expressions.constant(of.number);
   if (of.operation == "negate") return -operand(0);
-  if (of.operation == "round" || of.operation == "relative") {
+  if (of.operation == "round") {
     if (of.number != 53) throw std::runtime_error(file_ + ": found a rounding to other than 53 bits within an expression");
     return expressions.rounded(operand(0));
   }

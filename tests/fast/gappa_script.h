@@ -13,10 +13,9 @@
 
 namespace forceshade::tests {
 
-// An expression or relation as it stands in a script. A name has no operands; "round" and "relative" (add_rel and its like)
-// have what they round.
+// An expression or relation as it stands in a script. A name has no operands; "round" has what it rounds.
 struct Syntax {
-  std::string operation;  // "name", "number", "+", "-", "*", "/", "-/", "negate", "sqrt", "absolute", "round", "relative"
+  std::string operation;  // "name", "number", "+", "-", "*", "/", "-/", "negate", "sqrt", "absolute", "round"
   std::string name;
   double number = 0;  // of a number; of "round" the bits
   std::vector<Syntax> operands;
@@ -56,7 +55,7 @@ class GappaScript {
  private:
   struct Definition {
     Syntax body;
-    bool rounds_each_operation = false;
+    bool rounds_each_operation = false;  // "rnd=", and "rel=", which has one
   };
 
   Scaled value(const Syntax& of, bool rounds_each, Expressions& expressions, const Bindings& bindings) const;

@@ -64,8 +64,8 @@ void shaded_bump(ComparedScript& script, bool is_fused,
     const auto force = law.first_stage(x, z);
     EXPECT_TRUE(force.contact.holds);
     if (is_inside && x_value != 0) {
-      run.expect("inside", x_value < 0 ? -force.x : force.x, 0);
-      run.expect("inside", force.z, 1);
+      run.expect("x", x_value < 0 ? -force.x : force.x);
+      run.expect("z", force.z);
     } else {
       run.expect("beside", force.z);
       EXPECT_EQ(force.x.expression(), run.expressions.zero());

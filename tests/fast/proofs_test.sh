@@ -1,28 +1,36 @@
 #!/usr/bin/env bash
-# proofs_test.sh GAPPA SOURCE_DIR [store]: runs every Gappa script in fast/. Each interval that Gappa prints must be the one
+# proofs_test.sh GAPPA SOURCE_DIR [store | SCRIPT...]: runs every Gappa script in fast/, or those named. Each interval that Gappa prints must be the one
 # stored beside the script, and must imply the constant in the header: neither exceed it nor leave it idle by more than 4.
 # A script holds definitions and then pieces; a piece ("#! piece NAME") is a proposition of its own over the definitions.
 # A piece whose name begins with sign_ proves no more than a sign: its relative error must be below 1. One whose name begins with
 # share_ compares a part of an error with what the header charges for it: below 1, less the few roundings of their sum.
 # "# from FILE PREFIX" after a hypothesis: it follows from the bounds of those pieces, and that is checked too.
+# A rewriting of a script must be proved too: see prove below, and tests/fast/coq_test.sh.
 # With "store" the intervals are written instead of compared.
 set -euo pipefail
 . "$(dirname "$0")/gappa_pieces.sh"
 gappa=$1
 fast=$2/fast
-store=${3:-}
+store=
+only=("${@:3}")
+[ "${3:-}" != store ] || store=store only=()
 failures=0
+out=$(mktemp)
+trap 'rm "$out"' EXIT
 
 fail() { echo "FAILED: $*"; failures=$((failures + 1)); }
 
-# One line per proved interval: "piece: expression in [low, high]", the ends to the six digits that Gappa prints of them (their
-# 60-bit fractions differ from run to run in the last places).
+# The lines of all pieces, and what Gappa took for granted: that a denominator is not 0 (the conditions of a rewriting stand in braces
+# behind it, and Gappa then proves them; that they suffice is for Coq to say), or that a rewriting is an identity which it could not
+# see to be one (marked "# by Coq").
 prove() {  # script
   local name
   pieces_of "$1" | while read -r name; do
-    piece "$1" "$name" | "$gappa" -Wno-null-denominator 2>&1 |
-      sed -E 's/-?[0-9]+(b-?[0-9]+)? \{([^,]*),[^}]*\}/\2/g' |
-      sed -n "s/^  *\(.* in \[.*\]\)\$/$name: \1/p; s/^Error.*/$name: &/p"
+    piece "$1" "$name" | "$gappa" >"$out" 2>&1
+    intervals "$name" <"$out"
+    sed -n "s/^Warning: the expression \(.*\) has been assumed to be nonzero.*/$name: Assumed: \1 is not 0/p" "$out"
+    [ "$(grep -c 'not trivially equal' "$out")" = "$(piece_text "$1" "$name" | grep -c '# by Coq$')" ] ||
+      sed -n "s/^Warning: \(.*\) are not trivially equal.*/$name: Assumed: \1 are equal/p" "$out"
   done
 }
 
@@ -57,12 +65,14 @@ at_most() { awk -v a="$1" -v b="$2" 'BEGIN {exit !(a != "none" && a * (1 + 1e-5)
 
 check() {  # script's basename, bound that its intervals must imply, or "" if only others use it
   local script stored proved bound=$2 most line
+  [ ${#only[@]} = 0 ] || [[ " ${only[*]} " == *" $1 "* ]] || return 0
   script=$(echo "$fast"/*/"$1.g") stored=${script%.g}.gappa-expected
   [ -f "$script" ] || { fail "$1: no proof, $1.g is missing in fast/"; return; }
   proved=$(prove "$script")
   [ -z "$store" ] || printf '%s\n' "$proved" >"$stored"
   [ "$(printf '%s\n' "$proved" | cut -d: -f1 | sort -u)" = "$(pieces_of "$script" | sort)" ] ||
     fail "$1: a piece proved nothing"
+  ! grep ': Assumed: ' <<<"$proved" || fail "$1: Gappa took for granted what is printed above"
   [ "$proved" = "$(cat "$stored")" ] || { fail "$1: the proved intervals are not the stored ones"; diff <(printf '%s\n' "$proved") "$stored" || true; }
   while read -r line; do
     read -r from prefix <<<"${line##*# from }"
