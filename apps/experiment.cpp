@@ -288,7 +288,8 @@ void add_export(CLI::App& experiment, int& result) {
       ->type_name("NAME")
       ->allow_extra_args(false)
       ->check([](const std::string& name) {
-        return !name.empty() && csv::is_printable(name) ? std::string() : "expected a name, got " + csv::printable(name);
+        return !name.empty() && csv::is_printable(name) ? std::string()
+                                                        : "expected a name, got \"" + csv::printable(name) + '"';
       })
       ->needs(bids);
   command->callback([options, &result] { result = write_out(*options); });
