@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kExamples = FORCESHADE_SOURCE_DIR "/examples/experiments";
+const fs::path kExampleFiles = FORCESHADE_SOURCE_DIR "/examples/experiments";
 
 // ---- The validator's rules that bear on such a data set, each with its source ----
 
@@ -205,8 +205,8 @@ std::set<std::string> faults_of(const fs::path& folder) {
 class Bids : public testing::Test {
  protected:
   void SetUp() override {
-    Protocol protocol = read_protocol(kExamples / "matching.toml");
-    std::ifstream in(kExamples / "matching.toml");
+    Protocol protocol = read_protocol(kExampleFiles / "matching.toml");
+    std::ifstream in(kExampleFiles / "matching.toml");
     std::string text{std::istreambuf_iterator<char>(in), {}};
     const auto replace = [&](const std::string& from, const std::string& to) {
       text.replace(text.find(from), from.size(), to);
@@ -214,7 +214,7 @@ class Bids : public testing::Test {
     replace("[600, 800, 1000, 1200, 1400]", "[1000]");
     replace("repetitions = 4", "repetitions = 1");
     replace("trials_before_break = 20", "trials_before_break = 2");
-    replace("\"english.toml\"", '"' + (kExamples / "english.toml").string() + '"');
+    replace("\"english.toml\"", '"' + (kExampleFiles / "english.toml").string() + '"');
     const std::string file = directory.write("p.toml", text);
     sessions = run_virtual_study(directory.file("study"), file, 1, 3);
     const fs::path second = directory.file("second");
