@@ -19,6 +19,7 @@
 #include "forceshade/apps/placement_text.h"
 #include "forceshade/apps/session_motion.h"
 #include "forceshade/apps/signals.h"
+#include "forceshade/csv/printable.h"
 #include "forceshade/experiments/bids.h"
 #include "forceshade/experiments/results_csv.h"
 #include "forceshade/experiments/session_results.h"
@@ -169,7 +170,7 @@ void expect_empty(const std::string& option, const std::string& folder) {
 }
 
 struct ExportOptions {
-  std::vector<std::string> sessions;
+  std::vector<std::string> sessions, authors;
   std::string csv, bids;
 };
 
@@ -182,7 +183,7 @@ int write_out(const ExportOptions& options) {
   }
   if (!options.bids.empty()) {
     expect_empty("--bids", options.bids);
-    experiments::export_bids(folders, options.bids, motion_of);
+    experiments::export_bids(folders, options.bids, motion_of, options.authors);
   }
   return kHeld;
 }
@@ -277,8 +278,18 @@ void add_export(CLI::App& experiment, int& result) {
       ->add_option("--csv", options->csv,
                    "directory for the answers as tidy CSV files: matching.csv, classification.csv, radius.csv")
       ->type_name("DIR");
-  command->add_option("--bids", options->bids, "directory for a BIDS data set: answers, events and every tick")
-      ->type_name("DIR");
+  CLI::Option* bids =
+      command->add_option("--bids", options->bids, "directory for a BIDS data set: answers, events and every tick")
+          ->type_name("DIR");
+  command
+      ->add_option("--authors", options->authors, "an author of the BIDS data set; give the option again for each further one")
+      ->type_name("NAME")
+      ->allow_extra_args(false)
+      ->check([](const std::string& name) {
+        return !name.empty() && csv::is_printable(name) ? std::string()
+                                                        : "expected a name, got \"" + csv::printable(name) + '"';
+      })
+      ->needs(bids);
   command->callback([options, &result] { result = write_out(*options); });
 }
 

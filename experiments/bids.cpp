@@ -48,12 +48,22 @@ constexpr const char* kEventColumns =
     "radius_mil\t"
     "response\n";
 
-std::string line_of(const EventRow& row) {
-  std::string line = csv::shortest(row.onset) + '\t' + (row.duration ? csv::shortest(*row.duration) : kMissing);
+// The trials that were answered, without onset and duration, which BIDS keeps out of a file of behaviour.
+constexpr const char* kBehaviourColumns =
+    "trial_type\ttrial\tstimulus\tradius_mil\tinitial\tinitial_radius_mil\trepetition\tvision\tmatching_radius_mil\t"
+    "response\tresponse_time\n";
+
+std::string cells_of(const EventRow& row) {
+  std::string cells;
   for (const std::string* field : {&row.type, &row.trial, &row.stimulus, &row.radius, &row.initial, &row.initial_radius,
                                    &row.repetition, &row.vision, &row.matching_radius, &row.response})
-    line += '\t' + (field->empty() ? kMissing : *field);
-  return line + '\n';
+    cells += (cells.empty() ? "" : "\t") + (field->empty() ? kMissing : *field);
+  return cells;
+}
+
+std::string line_of(const EventRow& row) {
+  return csv::shortest(row.onset) + '\t' + (row.duration ? csv::shortest(*row.duration) : kMissing) + '\t' + cells_of(row) +
+         '\n';
 }
 
 // The rows of each run. A trial's row is written when the trial ends, so rows are sorted by onset afterwards.
@@ -168,21 +178,16 @@ std::string task_description(const SavedSession& session) {
              : "The participant feels a bump and chooses the most similar of four pictures.";
 }
 
-BidsJson events_sidecar(const SavedSession& session) {
+// The task, in the sidecars of behaviour and motion. Sidecars of events describe columns, and hold none of these keys.
+BidsJson task_of(const SavedSession& session) {
+  return {{"TaskName", name_of(session.protocol.experiment)},
+          {"TaskDescription", task_description(session)},
+          {"Instructions", instructions_of(session).text}};
+}
+
+// The columns that trials of events and of behaviour have in common, but for the kind.
+void describe_trials(BidsJson& json, const SavedSession& session) {
   const bool is_matching = session.protocol.experiment == Experiment::matching;
-  BidsJson json{{"TaskName", name_of(session.protocol.experiment)},
-                {"TaskDescription", task_description(session)},
-                {"Instructions", instructions_of(session).text},
-                {"StimulusPresentation", {{"SoftwareName", "forceshade"}}}};
-  json["onset"] = described("Beginning of the event, from the first tick of the run", "s");
-  json["duration"] = described("Until the answer was entered; n/a where the run ended before", "s");
-  json["trial_type"] = with_levels(
-      "Kind of the event", {{"matching", "A trial of the matching experiment"},
-                            {"classification", "A trial of the classification experiment"},
-                            {"practice", "A trial for practice, without use of its answer"},
-                            {"interrupted", "A trial that the end of the run interrupted; it was begun again in a later run"},
-                            {"radius_change", "The participant changed the radius of the matching bump"},
-                            {"break", "A break between trials"}});
   json["trial"] = described("Number of the trial in the session, from 1");
   json["stimulus"] = described("How the matching bump, or the bump to classify, was rendered");
   json["radius_mil"] = described(is_matching ? "Radius of the reference bump" : "Radius of the bump", "mil (0.0254 mm)");
@@ -195,6 +200,33 @@ BidsJson events_sidecar(const SavedSession& session) {
   json["matching_radius_mil"] = described("Radius of the matching bump after the event", "mil (0.0254 mm)");
   json["response"] = described(is_matching ? "Satisfaction index, 1 (entirely different) to 10 (no difference)"
                                            : "Number of the picture: 1 plane, 2 two polygons, 3 three polygons, 4 cylinder");
+}
+
+// Key by key what the kinds of trials are.
+BidsJson kinds_of_trials() {
+  return {{"matching", "A trial of the matching experiment"},
+          {"classification", "A trial of the classification experiment"},
+          {"practice", "A trial for practice, without use of its answer"}};
+}
+
+BidsJson events_sidecar(const SavedSession& session) {
+  BidsJson json{{"StimulusPresentation", {{"SoftwareName", "forceshade"}}}};
+  json["onset"] = described("Beginning of the event, from the first tick of the run", "s");
+  json["duration"] = described("Until the answer was entered; n/a where the run ended before", "s");
+  BidsJson kinds = kinds_of_trials();
+  kinds["interrupted"] = "A trial that the end of the run interrupted; it was begun again in a later run";
+  kinds["radius_change"] = "The participant changed the radius of the matching bump";
+  kinds["break"] = "A break between trials";
+  json["trial_type"] = with_levels("Kind of the event", kinds);
+  describe_trials(json, session);
+  return json;
+}
+
+BidsJson behaviour_sidecar(const SavedSession& session) {
+  BidsJson json = task_of(session);
+  json["trial_type"] = with_levels("Kind of the trial", kinds_of_trials());
+  describe_trials(json, session);
+  json["response_time"] = described("From the press that began the trial to the one that entered the answer", "s");
   return json;
 }
 
@@ -209,12 +241,13 @@ constexpr std::array<Channel, 7> kChannels{{{"latency", "n/a", "LATENCY", "s"},
                                             {"force_y", "y", "MISC", "N"},
                                             {"force_z", "z", "MISC", "N"}}};
 
-void write_motion(const fs::path& base, const SavedSession& session, const Motion& motion) {
+// `first`: the first tick of the run, which motion.next() has already given.
+void write_motion(const fs::path& base, const SavedSession& session, const Motion& motion, const MotionSample& first) {
   csv::OutputFile out(base.string() + "_motion.tsv");
-  double first = 0, last = 0;
+  double last = first.time;
   std::size_t ticks = 0;
-  for (std::optional<MotionSample> sample = motion.next(); sample; sample = motion.next()) {
-    if (ticks++ == 0) first = sample->time;
+  for (std::optional<MotionSample> sample = first; sample; sample = motion.next()) {
+    ++ticks;
     last = sample->time;
     out.stream() << csv::shortest(sample->time);
     for (const double value : {sample->x, sample->y, sample->z, sample->fx, sample->fy, sample->fz})
@@ -227,31 +260,26 @@ void write_motion(const fs::path& base, const SavedSession& session, const Motio
     channels += std::string(channel.name) + '\t' + channel.component + '\t' + channel.type + "\tstylus_tip\t" + channel.unit +
                 "\tworkspace\n";
   write_text(base.string() + "_channels.tsv", channels);
-  const BidsJson frame{{"SpatialAxes", "RAS"},
-                       {"RotationOrder", kMissing},
-                       {"RotationRule", kMissing},
-                       {"Description", "x to the right, y away from the participant, z up; the plane of the bumps is z = 0"}};
+  // The axes stand in the description alone: the specification names directions F/B, L/R and U/D in SpatialAxes, and its
+  // validator (1.15.0) accepts only A/P, L/R and S/I. RotationOrder and RotationRule belong to orientations; there are none.
   BidsJson levels;
-  levels["workspace"] = frame;
+  levels["workspace"] = described("x to the right, y away from the participant, z up; the plane of the bumps is z = 0");
   BidsJson channels_json;
   channels_json["reference_frame"] = with_levels("Frame of positions and forces", levels);
   write_json(base.string() + "_channels.json", channels_json);
-  const double seconds = last - first;
-  BidsJson json{{"TaskName", name_of(session.protocol.experiment)},
-                {"TaskDescription", task_description(session)},
-                {"Instructions", instructions_of(session).text},
-                {"SamplingFrequency", motion.ticks_per_second},
-                {"SamplingFrequencyEffective",
-                 ticks > 1 && seconds > 0 ? static_cast<double>(ticks - 1) / seconds : motion.ticks_per_second},
-                {"TrackingSystemName", kTrackingSystem},
-                {"RecordingDuration", seconds},
-                {"MotionChannelCount", kChannels.size()},
-                {"POSChannelCount", 3},
-                {"MISCChannelCount", 3},
-                {"LATENCYChannelCount", 1},
-                {"TrackedPointsCount", 1},
-                {"SpatialAxes", "RAS"},
-                {"MissingValues", kMissing}};
+  const double seconds = last - first.time;
+  BidsJson json = task_of(session);
+  json.update({{"SamplingFrequency", motion.ticks_per_second},
+               {"SamplingFrequencyEffective",
+                ticks > 1 && seconds > 0 ? static_cast<double>(ticks - 1) / seconds : motion.ticks_per_second},
+               {"TrackingSystemName", kTrackingSystem},
+               {"RecordingDuration", seconds},
+               {"MotionChannelCount", kChannels.size()},
+               {"POSChannelCount", 3},
+               {"MISCChannelCount", 3},
+               {"LATENCYChannelCount", 1},
+               {"TrackedPointsCount", 1},
+               {"MissingValues", kMissing}});
   if (!motion.manufacturer.empty()) json["Manufacturer"] = motion.manufacturer;
   if (!motion.model.empty()) json["ManufacturersModelName"] = motion.model;
   write_json(base.string() + "_motion.json", json);
@@ -262,6 +290,14 @@ void write_events(const fs::path& base, const SavedSession& session, const std::
   for (const EventRow& row : rows) text += line_of(row);
   write_text(base.string() + "_events.tsv", text);
   write_json(base.string() + "_events.json", events_sidecar(session));
+}
+
+void write_behaviour(const fs::path& base, const SavedSession& session, const std::vector<EventRow>& rows) {
+  std::string text = kBehaviourColumns;
+  for (const EventRow& row : rows)
+    if (!row.response.empty()) text += cells_of(row) + '\t' + csv::shortest(*row.duration) + '\n';
+  write_text(base.string() + "_beh.tsv", text);
+  write_json(base.string() + "_beh.json", behaviour_sidecar(session));
 }
 
 void make_folder(const fs::path& folder) {
@@ -285,18 +321,22 @@ void export_session(const fs::path& from, const SavedSession& session, const fs:
   for (const auto& [run, its_rows] : rows.by_run()) {
     const std::string suffix = "_run-" + std::to_string(run);
     write_events(folder / subject / "beh" / (prefix + suffix), session, its_rows);
+    write_behaviour(folder / subject / "beh" / (prefix + suffix), session, its_rows);
     const std::optional<Motion> motion = motion_of ? motion_of(from, run) : std::nullopt;
-    if (!motion) continue;
+    // A run that ended before its first tick has no motion: BIDS allows no empty file.
+    const std::optional<MotionSample> first = motion ? motion->next() : std::nullopt;
+    if (!first) continue;
     make_folder(folder / subject / "motion");
     const fs::path base = folder / subject / "motion" / (prefix + "_tracksys-" + kTrackingSystem + suffix);
-    write_motion(base, session, *motion);
+    write_motion(base, session, *motion, *first);
     write_events(base, session, its_rows);
   }
 }
 
 }  // namespace
 
-void export_bids(std::span<const fs::path> sessions, const fs::path& folder, const MotionOf& motion_of) {
+void export_bids(std::span<const fs::path> sessions, const fs::path& folder, const MotionOf& motion_of,
+                 const std::vector<std::string>& authors) {
   std::error_code ignored;
   if (fs::exists(folder, ignored) && (!fs::is_directory(folder, ignored) || !fs::is_empty(folder, ignored)))
     throw Error(folder, "expected no file of this name, or an empty folder");
@@ -326,10 +366,10 @@ void export_bids(std::span<const fs::path> sessions, const fs::path& folder, con
       "Srinivasan, Force Shading for Shape Perception in Haptic Virtual Environments (MIT, 1995).\n"
       "Trials, answers and changes of the radius: sub-*/beh. Positions and forces of the stylus: sub-*/motion.\n"
       "Exported by forceshade.\n");
-  write_json(whole.so_far() / "dataset_description.json", {{"Name", "Force shading for shape perception"},
-                                                           {"BIDSVersion", "1.9.0"},
-                                                           {"DatasetType", "raw"},
-                                                           {"GeneratedBy", BidsJson::array({{{"Name", "forceshade"}}})}});
+  BidsJson about{{"Name", "Force shading for shape perception"}, {"BIDSVersion", "1.9.0"}, {"DatasetType", "raw"}};
+  if (!authors.empty()) about["Authors"] = authors;
+  about["GeneratedBy"] = BidsJson::array({{{"Name", "forceshade"}}});
+  write_json(whole.so_far() / "dataset_description.json", about);
   whole.commit();
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace forceshade::experiments {
 
@@ -27,8 +28,9 @@ using MotionOf = std::function<std::optional<Motion>(const std::filesystem::path
 
 // Writes the data set into `folder`, which must not exist or be empty, whole or not at all. Pseudonyms lose their dashes, which BIDS does not allow
 // in labels; the original is a column of participants.tsv. Throws Error where two pseudonyms become one, or a participant did
-// an experiment twice; csv::OutputError where the disk is full.
+// an experiment twice; csv::OutputError where the disk is full. `authors`: of the data set, a name each, in their order; where
+// there are none the data set names none.
 void export_bids(std::span<const std::filesystem::path> sessions, const std::filesystem::path& folder,
-                 const MotionOf& motion_of = {});
+                 const MotionOf& motion_of = {}, const std::vector<std::string>& authors = {});
 
 }  // namespace forceshade::experiments

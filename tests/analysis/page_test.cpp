@@ -105,5 +105,30 @@ TEST(analysis_text, has_the_tables_in_the_thesiss_layout) {
   EXPECT_EQ(lines, 1 + 2 * 3 * 4 + 3 * 21 * 4);
 }
 
+// Every number of a psychometric fit another one, so that none can be in another's column.
+TEST(analysis_text, has_each_number_of_a_psychometric_fit_in_its_column) {
+  Analysis analysis;
+  analysis.psychometric.push_back({.participant = "P1",
+                                   .points = {},
+                                   .fit = {{21.5, 4.25, 0.06, 0.07}, -100, 8.5, false},
+                                   .threshold = {18.5, 24.5},
+                                   .scale = {3.25, 5.75},
+                                   .guess = {0.01, 0.11},
+                                   .lapse = {0.02, 0.13},
+                                   .p_bootstrap = 0.125,
+                                   .p_chi_square = 0.375});
+  std::string text = to_text(analysis);
+  const auto without_runs_of_spaces = [](const std::string& words) {
+    std::string all;
+    for (const char c : words)
+      if (c != ' ' || all.empty() || all.back() != ' ') all += c;
+    return all;
+  };
+  text = without_runs_of_spaces(text);
+  EXPECT_TRUE(has(text, "deviance p, bootstrap p, chi-square")) << text;
+  EXPECT_TRUE(has(text, "P1 21.5 (18.5 to 24.5) 4.2 (3.2 to 5.8) 0.06 (0.01 to 0.11) 0.07 (0.02 to 0.13) 8.5 0.125 0.375"))
+      << text;
+}
+
 }  // namespace
 }  // namespace forceshade::analysis

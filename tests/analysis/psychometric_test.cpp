@@ -135,6 +135,40 @@ TEST(psychometric, no_place_of_a_grid_is_better_than_the_fit) {
   EXPECT_GT(inside, 0);
 }
 
+// p is (1 + b) / (1 + n) for b of n resamples whose deviance is as large (Davison and Hinkley 1997, section 4.2): 1 where
+// nothing deviates, 1 / (1 + n) where no resample deviates as much. With two degrees of freedom the tail of chi-square is
+// exp(-D / 2).
+TEST(psychometric, p_values_are_those_of_their_definitions) {
+  const PsychometricParameters truth{20, 4, 0.05, 0.05};
+  std::vector<AngleCount> exact, far;
+  for (const double angle : {5.0, 12.0, 17.0, 21.0, 26.0, 40.0}) {
+    constexpr int kTrials = 1'000'000;
+    exact.push_back({angle, static_cast<int>(std::lround(kTrials * probability_at(angle, truth, Shape::logistic))), kTrials});
+    far.push_back({angle, exact.size() % 2 == 0 ? 90 : 10, 100});
+  }
+  constexpr std::size_t kCount = 19;
+  const auto right = estimate("P", exact, {}, {1, kCount}), wrong = estimate("P", far, {}, {1, kCount});
+  ASSERT_TRUE(right && wrong);
+  EXPECT_DOUBLE_EQ(right->p_bootstrap, 1);
+  EXPECT_DOUBLE_EQ(wrong->p_bootstrap, 1.0 / (kCount + 1));
+  EXPECT_TRUE(std::isnan(estimate("P", exact, {}, {1, 0})->p_bootstrap));
+  int compared = 0;
+  for (int seed = 1; seed <= 12; ++seed) {
+    std::vector<AngleCount> points = exact;
+    Random random(static_cast<std::uint64_t>(seed), "p-values");
+    for (AngleCount& point : points) {
+      const double probability = probability_at(point.angle, truth, Shape::logistic);
+      point = {point.angle, 0, 200};
+      for (int i = 0; i < point.trials; ++i) point.chosen += random.uniform() < probability ? 1 : 0;
+    }
+    const auto found = estimate("P", points, {}, {1, 100});
+    EXPECT_NEAR(found->p_chi_square, std::exp(-found->fit.deviance / 2), 1e-12);
+    compared += found->p_chi_square > 0.05 && found->p_chi_square < 0.95 ? 1 : 0;
+    EXPECT_NEAR(found->p_bootstrap, found->p_chi_square, 0.25);  // of large samples they are the same
+  }
+  EXPECT_GT(compared, 6);
+}
+
 TEST(psychometric, needs_four_angles) {
   EXPECT_FALSE(fit({{0, 9, 10}, {20, 8, 10}, {20, 7, 10}, {40, 2, 10}}, {}).has_value());
   EXPECT_TRUE(fit({{0, 9, 10}, {10, 8, 10}, {20, 7, 10}, {40, 2, 10}}, {}).has_value());

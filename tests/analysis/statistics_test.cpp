@@ -217,6 +217,68 @@ TEST(bootstrap, equals_the_exact_interval_of_a_small_sample) {
   EXPECT_NEAR(interval.high, end(1.6448536269514722), 0.21);
 }
 
+// The bias correction of resamples that are all on one side of the value is as large as so many can show, 0.5 of 1000: both
+// ends are then the outermost resample.
+TEST(bootstrap, ends_at_the_outermost_resample_where_all_are_on_one_side) {
+  const auto zero = [](const std::vector<std::size_t>& rows) { return std::vector{rows.size() > 99 ? 1.0 : 0.0}; };
+  for (const double side : {-1.0, 1.0}) {
+    const auto beyond = [&](const std::vector<std::size_t>& rows) {
+      return std::vector{side * (10 + static_cast<double>(rows.at(0)))};
+    };
+    const World world{one_stratum(5), {1}, beyond};
+    const Interval interval = bca_intervals(one_stratum(4), zero, world, {1, 1000, 0.95}, "one side")[0];
+    EXPECT_EQ(interval.low, side * 10);
+    EXPECT_EQ(interval.high, side * 10);
+  }
+}
+
+// Two participants with the same answers: their resamples are not the same, or errors of chance would be common to all rows.
+TEST(bootstrap, draws_other_resamples_for_each_participant) {
+  experiments::Results results = tests::simulated_study(3);
+  std::erase_if(results.matching, [](const MatchingResult& trial) {
+    return trial.participant != "P2" || trial.stimulus != "bump-2p-shaded" || trial.vision;
+  });
+  std::vector<MatchingResult> twin = results.matching;
+  for (MatchingResult& trial : twin) trial.participant = "twin";
+  results.matching.insert(results.matching.end(), twin.begin(), twin.end());
+  const MatchingTable table = matching_tables(results, {7, 200})[0];
+  ASSERT_EQ(table.rows.size(), 3U);
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(table.rows[0].columns[k].value, table.rows[1].columns[k].value);
+  EXPECT_NE(table.rows[0].columns[0].interval.low, table.rows[1].columns[0].interval.low);
+}
+
+// Strata of different sizes, 20 and 2. The world is the standard normal distribution, so that the ends of the interval are
+// z / (1 - a z) and show the acceleration a. By hand, for the sum of the two means, with the deviations l of each stratum:
+// sum(l^2) / n^2 = (19 + 361) / 400 + 3.8 / 4 = 1.9 and sum(l^3) / n^3 = (6859 - 19) / 8000 + 0 = 0.855, so
+// a = 0.855 / (6 * 1.9^1.5) = 0.054410. A jackknife without its (n - 1) / n would have a = 0.0155.
+TEST(bootstrap, weighs_strata_of_different_sizes_by_their_sizes) {
+  std::vector<Stratum> strata(2);
+  std::vector<double> values;
+  for (std::size_t row = 0; row < 22; ++row) {
+    strata[row < 20 ? 0 : 1].push_back({row});
+    values.push_back(row < 19 ? -1 : row == 19 ? 19 : row == 20 ? -std::sqrt(1.9) : std::sqrt(1.9));
+  }
+  const auto sum_of_means = [&](const std::vector<std::size_t>& rows) {
+    std::array<double, 2> sum{}, count{};
+    for (const std::size_t row : rows) {
+      const std::size_t which = row < 20 ? 0 : 1;
+      sum[which] += values[row];
+      ++count[which];
+    }
+    return std::vector{sum[0] / count[0] + sum[1] / count[1]};
+  };
+  constexpr std::size_t kPlaces = 10'001;
+  const auto normal = [](const std::vector<std::size_t>& rows) {
+    return std::vector{normal_quantile((static_cast<double>(rows.at(0)) + 0.5) / kPlaces)};
+  };
+  const World world{one_stratum(kPlaces), {1}, normal};
+  const Interval interval = bca_intervals(strata, sum_of_means, world, {1, 400'000, 0.95}, "sizes")[0];
+  const double a = 0.855 / (6 * std::pow(1.9, 1.5)), z = 1.959963984540054;
+  std::printf("%.4f to %.4f; by hand %.4f to %.4f\n", interval.low, interval.high, -z / (1 + a * z), z / (1 - a * z));
+  EXPECT_NEAR(interval.low, -z / (1 + a * z), 0.02);
+  EXPECT_NEAR(interval.high, z / (1 - a * z), 0.02);
+}
+
 // Fixed digits: another compiler, library or machine draws the same resamples.
 TEST(bootstrap, draws_the_same_numbers_everywhere) {
   Random random(1, "fixed");

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -247,6 +248,24 @@ TEST(order, seeds_give_different_orders) {
   for (std::uint64_t seed = 0; seed < 700; ++seed) ++first[order(protocol, seed).back().trials.front().stimulus];
   EXPECT_EQ(first.size(), 7U);
   for (const auto& [stimulus, count] : first) EXPECT_NEAR(count, 100, 50) << stimulus;  // 5 standard deviations of 9.3
+}
+
+// The practice is shuffled by the seed, too: not always by the same permutation of the first block's order.
+TEST(order, of_the_practice_is_another_one_for_each_seed) {
+  const Protocol protocol = read_protocol(kExamples / "classification.toml");
+  std::set<std::ptrdiff_t> places;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const std::vector<Block> blocks = order(protocol, seed);
+    ASSERT_TRUE(blocks[0].is_practice);
+    Trial first = blocks[0].trials.front();
+    const auto same = std::ranges::find_if(blocks[1].trials, [&](Trial trial) {
+      trial.number = 0;
+      return trial == first;
+    });
+    ASSERT_NE(same, blocks[1].trials.end());
+    places.insert(same - blocks[1].trials.begin());
+  }
+  EXPECT_GT(places.size(), 1U);
 }
 
 }  // namespace

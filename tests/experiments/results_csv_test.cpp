@@ -97,6 +97,8 @@ TEST(results_csv, names_file_line_and_column_of_a_wrong_field) {
        "column 9 (final_radius_mil): expected a radius above 0 and at most 1000000 mil, got \"inf\""},
       {"P,1,yes,bump-1p,large,1,600,1400,600,11,3,60",
        "column 10 (satisfaction): expected a whole number from 1 to 10, got \"11\""},
+      {"P,1,yes,bump-1p,large,1,600,1400,600,0,3,60",
+       "column 10 (satisfaction): expected a whole number from 1 to 10, got \"0\""},
       {"P,1,yes,bump-1p,large,1,600,1400,600,7,-1,60",
        "column 11 (steps): expected a whole number from 0 to 1000000, got \"-1\""},
       {"P,1,yes,bump-1p,large,1,600,1400,600,7,99999999999,60",
@@ -106,7 +108,8 @@ TEST(results_csv, names_file_line_and_column_of_a_wrong_field) {
       {"P,1,yes,bump-1p,large,1,600,1400,600,7,3", "expected 12 fields, got 11: column 12 (seconds) is missing"}};
   for (const auto& [row, error] : matching) {
     const TemporaryDirectory folder;
-    folder.write("matching.csv", std::string(kHeader) + "P,7,no,bump-1p,small,1,600,600,600,7,3,60\n" + row + '\n');
+    folder.write("matching.csv",
+                 std::string(kHeader).append("P,7,no,bump-1p,small,1,600,600,600,7,3,60\n").append(row).append("\n"));
     EXPECT_EQ(error_of(folder), std::string("/matching.csv:3: ") + error);
   }
   const std::vector<Case> classification{
@@ -116,7 +119,8 @@ TEST(results_csv, names_file_line_and_column_of_a_wrong_field) {
       {"P,1,bump-1p,600,1,1,9", "trial 1 of participant P is in line 2, too"}};
   for (const auto& [row, error] : classification) {
     const TemporaryDirectory folder;
-    folder.write("classification.csv", std::string(kClassificationHeader) + "P,1,bump-1p,600,1,1,9\n" + row + '\n');
+    folder.write("classification.csv",
+                 std::string(kClassificationHeader).append("P,1,bump-1p,600,1,1,9\n").append(row).append("\n"));
     EXPECT_EQ(error_of(folder), std::string("/classification.csv:3: ") + error);
   }
 }

@@ -17,10 +17,10 @@ class FaultyDisk {
   static inline std::atomic<int> write_ms = 0, sync_ms = 0;  // how long each call takes
   static inline std::atomic<bool> full = false;              // each write fails as on a full disk
   static inline std::atomic<bool> unplugged = false;         // each write and sync fails as on a disk that is gone
-  static inline std::atomic<int> refused_writes = 0;
+  static inline std::atomic<int> refused_writes = 0, syncs = 0;
 
   FaultyDisk() {
-    write_ms = sync_ms = refused_writes = 0;
+    write_ms = sync_ms = refused_writes = syncs = 0;
     full = unplugged = false;
     static sqlite3_vfs faulty = [] {
       sqlite3_vfs vfs = *real();
@@ -55,6 +55,7 @@ class FaultyDisk {
       return real_write(self, bytes, count, offset);
     };
     methods.xSync = [](sqlite3_file* self, int how) {
+      ++syncs;
       std::this_thread::sleep_for(std::chrono::milliseconds(sync_ms));
       if (unplugged) return SQLITE_IOERR_FSYNC;
       return real_sync(self, how);

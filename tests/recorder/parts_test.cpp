@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <thread>
 
 #include "forceshade/recorder/recording.h"
@@ -83,6 +85,30 @@ TEST(parts, without_an_end_are_marked_as_cut_off) {
   Recording recording(directory.file("a.fsr"));
   EXPECT_FALSE(recording.ended());
   EXPECT_EQ(recording.extent().samples, 1U);
+}
+
+// A ring that is full while the disk is in order: nothing failed, and still samples are missing.
+TEST(parts, that_lost_a_tick_say_so_even_where_the_disk_took_the_others) {
+  const TemporaryDirectory directory;
+  for (const bool has_next : {false, true}) {
+    Parts parts({.ring = 4, .interval = std::chrono::seconds(10)});
+    const std::string path = directory.file(has_next ? "b.fsr" : "a.fsr");
+    parts.begin(path, {});
+    for (std::uint64_t tick = 0; tick < 50; ++tick) parts.push({.tick = tick});
+    std::string words = "nothing";
+    try {
+      if (has_next) parts.begin(directory.file("c.fsr"), {});
+      parts.end("over");
+    } catch (const RecordingError& error) {
+      words = error.what();
+    }
+    EXPECT_TRUE(words.starts_with(path + ": the disk was too slow; recorded ")) << words;
+    const std::uint64_t samples = Recording(path).extent().samples;
+    EXPECT_LT(samples, 50U);
+    EXPECT_NE(words.find("recorded " + std::to_string(samples) + " samples, lost " + std::to_string(50 - samples)),
+              std::string::npos)
+        << words;
+  }
 }
 
 std::vector<double*> numbers_of(device::SafetySettings& settings) {
@@ -170,6 +196,9 @@ TEST(settings, that_are_missing_or_odd_are_refused_by_their_key) {
   EXPECT_EQ(words(kLaterKey, "maybe"), std::string("run.fsr: ") + kLaterKey + " is maybe; expected yes or no");
   EXPECT_EQ(words("passivity", "magic"), "run.fsr: passivity is magic; expected observer, tank or damping");
   EXPECT_EQ(words("rate_hz", "0"), "run.fsr: rate_hz is 0; expected 100 to 10000");
+  EXPECT_EQ(words("dead_man_button", "-1"), "run.fsr: dead_man_button is -1; expected none, or a button from 0 to 15");
+  EXPECT_EQ(words("dead_man_button", "0"), "");
+  EXPECT_EQ(words("dead_man_button", "15"), "");
   EXPECT_EQ(words("dead_man_button", "16"), "run.fsr: dead_man_button is 16; expected none, or a button from 0 to 15");
 }
 

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <thread>
 
+#include "forceshade/recorder/layout.h"
 #include "forceshade/recorder/recording.h"
 #include "forceshade/tests/recorder/faulty_disk.h"
 #include "forceshade/tests/support/allocations.h"
@@ -164,6 +165,34 @@ TEST(recorder, says_that_the_disk_is_full_and_keeps_what_it_took) {
   EXPECT_EQ(problems_of(recording).size(), 1U);
 }
 
+// A chunk that the disk refused waits in the writer, further ones behind it in the ring: each sample is lost once, or, where
+// there is room again, none is.
+TEST(recorder, counts_every_chunk_that_waits_for_a_full_disk) {
+  constexpr std::uint64_t kWritten = 300, kWaiting = 3 * kLongestChunk + 7;
+  for (const bool gets_room : {false, true}) {
+    const TemporaryDirectory directory;
+    const std::string path = directory.file("run.fsr");
+    const FaultyDisk disk;
+    Recorder recorder(path, {});
+    for (std::uint64_t tick = 0; tick < kWritten; ++tick) recorder.push(sample(tick));
+    ASSERT_TRUE(comes_true([&] { return Recording(path).extent().samples == kWritten; }));
+    FaultyDisk::full = true;
+    for (std::uint64_t tick = kWritten; tick < kWritten + kWaiting; ++tick) recorder.push(sample(tick));
+    ASSERT_TRUE(comes_true([&] { return recorder.failing(); }));
+    if (gets_room) {
+      FaultyDisk::full = false;
+      ASSERT_TRUE(comes_true([&] { return !recorder.failing(); }));
+    }
+    const auto [written, lost, error] = recorder.close("time up");
+    EXPECT_EQ(written, gets_room ? kWritten + kWaiting : kWritten);
+    EXPECT_EQ(lost, gets_room ? 0 : kWaiting);
+    EXPECT_EQ(error, gets_room ? "" : path + ": database or disk is full");
+    const auto samples = samples_of(path);
+    EXPECT_EQ(samples.size(), written);
+    expect_ticks(samples);
+  }
+}
+
 TEST(recorder, loses_nothing_when_a_full_disk_gets_room_again) {
   const TemporaryDirectory directory;
   const std::string path = directory.file("run.fsr");
@@ -180,6 +209,18 @@ TEST(recorder, loses_nothing_when_a_full_disk_gets_room_again) {
   EXPECT_EQ(error, "");
   Recording recording(path);
   EXPECT_EQ(problems_of(recording), std::vector<std::string>{});
+}
+
+// Before the first tick the file reaches the disk, so that a loss of power leaves its metadata, and at the end all of it does.
+TEST(recorder, syncs_the_file_at_its_beginning_and_at_its_end) {
+  const TemporaryDirectory directory;
+  const FaultyDisk disk;
+  Recorder recorder(directory.file("run.fsr"), {});
+  const int begun = FaultyDisk::syncs;
+  EXPECT_GT(begun, 0);
+  for (std::uint64_t tick = 0; tick < 10; ++tick) recorder.push(sample(tick));
+  recorder.close("time up");
+  EXPECT_GT(FaultyDisk::syncs, begun);
 }
 
 TEST(recorder, says_that_the_recording_was_deleted) {
