@@ -125,6 +125,23 @@ class Segment {
 };
 using GridSegment = Segment<92, 25>;
 
+// How many tries a detour or a landing has left: points of the grid that it may consider, lines and sheets that it may look at.
+class Tries {
+ public:
+  static constexpr int kMost = 512;  // of one detour or landing
+
+  bool take() noexcept {
+    if (left_ == 0) return false;
+    --left_;
+    return true;
+  }
+  bool are_left() const noexcept { return left_ > 0; }
+  int taken() const noexcept { return kMost - left_; }
+
+ private:
+  int left_ = kMost;
+};
+
 // In one tick, towards p.
 template <class Stages>
 class Sheets {
@@ -209,7 +226,7 @@ class Sheets {
 
   // A point of the grid around these to which there is a clear way from g. from: g's spot where it is on the surface; then the
   // point is nearer to p.
-  std::optional<Spot> landing(const Point& g, const Spot* from, const Bases& bases) const noexcept {
+  std::optional<Spot> landing(const Point& g, const Spot* from, const Bases& bases, Tries& tries) const noexcept {
     struct Step {
       std::int64_t k, l;
     };
@@ -226,7 +243,7 @@ class Sheets {
         for (std::size_t i = 0; i < (ring == 0 ? kAround.size() : kRing.size()); ++i) {
           const Step& step = ring == 0 ? kAround[i] : kRing[i];
           const std::int64_t k = bases.all[b].k + reach * step.k, l = bases.all[b].l + reach * step.l;
-          if (k < 0 || l < 0 || k + l > kGrid) continue;
+          if (k < 0 || l < 0 || k + l > kGrid || !tries.take()) continue;
           Spot c = spot_in_triangle(mesh_, bases.all[b].face, static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(l),
                                     mesh::Side::front);
           const Distance off = distance(point_of(mesh_, c));
@@ -239,16 +256,19 @@ class Sheets {
   }
 
   // Where the god-object goes instead of to e, in the closed triangle `carrier` as it is itself: a point nearer to p, or none.
-  std::optional<Spot> detour(const Spot& from, const Spot& e, std::uint32_t carrier, const Block& block) const noexcept {
+  std::optional<Spot> detour(const Spot& from, const Spot& e, std::uint32_t carrier, const Block& block,
+                             Tries& tries) const noexcept {
     Nearest best;
     best.limit = distance(point_of(mesh_, from));
     best.has_limit = true;
     const Distance limit = best.limit;
-    shorten(best, limit, from, e, carrier, block);
+    shorten(best, limit, from, e, carrier, block, tries);
     const Triangles here = triangles_at(from.place, from.half), there = triangles_at(block.key.place, block.half);
     for (std::size_t i = 0; i < here.count; ++i)
-      for (std::size_t j = 0; j < there.count; ++j) go_beside(best, limit, from, here.all[i], there.all[j]);
-    for (std::size_t j = 0; j < there.count; ++j) change_sheet(best, from, e, carrier, there.all[j]);
+      for (std::size_t j = 0; j < there.count && tries.take(); ++j)
+        go_beside(best, limit, from, here.all[i], there.all[j], tries);
+    for (std::size_t j = 0; j < there.count && tries.take(); ++j)
+      change_sheet(best, from, e, carrier, there.all[j], tries);
     if (!best.is_found) return std::nullopt;
     return best.spot;
   }
@@ -456,18 +476,21 @@ class Sheets {
 
   // The grid points beside a point of the closed triangle, up to four.
   template <class Visit>
-  void around(std::uint32_t face, const Cell& k, const Cell& l, mesh::Side side, const Visit& visit) const noexcept {
+  void around(std::uint32_t face, const Cell& k, const Cell& l, mesh::Side side, Tries& tries,
+              const Visit& visit) const noexcept {
     for (std::uint32_t across = 0; across < 2; ++across)
       for (std::uint32_t up = 0; up < 2; ++up) {
         if ((up == 1 && k.is_whole) || (across == 1 && l.is_whole) || k.floor + up + l.floor + across > kGrid) continue;
+        if (!tries.take()) return;
         visit(spot_in_triangle(mesh_, face, k.floor + up, l.floor + across, side));
       }
   }
 
-  // Along the way to e, as far as it is clear about. Not within kLeastSteps of the grid: around so near a place there often is
-  // a point beside the way that is a little nearer to p, and the god-object would creep along the sheet from point to point.
+  // Along the way to e, as far as it is clear about. Not within kLeastSteps of the grid's longest steps: around so near a place
+  // there often is a point beside the way that is a little nearer to p, and the god-object would creep along the sheet from
+  // point to point.
   void shorten(Nearest& best, const Distance& limit, const Spot& from, const Spot& e, std::uint32_t carrier,
-               const Block& blocked) const noexcept {
+               const Block& blocked, Tries& tries) const noexcept {
     const auto G = weights_in(mesh_, from, carrier), E = weights_in(mesh_, e, carrier);
     const std::uint32_t most =
         blocked.s.num.compare(blocked.s.den) == 0 ? kGrid : exact_cell(blocked.s.num, blocked.s.den).floor;
@@ -475,14 +498,26 @@ class Sheets {
       const std::int64_t sum = std::int64_t{G[i]} * kGrid + std::int64_t{m} * (std::int64_t{E[i]} - std::int64_t{G[i]});
       return Cell{static_cast<std::uint32_t>(sum / kGrid), sum % kGrid == 0};
     };
-    std::int64_t steps = 0;  // of the whole way
-    for (std::size_t i = 0; i < 3; ++i) steps = std::max(steps, std::abs(std::int64_t{E[i]} - std::int64_t{G[i]}));
-    for (std::uint32_t back = 0; back < most; back = back == 0 ? 1 : 2 * back) {
-      if ((most - back) * steps < std::int64_t{kLeastSteps} * kGrid) return;
+    // The square of the least length of a way that is tried, times 2^48; m² length is that of the way to the place m.
+    const Face& face = mesh_.face(carrier);
+    FixedInteger<139> longest;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const FixedInteger<139> side = square(exact_difference(face.corner[after(i)].data(), face.corner[i].data()));
+      if (longest.compare(side) < 0) longest = side;
+    }
+    const auto least = (longest * FixedInteger<7>(kLeastSteps * kLeastSteps)).template shifted<48>();
+    const Distance length = square(offset(place_at(from).exact, place_at(e).exact));
+    std::array<Cell, 2> last{};
+    for (std::uint32_t back = 0; back < most && tries.are_left(); back = back == 0 ? 1 : 2 * back) {
+      const FixedInteger<25> m(static_cast<std::int64_t>(most - back));
+      if ((m * m * length).compare(least) < 0) return;
+      const std::array<Cell, 2> cell{at(most - back, 1), at(most - back, 2)};
+      if (back > 0 && cell == last) continue;  // the same points
+      last = cell;
       Nearest of_these;
       of_these.limit = limit;
       of_these.has_limit = true;
-      around(carrier, at(most - back, 1), at(most - back, 2), from.side, [&](const Spot& c) {
+      around(carrier, cell[0], cell[1], from.side, tries, [&](const Spot& c) {
         const Distance off = distance(point_of(mesh_, c));
         if (of_these.would_take(off) && !block(from, c, carrier)) of_these.offer(c, off);
       });
@@ -492,8 +527,8 @@ class Sheets {
   }
 
   // In the triangle `along`, parallel to the plane of the triangle `beside`.
-  void go_beside(Nearest& best, const Distance& limit, const Spot& from, std::uint32_t along,
-                 std::uint32_t beside) const noexcept {
+  void go_beside(Nearest& best, const Distance& limit, const Spot& from, std::uint32_t along, std::uint32_t beside,
+                 Tries& tries) const noexcept {
     const ExactFace T(mesh_.face(along));
     const auto n = ExactFace(mesh_.face(beside)).n;
     using Step = FixedInteger<212>;
@@ -526,7 +561,7 @@ class Sheets {
     };
     std::array<Candidate, 4> ends;
     std::size_t count = 0;
-    around(along, end(1), end(2), from.side, [&](const Spot& c) {
+    around(along, end(1), end(2), from.side, tries, [&](const Spot& c) {
       const Distance off = distance(point_of(mesh_, c));
       std::size_t i = count++;
       for (; i > 0 && off.compare(ends[i - 1].off) < 0; --i) ends[i] = ends[i - 1];
@@ -541,12 +576,13 @@ class Sheets {
       blocked = found;
       end_of_blocked = ends[i].spot;
     }
-    if (blocked) shorten(best, limit, from, end_of_blocked, along, *blocked);
+    if (blocked) shorten(best, limit, from, end_of_blocked, along, *blocked, tries);
   }
 
   // Onto the triangle `to`, where the way to e goes through its plane: if p is beyond that plane, and its foot there is not
   // beyond the plane of the triangle that the god-object slides in.
-  void change_sheet(Nearest& best, const Spot& from, const Spot& e, std::uint32_t carrier, std::uint32_t to) const noexcept {
+  void change_sheet(Nearest& best, const Spot& from, const Spot& e, std::uint32_t carrier, std::uint32_t to,
+                    Tries& tries) const noexcept {
     const Face &here = mesh_.face(carrier), &there = mesh_.face(to);
     const auto n = ExactFace(there).n, own = ExactFace(here).n;
     const Place start = place_at(from), end = place_at(e);
@@ -564,7 +600,7 @@ class Sheets {
     };
     Bases base;
     base.all[base.count++] = {to, down(second), down(third)};
-    const std::optional<Spot> found = landing(start.point, &from, base);
+    const std::optional<Spot> found = landing(start.point, &from, base, tries);
     if (found) best.offer(*found, distance(point_of(mesh_, *found)));
   }
 
