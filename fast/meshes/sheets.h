@@ -56,16 +56,19 @@ class Segment {
       inside[i] = beyond * opposite(f, i, u).sign();
       if (inside[i] < 0) return;
     }
-    const auto where = [&] {
-      const auto all = at_start - at_end;
-      return before_plane < 0 ? Fraction{-at_start, -all} : Fraction{at_start, all};
-    };
+    const auto where = [&] { return between(at_start, at_end); };
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (inside[i] != 0) continue;
       if (inside[after(i)] == 0) return meets(Hit::Part::corner, before(i), where);
       if (inside[before(i)] != 0) return meets(Hit::Part::edge, after(i), where);
     }
     meets(Hit::Part::triangle, 0, where);
+  }
+
+  // Where it goes through the triangle's plane, its ends being on either side.
+  Fraction through(const Face& f) const noexcept {
+    const ExactFace face(f);
+    return between(dot(face.n, from_ - corner(f, 0)), dot(face.n, to_ - corner(f, 0)));
   }
 
   // n·u times the weight that the corner i has where the way's line goes through the plane.
@@ -97,6 +100,12 @@ class Segment {
   }
 
  private:
+  template <class Side>
+  static Fraction between(const Side& at_start, const Side& at_end) noexcept {
+    const auto all = at_start - at_end;
+    return all.is_negative() ? Fraction{-at_start, -all} : Fraction{at_start, all};
+  }
+
   auto corner(const Face& f, std::uint32_t i) const noexcept {
     const auto& c = f.corner[i];
     return Vector3<FixedInteger<67 + kScale>>{in_units(c[0]) * scale_, in_units(c[1]) * scale_, in_units(c[2]) * scale_};
@@ -128,7 +137,7 @@ using GridSegment = Segment<92, 25>;
 // How many tries a detour or a landing has left: points of the grid that it may consider, lines and sheets that it may look at.
 class Tries {
  public:
-  static constexpr int kMost = 512;  // of one detour or landing
+  static constexpr int kMost = 256;  // of one detour or landing
 
   bool take() noexcept {
     if (left_ == 0) return false;
@@ -164,7 +173,8 @@ class Sheets {
   bool is_apart(const Point& g, const Hit& hit, const FixedInteger<304>& left, const FixedInteger<304>& all,
                 const Spot& c) const noexcept {
     const Place end = place_at(c);
-    if (other_at(end, key_of(mesh_, c))) return false;
+    const Face& inside = mesh_.face(hit.face);  // the line from x to c lies in it
+    if (other_at(end, key_of(mesh_, c), &inside)) return false;
     const GridPlace p = place_of(Point::at(p_));
     const ExactOffset U = exact_offset_from(g, p_);
     using Long = FixedInteger<400>;
@@ -181,6 +191,7 @@ class Sheets {
         high{end.about.x + reach, end.about.y + reach, end.about.z + reach};
     mesh_.tree().along(low, high, [&](std::uint32_t f) {
       const Face& face = mesh_.face(f);
+      if (have_common_vertex(face, inside)) return;  // no more in common than with the feature that x or c lies in
       const FaceNumbers numbers(face);
       const DoubleWithError side = side_about(face, numbers, end.about);
       if (!is_alone || stages_.sure(__builtin_fabs(side.value) > side.error + 8 * reach * numbers.area)) return;
@@ -347,11 +358,12 @@ class Sheets {
     return found;
   }
 
+  static Vector3<double> off(const Vector3<double>& at, const std::array<float, 3>& a) noexcept {
+    return {at.x - static_cast<double>(a[0]), at.y - static_cast<double>(a[1]), at.z - static_cast<double>(a[2])};
+  }
   // n·(at - a), `at` being good to kAbout.
   static DoubleWithError side_about(const Face& face, const FaceNumbers& numbers, const Vector3<double>& at) noexcept {
-    const auto& a = face.corner[0];
-    const Vector3<double> w{at.x - static_cast<double>(a[0]), at.y - static_cast<double>(a[1]),
-                            at.z - static_cast<double>(a[2])};
+    const Vector3<double> w = off(at, face.corner[0]);
     return {dot(numbers.n, w), numbers.area * (kAcross.error * size_of(w) + 8 * kAbout)};
   }
 
@@ -365,8 +377,7 @@ class Sheets {
       const Vector3<double> e = difference(b.data(), a.data());
       const double unit = numbers.area * size_of(e);
       const auto is_beyond = [&](const Vector3<double>& at) {
-        const Vector3<double> w{at.x - static_cast<double>(a[0]), at.y - static_cast<double>(a[1]),
-                                at.z - static_cast<double>(a[2])};
+        const Vector3<double> w = off(at, a);
         return dot(cross(e, w), numbers.n) < -unit * (kInside.error * size_of(w) + 16 * kAbout);
       };
       passes = passes || (is_beyond(from) && is_beyond(to));
@@ -404,16 +415,65 @@ class Sheets {
     return onward != Aim::open && onward != from && !leaves;
   }
 
-  // Whether a way between two such points surely does not meet the triangle. inside: a triangle that the way lies in, and so
-  // meets no triangle with which that has a vertex in common.
-  bool surely_misses(const Face& face, const Vector3<double>& from, const Vector3<double>& to,
-                     const Face* inside) const noexcept {
-    if (inside != nullptr && have_common_vertex(face, *inside)) return true;
+  // How a way between two points, which are good to kAbout, lies to a triangle, as far as binary64 tells. Inwards and outwards:
+  // through its inside, from its front or to it.
+  enum class Meeting { none, inwards, outwards, unknown };
+  // inside: a triangle that the way lies in, and so meets no triangle with which that has a vertex in common.
+  Meeting meeting(const Face& face, const Vector3<double>& from, const Vector3<double>& to, const Face* inside) const noexcept {
+    if (inside != nullptr && have_common_vertex(face, *inside)) return Meeting::none;
     const FaceNumbers numbers(face);
     const DoubleWithError at_start = side_about(face, numbers, from), at_end = side_about(face, numbers, to);
-    const bool is_before = at_start.value > at_start.error && at_end.value > at_end.error,
-               is_beyond = at_start.value < -at_start.error && at_end.value < -at_end.error;
-    return stages_.sure(is_before || is_beyond) || surely_passes_by(face, numbers, from, to);
+    const bool starts_before = at_start.value > at_start.error, starts_beyond = at_start.value < -at_start.error,
+               ends_before = at_end.value > at_end.error, ends_beyond = at_end.value < -at_end.error;
+    if (stages_.sure((starts_before && ends_before) || (starts_beyond && ends_beyond))) return Meeting::none;
+    if (surely_passes_by(face, numbers, from, to)) return Meeting::none;
+    const bool is_inwards = starts_before && ends_beyond;
+    if (!stages_.sure(is_inwards || (starts_beyond && ends_before))) return Meeting::unknown;
+    const Vector3<double> u = to - from;
+    const double size_u = size_of(u);
+    bool is_through = true, passes_by = false;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const auto &a = face.corner[i], &b = face.corner[after(i)];
+      const Vector3<double> e = difference(b.data(), a.data()), w = off(from, a);
+      const double size_w = size_of(w), passes = is_inwards ? -dot(cross(w, u), e) : dot(cross(w, u), e);
+      const double error = size_of(e) * (kPasses.error * size_w * size_u + 8 * kAbout * (size_u + 2 * size_w + 2 * kAbout));
+      is_through = is_through && passes > error;
+      passes_by = passes_by || passes < -error;
+    }
+    if (stages_.sure(passes_by)) return Meeting::none;
+    if (!stages_.sure(is_through)) return Meeting::unknown;
+    return is_inwards ? Meeting::inwards : Meeting::outwards;
+  }
+  // Of a meeting inside the triangle.
+  bool is_blocked(Meeting meeting) const noexcept {
+    return meeting == Meeting::inwards || mesh_.sides() == mesh::Sides::both;
+  }
+
+  // Whether nothing blocks the way to c, whose place is `to`.
+  bool is_clear(const Place& from, const Place& to, const Spot& c, const Face* inside) const noexcept {
+    const ExactOffset u = offset(from.exact, to.exact);
+    if (is_zero(u)) return true;
+    const GridSegment way(from.exact, to.exact, FixedInteger<25>(kGrid));
+    bool is_clear = true;
+    mesh_.tree().along(from.about, to.about, [&](std::uint32_t f) {
+      if (!is_clear) return;
+      const Face& face = mesh_.face(f);
+      const Meeting met = meeting(face, from.about, to.about, inside);
+      if (met == Meeting::none) return;
+      if (met != Meeting::unknown) {
+        is_clear = !is_blocked(met);
+        return;
+      }
+      if (touches(mesh_, c, f)) {  // a way that begins off its plane meets it in c alone
+        const DoubleWithError at_start = side_about(face, FaceNumbers(face), from.about);
+        if (stages_.sure(__builtin_fabs(at_start.value) > at_start.error)) return;
+      }
+      stages_.note(Stage::wide);
+      way.meet(face, [&](Hit::Part part, std::uint32_t corner, const auto&) {
+        is_clear = is_clear && !is_blocked(key_at(mesh_, f, part, corner), 3 * f + corner, u);
+      });
+    });
+    return is_clear && !other_at(to, key_of(mesh_, c), &mesh_.face(face_of(c.half)));
   }
 
   std::optional<Block> first_block(const Place& from, const Place& to, const FeatureKey& own,
@@ -424,15 +484,22 @@ class Sheets {
     const GridSegment way(from.exact, to.exact, FixedInteger<25>(kGrid));
     mesh_.tree().along(from.about, to.about, [&](std::uint32_t f) {
       const Face& face = mesh_.face(f);
-      if (surely_misses(face, from.about, to.about, inside)) return;
+      const Meeting met = meeting(face, from.about, to.about, inside);
+      if (met == Meeting::none || (met != Meeting::unknown && !is_blocked(met))) return;
+      const auto is_first = [&](const Block& found) {
+        if (!first) return true;
+        const int order = (found.s.num * first->s.den).compare(first->s.num * found.s.den);
+        return order < 0 || (order == 0 && found.key < first->key);
+      };
       stages_.note(Stage::wide);
+      if (met != Meeting::unknown) {
+        const Block found{way.through(face), 3 * f, key_of(mesh_, mesh::Place::triangle, 3 * f)};
+        if (is_first(found)) first = found;
+        return;
+      }
       way.meet(face, [&](Hit::Part part, std::uint32_t corner, const auto& where) {
         const Block found{where(), 3 * f + corner, key_at(mesh_, f, part, corner)};
-        if (first) {
-          const int order = (found.s.num * first->s.den).compare(first->s.num * found.s.den);
-          if (order > 0 || (order == 0 && found.key >= first->key)) return;
-        }
-        if (is_blocked(found.key, found.half, u)) first = found;
+        if (is_first(found) && is_blocked(found.key, found.half, u)) first = found;
       });
     });
     if (first) return first;
@@ -445,7 +512,7 @@ class Sheets {
     const GridSegment way(at.exact, at.exact, FixedInteger<25>(kGrid));
     mesh_.tree().along(at.about, at.about, [&](std::uint32_t f) {
       const Face& face = mesh_.face(f);
-      if (surely_misses(face, at.about, at.about, inside)) return;
+      if (meeting(face, at.about, at.about, inside) == Meeting::none) return;
       stages_.note(Stage::wide);
       std::uint32_t corner = 0;
       const Hit::Part part = way.start_in(face, corner);
@@ -469,7 +536,7 @@ class Sheets {
     const FeatureKey own = key_of(mesh_, c);
     const Aim A = aim_at(own, c.half, opposite(u));
     const bool is_one_sided = mesh_.sides() == mesh::Sides::front;
-    if (A == Aim::on || (is_one_sided && A == Aim::back) || first_block(g, end, own, nullptr)) return false;
+    if (A == Aim::on || (is_one_sided && A == Aim::back) || !is_clear(g, end, c, nullptr)) return false;
     c.side = A == Aim::back ? mesh::Side::back : mesh::Side::front;
     return true;
   }
@@ -486,9 +553,19 @@ class Sheets {
       }
   }
 
-  // Along the way to e, as far as it is clear about. Not within kLeastSteps of the grid's longest steps: around so near a place
-  // there often is a point beside the way that is a little nearer to p, and the god-object would creep along the sheet from
-  // point to point.
+  // The square of the least length of a way along or beside a sheet, in the units of Distance: kLeastSteps of the grid's longest
+  // steps. Around a nearer place there often is a point that is a little nearer to p, and the god-object would creep along the
+  // sheet from point to point.
+  static FixedInteger<146> least_square(const Face& face) noexcept {
+    FixedInteger<139> longest;  // of a side, in units of 2^-106 mm²: the grid's step is 2^-24 of it
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const FixedInteger<139> side = square(exact_difference(face.corner[after(i)].data(), face.corner[i].data()));
+      if (longest.compare(side) < 0) longest = side;
+    }
+    return longest * FixedInteger<7>(kLeastSteps * kLeastSteps);
+  }
+
+  // Along the way to e, as far as it is clear about.
   void shorten(Nearest& best, const Distance& limit, const Spot& from, const Spot& e, std::uint32_t carrier,
                const Block& blocked, Tries& tries) const noexcept {
     const auto G = weights_in(mesh_, from, carrier), E = weights_in(mesh_, e, carrier);
@@ -498,19 +575,14 @@ class Sheets {
       const std::int64_t sum = std::int64_t{G[i]} * kGrid + std::int64_t{m} * (std::int64_t{E[i]} - std::int64_t{G[i]});
       return Cell{static_cast<std::uint32_t>(sum / kGrid), sum % kGrid == 0};
     };
-    // The square of the least length of a way that is tried, times 2^48; m² length is that of the way to the place m.
     const Face& face = mesh_.face(carrier);
-    FixedInteger<139> longest;
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const FixedInteger<139> side = square(exact_difference(face.corner[after(i)].data(), face.corner[i].data()));
-      if (longest.compare(side) < 0) longest = side;
-    }
-    const auto least = (longest * FixedInteger<7>(kLeastSteps * kLeastSteps)).template shifted<48>();
-    const Distance length = square(offset(place_at(from).exact, place_at(e).exact));
+    const auto least = least_square(face).template shifted<48>();
+    const Place start = place_at(from);
+    const Distance length = square(offset(start.exact, place_at(e).exact));
     std::array<Cell, 2> last{};
     for (std::uint32_t back = 0; back < most && tries.are_left(); back = back == 0 ? 1 : 2 * back) {
       const FixedInteger<25> m(static_cast<std::int64_t>(most - back));
-      if ((m * m * length).compare(least) < 0) return;
+      if ((m * m * length).compare(least) < 0) return;  // the length of the way to there, times 2^48
       const std::array<Cell, 2> cell{at(most - back, 1), at(most - back, 2)};
       if (back > 0 && cell == last) continue;  // the same points
       last = cell;
@@ -519,7 +591,7 @@ class Sheets {
       of_these.has_limit = true;
       around(carrier, cell[0], cell[1], from.side, tries, [&](const Spot& c) {
         const Distance off = distance(point_of(mesh_, c));
-        if (of_these.would_take(off) && !block(from, c, carrier)) of_these.offer(c, off);
+        if (of_these.would_take(off) && is_clear(start, place_at(c), c, &face)) of_these.offer(c, off);
       });
       if (!of_these.is_found) continue;
       return best.offer(of_these.spot, of_these.limit);
@@ -561,22 +633,21 @@ class Sheets {
     };
     std::array<Candidate, 4> ends;
     std::size_t count = 0;
+    const Place start = place_at(from);
+    const auto least = least_square(mesh_.face(along));
     around(along, end(1), end(2), from.side, tries, [&](const Spot& c) {
+      if (square(offset(start.exact, place_at(c).exact)).compare(least) < 0) return;
       const Distance off = distance(point_of(mesh_, c));
       std::size_t i = count++;
       for (; i > 0 && off.compare(ends[i - 1].off) < 0; --i) ends[i] = ends[i - 1];
       ends[i] = {c, off};
     });
-    std::optional<Block> blocked;
-    Spot end_of_blocked;
-    for (std::size_t i = 0; i < count && ends[i].off.compare(limit) < 0; ++i) {
-      const std::optional<Block> found = block(from, ends[i].spot, along);
-      if (!found) return best.offer(ends[i].spot, ends[i].off);
-      if (blocked) continue;
-      blocked = found;
-      end_of_blocked = ends[i].spot;
-    }
-    if (blocked) shorten(best, limit, from, end_of_blocked, along, *blocked, tries);
+    for (std::size_t i = 0; i < count && ends[i].off.compare(limit) < 0; ++i)
+      if (is_clear(start, place_at(ends[i].spot), ends[i].spot, &mesh_.face(along)))
+        return best.offer(ends[i].spot, ends[i].off);
+    if (count == 0 || ends[0].off.compare(limit) >= 0) return;
+    if (const auto blocked = block(from, ends[0].spot, along))
+      shorten(best, limit, from, ends[0].spot, along, *blocked, tries);
   }
 
   // Onto the triangle `to`, where the way to e goes through its plane: if p is beyond that plane, and its foot there is not

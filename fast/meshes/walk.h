@@ -23,6 +23,7 @@ struct Arrival {
   int moves = 0;
   bool is_finished = true;
   Plane plane{};  // of the rest's triangle: in_triangle alone
+  int tries = 0;  // that the tick's detours and landings have taken: where sheets may cross
 };
 
 // kHasSheets: whether ways are tested against the whole mesh, whose sheets may cross.
@@ -30,7 +31,7 @@ template <class Stages, bool kHasSheets = false>
 class Walk {
  public:
   static constexpr int kMostMoves = 256;
-  static constexpr int kMostTries = 512;  // with these, no further detour or landing of the tick begins
+  static constexpr int kMostTries = 256;  // with these, no further detour or landing of the tick begins
 
   // Moves `at`, from where its spot is. p: mm, in the domain and quantised. Both have to outlive the walk.
   FORCESHADE_INLINE Walk(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, const Stages& stages = {}) noexcept
@@ -42,6 +43,7 @@ class Walk {
       for (const HalfEdge other : mesh_.face(face_of(spot_.half)).twin)
         if (other != kRim) mesh_.fetch_neighbours(face_of(other));
     at_.moves = 0;
+    if constexpr (kHasSheets) at_.tries = 0;
     at_.is_finished = true;
     if (spot_.place == mesh::Place::nowhere) return start();
     Step step;
@@ -88,10 +90,10 @@ class Walk {
   // find(tries): a point to go to instead.
   template <class Find>
   Step arrive_instead(const Find& find) noexcept {
-    if (tries_ < kMostTries) {
+    if (at_.tries < kMostTries) {
       Tries tries;
       const std::optional<Spot> other = find(tries);
-      tries_ += tries.taken();
+      at_.tries += tries.taken();
       if (other) return onward(*other);
       --at_.moves;
       return spot_.place == mesh::Place::free ? Step::exhausted : rest(Rest::at_spot);
@@ -569,7 +571,6 @@ class Walk {
     HalfEdge half = kRim;
     Beside beside{};
   } left_;
-  int tries_ = 0;       // that the tick's detours and landings have taken
   int glide_from_ = 0;  // with fewer moves, a glide would meet the same doubt again
   static constexpr double kTwoSteps = 0x1p-23;
 };

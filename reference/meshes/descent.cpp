@@ -27,7 +27,7 @@ struct Rested {  // at the point of the feature nearest to p
 struct Freed {};  // at p
 using End = std::variant<Stopped, Rested, Freed>;
 
-constexpr unsigned kMostTries = 512;  // with these, no further detour or landing of the tick begins
+constexpr unsigned kMostTries = 256;  // with these, no further detour or landing of the tick begins
 
 Side side_of(DirectionKind way) {
   return way == DirectionKind::back ? Side::back : Side::front;

@@ -167,6 +167,13 @@ std::optional<Reached> Sheets::detour(const Reached& from, const GridPoint& e, s
   return best.best();
 }
 
+// Whether a way of the given square is as long as eight of the longest steps of the triangle's grid. Shorter ones are not gone.
+bool Sheets::is_long_enough(const Fraction& square, std::size_t triangle) const {
+  Integer longest = 0;
+  for (const Vector& side : surface_.triangles()[triangle].sides) longest = std::max(longest, Integer(dot(side, side)));
+  return square >= Fraction{64 * longest, Integer(kGrid) * kGrid};
+}
+
 // Along the way to e, as far as it is clear about.
 void Sheets::shorten(Nearest& best, const Reached& from, const GridPoint& e, std::size_t carrier, const Fraction& s,
                      Tries& tries) const {
@@ -176,11 +183,10 @@ void Sheets::shorten(Nearest& best, const Reached& from, const GridPoint& e, std
   const auto at = [&](std::uint32_t m, std::size_t i) {
     return Fraction{Integer(G[i]) * kGrid + Integer(m) * (Integer(E[i]) - Integer(G[i])), kGrid};
   };
-  Integer longest = 0;
-  for (const Vector& side : surface_.triangles()[carrier].sides) longest = std::max(longest, Integer(dot(side, side)));
   const Vector way = surface_.position(e) - g;
-  // Whether the way to the place m is as long as eight of the grid's longest steps. Nearer places are not tried.
-  const auto is_far = [&](std::uint32_t m) { return Integer(m) * m * dot(way, way) >= 64 * longest; };
+  const auto is_far = [&](std::uint32_t m) {
+    return is_long_enough({Integer(m) * m * dot(way, way), Integer(kGrid) * kGrid}, carrier);
+  };
   using Cell = std::array<std::pair<std::uint32_t, bool>, 2>;
   std::optional<Cell> last;
   for (std::uint32_t back = 0; back < most && is_far(most - back) && tries.are_left(); back = back == 0 ? 1 : 2 * back) {
@@ -222,6 +228,10 @@ void Sheets::go_beside(Nearest& best, const Reached& from, std::size_t along, st
   if (t.over.is_zero()) return;
   const auto end = [&](std::size_t i) { return Fraction{Integer(G[i]) * t.under + t.over * d[i] * kGrid, t.under}; };
   std::vector<GridPoint> ends = around(along, end(1), end(2), tries);
+  std::erase_if(ends, [&](const GridPoint& c) {
+    const Vector way = surface_.position(c) - g;
+    return !is_long_enough({dot(way, way), 1}, along);
+  });
   std::ranges::stable_sort(ends, {}, [&](const GridPoint& c) { return distance(c); });
   const Integer limit = distance(from.at);
   std::optional<std::pair<GridPoint, Fraction>> blocked;

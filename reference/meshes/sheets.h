@@ -34,7 +34,7 @@ class Tries {
   unsigned taken() const { return taken_; }
 
  private:
-  static constexpr unsigned kMost = 512;
+  static constexpr unsigned kMost = 256;
   unsigned taken_ = 0;
 };
 
@@ -75,6 +75,7 @@ class Sheets {
   std::optional<Reached> landing(const Vector& g, const std::optional<Reached>& from, const Integer* limit,
                                  const std::vector<std::pair<std::size_t, std::array<std::uint32_t, 2>>>& bases,
                                  Tries& tries) const;
+  bool is_long_enough(const Fraction& square, std::size_t triangle) const;
   void shorten(Nearest& best, const Reached& from, const GridPoint& e, std::size_t carrier, const Fraction& s,
                Tries& tries) const;
   void go_beside(Nearest& best, const Reached& from, std::size_t along, std::size_t beside, Tries& tries) const;
