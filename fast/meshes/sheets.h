@@ -278,8 +278,7 @@ class Sheets {
     for (std::size_t i = 0; i < here.count; ++i)
       for (std::size_t j = 0; j < there.count && tries.take(); ++j)
         go_beside(best, limit, from, here.all[i], there.all[j], tries);
-    for (std::size_t j = 0; j < there.count && tries.take(); ++j)
-      change_sheet(best, from, e, carrier, there.all[j], tries);
+    for (std::size_t j = 0; j < there.count && tries.take(); ++j) change_sheet(best, from, e, carrier, there.all[j], tries);
     if (!best.is_found) return std::nullopt;
     return best.spot;
   }
@@ -423,8 +422,9 @@ class Sheets {
     if (inside != nullptr && have_common_vertex(face, *inside)) return Meeting::none;
     const FaceNumbers numbers(face);
     const DoubleWithError at_start = side_about(face, numbers, from), at_end = side_about(face, numbers, to);
-    const bool starts_before = at_start.value > at_start.error, starts_beyond = at_start.value < -at_start.error,
-               ends_before = at_end.value > at_end.error, ends_beyond = at_end.value < -at_end.error;
+    const bool starts_before = at_start.value > at_start.error,
+               starts_beyond = at_start.value<-at_start.error, ends_before = at_end.value> at_end.error,
+               ends_beyond = at_end.value < -at_end.error;
     if (stages_.sure((starts_before && ends_before) || (starts_beyond && ends_beyond))) return Meeting::none;
     if (surely_passes_by(face, numbers, from, to)) return Meeting::none;
     const bool is_inwards = starts_before && ends_beyond;
@@ -445,9 +445,7 @@ class Sheets {
     return is_inwards ? Meeting::inwards : Meeting::outwards;
   }
   // Of a meeting inside the triangle.
-  bool is_blocked(Meeting meeting) const noexcept {
-    return meeting == Meeting::inwards || mesh_.sides() == mesh::Sides::both;
-  }
+  bool is_blocked(Meeting meeting) const noexcept { return meeting == Meeting::inwards || mesh_.sides() == mesh::Sides::both; }
 
   // Whether nothing blocks the way to c, whose place is `to`.
   bool is_clear(const Place& from, const Place& to, const Spot& c, const Face* inside) const noexcept {
@@ -553,9 +551,9 @@ class Sheets {
       }
   }
 
-  // The square of the least length of a way along or beside a sheet, in the units of Distance: kLeastSteps of the grid's longest
-  // steps. Around a nearer place there often is a point that is a little nearer to p, and the god-object would creep along the
-  // sheet from point to point.
+  // The square of the least length of a way along or beside a sheet, in the units of Distance: kLeastSteps of the grid's
+  // longest steps. Around a nearer place there often is a point that is a little nearer to p, and the god-object would creep
+  // along the sheet from point to point.
   static FixedInteger<146> least_square(const Face& face) noexcept {
     FixedInteger<139> longest;  // of a side, in units of 2^-106 mm²: the grid's step is 2^-24 of it
     for (std::uint32_t i = 0; i < 3; ++i) {
@@ -646,8 +644,7 @@ class Sheets {
       if (is_clear(start, place_at(ends[i].spot), ends[i].spot, &mesh_.face(along)))
         return best.offer(ends[i].spot, ends[i].off);
     if (count == 0 || ends[0].off.compare(limit) >= 0) return;
-    if (const auto blocked = block(from, ends[0].spot, along))
-      shorten(best, limit, from, ends[0].spot, along, *blocked, tries);
+    if (const auto blocked = block(from, ends[0].spot, along)) shorten(best, limit, from, ends[0].spot, along, *blocked, tries);
   }
 
   // Onto the triangle `to`, where the way to e goes through its plane: if p is beyond that plane, and its foot there is not

@@ -541,9 +541,8 @@ class Walk {
       const Sheets<Stages> sheets(mesh_, p_.data(), stages_);
       const auto left = flight.left_at_landing();
       if (!sheets.is_apart(g, landing, left.num, left.den, to))
-        return arrive_instead([&](Tries& tries) {
-          return sheets.landing(g, spot_if_touching(), sheets.bases(landing, flight.cells()), tries);
-        });
+        return arrive_instead(
+            [&](Tries& tries) { return sheets.landing(g, spot_if_touching(), sheets.bases(landing, flight.cells()), tries); });
     }
     return onward(to);
   }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Looks for meshes and positions at which a tick among crossing sheets takes many operations: hill climbing on vertices and
-// positions, from needles through a cube, plates that meet at a tiny angle, and the like. FORCESHADE_CROSSING_SEARCH=STEPS climbs
-// for longer.
+// positions, from needles through a cube, plates that meet at a tiny angle, and the like. FORCESHADE_CROSSING_SEARCH=STEPS
+// climbs for longer. And what docs/meshes.md says of such ticks.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
@@ -15,22 +14,24 @@
 
 #include "forceshade/fast/meshes/god_object.h"
 #include "forceshade/meshes/check.h"
-#include "forceshade/properties/positions.h"
 #include "forceshade/reference/meshes/god_object.h"
 #include "forceshade/tests/meshes/god_object_paths.h"
+#include "forceshade/tests/meshes/hard_crossings.h"
+#include "forceshade/tests/meshes/steps.h"
 
 namespace forceshade {
 namespace {
 
 using mesh::Sides;
 using mesh::TriangleMesh;
-using Place = std::array<double, 3>;  // mm
+using tests::HardCase;
+using tests::HardDraws;
+using tests::kHardFamilies;
+using tests::Place;
 
 constexpr float kStiffness = 0.3F;  // N/mm
-constexpr std::array<const char*, 6> kFamilies{"a needle through a cube",     "two needles through a cube", "plates at a tiny angle",
-                                               "three plates through a point", "two pyramids",               "plates and a needle"};
-constexpr std::size_t kPositions = 4;
-
+// Of docs/meshes.md: with the first, no detour or landing of the tick begins.
+constexpr int kMostTries = 256, kMostTriesOfADetour = 256;
 // How many decisions a tick makes.
 struct Counted {
   static constexpr bool kFilter = true;
@@ -50,178 +51,16 @@ struct Cost {
   double microseconds = 0;
 };
 
-struct Case {
-  TriangleMesh mesh;
-  Sides sides = Sides::front;
-  std::array<std::array<float, 3>, kPositions> positions{};
-};
-
-class Random : public properties::Draws {
- public:
-  explicit Random(std::uint64_t seed) : Draws(seed) {}
-  // Every decade as likely.
-  double size(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
-  Place direction() {
-    for (;;) {
-      const Place v{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
-      const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-      if (square < 0.01 || square > 1) continue;
-      const double length = std::sqrt(square);
-      return {v[0] / length, v[1] / length, v[2] / length};
-    }
-  }
-  std::size_t below(std::size_t count) { return bits() % count; }
-};
-
-Place cross(const Place& a, const Place& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Place normalised(const Place& a) {
-  const double length = std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-  return {a[0] / length, a[1] / length, a[2] / length};
-}
-
-// Two directions at a right angle to it and to each other.
-std::array<Place, 2> across(Random& random, const Place& along) {
-  const Place first = normalised(cross(along, random.direction()));
-  return {first, cross(along, first)};
-}
-
-// The point middle + a u + b v + c w.
-std::array<float, 3> at(const Place& middle, const Place& u, double a, const Place& v, double b, const Place& w, double c) {
-  std::array<float, 3> place{};
-  for (std::size_t i = 0; i < 3; ++i) place[i] = static_cast<float>(middle[i] + a * u[i] + b * v[i] + c * w[i]);
-  return place;
-}
-
-// The half sides of a box along u, v, w; u, v, w right-handed.
-void add_box(TriangleMesh& mesh, const Place& middle, const Place& u, double a, const Place& v, double b, const Place& w, double c) {
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  for (int i = 0; i < 8; ++i)
-    mesh.vertices.push_back(at(middle, u, i & 4 ? a : -a, v, i & 2 ? b : -b, w, i & 1 ? c : -c));
-  for (const auto& [i, j, k] : {std::array{0U, 1U, 3U}, {0U, 3U, 2U}, {4U, 6U, 7U}, {4U, 7U, 5U}, {0U, 4U, 5U}, {0U, 5U, 1U},
-                                {2U, 3U, 7U}, {2U, 7U, 6U}, {0U, 2U, 6U}, {0U, 6U, 4U}, {1U, 5U, 7U}, {1U, 7U, 3U}})
-    mesh.triangles.push_back({first + i, first + j, first + k});
-}
-void add_cube(TriangleMesh& mesh) {
-  add_box(mesh, {0, 0, 0}, {1, 0, 0}, 5, {0, 1, 0}, 5, {0, 0, 1}, 5);
-}
-void add_needle(TriangleMesh& mesh, Random& random) {
-  const Place along = random.direction();
-  const auto [u, v] = across(random, along);
-  const Place middle{random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3)};
-  add_box(mesh, middle, u, random.size(1e-5, 1), v, random.size(1e-5, 1), along, random.size(3, 30));
-}
-void add_plate(TriangleMesh& mesh, Random& random, const Place& middle, const Place& normal) {
-  const auto [u, v] = across(random, normal);
-  const double a = random.size(2, 20), b = random.size(2, 20);
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  const Place none{};
-  for (const auto& [x, y] : {std::array{-a, -b}, std::array{a, -b}, std::array{a, b}, std::array{-a, b}})
-    mesh.vertices.push_back(at(middle, u, x, v, y, none, 0));
-  mesh.triangles.push_back({first, first + 1, first + 2});
-  mesh.triangles.push_back({first, first + 2, first + 3});
-}
-// Open, its apex pointing along `up`.
-void add_pyramid(TriangleMesh& mesh, Random& random, const Place& apex, const Place& up) {
-  const auto [u, v] = across(random, up);
-  const auto n = static_cast<std::uint32_t>(3 + random.below(10));
-  const double radius = random.size(0.01, 5), height = random.size(1, 8);
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  mesh.vertices.push_back(at(apex, u, 0, v, 0, up, 0));
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const double angle = 2 * 3.14159265358979 * i / n;
-    mesh.vertices.push_back(at(apex, u, radius * std::cos(angle), v, radius * std::sin(angle), up, -height));
-  }
-  for (std::uint32_t i = 0; i < n; ++i) mesh.triangles.push_back({first, first + 1 + i, first + 1 + (i + 1) % n});
-}
-Place tilted(Random& random, const Place& normal) {
-  const Place off = random.direction();
-  const double angle = random.size(1e-6, 1);
-  return normalised({normal[0] + angle * off[0], normal[1] + angle * off[1], normal[2] + angle * off[2]});
-}
-
-TriangleMesh drawn(std::size_t family, Random& random) {
-  TriangleMesh mesh;
-  const Place middle{random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1)};
-  const Place normal = random.direction();
-  switch (family) {
-    case 0:
-    case 1:
-      add_cube(mesh);
-      for (std::size_t i = 0; i <= family; ++i) add_needle(mesh, random);
-      break;
-    case 2:
-      add_plate(mesh, random, middle, normal);
-      for (std::size_t i = 0; i < 1 + random.below(3); ++i) add_plate(mesh, random, middle, tilted(random, normal));
-      break;
-    case 3:
-      for (std::size_t i = 0; i < 3 + random.below(3); ++i) add_plate(mesh, random, middle, random.direction());
-      break;
-    case 4: {
-      const Place off = random.direction();
-      const double by = random.size(1e-6, 1);
-      add_pyramid(mesh, random, middle, normal);
-      add_pyramid(mesh, random, {middle[0] + by * off[0], middle[1] + by * off[1], middle[2] + by * off[2]}, random.direction());
-      break;
-    }
-    default:
-      add_plate(mesh, random, middle, normal);
-      add_plate(mesh, random, middle, tilted(random, normal));
-      add_needle(mesh, random);
-  }
-  return mesh;
-}
-
-// A free position, and others near a triangle, mostly not far from each other.
-void draw_positions(Case& one, Random& random) {
-  one.positions[0] = {50, 60, 70};
-  const auto near_triangle = [&] {
-    const mesh::Triangle& triangle = one.mesh.triangles[random.below(one.mesh.triangles.size())];
-    double a = random.uniform(0, 1), b = random.uniform(0, 1);
-    if (a + b > 1) a = 1 - a, b = 1 - b;
-    const Place off = random.direction();
-    const double by = random.size(1e-6, 3);
-    std::array<float, 3> place{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto corner = [&](std::size_t c) { return static_cast<double>(one.mesh.vertices[triangle[c]][i]); };
-      place[i] = static_cast<float>(corner(0) + a * (corner(1) - corner(0)) + b * (corner(2) - corner(0)) + by * off[i]);
-    }
-    return place;
-  };
-  for (std::size_t i = 1; i < kPositions; ++i) {
-    one.positions[i] = near_triangle();
-    if (i == 1 || random.below(3) == 0) continue;
-    const Place off = random.direction();
-    const double by = random.size(1e-6, 3);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      one.positions[i][axis] = one.positions[i - 1][axis] + static_cast<float>(by * off[axis]);
-  }
-}
-
-Case nudged(Case one, Random& random) {
-  const auto nudge = [&](float& coordinate) {
-    coordinate += static_cast<float>(random.size(1e-8, 1) * (random.below(2) == 0 ? 1 : -1));
-  };
-  switch (random.below(8)) {
-    case 0: draw_positions(one, random); break;
-    case 1: nudge(one.mesh.vertices[random.below(one.mesh.vertices.size())][random.below(3)]); break;
-    case 2: one.sides = one.sides == Sides::front ? Sides::both : Sides::front; break;
-    default:
-      for (std::size_t i = 0; i < 1 + random.below(3); ++i) nudge(one.positions[1 + random.below(kPositions - 1)][random.below(3)]);
-  }
-  return one;
-}
-
-std::optional<fast::Mesh> built(const Case& one) {
+std::optional<fast::Mesh> built(const HardCase& one) {
   if (!std::holds_alternative<mesh::CheckedMesh>(mesh::check(one.mesh, mesh::SelfIntersections::allowed))) return std::nullopt;
   auto mesh = fast::Mesh::build(one.mesh, {}, one.sides, {}, mesh::SelfIntersections::allowed);
   if (!std::holds_alternative<fast::Mesh>(mesh)) return std::nullopt;
   return std::get<fast::Mesh>(std::move(mesh));
 }
 
-// Of the tick that takes the most operations.
-Cost cost_of(const fast::Mesh& mesh, const Case& one) {
+// The cost of the tick that takes the most operations: decisions in binary64, and those in integers and tries, each of which
+// takes about as long as 20 of them.
+Cost cost_of(const fast::Mesh& mesh, const HardCase& one) {
   fast::Arrival at;
   Cost worst;
   for (const std::array<float, 3>& p : one.positions) {
@@ -239,44 +78,198 @@ Cost cost_of(const fast::Mesh& mesh, const Case& one) {
   return worst;
 }
 
-std::size_t steps_of_the_search() {
-  const char* given = std::getenv("FORCESHADE_CROSSING_SEARCH");
-  return given == nullptr ? 3000 : std::strtoull(given, nullptr, 10);
+reference::GodObject defined(const HardCase& one) {
+  return std::get<reference::GodObject>(reference::GodObject::build(one.mesh, {}, one.sides, mesh::Shading::none, kStiffness,
+                                                                    {}, mesh::SelfIntersections::allowed));
 }
 
-TEST(crossing_search, no_tick_takes_more_tries_than_it_may) {
-  const std::size_t steps = steps_of_the_search();
-  for (std::size_t family = 0; family < kFamilies.size(); ++family) {
-    Cost worst;
-    Case worst_case;
-    std::size_t unfinished = 0, meshes = 0;
-    for (std::uint64_t climb = 0; climb * 100 < steps; ++climb) {
-      Random random(1000 * family + climb);
-      Case one;
-      Cost cost;
-      for (std::size_t step = 0, idle = 0; step < 300 && idle < 60; ++step, ++idle) {
-        Case next = one;
-        if (one.mesh.triangles.empty()) {
-          next.mesh = drawn(family, random);
-          draw_positions(next, random);
-        } else {
-          next = nudged(std::move(next), random);
-        }
-        const auto mesh = built(next);
-        if (!mesh) continue;
-        ++meshes;
-        const Cost found = cost_of(*mesh, next);
-        unfinished += found.is_unfinished;
-        if (found.operations < cost.operations) continue;
-        if (found.operations > cost.operations) idle = 0;
-        cost = found;
-        one = std::move(next);
-      }
-      if (cost.operations > worst.operations) worst = cost, worst_case = one;
+// One god-object on both sides, compared at every tick.
+class Both {
+ public:
+  explicit Both(const HardCase& one) : mesh_(built(one).value()), definition_(defined(one)) {}
+
+  mesh::Tick step(const std::array<float, 3>& p) {
+    const mesh::Tick expected = definition_.step(p);
+    const mesh::GodObject before = state_;
+    state_ = expected.after;
+    std::size_t decisions = 0;
+    mesh::Tick found;
+    fast::step(mesh_, at_, p, kStiffness, mesh::Shading::none, Counted{&decisions, &decisions}, found);
+    found.after = fast::object_of(mesh_, at_.spot);
+    EXPECT_TRUE(tests::is_same(found, expected)) << "expected " << tests::show(expected) << ", found " << tests::show(found);
+    const mesh::Tick exact = fast::step(mesh_, before, p, kStiffness, mesh::Shading::none, fast::ExactStages());
+    EXPECT_TRUE(tests::is_same(exact, expected))
+        << "expected " << tests::show(expected) << ", in integers " << tests::show(exact);
+    return found;
+  }
+  int tries() const { return at_.tries; }
+
+ private:
+  fast::Mesh mesh_;
+  fast::Arrival at_;
+  reference::GodObjectSession definition_;
+  mesh::GodObject state_;
+};
+
+// The box of 10^-3 x 10^-3 x 3 of a cube's side. Its grid's steps are three thousand times as long in one direction as in
+// another: beside the cube's face, a god-object that took some short ones whenever they lead nearer would use up the 256 moves
+// of a tick.
+TEST(crossing_search, a_god_object_on_a_needle_through_a_cube_does_not_creep) {
+  std::size_t most = 0, ticks = 0, changed = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    HardDraws random(seed);
+    HardCase one;
+    tests::add_cube(one.mesh);
+    const Place along = tests::normalised({1, random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6)});
+    const auto [u, v] = tests::across(random, along);
+    const Place crossing{5, 5 * along[1] / along[0], 5 * along[2] / along[0]};
+    tests::add_box(one.mesh, {0, 0, 0}, u, 0.005, v, 0.005, along, 15);
+    Both both(one);
+    const auto near_crossing = [&](double x) {
+      return tests::at(crossing, {1, 0, 0}, x, {0, 1, 0}, random.uniform(-0.01, 0.01), {0, 0, 1}, random.uniform(-0.01, 0.01));
+    };
+    for (const std::array<float, 3>& p : {std::array{50.0F, 60.0F, 70.0F}, near_crossing(0.02), near_crossing(-0.02),
+                                          near_crossing(0.001), near_crossing(-0.001), near_crossing(-0.005)}) {
+      const mesh::Tick tick = both.step(p), again = both.step(p);
+      most = std::max<std::size_t>(most, tick.moves);
+      ++ticks;
+      EXPECT_NE(tick.status, mesh::TickStatus::unfinished) << "seed " << seed;
+      EXPECT_EQ(again.after, tick.after) << "seed " << seed;
+      changed += tick.status == mesh::TickStatus::touching;
     }
-    std::printf("  %-30s %zu meshes, %zu unfinished; at worst %zu operations (%d tries, %d moves, %zu in binary64, %zu in integers, %s), %.1f us\n",
-                kFamilies[family], meshes, unfinished, worst.operations, worst.tries, worst.moves, worst.in_binary64,
-                worst.in_integers, worst.is_unfinished ? "unfinished" : "finished", worst.microseconds);
+  }
+  std::printf("  %zu ticks, %zu in contact, at most %zu moves\n", ticks, changed, most);
+  EXPECT_GT(changed, ticks / 4);
+  EXPECT_LE(most, 16U);
+}
+
+// Found by the search: three plates, between two of which there are but few points of the grid.
+TEST(crossing_search, a_tick_without_tries_is_unfinished_and_the_next_one_goes_on) {
+  HardCase one;
+  one.sides = Sides::both;
+  one.mesh.vertices = {{8.23545647F, -4.80977011F, 4.41627359F},
+                       {-5, -3, 9},
+                       {-8.36256218F, 4.70150852F, -4.46954155F},
+                       {4.62033796F, 2.64553428F, -9.08213329F},
+                       {1.55420613F, 1.5917691F, -10.1907721F},
+                       {1.48728883F, 3.23614883F, 9.74090385F},
+                       {-1.68131196F, -1.70003533F, 10.1375046F},
+                       {-2, -3, -10},
+                       {-7, 1, -16},
+                       {7, -4, -15},
+                       {7, -1, 16},
+                       {-7, 4, 15}};
+  for (std::uint32_t first = 0; first < 12; first += 4) {
+    one.mesh.triangles.push_back({first, first + 1, first + 2});
+    one.mesh.triangles.push_back({first, first + 2, first + 3});
+  }
+  Both both(one);
+  for (const std::array<float, 3>& p :
+       {std::array{50.0F, 60.0F, 70.0F}, {-1.0F, -2.0F, -5.0F}, {-3.29070997F, -2.74937701F, -4.73281002F}})
+    both.step(p);
+  const std::array<float, 3> held{-3.28553295F, -2.74942589F, -4.73269796F};
+  const mesh::Tick first = both.step(held);
+  EXPECT_EQ(first.status, mesh::TickStatus::unfinished);
+  EXPECT_LT(first.moves, 256);
+  EXPECT_GE(both.tries(), kMostTries);
+  const mesh::Tick second = both.step(held);
+  EXPECT_EQ(second.status, mesh::TickStatus::touching);
+  EXPECT_GT(second.moves, 0);
+  EXPECT_EQ(both.step(held).after, second.after);
+}
+
+// Two vertices of nine triangles, one on an edge of the other, a step beside it: 64 pairs of triangles.
+TEST(crossing_search, a_detour_has_only_so_many_tries) {
+  HardCase one;
+  one.sides = Sides::both;
+  one.mesh.vertices = {{0, 0, 0},
+                       {-4.76691484F, 3.64369631F, 0.195725769F},
+                       {-5.99379158F, -0.272880375F, 0.254443496F},
+                       {-4.4161067F, -4.0617733F, 0.313161224F},
+                       {-0.772076249F, -5.95011759F, 0.195725769F},
+                       {3.233217F, -5.05433559F, 0.254443496F},
+                       {5.72565222F, -1.79357374F, 0.313161224F},
+                       {5.53899097F, 2.30642104F, 0.195725769F},
+                       {2.76057434F, 5.32721567F, 0.254443496F},
+                       {-1.30954564F, 5.85534716F, 0.313161224F},
+                       {-0.000753980712F, -0.00581066171F, 0.000191138446F},
+                       {-4.41808319F, -4.05843258F, 0.255348563F},
+                       {-5.99479961F, -0.278148234F, -0.0061158333F},
+                       {-4.76715374F, 3.63121819F, -0.239971593F},
+                       {-1.30917752F, 5.83836746F, -0.367587388F},
+                       {2.76030803F, 5.31467628F, -0.267665595F},
+                       {5.53754282F, 2.30312204F, -0.0177531224F},
+                       {5.72342682F, -1.78921831F, 0.234420836F},
+                       {3.23018575F, -5.04336691F, 0.432446033F},
+                       {-0.77516669F, -5.93873501F, 0.452871889F}};
+  for (std::uint32_t apex : {0U, 10U})
+    for (std::uint32_t i = 0; i < 9; ++i) one.mesh.triangles.push_back({apex, apex + 1 + i, apex + 1 + (i + 1) % 9});
+  Both both(one);
+  both.step({0, 0, 0});
+  both.step({-0.775932133F, -5.9364686F, -0.751537442F});
+  EXPECT_EQ(both.tries(), kMostTriesOfADetour);
+}
+
+std::size_t steps_of_the_search() {
+  const char* given = std::getenv("FORCESHADE_CROSSING_SEARCH");
+  return given == nullptr ? 1500 : std::strtoull(given, nullptr, 10);
+}
+
+// From a drawn mesh and path, whatever costs more, as long as there is some within 60 tries.
+struct Climb {
+  Cost cost;
+  HardCase one;
+  std::size_t meshes = 0, unfinished = 0;
+
+  Climb(std::size_t family, std::uint64_t seed) {
+    HardDraws random(seed);
+    for (std::size_t step = 0, idle = 0; step < 300 && idle < 60; ++step, ++idle) {
+      HardCase next = one;
+      if (one.mesh.triangles.empty()) {
+        next = tests::drawn_hard_case(family, random);
+      } else {
+        next = tests::nudged(std::move(next), random);
+      }
+      const auto mesh = built(next);
+      if (!mesh) continue;
+      ++meshes;
+      const Cost found = cost_of(*mesh, next);
+      unfinished += found.is_unfinished;
+      if (found.operations < cost.operations) continue;
+      if (found.operations > cost.operations) idle = 0;
+      cost = found;
+      one = std::move(next);
+    }
+  }
+};
+
+TEST(crossing_search, the_worst_tick_that_hill_climbing_finds_is_within_the_bounds_and_right) {
+  const std::size_t climbs = steps_of_the_search() / 100;
+  for (std::size_t family = 0; family < kHardFamilies.size(); ++family) {
+    Climb worst(family, 1000000 * family);
+    std::size_t meshes = worst.meshes, unfinished = worst.unfinished;
+    for (std::uint64_t climb = 1; climb < climbs; ++climb) {
+      Climb next(family, 1000000 * family + climb);
+      meshes += next.meshes;
+      unfinished += next.unfinished;
+      if (next.cost.operations > worst.cost.operations) worst = std::move(next);
+    }
+    const Cost& cost = worst.cost;
+    std::printf(
+        "  %-30s %7zu meshes, %zu unfinished; at worst %d tries, %d moves, %zu decisions in binary64, %zu in integers%s, %.0f "
+        "us\n",
+        kHardFamilies[family], meshes, unfinished, cost.tries, cost.moves, cost.in_binary64, cost.in_integers,
+        cost.is_unfinished ? ", unfinished" : "", cost.microseconds);
+    EXPECT_GT(cost.tries, 0) << kHardFamilies[family];
+    Both both(worst.one);
+    for (const std::array<float, 3>& p : worst.one.positions) {
+      both.step(p);
+      EXPECT_LT(both.tries(), kMostTries + kMostTriesOfADetour);
+      // Held, it comes to rest, unless it finds no place to land on.
+      mesh::Tick last = both.step(p), again = both.step(p);
+      for (int i = 0; i < 8 && last.status == mesh::TickStatus::unfinished; ++i) last = again, again = both.step(p);
+      EXPECT_EQ(again.after, last.after) << kHardFamilies[family];
+    }
   }
 }
 
