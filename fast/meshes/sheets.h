@@ -452,14 +452,15 @@ class Sheets {
     const ExactOffset u = offset(from.exact, to.exact);
     if (is_zero(u)) return true;
     const GridSegment way(from.exact, to.exact, FixedInteger<25>(kGrid));
-    bool is_clear = true;
+    bool clear = true;
+    FeatureKey open{};  // the last one that the way meets and that does not block it: each triangle at a vertex meets that
     mesh_.tree().along(from.about, to.about, [&](std::uint32_t f) {
-      if (!is_clear) return;
+      if (!clear) return;
       const Face& face = mesh_.face(f);
       const Meeting met = meeting(face, from.about, to.about, inside);
       if (met == Meeting::none) return;
       if (met != Meeting::unknown) {
-        is_clear = !is_blocked(met);
+        clear = !is_blocked(met);
         return;
       }
       if (touches(mesh_, c, f)) {  // a way that begins off its plane meets it in c alone
@@ -468,10 +469,13 @@ class Sheets {
       }
       stages_.note(Stage::wide);
       way.meet(face, [&](Hit::Part part, std::uint32_t corner, const auto&) {
-        is_clear = is_clear && !is_blocked(key_at(mesh_, f, part, corner), 3 * f + corner, u);
+        const FeatureKey key = key_at(mesh_, f, part, corner);
+        if (!clear || key == open) return;
+        clear = !is_blocked(key, 3 * f + corner, u);
+        open = key;
       });
     });
-    return is_clear && !other_at(to, key_of(mesh_, c), &mesh_.face(face_of(c.half)));
+    return clear && !other_at(to, key_of(mesh_, c), &mesh_.face(face_of(c.half)));
   }
 
   std::optional<Block> first_block(const Place& from, const Place& to, const FeatureKey& own,
@@ -479,6 +483,7 @@ class Sheets {
     const ExactOffset u = offset(from.exact, to.exact);
     if (is_zero(u)) return std::nullopt;
     std::optional<Block> first;
+    FeatureKey open{};  // as in is_clear()
     const GridSegment way(from.exact, to.exact, FixedInteger<25>(kGrid));
     mesh_.tree().along(from.about, to.about, [&](std::uint32_t f) {
       const Face& face = mesh_.face(f);
@@ -497,7 +502,11 @@ class Sheets {
       }
       way.meet(face, [&](Hit::Part part, std::uint32_t corner, const auto& where) {
         const Block found{where(), 3 * f + corner, key_at(mesh_, f, part, corner)};
-        if (is_first(found) && is_blocked(found.key, found.half, u)) first = found;
+        if (found.key == open || !is_first(found)) return;
+        if (is_blocked(found.key, found.half, u))
+          first = found;
+        else
+          open = found.key;
       });
     });
     if (first) return first;

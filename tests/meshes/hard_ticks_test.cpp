@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Looks for meshes and positions at which a tick among crossing sheets takes many operations: hill climbing on vertices and
-// positions, from needles through a cube, plates that meet at a tiny angle, and the like. FORCESHADE_CROSSING_SEARCH=STEPS
-// climbs for longer. And what docs/meshes.md says of such ticks.
+// Ticks that take many operations. Among crossing sheets, hill climbing on vertices and positions looks for them, from needles
+// through a cube, plates that meet at a tiny angle, and the like; FORCESHADE_CROSSING_SEARCH=STEPS climbs for longer. And what
+// docs/meshes.md says of such ticks, and of vertices with many triangles.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
@@ -51,9 +52,9 @@ struct Cost {
   double microseconds = 0;
 };
 
-std::optional<fast::Mesh> built(const HardCase& one) {
-  if (!std::holds_alternative<mesh::CheckedMesh>(mesh::check(one.mesh, mesh::SelfIntersections::allowed))) return std::nullopt;
-  auto mesh = fast::Mesh::build(one.mesh, {}, one.sides, {}, mesh::SelfIntersections::allowed);
+std::optional<fast::Mesh> built(const HardCase& one, mesh::SelfIntersections allowed = mesh::SelfIntersections::allowed) {
+  if (!std::holds_alternative<mesh::CheckedMesh>(mesh::check(one.mesh, allowed))) return std::nullopt;
+  auto mesh = fast::Mesh::build(one.mesh, {}, one.sides, {}, allowed);
   if (!std::holds_alternative<fast::Mesh>(mesh)) return std::nullopt;
   return std::get<fast::Mesh>(std::move(mesh));
 }
@@ -78,23 +79,24 @@ Cost cost_of(const fast::Mesh& mesh, const HardCase& one) {
   return worst;
 }
 
-reference::GodObject defined(const HardCase& one) {
-  return std::get<reference::GodObject>(reference::GodObject::build(one.mesh, {}, one.sides, mesh::Shading::none, kStiffness,
-                                                                    {}, mesh::SelfIntersections::allowed));
+reference::GodObject defined(const HardCase& one, mesh::SelfIntersections allowed) {
+  return std::get<reference::GodObject>(
+      reference::GodObject::build(one.mesh, {}, one.sides, mesh::Shading::none, kStiffness, {}, allowed));
 }
 
 // One god-object on both sides, compared at every tick.
 class Both {
  public:
-  explicit Both(const HardCase& one) : mesh_(built(one).value()), definition_(defined(one)) {}
+  explicit Both(const HardCase& one, mesh::SelfIntersections allowed = mesh::SelfIntersections::allowed)
+      : mesh_(built(one, allowed).value()), definition_(defined(one, allowed)) {}
 
   mesh::Tick step(const std::array<float, 3>& p) {
     const mesh::Tick expected = definition_.step(p);
     const mesh::GodObject before = state_;
     state_ = expected.after;
-    std::size_t decisions = 0;
+    decisions_ = 0;
     mesh::Tick found;
-    fast::step(mesh_, at_, p, kStiffness, mesh::Shading::none, Counted{&decisions, &decisions}, found);
+    fast::step(mesh_, at_, p, kStiffness, mesh::Shading::none, Counted{&decisions_, &decisions_}, found);
     found.after = fast::object_of(mesh_, at_.spot);
     EXPECT_TRUE(tests::is_same(found, expected)) << "expected " << tests::show(expected) << ", found " << tests::show(found);
     const mesh::Tick exact = fast::step(mesh_, before, p, kStiffness, mesh::Shading::none, fast::ExactStages());
@@ -103,18 +105,20 @@ class Both {
     return found;
   }
   int tries() const { return at_.tries; }
+  std::size_t decisions() const { return decisions_; }  // of the last tick
 
  private:
   fast::Mesh mesh_;
   fast::Arrival at_;
   reference::GodObjectSession definition_;
   mesh::GodObject state_;
+  std::size_t decisions_ = 0;
 };
 
 // The box of 10^-3 x 10^-3 x 3 of a cube's side. Its grid's steps are three thousand times as long in one direction as in
 // another: beside the cube's face, a god-object that took some short ones whenever they lead nearer would use up the 256 moves
 // of a tick.
-TEST(crossing_search, a_god_object_on_a_needle_through_a_cube_does_not_creep) {
+TEST(hard_ticks, a_god_object_on_a_needle_through_a_cube_does_not_creep) {
   std::size_t most = 0, ticks = 0, changed = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     HardDraws random(seed);
@@ -144,7 +148,7 @@ TEST(crossing_search, a_god_object_on_a_needle_through_a_cube_does_not_creep) {
 }
 
 // Found by the search: three plates, between two of which there are but few points of the grid.
-TEST(crossing_search, a_tick_without_tries_is_unfinished_and_the_next_one_goes_on) {
+TEST(hard_ticks, a_tick_without_tries_is_unfinished_and_the_next_one_goes_on) {
   HardCase one;
   one.sides = Sides::both;
   one.mesh.vertices = {{8.23545647F, -4.80977011F, 4.41627359F},
@@ -179,7 +183,7 @@ TEST(crossing_search, a_tick_without_tries_is_unfinished_and_the_next_one_goes_o
 }
 
 // Two vertices of nine triangles, one on an edge of the other, a step beside it: 64 pairs of triangles.
-TEST(crossing_search, a_detour_has_only_so_many_tries) {
+TEST(hard_ticks, a_detour_has_only_so_many_tries) {
   HardCase one;
   one.sides = Sides::both;
   one.mesh.vertices = {{0, 0, 0},
@@ -208,6 +212,39 @@ TEST(crossing_search, a_detour_has_only_so_many_tries) {
   both.step({0, 0, 0});
   both.step({-0.775932133F, -5.9364686F, -0.751537442F});
   EXPECT_EQ(both.tries(), kMostTriesOfADetour);
+}
+
+// n triangles around the origin, which is a vertex; their other corners lie 50 mm off it, at heights up to 5 mm.
+HardCase fan(std::uint32_t n, Sides sides) {
+  HardCase one;
+  one.sides = sides;
+  one.mesh.vertices.push_back({0, 0, 0});
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double angle = 2 * 3.14159265358979 * i / n;
+    one.mesh.vertices.push_back({static_cast<float>(50 * std::cos(angle)), static_cast<float>(50 * std::sin(angle)),
+                                 static_cast<float>(0.05 * (7919 * i % 100))});
+    one.mesh.triangles.push_back({0, 1 + i, 1 + (i + 1) % n});
+  }
+  return one;
+}
+
+// Each triangle at a vertex meets a flight or a way through it, and to find how the vertex lies to it looks at each of them.
+TEST(hard_ticks, a_tick_at_a_vertex_of_many_triangles_looks_at_each_of_them_but_a_few_times) {
+  constexpr std::uint32_t kTriangles = 200;
+  std::size_t most = 0, ticks = 0;
+  for (const Sides sides : {Sides::front, Sides::both})
+    for (const auto allowed : {mesh::SelfIntersections::refused, mesh::SelfIntersections::allowed})
+      for (const float from : {3.0F, -3.0F})
+        for (const std::array<float, 3>& to : {std::array{0.0F, 0.0F, -from}, {0.0F, 0.0F, 0.0F}, {0.1F, -0.2F, -from}}) {
+          Both both(fan(kTriangles, sides), allowed);
+          for (const std::array<float, 3>& p : {std::array{-to[0], -to[1], from}, to, std::array{0.3F, 0.1F, -from}}) {
+            both.step(p);
+            most = std::max(most, both.decisions());
+            ++ticks;
+          }
+        }
+  std::printf("  %zu ticks, at most %zu decisions for %u triangles\n", ticks, most, kTriangles);
+  EXPECT_LE(most, 12 * kTriangles);
 }
 
 std::size_t steps_of_the_search() {
@@ -243,7 +280,7 @@ struct Climb {
   }
 };
 
-TEST(crossing_search, the_worst_tick_that_hill_climbing_finds_is_within_the_bounds_and_right) {
+TEST(hard_ticks, the_worst_tick_that_hill_climbing_finds_is_within_the_bounds_and_right) {
   const std::size_t climbs = steps_of_the_search() / 100;
   for (std::size_t family = 0; family < kHardFamilies.size(); ++family) {
     Climb worst(family, 1000000 * family);
