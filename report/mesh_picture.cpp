@@ -9,6 +9,7 @@
 #include "forceshade/report/panels.h"
 #include "forceshade/report/pictures.h"
 #include "forceshade/vocabulary/number_text.h"
+#include "forceshade/vocabulary/number_text.h"
 
 namespace forceshade::properties {
 namespace {
