@@ -569,7 +569,7 @@ class Sheets {
       const FixedInteger<139> side = square(exact_difference(face.corner[after(i)].data(), face.corner[i].data()));
       if (longest.compare(side) < 0) longest = side;
     }
-    return longest * FixedInteger<7>(kLeastSteps * kLeastSteps);
+    return longest * FixedInteger<7>(std::int64_t{kLeastSteps} * kLeastSteps);
   }
 
   // Along the way to e, as far as it is clear about.

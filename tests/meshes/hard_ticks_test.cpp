@@ -291,7 +291,10 @@ TEST(hard_ticks, the_worst_tick_that_hill_climbing_finds_is_within_the_bounds_an
       unfinished += next.unfinished;
       if (next.cost.operations > worst.cost.operations) worst = std::move(next);
     }
-    const Cost& cost = worst.cost;
+    Cost cost = worst.cost;
+    // Other programs interrupt some.
+    for (int pass = 0; pass < 5; ++pass)
+      cost.microseconds = std::min(cost.microseconds, cost_of(built(worst.one).value(), worst.one).microseconds);
     std::printf(
         "  %-30s %7zu meshes, %zu unfinished; at worst %d tries, %d moves, %zu decisions in binary64, %zu in integers%s, %.0f "
         "us\n",
