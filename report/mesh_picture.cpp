@@ -9,7 +9,6 @@
 #include "forceshade/report/panels.h"
 #include "forceshade/report/pictures.h"
 #include "forceshade/vocabulary/number_text.h"
-#include "forceshade/vocabulary/number_text.h"
 
 namespace forceshade::properties {
 namespace {
