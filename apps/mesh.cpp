@@ -98,10 +98,20 @@ void write_made(const std::string& path, const mesh::TriangleMesh& triangles,
 
 constexpr const char kFailedHeading[] = "FAILED: no mesh that can be rendered; faces and vertices are counted from 0";
 
+// Where a vertex has so many triangles that a tick there may be late.
+void note_large_fan(const mesh::TriangleMesh& triangles, std::vector<std::string>& notes) {
+  const mesh::LargestFan fan = mesh::largest_fan(triangles);
+  if (fan.triangles <= mesh::kLargestQuickFan) return;
+  notes.push_back("vertex " + std::to_string(fan.vertex) + " has " + std::to_string(fan.triangles) +
+                  " faces: a tick there can take longer than 0.1 ms, which it does not up to " +
+                  std::to_string(mesh::kLargestQuickFan) + " faces (docs/meshes.md, \"Vertices of many triangles\")");
+}
+
 int check(const MeshFileOptions& options) {
   mesh::LoadedMesh loaded = load(options);
-  const std::vector<std::string> notes = loaded.notes;
+  std::vector<std::string> notes = loaded.notes;
   const auto checked = mesh::check(std::move(loaded.mesh), options.self_intersections());
+  if (const auto* held = std::get_if<mesh::CheckedMesh>(&checked)) note_large_fan(held->mesh(), notes);
   const auto* findings = std::get_if<mesh::Findings>(&checked);
   const std::vector<std::string> faults = findings == nullptr ? std::vector<std::string>{} : lines_of(*findings);
   write_json(options, {{"file", options.file},

@@ -13,7 +13,7 @@ file(GLOB law_headers RELATIVE ${PROJECT_SOURCE_DIR}/fast CONFIGURE_DEPENDS ${PR
 install_headers(fast domain.h evaluate.h height_map_field.h heights/force.h heights/grid.h heights/jet.h heights/shape.h
                 heights/spline.h heights/spline_force.h instruction_set.h law.h ${law_headers} meshes/box_tree.h meshes/decide.h
                 meshes/flight.h meshes/force.h meshes/god_object.h meshes/heading.h meshes/large_pages.h meshes/mesh.h
-                meshes/rounding_bound.h meshes/session.h meshes/sheets.h meshes/spot.h meshes/tick_session.h meshes/vector3.h
+                meshes/rounding_bound.h meshes/segment.h meshes/session.h meshes/sheets.h meshes/spot.h meshes/tick_session.h meshes/vector3.h
                 meshes/walk.h numbers/arithmetic.h numbers/ball.h numbers/big_float_ball.h numbers/double_double.h
                 numbers/double_with_error.h numbers/first_stage.h numbers/fixed_integer.h numbers/inline.h numbers/row.h session.h
                 simd/batch.h stage.h)

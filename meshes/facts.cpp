@@ -86,4 +86,13 @@ Facts facts_of(const CheckedMesh& checked) {
   return facts;
 }
 
+LargestFan largest_fan(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> triangles(mesh.vertices.size(), 0);
+  for (const Triangle& triangle : mesh.triangles)
+    for (const std::uint32_t vertex : triangle) ++triangles[vertex];
+  const auto most = std::ranges::max_element(triangles);
+  if (most == triangles.end()) return {};
+  return {static_cast<std::uint32_t>(most - triangles.begin()), *most};
+}
+
 }  // namespace forceshade::mesh

@@ -23,4 +23,13 @@ struct Facts {
 
 Facts facts_of(const CheckedMesh& mesh);
 
+// The vertex with the most triangles, the first of several.
+struct LargestFan {
+  std::uint32_t vertex = 0;
+  std::uint64_t triangles = 0;
+};
+LargestFan largest_fan(const TriangleMesh& mesh);
+// With more triangles at a vertex, a tick there can take longer than 0.1 ms (docs/meshes.md, "Vertices of many triangles").
+inline constexpr std::uint64_t kLargestQuickFan = 1000;
+
 }  // namespace forceshade::mesh

@@ -212,6 +212,8 @@ int exact_compare_with_halves(const FixedInteger<kNum>& num, const FixedInteger<
 struct Cell {
   std::uint32_t floor;
   bool is_whole;
+
+  bool operator==(const Cell&) const = default;
 };
 template <int kNum, int kDen>
 Cell exact_cell(const FixedInteger<kNum>& num, const FixedInteger<kDen>& den) noexcept {

@@ -160,6 +160,9 @@ class Flight {
     const Vector3<double> w = difference(p_, face.corner[0].data());
     const DoubleWithError at_p{dot(numbers.n, w), kAcross.error * numbers.area * size_of(w)};
     const DoubleWithError along{dot(numbers.n, U_.U), kAcross.error * numbers.area * U_.size};
+    // Where the flight goes through a vertex, it meets each triangle there in nothing else, but for those it lies in the plane
+    // of.
+    if (passed_ != kNoVertex && has_vertex(face, passed_) && stages_.sure(__builtin_fabs(along.value) > along.error)) return;
     const int forward = sign_of(along, stages_, [&] { return dot(ExactFace(face).n, exact_offset_from(g_, p_)).sign(); });
     if (forward == 0) return meet_flat(f);
     const int beyond = forward * sign_of(at_p, stages_, [&] { return exact_side_of(face, p_); });
@@ -240,9 +243,17 @@ class Flight {
     return positive(dot(cross(e, w(hit.corner)), n), dot(cross(e, U), n));
   }
 
+  static bool has_vertex(const Face& f, std::uint32_t v) noexcept {
+    return f.vertex[0] == v || f.vertex[1] == v || f.vertex[2] == v;
+  }
+  void pass(const Hit& hit) noexcept {
+    if (hit.part == Hit::Part::corner) passed_ = mesh_.start(3 * hit.face + hit.corner);
+  }
+
   // Keeps the hit if it comes before the one that is kept, and the flight may not go on there. Where sheets cross, of hits in
   // one place the first feature counts.
   void offer(Hit hit) noexcept {
+    pass(hit);
     if (landing_.part != Hit::Part::none) {
       const int nearer = sign_of(hit.remaining - landing_.remaining, stages_, [&] {
         const Fraction a = remaining(hit), b = remaining(landing_);
@@ -276,6 +287,7 @@ class Flight {
   void end_in(std::uint32_t f) noexcept {
     Hit hit = part_at(mesh_, f, p_, stages_);
     if (hit.part == Hit::Part::none) return;
+    pass(hit);
     if (end_.part != Hit::Part::none && key_of(mesh_, hit) >= key_of(mesh_, end_)) return;
     if (hit.part == Hit::Part::triangle) {
       hit.side = sign_of({dot(FaceNumbers(mesh_.face(f)).n, U_.U), HUGE_VAL}, stages_,
@@ -317,6 +329,8 @@ class Flight {
   const float* p_;
   const Stages& stages_;
   Hit landing_, end_;
+  static constexpr std::uint32_t kNoVertex = 0xFFFFFFFF;
+  std::uint32_t passed_ = kNoVertex;  // the last vertex that the flight was found to go through or to end in
 };
 
 }  // namespace forceshade::fast

@@ -82,6 +82,25 @@ class Headings {
                    });
   }
 
+  // The same for two edges of one triangle: h, and the one that ends where h begins.
+  struct InwardFrom {
+    int edge, other;
+  };
+  InwardFrom inward_from(HalfEdge h) const noexcept {
+    const Face& f = mesh_.face(face_of(h));
+    const std::uint32_t a = corner_of(h), b = after(a), c = before(a);
+    const FaceNumbers face(f);
+    const auto from = [&](std::uint32_t start, std::uint32_t end) {
+      const Vector3<double> e = difference(f.corner[end].data(), f.corner[start].data());
+      return sign_of({dot(cross(e, direction_.d), face.n), kInside.error * face.area * size_of(e) * direction_.size}, stages_,
+                     [&] {
+                       const auto exact_e = exact_difference(f.corner[end].data(), f.corner[start].data());
+                       return dot(cross(exact_e, direction_.exact()), ExactFace(f).n).sign();
+                     });
+    };
+    return {from(a, b), from(c, a)};
+  }
+
   // At a point inside an edge.
   Aim aim_at_edge(HalfEdge h) const noexcept {
     const HalfEdge other = mesh_.twin(h);
@@ -101,7 +120,7 @@ class Headings {
     int into_first_from_start = 0, into_last = -1;  // the latter: from the edge at hand into the triangle before it
     HalfEdge h = start;
     do {
-      const int from_edge = inward(h), from_other = inward(previous(h));
+      const auto [from_edge, from_other] = inward_from(h);
       if (h == start && !is_at_rim)
         into_first_from_start = from_edge;
       else if (into_last <= 0 && from_edge <= 0)

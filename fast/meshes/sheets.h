@@ -1,129 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The god-object's ways on a mesh whose sheets may cross each other (docs/meshes.md, "Meshes that intersect themselves"). The
-// tree gives the triangles that a way may meet, binary64 drops those whose plane surely has both ends on one side, and what is
-// left is decided in integers: few ways are blocked.
+// tree gives the triangles that a way may meet; binary64 drops those that it surely passes by, and finds those that it surely
+// goes through; the rest is decided in integers.
 
-#include <algorithm>
-#include <cstdlib>
+#include <array>
+#include <cstdint>
 #include <optional>
 
-#include "forceshade/fast/meshes/flight.h"
+#include "forceshade/fast/meshes/segment.h"
 
 namespace forceshade::fast {
 
-// A point in units of 2^-77 mm.
-using GridPlace = Vector3<FixedInteger<92>>;
-
-inline GridPlace place_of(const Point& g) noexcept {
-  const auto coordinate = [&](std::size_t axis) {
-    FixedInteger<92> sum;
-    for (int c = 0; c < g.count; ++c) {
-      const auto i = static_cast<std::size_t>(c);
-      // No partial sum exceeds 2^24 times the largest coordinate: the weights add up to 2^24.
-      const auto next = sum + in_units(g.corner[i][axis]) * FixedInteger<25>(static_cast<std::int64_t>(g.weight[i]));
-      sum = FixedInteger<92>(next.words());
-    }
-    return sum;
-  };
-  return {coordinate(0), coordinate(1), coordinate(2)};
-}
-
-// A straight way. Its ends are `scale` times as long as they are in units of 2^-53 mm.
-template <int kEnd, int kScale>
-class Segment {
+// How many tries a detour or a landing has left: points of the grid that it may consider, lines and sheets that it may look at.
+class Tries {
  public:
-  using End = Vector3<FixedInteger<kEnd>>;
-  Segment(const End& from, const End& to, const FixedInteger<kScale>& scale) noexcept : from_(from), to_(to), scale_(scale) {}
+  static constexpr int kMost = 256;  // of one detour or landing
 
-  // How far along the way it meets a feature, as num/den from 0 to 1.
-  struct Fraction {
-    FixedInteger<2 * kEnd + 142> num, den;
-  };
-
-  // Calls meets(part, corner, where) for each feature of the triangle that it meets strictly between its ends. Where it lies in
-  // the triangle's plane, these are its edges and corners. where(): a Fraction.
-  template <class Meets>
-  void meet(const Face& f, const Meets& meets) const noexcept {
-    const ExactFace face(f);
-    const auto u = to_ - from_;
-    const auto at_start = dot(face.n, from_ - corner(f, 0)), at_end = dot(face.n, to_ - corner(f, 0));
-    const int before_plane = at_start.sign(), beyond = at_end.sign();
-    if (before_plane == 0 && beyond == 0) return meet_flat(f, u, meets);
-    if (before_plane * beyond >= 0) return;
-    std::array<int, 3> inside;  // of the edge opposite to a corner
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      inside[i] = beyond * opposite(f, i, u).sign();
-      if (inside[i] < 0) return;
-    }
-    const auto where = [&] {
-      const auto all = at_start - at_end;
-      return before_plane < 0 ? Fraction{-at_start, -all} : Fraction{at_start, all};
-    };
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      if (inside[i] != 0) continue;
-      if (inside[after(i)] == 0) return meets(Hit::Part::corner, before(i), where);
-      if (inside[before(i)] != 0) return meets(Hit::Part::edge, after(i), where);
-    }
-    meets(Hit::Part::triangle, 0, where);
+  bool take() noexcept {
+    if (left_ == 0) return false;
+    --left_;
+    return true;
   }
-
-  // n·u times the weight that the corner i has where the way's line goes through the plane.
-  template <class Direction>
-  auto opposite(const Face& f, std::uint32_t i, const Direction& u) const noexcept {
-    const std::uint32_t a = after(i), b = after(a);
-    return dot(cross(from_ - corner(f, a), u), exact_difference(f.corner[b].data(), f.corner[a].data()));
-  }
-
-  // The feature of the triangle that the start lies in.
-  Hit::Part start_in(const Face& f, std::uint32_t& corner_or_edge) const noexcept {
-    const ExactFace face(f);
-    if (!dot(face.n, from_ - corner(f, 0)).is_zero()) return Hit::Part::none;
-    std::array<int, 3> inside;  // of edge i
-    int zeros = 0;
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const auto e = exact_difference(f.corner[after(i)].data(), f.corner[i].data());
-      inside[i] = dot(cross(e, from_ - corner(f, i)), face.n).sign();
-      if (inside[i] < 0) return Hit::Part::none;
-      zeros += inside[i] == 0;
-    }
-    corner_or_edge = 0;
-    if (zeros == 0) return Hit::Part::triangle;
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      if (zeros == 1 && inside[i] == 0) corner_or_edge = i;
-      if (zeros == 2 && inside[i] != 0) corner_or_edge = before(i);
-    }
-    return zeros == 1 ? Hit::Part::edge : Hit::Part::corner;
-  }
+  bool are_left() const noexcept { return left_ > 0; }
+  int taken() const noexcept { return kMost - left_; }
 
  private:
-  auto corner(const Face& f, std::uint32_t i) const noexcept {
-    const auto& c = f.corner[i];
-    return Vector3<FixedInteger<67 + kScale>>{in_units(c[0]) * scale_, in_units(c[1]) * scale_, in_units(c[2]) * scale_};
-  }
-
-  template <class Direction, class Meets>
-  void meet_flat(const Face& f, const Direction& u, const Meets& meets) const noexcept {
-    const auto is_zero = [](const auto& v) { return v.x.is_zero() && v.y.is_zero() && v.z.is_zero(); };
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const auto w = corner(f, i) - from_;
-      const auto along = dot(w, u), length = dot(u, u);
-      if (is_zero(cross(w, u)) && along.sign() > 0 && along.compare(length) < 0)
-        meets(Hit::Part::corner, i, [&] { return Fraction{along, length}; });
-      const auto e = exact_difference(f.corner[after(i)].data(), f.corner[i].data());
-      const auto across = cross(u, e);
-      if (is_zero(across)) continue;
-      const auto all = dot(across, across), s = dot(cross(w, e), across);
-      const auto t = dot(cross(w, u), across);  // times the scale
-      if (s.sign() > 0 && s.compare(all) < 0 && t.sign() > 0 && t.compare(all * scale_) < 0)
-        meets(Hit::Part::edge, i, [&] { return Fraction{s, all}; });
-    }
-  }
-
-  const End from_, to_;
-  const FixedInteger<kScale> scale_;
+  int left_ = kMost;
 };
-using GridSegment = Segment<92, 25>;
 
 // In one tick, towards p.
 template <class Stages>
@@ -147,7 +51,8 @@ class Sheets {
   bool is_apart(const Point& g, const Hit& hit, const FixedInteger<304>& left, const FixedInteger<304>& all,
                 const Spot& c) const noexcept {
     const Place end = place_at(c);
-    if (other_at(end, key_of(mesh_, c))) return false;
+    const Face& inside = mesh_.face(hit.face);  // the line from x to c lies in it
+    if (other_at(end, key_of(mesh_, c), &inside)) return false;
     const GridPlace p = place_of(Point::at(p_));
     const ExactOffset U = exact_offset_from(g, p_);
     using Long = FixedInteger<400>;
@@ -164,6 +69,7 @@ class Sheets {
         high{end.about.x + reach, end.about.y + reach, end.about.z + reach};
     mesh_.tree().along(low, high, [&](std::uint32_t f) {
       const Face& face = mesh_.face(f);
+      if (have_common_vertex(face, inside)) return;  // no more in common than with the feature that x or c lies in
       const FaceNumbers numbers(face);
       const DoubleWithError side = side_about(face, numbers, end.about);
       if (!is_alone || stages_.sure(__builtin_fabs(side.value) > side.error + 8 * reach * numbers.area)) return;
@@ -209,7 +115,7 @@ class Sheets {
 
   // A point of the grid around these to which there is a clear way from g. from: g's spot where it is on the surface; then the
   // point is nearer to p.
-  std::optional<Spot> landing(const Point& g, const Spot* from, const Bases& bases) const noexcept {
+  std::optional<Spot> landing(const Point& g, const Spot* from, const Bases& bases, Tries& tries) const noexcept {
     struct Step {
       std::int64_t k, l;
     };
@@ -226,7 +132,7 @@ class Sheets {
         for (std::size_t i = 0; i < (ring == 0 ? kAround.size() : kRing.size()); ++i) {
           const Step& step = ring == 0 ? kAround[i] : kRing[i];
           const std::int64_t k = bases.all[b].k + reach * step.k, l = bases.all[b].l + reach * step.l;
-          if (k < 0 || l < 0 || k + l > kGrid) continue;
+          if (k < 0 || l < 0 || k + l > kGrid || !tries.take()) continue;
           Spot c = spot_in_triangle(mesh_, bases.all[b].face, static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(l),
                                     mesh::Side::front);
           const Distance off = distance(point_of(mesh_, c));
@@ -239,16 +145,18 @@ class Sheets {
   }
 
   // Where the god-object goes instead of to e, in the closed triangle `carrier` as it is itself: a point nearer to p, or none.
-  std::optional<Spot> detour(const Spot& from, const Spot& e, std::uint32_t carrier, const Block& block) const noexcept {
+  std::optional<Spot> detour(const Spot& from, const Spot& e, std::uint32_t carrier, const Block& block,
+                             Tries& tries) const noexcept {
     Nearest best;
     best.limit = distance(point_of(mesh_, from));
     best.has_limit = true;
     const Distance limit = best.limit;
-    shorten(best, limit, from, e, carrier, block);
+    shorten(best, limit, from, e, carrier, block, tries);
     const Triangles here = triangles_at(from.place, from.half), there = triangles_at(block.key.place, block.half);
     for (std::size_t i = 0; i < here.count; ++i)
-      for (std::size_t j = 0; j < there.count; ++j) go_beside(best, limit, from, here.all[i], there.all[j]);
-    for (std::size_t j = 0; j < there.count; ++j) change_sheet(best, from, e, carrier, there.all[j]);
+      for (std::size_t j = 0; j < there.count && tries.take(); ++j)
+        go_beside(best, limit, from, here.all[i], there.all[j], tries);
+    for (std::size_t j = 0; j < there.count && tries.take(); ++j) change_sheet(best, from, e, carrier, there.all[j], tries);
     if (!best.is_found) return std::nullopt;
     return best.spot;
   }
@@ -327,11 +235,12 @@ class Sheets {
     return found;
   }
 
+  static Vector3<double> off(const Vector3<double>& at, const std::array<float, 3>& a) noexcept {
+    return {at.x - static_cast<double>(a[0]), at.y - static_cast<double>(a[1]), at.z - static_cast<double>(a[2])};
+  }
   // n·(at - a), `at` being good to kAbout.
   static DoubleWithError side_about(const Face& face, const FaceNumbers& numbers, const Vector3<double>& at) noexcept {
-    const auto& a = face.corner[0];
-    const Vector3<double> w{at.x - static_cast<double>(a[0]), at.y - static_cast<double>(a[1]),
-                            at.z - static_cast<double>(a[2])};
+    const Vector3<double> w = off(at, face.corner[0]);
     return {dot(numbers.n, w), numbers.area * (kAcross.error * size_of(w) + 8 * kAbout)};
   }
 
@@ -345,8 +254,7 @@ class Sheets {
       const Vector3<double> e = difference(b.data(), a.data());
       const double unit = numbers.area * size_of(e);
       const auto is_beyond = [&](const Vector3<double>& at) {
-        const Vector3<double> w{at.x - static_cast<double>(a[0]), at.y - static_cast<double>(a[1]),
-                                at.z - static_cast<double>(a[2])};
+        const Vector3<double> w = off(at, a);
         return dot(cross(e, w), numbers.n) < -unit * (kInside.error * size_of(w) + 16 * kAbout);
       };
       passes = passes || (is_beyond(from) && is_beyond(to));
@@ -384,16 +292,68 @@ class Sheets {
     return onward != Aim::open && onward != from && !leaves;
   }
 
-  // Whether a way between two such points surely does not meet the triangle. inside: a triangle that the way lies in, and so
-  // meets no triangle with which that has a vertex in common.
-  bool surely_misses(const Face& face, const Vector3<double>& from, const Vector3<double>& to,
-                     const Face* inside) const noexcept {
-    if (inside != nullptr && have_common_vertex(face, *inside)) return true;
+  // How a way between two points, which are good to kAbout, lies to a triangle, as far as binary64 tells. Inwards and outwards:
+  // through its inside, from its front or to it.
+  enum class Meeting { none, inwards, outwards, unknown };
+  // inside: a triangle that the way lies in, and so meets no triangle with which that has a vertex in common.
+  Meeting meeting(const Face& face, const Vector3<double>& from, const Vector3<double>& to, const Face* inside) const noexcept {
+    if (inside != nullptr && have_common_vertex(face, *inside)) return Meeting::none;
     const FaceNumbers numbers(face);
     const DoubleWithError at_start = side_about(face, numbers, from), at_end = side_about(face, numbers, to);
-    const bool is_before = at_start.value > at_start.error && at_end.value > at_end.error,
-               is_beyond = at_start.value < -at_start.error && at_end.value < -at_end.error;
-    return stages_.sure(is_before || is_beyond) || surely_passes_by(face, numbers, from, to);
+    const bool starts_before = at_start.value > at_start.error,
+               starts_beyond = at_start.value<-at_start.error, ends_before = at_end.value> at_end.error,
+               ends_beyond = at_end.value < -at_end.error;
+    if (stages_.sure((starts_before && ends_before) || (starts_beyond && ends_beyond))) return Meeting::none;
+    if (surely_passes_by(face, numbers, from, to)) return Meeting::none;
+    const bool is_inwards = starts_before && ends_beyond;
+    if (!stages_.sure(is_inwards || (starts_beyond && ends_before))) return Meeting::unknown;
+    const Vector3<double> u = to - from;
+    const double size_u = size_of(u);
+    bool is_through = true, passes_by = false;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const auto &a = face.corner[i], &b = face.corner[after(i)];
+      const Vector3<double> e = difference(b.data(), a.data()), w = off(from, a);
+      const double size_w = size_of(w), passes = is_inwards ? -dot(cross(w, u), e) : dot(cross(w, u), e);
+      const double error = size_of(e) * (kPasses.error * size_w * size_u + 8 * kAbout * (size_u + 2 * size_w + 2 * kAbout));
+      is_through = is_through && passes > error;
+      passes_by = passes_by || passes < -error;
+    }
+    if (stages_.sure(passes_by)) return Meeting::none;
+    if (!stages_.sure(is_through)) return Meeting::unknown;
+    return is_inwards ? Meeting::inwards : Meeting::outwards;
+  }
+  // Of a meeting inside the triangle.
+  bool is_blocked(Meeting meeting) const noexcept { return meeting == Meeting::inwards || mesh_.sides() == mesh::Sides::both; }
+
+  // Whether nothing blocks the way to c, whose place is `to`.
+  bool is_clear(const Place& from, const Place& to, const Spot& c, const Face* inside) const noexcept {
+    const ExactOffset u = offset(from.exact, to.exact);
+    if (is_zero(u)) return true;
+    const GridSegment way(from.exact, to.exact, FixedInteger<25>(kGrid));
+    bool clear = true;
+    FeatureKey open{};  // the last one that the way meets and that does not block it: each triangle at a vertex meets that
+    mesh_.tree().along(from.about, to.about, [&](std::uint32_t f) {
+      if (!clear) return;
+      const Face& face = mesh_.face(f);
+      const Meeting met = meeting(face, from.about, to.about, inside);
+      if (met == Meeting::none) return;
+      if (met != Meeting::unknown) {
+        clear = !is_blocked(met);
+        return;
+      }
+      if (touches(mesh_, c, f)) {  // a way that begins off its plane meets it in c alone
+        const DoubleWithError at_start = side_about(face, FaceNumbers(face), from.about);
+        if (stages_.sure(__builtin_fabs(at_start.value) > at_start.error)) return;
+      }
+      stages_.note(Stage::wide);
+      way.meet(face, [&](Hit::Part part, std::uint32_t corner, const auto&) {
+        const FeatureKey key = key_at(mesh_, f, part, corner);
+        if (!clear || key == open) return;
+        clear = !is_blocked(key, 3 * f + corner, u);
+        open = key;
+      });
+    });
+    return clear && !other_at(to, key_of(mesh_, c), &mesh_.face(face_of(c.half)));
   }
 
   std::optional<Block> first_block(const Place& from, const Place& to, const FeatureKey& own,
@@ -401,18 +361,30 @@ class Sheets {
     const ExactOffset u = offset(from.exact, to.exact);
     if (is_zero(u)) return std::nullopt;
     std::optional<Block> first;
+    FeatureKey open{};  // as in is_clear()
     const GridSegment way(from.exact, to.exact, FixedInteger<25>(kGrid));
     mesh_.tree().along(from.about, to.about, [&](std::uint32_t f) {
       const Face& face = mesh_.face(f);
-      if (surely_misses(face, from.about, to.about, inside)) return;
+      const Meeting met = meeting(face, from.about, to.about, inside);
+      if (met == Meeting::none || (met != Meeting::unknown && !is_blocked(met))) return;
+      const auto is_first = [&](const Block& found) {
+        if (!first) return true;
+        const int order = (found.s.num * first->s.den).compare(first->s.num * found.s.den);
+        return order < 0 || (order == 0 && found.key < first->key);
+      };
       stages_.note(Stage::wide);
+      if (met != Meeting::unknown) {
+        const Block found{way.through(face), 3 * f, key_of(mesh_, mesh::Place::triangle, 3 * f)};
+        if (is_first(found)) first = found;
+        return;
+      }
       way.meet(face, [&](Hit::Part part, std::uint32_t corner, const auto& where) {
         const Block found{where(), 3 * f + corner, key_at(mesh_, f, part, corner)};
-        if (first) {
-          const int order = (found.s.num * first->s.den).compare(first->s.num * found.s.den);
-          if (order > 0 || (order == 0 && found.key >= first->key)) return;
-        }
-        if (is_blocked(found.key, found.half, u)) first = found;
+        if (found.key == open || !is_first(found)) return;
+        if (is_blocked(found.key, found.half, u))
+          first = found;
+        else
+          open = found.key;
       });
     });
     if (first) return first;
@@ -425,7 +397,7 @@ class Sheets {
     const GridSegment way(at.exact, at.exact, FixedInteger<25>(kGrid));
     mesh_.tree().along(at.about, at.about, [&](std::uint32_t f) {
       const Face& face = mesh_.face(f);
-      if (surely_misses(face, at.about, at.about, inside)) return;
+      if (meeting(face, at.about, at.about, inside) == Meeting::none) return;
       stages_.note(Stage::wide);
       std::uint32_t corner = 0;
       const Hit::Part part = way.start_in(face, corner);
@@ -449,25 +421,38 @@ class Sheets {
     const FeatureKey own = key_of(mesh_, c);
     const Aim A = aim_at(own, c.half, opposite(u));
     const bool is_one_sided = mesh_.sides() == mesh::Sides::front;
-    if (A == Aim::on || (is_one_sided && A == Aim::back) || first_block(g, end, own, nullptr)) return false;
+    if (A == Aim::on || (is_one_sided && A == Aim::back) || !is_clear(g, end, c, nullptr)) return false;
     c.side = A == Aim::back ? mesh::Side::back : mesh::Side::front;
     return true;
   }
 
   // The grid points beside a point of the closed triangle, up to four.
   template <class Visit>
-  void around(std::uint32_t face, const Cell& k, const Cell& l, mesh::Side side, const Visit& visit) const noexcept {
+  void around(std::uint32_t face, const Cell& k, const Cell& l, mesh::Side side, Tries& tries,
+              const Visit& visit) const noexcept {
     for (std::uint32_t across = 0; across < 2; ++across)
       for (std::uint32_t up = 0; up < 2; ++up) {
         if ((up == 1 && k.is_whole) || (across == 1 && l.is_whole) || k.floor + up + l.floor + across > kGrid) continue;
+        if (!tries.take()) return;
         visit(spot_in_triangle(mesh_, face, k.floor + up, l.floor + across, side));
       }
   }
 
-  // Along the way to e, as far as it is clear about. Not within kLeastSteps of the grid: around so near a place there often is
-  // a point beside the way that is a little nearer to p, and the god-object would creep along the sheet from point to point.
+  // The square of the least length of a way along or beside a sheet, in the units of Distance: kLeastSteps of the grid's
+  // longest steps. Around a nearer place there often is a point that is a little nearer to p, and the god-object would creep
+  // along the sheet from point to point.
+  static FixedInteger<146> least_square(const Face& face) noexcept {
+    FixedInteger<139> longest;  // of a side, in units of 2^-106 mm²: the grid's step is 2^-24 of it
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const FixedInteger<139> side = square(exact_difference(face.corner[after(i)].data(), face.corner[i].data()));
+      if (longest.compare(side) < 0) longest = side;
+    }
+    return longest * FixedInteger<7>(std::int64_t{kLeastSteps} * kLeastSteps);
+  }
+
+  // Along the way to e, as far as it is clear about.
   void shorten(Nearest& best, const Distance& limit, const Spot& from, const Spot& e, std::uint32_t carrier,
-               const Block& blocked) const noexcept {
+               const Block& blocked, Tries& tries) const noexcept {
     const auto G = weights_in(mesh_, from, carrier), E = weights_in(mesh_, e, carrier);
     const std::uint32_t most =
         blocked.s.num.compare(blocked.s.den) == 0 ? kGrid : exact_cell(blocked.s.num, blocked.s.den).floor;
@@ -475,16 +460,23 @@ class Sheets {
       const std::int64_t sum = std::int64_t{G[i]} * kGrid + std::int64_t{m} * (std::int64_t{E[i]} - std::int64_t{G[i]});
       return Cell{static_cast<std::uint32_t>(sum / kGrid), sum % kGrid == 0};
     };
-    std::int64_t steps = 0;  // of the whole way
-    for (std::size_t i = 0; i < 3; ++i) steps = std::max(steps, std::abs(std::int64_t{E[i]} - std::int64_t{G[i]}));
-    for (std::uint32_t back = 0; back < most; back = back == 0 ? 1 : 2 * back) {
-      if ((most - back) * steps < std::int64_t{kLeastSteps} * kGrid) return;
+    const Face& face = mesh_.face(carrier);
+    const auto least = least_square(face).template shifted<48>();
+    const Place start = place_at(from);
+    const Distance length = square(offset(start.exact, place_at(e).exact));
+    std::array<Cell, 2> last{};
+    for (std::uint32_t back = 0; back < most && tries.are_left(); back = back == 0 ? 1 : 2 * back) {
+      const FixedInteger<25> m(static_cast<std::int64_t>(most - back));
+      if ((m * m * length).compare(least) < 0) return;  // the length of the way to there, times 2^48
+      const std::array<Cell, 2> cell{at(most - back, 1), at(most - back, 2)};
+      if (back > 0 && cell == last) continue;  // the same points
+      last = cell;
       Nearest of_these;
       of_these.limit = limit;
       of_these.has_limit = true;
-      around(carrier, at(most - back, 1), at(most - back, 2), from.side, [&](const Spot& c) {
+      around(carrier, cell[0], cell[1], from.side, tries, [&](const Spot& c) {
         const Distance off = distance(point_of(mesh_, c));
-        if (of_these.would_take(off) && !block(from, c, carrier)) of_these.offer(c, off);
+        if (of_these.would_take(off) && is_clear(start, place_at(c), c, &face)) of_these.offer(c, off);
       });
       if (!of_these.is_found) continue;
       return best.offer(of_these.spot, of_these.limit);
@@ -492,8 +484,8 @@ class Sheets {
   }
 
   // In the triangle `along`, parallel to the plane of the triangle `beside`.
-  void go_beside(Nearest& best, const Distance& limit, const Spot& from, std::uint32_t along,
-                 std::uint32_t beside) const noexcept {
+  void go_beside(Nearest& best, const Distance& limit, const Spot& from, std::uint32_t along, std::uint32_t beside,
+                 Tries& tries) const noexcept {
     const ExactFace T(mesh_.face(along));
     const auto n = ExactFace(mesh_.face(beside)).n;
     using Step = FixedInteger<212>;
@@ -526,27 +518,26 @@ class Sheets {
     };
     std::array<Candidate, 4> ends;
     std::size_t count = 0;
-    around(along, end(1), end(2), from.side, [&](const Spot& c) {
+    const Place start = place_at(from);
+    const auto least = least_square(mesh_.face(along));
+    around(along, end(1), end(2), from.side, tries, [&](const Spot& c) {
+      if (square(offset(start.exact, place_at(c).exact)).compare(least) < 0) return;
       const Distance off = distance(point_of(mesh_, c));
       std::size_t i = count++;
       for (; i > 0 && off.compare(ends[i - 1].off) < 0; --i) ends[i] = ends[i - 1];
       ends[i] = {c, off};
     });
-    std::optional<Block> blocked;
-    Spot end_of_blocked;
-    for (std::size_t i = 0; i < count && ends[i].off.compare(limit) < 0; ++i) {
-      const std::optional<Block> found = block(from, ends[i].spot, along);
-      if (!found) return best.offer(ends[i].spot, ends[i].off);
-      if (blocked) continue;
-      blocked = found;
-      end_of_blocked = ends[i].spot;
-    }
-    if (blocked) shorten(best, limit, from, end_of_blocked, along, *blocked);
+    for (std::size_t i = 0; i < count && ends[i].off.compare(limit) < 0; ++i)
+      if (is_clear(start, place_at(ends[i].spot), ends[i].spot, &mesh_.face(along)))
+        return best.offer(ends[i].spot, ends[i].off);
+    if (count == 0 || ends[0].off.compare(limit) >= 0) return;
+    if (const auto blocked = block(from, ends[0].spot, along)) shorten(best, limit, from, ends[0].spot, along, *blocked, tries);
   }
 
   // Onto the triangle `to`, where the way to e goes through its plane: if p is beyond that plane, and its foot there is not
   // beyond the plane of the triangle that the god-object slides in.
-  void change_sheet(Nearest& best, const Spot& from, const Spot& e, std::uint32_t carrier, std::uint32_t to) const noexcept {
+  void change_sheet(Nearest& best, const Spot& from, const Spot& e, std::uint32_t carrier, std::uint32_t to,
+                    Tries& tries) const noexcept {
     const Face &here = mesh_.face(carrier), &there = mesh_.face(to);
     const auto n = ExactFace(there).n, own = ExactFace(here).n;
     const Place start = place_at(from), end = place_at(e);
@@ -564,7 +555,7 @@ class Sheets {
     };
     Bases base;
     base.all[base.count++] = {to, down(second), down(third)};
-    const std::optional<Spot> found = landing(start.point, &from, base);
+    const std::optional<Spot> found = landing(start.point, &from, base, tries);
     if (found) best.offer(*found, distance(point_of(mesh_, *found)));
   }
 

@@ -23,6 +23,7 @@ struct Arrival {
   int moves = 0;
   bool is_finished = true;
   Plane plane{};  // of the rest's triangle: in_triangle alone
+  int tries = 0;  // that the tick's detours and landings have taken: where sheets may cross
 };
 
 // kHasSheets: whether ways are tested against the whole mesh, whose sheets may cross.
@@ -30,6 +31,7 @@ template <class Stages, bool kHasSheets = false>
 class Walk {
  public:
   static constexpr int kMostMoves = 256;
+  static constexpr int kMostTries = 256;  // with these, no further detour or landing of the tick begins
 
   // Moves `at`, from where its spot is. p: mm, in the domain and quantised. Both have to outlive the walk.
   FORCESHADE_INLINE Walk(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, const Stages& stages = {}) noexcept
@@ -41,6 +43,7 @@ class Walk {
       for (const HalfEdge other : mesh_.face(face_of(spot_.half)).twin)
         if (other != kRim) mesh_.fetch_neighbours(face_of(other));
     at_.moves = 0;
+    if constexpr (kHasSheets) at_.tries = 0;
     at_.is_finished = true;
     if (spot_.place == mesh::Place::nowhere) return start();
     Step step;
@@ -82,12 +85,21 @@ class Walk {
     const Sheets<Stages> sheets(mesh_, p_.data(), stages_);
     const auto block = sheets.block(spot_, to, f);
     if (!block) return std::nullopt;
-    return arrive_instead(sheets.detour(spot_, to, f, *block));
+    return arrive_instead([&](Tries& tries) { return sheets.detour(spot_, to, f, *block, tries); });
   }
-  Step arrive_instead(const std::optional<Spot>& other) noexcept {
-    if (other) return onward(*other);
+  // find(tries): a point to go to instead.
+  template <class Find>
+  Step arrive_instead(const Find& find) noexcept {
+    if (at_.tries < kMostTries) {
+      Tries tries;
+      const std::optional<Spot> other = find(tries);
+      at_.tries += tries.taken();
+      if (other) return onward(*other);
+      --at_.moves;
+      return spot_.place == mesh::Place::free ? Step::exhausted : rest(Rest::at_spot);
+    }
     --at_.moves;
-    return spot_.place == mesh::Place::free ? Step::exhausted : rest(Rest::at_spot);
+    return Step::exhausted;
   }
   // One member at a time: a load that spans several recent stores waits for them.
   FORCESHADE_INLINE void put(const Spot& to) noexcept {
@@ -514,7 +526,9 @@ class Walk {
       if constexpr (kHasSheets) {
         const Sheets<Stages> sheets(mesh_, p_.data(), stages_);
         if (!sheets.is_apart(g, flight.end(), {}, FixedInteger<304>(1), to))
-          return arrive_instead(sheets.landing(g, spot_if_touching(), sheets.bases(flight.end(), flight.cells_at_end())));
+          return arrive_instead([&](Tries& tries) {
+            return sheets.landing(g, spot_if_touching(), sheets.bases(flight.end(), flight.cells_at_end()), tries);
+          });
       }
       return rest(Rest::at_position, to);
     }
@@ -527,7 +541,8 @@ class Walk {
       const Sheets<Stages> sheets(mesh_, p_.data(), stages_);
       const auto left = flight.left_at_landing();
       if (!sheets.is_apart(g, landing, left.num, left.den, to))
-        return arrive_instead(sheets.landing(g, spot_if_touching(), sheets.bases(landing, flight.cells())));
+        return arrive_instead(
+            [&](Tries& tries) { return sheets.landing(g, spot_if_touching(), sheets.bases(landing, flight.cells()), tries); });
     }
     return onward(to);
   }

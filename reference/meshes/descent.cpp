@@ -27,6 +27,8 @@ struct Rested {  // at the point of the feature nearest to p
 struct Freed {};  // at p
 using End = std::variant<Stopped, Rested, Freed>;
 
+constexpr unsigned kMostTries = 256;  // with these, no further detour or landing of the tick begins
+
 Side side_of(DirectionKind way) {
   return way == DirectionKind::back ? Side::back : Side::front;
 }
@@ -57,7 +59,9 @@ class Tick {
       return is_free();
     }
     if (has_sheets_ && !may_land(g, end)) {
-      const auto landed = sheets_.landing(g, std::nullopt, point_of(end));
+      Tries tries;
+      const auto landed = sheets_.landing(g, std::nullopt, point_of(end), tries);
+      tries_ += tries.taken();
       if (!landed) return stays_free(position);
       ++moves_;
       return from_surface(landed->at, landed->side, most_moves);
@@ -91,18 +95,14 @@ class Tick {
       }
       if (has_sheets_) {
         const Reached from{at, side};
-        std::optional<Reached> other;
-        bool is_clear = true;
-        if (is_flight) {
-          is_clear = may_land(g, end);
-          if (!is_clear) other = sheets_.landing(g, from, point_of(end));
-        } else if (const auto block = sheets_.block(g, next.at)) {
-          is_clear = false;
-          const bool is_edge = ways.along.place == Place::edge;
-          const std::size_t carrier = is_edge ? surface_.edges()[ways.along.index].triangles[0] : ways.along.index;
-          other = sheets_.detour(from, next.at, carrier, *block);
-        }
+        const auto block = is_flight ? std::nullopt : sheets_.block(g, next.at);
+        const bool is_clear = is_flight ? may_land(g, end) : !block;
         if (!is_clear) {
+          if (tries_ >= kMostTries) return rests_at(at, side, TickStatus::unfinished);
+          Tries tries;
+          const auto other = is_flight ? sheets_.landing(g, from, point_of(end), tries)
+                                       : sheets_.detour(from, next.at, carrier(ways.along), *block, tries);
+          tries_ += tries.taken();
           if (!other) return rests_at(at, side, TickStatus::touching);
           ++moves_;
           at = other->at;
@@ -163,6 +163,11 @@ class Tick {
         on_side(surface_, index, i, {dot(g - corner(i), e) * s.under + s.over * dot(u, e), s.under * dot(e, e)});
     if (s.over == s.under && dot(triangle.normal, u).is_zero()) return Rested{x.feature, side};
     return Stopped{x, side};
+  }
+
+  // The triangle slid in; along an edge, the one of its triangles that comes first.
+  std::size_t carrier(const Feature& along) const {
+    return along.place == Place::edge ? surface_.edges()[along.index].triangles[0] : along.index;
   }
 
   // Where a flight or a slide that does not end free meets the surface, on which side, and where its end is rounded to.
@@ -250,6 +255,7 @@ class Tick {
   const Sheets sheets_;
   std::array<float, 3> quantised_{};
   unsigned moves_ = 0;
+  unsigned tries_ = 0;  // of its detours and landings
 };
 
 }  // namespace

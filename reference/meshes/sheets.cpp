@@ -104,18 +104,20 @@ std::optional<Side> Sheets::arrival(const Vector& g, const std::optional<Reached
 }
 
 // The grid points beside a point of the closed triangle: up to four.
-std::vector<GridPoint> Sheets::around(std::size_t triangle, const Fraction& k, const Fraction& l) const {
+std::vector<GridPoint> Sheets::around(std::size_t triangle, const Fraction& k, const Fraction& l, Tries& tries) const {
   std::vector<GridPoint> found;
   const std::uint32_t K = whole_part(k), L = whole_part(l);
   for (std::uint32_t across = 0; across < 2; ++across)
     for (std::uint32_t up = 0; up < 2; ++up) {
       if ((up == 1 && is_whole(k)) || (across == 1 && is_whole(l)) || K + up + L + across > kGrid) continue;
+      if (!tries.take()) return found;
       found.push_back(surface_.in_triangle(triangle, K + up, L + across));
     }
   return found;
 }
 
-std::optional<Reached> Sheets::landing(const Vector& g, const std::optional<Reached>& from, const SurfacePoint& x) const {
+std::optional<Reached> Sheets::landing(const Vector& g, const std::optional<Reached>& from, const SurfacePoint& x,
+                                       Tries& tries) const {
   std::vector<std::pair<std::size_t, std::array<std::uint32_t, 2>>> bases;
   for (const std::size_t triangle : triangles_at(x.feature)) {
     std::array<std::uint32_t, 2> down{};
@@ -124,13 +126,14 @@ std::optional<Reached> Sheets::landing(const Vector& g, const std::optional<Reac
         x.feature.place == Place::triangle ? Weights{0, down[0], down[1]} : weights({x.feature, down}, triangle);
     bases.push_back({triangle, {corners[1], corners[2]}});
   }
-  if (!from) return landing(g, from, nullptr, bases);
+  if (!from) return landing(g, from, nullptr, bases, tries);
   const Integer limit = distance(from->at);
-  return landing(g, from, &limit, bases);
+  return landing(g, from, &limit, bases, tries);
 }
 
 std::optional<Reached> Sheets::landing(const Vector& g, const std::optional<Reached>& from, const Integer* limit,
-                                       const std::vector<std::pair<std::size_t, std::array<std::uint32_t, 2>>>& bases) const {
+                                       const std::vector<std::pair<std::size_t, std::array<std::uint32_t, 2>>>& bases,
+                                       Tries& tries) const {
   using Step = std::array<std::int64_t, 2>;
   static const std::vector<Step> kCell{{0, 0}, {1, 0}, {0, 1}, {1, 1}},
       kRing{{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}};
@@ -141,6 +144,7 @@ std::optional<Reached> Sheets::landing(const Vector& g, const std::optional<Reac
         const std::int64_t reach = ring == 0 ? 1 : std::int64_t{1} << (ring - 1);
         const std::int64_t k = base[0] + reach * step[0], l = base[1] + reach * step[1];
         if (k < 0 || l < 0 || k + l > kGrid) continue;
+        if (!tries.take()) return best ? std::optional(best->first) : std::nullopt;
         const GridPoint c = surface_.in_triangle(triangle, static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(l));
         Integer off = distance(c);
         if ((limit != nullptr && off >= *limit) || (best && off >= best->second)) continue;
@@ -151,32 +155,47 @@ std::optional<Reached> Sheets::landing(const Vector& g, const std::optional<Reac
   return std::nullopt;
 }
 
-std::optional<Reached> Sheets::detour(const Reached& from, const GridPoint& e, std::size_t carrier, const Block& block) const {
+std::optional<Reached> Sheets::detour(const Reached& from, const GridPoint& e, std::size_t carrier, const Block& block,
+                                      Tries& tries) const {
   Nearest best(distance(from.at));
-  shorten(best, from, e, carrier, block.s);
+  shorten(best, from, e, carrier, block.s, tries);
   for (const std::size_t along : triangles_at(from.at.feature))
-    for (const std::size_t beside : triangles_at(block.feature)) go_beside(best, from, along, beside);
-  for (const std::size_t to : triangles_at(block.feature)) change_sheet(best, from, e, carrier, to);
+    for (const std::size_t beside : triangles_at(block.feature))
+      if (tries.take()) go_beside(best, from, along, beside, tries);
+  for (const std::size_t to : triangles_at(block.feature))
+    if (tries.take()) change_sheet(best, from, e, carrier, to, tries);
   return best.best();
 }
 
+// Whether a way of the given square is as long as eight of the longest steps of the triangle's grid. Shorter ones are not gone.
+bool Sheets::is_long_enough(const Fraction& square, std::size_t triangle) const {
+  Integer longest = 0;
+  for (const Vector& side : surface_.triangles()[triangle].sides) longest = std::max(longest, Integer(dot(side, side)));
+  return square >= Fraction{64 * longest, Integer(kGrid) * kGrid};
+}
+
 // Along the way to e, as far as it is clear about.
-void Sheets::shorten(Nearest& best, const Reached& from, const GridPoint& e, std::size_t carrier, const Fraction& s) const {
+void Sheets::shorten(Nearest& best, const Reached& from, const GridPoint& e, std::size_t carrier, const Fraction& s,
+                     Tries& tries) const {
   const Vector g = surface_.position(from.at);
   const Weights G = weights(from.at, carrier), E = weights(e, carrier);
   const std::uint32_t most = whole_part({s.over * kGrid, s.under});
   const auto at = [&](std::uint32_t m, std::size_t i) {
     return Fraction{Integer(G[i]) * kGrid + Integer(m) * (Integer(E[i]) - Integer(G[i])), kGrid};
   };
-  // Whether a weight changes by eight steps up to the place m. Nearer places are not tried.
+  const Vector way = surface_.position(e) - g;
   const auto is_far = [&](std::uint32_t m) {
-    return std::ranges::any_of(std::array<std::size_t, 3>{0, 1, 2}, [&](std::size_t i) {
-      return abs(Integer(m) * (Integer(E[i]) - Integer(G[i]))) >= Integer(8) * kGrid;
-    });
+    return is_long_enough({Integer(m) * m * dot(way, way), Integer(kGrid) * kGrid}, carrier);
   };
-  for (std::uint32_t back = 0; back < most && is_far(most - back); back = back == 0 ? 1 : 2 * back) {
+  using Cell = std::array<std::pair<std::uint32_t, bool>, 2>;
+  std::optional<Cell> last;
+  for (std::uint32_t back = 0; back < most && is_far(most - back) && tries.are_left(); back = back == 0 ? 1 : 2 * back) {
+    const Fraction k = at(most - back, 1), l = at(most - back, 2);
+    const Cell cell{std::pair(whole_part(k), is_whole(k)), std::pair(whole_part(l), is_whole(l))};
+    if (last == cell) continue;  // the same points
+    last = cell;
     Nearest of_these(distance(from.at));
-    for (const GridPoint& c : around(carrier, at(most - back, 1), at(most - back, 2))) {
+    for (const GridPoint& c : around(carrier, k, l, tries)) {
       Integer off = distance(c);
       if (of_these.would_take(off) && !this->block(g, c)) of_these.offer({c, from.side}, std::move(off));
     }
@@ -187,7 +206,7 @@ void Sheets::shorten(Nearest& best, const Reached& from, const GridPoint& e, std
 }
 
 // In the triangle `along`, parallel to the plane of the triangle `beside`.
-void Sheets::go_beside(Nearest& best, const Reached& from, std::size_t along, std::size_t beside) const {
+void Sheets::go_beside(Nearest& best, const Reached& from, std::size_t along, std::size_t beside, Tries& tries) const {
   const Triangle& T = surface_.triangles()[along];
   const Vector &n = surface_.triangles()[beside].normal, g = surface_.position(from.at);
   std::array<Integer, 3> d{0, -dot(n, T.sides[2]), -dot(n, T.sides[0])};
@@ -208,7 +227,11 @@ void Sheets::go_beside(Nearest& best, const Reached& from, std::size_t along, st
   }
   if (t.over.is_zero()) return;
   const auto end = [&](std::size_t i) { return Fraction{Integer(G[i]) * t.under + t.over * d[i] * kGrid, t.under}; };
-  std::vector<GridPoint> ends = around(along, end(1), end(2));
+  std::vector<GridPoint> ends = around(along, end(1), end(2), tries);
+  std::erase_if(ends, [&](const GridPoint& c) {
+    const Vector way = surface_.position(c) - g;
+    return !is_long_enough({dot(way, way), 1}, along);
+  });
   std::ranges::stable_sort(ends, {}, [&](const GridPoint& c) { return distance(c); });
   const Integer limit = distance(from.at);
   std::optional<std::pair<GridPoint, Fraction>> blocked;
@@ -219,12 +242,13 @@ void Sheets::go_beside(Nearest& best, const Reached& from, std::size_t along, st
     if (!found) return best.offer({c, from.side}, std::move(off));
     if (!blocked) blocked.emplace(c, found->s);
   }
-  if (blocked) shorten(best, from, blocked->first, along, blocked->second);
+  if (blocked) shorten(best, from, blocked->first, along, blocked->second, tries);
 }
 
 // Onto the triangle `to`, where the way to e goes through its plane: if p is beyond that plane, and its foot there is not
 // beyond the plane of the triangle that the god-object slides in.
-void Sheets::change_sheet(Nearest& best, const Reached& from, const GridPoint& e, std::size_t carrier, std::size_t to) const {
+void Sheets::change_sheet(Nearest& best, const Reached& from, const GridPoint& e, std::size_t carrier, std::size_t to,
+                          Tries& tries) const {
   const Triangle &T = surface_.triangles()[carrier], &other = surface_.triangles()[to];
   const Vector g = surface_.position(from.at), u = surface_.position(e) - g;
   const auto corner = [&](const Triangle& of, std::size_t i) -> const Vector& { return surface_.vertices()[of.vertices[i]]; };
@@ -235,7 +259,7 @@ void Sheets::change_sheet(Nearest& best, const Reached& from, const GridPoint& e
   const Vector A = corner(other, 0) - g, B = corner(other, 1) - g, C = corner(other, 2) - g;
   const auto down = [&](const Integer& weight) { return whole_part(fraction(weight * kGrid, through)); };
   const Integer limit = distance(from.at);
-  if (const auto found = landing(g, from, &limit, {{to, {down(dot(u, cross(C, A))), down(dot(u, cross(A, B)))}}}))
+  if (const auto found = landing(g, from, &limit, {{to, {down(dot(u, cross(C, A))), down(dot(u, cross(A, B)))}}}, tries))
     best.offer(*found, distance(found->at));
 }
 

@@ -21,6 +21,23 @@ struct Reached {
   mesh::Side side;
 };
 
+// How many tries a detour or a landing has left: points of the grid, lines and sheets.
+class Tries {
+ public:
+  // Whether there is one more, which is then taken.
+  bool take() {
+    if (taken_ == kMost) return false;
+    ++taken_;
+    return true;
+  }
+  bool are_left() const { return taken_ < kMost; }
+  unsigned taken() const { return taken_; }
+
+ private:
+  static constexpr unsigned kMost = 256;
+  unsigned taken_ = 0;
+};
+
 // In one tick, towards p.
 class Sheets {
  public:
@@ -39,10 +56,12 @@ class Sheets {
 
   // A point of the grid around x to which there is a clear way from g. `from`: g itself, where it is on the surface; then the
   // point is nearer to p than g.
-  std::optional<Reached> landing(const Vector& g, const std::optional<Reached>& from, const SurfacePoint& x) const;
+  std::optional<Reached> landing(const Vector& g, const std::optional<Reached>& from, const SurfacePoint& x,
+                                 Tries& tries) const;
 
   // Where the god-object goes instead of to e, in the closed triangle `carrier` as it is itself: a point nearer to p, or none.
-  std::optional<Reached> detour(const Reached& from, const GridPoint& e, std::size_t carrier, const Block& block) const;
+  std::optional<Reached> detour(const Reached& from, const GridPoint& e, std::size_t carrier, const Block& block,
+                                Tries& tries) const;
 
  private:
   using Weights = std::array<std::uint32_t, 3>;  // of a triangle's corners, times 2^24
@@ -52,12 +71,16 @@ class Sheets {
   std::vector<std::size_t> triangles_at(const Feature& feature) const;
   Weights weights(const GridPoint& at, std::size_t triangle) const;
   std::optional<mesh::Side> arrival(const Vector& g, const std::optional<Reached>& from, const GridPoint& c) const;
-  std::vector<GridPoint> around(std::size_t triangle, const Fraction& k, const Fraction& l) const;
+  std::vector<GridPoint> around(std::size_t triangle, const Fraction& k, const Fraction& l, Tries& tries) const;
   std::optional<Reached> landing(const Vector& g, const std::optional<Reached>& from, const Integer* limit,
-                                 const std::vector<std::pair<std::size_t, std::array<std::uint32_t, 2>>>& bases) const;
-  void shorten(Nearest& best, const Reached& from, const GridPoint& e, std::size_t carrier, const Fraction& s) const;
-  void go_beside(Nearest& best, const Reached& from, std::size_t along, std::size_t beside) const;
-  void change_sheet(Nearest& best, const Reached& from, const GridPoint& e, std::size_t carrier, std::size_t to) const;
+                                 const std::vector<std::pair<std::size_t, std::array<std::uint32_t, 2>>>& bases,
+                                 Tries& tries) const;
+  bool is_long_enough(const Fraction& square, std::size_t triangle) const;
+  void shorten(Nearest& best, const Reached& from, const GridPoint& e, std::size_t carrier, const Fraction& s,
+               Tries& tries) const;
+  void go_beside(Nearest& best, const Reached& from, std::size_t along, std::size_t beside, Tries& tries) const;
+  void change_sheet(Nearest& best, const Reached& from, const GridPoint& e, std::size_t carrier, std::size_t to,
+                    Tries& tries) const;
 
   const Surface& surface_;
   const Crossings& crossings_;

@@ -58,6 +58,17 @@ expect 1 "face 0 has no area" -- mesh info flat.off --unit mm
 printf 'OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n' > square.off
 expect 0 "1 faces with more than 3 corners are split into triangles" -- mesh check square.off --unit mm
 
+# A vertex at which a tick may take long.
+fan() { awk -v n="$1" 'BEGIN { print "OFF\n" n + 1 " " n " 0\n0 0 0"
+  for (i = 0; i < n; ++i) print 50 * cos(2 * 3.14159265 * i / n), 50 * sin(2 * 3.14159265 * i / n), 0.05 * (7919 * i % 100)
+  for (i = 0; i < n; ++i) print 3, 0, 1 + i, 1 + (i + 1) % n }' > fan.off; }
+fan 1001
+expect 0 "vertex 0 has 1001 faces: a tick there can take longer than 0.1 ms, which it does not up to 1000 faces" -- mesh check fan.off --unit mm
+expect 0 "held: a mesh of 1001 faces" -- mesh check fan.off --unit mm
+expect 0 '"vertex 0 has 1001 faces' -- mesh check fan.off --unit mm --json
+fan 1000
+same "held: a mesh of 1000 faces" "$(mesh check fan.off --unit mm)"
+
 mkdir folder.off
 # What cannot be read: 2, with file and line or byte; no byte of a file reaches a terminal as a command.
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n2 \033[2J 0\n3 0 1 2\n' > escape.off

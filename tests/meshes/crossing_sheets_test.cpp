@@ -470,6 +470,25 @@ TEST(crossing_sheets, a_path_may_begin_where_sheets_cross) {
   }
 }
 
+// Its way meets the edge between the wall's two triangles.
+TEST(crossing_sheets, a_slide_from_behind_a_wall_goes_through_an_edge_of_it) {
+  TriangleMesh plates = floor_and_wall(0);
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t axis = 0; axis < 2; ++axis) plates.vertices[i][axis] *= 0.8F;  // to 16
+  const reference::GodObject definition = defined(plates, Sides::front, mesh::SelfIntersections::allowed);
+  const fast::Mesh mesh = built(plates, Sides::front, mesh::SelfIntersections::allowed);
+  constexpr float kDiagonal = -2.375F;  // y where the wall's diagonal meets the floor
+  mesh::GodObject state;
+  for (const float x : {-4.0F, -4.0F, 6.0F}) {
+    const std::array<float, 3> p{x, kDiagonal, state.place == mesh::Place::nowhere ? 1.0F : -1.0F};
+    const mesh::Tick expected = definition.step(state, p), found = fast::step(mesh, state, p, kStiffness, mesh::Shading::none);
+    ASSERT_TRUE(tests::is_same(found, expected)) << tests::show(expected) << ", found " << tests::show(found);
+    state = found.after;
+  }
+  const Exact at = point_of(plates, state), end = exact({6, kDiagonal, 0});
+  EXPECT_EQ(at, end);
+}
+
 TEST(crossing_sheets, a_god_object_climbs_a_ramp_that_goes_through_the_floor) {
   const TriangleMesh plates = floor_and_wall(1);  // its front towards (1, 0, 1)
   const fast::Mesh mesh = built(plates, Sides::front, mesh::SelfIntersections::allowed);

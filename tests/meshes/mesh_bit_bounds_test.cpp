@@ -85,6 +85,7 @@ const std::vector<Row>& rows() {
       {"where a way beside a sheet ends, times 2²⁴: (n₁ × n₂)²", n * n * n * n, 448},
       {"p's foot on another sheet: n₁·(p − a₁) n₂²", v * n * n, 371},
       {"two crossings in a plane, from grid to grid", l * l * l * l * l * l * l * l, 520},
+      {"the square of a way's length, from grid to grid, times m²", (l * l) << 96U, 154},
       {"from a landing to the grid: d² det(…), d = (e × (p − g))·n", l * l * n * l * l * n * v, 679},
       {"a component of N′ with a texture, times n²", (n * n) << 88U, 467},
       {"a component of αq₁N₁′ + βq₂N₂′ with a texture", on_crease, 987},

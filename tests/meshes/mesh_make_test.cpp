@@ -57,6 +57,16 @@ TEST(made_meshes, are_meshes_with_their_fronts_outside) {
   }
 }
 
+TEST(made_meshes, have_their_largest_fan_where_most_triangles_meet) {
+  TriangleMesh tip;
+  tip.vertices.resize(5);
+  tip.triangles = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  EXPECT_EQ(largest_fan(tip).vertex, 3U);
+  EXPECT_EQ(largest_fan(tip).triangles, 3U);
+  EXPECT_EQ(largest_fan(icosphere(7, 50)).triangles, 6U);
+  EXPECT_EQ(largest_fan({}).triangles, 0U);
+}
+
 TEST(made_meshes, have_their_vertices_where_they_belong) {
   for (const auto& [x, y, z] : icosphere(9, 50).vertices) EXPECT_NEAR(std::hypot(x, y, z), 50, 1e-5);
   for (const auto& [x, y, z] : torus(20, 5, 30, 20).vertices) EXPECT_NEAR(std::hypot(std::hypot(x, y) - 20, z), 5, 1e-5);
