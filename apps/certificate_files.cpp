@@ -20,35 +20,35 @@ std::string page(const properties::Certificate& certificate) {
   }
 }
 
-// What `drive` would find too little; the word "certified" is for what it would accept.
-std::optional<std::string> lacking_for_drive(const properties::Certificate& certificate) {
-  std::optional<std::string> lacks;
-  for (const properties::SubjectResult& subject : certificate.subjects)
-    if (!lacks) lacks = lacking(subject);
-  return lacks;
+void print(const std::string& name, const properties::Findings& law) {
+  std::printf("%-15s %s  %llu points, %llu mismatches", name.c_str(), law.held() ? "held  " : "FAILED",
+              static_cast<unsigned long long>(law.points), static_cast<unsigned long long>(law.mismatches));
+  for (const std::string_view stage : properties::kStageNames)
+    std::printf(", %llu %s", static_cast<unsigned long long>(law.points_by_stage.at(std::string(stage))), stage.data());
+  std::printf("; with %llu other parameters %llu points, %llu mismatches\n",
+              static_cast<unsigned long long>(law.spread.parameter_sets), static_cast<unsigned long long>(law.spread.points),
+              static_cast<unsigned long long>(law.spread.mismatches));
+  for (const properties::Comparison* found :
+       {static_cast<const properties::Comparison*>(&law), static_cast<const properties::Comparison*>(&law.spread)})
+    for (const std::string& words : found->counterexamples) std::printf("  %s\n", words.c_str());
+  for (const properties::PropertyResult& property : law.properties)
+    if (!property.held) std::printf("  %s: %s\n", property.name.c_str(), property.counterexample.c_str());
 }
 
-std::string verdict(const properties::Certificate& certificate) {
-  if (certificate.subjects.empty()) return certificate.held() ? "swept, no mismatch" : "FAILED, not certified";
+// The word "certified" is for what `drive` accepts.
+std::string verdict(const properties::Certificate& certificate, properties::Standing standing) {
+  const bool failed = standing == properties::Standing::failed;
+  if (certificate.subjects.empty()) return failed ? "FAILED, not certified" : "swept, no mismatch";
   std::uint64_t points = 0;
   for (const properties::Findings& subject : certificate.subjects) points += subject.points + subject.spread.points;
-  const char* word = "certified";
-  if (!certificate.held())
-    word = "FAILED, not certified";
-  else if (lacking_for_drive(certificate))
-    word = "held, not certified";
-  char words[160];
-  std::snprintf(words, sizeof words, "%s: %llu points in %.1f s, seed %llu", word, static_cast<unsigned long long>(points),
-                certificate.seconds, static_cast<unsigned long long>(certificate.seed));
-  return words;
-}
-
-void print_what_drive_lacks(const properties::Certificate& certificate) {
-  if (!certificate.held()) return;
-  if (certificate.subjects.empty())
-    std::printf(
-        "drive needs points and properties too: join these sweeps to a certificate that has them with 'certify merge'\n");
-  if (const auto lacks = lacking_for_drive(certificate)) std::printf("too little for drive: %s\n", lacks->c_str());
+  const std::vector<std::uint64_t> seeds = certificate.seeds();
+  const char* word = failed                                           ? "FAILED, not certified"
+                     : standing == properties::Standing::insufficient ? "held, not certified"
+                                                                      : "certified";
+  char seconds[32];
+  std::snprintf(seconds, sizeof seconds, "%.1f s", certificate.seconds);
+  return word + (": " + std::to_string(points)) + " points in " + seconds + (seeds.size() == 1 ? ", seed " : ", seeds ") +
+         properties::in_words(seeds);
 }
 
 }  // namespace
@@ -62,9 +62,12 @@ int write_certificate(const properties::Certificate& certificate, const std::fil
   folder.write("certificate.json", to_json(certificate));
   folder.write("certificate.html", page(certificate));
   folder.commit();
-  std::printf("%s\n", verdict(certificate).c_str());
-  print_what_drive_lacks(certificate);
+  for (const properties::SubjectResult& subject : certificate.subjects) print(subject.name(), subject);
+  const properties::Assessment assessment = assessed(certificate);
   std::printf("%s\n", (directory / "certificate.html").c_str());
+  if (assessment.standing == properties::Standing::insufficient)
+    std::printf("too little for drive: %s\nto gather it: %s\n", assessment.lacks.c_str(), assessment.remedy.c_str());
+  std::printf("%s\n", verdict(certificate, assessment.standing).c_str());
   return certificate.held() ? kHeld : kFailed;
 }
 

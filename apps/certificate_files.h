@@ -15,7 +15,8 @@ inline constexpr const char* kCertificateFolder = "directory for certificate.jso
 std::vector<std::string> certificate_files();
 
 // certificate.json and certificate.html, both or neither: the page without pictures, and a warning, where gnuplot does not draw
-// them. Prints the verdict, and what drive would find lacking. Returns the exit code. Throws csv::OutputError.
+// them. Prints what was found of each subject, what drive would find lacking and how to gather it, and, in the last line, the
+// standing. Returns the exit code. Throws csv::OutputError.
 int write_certificate(const properties::Certificate& certificate, const std::filesystem::path& directory);
 
 }  // namespace forceshade::apps

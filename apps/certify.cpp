@@ -56,21 +56,6 @@ class CertifyProgress {
   ProgressLine line_{"certify"};
 };
 
-void print(const std::string& name, const properties::Findings& law) {
-  std::printf("%-15s %s  %llu points, %llu mismatches", name.c_str(), law.held() ? "held  " : "FAILED",
-              static_cast<unsigned long long>(law.points), static_cast<unsigned long long>(law.mismatches));
-  for (const std::string_view stage : properties::kStageNames)
-    std::printf(", %llu %s", static_cast<unsigned long long>(law.points_by_stage.at(std::string(stage))), stage.data());
-  std::printf("; with %llu other parameters %llu points, %llu mismatches\n",
-              static_cast<unsigned long long>(law.spread.parameter_sets), static_cast<unsigned long long>(law.spread.points),
-              static_cast<unsigned long long>(law.spread.mismatches));
-  for (const properties::Comparison* found :
-       {static_cast<const properties::Comparison*>(&law), static_cast<const properties::Comparison*>(&law.spread)})
-    for (const std::string& words : found->counterexamples) std::printf("  %s\n", words.c_str());
-  for (const properties::PropertyResult& property : law.properties)
-    if (!property.held) std::printf("  %s: %s\n", property.name.c_str(), property.counterexample.c_str());
-}
-
 constexpr const char* kPoints = "points";
 
 // One case for the points of a subject, with those of other parameters, and one for each property.
@@ -95,7 +80,7 @@ std::string junit_of(const properties::Certificate& certificate, const PartTimes
                        std::to_string(property.cases) + " cases"});
   }
   return to_junit("forceshade certify",
-                  {{"seed", std::to_string(certificate.seed)},
+                  {{"seed", properties::in_words(certificate.seeds())},
                    {"version", certificate.build.version},
                    {"library_digest", certificate.build.library_digest}},
                   cases);
@@ -124,7 +109,6 @@ int run_points(const CertifyOptions& options, properties::CertifyOptions what, c
     std::fprintf(stderr, "forceshade: interrupted: no certificate was written\n");
     return kInterrupted;
   }
-  for (const properties::SubjectResult& subject : certificate->subjects) print(subject.name(), subject);
   if (!options.junit.empty()) write_file(options.junit, junit_of(*certificate, times));
   return write_certificate(*certificate, out.path());
 }

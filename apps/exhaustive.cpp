@@ -43,7 +43,7 @@ Shard parse_shard(const std::string& text) {
 // What is left of a part: the file of an earlier run if there is one.
 Certificate begin_or_resume(const std::string& file, const Sweeps& part) {
   const properties::Build build = properties::current_build();
-  if (!std::filesystem::exists(file)) return {build, 0, 0, {}, part, properties::utc_now(), properties::processor_name()};
+  if (!std::filesystem::exists(file)) return {build, 0, {}, part, properties::utc_now(), properties::processor_name()};
   const Certificate earlier = properties::from_json(properties::read_certificate(file), file);
   const auto sweep_of = [](const properties::SweepResult& result) { return result.sweep; };
   const bool same = std::ranges::equal(earlier.sweeps.results, part.results, {}, sweep_of, sweep_of) &&
@@ -151,9 +151,9 @@ void add_merge(CLI::App& certify, int& result) {
     std::vector<std::string> files;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App* command =
-      certify.add_subcommand("merge", "Join the parts of an exhaustive run, and a certificate of points if one is given");
-  command->add_option("files", options->files, "exhaustive-k-of-n.json of every k, and at most one certificate.json")
+  CLI::App* command = certify.add_subcommand(
+      "merge", "Join certificates of points with different seeds, or the parts of an exhaustive run, or both");
+  command->add_option("files", options->files, "certificate.json of one build, and exhaustive-k-of-n.json of every k")
       ->type_name("FILE")
       ->required();
   const auto out = std::make_shared<OutFolder>(*command, kCertificateFolder);
@@ -167,7 +167,7 @@ void add_merge(CLI::App& certify, int& result) {
       files.push_back({name, properties::from_json(properties::read_certificate(name), name)});
     const Certificate certificate = properties::merged(std::move(files));
     out->expect_room_for(certificate_files());
-    print(certificate.sweeps);
+    if (!certificate.sweeps.results.empty()) print(certificate.sweeps);
     result = write_certificate(certificate, out->path());
   });
 }

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "forceshade/certificate/certificate_text.h"
+#include "forceshade/certificate/evidence.h"
 #include "forceshade/identity/identity_json.h"
 #include "forceshade/vocabulary/number_text.h"
 
@@ -23,6 +25,11 @@ Json comparison_json(const Comparison& found) {
           {"points_by_method", found.points_by_method},
           {"points_by_status", found.points_by_status},
           {"counterexamples", found.counterexamples}};
+}
+
+void add_assessment(Json& json, const Assessment& assessment) {
+  json["standing"] = name_of(assessment.standing);
+  json["lacks"] = assessment.lacks;
 }
 
 // After what names the subject.
@@ -51,9 +58,11 @@ void add_findings(Json& json, const Findings& law, bool is_unit) {
 Json subject_json(const SubjectResult& subject) {
   const Identity& identity = subject.identity;
   Json json{{"kind", identity.kind}, {"name", identity.name}, {"held", subject.held()}};
+  add_assessment(json, assessed(subject));
   if (!identity.digest.empty()) json["digest"] = identity.digest;
   json["parameters"] = parameters_json(identity);
   if (!subject.parts.empty()) json["parts"] = subject.parts;
+  json["seeds"] = subject.seeds;
   add_findings(json, subject, subject.unit_directions);
   return json;
 }
@@ -116,27 +125,39 @@ bool Certificate::held() const {
          std::all_of(subjects.begin(), subjects.end(), [](const SubjectResult& subject) { return subject.held(); });
 }
 
+std::vector<std::uint64_t> Certificate::seeds() const {
+  std::set<std::uint64_t> all;
+  for (const SubjectResult& subject : subjects) all.insert(subject.seeds.begin(), subject.seeds.end());
+  return {all.begin(), all.end()};
+}
+
+std::string in_words(const std::vector<std::uint64_t>& seeds) {
+  std::string words;
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+    words += (i == 0 ? "" : i + 1 == seeds.size() ? " and " : ", ") + std::to_string(seeds[i]);
+  return words;
+}
+
 std::string to_json(const Certificate& certificate) {
   const Build& build = certificate.build;
   Json subjects = Json::array();
   for (const SubjectResult& subject : certificate.subjects) subjects.push_back(subject_json(subject));
-  Json json{{"schema", kCertificateSchema},
-            {"held", certificate.held()},
-            {"statement", kStatement},
-            {"method", kMethod},
-            {"domain", Json::parse(kDomain)},
-            {"build",
-             {{"version", build.version},
-              {"revision", build.revision},
-              {"compiler", build.compiler},
-              {"flags", build.flags},
-              {"instruction_set", build.instruction_set},
-              {"library_digest", build.library_digest}}},
-            {"date", certificate.date},
-            {"processor", certificate.processor},
-            {"seed", certificate.seed},
-            {"seconds", certificate.seconds},
-            {"subjects", subjects}};
+  Json json{{"schema", kCertificateSchema}, {"held", certificate.held()}};
+  add_assessment(json, assessed(certificate));
+  json.update({{"statement", kStatement},
+               {"method", kMethod},
+               {"domain", Json::parse(kDomain)},
+               {"build",
+                {{"version", build.version},
+                 {"revision", build.revision},
+                 {"compiler", build.compiler},
+                 {"flags", build.flags},
+                 {"instruction_set", build.instruction_set},
+                 {"library_digest", build.library_digest}}},
+               {"date", certificate.date},
+               {"processor", certificate.processor},
+               {"seconds", certificate.seconds},
+               {"subjects", subjects}});
   if (!certificate.sweeps.results.empty()) json["exhaustive"] = sweeps_json(certificate.sweeps);
   refuse_what_is_not_finite(json, "");
   // A file's name need not be UTF-8.

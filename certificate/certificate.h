@@ -19,7 +19,8 @@
 
 namespace forceshade::properties {
 
-inline constexpr int kCertificateSchema = 6;
+inline constexpr int kCertificateSchema = 7;
+inline constexpr int kOldestCertificateSchema = 6;  // that is still read
 
 // What was checked is this build and no other.
 struct Build {
@@ -80,15 +81,15 @@ struct Findings : Comparison {
 // A subject and its findings.
 struct SubjectResult : Findings {
   Identity identity;
-  std::vector<std::string> parts = {};  // of a height map, in words
-  bool unit_directions = false;         // whether its directions are unit vectors, as far as "unit normals" held
+  std::vector<std::string> parts = {};    // of a height map, in words
+  bool unit_directions = false;           // whether its directions are unit vectors, as far as "unit normals" held
+  std::vector<std::uint64_t> seeds = {};  // of its points and cases, ascending: several where certificates were merged
 
   const std::string& name() const { return identity.name; }
 };
 
 struct Certificate {
   Build build;
-  std::uint64_t seed = 0;
   double seconds = 0;
   std::vector<SubjectResult> subjects;  // checked by points and properties
   Sweeps sweeps;                        // checked exhaustively; without results where nothing was
@@ -96,7 +97,11 @@ struct Certificate {
   std::string processor = {};           // that it was made on, as the processor calls itself
 
   bool held() const;
+  std::vector<std::uint64_t> seeds() const;  // of all subjects, ascending
 };
+
+// "1, 2 and 7".
+std::string in_words(const std::vector<std::uint64_t>& seeds);
 
 // Names the file, the key, its value and what was expected.
 struct CertificateError : std::runtime_error {

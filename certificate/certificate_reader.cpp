@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
+#include <functional>
 #include <system_error>
 #include <utility>
 
 #include "forceshade/certificate/certificate.h"
 #include "forceshade/certificate/certificate_text.h"
+#include "forceshade/certificate/evidence.h"
 #include "forceshade/certificate/json_fields.h"
 #include "forceshade/fast/law.h"
 
@@ -209,7 +211,20 @@ Identity identity_from(Fields& fields) {
   return identity;
 }
 
-SubjectResult subject_from(Fields& fields, const Build& build) {
+// How much is enough is up to the version that wrote it; whether something failed is up to the rest of the certificate.
+void expect_assessment(Fields& fields, Standing computed) {
+  const std::string word = fields.text("standing"), lacks = fields.text("lacks");
+  fields.expect("standing", std::find(kStandingNames.begin(), kStandingNames.end(), word) != kStandingNames.end(),
+                one_of(kStandingNames));
+  const bool failed = word == name_of(Standing::failed);
+  fields.expect("standing", failed == (computed == Standing::failed),
+                failed ? "another, as nothing in the certificate failed" : "failed, as the rest of the certificate says");
+  fields.expect("lacks", lacks.empty() == (word != name_of(Standing::insufficient)),
+                lacks.empty() ? "what is missing, in words" : "nothing, as the standing is " + word);
+}
+
+// seeds: of all subjects in schema 6; else they are the subject's own.
+SubjectResult subject_from(Fields& fields, const Build& build, const std::vector<std::uint64_t>& seeds) {
   SubjectResult result{{}, identity_from(fields)};
   if (result.identity.kind == kHeightMapKind || fields.has("parts")) {
     result.parts = fields.texts("parts");
@@ -221,6 +236,14 @@ SubjectResult subject_from(Fields& fields, const Build& build) {
   const bool must_be_unit = may_be_unit && (result.identity.kind == kLawKind || result.identity.kind == kHeightMapKind);
   fields.expect("unit", result.unit_directions ? may_be_unit : !must_be_unit, in_words(must_be_unit));
   read_flag(fields, "held", result.held());
+  result.seeds = seeds;
+  if (seeds.empty()) {
+    result.seeds = fields.whole_numbers("seeds");
+    const bool ascends =
+        std::adjacent_find(result.seeds.begin(), result.seeds.end(), std::greater_equal<>()) == result.seeds.end();
+    fields.expect("seeds", !result.seeds.empty() && ascends, "one seed or more, each above the one before");
+    expect_assessment(fields, assessed(result).standing);
+  }
   fields.end();
   return result;
 }
@@ -298,22 +321,27 @@ std::string date_from(Fields& fields) {
 
 Certificate certificate_from(Fields fields) {
   const std::uint64_t schema = fields.count("schema");
-  if (schema != kCertificateSchema)
-    throw JsonError("schema is " + std::to_string(schema) + "; expected " + std::to_string(kCertificateSchema) +
-                    ": certify again");
+  if (schema < kOldestCertificateSchema || schema > kCertificateSchema)
+    throw JsonError("schema is " + std::to_string(schema) + "; expected " + std::to_string(kOldestCertificateSchema) + " or " +
+                    std::to_string(kCertificateSchema) + ": certify again");
   for (const auto& [key, words] : {std::pair{"statement", kStatement}, {"method", kMethod}}) {
     const std::string text = fields.text(key);
-    fields.expect(key, text == words, "the words of schema " + std::to_string(kCertificateSchema));
+    fields.expect(key, text == words, "the words of schema " + std::to_string(schema));
   }
   const auto domain = nlohmann::json::parse(kDomain);
   fields.expect("domain", fields.any("domain") == domain, domain.dump());
-  Certificate certificate{build_from(fields.object("build")), fields.count("seed"), fields.number("seconds"), {}, {}};
+  Certificate certificate{build_from(fields.object("build")), fields.number("seconds"), {}, {}};
   fields.expect("seconds", certificate.seconds >= 0, "0 or more");
   certificate.date = date_from(fields);
   certificate.processor = fields.text("processor");
-  for (Fields& subject : fields.objects("subjects")) certificate.subjects.push_back(subject_from(subject, certificate.build));
+  // Schema 6 has one seed for all.
+  std::vector<std::uint64_t> seeds;
+  if (schema == 6) seeds.push_back(fields.count("seed"));
+  for (Fields& subject : fields.objects("subjects"))
+    certificate.subjects.push_back(subject_from(subject, certificate.build, seeds));
   if (fields.has("exhaustive")) certificate.sweeps = sweeps_from(fields.object("exhaustive"));
   read_flag(fields, "held", certificate.held());
+  if (schema > 6) expect_assessment(fields, assessed(certificate).standing);
   fields.end();
   return certificate;
 }
@@ -325,8 +353,8 @@ Certificate from_json(const std::string& text, const std::string& file) {
     const nlohmann::json json = json_from(text);
     return certificate_from({json, ""});
   } catch (const JsonError& error) {
-    throw CertificateError(file + ": expected a forceshade certificate (schema " + std::to_string(kCertificateSchema) +
-                           "): " + error.what());
+    throw CertificateError(file + ": expected a forceshade certificate (schema " + std::to_string(kOldestCertificateSchema) +
+                           " or " + std::to_string(kCertificateSchema) + "): " + error.what());
   }
 }
 

@@ -72,18 +72,22 @@ Done second_part(const Done& done) {
   return [&done](double part) { done(0.8 + 0.2 * part); };
 }
 
-// Puts the energies into the findings. Where they are not enclosed, no number is: passivity has failed, and its counterexample
-// says why.
+// Puts the energies into the findings. Where they are not enclosed, or the renderer throws, no number is: passivity has failed,
+// and its counterexample says why.
 void add_energies(const Subject& subject, const reference::Watch& watch, Findings& findings) {
-  try {
-    findings.energy = subject.energies(watch);
-  } catch (const reference::NotEnclosed& error) {
+  const auto fail = [&](const std::string& why) {
     for (PropertyResult& property : findings.properties) {
       if (property.name != "passivity") continue;
       property.held = false;
-      property.counterexample +=
-          std::string(property.counterexample.empty() ? "" : "; ") + "the energy that a loop can give is " + error.what();
+      property.counterexample += (property.counterexample.empty() ? "" : "; ") + why;
     }
+  };
+  try {
+    findings.energy = subject.energies(watch);
+  } catch (const reference::NotEnclosed& error) {
+    fail(std::string("the energy that a loop can give is ") + error.what());
+  } catch (const RendererThrew& error) {
+    fail(error.what());
   } catch (const reference::Interrupted&) {  // `stop` is set, and nothing is certified
   }
 }
@@ -91,6 +95,7 @@ void add_energies(const Subject& subject, const reference::Watch& watch, Finding
 SubjectResult checked(const Subject& subject, const Run& run, const Done& done) {
   const CertifyOptions& options = run.options;
   SubjectResult result{run.at_points(subject, first_part(done)), subject.identity(), subject.parts()};
+  result.seeds = {options.seed};
   result.identity.name = csv::printable(result.identity.name);
   result.spread = run.spread(subject, second_part(done));
   if (run.stop) return result;
@@ -112,7 +117,7 @@ SubjectResult checked(const Subject& subject, const Run& run, const Done& done) 
 std::optional<Certificate> certify(const CertifyOptions& options, const Progress& progress, const std::atomic<bool>& stop) {
   if (const char* fault = fast::arithmetic_fault()) throw std::runtime_error(std::string("nothing can be certified: ") + fault);
   const auto start = std::chrono::steady_clock::now();
-  Certificate certificate{current_build(), options.seed, 0, {}, {}};
+  Certificate certificate{current_build(), 0, {}, {}};
   certificate.processor = processor_name();
   const auto all = static_cast<double>(options.subjects.size());
   double before = 0;

@@ -43,7 +43,43 @@ std::optional<std::string> too_few(const Comparison& found, const std::string& n
   return std::nullopt;
 }
 
+// The command line that checks a law as much as drive needs. The options of other subjects are not in a certificate.
+std::string command_that_gathers(const Identity& identity) {
+  const std::string enough =
+      " --points " + std::to_string(points_of_kind(identity.kind)) + " --cases " + std::to_string(kCases) + " --out DIR";
+  if (identity.kind != kLawKind) return "forceshade certify with the same " + identity.kind + " and" + enough;
+  std::string command = "forceshade certify --law " + identity.name;
+  for (const auto& [key, option] :
+       {std::pair{"radius_mm", " --radius "}, {"width_mm", " --width "}, {"stiffness_N_per_mm", " --stiffness "}})
+    if (const IdentityValue* value = identity.parameter(key)) command += option + text_of(*value);
+  return command + enough;
+}
+
 }  // namespace
+
+Assessment assessed(const SubjectResult& subject) {
+  if (!subject.held()) return {Standing::failed};
+  if (auto lacks = lacking(subject)) return {Standing::insufficient, *lacks, command_that_gathers(subject.identity)};
+  return {Standing::sufficient};
+}
+
+Assessment assessed(const Certificate& certificate) {
+  const Sweeps& sweeps = certificate.sweeps;
+  const bool is_empty = certificate.subjects.empty() && sweeps.results.empty();
+  if (is_empty || sweeps.mismatches() > 0) return {Standing::failed};
+  Assessment worst{Standing::sufficient};
+  if (certificate.subjects.empty())
+    worst = {Standing::insufficient, "the certificate has sweeps only; driving needs points and properties too",
+             "forceshade certify --law ID --out DIR, and then forceshade certify merge with both certificates"};
+  if (!sweeps.results.empty() && !sweeps.is_whole())
+    worst = {Standing::insufficient,
+             "the sweeps are not complete: units " + std::to_string(sweeps.first) + " to " + std::to_string(sweeps.next) +
+                 " of " + std::to_string(sweeps.units()) + " are done",
+             "the same command as before, which goes on, and forceshade certify merge with the other parts"};
+  for (const SubjectResult& subject : certificate.subjects)
+    if (Assessment one = assessed(subject); one.standing > worst.standing) worst = std::move(one);
+  return worst;
+}
 
 std::optional<std::string> lacking(const SubjectResult& found) {
   const std::string& name = found.name();

@@ -2,10 +2,11 @@
 #pragma once
 // How much must have been checked before a device is driven; certify checks as much by default.
 
-#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "forceshade/certificate/certificate.h"
 
@@ -22,6 +23,29 @@ constexpr std::uint64_t points_of_kind(std::string_view kind) {
 constexpr std::uint64_t spread_points(std::uint64_t points) {
   return (points + 3) / 4;
 }
+
+// What a certificate, or its entry for one subject, is good for.
+enum class Standing {
+  sufficient,    // every check held, and drive accepts it for this build
+  insufficient,  // every check held, but there is too little evidence to drive
+  failed,
+};
+inline constexpr std::array<std::string_view, 3> kStandingNames{"sufficient", "insufficient", "failed"};
+
+constexpr std::string_view name_of(Standing standing) {
+  return kStandingNames[static_cast<std::size_t>(standing)];
+}
+
+struct Assessment {
+  Standing standing = Standing::failed;
+  std::string lacks = {};   // where insufficient: what is missing, in words; else empty
+  std::string remedy = {};  // and what gathers it: a command, or words with one
+};
+
+Assessment assessed(const SubjectResult& subject);
+
+// The worst of its subjects' and its sweeps'. Sweeps alone, or some of their units alone, are insufficient.
+Assessment assessed(const Certificate& certificate);
 
 // What is too little for driving, in words: "the certificate has 1 point for wall; driving needs at least 1000000". Each aim
 // must be reached, with the given parameters and in the spread, and each stage that a law can reach in one of them. Which

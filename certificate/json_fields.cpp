@@ -109,6 +109,14 @@ std::vector<std::string> Fields::texts(const char* key) {
   return all;
 }
 
+std::vector<std::uint64_t> Fields::whole_numbers(const char* key) {
+  const nlohmann::json& list = any(key);
+  const auto is_whole = [](const nlohmann::json& value) { return value.is_number_unsigned(); };
+  expect(key, list.is_array() && std::all_of(list.begin(), list.end(), is_whole),
+         "an array of whole numbers from 0 to 2^64 - 1");
+  return list.get<std::vector<std::uint64_t>>();
+}
+
 std::map<std::string, std::uint64_t> Fields::counts(const char* key) {
   Fields names = object(key);
   std::map<std::string, std::uint64_t> all;

@@ -39,6 +39,7 @@ class Fields {
   bool flag(const char* key);
   std::string text(const char* key, bool may_have_lines = false);  // else without any control character
   std::vector<std::string> texts(const char* key);
+  std::vector<std::uint64_t> whole_numbers(const char* key);
   std::map<std::string, std::uint64_t> counts(const char* key);
   Fields object(const char* key);
   std::vector<Fields> objects(const char* key);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Parts of an exhaustive run, made on one machine after the other or on many, joined into one certificate.
+// Certificates made on one machine after the other or on many, joined into one.
 
 #include <string>
 #include <vector>
@@ -14,9 +14,10 @@ struct CertificateFile {
   Certificate certificate;
 };
 
-// The parts of one exhaustive run, in any order, and at most one certificate of points and properties, which the result then
-// has too. Throws CertificateError, naming the files, if builds or lists of sweeps differ, or if a part is missing,
-// unfinished or overlaps another.
+// At least two certificates in any order, or parts of one exhaustive run, or both. Entries of one subject are added up: their
+// seeds differ, so their points do. The parts of the run make up the whole of it. Throws CertificateError, naming the files, if
+// builds or lists of sweeps differ, if a part is missing, unfinished or overlaps another, or if two entries of a subject have a
+// seed in common or contradict each other.
 Certificate merged(std::vector<CertificateFile> files);
 
 }  // namespace forceshade::properties

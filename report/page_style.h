@@ -8,11 +8,11 @@ namespace forceshade::properties {
 inline constexpr const char* kPageStyle = R"css(
 :root {
   color-scheme: light dark;
-  --page: #fbfaf7; --ink: #22262b; --quiet: #646b73; --line: #dcd9d1; --held: #0b6b57; --failed: #b3400a; --tint: #f2f0ea;
+  --page: #fbfaf7; --ink: #22262b; --quiet: #646b73; --line: #dcd9d1; --held: #0b6b57; --lacking: #8a6400; --failed: #b3400a; --tint: #f2f0ea;
 }
 @media (prefers-color-scheme: dark) {
   :root {
-    --page: #17191c; --ink: #e4e2dd; --quiet: #a0a5ab; --line: #383c41; --held: #6cc9b2; --failed: #f39a63; --tint: #202327;
+    --page: #17191c; --ink: #e4e2dd; --quiet: #a0a5ab; --line: #383c41; --held: #6cc9b2; --lacking: #e0bd5a; --failed: #f39a63; --tint: #202327;
   }
   .legend { background: #fff; color: #4b5157; border-radius: 4px; padding: 5px 12px; width: fit-content; }
 }
@@ -26,6 +26,7 @@ main { max-width: 1152px; margin: 0 auto; padding: 56px 24px 72px; }
 header { border-bottom: 1px solid var(--line); padding-bottom: 28px; }
 h1 { font-weight: 400; font-size: 21px; line-height: 1.3; margin: 0; color: var(--quiet); }
 .verdict { font-size: clamp(56px, 9vw, 92px); line-height: 1.05; letter-spacing: -.02em; margin: 14px 0 18px; color: var(--held); }
+.insufficient .verdict { color: var(--lacking); }
 .failed .verdict { color: var(--failed); }
 .statement { font-size: 20px; line-height: 1.5; max-width: 46em; margin: 0; }
 .statement + .statement { margin-top: 10px; font-size: 16px; color: var(--quiet); }
@@ -45,6 +46,7 @@ tbody th { font-weight: 600; white-space: nowrap; }
 .number { text-align: right; }
 td small { display: block; font-size: 11px; color: var(--quiet); white-space: nowrap; }
 .yes { color: var(--held); }
+.lacking, .statement + .lacking { color: var(--lacking); }
 .no { color: var(--failed); font-weight: 700; }
 .note { font-size: 14px; color: var(--quiet); max-width: 56em; }
 pre {

@@ -5,6 +5,7 @@
 #include <array>
 #include <set>
 
+#include "forceshade/certificate/evidence.h"
 #include "forceshade/fast/instruction_set.h"
 #include "forceshade/identity/mesh_identity.h"
 #include "forceshade/report/figures.h"
@@ -76,23 +77,43 @@ std::string statements(const Certificate& certificate) {
   return html + "</p>\n";
 }
 
-std::string sweep_statement(const Sweeps& sweeps, bool has_points) {
+std::string sweep_statement(const Sweeps& sweeps) {
   if (sweeps.results.empty()) return "";
   const std::uint64_t mismatches = sweeps.mismatches();
   return "<p class=\"statement\">" + std::string(sweeps.is_whole() ? "" : "As far as they went, ") +
          (sweeps.is_whole() ? "E" : "e") + "xhaustive sweeps over " + grouped(sweeps.inputs()) + " inputs found " +
-         (mismatches == 0 ? "no mismatch" : plural(mismatches, "wrong answer")) + ".</p>\n" +
-         (has_points ? ""
-                     : "<p class=\"statement\">They do not let a device be driven: no point was compared, and no property "
-                       "was checked.</p>\n");
+         (mismatches == 0 ? "no mismatch" : plural(mismatches, "wrong answer")) + ".</p>\n";
+}
+
+std::string heading_of(Standing standing) {
+  switch (standing) {
+    case Standing::sufficient: return "Held";
+    case Standing::insufficient: return "Held, too little to drive";
+    case Standing::failed: break;
+  }
+  return "Failed";
+}
+
+// What a device may be driven with, under the verdict.
+std::string drive_statement(const Certificate& certificate, const Assessment& assessment) {
+  switch (assessment.standing) {
+    case Standing::sufficient: return "<p class=\"statement\">This is enough evidence to drive a device with this build.</p>\n";
+    case Standing::insufficient:
+      return "<p class=\"statement lacking\">It opens no device: " + escaped(assessment.lacks) +
+             ".</p>\n<p class=\"statement\">To gather it: <code>" + escaped(assessment.remedy) + "</code></p>\n";
+    case Standing::failed: break;
+  }
+  return certificate.subjects.empty() && certificate.sweeps.results.empty()
+             ? ""
+             : "<p class=\"statement\">It opens no device.</p>\n";
 }
 
 std::string header(const Certificate& certificate) {
-  const bool held = certificate.held();
-  return std::string("<header") + (held ? "" : " class=\"failed\"") + ">\n<h1>forceshade " +
+  const Assessment assessment = assessed(certificate);
+  return "<header class=\"" + std::string(name_of(assessment.standing)) + "\">\n<h1>forceshade " +
          escaped(certificate.build.version) + ": certificate of the fast path</h1>\n<p class=\"verdict\">" +
-         (held ? "Held" : "Failed") + "</p>\n" + statements(certificate) +
-         sweep_statement(certificate.sweeps, !certificate.subjects.empty()) + "</header>\n";
+         heading_of(assessment.standing) + "</p>\n" + statements(certificate) + sweep_statement(certificate.sweeps) +
+         drive_statement(certificate, assessment) + "</header>\n";
 }
 
 std::string stage_cell(const std::string& stage, const std::map<std::string, std::uint64_t>& points) {
@@ -146,7 +167,13 @@ std::string summary_row(const SubjectResult& law) {
   std::string stages, properties;
   for (const std::string_view stage : kStageNames) stages += stage_cell(std::string(stage), law.points_by_stage);
   for (const std::string_view name : kPropertyNames) properties += property_cell(name.data(), law);
-  return "<tr><th scope=\"row\">" + escaped(law.name()) + "</th>" + cell("parameters", parameters_of(law)) +
+  const Assessment assessment = assessed(law);
+  const std::string standing = assessment.standing == Standing::sufficient ? "<span class=\"yes\">held</span>"
+                               : assessment.standing == Standing::insufficient
+                                   ? "<span class=\"lacking\">too little to drive</span>"
+                                   : "<span class=\"no\">failed</span>";
+  return "<tr><th scope=\"row\">" + escaped(law.name()) + "</th>" + cell("standing", standing) +
+         cell("parameters", parameters_of(law)) +
          cell("points", grouped(law.points) + small(law.spread.points > 0, "and " + grouped(law.spread.points)), "number") +
          cell("mismatches",
               mismatches(law.mismatches) + small(law.spread.points > 0, "and " + mismatches(law.spread.mismatches)), "number") +
@@ -168,13 +195,13 @@ std::string column_heads(const std::array<std::string_view, n>& names, const std
 
 std::string summary(const Certificate& certificate) {
   std::string html =
-      "<section>\n<h2>Summary</h2>\n<table class=\"summary\">\n<thead>\n<tr><th></th><th></th><th></th><th></th>"
+      "<section>\n<h2>Summary</h2>\n<table class=\"summary\">\n<thead>\n<tr><th></th><th></th><th></th><th></th><th></th>"
       "<th colspan=\"" +
       std::to_string(kStageNames.size()) + "\">points decided by</th><th colspan=\"" + std::to_string(kPropertyNames.size()) +
       "\">properties</th><th></th></tr>\n"
       "<tr><th scope=\"col\">" +
       subject_word(certificate) +
-      "</th><th scope=\"col\">parameters</th><th scope=\"col\" class=\"number\">points</th>"
+      "</th><th scope=\"col\">standing</th><th scope=\"col\">parameters</th><th scope=\"col\" class=\"number\">points</th>"
       "<th scope=\"col\" class=\"number\">mismatches</th>" +
       column_heads(kStageNames, " class=\"number\"") + column_heads(kPropertyNames) +
       "<th scope=\"col\">closest call</th></tr>\n"
@@ -288,7 +315,7 @@ std::string build_table(const Certificate& certificate) {
       {"library digest", "<code>" + escaped(build.library_digest) + "</code>"},
       {"processor", escaped(certificate.processor)},
       {"date", escaped(certificate.date)},
-      {"seed", "<code>" + std::to_string(certificate.seed) + "</code>"},
+      {"seed", "<code>" + in_words(certificate.seeds()) + "</code>"},
       {"time taken", html_number(certificate.seconds, 3) + "\u202Fs"},
   }};
   std::string html = "<section>\n<h2>The build that was checked</h2>\n<table class=\"facts\">\n";
@@ -304,8 +331,8 @@ constexpr const char* kLimits = R"html(<section>
 input is right is a matter of proof, by a machine and separate from this page.</li>
 <li>It covers the parameters, height maps and meshes in the tables above. For any other radius, width, stiffness, map, mesh or way to
 render a mesh, certify again.</li>
-<li>It covers this build: these compiled objects on this kind of machine. Another compiler, flag or revision has another digest and
-needs its own certificate.</li>
+<li>It covers this build: these compiled objects on this kind of machine. Other code, another compiler or other flags have another
+digest and need their own certificate.</li>
 <li>Lengths are in mm, forces in N, stiffness in N/mm, energy in mJ. A position is three binary32 numbers within ±10<sup>4</sup> mm;
 one outside, or NaN, is reported as invalid and gets no force; a coordinate below 2<sup>−30</sup> mm is read as 0.</li>
 <li>It is about the force law, not about the device, the servo loop or the hand. A law that is not conservative stays so when it is
@@ -320,7 +347,7 @@ std::string to_html(const Certificate& certificate, Pictures shown) {
   const std::string pictures = shown == Pictures::none ? "" : figures(certificate);
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>forceshade certificate: " +
-         std::string(certificate.held() ? "held" : "failed") + "</title>\n<style>" + kPageStyle +
+         std::string(name_of(assessed(certificate).standing)) + "</title>\n<style>" + kPageStyle +
          "</style>\n</head>\n<body>\n<main>\n" + header(certificate) +
          (!certificate.subjects.empty() ? summary(certificate) : "") + digests_table(certificate) + matrix(certificate) +
          sweeps_table(certificate.sweeps) + counterexamples(certificate) +

@@ -229,7 +229,7 @@ expect 2 "missing part: units 2 to 512" -- "$forceshade" certify merge parts/exh
 # As if all of it had been swept: a certificate of sweeps alone drives nothing, which is said twice.
 sed -e '0,/"held": false/s//"held": true/' -e 's/"end": 1,/"end": 512,/' -e 's/"next": 1,/"next": 512,/' \
   parts/exhaustive-1-of-512.json > swept.json
-expect 0 "drive needs points and properties too" -- "$forceshade" certify merge swept.json --out swept
+expect 0 "driving needs points and properties too" -- "$forceshade" certify merge swept.json --out swept
 expect 2 "swept/certificate.json" -- "$forceshade" certify merge swept.json --out swept
 expect 0 "swept, no mismatch" -- "$forceshade" certify merge swept.json --out swept --overwrite
 expect 1 "the certificate has sweeps only" -- "$forceshade" drive --law wall --device null --certificate swept/certificate.json

@@ -42,7 +42,7 @@ inline properties::Findings made_findings(std::uint64_t points) {
 
 inline properties::SubjectResult made_subject(properties::Identity identity, std::vector<std::string> parts = {}) {
   const std::uint64_t points = properties::points_of_kind(identity.kind);
-  return {made_findings(points), std::move(identity), std::move(parts), true};
+  return {made_findings(points), std::move(identity), std::move(parts), true, {7}};
 }
 
 inline properties::SubjectResult made_law(LawId law = LawId::bump_2p, const Parameters& parameters = {15.24F, 25.4F, 0.5F}) {
@@ -68,7 +68,7 @@ inline properties::Build made_build() {
 
 // Of two laws and a height map.
 inline properties::Certificate made_certificate() {
-  return {made_build(), 7, 1.5, {made_law(), made_law(LawId::cylinder), made_map()}, {}, "2026-01-31T23:59:59Z", "a processor"};
+  return {made_build(), 1.5, {made_law(), made_law(LawId::cylinder), made_map()}, {}, "2026-01-31T23:59:59Z", "a processor"};
 }
 
 // And of sweeps, done to the end.
