@@ -201,7 +201,7 @@ TEST(height_certificate, has_a_page_that_shows_the_map) {
 
 TEST(height_certificate, goes_together_with_sweeps_of_laws) {
   const Certificate points = certificate_of({cone()});
-  Certificate swept{points.build, 1, 0, {}, {}, {}, {}};
+  Certificate swept{points.build, 0, {}, {}, {}, {}};
   swept.sweeps = planned({{LawId::wall}, {.stiffness = 1}, {1}, false, true, false});
   swept.sweeps.next = swept.sweeps.end;
   const Certificate both = merged({{"points", points}, {"swept", swept}});

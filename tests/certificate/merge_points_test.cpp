@@ -21,7 +21,7 @@ CertificateFile file_of(const std::string& name, std::uint64_t seed, std::uint64
   return file;
 }
 
-std::string refusal_to_merge(const std::vector<CertificateFile>& files) {
+std::string answer_to_merging(const std::vector<CertificateFile>& files) {
   try {
     merged(files);
   } catch (const CertificateError& error) {
@@ -116,7 +116,7 @@ TEST(merge_points, keeps_the_first_counterexamples_the_closest_call_and_the_sets
 
 TEST(merge_points, refuses_the_same_points_twice_and_what_contradicts) {
   const auto expect = [](const CertificateFile& other, const std::string& words) {
-    EXPECT_EQ(refusal_to_merge({file_of("a.json", 1), other}), "b.json: " + words + "; a.json has it");
+    EXPECT_EQ(answer_to_merging({file_of("a.json", 1), other}), "b.json: " + words + "; a.json has it");
   };
   expect(file_of("b.json", 1), "bump-2p: expected another seed than 1, which gives the same points again");
   CertificateFile b = file_of("b.json", 2);
@@ -127,15 +127,15 @@ TEST(merge_points, refuses_the_same_points_twice_and_what_contradicts) {
   expect(b, "bump-2p: expected the same energies per loop");
   b = file_of("b.json", 2);
   b.certificate.build.flags = "-O1";
-  EXPECT_NE(refusal_to_merge({file_of("a.json", 1), b}).find("b.json: expected the build of a.json"), std::string::npos);
-  EXPECT_EQ(refusal_to_merge({file_of("a.json", 1)}), "a.json: expected another certificate to join it to");
+  EXPECT_NE(answer_to_merging({file_of("a.json", 1), b}).find("b.json: expected the build of a.json"), std::string::npos);
+  EXPECT_EQ(answer_to_merging({file_of("a.json", 1)}), "a.json: expected another certificate to join it to");
 }
 
 TEST(merge_points, joins_a_merged_certificate_to_another) {
   const Certificate two = merged({file_of("a.json", 1), file_of("b.json", 3)});
   const Certificate three = merged({{"two.json", two}, file_of("c.json", 2)});
   EXPECT_EQ(three.subjects[0].seeds, (Seeds{1, 2, 3}));
-  EXPECT_EQ(refusal_to_merge({{"two.json", two}, file_of("c.json", 3)}),
+  EXPECT_EQ(answer_to_merging({{"two.json", two}, file_of("c.json", 3)}),
             "c.json: bump-2p: expected another seed than 3, which gives the same points again; two.json has it");
 }
 

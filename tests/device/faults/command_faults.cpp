@@ -89,6 +89,8 @@ struct Replacement {
   std::size_t more = 0;  // characters after it that go too
 };
 
+constexpr const char* kLacks = "\"lacks\": \"the certificate has 2000 points for wall; driving needs at least 1000000\"";
+
 // A certificate of the wall, with something in it replaced.
 Fault uncertified(std::string what, std::string reaction, std::vector<Replacement> replacements, std::string law = "wall") {
   return refused(Kind::input, std::move(what), std::move(reaction),
@@ -210,6 +212,10 @@ std::vector<Fault> command_faults() {
       uncertified("the certificate is of a check that failed", "exit 1 ... the certificate says that wall failed",
                   {{"\"held\": true", "\"held\": false"},
                    {"\"held\": true", "\"held\": false"},
+                   {"\"standing\": \"insufficient\"", "\"standing\": \"failed\""},
+                   {"\"standing\": \"insufficient\"", "\"standing\": \"failed\""},
+                   {kLacks, "\"lacks\": \"\""},
+                   {kLacks, "\"lacks\": \"\""},
                    {"\"mismatches\": 0", "\"mismatches\": 1"},
                    {"\"counterexamples\": []", "\"counterexamples\": [\"at 0\"]"}}),
       uncertified("the certificate contradicts itself",
