@@ -193,7 +193,7 @@ grep -q '<system-out>1000 points, and 250 with other parameters</system-out>' ce
 expect 2 "--junit: expected without --exhaustive" -- "$forceshade" certify --exhaustive --junit x.xml --out junit
 if command -v xmllint > /dev/null; then for file in two hostile facets certify; do expect 0 "" -- xmllint --noout $file.xml; done; fi
 # Both say how far they are, on a terminal and nowhere else.
-expect 0 " %  Ctrl-C stops  bump-3p" -- script -qec "$forceshade properties --law bump-3p --cases 200000" /dev/null
+expect 0 " left  Ctrl-C stops  bump-3p" -- script -qec "$forceshade properties --law bump-3p --cases 200000" /dev/null
 same "" "$("$forceshade" properties --law bump-3p --cases 1000 2>&1 | grep Ctrl-C)"
 
 recording() { "$forceshade" recording "$@"; }
