@@ -72,18 +72,22 @@ Done second_part(const Done& done) {
   return [&done](double part) { done(0.8 + 0.2 * part); };
 }
 
-// Puts the energies into the findings. Where they are not enclosed, no number is: passivity has failed, and its counterexample
-// says why.
+// Puts the energies into the findings. Where they are not enclosed, or the renderer throws, no number is: passivity has failed,
+// and its counterexample says why.
 void add_energies(const Subject& subject, const reference::Watch& watch, Findings& findings) {
-  try {
-    findings.energy = subject.energies(watch);
-  } catch (const reference::NotEnclosed& error) {
+  const auto fail = [&](const std::string& why) {
     for (PropertyResult& property : findings.properties) {
       if (property.name != "passivity") continue;
       property.held = false;
-      property.counterexample +=
-          std::string(property.counterexample.empty() ? "" : "; ") + "the energy that a loop can give is " + error.what();
+      property.counterexample += (property.counterexample.empty() ? "" : "; ") + why;
     }
+  };
+  try {
+    findings.energy = subject.energies(watch);
+  } catch (const reference::NotEnclosed& error) {
+    fail(std::string("the energy that a loop can give is ") + error.what());
+  } catch (const RendererThrew& error) {
+    fail(error.what());
   } catch (const reference::Interrupted&) {  // `stop` is set, and nothing is certified
   }
 }

@@ -7,11 +7,13 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "forceshade/certificate/tally.h"
 #include "forceshade/properties/binary32.h"
 #include "forceshade/properties/equivalence.h"
+#include "forceshade/properties/second_answer.h"
 #include "forceshade/properties/subject.h"
 
 namespace forceshade::properties {
@@ -36,7 +38,8 @@ class Chunk {
       const Eigen::Vector3f& at = aimed.position;
       if (exact.status == Status::contact && exact.ulps_from_tie > 0)
         tally.call({at.x(), at.y(), at.z(), static_cast<double>(exact.ulps_from_tie)});
-      if (auto words = difference(at, {answer.force, answer.status}, exact)) fault(i, *words);
+      if (const auto what = exception_of(*session)) fault(i, RendererThrew(at, *what).what());
+      if (auto words = difference(at, {answer.force, answer.status}, exact)) fault(i, explained(subject, answer, *words));
     }
     tally.points += count;
   }
@@ -59,6 +62,16 @@ class Chunk {
   }
 
  private:
+  // The words for a wrong answer at the last position so far: those of its cause, for the first in this chunk.
+  std::string explained(const Subject& subject, const fast::Evaluation& answer, const std::string& words) {
+    if (std::exchange(is_explained_, true)) return words;
+    try {
+      return inconsistency(subject, positions_, {answer.force, answer.status}, exact_.back()).value_or(words);
+    } catch (const RendererThrew& error) {
+      return words + "; " + error.what();
+    }
+  }
+
   // Where the reference does not decide, that is a fault, and the answer stands for what is not known.
   reference::Rounded rounded(ReferenceSession& reference, const fast::Evaluation& answer, std::uint64_t i) {
     try {
@@ -78,7 +91,14 @@ class Chunk {
     for (std::size_t begin = 0; begin < positions_.size(); begin += size) {
       // What a call leaves unwritten is not the answer of the call before.
       std::fill(forces.begin(), forces.end(), Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
-      const fast::BatchResult result = calls_.batch(std::span(positions_).subspan(begin, size), forces, set);
+      fast::BatchResult result;
+      try {
+        result = calls_.batch(std::span(positions_).subspan(begin, size), forces, set);
+      } catch (...) {
+        fault(begin, who + " of " + std::to_string(size) + " positions from " + show(positions_[begin]) +
+                         " mm on throws: " + current_exception_words());
+        continue;
+      }
       std::size_t invalid = 0;
       for (std::size_t i = 0; i < size; ++i) {
         const reference::Rounded& exact = exact_[begin + i];
@@ -100,6 +120,7 @@ class Chunk {
   std::vector<Eigen::Vector3f> positions_;
   std::vector<reference::Rounded> exact_;
   std::vector<std::optional<std::string>> wrong_;
+  bool is_explained_ = false;
 };
 
 // Compares `count` positions of the subject's stream of this seed, in chunk `number`.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/properties/calls.h"
 
+#include <exception>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -16,6 +17,29 @@ struct Shared {
   std::shared_ptr<const Field> field;
 
   fast::Evaluation evaluate(const Eigen::Vector3f& position) const noexcept { return field->evaluate(position); }
+};
+
+// step() must not throw, so what the function throws is kept until somebody looks.
+class AnsweringSession final : public fast::Session {
+ public:
+  explicit AnsweringSession(std::function<fast::Evaluation(const Eigen::Vector3f& position)> evaluate)
+      : evaluate_(std::move(evaluate)) {}
+
+  fast::Evaluation step(const Eigen::Vector3f& position) noexcept override {
+    exception_.reset();
+    try {
+      return evaluate_(position);
+    } catch (...) {
+      exception_ = current_exception_words();
+      return {Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()), Status::invalid};
+    }
+  }
+
+  const std::optional<std::string>& exception() const { return exception_; }
+
+ private:
+  std::function<fast::Evaluation(const Eigen::Vector3f& position)> evaluate_;
+  std::optional<std::string> exception_;
 };
 
 }  // namespace
@@ -45,10 +69,22 @@ Calls calls_of(const fast::HeightMapField& map) {
 }
 
 std::unique_ptr<fast::Session> answering(std::function<fast::Evaluation(const Eigen::Vector3f& position)> evaluate) {
-  struct Field {
-    std::function<fast::Evaluation(const Eigen::Vector3f& position)> evaluate;
-  };
-  return fast::session_of(Field{std::move(evaluate)});
+  return std::make_unique<AnsweringSession>(std::move(evaluate));
+}
+
+std::optional<std::string> exception_of(const fast::Session& session) {
+  const auto* its = dynamic_cast<const AnsweringSession*>(&session);
+  return its == nullptr ? std::nullopt : its->exception();
+}
+
+std::string current_exception_words() {
+  try {
+    throw;
+  } catch (const std::exception& error) {
+    return error.what();
+  } catch (...) {
+    return "something that is no std::exception";
+  }
 }
 
 }  // namespace forceshade::properties

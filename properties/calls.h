@@ -5,7 +5,9 @@
 #include <Eigen/Core>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 
 #include "forceshade/fast/height_map_field.h"
 #include "forceshade/fast/law.h"
@@ -32,7 +34,14 @@ struct Calls {
 Calls calls_of(const fast::Law& law);
 Calls calls_of(const fast::HeightMapField& law);
 
-// A session that answers with a function, which must not throw.
+// A session that answers with a function. Where that throws, the answer is a NaN, invalid, and exception_of() says what.
 std::unique_ptr<fast::Session> answering(std::function<fast::Evaluation(const Eigen::Vector3f& position)> evaluate);
+
+// What the function of answering() threw at the last step, in words; empty where it threw nothing, and of any other session,
+// whose step() cannot throw.
+std::optional<std::string> exception_of(const fast::Session& session);
+
+// The words of the exception that is being handled.
+std::string current_exception_words();
 
 }  // namespace forceshade::properties

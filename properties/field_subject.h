@@ -29,10 +29,7 @@ class FieldSubject : public Subject {
         claims_(rendered_.law),
         identity_(std::move(identity)) {}
   FieldSubject(RenderedField<Field> rendered, Identity identity)
-      : calls_(calls_of(rendered.renderer)),
-        rendered_(std::move(rendered)),
-        claims_(rendered_.law),
-        identity_(std::move(identity)) {}
+      : FieldSubject(calls_of(rendered.renderer), std::move(rendered.law), std::move(identity)) {}
 
   Calls calls_;
   RenderedField<Field> rendered_;

@@ -4,6 +4,7 @@
 #include "forceshade/fast/height_map_field.h"
 #include "forceshade/fast/law.h"
 #include "forceshade/fast/session.h"
+#include "forceshade/properties/binary32.h"
 
 namespace forceshade::properties {
 namespace {
@@ -20,10 +21,18 @@ std::variant<RenderedField<Reference>, ParameterError> built(const From&... from
 
 }  // namespace
 
+RendererThrew::RendererThrew(const Eigen::Vector3f& position, const std::string& what)
+    : std::runtime_error("at " + show(position) + " mm the renderer throws: " + what) {}
+
+Rendered answer_of(fast::Session& session, const Eigen::Vector3f& position) {
+  const fast::Evaluation answer = session.step(position);
+  if (const auto what = exception_of(session)) throw RendererThrew(position, *what);
+  return {answer.force, answer.status};
+}
+
 Renderer renderer_of(const Calls& calls) {
   return [session = std::shared_ptr<fast::Session>(calls.open())](const Eigen::Vector3f& position) {
-    const fast::Evaluation answer = session->step(position);
-    return Rendered{answer.force, answer.status};
+    return answer_of(*session, position);
   };
 }
 

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <variant>
 
@@ -20,7 +21,7 @@ struct Rendered {
   Status status = Status::free;
 };
 
-// position (mm) -> force. It must not throw.
+// position (mm) -> force, the same for the same position. What it throws fails the property that called it.
 using Renderer = std::function<Rendered(const Eigen::Vector3f& position)>;
 
 template <class Reference>
@@ -34,7 +35,15 @@ using RenderedHeightMap = RenderedField<reference::HeightMapField>;
 // What went wrong, in words with numbers in hexfloat and decimal; empty where the property holds.
 using Violation = std::optional<std::string>;
 
-// Its call for one position. One thread at a time.
+// A renderer that threw where it had to answer: "at x = ... mm the renderer throws: ...".
+struct RendererThrew : std::runtime_error {
+  RendererThrew(const Eigen::Vector3f& position, const std::string& what);
+};
+
+// The session's answer there. Throws RendererThrew.
+Rendered answer_of(fast::Session& session, const Eigen::Vector3f& position);
+
+// Its call for one position. One thread at a time. Throws RendererThrew.
 Renderer renderer_of(const Calls& calls);
 
 // The other way round, without a batch call. What it gives is counted as decided by binary64.

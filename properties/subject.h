@@ -61,7 +61,7 @@ class Subject {
   // Where to look: an endless stream, the same for the same seed. This must outlive it.
   virtual std::unique_ptr<Positions> positions(std::uint64_t seed) const = 0;
 
-  // A path to compare along, for equivalence; a single position where the force depends on nothing else.
+  // A path to compare along, for equivalence; two positions where the force depends on nothing but the position.
   virtual std::vector<Eigen::Vector3f> draw_path() const = 0;
 
   // The properties, each on a case that it draws.
