@@ -176,6 +176,51 @@ TEST(wrong_in_one_thing, a_component_of_one_set_s_batch_call) {
   }
 }
 
+// One too many or too few, of one set.
+TEST(wrong_in_one_thing, the_number_of_invalid_positions_of_one_set_s_batch_call) {
+  for (const InstructionSet wrong : fast::kInstructionSets) {
+    if (!fast::is_available(wrong)) continue;
+    for (const bool too_many : {false, true}) {
+      const Certificate certificate =
+          checked_alone(wrong_law(LawId::bump_2p, false, kBumpOfLaw,
+                                  [=](Calls calls) {
+                                    calls.batch = [=, right = calls.batch](auto positions, auto forces, InstructionSet set) {
+                                      fast::BatchResult result = right(positions, forces, set);
+                                      if (set == wrong) result.invalid += too_many ? 1 : -1;
+                                      return result;
+                                    };
+                                    return calls;
+                                  }),
+                        kPoints, 1);
+      EXPECT_EQ(certificate.subjects[0].mismatches, 2U) << "one for each chunk";
+      expect_refused(certificate, std::string(name_of(wrong)) + (too_many ? ", too many" : ", too few"));
+    }
+  }
+}
+
+// What it leaves unwritten is what the call before it left there.
+TEST(wrong_in_one_thing, a_single_call_of_one_set_that_does_not_write_an_answer_again) {
+  std::vector<float> values(16, 0.5F);
+  const HeightMap flat{{{std::make_shared<const height::Grid>(
+      height::Grid{4, 4, 0.5F, height::Edge::tile, height::Interpolant::cubic_spline, std::move(values)})}}};
+  const auto lazy = [](const HeightMap& map, height::Rendering rendering, float stiffness) {
+    Calls calls = fast_height_map(map, rendering, stiffness);
+    calls.batch = [right = calls.batch, last = Eigen::Vector3f(-1, 0, 0)](auto positions, auto forces,
+                                                                          InstructionSet set) mutable {
+      if (positions.size() > 1) return right(positions, forces, set);
+      Eigen::Vector3f answer;
+      const fast::BatchResult result = right(positions, std::span(&answer, 1), set);
+      if (answer != last) forces[0] = last = answer;
+      return result;
+    };
+    return calls;
+  };
+  const Certificate certificate =
+      checked_alone(std::make_shared<HeightMapSubject>("flat.toml", flat, height::Rendering::true_height, 0.5F, lazy), 400, 1);
+  EXPECT_GT(certificate.subjects[0].mismatches, 40U);
+  expect_refused(certificate, "unwritten");
+}
+
 // Each in one case, the first or the last. Passivity also in one loop that belongs to it whatever is drawn.
 class WithOneFailure final : public tests::SubjectWrapper {
  public:
