@@ -64,6 +64,7 @@ TEST(inconsistent_renderer, that_is_random_gives_two_answers_for_one_input) {
                        2000);
     expect_words(result, {"at x = ", " mm the renderer gives two answers for one input, ", ": first x = ", "(123) N (",
                           "), then x = ", "; it is random, or its sessions share state"});
+    EXPECT_TRUE(result.counterexample.ends_with("share state")) << result.counterexample;
   }
 }
 

@@ -111,7 +111,7 @@ TEST(mesh_subject, finds_a_renderer_that_is_wrong) {
             std::set<std::string>{});
   EXPECT_EQ(failed(
                 [](const Tick&, Tick now, const MeshPosition&) {
-                  now.moves += now.status == mesh::TickStatus::touching;
+                  if (now.status == mesh::TickStatus::touching) ++now.moves;
                   return now;
                 },
                 mesh::Shading::none),
