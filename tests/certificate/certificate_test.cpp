@@ -10,6 +10,7 @@
 #include "forceshade/certificate/build.h"
 #include "forceshade/certificate/certify.h"
 #include "forceshade/properties/law_subject.h"
+#include "forceshade/properties/passivity.h"
 
 namespace forceshade::properties {
 namespace {
@@ -68,6 +69,21 @@ TEST(certificate, says_what_kind_of_force_each_law_is) {
     EXPECT_GE(loop.witness_mJ, 0.99 * loop.bound_mJ[1]);
     // The loop crosses the line within one binary32 step, 2⁻²⁰ mm, and either side's force of K·D at most may be felt there.
     EXPECT_NEAR(loop.measured_mJ, loop.witness_mJ, 0x1p-20 * loop.depth_mm);
+  }
+}
+
+// What the witness gives is beneath what a loop can give, where no loop is known that gives as much.
+TEST(certificate, says_what_the_witness_gives_and_not_what_is_possible) {
+  const LawSubject subject(LawId::bump_3p_shaded, kBump);
+  const auto law = std::get<reference::Law>(reference::Law::build(LawId::bump_3p_shaded, kBump));
+  const std::vector<LoopEnergy> energies = subject.energies(reference::Watch());
+  ASSERT_EQ(energies.size(), witness_depths(law).size());
+  for (const LoopEnergy& loop : energies) {
+    const WitnessLoop witness = witness_loop(law, static_cast<float>(loop.depth_mm));
+    EXPECT_EQ(loop.bound_mJ, witness.bound_mJ);
+    EXPECT_EQ(loop.witness_mJ, witness.given_mJ);
+    EXPECT_LT(loop.witness_mJ, loop.bound_mJ[0]);
+    EXPECT_NE(loop.measured_mJ, loop.witness_mJ) << "it is of rounded forces";
   }
 }
 

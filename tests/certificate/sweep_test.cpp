@@ -5,11 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
+#include <optional>
 
 #include "forceshade/certificate/build.h"
 #include "forceshade/certificate/merge.h"
-#include "forceshade/certificate/sweep_unit.h"
+#include "forceshade/certificate/sweep_checker.h"
 
 namespace forceshade::properties {
 namespace {
@@ -46,6 +48,68 @@ TEST(sweep, notices_a_bump_that_is_one_unit_in_the_last_place_off) {
     EXPECT_NE(tally.counterexamples[0].find("expected the force"), std::string::npos) << tally.counterexamples[0];
     EXPECT_GT(check({law, kBump, SweepKind::column, 1}, stiffer, 3).mismatches, 0U);
     EXPECT_GT(check({law, kBump, SweepKind::height, 0}, rounder, 3).mismatches, 0U);
+  }
+}
+
+// A law that is wrong at chosen x of its unit: at the k-th from either end, on both sides, in the k-th of these things.
+struct Fault {
+  int component;                            // 3: the status
+  std::optional<fast::InstructionSet> set;  // of the batch call; none for the single call
+};
+
+struct FaultyLaw {
+  fast::Law right;
+  std::vector<Fault> faults;
+  std::uint32_t begin;  // the first bit pattern of the unit
+
+  const Fault* at(float x) const {
+    const std::uint32_t from_begin = (std::bit_cast<std::uint32_t>(x) & 0x7FFFFFFFU) - begin;
+    const std::uint32_t from_end = (1U << kUnitBits) - 1 - from_begin;
+    const std::uint32_t k = std::min(from_begin, from_end);
+    return k < faults.size() ? &faults[k] : nullptr;
+  }
+
+  fast::Evaluation evaluate(const Eigen::Vector3f& position) const {
+    fast::Evaluation answer = right.evaluate(position);
+    const Fault* fault = at(position.x());
+    if (fault == nullptr || fault->set) return answer;
+    if (fault->component == 3)
+      answer.status = Status::invalid;
+    else
+      answer.force[fault->component] = neighbour(answer.force[fault->component], 1);
+    return answer;
+  }
+
+  void force(std::span<const float> x, std::span<const float> z, std::span<float> fx, std::span<float> fz,
+             fast::InstructionSet set) const {
+    right.force(x, z, fx, fz, set);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (const Fault* fault = at(x[i]); fault != nullptr && fault->set == set) {
+        float& component = fault->component == 0 ? fx[i] : fz[i];
+        component = neighbour(component, 1);
+      }
+  }
+};
+
+TEST(sweep, counts_each_wrong_component_of_each_call_at_both_ends_of_a_unit) {
+  std::vector<Fault> faults{{3, {}}};
+  std::vector<Fault> of_line{{0, {}}, {1, {}}, {2, {}}, {3, {}}};
+  for (const fast::InstructionSet set : fast::kInstructionSets)
+    if (set != fast::InstructionSet::scalar && fast::is_available(set))
+      for (const int component : {0, 2})
+        for (auto* all : {&faults, &of_line}) all->push_back({component, set});
+  const auto reference = std::get<reference::Law>(reference::Law::build(LawId::bump_2p, kBump));
+  const auto check_faulty = [&](const Sweep& sweep, const std::vector<Fault>& wrong) {
+    const std::uint32_t unit = unit_of(3);
+    const FaultyLaw law{std::get<fast::Law>(fast::Law::build(LawId::bump_2p, kBump)), wrong, unit << kUnitBits};
+    return SweepChecker(sweep, law, reference).check(unit);
+  };
+  for (const SweepKind kind : {SweepKind::line, SweepKind::height}) {
+    const Sweep sweep{LawId::bump_2p, kBump, kind, kind == SweepKind::line ? -1.0F : 0.0F};
+    // At both ends of the unit, on both sides; of heights also on both sides of the surface.
+    const std::uint64_t times = kind == SweepKind::line ? 4 : 8;
+    const std::vector<Fault>& wrong = kind == SweepKind::line ? of_line : faults;
+    EXPECT_EQ(check_faulty(sweep, wrong).mismatches, times * wrong.size());
   }
 }
 
@@ -89,6 +153,22 @@ TEST(sweep, goes_on_where_it_was_stopped_with_any_number_of_threads) {
   EXPECT_FALSE(half.is_finished());
   const Sweeps read_back = from_json(text_of(half), "here.json").sweeps;
   EXPECT_EQ(text_of(continued(read_back, 100, 3)), text_of(at_once));
+}
+
+// What was found before it was stopped stays found, and what is found later is added.
+TEST(sweep, keeps_what_it_found_when_it_goes_on) {
+  Sweeps part = part_of(small_plan(), 1, 256);
+  part = continued(part, 2, 1);
+  const std::uint64_t inputs = part.inputs();
+  const auto stages = part.stages;
+  part.results[0].mismatches = 3;
+  part.counterexamples = {"at 1", "at 2", "at 3"};
+  const Sweeps end = continued(from_json(text_of(part), "here.json").sweeps, 2, 1);
+  EXPECT_TRUE(end.is_finished());
+  EXPECT_EQ(end.results[0].mismatches, 3U);
+  EXPECT_EQ(end.counterexamples, part.counterexamples);
+  EXPECT_EQ(end.inputs(), 2 * inputs);
+  for (std::size_t i = 0; i < stages.size(); ++i) EXPECT_EQ(end.stages[i], 2 * stages[i]);
 }
 
 TEST(sweep, parts_tile_the_whole) {

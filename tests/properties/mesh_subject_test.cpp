@@ -109,6 +109,14 @@ TEST(mesh_subject, finds_a_renderer_that_is_wrong) {
   };
   EXPECT_EQ(failed([](const Tick&, Tick now, const MeshPosition&) { return now; }, mesh::Shading::none),
             std::set<std::string>{});
+  EXPECT_EQ(failed(
+                [](const Tick&, Tick now, const MeshPosition&) {
+                  if (now.status == mesh::TickStatus::touching) ++now.moves;
+                  return now;
+                },
+                mesh::Shading::none),
+            std::set<std::string>{"states"})
+      << "it counts a move too many";
   for (const mesh::Shading shading : {mesh::Shading::none, mesh::Shading::vertex_scheme}) {
     const std::map<std::string, Changed::Change> wrong{{"lags", lags},
                                                        {"is softer", is_softer},
