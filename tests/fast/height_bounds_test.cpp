@@ -167,7 +167,7 @@ TEST(height_bounds, the_largest_gap_and_slope_are_within_those_of_the_script) {
   EXPECT_LE(met.largest_slope, largest_slope);
   EXPECT_GE(met.largest_slope, largest_slope / 2);
 
-  const GappaScript script(std::string(FORCESHADE_SOURCE_DIR) + "/fast/heights/force.g");
+  const GappaScript script(std::string(FORCESHADE_SOURCE_DIR "/fast/heights/force.g"));
   constexpr double kParts = kMostParts;
   const double largest_gap = kParts * largest_height + static_cast<double>(kLargestCoordinate);
   std::printf("  a sum: gap 2^%.2f, slope 2^%.2f\n", std::log2(largest_gap), std::log2(kParts * largest_slope));

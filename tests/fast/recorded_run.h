@@ -16,7 +16,7 @@ struct ComparedScript {
   GappaScript script;
   std::set<std::string> compared;
 
-  explicit ComparedScript(const std::string& name) : script(std::string(FORCESHADE_SOURCE_DIR) + "/fast/" + name + ".g") {}
+  explicit ComparedScript(const std::string& name) : script(std::string(FORCESHADE_SOURCE_DIR "/fast/") + name + ".g") {}
 };
 
 struct RecordedRun {

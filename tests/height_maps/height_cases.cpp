@@ -71,7 +71,7 @@ std::vector<HeightCase> read_height_cases(std::istream& in, const std::string& f
 
 std::vector<HeightCase> height_cases(const HeightScene& scene) {
   const std::string file = case_file(scene);
-  std::ifstream in = csv::open_input(std::string(FORCESHADE_SOURCE_DIR) + "/" + file);
+  std::ifstream in = csv::open_input(std::string(FORCESHADE_SOURCE_DIR "/") + file);
   return read_height_cases(in, file);
 }
 

@@ -23,7 +23,7 @@ using properties::same_bits;
 using properties::show;
 using N = fast::BigFloatBall<32>;
 
-const std::string kGolden = std::string(FORCESHADE_SOURCE_DIR) + "/tests/golden/";
+const std::string kGolden = std::string(FORCESHADE_SOURCE_DIR "/tests/golden/");
 
 // The decimal as it is written, scientific; enclosed.
 N decimal(const std::string& text) {

@@ -46,7 +46,7 @@ std::vector<HardCase> read_hard_cases(std::istream& in, const std::string& file)
 
 std::vector<HardCase> hard_cases(LawId law) {
   const std::string file = "tests/laws/" + std::string(kLaws[static_cast<std::size_t>(law)].file) + ".cases";
-  std::ifstream in = csv::open_input(std::string(FORCESHADE_SOURCE_DIR) + "/" + file);
+  std::ifstream in = csv::open_input(std::string(FORCESHADE_SOURCE_DIR "/") + file);
   return read_hard_cases(in, file);
 }
 

@@ -128,8 +128,8 @@ class Golden : public ::testing::Test {
   }
 };
 
-const std::string kOwn = std::string(FORCESHADE_SOURCE_DIR) + "/tests/golden/";
-const std::string kOther = std::string(FORCESHADE_SOURCE_DIR) + "/../shared/golden/";
+const std::string kOwn = std::string(FORCESHADE_SOURCE_DIR "/tests/golden/");
+const std::string kOther = std::string(FORCESHADE_SOURCE_DIR "/../shared/golden/");
 
 TEST_F(Golden, own_forces_are_met_to_every_bit_and_digit) {
   forces(kOwn + "bump_forces.csv", 40, true, 1);

@@ -60,7 +60,7 @@ void expect_same_as_all_in(const std::string& folder) {
 }
 
 TEST(god_object_golden, the_reference_meets_every_column_of_the_paths_of_the_python_program) {
-  expect_same_as_all_in(std::string(FORCESHADE_SOURCE_DIR) + "/tests/golden/god_object");
+  expect_same_as_all_in(std::string(FORCESHADE_SOURCE_DIR "/tests/golden/god_object"));
 }
 
 TEST(god_object_golden, the_reference_meets_every_column_of_the_paths_in_a_given_folder) {

@@ -64,7 +64,7 @@ void expect_same_as_all_in(const std::string& folder) {
 }
 
 TEST(god_object, equals_the_golden_paths_in_every_column) {
-  expect_same_as_all_in(std::string(FORCESHADE_SOURCE_DIR) + "/tests/golden/god_object");
+  expect_same_as_all_in(std::string(FORCESHADE_SOURCE_DIR "/tests/golden/god_object"));
 }
 
 TEST(god_object, equals_the_paths_in_a_given_folder_in_every_column) {

@@ -95,7 +95,7 @@ const std::vector<Row>& rows() {
 }
 
 TEST(mesh_bit_bounds, the_table_in_the_documentation_has_these_rows) {
-  std::ifstream page(std::string(FORCESHADE_SOURCE_DIR) + "/docs/meshes.md");
+  std::ifstream page(std::string(FORCESHADE_SOURCE_DIR "/docs/meshes.md"));
   std::stringstream text;
   text << page.rdbuf();
   for (const Row& row : rows()) {

@@ -19,7 +19,7 @@
 namespace forceshade {
 namespace {
 
-const std::string kFolder = std::string(FORCESHADE_SOURCE_DIR) + "/tests/golden/textured_god_object";
+const std::string kFolder = std::string(FORCESHADE_SOURCE_DIR "/tests/golden/textured_god_object");
 
 struct Corners {
   std::vector<std::array<mesh::TexturePoint, 3>> points;  // in the file's unit

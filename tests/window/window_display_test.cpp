@@ -320,7 +320,7 @@ TEST_F(window_display, what_cannot_be_shown_is_refused_with_words) {
   };
   EXPECT_EQ(refusal(), "there is no monitor 5; expected 1 to 1");
   settings = {};
-  settings.font = std::string(FORCESHADE_SOURCE_DIR) + "/README.md";
+  settings.font = std::string(FORCESHADE_SOURCE_DIR "/README.md");
   EXPECT_EQ(refusal(), settings.font + ": expected a font in the format TrueType");
   settings.font = "No Such Family";
   Window window(settings);

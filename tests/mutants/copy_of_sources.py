@@ -1,0 +1,74 @@
+"""A copy of the sources in which lines may be changed, with a build of its own."""
+import hashlib
+import os
+import pathlib
+import signal
+import subprocess
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+CORES = os.cpu_count() or 1
+TIME_LIMIT = 60  # s of processor time; the slowest of the tests takes a sixth of it where nothing is changed
+
+
+def digest(*texts):
+    return hashlib.sha256("\0".join(texts).encode()).hexdigest()[:16]
+
+
+def sources():
+    listing = subprocess.run(["git", "ls-files", "-coz", "--exclude-standard"], cwd=ROOT, check=True, capture_output=True)
+    return [path for path in listing.stdout.decode().split("\0") if path and ((ROOT / path).is_file() or (ROOT / path).is_symlink())]
+
+
+class Copy:
+    def __init__(self, root, flags="-O1"):
+        self.root, self.build, self.flags = root, root / "build", flags
+        for path in sources():
+            if (ROOT / path).is_symlink():  # those of include/
+                self.link(path)
+            else:
+                self.write(path, (ROOT / path).read_bytes())
+        self.configure(with_mutants="OFF")
+
+    def configure(self, with_mutants):
+        """With mutants_test every change of a header would configure anew."""
+        self.run(["cmake", "-G", "Ninja", "-S", self.root, "-B", self.build, "-DCMAKE_BUILD_TYPE=Release",
+                  f"-DCMAKE_CXX_FLAGS_RELEASE={self.flags}", "-DCMAKE_GTEST_DISCOVER_TESTS_DISCOVERY_MODE=PRE_TEST",
+                  "-DFORCESHADE_UNITE=OFF", f"-DFORCESHADE_MUTANTS={with_mutants}"], check=True)
+
+    def write(self, path, content):
+        target = self.root / path
+        if target.exists() and target.read_bytes() == content:
+            return
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_bytes(content)
+        target.chmod((ROOT / path).stat().st_mode)
+
+    def link(self, path):
+        target = self.root / path
+        if not target.is_symlink():
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.symlink_to(os.readlink(ROOT / path))
+
+    def run(self, command, **options):
+        return subprocess.run([str(word) for word in command], cwd=self.root, text=True, errors="replace",
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options)
+
+    def make(self, test, jobs=1):
+        return self.run(["ninja", "-C", self.build, f"-j{jobs}", test])
+
+    def binary(self, test):
+        return self.build / "tests" / test
+
+    def run_test(self, test, limit=TIME_LIMIT):
+        return self.run(["prlimit", f"--cpu={limit}", self.binary(test), "--gtest_fail_fast", "--gtest_brief=1"])
+
+    def fails(self, test):
+        """Why the test does not pass, or nothing."""
+        made = self.make(test)
+        if made.returncode != 0:
+            print(next((line for line in made.stdout.splitlines() if "error" in line.lower()), "no error is printed"))
+            return "killed: does not compile, seen"
+        ran = self.run_test(test)
+        if ran.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+            return "killed: hangs, seen"
+        return "killed" if ran.returncode != 0 else None
