@@ -112,6 +112,18 @@ Recording::Extent Recording::extent() {
   return extent;
 }
 
+// SQLite reads what is missing of the last page as zeros, which may be just what stood there. While a log lies beside the file,
+// pages of it may be missing or half-written and the recording whole all the same.
+std::string Recording::words_of_cut() {
+  std::error_code none;
+  if (std::filesystem::exists(path() + "-wal", none)) return "";
+  const auto expected =
+      static_cast<std::uintmax_t>(database_.integer("PRAGMA page_count") * database_.integer("PRAGMA page_size"));
+  const std::uintmax_t size = std::filesystem::file_size(path(), none);
+  if (none || size >= expected) return "";
+  return "cut off: expected " + std::to_string(expected) + " bytes, got " + std::to_string(size);
+}
+
 void Recording::for_each_chunk(const std::function<void(std::span<const device::Sample>)>& take) {
   Statement row = database_.prepare("SELECT first_tick, last_tick, samples, sha256, data FROM chunk ORDER BY id");
   std::vector<Sample> samples;
@@ -139,6 +151,7 @@ std::vector<std::string> problems_of(Recording& recording) {
     Statement check = recording.database_.prepare("PRAGMA integrity_check");
     while (check.step())
       if (const std::string words = check.text(0); words != "ok") found(words);
+    if (const std::string words = recording.words_of_cut(); !words.empty()) found(words);
 
     recording.for_each_chunk([&](std::span<const Sample> chunk) {
       samples += chunk.size();

@@ -52,6 +52,7 @@ class Recording {
   friend std::vector<std::string> problems_of(Recording& recording);
   void expect_tables_of_a_recording();
   void read_metadata();
+  std::string words_of_cut();  // empty where the file has all of its pages
 
   Database database_;
   std::size_t sample_bytes_ = sizeof(device::Sample);  // in the file
