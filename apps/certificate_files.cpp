@@ -47,7 +47,7 @@ std::string verdict(const properties::Certificate& certificate, properties::Stan
                                                                       : "certified";
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.1f s", certificate.seconds);
-  return word + (": " + std::to_string(points)) + " points in " + seconds + (seeds.size() == 1 ? ", seed " : ", seeds ") +
+  return word + (": " + std::to_string(points)) + " points in all, " + seconds + (seeds.size() == 1 ? ", seed " : ", seeds ") +
          properties::in_words(seeds);
 }
 

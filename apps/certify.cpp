@@ -86,7 +86,8 @@ std::string junit_of(const properties::Certificate& certificate, const PartTimes
                   cases);
 }
 
-int run_points(const CertifyOptions& options, properties::CertifyOptions what, const OutFolder& out) {
+int run_points(const CertifyOptions& options, properties::CertifyOptions what, const std::vector<std::string>& subject_files,
+               const OutFolder& out) {
   what.points = options.points > 0 ? options.points : properties::points_of_kind(what.subjects.front()->identity().kind);
   what.cases = static_cast<int>(options.cases);
   what.seed = options.seed;
@@ -97,7 +98,7 @@ int run_points(const CertifyOptions& options, properties::CertifyOptions what, c
     times.add(csv::printable(subject), property);
     progress->draw();
   };
-  const auto certificate = properties::certify(
+  auto certificate = properties::certify(
       what,
       [&](std::string_view name, double done) {
         times.add(csv::printable(name), kPoints);
@@ -109,6 +110,7 @@ int run_points(const CertifyOptions& options, properties::CertifyOptions what, c
     std::fprintf(stderr, "forceshade: interrupted: no certificate was written\n");
     return kInterrupted;
   }
+  for (std::size_t i = 0; i < subject_files.size(); ++i) certificate->subjects[i].subject_file = subject_files[i];
   if (!options.junit.empty()) write_file(options.junit, junit_of(*certificate, times));
   return write_certificate(*certificate, out.path());
 }
@@ -121,7 +123,7 @@ int run(const CertifyOptions& options, const SubjectOption& subject, const OutFo
   // Before the work, so that a path that cannot be written to is said at once.
   out.expect_room_for(certificate_files());
   expect_folder_of("--junit", options.junit);
-  if (!options.exhaustive.is_given) return run_points(options, std::move(what), out);
+  if (!options.exhaustive.is_given) return run_points(options, std::move(what), subject.subject_files(), out);
   properties::SweepPlan plan{subject.law().laws(), subject.law().parameters(), {}};
   for (const properties::ThesisRadius& radius : properties::kThesisRadii) plan.radii.push_back(radius.mm);
   if (radius_is_given) plan.radii = {plan.parameters.radius};
@@ -133,16 +135,17 @@ int run(const CertifyOptions& options, const SubjectOption& subject, const OutFo
 void add_certify(CLI::App& app, int& result) {
   const auto options = std::make_shared<CertifyOptions>();
   CLI::App* command = app.add_subcommand("certify", "Check the fast path against the reference and write a certificate");
-  const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::one_or_all);
-  CLI::Option* points = add_whole(*command, "--points",
-                                  "points per law, half of them aimed, and a quarter as many with other parameters; " +
-                                      std::to_string(properties::points_of_kind(properties::kLawKind)) +
-                                      " unless said, for a height map or mesh " +
-                                      std::to_string(properties::points_of_kind(properties::kHeightMapKind)),
-                                  {1, 1000000000000}, [options](std::uint64_t given) { options->points = given; });
+  const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::several);
+  command->option_defaults()->group(kEvidenceGroup);
+  CLI::Option* points = add_whole(
+      *command, "--points",
+      "points per law, height map or mesh, half of them aimed, and a quarter as many with other parameters; " +
+          std::to_string(properties::points_of_kind(properties::kLawKind)) + " unless said, for a height map or mesh " +
+          std::to_string(properties::points_of_kind(properties::kHeightMapKind)),
+      {1, 1000000000000}, [options](std::uint64_t given) { options->points = given; });
   CLI::Option* cases = add_whole(*command, "--cases", options->cases, "cases per property (passivity: a tenth)", kCases);
   CLI::Option* seed = add_whole(*command, "--seed", options->seed, "seed of points and cases", kSeeds);
-  add_whole(*command, "--threads", options->threads, "threads", {1, 1024});
+  add_whole(*command, "--threads", options->threads, "threads", {1, 1024})->group(kOtherGroup);
   const auto out = std::make_shared<OutFolder>(*command, kCertificateFolder);
   CLI::Option* junit =
       add_output(*command, "--junit", options->junit, "what was found as JUnit XML, for continuous integration");

@@ -3,11 +3,14 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <string_view>
 
 #include "forceshade/apps/length.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/csv/output_file.h"
+#include "forceshade/csv/suggestion.h"
 #include "forceshade/fast/law.h"
 #include "forceshade/reference/law.h"
 
@@ -18,26 +21,58 @@ constexpr const char *kRadiusHelp = "R, radius of the bump", *kWidthHelp = "w, w
 
 std::vector<std::filesystem::path> made_directories;  // each after the one that it is in
 
-std::string law_list() {
+std::string expected_law(bool may_be_several) {
   std::string list;
   for (const LawName& law : kLaws) list += (list.empty() ? "" : ", ") + std::string(law.name);
-  return list;
+  return (may_be_several ? "all, or one or several, with commas between them, of " : "one of ") + list;
+}
+
+std::vector<std::string> divided(const std::string& names) {
+  std::vector<std::string> all{""};
+  for (const char c : names)
+    if (c == ',')
+      all.emplace_back();
+    else
+      all.back() += c;
+  return all;
+}
+
+// The words for the first name that is no law, or not another one than those before it.
+std::string refusal_of_law(const std::string& names, bool may_be_several) {
+  if (may_be_several && names == "all") return "";
+  std::vector<std::string> known;
+  for (const LawName& law : kLaws) known.emplace_back(law.name);
+  const std::vector<std::string> all = may_be_several ? divided(names) : std::vector{names};
+  for (auto name = all.begin(); name != all.end(); ++name) {
+    if (!law_named(*name))
+      return "expected " + expected_law(may_be_several) + "; got \"" + *name + '"' + csv::suggestion(*name, known);
+    if (std::find(all.begin(), name, *name) != name) return "expected each law once, got " + *name + " twice";
+  }
+  return "";
+}
+
+// Said where nobody chose the width that does not fit.
+std::string refusal_of_bump(const ParameterError& error, const CLI::Option& width) {
+  const bool is_unchosen = width.empty() && error.parameter == std::string_view("width");
+  return "--" + error.message() +
+         (is_unchosen ? "; the width is that of the thesis unless --width is given beside --radius" : "");
 }
 
 }  // namespace
 
 LawOptions::LawOptions(CLI::App& command, Laws laws) {
-  const bool all = laws == Laws::one_or_all;
-  const std::string expected = (all ? "all, or one of " : "one of ") + law_list();
+  const bool all = laws == Laws::several;
+  const std::string expected = expected_law(all);
   if (all) law_ = "all";
-  CLI::Option* law =
-      command.add_option("--law", law_, expected)->type_name("ID")->check([all, expected](const std::string& name) {
-        return (all && name == "all") || law_named(name) ? "" : "expected " + expected + "; got \"" + name + "\"";
-      });
+  CLI::Option* law = command.add_option("--law", law_, expected)->type_name("ID")->check([all](const std::string& name) {
+    return refusal_of_law(name, all);
+  });
   if (!all) law->required();
+  law->group(kSubjectGroup);
   law_option_ = law;
   bump_options_ = {add_length(command, "--radius", radius_, kRadiusHelp), add_length(command, "--width", width_, kWidthHelp)};
-  add_stiffness(command, stiffness_, "K, stiffness");
+  add_stiffness(command, stiffness_, "K, stiffness")->group(kSubjectGroup);
+  for (CLI::Option* of_a_bump : bump_options_) of_a_bump->group(kSubjectGroup);
 }
 
 void LawOptions::allow_instead(CLI::Option* other) {
@@ -54,6 +89,7 @@ float LawOptions::stiffness() const {
 
 BumpOptions::BumpOptions(CLI::App& command) {
   options_ = {add_length(command, "--radius", radius_, kRadiusHelp), add_length(command, "--width", width_, kWidthHelp)};
+  for (CLI::Option* option : options_) option->group(kSubjectGroup);
 }
 
 void BumpOptions::allow_instead(CLI::Option* other) {
@@ -63,7 +99,7 @@ void BumpOptions::allow_instead(CLI::Option* other) {
 Parameters BumpOptions::bump() const {
   const Parameters bump{parse_length("--radius", radius_), parse_length("--width", width_), 1};
   const auto law = reference::Law::build(LawId::bump_cylinder, bump);
-  if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput("--" + error->message());
+  if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput(refusal_of_bump(*error, *options_[1]));
   return bump;
 }
 
@@ -74,9 +110,11 @@ std::vector<LawId> LawOptions::laws() const {
       words += (i + 1 < needed_unless_.size() ? ", " : " or ") + needed_unless_[i]->get_name();
     throw CLI::RequiredError(words);
   }
-  if (const auto id = law_named(law_)) return {*id};
   std::vector<LawId> all;
-  for (const LawName& law : kLaws) all.push_back(law.id);
+  if (law_ == "all")
+    for (const LawName& law : kLaws) all.push_back(law.id);
+  else
+    for (const std::string& name : divided(law_)) all.push_back(*law_named(name));
   return all;
 }
 
@@ -90,7 +128,7 @@ Parameters LawOptions::parameters() const {
       p.width = width;
     }
     const auto law = fast::Law::build(id, p);
-    if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput("--" + error->message());
+    if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput(refusal_of_bump(*error, *bump_options_[1]));
   }
   return p;
 }

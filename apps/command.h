@@ -22,7 +22,7 @@ inline constexpr const char *kThesisRadius = "15.24mm", *kThesisWidth = "25.4mm"
 // which are those of the thesis unless said: R = 15.24 mm, w = 25.4 mm, K = 0.5 N/mm.
 class LawOptions {
  public:
-  enum class Laws { one, one_or_all };
+  enum class Laws { one, several };
 
   LawOptions(CLI::App& command, Laws laws);
 

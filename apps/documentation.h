@@ -4,22 +4,42 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace forceshade::apps {
 
-// What holds for every command, in lines of at most 98 characters.
+// What holds for every command, in lines of at most 100 characters.
 inline constexpr const char* kExitCodes =
     "Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault or safety trip,\n"
     "130 interrupted.";
 inline constexpr const char* kQuantities =
-    "Lengths are in mm, stiffnesses in N/mm, angles in degrees, or with a unit: 25.4mm, 2.54cm, 0.01m,\n"
+    "A LENGTH is in mm, a STIFFNESS in N/mm, an ANGLE in degrees, or has a unit: 25.4mm, 2.54cm, 0.01m,\n"
     "1000mil, 1in; 0.5N/mm, 500N/m; 30deg, 0.5rad.";
 inline constexpr const char* kFiles =
     "The file - is standard input or output. A file that is there already is replaced only with\n"
     "--overwrite.";
+inline constexpr const char* kWhereMoreIs =
+    "'forceshade help' explains units, files and exit codes; 'forceshade man' writes manual pages.";
 
 // "forceshade device check"
 std::string full_name(const CLI::App& command);
+
+// It begins with a capital, unless with a symbol such as w, and ends with a full stop.
+std::string sentence(std::string text);
+
+// What it is for, whether it is required, its default, and the options that it needs or excludes, in sentences.
+std::string words_of(const CLI::Option& option);
+
+// A command line as it may be typed, and what it shows.
+struct Example {
+  std::string_view command;  // its full name without "forceshade "
+  const char *line, *what;
+};
+std::vector<Example> examples_of(std::string_view full_name);
+
+// What --help prints.
+std::string help_text(const CLI::App& command);
 
 // The page of one command in roff (man macros). It has no date, so that the same program writes the same page.
 std::string man_page(const CLI::App& command, const std::string& version);

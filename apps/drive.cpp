@@ -90,7 +90,10 @@ void add_drive(CLI::App& app, int& result) {
   CLI::App* command = app.add_subcommand("drive", "Drive a device with a certified renderer");
   const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::one);
   const auto place = std::make_shared<PlacementOptions>(*command);
-  command->add_option("--certificate", options->certificate, "certificate.json of this build")->type_name("FILE");
+  command->add_option("--certificate", options->certificate, "certificate.json of this build")
+      ->type_name("FILE")
+      ->group(kEvidenceGroup);
+  command->option_defaults()->group(kDeviceGroup);
   command
       ->add_option("--device", options->device,
                    "null; replay:FILE.csv, a recording with columns t_s, x_mm, y_mm, z_mm; simulated[:MODEL[:FILE.csv]], a "
@@ -122,7 +125,8 @@ void add_drive(CLI::App& app, int& result) {
       ->excludes("--pace")
       ->excludes("--watchdog-timeout");
   add_in_reset_pose(*command, options->in_reset_pose);
-  command->add_flag("--uncertified", options->uncertified, "drive even where the certificate does not allow it");
+  command->add_flag("--uncertified", options->uncertified, "drive even where the certificate does not allow it")
+      ->group(kEvidenceGroup);
   add_output(
       *command, "--record", options->record,
       "every tick: FILE.fsr, a recording that survives a crash; FILE.npy, a structured array for numpy.load; else its CSV, - "

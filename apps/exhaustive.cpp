@@ -104,15 +104,13 @@ void print(const Sweeps& sweeps) {
 void ExhaustiveOptions::add_to(CLI::App& command) {
   CLI::Option* flag = command.add_flag("--exhaustive", is_given,
                                        "sweep over every binary32 instead of points and cases; can be stopped and resumed");
-  command
-      .add_option("--sweeps", sweeps,
-                  "with --exhaustive: directions, heights (the five radii of the thesis unless --radius is given), lines")
+  command.add_option("--sweeps", sweeps, "directions, heights (the five radii of the thesis unless --radius is given), lines")
       ->type_name("LIST")
       ->delimiter(',')
       ->check(one_of({"directions", "heights", "lines"}))
       ->needs(flag)
       ->capture_default_str();
-  command.add_option("--shards", shards, "with --exhaustive: do part k of n, to be joined by 'certify merge'")
+  command.add_option("--shards", shards, "do part k of n, to be joined by 'certify merge'")
       ->type_name("k/n")
       ->needs(flag)
       ->capture_default_str();

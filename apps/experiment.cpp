@@ -86,6 +86,7 @@ struct Driving {
   std::optional<double> watchdog_timeout;
 
   void add_to(CLI::App& command) {
+    command.option_defaults()->group(kDeviceGroup);
     command
         .add_option("--device", device,
                     "as for drive --device; or simulated:MODEL:mouse, a PHANToM whose hand is the mouse over the window")
@@ -93,8 +94,9 @@ struct Driving {
         ->required();
     CLI::Option* folder =
         command.add_option("--certificates", certificates, "the folder that 'experiment prepare' has filled for this build")
-            ->type_name("DIR");
-    command.add_flag("--uncertified", uncertified, "drive without certificates")->excludes(folder);
+            ->type_name("DIR")
+            ->group(kEvidenceGroup);
+    command.add_flag("--uncertified", uncertified, "drive without certificates")->group(kEvidenceGroup)->excludes(folder);
     command.add_flag("--terminal", terminal, "texts and keys in the terminal instead of a window");
     command.add_option("--window", settings, "a TOML file: size of window and text, keys (docs/experiments.md)")
         ->type_name("FILE")
@@ -102,7 +104,8 @@ struct Driving {
     command
         .add_option("--origin", origin,
                     "where the middle of the scene lies in the device's workspace: X,Y,Z; 0,0,0 unless said")
-        ->type_name("X,Y,Z");
+        ->type_name("X,Y,Z")
+        ->group(kPlaceGroup);
     add_whole(command, "--dead-man", "button of the device to be held down, from 0; else there is no force", {0, 15},
               [this](std::uint64_t button) { dead_man = static_cast<int>(button); });
     add_watchdog_timeout(command, watchdog_timeout);

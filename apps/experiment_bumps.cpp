@@ -7,6 +7,8 @@
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/mesh_option.h"
+#include "forceshade/apps/subject_option.h"
+#include "forceshade/csv/csv.h"
 #include "forceshade/heights/spec.h"
 #include "forceshade/properties/height_map_subject.h"
 #include "forceshade/properties/law_subject.h"
@@ -19,19 +21,30 @@ using experiments::Bump;
 using experiments::kMillimetresPerMil;
 using experiments::StimulusKind;
 
-std::unique_ptr<properties::Subject> subject_of(const experiments::Protocol& protocol, const Bump& bump) {
+// The protocol's stiffness is that of all that a session renders.
+std::shared_ptr<const properties::Subject> subject_of_file(const std::string& file, float stiffness) {
+  auto subject = read_subject(file);
+  for (const auto& [key, value] : subject->identity().parameters)
+    if (const auto* its = std::get_if<float>(&value); key == "stiffness_N_per_mm" && its != nullptr && *its != stiffness)
+      throw BadInput(file + ": stiffness: expected that of the protocol, " + csv::shortest(stiffness) + " N/mm, got " +
+                     csv::shortest(*its) + " N/mm");
+  return subject;
+}
+
+std::shared_ptr<const properties::Subject> subject_of(const experiments::Protocol& protocol, const Bump& bump) {
   const experiments::Stimulus& stimulus = protocol.stimulus(bump.stimulus);
   if (stimulus.kind == StimulusKind::law)
-    return std::make_unique<properties::LawSubject>(stimulus.law, protocol.parameters(bump.radius));
+    return std::make_shared<properties::LawSubject>(stimulus.law, protocol.parameters(bump.radius));
   const auto variant = std::ranges::find(stimulus.variants, bump.radius, &experiments::Variant::radius);
   if (variant == stimulus.variants.end()) throw BadInput(words_of(bump) + ": the protocol has no such shape");
   const std::string file = variant->file, name = variant->file.filename();
+  if (stimulus.kind == StimulusKind::subject) return subject_of_file(file, protocol.stiffness);
   if (stimulus.kind == StimulusKind::mesh)
-    return std::make_unique<properties::MeshSubject>(name,
+    return std::make_shared<properties::MeshSubject>(name,
                                                      read_mesh({.file = file, .unit = variant->unit}, protocol.stiffness));
   const heights::Spec spec = heights::read_spec(file);
   expect_valid(file, spec, protocol.stiffness);
-  return std::make_unique<properties::HeightMapSubject>(name, spec.map, spec.rendering, protocol.stiffness);
+  return std::make_shared<properties::HeightMapSubject>(name, spec.map, spec.rendering, protocol.stiffness);
 }
 
 }  // namespace
@@ -55,8 +68,8 @@ Eigen::Vector3f Bumps::place_of(const Bump& bump, const Eigen::Vector3f& origin)
 }
 
 double Bumps::height(const Bump& bump, double x) {
-  if (protocol_.stimulus(bump.stimulus).kind == StimulusKind::mesh) return 0;
   Kept& its = kept(bump);
+  if (its.subject->identity().kind == properties::kMeshKind) return 0;
   if (!its.looked_at) its.looked_at = its.subject->calls().open();
   // The highest place with a force, to a hundredth of a millimetre; a height map is at most as high as its domain.
   const auto is_inside = [&](double z) {

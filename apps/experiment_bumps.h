@@ -33,7 +33,7 @@ class Bumps {
 
  private:
   struct Kept {
-    std::unique_ptr<properties::Subject> subject;
+    std::shared_ptr<const properties::Subject> subject;
     std::unique_ptr<fast::Session> looked_at;  // by height()
   };
   Kept& kept(const experiments::Bump& bump);

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "forceshade/apps/options.h"
 #include "forceshade/fast/height_map_field.h"
 
 namespace forceshade::apps {
@@ -37,7 +38,8 @@ void expect_valid(const std::string& file, const heights::Spec& spec, float stif
 HeightMapOption::HeightMapOption(CLI::App& command, LawOptions& law) {
   CLI::Option* option =
       command.add_option("--height-map", file_, "instead of a law: a height map, a TOML file (docs/height-maps.md)")
-          ->type_name("SPEC");
+          ->type_name("SPEC")
+          ->group(kSubjectGroup);
   law.allow_instead(option);
 }
 

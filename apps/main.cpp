@@ -7,14 +7,17 @@
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/documentation.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/standard_streams.h"
+#include "forceshade/apps/subject_file.h"
 #include "forceshade/certificate/build.h"
 #include "forceshade/csv/output_file.h"
 #include "forceshade/csv/printable.h"
+#include "forceshade/csv/suggestion.h"
 #include "forceshade/device/open_device.h"
 
 namespace forceshade::apps {
@@ -25,17 +28,67 @@ void print_lines(const std::string& text) {
   for (std::string line; std::getline(lines, line);) std::cerr << csv::printable(line) << '\n';
 }
 
-int run(int argc, char** argv) {
+// `help` and `version` are words for --help and --version: forceshade help device check.
+std::vector<std::string> with_words_for_flags(std::vector<std::string> words) {
+  if (words.empty()) return words;
+  if (words.front() == "version") words.front() = "--version";
+  if (words.front() != "help") return words;
+  words.erase(words.begin());
+  words.emplace_back("--help");
+  return words;
+}
+
+// What keeps the first word from being a command; empty where it is one, or a flag of the program.
+std::string fault_of_first_word(const CLI::App& app, const std::vector<std::string>& words) {
+  if (words.empty()) return "";
+  const std::string& first = words.front();
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  const auto listed = [&] {
+    std::string all;
+    for (const std::string& name : names) all += ' ' + name;
+    return all;
+  };
+  if (first.starts_with("-")) {
+    if (app.get_option_no_throw(first) != nullptr) return "";
+    return "expected a command before the option \"" + first + "\", one of:" + listed();
+  }
+  if (std::ranges::find(names, first) != names.end()) return "";
+  return "unknown command \"" + first + "\"; expected one of:" + listed() + csv::suggestion(first, names);
+}
+
+bool takes_a_subject(const CLI::App& app, const std::vector<std::string>& words) {
+  const CLI::App* command = &app;
+  for (const std::string& word : words) {
+    const auto below = command->get_subcommands([&](const CLI::App* each) { return each->get_name() == word; });
+    if (below.empty()) break;
+    command = below.front();
+  }
+  return command->get_option_no_throw("--subject") != nullptr;
+}
+
+int report(const CLI::App& app, const CLI::ParseError& error, const ExpandedLine& line) {
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+    std::ostringstream text;  // not std::cout: it would be flushed where nobody sees whether that fails
+    app.exit(error, text, std::cerr);
+    std::fputs(text.str().c_str(), stdout);
+    return kHeld;
+  }
+  std::cerr << "forceshade: " << line.placed(failure_message(app, error));
+  return kBadInput;
+}
+
+int run(const std::vector<std::string>& arguments) {
   CLI::App app("Haptic force laws, correctly rounded in real time: evaluate, check, certify and drive.", "forceshade");
-  app.set_version_flag("--version", [] {
+  app.set_version_flag("-v,--version", [] {
     const properties::Build build = properties::current_build();
     return "forceshade " + build.version + "\nrevision         " + build.revision + "\ncompiler         " + build.compiler +
            "\ninstruction set  " + build.instruction_set + "\nlibrary digest   " + build.library_digest;
   });
   app.require_subcommand(1);
-  app.footer(std::string(kQuantities) + '\n' + kFiles + '\n' + kExitCodes +
-             "\n'forceshade COMMAND --help' explains a command, and 'forceshade man COMMAND | man -l -' shows its page.");
-  app.failure_message(failure_message);
+  app.formatter_fn([](const CLI::App* command, const std::string&, CLI::AppFormatMode) { return help_text(*command); });
+  app.footer(kWhereMoreIs);  // of each command
   int result = kHeld;
   add_laws(app, result);
   add_geometry(app, result);
@@ -55,26 +108,18 @@ int run(int argc, char** argv) {
   add_man(app);
   add_completion(app);
   refuse_empty_values(app);
-  if (argc > 1 && argv[1][0] != '-') {
-    const std::vector<CLI::App*> commands = app.get_subcommands([](const CLI::App*) { return true; });
-    const auto is_named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
-    if (std::none_of(commands.begin(), commands.end(), is_named)) {
-      std::cerr << "forceshade: unknown command \"" << argv[1] << "\"; expected one of:";
-      std::vector<std::string> names;
-      for (const CLI::App* command : commands) names.push_back(command->get_name());
-      for (const std::string& name : names) std::cerr << ' ' << name;
-      if (const std::string near = nearest(argv[1], names); !near.empty()) std::cerr << "; the nearest is " << near;
-      std::cerr << '\n';
-      return kBadInput;
-    }
+  app.footer(std::string(kQuantities) + '\n' + kFiles + '\n' + kExitCodes +
+             "\n'forceshade help COMMAND' explains a command; 'forceshade man COMMAND | man -l -' shows its page.");
+  ExpandedLine line{with_words_for_flags(arguments)};
+  if (const std::string fault = fault_of_first_word(app, line.words); !fault.empty()) {
+    std::cerr << "forceshade: " << csv::printable(fault) << '\n';
+    return kBadInput;
   }
   try {
-    app.parse(argc, argv);
+    if (takes_a_subject(app, line.words)) line = expand_subject_files(line.words);
+    app.parse(std::vector<std::string>(line.words.rbegin(), line.words.rend()));  // CLI11 takes them from the back
   } catch (const CLI::ParseError& error) {
-    std::ostringstream help;  // not std::cout: it would be flushed where nobody sees whether that fails
-    const int code = app.exit(error, help, std::cerr);
-    std::fputs(help.str().c_str(), stdout);
-    return code == 0 ? kHeld : kBadInput;
+    return report(app, error, line);
   } catch (const device::DeviceError& error) {
     // Several lines: what was tried and what to check.
     std::cerr << "forceshade: device fault: ";
@@ -88,7 +133,7 @@ int run(int argc, char** argv) {
     std::cerr << "forceshade: interrupted: " << csv::printable(error.what()) << '\n';
     return kInterrupted;
   } catch (const std::exception& error) {
-    std::cerr << "forceshade: " << csv::printable(error.what()) << '\n';
+    std::cerr << "forceshade: " << csv::printable(line.placed(error.what())) << '\n';
     return kBadInput;
   }
   return result;
@@ -100,7 +145,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   using namespace forceshade;
   apps::open_standard_streams();
-  const int result = apps::run(argc, argv);
+  const int result = apps::run({argv + std::min(argc, 1), argv + argc});
   apps::remove_unused_directories();
   try {
     apps::flush_standard_output();

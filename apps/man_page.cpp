@@ -41,11 +41,6 @@ std::string roff(const std::string& text) {
   return all;
 }
 
-std::string sentence(std::string text) {
-  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text.ends_with('.') || text.empty() ? text : text + '.';
-}
-
 std::string joined_names(const std::set<CLI::Option*>& options) {
   std::set<std::string> names;  // in the same order every time
   for (const CLI::Option* option : options) names.insert(option->get_name());
@@ -71,14 +66,7 @@ std::string synopsis(const CLI::Option& option) {
 }
 
 std::string described(const CLI::Option& option) {
-  std::string words = roff(sentence(option.get_description()));
-  const bool has_optional_value = option.get_expected_min() == 0;
-  if (option.get_required()) words += " Required.";
-  if (!option.get_default_str().empty() && !has_optional_value) words += " Default: " + roff(option.get_default_str()) + '.';
-  if (const std::string needs = joined_names(option.get_needs()); !needs.empty()) words += " Only with " + roff(needs) + '.';
-  if (const std::string others = joined_names(option.get_excludes()); !others.empty())
-    words += " Not with " + roff(others) + '.';
-  return ".TP\n" + synopsis(option) + '\n' + words + '\n';
+  return ".TP\n" + synopsis(option) + '\n' + roff(words_of(option)) + '\n';
 }
 
 std::string page_name(const CLI::App& command) {
@@ -113,6 +101,22 @@ std::string full_name(const CLI::App& command) {
   return (parent == nullptr ? "" : full_name(*parent) + ' ') + command.get_name();
 }
 
+std::string sentence(std::string text) {
+  const bool is_symbol = text.size() > 1 && text[1] == ',';
+  if (!text.empty() && !is_symbol) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text.ends_with('.') || text.empty() ? text : text + '.';
+}
+
+std::string words_of(const CLI::Option& option) {
+  std::string words = sentence(option.get_description());
+  const bool has_optional_value = option.get_expected_min() == 0;
+  if (option.get_required()) words += " Required.";
+  if (!option.get_default_str().empty() && !has_optional_value) words += " Default: " + option.get_default_str() + '.';
+  if (const std::string needs = joined_names(option.get_needs()); !needs.empty()) words += " Only with " + needs + '.';
+  if (const std::string others = joined_names(option.get_excludes()); !others.empty()) words += " Not with " + others + '.';
+  return words;
+}
+
 std::string man_page(const CLI::App& command, const std::string& version) {
   const std::string name = page_name(command);
   std::string title = name;
@@ -136,6 +140,11 @@ std::string man_page(const CLI::App& command, const std::string& version) {
   if (!verbs.empty()) page += ".SH COMMANDS\n";
   for (const CLI::App* verb : verbs)
     page += ".TP\n.B " + roff(verb->get_name()) + '\n' + roff(sentence(verb->get_description())) + '\n';
+  if (const std::vector<Example> examples = examples_of(full_name(command)); !examples.empty()) {
+    page += ".SH EXAMPLES\n";
+    for (const Example& example : examples)
+      page += ".PP\n" + roff(sentence(example.what)) + "\n.PP\n.nf\n.RS\n" + roff(example.line) + "\n.RE\n.fi\n";
+  }
   page += std::string(".SH QUANTITIES AND FILES\n") + roff(kQuantities) + '\n' + roff(kFiles) + '\n';
   page += std::string(".SH EXIT STATUS\n") + roff(kExitCodes) + '\n';
   std::string others;

@@ -14,6 +14,7 @@
 #include "forceshade/apps/command.h"
 #include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/length.h"
+#include "forceshade/apps/mesh_input.h"
 #include "forceshade/apps/mesh_option.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/output_options.h"
@@ -42,7 +43,7 @@ struct MeshFileOptions {
 };
 
 mesh::LoadedMesh load(const MeshFileOptions& options) {
-  return mesh::load_with_corners(options.file, unit_named(options.unit));
+  return load_mesh(options.file, unit_named(options.unit));
 }
 
 std::vector<std::string> lines_of(const mesh::Findings& findings) {
@@ -323,7 +324,9 @@ void add_mesh(CLI::App& app, int& result) {
   const auto add = [&](const char* name, const char* help, int (*run)(const MeshFileOptions&)) {
     const auto options = std::make_shared<MeshFileOptions>();
     CLI::App* verb = command->add_subcommand(name, help);
-    verb->add_option("file", options->file, "a mesh: FILE.obj, .off, .ply or .stl")->type_name("FILE")->required();
+    verb->add_option("file", options->file, "a mesh: FILE.obj, .off, .ply or .stl; - is standard input")
+        ->type_name("FILE")
+        ->required();
     add_word(*verb, "--unit", options->unit, "of the coordinates in the file, which no format says", {"mm", "m", "in"})
         ->required();
     verb->callback([options, run, &result] { result = run(*options); });

@@ -7,7 +7,9 @@
 #include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/length.h"
 #include "forceshade/apps/options.h"
+#include "forceshade/csv/csv.h"
 #include "forceshade/csv/printable.h"
+#include "forceshade/csv/suggestion.h"
 #include "forceshade/heights/spec.h"
 #include "forceshade/meshes/facts.h"
 #include "forceshade/meshes/normals.h"
@@ -35,7 +37,8 @@ mesh::Shading shading_named(const std::string& word) {
 std::string refusal_of_shading(const std::string& got) {
   const bool is_name = static_cast<std::size_t>(shading_named(got)) < mesh::kShadingNames.size();
   if (is_texture(got) || (is_name && got != name_of(mesh::Shading::texture_scheme))) return {};
-  return "expected one of vertex, edge, none, texture:FILE; got \"" + got + '"';
+  return "expected one of vertex, edge, none, texture:FILE; got \"" + got + '"' +
+         csv::suggestion(got, {"vertex", "edge", "none", "texture:FILE"});
 }
 
 void read_texture(const MeshChoice& choice, const mesh::CheckedMesh& checked,
@@ -70,6 +73,8 @@ mesh::Unit unit_named(const std::string& word) {
 }
 
 MeshOption::MeshOption(CLI::App& command, LawOptions& law) {
+  const std::string group = command.option_defaults()->get_group();
+  command.option_defaults()->group(kSubjectGroup);
   CLI::Option* option =
       command
           .add_option("--mesh", mesh_.file, "instead of a law: a triangle mesh, an OBJ, OFF, PLY or STL file (docs/meshes.md)")
@@ -100,10 +105,24 @@ MeshOption::MeshOption(CLI::App& command, LawOptions& law) {
   add_angle(command, "--crease", "of a mesh: an edge that turns by more is not shaded over", {0, 180}, [this](double degrees) {
     mesh_.crease_degrees = degrees;
   })->needs(option);
+  command.option_defaults()->group(group);
 }
 
 std::string MeshOption::name() const {
   return std::filesystem::path(mesh_.file).filename();
+}
+
+std::vector<std::pair<std::string, std::string>> MeshOption::entries() const {
+  const auto file_name = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
+  return {{"mesh", name()},
+          {"unit", mesh_.unit},
+          {"sides", mesh_.sides},
+          {"shading", is_texture(mesh_.shading)
+                          ? std::string(kTexturePrefix) + file_name(mesh_.shading.substr(kTexturePrefix.size()))
+                          : mesh_.shading},
+          {"texture-scale", mesh_.texture_scale ? csv::shortest(*mesh_.texture_scale) + "mm" : ""},
+          {"self-intersecting", mesh_.is_self_intersecting ? "true" : ""},
+          {"crease", csv::shortest(mesh_.crease_degrees) + "deg"}};
 }
 
 properties::MeshRendering MeshOption::read(float stiffness) const {

@@ -4,6 +4,8 @@
 
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "forceshade/apps/command.h"
 #include "forceshade/identity/mesh_identity.h"
@@ -38,6 +40,9 @@ class MeshOption {
 
   // For people and records; no claim hangs on it.
   std::string name() const;
+
+  // What holds, as the keys and values of a subject file; where it was not given, what holds unless said.
+  std::vector<std::pair<std::string, std::string>> entries() const;
 
   // read_mesh() of the options.
   properties::MeshRendering read(float stiffness) const;

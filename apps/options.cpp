@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <numeric>
 #include <system_error>
 #include <utility>
 
 #include "forceshade/apps/length.h"
+#include "forceshade/csv/suggestion.h"
 
 namespace forceshade::apps {
 namespace {
@@ -49,26 +49,6 @@ const CLI::App* command_of(const CLI::App* app) {
   return app;
 }
 
-// Insertions, deletions and replacements of a character that make one word of the other (Levenshtein).
-std::size_t edits(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
-
-std::string suggestion(const std::string& word, const std::vector<std::string>& words) {
-  const std::string near = nearest(word, words);
-  return near.empty() ? "" : "; the nearest is " + near;
-}
-
 bool is_option(const std::string& word) {
   return word.starts_with("-");
 }
@@ -83,7 +63,7 @@ std::string words_of_extra(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* known : command.get_options())
     for (const std::string& known_name : known->get_lnames()) names.push_back("--" + known_name);
-  return command.get_name() + ": unknown option \"" + name + '"' + suggestion(name, names);
+  return command.get_name() + ": unknown option \"" + name + '"' + csv::suggestion(name, names);
 }
 
 std::string words_of_missing(const CLI::App& command, const std::string& what) {
@@ -96,7 +76,7 @@ std::string words_of_missing(const CLI::App& command, const std::string& what) {
   std::vector<std::string> names;
   for (const CLI::App* verb : verbs) names.push_back(verb->get_name());
   const std::string words = command.get_name() + ": expected a command: " + joined(names, ", ") + "; got ";
-  return extras.empty() ? words + "none" : words + '"' + extras.front() + '"' + suggestion(extras.front(), names);
+  return extras.empty() ? words + "none" : words + '"' + extras.front() + '"' + csv::suggestion(extras.front(), names);
 }
 
 template <class E>
@@ -105,7 +85,7 @@ bool is_a(const CLI::Error& error) {
 }
 
 // In the form of this file: where, what was expected, what was got.
-std::string words_of(const CLI::App& command, const CLI::Error& error) {
+std::string words_of_error(const CLI::App& command, const CLI::Error& error) {
   std::string words = error.what();
   if (is_a<CLI::ExtrasError>(error)) return words_of_extra(command);
   if (is_a<CLI::RequiredError>(error)) return words_of_missing(command, words);
@@ -157,11 +137,11 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, const std::s
 }
 
 CLI::Option* add_length(CLI::App& command, const std::string& name, std::string& value, const std::string& help) {
-  return add_quantity(command, name, value, help + ": mm, or with a unit (mm, cm, m, mil, in)", "LENGTH");
+  return add_quantity(command, name, value, help, "LENGTH");
 }
 
 CLI::Option* add_stiffness(CLI::App& command, std::string& value, const std::string& help) {
-  return add_quantity(command, "--stiffness", value, help + ": N/mm, or with a unit (N/mm, N/m)", "STIFFNESS");
+  return add_quantity(command, "--stiffness", value, help, "STIFFNESS");
 }
 
 CLI::Option* add_angle(CLI::App& command, const std::string& name, const std::string& help, NumberRange degrees,
@@ -173,8 +153,7 @@ CLI::Option* add_angle(CLI::App& command, const std::string& name, const std::st
       throw CLI::ValidationError(name, "expected an angle from " + range + " degrees, got \"" + text + '"');
     keep(angle);
   };
-  return command.add_option_function<std::string>(name, read, help + ": degrees, or with a unit (deg, rad)")
-      ->type_name("ANGLE (" + range + ")");
+  return command.add_option_function<std::string>(name, read, help)->type_name("ANGLE (" + range + ")");
 }
 
 CLI::Option* add_word(CLI::App& command, const std::string& name, std::string& value, const std::string& help,
@@ -188,7 +167,7 @@ CLI::Option* add_word(CLI::App& command, const std::string& name, std::string& v
 CLI::Validator one_of(std::vector<std::string> words) {
   return {[words = std::move(words)](const std::string& got) {
             if (std::find(words.begin(), words.end(), got) != words.end()) return std::string();
-            return "expected one of " + joined(words, ", ") + "; got \"" + got + '"';
+            return "expected one of " + joined(words, ", ") + "; got \"" + got + '"' + csv::suggestion(got, words);
           },
           ""};
 }
@@ -199,18 +178,18 @@ void refuse_empty_values(CLI::App& command) {
   for (CLI::App* subcommand : command.get_subcommands([](const CLI::App*) { return true; })) refuse_empty_values(*subcommand);
 }
 
-std::string nearest(const std::string& word, const std::vector<std::string>& words) {
-  std::string best;
-  std::size_t least = word.size() / 3 + 2;
-  for (const std::string& candidate : words) {
-    const std::size_t distance = candidate.starts_with(word) ? 1 : edits(word, candidate);
-    if (distance < least) least = distance, best = candidate;
-  }
-  return best;
+std::string reason_of(const CLI::App& app, const CLI::Error& error) {
+  return words_of_error(*command_of(&app), error);
 }
 
-std::string failure_message(const CLI::App* app, const CLI::Error& error) {
-  return "forceshade: " + words_of(*command_of(app), error) + "\nRun with --help for more information.\n";
+std::string failure_message(const CLI::App& app, const CLI::Error& error) {
+  const CLI::App& command = *command_of(&app);
+  std::string name = command.get_name();
+  for (const CLI::App* parent = command.get_parent(); parent != nullptr && parent->get_parent() != nullptr;
+       parent = parent->get_parent())
+    name = parent->get_name() + ' ' + name;
+  const std::string help = command.get_parent() == nullptr ? "" : ' ' + name;
+  return reason_of(app, error) + "\n'forceshade help" + help + "' shows what is expected.\n";
 }
 
 }  // namespace forceshade::apps

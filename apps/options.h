@@ -4,14 +4,22 @@
 // said as `--cases: expected a whole number from 1 to 1000, got "1e3"`.
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <concepts>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace forceshade::apps {
+
+// What options are for; --help shows them under these titles, in this order.
+inline constexpr const char *kSubjectGroup = "What is rendered", *kPlaceGroup = "Where it lies", *kEvidenceGroup = "Evidence",
+                            *kDeviceGroup = "Device and loop", *kOutputGroup = "Output", *kOtherGroup = "Options";
+inline constexpr std::array<std::string_view, 6> kOptionGroups{kSubjectGroup, kPlaceGroup,  kEvidenceGroup,
+                                                               kDeviceGroup,  kOutputGroup, kOtherGroup};
 
 struct WholeRange {
   std::uint64_t least, most;
@@ -58,10 +66,10 @@ CLI::Validator one_of(std::vector<std::string> words);
 // Every option of the command and of its subcommands then refuses an empty value, and one that is given twice says so.
 void refuse_empty_values(CLI::App& command);
 
-// The one of the words that is most like this one, which is none of them; empty where none is like it.
-std::string nearest(const std::string& word, const std::vector<std::string>& words);
+// What is said on standard error about a command line that cannot be read; it may begin with an option's name.
+std::string failure_message(const CLI::App& app, const CLI::Error& error);
 
-// What is said on standard error about a command line that cannot be read.
-std::string failure_message(const CLI::App* app, const CLI::Error& error);
+// Its first line, without the hint at the help.
+std::string reason_of(const CLI::App& app, const CLI::Error& error);
 
 }  // namespace forceshade::apps

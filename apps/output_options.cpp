@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "forceshade/apps/command.h"
+#include "forceshade/apps/options.h"
 #include "forceshade/csv/output_file.h"
 
 namespace forceshade::apps {
@@ -15,7 +16,9 @@ constexpr const char* kOverwrite = "--overwrite";
 
 void add_overwrite(CLI::App& command) {
   if (command.get_option_no_throw(kOverwrite) == nullptr)
-    command.add_flag(kOverwrite)->description("replace files that are there already; without it they are refused");
+    command.add_flag(kOverwrite)
+        ->group(kOutputGroup)
+        ->description("replace files that are there already; without it they are refused");
 }
 
 // Nothing where the file may be written.
@@ -56,6 +59,7 @@ CLI::Option* add_output(CLI::App& command, const std::string& name, std::string&
   add_overwrite(command);
   return command.add_option(name, path, help)
       ->type_name("FILE")
+      ->group(kOutputGroup)
       ->transform(CLI::Validator(shorten_standard_output, ""))
       ->check(CLI::Validator([&command](const std::string& file) { return refusal(command, file); }, ""));
 }
@@ -63,13 +67,12 @@ CLI::Option* add_output(CLI::App& command, const std::string& name, std::string&
 CLI::Option* add_json(CLI::App& command, std::string& path, const std::string& what) {
   return add_output(command, "--json", path, what + " as JSON, on standard output unless a file is named")
       ->type_name("[FILE]")
-      ->option_text("[FILE]")  // the help would show the default as a value
       ->expected(0, 1)
       ->default_str("-");
 }
 
 OutFolder::OutFolder(CLI::App& command, const std::string& help)
-    : command_(command), option_(command.add_option("--out", path_, help)->type_name("DIR")) {
+    : command_(command), option_(command.add_option("--out", path_, help)->type_name("DIR")->group(kOutputGroup)) {
   add_overwrite(command);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/apps/placement_options.h"
 
+#include "forceshade/apps/options.h"
 #include "forceshade/apps/placement_text.h"
 
 namespace forceshade::apps {
@@ -10,12 +11,14 @@ PlacementOptions::PlacementOptions(CLI::App& command) {
       .add_option("--origin", origin_,
                   "where in the device's workspace the origin of the law or map lies: X,Y,Z in mm, or with units (mm, mil, "
                   "in, cm, m); 0,0,0 unless said")
-      ->type_name("X,Y,Z");
+      ->type_name("X,Y,Z")
+      ->group(kPlaceGroup);
   command
       .add_option("--turn", turn_,
                   "how the law or map is turned there, about the device's axes and through its own origin: z90, or x-90,z180 "
                   "one after the other; multiples of 90 degrees")
-      ->type_name("TURNS");
+      ->type_name("TURNS")
+      ->group(kPlaceGroup);
 }
 
 device::Placement PlacementOptions::placement() const {

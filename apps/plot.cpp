@@ -16,6 +16,7 @@
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/output_options.h"
 #include "forceshade/apps/signals.h"
+#include "forceshade/apps/subject_option.h"
 #include "forceshade/csv/csv.h"
 #include "forceshade/csv/output_folder.h"
 #include "forceshade/properties/mesh_subject.h"
@@ -172,9 +173,7 @@ struct MeshPlotOptions {
 void add_plot(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand(
       "plot", "Draw a law or a height map: force profile, directions, nominal geometry, energy map; or a mesh");
-  const auto law = std::make_shared<LawOptions>(*command, LawOptions::Laws::one_or_all);
-  const auto height_map = std::make_shared<HeightMapOption>(*command, *law);
-  const auto mesh = std::make_shared<MeshOption>(*command, *law);
+  const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::several);
   const auto options = std::make_shared<PlotOptions>();
   const auto mesh_options = std::make_shared<MeshPlotOptions>();
   const auto add = [&](const char* name, std::string& value, const char* help) {
@@ -199,8 +198,11 @@ void add_plot(CLI::App& app, int&) {
   turn("--elevation", mesh_options->direction.elevation, "of the view of a mesh: above the plane of x and y", 90);
   const auto out = std::make_shared<OutFolder>(*command, "directory for NAME-PICTURE.svg and .png");
   out->require();
-  command->callback([law, height_map, mesh, options, mesh_options, out] {
+  command->callback([subject, options, mesh_options, out] {
     watch_for_interrupt();
+    const LawOptions* const law = &subject->law();
+    const HeightMapOption* const height_map = &subject->height_map();
+    const MeshOption* const mesh = &subject->mesh();
     if (mesh->is_given()) return mesh_options->draw(*mesh, law->stiffness(), *out);
     const std::vector<Kind> kinds = options->kinds();
     const std::vector<PlannedView> views =

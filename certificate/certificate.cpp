@@ -63,6 +63,7 @@ Json subject_json(const SubjectResult& subject) {
   json["parameters"] = parameters_json(identity);
   if (!subject.parts.empty()) json["parts"] = subject.parts;
   json["seeds"] = subject.seeds;
+  if (!subject.subject_file.empty()) json["subject_file"] = subject.subject_file;
   add_findings(json, subject, subject.unit_directions);
   return json;
 }

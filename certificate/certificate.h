@@ -84,6 +84,9 @@ struct SubjectResult : Findings {
   std::vector<std::string> parts = {};    // of a height map, in words
   bool unit_directions = false;           // whether its directions are unit vectors, as far as "unit normals" held
   std::vector<std::uint64_t> seeds = {};  // of its points and cases, ascending: several where certificates were merged
+  // What was certified in the words of the command, as a subject file that means the same again (docs/subjects.md); empty where
+  // a program certified a subject of its own. No claim hangs on it.
+  std::string subject_file = {};
 
   const std::string& name() const { return identity.name; }
 };

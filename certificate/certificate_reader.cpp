@@ -244,6 +244,7 @@ SubjectResult subject_from(Fields& fields, const Build& build, const std::vector
     fields.expect("seeds", !result.seeds.empty() && ascends, "one seed or more, each above the one before");
     expect_assessment(fields, assessed(result).standing);
   }
+  if (fields.has("subject_file")) result.subject_file = fields.text("subject_file", true);
   fields.end();
   return result;
 }

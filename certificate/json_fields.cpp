@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "forceshade/csv/json_fault.h"
 #include "forceshade/csv/printable.h"
 
 namespace forceshade::properties {
@@ -33,9 +34,10 @@ nlohmann::json json_from(std::string_view text) {
   };
   try {
     return nlohmann::json::parse(text, check);
-  } catch (const nlohmann::json::exception& error) {
-    constexpr std::size_t kLongest = 200;  // it quotes what it could not read, however long that is
-    throw JsonError(csv::printable(std::string_view(error.what()).substr(0, kLongest)));
+  } catch (const nlohmann::json::parse_error& error) {
+    throw JsonError(csv::json_fault(text, error.byte));
+  } catch (const nlohmann::json::exception&) {
+    throw JsonError("expected numbers that binary64 can hold, got a larger one");
   }
 }
 

@@ -95,6 +95,7 @@ void add(SubjectResult& sum, const SubjectResult& part) {
   std::vector<std::uint64_t> seeds;
   std::set_union(sum.seeds.begin(), sum.seeds.end(), part.seeds.begin(), part.seeds.end(), std::back_inserter(seeds));
   sum.seeds = std::move(seeds);
+  if (sum.subject_file.empty()) sum.subject_file = part.subject_file;
 }
 
 // Why the two cannot be added up; empty if they can. What does not depend on a seed is the same in both.

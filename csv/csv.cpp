@@ -17,6 +17,7 @@
 #include <system_error>
 #include <utility>
 
+#include "forceshade/csv/file_kind.h"
 #include "forceshade/csv/printable.h"
 
 namespace forceshade::csv {
@@ -90,6 +91,21 @@ std::optional<T> parse(const std::string& text) {
   return value;
 }
 
+// What stands between the columns of a header that commas do not divide; empty where nothing known does.
+std::string separator_of(const std::vector<std::string>& header) {
+  if (header.size() != 1) return "";
+  for (const auto& [separator, name] : {std::pair{';', "semicolons"}, {'\t', "tabs"}, {'|', "bars"}})
+    if (header.front().find(separator) != std::string::npos) return name;
+  return "";
+}
+
+// 1,5 for 1.5
+bool has_decimal_comma(std::string text) {
+  if (std::ranges::count(text, ',') != 1) return false;
+  std::ranges::replace(text, ',', '.');
+  return parse<double>(text).has_value();
+}
+
 template <class T>
 std::string shortest_decimal(T value) {
   std::array<char, 32> buffer{};
@@ -121,6 +137,13 @@ void Reader::on_row(int, void* self) noexcept {
   static_cast<Reader*>(self)->row_complete_ = true;
 }
 
+// Of the line that was read last, whose next byte is not of a text.
+Error Reader::no_text(unsigned char byte, std::size_t at, std::string_view words) const {
+  const std::string kind = line_ == 1 ? binary_kind(line_text_ + static_cast<char>(byte)) : "";
+  if (!kind.empty()) return Error(file_ + ": expected a CSV file, got " + kind);
+  return error(line_, "byte " + std::to_string(at + 1) + ": " + std::string(words) + hex(byte));
+}
+
 Error Reader::error(std::size_t line, std::string_view words) const {
   return Error(file_ + ':' + std::to_string(line) + ": " + std::string(words));
 }
@@ -139,6 +162,9 @@ Reader::Reader(std::istream& in, std::string file, std::vector<std::string> colu
   header_.assign(fields_.begin(), fields_.begin() + static_cast<std::ptrdiff_t>(field_count_));
   for (const std::string& column : columns_) {
     const auto found = std::find(header_.begin(), header_.end(), column);
+    if (const std::string separator = separator_of(header_); found == header_.end() && !separator.empty())
+      throw error(row_line_, "expected commas between the columns, and points in decimals, got " + separator + " in " +
+                                 quoted(header_.front()));
     if (found == header_.end())
       throw error(row_line_,
                   "no column " + column + ": expected columns " + listed(columns_) + ", got " + quoted(listed(header_)));
@@ -157,7 +183,8 @@ bool Reader::next() {
     throw error(row_line_,
                 expected + ": column " + std::to_string(field_count_ + 1) + " (" + header_[field_count_] + ") is missing");
   if (field_count_ > header_.size())
-    throw error(row_line_, expected + ": column " + std::to_string(header_.size() + 1) + " has no name in the header");
+    throw error(row_line_, expected + ": column " + std::to_string(header_.size() + 1) + " has no name in the header" +
+                               (field_count_ == 2 * header_.size() ? "; a decimal is written with a point, not a comma" : ""));
   return true;
 }
 
@@ -176,15 +203,13 @@ bool Reader::read_line() try {
     const bool ends_line = byte == '\r' && (in_.sgetc() == '\n' || in_.sgetc() == kEnd);
     if (ends_line) continue;
     if ((byte < 0x20 && byte != '\t') || byte == 0x7F)
-      throw error(line_,
-                  "byte " + std::to_string(line_text_.size() + 1) + ": expected text, got the control character " + hex(byte));
+      throw no_text(byte, line_text_.size(), "expected text, got the control character ");
     if (line_text_.size() == kLongestRow)
       throw error(line_, "expected at most " + std::to_string(kLongestRow) + " bytes in a row, got more");
     line_text_ += static_cast<char>(byte);
   }
   if (const auto at = first_byte_not_utf8(line_text_))
-    throw error(line_, "byte " + std::to_string(*at + 1) + ": expected UTF-8 text, got " +
-                           hex(static_cast<unsigned char>(line_text_[*at])));
+    throw no_text(static_cast<unsigned char>(line_text_[*at]), *at, "expected UTF-8 text, got ");
   if (line_ == 1 && line_text_.starts_with("\xEF\xBB\xBF")) line_text_.erase(0, 3);
   return true;
 } catch (const std::ios_base::failure& failure) {
@@ -222,14 +247,18 @@ const std::string& Reader::text(std::size_t i) const {
   return fields_[place_[i]];
 }
 
+template <class T>
+T Reader::number(std::size_t i) const {
+  if (const auto value = parse<T>(text(i))) return *value;
+  throw unexpected(i, has_decimal_comma(text(i)) ? "a number with a decimal point" : "a number");
+}
+
 float Reader::binary32(std::size_t i) const {
-  if (const auto value = parse<float>(text(i))) return *value;
-  throw unexpected(i, "a number");
+  return number<float>(i);
 }
 
 double Reader::binary64(std::size_t i) const {
-  if (const auto value = parse<double>(text(i))) return *value;
-  throw unexpected(i, "a number");
+  return number<double>(i);
 }
 
 std::string shortest(float value) {

@@ -61,6 +61,9 @@ class Reader {
   bool read_line();
   bool read_row();
   Error error(std::size_t line, std::string_view words) const;
+  Error no_text(unsigned char byte, std::size_t at, std::string_view words) const;
+  template <class T>
+  T number(std::size_t i) const;
 
   std::streambuf& in_;
   std::string file_;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "forceshade/csv/json_fault.h"
 #include "forceshade/csv/printable.h"
 
 namespace forceshade::experiments {
@@ -27,8 +28,10 @@ Json json_of(std::string_view text) {
                                     " levels of objects and lists, got more");
       return true;
     });
-  } catch (const Json::exception& error) {
-    throw std::invalid_argument(csv::printable(std::string_view(error.what()).substr(0, kLongestJson)));
+  } catch (const Json::parse_error& error) {
+    throw std::invalid_argument(csv::json_fault(text, error.byte));
+  } catch (const Json::exception&) {
+    throw std::invalid_argument("expected numbers that binary64 can hold, got a larger one");
   }
 }
 

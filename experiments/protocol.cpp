@@ -27,7 +27,7 @@ constexpr std::array<std::pair<std::string_view, BlockOrder>, 2> kBlockOrders{
     {{"as-listed", BlockOrder::as_listed}, {"random", BlockOrder::random}}};
 constexpr std::array<std::pair<std::string_view, Bigger>, 2> kBiggers{
     {{"higher", Bigger::higher}, {"larger-radius", Bigger::larger_radius}}};
-constexpr std::array<std::string_view, 5> kUnits{"mm", "mil", "in", "cm", "m"};
+constexpr std::array<std::string_view, 3> kUnits{"mm", "m", "in"};
 
 // Where the files of a protocol are, and whether they have to be there.
 struct Beside {
@@ -43,37 +43,40 @@ fs::path beside(TomlTable& table, std::string_view key, const Beside& where) {
   return file;
 }
 
-// The file of a height map or mesh, from a table that has one of the two keys.
+// The first of these that the table has; a law where it has none.
+StimulusKind kind_of(const TomlTable& table) {
+  return table.has("height-map") ? StimulusKind::height_map
+         : table.has("mesh")     ? StimulusKind::mesh
+         : table.has("subject")  ? StimulusKind::subject
+                                 : StimulusKind::law;
+}
+
+// The file of a height map, mesh or subject; a height map's where the table has none of the three keys.
 Variant shape_of(TomlTable& table, StimulusKind kind, const Beside& where) {
   Variant variant;
-  if (kind == StimulusKind::height_map) {
-    variant.file = beside(table, "height-map", where);
-    return variant;
-  }
-  variant.file = beside(table, "mesh", where);
+  const char* key = kind == StimulusKind::mesh ? "mesh" : kind == StimulusKind::subject ? "subject" : "height-map";
+  variant.file = beside(table, key, where);
+  if (kind != StimulusKind::mesh) return variant;
   variant.unit = table.text("unit");
-  if (std::ranges::find(kUnits, variant.unit) == kUnits.end()) table.fail("unit", "expected one of mm, mil, in, cm, m");
+  if (std::ranges::find(kUnits, variant.unit) == kUnits.end())
+    table.fail("unit", "expected mm, m or in, got \"" + variant.unit + '"');
   return variant;
 }
 
-// A mesh alone has a unit.
-StimulusKind kind_of(const Variant& variant) {
-  return variant.unit.empty() ? StimulusKind::height_map : StimulusKind::mesh;
-}
-
-std::vector<Variant> variants_of(TomlTable& table, const Beside& where) {
-  std::vector<Variant> all;
+void read_variants(TomlTable& table, const Beside& where, Stimulus& stimulus) {
+  std::vector<Variant>& all = stimulus.variants;
   for (TomlTable& one : table.tables("variants")) {
-    Variant variant = shape_of(one, one.has("mesh") ? StimulusKind::mesh : StimulusKind::height_map, where);
+    const StimulusKind kind = kind_of(one);
+    Variant variant = shape_of(one, kind, where);
     variant.radius = one.whole("radius_mil", kLeastRadius, kLargestRadius);
     one.expect_no_other();
-    if (!all.empty() && kind_of(variant) != kind_of(all.back()))
-      table.fail("variants", "expected height maps or meshes, got both");
+    if (!all.empty() && kind != stimulus.kind)
+      table.fail("variants", "expected height maps, meshes or subjects, got more than one of these");
+    stimulus.kind = kind;
     if (!all.empty() && variant.radius <= all.back().radius)
       one.fail("radius_mil", "expected more than the " + std::to_string(all.back().radius) + " of the variant before it");
     all.push_back(variant);
   }
-  return all;
 }
 
 Stimulus stimulus_of(TomlTable table, const Beside& where) {
@@ -87,15 +90,14 @@ Stimulus stimulus_of(TomlTable table, const Beside& where) {
     stimulus.law = *id;
     if (!has_name) stimulus.name = law;
   } else if (table.has("variants")) {
-    stimulus.variants = variants_of(table, where);
-    stimulus.kind = kind_of(stimulus.variants.front());
+    read_variants(table, where, stimulus);
     if (!has_name) table.fail("name", "is missing: variants need one");
-  } else if (table.has("height-map") || table.has("mesh")) {
-    stimulus.kind = table.has("mesh") ? StimulusKind::mesh : StimulusKind::height_map;
+  } else if (kind_of(table) != StimulusKind::law) {
+    stimulus.kind = kind_of(table);
     stimulus.variants = {shape_of(table, stimulus.kind, where)};
     if (!has_name) stimulus.name = stimulus.variants.front().file.stem().string();
   } else {
-    table.fail("law", "is missing: expected law, height-map, mesh or variants");
+    table.fail("law", "is missing: expected law, height-map, mesh, subject or variants");
   }
   table.expect_no_other();
   return stimulus;

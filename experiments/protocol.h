@@ -23,13 +23,13 @@ inline constexpr double kMillimetresPerMil = 0.0254;
 // Radii are whole mil everywhere in an experiment, so that a radius reached by keys is exactly the one of a condition.
 using Mil = int;
 
-enum class StimulusKind { law, height_map, mesh };
+enum class StimulusKind { law, height_map, mesh, subject };
 
 // One shape of a stimulus that is no law, with the radius that stands for it in conditions and results.
 struct Variant {
   Mil radius = 0;              // 0 where the stimulus has one shape only
-  std::filesystem::path file;  // of the height map or mesh; absolute, or relative to the working folder
-  std::string unit;            // of a mesh's numbers: mm, mil, in, cm or m
+  std::filesystem::path file;  // of the height map, mesh or subject; absolute, or relative to the working folder
+  std::string unit;            // of a mesh's numbers: mm, m or in
 };
 
 // Something to be felt. A law has any radius; a height map or a mesh has those of its variants, by rising radius.

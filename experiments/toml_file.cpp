@@ -37,9 +37,11 @@ const toml::node* TomlTable::find(std::string_view key, bool is_optional) {
   return node;
 }
 
-void TomlTable::fail(const toml::node& node, std::string_view key, const std::string& expected) const {
-  throw Error(file_, node.source().begin.line,
-              std::string(key) + ": expected " + expected + ", got " + csv::printable(heights::words_of_value(node)));
+void TomlTable::fail(const toml::node& node, std::string_view key, const std::string& expected,
+                     const std::string& suggestion) const {
+  throw Error(
+      file_, node.source().begin.line,
+      std::string(key) + ": expected " + expected + ", got " + csv::printable(heights::words_of_value(node)) + suggestion);
 }
 
 void TomlTable::fail(std::string_view key, const std::string& reason) const {
@@ -140,7 +142,9 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) {
 
 void TomlTable::expect_no_other() const {
   for (const auto& [key, node] : table_)
-    if (!read_.contains(key.str())) throw Error(file_, node.source().begin.line, "unknown key " + csv::printable(key.str()));
+    if (!read_.contains(key.str()))
+      throw Error(file_, node.source().begin.line,
+                  "unknown key " + csv::printable(key.str()) + csv::suggestion(key.str(), {read_.begin(), read_.end()}));
 }
 
 }  // namespace forceshade::experiments

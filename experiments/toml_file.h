@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "forceshade/csv/suggestion.h"
+
 namespace forceshade::experiments {
 
 // Throws Error: a file that cannot be opened, is longer than 1 MiB, nests too deep or is no TOML.
@@ -46,11 +48,13 @@ class TomlTable {
     if (!node) return *otherwise;
     const auto got = node->value_exact<std::string>();
     std::string expected;
+    std::vector<std::string> names;
     for (const auto& [word, value] : words) {
       if (got == word) return value;
       expected += (expected.empty() ? "one of " : ", ") + std::string(word);
+      names.emplace_back(word);
     }
-    fail(*node, key, expected);
+    fail(*node, key, expected, csv::suggestion(got.value_or(""), names));
   }
 
   // A key that was not read is a mistake, most likely a misspelt one.
@@ -61,7 +65,8 @@ class TomlTable {
 
  private:
   const toml::node* find(std::string_view key, bool is_optional);
-  [[noreturn]] void fail(const toml::node& node, std::string_view key, const std::string& expected) const;
+  [[noreturn]] void fail(const toml::node& node, std::string_view key, const std::string& expected,
+                         const std::string& suggestion = "") const;
 
   std::filesystem::path file_;
   const toml::table& table_;  // of the file's, which outlives this

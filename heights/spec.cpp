@@ -12,6 +12,7 @@
 #include <string>
 #include <utility>
 
+#include "forceshade/csv/suggestion.h"
 #include "forceshade/heights/toml_file.h"
 
 namespace forceshade::heights {
@@ -80,22 +81,28 @@ class Table {
     if (!node) return *otherwise;
     const auto got = node->value_exact<std::string>();
     std::string expected;
+    std::vector<std::string> names;
     for (const auto& [word, value] : words) {
       if (got == word) return value;
       expected += (expected.empty() ? "one of " : ", ") + std::string(word);
+      names.emplace_back(word);
     }
-    fail(*node, key, expected);
+    fail(*node, key, expected, csv::suggestion(got.value_or(""), names));
   }
 
   // A key that was not read is a mistake, most likely a misspelt one.
   void expect_no_other() const {
     for (const auto& [key, node] : table_)
-      if (!read_.contains(std::string(key.str()))) throw Error(file_, line_of(node) + "unknown key " + std::string(key.str()));
+      if (!read_.contains(std::string(key.str())))
+        throw Error(file_, line_of(node) + "unknown key " + std::string(key.str()) +
+                               csv::suggestion(key.str(), {read_.begin(), read_.end()}));
   }
 
   std::string line_of(const toml::node& node) const { return "line " + std::to_string(node.source().begin.line) + ": "; }
-  [[noreturn]] void fail(const toml::node& node, std::string_view key, const std::string& expected) const {
-    throw Error(file_, line_of(node) + std::string(key) + ": expected " + expected + ", got " + words_of_value(node));
+  [[noreturn]] void fail(const toml::node& node, std::string_view key, const std::string& expected,
+                         const std::string& suggestion = "") const {
+    throw Error(file_,
+                line_of(node) + std::string(key) + ": expected " + expected + ", got " + words_of_value(node) + suggestion);
   }
 
  private:

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "forceshade/csv/file_kind.h"
 #include "forceshade/heights/nesting.h"
 
 namespace forceshade::heights {
@@ -22,6 +23,7 @@ std::variant<toml::table, TomlFault> parse_toml_file(const std::filesystem::path
     if (text.size() > most_bytes) return TomlFault{0, "expected at most " + std::to_string(most_bytes) + " bytes, got more"};
   } while (in);
   if (in.bad()) return TomlFault{0, "cannot be read: " + std::generic_category().message(errno)};
+  if (const std::string kind = csv::binary_kind(text); !kind.empty()) return TomlFault{0, "expected a TOML file, got " + kind};
   if (const auto line = line_nested_too_deep(text))
     return TomlFault{*line, "expected at most " + std::to_string(kMostBrackets) + " brackets within each other and " +
                                 std::to_string(kMostDots) + " dots in a key, got more"};

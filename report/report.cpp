@@ -22,15 +22,20 @@ std::uint64_t spread_points_of(const Certificate& certificate) {
   return sum;
 }
 
+// "20 000 to 1 000 000"
+std::string fewest_to_most(const Certificate& certificate, std::uint64_t (*points)(const Findings&)) {
+  const auto [fewest, most] = std::minmax_element(certificate.subjects.begin(), certificate.subjects.end(),
+                                                  [&](const Findings& a, const Findings& b) { return points(a) < points(b); });
+  return (points(*fewest) == points(*most) ? "" : grouped(points(*fewest)) + " to ") + grouped(points(*most));
+}
+
 std::string points_per_law(const Certificate& certificate) {
-  std::uint64_t fewest = UINT64_MAX, most = 0;
-  for (const Findings& law : certificate.subjects) {
-    fewest = std::min(fewest, law.points);
-    most = std::max(most, law.points);
-  }
-  const bool has_spread = spread_points_of(certificate) > 0;
-  return (fewest == most ? "" : grouped(fewest) + " to ") + grouped(most) + " points per " + subject_word(certificate) +
-         (has_spread ? ", and of " + grouped(spread_points_of(certificate)) + " with other parameters" : "");
+  const std::string per = " per " + subject_word(certificate);
+  std::string words = fewest_to_most(certificate, [](const Findings& law) { return law.points; }) + " points" + per;
+  if (spread_points_of(certificate) > 0)
+    words += ", and of " + fewest_to_most(certificate, [](const Findings& law) { return law.spread.points; }) + per +
+             " with other parameters";
+  return words;
 }
 
 std::string plural(std::uint64_t count, const std::string& word) {
@@ -239,6 +244,16 @@ std::string digests_table(const Certificate& certificate) {
          rows + "</table>\n</section>\n";
 }
 
+// What the subjects are in the words of the command.
+std::string subject_files(const Certificate& certificate) {
+  std::string files;
+  for (const SubjectResult& subject : certificate.subjects)
+    if (!subject.subject_file.empty())
+      files += "<h3>" + escaped(subject.name()) + "</h3>\n<pre>" + escaped(subject.subject_file) + "</pre>\n";
+  if (files.empty()) return "";
+  return "<details>\n<summary>The subjects, as files for <code>--subject</code></summary>\n" + files + "</details>\n";
+}
+
 // One row for each law and kind of sweep.
 std::string sweeps_table(const Sweeps& sweeps) {
   if (sweeps.results.empty()) return "";
@@ -349,8 +364,8 @@ std::string to_html(const Certificate& certificate, Pictures shown) {
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>forceshade certificate: " +
          std::string(name_of(assessed(certificate).standing)) + "</title>\n<style>" + kPageStyle +
          "</style>\n</head>\n<body>\n<main>\n" + header(certificate) +
-         (!certificate.subjects.empty() ? summary(certificate) : "") + digests_table(certificate) + matrix(certificate) +
-         sweeps_table(certificate.sweeps) + counterexamples(certificate) +
+         (!certificate.subjects.empty() ? summary(certificate) : "") + digests_table(certificate) + subject_files(certificate) +
+         matrix(certificate) + sweeps_table(certificate.sweeps) + counterexamples(certificate) +
          (pictures.empty() ? "" : "<section>\n<h2>Figures</h2>\n" + pictures + "</section>\n") + build_table(certificate) +
          kLimits + "</main>\n</body>\n</html>\n";
 }

@@ -28,7 +28,7 @@ completes() {
 }
 
 # below COMMAND...: its verbs, as its help lists them.
-below() { "$forceshade" "$@" --help | sed -n '/^Subcommands:/,$ s/^  \([a-z]*\) .*/\1/p'; }
+below() { "$forceshade" "$@" --help | sed -n '/^Commands:/,/^$/ s/^  \([a-z]*\) .*/\1/p'; }
 commands=("")
 for command in $(below); do
   commands+=("$command")
@@ -42,9 +42,9 @@ for command in "${commands[@]}"; do
   [ -s "$page" ] || fail "$page is missing"
   [ "$("$forceshade" man "${words[@]}")" = "$(cat "$page")" ] || fail "man $command prints another page than $page"
   plain=$(sed -e 's/\\-/-/g' -e 's/\\f[BIR]//g' "$page")
-  options=$("$forceshade" "${words[@]}" --help | grep -o '^  \(-h,\)\?--[a-z-]*' | sed 's/.*--/--/')
+  options=$("$forceshade" "${words[@]}" --help | grep -o '^  \(-[hv], \)\?--[a-z-]*' | sed 's/.*--/--/')
   for option in $options; do
-    grep -qE -e "^(-h, )?$option( |$)" <<< "$plain" || fail "$page lacks $option"
+    grep -qE -e "^(-[hv], )?$option( |$)" <<< "$plain" || fail "$page lacks $option"
     completes "$option" forceshade "${words[@]}" "${option:0:4}"
     checks=$((checks + 2))
     grep -qE -e "^    +'forceshade${command:+ $command}'\) known='(.* )?$option[ ']" forceshade.zsh || fail "the completion of zsh lacks $command $option"

@@ -11,9 +11,10 @@ ln -s "$forceshade" build/release/apps/forceshade
 for folder in examples recordings; do ln -s "$source/$folder" $folder; done
 
 # The blocks of shell commands, without those of the scripts, which build and test everything; and a line that ends in \ joined.
-sed -n '/^```sh$/,/^```$/ { /^```/d; p }' "$source/README.md" | grep -v '^scripts/' | sed -e ':a' -e '/\\$/ { N; s/\\\n *//; ba' -e '}' |
+sed -n '/^```sh$/,/^```$/ { /^```/d; p }' "$source/README.md" | grep -v '^scripts/\|^export ' | sed -e ':a' -e '/\\$/ { N; s/\\\n *//; ba' -e '}' |
   sed -e '/ certify --law /s/ --law all / --law bump-1p-shaded /' -e '/ drive /s/$/ --free-run/' > commands
-count=$(grep -c 'build/release/apps/forceshade ' commands)
+setting=$(grep '^export PATH=' "$source/README.md") && eval "$setting" || { echo "FAILED: the README sets no PATH"; exit 1; }
+count=$(grep -c '\(^\|| \)forceshade ' commands)
 [ "$count" -ge 14 ] || { echo "FAILED: found only $count commands in the README"; exit 1; }
 
 for time in first second; do

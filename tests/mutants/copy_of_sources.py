@@ -14,6 +14,24 @@ def digest(*texts):
     return hashlib.sha256("\0".join(texts).encode()).hexdigest()[:16]
 
 
+def names_of_tests():
+    """The test programs, and the scripts that test the command and are given no more than it."""
+    def is_run(path):
+        head = path.read_text().split("\n", 2)[1]
+        return path.suffix == ".cpp" or head.startswith(f"# {path.name} FORCESHADE:")
+
+    return sorted({path.stem for path in (ROOT / "tests").glob("**/*_test.*") if path.suffix in (".cpp", ".sh") and is_run(path)}
+                  - {"mutants_test"})
+
+
+def source_of(test):
+    return next(path for path in (ROOT / "tests").glob(f"**/{test}.*") if path.suffix in (".cpp", ".sh"))
+
+
+def is_script(test):
+    return source_of(test).suffix == ".sh"
+
+
 def sources():
     listing = subprocess.run(["git", "ls-files", "-coz", "--exclude-standard"], cwd=ROOT, check=True, capture_output=True)
     return [path for path in listing.stdout.decode().split("\0") if path and ((ROOT / path).is_file() or (ROOT / path).is_symlink())]
@@ -54,13 +72,18 @@ class Copy:
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options)
 
     def make(self, test, jobs=1):
-        return self.run(["ninja", "-C", self.build, f"-j{jobs}", test])
+        return self.run(["ninja", "-C", self.build, f"-j{jobs}", self.target(test)])
+
+    def target(self, test):
+        return "forceshade" if is_script(test) else test
 
     def binary(self, test):
-        return self.build / "tests" / test
+        return self.build / ("apps/forceshade" if is_script(test) else f"tests/{test}")
 
     def run_test(self, test, limit=TIME_LIMIT):
-        return self.run(["prlimit", f"--cpu={limit}", self.binary(test), "--gtest_fail_fast", "--gtest_brief=1"])
+        command = [self.root / source_of(test).relative_to(ROOT), self.binary(test)] if is_script(test) else \
+            [self.binary(test), "--gtest_fail_fast", "--gtest_brief=1"]
+        return self.run(["prlimit", f"--cpu={limit}", *command])
 
     def fails(self, test):
         """Why the test does not pass, or nothing."""

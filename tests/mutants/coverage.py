@@ -5,7 +5,7 @@ import subprocess
 import sys
 import time
 
-from copy_of_sources import CORES, ROOT, TIME_LIMIT, Copy, digest
+from copy_of_sources import CORES, ROOT, TIME_LIMIT, Copy, digest, is_script, names_of_tests, source_of
 
 
 class Coverage:
@@ -15,13 +15,13 @@ class Coverage:
         self.copy = Copy(root, flags="-O1 --coverage")
         self.record = root / "coverage.json"
         known = json.loads(self.record.read_text()) if self.record.exists() else {}
-        names = sorted({path.stem for path in (ROOT / "tests").glob("**/*_test.cpp")} - {"mutants_test"})
-        made = self.copy.run(["ninja", "-C", self.copy.build, f"-j{CORES}", *names])
+        names = names_of_tests()
+        made = self.copy.run(["ninja", "-C", self.copy.build, f"-j{CORES}", *sorted({self.copy.target(name) for name in names})])
         if made.returncode != 0:
             sys.exit(made.stdout)
         self.tests = {}
         for name in names:
-            state = digest(self.copy.binary(name).read_bytes().hex())
+            state = digest(self.copy.binary(name).read_bytes().hex(), source_of(name).read_text() if is_script(name) else "")
             if known.get(name, {}).get("state") != state:
                 known[name] = {"state": state, **self.measure(name)}
                 self.record.write_text(json.dumps(known))
@@ -58,7 +58,7 @@ class Coverage:
         module = pathlib.Path(path).parts[0]
 
         def cost(name):
-            source = next((ROOT / "tests").glob(f"**/{name}.cpp")).relative_to(ROOT / "tests")
+            source = source_of(name).relative_to(ROOT / "tests")
             return source.parts[0] != module, self.tests[name]["seconds"]
 
         return sorted(found, key=cost)
@@ -74,5 +74,5 @@ class Coverage:
         return [name for name in self.tests if self.is_made_of(name, objects)]
 
     def is_made_of(self, name, objects):
-        inputs = self.copy.run(["ninja", "-C", self.copy.build, "-t", "inputs", f"tests/{name}"]).stdout.split()
+        inputs = self.copy.run(["ninja", "-C", self.copy.build, "-t", "inputs", self.copy.binary(name).relative_to(self.copy.build)]).stdout.split()
         return not objects.isdisjoint(inputs)

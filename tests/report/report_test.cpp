@@ -151,7 +151,7 @@ TEST(report, says_failed_when_other_parameters_failed) {
   const std::string html = to_html(certificate, Pictures::none);
   EXPECT_TRUE(has(html, ">Failed</p>"));
   EXPECT_TRUE(
-      has(html, "Among 2\u202F000 points per law, and of 4\u202F500 with other parameters, 3 answers of the fast path differ"));
+      has(html, "Among 2\u202F000 points per law, and of 500 per law with other parameters, 3 answers of the fast path differ"));
   EXPECT_TRUE(has(html, "<pre>K = 3: wrong</pre>"));
 }
 

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An example or two of each command, for its help and its manual page. The files that they name are those of the folder
+// examples/, or were written by an example before.
+
+#include <array>
+
+#include "forceshade/apps/documentation.h"
+
+namespace forceshade::apps {
+namespace {
+
+constexpr std::array kExamples{
+    Example{"laws", "forceshade laws", "the laws, with the domain of each parameter"},
+    Example{"geometry", "forceshade geometry --radius 600mil --width 1in --digits 20",
+            "d, h, w', h' and theta of the smallest bump of the thesis, to 20 digits"},
+    Example{"polygons", "forceshade polygons --radius 600mil --width 1in --theta-critical 11.4deg",
+            "how many shaded polygons make this bump feel round"},
+    Example{"force", "echo 'x_mm,y_mm,z_mm\n1,0,-0.5' | forceshade force --law bump-2p-shaded",
+            "the force at one position, as a row of CSV"},
+    Example{"force", "forceshade force --height-map examples/groove.toml --input positions.csv --out forces.npy",
+            "those at the positions of a file, as an array for numpy.load"},
+    Example{"energy", "forceshade energy --law bump-2p-shaded --depth 2mm",
+            "the most energy that a loop can draw from the law"},
+    Example{"plot", "forceshade plot --law bump-3p-shaded --out plots", "its four pictures, each as SVG and as PNG"},
+    Example{"figures", "forceshade figures --out figures", "figures of the thesis, with their numbers"},
+    Example{"properties", "forceshade properties --law bump-2p", "the four properties of one law"},
+    Example{"certify", "forceshade certify --out certificate", "a certificate of all laws, with its page"},
+    Example{"certify", "forceshade certify --law bump-2p,bump-3p --points 20000 --out short", "a short check of two laws"},
+    Example{"certify merge", "forceshade certify merge part1/certificate.json part2/certificate.json --out whole",
+            "the two halves of an exhaustive run, or two seeds, as one certificate"},
+    Example{"drive",
+            "forceshade drive --law bump-2p --certificate certificate/certificate.json \\\n"
+            "      --device simulated --seconds 5",
+            "five seconds on a simulated PHANToM"},
+    Example{"recording info", "forceshade recording info run.fsr", "what was recorded, with which certificate"},
+    Example{"recording verify", "forceshade recording verify run.fsr", "whether it is whole and as it was written"},
+    Example{"recording recompute", "forceshade recording recompute run.fsr", "every force of it, computed again"},
+    Example{"recording export", "forceshade recording export run.fsr --out run.csv", "its ticks for other programs"},
+    Example{"device list", "forceshade device list", "the devices that can be driven from here"},
+    Example{"device check", "forceshade device check phantom", "calibration and rate of the default PHANToM, without force"},
+    Example{"device try", "forceshade device try phantom", "its first force, at most 0.5 N, guided"},
+    Example{"mesh check", "forceshade mesh check sphere.off --unit mm", "whether a mesh can be rendered, and if not, why"},
+    Example{"mesh info", "forceshade mesh info sphere.off --unit mm", "its size, edges and shells"},
+    Example{"mesh repair", "forceshade mesh repair scan.stl --unit mm --out mended.off", "a mesh that can be rendered"},
+    Example{"mesh make", "forceshade mesh make icosphere --radius 50mm --out sphere.off", "a sphere of triangles"},
+    Example{"experiment check", "forceshade experiment check examples/experiments/matching.toml",
+            "what is wrong with a protocol"},
+    Example{"experiment prepare", "forceshade experiment prepare examples/experiments/matching.toml --out certificates",
+            "certificates of all bumps of a protocol"},
+    Example{"experiment run",
+            "forceshade experiment run examples/experiments/matching.toml --participant P-01 \\\n"
+            "      --session sessions/P-01 --device phantom --certificates certificates",
+            "a session"},
+    Example{"experiment resume", "forceshade experiment resume sessions/P-01 --device phantom --certificates certificates",
+            "the rest of a session that was interrupted"},
+    Example{"experiment virtual",
+            "forceshade experiment virtual examples/experiments/matching.toml --participants 5 --out study \\\n"
+            "      --certificates certificates",
+            "sessions of five participants that are programs"},
+    Example{"experiment export", "forceshade experiment export sessions/* --csv results --bids data",
+            "data for other programs"},
+    Example{"analyze", "forceshade analyze sessions/* --out report", "tables and figures of the thesis from sessions"},
+    Example{"man", "forceshade man force | man -l -", "the page of one command"},
+    Example{"completion", "forceshade completion bash > ~/.local/share/bash-completion/completions/forceshade",
+            "completion for one user of bash"}};
+
+}  // namespace
+
+std::vector<Example> examples_of(std::string_view full_name) {
+  std::vector<Example> all;
+  for (const Example& example : kExamples)
+    if (full_name.size() > 11 && full_name.substr(11) == example.command) all.push_back(example);
+  return all;
+}
+
+}  // namespace forceshade::apps

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/apps/mesh_input.h"
+
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string_view>
+#include <system_error>
+
+#include "forceshade/apps/bad_input.h"
+
+namespace forceshade::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kStandardInput = "standard input";
+
+// A folder that is gone at the end, with one file in it.
+class TemporaryFile {
+ public:
+  TemporaryFile() {
+    std::string pattern = (fs::temp_directory_path() / "forceshade-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr)
+      throw BadInput("standard input: cannot be kept in " + pattern + ": " + std::generic_category().message(errno));
+    folder_ = pattern;
+  }
+  ~TemporaryFile() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  fs::path named(const std::string& ending) const { return folder_ / ("mesh" + ending); }
+
+ private:
+  fs::path folder_;
+};
+
+// A binary STL file is as long as its number of triangles says.
+bool is_binary_stl(std::string_view bytes) {
+  constexpr std::size_t kHeader = 80, kTriangle = 50;
+  if (bytes.size() < kHeader + 4) return false;
+  std::array<unsigned char, 4> number;
+  std::memcpy(number.data(), bytes.data() + kHeader, 4);
+  std::uint64_t triangles = 0;
+  for (std::size_t i = 4; i-- > 0;) triangles = triangles << 8 | number[i];
+  return bytes.size() == kHeader + 4 + triangles * kTriangle;
+}
+
+std::string ending_of(std::string_view bytes) {
+  const std::string_view line = bytes.substr(0, bytes.find_first_of("\r\n"));
+  const std::string_view word = line.substr(0, line.find_first_of(" \t#"));
+  if (is_binary_stl(bytes)) return ".stl";
+  if (word == "ply") return ".ply";
+  if (word == "solid") return ".stl";
+  return word.ends_with("OFF") ? ".off" : ".obj";
+}
+
+}  // namespace
+
+mesh::LoadedMesh load_mesh(const std::string& file, mesh::Unit unit) {
+  if (file != "-") return mesh::load_with_corners(file, unit);
+  const TemporaryFile kept;
+  const fs::path unnamed = kept.named("");
+  {
+    std::ofstream copy(unnamed, std::ios::binary);
+    if (std::cin.peek() != std::char_traits<char>::eof()) copy << std::cin.rdbuf();
+    if (!copy.flush()) throw BadInput("standard input: cannot be kept in " + unnamed.parent_path().string());
+  }
+  std::ifstream in(unnamed, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  const fs::path named = kept.named(ending_of(bytes));
+  fs::rename(unnamed, named);
+  try {
+    return mesh::load_with_corners(named, unit);
+  } catch (const mesh::Error& error) {
+    const std::string words = error.what(), name = named.string();
+    if (!words.starts_with(name + ": ")) throw;
+    throw mesh::Error(kStandardInput, words.substr(name.size() + 2));
+  }
+}
+
+}  // namespace forceshade::apps

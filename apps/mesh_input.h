@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A mesh that a command reads: a file, or standard input where it is called "-".
+
+#include <string>
+
+#include "forceshade/meshes/load.h"
+
+namespace forceshade::apps {
+
+// As mesh::load_with_corners(). Standard input has no name that ends in its format; the format is the one that its text begins
+// as. Throws mesh::Error, with "standard input" for the file where it is that.
+mesh::LoadedMesh load_mesh(const std::string& file, mesh::Unit unit);
+
+}  // namespace forceshade::apps

@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# messages_test.sh FORCESHADE: what is said to somebody who typed something else than what was meant.
+. "$(dirname "$0")/expect.sh"
+
+# An option before the command, and the words that other programs understand.
+expect 2 'expected a command before the option "--law", one of: laws' -- "$forceshade" --law wall force
+expect 2 'unknown command "forse"' -- "$forceshade" forse
+expect 2 'the nearest is force' -- "$forceshade" forse
+for version in --version -v version; do expect 0 "library digest" -- "$forceshade" $version; done
+for help in --help -h help; do expect 0 "Usage: forceshade COMMAND" -- "$forceshade" $help; done
+same "$("$forceshade" force --help)" "$("$forceshade" help force)"
+same "$("$forceshade" device check --help)" "$("$forceshade" help device check)"
+expect 2 "'forceshade help device check' shows what is expected" -- "$forceshade" device check --sekonds 3
+
+# The help says what units are in one place, is at most 100 columns wide, and puts options under what they are for.
+for command in "" laws geometry polygons force energy plot figures properties certify "certify merge" drive \
+  recording "recording info" "recording verify" "recording recompute" "recording export" device "device list" "device check" \
+  "device try" mesh "mesh check" "mesh info" "mesh repair" "mesh make" experiment "experiment check" "experiment prepare" \
+  "experiment run" "experiment resume" "experiment virtual" "experiment export" analyze man completion; do
+  same "" "$("$forceshade" help $command | grep -nE '^.{101,}$')"
+  same "$([ -z "$command" ] && echo 1 || echo 0)" "$("$forceshade" help $command | grep -c '1000mil')"
+  case "$command" in "" | recording | device | mesh | experiment) ;; *)
+    expect 0 "  forceshade $command" -- "$forceshade" help $command
+    expect 0 ".SH EXAMPLES" -- "$forceshade" man $command ;;
+  esac
+done
+for title in "What is rendered:" "Where it lies:" "Evidence:" "Device and loop:" "Output:"; do
+  expect 0 "$title" -- "$forceshade" help drive
+done
+
+# The word that was meant.
+expect 2 'got "bump-2q"; the nearest is bump-2p' -- "$forceshade" force --law bump-2q
+expect 2 'got "refrence"; the nearest is reference' -- "$forceshade" force --law wall --path refrence
+expect 2 'got "vertx"; the nearest is vertex' -- "$forceshade" force --mesh m.off --unit mm --shading vertx
+printf 'render = "height-map"\n[[part]]\nshape = "con"\n' > map.toml
+expect 2 "got 'con'; the nearest is cone" -- "$forceshade" force --height-map map.toml
+sed 's/^name/nmae/' "$examples/experiments/matching.toml" > protocol.toml
+expect 2 'key name is missing' -- "$forceshade" experiment check protocol.toml
+sed 's/^resume/resme/' "$examples/experiments/matching.toml" > protocol.toml
+cp "$examples/experiments/english.toml" .
+expect 2 'key resume is missing' -- "$forceshade" experiment check protocol.toml
+sed '/^block_order/a block_oder = "random"' "$examples/experiments/matching.toml" > protocol.toml
+expect 2 'unknown key block_oder; the nearest is block_order' -- "$forceshade" experiment check protocol.toml
+
+# A file of another kind.
+expect 2 "leather.png: expected a TOML file, got a PNG picture" -- "$forceshade" force --height-map "$examples/leather.png"
+expect 2 "leather.png: expected a CSV file, got a PNG picture" -- "$forceshade" force --law wall --input "$examples/leather.png"
+expect 2 "leather.png: expected a TOML file, got a PNG picture" -- "$forceshade" force --subject "$examples/leather.png"
+head -c 100 /dev/zero > zeros.bin
+expect 2 "zeros.bin: expected a CSV file, got a binary file" -- "$forceshade" force --law wall --input zeros.bin
+printf '{\n "a": [1,2,}' > broken.json
+expect 2 'line 2, column 12: expected JSON, got "}"' -- "$forceshade" drive --law wall --certificate broken.json --device null
+printf '{"a"' > broken.json
+expect 2 'line 1, column 5: expected JSON, got the end of the text' -- \
+  "$forceshade" drive --law wall --certificate broken.json --device null
+printf '{"a": 1e999}' > broken.json
+expect 2 "expected numbers that binary64 can hold" -- "$forceshade" drive --law wall --certificate broken.json --device null
+
+# CSV as some programs of other countries write it.
+printf 'x_mm;y_mm;z_mm\n1,5;0;-1\n' > semicolons.csv
+expect 2 "semicolons.csv:1: expected commas between the columns, and points in decimals, got semicolons" -- \
+  "$forceshade" force --law wall --input semicolons.csv
+tr ';' '\t' < semicolons.csv > tabs.csv
+expect 2 "tabs.csv:1: expected commas between the columns, and points in decimals, got tabs" -- \
+  "$forceshade" force --law wall --input tabs.csv
+tr ';' ',' < semicolons.csv | sed 's/^1,5,0,-1/1,5,0,0,-1,0/' > commas.csv
+expect 2 "a decimal is written with a point, not a comma" -- "$forceshade" force --law wall --input commas.csv
+printf 'x_mm,y_mm,z_mm\n"1,5",0,-1\n' > quoted.csv
+expect 2 'quoted.csv:2: column 1 (x_mm): expected a number with a decimal point, got "1,5"' -- \
+  "$forceshade" force --law wall --input quoted.csv
+
+# A radius that does not fit the width that nobody chose.
+expect 2 "the width is that of the thesis unless --width is given beside --radius" -- "$forceshade" geometry --radius 5mm
+expect 2 "the width is that of the thesis unless --width is given beside --radius" -- \
+  "$forceshade" force --law bump-2p --radius 5mm
+for command in geometry "force --law bump-2p"; do
+  output=$("$forceshade" $command --radius 5mm --width 11mm 2>&1 < /dev/null)
+  case "$output" in *"--width is 11 mm"*) ;; *) echo "FAILED: $command: $output"; exit 1 ;; esac
+  case "$output" in *thesis*) echo "FAILED: $command: $output"; exit 1 ;; esac
+done
+
+# A mesh from standard input, of every format, and one that is none.
+"$forceshade" mesh make icosphere --cells 2 --out ball.off
+"$forceshade" mesh make icosphere --cells 2 --out ball.obj
+printf 'solid one\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid one\n' > one.stl
+printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' > one.ply
+for file in ball.off ball.obj one.stl one.ply; do
+  same "$("$forceshade" mesh check $file --unit mm)" "$("$forceshade" mesh check - --unit mm < $file)"
+  same "$("$forceshade" mesh check $file --unit mm)" "$(cat $file | "$forceshade" mesh check - --unit mm)"
+done
+same "forceshade: standard input: line 1: expected a coordinate, got the end of the line" \
+  "$(echo 'v 1 2' | "$forceshade" mesh check - --unit mm 2>&1)"
+expect 2 "standard input: has no face" -- "$forceshade" mesh check - --unit mm
+
+echo "$checks checks"

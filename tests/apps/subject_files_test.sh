@@ -1,0 +1,87 @@
+#!/usr/bin/env bash
+# subject_files_test.sh FORCESHADE: --subject FILE means what its keys mean as options, everywhere; several laws at once; what a
+# certificate quotes.
+. "$(dirname "$0")/expect.sh"
+
+printf 'x_mm,y_mm,z_mm\n1,0,-0.5\n3,0.5,-1\n-40,2,0.25\n' > positions.csv
+"$forceshade" mesh make icosphere --cells 3 --radius 20mm --out ball.off
+mkdir inputs && cp ball.off inputs/ && cp "$examples/groove.toml" inputs/
+printf 'law = "bump-2p-shaded"\nradius = "1000mil"\nwidth = 30\nstiffness = "250N/m"\n' > inputs/law.toml
+printf 'height-map = "groove.toml"\nstiffness = 0.25\n' > inputs/map.toml
+printf 'mesh = "ball.off"\nunit = "mm"\nsides = "both"\nshading = "edge"\ncrease = "40deg"\nself-intersecting = true\nstiffness = 0.25\n' \
+  > inputs/mesh.toml
+law="--law bump-2p-shaded --radius 1000mil --width 30 --stiffness 250N/m"
+map="--height-map inputs/groove.toml --stiffness 0.25"
+mesh="--mesh inputs/ball.off --unit mm --sides both --shading edge --crease 40deg --self-intersecting --stiffness 0.25"
+
+for kind in law map mesh; do
+  options=${!kind} file=inputs/$kind.toml
+  same "$("$forceshade" force $options --input positions.csv 2>&1)" "$("$forceshade" force --subject $file --input positions.csv 2>&1)"
+  same "$("$forceshade" properties $options --cases 20 2>&1)" "$("$forceshade" properties --subject=$file --cases 20 2>&1)"
+  "$forceshade" plot $options --out plots-$kind > /dev/null && "$forceshade" plot --subject $file --out plots-of-$kind > /dev/null
+  same "$(cd plots-$kind && sha256sum ./*)" "$(cd plots-of-$kind && sha256sum ./*)"
+  # A certificate quotes what it is of; saved beside the file, the text means the same again.
+  "$forceshade" certify $options --points 100 --cases 20 --out certificate-$kind > /dev/null
+  python3 -c 'import json, sys; sys.stdout.write(json.load(open(sys.argv[1]))["subjects"][0]["subject_file"])' \
+    certificate-$kind/certificate.json > inputs/quoted-$kind.toml
+  "$forceshade" certify --subject inputs/quoted-$kind.toml --points 100 --cases 20 --out again-$kind > /dev/null
+  python3 -c 'import json, sys
+a, b = (json.load(open(f))["subjects"][0] for f in sys.argv[1:3])
+sys.exit(any(a.get(key) != b.get(key) for key in ("name", "parameters", "digest", "subject_file")))' \
+    certificate-$kind/certificate.json again-$kind/certificate.json ||
+    { echo "FAILED: the quoted file of $kind means something else"; exit 1; }
+  expect 0 "UNCERTIFIED" -- "$forceshade" drive --subject $file --device replay:<(printf 't_s,x_mm,y_mm,z_mm\n0,0,0,-1\n0.001,0,0,-1\n') \
+    --uncertified --free-run
+done
+grep -q 'law = &quot;bump-2p-shaded&quot;' certificate-law/certificate.html || { echo "FAILED: the page does not quote"; exit 1; }
+
+# Several laws at once, each once; of one where a command can have one only.
+same "$("$forceshade" properties --law wall --cases 20; "$forceshade" properties --law bump-2p --cases 20 | tail -n +2)" \
+  "$("$forceshade" properties --law wall,bump-2p --cases 20)"
+printf 'law = ["wall", "bump-2p"]\n' > two.toml
+same "$("$forceshade" properties --law wall,bump-2p --cases 20)" "$("$forceshade" properties --subject two.toml --cases 20)"
+expect 2 "expected each law once, got wall twice" -- "$forceshade" properties --law wall,bump-2p,wall
+expect 2 'got "bump-2q"; the nearest is bump-2p' -- "$forceshade" properties --law wall,bump-2q
+expect 2 'got ""' -- "$forceshade" properties --law wall,
+expect 2 'got "wall,bump-2p"' -- "$forceshade" force --law wall,bump-2p
+
+# What is wrong is said with the file and its line.
+refused() {
+  local text=$1 words=$2
+  printf "$text" > refused.toml
+  expect 2 "refused.toml: $words" -- "$forceshade" force --subject refused.toml
+}
+refused 'law = "wall"\nstifness = 1\n' "line 2: unknown key stifness; expected keys of a subject; the nearest is stiffness"
+refused 'law = "wal"\n' 'line 1: law: expected one of'
+refused 'law = "bump-2p"\n\nradius = "5 feet"\n' "line 3: radius: "
+refused 'law = "bump-2p"\nwidth = 100\n' "line 2: width is 100 mm; expected 0.001 to 30.48 mm"
+refused 'law = "wall"\nstiffness = [1, 2]\n' "line 2: stiffness: expected a text in quotes, a number or a list of texts"
+refused 'law = "wall"\nunit = "mm"\n' "line 2: unit: expected --mesh beside it"
+refused 'mesh = "ball.off"\nself-intersecting = 1\n' "line 2: self-intersecting: expected true or false, got 1"
+refused 'stiffness = 1\n' "has none of the keys law, height-map and mesh; expected one of them"
+refused '' "has none of the keys law, height-map and mesh; expected one of them"
+refused 'law = \n' "line 1: "
+expect 2 "absent.toml: cannot be opened" -- "$forceshade" force --subject absent.toml
+expect 2 "--subject: expected a file after it, got none" -- "$forceshade" force --subject
+expect 2 "--subject: expected once, got several times" -- "$forceshade" force --subject two.toml --subject two.toml
+expect 2 "inputs/law.toml: line 1: law: expected once, got several times" -- \
+  "$forceshade" force --law wall --subject inputs/law.toml
+expect 2 'unknown option "--subject"' -- "$forceshade" geometry --subject inputs/law.toml
+
+# A stimulus of an experiment, which has the stiffness of its protocol.
+cp "$examples/experiments/english.toml" .
+protocol() { sed -e '/^stimuli/,/^\]/d' -e "s|^radii_mil.*|stimuli = [ $1 ]|" "$examples/experiments/classification.toml"; }
+printf 'height-map = "groove.toml"\nstiffness = 0.5\n' > inputs/soft.toml
+protocol '{ name = "a", subject = "inputs/soft.toml" }, { name = "b", height-map = "inputs/groove.toml" }' > protocol.toml
+expect 0 "2 bumps can be rendered" -- "$forceshade" experiment check protocol.toml
+"$forceshade" experiment prepare protocol.toml --out certificates > /dev/null || { echo "FAILED: prepare"; exit 1; }
+same 1 "$(ls certificates | wc -l)"  # both are the same renderer
+protocol '{ name = "a", subject = "inputs/map.toml" }' > protocol.toml
+expect 2 "inputs/map.toml: stiffness: expected that of the protocol, 0.5 N/mm, got 0.25 N/mm" -- \
+  "$forceshade" experiment prepare protocol.toml --out other
+protocol '{ name = "a", subject = "absent.toml" }' > protocol.toml
+expect 2 "expected a file, found none at" -- "$forceshade" experiment check protocol.toml
+protocol '{ mesh = "ball.off", unit = "cm" }' > protocol.toml
+expect 2 'unit: expected mm, m or in, got "cm"' -- "$forceshade" experiment check protocol.toml
+
+echo "$checks checks"
