@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# mesh_subject_test.sh FORCESHADE: a mesh as its users check, certify, drive and record it.
+# rendered_mesh_test.sh FORCESHADE: a mesh as its users check, certify, drive and record it.
 . "$(dirname "$0")/expect.sh"
 mesh="--mesh cube.off --unit mm"
 
