@@ -6,6 +6,7 @@
 
 #include "forceshade/fast/height_map_field.h"
 #include "forceshade/fast/meshes/bit_span.h"
+#include "forceshade/fast/meshes/bounded_vector3.h"
 #include "forceshade/fast/numbers/arithmetic.h"
 #include "forceshade/fast/numbers/big_float_ball.h"
 
@@ -25,19 +26,19 @@ struct Way3 {
 };
 
 template <class N>
-Vector3<N> point(const float* a) noexcept {
+FORCESHADE_INLINE Vector3<N> point(const float* a) noexcept {
   return {N::exactly(static_cast<double>(a[0])), N::exactly(static_cast<double>(a[1])), N::exactly(static_cast<double>(a[2]))};
 }
 template <class N>
-Vector3<N> scaled(const N& factor, const Vector3<N>& a) noexcept {
+FORCESHADE_INLINE Vector3<N> scaled(const N& factor, const Vector3<N>& a) noexcept {
   return {factor * a.x, factor * a.y, factor * a.z};
 }
 template <class N>
-Vector3<N> sum(const Vector3<N>& a, const Vector3<N>& b) noexcept {
+FORCESHADE_INLINE Vector3<N> sum(const Vector3<N>& a, const Vector3<N>& b) noexcept {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 template <class N>
-Vector3<N> opposite(const Vector3<N>& a) noexcept {
+FORCESHADE_INLINE Vector3<N> opposite(const Vector3<N>& a) noexcept {
   return {-a.x, -a.y, -a.z};
 }
 template <class N>
@@ -261,9 +262,17 @@ class Parts {
   std::optional<Vector3<N>> interpolated(const std::array<HalfEdge, kCount>& corners,
                                          const std::array<N, kCount>& weight) const noexcept {
     const auto mean = [&](const auto& vector_of) {
-      Vector3<N> all = scaled(weight[0], point<N>(vector_of(corners[0]).data()));
-      for (std::size_t i = 1; i < kCount; ++i) all = sum(all, scaled(weight[i], point<N>(vector_of(corners[i]).data())));
-      return all;
+      if constexpr (kCount == 3) {
+        const Vector3<N> first = point<N>(vector_of(corners[0]).data()), second = point<N>(vector_of(corners[1]).data()),
+                         third = point<N>(vector_of(corners[2]).data()), weights{weight[0], weight[1], weight[2]};
+        return Vector3<N>{dot(weights, Vector3<N>{first.x, second.x, third.x}),
+                          dot(weights, Vector3<N>{first.y, second.y, third.y}),
+                          dot(weights, Vector3<N>{first.z, second.z, third.z})};
+      } else {
+        Vector3<N> all = scaled(weight[0], point<N>(vector_of(corners[0]).data()));
+        for (std::size_t i = 1; i < kCount; ++i) all = sum(all, scaled(weight[i], point<N>(vector_of(corners[i]).data())));
+        return all;
+      }
     };
     const Vector3<N> smooth = mean([&](HalfEdge h) -> const mesh::Normal& { return normal_at(h); });
     if (!is_textured()) return smooth;

@@ -8,6 +8,7 @@
 #include <random>
 #include <type_traits>
 
+#include "forceshade/fast/meshes/bounded_vector3.h"
 #include "forceshade/tests/support/multiprecision.h"
 
 namespace forceshade::fast {
@@ -144,6 +145,40 @@ TYPED_TEST(BallCorners, sums_products_quotients_and_roots_enclose_those_of_all_m
               sums.worst(), products.worst(), quotients.worst(), roots.worst(), without_quotient);
   for (const Encloses<N>& one : {sums, products, quotients, roots}) EXPECT_GT(one.worst(), 0.2) << "the bound is idle";
   EXPECT_GT(without_quotient, 100);
+}
+
+// cross() and dot() of meshes, which bound several operations at once.
+TEST(ball_corners, sums_of_products_enclose_those_of_all_members) {
+  using N = DoubleWithError;
+  Operands operands;
+  Encloses<N> differences, dots;
+  int looser = 0, sums = 0;
+  for (int i = 0; i < 3000; ++i) {
+    // Half of them without errors, where the bound is that of the roundings alone.
+    const bool is_exact = operands.pick(2) == 0;
+    const auto next = [&] { return is_exact ? midpoint_of(operands.next<N>()) : operands.next<N>(); };
+    const Vector3<N> a{next(), next(), next()};
+    Vector3<N> b{next(), next(), next()};
+    if (operands.pick(2) == 0) b.y = a.x, b.x = a.y;  // so that the difference cancels
+    const N difference = cross(a, b).z, product = dot(a, b);
+    const N one_by_one = a.x * b.x + a.y * b.y + a.z * b.z;
+    looser += product.error > 2 * one_by_one.error;
+    ++sums;
+    const auto x = ends_and_middle(a.x), y = ends_and_middle(a.y), z = ends_and_middle(a.z);
+    const auto u = ends_and_middle(b.x), v = ends_and_middle(b.y), w = ends_and_middle(b.z);
+    for (unsigned ends = 0; ends < 64; ++ends) {
+      const auto end = [&](const auto& of, unsigned bit) { return of[(ends >> bit & 1U) * 2]; };
+      const Multiprecision xu = end(x, 0) * end(u, 3), yv = end(y, 1) * end(v, 4), zw = end(z, 2) * end(w, 5);
+      dots("dot product", product, xu + yv + zw);
+      differences("difference of products", difference, end(x, 0) * end(v, 4) - end(y, 1) * end(u, 3));
+    }
+    if (HasFatalFailure()) return;
+  }
+  std::printf("  worst error/bound: differences %.3f, dot products %.3f; %d of %d bounds over twice that of the operations\n",
+              differences.worst(), dots.worst(), looser, sums);
+  EXPECT_GT(differences.worst(), 0.9);
+  EXPECT_GT(dots.worst(), 0.9);
+  EXPECT_LT(looser, sums / 10);
 }
 
 TYPED_TEST(BallCorners, signs_are_those_of_all_members) {

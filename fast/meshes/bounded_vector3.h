@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Sums of products of three numbers with one bound for all of their roundings. The general cross() and dot() of vector3.h, made
+// of the operations of DoubleWithError, have bounds as good, but each operation waits for the bound of the one before it: that
+// chain is most of the time of a shaded force.
+
+#include "forceshade/fast/meshes/vector3.h"
+#include "forceshade/fast/numbers/double_with_error.h"
+
+namespace forceshade::fast {
+
+// Each product and each of up to two additions errs by 2^-53 of a number that is at most the sum of the products' sizes, times
+// 1 + 2^-51 for the roundings in these. kSlackOfSum covers the up to 20 roundings of a bound, each of a sum or product of
+// numbers that are not negative.
+inline constexpr double kSlackOfSum = 1 + 0x1p-48;
+
+// What the errors of the factors add to that of their product.
+FORCESHADE_INLINE double handed_on(const DoubleWithError& a, const DoubleWithError& b) noexcept {
+  return __builtin_fabs(a.value) * b.error + (__builtin_fabs(b.value) + b.error) * a.error;
+}
+
+// a b - c d
+FORCESHADE_INLINE DoubleWithError difference_of_products(const DoubleWithError& a, const DoubleWithError& b,
+                                                         const DoubleWithError& c, const DoubleWithError& d) noexcept {
+  const double first = a.value * b.value, second = c.value * d.value;
+  const double sizes = __builtin_fabs(first) + __builtin_fabs(second);
+  return {first - second, kSlackOfSum * (2 * DoubleWithError::kUnit * sizes + (handed_on(a, b) + handed_on(c, d)))};
+}
+
+FORCESHADE_INLINE Vector3<DoubleWithError> cross(const Vector3<DoubleWithError>& a,
+                                                 const Vector3<DoubleWithError>& b) noexcept {
+  return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
+          difference_of_products(a.x, b.y, a.y, b.x)};
+}
+
+FORCESHADE_INLINE DoubleWithError dot(const Vector3<DoubleWithError>& a, const Vector3<DoubleWithError>& b) noexcept {
+  const double x = a.x.value * b.x.value, y = a.y.value * b.y.value, z = a.z.value * b.z.value;
+  const double sizes = __builtin_fabs(x) + __builtin_fabs(y) + __builtin_fabs(z);
+  return {x + y + z, kSlackOfSum * (3 * DoubleWithError::kUnit * sizes +
+                                    (handed_on(a.x, b.x) + handed_on(a.y, b.y) + handed_on(a.z, b.z)))};
+}
+
+FORCESHADE_INLINE DoubleWithError square(const Vector3<DoubleWithError>& a) noexcept {
+  return dot(a, a);
+}
+
+}  // namespace forceshade::fast
