@@ -105,7 +105,7 @@ const std::map<std::string, std::vector<std::string>> kMayInclude{
     {"identity", {"vocabulary"}},
     {"reference", {"vocabulary"}},
     {"fast", {"vocabulary"}},
-    {"heights", {"vocabulary"}},
+    {"heights", {"vocabulary", "csv"}},
     {"meshes", {"vocabulary"}},
     {"properties", {"vocabulary", "identity", "reference", "fast"}},
     {"certificate", {"vocabulary", "identity", "reference", "fast", "properties", "csv"}},
