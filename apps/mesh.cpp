@@ -108,9 +108,18 @@ void note_large_fan(const mesh::TriangleMesh& triangles, std::vector<std::string
                   std::to_string(mesh::kLargestQuickFan) + " faces (docs/meshes.md, \"Vertices of many triangles\")");
 }
 
+// The file's notes, and what of it no command renders.
+std::vector<std::string> notes_of(const mesh::LoadedMesh& loaded) {
+  std::vector<std::string> notes = loaded.notes;
+  if (!loaded.normals.empty())
+    notes.emplace_back(
+        "the normals in the file are not rendered: shading computes its own (docs/mesh-files.md, \"Corner normals\")");
+  return notes;
+}
+
 int check(const MeshFileOptions& options) {
   mesh::LoadedMesh loaded = load(options);
-  std::vector<std::string> notes = loaded.notes;
+  std::vector<std::string> notes = notes_of(loaded);
   const auto checked = mesh::check(std::move(loaded.mesh), options.self_intersections());
   if (const auto* held = std::get_if<mesh::CheckedMesh>(&checked)) note_large_fan(held->mesh(), notes);
   const auto* findings = std::get_if<mesh::Findings>(&checked);
@@ -139,7 +148,7 @@ std::string shortest(double number) {
 
 int info(const MeshFileOptions& options) {
   mesh::LoadedMesh loaded = load(options);
-  const std::vector<std::string> notes = loaded.notes;
+  const std::vector<std::string> notes = notes_of(loaded);
   const bool has_normals = !loaded.normals.empty(), has_texture = !loaded.texture.empty();
   const auto checked = mesh::check(std::move(loaded.mesh), mesh::SelfIntersections::unchecked);
   if (const auto* findings = std::get_if<mesh::Findings>(&checked)) {

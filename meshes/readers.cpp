@@ -12,6 +12,10 @@ namespace forceshade::mesh {
 void Builder::add_face(std::span<const Corner> corners) {
   ++faces_;
   if (corners.size() > 3) ++split_faces_;
+  if (corners.size() > kMostCorners) {
+    if (!too_long_) too_long_ = {faces_, corners.size()};
+    return;
+  }
   for (const Corner& corner : corners) {
     if (corner.normal == Corner::kNone && !without_normal_) without_normal_ = faces_;
     if (corner.texture == Corner::kNone && !without_texture_) without_texture_ = faces_;
@@ -27,6 +31,9 @@ void Builder::add_face(std::span<const Corner> corners) {
 }
 
 LoadedMesh Builder::take(const std::filesystem::path& file) {
+  if (too_long_)
+    throw Error(file, "face " + std::to_string(too_long_->first) + " has " + std::to_string(too_long_->second) +
+                          " corners; expected at most " + std::to_string(kMostCorners) + ": split it into triangles first");
   if (loaded_.mesh.triangles.empty()) throw Error(file, "has no face");
   if (loaded_.mesh.triangles.size() > kMost || vertices.size() > kMost)
     throw Error(file, "has more than " + std::to_string(kMost) + " triangles or vertices");

@@ -28,6 +28,10 @@ struct Corner {
   std::uint32_t vertex = 0, normal = kNone, texture = kNone;
 };
 
+// Of one face. Its triangles have a vertex in common, so that the check, which compares each two of them, takes time that grows
+// with the square: 0.9 s for as many as this.
+inline constexpr std::size_t kMostCorners = 4096;
+
 // Makes a mesh of the vertices and faces of a file.
 class Builder {
  public:
@@ -35,7 +39,7 @@ class Builder {
   std::vector<Normal> normals;
   std::vector<TexturePoint> texture;
 
-  // Of 3 corners or more, whose places are in the lists.
+  // Of 3 corners or more, whose places are in the lists. A face of more than kMostCorners makes take() throw.
   void add_face(std::span<const Corner> corners);
   // Room for so many triangles.
   void reserve(std::uint64_t triangles) { loaded_.mesh.triangles.reserve(triangles); }
@@ -46,6 +50,7 @@ class Builder {
  private:
   LoadedMesh loaded_;
   std::uint64_t faces_ = 0, split_faces_ = 0;
+  std::optional<std::pair<std::uint64_t, std::size_t>> too_long_;  // the first face with too many corners, from 1; how many
   // The first face with a corner that has none, from 1.
   std::optional<std::uint64_t> without_normal_, without_texture_;
 };

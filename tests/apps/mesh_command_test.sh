@@ -99,4 +99,13 @@ for name in mine.stl mine.PLY mine.obj; do
   same kept "$(cat $name)"
 done
 expect 1 "FAILED: " -- mesh repair folded.off --unit mm --out folded2.off
+# Normals in a file are not rendered: it is said, and a certificate is the same.
+printf 'NOFF\n4 4 0\n0 0 0 1 0 0\n9 0 0 0 1 0\n0 9 0 0 0 1\n0 0 9 1 1 0\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n' > with.off
+sed -e '1s/N//' -e 's/^\([0-9]\) \([0-9]\) \([0-9]\) [01] [01] [01]$/\1 \2 \3/' with.off > without.off
+expect 0 "the normals in the file are not rendered" -- "$forceshade" mesh check with.off --unit mm
+expect 0 "the normals in the file are not rendered" -- "$forceshade" mesh info with.off --unit mm
+same "" "$("$forceshade" mesh check without.off --unit mm | grep normals)"
+for file in with without; do "$forceshade" certify --mesh $file.off --unit mm --points 100 --cases 20 --out $file > /dev/null; done
+same "$(grep '"digest"' with/certificate.json)" "$(grep '"digest"' without/certificate.json)"
+
 echo "$checks checks passed"

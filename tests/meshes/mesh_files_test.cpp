@@ -88,6 +88,20 @@ TEST(mesh_files, may_begin_with_a_byte_order_mark) {
   }
 }
 
+TEST(mesh_files, with_a_face_of_too_many_corners_are_refused_at_once) {
+  const auto text_of = [](std::size_t corners) {
+    std::string text = "v 9 9 9\nv 9 8 9\nv 8 9 9\nf 1 2 3\n", face = "f";
+    for (std::size_t i = 0; i < corners; ++i) {
+      const double angle = 6.283185307 * static_cast<double>(i) / static_cast<double>(corners);
+      text += "v " + std::to_string(std::cos(angle)) + ' ' + std::to_string(std::sin(angle)) + " 0\n";
+      face += ' ' + std::to_string(i + 4);
+    }
+    return text + face + '\n';
+  };
+  EXPECT_EQ(of_text("a.obj", text_of(4096)).refusal, "");
+  EXPECT_NE(of_text("a.obj", text_of(4097)).refusal.find("face 2 has 4097 corners; expected at most 4096"), std::string::npos);
+}
+
 TEST(mesh_files, of_obj_may_have_normals_and_a_texture) {
   const std::string lists = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1\nvt 1 1 0\nvt 0 1\nvn 0 0 1\n";
   const Loaded both = of_text("a.obj", lists + "f 1/1/1 2/2/1 3/3/-1\nf 1/1/1 3/3/1 4/-1/1\n");
