@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <random>
+#include <utility>
 
 #include "forceshade/properties/mesh_generators.h"
 #include "forceshade/reference/meshes/descent.h"
@@ -498,6 +500,42 @@ TEST(god_object_consequences, every_rest_but_a_refusal_is_a_local_minimum_and_of
     counts["narrow"] += is_narrow && !is_at_p;
     EXPECT_TRUE(is_narrow || is_at_p || fold == Fold::flat);
   });
+}
+
+// docs/energy.md, Meshes: the account of an unshaded tick, in exact numbers and without slack. All times 1/K.
+TEST(god_object_consequences, a_tick_gives_no_more_than_the_account_with_the_rounding_of_its_state) {
+  using Rational = boost::multiprecision::mpq_rational;
+  using Offset = std::array<Rational, 3>;
+  const auto dot_of = [](const Offset& a, const Offset& b) { return Rational(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]); };
+  const auto difference = [](const Offset& a, const Offset& b) { return Offset{a[0] - b[0], a[1] - b[1], a[2] - b[2]}; };
+  const auto over = [](const Vector& a, const Integer& under) {
+    return Offset{Rational(a[0], under), Rational(a[1], under), Rational(a[2], under)};
+  };
+  struct Ended {
+    mesh::GodObject state;
+    Vector p;
+    Offset D;
+  };
+  std::optional<Ended> last;
+  on_random_paths(10, 440, 200, {"moved on", "rounded", "beyond the account of r alone"},
+                  [&](const Scene& scene, const Step& step, Counts& counts) {
+                    const std::optional<Ended> before = std::exchange(last, std::nullopt);
+                    if (step.tick.status != TickStatus::touching) return;
+                    const auto end = descend(scene.surface, scene.crossings, scene.made.sides, mesh::SelfIntersections::refused,
+                                             step.before, step.position, 256);
+                    const auto& rest = end.rest.value();
+                    const Vector p = reference::meshes::exact_point(step.position);
+                    last = Ended{step.tick.after, p, over(rest.D_over, rest.D_under)};
+                    if (!before || before->state != step.before || !is_touching(step.before)) return;
+                    const Offset moved = over(p - before->p, 1), g = over(place_of(scene.surface, step.before) - before->p, 1);
+                    const Offset rounding = difference(g, before->D);  // g - r
+                    const Rational account = dot_of(before->D, before->D) - dot_of(last->D, last->D) + dot_of(moved, moved);
+                    const Rational given = 2 * dot_of(before->D, moved);
+                    EXPECT_LE(given, account + 2 * dot_of(rounding, difference(before->D, moved)) + dot_of(rounding, rounding));
+                    ++counts["moved on"];
+                    counts["rounded"] += dot_of(rounding, rounding) > 0;
+                    counts["beyond the account of r alone"] += given > account;
+                  });
 }
 
 TEST(god_object_consequences, shading_turns_the_force_and_keeps_its_size) {
