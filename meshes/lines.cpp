@@ -114,6 +114,7 @@ Error Lines::unexpected(const std::string& expected, std::string_view word) cons
 }
 
 Error Lines::ended(const std::string& expected) const {
+  if (number_ == 0) return {file_, "is empty; expected " + expected};
   return error("the file ends here; expected " + expected);
 }
 

@@ -52,7 +52,7 @@ class Lines {
   Error error(const std::string& reason) const;
   // "FILE: line 12: expected EXPECTED, got "WORD"", or ... "the line ends" where the word is empty. A long word is cut.
   Error unexpected(const std::string& expected, std::string_view word) const;
-  // "FILE: line 12: the file ends; expected EXPECTED".
+  // "FILE: line 12: the file ends here; expected EXPECTED", or "FILE: is empty; expected EXPECTED".
   Error ended(const std::string& expected) const;
 
  private:

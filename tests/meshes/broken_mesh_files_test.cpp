@@ -33,7 +33,7 @@ const std::string kThree = "0 0 0\n1 0 0\n0 1 0\n";
 TEST(broken_mesh_files, of_off_are_refused_in_words) {
   const std::string head = "OFF\n3 1 0\n";
   expect_refused({
-      {"a.off", "", "line 0: the file ends here; expected the word OFF"},
+      {"a.off", "", "is empty; expected the word OFF"},
       {"a.off", "\n# no more\n", "line 2: the file ends here; expected the word OFF"},
       {"a.off", "OF\n3 1 0\n", "line 1: expected OFF, after none or some of ST, C and N, got \"OF\""},
       {"a.off", "4OFF\n3 1 0\n", "line 1: expected OFF, after none or some of ST, C and N, got \"4OFF\""},
