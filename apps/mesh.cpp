@@ -46,9 +46,10 @@ mesh::LoadedMesh load(const MeshFileOptions& options) {
   return load_mesh(options.file, unit_named(options.unit));
 }
 
-std::vector<std::string> lines_of(const mesh::Findings& findings) {
+// One for each finding. lines_of_faces: LoadedMesh::lines of the file that it is about.
+std::vector<std::string> lines_of(const mesh::Findings& findings, const std::vector<std::uint64_t>& lines_of_faces) {
   std::vector<std::string> lines;
-  const std::string words = findings.words();
+  const std::string words = findings.words(lines_of_faces);
   for (std::size_t begin = 0, end = 0; begin < words.size(); begin = end + 1) {
     end = words.find('\n', begin);
     lines.push_back(words.substr(begin, end - begin));
@@ -61,8 +62,13 @@ void write_json(const MeshFileOptions& options, const Json& json) {
     write_file(options.json, json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
-void print(const std::vector<std::string>& lines) {
-  for (const std::string& line : lines) std::printf("%s\n", csv::printable(line).c_str());
+void print(const std::vector<std::string>& lines, const std::string& before = "") {
+  for (const std::string& line : lines) std::printf("%s\n", csv::printable(before + line).c_str());
+}
+
+// "FILE: line 12: face 3 has no area: ...", as in every message about a file.
+void print_faults(const std::string& file, const std::vector<std::string>& faults) {
+  print(faults, (file == "-" ? "standard input" : file) + ": ");
 }
 
 std::string ending_of(const std::string& path) {
@@ -123,7 +129,7 @@ int check(const MeshFileOptions& options) {
   const auto checked = mesh::check(std::move(loaded.mesh), options.self_intersections());
   if (const auto* held = std::get_if<mesh::CheckedMesh>(&checked)) note_large_fan(held->mesh(), notes);
   const auto* findings = std::get_if<mesh::Findings>(&checked);
-  const std::vector<std::string> faults = findings == nullptr ? std::vector<std::string>{} : lines_of(*findings);
+  const std::vector<std::string> faults = findings == nullptr ? std::vector<std::string>{} : lines_of(*findings, loaded.lines);
   write_json(options, {{"file", options.file},
                        {"held", findings == nullptr},
                        {"self_intersections", options.self_intersecting ? "allowed" : "refused"},
@@ -138,7 +144,7 @@ int check(const MeshFileOptions& options) {
     return kHeld;
   }
   std::printf("%s\n", kFailedHeading);
-  print(faults);
+  print_faults(options.file, faults);
   return kFailed;
 }
 
@@ -152,11 +158,11 @@ int info(const MeshFileOptions& options) {
   const bool has_normals = !loaded.normals.empty(), has_texture = !loaded.texture.empty();
   const auto checked = mesh::check(std::move(loaded.mesh), mesh::SelfIntersections::unchecked);
   if (const auto* findings = std::get_if<mesh::Findings>(&checked)) {
-    write_json(options, {{"file", options.file}, {"notes", notes}, {"faults", lines_of(*findings)}});
+    write_json(options, {{"file", options.file}, {"notes", notes}, {"faults", lines_of(*findings, loaded.lines)}});
     if (options.json == "-") return kFailed;
     print(notes);
     std::printf("%s\n", kFailedHeading);
-    print(lines_of(*findings));
+    print_faults(options.file, lines_of(*findings, loaded.lines));
     return kFailed;
   }
   const mesh::Facts facts = mesh::facts_of(std::get<mesh::CheckedMesh>(checked));
@@ -207,13 +213,13 @@ int repair(const MeshFileOptions& options) {
   write_mesh(options.out, repaired.mesh);
   const auto checked = mesh::check(std::move(repaired.mesh), options.self_intersections());
   const auto* findings = std::get_if<mesh::Findings>(&checked);
-  const std::vector<std::string> faults = findings == nullptr ? std::vector<std::string>{} : lines_of(*findings);
+  const std::vector<std::string> faults = findings == nullptr ? std::vector<std::string>{} : lines_of(*findings, {});
   write_json(options,
              {{"file", options.file}, {"out", options.out}, {"done", done}, {"held", findings == nullptr}, {"faults", faults}});
   if (options.json != "-" && options.out != "-") {
     print(repaired.done.empty() ? std::vector<std::string>{"nothing to repair"} : done);
     if (findings != nullptr) std::printf("%s, of the repaired file\n", kFailedHeading);
-    print(faults);
+    print_faults(options.out, faults);
   }
   return findings == nullptr ? kHeld : kFailed;
 }

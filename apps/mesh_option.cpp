@@ -139,7 +139,7 @@ properties::MeshRendering read_mesh(const MeshChoice& choice, float stiffness) {
   if (const auto* findings = std::get_if<mesh::Findings>(&checked)) {
     const bool crosses = findings->counts[static_cast<std::size_t>(mesh::Fault::meeting)] > 0;
     throw BadInputOfLines(
-        csv::printable(choice.file) + ": cannot be rendered:\n" + findings->words() +
+        csv::printable(choice.file) + ": cannot be rendered:\n" + findings->words(loaded.lines) +
         "'forceshade mesh repair' mends some of this" +
         (crosses && !choice.is_self_intersecting ? "; with --self-intersecting, faces without a common vertex may cross" : ""));
   }

@@ -212,11 +212,21 @@ void check_meetings(const TriangleMesh& mesh, bool may_cross, Collector& found) 
   if (pairs > most) found.add(Fault::undecided, {}, {});
 }
 
-std::string listed(const std::vector<std::uint32_t>& numbers) {
+template <class Number>
+std::string listed(const std::vector<Number>& numbers) {
   std::string text;
   for (std::size_t i = 0; i < numbers.size(); ++i)
     text += (i == 0 ? "" : i + 1 == numbers.size() ? " and " : ", ") + std::to_string(numbers[i]);
   return text;
+}
+
+// Of a finding's triangles in the file: "line 12: " or "lines 12 and 15: ".
+std::string place_of(const Finding& finding, std::span<const std::uint64_t> lines) {
+  if (lines.empty() || finding.triangles.empty()) return "";
+  std::vector<std::uint64_t> its;
+  for (const std::uint32_t triangle : finding.triangles)
+    if (std::ranges::find(its, lines[triangle]) == its.end()) its.push_back(lines[triangle]);
+  return (its.size() == 1 ? "line " : "lines ") + listed(its) + ": ";
 }
 
 }  // namespace
@@ -248,10 +258,10 @@ std::string words_of(const Finding& finding) {
   return "";
 }
 
-std::string Findings::words() const {
+std::string Findings::words(std::span<const std::uint64_t> lines) const {
   std::string text;
   for (std::size_t i = 0; i < listed.size(); ++i) {
-    text += words_of(listed[i]) + '\n';
+    text += place_of(listed[i], lines) + words_of(listed[i]) + '\n';
     const Fault fault = listed[i].fault;
     const std::uint64_t count = counts[static_cast<std::size_t>(fault)];
     if ((i + 1 == listed.size() || listed[i + 1].fault != fault) && count > kListed)

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -46,8 +47,9 @@ struct Findings {
   std::array<std::uint64_t, kFaults> counts{};  // of each fault
 
   bool empty() const { return listed.empty(); }
-  // The listed ones, one in a line, and how many more there are.
-  std::string words() const;
+  // The listed ones, one in a line, and how many more there are. lines: of each triangle in its file (LoadedMesh::lines); where
+  // there are any, those of a finding's triangles stand in front of it: "lines 12 and 15: ".
+  std::string words(std::span<const std::uint64_t> lines = {}) const;
 };
 
 // A mesh that has been found to be one. Only check() makes it.

@@ -3,6 +3,7 @@
 // A triangle mesh from a file. The ending of its name names the format. What is read of each format: docs/mesh-files.md.
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -30,6 +31,7 @@ struct LoadedMesh {
   TriangleMesh mesh;
   CornerNormals normals;                             // empty, or one for each corner of each triangle; as the file has them
   std::vector<std::array<TexturePoint, 3>> texture;  // the same
+  std::vector<std::uint64_t> lines;                  // of each triangle's face, from 1; empty for a binary file
   std::vector<std::string> notes;                    // what the triangles are not word by word in the file: one sentence each
 };
 

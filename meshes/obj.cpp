@@ -40,6 +40,7 @@ class Reader {
 
   LoadedMesh read() {
     while (lines_.next_with_words()) read_line(whole_line());
+    if (!builder_.has_faces()) throw lines_.ended("a face, of which there is none");
     return builder_.take(file_);
   }
 
@@ -85,7 +86,7 @@ class Reader {
     for (std::string_view word = words.next(); !word.empty(); word = words.next()) corners_.push_back(corner_of(word));
     if (corners_.size() < 3)
       throw lines_.error("has a face of " + std::to_string(corners_.size()) + " corners; expected 3 or more");
-    builder_.add_face(corners_);
+    builder_.add_face(corners_, lines_.number());
   }
 
   // "12", "12/7", "12//3" or "12/7/3": vertex, texture, normal.

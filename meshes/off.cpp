@@ -93,9 +93,10 @@ LoadedMesh read_off(const std::filesystem::path& file, Unit unit) {
       const auto vertex = static_cast<std::uint32_t>(*index);
       corners.push_back({vertex, header.has_normals ? vertex : Corner::kNone, header.has_texture ? vertex : Corner::kNone});
     }
-    builder.add_face(corners);  // a colour may follow
+    builder.add_face(corners, lines.number());  // a colour may follow
   }
   if (lines.next_with_words()) throw lines.unexpected("the end of the file after the last face", lines.line());
+  if (!builder.has_faces()) throw lines.ended("a face, of which there is none");
   return builder.take(file);
 }
 

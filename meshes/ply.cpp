@@ -226,6 +226,7 @@ class TextBody {
         throw lines_.unexpected("the end of the file after the last element", lines_.line());
   }
   Error error(const std::string& reason) const { return lines_.error(reason); }
+  std::uint64_t line() const { return lines_.number(); }
 
  private:
   Lines& lines_;
@@ -236,7 +237,7 @@ class TextBody {
 class BinaryBody {
  public:
   BinaryBody(const std::filesystem::path& file, std::uint64_t begin, std::endian order, Unit unit)
-      : bytes_(file, begin, order), unit_(unit) {}
+      : bytes_(file, begin, order), unit_(unit), begin_(begin) {}
 
   void begin(const Element&, std::uint64_t) { begin_ = bytes_.position(); }
   void end() {}
@@ -260,6 +261,7 @@ class BinaryBody {
   }
   // Of the element that is read.
   Error error(const std::string& reason) const { return bytes_.error(begin_, reason); }
+  static std::uint64_t line() { return 0; }
 
  private:
   float within(double number, Unit unit) const {
@@ -270,7 +272,7 @@ class BinaryBody {
 
   Bytes bytes_;
   Unit unit_;
-  std::uint64_t begin_ = 0;
+  std::uint64_t begin_;
 };
 
 constexpr std::uint64_t kLongestList = std::uint64_t{1} << 32;
@@ -357,7 +359,7 @@ void read_faces(Body& body, const Element& element, Builder& builder) {
       corners[k].texture = static_cast<std::uint32_t>(builder.texture.size());
       builder.texture.push_back(texture[k]);
     }
-    builder.add_face(corners);
+    builder.add_face(corners, body.line());
   }
 }
 
@@ -378,6 +380,7 @@ LoadedMesh read_body(Body& body, const PlyHeader& header, const std::filesystem:
     }
   }
   body.expect_end();
+  if (!builder.has_faces()) throw body.error("has no face");
   return builder.take(file);
 }
 

@@ -9,11 +9,11 @@
 
 namespace forceshade::mesh {
 
-void Builder::add_face(std::span<const Corner> corners) {
+void Builder::add_face(std::span<const Corner> corners, std::uint64_t line) {
   ++faces_;
   if (corners.size() > 3) ++split_faces_;
   if (corners.size() > kMostCorners) {
-    if (!too_long_) too_long_ = {faces_, corners.size()};
+    if (!too_long_) too_long_ = {faces_, line, corners.size()};
     return;
   }
   for (const Corner& corner : corners) {
@@ -23,6 +23,7 @@ void Builder::add_face(std::span<const Corner> corners) {
   for (std::size_t i = 2; i < corners.size(); ++i) {
     const std::array<Corner, 3> triangle{corners[0], corners[i - 1], corners[i]};
     loaded_.mesh.triangles.push_back({triangle[0].vertex, triangle[1].vertex, triangle[2].vertex});
+    if (line > 0) loaded_.lines.push_back(line);
     if (!without_normal_)
       loaded_.normals.push_back({normals[triangle[0].normal], normals[triangle[1].normal], normals[triangle[2].normal]});
     if (!without_texture_)
@@ -32,8 +33,8 @@ void Builder::add_face(std::span<const Corner> corners) {
 
 LoadedMesh Builder::take(const std::filesystem::path& file) {
   if (too_long_)
-    throw Error(file, "face " + std::to_string(too_long_->first) + " has " + std::to_string(too_long_->second) +
-                          " corners; expected at most " + std::to_string(kMostCorners) + ": split it into triangles first");
+    throw Error(file, (too_long_->line > 0 ? "line " + std::to_string(too_long_->line) + ": " : "") + "face " +
+                          std::to_string(too_long_->face) + " has " + std::to_string(too_long_->corners) + " corners; expected at most " + std::to_string(kMostCorners) + ": split it into triangles first");
   if (loaded_.mesh.triangles.empty()) throw Error(file, "has no face");
   if (loaded_.mesh.triangles.size() > kMost || vertices.size() > kMost)
     throw Error(file, "has more than " + std::to_string(kMost) + " triangles or vertices");

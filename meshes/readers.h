@@ -39,8 +39,10 @@ class Builder {
   std::vector<Normal> normals;
   std::vector<TexturePoint> texture;
 
-  // Of 3 corners or more, whose places are in the lists. A face of more than kMostCorners makes take() throw.
-  void add_face(std::span<const Corner> corners);
+  // Of 3 corners or more, whose places are in the lists. A face of more than kMostCorners makes take() throw. line: of the
+  // file, from 1; 0 where the file is binary.
+  void add_face(std::span<const Corner> corners, std::uint64_t line);
+  bool has_faces() const { return faces_ > 0; }
   // Room for so many triangles.
   void reserve(std::uint64_t triangles) { loaded_.mesh.triangles.reserve(triangles); }
 
@@ -50,7 +52,11 @@ class Builder {
  private:
   LoadedMesh loaded_;
   std::uint64_t faces_ = 0, split_faces_ = 0;
-  std::optional<std::pair<std::uint64_t, std::size_t>> too_long_;  // the first face with too many corners, from 1; how many
+  struct LongFace {
+    std::uint64_t face, line;  // the first one, from 1
+    std::size_t corners;
+  };
+  std::optional<LongFace> too_long_;
   // The first face with a corner that has none, from 1.
   std::optional<std::uint64_t> without_normal_, without_texture_;
 };

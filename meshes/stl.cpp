@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::uint64_t kHead = 84, kTriangle = 50;  // bytes: a text of 80 and the number of triangles; a triangle
 
-void add_triangle(Builder& builder, Welder& welder, const std::array<Vertex, 3>& vertices) {
+void add_triangle(Builder& builder, Welder& welder, const std::array<Vertex, 3>& vertices, std::uint64_t line) {
   std::array<Corner, 3> corners;
   for (std::size_t i = 0; i < 3; ++i) corners[i].vertex = welder.place_of(vertices[i]);
-  builder.add_face(corners);
+  builder.add_face(corners, line);
 }
 
 LoadedMesh taken(Builder& builder, Welder& welder, const std::filesystem::path& file, std::uint64_t triangles) {
@@ -49,7 +49,7 @@ LoadedMesh read_binary(const std::filesystem::path& file, Unit unit, std::uint64
         x = *kept;
       }
     bytes.skip(2);  // what some programs use for a colour
-    add_triangle(builder, welder, vertices);
+    add_triangle(builder, welder, vertices, 0);
   }
   return taken(builder, welder, file, triangles);
 }
@@ -64,6 +64,7 @@ class Text {
       Words words = after("solid");
       next("facet or endsolid");
       for (; is("facet"); next("facet or endsolid"), ++triangles) {
+        const std::uint64_t line = lines_.number();
         next("outer loop");
         words = after("outer");
         expect_word(words, "loop");
@@ -78,11 +79,11 @@ class Text {
         after("endloop");
         next("endfacet");
         after("endfacet");
-        add_triangle(builder_, welder_, vertices);
+        add_triangle(builder_, welder_, vertices, line);
       }
       after("endsolid");
     }
-    if (triangles == 0) throw Error(file_, "has no face");
+    if (triangles == 0) throw lines_.ended("a face, of which there is none");
     return taken(builder_, welder_, file_, triangles);
   }
 

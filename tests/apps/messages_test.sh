@@ -90,6 +90,27 @@ for file in ball.off ball.obj one.stl one.ply; do
 done
 same "forceshade: standard input: line 1: expected a coordinate, got the end of the line" \
   "$(echo 'v 1 2' | "$forceshade" mesh check - --unit mm 2>&1)"
-expect 2 "standard input: has no face" -- "$forceshade" mesh check - --unit mm
+expect 2 "standard input: is empty; expected a face, of which there is none" -- "$forceshade" mesh check - --unit mm
+
+# What is wrong with a face names its line; a binary file has none.
+printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n' > flat.obj
+for file in flat.obj -; do
+  name=$([ $file = - ] && echo "standard input" || echo $file)
+  same "$name: line 5: face 0 has no area: its vertices 0, 1 and 2 lie on a line" \
+    "$("$forceshade" mesh check $file --unit mm < flat.obj | sed -n 2p)"
+  same "$name: lines 5 and 6: faces 0 and 1 run along their edge, of vertices 0 and 1, in the same direction: one of them is turned over" \
+    "$("$forceshade" mesh info $file --unit mm < flat.obj | sed -n 3p)"
+done
+printf 'OFF\n# a quadrilateral whose second half has no area\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 2 0\n4 0 1 2 3\n' > fan.off
+same "fan.off: line 8: face 1 has no area: its vertices 0, 2 and 3 lie on a line" \
+  "$("$forceshade" mesh check fan.off --unit mm | grep line)"
+printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n' > flat.ply
+same "flat.ply: line 13: face 0 has no area: its vertices 0, 1 and 2 lie on a line" \
+  "$("$forceshade" mesh check flat.ply --unit mm | grep line)"
+printf 'solid one\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 2 0 0\nendloop\nendfacet\nendsolid one\n' > flat.stl
+same "flat.stl: line 2: face 0 has no area: its vertices 0, 1 and 2 lie on a line" \
+  "$("$forceshade" mesh check flat.stl --unit mm | grep line)"
+expect 2 "flat.obj: cannot be rendered:
+line 5: face 0 has no area" -- "$forceshade" properties --mesh flat.obj --unit mm
 
 echo "$checks checks"
