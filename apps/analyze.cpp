@@ -25,6 +25,7 @@
 #include "forceshade/csv/printable.h"
 #include "forceshade/experiments/results_csv.h"
 #include "forceshade/experiments/session_results.h"
+#include "forceshade/vocabulary/monitor.h"
 
 namespace forceshade::apps {
 namespace {

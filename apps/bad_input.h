@@ -17,9 +17,4 @@ struct BadInputOfLines : BadInput {
   using BadInput::BadInput;
 };
 
-// By a signal, before the work was done; becomes exit code 130. what() says what was not done.
-struct Interrupted : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 }  // namespace forceshade::apps

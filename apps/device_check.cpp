@@ -17,6 +17,7 @@
 #include "forceshade/csv/printable.h"
 #include "forceshade/device/check.h"
 #include "forceshade/device/phantom/hdapi_library.h"
+#include "forceshade/vocabulary/monitor.h"
 
 namespace forceshade::apps {
 namespace {

@@ -22,6 +22,7 @@
 #include "forceshade/csv/output_file.h"
 #include "forceshade/csv/printable.h"
 #include "forceshade/device/last_samples.h"
+#include "forceshade/vocabulary/monitor.h"
 
 namespace forceshade::apps {
 namespace {

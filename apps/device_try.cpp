@@ -21,6 +21,7 @@
 #include "forceshade/device/limited.h"
 #include "forceshade/fast/law.h"
 #include "forceshade/properties/law_subject.h"
+#include "forceshade/vocabulary/monitor.h"
 
 namespace forceshade::apps {
 namespace {

@@ -17,6 +17,7 @@
 #include "forceshade/apps/progress_line.h"
 #include "forceshade/apps/signals.h"
 #include "forceshade/reference/height_energy.h"
+#include "forceshade/vocabulary/monitor.h"
 
 namespace forceshade::apps {
 namespace {
@@ -81,9 +82,9 @@ Verdict verdict_on(const reference::Law& law, float depth) {
 
 Verdict verdict_on(const reference::HeightMapField& law, const std::string& name, const reference::Slice& slice, float depth) {
   ProgressLine line(name);
-  const reference::Watch watch([&](double done) { line.draw(done); }, interrupted());
-  const reference::SliceBound bound = reference::loop_bound(law, slice, depth, watch.part(0, 0.4));
-  const auto witness = reference::witness(law, slice, depth, watch.part(0.4, 0.7));
+  const Monitor monitor([&](double done) { line.draw(done); }, interrupted());
+  const reference::SliceBound bound = reference::loop_bound(law, slice, depth, monitor.part(0, 0.4));
+  const auto witness = reference::witness(law, slice, depth, monitor.part(0.4, 0.7));
   const bool is_x = slice.along == reference::Slice::Along::x;
   const double at = static_cast<double>(slice.at), from = static_cast<double>(slice.from), to = static_cast<double>(slice.to);
   std::array<char, 128> where{};
@@ -102,7 +103,7 @@ Verdict verdict_on(const reference::HeightMapField& law, const std::string& name
       .senses = {{"counter_clockwise_mJ", binary64(bound.counter_clockwise)}, {"clockwise_mJ", binary64(bound.clockwise)}},
       .senses_in_words = words_of(bound.counter_clockwise, bound.clockwise, is_x ? "x" : "y"),
       .witness = {},
-      .witness_mJ = binary64(reference::work(law, witness, watch.part(0.7, 1)))[0]};
+      .witness_mJ = binary64(reference::work(law, witness, monitor.part(0.7, 1)))[0]};
   for (const Eigen::Vector3f& corner : witness)
     verdict.witness.push_back(
         {static_cast<double>(corner.x()), static_cast<double>(corner.y()), static_cast<double>(corner.z())});
@@ -172,7 +173,7 @@ int run_height_map(const EnergyOptions& options, const LawOptions& law_options, 
   try {
     answer(verdict_on(law, name, slice, depth), options);
     return kHeld;
-  } catch (const reference::Interrupted&) {
+  } catch (const Interrupted&) {
     throw Interrupted(name + " has no verdict, and nothing was written");
   } catch (const reference::NotEnclosed& error) {
     std::fprintf(stderr, "forceshade: %s: no verdict: %s\n", name.c_str(), error.what());

@@ -9,6 +9,7 @@
 #include "forceshade/apps/signals.h"
 #include "forceshade/certificate/certify.h"
 #include "forceshade/identity/digest.h"
+#include "forceshade/vocabulary/monitor.h"
 
 namespace forceshade::apps {
 namespace {

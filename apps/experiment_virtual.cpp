@@ -19,6 +19,7 @@
 #include "forceshade/experiments/random.h"
 #include "forceshade/experiments/session_folder.h"
 #include "forceshade/experiments/virtual_participant.h"
+#include "forceshade/vocabulary/monitor.h"
 
 namespace forceshade::apps {
 namespace {

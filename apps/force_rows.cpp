@@ -10,6 +10,7 @@
 #include "forceshade/csv/csv.h"
 #include "forceshade/csv/npy.h"
 #include "forceshade/csv/printable.h"
+#include "forceshade/vocabulary/monitor.h"
 
 namespace forceshade::apps {
 namespace {

@@ -19,6 +19,7 @@
 #include "forceshade/csv/printable.h"
 #include "forceshade/csv/suggestion.h"
 #include "forceshade/device/open_device.h"
+#include "forceshade/vocabulary/monitor.h"
 
 namespace forceshade::apps {
 namespace {

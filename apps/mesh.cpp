@@ -126,7 +126,7 @@ std::vector<std::string> notes_of(const mesh::LoadedMesh& loaded) {
 int check(const MeshFileOptions& options) {
   mesh::LoadedMesh loaded = load(options);
   std::vector<std::string> notes = notes_of(loaded);
-  const auto checked = mesh::check(std::move(loaded.mesh), options.self_intersections());
+  const auto checked = checked_with_progress(options.file, std::move(loaded.mesh), options.self_intersections());
   if (const auto* held = std::get_if<mesh::CheckedMesh>(&checked)) note_large_fan(held->mesh(), notes);
   const auto* findings = std::get_if<mesh::Findings>(&checked);
   const std::vector<std::string> faults = findings == nullptr ? std::vector<std::string>{} : lines_of(*findings, loaded.lines);
@@ -211,7 +211,7 @@ int repair(const MeshFileOptions& options) {
   mesh::Repaired repaired = mesh::repair(std::move(loaded.mesh));
   done.insert(done.end(), repaired.done.begin(), repaired.done.end());
   write_mesh(options.out, repaired.mesh);
-  const auto checked = mesh::check(std::move(repaired.mesh), options.self_intersections());
+  const auto checked = checked_with_progress(options.out, std::move(repaired.mesh), options.self_intersections());
   const auto* findings = std::get_if<mesh::Findings>(&checked);
   const std::vector<std::string> faults = findings == nullptr ? std::vector<std::string>{} : lines_of(*findings, {});
   write_json(options,

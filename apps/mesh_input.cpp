@@ -13,6 +13,8 @@
 #include <system_error>
 
 #include "forceshade/apps/bad_input.h"
+#include "forceshade/apps/progress_line.h"
+#include "forceshade/apps/signals.h"
 
 namespace forceshade::apps {
 namespace {
@@ -85,6 +87,12 @@ mesh::LoadedMesh load_mesh(const std::string& file, mesh::Unit unit) {
     if (!words.starts_with(name + ": ")) throw;
     throw mesh::Error(kStandardInput, words.substr(name.size() + 2));
   }
+}
+
+std::variant<mesh::CheckedMesh, mesh::Findings> checked_with_progress(const std::string& file, mesh::TriangleMesh triangles,
+                                                                      mesh::SelfIntersections self_intersections) {
+  ProgressLine line("check of " + (file == "-" ? kStandardInput : fs::path(file).filename().string()));
+  return mesh::check(std::move(triangles), self_intersections, Monitor([&](double done) { line.draw(done); }, interrupted()));
 }
 
 }  // namespace forceshade::apps

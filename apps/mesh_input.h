@@ -3,7 +3,9 @@
 // A mesh that a command reads: a file, or standard input where it is called "-".
 
 #include <string>
+#include <variant>
 
+#include "forceshade/meshes/check.h"
 #include "forceshade/meshes/load.h"
 
 namespace forceshade::apps {
@@ -11,5 +13,9 @@ namespace forceshade::apps {
 // As mesh::load_with_corners(). Standard input has no name that ends in its format; the format is the one that its text begins
 // as. Throws mesh::Error, with "standard input" for the file where it is that.
 mesh::LoadedMesh load_mesh(const std::string& file, mesh::Unit unit);
+
+// mesh::check() with its progress on standard error. file: what the progress is called by.
+std::variant<mesh::CheckedMesh, mesh::Findings> checked_with_progress(const std::string& file, mesh::TriangleMesh triangles,
+                                                                      mesh::SelfIntersections self_intersections);
 
 }  // namespace forceshade::apps

@@ -6,6 +6,7 @@
 
 #include "forceshade/apps/height_map_option.h"
 #include "forceshade/apps/length.h"
+#include "forceshade/apps/mesh_input.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/csv/csv.h"
 #include "forceshade/csv/printable.h"
@@ -135,7 +136,7 @@ properties::MeshRendering read_mesh(const MeshChoice& choice, float stiffness) {
   mesh::LoadedMesh loaded = mesh::load_with_corners(choice.file, unit_named(choice.unit));
   const auto self_intersections =
       choice.is_self_intersecting ? mesh::SelfIntersections::allowed : mesh::SelfIntersections::refused;
-  auto checked = mesh::check(std::move(loaded.mesh), self_intersections);
+  auto checked = checked_with_progress(choice.file, std::move(loaded.mesh), self_intersections);
   if (const auto* findings = std::get_if<mesh::Findings>(&checked)) {
     const bool crosses = findings->counts[static_cast<std::size_t>(mesh::Fault::meeting)] > 0;
     throw BadInputOfLines(

@@ -23,6 +23,7 @@
 #include "forceshade/report/mesh_picture.h"
 #include "forceshade/report/pictures.h"
 #include "forceshade/report/thesis_figures.h"
+#include "forceshade/vocabulary/monitor.h"
 
 namespace forceshade::apps {
 namespace {

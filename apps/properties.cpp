@@ -17,6 +17,7 @@
 #include "forceshade/certificate/build.h"
 #include "forceshade/identity/identity_json.h"
 #include "forceshade/properties/run.h"
+#include "forceshade/vocabulary/monitor.h"
 
 namespace forceshade::apps {
 namespace {

@@ -17,6 +17,7 @@
 #include "forceshade/properties/binary32.h"
 #include "forceshade/recorder/export.h"
 #include "forceshade/recorder/recording.h"
+#include "forceshade/vocabulary/monitor.h"
 
 namespace forceshade::apps {
 namespace {

@@ -23,6 +23,7 @@
 #include "forceshade/experiments/stimulus_list.h"
 #include "forceshade/properties/binary32.h"
 #include "forceshade/recorder/settings.h"
+#include "forceshade/vocabulary/monitor.h"
 
 namespace forceshade::apps {
 namespace {

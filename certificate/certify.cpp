@@ -74,7 +74,7 @@ Done second_part(const Done& done) {
 
 // Puts the energies into the findings. Where they are not enclosed, or the renderer throws, no number is: passivity has failed,
 // and its counterexample says why.
-void add_energies(const Subject& subject, const reference::Watch& watch, Findings& findings) {
+void add_energies(const Subject& subject, const Monitor& monitor, Findings& findings) {
   const auto fail = [&](const std::string& why) {
     for (PropertyResult& property : findings.properties) {
       if (property.name != "passivity") continue;
@@ -83,12 +83,12 @@ void add_energies(const Subject& subject, const reference::Watch& watch, Finding
     }
   };
   try {
-    findings.energy = subject.energies(watch);
+    findings.energy = subject.energies(monitor);
   } catch (const reference::NotEnclosed& error) {
     fail(std::string("the energy that a loop can give is ") + error.what());
   } catch (const RendererThrew& error) {
     fail(error.what());
-  } catch (const reference::Interrupted&) {  // `stop` is set, and nothing is certified
+  } catch (const Interrupted&) {  // `stop` is set, and nothing is certified
   }
 }
 
@@ -108,7 +108,7 @@ SubjectResult checked(const Subject& subject, const Run& run, const Done& done) 
   result.unit_directions = subject.has_unit_directions() && result.has_held("unit normals");
   if (run.stop) return result;
   // done() counts the points up to 1; certify() makes nine tenths of that, and the loops are the tenth that is left.
-  add_energies(subject, reference::Watch([&](double share) { done(1 + share / 9); }, run.stop), result);
+  add_energies(subject, Monitor([&](double share) { done(1 + share / 9); }, run.stop), result);
   return result;
 }
 

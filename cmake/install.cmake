@@ -38,7 +38,7 @@ if(NOT FORCESHADE_FAST_ONLY)
   install_headers(meshes check.h facts.h load.h normals.h repair.h)
   install_headers(identity identity.h mesh_identity.h)
   install_headers(reference height_map_field.h heights/outline.h law.h laws/bump_geometry.h laws/force.h meshes/god_object.h numbers/ball64.h
-                  position.h watch.h)
+                  position.h)
   install_headers(properties calls.h field_subject.h height_map_subject.h height_map_claims.h law_claims.h law_subject.h mesh_subject.h positions.h rendered.h
                   run.h subject.h)
   set_target_properties(forceshade_heights PROPERTIES EXPORT_NAME heights)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <mutex>
 #include <thread>
 #include <tuple>
@@ -183,13 +184,14 @@ void check_pair(const TriangleMesh& mesh, std::uint32_t i, std::uint32_t j, bool
   found.add(Fault::meeting, {i, j}, std::move(common));
 }
 
-void check_meetings(const TriangleMesh& mesh, bool may_cross, Collector& found) {
+void check_meetings(const TriangleMesh& mesh, bool may_cross, const Monitor& monitor, Collector& found) {
   const BoxTree tree(mesh);
   const std::uint64_t most = kMostPairs + 64 * mesh.triangles.size();
   std::atomic<std::size_t> task = 0;
   std::atomic<std::uint64_t> pairs = 0;
   std::mutex mutex;
-  const auto work = [&] {
+  // report: after each task; throws where the work is to stop.
+  const auto work = [&](const std::function<void(std::size_t)>& report) {
     Collector of_thread;
     std::uint64_t uncounted = 0;
     bool goes_on = true;
@@ -200,15 +202,25 @@ void check_meetings(const TriangleMesh& mesh, bool may_cross, Collector& found) 
       uncounted = 0;
       return goes_on = (pairs += kMany) <= most;
     };
-    for (std::size_t i = task++; goes_on && i < tree.tasks(); i = task++) tree.run(i, pair);
+    for (std::size_t i = task++; goes_on && i < tree.tasks(); i = task++) {
+      tree.run(i, pair);
+      report(i + 1);
+    }
     const std::lock_guard lock(mutex);
     found.add(of_thread);
   };
   std::vector<std::jthread> others;
   const bool is_small = mesh.triangles.size() < 10000;
-  for (unsigned i = 1; !is_small && i < std::min(std::thread::hardware_concurrency(), 8U); ++i) others.emplace_back(work);
-  work();
+  for (unsigned i = 1; !is_small && i < std::min(std::thread::hardware_concurrency(), 8U); ++i)
+    others.emplace_back([&] { work([](std::size_t) {}); });
+  try {
+    work([&](std::size_t done) { monitor.at(static_cast<double>(done) / static_cast<double>(tree.tasks())); });
+  } catch (const Interrupted&) {
+    task = tree.tasks();  // the other threads end with the task that they are at
+    throw;
+  }
   others.clear();
+  monitor.at(1);
   if (pairs > most) found.add(Fault::undecided, {}, {});
 }
 
@@ -270,7 +282,7 @@ std::string Findings::words(std::span<const std::uint64_t> lines) const {
   return text;
 }
 
-std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections self_intersections) {
+std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections self_intersections, const Monitor& monitor) {
   Collector found;
   if (mesh.triangles.empty() || mesh.triangles.size() > kMost || mesh.vertices.size() > kMost) {
     found.add(Fault::empty, {}, {});
@@ -286,7 +298,7 @@ std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections s
   const bool can_be_decided = !found.has(Fault::index) && !found.has(Fault::vertex_twice) && !found.has(Fault::coordinate) &&
                               !found.has(Fault::no_area);
   if (self_intersections != SelfIntersections::unchecked && can_be_decided)
-    check_meetings(mesh, self_intersections == SelfIntersections::allowed, found);
+    check_meetings(mesh, self_intersections == SelfIntersections::allowed, monitor, found);
   if (Findings findings = found.take(); !findings.empty()) return findings;
   return CheckedMesh(std::move(mesh), self_intersections == SelfIntersections::refused);
 }

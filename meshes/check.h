@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "forceshade/vocabulary/mesh.h"
+#include "forceshade/vocabulary/monitor.h"
 
 namespace forceshade::mesh {
 
@@ -60,7 +61,8 @@ class CheckedMesh {
   bool is_embedded() const { return is_embedded_; }
 
  private:
-  friend std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections self_intersections);
+  friend std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections self_intersections,
+                                                   const Monitor& monitor);
   CheckedMesh(TriangleMesh mesh, bool is_embedded) : mesh_(std::move(mesh)), is_embedded_(is_embedded) {}
 
   TriangleMesh mesh_;
@@ -70,7 +72,8 @@ class CheckedMesh {
 // A coordinate below 2^-30 mm in size is 0 in the mesh that it gives. Nothing else is changed. All faults are looked for that
 // can still be decided beside those found. Takes some 50 bytes a triangle beside the mesh, and as many threads as the machine
 // has cores, 8 at most; what it finds does not depend on their number. With self-intersections allowed, triangles with a common
-// vertex still meet in what they share alone, and those in one plane do not meet.
-std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections self_intersections = SelfIntersections::refused);
+// vertex still meet in what they share alone, and those in one plane do not meet. Throws Interrupted.
+std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections self_intersections = SelfIntersections::refused,
+                                          const Monitor& monitor = {});
 
 }  // namespace forceshade::mesh

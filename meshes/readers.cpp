@@ -34,7 +34,8 @@ void Builder::add_face(std::span<const Corner> corners, std::uint64_t line) {
 LoadedMesh Builder::take(const std::filesystem::path& file) {
   if (too_long_)
     throw Error(file, (too_long_->line > 0 ? "line " + std::to_string(too_long_->line) + ": " : "") + "face " +
-                          std::to_string(too_long_->face) + " has " + std::to_string(too_long_->corners) + " corners; expected at most " + std::to_string(kMostCorners) + ": split it into triangles first");
+                          std::to_string(too_long_->face) + " has " + std::to_string(too_long_->corners) +
+                          " corners; expected at most " + std::to_string(kMostCorners) + ": split it into triangles first");
   if (loaded_.mesh.triangles.empty()) throw Error(file, "has no face");
   if (loaded_.mesh.triangles.size() > kMost || vertices.size() > kMost)
     throw Error(file, "has more than " + std::to_string(kMost) + " triangles or vertices");

@@ -9,10 +9,10 @@ namespace forceshade::properties {
 namespace {
 
 // By the force at the middle of steps no longer than 1 µm.
-double walked(const Renderer& renderer, const std::vector<Eigen::Vector3f>& path, const reference::Watch& watch) {
+double walked(const Renderer& renderer, const std::vector<Eigen::Vector3f>& path, const Monitor& monitor) {
   double generated = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {
-    watch.at(static_cast<double>(i) / static_cast<double>(path.size()));
+    monitor.at(static_cast<double>(i) / static_cast<double>(path.size()));
     const Eigen::Vector3d from = path[i - 1].cast<double>(), way = path[i].cast<double>() - from;
     const int steps = static_cast<int>(std::ceil(way.norm() * 1000));
     for (int k = 0; k < steps; ++k)
@@ -32,11 +32,11 @@ reference::Slice certified_slice(const HeightMap& map) {
   return {reference::Slice::Along::x, 0, -reach, reach};
 }
 
-std::vector<LoopEnergy> loop_energies(const RenderedHeightMap& rendered, const reference::Watch& watch) {
+std::vector<LoopEnergy> loop_energies(const RenderedHeightMap& rendered, const Monitor& monitor) {
   const reference::HeightMapField& law = rendered.law;
   const reference::Slice slice = certified_slice(law.map());
   std::vector<LoopEnergy> energies;
-  for (const auto& [depth, half] : {std::pair{0.5F, watch.part(0, 0.5)}, {2.0F, watch.part(0.5, 1)}}) {
+  for (const auto& [depth, half] : {std::pair{0.5F, monitor.part(0, 0.5)}, {2.0F, monitor.part(0.5, 1)}}) {
     if (slice_error(law, slice, depth)) continue;
     const auto bound = loop_bound(law, slice, depth, half.part(0, 0.4));
     const auto loop = witness(law, slice, depth, half.part(0.4, 0.6));

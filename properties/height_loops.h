@@ -11,7 +11,7 @@ namespace forceshade::properties {
 // Over y = 0, 12.7 mm to both sides of x = 0 or as far as 250 cells of the finest grid go.
 reference::Slice certified_slice(const HeightMap& map);
 
-// At depths of 0.5 and 2 mm, as far as they are in the domain. Throws reference::NotEnclosed and reference::Interrupted.
-std::vector<LoopEnergy> loop_energies(const RenderedHeightMap& rendered, const reference::Watch& watch = {});
+// At depths of 0.5 and 2 mm, as far as they are in the domain. Throws reference::NotEnclosed and Interrupted.
+std::vector<LoopEnergy> loop_energies(const RenderedHeightMap& rendered, const Monitor& monitor = {});
 
 }  // namespace forceshade::properties

@@ -51,8 +51,8 @@ std::vector<FurtherProperty> HeightMapSubject::further_properties() const {
            }}};
 }
 
-std::vector<LoopEnergy> HeightMapSubject::energies(const reference::Watch& watch) const {
-  return loop_energies(rendered_, watch);
+std::vector<LoopEnergy> HeightMapSubject::energies(const Monitor& monitor) const {
+  return loop_energies(rendered_, monitor);
 }
 
 DrawnSubject HeightMapSubject::with_drawn_parameters(std::uint64_t seed) const {

@@ -27,7 +27,7 @@ class HeightMapSubject final : public FieldSubject<reference::HeightMapField, He
   // A conservative map's normal is not one, and should not be.
   bool has_unit_directions() const override { return rendered_.law.rendering() != height::Rendering::conservative; }
   bool is_conservative() const override { return claims_.is_conservative; }
-  std::vector<LoopEnergy> energies(const reference::Watch& watch) const override;
+  std::vector<LoopEnergy> energies(const Monitor& monitor) const override;
   DrawnSubject with_drawn_parameters(std::uint64_t seed) const override;
   // The two sides of a map take long to build, so there are few sets.
   std::uint64_t points_of_a_set(std::uint64_t points) const override { return (points + 7) / 8; }

@@ -47,11 +47,11 @@ bool LawSubject::is_conservative() const {
   return reference::potential(rendered_.law).has_value();
 }
 
-std::vector<LoopEnergy> LawSubject::energies(const reference::Watch& watch) const {
+std::vector<LoopEnergy> LawSubject::energies(const Monitor& monitor) const {
   const std::vector<float> depths = witness_depths(rendered_.law);
   std::vector<LoopEnergy> energies;
   for (std::size_t i = 0; i < depths.size(); ++i) {
-    watch.at(static_cast<double>(i) / static_cast<double>(depths.size()));
+    monitor.at(static_cast<double>(i) / static_cast<double>(depths.size()));
     const WitnessLoop loop = witness_loop(rendered_.law, depths[i]);
     energies.push_back({static_cast<double>(depths[i]), loop.bound_mJ, loop.given_mJ,
                         work_around(rendered_, claims_, loop.vertices).rendered});

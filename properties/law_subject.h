@@ -22,7 +22,7 @@ class LawSubject final : public FieldSubject<reference::Law, LawClaims> {
   std::vector<std::function<Violation()>> fixed_loops() const override;
   bool has_unit_directions() const override { return true; }
   bool is_conservative() const override;
-  std::vector<LoopEnergy> energies(const reference::Watch& watch) const override;
+  std::vector<LoopEnergy> energies(const Monitor& monitor) const override;
   DrawnSubject with_drawn_parameters(std::uint64_t seed) const override;
   std::uint64_t points_of_a_set(std::uint64_t) const override { return 1024; }
 

@@ -42,7 +42,7 @@ class MeshSubject final : public Subject {
   bool has_unit_directions() const override { return true; }
   bool is_conservative() const override { return false; }
   // None is known.
-  std::vector<LoopEnergy> energies(const reference::Watch&) const override { return {}; }
+  std::vector<LoopEnergy> energies(const Monitor&) const override { return {}; }
   DrawnSubject with_drawn_parameters(std::uint64_t seed) const override;
   std::uint64_t points_of_a_set(std::uint64_t points) const override { return (points + 7) / 8; }
 

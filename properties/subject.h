@@ -15,7 +15,7 @@
 #include "forceshade/properties/positions.h"
 #include "forceshade/properties/rendered.h"
 #include "forceshade/reference/law.h"
-#include "forceshade/reference/watch.h"
+#include "forceshade/vocabulary/monitor.h"
 #include "forceshade/vocabulary/results.h"
 
 namespace forceshade::properties {
@@ -73,11 +73,11 @@ class Subject {
   virtual std::vector<FurtherProperty> further_properties() const { return {}; }
 
   // What may be expected: where the force jumps, in words; whether its direction is a unit vector, and whether no loop gives
-  // energy; and the energy of loops by their depth. energies() throws reference::NotEnclosed, reference::Interrupted.
+  // energy; and the energy of loops by their depth. energies() throws reference::NotEnclosed, Interrupted.
   virtual std::vector<std::string> jumps() const = 0;
   virtual bool has_unit_directions() const = 0;
   virtual bool is_conservative() const = 0;
-  virtual std::vector<LoopEnergy> energies(const reference::Watch& watch) const = 0;
+  virtual std::vector<LoopEnergy> energies(const Monitor& monitor) const = 0;
 
   // With parameters from all of the domain.
   virtual DrawnSubject with_drawn_parameters(std::uint64_t seed) const = 0;

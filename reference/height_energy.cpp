@@ -21,13 +21,13 @@ Interval SliceBound::most() const {
   return {std::max(counter_clockwise.low, clockwise.low), std::max(counter_clockwise.high, clockwise.high)};
 }
 
-SliceBound loop_bound(const HeightMapField& law, const Slice& slice, float depth, const Watch& watch) {
+SliceBound loop_bound(const HeightMapField& law, const Slice& slice, float depth, const Monitor& monitor) {
   if (potential(law)) return {{0, 0}, {0, 0}};
   const std::lock_guard lock(exact_arithmetic);
   set_precision(kEnergyBits);
   return decided([&] {
     const Circulation circulation(law, slice, depth);
-    const Generated sum = circulation.generated(circulation.stretches(1e-8L, watch));
+    const Generated sum = circulation.generated(circulation.stretches(1e-8L, monitor));
     return SliceBound{generated(law, sum.counter_clockwise), generated(law, sum.clockwise)};
   });
 }

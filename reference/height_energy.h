@@ -9,7 +9,7 @@
 
 #include "forceshade/reference/enclosure.h"
 #include "forceshade/reference/height_map_field.h"
-#include "forceshade/reference/watch.h"
+#include "forceshade/vocabulary/monitor.h"
 
 namespace forceshade::reference {
 
@@ -18,10 +18,10 @@ namespace forceshade::reference {
 std::optional<std::string> potential(const HeightMapField& law);
 
 // All that follows throws NotEnclosed where a map is too steep or too fine to be enclosed at all, and Interrupted when the
-// watch stops it.
+// monitor stops it.
 
 // mJ, along the polyline through the points, mm, in the position domain; to ten digits or more of each segment.
-Interval work(const HeightMapField& law, const std::vector<Eigen::Vector3f>& path, const Watch& watch = {});
+Interval work(const HeightMapField& law, const std::vector<Eigen::Vector3f>& path, const Monitor& monitor = {});
 
 // A vertical plane through the map. The stroke of a hand lies in one.
 struct Slice {
@@ -37,7 +37,7 @@ struct SliceBound {
   Interval counter_clockwise, clockwise;
   Interval most() const;  // the larger
 };
-SliceBound loop_bound(const HeightMapField& law, const Slice& slice, float depth, const Watch& watch = {});
+SliceBound loop_bound(const HeightMapField& law, const Slice& slice, float depth, const Monitor& monitor = {});
 
 // What is wrong with a slice or a depth. The least depth is 10^-4 of the largest coordinate a loop may have: below, the
 // binary32 points of a witness are too coarse.
@@ -45,6 +45,6 @@ std::optional<ParameterError> slice_error(const HeightMapField& law, const Slice
 
 // A simple polygon in the slice, closed and no deeper than `depth`, that generates nearly the bound, for most maps 99 % of it
 // (docs/energy.md); no point where no loop generates as much as 10^-12 K·depth².
-std::vector<Eigen::Vector3f> witness(const HeightMapField& law, const Slice& slice, float depth, const Watch& watch = {});
+std::vector<Eigen::Vector3f> witness(const HeightMapField& law, const Slice& slice, float depth, const Monitor& monitor = {});
 
 }  // namespace forceshade::reference

@@ -106,12 +106,12 @@ Generated Circulation::generated(const std::vector<Stretch>& stretches) const {
   return sum;
 }
 
-std::vector<Stretch> Circulation::stretches(long double relative, const Watch& watch) const {
+std::vector<Stretch> Circulation::stretches(long double relative, const Monitor& monitor) const {
   const Generated on_lines = lines();
   const long double D = depth_.mid(), floor = std::max(D * D * 0x1p-44L, relative * std::max(on_lines.counter_clockwise.mid(),
                                                                                              on_lines.clockwise.mid()));
   return refine(
-      line_, [this](Stretch& s) { judge(s); }, relative, floor, watch);
+      line_, [this](Stretch& s) { judge(s); }, relative, floor, monitor);
 }
 
 }  // namespace forceshade::reference

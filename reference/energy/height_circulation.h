@@ -31,7 +31,7 @@ class Circulation {
   Generated generated(const std::vector<Stretch>& stretches) const;
 
   // What is generated between them, over K; certain to `relative` of all. In order of t.
-  std::vector<Stretch> stretches(long double relative, const Watch& watch = {}) const;
+  std::vector<Stretch> stretches(long double relative, const Monitor& monitor = {}) const;
 
   // By how much 1/n rises where a piece begins; not the first.
   Ball64 rise(std::size_t piece) const;

@@ -8,7 +8,7 @@
 
 #include "forceshade/reference/enclosure.h"
 #include "forceshade/reference/heights/line.h"
-#include "forceshade/reference/watch.h"
+#include "forceshade/vocabulary/monitor.h"
 
 namespace forceshade::reference {
 
@@ -129,12 +129,12 @@ constexpr std::size_t kMany = 16384, kMost = 16 * kMany;
 constexpr long double kFair = 1e-5L;
 template <class Judge>
 std::vector<Stretch> refine(const HeightLine& line, const Judge& judge, long double relative, long double floor,
-                            const Watch& watch) {
+                            const Monitor& monitor) {
   const std::size_t many = kMany + 64 * line.pieces().size(), most = kMost + 64 * line.pieces().size();
   constexpr long double kInfinity = std::numeric_limits<long double>::infinity();
   double done = 0;
   const auto judged = [&](const HeightLine::Piece* piece, const Ball64& from, const Ball64& to) {
-    watch.at(done);
+    monitor.at(done);
     Stretch s{piece, from, to};
     try {
       judge(s);

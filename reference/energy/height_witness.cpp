@@ -47,7 +47,7 @@ Enclosed other_way_round(Enclosed enclosed) {
 class Columns {
  public:
   Columns(const HeightMapField& law, const Slice& slice, const Circulation& circulation, const std::vector<Stretch>& stretches,
-          bool is_clockwise, const Watch& watch)
+          bool is_clockwise, const Monitor& monitor)
       : slice_(slice), to_(std::nextafter(slice.to, slice.from)), circulation_(circulation), is_clockwise_(is_clockwise) {
     const double D = depth(), top = tallest(law, slice);
     middle_ = up(static_cast<long double>(top + D / 8));
@@ -55,7 +55,7 @@ class Columns {
     const auto& pieces = circulation.line().pieces();
     const HeightLine::Piece* last = pieces.data();
     for (const Stretch& stretch : stretches) {
-      watch.at(static_cast<double>(&stretch - stretches.data()) / static_cast<double>(stretches.size()));
+      monitor.at(static_cast<double>(&stretch - stretches.data()) / static_cast<double>(stretches.size()));
       const HeightLine::Piece* piece = stretch.piece;
       if (piece != last) add_line(static_cast<std::size_t>(piece - pieces.data()));
       last = piece;
@@ -237,19 +237,19 @@ class Columns {
 
 }  // namespace
 
-std::vector<Eigen::Vector3f> witness(const HeightMapField& law, const Slice& slice, float depth, const Watch& watch) {
+std::vector<Eigen::Vector3f> witness(const HeightMapField& law, const Slice& slice, float depth, const Monitor& monitor) {
   if (potential(law)) return {};
   const std::lock_guard lock(exact_arithmetic);
   set_precision(kEnergyBits);
   return decided([&] {
     const Circulation circulation(law, slice, depth);
-    const std::vector<Stretch> stretches = circulation.stretches(1e-4L, watch.part(0, 0.75));
+    const std::vector<Stretch> stretches = circulation.stretches(1e-4L, monitor.part(0, 0.75));
     const Generated generated = circulation.generated(stretches);
     const long double D = circulation.depth().mid(),
                       most = std::max(generated.counter_clockwise.high(), generated.clockwise.high());
     if (most <= D * D * kLeast) return std::vector<Eigen::Vector3f>{};
     const bool is_clockwise = generated.counter_clockwise.high() < generated.clockwise.high();
-    std::vector<Corner> corners = Columns(law, slice, circulation, stretches, is_clockwise, watch.part(0.75, 1)).polygon();
+    std::vector<Corner> corners = Columns(law, slice, circulation, stretches, is_clockwise, monitor.part(0.75, 1)).polygon();
     if (is_clockwise) std::reverse(corners.begin(), corners.end());
     if (!corners.empty()) corners.push_back(corners.front());
     std::vector<Eigen::Vector3f> loop;

@@ -30,7 +30,7 @@ Enclosure work_of_spring(const HeightMapField& law, const Eigen::Vector3f& a, co
   return released / sqrt(Enclosure(map.Ux * map.Ux + map.Uy * map.Uy + 1));
 }
 
-Ball64 work_across(const HeightMapField& law, const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Watch& watch) {
+Ball64 work_across(const HeightMapField& law, const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Monitor& monitor) {
   const HeightLine line(law, {a.x(), a.y(), b.x(), b.y()});
   const Ball64 z0(static_cast<double>(a.z())), dz = Ball64(static_cast<double>(b.z())) - z0;
   const auto judge = [&](Stretch& stretch) {
@@ -57,20 +57,20 @@ Ball64 work_across(const HeightMapField& law, const Eigen::Vector3f& a, const Ei
   // What 64 bits cannot do better.
   const long double floor = static_cast<long double>((b - a).norm() * (1 + a.cwiseAbs().maxCoeff())) * 0x1p-50L;
   Ball64 sum;
-  for (const Stretch& stretch : refine(line, judge, 1e-10L, floor, watch)) sum = sum + stretch.generated;
+  for (const Stretch& stretch : refine(line, judge, 1e-10L, floor, monitor)) sum = sum + stretch.generated;
   return Ball64(static_cast<double>(law.stiffness())) * sum;
 }
 
 }  // namespace
 
-Interval work(const HeightMapField& law, const std::vector<Eigen::Vector3f>& path, const Watch& watch) {
+Interval work(const HeightMapField& law, const std::vector<Eigen::Vector3f>& path, const Monitor& monitor) {
   const std::lock_guard lock(exact_arithmetic);
   set_precision(kEnergyBits);
   Enclosure sum = 0;
   const auto share = [&](std::size_t i) { return static_cast<double>(i) / static_cast<double>(path.size()); };
   for (std::size_t i = 1; i < path.size(); ++i) {
     const Eigen::Vector3f &a = path[i - 1], &b = path[i];
-    const Watch segment = watch.part(share(i - 1), share(i));
+    const Monitor segment = monitor.part(share(i - 1), share(i));
     segment.at(0);
     if (law.rendering() == Rendering::conservative || (a.x() == b.x() && a.y() == b.y())) {
       sum += work_of_spring(law, a, b);

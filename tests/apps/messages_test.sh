@@ -104,6 +104,9 @@ done
 printf 'OFF\n# a quadrilateral whose second half has no area\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 2 0\n4 0 1 2 3\n' > fan.off
 same "fan.off: line 8: face 1 has no area: its vertices 0, 2 and 3 lie on a line" \
   "$("$forceshade" mesh check fan.off --unit mm | grep line)"
+printf 'OFF\n4 1 0\n0 0 0\n4 0 0\n2 3 0\n3 1 0\n4 0 1 2 3\n' > folded.off
+same "folded.off: line 7: faces 0 and 1 are folded onto each other at their edge, of vertices 0 and 2" \
+  "$("$forceshade" mesh check folded.off --unit mm | grep line)"
 printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n' > flat.ply
 same "flat.ply: line 13: face 0 has no area: its vertices 0, 1 and 2 lie on a line" \
   "$("$forceshade" mesh check flat.ply --unit mm | grep line)"

@@ -59,7 +59,7 @@ printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n2 2 0\n3 0 1 2\n3 0 1 3\n' > folded.off
 expect 2 "folded.off: cannot be rendered" -- "$forceshade" force --mesh folded.off --unit mm --input path.csv
 expect 2 "cannot be rendered:
 lines 7 and 8: faces 0 and 1 run along their edge, of vertices 0 and 1, in the same direction: one of them is turned over
-faces 0 and 1 are folded onto each other at their edge, of vertices 0 and 1
+lines 7 and 8: faces 0 and 1 are folded onto each other at their edge, of vertices 0 and 1
 'forceshade mesh repair' mends some of this" -- "$forceshade" force --mesh folded.off --unit mm --input path.csv
 expect 2 "none.off" -- "$forceshade" certify --mesh none.off --unit mm --out none
 [ ! -e none ] || { echo "FAILED: a folder is left behind"; exit 1; }

@@ -76,7 +76,7 @@ TEST(certificate, says_what_kind_of_force_each_law_is) {
 TEST(certificate, says_what_the_witness_gives_and_not_what_is_possible) {
   const LawSubject subject(LawId::bump_3p_shaded, kBump);
   const auto law = std::get<reference::Law>(reference::Law::build(LawId::bump_3p_shaded, kBump));
-  const std::vector<LoopEnergy> energies = subject.energies(reference::Watch());
+  const std::vector<LoopEnergy> energies = subject.energies(Monitor());
   ASSERT_EQ(energies.size(), witness_depths(law).size());
   for (const LoopEnergy& loop : energies) {
     const WitnessLoop witness = witness_loop(law, static_cast<float>(loop.depth_mm));

@@ -95,7 +95,7 @@ TEST(height_certificate, says_what_kind_of_force_each_map_is) {
 class Unenclosed final : public SubjectWrapper {
  public:
   using SubjectWrapper::SubjectWrapper;
-  std::vector<LoopEnergy> energies(const reference::Watch&) const override { throw reference::NotEnclosed("too steep"); }
+  std::vector<LoopEnergy> energies(const Monitor&) const override { throw reference::NotEnclosed("too steep"); }
 };
 
 TEST(height_certificate, fails_in_words_where_the_energy_of_a_loop_is_not_enclosed) {
@@ -118,12 +118,12 @@ TEST(height_certificate, is_none_if_stopped_while_the_energy_of_loops_is_compute
   std::atomic<bool> stop{false};
   double last = 0;
   const CertifyOptions options{{subject_of(cone())}, 4000, 20, 3, 1};
-  const auto watch = [&](std::string_view, double done) {
+  const auto monitor = [&](std::string_view, double done) {
     EXPECT_GE(done, last);
     last = done;
     if (done > 0.93) stop = true;
   };
-  EXPECT_FALSE(certify(options, watch, stop));
+  EXPECT_FALSE(certify(options, monitor, stop));
   EXPECT_GT(last, 0.93);
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -192,6 +193,25 @@ TEST(mesh_check, decides_as_an_independent_program) {
   std::printf("%d meshes, %d refused\n", held, refused);
   EXPECT_GT(held, 0);
   EXPECT_EQ(refused, static_cast<int>(reasons.size()));
+}
+
+// On one thread and on several.
+TEST(mesh_check, reports_how_far_it_is_and_can_be_stopped) {
+  for (const std::uint32_t cells : {8U, 40U}) {
+    const TriangleMesh mesh = icosphere(cells, 50);
+    std::atomic<bool> stop = false;
+    double last = 0;
+    const Monitor monitor(
+        [&](double done) {
+          EXPECT_GE(done, last);
+          last = done;
+        },
+        stop);
+    EXPECT_TRUE(std::holds_alternative<CheckedMesh>(check(mesh, SelfIntersections::refused, monitor)));
+    EXPECT_EQ(last, 1);
+    stop = true;
+    EXPECT_THROW(check(mesh, SelfIntersections::refused, monitor), Interrupted);
+  }
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ class SubjectWrapper : public properties::Subject {
   std::vector<std::string> jumps() const override { return its_->jumps(); }
   bool has_unit_directions() const override { return its_->has_unit_directions(); }
   bool is_conservative() const override { return its_->is_conservative(); }
-  std::vector<properties::LoopEnergy> energies(const reference::Watch& watch) const override { return its_->energies(watch); }
+  std::vector<properties::LoopEnergy> energies(const Monitor& monitor) const override { return its_->energies(monitor); }
   properties::DrawnSubject with_drawn_parameters(std::uint64_t seed) const override {
     return its_->with_drawn_parameters(seed);
   }

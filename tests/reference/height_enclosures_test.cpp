@@ -345,18 +345,18 @@ TEST(height_enclosures, refuse_a_cone_whose_apex_is_missed_by_less_than_64_bits_
   EXPECT_EQ(words([&] { work(law, {{-1, 1e-35F, 1}, {1, 1e-35F, 1}}); }).find("not enclosed: "), 0U);
 }
 
-TEST(watch, is_told_how_far_it_is_and_stops_all_three) {
+TEST(monitor, is_told_how_far_it_is_and_stops_all_three) {
   const HeightMapField law = build({{{height::Grating{1, 19.44F, 0, 0}}}}, Rendering::force_shaded);
   const Slice slice{Along::x, 0, -0.5F, 0.5F};
   const auto path = witness(law, slice, 0.5F);
   std::atomic<bool> stop{false};
-  for (const auto& compute : std::initializer_list<std::function<void(const Watch&)>>{
-           [&](const Watch& watch) { loop_bound(law, slice, 0.5F, watch); },
-           [&](const Watch& watch) { witness(law, slice, 0.5F, watch); },
-           [&](const Watch& watch) { work(law, path, watch); }}) {
+  for (const auto& compute : std::initializer_list<std::function<void(const Monitor&)>>{
+           [&](const Monitor& monitor) { loop_bound(law, slice, 0.5F, monitor); },
+           [&](const Monitor& monitor) { witness(law, slice, 0.5F, monitor); },
+           [&](const Monitor& monitor) { work(law, path, monitor); }}) {
     stop = false;
     std::vector<double> seen;
-    compute(Watch([&](double done) { seen.push_back(done); }, stop).part(0.25, 0.75));
+    compute(Monitor([&](double done) { seen.push_back(done); }, stop).part(0.25, 0.75));
     ASSERT_GT(seen.size(), 20U);
     EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
     EXPECT_GE(seen.front(), 0.25);
@@ -364,7 +364,7 @@ TEST(watch, is_told_how_far_it_is_and_stops_all_three) {
     EXPECT_GT(seen.back(), 0.6);
     EXPECT_LE(seen.back(), 0.75);
     std::size_t reports = 0;
-    const Watch impatient([&](double) { stop = ++reports == 10; }, stop);
+    const Monitor impatient([&](double) { stop = ++reports == 10; }, stop);
     EXPECT_THROW(compute(impatient), Interrupted);
     EXPECT_EQ(reports, 10U) << "stopped at once";
   }

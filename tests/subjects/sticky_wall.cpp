@@ -227,7 +227,7 @@ properties::Violation StickyWall::check_passivity() const {
   return "a closed path of " + std::to_string(count) + " corners gives " + std::to_string(energy) + " mJ";
 }
 
-std::vector<properties::LoopEnergy> StickyWall::energies(const reference::Watch&) const {
+std::vector<properties::LoopEnergy> StickyWall::energies(const Monitor&) const {
   return {{static_cast<double>(p_.release), {0, 0}, 0, 0}};
 }
 

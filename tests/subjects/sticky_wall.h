@@ -39,7 +39,7 @@ class StickyWall final : public properties::Subject {
   bool has_unit_directions() const override { return true; }
   bool is_conservative() const override { return false; }
   // Each time round the hand loses K·r²/2, so no loop gives it any energy.
-  std::vector<properties::LoopEnergy> energies(const reference::Watch&) const override;
+  std::vector<properties::LoopEnergy> energies(const Monitor&) const override;
   properties::DrawnSubject with_drawn_parameters(std::uint64_t seed) const override;
   std::uint64_t points_of_a_set(std::uint64_t) const override { return 1024; }
 
