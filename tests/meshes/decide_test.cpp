@@ -18,6 +18,27 @@
 namespace forceshade::fast {
 namespace {
 
+// Quotients that are a whole or a half step of the grid, or beside one by less than binary64 distinguishes: 2^24 num/den with
+// den = 2^24 * unit and num = k * unit + beside, or that and half a unit.
+TEST(decide, finds_cells_and_nearest_steps_at_their_very_ends) {
+  std::mt19937 random(5);
+  for (int i = 0; i < 2000; ++i) {
+    const auto half_unit = static_cast<std::int64_t>((std::uint64_t{1} << 60) + (std::uint64_t{random()} << 27));
+    const FixedInteger<63> unit(2 * half_unit);
+    const auto den = unit.shifted<24>();
+    const std::int64_t k = i % 2 == 0 ? 1 + i / 2 : 1 + random() % 16777214;
+    for (const std::int64_t beside : {-2, -1, 0, 1, 2}) {
+      const auto whole = unit * FixedInteger<26>(k) + FixedInteger<5>(beside);
+      EXPECT_EQ(exact_cell(whole, den), (Cell{static_cast<std::uint32_t>(beside < 0 ? k - 1 : k), beside == 0}));
+      EXPECT_EQ(exact_nearest(whole, den), static_cast<std::uint32_t>(k)) << k << ", " << beside;
+      const auto middle = unit * FixedInteger<26>(k) + FixedInteger<63>(half_unit + beside);
+      const bool is_up = beside > 0 || (beside == 0 && k % 2 == 1);
+      EXPECT_EQ(exact_cell(middle, den), (Cell{static_cast<std::uint32_t>(k), false})) << k << ", " << beside;
+      EXPECT_EQ(exact_nearest(middle, den), static_cast<std::uint32_t>(k) + (is_up ? 1 : 0)) << k << ", " << beside;
+    }
+  }
+}
+
 // In units of 2^-53, to the slack.
 void expect_units(const RoundingBound& bound, double size, double units) {
   EXPECT_GE(bound.error * 0x1p53, units);
