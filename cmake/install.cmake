@@ -8,7 +8,7 @@ function(install_headers module)
     install(FILES ${module}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/forceshade/${module}/${folder})
   endforeach()
 endfunction()
-install_headers(vocabulary breakdown.h height_map.h law.h mesh.h results.h)
+install_headers(vocabulary breakdown.h height_map.h law.h mesh.h monitor.h results.h)
 file(GLOB law_headers RELATIVE ${PROJECT_SOURCE_DIR}/fast CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/fast/laws/*.h)
 install_headers(fast domain.h evaluate.h height_map_field.h heights/force.h heights/grid.h heights/jet.h heights/shape.h
                 heights/spline.h heights/spline_force.h instruction_set.h law.h ${law_headers} meshes/box_tree.h meshes/decide.h
