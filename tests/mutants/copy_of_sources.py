@@ -81,8 +81,10 @@ class Copy:
         return self.build / ("apps/forceshade" if is_script(test) else f"tests/{test}")
 
     def run_test(self, test, limit=TIME_LIMIT):
-        command = [self.root / source_of(test).relative_to(ROOT), self.binary(test)] if is_script(test) else \
-            [self.binary(test), "--gtest_fail_fast", "--gtest_brief=1"]
+        source = self.root / source_of(test).relative_to(ROOT)
+        command = [source, self.binary(test)] if is_script(test) else [self.binary(test), "--gtest_fail_fast", "--gtest_brief=1"]
+        if source.parent.name == "window":
+            command = [source.parent / "under_xvfb.sh", *command]
         return self.run(["prlimit", f"--cpu={limit}", *command])
 
     def fails(self, test):
