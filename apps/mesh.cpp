@@ -140,7 +140,9 @@ int check(const MeshFileOptions& options) {
   if (findings == nullptr) {
     const auto& held = std::get<mesh::CheckedMesh>(checked);
     std::printf("held: a mesh of %zu faces%s\n", held.mesh().triangles.size(),
-                held.is_embedded() ? "" : "; whether faces without a common vertex cross was not checked");
+                held.self_intersections() == mesh::SelfIntersections::refused
+                    ? ""
+                    : "; whether faces without a common vertex cross was not checked");
     return kHeld;
   }
   std::printf("%s\n", kFailedHeading);
@@ -156,7 +158,7 @@ int info(const MeshFileOptions& options) {
   mesh::LoadedMesh loaded = load(options);
   const std::vector<std::string> notes = notes_of(loaded);
   const bool has_normals = !loaded.normals.empty(), has_texture = !loaded.texture.empty();
-  const auto checked = mesh::check(std::move(loaded.mesh), mesh::SelfIntersections::unchecked);
+  const auto checked = mesh::check_joints(std::move(loaded.mesh));
   if (const auto* findings = std::get_if<mesh::Findings>(&checked)) {
     write_json(options, {{"file", options.file}, {"notes", notes}, {"faults", lines_of(*findings, loaded.lines)}});
     if (options.json == "-") return kFailed;
@@ -165,7 +167,7 @@ int info(const MeshFileOptions& options) {
     print_faults(options.file, lines_of(*findings, loaded.lines));
     return kFailed;
   }
-  const mesh::Facts facts = mesh::facts_of(std::get<mesh::CheckedMesh>(checked));
+  const mesh::Facts facts = mesh::facts_of(std::get<mesh::JoinedMesh>(checked));
   const auto list = [](const mesh::Vertex& v) { return Json{v[0], v[1], v[2]}; };
   write_json(options, {{"file", options.file},
                        {"faces", facts.triangles},

@@ -43,7 +43,7 @@ std::string refusal_of_shading(const std::string& got) {
 }
 
 void read_texture(const MeshChoice& choice, const mesh::CheckedMesh& checked,
-                  const std::vector<std::array<mesh::TexturePoint, 3>>& points, properties::MeshRendering& rendering) {
+                  const std::vector<std::array<mesh::TexturePoint, 3>>& points, MeshRendering& rendering) {
   if (points.empty())
     throw BadInput(choice.file +
                    ": has no texture coordinates at some or all corners; expected them beside --shading texture:FILE: vt of an "
@@ -126,13 +126,13 @@ std::vector<std::pair<std::string, std::string>> MeshOption::entries() const {
           {"crease", csv::shortest(mesh_.crease_degrees) + "deg"}};
 }
 
-properties::MeshRendering MeshOption::read(float stiffness) const {
+MeshRendering MeshOption::read(float stiffness) const {
   if (mesh_.unit.empty())
     throw BadInput("--unit is required beside --mesh: expected mm, m or in, for no mesh file says its unit");
   return read_mesh(mesh_, stiffness);
 }
 
-properties::MeshRendering read_mesh(const MeshChoice& choice, float stiffness) {
+MeshRendering read_mesh(const MeshChoice& choice, float stiffness) {
   mesh::LoadedMesh loaded = mesh::load_with_corners(choice.file, unit_named(choice.unit));
   const auto self_intersections =
       choice.is_self_intersecting ? mesh::SelfIntersections::allowed : mesh::SelfIntersections::refused;
@@ -145,7 +145,8 @@ properties::MeshRendering read_mesh(const MeshChoice& choice, float stiffness) {
         (crosses && !choice.is_self_intersecting ? "; with --self-intersecting, faces without a common vertex may cross" : ""));
   }
   const auto& found = std::get<mesh::CheckedMesh>(checked);
-  properties::MeshRendering rendering{found.mesh(), {}, {}, {}, stiffness, {}, self_intersections};
+  MeshRendering rendering{found};
+  rendering.stiffness = stiffness;
   const std::string sides = choice.sides.empty() ? (mesh::facts_of(found).is_closed() ? "front" : "both") : choice.sides;
   rendering.sides = value_named<mesh::Sides>(sides, mesh::kSidesNames);
   rendering.shading = shading_named(choice.shading);

@@ -29,7 +29,7 @@ struct MeshChoice {
 
 // What can be rendered on both sides. stiffness: N/mm. Throws BadInput or mesh::Error with the file, its line or faces, and
 // what was expected.
-properties::MeshRendering read_mesh(const MeshChoice& choice, float stiffness);
+MeshRendering read_mesh(const MeshChoice& choice, float stiffness);
 
 class MeshOption {
  public:
@@ -45,7 +45,7 @@ class MeshOption {
   std::vector<std::pair<std::string, std::string>> entries() const;
 
   // read_mesh() of the options.
-  properties::MeshRendering read(float stiffness) const;
+  MeshRendering read(float stiffness) const;
 
  private:
   MeshChoice mesh_;

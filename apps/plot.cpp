@@ -151,10 +151,10 @@ struct MeshPlotOptions {
 
   void draw(const MeshOption& option, float stiffness, const OutFolder& out) const {
     const std::string name = std::filesystem::path(option.name()).stem();
-    const properties::MeshRendering rendering = option.read(stiffness);
+    const MeshRendering rendering = option.read(stiffness);
     std::vector<Ticked> path;
     if (!input.empty()) path = path_of(input, *properties::fast_god_object(rendering)(stiffness));
-    std::string words = std::to_string(rendering.mesh.triangles.size()) + " triangles";
+    std::string words = std::to_string(rendering.mesh().triangles.size()) + " triangles";
     if (!path.empty())
       words += "; K = " + csv::shortest(stiffness) + " N/mm, shading " + std::string(name_of(rendering.shading)) + ", sides " +
                std::string(name_of(rendering.sides));
@@ -164,7 +164,7 @@ struct MeshPlotOptions {
     const std::vector<std::string> names{name + "-mesh.svg", name + "-mesh.png"};
     out.expect_room_for(names);
     csv::OutputFolder folder(out.path());
-    write(mesh_picture(rendering.mesh, path, direction, name, {option.name(), words}), name + "-mesh", folder);
+    write(mesh_picture(rendering.mesh(), path, direction, name, {option.name(), words}), name + "-mesh", folder);
     finish(folder, out, names);
   }
 };

@@ -19,6 +19,7 @@
 #include "forceshade/bench/naive_mesh.h"
 #include "forceshade/fast/meshes/large_pages.h"
 #include "forceshade/fast/meshes/session.h"
+#include "forceshade/meshes/check.h"
 #include "forceshade/meshes/make.h"
 #include "forceshade/meshes/normals.h"
 #include "forceshade/meshes/texture.h"
@@ -201,7 +202,7 @@ struct Rendering {
   // At the beginning of the path in contact.
   fast::MeshSession session(const MeshWorkload& workload) const {
     fast::MeshSession session(mesh, kStiffness, shading);
-    for (const auto& p : workload.approach) session.step(p);
+    for (const auto& p : workload.approach) session.tick(p);
     return session;
   }
 };
@@ -220,7 +221,7 @@ void run_contact(const MeshWorkload& workload, const Rendering& rendering, const
   shortest.assign(workload.contact.size(), HUGE_VAL);
   for (int pass = 0; pass < kPasses; ++pass) {
     fast::MeshSession session = rendering.session(workload);
-    at_once = least(at_once, measure(workload.contact, scale, times, [&](const auto& p) { keep(session.step(p)); }));
+    at_once = least(at_once, measure(workload.contact, scale, times, [&](const auto& p) { keep(session.tick(p)); }));
     for (std::size_t i = 0; i < times.size(); ++i) shortest[i] = std::min(shortest[i], times[i]);
 
     fast::MeshSession other = rendering.session(workload);
@@ -228,7 +229,7 @@ void run_contact(const MeshWorkload& workload, const Rendering& rendering, const
     looks.clear();
     for (const auto& p : workload.contact) {
       looks.push_back(time_of(scale, [&] { other.look_ahead(); }));
-      times.push_back(time_of(scale, [&] { keep(other.step(p)); }));
+      times.push_back(time_of(scale, [&] { keep(other.tick(p)); }));
     }
     after_look = least(after_look, summary(times, 0));
     look = least(look, summary(looks, 0));
@@ -252,7 +253,7 @@ void run_in_caches(const MeshWorkload& workload, const Rendering& rendering, con
     for (int pass = 0; pass <= kPasses; ++pass) {
       session.resume(start);
       for (std::size_t i = 0; i < kLength; ++i) {
-        const double time = time_of(scale, [&] { keep(session.step(workload.contact[begin + i])); });
+        const double time = time_of(scale, [&] { keep(session.tick(workload.contact[begin + i])); });
         if (pass > 0) shortest[i] = std::min(shortest[i], time);
       }
     }
@@ -260,12 +261,12 @@ void run_in_caches(const MeshWorkload& workload, const Rendering& rendering, con
     for (int pass = 0; pass < kPasses; ++pass) {
       session.resume(start);
       whole = std::min(whole, time_of(scale, [&] {
-                         for (std::size_t i = 0; i < kLength; ++i) keep(session.step(workload.contact[begin + i]));
+                         for (std::size_t i = 0; i < kLength; ++i) keep(session.tick(workload.contact[begin + i]));
                        }));
     }
     mean += whole / kLength / kPieces;
     all.insert(all.end(), shortest.begin(), shortest.end());
-    for (std::size_t i = kLength; i < apart; ++i) session.step(workload.contact[begin + i]);
+    for (std::size_t i = kLength; i < apart; ++i) session.tick(workload.contact[begin + i]);
   }
   print("exact, all in the caches", summary(all, 0));
   std::printf("  %-28s mean %.3f us a tick, the clock being read once for %zu ticks\n", "", mean, kLength);
@@ -279,12 +280,12 @@ void run_cold(const MeshWorkload& workload, const Rendering& rendering, const Sc
     std::vector<double> cold;
     for (std::size_t i = 0; i < workload.contact.size(); ++i) {
       if (i % every != every - 1) {
-        session.step(workload.contact[i]);
+        session.tick(workload.contact[i]);
         continue;
       }
       memory.flush_caches();
       const std::array<float, 3> position = workload.contact[i];  // a loop has just read it
-      const auto step = [&] { keep(session.step(position)); };
+      const auto step = [&] { keep(session.tick(position)); };
       keep(position);
       if (looks_ahead) session.look_ahead();
       cold.push_back(time_of(scale, step));
@@ -307,7 +308,7 @@ void run_exact(const MeshWorkload& workload, const Rendering& rendering, const S
   fast::MeshSession session = rendering.session(workload);
   for (const auto& p : workload.contact) {
     states.push_back(session.state());
-    const mesh::Tick tick = session.step(p);
+    const mesh::Tick tick = session.tick(p);
     touching += tick.status == mesh::TickStatus::touching;
     entered.push_back(tick.moves > 0 ? tick.moves - 1.0 : 0.0);
   }
@@ -321,8 +322,8 @@ void run_exact(const MeshWorkload& workload, const Rendering& rendering, const S
 
   Times free = kNone;
   for (int pass = 0; pass < kPasses; ++pass) {
-    session.step(workload.free.front());
-    free = least(free, measure(workload.free, scale, times, [&](const auto& p) { keep(session.step(p)); }));
+    session.tick(workload.free.front());
+    free = least(free, measure(workload.free, scale, times, [&](const auto& p) { keep(session.tick(p)); }));
   }
   print("exact, free", free);
 
@@ -330,14 +331,16 @@ void run_exact(const MeshWorkload& workload, const Rendering& rendering, const S
   constexpr std::ptrdiff_t kFirst = 100;
   const auto worst = static_cast<std::size_t>(std::max_element(shortest.begin() + kFirst, shortest.end()) - shortest.begin());
   int in_binary64 = 0, in_integers = 0;
-  const mesh::Tick tick = fast::step(*rendering.mesh, states[worst], workload.contact[worst], kStiffness, rendering.shading,
-                                     CountedStages{&in_binary64, &in_integers});
+  fast::Arrival arrival{spot_of(*rendering.mesh, states[worst]), fast::Rest::none, 0, true};
+  mesh::Tick tick;
+  fast::advance(*rendering.mesh, arrival, fast::quantised(workload.contact[worst]), kStiffness, rendering.shading,
+                CountedStages{&in_binary64, &in_integers}, tick);
   std::printf(
       "  the longest tick, in its shortest pass: tick %zu, %.3f us, %d moves, %d decisions in binary64, %d in integers, "
       "from %s to %s\n",
       worst, shortest[worst], int{tick.moves}, in_binary64, in_integers,
       mesh::kPlaceNames[static_cast<std::size_t>(states[worst].place)].data(),
-      mesh::kPlaceNames[static_cast<std::size_t>(tick.after.place)].data());
+      mesh::kPlaceNames[static_cast<std::size_t>(arrival.spot.place)].data());
 }
 
 void run_naive(const MeshWorkload& workload, const Scale& scale, const mesh::CornerNormals& normals = {}) {
@@ -357,12 +360,21 @@ void run_naive(const MeshWorkload& workload, const Scale& scale, const mesh::Cor
 
 // The value, or the program's end with the message.
 template <class T>
-T value_of(std::variant<T, std::string> made, const MeshWorkload& workload) {
-  if (const auto* message = std::get_if<std::string>(&made)) {
-    std::printf("%s: %s\n", workload.name.c_str(), message->c_str());
+T value_of(std::variant<T, ParameterError> made, const MeshWorkload& workload) {
+  if (const auto* error = std::get_if<ParameterError>(&made)) {
+    std::printf("%s: %s\n", workload.name.c_str(), error->message().c_str());
     std::exit(1);
   }
   return std::get<T>(std::move(made));
+}
+
+MeshRendering unshaded_rendering(const MeshWorkload& workload, mesh::SelfIntersections allowed) {
+  auto checked = mesh::check(workload.mesh, allowed);
+  if (const auto* findings = std::get_if<mesh::Findings>(&checked)) {
+    std::printf("%s: %s\n", workload.name.c_str(), findings->words().c_str());
+    std::exit(1);
+  }
+  return {std::get<mesh::CheckedMesh>(std::move(checked)), {}, mesh::Sides::front, mesh::Shading::none, kStiffness};
 }
 
 // A B-spline of 1024 x 1024 samples over the mesh, seen from above, with slopes up to about one.
@@ -382,15 +394,16 @@ void run_shaded(const MeshWorkload& workload, bool is_seen_from_above, const Sca
   if (checked == nullptr) return;
   const mesh::CornerNormals normals = mesh::corner_normals(*checked).normals;
   const mesh::Texture texture = is_seen_from_above ? texture_of(*checked) : mesh::Texture();
+  const mesh::Shading most = is_seen_from_above ? mesh::Shading::texture_scheme : mesh::Shading::vertex_scheme;
   const Rendering rendering{std::make_shared<const fast::Mesh>(
-      value_of(fast::Mesh::build(workload.mesh, normals, mesh::Sides::front, texture), workload))};
+      value_of(fast::Mesh::build({*checked, normals, mesh::Sides::front, most, kStiffness, texture}), workload))};
   for (const mesh::Shading shading : {mesh::Shading::vertex_scheme, mesh::Shading::texture_scheme}) {
     if (shading == mesh::Shading::texture_scheme && !is_seen_from_above) continue;
     Times contact = kNone;
     std::vector<double> times;
     for (int pass = 0; pass < kPasses; ++pass) {
       fast::MeshSession session = Rendering{rendering.mesh, shading}.session(workload);
-      contact = least(contact, measure(workload.contact, scale, times, [&](const auto& p) { keep(session.step(p)); }));
+      contact = least(contact, measure(workload.contact, scale, times, [&](const auto& p) { keep(session.tick(p)); }));
     }
     print(shading == mesh::Shading::vertex_scheme ? "exact, vertex shading" : "exact, texture shading", contact);
   }
@@ -400,9 +413,10 @@ void run_shaded(const MeshWorkload& workload, bool is_seen_from_above, const Sca
 void run(const MeshWorkload& workload, const Scale& scale) {
   double seconds = HUGE_VAL;
   Rendering rendering;
+  const MeshRendering unshaded = unshaded_rendering(workload, mesh::SelfIntersections::refused);
   for (int i = 0; i < 3; ++i) {
     const auto start = Clock::now();
-    auto built = fast::Mesh::build(workload.mesh, {}, mesh::Sides::front);
+    auto built = fast::Mesh::build(unshaded);
     seconds = std::min(seconds, seconds_since(start));
     rendering.mesh = std::make_shared<const fast::Mesh>(value_of(std::move(built), workload));
   }
@@ -417,18 +431,18 @@ void run(const MeshWorkload& workload, const Scale& scale) {
 // with the shortest of its times.
 void run_crossing(const MeshWorkload& workload, const Scale& scale) {
   const Rendering rendering{std::make_shared<const fast::Mesh>(
-      value_of(fast::Mesh::build(workload.mesh, {}, mesh::Sides::front, {}, mesh::SelfIntersections::allowed), workload))};
+      value_of(fast::Mesh::build(unshaded_rendering(workload, mesh::SelfIntersections::allowed)), workload))};
   std::vector<double> times, shortest(workload.contact.size(), HUGE_VAL);
   std::size_t allocated = 0;
   for (int pass = 0; pass < kPasses; ++pass) {
     fast::MeshSession session = rendering.session(workload);
-    allocated += measure(workload.contact, scale, times, [&](const auto& p) { keep(session.step(p)); }).allocations;
+    allocated += measure(workload.contact, scale, times, [&](const auto& p) { keep(session.tick(p)); }).allocations;
     for (std::size_t i = 0; i < times.size(); ++i) shortest[i] = std::min(shortest[i], times[i]);
   }
   std::size_t touching = 0, moves = 0, most = 0;
   fast::MeshSession session = rendering.session(workload);
   for (const auto& p : workload.contact) {
-    const mesh::Tick tick = session.step(p);
+    const mesh::Tick tick = session.tick(p);
     touching += tick.status == mesh::TickStatus::touching;
     moves += tick.moves;
     most = std::max<std::size_t>(most, tick.moves);

@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/fast/meshes/god_object.h"
+#include "forceshade/fast/god_object.h"
+#include "forceshade/meshes/check.h"
 
 namespace forceshade::bench {
 namespace {
@@ -28,11 +29,12 @@ mesh::TriangleMesh fan(std::uint32_t n) {
 }
 
 // us: the shortest of five times.
-double time_of(const fast::Mesh& mesh, const mesh::GodObject& state, const std::array<float, 3>& p) {
+double time_of(fast::TickSession& session, const mesh::GodObject& state, const std::array<float, 3>& p) {
   double shortest = HUGE_VAL;
   for (int pass = 0; pass < 5; ++pass) {
+    session.resume(state);
     const auto start = std::chrono::steady_clock::now();
-    const mesh::Tick tick = fast::step(mesh, state, p, 0.5F, mesh::Shading::none);
+    const mesh::Tick tick = session.tick(p);
     asm volatile("" : : "g"(&tick) : "memory");
     shortest = std::min(shortest, std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count());
   }
@@ -50,18 +52,19 @@ void run(std::uint32_t n) {
   std::uniform_real_distribution<float> uniform(-1, 1);
   std::vector<double> from_vertex, past, through;
   for (const mesh::Sides sides : {mesh::Sides::front, mesh::Sides::both}) {
-    const auto built = std::get<fast::Mesh>(fast::Mesh::build(fan(n), {}, sides));
+    const MeshRendering rendering{std::get<mesh::CheckedMesh>(mesh::check(fan(n))), {}, sides, mesh::Shading::none, 0.5F};
+    const auto session = std::get<fast::GodObject>(fast::GodObject::build(rendering)).open();
     mesh::GodObject vertex, free;
     vertex.place = mesh::Place::vertex;
     free.place = mesh::Place::free;
     for (int i = 0; i < kTicks; ++i) {
       const float down = i % 2 == 0 ? 1.0F : -1.0F, reach = i % 3 == 0 ? 3.0F : 0.3F;
       const std::array<float, 3> p{reach * uniform(random), reach * uniform(random), -down * (2 + uniform(random))};
-      from_vertex.push_back(time_of(built, vertex, p));
+      from_vertex.push_back(time_of(*session, vertex, p));
       free.position = {1e-4F * uniform(random), 1e-4F * uniform(random), 3 * down};
-      past.push_back(time_of(built, free, {1e-4F * uniform(random), 1e-4F * uniform(random), -2 * down}));
+      past.push_back(time_of(*session, free, {1e-4F * uniform(random), 1e-4F * uniform(random), -2 * down}));
       free.position = {p[0], p[1], -p[2]};
-      through.push_back(time_of(built, free, i % 4 == 0 ? std::array{0.0F, 0.0F, 0.0F} : std::array{-p[0], -p[1], p[2]}));
+      through.push_back(time_of(*session, free, i % 4 == 0 ? std::array{0.0F, 0.0F, 0.0F} : std::array{-p[0], -p[1], p[2]}));
     }
   }
   print(n, "from the vertex", from_vertex);

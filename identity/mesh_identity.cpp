@@ -8,11 +8,11 @@ namespace forceshade::properties {
 Identity identity_of(const std::string& name, const MeshRendering& rendering) {
   Digest digest;
   const auto line = [&](const char* what, std::size_t count) { digest.line(what + (' ' + std::to_string(count))); };
-  line("vertices", rendering.mesh.vertices.size());
-  for (const mesh::Vertex& vertex : rendering.mesh.vertices)
+  line("vertices", rendering.mesh().vertices.size());
+  for (const mesh::Vertex& vertex : rendering.mesh().vertices)
     for (const float coordinate : vertex) digest.number(coordinate);
-  line("triangles", rendering.mesh.triangles.size());
-  for (const mesh::Triangle& triangle : rendering.mesh.triangles)
+  line("triangles", rendering.mesh().triangles.size());
+  for (const mesh::Triangle& triangle : rendering.mesh().triangles)
     for (const std::uint32_t vertex : triangle) digest.whole(vertex);
   line("normals", rendering.normals.size());
   for (const auto& corners : rendering.normals)
@@ -29,7 +29,7 @@ Identity identity_of(const std::string& name, const MeshRendering& rendering) {
     digest.line("map " + identity_of("", rendering.texture.map, height::Rendering::force_shaded, 1).digest);
   }
   // Named only where they are allowed, so that what was certified or recorded before there was such a choice is still the same.
-  const bool has_sheets = rendering.self_intersections == mesh::SelfIntersections::allowed;
+  const bool has_sheets = rendering.checked.self_intersections() == mesh::SelfIntersections::allowed;
   if (has_sheets) digest.line("self-intersections allowed");
   Identity identity{kMeshKind,
                     name,

@@ -5,22 +5,11 @@
 #include <string>
 
 #include "forceshade/identity/identity.h"
-#include "forceshade/vocabulary/mesh.h"
+#include "forceshade/vocabulary/mesh_rendering.h"
 
 namespace forceshade::properties {
 
 inline constexpr const char kMeshKind[] = "mesh";
-
-// What a god-object is built from. normals: of each corner of each triangle; none where nothing is shaded.
-struct MeshRendering {
-  mesh::TriangleMesh mesh;
-  mesh::CornerNormals normals;
-  mesh::Sides sides = mesh::Sides::front;
-  mesh::Shading shading = mesh::Shading::none;
-  float stiffness = 0;         // K, N/mm, in [10^-3, 10^3]
-  mesh::Texture texture = {};  // of the texture scheme
-  mesh::SelfIntersections self_intersections = mesh::SelfIntersections::refused;
-};
 
 // name: of the mesh's file. The digest is that of every coordinate, index and normal, and of a texture: of the points and
 // gradients of its corners and of its height map.

@@ -224,6 +224,18 @@ void check_meetings(const TriangleMesh& mesh, bool may_cross, const Monitor& mon
   if (pairs > most) found.add(Fault::undecided, {}, {});
 }
 
+// All but the meetings.
+void check_joints(TriangleMesh& mesh, Collector& found) {
+  if (mesh.triangles.empty() || mesh.triangles.size() > kMost || mesh.vertices.size() > kMost)
+    return found.add(Fault::empty, {}, {});
+  quantise(mesh, found);
+  check_triangles(mesh, found);
+  if (found.has(Fault::index) || found.has(Fault::vertex_twice)) return;
+  std::vector<std::uint32_t> opposite(3 * mesh.triangles.size(), kNoEdge);
+  check_edges(mesh, opposite, found);
+  if (!found.has(Fault::many_at_edge) && !found.has(Fault::same_direction)) check_fans(mesh, opposite, found);
+}
+
 template <class Number>
 std::string listed(const std::vector<Number>& numbers) {
   std::string text;
@@ -282,25 +294,22 @@ std::string Findings::words(std::span<const std::uint64_t> lines) const {
   return text;
 }
 
+std::variant<JoinedMesh, Findings> check_joints(TriangleMesh mesh) {
+  Collector found;
+  check_joints(mesh, found);
+  if (Findings findings = found.take(); !findings.empty()) return findings;
+  return JoinedMesh(std::move(mesh));
+}
+
 std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections self_intersections, const Monitor& monitor) {
   Collector found;
-  if (mesh.triangles.empty() || mesh.triangles.size() > kMost || mesh.vertices.size() > kMost) {
-    found.add(Fault::empty, {}, {});
-    return found.take();
-  }
-  quantise(mesh, found);
-  check_triangles(mesh, found);
-  if (!found.has(Fault::index) && !found.has(Fault::vertex_twice)) {
-    std::vector<std::uint32_t> opposite(3 * mesh.triangles.size(), kNoEdge);
-    check_edges(mesh, opposite, found);
-    if (!found.has(Fault::many_at_edge) && !found.has(Fault::same_direction)) check_fans(mesh, opposite, found);
-  }
-  const bool can_be_decided = !found.has(Fault::index) && !found.has(Fault::vertex_twice) && !found.has(Fault::coordinate) &&
-                              !found.has(Fault::no_area);
-  if (self_intersections != SelfIntersections::unchecked && can_be_decided)
+  check_joints(mesh, found);
+  const auto is_found = [&](Fault fault) { return found.has(fault); };
+  if (std::ranges::none_of(std::array{Fault::empty, Fault::index, Fault::vertex_twice, Fault::coordinate, Fault::no_area},
+                           is_found))
     check_meetings(mesh, self_intersections == SelfIntersections::allowed, monitor, found);
   if (Findings findings = found.take(); !findings.empty()) return findings;
-  return CheckedMesh(std::move(mesh), self_intersections == SelfIntersections::refused);
+  return CheckedMesh(std::move(mesh), self_intersections);
 }
 
 }  // namespace forceshade::mesh

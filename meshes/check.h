@@ -53,26 +53,15 @@ struct Findings {
   std::string words(std::span<const std::uint64_t> lines = {}) const;
 };
 
-// A mesh that has been found to be one. Only check() makes it.
-class CheckedMesh {
- public:
-  const TriangleMesh& mesh() const { return mesh_; }
-  // Whether it has been found that no triangles meet beside their common vertices.
-  bool is_embedded() const { return is_embedded_; }
+// A coordinate below 2^-30 mm in size is 0 in the mesh that these give; nothing else is changed. All faults are looked for that
+// can still be decided beside those found.
 
- private:
-  friend std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections self_intersections,
-                                                   const Monitor& monitor);
-  CheckedMesh(TriangleMesh mesh, bool is_embedded) : mesh_(std::move(mesh)), is_embedded_(is_embedded) {}
+// All but whether triangles meet beside their common vertices.
+std::variant<JoinedMesh, Findings> check_joints(TriangleMesh mesh);
 
-  TriangleMesh mesh_;
-  bool is_embedded_;
-};
-
-// A coordinate below 2^-30 mm in size is 0 in the mesh that it gives. Nothing else is changed. All faults are looked for that
-// can still be decided beside those found. Takes some 50 bytes a triangle beside the mesh, and as many threads as the machine
-// has cores, 8 at most; what it finds does not depend on their number. With self-intersections allowed, triangles with a common
-// vertex still meet in what they share alone, and those in one plane do not meet. Throws Interrupted.
+// Takes some 50 bytes a triangle beside the mesh, and as many threads as the machine has cores, 8 at most; what it finds does
+// not depend on their number. With self-intersections allowed, triangles with a common vertex still meet in what they share
+// alone, and those in one plane do not meet. Throws Interrupted.
 std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections self_intersections = SelfIntersections::refused,
                                           const Monitor& monitor = {});
 

@@ -21,7 +21,7 @@ struct Facts {
   bool is_closed() const { return rim_edges == 0; }
 };
 
-Facts facts_of(const CheckedMesh& mesh);
+Facts facts_of(const JoinedMesh& mesh);
 
 // The vertex with the most triangles, the first of several.
 struct LargestFan {

@@ -48,8 +48,8 @@ double most_turn(const MeshRendering& rendering, const mesh::Tick& tick, const E
   if (rendering.shading == mesh::Shading::none) return 0;
   const bool is_inside = tick.status == mesh::TickStatus::touching && tick.after.place == mesh::Place::triangle;
   if (!is_inside || rendering.shading != mesh::Shading::vertex_scheme) return std::numbers::sqrt2;
-  const mesh::Triangle& corners = rendering.mesh.triangles[tick.after.index[0]];
-  const auto corner = [&](std::size_t i) { return vector_of(rendering.mesh.vertices[corners[i]]); };
+  const mesh::Triangle& corners = rendering.mesh().triangles[tick.after.index[0]];
+  const auto corner = [&](std::size_t i) { return vector_of(rendering.mesh().vertices[corners[i]]); };
   const Eigen::Vector3d n = (corner(1) - corner(0)).cross(corner(2) - corner(0));
   if (n.cross(D).norm() > slack * n.norm()) return std::numbers::sqrt2;
   return largest_turn(rendering, tick.after.index[0]);
@@ -103,8 +103,8 @@ Violation force_is_as_long_as_the_spring(const MeshRendering& rendering, const T
     if (size == 0) return std::nullopt;
     return at(ticked.position) + "the god-object is not on the surface, and the force is " + words(size) + " N";
   }
-  const double length = (point_of(rendering.mesh, tick.after) - read(ticked.position)).norm();
-  const double allowed = K * (grid_reach(rendering.mesh, tick.after) + kSum) + rounding_of(tick);
+  const double length = (point_of(rendering.mesh(), tick.after) - read(ticked.position)).norm();
+  const double allowed = K * (grid_reach(rendering.mesh(), tick.after) + kSum) + rounding_of(tick);
   if (std::fabs(size - K * length) <= allowed) return std::nullopt;
   return at(ticked.position) + "the force is " + words(size) + " N; the spring is " + words(length) + " mm long, so " +
          words(K * length) + " N were expected";
@@ -115,8 +115,8 @@ Violation force_follows_the_spring(const MeshRendering& rendering, const Ticked&
   if (!is_on_surface(one.tick) || !is_on_surface(other.tick)) return std::nullopt;
   if (a.place != b.place || a.index != b.index || a.side != b.side) return std::nullopt;
   const double moved = (read(other.position) - read(one.position)).norm() +
-                       (point_of(rendering.mesh, b) - point_of(rendering.mesh, a)).norm() + 2 * grid_reach(rendering.mesh, a) +
-                       2 * kSum;
+                       (point_of(rendering.mesh(), b) - point_of(rendering.mesh(), a)).norm() +
+                       2 * grid_reach(rendering.mesh(), a) + 2 * kSum;
   const double allowed = static_cast<double>(rendering.stiffness) * moved + rounding_of(one.tick) + rounding_of(other.tick);
   const Eigen::Vector3d F = force_of(one.tick), G = force_of(other.tick);
   const double change = rendering.shading == mesh::Shading::none ? (G - F).norm() : std::fabs(G.norm() - F.norm());
@@ -126,8 +126,8 @@ Violation force_follows_the_spring(const MeshRendering& rendering, const Ticked&
 }
 
 double largest_turn(const MeshRendering& rendering, std::uint32_t triangle) {
-  const mesh::Triangle& corners = rendering.mesh.triangles[triangle];
-  const auto corner = [&](std::size_t i) { return vector_of(rendering.mesh.vertices[corners[i]]); };
+  const mesh::Triangle& corners = rendering.mesh().triangles[triangle];
+  const auto corner = [&](std::size_t i) { return vector_of(rendering.mesh().vertices[corners[i]]); };
   const Eigen::Vector3d e = corner(1) - corner(0), f = corner(2) - corner(0), n = e.cross(f);
   // Of the direction of n: differences and products are rounded, and cancel where the triangle is a needle.
   const double error = 16 * 0x1p-53 * e.norm() * f.norm() / n.norm() + 16 * 0x1p-53;
@@ -145,8 +145,9 @@ Violation spring_gives_no_energy(const MeshRendering& rendering, std::span<const
   for (std::size_t i = 1; i < path.size(); ++i) {
     const Ticked &before = path[i - 1], &now = path[i];
     const Eigen::Vector3d p = read(before.position), q = read(now.position), step = q - p;
-    const Eigen::Vector3d r = point_of(rendering.mesh, before.tick.after), s = point_of(rendering.mesh, now.tick.after);
-    const double slack = grid_reach(rendering.mesh, before.tick.after) + grid_reach(rendering.mesh, now.tick.after) + 4 * kSum;
+    const Eigen::Vector3d r = point_of(rendering.mesh(), before.tick.after), s = point_of(rendering.mesh(), now.tick.after);
+    const double slack =
+        grid_reach(rendering.mesh(), before.tick.after) + grid_reach(rendering.mesh(), now.tick.after) + 4 * kSum;
     if ((s - q).norm() > (r - q).norm() + slack)
       return at(now.position) + "the god-object went from " + words((r - q).norm()) + " mm off the position to " +
              words((s - q).norm()) + " mm off it";

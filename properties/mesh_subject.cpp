@@ -48,7 +48,7 @@ class ReferenceOfMesh final : public ReferenceSession {
 class MeshPositions final : public Positions, private Draws {
  public:
   MeshPositions(std::shared_ptr<const MeshRendering> rendering, std::uint64_t seed)
-      : Draws(seed), path_(rendering->mesh, seed) {}
+      : Draws(seed), path_(rendering->mesh(), seed) {}
 
   Aimed next() override {
     const MeshPosition p = path_.next();
@@ -89,7 +89,7 @@ class MeshPositions final : public Positions, private Draws {
 constexpr int kLongest = 80;  // positions of a path that is drawn
 
 std::vector<MeshPosition> drawn_path(const MeshRendering& rendering) {
-  MeshPath source(rendering.mesh, *rc::gen::arbitrary<std::uint64_t>());
+  MeshPath source(rendering.mesh(), *rc::gen::arbitrary<std::uint64_t>());
   std::vector<MeshPosition> path(static_cast<std::size_t>(*rc::gen::inRange(2, kLongest)));
   for (MeshPosition& position : path) position = source.next();
   return path;
@@ -130,12 +130,8 @@ Violation differs(std::size_t i, const MeshPosition& p, const mesh::Tick& got, c
 }  // namespace
 
 OpenTicks fast_god_object(const MeshRendering& rendering) {
-  auto built =
-      fast::Mesh::build(rendering.mesh, rendering.normals, rendering.sides, rendering.texture, rendering.self_intersections);
-  if (const auto* error = std::get_if<std::string>(&built)) throw std::invalid_argument(*error);
-  return [mesh = std::make_shared<const fast::Mesh>(std::get<fast::Mesh>(std::move(built))),
-          shading = rendering.shading](float stiffness) -> std::unique_ptr<fast::TickSession> {
-    return std::make_unique<fast::GodObjectSession>(mesh, stiffness, shading);
+  return [god_object = built_or_throw(fast::GodObject::build(rendering))](float stiffness) {
+    return built_or_throw(god_object.with_stiffness(stiffness)).open();
   };
 }
 
@@ -145,26 +141,20 @@ MeshSubject::MeshSubject(const std::string& name, MeshRendering rendering, OpenT
       open_(std::move(open)),
       calls_{[its = open_, K = stiffness_] { return its(K); }},
       identity_(identity_of(name, *rendering_)) {
-  const MeshRendering& of = *rendering_;
-  if (const auto error = reference::GodObject::first_error(of.mesh, of.normals, of.shading, of.stiffness, of.texture))
-    throw std::invalid_argument(error->message());
+  if (const auto error = first_error(*rendering_)) throw std::invalid_argument(error->message());
 }
 
 const reference::GodObject& MeshSubject::reference() const {
-  std::call_once(is_built_, [this] {
-    const MeshRendering& of = *rendering_;
-    reference_ = built_or_throw(reference::GodObject::build(of.mesh, of.normals, of.sides, of.shading, of.stiffness, of.texture,
-                                                            of.self_intersections));
-  });
+  std::call_once(is_built_, [this] { reference_ = built_or_throw(reference::GodObject::build(*rendering_)); });
   return *reference_;
 }
 
 std::vector<std::string> MeshSubject::parts() const {
-  std::vector<std::string> words{std::to_string(rendering_->mesh.triangles.size()) + " triangles, " +
-                                 std::to_string(rendering_->mesh.vertices.size()) + " vertices"};
+  std::vector<std::string> words{std::to_string(rendering_->mesh().triangles.size()) + " triangles, " +
+                                 std::to_string(rendering_->mesh().vertices.size()) + " vertices"};
   if (rendering_->shading == mesh::Shading::vertex_scheme) {
     double turn = 0;
-    for (std::uint32_t i = 0; i < rendering_->mesh.triangles.size(); ++i) turn = std::max(turn, largest_turn(*rendering_, i));
+    for (std::uint32_t i = 0; i < rendering_->mesh().triangles.size(); ++i) turn = std::max(turn, largest_turn(*rendering_, i));
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.4f", std::ceil(turn * 1e4) / 1e4);
     words.push_back(std::string("at a rest inside a triangle the shading gives at most ") + text.data() +

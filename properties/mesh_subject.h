@@ -5,7 +5,7 @@
 #include <mutex>
 #include <optional>
 
-#include "forceshade/fast/meshes/tick_session.h"
+#include "forceshade/fast/god_object.h"
 #include "forceshade/identity/mesh_identity.h"
 #include "forceshade/properties/subject.h"
 #include "forceshade/reference/meshes/god_object.h"

@@ -5,9 +5,15 @@
 #include <array>
 #include <cstdint>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "forceshade/vocabulary/height_map.h"
+
+namespace forceshade {
+class Monitor;
+}  // namespace forceshade
 
 namespace forceshade::mesh {
 
@@ -42,8 +48,41 @@ struct Texture {
 // From which sides a triangle blocks motion: against its normal, or against and along it.
 enum class Sides { front, both };
 
-// Whether triangles that have no vertex in common may meet or cross, if not in one plane. `unchecked`: no renderer takes it.
-enum class SelfIntersections { refused, allowed, unchecked };
+// Whether triangles that have no vertex in common may meet or cross, if not in one plane.
+enum class SelfIntersections { refused, allowed };
+
+// What a check finds, instead of the mesh: meshes/check.h.
+struct Findings;
+
+// A mesh whose triangles are joined as docs/mesh-files.md demands. Whether they meet beside their common vertices is not known.
+// Only mesh::check_joints() and mesh::check() make it.
+class JoinedMesh {
+ public:
+  const TriangleMesh& mesh() const { return mesh_; }
+
+ private:
+  friend class CheckedMesh;
+  friend std::variant<JoinedMesh, Findings> check_joints(TriangleMesh mesh);
+  explicit JoinedMesh(TriangleMesh mesh) : mesh_(std::move(mesh)) {}
+
+  TriangleMesh mesh_;
+};
+
+// A mesh that can be rendered. Only mesh::check() makes it.
+class CheckedMesh : public JoinedMesh {
+ public:
+  // `refused`: it has been found that no triangles meet beside their common vertices. `allowed`: that those with a common
+  // vertex do not, and that none meet in one plane.
+  SelfIntersections self_intersections() const { return self_intersections_; }
+
+ private:
+  friend std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections self_intersections,
+                                                   const Monitor& monitor);
+  CheckedMesh(TriangleMesh mesh, SelfIntersections self_intersections)
+      : JoinedMesh(std::move(mesh)), self_intersections_(self_intersections) {}
+
+  SelfIntersections self_intersections_;
+};
 
 // The one list of the shading schemes. vertex_scheme uses corner normals; texture_scheme these and a texture.
 enum class Shading { none, vertex_scheme, edge_scheme, texture_scheme };

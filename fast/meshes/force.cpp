@@ -448,20 +448,9 @@ std::optional<Force3> shaded_force(const Mesh& mesh, const Arrival& arrival, con
                                                                    double K, mesh::Shading scheme, Stage& last) noexcept {
   return shaded_force<DoubleWithError, true>(mesh, arrival, p, K, scheme, last);
 }
-[[gnu::noinline]] Force3 shaded_force_in_wide_numbers(const Mesh& mesh, const Arrival& arrival, const Force3& p, double K,
-                                                      mesh::Shading scheme, Stage& last) noexcept {
-  return shaded_force<Shaded>(mesh, arrival, p, K, scheme, last).value_or(Force3{});
-}
-
-// Whether the mesh has what the scheme uses.
-bool can_shade(const Mesh& mesh, mesh::Shading scheme) noexcept {
-  switch (scheme) {
-    case mesh::Shading::none: return false;
-    case mesh::Shading::vertex_scheme: return mesh.normals(0) != nullptr;
-    case mesh::Shading::edge_scheme: return true;
-    case mesh::Shading::texture_scheme: return mesh.texture_map() != nullptr;
-  }
-  return false;
+[[gnu::noinline]] std::optional<Force3> shaded_force_in_wide_numbers(const Mesh& mesh, const Arrival& arrival, const Force3& p,
+                                                                     double K, mesh::Shading scheme, Stage& last) noexcept {
+  return shaded_force<Shaded>(mesh, arrival, p, K, scheme, last);
 }
 
 // The unshaded force in binary64; empty where that cannot decide it. A component that is 0 because the edge is parallel to an
@@ -515,14 +504,15 @@ FORCESHADE_INLINE std::optional<Force3> quick_force(const Face& f, const Plane& 
 
 }  // namespace
 
-std::array<float, 3> mesh_force(const Mesh& mesh, const Arrival& arrival, const std::array<float, 3>& p, float stiffness,
-                                mesh::Shading shading, bool is_filtered, ForceDecision* decided) noexcept {
+std::optional<std::array<float, 3>> mesh_force(const Mesh& mesh, const Arrival& arrival, const std::array<float, 3>& p,
+                                               float stiffness, mesh::Shading shading, bool is_filtered,
+                                               ForceDecision* decided) noexcept {
   ForceDecision ignored;
   ForceDecision& by = decided != nullptr ? *decided : ignored;
   by = {};
-  if (arrival.rest == Rest::none || arrival.rest == Rest::at_position) return {};
+  if (arrival.rest == Rest::none || arrival.rest == Rest::at_position) return Force3{};
   const auto K = static_cast<double>(stiffness);
-  if (!can_shade(mesh, shading)) {
+  if (shading == mesh::Shading::none) {
     if (is_filtered)
       if (const auto force = arrival.rest == Rest::in_triangle
                                  ? quick_force(mesh.face(face_of(arrival.spot.half)), arrival.plane, K)

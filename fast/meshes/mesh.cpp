@@ -60,67 +60,24 @@ std::vector<std::uint32_t> curve_order(const mesh::TriangleMesh& mesh) {
   return order;
 }
 
-std::string face_text(std::uint32_t index) {
-  return "triangle " + std::to_string(index);
-}
-
-std::string first_error(const mesh::TriangleMesh& mesh, const mesh::CornerNormals& normals) {
-  if (mesh.triangles.empty()) return "the mesh has no triangle";
-  if (mesh.triangles.size() > Mesh::kMostTriangles)
-    return "the mesh has " + std::to_string(mesh.triangles.size()) + " triangles; expected " +
-           std::to_string(Mesh::kMostTriangles) + " at most";
-  if (!normals.empty() && normals.size() != mesh.triangles.size())
-    return "expected the normals of as many triangles as the mesh has";
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    for (const std::uint32_t v : mesh.triangles[t]) {
-      if (v >= mesh.vertices.size()) return face_text(t) + " names vertex " + std::to_string(v) + ", which is not there";
-      for (const float coordinate : mesh.vertices[v])
-        if (!in_domain(coordinate)) return "vertex " + std::to_string(v) + " is outside the domain";
-    }
-  for (std::uint32_t t = 0; t < normals.size(); ++t)
-    for (const mesh::Normal& normal : normals[t])
-      for (const float component : normal)
-        if (!std::isfinite(component)) return face_text(t) + " has a normal that is not finite";
-  return {};
-}
-
-// Of the corners of a texture: points within the domain, gradients of 0 or from 2^-30 to 1000 mm/mm.
-std::string first_error(const mesh::CornerTextures& corners, std::size_t triangles, bool has_normals) {
-  constexpr float kSteepest = 1000;
-  if (corners.size() != triangles) return "expected the points of the texture of as many triangles as the mesh has";
-  if (!has_normals) return "a texture needs corner normals";
-  for (std::uint32_t t = 0; t < corners.size(); ++t)
-    for (const mesh::CornerTexture& corner : corners[t]) {
-      if (!in_domain(corner.point[0]) || !in_domain(corner.point[1]))
-        return face_text(t) + " has a point of the texture outside the domain";
-      for (const mesh::Normal& gradient : {corner.gradient_x, corner.gradient_y})
-        for (const float component : gradient) {
-          const float size = std::fabs(component);
-          if (!(size == 0 || (size >= kPositionQuantum && size <= kSteepest)))
-            return face_text(t) + " has a gradient of its texture outside 2^-30 to 1000 mm/mm";
-        }
-    }
-  return {};
-}
-
 }  // namespace
 
-std::variant<Mesh, std::string> Mesh::build(const mesh::TriangleMesh& triangles, const mesh::CornerNormals& normals,
-                                            mesh::Sides sides, const mesh::Texture& texture,
-                                            mesh::SelfIntersections self_intersections) {
+std::variant<Mesh, ParameterError> Mesh::build(const MeshRendering& rendering) {
   for (const char* fault : {arithmetic_fault_here(), force_arithmetic_fault(), MeshSession::arithmetic_fault()})
-    if (fault != nullptr) return ParameterError{"arithmetic", "", 0, 0, 0, fault}.message();
-  if (std::string error = first_error(triangles, normals); !error.empty()) return error;
+    if (fault != nullptr) return ParameterError{"arithmetic", "", 0, 0, 0, fault};
+  if (const auto error = first_error(rendering)) return *error;
+  const mesh::TriangleMesh& triangles = rendering.mesh();
+  if (triangles.triangles.size() > kMostTriangles)
+    return ParameterError{"number of triangles", "", static_cast<float>(triangles.triangles.size()), 1, kMostTriangles};
   Mesh result;
-  if (!texture.corners.empty()) {
-    if (std::string error = first_error(texture.corners, triangles.triangles.size(), !normals.empty()); !error.empty())
-      return error;
-    auto map = HeightMapField::build({texture.map.parts}, height::Rendering::force_shaded, 1);
-    if (const auto* error = std::get_if<ParameterError>(&map)) return "the texture's height map: " + error->message();
+  const bool is_textured = rendering.shading == mesh::Shading::texture_scheme;
+  if (is_textured) {
+    auto map = HeightMapField::build({rendering.texture.map.parts}, height::Rendering::force_shaded, 1);
+    if (const auto* error = std::get_if<ParameterError>(&map)) return *error;
     result.texture_map_ = std::make_shared<const HeightMapField>(std::get<HeightMapField>(std::move(map)));
   }
-  result.sides_ = sides;
-  result.has_sheets_ = self_intersections == mesh::SelfIntersections::allowed;
+  result.sides_ = rendering.sides;
+  result.has_sheets_ = rendering.checked.self_intersections() == mesh::SelfIntersections::allowed;
   const std::vector<std::uint32_t> order = curve_order(triangles);
   result.faces_.resize(order.size());
   result.face_of_file_.resize(order.size());
@@ -137,22 +94,20 @@ std::variant<Mesh, std::string> Mesh::build(const mesh::TriangleMesh& triangles,
       }
   }
   result.first_around_.assign(triangles.vertices.size(), kRim);
-  if (std::string error = result.join(); !error.empty()) return error;
+  result.join();
   result.find_bends();
-  if (!normals.empty()) {
-    result.normals_.reserve(order.size());
-    for (const std::uint32_t t : order) result.normals_.push_back(normals[t]);
-  }
-  if (!texture.corners.empty()) {
-    result.textures_.reserve(order.size());
-    for (const std::uint32_t t : order) result.textures_.push_back(texture.corners[t]);
-  }
+  const auto in_order = [&](auto& into, const auto& from) {
+    into.reserve(order.size());
+    for (const std::uint32_t t : order) into.push_back(from[t]);
+  };
+  if (mesh::has_corner_normals(rendering.shading)) in_order(result.normals_, rendering.normals);
+  if (is_textured) in_order(result.textures_, rendering.texture.corners);
   result.tree_ = BoxTree(result.faces_);
   return result;
 }
 
 // Finds each half-edge's other half among those that start at its end.
-std::string Mesh::join() {
+void Mesh::join() {
   // Vertices are numbered by their first face, so that those of neighbouring faces lie together.
   std::vector<std::uint32_t> local(first_around_.size(), ~0U), ends;
   std::uint32_t used = 0;
@@ -171,27 +126,17 @@ std::string Mesh::join() {
   std::vector<std::uint32_t> filled(start.begin(), start.end() - 1);
   for (std::uint32_t f = 0; f < faces_.size(); ++f)
     for (std::uint32_t i = 0; i < 3; ++i) from[filled[vertex[f][i]]++] = 3 * f + i;
-  const auto between = [&](std::uint32_t a, std::uint32_t b) {
-    return "the edge of vertices " + std::to_string(a) + " and " + std::to_string(b);
-  };
-  // Both an edge's other half and a second triangle in the same direction are found among the half-edges from either end: from
-  // the end that has fewer.
+  // An edge's other half is found among the half-edges from either end: from the end that has fewer.
   const auto count = [&](std::uint32_t v) { return start[v + std::size_t{1}] - start[v]; };
   const auto number = [&](HalfEdge h) { return vertex[face_of(h)][corner_of(h)]; };
   for (HalfEdge h = 0; h < 3 * faces(); ++h) {
     const std::uint32_t a = number(h), b = number(next(h));
-    if (a == b) return face_text(faces_[face_of(h)].index()) + " has a vertex twice";
     const bool is_from_start = count(a) <= count(b);
     const std::uint32_t hub = is_from_start ? a : b, other = is_from_start ? b : a;
     for (std::uint32_t j = start[hub]; j < start[hub + std::size_t{1}]; ++j)
-      for (const HalfEdge found : {from[j], previous(from[j])}) {
-        if (found == h || number(found == from[j] ? next(found) : found) != other) continue;
-        if (number(found) == a)
-          return between(this->start(h), this->start(next(h))) +
-                 " has two triangles in the same direction: " + face_text(faces_[face_of(h)].index()) + " and " +
-                 face_text(faces_[face_of(found)].index());
-        faces_[face_of(h)].twin[corner_of(h)] = found;
-      }
+      for (const HalfEdge found : {from[j], previous(from[j])})
+        if (found != h && number(found == from[j] ? next(found) : found) == other)
+          faces_[face_of(h)].twin[corner_of(h)] = found;
   }
   // The half-edge that a fan starts from: at the rim the one whose other half is missing.
   for (std::uint32_t f = 0; f < faces_.size(); ++f)
@@ -199,19 +144,6 @@ std::string Mesh::join() {
       HalfEdge& first = first_around_[faces_[f].vertex[i]];
       if (first == kRim || (faces_[f].twin[i] == kRim && twin(first) != kRim)) first = 3 * f + i;
     }
-  // One fan for each vertex: around() from the first half-edge reaches all of them.
-  for (std::size_t file = 0; file < first_around_.size(); ++file) {
-    if (first_around_[file] == kRim) continue;
-    const std::uint32_t all = start[local[file] + std::size_t{1}] - start[local[file]];
-    std::uint32_t reached = 0;
-    HalfEdge h = first_around_[file];
-    do {
-      ++reached;
-      h = around(h);
-    } while (h != kRim && h != first_around_[file] && reached <= all);
-    if (reached != all) return "the triangles around vertex " + std::to_string(file) + " do not form one fan";
-  }
-  return {};
 }
 
 // n1·(d - a) and n2·(c - a) have the same sign: both are the volume of the tetrahedron of the two triangles.

@@ -6,13 +6,12 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <variant>
 #include <vector>
 
 #include "forceshade/fast/meshes/box_tree.h"
 #include "forceshade/fast/meshes/large_pages.h"
-#include "forceshade/vocabulary/mesh.h"
+#include "forceshade/vocabulary/mesh_rendering.h"
 
 namespace forceshade::fast {
 
@@ -62,14 +61,8 @@ class Mesh {
  public:
   static constexpr std::size_t kMostTriangles = std::size_t{1} << 26;
 
-  // The mesh must be embedded, as docs/meshes.md demands: that is for the caller to have checked. With self-intersections
-  // allowed, triangles may meet that have no vertex in common, and each way is tested against the whole mesh. Vertices are read
-  // as positions are. A message where the numbers or the way the triangles are joined are not those of such a mesh. Normals: of
-  // each corner, or none; a texture needs them. Under an arithmetic fault (fast/numbers/arithmetic.h) nothing is built.
-  // Allocates.
-  static std::variant<Mesh, std::string> build(const mesh::TriangleMesh& triangles, const mesh::CornerNormals& normals,
-                                               mesh::Sides sides, const mesh::Texture& texture = {},
-                                               mesh::SelfIntersections self_intersections = mesh::SelfIntersections::refused);
+  // As GodObject::build() of fast/god_object.h.
+  static std::variant<Mesh, ParameterError> build(const MeshRendering& rendering);
 
   const Face& face(std::uint32_t f) const noexcept { return faces_[f]; }
   std::uint32_t vertices() const noexcept { return static_cast<std::uint32_t>(first_around_.size()); }
@@ -114,7 +107,7 @@ class Mesh {
   std::size_t bytes() const noexcept;
 
  private:
-  std::string join();
+  void join();
   void find_bends();
 
   Faces faces_;

@@ -50,26 +50,27 @@ double lower_bound_of_square(const Face& face, const Vector3<double>& at) noexce
 
 }  // namespace
 
-[[gnu::noinline]] mesh::Tick MeshSession::step_on_mesh(const std::array<float, 3>& position) noexcept {
+[[gnu::noinline]] mesh::Tick MeshSession::tick_on_mesh(const std::array<float, 3>& p) noexcept {
   mesh::Tick tick;
-  stage_ = Stage::binary64;
-  fast::step(*mesh_, at_, position, stiffness_, shading_, FilteredStages{&stage_}, tick);
-  if (tick.status != mesh::TickStatus::invalid) square_ = 0;  // a ball is of use only to a god-object that is in it
-  if (tick.status == mesh::TickStatus::free)
+  advance(*mesh_, at_, p, stiffness_, shading_, FilteredStages{&stage_}, tick);
+  square_ = 0;  // a ball is of use only to a god-object that is in it
+  if (at_.spot.place == mesh::Place::free)
     seek_ball();
-  else if (tick.status != mesh::TickStatus::invalid)
+  else
     is_seeking_ = false;
   tick.after = object_of(*mesh_, at_.spot);
   return tick;
 }
 
-[[gnu::noinline]] void MeshSession::look_ahead() const noexcept {
+[[gnu::noinline]] void MeshSession::look_ahead() noexcept {
   std::array<float, 3> position{};
   for (std::size_t i = 0; i < 3; ++i) position[i] = last_[i] + (last_[i] - before_[i]);
-  if (stays_free(position)) return;
-  // The same code as the step's, which has to be in the cache too.
+  if (!in_domain(position)) return;
+  const std::array<float, 3> p = quantised(position);
+  if (stays_free(p)) return;
+  // The same code as the tick's, which has to be in the cache too.
   MeshSession ahead(*this);
-  [[maybe_unused]] const volatile float kept = ahead.step_on_mesh(position).force[0];
+  [[maybe_unused]] const volatile float kept = ahead.tick_on_mesh(p).force[0];
 }
 
 // Around where the god-object is when the search begins. It takes some ticks, so that each is short; meanwhile the ball before

@@ -1,54 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// One god-object on its path over a mesh: what a servo loop drives.
+// One god-object on its path over a mesh.
 
 #include <memory>
 #include <utility>
 
-#include "forceshade/fast/meshes/god_object.h"
+#include "forceshade/fast/god_object.h"
+#include "forceshade/fast/meshes/advance.h"
 
 namespace forceshade::fast {
 
-// As step() from tick to tick. It also keeps a ball in which no triangle lies: a free god-object that stays in it meets
-// nothing, and no tree is looked at. That saves time and changes no result. One thread at a time; the mesh may be shared.
-class MeshSession {
+// It also keeps a ball in which no triangle lies: a free god-object that stays in it meets nothing, and no tree is looked at.
+// That saves time and changes no result. One thread at a time; the mesh may be shared.
+class MeshSession final : public TickSession {
  public:
-  // stiffness: N/mm, in [10^-3, 10^3].
+  // stiffness: N/mm, in [10^-3, 10^3]. The mesh has what the shading uses.
   MeshSession(std::shared_ptr<const Mesh> mesh, float stiffness, mesh::Shading shading) noexcept
       : mesh_(std::move(mesh)), stiffness_(stiffness), shading_(shading) {}
 
-  // position: mm, the next one of the path. Without allocation, lock or exception.
-  mesh::Tick step(const std::array<float, 3>& position) noexcept {
-    before_ = last_;
-    last_ = position;
-    if (stays_free(position)) {
-      const std::array<float, 3> p = quantised(position);
-      const std::uint16_t moves = p == at_.spot.position ? 0 : 1;
-      at_.spot.position = p;
-      stage_ = Stage::binary64;
-      if (off_centre(p) > renew_square_) seek_ball();
-      mesh::Tick tick{mesh::TickStatus::free, moves, {}, {}};
-      tick.after.place = mesh::Place::free;
-      tick.after.position = p;
+  mesh::Tick tick(const std::array<float, 3>& position) noexcept override {
+    stage_ = Stage::binary64;
+    if (!in_domain(position)) [[unlikely]] {
+      mesh::Tick tick;
+      tick.after = state();
       return tick;
     }
-    return step_on_mesh(position);
+    const std::array<float, 3> p = quantised(position);
+    before_ = last_;
+    last_ = p;
+    if (!stays_free(p)) return tick_on_mesh(p);
+    const std::uint16_t moves = p == at_.spot.position ? 0 : 1;
+    at_.spot.position = p;
+    if (off_centre(p) > renew_square_) seek_ball();
+    mesh::Tick tick{mesh::TickStatus::free, moves, {}, {}};
+    tick.after.place = mesh::Place::free;
+    tick.after.position = p;
+    return tick;
   }
 
-  // Of the last step: binary64 only where that took every decision and gave the force.
-  Stage stage() const noexcept { return stage_; }
+  Stage stage() const noexcept override { return stage_; }
 
-  // Brings what the next step will probably use into the caches: it takes that step to where the hand arrives if it goes on as
-  // in the last one, and forgets the result. Changes no later state or force. Takes as long as a step. For a loop that has time
-  // before it reads the position.
-  void look_ahead() const noexcept;
+  // It takes the tick to where the hand arrives if it goes on as in the last one, and forgets the result.
+  void look_ahead() noexcept override;
 
   // Of session.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h. Under a fault no mesh is built.
   static const char* arithmetic_fault() noexcept;
 
   mesh::GodObject state() const noexcept { return object_of(*mesh_, at_.spot); }
-  // Goes on from a state of this mesh, as a recording holds it.
-  void resume(const mesh::GodObject& state) noexcept {
+  void resume(const mesh::GodObject& state) noexcept override {
     at_.spot = spot_of(*mesh_, state);
     square_ = 0;
     is_seeking_ = false;
@@ -66,19 +65,19 @@ class MeshSession {
   }
   // The ball's radius leaves room for these roundings.
   FORCESHADE_INLINE bool is_in_ball(const std::array<float, 3>& p) const noexcept { return off_centre(p) < square_; }
-  // Whether the god-object is free and the ball proves that it still is when it has followed the hand to this position.
-  FORCESHADE_INLINE bool stays_free(const std::array<float, 3>& position) const noexcept {
-    return at_.spot.place == mesh::Place::free && in_domain(position) && is_in_ball(quantised(position));
+  // Whether the god-object is free and the ball proves that it still is when it has followed the hand to p.
+  FORCESHADE_INLINE bool stays_free(const std::array<float, 3>& p) const noexcept {
+    return at_.spot.place == mesh::Place::free && is_in_ball(p);
   }
 
-  mesh::Tick step_on_mesh(const std::array<float, 3>& position) noexcept;
+  mesh::Tick tick_on_mesh(const std::array<float, 3>& p) noexcept;
   void seek_ball() noexcept;
 
   std::shared_ptr<const Mesh> mesh_;
   float stiffness_;
   mesh::Shading shading_;
   Arrival at_;
-  std::array<float, 3> last_{}, before_{};  // mm: the positions of the last two steps
+  std::array<float, 3> last_{}, before_{};  // mm: the positions of the last two ticks, quantised
   std::array<double, 3> centre_{};          // mm, of the ball
   double square_ = 0;                       // mm², of its radius; 0: there is none
   double renew_square_ = 0;                 // mm²: farther from the centre than this, the next ball is sought

@@ -8,8 +8,7 @@
 #include <optional>
 #include <variant>
 
-#include "forceshade/vocabulary/law.h"
-#include "forceshade/vocabulary/mesh.h"
+#include "forceshade/vocabulary/mesh_rendering.h"
 
 namespace forceshade::reference {
 
@@ -18,17 +17,8 @@ class GodObject {
  public:
   static constexpr unsigned kMostMoves = 256;  // in a tick
 
-  // The vertex scheme needs finite normals, the texture scheme these and a texture, the other shadings neither. That the
-  // triangles meet in nothing but what they share is a precondition; with self-intersections allowed, that of those that share
-  // a vertex. Refused with the reason: a stiffness outside 10^-3 to 10^3
-  // N/mm, what is no surface, and a texture whose numbers are outside their domain (docs/meshes.md).
-  static std::variant<GodObject, ParameterError> build(
-      const mesh::TriangleMesh& mesh, mesh::CornerNormals normals, mesh::Sides sides, mesh::Shading shading, float stiffness,
-      const mesh::Texture& texture = {}, mesh::SelfIntersections self_intersections = mesh::SelfIntersections::refused);
-
-  // Why build() refuses what is given beside the mesh.
-  static std::optional<ParameterError> first_error(const mesh::TriangleMesh& mesh, const mesh::CornerNormals& normals,
-                                                   mesh::Shading shading, float stiffness, const mesh::Texture& texture = {});
+  // Refused with the reason: what first_error() refuses, and a texture's height map that HeightMapField does.
+  static std::variant<GodObject, ParameterError> build(const MeshRendering& rendering);
 
   // What a position in mm does to a state of this mesh. A position that is invalid gives no force and leaves the state as it
   // is. 1 <= most_moves; with fewer than kMostMoves, more ticks are unfinished.

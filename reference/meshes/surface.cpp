@@ -36,31 +36,6 @@ Vector exact_point(const std::array<float, 3>& millimetres) {
   return {exact_coordinate(millimetres[0]), exact_coordinate(millimetres[1]), exact_coordinate(millimetres[2])};
 }
 
-std::optional<ParameterError> Surface::first_error(const mesh::TriangleMesh& mesh) {
-  for (const mesh::Vertex& vertex : mesh.vertices)
-    for (const float coordinate : vertex)
-      if (!in_domain(coordinate)) return ParameterError{"coordinate of a vertex", "mm", coordinate, -kDomainEnd, kDomainEnd};
-  std::map<Ends, std::vector<Ends>> runs;  // of each edge, the senses in which triangles run along it
-  for (const mesh::Triangle& triangle : mesh.triangles) {
-    const auto count = static_cast<float>(mesh.vertices.size());
-    for (const std::uint32_t v : triangle)
-      if (v >= mesh.vertices.size()) return ParameterError{"vertex of a triangle", "", static_cast<float>(v), 0, count - 1};
-    const auto at = [&](std::size_t corner) { return exact_point(mesh.vertices[triangle[corner]]); };
-    if (is_zero(cross(at(1) - at(0), at(2) - at(0)))) return ParameterError{"area of a triangle", "mm^2", 0, 0x1p-107F, 4e8F};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Ends run{triangle[i], triangle[(i + 1) % 3]};
-      std::vector<Ends>& others = runs[sorted(run[0], run[1])];
-      others.push_back(run);
-      if (others.size() > 2)
-        return ParameterError{"number of triangles at an edge", "", static_cast<float>(others.size()), 1, 2};
-      if (others.size() == 2 && others[0] == others[1])
-        return ParameterError{"number of triangles that run along an edge in one direction", "", 2, 1, 1};
-    }
-  }
-  if (mesh.triangles.empty()) return ParameterError{"number of triangles", "", 0, 1, 0x1p32F};
-  return std::nullopt;
-}
-
 Surface::Surface(const mesh::TriangleMesh& mesh) : fans_(mesh.vertices.size()) {
   for (const mesh::Vertex& vertex : mesh.vertices) vertices_.push_back(exact_point(vertex));
   std::map<Ends, std::vector<std::size_t>> triangles_at;

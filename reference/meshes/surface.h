@@ -63,10 +63,8 @@ struct Fan {
 
 class Surface {
  public:
-  // Refuses coordinates outside the domain, indices that do not exist, triangles without area and edges that are not those of a
-  // surface. That triangles meet in nothing but what they share is a precondition (docs/meshes.md).
+  // Of a checked mesh.
   explicit Surface(const mesh::TriangleMesh& mesh);
-  static std::optional<ParameterError> first_error(const mesh::TriangleMesh& mesh);
 
   const std::vector<Vector>& vertices() const { return vertices_; }
   const std::vector<Edge>& edges() const { return edges_; }  // sorted by their vertices

@@ -6,8 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "forceshade/fast/meshes/session.h"
+#include "forceshade/fast/god_object.h"
 #include "forceshade/tests/fast/same_bits.h"
+#include "forceshade/tests/meshes/rendering.h"
 
 namespace forceshade::tests {
 
@@ -107,14 +108,13 @@ class MeshBits {
 };
 
 inline Bits bits_of(const MeshScene& scene) {
-  auto built = fast::Mesh::build(scene.mesh, scene.normals, scene.sides, scene.texture);
-  if (const auto* error = std::get_if<std::string>(&built)) throw std::runtime_error(*error);
-  fast::MeshSession session(std::make_shared<const fast::Mesh>(std::get<fast::Mesh>(std::move(built))), 0.7F, scene.shading);
+  const MeshRendering rendering{checked(scene.mesh), scene.normals, scene.sides, scene.shading, 0.7F, scene.texture};
+  const auto session = built(fast::GodObject::build(rendering)).open();
   MeshBits positions;
   Hash hash;
   Bits bits{};
   for (int i = 0; i < 100'000; ++i) {
-    const mesh::Tick tick = session.step(positions.next());
+    const mesh::Tick tick = session->tick(positions.next());
     const Status status = tick.status == mesh::TickStatus::free      ? Status::free
                           : tick.status == mesh::TickStatus::invalid ? Status::invalid
                                                                      : Status::contact;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Renders a mesh from a file, and tests the renderer, as a stranger would: meshes_consumer MESH.off.
 
-#include <forceshade/fast/meshes/tick_session.h>
 #include <forceshade/meshes/check.h>
 #include <forceshade/meshes/facts.h>
 #include <forceshade/meshes/load.h>
@@ -16,8 +15,8 @@ int main(int, char** arguments) {
   const auto checked = mesh::check(mesh::load(arguments[1], mesh::Unit::mm));
   if (const auto* findings = std::get_if<mesh::Findings>(&checked)) return std::puts(findings->words().c_str()), 1;
   const auto& mesh = std::get<mesh::CheckedMesh>(checked);
-  properties::MeshRendering rendering{mesh.mesh(), mesh::corner_normals(mesh, 180).normals, mesh::Sides::front,
-                                      mesh::Shading::vertex_scheme, 0.5F};
+  MeshRendering rendering{mesh, mesh::corner_normals(mesh, 180).normals, mesh::Sides::front, mesh::Shading::vertex_scheme,
+                          0.5F};
   if (!mesh::facts_of(mesh).is_closed()) rendering.sides = mesh::Sides::both;
   const properties::MeshSubject subject("a mesh", rendering);
   const auto session = subject.calls().open();

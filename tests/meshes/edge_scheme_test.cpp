@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "forceshade/reference/meshes/god_object.h"
+#include "forceshade/tests/meshes/rendering.h"
 
 namespace forceshade {
 namespace {
@@ -21,8 +22,8 @@ const mesh::TriangleMesh kOctahedron{{{4, 0, 0}, {-4, 0, 0}, {0, 4, 0}, {0, -4, 
 
 // The unit direction of the force where the god-object rests at this point of a triangle of the octahedron, 1 mm above p.
 std::array<double, 3> direction_at(std::size_t triangle, double beta, double gamma) {
-  static const GodObject shaded =
-      std::get<GodObject>(GodObject::build(kOctahedron, {}, mesh::Sides::front, mesh::Shading::edge_scheme, 0.5F));
+  static const GodObject shaded = tests::built(
+      GodObject::build({tests::checked(kOctahedron), {}, mesh::Sides::front, mesh::Shading::edge_scheme, 0.5F, {}}));
   const auto& [a, b, c] = kOctahedron.triangles[triangle];
   Position out{}, in{};
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -17,6 +17,7 @@
 #include "forceshade/reference/meshes/directions.h"
 #include "forceshade/reference/meshes/god_object.h"
 #include "forceshade/tests/meshes/god_object_paths.h"
+#include "forceshade/tests/meshes/rendering.h"
 
 namespace forceshade {
 namespace {
@@ -42,7 +43,7 @@ using tests::show;
 using Position = std::array<float, 3>;
 
 GodObject built(const mesh::TriangleMesh& mesh, const mesh::CornerNormals& normals, Sides sides, float stiffness) {
-  return std::get<GodObject>(GodObject::build(mesh, normals, sides, mesh::Shading::vertex_scheme, stiffness));
+  return tests::built(GodObject::build(tests::shaded(mesh, normals, sides, stiffness)));
 }
 
 // A random mesh with its god-object, shaded.
@@ -542,8 +543,8 @@ TEST(god_object_consequences, shading_turns_the_force_and_keeps_its_size) {
   std::optional<GodObject> plain;
   on_random_paths(9, 220, 150, {"turned", "left as it is"}, [&](const Scene& scene, const Step& step, Counts& counts) {
     if (step.before.place == Place::nowhere)
-      plain =
-          std::get<GodObject>(GodObject::build(scene.made.mesh, {}, scene.made.sides, mesh::Shading::none, Scene::kStiffness));
+      plain = tests::built(GodObject::build(
+          {tests::checked(scene.made.mesh), {}, scene.made.sides, mesh::Shading::none, Scene::kStiffness, {}}));
     const mesh::Tick unshaded = plain->step(step.before, step.position);
     EXPECT_EQ(unshaded.after, step.tick.after);
     const auto size = [](const Position& f) { return std::hypot(double{f[0]}, double{f[1]}, double{f[2]}); };

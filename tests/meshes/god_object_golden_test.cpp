@@ -8,6 +8,7 @@
 
 #include "forceshade/reference/meshes/god_object.h"
 #include "forceshade/tests/meshes/god_object_paths.h"
+#include "forceshade/tests/meshes/rendering.h"
 
 namespace forceshade {
 namespace {
@@ -21,8 +22,9 @@ struct Counts {
 };
 
 reference::GodObject god_object(const GodObjectPath& path, mesh::Shading shading) {
-  return std::get<reference::GodObject>(
-      reference::GodObject::build(path.mesh, path.normals, path.sides, shading, path.stiffness));
+  MeshRendering rendering = tests::shaded(path.mesh, path.normals, path.sides, path.stiffness);
+  rendering.shading = shading;
+  return tests::built(reference::GodObject::build(rendering));
 }
 
 void expect_same(const GodObjectPath& path, Counts& counts) {

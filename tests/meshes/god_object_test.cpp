@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The real-time god-object against paths that other programs have computed.
 
-#include "forceshade/fast/meshes/god_object.h"
+#include "forceshade/fast/god_object.h"
 
 #include <gtest/gtest.h>
 
@@ -14,24 +14,22 @@
 
 #include "forceshade/csv/csv.h"
 #include "forceshade/fast/meshes/session.h"
-#include "forceshade/fast/meshes/tick_session.h"
 #include "forceshade/properties/mesh_generators.h"
 #include "forceshade/reference/meshes/god_object.h"
 #include "forceshade/tests/meshes/god_object_paths.h"
+#include "forceshade/tests/meshes/rendering.h"
 #include "forceshade/tests/meshes/steps.h"
 
 namespace forceshade::fast {
 namespace {
 
-Mesh built(const mesh::TriangleMesh& triangles, const mesh::CornerNormals& normals, mesh::Sides sides) {
-  auto mesh = Mesh::build(triangles, normals, sides);
-  if (const auto* message = std::get_if<std::string>(&mesh)) throw std::runtime_error(*message);
-  return std::get<Mesh>(std::move(mesh));
+Mesh built(const mesh::TriangleMesh& triangles, mesh::Sides sides) {
+  return tests::fast_mesh(tests::unshaded(triangles, sides));
 }
 
 template <class Stages>
 int differences(const tests::GodObjectPath& path, const Stages& stages) {
-  const Mesh mesh = built(path.mesh, path.normals, path.sides);
+  const Mesh mesh = tests::fast_mesh(tests::shaded(path.mesh, path.normals, path.sides));
   mesh::GodObject plain, shaded;
   int found = 0;
   for (const tests::PathTick& row : path.ticks) {
@@ -107,21 +105,23 @@ struct Reached {
 const std::vector<const char*> kReached{"free",        "touching", "invalid", "at free", "at vertex",         "at edge",
                                         "at triangle", "front",    "back",    "a force", "more than one move"};
 
+constexpr float kStiffness = 0.3F;  // N/mm
+
 constexpr std::array<mesh::Shading, 3> kShadings{mesh::Shading::none, mesh::Shading::vertex_scheme, mesh::Shading::edge_scheme};
 
 // A random mesh with one path on it.
 struct Scene {
   properties::RandomMesh made;
-  mesh::CornerNormals normals;
+  MeshRendering rendering;
   mesh::Shading shading;
   Mesh mesh;
   properties::MeshPath path;
 
   Scene(properties::MeshSource& source, std::uint64_t seed)
       : made(source.next()),
-        normals(source.normals_of(made.mesh)),
-        shading(kShadings[seed % kShadings.size()]),
-        mesh(built(made.mesh, normals, made.sides)),
+        rendering(tests::shaded(made.mesh, source.normals_of(made.mesh), made.sides, kStiffness)),
+        shading(rendering.shading = kShadings[seed % kShadings.size()]),
+        mesh(tests::fast_mesh(rendering)),
         path(made.mesh, seed) {}
 
   std::string place(std::size_t tick, const std::array<float, 3>& p) const {
@@ -137,7 +137,6 @@ std::size_t ticks_of_a_test(std::size_t usual) {
 }
 
 constexpr std::size_t kTicksOfAMesh = 500;
-constexpr float kStiffness = 0.3F;  // N/mm
 
 TEST(god_object, is_the_reference_in_every_bit_on_random_meshes_and_paths) {
   Reached reached;
@@ -145,9 +144,7 @@ TEST(god_object, is_the_reference_in_every_bit_on_random_meshes_and_paths) {
   properties::MeshSource source(31);
   for (std::uint64_t seed = 0; seed * kTicksOfAMesh < ticks; ++seed) {
     Scene scene(source, seed);
-    auto definition = reference::GodObject::build(scene.made.mesh, scene.normals, scene.made.sides, scene.shading, kStiffness);
-    ASSERT_TRUE(std::holds_alternative<reference::GodObject>(definition)) << seed;
-    reference::GodObjectSession session(std::get<reference::GodObject>(std::move(definition)));
+    reference::GodObjectSession session(tests::built(reference::GodObject::build(scene.rendering)));
     mesh::GodObject state;
     for (std::size_t i = 0; i < kTicksOfAMesh; ++i) {
       const std::array<float, 3> p = scene.path.next();
@@ -182,10 +179,11 @@ TEST(god_object, is_the_same_with_and_without_a_filter_and_from_tick_to_tick_in_
       }
       const std::size_t before = in_integers;
       mesh::Tick filtered;
-      step(*mesh, arrival, p, kStiffness, scene.shading, CountedStages{&in_binary64, &in_integers}, filtered);
+      if (in_domain(p))
+        advance(*mesh, arrival, quantised(p), kStiffness, scene.shading, CountedStages{&in_binary64, &in_integers}, filtered);
       filtered.after = object_of(*mesh, arrival.spot);
       if (i % 3 != 0) session.look_ahead();  // without any trace in what follows
-      const mesh::Tick in_session = session.step(p);
+      const mesh::Tick in_session = session.tick(p);
       for (const mesh::Tick& tick : {filtered, in_session})
         ASSERT_TRUE(tests::is_same(tick, exact)) << "mesh " << seed << ", " << scene.place(i, p) << ": in integers "
                                                  << tests::show(exact) << ", found " << tests::show(tick);
@@ -210,7 +208,7 @@ TEST(god_object, is_the_same_with_and_without_a_filter_and_from_tick_to_tick_in_
 TEST(god_object, in_a_session_gives_the_stage_that_decided_its_tick) {
   const mesh::TriangleMesh floor{{{-8.3F, -9.1F, 0}, {8.7F, -9.4F, 0}, {8.2F, 7.7F, 0}, {-8.6F, 7.9F, 0}},
                                  {{0, 1, 2}, {0, 2, 3}}};
-  GodObjectSession session(std::make_shared<const Mesh>(built(floor, {}, mesh::Sides::front)), kStiffness, mesh::Shading::none);
+  MeshSession session(std::make_shared<const Mesh>(built(floor, mesh::Sides::front)), kStiffness, mesh::Shading::none);
   const auto stage_at = [&](float x, float y, float z) { return session.step({x, y, z}).stage; };
   EXPECT_EQ(stage_at(-8.55F, -8.9F, 0), Stage::wide) << "in the floor's plane, beside it";
   EXPECT_EQ(stage_at(-8.55F, -8.9F, 0.01F), Stage::binary64) << "in a ball around that place";
@@ -245,7 +243,7 @@ TEST(god_object, slides_over_many_edges_of_a_fine_sheet_as_without_a_filter) {
         sheet.triangles.push_back({a, b, d});
         sheet.triangles.push_back({a, d, c});
       }
-    const Mesh mesh = built(sheet, {}, mesh::Sides::both);
+    const Mesh mesh = built(sheet, mesh::Sides::both);
     mesh::GodObject state;
     double x = 0.5 * n, y = 0.5 * n, step_x = 1, step_y = 0, depth = -2;
     for (int i = 0; i < 2000; ++i) {
@@ -276,7 +274,7 @@ TEST(god_object, slides_over_many_edges_of_a_fine_sheet_as_without_a_filter) {
 // Coordinates below 2^-30 mm are read as 0, so a hand that nears an edge along an axis may be read as on it.
 TEST(god_object, in_a_session_meets_an_edge_that_it_is_read_as_being_on) {
   const mesh::TriangleMesh roof{{{0.5F, 0, 0.5F}, {0.5F, 1, 0.5F}, {0, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {1, 3, 2}}};
-  const auto mesh = std::make_shared<const Mesh>(built(roof, {}, mesh::Sides::both));
+  const auto mesh = std::make_shared<const Mesh>(built(roof, mesh::Sides::both));
   std::mt19937_64 random(34);
   std::uniform_real_distribution<float> coordinate(0.5F, 4);
   Reached reached;
@@ -286,7 +284,7 @@ TEST(god_object, in_a_session_meets_an_edge_that_it_is_read_as_being_on) {
     for (int i = 0; i < 40; ++i) {
       const float far = i < 30 ? 1.25F : 1;
       const std::array<float, 3> p{far * coordinate(random) * 0x1p-31F, 0.25F, -far * coordinate(random) * 0x1p-31F};
-      const mesh::Tick exact = step(*mesh, state, p, kStiffness, mesh::Shading::none, ExactStages()), found = session.step(p);
+      const mesh::Tick exact = step(*mesh, state, p, kStiffness, mesh::Shading::none, ExactStages()), found = session.tick(p);
       ASSERT_TRUE(tests::is_same(found, exact))
           << "round " << round << ", tick " << i << ": in integers " << tests::show(exact) << ", found " << tests::show(found);
       state = exact.after;
@@ -306,10 +304,11 @@ TEST(god_object, goes_on_where_it_has_used_up_its_moves_as_the_reference_does) {
     strip.triangles.push_back({2 * i, 2 * i + 2, 2 * i + 1});
     strip.triangles.push_back({2 * i + 1, 2 * i + 2, 2 * i + 3});
   }
-  const Mesh mesh = built(strip, {}, mesh::Sides::both);
-  reference::GodObjectSession session(std::get<reference::GodObject>(
-      reference::GodObject::build(strip, {}, mesh::Sides::both, mesh::Shading::none, kStiffness)));
-  GodObjectSession driven(std::make_shared<const Mesh>(mesh), kStiffness, mesh::Shading::none);
+  const Mesh mesh = built(strip, mesh::Sides::both);
+  MeshRendering rendering = tests::unshaded(strip, mesh::Sides::both);
+  rendering.stiffness = kStiffness;
+  reference::GodObjectSession session(tests::built(reference::GodObject::build(rendering)));
+  const auto driven = tests::built(GodObject::build(rendering)).open();
   mesh::GodObject state;
   int unfinished = 0;
   for (const std::array<float, 3>& p : {std::array{1.0F, 0.1F, 1.0F},
@@ -322,7 +321,7 @@ TEST(god_object, goes_on_where_it_has_used_up_its_moves_as_the_reference_does) {
     const mesh::Tick expected = session.step(p), found = step(mesh, state, p, kStiffness, mesh::Shading::none);
     EXPECT_TRUE(tests::is_same(found, expected)) << tests::show(expected) << ", found " << tests::show(found);
     state = found.after;
-    const Evaluation evaluation = driven.step({p[0], p[1], p[2]});
+    const Evaluation evaluation = driven->step({p[0], p[1], p[2]});
     EXPECT_EQ(evaluation.is_unfinished, found.status == mesh::TickStatus::unfinished) << "what a supervisor is given";
     EXPECT_EQ(evaluation.status, found.status == mesh::TickStatus::free ? Status::free : Status::contact);
     if (found.status == mesh::TickStatus::unfinished) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "forceshade/reference/meshes/god_object.h"
+#include "forceshade/tests/meshes/rendering.h"
 #include "forceshade/tests/meshes/steps.h"
 
 namespace forceshade::fast {
@@ -19,11 +20,9 @@ constexpr int kSides[]{1, 3, 7};
 
 // The state after one stroke through the surface, from (x, y, 1) to (x, y, -1); the same on both sides, filtered and not.
 mesh::GodObject rest_below(const mesh::TriangleMesh& triangles, float x, float y) {
-  auto built = Mesh::build(triangles, {}, mesh::Sides::both);
-  if (const auto* message = std::get_if<std::string>(&built)) throw std::runtime_error(*message);
-  const Mesh& mesh = std::get<Mesh>(built);
-  const auto exact =
-      std::get<reference::GodObject>(reference::GodObject::build(triangles, {}, mesh::Sides::both, mesh::Shading::none, 1));
+  const MeshRendering rendering = tests::unshaded(triangles, mesh::Sides::both);
+  const Mesh mesh = tests::fast_mesh(rendering);
+  const auto exact = tests::built(reference::GodObject::build(rendering));
   mesh::GodObject state;
   for (const float z : {1.0F, -1.0F}) {
     const std::array<float, 3> position{x, y, z};

@@ -13,11 +13,12 @@
 #include <optional>
 #include <string>
 
-#include "forceshade/fast/meshes/god_object.h"
+#include "forceshade/fast/meshes/advance.h"
 #include "forceshade/meshes/check.h"
 #include "forceshade/reference/meshes/god_object.h"
 #include "forceshade/tests/meshes/god_object_paths.h"
 #include "forceshade/tests/meshes/hard_crossings.h"
+#include "forceshade/tests/meshes/rendering.h"
 #include "forceshade/tests/meshes/steps.h"
 
 namespace forceshade {
@@ -53,10 +54,10 @@ struct Cost {
 };
 
 std::optional<fast::Mesh> built(const HardCase& one, mesh::SelfIntersections allowed = mesh::SelfIntersections::allowed) {
-  if (!std::holds_alternative<mesh::CheckedMesh>(mesh::check(one.mesh, allowed))) return std::nullopt;
-  auto mesh = fast::Mesh::build(one.mesh, {}, one.sides, {}, allowed);
-  if (!std::holds_alternative<fast::Mesh>(mesh)) return std::nullopt;
-  return std::get<fast::Mesh>(std::move(mesh));
+  auto checked = mesh::check(one.mesh, allowed);
+  if (!std::holds_alternative<mesh::CheckedMesh>(checked)) return std::nullopt;
+  return tests::fast_mesh(
+      {std::get<mesh::CheckedMesh>(std::move(checked)), {}, one.sides, mesh::Shading::none, kStiffness, {}});
 }
 
 // The cost of the tick that takes the most operations: decisions in binary64, and those in integers and tries, each of which
@@ -68,7 +69,8 @@ Cost cost_of(const fast::Mesh& mesh, const HardCase& one) {
     Cost cost;
     mesh::Tick tick;
     const auto start = std::chrono::steady_clock::now();
-    fast::step(mesh, at, p, kStiffness, mesh::Shading::none, Counted{&cost.in_binary64, &cost.in_integers}, tick);
+    fast::advance(mesh, at, fast::quantised(p), kStiffness, mesh::Shading::none, Counted{&cost.in_binary64, &cost.in_integers},
+                  tick);
     cost.microseconds = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
     cost.tries = at.tries;
     cost.moves = at.moves;
@@ -80,8 +82,8 @@ Cost cost_of(const fast::Mesh& mesh, const HardCase& one) {
 }
 
 reference::GodObject defined(const HardCase& one, mesh::SelfIntersections allowed) {
-  return std::get<reference::GodObject>(
-      reference::GodObject::build(one.mesh, {}, one.sides, mesh::Shading::none, kStiffness, {}, allowed));
+  return tests::built(
+      reference::GodObject::build({tests::checked(one.mesh, allowed), {}, one.sides, mesh::Shading::none, kStiffness, {}}));
 }
 
 // One god-object on both sides, compared at every tick.
@@ -96,7 +98,7 @@ class Both {
     state_ = expected.after;
     decisions_ = 0;
     mesh::Tick found;
-    fast::step(mesh_, at_, p, kStiffness, mesh::Shading::none, Counted{&decisions_, &decisions_}, found);
+    fast::advance(mesh_, at_, fast::quantised(p), kStiffness, mesh::Shading::none, Counted{&decisions_, &decisions_}, found);
     found.after = fast::object_of(mesh_, at_.spot);
     EXPECT_TRUE(tests::is_same(found, expected)) << "expected " << tests::show(expected) << ", found " << tests::show(found);
     const mesh::Tick exact = fast::step(mesh_, before, p, kStiffness, mesh::Shading::none, fast::ExactStages());

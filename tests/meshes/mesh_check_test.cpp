@@ -81,7 +81,8 @@ TEST(mesh_check, refuses_two_parts_at_one_vertex_and_neighbours_that_cross) {
   const TriangleMesh fan{{{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {-2, 1, 1}, {5, 1, -1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}};
   EXPECT_EQ(words(fan), "faces 0 and 2 have vertex 0 in common, but meet elsewhere, too\n");
   EXPECT_EQ(words(fan, SelfIntersections::allowed), words(fan));
-  EXPECT_EQ(words(fan, SelfIntersections::unchecked), "");
+  EXPECT_TRUE(std::holds_alternative<JoinedMesh>(check_joints(fan)));
+  EXPECT_TRUE(std::holds_alternative<Findings>(check_joints(fans)));
 }
 
 TEST(mesh_check, allows_faces_without_a_common_vertex_to_cross_but_not_to_meet_in_one_plane) {
@@ -98,7 +99,7 @@ TEST(mesh_check, gives_a_mesh_that_says_what_was_looked_for) {
   const TriangleMesh one{{{0, 0, 0}, {0x1p-31F, 4, 0}, {2, 3, -0.0F}}, {{0, 1, 2}}};
   for (const SelfIntersections allowed : {SelfIntersections::refused, SelfIntersections::allowed}) {
     const auto checked = std::get<CheckedMesh>(check(one, allowed));
-    EXPECT_EQ(checked.is_embedded(), allowed == SelfIntersections::refused);
+    EXPECT_EQ(checked.self_intersections(), allowed);
     EXPECT_EQ(checked.mesh().triangles, one.triangles);
     EXPECT_EQ(checked.mesh().vertices, (std::vector<Vertex>{{0, 0, 0}, {0, 4, 0}, {2, 3, 0}}));
     EXPECT_FALSE(std::signbit(checked.mesh().vertices[2][2]));

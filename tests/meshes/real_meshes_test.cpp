@@ -17,6 +17,7 @@
 #include "forceshade/properties/mesh_generators.h"
 #include "forceshade/reference/meshes/god_object.h"
 #include "forceshade/tests/meshes/god_object_paths.h"
+#include "forceshade/tests/meshes/rendering.h"
 #include "forceshade/tests/meshes/steps.h"
 
 namespace forceshade::tests {
@@ -39,12 +40,10 @@ std::string words_of(const mesh::Findings& findings) {
 void expect_rendered(const mesh::CheckedMesh& checked, const std::string& name, std::map<std::string, int>& counts) {
   const mesh::TriangleMesh& mesh = checked.mesh();
   const mesh::Sides sides = mesh::facts_of(checked).is_closed() ? mesh::Sides::front : mesh::Sides::both;
-  const mesh::CornerNormals normals = mesh::corner_normals(checked, 60).normals;
-  auto built = fast::Mesh::build(mesh, normals, sides);
-  ASSERT_TRUE(std::holds_alternative<fast::Mesh>(built)) << name << ": " << std::get<std::string>(built);
-  const fast::Mesh& fast = std::get<fast::Mesh>(built);
-  const auto reference = std::get<reference::GodObject>(
-      reference::GodObject::build(mesh, normals, sides, mesh::Shading::vertex_scheme, kStiffness));
+  const MeshRendering rendering{
+      checked, mesh::corner_normals(checked, 60).normals, sides, mesh::Shading::vertex_scheme, kStiffness, {}};
+  const fast::Mesh fast = tests::fast_mesh(rendering);
+  const auto reference = tests::built(reference::GodObject::build(rendering));
   properties::MeshPath path(mesh, 1);
   mesh::GodObject state;
   const int ticks = mesh.triangles.size() <= 1000 ? 300 : 60;

@@ -1,10 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// One tick on the fast path, compiled once for all tests, because it takes ten seconds.
+// One tick on the fast path from any state, compiled once for all tests, because it takes ten seconds.
 
-#include "forceshade/fast/meshes/god_object.h"
+#include "forceshade/fast/meshes/advance.h"
 
 namespace forceshade::fast {
+
+// What one position does to a god-object. position: mm; stiffness: N/mm. A state that is not one of this mesh counts as none.
+template <class Stages = FilteredStages>
+mesh::Tick step(const Mesh& mesh, const mesh::GodObject& before, const std::array<float, 3>& position, float stiffness,
+                mesh::Shading shading, const Stages& stages = {}) noexcept {
+  Arrival at{spot_of(mesh, before), Rest::none, 0, true};
+  mesh::Tick tick;
+  if (in_domain(position)) advance(mesh, at, quantised(position), stiffness, shading, stages, tick);
+  tick.after = object_of(mesh, at.spot);
+  return tick;
+}
+
+// The state and the moves of a god-object that does not look at the other sheets of a mesh that intersects itself.
+mesh::Tick walk_through_sheets(const Mesh& mesh, const mesh::GodObject& before, const std::array<float, 3>& position) noexcept;
 
 extern template mesh::Tick step(const Mesh&, const mesh::GodObject&, const std::array<float, 3>&, float, mesh::Shading,
                                 const FilteredStages&) noexcept;

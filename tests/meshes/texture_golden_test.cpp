@@ -14,6 +14,7 @@
 #include "forceshade/reference/meshes/god_object.h"
 #include "forceshade/tests/height_maps/height_maps_file.h"
 #include "forceshade/tests/meshes/god_object_paths.h"
+#include "forceshade/tests/meshes/rendering.h"
 #include "forceshade/tests/meshes/steps.h"
 
 namespace forceshade {
@@ -70,10 +71,10 @@ TEST(texture_golden, corners_and_ticks_are_those_of_the_python_program_on_both_s
     ASSERT_EQ(mesh::corner_textures(checked, corners.points, options.scale, options.crease_degrees), corners.textures) << name;
 
     constexpr auto kScheme = mesh::Shading::texture_scheme;
-    const mesh::Texture texture{corners.textures, maps.at(name)};
-    const auto definition = std::get<reference::GodObject>(
-        reference::GodObject::build(path.mesh, path.normals, path.sides, kScheme, path.stiffness, texture));
-    const auto rendered = std::get<fast::Mesh>(fast::Mesh::build(path.mesh, path.normals, path.sides, texture));
+    const MeshRendering rendering{checked, path.normals,   path.sides,
+                                  kScheme, path.stiffness, {corners.textures, maps.at(name)}};
+    const auto definition = tests::built(reference::GodObject::build(rendering));
+    const fast::Mesh rendered = tests::fast_mesh(rendering);
     mesh::GodObject state;
     for (const tests::PathTick& row : path.ticks) {
       mesh::Tick expected = row.tick;

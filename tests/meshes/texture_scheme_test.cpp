@@ -26,6 +26,7 @@
 #include "forceshade/reference/height_map_field.h"
 #include "forceshade/reference/meshes/god_object.h"
 #include "forceshade/tests/meshes/god_object_paths.h"
+#include "forceshade/tests/meshes/rendering.h"
 #include "forceshade/tests/meshes/steps.h"
 #include "forceshade/tests/support/allocations.h"
 
@@ -54,20 +55,6 @@ std::size_t ticks_of_a_test(std::size_t usual) {
 
 HeightMap random_map(std::uint64_t seed) {
   return {properties::any_height_map()(rc::Random(seed), 40).value().map.parts};
-}
-
-fast::Mesh built(const mesh::TriangleMesh& triangles, const mesh::CornerNormals& normals, mesh::Sides sides,
-                 const mesh::Texture& texture) {
-  auto mesh = fast::Mesh::build(triangles, normals, sides, texture);
-  if (const auto* message = std::get_if<std::string>(&mesh)) throw std::runtime_error(*message);
-  return std::get<fast::Mesh>(std::move(mesh));
-}
-
-reference::GodObject definition(const mesh::TriangleMesh& triangles, const mesh::CornerNormals& normals, mesh::Sides sides,
-                                const mesh::Texture& texture) {
-  auto god_object = reference::GodObject::build(triangles, normals, sides, mesh::Shading::texture_scheme, kStiffness, texture);
-  if (const auto* error = std::get_if<ParameterError>(&god_object)) throw std::runtime_error(error->message());
-  return std::get<reference::GodObject>(std::move(god_object));
 }
 
 const char* name_of_stage(fast::Stage stage) {
@@ -144,13 +131,15 @@ TEST(texture_scheme, is_the_reference_in_every_bit_on_random_meshes_and_maps) {
     const properties::RandomMesh made = source.next();
     const mesh::CornerNormals normals = source.normals_of(made.mesh);
     const mesh::Texture texture{source.textures_of(made.mesh), random_map(seed)};
-    const fast::Mesh mesh = built(made.mesh, normals, made.sides, texture);
-    reference::GodObjectSession session(definition(made.mesh, normals, made.sides, texture));
+    const MeshRendering rendering{tests::checked(made.mesh),     normals,    made.sides,
+                                  mesh::Shading::texture_scheme, kStiffness, texture};
+    const fast::Mesh mesh = tests::fast_mesh(rendering);
+    reference::GodObjectSession definition(tests::built(reference::GodObject::build(rendering)));
     properties::MeshPath path(made.mesh, seed);
     mesh::GodObject state;
     for (std::size_t i = 0; i < kTicksOfAMesh; ++i) {
       const Position p = path.next();
-      const mesh::Tick expected = session.step(p);
+      const mesh::Tick expected = definition.step(p);
       const std::size_t allocated = tests::allocations();
       step(mesh, state, p, kStiffness, mesh::Shading::texture_scheme);
       ASSERT_EQ(tests::allocations(), allocated);
@@ -160,11 +149,11 @@ TEST(texture_scheme, is_the_reference_in_every_bit_on_random_meshes_and_maps) {
             << "mesh " << seed << ", " << properties::kMeshFamilies[made.family] << ", tick " << i << ": expected "
             << tests::show(expected) << ", found " << tests::show(found);
       fast::Arrival arrival{spot_of(mesh, state), fast::Rest::none, 0, true};
-      mesh::Tick tick;
-      step(mesh, arrival, p, kStiffness, mesh::Shading::texture_scheme, fast::FilteredStages(), tick);
-      if (tick.status != mesh::TickStatus::invalid) {
+      if (fast::in_domain(p)) {
+        const Position read = fast::quantised(p);
+        mesh::Tick tick;
+        fast::advance(mesh, arrival, read, kStiffness, mesh::Shading::texture_scheme, fast::FilteredStages(), tick);
         fast::ForceDecision decided;
-        const Position read{fast::quantised(p[0]), fast::quantised(p[1]), fast::quantised(p[2])};
         fast::mesh_force(mesh, arrival, read, kStiffness, mesh::Shading::texture_scheme, true, &decided);
         const fast::ForceStage stage = decided.numbers;
         const Position untilted = step(mesh, state, p, kStiffness, mesh::Shading::vertex_scheme).force;
@@ -191,16 +180,19 @@ TEST(texture_scheme, is_the_reference_in_every_bit_on_random_meshes_and_maps) {
 }
 
 // A mesh with points of a texture in mm, its normals and its gradients.
-properties::MeshRendering textured(mesh::TriangleMesh triangles, const std::vector<std::array<mesh::TexturePoint, 3>>& points,
-                                   HeightMap map) {
+MeshRendering textured(mesh::TriangleMesh triangles, const std::vector<std::array<mesh::TexturePoint, 3>>& points,
+                       HeightMap map) {
   const auto checked = std::get<mesh::CheckedMesh>(mesh::check(std::move(triangles)));
-  return {checked.mesh(),     mesh::corner_normals(checked).normals,
-          mesh::Sides::front, mesh::Shading::texture_scheme,
-          kStiffness,         {mesh::corner_textures(checked, points, 1), std::move(map)}};
+  return {checked,
+          mesh::corner_normals(checked).normals,
+          mesh::Sides::front,
+          mesh::Shading::texture_scheme,
+          kStiffness,
+          {mesh::corner_textures(checked, points, 1), std::move(map)}};
 }
 
-fast::MeshSession session_of(const properties::MeshRendering& of) {
-  return {std::make_shared<const fast::Mesh>(built(of.mesh, of.normals, of.sides, of.texture)), of.stiffness, of.shading};
+fast::MeshSession session_of(const MeshRendering& of) {
+  return {std::make_shared<const fast::Mesh>(tests::fast_mesh(of)), of.stiffness, of.shading};
 }
 
 double turn_between(const Position& a, const Position& b) {
@@ -223,15 +215,15 @@ TEST(texture_scheme, on_a_plane_the_force_is_that_of_the_force_shaded_height_map
   const mesh::TriangleMesh plane = mesh::thin_wall(60, 60, 7, 5);
   std::mt19937_64 random(8);
   for (const HeightMap& map : {cylinder_cap(), bilinear_samples()}) {
-    const properties::MeshRendering rendering = textured(plane, mesh::texture_from_above(plane), map);
+    const MeshRendering rendering = textured(plane, mesh::texture_from_above(plane), map);
     const auto field = fast::HeightMapField::build(map, height::Rendering::force_shaded, kStiffness);
     double largest = 0;
     for (int i = 0; i < 2000; ++i) {
       const auto coordinate = [&](float reach) { return reach * static_cast<float>(random() >> 40) * 0x1p-24F; };
       const Position p{coordinate(50) - 25, coordinate(50) - 25, -coordinate(2) - 0.01F};
       fast::MeshSession session = session_of(rendering);
-      session.step({p[0], p[1], 1});
-      const mesh::Tick tick = session.step(p);
+      session.tick({p[0], p[1], 1});
+      const mesh::Tick tick = session.tick(p);
       const Eigen::Vector3f expected = std::get<fast::HeightMapField>(field).force({p[0], p[1], p[2]});
       const Eigen::Vector3f found(tick.force[0], tick.force[1], tick.force[2]);
       ++counts[found.x() == 0 ? "upright" : "tilted"];
@@ -249,7 +241,7 @@ TEST(texture_scheme, the_direction_is_continuous_within_a_chart_and_jumps_at_sea
   const mesh::TriangleMesh sphere = mesh::icosphere(7, 20);
   const auto points = mesh::texture_from_box(sphere);
   constexpr float kHeight = 4, kSigma = 12;  // mm
-  const properties::MeshRendering rendering = textured(sphere, points, {{{height::Gaussian{0, 0, kHeight, kSigma}}}});
+  const MeshRendering rendering = textured(sphere, points, {{{height::Gaussian{0, 0, kHeight, kSigma}}}});
   // N' = N - l (U_x G_x + U_y G_y): with L the Lipschitz constants of N, G_x and G_y in a triangle, |G_x|, |G_y|, |N| and the
   // steps of x and y along the surface at most 1, and the largest slope and curvature of the Gaussian, N' changes by so much a
   // mm. It is 0.5 long or more.
@@ -298,7 +290,7 @@ TEST(texture_scheme, the_direction_is_continuous_within_a_chart_and_jumps_at_sea
     const double around = (20 - depth) * std::cos(climb);
     const Position p{static_cast<float>(around * std::cos(turn)), static_cast<float>(around * std::sin(turn)),
                      static_cast<float>((20 - depth) * std::sin(climb))};
-    const mesh::Tick tick = session.step(p);
+    const mesh::Tick tick = session.tick(p);
     const auto violation = properties::force_is_as_long_as_the_spring(rendering, {p, tick});
     ASSERT_FALSE(violation) << *violation;
     if (before.after.place == mesh::Place::triangle && tick.after.place == mesh::Place::triangle) {
@@ -371,13 +363,12 @@ TEST(texture_scheme, gradients_are_those_of_the_map_and_what_cannot_be_laid_over
 // A texture that a side cannot hold is refused by both.
 TEST(texture_scheme, both_sides_refuse_the_same_textures) {
   const mesh::TriangleMesh plane = mesh::thin_wall(10, 10, 1, 1);
-  const properties::MeshRendering good = textured(plane, mesh::texture_from_above(plane), cylinder_cap());
+  const MeshRendering good = textured(plane, mesh::texture_from_above(plane), cylinder_cap());
   const auto are_refused = [&](const mesh::Texture& texture) {
-    const auto by_reference =
-        reference::GodObject::build(good.mesh, good.normals, good.sides, good.shading, kStiffness, texture);
-    const auto by_fast = fast::Mesh::build(good.mesh, good.normals, good.sides, texture);
-    const bool is_refused = std::holds_alternative<std::string>(by_fast);
-    EXPECT_EQ(std::holds_alternative<ParameterError>(by_reference), is_refused);
+    MeshRendering other = good;
+    other.texture = texture;
+    const bool is_refused = std::holds_alternative<ParameterError>(fast::GodObject::build(other));
+    EXPECT_EQ(std::holds_alternative<ParameterError>(reference::GodObject::build(other)), is_refused);
     return is_refused;
   };
   EXPECT_FALSE(are_refused(good.texture));

@@ -15,6 +15,7 @@
 #include "forceshade/meshes/make.h"
 #include "forceshade/meshes/normals.h"
 #include "forceshade/tests/meshes/loaded.h"
+#include "forceshade/tests/meshes/rendering.h"
 
 namespace forceshade {
 namespace {
@@ -30,9 +31,8 @@ constexpr float kStiffness = 0.5F;  // N/mm
 
 std::shared_ptr<const fast::Mesh> built(const mesh::TriangleMesh& triangles, Sides sides,
                                         const mesh::CornerNormals& normals = {}) {
-  auto result = fast::Mesh::build(triangles, normals, sides);
-  if (const auto* message = std::get_if<std::string>(&result)) throw std::runtime_error(*message);
-  return std::make_shared<const fast::Mesh>(std::get<fast::Mesh>(std::move(result)));
+  return std::make_shared<const fast::Mesh>(
+      tests::fast_mesh(normals.empty() ? tests::unshaded(triangles, sides) : tests::shaded(triangles, normals, sides)));
 }
 
 bool is_same(const mesh::Tick& a, const mesh::Tick& b) {
@@ -91,14 +91,14 @@ TEST(usual_faults, the_force_does_not_turn_to_and_fro_on_a_sphere) {
     const double rho = std::acos(least_cosine(sphere, kRadius)) + 0x1p-16;
     ASSERT_GT(rho, 0.01);
     MeshSession session(built(sphere, Sides::front), kStiffness, Shading::none);
-    session.step({60, 0, 0});
+    session.tick({60, 0, 0});
     Position before{}, force_before{};
     double most = 0, most_of_bound = 0;
     int facets = 0, turns_back = 0;
     std::uint32_t facet = 0, facet_before = 0;
     for (int i = 0; i < 100000; ++i) {
       const Position p = around_the_sphere(1e-3 * i);
-      const mesh::Tick tick = session.step(p);
+      const mesh::Tick tick = session.tick(p);
       ASSERT_EQ(tick.status, TickStatus::touching) << i;
       ASSERT_EQ(tick.after.place, Place::triangle) << i;
       if (i > 0) {
@@ -131,13 +131,13 @@ TEST(usual_faults, the_force_does_not_turn_to_and_fro_on_a_sphere) {
 
 TEST(usual_faults, a_hand_that_is_held_still_has_the_same_force_for_ever) {
   MeshSession session(built(mesh::icosphere(22, 50), Sides::front), kStiffness, Shading::none);
-  session.step({60, 0, 0});
+  session.tick({60, 0, 0});
   int stills = 0;
   for (int i = 0; i < 2000; ++i) {
     const Position p = around_the_sphere(0.01 * i);
-    const mesh::Tick first = session.step(p);
+    const mesh::Tick first = session.tick(p);
     for (int k = 0; k < 5; ++k) {
-      const mesh::Tick again = session.step(p);
+      const mesh::Tick again = session.tick(p);
       ASSERT_EQ(again.after, first.after) << i;
       ASSERT_EQ(std::memcmp(again.force.data(), first.force.data(), sizeof again.force), 0) << i;
     }
@@ -191,12 +191,12 @@ TEST(usual_faults, a_text_in_m_gives_the_same_bits_as_the_same_text_in_mm) {
   EXPECT_EQ(in_mm.mesh.mesh.vertices, sphere.vertices);
   MeshSession a(built(in_mm.mesh.mesh, Sides::front), kStiffness, Shading::none),
       b(built(in_m.mesh.mesh, Sides::front), kStiffness, Shading::none);
-  a.step({60, 0, 0});
-  b.step({60, 0, 0});
+  a.tick({60, 0, 0});
+  b.tick({60, 0, 0});
   int touching = 0;
   for (int i = 0; i < 5000; ++i) {
     const Position p = around_the_sphere(1e-3 * i);
-    const mesh::Tick in_a = a.step(p), in_b = b.step(p);
+    const mesh::Tick in_a = a.tick(p), in_b = b.tick(p);
     ASSERT_TRUE(is_same(in_a, in_b)) << i;
     touching += in_a.status == TickStatus::touching;
   }
@@ -244,14 +244,14 @@ TEST(usual_faults, nan_infinity_and_1e26_change_nothing_in_contact_and_in_free_s
     Position p = around_the_sphere(1e-3 * i);
     if (is_above)
       for (float& coordinate : p) coordinate *= 1.125F;
-    ASSERT_TRUE(is_same(disturbed.step(p), quiet.step(p))) << i;
+    ASSERT_TRUE(is_same(disturbed.tick(p), quiet.tick(p))) << i;
     ++(is_above ? in_free_space : in_contact);
     for (const float wrong : {kNan, -kNan, kInfinity, -kInfinity, 1e26F, -1e26F, std::nextafter(1e4F, kInfinity)})
       for (std::size_t axis = 0; axis < 3; ++axis) {
         Position off = p;
         off[axis] = wrong;
         const mesh::GodObject before = disturbed.state();
-        const mesh::Tick tick = disturbed.step(off);
+        const mesh::Tick tick = disturbed.tick(off);
         ASSERT_EQ(tick.status, TickStatus::invalid) << i << ": " << wrong;
         ASSERT_EQ(tick.force, (Position{0, 0, 0}));
         ASSERT_EQ(tick.moves, 0);
@@ -265,9 +265,9 @@ TEST(usual_faults, nan_infinity_and_1e26_change_nothing_in_contact_and_in_free_s
 
 TEST(usual_faults, a_vertex_at_1e26_is_refused_in_words) {
   mesh::TriangleMesh triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1e26F, 0}}, {{0, 1, 2}}};
-  const auto refused = fast::Mesh::build(triangle, {}, Sides::both);
-  ASSERT_TRUE(std::holds_alternative<std::string>(refused));
-  EXPECT_EQ(std::get<std::string>(refused), "vertex 2 is outside the domain");
+  const auto refused = mesh::check(triangle);
+  ASSERT_TRUE(std::holds_alternative<mesh::Findings>(refused));
+  EXPECT_EQ(std::get<mesh::Findings>(refused).words(), "vertex 2 has a coordinate that is no number within 10000 mm\n");
   const mesh::Loaded loaded = mesh::of_text("far.obj", "v 0 0 0\nv 1 0 0\nv 0 1e26 0\nf 1 2 3\n");
   EXPECT_TRUE(loaded.refusal.starts_with("line 3: ")) << loaded.refusal;
   EXPECT_NE(loaded.refusal.find("10000"), std::string::npos) << loaded.refusal;
@@ -284,12 +284,12 @@ TEST(usual_faults, a_jump_of_10_m_does_not_pass_through_a_thin_wall) {
     for (const float y : {0.0F, -25.0F, 10.0F, 3.1F})
       for (const float slant : {0.0F, 20.0F, 70.0F}) {
         MeshSession session(wall, kStiffness, Shading::none);
-        ASSERT_EQ(session.step({x - slant, y, 5000}).status, TickStatus::free);
-        const mesh::Tick below = session.step({x, y, -5000});
+        ASSERT_EQ(session.tick({x - slant, y, 5000}).status, TickStatus::free);
+        const mesh::Tick below = session.tick({x, y, -5000});
         ASSERT_EQ(below.status, TickStatus::touching) << x << " " << y << " " << slant;
         EXPECT_EQ(below.after.side, mesh::Side::front);
         EXPECT_EQ(below.force, (Position{0, 0, 2500}));
-        const mesh::Tick above = session.step({x, y, 5000});
+        const mesh::Tick above = session.tick({x, y, 5000});
         EXPECT_EQ(above.status, TickStatus::free);
         EXPECT_EQ(above.force, (Position{0, 0, 0}));
         ++jumps;
@@ -300,8 +300,8 @@ TEST(usual_faults, a_jump_of_10_m_does_not_pass_through_a_thin_wall) {
 // The top of a plate of 0.01 mm holds what comes from above, at whatever speed, and not the bottom.
 TEST(usual_faults, a_jump_of_10_m_stops_at_the_first_of_two_sheets_that_nearly_touch) {
   MeshSession session(built(mesh::box(100, 100, 0.01), Sides::front), kStiffness, Shading::none);
-  session.step({1, 2, 5000});
-  const mesh::Tick tick = session.step({3, 4, -5000});
+  session.tick({1, 2, 5000});
+  const mesh::Tick tick = session.tick({3, 4, -5000});
   ASSERT_EQ(tick.status, TickStatus::touching);
   const double height = static_cast<double>(static_cast<float>(0.005)) + 5000;
   EXPECT_EQ(tick.force, (Position{0, 0, static_cast<float>(0.5 * height)}));
@@ -319,12 +319,12 @@ TEST(usual_faults, a_crease_stays_a_crease_under_shading) {
   MeshSession sharp(built(cube, Sides::front, normals_of(cube, 30)), kStiffness, Shading::vertex_scheme),
       plain(built(cube, Sides::front), kStiffness, Shading::none),
       smooth(built(cube, Sides::front, normals_of(cube, 180)), kStiffness, Shading::vertex_scheme);
-  for (MeshSession* session : {&sharp, &plain, &smooth}) session->step({15, 1, 0});
+  for (MeshSession* session : {&sharp, &plain, &smooth}) session->tick({15, 1, 0});
   int on_side = 0, on_top = 0, is_free = 0, turned_by_shading = 0;
   for (int i = 0; i < 2150; ++i) {
     const float way = 0.01F * static_cast<float>(i);
     const Position p = i < 1050 ? Position{9, 1, way} : i < 1250 ? Position{9, 1, 21.0F - way} : Position{21.5F - way, 1, 8.5F};
-    const mesh::Tick tick = sharp.step(p), expected = plain.step(p), turned = smooth.step(p);
+    const mesh::Tick tick = sharp.tick(p), expected = plain.tick(p), turned = smooth.tick(p);
     ASSERT_EQ(tick.after, expected.after) << i;
     ASSERT_EQ(tick.force, expected.force) << i;
     const bool is_side = tick.force[0] > 0 && tick.force[1] == 0 && tick.force[2] == 0;
@@ -357,12 +357,12 @@ TEST(usual_faults, a_groove_holds_the_god_object_at_its_bottom) {
       groove.triangles.push_back({a, a + 4, a + 1});
     }
   MeshSession session(built(groove, Sides::both), kStiffness, Shading::none);
-  session.step({0.4F, 0.1F, 5});
+  session.tick({0.4F, 0.1F, 5});
   int at_edges = 0;
   for (int i = 0; i < 3000; ++i) {
     const double t = 1e-3 * i;
     const Position p{static_cast<float>(15 * std::sin(3 * t)), static_cast<float>(0.9 * std::sin(40 * t)), -1};
-    const mesh::Tick tick = session.step(p);
+    const mesh::Tick tick = session.tick(p);
     ASSERT_EQ(tick.status, TickStatus::touching) << i;
     ASSERT_TRUE(tick.after.place == Place::edge || tick.after.place == Place::vertex) << i;
     at_edges += tick.after.place == Place::edge;

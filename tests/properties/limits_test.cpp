@@ -8,13 +8,15 @@
 #include "forceshade/properties/binary32.h"
 #include "forceshade/properties/mesh_properties.h"
 #include "forceshade/properties/work.h"
+#include "forceshade/tests/meshes/rendering.h"
 
 namespace forceshade::properties {
 namespace {
 
 // A triangle in z = 0, K = 2 N/mm. Its grid is fine enough that slacks stay below 10^-5 mJ.
 MeshRendering flat_triangle(mesh::Shading shading) {
-  MeshRendering rendering{{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}}, {}, mesh::Sides::front, shading, 2};
+  MeshRendering rendering{
+      tests::checked({{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}}), {}, mesh::Sides::front, shading, 2, {}};
   if (shading != mesh::Shading::none) rendering.normals = {{{0.6F, 0, 0.8F}, {0.6F, 0, 0.8F}, {0.6F, 0, 0.8F}}};
   return rendering;
 }

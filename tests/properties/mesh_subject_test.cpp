@@ -19,16 +19,17 @@
 #include "forceshade/properties/mesh_generators.h"
 #include "forceshade/properties/mesh_properties.h"
 #include "forceshade/properties/run.h"
+#include "forceshade/tests/meshes/rendering.h"
 
 namespace forceshade::properties {
 namespace {
 
 MeshRendering rendering_of(MeshSource& source, std::size_t family, mesh::Shading shading) {
   RandomMesh random = source.of_family(family);
-  MeshRendering rendering{std::move(random.mesh), {}, random.sides, shading, 0.3F};
-  if (mesh::has_corner_normals(shading)) rendering.normals = source.normals_of(rendering.mesh);
+  MeshRendering rendering{tests::checked(std::move(random.mesh)), {}, random.sides, shading, 0.3F};
+  if (mesh::has_corner_normals(shading)) rendering.normals = source.normals_of(rendering.mesh());
   if (shading == mesh::Shading::texture_scheme)
-    rendering.texture = {source.textures_of(rendering.mesh),
+    rendering.texture = {source.textures_of(rendering.mesh()),
                          {{{height::Grating{1, 0.5F, 0.75F, 0}}, {height::Cone{1, 2, 3, 4}}}}};
   return rendering;
 }
@@ -145,20 +146,20 @@ TEST(mesh_subject, finds_a_renderer_that_is_wrong) {
 MeshRendering shaded_plane(double R) {
   constexpr double kHalf = 12.7;
   constexpr std::uint32_t kCells = 400, kColumns = 450;  // across the bump; with the plane beside it
-  MeshRendering rendering{{}, {}, mesh::Sides::front, mesh::Shading::vertex_scheme, 0.5F};
+  mesh::TriangleMesh plane;
+  mesh::CornerNormals normals;
   for (std::uint32_t i = 0; i <= kColumns; ++i)
-    for (const float y : {-5.0F, 5.0F})
-      rendering.mesh.vertices.push_back({static_cast<float>(-kHalf + 2 * kHalf * i / kCells), y, 0});
+    for (const float y : {-5.0F, 5.0F}) plane.vertices.push_back({static_cast<float>(-kHalf + 2 * kHalf * i / kCells), y, 0});
   const auto normal = [&](std::uint32_t column, std::uint32_t v) {
-    const double x = column < kCells ? static_cast<double>(rendering.mesh.vertices[v][0]) / R : 0;
+    const double x = column < kCells ? static_cast<double>(plane.vertices[v][0]) / R : 0;
     return mesh::Normal{static_cast<float>(x), 0, static_cast<float>(std::sqrt(1 - x * x))};
   };
   for (std::uint32_t i = 0; i < kColumns; ++i)
     for (const mesh::Triangle& t : {mesh::Triangle{2 * i, 2 * i + 2, 2 * i + 1}, {2 * i + 1, 2 * i + 2, 2 * i + 3}}) {
-      rendering.mesh.triangles.push_back(t);
-      rendering.normals.push_back({normal(i, t[0]), normal(i, t[1]), normal(i, t[2])});
+      plane.triangles.push_back(t);
+      normals.push_back({normal(i, t[0]), normal(i, t[1]), normal(i, t[2])});
     }
-  return rendering;
+  return tests::shaded(std::move(plane), std::move(normals), mesh::Sides::front, 0.5F);
 }
 
 // The hand presses at x = 0, goes outward past w/2 at depth D and comes back above the surface; the law gives K D w²/8R
@@ -225,7 +226,7 @@ TEST(mesh_subject, shading_gives_what_the_law_gives_and_no_more_than_its_turns_a
 
 // Its bound is the root of 2 where a normal does not point to the front of its triangle.
 TEST(mesh_subject, knows_the_largest_turn_of_a_triangle) {
-  MeshRendering rendering{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, {}, {}, mesh::Shading::vertex_scheme, 1};
+  MeshRendering rendering = tests::shaded({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, {}, mesh::Sides::front);
   const auto turn = [&](const mesh::Normal& a, const mesh::Normal& b, const mesh::Normal& c) {
     rendering.normals = {{a, b, c}};
     return largest_turn(rendering, 0);
@@ -262,8 +263,15 @@ TEST(mesh_subject, identity_is_that_of_every_number) {
     change(other);
     return !its.is_same(identity_of("star.off", other));
   };
-  EXPECT_TRUE(changed([](MeshRendering& r) { r.mesh.vertices[3][1] = std::nextafter(r.mesh.vertices[3][1], 9e3F); }));
-  EXPECT_TRUE(changed([](MeshRendering& r) { std::swap(r.mesh.triangles[0], r.mesh.triangles[1]); }));
+  const auto changed_mesh = [&](const std::function<void(mesh::TriangleMesh&)>& change) {
+    return changed([&](MeshRendering& r) {
+      mesh::TriangleMesh other = r.mesh();
+      change(other);
+      r.checked = tests::checked(std::move(other));
+    });
+  };
+  EXPECT_TRUE(changed_mesh([](mesh::TriangleMesh& m) { m.vertices[3][1] = std::nextafter(m.vertices[3][1], 9e3F); }));
+  EXPECT_TRUE(changed_mesh([](mesh::TriangleMesh& m) { std::swap(m.triangles[0], m.triangles[1]); }));
   EXPECT_TRUE(changed([](MeshRendering& r) { r.normals[2][1][0] += 0x1p-20F; }));
   EXPECT_TRUE(
       changed([](MeshRendering& r) { r.sides = r.sides == mesh::Sides::both ? mesh::Sides::front : mesh::Sides::both; }));
