@@ -15,6 +15,7 @@
 
 #include "forceshade/vocabulary/height_map.h"
 #include "forceshade/vocabulary/law.h"
+#include "forceshade/vocabulary/mesh.h"
 
 namespace forceshade {
 namespace {
@@ -144,12 +145,13 @@ TEST(structure, every_module_has_its_link_in_include) {
 struct Named {
   std::string file, name, words, type;  // bump_2p, bump-2p, bump 2p, Bump2p
 
-  explicit Named(std::string_view of) : name(of) {
-    file = words = name;
+  // ending: of the file, words and type beside the name: vertex_scheme of the name vertex.
+  explicit Named(std::string_view of, std::string_view ending = "") : name(of) {
+    file = words = name + std::string(ending);
     std::ranges::replace(file, '-', '_');
     std::ranges::replace(words, '-', ' ');
     bool is_first = true;
-    for (const char c : name) {
+    for (const char c : name + std::string(ending)) {
       if (c != '-') type += is_first ? static_cast<char>(std::toupper(c)) : c;
       is_first = c == '-';
     }
@@ -160,15 +162,20 @@ struct Named {
 struct Sort {
   const char* heading;
   const char* pattern;
+  const char* id;  // before the file's name, in code
   std::size_t most_places;
   std::vector<Named> all;
   std::map<std::string, std::string> exceptions;  // files that name most of them, and why none has to be added there
 };
 
 std::vector<Sort> sorts() {
-  Sort laws{"## Adding a law", "<law>", 12, {}, {}}, kinds{"## Adding a kind of height map", "<kind>", 8, {}, {}};
+  Sort laws{"## Adding a law", "<law>", "LawId::", 12, {}, {}},
+      kinds{"## Adding a kind of height map", "<kind>", "LawId::", 8, {}, {}},
+      schemes{"## Adding a shading scheme", "<scheme>", "Shading::", 10, {}, {}};
   for (const LawName& law : kLaws) laws.all.emplace_back(law.name);
   for (const std::string_view kind : height::kKindNames) kinds.all.emplace_back(kind);
+  for (const std::string_view scheme : mesh::kShadingNames)
+    if (scheme != mesh::name_of(mesh::Shading::none)) schemes.all.emplace_back(scheme, "-scheme");
   const std::string chosen = "it tests chosen laws and numbers, while loops over kLaws test every law",
                     figures = "the thesis's own figures", stimuli = "the stimuli of the thesis's two experiments";
   laws.exceptions = {
@@ -205,7 +212,20 @@ std::vector<Sort> sorts() {
       {"tests/reference/profile_test.cpp", maps},
       {"tests/report/side_view_test.cpp", maps},
   };
-  return {laws, kinds};
+  const std::string some = "it tests what the schemes that it names have; mesh_subject_test.cpp runs every scheme",
+                    paths = "the schemes of the stored paths";
+  schemes.exceptions = {
+      {"bench/mesh_bench.cpp", "the schemes that are timed"},
+      {"properties/mesh_subject.cpp", "what only one scheme has: a turn that is bounded, a texture to draw"},
+      {"tests/fast/same_bits_meshes.h", "the schemes of the stored hashes"},
+      {"tests/meshes/god_object_consequences_test.cpp", some},
+      {"tests/meshes/god_object_golden_test.cpp", paths},
+      {"tests/meshes/god_object_test.cpp", some},
+      {"tests/meshes/mesh_contract_test.cpp", some},
+      {"tests/meshes/texture_golden_test.cpp", paths},
+      {"tests/meshes/texture_scheme_test.cpp", some},
+  };
+  return {laws, kinds, schemes};
 }
 
 std::string text_of(const std::filesystem::path& file) {
@@ -263,7 +283,7 @@ TEST(structure, the_tables_of_contributing_name_as_few_places_as_they_may) {
   }
 }
 
-TEST(structure, every_law_and_kind_is_in_every_place_of_its_table) {
+TEST(structure, everything_is_in_every_place_of_its_table) {
   for (const Sort& sort : sorts())
     for (const std::string& place : places_of(sort)) {
       const std::vector<std::string> files = files_of(place, sort);
@@ -278,8 +298,8 @@ TEST(structure, every_law_and_kind_is_in_every_place_of_its_table) {
 }
 
 // By its type, its id, its name as a text or its header; comments left out.
-bool is_in_code(const std::string& code, const Named& one) {
-  return has_word(code, one.type) || has_word(code, "LawId::" + one.file) ||
+bool is_in_code(const std::string& code, const Named& one, const std::string& sort_id) {
+  return has_word(code, one.type) || has_word(code, sort_id + one.file) ||
          code.find('"' + one.name + '"') != std::string::npos || code.find('/' + one.file + ".h\"") != std::string::npos;
 }
 
@@ -292,7 +312,7 @@ std::string without_comments(const std::filesystem::path& file) {
 
 // What names more than half of the laws or kinds is a list, a switch or a set of overloads, which one more would have to be
 // added to.
-TEST(structure, no_file_beside_the_tables_has_to_be_extended_for_a_law_or_a_kind) {
+TEST(structure, no_file_beside_the_tables_has_to_be_extended) {
   for (const Sort& sort : sorts()) {
     std::set<std::string> places;
     for (const std::string& place : places_of(sort))
@@ -304,8 +324,8 @@ TEST(structure, no_file_beside_the_tables_has_to_be_extended_for_a_law_or_a_kind
       if (extension != ".h" && extension != ".cpp" && extension != ".inl" && extension != ".inc") return;
       ++found;
       const std::string code = without_comments(path);
-      const auto named =
-          static_cast<std::size_t>(std::ranges::count_if(sort.all, [&](const Named& one) { return is_in_code(code, one); }));
+      const auto named = static_cast<std::size_t>(
+          std::ranges::count_if(sort.all, [&](const Named& one) { return is_in_code(code, one, sort.id); }));
       if (2 * named <= sort.all.size() || places.contains(file)) return;
       if (unused.erase(file) == 0)
         ADD_FAILURE() << file << " names " << named << " of " << sort.all.size() << ", and is not in " << sort.heading;

@@ -5,9 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "forceshade/reference/meshes/edge_scheme.h"
 #include "forceshade/reference/meshes/force.h"
-#include "forceshade/reference/meshes/texture_scheme.h"
+#include "forceshade/reference/meshes/schemes/all.h"
 #include "forceshade/reference/position.h"
 
 namespace forceshade::reference {
@@ -33,31 +32,12 @@ struct GodObject::Parts {
   std::unique_ptr<const meshes::Scheme> scheme;  // null: the force is not shaded
 };
 
-namespace {
-
-std::variant<HeightMapField, ParameterError> field_of(const mesh::Texture& texture) {
-  return HeightMapField::build({texture.map.parts}, height::Rendering::force_shaded, 1);
-}
-
-}  // namespace
-
 std::variant<GodObject, ParameterError> GodObject::build(const MeshRendering& rendering) {
   if (const auto error = first_error(rendering)) return *error;
   auto parts = std::make_shared<Parts>(rendering);
-  switch (rendering.shading) {
-    case mesh::Shading::none: break;
-    case mesh::Shading::vertex_scheme:
-      parts->scheme = std::make_unique<meshes::VertexScheme>(parts->surface, rendering.normals);
-      break;
-    case mesh::Shading::edge_scheme: parts->scheme = std::make_unique<meshes::EdgeScheme>(parts->surface); break;
-    case mesh::Shading::texture_scheme: {
-      auto map = field_of(rendering.texture);
-      if (const auto* error = std::get_if<ParameterError>(&map)) return *error;
-      parts->scheme = std::make_unique<meshes::TextureScheme>(parts->surface, rendering.normals, rendering.texture.corners,
-                                                              std::get<HeightMapField>(std::move(map)));
-      break;
-    }
-  }
+  auto scheme = meshes::scheme_of(rendering, parts->surface);
+  if (const auto* error = std::get_if<ParameterError>(&scheme)) return *error;
+  parts->scheme = std::get<std::unique_ptr<const meshes::Scheme>>(std::move(scheme));
   return GodObject(std::move(parts));
 }
 

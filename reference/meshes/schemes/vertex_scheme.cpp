@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/meshes/vertex_scheme.h"
+#include "forceshade/reference/meshes/schemes/vertex_scheme.h"
 
 #include <utility>
 

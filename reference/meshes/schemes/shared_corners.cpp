@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/meshes/shared_corners.h"
+#include "forceshade/reference/meshes/schemes/shared_corners.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 // Schemes that give a direction at each corner of each triangle and interpolate: where these directions are shared, and how one
 // goes over into another on an edge where they are not (docs/meshes.md).
 
-#include "forceshade/reference/meshes/scheme.h"
+#include "forceshade/reference/meshes/schemes/scheme.h"
 
 namespace forceshade::reference::meshes {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/meshes/texture_scheme.h"
+#include "forceshade/reference/meshes/schemes/texture_scheme.h"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/meshes/edge_scheme.h"
+#include "forceshade/reference/meshes/schemes/edge_scheme.h"
 
 #include "forceshade/reference/meshes/rounding.h"
 

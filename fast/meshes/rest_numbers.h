@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What the force at a rest is made of: the way from p to r, normals, edges and weights, in the numbers of any stage.
+
+#include <array>
+#include <cstdint>
+
+#include "forceshade/fast/meshes/bit_span.h"
+#include "forceshade/fast/meshes/bounded_vector3.h"
+#include "forceshade/fast/meshes/walk.h"
+#include "forceshade/fast/numbers/big_float_ball.h"
+
+namespace forceshade::fast::meshes {
+
+// Exact, because no expression takes more bits than these have.
+constexpr std::size_t kShadedLimbs = 64;
+using Shaded = BigFloatBall<kShadedLimbs>;
+static_assert(most_bits_of_shaded_force() <= static_cast<int>(64 * kShadedLimbs));
+
+// r - p = vector/length, length > 0.
+template <class N>
+struct Way3 {
+  Vector3<N> vector;
+  N length;
+};
+
+template <class N>
+FORCESHADE_INLINE Vector3<N> point(const float* a) noexcept {
+  return {N::exactly(static_cast<double>(a[0])), N::exactly(static_cast<double>(a[1])), N::exactly(static_cast<double>(a[2]))};
+}
+template <class N>
+FORCESHADE_INLINE Vector3<N> scaled(const N& factor, const Vector3<N>& a) noexcept {
+  return {factor * a.x, factor * a.y, factor * a.z};
+}
+template <class N>
+FORCESHADE_INLINE Vector3<N> sum(const Vector3<N>& a, const Vector3<N>& b) noexcept {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class N>
+FORCESHADE_INLINE Vector3<N> opposite(const Vector3<N>& a) noexcept {
+  return {-a.x, -a.y, -a.z};
+}
+template <class N>
+inline N whole(std::uint32_t value) noexcept {
+  return N::exactly(static_cast<double>(value));
+}
+
+using Force3 = std::array<float, 3>;  // N
+
+// An exact number of units of `unit`, a power of two, in binary64.
+template <int kBits>
+inline DoubleWithError near(const FixedInteger<kBits>& number, double unit) noexcept {
+  const double value = unit * number.approximately();
+  return {value, 0x1p-51 * __builtin_fabs(value)};
+}
+template <class T>
+inline Vector3<DoubleWithError> near(const Vector3<T>& a, double unit) noexcept {
+  return {near(a.x, unit), near(a.y, unit), near(a.z, unit)};
+}
+constexpr double kUnit = 0x1p-53;  // mm, of coordinates; of products of two, three and four of them:
+constexpr double kUnit2 = kUnit * kUnit, kUnit3 = kUnit2 * kUnit, kUnit4 = kUnit2 * kUnit2;
+
+// kIsFromIntegers: what cancels is computed in integers first, so that each number is good to a few units of its last place,
+// and 0 where it is 0.
+template <class Numbers, bool kIsFromIntegers = false>
+class RestNumbers {
+ public:
+  using N = Numbers;
+
+  // p: mm, in the domain and quantised. All three have to outlive this.
+  RestNumbers(const Mesh& mesh, const Arrival& arrival, const float* p) noexcept
+      : mesh_(mesh), spot_(arrival.spot), rest_(arrival.rest), position_(p), p_(point<N>(p)) {}
+
+  const Mesh& mesh() const noexcept { return mesh_; }
+  const Spot& spot() const noexcept { return spot_; }
+  Rest rest() const noexcept { return rest_; }
+
+  Way3<N> way() const noexcept {
+    switch (rest_) {
+      case Rest::in_triangle: {
+        const Face& f = mesh_.face(face_of(spot_.half));
+        const Vector3<N> n = normal(f);
+        if constexpr (kIsFromIntegers) {
+          const auto exact = ExactFace(f).n;
+          return {scaled(-near(dot(exact, exact_difference(position_, f.corner[0].data())), kUnit3), n),
+                  near(square(exact), kUnit4)};
+        } else {
+          return {scaled(-dot(n, p_ - point<N>(f.corner[0].data())), n), square(n)};
+        }
+      }
+      case Rest::on_edge: {
+        if constexpr (kIsFromIntegers) {
+          const ExactDifference e = exact_edge(), w = exact_difference(position_, mesh_.start_point(spot_.half));
+          return {near(cross(e, cross(e, w)), kUnit3), near(square(e), kUnit2)};
+        } else {
+          const Vector3<N> e = edge(), w = p_ - start();
+          return {cross(e, cross(e, w)), square(e)};
+        }
+      }
+      default: {
+        const Point g = point_of(mesh_, spot_);
+        if constexpr (kIsFromIntegers) return {opposite(near(exact_offset_from(g, position_), kUnit)), N::exactly(0x1p24)};
+        Vector3<N> to = scaled(whole<N>(g.weight[0]), point<N>(g.corner[0]) - p_);
+        for (std::size_t c = 1; c < static_cast<std::size_t>(g.count); ++c)
+          to = sum(to, scaled(whole<N>(g.weight[c]), point<N>(g.corner[c]) - p_));
+        return {to, N::exactly(0x1p24)};
+      }
+    }
+  }
+
+  Vector3<N> normal(const Face& f) const noexcept {
+    if constexpr (kIsFromIntegers) return near(ExactFace(f).n, kUnit2);
+    const Vector3<N> a = point<N>(f.corner[0].data());
+    return cross(point<N>(f.corner[1].data()) - a, point<N>(f.corner[2].data()) - a);
+  }
+  Vector3<N> start() const noexcept { return point<N>(mesh_.start_point(spot_.half)); }
+  Vector3<N> edge() const noexcept { return point<N>(mesh_.start_point(next(spot_.half))) - start(); }
+
+  // Up to a common factor.
+  std::array<N, 3> weights_in_triangle() const noexcept {
+    if (rest_ == Rest::at_spot)
+      return {whole<N>(kGrid - spot_.weight[0] - spot_.weight[1]), whole<N>(spot_.weight[0]), whole<N>(spot_.weight[1])};
+    const Face& f = mesh_.face(face_of(spot_.half));
+    if constexpr (kIsFromIntegers) {
+      const ExactWeights exact(f, position_);
+      return {near(exact.corner[0], kUnit4), near(exact.corner[1], kUnit4), near(exact.corner[2], kUnit4)};
+    }
+    const Vector3<N> a = point<N>(f.corner[0].data()), n = normal(f), w = p_ - a;
+    const N second = dot(cross(w, point<N>(f.corner[2].data()) - a), n),
+            third = dot(cross(point<N>(f.corner[1].data()) - a, w), n);
+    return {square(n) - (second + third), second, third};
+  }
+  std::array<N, 2> weights_on_edge() const noexcept {
+    if (rest_ == Rest::at_spot) return {whole<N>(kGrid - spot_.weight[0]), whole<N>(spot_.weight[0])};
+    if constexpr (kIsFromIntegers) {
+      const ExactFoot exact(mesh_.start_point(spot_.half), mesh_.start_point(next(spot_.half)), position_);
+      return {near(exact.length - exact.along, kUnit2), near(exact.along, kUnit2)};
+    }
+    const Vector3<N> e = edge();
+    const N along = dot(p_ - start(), e);
+    return {square(e) - along, along};
+  }
+
+ private:
+  ExactDifference exact_edge() const noexcept {
+    return exact_difference(mesh_.start_point(next(spot_.half)), mesh_.start_point(spot_.half));
+  }
+
+  const Mesh& mesh_;
+  const Spot& spot_;
+  Rest rest_;
+  const float* position_;
+  Vector3<N> p_;
+};
+
+}  // namespace forceshade::fast::meshes

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What a shading scheme gives in real time.
+
+#include "forceshade/fast/meshes/vector3.h"
+#include "forceshade/vocabulary/mesh.h"
+
+namespace forceshade::fast::meshes {
+
+// `none`: the scheme gives no direction there, and the force is the unshaded one; `unknown`: these numbers cannot decide it.
+enum class ShadingOutcome { direction, none, unknown };
+
+template <class N>
+struct ShadingDirection {
+  ShadingOutcome outcome = ShadingOutcome::none;
+  Vector3<N> direction{};  // of any length
+};
+
+template <class N>
+ShadingDirection<N> from_its_side(mesh::Side side, const Vector3<N>& direction) noexcept {
+  return {ShadingOutcome::direction,
+          side == mesh::Side::front ? direction : Vector3<N>{-direction.x, -direction.y, -direction.z}};
+}
+
+}  // namespace forceshade::fast::meshes
