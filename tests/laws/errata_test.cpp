@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The errata of docs/laws.md, one test per correction: the printed form breaks a demand that both of our sides keep.
+// The errata of docs/errata.md, one test per correction: the printed form breaks a demand that both of our sides keep.
 //
 // A demand is a function of a force field. The printed form, written down here in binary64, and our fast and reference laws
 // go through the same one, so a test fails when the printed form is right after all and when ours is wrong.
