@@ -28,8 +28,8 @@ class HeightMapField {
   static std::variant<HeightMapField, ParameterError> build(const HeightMap& map, height::Rendering rendering, float stiffness);
 
   // Each component is the exact force rounded to binary32; as Law::evaluate, also in what it takes of the calling thread's
-  // rounding mode. The last stage takes up to 3 MiB of stack. Should its numbers not decide (docs/proofs.md says for which
-  // identities that could be), Status::invalid and no force.
+  // rounding mode. The last stage takes up to 3 MiB of stack. Should its numbers not decide (docs/height-map-ties.md says for
+  // which identities that could be), Status::invalid and no force.
   Evaluation evaluate(const Eigen::Vector3f& position) const noexcept {
     Evaluation answer;  // one object, built where the caller needs it: a copy would wait for what was just written
     if (spline_ != nullptr) {
