@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Keeps a hand from getting more energy out of the force than it put in, whatever the law: force shading gives
-// K D w²/8R for every stroke outward. The bound and its proof: docs/device.md, "Passivity".
+// K D w²/8R for every stroke outward. The bound and its proof: docs/safety.md, "Passivity".
 
 #include <Eigen/Core>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The account that a device keeps where its frames are, whatever the servo loop does meanwhile: the forces that it sent, and
-// the work that they did. docs/device.md, "Passivity", proves from it what a hand can be given.
+// the work that they did. docs/safety.md, "Passivity", proves from it what a hand can be given.
 
 #include <Eigen/Core>
 #include <optional>

@@ -9,7 +9,7 @@
 namespace forceshade::device {
 namespace {
 
-// The heat of a Premium's motors (docs/device.md, "Dynamics"), with forces in place of torques.
+// The heat of a Premium's motors (docs/simulation.md, "Dynamics"), with forces in place of torques.
 Motor as_one_motor(const SupervisorLimits& limits) noexcept {
   return {.torque_constant = 1,
           .continuous = limits.continuous_force,

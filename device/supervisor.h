@@ -2,7 +2,7 @@
 #pragma once
 // Stands between the law and the device, and lets no force pass that the device, the hand or common sense forbids. Rules
 // either limit a force or trip: then the force is zero from that tick on, until the user says otherwise. The table of rules
-// with their defaults and sources: docs/device.md, "Safety".
+// with their defaults and sources: docs/safety.md, "Supervisor".
 
 #include <Eigen/Core>
 #include <array>
@@ -73,7 +73,7 @@ class Rules {
   std::uint16_t bits_ = 0;
 };
 
-// Infinite or empty: not limited. Why each default is what it is: docs/device.md.
+// Infinite or empty: not limited. Why each default is what it is: docs/safety.md.
 struct SupervisorLimits {
   static constexpr double kNone = std::numeric_limits<double>::infinity();
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A real PHANToM (Premium, Omni, Touch) through the vendor's HDAPI, which runs in a process of its own. docs/device.md says why
-// it is driven the way it is.
+// A real PHANToM (Premium, Omni, Touch) through the vendor's HDAPI, which runs in a process of its own. docs/phantom.md says
+// why it is driven the way it is.
 
 #include <sys/types.h>
 

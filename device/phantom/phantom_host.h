@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The process that holds a PHANToM: it loads the vendor's library, runs the frames, and lets the device go when the process of
-// the servo loop ends, however that ends. docs/device.md, "A process of its own", says why.
+// the servo loop ends, however that ends. docs/phantom.md, "A process of its own", says why.
 
 #include <sys/types.h>
 

@@ -355,7 +355,7 @@ TEST(passivity_controller, account_does_not_drift) {
   EXPECT_LE(drift, kRounding);
 }
 
-// The table of docs/device.md: a simulated Premium 1.5 whose hand strokes to and fro for 20 s; it feels a force
+// The table of docs/safety.md: a simulated Premium 1.5 whose hand strokes to and fro for 20 s; it feels a force
 // one sample late.
 TEST(passivity_controller, alters_ordinary_strokes_little) {
   struct Case {

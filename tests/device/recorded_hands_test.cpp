@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Recorded strokes as what a simulated hand means to do, through the whole loop, under every law. The recordings are not part
-// of the project: FORCESHADE_RECORDINGS names their folder. docs/device.md has the summary of the table printed here.
+// of the project: FORCESHADE_RECORDINGS names their folder. docs/safety.md has the summary of the table printed here.
 
 #include <gtest/gtest.h>
 
