@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The god-object on a mesh in real time: state, moves and force equal the exact definition in every bit (docs/meshes.md).
+// The god-object on a mesh in real time: state, moves and force equal the exact definition in every bit (docs/god-object.md).
 
 #include <array>
 #include <memory>

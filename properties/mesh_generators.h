@@ -32,8 +32,8 @@ struct RandomMesh {
   mesh::Sides sides;
 };
 
-// An endless, repeatable stream of meshes, each family in turn. Every one is what docs/meshes.md demands, because of how it is
-// built. Axes change places, the size is multiplied by a power of two, some lie far from the origin; vertices and triangles
+// An endless, repeatable stream of meshes, each family in turn. Every one is what docs/god-object.md demands, because of how it
+// is built. Axes change places, the size is multiplied by a power of two, some lie far from the origin; vertices and triangles
 // come in any order.
 class MeshSource : private Draws {
  public:

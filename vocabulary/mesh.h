@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A triangle mesh and the god-object on it: numbers only. What they mean, and what a mesh must be: docs/meshes.md.
+// A triangle mesh and the god-object on it: numbers only. What they mean, and what a mesh must be: docs/god-object.md.
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Which way the surface leads from a point of it, and on which side of it a direction points: docs/meshes.md, "Directions".
+// Which way the surface leads from a point of it, and on which side of it a direction points: docs/god-object.md, "Directions".
 
 #include "forceshade/fast/meshes/decide.h"
 

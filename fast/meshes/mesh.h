@@ -17,7 +17,7 @@ namespace forceshade::fast {
 
 class HeightMapField;
 
-// How two triangles meet along an edge, seen from in front: n1·(d - a) is > 0, 0 or < 0 (docs/meshes.md).
+// How two triangles meet along an edge, seen from in front: n1·(d - a) is > 0, 0 or < 0 (docs/god-object.md).
 enum class EdgeAngle : std::uint32_t { narrow, flat, wide };
 
 // A half-edge is 3·face + i: the edge from corner i of the face to corner i + 1. Faces are numbered as they lie in memory.

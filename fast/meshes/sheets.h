@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The god-object's ways on a mesh whose sheets may cross each other (docs/meshes.md, "Meshes that intersect themselves"). The
-// tree gives the triangles that a way may meet; binary64 drops those that it surely passes by, and finds those that it surely
-// goes through; the rest is decided in integers.
+// The god-object's ways on a mesh whose sheets may cross each other (docs/god-object.md, "Meshes that intersect themselves").
+// The tree gives the triangles that a way may meet; binary64 drops those that it surely passes by, and finds those that it
+// surely goes through; the rest is decided in integers.
 
 #include <array>
 #include <cstdint>

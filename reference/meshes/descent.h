@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// One tick of the god-object: flights and slides, each rounded to the grid, until it rests or is free (docs/meshes.md).
+// One tick of the god-object: flights and slides, each rounded to the grid, until it rests or is free (docs/god-object.md).
 
 #include <optional>
 

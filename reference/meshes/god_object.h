@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The truth about a god-object on a mesh: every decision the sign of an integer, the force rounded once to binary32
-// (docs/meshes.md).
+// (docs/god-object.md).
 
 #include <array>
 #include <memory>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The god-object's ways on a surface whose sheets may cross each other (docs/meshes.md, "Meshes that intersect themselves").
+// The god-object's ways on a surface whose sheets may cross each other (docs/god-object.md, "Meshes that intersect
+// themselves").
 
 #include <optional>
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks paths of a god-object against what docs/meshes.md promises, tick by tick, without computing a path.
+"""Checks paths of a god-object against what docs/god-object.md promises, tick by tick, without computing a path.
 
 Usage: check_god_object.py [--single-moves] [directory] [mesh ...]
        (the default is god_object/ beside this file; --single-moves: a tick has at most one move; exits with 1 if a tick is wrong)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes god_object/: small meshes, paths on them, and what the god-object of docs/meshes.md does on these paths.
+"""Writes god_object/: small meshes, paths on them, and what the god-object of docs/god-object.md does on these paths.
 
 Usage: make_god_object_golden.py [directory]       (the default is god_object/ beside this file; the output is always the same)
        make_god_object_golden.py --check directory [mesh ...]
@@ -10,7 +10,7 @@ Usage: make_god_object_golden.py [directory]       (the default is god_object/ b
            so that check_god_object.py sees every move; each last row must be as in the directory, but for its number of moves
 
 All decisions are signs of integers or of rationals; there is no tree, no tolerance and no floating-point number in a decision.
-The methods are chosen to differ from the formulas of docs/meshes.md:
+The methods are chosen to differ from the formulas of docs/god-object.md:
   - on which side of the surface a direction points: a segment runs from the direction to a point inside a triangle at the same
     point of the surface, and its crossings of the other triangles there are counted;
   - where a flight meets the surface: all vertices are projected along the flight onto a plane, and the signed areas there give

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The god-object on meshes that intersect themselves: the two sides against each other and against a judge that shares nothing
-// with them, and what docs/meshes.md, "Meshes that intersect themselves", promises.
+// with them, and what docs/god-object.md, "Meshes that intersect themselves", promises.
 
 #include <gtest/gtest.h>
 

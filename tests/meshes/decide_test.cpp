@@ -118,7 +118,7 @@ TEST(decide, counts_the_bits_of_sums_and_products) {
               most_bits_of_shaded_force());
   EXPECT_GT(longest_sums, 500);
   EXPECT_GT(longest_products, 1000);
-  // docs/meshes.md states it.
+  // docs/proofs.md states it.
   EXPECT_EQ(most_bits_of_shaded_force(), 3283);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The thesis's edge scheme on a mesh: its direction by its formula, and its jump (docs/meshes.md).
+// The thesis's edge scheme on a mesh: its direction by its formula, and its jump (docs/god-object.md).
 
 #include <gtest/gtest.h>
 

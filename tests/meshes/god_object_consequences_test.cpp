@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What follows from the definition of the god-object (docs/meshes.md, Consequences), on random meshes and paths.
+// What follows from the definition of the god-object (docs/god-object.md, Consequences), on random meshes and paths.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <gtest/gtest.h>

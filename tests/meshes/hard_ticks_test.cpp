@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Ticks that take many operations. Among crossing sheets, hill climbing on vertices and positions looks for them, from needles
 // through a cube, plates that meet at a tiny angle, and the like; FORCESHADE_CROSSING_SEARCH=STEPS climbs for longer. And what
-// docs/meshes.md says of such ticks, and of vertices with many triangles.
+// docs/speed.md says of such ticks, and of vertices with many triangles.
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ using tests::kHardFamilies;
 using tests::Place;
 
 constexpr float kStiffness = 0.3F;  // N/mm
-// Of docs/meshes.md: with the first, no detour or landing of the tick begins.
+// Of docs/god-object.md: with the first, no detour or landing of the tick begins.
 constexpr int kMostTries = 256, kMostTriesOfADetour = 256;
 // How many decisions a tick makes.
 struct Counted {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A height map that is laid over a mesh turns the force (docs/meshes.md, the texture scheme): both sides, and what it promises.
+// A height map that is laid over a mesh turns the force (docs/god-object.md, the texture scheme): both sides, and what it
+// promises.
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
