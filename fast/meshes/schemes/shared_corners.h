@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Schemes that give a direction at each corner of each triangle and interpolate: where these directions are shared, and how one
-// goes over into another on an edge where they are not (docs/meshes.md).
+// goes over into another on an edge where they are not (docs/god-object.md).
 
 #include "forceshade/fast/meshes/rounded.h"
 #include "forceshade/fast/meshes/schemes/direction.h"
