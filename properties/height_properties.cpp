@@ -14,8 +14,8 @@ using Real = long double;
 using Vector = Eigen::Matrix<Real, 3, 1>;
 using Exact = reference::HeightMapField::Estimate;
 
-// Relative: how good the rates at which gradients turn are (height_shape.cpp, binary64). R² - ρ² of a cap cancels 23 bits where
-// its width is the binary32 next to 2R, and its power 3/2 makes 1.5 of that: 2^-29.4. Everything else is good to 2^-45.
+// Relative: how good the rates at which gradients turn are (height_map_claims.cpp, binary64). R² - ρ² of a cap cancels 23 bits
+// where its width is the binary32 next to 2R, and its power 3/2 makes 1.5 of that: 2^-29.4. Everything else is good to 2^-45.
 constexpr double kRates = 0x1p-29;
 
 // A coordinate below a picometre is read as 0, so that is where such a position is.

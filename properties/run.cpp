@@ -26,7 +26,7 @@ std::string without_place(const std::string& description) {
   return words == std::string::npos ? description : description.substr(words + 2);
 }
 
-// Of a property that may throw. What RapidCheck throws is no violation and passes on.
+// The violation of a property that may throw. What RapidCheck throws is no violation and passes on.
 Violation words_of_violation(const std::function<Violation()>& property) {
   try {
     return property();

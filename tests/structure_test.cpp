@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -337,6 +338,56 @@ TEST(structure, no_file_beside_the_tables_has_to_be_extended) {
     EXPECT_GT(found, 400);
     for (const auto& [file, reason] : unused) ADD_FAILURE() << file << " is no exception any more: " << reason;
   }
+}
+
+// What follows // or # in a line, or the whole line of a page.
+std::string prose_of(const std::string& line, const std::filesystem::path& file) {
+  const std::string extension = file.extension();
+  if (extension == ".md") return line;
+  const bool is_cpp = extension == ".h" || extension == ".cpp" || extension == ".inl" || extension == ".inc";
+  const std::size_t begin = line.find(is_cpp ? "//" : "# ");
+  return begin == std::string::npos ? "" : line.substr(begin + 1 + (is_cpp ? 1 : 0));
+}
+
+// A comment that names a file which was moved sends its reader to nothing.
+TEST(structure, every_file_that_a_comment_or_page_names_exists) {
+  const std::map<std::string, std::string> exceptions{
+      {"mutant.cpp", "each mutant is generated under this name"},
+      {"_avx2.cpp", "the end of a pattern"},
+      {"_avx512.cpp", "the end of a pattern"},
+      {"_test.cpp", "the end of a pattern"},
+      {"forceshade/fast/law.h", "an include, whose link is below include/"},
+  };
+  std::vector<std::string> folders{"bench", "cmake", "docs", "tests", "scripts"};
+  for (const auto& [module, allowed] : kMayInclude) folders.push_back(module);
+  std::vector<std::filesystem::path> files{kRoot / "README.md", kRoot / "CONTRIBUTING.md"};
+  for (const std::string& folder : folders)
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / folder))
+      if (entry.is_regular_file()) files.push_back(entry.path());
+  std::set<std::string> names{"CHANGELOG.md"};  // it tells of files that are no more, and is not read itself
+  for (const std::filesystem::path& file : files) names.insert(file.filename());
+  const std::set<std::string> read{".h", ".cpp", ".inl", ".inc", ".sh", ".py", ".cmake", ".txt", ".g", ".md"};
+  const std::regex word("[A-Za-z0-9_./-]+\\.(h|cpp|inl|inc|g|md|sh|py|cases)\\b");
+  int found = 0;
+  for (const std::filesystem::path& file : files) {
+    const std::string extension = file.extension();
+    if (!read.contains(extension) || (extension == ".txt" && file.filename() != "CMakeLists.txt")) continue;
+    std::ifstream in(file);
+    for (std::string line; std::getline(in, line);) {
+      const std::string prose = prose_of(line, file);
+      for (std::sregex_iterator at(prose.begin(), prose.end(), word), end; at != end; ++at) {
+        const std::string name = at->str();
+        if (exceptions.contains(name)) continue;
+        ++found;
+        const bool has_folder = name.find('/') != std::string::npos;
+        EXPECT_TRUE(has_folder ? std::filesystem::exists(kRoot / name) || std::filesystem::exists(kRoot / "fast" / name) ||
+                                     std::filesystem::exists(file.parent_path() / name)
+                               : names.contains(name))
+            << std::filesystem::relative(file, kRoot) << " names " << name;
+      }
+    }
+  }
+  EXPECT_GT(found, 500);
 }
 
 TEST(structure, the_real_time_side_uses_no_library_of_the_exact_one) {

@@ -33,7 +33,7 @@ class ExactPlace {
  public:
   ExactPlace(const Place& at, double z, height::Rendering rendering, double stiffness) noexcept;
 
-  // Of exact.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h.
+  // The fault of exact.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h.
   static const char* arithmetic_fault() noexcept;
 
   // Adds a part, whose centre is quantised.

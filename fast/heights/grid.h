@@ -13,7 +13,7 @@ class HeightGrid {
  public:
   explicit HeightGrid(std::shared_ptr<const height::Grid> grid) noexcept;
 
-  // Of height_grid.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h.
+  // The fault of grid.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h.
   static const char* arithmetic_fault() noexcept;
 
   struct Cell {

@@ -24,7 +24,7 @@ class RootField {
   };
   std::optional<Root> root(const Fraction& radicand) noexcept;
 
-  // Of root_field.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h.
+  // The fault of root_field.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h.
   static const char* arithmetic_fault() noexcept;
 
   // Π_{i in S} D_i.

@@ -421,7 +421,7 @@ TEST(proof_operations, of_the_sum_of_double_double_are_those_of_the_cited_algori
   EXPECT_EQ(run.expressions.difference(z.lo.expression(), expected.low), "");
 }
 
-// height_spline.g counts errors in steps, the largest difference of coefficients side by side along either axis.
+// spline.g counts errors in steps, the largest difference of coefficients side by side along either axis.
 TEST(proof_operations, bounds_of_a_spline_are_in_its_largest_steps) {
   for (const auto& [along, across] :
        {std::pair{0.0F, 0.5F}, std::pair{0.5F, 0.0F}, std::pair{0.25F, 0.5F}, std::pair{2.0F, 0.5F}}) {

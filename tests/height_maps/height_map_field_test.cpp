@@ -267,7 +267,7 @@ TEST(height_map_field, answers_flat_places_of_a_spline_at_once) {
   EXPECT_GT(in_binary64, 2985);
 }
 
-// The bounds of height_spline.g hold, and are not idle.
+// The bounds of fast/heights/spline.g hold, and are not idle.
 TEST(height_map_field, spline_first_stage_stays_within_its_bound) {
   Random random(3);
   double worst = 0, worst_slope = 0;
