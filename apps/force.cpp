@@ -11,6 +11,7 @@
 #include "forceshade/apps/signals.h"
 #include "forceshade/apps/subject_option.h"
 #include "forceshade/csv/csv.h"
+#include "forceshade/csv/npy.h"
 #include "forceshade/csv/output_file.h"
 #include "forceshade/reference/law.h"
 
@@ -23,7 +24,7 @@ struct ForceOptions {
 };
 
 RowFormat format_of(const ForceOptions& options) {
-  return options.out.ends_with(".npy") ? RowFormat::npy : RowFormat::csv;
+  return csv::is_named_npy(options.out) ? RowFormat::npy : RowFormat::csv;
 }
 
 RowStatus row_status(Status status, bool is_unfinished) {

@@ -69,8 +69,9 @@ std::string words_of_extra(const CLI::App& command) {
 std::string words_of_missing(const CLI::App& command, const std::string& what) {
   const std::vector<const CLI::App*> verbs = command.get_subcommands([](const CLI::App*) { return true; });
   const std::vector<std::string> extras = command.remaining();
-  const bool has_unknown = std::any_of(extras.begin(), extras.end(), is_option);
-  if (has_unknown) return words_of_extra(command);
+  // Behind a misspelt command, its options are unknown too.
+  const bool has_misspelt_command = !verbs.empty() && !extras.empty() && !is_option(extras.front());
+  if (!has_misspelt_command && std::any_of(extras.begin(), extras.end(), is_option)) return words_of_extra(command);
   if (what.find("subcommand") == std::string::npos)
     return command.get_name() + ": expected " + what.substr(0, what.find(" is required")) + ", got none";
   std::vector<std::string> names;

@@ -109,8 +109,17 @@ class Table {
   const toml::node* find(std::string_view key, bool optional) {
     read_.emplace(key);
     const toml::node* node = table_.get(key);
-    if (!node && !optional) throw Error(file_, line_of(table_) + "key " + std::string(key) + " is missing");
+    if (!node && !optional)
+      throw Error(file_, line_of(table_) + "key " + std::string(key) + " is missing" + csv::suggestion(key, unread()));
     return node;
+  }
+
+  // A key that is missing may be there misspelt.
+  std::vector<std::string> unread() const {
+    std::vector<std::string> keys;
+    for (const auto& [key, node] : table_)
+      if (!read_.contains(std::string(key.str()))) keys.emplace_back(key.str());
+    return keys;
   }
 
   const fs::path& file_;

@@ -73,7 +73,7 @@ void export_npy(Recording& recording, const std::string& path) {
 }
 
 void export_table(Recording& recording, const std::string& path) {
-  path.ends_with(".npy") ? export_npy(recording, path) : export_csv(recording, path);
+  csv::is_named_npy(path) ? export_npy(recording, path) : export_csv(recording, path);
 }
 
 }  // namespace forceshade::recorder

@@ -6,6 +6,7 @@
 expect 2 'expected a command before the option "--law", one of: laws' -- "$forceshade" --law wall force
 expect 2 'unknown command "forse"' -- "$forceshade" forse
 expect 2 'the nearest is force' -- "$forceshade" forse
+expect 2 'got "chek"; the nearest is check' -- "$forceshade" mesh chek a.off --unit mm
 for version in --version -v version; do expect 0 "library digest" -- "$forceshade" $version; done
 for help in --help -h help; do expect 0 "Usage: forceshade COMMAND" -- "$forceshade" $help; done
 same "$("$forceshade" force --help)" "$("$forceshade" help force)"

@@ -30,6 +30,8 @@ same "NUMPY" "$(head -c 6 forces.npy | tail -c 5)"
 same 25 "$(($(stat -c %s forces.npy) % 64))"
 expect 0 "" -- force --out exact.npy --path reference
 cmp forces.npy exact.npy || exit 1
+expect 0 "" -- force --out CAPITALS.NPY
+cmp forces.npy CAPITALS.NPY || exit 1
 expect 2 "--digits: expected a CSV file as --out beside it" -- force --out more.npy --path reference --digits 40
 expect 0 "" -- "$forceshade" drive --law wall --uncertified --device null --seconds 0.01 --free-run --record run.npy
 same "NUMPY" "$(head -c 6 run.npy | tail -c 5)"

@@ -87,7 +87,7 @@ TEST(protocol, a_mistake_is_named_with_line_and_key) {
   EXPECT_EQ(words_with("\"matching\"", "\"matchin\""),
             "1: experiment: expected one of matching, classification, got 'matchin'; the nearest is matching");
   EXPECT_EQ(words_with("width_mil = 1000\n", ""), "1: key width_mil is missing");
-  EXPECT_EQ(words_with("width_mil", "width_mils"), "1: key width_mil is missing");
+  EXPECT_EQ(words_with("width_mil", "width_mils"), "1: key width_mil is missing; the nearest is width_mils");
   EXPECT_EQ(words_with("spacing_mil = 1500", "spacing_mil = 1501"), "6: spacing_mil: expected an even number, got 1501");
   EXPECT_EQ(words_with("0.5", "nan"), "5: stiffness_N_per_mm: expected a number, 0.001 to 1000, got nan");
   EXPECT_EQ(words_with("[600, 1400]", "[600, 600]"),

@@ -171,7 +171,7 @@ TEST(height_spec, says_what_is_wrong_and_where) {
       "line 3: shape: expected one of plane, cone, cylinder-cap, sphere-cap, gaussian, grating, polygons, grid, got 'teapot'");
   EXPECT_EQ(with("height_mm = 1", "height_mm = \"1\""), "line 4: height_mm: expected a number, got '1'");
   EXPECT_EQ(with("height_mm = 1", "height_mm = [1]"), "line 4: height_mm: expected a number, got a list or table");
-  EXPECT_EQ(with("sigma_mm = 2", "sigma = 2"), "line 2: key sigma_mm is missing");
+  EXPECT_EQ(with("sigma_mm = 2", "sigma = 2"), "line 2: key sigma_mm is missing; the nearest is sigma");
   EXPECT_EQ(with("sigma_mm = 2", "sigma_mm = 2\nradius_mm = 3"), "line 6: unknown key radius_mm");
   EXPECT_EQ(with("sigma_mm = 2", "sigma_mm = 2\nnegated = 1"), "line 6: negated: expected true or false, got 1");
   EXPECT_EQ(with("[[part]]", "[part]"), "line 2: expected render, [[part]] and [[surface]], got part");
