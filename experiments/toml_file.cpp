@@ -34,12 +34,9 @@ toml::table parsed_toml(const std::filesystem::path& file) {
 const toml::node* TomlTable::find(std::string_view key, bool is_optional) {
   read_.emplace(key);
   const toml::node* node = table_.get(key);
-  if (!node && !is_optional) {
-    std::vector<std::string> unread;  // a key that is missing may be there misspelt
-    for (const auto& [other, value] : table_)
-      if (!read_.contains(std::string(other.str()))) unread.push_back(csv::printable(other.str()));
-    throw Error(file_, table_.source().begin.line, "key " + std::string(key) + " is missing" + csv::suggestion(key, unread));
-  }
+  if (!node && !is_optional)
+    throw Error(file_, table_.source().begin.line,
+                "key " + std::string(key) + " is missing" + csv::suggestion(key, heights::keys_beside(table_, read_)));
   return node;
 }
 

@@ -93,7 +93,7 @@ class Table {
   // A key that was not read is a mistake, most likely a misspelt one.
   void expect_no_other() const {
     for (const auto& [key, node] : table_)
-      if (!read_.contains(std::string(key.str())))
+      if (!read_.contains(key.str()))
         throw Error(file_, line_of(node) + "unknown key " + std::string(key.str()) +
                                csv::suggestion(key.str(), {read_.begin(), read_.end()}));
   }
@@ -110,21 +110,14 @@ class Table {
     read_.emplace(key);
     const toml::node* node = table_.get(key);
     if (!node && !optional)
-      throw Error(file_, line_of(table_) + "key " + std::string(key) + " is missing" + csv::suggestion(key, unread()));
+      throw Error(file_, line_of(table_) + "key " + std::string(key) + " is missing" +
+                             csv::suggestion(key, keys_beside(table_, read_)));
     return node;
-  }
-
-  // A key that is missing may be there misspelt.
-  std::vector<std::string> unread() const {
-    std::vector<std::string> keys;
-    for (const auto& [key, node] : table_)
-      if (!read_.contains(std::string(key.str()))) keys.emplace_back(key.str());
-    return keys;
   }
 
   const fs::path& file_;
   const toml::table& table_;
-  std::set<std::string> read_;
+  std::set<std::string, std::less<>> read_;
 };
 
 constexpr std::array<std::pair<std::string_view, height::Edge>, 2> kEdges{

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "forceshade/csv/file_kind.h"
+#include "forceshade/csv/printable.h"
 #include "forceshade/heights/nesting.h"
 
 namespace forceshade::heights {
@@ -43,6 +44,13 @@ std::string words_of_value(const toml::node& node) {
       words << "a list or table";
   });
   return words.str();
+}
+
+std::vector<std::string> keys_beside(const toml::table& table, const std::set<std::string, std::less<>>& read) {
+  std::vector<std::string> keys;
+  for (const auto& [key, node] : table)
+    if (!read.contains(key.str())) keys.push_back(csv::printable(key.str()));
+  return keys;
 }
 
 }  // namespace forceshade::heights

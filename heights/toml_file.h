@@ -7,8 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <set>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace forceshade::heights {
 
@@ -23,5 +26,8 @@ std::variant<toml::table, TomlFault> parse_toml_file(const std::filesystem::path
 
 // The node's value as it may stand behind "got".
 std::string words_of_value(const toml::node& node);
+
+// The keys of a table that have not been read, for a terminal: where a key is missing, it may be among them misspelt.
+std::vector<std::string> keys_beside(const toml::table& table, const std::set<std::string, std::less<>>& read);
 
 }  // namespace forceshade::heights

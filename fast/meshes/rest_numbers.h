@@ -41,7 +41,7 @@ FORCESHADE_INLINE Vector3<N> opposite(const Vector3<N>& a) noexcept {
   return {-a.x, -a.y, -a.z};
 }
 template <class N>
-inline N whole(std::uint32_t value) noexcept {
+N whole(std::uint32_t value) noexcept {
   return N::exactly(static_cast<double>(value));
 }
 
@@ -49,12 +49,12 @@ using Force3 = std::array<float, 3>;  // N
 
 // An exact number of units of `unit`, a power of two, in binary64.
 template <int kBits>
-inline DoubleWithError near(const FixedInteger<kBits>& number, double unit) noexcept {
+DoubleWithError near(const FixedInteger<kBits>& number, double unit) noexcept {
   const double value = unit * number.approximately();
   return {value, 0x1p-51 * __builtin_fabs(value)};
 }
 template <class T>
-inline Vector3<DoubleWithError> near(const Vector3<T>& a, double unit) noexcept {
+Vector3<DoubleWithError> near(const Vector3<T>& a, double unit) noexcept {
   return {near(a.x, unit), near(a.y, unit), near(a.z, unit)};
 }
 constexpr double kUnit = 0x1p-53;  // mm, of coordinates; of products of two, three and four of them:

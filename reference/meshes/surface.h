@@ -63,7 +63,7 @@ struct Fan {
 
 class Surface {
  public:
-  // Of a checked mesh.
+  // The mesh has been checked.
   explicit Surface(const mesh::TriangleMesh& mesh);
 
   const std::vector<Vector>& vertices() const { return vertices_; }

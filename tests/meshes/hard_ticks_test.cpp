@@ -32,7 +32,7 @@ using tests::kHardFamilies;
 using tests::Place;
 
 constexpr float kStiffness = 0.3F;  // N/mm
-// Of docs/god-object.md: with the first, no detour or landing of the tick begins.
+// The limits of docs/god-object.md: with the first, no detour or landing of the tick begins.
 constexpr int kMostTries = 256, kMostTriesOfADetour = 256;
 // How many decisions a tick makes.
 struct Counted {

@@ -2,8 +2,7 @@
 #pragma once
 // What a shading scheme gives in real time.
 
-#include "forceshade/fast/meshes/vector3.h"
-#include "forceshade/vocabulary/mesh.h"
+#include "forceshade/fast/meshes/rest_numbers.h"
 
 namespace forceshade::fast::meshes {
 
@@ -18,8 +17,7 @@ struct ShadingDirection {
 
 template <class N>
 ShadingDirection<N> from_its_side(mesh::Side side, const Vector3<N>& direction) noexcept {
-  return {ShadingOutcome::direction,
-          side == mesh::Side::front ? direction : Vector3<N>{-direction.x, -direction.y, -direction.z}};
+  return {ShadingOutcome::direction, side == mesh::Side::front ? direction : opposite(direction)};
 }
 
 }  // namespace forceshade::fast::meshes
