@@ -11,21 +11,21 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "forceshade/analysis/figures.h"
-#include "forceshade/analysis/page.h"
-#include "forceshade/analysis/thesis.h"
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/length.h"
-#include "forceshade/apps/options.h"
-#include "forceshade/apps/output_options.h"
-#include "forceshade/apps/signals.h"
-#include "forceshade/apps/trial_profiles.h"
-#include "forceshade/csv/csv.h"
-#include "forceshade/csv/output_folder.h"
-#include "forceshade/csv/printable.h"
-#include "forceshade/experiments/results_csv.h"
-#include "forceshade/experiments/session_results.h"
-#include "forceshade/vocabulary/monitor.h"
+#include "apps/command.h"
+#include "apps/length.h"
+#include "apps/options.h"
+#include "apps/output_options.h"
+#include "apps/signals.h"
+#include "apps/trial_profiles.h"
+#include "files/csv.h"
+#include "files/output_folder.h"
+#include "files/printable.h"
+#include "rendering/monitor.h"
+#include "study/analysis/figures.h"
+#include "study/analysis/page.h"
+#include "study/analysis/thesis.h"
+#include "study/experiments/results_csv.h"
+#include "study/experiments/session_results.h"
 
 namespace forceshade::apps {
 namespace {
@@ -184,11 +184,11 @@ int analyze(AnalyzeOptions& options, const OutFolder& out) {
     }
   } catch (const properties::PlotError& error) {
     if (interrupted()) throw Interrupted("not all figures were drawn");
-    std::fprintf(stderr, "forceshade: warning: no figures: %s\n", csv::printable(error.what()).c_str());
+    std::fprintf(stderr, "forceshade: warning: no figures: %s\n", files::printable(error.what()).c_str());
     drawn.clear();
     figures.clear();
   }
-  csv::OutputFolder folder(out.path());
+  files::OutputFolder folder(out.path());
   for (const auto& [name, bytes] : figures) folder.write(name, bytes);
   folder.write("tables.csv", analysis::to_csv(analysis));
   folder.write("report.html", analysis::to_html(analysis, pictures, drawn));

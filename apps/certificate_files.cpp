@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/certificate_files.h"
+#include "apps/certificate_files.h"
 
 #include <cstdio>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/certificate/evidence.h"
-#include "forceshade/csv/output_folder.h"
-#include "forceshade/report/report.h"
+#include "apps/command.h"
+#include "certificate/evidence.h"
+#include "certificate/report/report.h"
+#include "files/output_folder.h"
 
 namespace forceshade::apps {
 namespace {
@@ -58,7 +58,7 @@ std::vector<std::string> certificate_files() {
 }
 
 int write_certificate(const properties::Certificate& certificate, const std::filesystem::path& directory) {
-  csv::OutputFolder folder(directory);
+  files::OutputFolder folder(directory);
   folder.write("certificate.json", to_json(certificate));
   folder.write("certificate.html", page(certificate));
   folder.commit();

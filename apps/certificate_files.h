@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/certificate/certificate.h"
+#include "certificate/certificate.h"
 
 namespace forceshade::apps {
 
@@ -16,7 +16,7 @@ std::vector<std::string> certificate_files();
 
 // certificate.json and certificate.html, both or neither: the page without pictures, and a warning, where gnuplot does not draw
 // them. Prints what was found of each subject, what drive would find lacking and how to gather it, and, in the last line, the
-// standing. Returns the exit code. Throws csv::OutputError.
+// standing. Returns the exit code. Throws files::OutputError.
 int write_certificate(const properties::Certificate& certificate, const std::filesystem::path& directory);
 
 }  // namespace forceshade::apps

@@ -2,24 +2,24 @@
 // forceshade certify: check the fast path against the reference, at points or exhaustively, and write certificate.json and
 // certificate.html.
 
-#include "forceshade/certificate/certify.h"
+#include "certificate/certify.h"
 
 #include <chrono>
 #include <cstdio>
 #include <memory>
 #include <thread>
 
-#include "forceshade/apps/certificate_files.h"
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/exhaustive.h"
-#include "forceshade/apps/junit.h"
-#include "forceshade/apps/options.h"
-#include "forceshade/apps/part_times.h"
-#include "forceshade/apps/progress_line.h"
-#include "forceshade/apps/signals.h"
-#include "forceshade/apps/subject_option.h"
-#include "forceshade/csv/printable.h"
-#include "forceshade/report/thesis.h"
+#include "apps/certificate_files.h"
+#include "apps/command.h"
+#include "apps/exhaustive.h"
+#include "apps/junit.h"
+#include "apps/options.h"
+#include "apps/part_times.h"
+#include "apps/progress_line.h"
+#include "apps/signals.h"
+#include "apps/subject_option.h"
+#include "certificate/report/thesis.h"
+#include "files/printable.h"
 
 namespace forceshade::apps {
 namespace {
@@ -39,7 +39,7 @@ class CertifyProgress {
 
   void draw(std::string_view name, double done) {
     done_ = done;
-    name_ = csv::printable(name);
+    name_ = files::printable(name);
     draw();
   }
   void draw() {
@@ -95,13 +95,13 @@ int run_points(const CertifyOptions& options, properties::CertifyOptions what, c
   PartTimes times;
   std::optional<CertifyProgress> progress(what);
   what.on_case = [&](std::string_view subject, const std::string& property, double) {
-    times.add(csv::printable(subject), property);
+    times.add(files::printable(subject), property);
     progress->draw();
   };
   auto certificate = properties::certify(
       what,
       [&](std::string_view name, double done) {
-        times.add(csv::printable(name), kPoints);
+        times.add(files::printable(name), kPoints);
         progress->draw(name, done);
       },
       interrupted());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/command.h"
+#include "apps/command.h"
 
 #include <unistd.h>
 
@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <string_view>
 
-#include "forceshade/apps/length.h"
-#include "forceshade/apps/options.h"
-#include "forceshade/csv/output_file.h"
-#include "forceshade/csv/suggestion.h"
-#include "forceshade/fast/law.h"
-#include "forceshade/reference/law.h"
+#include "apps/length.h"
+#include "apps/options.h"
+#include "fast/law.h"
+#include "files/output_file.h"
+#include "files/suggestion.h"
+#include "reference/law.h"
 
 namespace forceshade::apps {
 namespace {
@@ -45,7 +45,7 @@ std::string refusal_of_law(const std::string& names, bool may_be_several) {
   const std::vector<std::string> all = may_be_several ? divided(names) : std::vector{names};
   for (auto name = all.begin(); name != all.end(); ++name) {
     if (!law_named(*name))
-      return "expected " + expected_law(may_be_several) + "; got \"" + *name + '"' + csv::suggestion(*name, known);
+      return "expected " + expected_law(may_be_several) + "; got \"" + *name + '"' + files::suggestion(*name, known);
     if (std::find(all.begin(), name, *name) != name) return "expected each law once, got " + *name + " twice";
   }
   return "";
@@ -134,7 +134,7 @@ Parameters LawOptions::parameters() const {
 }
 
 void write_file(const std::string& path, const std::string& text) {
-  csv::OutputFile file(path);
+  files::OutputFile file(path);
   file.stream() << text;
   file.commit();
 }

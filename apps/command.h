@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "forceshade/apps/bad_input.h"
-#include "forceshade/vocabulary/law.h"
+#include "apps/bad_input.h"
+#include "rendering/law.h"
 
 namespace forceshade::apps {
 
@@ -69,7 +69,7 @@ L built(std::variant<L, ParameterError> law, const std::string& what = "--") {
   return std::get<L>(std::move(law));
 }
 
-// Writes the file whole or not at all; "-" is standard output. Throws csv::OutputError.
+// Writes the file whole or not at all; "-" is standard output. Throws files::OutputError.
 void write_file(const std::string& path, const std::string& text);
 
 // Throws BadInput, naming the option, unless the directory is there or can be made, and can be written to.

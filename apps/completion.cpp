@@ -6,9 +6,9 @@
 #include <memory>
 #include <sstream>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/documentation.h"
-#include "forceshade/apps/options.h"
+#include "apps/command.h"
+#include "apps/documentation.h"
+#include "apps/options.h"
 
 namespace forceshade::apps {
 namespace {

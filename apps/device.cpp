@@ -5,12 +5,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/device_command.h"
-#include "forceshade/apps/output_options.h"
-#include "forceshade/csv/printable.h"
-#include "forceshade/device/phantom/driver_folder.h"
-#include "forceshade/device/simulated/model.h"
+#include "apps/command.h"
+#include "apps/device_command.h"
+#include "apps/output_options.h"
+#include "device/phantom/driver_folder.h"
+#include "device/simulated/model.h"
+#include "files/printable.h"
 
 namespace forceshade::apps {
 namespace {
@@ -46,14 +46,14 @@ int list(const std::string& json) {
   for (const Kind& kind : kKinds) std::printf("  %-30s %s\n", kind.name, kind.what);
   std::printf("Models that can be simulated:");
   for (const auto& make : device::kModels) std::printf(" %s", make().name.data());
-  const std::string path = csv::printable(folder.path.string());
+  const std::string path = files::printable(folder.path.string());
   if (!folder.problem.empty())
-    std::printf("\nNo device is set up for the vendor's driver: %s\n", csv::printable(folder.problem).c_str());
+    std::printf("\nNo device is set up for the vendor's driver: %s\n", files::printable(folder.problem).c_str());
   else if (folder.names.empty())
     std::printf("\nNo device is set up for the vendor's driver: %s is empty\n", path.c_str());
   else
     std::printf("\nDevices that are set up for the vendor's driver, in %s:\n", path.c_str());
-  for (const std::string& name : folder.names) std::printf("  \"phantom:%s\"\n", csv::printable(name).c_str());
+  for (const std::string& name : folder.names) std::printf("  \"phantom:%s\"\n", files::printable(name).c_str());
   return kHeld;
 }
 

@@ -7,17 +7,17 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/device_command.h"
-#include "forceshade/apps/device_run.h"
-#include "forceshade/apps/options.h"
-#include "forceshade/apps/output_options.h"
-#include "forceshade/apps/signals.h"
-#include "forceshade/csv/csv.h"
-#include "forceshade/csv/printable.h"
-#include "forceshade/device/check.h"
-#include "forceshade/device/phantom/hdapi_library.h"
-#include "forceshade/vocabulary/monitor.h"
+#include "apps/command.h"
+#include "apps/device_command.h"
+#include "apps/device_run.h"
+#include "apps/options.h"
+#include "apps/output_options.h"
+#include "apps/signals.h"
+#include "device/check.h"
+#include "device/phantom/hdapi_library.h"
+#include "files/csv.h"
+#include "files/printable.h"
+#include "rendering/monitor.h"
 
 namespace forceshade::apps {
 namespace {
@@ -44,7 +44,7 @@ class Checks {
   // Shown as soon as it is known: what follows may take its time.
   void add(Check check) {
     if (printed_) {
-      std::printf("%-18s %-17s %s\n", check.name.c_str(), name_of(check.grade).data(), csv::printable(check.words).c_str());
+      std::printf("%-18s %-17s %s\n", check.name.c_str(), name_of(check.grade).data(), files::printable(check.words).c_str());
       std::fflush(stdout);
     }
     all_.push_back(std::move(check));
@@ -88,7 +88,7 @@ void check_open(const DeviceCheckOptions& options, device::Attendant& prepares, 
   }
   const device::Capabilities capabilities = opened->capabilities();
   checks.add(check_identity(capabilities));
-  prepares.report("reading the device for " + csv::shortest(options.seconds) +
+  prepares.report("reading the device for " + files::shortest(options.seconds) +
                   " s without any force; leave it at rest to measure its noise, or move it and press its buttons to see them");
   const double rate = std::min(kRate, capabilities.highest_rate);
   seen = device::observe_without_force(*opened, rate, options.seconds, interrupted());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/device_run.h"
+#include "apps/device_run.h"
 
 #include <unistd.h>
 
@@ -7,22 +7,22 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/drive_summary.h"
-#include "forceshade/apps/last_ticks.h"
-#include "forceshade/apps/live_view.h"
-#include "forceshade/apps/options.h"
-#include "forceshade/apps/placement_text.h"
-#include "forceshade/apps/run_record.h"
-#include "forceshade/apps/signals.h"
-#include "forceshade/apps/terminal_attendant.h"
-#include "forceshade/apps/trip_words.h"
-#include "forceshade/certificate/build.h"
-#include "forceshade/csv/csv.h"
-#include "forceshade/csv/output_file.h"
-#include "forceshade/csv/printable.h"
-#include "forceshade/device/last_samples.h"
-#include "forceshade/vocabulary/monitor.h"
+#include "apps/command.h"
+#include "apps/drive_summary.h"
+#include "apps/last_ticks.h"
+#include "apps/live_view.h"
+#include "apps/options.h"
+#include "apps/placement_text.h"
+#include "apps/run_record.h"
+#include "apps/signals.h"
+#include "apps/terminal_attendant.h"
+#include "apps/trip_words.h"
+#include "certificate/build.h"
+#include "device/last_samples.h"
+#include "files/csv.h"
+#include "files/output_file.h"
+#include "files/printable.h"
+#include "rendering/monitor.h"
 
 namespace forceshade::apps {
 namespace {
@@ -74,8 +74,8 @@ bool wrote_json(const std::string& file, const nlohmann::ordered_json& json) {
   try {
     write_file(file, json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
     return true;
-  } catch (const csv::OutputError& error) {
-    std::fprintf(stderr, "forceshade: %s\n", csv::printable(error.what()).c_str());
+  } catch (const files::OutputError& error) {
+    std::fprintf(stderr, "forceshade: %s\n", files::printable(error.what()).c_str());
     return false;
   }
 }

@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "forceshade/apps/driven.h"
-#include "forceshade/device/open_device.h"
-#include "forceshade/device/servo_loop.h"
+#include "apps/driven.h"
+#include "device/open_device.h"
+#include "device/servo_loop.h"
 
 namespace forceshade::apps {
 

@@ -9,19 +9,19 @@
 #include <limits>
 #include <memory>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/device_command.h"
-#include "forceshade/apps/device_run.h"
-#include "forceshade/apps/length.h"
-#include "forceshade/apps/options.h"
-#include "forceshade/apps/output_options.h"
-#include "forceshade/apps/signals.h"
-#include "forceshade/apps/terminal_attendant.h"
-#include "forceshade/csv/csv.h"
-#include "forceshade/device/limited.h"
-#include "forceshade/fast/law.h"
-#include "forceshade/properties/law_subject.h"
-#include "forceshade/vocabulary/monitor.h"
+#include "apps/command.h"
+#include "apps/device_command.h"
+#include "apps/device_run.h"
+#include "apps/length.h"
+#include "apps/options.h"
+#include "apps/output_options.h"
+#include "apps/signals.h"
+#include "apps/terminal_attendant.h"
+#include "device/limited.h"
+#include "fast/law.h"
+#include "files/csv.h"
+#include "properties/law_subject.h"
+#include "rendering/monitor.h"
 
 namespace forceshade::apps {
 namespace {
@@ -60,8 +60,8 @@ float gentle_stiffness(const std::string& text) {
   const float stiffness = parse_stiffness("--stiffness", text);
   built(fast::Law::build(LawId::wall, {.stiffness = stiffness}));
   if (stiffness <= kHighestStiffness) return stiffness;
-  throw BadInput("--stiffness: expected at most " + csv::shortest(kHighestStiffness) + " N/mm for a first contact, got " +
-                 csv::shortest(stiffness) + "; 'forceshade drive' renders stiffer walls");
+  throw BadInput("--stiffness: expected at most " + files::shortest(kHighestStiffness) + " N/mm for a first contact, got " +
+                 files::shortest(stiffness) + "; 'forceshade drive' renders stiffer walls");
 }
 
 std::string dated_name() {
@@ -92,7 +92,7 @@ void expect_done(device::Attendant& person, const std::string& words) {
 std::string first_step(float stiffness) {
   return "First contact, step 1 of 2. Nothing pushes yet.\n"
          "What will be felt is a wall: the horizontal plane at the height of the device's origin, " +
-         csv::shortest(stiffness) + " N/mm, never more than " + csv::shortest(kPeakForce) +
+         files::shortest(stiffness) + " N/mm, never more than " + files::shortest(kPeakForce) +
          " N.\n"
          "Clear the space around the arm. Have the power switch or the emergency switch of the device within reach.";
 }
@@ -102,7 +102,7 @@ std::string second_step(const std::optional<int>& button, double seconds) {
                                         " down, and keep it down: without it there is no "
                                         "force. To stop, let go of it, or press Ctrl-C."
                                   : "the device has no button to hold down. To stop, let go of the stylus, or press Ctrl-C.";
-  return "First contact, step 2 of 2. The run begins when this is done, and lasts " + csv::shortest(seconds) +
+  return "First contact, step 2 of 2. The run begins when this is done, and lasts " + files::shortest(seconds) +
          " s.\n"
          "Take the stylus with two fingers, well above the plane; " +
          hold + "\nAfter half a second in the air, lower the tip slowly onto the wall, press a little, and rise again.";
@@ -117,7 +117,7 @@ int run(DeviceTryOptions options) {
   const Certified covered = certified(options.certificate, wall.identity);
   if (!may_be_driven(covered, options.uncertified)) {
     std::fprintf(stderr, "forceshade: to have one: forceshade certify --law wall --stiffness %s --out DIR\n",
-                 csv::shortest(stiffness).c_str());
+                 files::shortest(stiffness).c_str());
     return kFailed;
   }
 

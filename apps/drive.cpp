@@ -7,13 +7,13 @@
 #include <memory>
 #include <optional>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/device_run.h"
-#include "forceshade/apps/options.h"
-#include "forceshade/apps/output_options.h"
-#include "forceshade/apps/placement_options.h"
-#include "forceshade/apps/signals.h"
-#include "forceshade/apps/subject_option.h"
+#include "apps/command.h"
+#include "apps/device_run.h"
+#include "apps/options.h"
+#include "apps/output_options.h"
+#include "apps/placement_options.h"
+#include "apps/signals.h"
+#include "apps/subject_option.h"
 
 namespace forceshade::apps {
 namespace {

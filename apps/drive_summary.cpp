@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/drive_summary.h"
+#include "apps/drive_summary.h"
 
 #include <cmath>
 #include <cstdio>

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "forceshade/device/servo_loop.h"
+#include "device/servo_loop.h"
 
 namespace forceshade::apps {
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/driven.h"
+#include "apps/driven.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <utility>
 
-#include "forceshade/certificate/build.h"
-#include "forceshade/certificate/certificate.h"
-#include "forceshade/csv/printable.h"
-#include "forceshade/identity/digest.h"
-#include "forceshade/identity/identity_json.h"
-#include "forceshade/recorder/settings.h"
+#include "certificate/build.h"
+#include "certificate/certificate.h"
+#include "files/printable.h"
+#include "recorder/settings.h"
+#include "rendering/identity/digest.h"
+#include "rendering/identity/identity_json.h"
 
 namespace forceshade::apps {
 
@@ -79,7 +79,7 @@ Certified certified(const std::string& file, const properties::Identity& subject
 
 bool may_be_driven(const Certified& certified, bool uncertified) {
   if (certified.digest) return true;
-  const std::string why = csv::printable(certified.why_not);
+  const std::string why = files::printable(certified.why_not);
   if (uncertified)
     std::fprintf(stderr, "*** DRIVING UNCERTIFIED, because of --uncertified: %s ***\n", why.c_str());
   else

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "forceshade/device/servo_loop.h"
-#include "forceshade/fast/session.h"
-#include "forceshade/properties/subject.h"
-#include "forceshade/recorder/recorder.h"
+#include "device/servo_loop.h"
+#include "fast/session.h"
+#include "properties/subject.h"
+#include "recorder/recorder.h"
 
 namespace forceshade::apps {
 

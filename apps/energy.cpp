@@ -2,22 +2,22 @@
 // forceshade energy: whether a law or a height map is passive: its potential, or the most energy that a loop can give to the
 // hand, and a loop that gives it.
 
-#include "forceshade/reference/energy.h"
+#include "reference/energy.h"
 
 #include <array>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/height_map_option.h"
-#include "forceshade/apps/length.h"
-#include "forceshade/apps/options.h"
-#include "forceshade/apps/output_options.h"
-#include "forceshade/apps/progress_line.h"
-#include "forceshade/apps/signals.h"
-#include "forceshade/reference/height_energy.h"
-#include "forceshade/vocabulary/monitor.h"
+#include "apps/command.h"
+#include "apps/height_map_option.h"
+#include "apps/length.h"
+#include "apps/options.h"
+#include "apps/output_options.h"
+#include "apps/progress_line.h"
+#include "apps/signals.h"
+#include "reference/height_energy.h"
+#include "rendering/monitor.h"
 
 namespace forceshade::apps {
 namespace {

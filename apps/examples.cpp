@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "forceshade/apps/documentation.h"
+#include "apps/documentation.h"
 
 namespace forceshade::apps {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/exhaustive.h"
+#include "apps/exhaustive.h"
 
 #include <algorithm>
 #include <charconv>
@@ -8,14 +8,14 @@
 #include <filesystem>
 #include <memory>
 
-#include "forceshade/apps/certificate_files.h"
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/options.h"
-#include "forceshade/apps/progress_line.h"
-#include "forceshade/apps/signals.h"
-#include "forceshade/certificate/build.h"
-#include "forceshade/certificate/merge.h"
-#include "forceshade/csv/printable.h"
+#include "apps/certificate_files.h"
+#include "apps/command.h"
+#include "apps/options.h"
+#include "apps/progress_line.h"
+#include "apps/signals.h"
+#include "certificate/build.h"
+#include "certificate/merge.h"
+#include "files/printable.h"
 
 namespace forceshade::apps {
 namespace {
@@ -94,7 +94,7 @@ void print(const Sweeps& sweeps) {
     std::printf("%-15s %-9s %4" PRIu64 " sweeps %14" PRIu64 " inputs %" PRIu64 " mismatches\n", name_of(total.law).data(),
                 properties::kSweepKinds[static_cast<std::size_t>(total.kind)].data(), total.sweeps, total.inputs,
                 total.mismatches);
-  for (const std::string& words : sweeps.counterexamples) std::printf("  %s\n", csv::printable(words).c_str());
+  for (const std::string& words : sweeps.counterexamples) std::printf("  %s\n", files::printable(words).c_str());
   std::printf("%" PRIu64 " inputs in %.0f s (%.0f M/s), %" PRIu64 " mismatches\n", sweeps.inputs(), sweeps.seconds,
               static_cast<double>(sweeps.inputs()) / std::max(sweeps.seconds, 1e-9) / 1e6, sweeps.mismatches());
 }

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/apps/output_options.h"
-#include "forceshade/certificate/sweep.h"
+#include "apps/output_options.h"
+#include "certificate/sweep.h"
 
 namespace forceshade::apps {
 

@@ -8,21 +8,21 @@
 #include <random>
 #include <thread>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/device_run.h"
-#include "forceshade/apps/experiment_certificates.h"
-#include "forceshade/apps/experiment_fronts.h"
-#include "forceshade/apps/experiment_run.h"
-#include "forceshade/apps/experiment_virtual.h"
-#include "forceshade/apps/options.h"
-#include "forceshade/apps/output_options.h"
-#include "forceshade/apps/placement_text.h"
-#include "forceshade/apps/session_motion.h"
-#include "forceshade/apps/signals.h"
-#include "forceshade/csv/printable.h"
-#include "forceshade/experiments/bids.h"
-#include "forceshade/experiments/results_csv.h"
-#include "forceshade/experiments/session_results.h"
+#include "apps/command.h"
+#include "apps/device_run.h"
+#include "apps/experiment_certificates.h"
+#include "apps/experiment_fronts.h"
+#include "apps/experiment_run.h"
+#include "apps/experiment_virtual.h"
+#include "apps/options.h"
+#include "apps/output_options.h"
+#include "apps/placement_text.h"
+#include "apps/session_motion.h"
+#include "apps/signals.h"
+#include "files/printable.h"
+#include "study/experiments/bids.h"
+#include "study/experiments/results_csv.h"
+#include "study/experiments/session_results.h"
 
 namespace forceshade::apps {
 namespace {
@@ -289,8 +289,8 @@ void add_export(CLI::App& experiment, int& result) {
       ->type_name("NAME")
       ->allow_extra_args(false)
       ->check([](const std::string& name) {
-        return !name.empty() && csv::is_printable(name) ? std::string()
-                                                        : "expected a name, got \"" + csv::printable(name) + '"';
+        return !name.empty() && files::is_printable(name) ? std::string()
+                                                          : "expected a name, got \"" + files::printable(name) + '"';
       })
       ->needs(bids);
   command->callback([options, &result] { result = write_out(*options); });

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/experiment_apparatus.h"
+#include "apps/experiment_apparatus.h"
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/driven.h"
-#include "forceshade/apps/experiment_certificates.h"
-#include "forceshade/apps/signals.h"
-#include "forceshade/experiments/stimulus_list.h"
+#include "apps/command.h"
+#include "apps/driven.h"
+#include "apps/experiment_certificates.h"
+#include "apps/signals.h"
+#include "study/experiments/stimulus_list.h"
 
 namespace forceshade::apps {
 namespace {

@@ -11,11 +11,11 @@
 #include <string>
 #include <thread>
 
-#include "forceshade/apps/experiment_bumps.h"
-#include "forceshade/device/servo_loop.h"
-#include "forceshade/device/stage.h"
-#include "forceshade/device/triple_buffer.h"
-#include "forceshade/recorder/parts.h"
+#include "apps/experiment_bumps.h"
+#include "device/servo_loop.h"
+#include "device/stage.h"
+#include "device/triple_buffer.h"
+#include "recorder/parts.h"
 
 namespace forceshade::apps {
 

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/experiment_bumps.h"
+#include "apps/experiment_bumps.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/height_map_option.h"
-#include "forceshade/apps/mesh_option.h"
-#include "forceshade/apps/subject_option.h"
-#include "forceshade/csv/csv.h"
-#include "forceshade/heights/spec.h"
-#include "forceshade/properties/height_map_subject.h"
-#include "forceshade/properties/law_subject.h"
-#include "forceshade/properties/mesh_subject.h"
+#include "apps/command.h"
+#include "apps/height_map_option.h"
+#include "apps/mesh_option.h"
+#include "apps/subject_option.h"
+#include "files/csv.h"
+#include "properties/height_map_subject.h"
+#include "properties/law_subject.h"
+#include "properties/mesh_subject.h"
+#include "rendering/heights/spec.h"
 
 namespace forceshade::apps {
 namespace {
@@ -26,8 +26,8 @@ std::shared_ptr<const properties::Subject> subject_of_file(const std::string& fi
   auto subject = read_subject(file);
   for (const auto& [key, value] : subject->identity().parameters)
     if (const auto* its = std::get_if<float>(&value); key == "stiffness_N_per_mm" && its != nullptr && *its != stiffness)
-      throw BadInput(file + ": stiffness: expected that of the protocol, " + csv::shortest(stiffness) + " N/mm, got " +
-                     csv::shortest(*its) + " N/mm");
+      throw BadInput(file + ": stiffness: expected that of the protocol, " + files::shortest(stiffness) + " N/mm, got " +
+                     files::shortest(*its) + " N/mm");
   return subject;
 }
 

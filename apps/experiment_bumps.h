@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "forceshade/experiments/session.h"
-#include "forceshade/properties/subject.h"
+#include "properties/subject.h"
+#include "study/experiments/session.h"
 
 namespace forceshade::apps {
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/experiment_certificates.h"
+#include "apps/experiment_certificates.h"
 
 #include <cctype>
 #include <cstdio>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/driven.h"
-#include "forceshade/apps/signals.h"
-#include "forceshade/certificate/certify.h"
-#include "forceshade/identity/digest.h"
-#include "forceshade/vocabulary/monitor.h"
+#include "apps/command.h"
+#include "apps/driven.h"
+#include "apps/signals.h"
+#include "certificate/certify.h"
+#include "rendering/identity/digest.h"
+#include "rendering/monitor.h"
 
 namespace forceshade::apps {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/apps/experiment_bumps.h"
+#include "apps/experiment_bumps.h"
 
 namespace forceshade::apps {
 

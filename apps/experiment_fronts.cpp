@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/experiment_fronts.h"
+#include "apps/experiment_fronts.h"
 
 #include <poll.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstdio>
 
-#include "forceshade/csv/printable.h"
+#include "files/printable.h"
 
 namespace forceshade::apps {
 namespace {
@@ -101,7 +101,7 @@ WindowFront::WindowFront(const window::Settings& settings, Bumps& bumps, device:
       origin_(origin.cast<double>()),
       has_mouse_(has_mouse),
       window_(settings, experiments::read_language(bumps.protocol().language).labels) {
-  if (!window_.note().empty()) std::fprintf(stderr, "forceshade: %s\n", csv::printable(window_.note()).c_str());
+  if (!window_.note().empty()) std::fprintf(stderr, "forceshade: %s\n", files::printable(window_.note()).c_str());
 }
 
 window::Scene WindowFront::seen(const std::optional<device::Sample>& latest, const experiments::Scene& felt) {

@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "forceshade/apps/experiment_run.h"
-#include "forceshade/window/window.h"
+#include "apps/experiment_run.h"
+#include "study/window/window.h"
 
 namespace forceshade::apps {
 

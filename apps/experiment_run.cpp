@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/experiment_run.h"
+#include "apps/experiment_run.h"
 
 #include <unistd.h>
 
@@ -8,14 +8,14 @@
 #include <cstdio>
 #include <utility>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/device_run.h"
-#include "forceshade/apps/experiment_certificates.h"
-#include "forceshade/apps/live_line.h"
-#include "forceshade/apps/rule_names.h"
-#include "forceshade/apps/signals.h"
-#include "forceshade/apps/trip_words.h"
-#include "forceshade/csv/printable.h"
+#include "apps/command.h"
+#include "apps/device_run.h"
+#include "apps/experiment_certificates.h"
+#include "apps/live_line.h"
+#include "apps/rule_names.h"
+#include "apps/signals.h"
+#include "apps/trip_words.h"
+#include "files/printable.h"
 
 namespace forceshade::apps {
 namespace {
@@ -103,7 +103,7 @@ void go_through(Session& session, Apparatus& apparatus, Front& front, double ful
 }
 
 void tell_experimenter(const std::string& words) {
-  std::fprintf(stderr, "forceshade: %s\n", csv::printable(words).c_str());
+  std::fprintf(stderr, "forceshade: %s\n", files::printable(words).c_str());
 }
 
 std::string words_of_resume(const experiments::RecordedSession& recorded) {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/apps/experiment_apparatus.h"
-#include "forceshade/device/simulated/steering.h"
-#include "forceshade/experiments/session_folder.h"
+#include "apps/experiment_apparatus.h"
+#include "device/simulated/steering.h"
+#include "study/experiments/session_folder.h"
 
 namespace forceshade::apps {
 

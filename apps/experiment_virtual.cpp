@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/experiment_virtual.h"
+#include "apps/experiment_virtual.h"
 
 #include <cmath>
 #include <cstdio>
@@ -9,17 +9,17 @@
 #include <thread>
 #include <vector>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/experiment_apparatus.h"
-#include "forceshade/apps/experiment_certificates.h"
-#include "forceshade/apps/signals.h"
-#include "forceshade/csv/printable.h"
-#include "forceshade/device/open_device.h"
-#include "forceshade/device/simulated/steering.h"
-#include "forceshade/experiments/random.h"
-#include "forceshade/experiments/session_folder.h"
-#include "forceshade/experiments/virtual_participant.h"
-#include "forceshade/vocabulary/monitor.h"
+#include "apps/command.h"
+#include "apps/experiment_apparatus.h"
+#include "apps/experiment_certificates.h"
+#include "apps/signals.h"
+#include "device/open_device.h"
+#include "device/simulated/steering.h"
+#include "files/printable.h"
+#include "rendering/monitor.h"
+#include "study/experiments/random.h"
+#include "study/experiments/session_folder.h"
+#include "study/experiments/virtual_participant.h"
 
 namespace forceshade::apps {
 namespace {

@@ -4,16 +4,16 @@
 #include <iostream>
 #include <memory>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/force_rows.h"
-#include "forceshade/apps/options.h"
-#include "forceshade/apps/output_options.h"
-#include "forceshade/apps/signals.h"
-#include "forceshade/apps/subject_option.h"
-#include "forceshade/csv/csv.h"
-#include "forceshade/csv/npy.h"
-#include "forceshade/csv/output_file.h"
-#include "forceshade/reference/law.h"
+#include "apps/command.h"
+#include "apps/force_rows.h"
+#include "apps/options.h"
+#include "apps/output_options.h"
+#include "apps/signals.h"
+#include "apps/subject_option.h"
+#include "files/csv.h"
+#include "files/npy.h"
+#include "files/output_file.h"
+#include "reference/law.h"
 
 namespace forceshade::apps {
 namespace {
@@ -24,7 +24,7 @@ struct ForceOptions {
 };
 
 RowFormat format_of(const ForceOptions& options) {
-  return csv::is_named_npy(options.out) ? RowFormat::npy : RowFormat::csv;
+  return files::is_named_npy(options.out) ? RowFormat::npy : RowFormat::csv;
 }
 
 RowStatus row_status(Status status, bool is_unfinished) {
@@ -59,9 +59,9 @@ ExitCode run(const ForceOptions& options, const SubjectOption& subject) {
   std::ios::sync_with_stdio(false);
   const Answer answer = answer_of(options, subject);
   std::ifstream file;
-  if (options.input != "-") file = csv::open_input(options.input);
+  if (options.input != "-") file = files::open_input(options.input);
   std::istream& in = options.input == "-" ? std::cin : file;
-  csv::OutputFile output(options.out);
+  files::OutputFile output(options.out);
   const RowCount count = answer_rows(in, options.input == "-" ? "standard input" : options.input, format_of(options),
                                      output.stream(), std::cerr, answer);
   output.commit();

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/force_rows.h"
+#include "apps/force_rows.h"
 
 #include <bit>
 #include <limits>
 #include <stdexcept>
 
-#include "forceshade/apps/bad_input.h"
-#include "forceshade/apps/signals.h"
-#include "forceshade/csv/csv.h"
-#include "forceshade/csv/npy.h"
-#include "forceshade/csv/printable.h"
-#include "forceshade/vocabulary/monitor.h"
+#include "apps/bad_input.h"
+#include "apps/signals.h"
+#include "files/csv.h"
+#include "files/npy.h"
+#include "files/printable.h"
+#include "rendering/monitor.h"
 
 namespace forceshade::apps {
 namespace {
@@ -20,9 +20,9 @@ constexpr const char* kLayout =
 static_assert(std::endian::native == std::endian::little, "numbers are written as they are in memory");
 
 void write_row(std::ostream& out, const Eigen::Vector3f& position, const AnsweredRow& row) {
-  for (const float coordinate : position) out << csv::shortest(coordinate) << ',';
+  for (const float coordinate : position) out << files::shortest(coordinate) << ',';
   for (std::size_t i = 0; i < 3; ++i)
-    out << (row.decimal ? (*row.decimal)[i] : csv::shortest(row.force[static_cast<Eigen::Index>(i)])) << ',';
+    out << (row.decimal ? (*row.decimal)[i] : files::shortest(row.force[static_cast<Eigen::Index>(i)])) << ',';
   out << kRowStatusNames[static_cast<std::size_t>(row.status)] << '\n';
 }
 
@@ -36,7 +36,7 @@ void append(std::string& records, const Eigen::Vector3f& position, const Answere
 
 RowCount answer_rows(std::istream& in, const std::string& file, RowFormat format, std::ostream& out, std::ostream& complaints,
                      const Answer& answer) {
-  csv::Reader rows(in, file, {"x_mm", "y_mm", "z_mm"});
+  files::Reader rows(in, file, {"x_mm", "y_mm", "z_mm"});
   std::string records;
   if (format == RowFormat::csv) out << "x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status\n";
   RowCount count;
@@ -50,11 +50,11 @@ RowCount answer_rows(std::istream& in, const std::string& file, RowFormat format
       ++count.unanswered;
       row = {Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()), RowStatus::undecided, std::nullopt};
       const std::string words = file + ':' + std::to_string(rows.line()) + ": cannot be answered: " + error.what();
-      complaints << "forceshade: " << csv::printable(words) << '\n';
+      complaints << "forceshade: " << files::printable(words) << '\n';
     }
     format == RowFormat::csv ? write_row(out, position, row) : append(records, position, row);
   }
-  if (format == RowFormat::npy) out << csv::npy_header(kLayout, count.rows) << records;
+  if (format == RowFormat::npy) out << files::npy_header(kLayout, count.rows) << records;
   return count;
 }
 

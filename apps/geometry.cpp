@@ -5,10 +5,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/options.h"
-#include "forceshade/apps/output_options.h"
-#include "forceshade/reference/law.h"
+#include "apps/command.h"
+#include "apps/options.h"
+#include "apps/output_options.h"
+#include "reference/law.h"
 
 namespace forceshade::apps {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/height_map_option.h"
+#include "apps/height_map_option.h"
 
 #include <filesystem>
 
-#include "forceshade/apps/options.h"
-#include "forceshade/fast/height_map_field.h"
+#include "apps/options.h"
+#include "fast/height_map_field.h"
 
 namespace forceshade::apps {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/heights/spec.h"
+#include "apps/command.h"
+#include "rendering/heights/spec.h"
 
 namespace forceshade::apps {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <sstream>
 
-#include "forceshade/apps/documentation.h"
-#include "forceshade/apps/options.h"
+#include "apps/documentation.h"
+#include "apps/options.h"
 
 namespace forceshade::apps {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/junit.h"
+#include "apps/junit.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <span>
 
-#include "forceshade/csv/printable.h"
+#include "files/printable.h"
 
 namespace forceshade::apps {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 // Of an attribute or an element.
 std::string xml(const std::string& text) {
   std::string all;
-  const std::string shown = csv::printable(text);
+  const std::string shown = files::printable(text);
   for (std::size_t i = 0; i < shown.size(); ++i) {
     // The two characters of UTF-8 that XML 1.0 leaves out and printable() does not.
     if (const std::string_view three = std::string_view(shown).substr(i, 3);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/keyboard_buttons.h"
+#include "apps/keyboard_buttons.h"
 
 #include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
 
-#include "forceshade/device/attendant.h"
+#include "device/attendant.h"
 
 namespace forceshade::apps {
 namespace {

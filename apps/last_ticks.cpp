@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/last_ticks.h"
+#include "apps/last_ticks.h"
 
 #include <Eigen/Core>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "forceshade/apps/rule_names.h"
+#include "apps/rule_names.h"
 
 namespace forceshade::apps {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "forceshade/device/sample.h"
+#include "device/sample.h"
 
 namespace forceshade::apps {
 

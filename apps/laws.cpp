@@ -3,7 +3,7 @@
 
 #include <iostream>
 
-#include "forceshade/apps/command.h"
+#include "apps/command.h"
 
 namespace forceshade::apps {
 

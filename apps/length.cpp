@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/length.h"
+#include "apps/length.h"
 
 #include <array>
 #include <charconv>
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string_view>
 
-#include "forceshade/apps/bad_input.h"
+#include "apps/bad_input.h"
 
 namespace forceshade::apps {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/live_line.h"
+#include "apps/live_line.h"
 
 #include <sys/ioctl.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/live_view.h"
+#include "apps/live_view.h"
 
 #include <algorithm>
 #include <chrono>
@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <string>
 
-#include "forceshade/apps/live_line.h"
-#include "forceshade/apps/rule_names.h"
+#include "apps/live_line.h"
+#include "apps/rule_names.h"
 
 namespace forceshade::apps {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <thread>
 
-#include "forceshade/device/sample.h"
-#include "forceshade/device/triple_buffer.h"
+#include "device/sample.h"
+#include "device/triple_buffer.h"
 
 namespace forceshade::apps {
 

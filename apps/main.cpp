@@ -9,24 +9,24 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/documentation.h"
-#include "forceshade/apps/options.h"
-#include "forceshade/apps/standard_streams.h"
-#include "forceshade/apps/subject_file.h"
-#include "forceshade/certificate/build.h"
-#include "forceshade/csv/output_file.h"
-#include "forceshade/csv/printable.h"
-#include "forceshade/csv/suggestion.h"
-#include "forceshade/device/open_device.h"
-#include "forceshade/vocabulary/monitor.h"
+#include "apps/command.h"
+#include "apps/documentation.h"
+#include "apps/options.h"
+#include "apps/standard_streams.h"
+#include "apps/subject_file.h"
+#include "certificate/build.h"
+#include "device/open_device.h"
+#include "files/output_file.h"
+#include "files/printable.h"
+#include "files/suggestion.h"
+#include "rendering/monitor.h"
 
 namespace forceshade::apps {
 namespace {
 
 void print_lines(const std::string& text) {
   std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) std::cerr << csv::printable(line) << '\n';
+  for (std::string line; std::getline(lines, line);) std::cerr << files::printable(line) << '\n';
 }
 
 // `help` and `version` are words for --help and --version: forceshade help device check.
@@ -56,7 +56,7 @@ std::string fault_of_first_word(const CLI::App& app, const std::vector<std::stri
     return "expected a command before the option \"" + first + "\", one of:" + listed();
   }
   if (std::ranges::find(names, first) != names.end()) return "";
-  return "unknown command \"" + first + "\"; expected one of:" + listed() + csv::suggestion(first, names);
+  return "unknown command \"" + first + "\"; expected one of:" + listed() + files::suggestion(first, names);
 }
 
 bool takes_a_subject(const CLI::App& app, const std::vector<std::string>& words) {
@@ -113,7 +113,7 @@ int run(const std::vector<std::string>& arguments) {
              "\n'forceshade help COMMAND' explains a command; 'forceshade man COMMAND | man -l -' shows its page.");
   ExpandedLine line{with_words_for_flags(arguments)};
   if (const std::string fault = fault_of_first_word(app, line.words); !fault.empty()) {
-    std::cerr << "forceshade: " << csv::printable(fault) << '\n';
+    std::cerr << "forceshade: " << files::printable(fault) << '\n';
     return kBadInput;
   }
   try {
@@ -131,10 +131,10 @@ int run(const std::vector<std::string>& arguments) {
     print_lines(error.what());
     return kBadInput;
   } catch (const Interrupted& error) {
-    std::cerr << "forceshade: interrupted: " << csv::printable(error.what()) << '\n';
+    std::cerr << "forceshade: interrupted: " << files::printable(error.what()) << '\n';
     return kInterrupted;
   } catch (const std::exception& error) {
-    std::cerr << "forceshade: " << csv::printable(line.placed(error.what())) << '\n';
+    std::cerr << "forceshade: " << files::printable(line.placed(error.what())) << '\n';
     return kBadInput;
   }
   return result;
@@ -150,8 +150,8 @@ int main(int argc, char** argv) {
   apps::remove_unused_directories();
   try {
     apps::flush_standard_output();
-  } catch (const csv::OutputError& error) {
-    std::cerr << "forceshade: " << csv::printable(error.what()) << '\n';
+  } catch (const files::OutputError& error) {
+    std::cerr << "forceshade: " << files::printable(error.what()) << '\n';
     return result == apps::kHeld ? apps::kBadInput : result;
   }
   return result;

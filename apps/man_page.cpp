@@ -7,11 +7,11 @@
 #include <filesystem>
 #include <memory>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/documentation.h"
-#include "forceshade/apps/output_options.h"
-#include "forceshade/certificate/build.h"
-#include "forceshade/csv/output_folder.h"
+#include "apps/command.h"
+#include "apps/documentation.h"
+#include "apps/output_options.h"
+#include "certificate/build.h"
+#include "files/output_folder.h"
 
 namespace forceshade::apps {
 namespace {
@@ -168,7 +168,7 @@ void add_man(CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::App* each : tree(app)) names.push_back(page_name(*each) + ".1");
     out->expect_room_for(names);
-    csv::OutputFolder folder(out->path());
+    files::OutputFolder folder(out->path());
     for (const CLI::App* each : tree(app)) folder.write(page_name(*each) + ".1", man_page(*each, version));
     folder.commit();
   });

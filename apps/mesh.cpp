@@ -11,22 +11,22 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/height_map_option.h"
-#include "forceshade/apps/length.h"
-#include "forceshade/apps/mesh_input.h"
-#include "forceshade/apps/mesh_option.h"
-#include "forceshade/apps/options.h"
-#include "forceshade/apps/output_options.h"
-#include "forceshade/csv/csv.h"
-#include "forceshade/csv/output_file.h"
-#include "forceshade/csv/printable.h"
-#include "forceshade/fast/height_map_field.h"
-#include "forceshade/meshes/facts.h"
-#include "forceshade/meshes/load.h"
-#include "forceshade/meshes/make.h"
-#include "forceshade/meshes/repair.h"
-#include "forceshade/meshes/save.h"
+#include "apps/command.h"
+#include "apps/height_map_option.h"
+#include "apps/length.h"
+#include "apps/mesh_input.h"
+#include "apps/mesh_option.h"
+#include "apps/options.h"
+#include "apps/output_options.h"
+#include "fast/height_map_field.h"
+#include "files/csv.h"
+#include "files/output_file.h"
+#include "files/printable.h"
+#include "rendering/meshes/facts.h"
+#include "rendering/meshes/load.h"
+#include "rendering/meshes/make.h"
+#include "rendering/meshes/repair.h"
+#include "rendering/meshes/save.h"
 
 namespace forceshade::apps {
 namespace {
@@ -63,7 +63,7 @@ void write_json(const MeshFileOptions& options, const Json& json) {
 }
 
 void print(const std::vector<std::string>& lines, const std::string& before = "") {
-  for (const std::string& line : lines) std::printf("%s\n", csv::printable(before + line).c_str());
+  for (const std::string& line : lines) std::printf("%s\n", files::printable(before + line).c_str());
 }
 
 // "FILE: line 12: face 3 has no area: ...", as in every message about a file.
@@ -87,7 +87,7 @@ void expect_ending(const std::string& path, bool may_be_obj) {
 }
 
 void write_mesh(const std::string& path, const mesh::TriangleMesh& triangles) {
-  csv::OutputFile file(path);
+  files::OutputFile file(path);
   mesh::write_off(file.stream(), triangles);
   file.commit();
 }
@@ -98,7 +98,7 @@ using TexturePoints = std::vector<std::array<mesh::TexturePoint, 3>>;
 void write_made(const std::string& path, const mesh::TriangleMesh& triangles,
                 TexturePoints (*texture)(const mesh::TriangleMesh&)) {
   if (ending_of(path) != ".obj") return write_mesh(path, triangles);
-  csv::OutputFile file(path);
+  files::OutputFile file(path);
   mesh::write_obj(file.stream(), triangles, texture(triangles));
   file.commit();
 }
@@ -151,7 +151,7 @@ int check(const MeshFileOptions& options) {
 }
 
 std::string shortest(double number) {
-  return csv::shortest(static_cast<float>(number));
+  return files::shortest(static_cast<float>(number));
 }
 
 int info(const MeshFileOptions& options) {
@@ -188,7 +188,7 @@ int info(const MeshFileOptions& options) {
   if (options.json == "-") return kHeld;
   const auto row = [](const char* name, const std::string& value) { std::printf("%-16s %s\n", name, value.c_str()); };
   const auto point = [](const mesh::Vertex& v) {
-    return csv::shortest(v[0]) + ", " + csv::shortest(v[1]) + ", " + csv::shortest(v[2]);
+    return files::shortest(v[0]) + ", " + files::shortest(v[1]) + ", " + files::shortest(v[2]);
   };
   row("faces",
       std::to_string(facts.triangles) + " in " + std::to_string(facts.parts) + (facts.parts == 1 ? " part" : " parts"));
@@ -257,7 +257,7 @@ double surface_of(const fast::HeightMapField& field, double x, double y) {
   };
   float low = -9999, high = 9999;
   if (!is_free(high) || is_free(low))
-    throw BadInput("--height-map: at x = " + csv::shortest(x) + " mm, y = " + csv::shortest(y) +
+    throw BadInput("--height-map: at x = " + files::shortest(x) + " mm, y = " + files::shortest(y) +
                    " mm no surface is found within 9999 mm");
   while (true) {
     const auto middle = static_cast<float>((static_cast<double>(low) + static_cast<double>(high)) / 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/mesh_input.h"
+#include "apps/mesh_input.h"
 
 #include <array>
 #include <cerrno>
@@ -12,9 +12,9 @@
 #include <string_view>
 #include <system_error>
 
-#include "forceshade/apps/bad_input.h"
-#include "forceshade/apps/progress_line.h"
-#include "forceshade/apps/signals.h"
+#include "apps/bad_input.h"
+#include "apps/progress_line.h"
+#include "apps/signals.h"
 
 namespace forceshade::apps {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <variant>
 
-#include "forceshade/meshes/check.h"
-#include "forceshade/meshes/load.h"
+#include "rendering/meshes/check.h"
+#include "rendering/meshes/load.h"
 
 namespace forceshade::apps {
 

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/mesh_option.h"
+#include "apps/mesh_option.h"
 
 #include <algorithm>
 #include <filesystem>
 
-#include "forceshade/apps/height_map_option.h"
-#include "forceshade/apps/length.h"
-#include "forceshade/apps/mesh_input.h"
-#include "forceshade/apps/options.h"
-#include "forceshade/csv/csv.h"
-#include "forceshade/csv/printable.h"
-#include "forceshade/csv/suggestion.h"
-#include "forceshade/heights/spec.h"
-#include "forceshade/meshes/facts.h"
-#include "forceshade/meshes/normals.h"
-#include "forceshade/meshes/texture.h"
+#include "apps/height_map_option.h"
+#include "apps/length.h"
+#include "apps/mesh_input.h"
+#include "apps/options.h"
+#include "files/csv.h"
+#include "files/printable.h"
+#include "files/suggestion.h"
+#include "rendering/heights/spec.h"
+#include "rendering/meshes/facts.h"
+#include "rendering/meshes/normals.h"
+#include "rendering/meshes/texture.h"
 
 namespace forceshade::apps {
 namespace {
@@ -39,7 +39,7 @@ std::string refusal_of_shading(const std::string& got) {
   const bool is_name = static_cast<std::size_t>(shading_named(got)) < mesh::kShadingNames.size();
   if (is_texture(got) || (is_name && got != name_of(mesh::Shading::texture_scheme))) return {};
   return "expected one of vertex, edge, none, texture:FILE; got \"" + got + '"' +
-         csv::suggestion(got, {"vertex", "edge", "none", "texture:FILE"});
+         files::suggestion(got, {"vertex", "edge", "none", "texture:FILE"});
 }
 
 void read_texture(const MeshChoice& choice, const mesh::CheckedMesh& checked,
@@ -121,9 +121,9 @@ std::vector<std::pair<std::string, std::string>> MeshOption::entries() const {
           {"shading", is_texture(mesh_.shading)
                           ? std::string(kTexturePrefix) + file_name(mesh_.shading.substr(kTexturePrefix.size()))
                           : mesh_.shading},
-          {"texture-scale", mesh_.texture_scale ? csv::shortest(*mesh_.texture_scale) + "mm" : ""},
+          {"texture-scale", mesh_.texture_scale ? files::shortest(*mesh_.texture_scale) + "mm" : ""},
           {"self-intersecting", mesh_.is_self_intersecting ? "true" : ""},
-          {"crease", csv::shortest(mesh_.crease_degrees) + "deg"}};
+          {"crease", files::shortest(mesh_.crease_degrees) + "deg"}};
 }
 
 MeshRendering MeshOption::read(float stiffness) const {
@@ -140,7 +140,7 @@ MeshRendering read_mesh(const MeshChoice& choice, float stiffness) {
   if (const auto* findings = std::get_if<mesh::Findings>(&checked)) {
     const bool crosses = findings->counts[static_cast<std::size_t>(mesh::Fault::meeting)] > 0;
     throw BadInputOfLines(
-        csv::printable(choice.file) + ": cannot be rendered:\n" + findings->words(loaded.lines) +
+        files::printable(choice.file) + ": cannot be rendered:\n" + findings->words(loaded.lines) +
         "'forceshade mesh repair' mends some of this" +
         (crosses && !choice.is_self_intersecting ? "; with --self-intersecting, faces without a common vertex may cross" : ""));
   }

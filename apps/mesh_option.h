@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/identity/mesh_identity.h"
-#include "forceshade/meshes/check.h"
-#include "forceshade/meshes/load.h"
+#include "apps/command.h"
+#include "rendering/identity/mesh_identity.h"
+#include "rendering/meshes/check.h"
+#include "rendering/meshes/load.h"
 
 namespace forceshade::apps {
 

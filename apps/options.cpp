@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/options.h"
+#include "apps/options.h"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 #include <system_error>
 #include <utility>
 
-#include "forceshade/apps/length.h"
-#include "forceshade/csv/suggestion.h"
+#include "apps/length.h"
+#include "files/suggestion.h"
 
 namespace forceshade::apps {
 namespace {
@@ -63,7 +63,7 @@ std::string words_of_extra(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* known : command.get_options())
     for (const std::string& known_name : known->get_lnames()) names.push_back("--" + known_name);
-  return command.get_name() + ": unknown option \"" + name + '"' + csv::suggestion(name, names);
+  return command.get_name() + ": unknown option \"" + name + '"' + files::suggestion(name, names);
 }
 
 std::string words_of_missing(const CLI::App& command, const std::string& what) {
@@ -77,7 +77,7 @@ std::string words_of_missing(const CLI::App& command, const std::string& what) {
   std::vector<std::string> names;
   for (const CLI::App* verb : verbs) names.push_back(verb->get_name());
   const std::string words = command.get_name() + ": expected a command: " + joined(names, ", ") + "; got ";
-  return extras.empty() ? words + "none" : words + '"' + extras.front() + '"' + csv::suggestion(extras.front(), names);
+  return extras.empty() ? words + "none" : words + '"' + extras.front() + '"' + files::suggestion(extras.front(), names);
 }
 
 template <class E>
@@ -168,7 +168,7 @@ CLI::Option* add_word(CLI::App& command, const std::string& name, std::string& v
 CLI::Validator one_of(std::vector<std::string> words) {
   return {[words = std::move(words)](const std::string& got) {
             if (std::find(words.begin(), words.end(), got) != words.end()) return std::string();
-            return "expected one of " + joined(words, ", ") + "; got \"" + got + '"' + csv::suggestion(got, words);
+            return "expected one of " + joined(words, ", ") + "; got \"" + got + '"' + files::suggestion(got, words);
           },
           ""};
 }

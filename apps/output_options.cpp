@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/output_options.h"
+#include "apps/output_options.h"
 
 #include <unistd.h>
 
 #include <filesystem>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/options.h"
-#include "forceshade/csv/output_file.h"
+#include "apps/command.h"
+#include "apps/options.h"
+#include "files/output_file.h"
 
 namespace forceshade::apps {
 namespace {
@@ -24,7 +24,7 @@ void add_overwrite(CLI::App& command) {
 // Nothing where the file may be written.
 std::string refusal(const CLI::App& command, const std::string& path) {
   std::error_code ignored;
-  if (csv::is_written_directly(path)) return "";
+  if (files::is_written_directly(path)) return "";
   if (std::filesystem::is_directory(path, ignored)) return "expected a file, got \"" + path + "\", which is a folder";
   if (overwrites(command) || !std::filesystem::exists(path, ignored)) return "";
   return "expected a new file, or --overwrite beside it; \"" + path + "\" is there already";
@@ -32,7 +32,7 @@ std::string refusal(const CLI::App& command, const std::string& path) {
 
 // One name for standard output, so that a command does not write words among what it writes there.
 std::string shorten_standard_output(std::string& path) {
-  if (csv::is_standard_output(path)) path = "-";
+  if (files::is_standard_output(path)) path = "-";
   return "";
 }
 
@@ -49,7 +49,7 @@ void expect_new(const CLI::App& command, const std::string& option, const std::s
 void expect_folder_of(const std::string& option, const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code ignored;
-  if (path.empty() || csv::is_written_directly(path)) return;
+  if (path.empty() || files::is_written_directly(path)) return;
   const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : ".";
   if (!fs::is_directory(folder, ignored) || ::access(folder.c_str(), W_OK | X_OK) != 0)
     throw BadInput(option + ": expected a file in a folder that can be written to, got \"" + path + '"');
@@ -81,7 +81,7 @@ void OutFolder::make() const {
   if (path_.empty()) throw CLI::RequiredError("--out");
   std::error_code ignored;
   const fs::file_status there = fs::status(path_, ignored);
-  if (csv::is_written_directly(path_) || (fs::exists(there) && !fs::is_directory(there)))
+  if (files::is_written_directly(path_) || (fs::exists(there) && !fs::is_directory(there)))
     throw BadInput("--out: expected a directory, for the command writes several files, got \"" + path_ + '"');
   make_directory("--out", path_);
 }

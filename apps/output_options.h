@@ -40,7 +40,7 @@ class OutFolder {
   void make() const;
 
   // Throws BadInput where the folder cannot be made or written to, or has one of these files, unless it may be replaced. Only
-  // the folders that it is in are there afterwards, so that a csv::OutputFolder can make it whole.
+  // the folders that it is in are there afterwards, so that a files::OutputFolder can make it whole.
   void expect_room_for(const std::vector<std::string>& files) const;
 
   const std::string& path() const { return path_; }

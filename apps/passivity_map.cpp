@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "forceshade/device/simulated/sampled_wall.h"
+#include "device/simulated/sampled_wall.h"
 
 int main() {
   using namespace forceshade::device;

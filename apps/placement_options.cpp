@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/placement_options.h"
+#include "apps/placement_options.h"
 
-#include "forceshade/apps/options.h"
-#include "forceshade/apps/placement_text.h"
+#include "apps/options.h"
+#include "apps/placement_text.h"
 
 namespace forceshade::apps {
 

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "forceshade/device/placement.h"
+#include "device/placement.h"
 
 namespace forceshade::apps {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/placement_text.h"
+#include "apps/placement_text.h"
 
 #include <charconv>
 #include <string_view>
 #include <vector>
 
-#include "forceshade/apps/bad_input.h"
-#include "forceshade/apps/length.h"
-#include "forceshade/csv/csv.h"
-#include "forceshade/fast/domain.h"
+#include "apps/bad_input.h"
+#include "apps/length.h"
+#include "fast/domain.h"
+#include "files/csv.h"
 
 namespace forceshade::apps {
 namespace {
@@ -64,7 +64,7 @@ device::Placement parse_placement(const std::string& origin, const std::string& 
 
 std::string origin_words(const device::Placement& placement) {
   const Eigen::Vector3f& origin = placement.origin();
-  return csv::shortest(origin.x()) + ',' + csv::shortest(origin.y()) + ',' + csv::shortest(origin.z());
+  return files::shortest(origin.x()) + ',' + files::shortest(origin.y()) + ',' + files::shortest(origin.z());
 }
 
 std::string axes_words(const device::Placement& placement) {

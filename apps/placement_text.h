@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "forceshade/device/placement.h"
+#include "device/placement.h"
 
 namespace forceshade::apps {
 

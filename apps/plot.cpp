@@ -9,21 +9,21 @@
 #include <iostream>
 #include <memory>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/height_map_option.h"
-#include "forceshade/apps/length.h"
-#include "forceshade/apps/mesh_option.h"
-#include "forceshade/apps/options.h"
-#include "forceshade/apps/output_options.h"
-#include "forceshade/apps/signals.h"
-#include "forceshade/apps/subject_option.h"
-#include "forceshade/csv/csv.h"
-#include "forceshade/csv/output_folder.h"
-#include "forceshade/properties/mesh_subject.h"
-#include "forceshade/report/mesh_picture.h"
-#include "forceshade/report/pictures.h"
-#include "forceshade/report/thesis_figures.h"
-#include "forceshade/vocabulary/monitor.h"
+#include "apps/command.h"
+#include "apps/height_map_option.h"
+#include "apps/length.h"
+#include "apps/mesh_option.h"
+#include "apps/options.h"
+#include "apps/output_options.h"
+#include "apps/signals.h"
+#include "apps/subject_option.h"
+#include "certificate/report/mesh_picture.h"
+#include "certificate/report/pictures.h"
+#include "certificate/report/thesis_figures.h"
+#include "files/csv.h"
+#include "files/output_folder.h"
+#include "properties/mesh_subject.h"
+#include "rendering/monitor.h"
 
 namespace forceshade::apps {
 namespace {
@@ -84,10 +84,10 @@ std::vector<PlannedView> views_of_laws(const LawOptions& law) {
     views.push_back({std::string(name_of(id)), [id, parameters] {
                        SideView view = side_view(properties::Drawn(id, parameters));
                        view.heading = {view.name, has_bump_geometry(id)
-                                                      ? "R = " + csv::shortest(parameters.radius) +
-                                                            " mm, w = " + csv::shortest(parameters.width) + " mm, "
+                                                      ? "R = " + files::shortest(parameters.radius) +
+                                                            " mm, w = " + files::shortest(parameters.width) + " mm, "
                                                       : ""};
-                       view.heading.parameters += "K = " + csv::shortest(parameters.stiffness) + " N/mm";
+                       view.heading.parameters += "K = " + files::shortest(parameters.stiffness) + " N/mm";
                        return view;
                      }});
   return views;
@@ -97,8 +97,8 @@ PlannedView view_of_height_map(const HeightMapOption& height_map, float stiffnes
   const std::string name = std::filesystem::path(height_map.name()).stem();
   return {name, [=, spec = height_map.read(stiffness), title = height_map.name()] {
             SideView view = side_view(built(properties::fast_rendering(spec.map, spec.rendering, stiffness)), name, range);
-            view.heading = {title, std::string(name_of(spec.rendering)) + ", K = " + csv::shortest(stiffness) +
-                                       " N/mm, y = " + csv::shortest(range.y) + " mm"};
+            view.heading = {title, std::string(name_of(spec.rendering)) + ", K = " + files::shortest(stiffness) +
+                                       " N/mm, y = " + files::shortest(range.y) + " mm"};
             return view;
           }};
 }
@@ -111,7 +111,7 @@ std::vector<std::string> files(const std::vector<PlannedView>& views, const std:
   return all;
 }
 
-void write(const Picture& picture, const std::string& stem, const csv::OutputFolder& folder) {
+void write(const Picture& picture, const std::string& stem, const files::OutputFolder& folder) {
   const auto drawn = [&](std::string (*file)(const Picture&)) {
     try {
       std::string bytes = file(picture);
@@ -126,7 +126,7 @@ void write(const Picture& picture, const std::string& stem, const csv::OutputFol
 }
 
 // Puts what was drawn in place, and prints its names.
-void finish(csv::OutputFolder& folder, const OutFolder& out, const std::vector<std::string>& names) {
+void finish(files::OutputFolder& folder, const OutFolder& out, const std::vector<std::string>& names) {
   folder.commit();
   for (const std::string& name : names) std::printf("%s\n", (std::filesystem::path(out.path()) / name).c_str());
 }
@@ -134,8 +134,8 @@ void finish(csv::OutputFolder& folder, const OutFolder& out, const std::vector<s
 // What the fast path does at each position of a CSV, in their order; "-" is standard input.
 std::vector<Ticked> path_of(const std::string& input, fast::TickSession& session) {
   std::ifstream file;
-  if (input != "-") file = csv::open_input(input);
-  csv::Reader rows(input == "-" ? std::cin : file, input == "-" ? "standard input" : input, {"x_mm", "y_mm", "z_mm"});
+  if (input != "-") file = files::open_input(input);
+  files::Reader rows(input == "-" ? std::cin : file, input == "-" ? "standard input" : input, {"x_mm", "y_mm", "z_mm"});
   std::vector<Ticked> path;
   while (rows.next()) {
     if (interrupted()) throw Interrupted("no picture was drawn");
@@ -156,14 +156,14 @@ struct MeshPlotOptions {
     if (!input.empty()) path = path_of(input, *properties::fast_god_object(rendering)(stiffness));
     std::string words = std::to_string(rendering.mesh().triangles.size()) + " triangles";
     if (!path.empty())
-      words += "; K = " + csv::shortest(stiffness) + " N/mm, shading " + std::string(name_of(rendering.shading)) + ", sides " +
-               std::string(name_of(rendering.sides));
+      words += "; K = " + files::shortest(stiffness) + " N/mm, shading " + std::string(name_of(rendering.shading)) +
+               ", sides " + std::string(name_of(rendering.sides));
     const auto unfinished =
         std::ranges::count_if(path, [](const Ticked& one) { return one.tick.status == mesh::TickStatus::unfinished; });
     if (unfinished > 0) words += "; " + std::to_string(unfinished) + " of " + std::to_string(path.size()) + " ticks unfinished";
     const std::vector<std::string> names{name + "-mesh.svg", name + "-mesh.png"};
     out.expect_room_for(names);
-    csv::OutputFolder folder(out.path());
+    files::OutputFolder folder(out.path());
     write(mesh_picture(rendering.mesh(), path, direction, name, {option.name(), words}), name + "-mesh", folder);
     finish(folder, out, names);
   }
@@ -192,7 +192,7 @@ void add_plot(CLI::App& app, int&) {
       ->needs("--mesh");
   const auto turn = [&](const char* name, double& degrees, const char* help, double most) {
     add_angle(*command, name, help, {-most, most}, [&degrees](double given) { degrees = given; })
-        ->default_str(csv::shortest(degrees))
+        ->default_str(files::shortest(degrees))
         ->needs("--mesh");
   };
   turn("--azimuth", mesh_options->direction.azimuth, "of the view of a mesh: from -y towards +x", 360);
@@ -211,7 +211,7 @@ void add_plot(CLI::App& app, int&) {
                                : views_of_laws(*law);
     const std::vector<std::string> names = files(views, kinds);
     out->expect_room_for(names);
-    csv::OutputFolder folder(out->path());
+    files::OutputFolder folder(out->path());
     for (const PlannedView& one : views) {
       const SideView view = one.view();
       for (const Kind& kind : kinds) write(kind.draw(view), stem(one.name, kind), folder);
@@ -231,7 +231,7 @@ void add_figures(CLI::App& app, int&) {
     for (const properties::ThesisFigure& figure : figures)
       for (const char* ending : {".svg", ".png", ".csv"}) names.push_back(figure.name + ending);
     out->expect_room_for(names);
-    csv::OutputFolder folder(out->path());
+    files::OutputFolder folder(out->path());
     for (const properties::ThesisFigure& figure : figures) {
       write(figure.picture, figure.name, folder);
       folder.write(figure.name + ".csv", figure.csv);

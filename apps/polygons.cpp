@@ -8,16 +8,16 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/height_map_option.h"
-#include "forceshade/apps/length.h"
-#include "forceshade/apps/options.h"
-#include "forceshade/apps/output_options.h"
-#include "forceshade/heights/spec.h"
-#include "forceshade/reference/height_map_field.h"
-#include "forceshade/reference/profile.h"
-#include "forceshade/reference/theta_critical.h"
-#include "forceshade/report/thesis.h"
+#include "apps/command.h"
+#include "apps/height_map_option.h"
+#include "apps/length.h"
+#include "apps/options.h"
+#include "apps/output_options.h"
+#include "certificate/report/thesis.h"
+#include "reference/height_map_field.h"
+#include "reference/profile.h"
+#include "reference/theta_critical.h"
+#include "rendering/heights/spec.h"
 
 namespace forceshade::apps {
 namespace {

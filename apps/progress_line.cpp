@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/progress_line.h"
+#include "apps/progress_line.h"
 
 #include <unistd.h>
 
@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "forceshade/apps/live_line.h"
+#include "apps/live_line.h"
 
 namespace forceshade::apps {
 namespace {

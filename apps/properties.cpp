@@ -5,19 +5,19 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/junit.h"
-#include "forceshade/apps/options.h"
-#include "forceshade/apps/output_options.h"
-#include "forceshade/apps/part_times.h"
-#include "forceshade/apps/progress_line.h"
-#include "forceshade/apps/signals.h"
-#include "forceshade/apps/standard_streams.h"
-#include "forceshade/apps/subject_option.h"
-#include "forceshade/certificate/build.h"
-#include "forceshade/identity/identity_json.h"
-#include "forceshade/properties/run.h"
-#include "forceshade/vocabulary/monitor.h"
+#include "apps/command.h"
+#include "apps/junit.h"
+#include "apps/options.h"
+#include "apps/output_options.h"
+#include "apps/part_times.h"
+#include "apps/progress_line.h"
+#include "apps/signals.h"
+#include "apps/standard_streams.h"
+#include "apps/subject_option.h"
+#include "certificate/build.h"
+#include "properties/run.h"
+#include "rendering/identity/identity_json.h"
+#include "rendering/monitor.h"
 
 namespace forceshade::apps {
 namespace {

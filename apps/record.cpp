@@ -6,18 +6,18 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/driven.h"
-#include "forceshade/apps/output_options.h"
-#include "forceshade/apps/progress_line.h"
-#include "forceshade/apps/session_recompute.h"
-#include "forceshade/apps/signals.h"
-#include "forceshade/apps/subject_option.h"
-#include "forceshade/csv/printable.h"
-#include "forceshade/properties/binary32.h"
-#include "forceshade/recorder/export.h"
-#include "forceshade/recorder/recording.h"
-#include "forceshade/vocabulary/monitor.h"
+#include "apps/command.h"
+#include "apps/driven.h"
+#include "apps/output_options.h"
+#include "apps/progress_line.h"
+#include "apps/session_recompute.h"
+#include "apps/signals.h"
+#include "apps/subject_option.h"
+#include "files/printable.h"
+#include "properties/binary32.h"
+#include "recorder/export.h"
+#include "recorder/recording.h"
+#include "rendering/monitor.h"
 
 namespace forceshade::apps {
 namespace {
@@ -29,7 +29,7 @@ struct RecordOptions {
 constexpr std::uint64_t kListed = 10;  // forces that differ
 
 void complain(const std::string& words) {
-  std::fprintf(stderr, "forceshade: %s\n", csv::printable(words).c_str());
+  std::fprintf(stderr, "forceshade: %s\n", files::printable(words).c_str());
 }
 
 nlohmann::ordered_json described(recorder::Recording& recording) {
@@ -60,7 +60,7 @@ int info(const RecordOptions& options) {
               static_cast<unsigned long long>(extent.repeated));
   for (const auto& [key, value] : recording.metadata())
     if (key != "samples" && key != "layout")
-      std::printf("%-20s %s\n", csv::printable(key).c_str(), csv::printable(value).c_str());
+      std::printf("%-20s %s\n", files::printable(key).c_str(), files::printable(value).c_str());
   if (!recording.ended()) std::printf("%-20s no: cut off, or still being made\n", "ended");
   return result;
 }

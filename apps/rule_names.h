@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/device/supervisor.h"
+#include "device/supervisor.h"
 
 namespace forceshade::apps {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/run_record.h"
+#include "apps/run_record.h"
 
 #include <stdlib.h>
 
@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <system_error>
 
-#include "forceshade/csv/output_file.h"
-#include "forceshade/recorder/export.h"
+#include "files/output_file.h"
+#include "recorder/export.h"
 
 namespace forceshade::apps {
 namespace {
@@ -17,9 +17,9 @@ namespace fs = std::filesystem;
 
 // A new directory: beside the table, or where temporary files go if that is no file of its own (-, a pipe, /dev/null).
 fs::path new_directory(const std::string& table) {
-  const bool beside = !csv::is_written_directly(table);
+  const bool beside = !files::is_written_directly(table);
   std::string name = beside ? table + ".partial-XXXXXX" : (fs::temp_directory_path() / "forceshade-XXXXXX").string();
-  if (!::mkdtemp(name.data())) throw csv::OutputError(table + ": cannot write: " + std::generic_category().message(errno));
+  if (!::mkdtemp(name.data())) throw files::OutputError(table + ": cannot write: " + std::generic_category().message(errno));
   return name;
 }
 

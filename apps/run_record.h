@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "forceshade/recorder/recorder.h"
+#include "recorder/recorder.h"
 
 namespace forceshade::apps {
 
@@ -16,7 +16,7 @@ class RunRecord {
  public:
   // `path` ends in .fsr, or is a table (recorder::export_table). A run that is not paced waits for the disk instead of losing
   // ticks. A recording that is there already is refused, or where `replaces` goes now. Throws RecordingError or
-  // csv::OutputError.
+  // files::OutputError.
   RunRecord(std::string path, recorder::Metadata metadata, bool paced, bool replaces);
 
   // A recording that was never closed is of a run that never began, and goes; one that could not be exported is kept, and its

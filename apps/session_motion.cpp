@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/session_motion.h"
+#include "apps/session_motion.h"
 
 #include <algorithm>
 #include <iterator>
@@ -7,9 +7,9 @@
 #include <span>
 #include <utility>
 
-#include "forceshade/experiments/session_folder.h"
-#include "forceshade/recorder/recording.h"
-#include "forceshade/recorder/settings.h"
+#include "recorder/recording.h"
+#include "recorder/settings.h"
+#include "study/experiments/session_folder.h"
 
 namespace forceshade::apps {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "forceshade/experiments/bids.h"
+#include "study/experiments/bids.h"
 
 namespace forceshade::apps {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/session_recompute.h"
+#include "apps/session_recompute.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -12,18 +12,18 @@
 #include <utility>
 #include <vector>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/driven.h"
-#include "forceshade/apps/experiment_bumps.h"
-#include "forceshade/apps/session_motion.h"
-#include "forceshade/apps/signals.h"
-#include "forceshade/csv/printable.h"
-#include "forceshade/device/retrace.h"
-#include "forceshade/experiments/session_folder.h"
-#include "forceshade/experiments/stimulus_list.h"
-#include "forceshade/properties/binary32.h"
-#include "forceshade/recorder/settings.h"
-#include "forceshade/vocabulary/monitor.h"
+#include "apps/command.h"
+#include "apps/driven.h"
+#include "apps/experiment_bumps.h"
+#include "apps/session_motion.h"
+#include "apps/signals.h"
+#include "device/retrace.h"
+#include "files/printable.h"
+#include "properties/binary32.h"
+#include "recorder/settings.h"
+#include "rendering/monitor.h"
+#include "study/experiments/session_folder.h"
+#include "study/experiments/stimulus_list.h"
 
 namespace forceshade::apps {
 namespace {
@@ -34,7 +34,7 @@ using experiments::Bump;
 constexpr std::uint64_t kShownDifferences = 10;  // differences
 
 void say_difference(const std::string& words) {
-  std::fprintf(stderr, "forceshade: %s\n", csv::printable(words).c_str());
+  std::fprintf(stderr, "forceshade: %s\n", files::printable(words).c_str());
 }
 
 // run-1, run-2 and so on, in that order.

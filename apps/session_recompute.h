@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "forceshade/device/sample.h"
-#include "forceshade/recorder/recording.h"
+#include "device/sample.h"
+#include "recorder/recording.h"
 
 namespace forceshade::apps {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/signals.h"
+#include "apps/signals.h"
 
 #include <string.h>  // NOLINT(modernize-deprecated-headers): sigabbrev_np
 
@@ -7,7 +7,7 @@
 #include <csignal>
 #include <cstdint>
 
-#include "forceshade/device/monotonic.h"
+#include "device/monotonic.h"
 
 namespace forceshade::apps {
 namespace {

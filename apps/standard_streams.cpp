@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/standard_streams.h"
+#include "apps/standard_streams.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 #include <iostream>
 #include <system_error>
 
-#include "forceshade/csv/output_file.h"
+#include "files/output_file.h"
 
 namespace forceshade::apps {
 
@@ -30,8 +30,8 @@ void flush_standard_output() {
   const bool flushed = std::fflush(stdout) == 0;
   if (was_good && flushed && std::cout.good()) return;
   const int reason = errno;
-  throw csv::OutputError("standard output: cannot write: " +
-                         (reason != 0 ? std::generic_category().message(reason) : "an earlier write failed"));
+  throw files::OutputError("standard output: cannot write: " +
+                           (reason != 0 ? std::generic_category().message(reason) : "an earlier write failed"));
 }
 
 }  // namespace forceshade::apps

@@ -8,7 +8,8 @@ namespace forceshade::apps {
 // are open; reading or writing a formerly closed one fails. Call first.
 void open_standard_streams();
 
-// What was printed and std::cout reach standard output. Throws csv::OutputError if they do not, or if an earlier write failed.
+// What was printed and std::cout reach standard output. Throws files::OutputError if they do not, or if an earlier write
+// failed.
 void flush_standard_output();
 
 }  // namespace forceshade::apps

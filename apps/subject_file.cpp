@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/subject_file.h"
+#include "apps/subject_file.h"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <string_view>
 
-#include "forceshade/apps/bad_input.h"
-#include "forceshade/csv/csv.h"
-#include "forceshade/csv/printable.h"
-#include "forceshade/csv/suggestion.h"
-#include "forceshade/heights/toml_file.h"
+#include "apps/bad_input.h"
+#include "files/csv.h"
+#include "files/printable.h"
+#include "files/suggestion.h"
+#include "rendering/heights/toml_file.h"
 
 namespace forceshade::apps {
 namespace {
@@ -30,7 +30,7 @@ std::string beside(const fs::path& file, const std::string& name) {
 std::string words_of_subject_value(const toml::node& node) {
   if (const auto text = node.value_exact<std::string>()) return *text;
   if (const auto whole = node.value_exact<std::int64_t>()) return std::to_string(*whole);
-  if (const auto number = node.value_exact<double>()) return csv::shortest(*number);
+  if (const auto number = node.value_exact<double>()) return files::shortest(*number);
   std::string all;
   if (const toml::array* list = node.as_array())
     for (const toml::node& each : *list) {
@@ -53,7 +53,7 @@ void append(const std::string& file, ExpandedLine& line) {
     const std::string place = file + ": line " + std::to_string(node.source().begin.line);
     if (std::ranges::find(kKeys, key) == kKeys.end())
       throw BadInput(place + ": unknown key " + key + "; expected keys of a subject" +
-                     csv::suggestion(key, {kKeys.begin(), kKeys.end()}));
+                     files::suggestion(key, {kKeys.begin(), kKeys.end()}));
     const std::string option = "--" + key;
     line.places.emplace(option, place + ": " + key);
     if (const auto flag = node.value_exact<bool>(); flag && key == "self-intersecting") {
@@ -107,7 +107,7 @@ std::string subject_file_text(const std::vector<std::pair<std::string, std::stri
       text += value;
     } else {
       text += '"';
-      for (const char c : csv::printable(value)) text += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+      for (const char c : files::printable(value)) text += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
       text += '"';
     }
     text += '\n';

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/subject_option.h"
+#include "apps/subject_option.h"
 
-#include "forceshade/apps/options.h"
-#include "forceshade/apps/subject_file.h"
-#include "forceshade/csv/csv.h"
-#include "forceshade/properties/height_map_subject.h"
-#include "forceshade/properties/law_subject.h"
-#include "forceshade/properties/mesh_subject.h"
+#include "apps/options.h"
+#include "apps/subject_file.h"
+#include "files/csv.h"
+#include "properties/height_map_subject.h"
+#include "properties/law_subject.h"
+#include "properties/mesh_subject.h"
 
 namespace forceshade::apps {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 using Entries = std::vector<std::pair<std::string, std::string>>;
 
 std::string millimetres(float value) {
-  return csv::shortest(value) + "mm";
+  return files::shortest(value) + "mm";
 }
 
 Entries entries_of_law(LawId id, const Parameters& parameters) {
@@ -57,7 +57,7 @@ std::vector<std::string> SubjectOption::subject_files() const {
     for (const LawId id : law_.laws()) subjects.push_back(entries_of_law(id, law_.parameters()));
   std::vector<std::string> texts;
   for (Entries& entries : subjects) {
-    entries.emplace_back("stiffness", csv::shortest(law_.stiffness()) + "N/mm");
+    entries.emplace_back("stiffness", files::shortest(law_.stiffness()) + "N/mm");
     texts.push_back(subject_file_text(entries));
   }
   return texts;

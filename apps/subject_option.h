@@ -6,10 +6,10 @@
 #include <memory>
 #include <vector>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/height_map_option.h"
-#include "forceshade/apps/mesh_option.h"
-#include "forceshade/properties/subject.h"
+#include "apps/command.h"
+#include "apps/height_map_option.h"
+#include "apps/mesh_option.h"
+#include "properties/subject.h"
 
 namespace forceshade::apps {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/terminal_attendant.h"
+#include "apps/terminal_attendant.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -11,8 +11,8 @@
 #include <cstdio>
 #include <sstream>
 
-#include "forceshade/apps/signals.h"
-#include "forceshade/csv/printable.h"
+#include "apps/signals.h"
+#include "files/printable.h"
 
 namespace forceshade::apps {
 namespace {
@@ -65,7 +65,7 @@ std::string shown(const std::string& words) {
   std::string all, line;
   for (std::istringstream lines(words); std::getline(lines, line);) {
     if (!all.empty()) all += '\n';
-    all += csv::printable(line);
+    all += files::printable(line);
   }
   return all;
 }

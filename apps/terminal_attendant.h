@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "forceshade/apps/keyboard_buttons.h"
-#include "forceshade/device/attendant.h"
+#include "apps/keyboard_buttons.h"
+#include "device/attendant.h"
 
 namespace forceshade::apps {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/trial_profiles.h"
+#include "apps/trial_profiles.h"
 
 #include <algorithm>
 #include <charconv>
 #include <optional>
 
-#include "forceshade/apps/command.h"
-#include "forceshade/apps/session_motion.h"
-#include "forceshade/experiments/session_folder.h"
+#include "apps/command.h"
+#include "apps/session_motion.h"
+#include "study/experiments/session_folder.h"
 
 namespace forceshade::apps {
 namespace {

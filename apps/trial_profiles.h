@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/analysis/page.h"
-#include "forceshade/experiments/results.h"
+#include "study/analysis/page.h"
+#include "study/experiments/results.h"
 
 namespace forceshade::apps {
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/trip_words.h"
+#include "apps/trip_words.h"
 
 #include <cmath>
 
-#include "forceshade/csv/csv.h"
+#include "files/csv.h"
 
 namespace forceshade::apps {
 namespace {
 
 std::string milliseconds(double ms) {
-  return csv::shortest(std::round(10 * ms) / 10) + " ms";
+  return files::shortest(std::round(10 * ms) / 10) + " ms";
 }
 
 std::string cause_and_help(const device::ServoResult& run) {
@@ -34,7 +34,7 @@ std::string words_of_trip(const device::ServoResult& run) {
   const std::string rule(name_of(run.trip->rule));
   if (run.trip->rule != device::Rule::watchdog && run.trip->rule != device::Rule::missed_deadlines) return rule;
   return rule + ": tick " + std::to_string(run.worst_delay.tick) + " began " + milliseconds(run.worst_delay.late_ms) +
-         " after it was due, and --watchdog-timeout " + csv::shortest(run.watchdog_timeout) + " allows " +
+         " after it was due, and --watchdog-timeout " + files::shortest(run.watchdog_timeout) + " allows " +
          milliseconds(1e3 * run.watchdog_timeout) + ": " + cause_and_help(run);
 }
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "forceshade/device/servo_loop.h"
+#include "device/servo_loop.h"
 
 namespace forceshade::apps {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/certificate/build.h"
+#include "certificate/build.h"
 
 #include <ctime>
 #include <fstream>
 
 #include "build_options.h"  // made by CMake when it configures
-#include "forceshade/csv/printable.h"
-#include "forceshade/fast/instruction_set.h"
-#include "forceshade/fast/law.h"
+#include "fast/instruction_set.h"
+#include "fast/law.h"
+#include "files/printable.h"
 #include "revision.h"  // made by cmake/revision.cmake at every build
 
 namespace forceshade::properties {
@@ -25,7 +25,7 @@ std::string processor_name() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);)
     if (const std::size_t colon = line.find(": "); line.starts_with("model name") && colon != std::string::npos)
-      return csv::printable(line.substr(colon + 2));
+      return files::printable(line.substr(colon + 2));
   return "unknown";
 }
 

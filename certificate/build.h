@@ -2,7 +2,7 @@
 #pragma once
 // What this program was built from and with.
 
-#include "forceshade/certificate/certificate.h"
+#include "certificate/certificate.h"
 
 namespace forceshade::properties {
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/certificate/certificate.h"
+#include "certificate/certificate.h"
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "forceshade/certificate/certificate_text.h"
-#include "forceshade/certificate/evidence.h"
-#include "forceshade/identity/identity_json.h"
-#include "forceshade/vocabulary/number_text.h"
+#include "certificate/certificate_text.h"
+#include "certificate/evidence.h"
+#include "rendering/identity/identity_json.h"
+#include "rendering/number_text.h"
 
 namespace forceshade::properties {
 namespace {

@@ -11,11 +11,11 @@
 #include <string_view>
 #include <vector>
 
-#include "forceshade/certificate/sweep.h"
-#include "forceshade/identity/identity.h"
-#include "forceshade/vocabulary/breakdown.h"
-#include "forceshade/vocabulary/law.h"
-#include "forceshade/vocabulary/results.h"
+#include "certificate/sweep.h"
+#include "rendering/breakdown.h"
+#include "rendering/identity/identity.h"
+#include "rendering/law.h"
+#include "rendering/results.h"
 
 namespace forceshade::properties {
 

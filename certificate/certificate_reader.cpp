@@ -8,11 +8,11 @@
 #include <system_error>
 #include <utility>
 
-#include "forceshade/certificate/certificate.h"
-#include "forceshade/certificate/certificate_text.h"
-#include "forceshade/certificate/evidence.h"
-#include "forceshade/certificate/json_fields.h"
-#include "forceshade/fast/law.h"
+#include "certificate/certificate.h"
+#include "certificate/certificate_text.h"
+#include "certificate/evidence.h"
+#include "certificate/json_fields.h"
+#include "fast/law.h"
 
 namespace forceshade::properties {
 namespace {

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/certificate/certify.h"
+#include "certificate/certify.h"
 
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
 
-#include "forceshade/certificate/build.h"
-#include "forceshade/certificate/compare.h"
-#include "forceshade/certificate/evidence.h"
-#include "forceshade/certificate/in_parallel.h"
-#include "forceshade/csv/printable.h"
-#include "forceshade/fast/law.h"
-#include "forceshade/properties/run.h"
-#include "forceshade/reference/height_energy.h"
+#include "certificate/build.h"
+#include "certificate/compare.h"
+#include "certificate/evidence.h"
+#include "certificate/in_parallel.h"
+#include "fast/law.h"
+#include "files/printable.h"
+#include "properties/run.h"
+#include "reference/height_energy.h"
 
 namespace forceshade::properties {
 namespace {
@@ -96,7 +96,7 @@ SubjectResult checked(const Subject& subject, const Run& run, const Done& done) 
   const CertifyOptions& options = run.options;
   SubjectResult result{run.at_points(subject, first_part(done)), subject.identity(), subject.parts()};
   result.seeds = {options.seed};
-  result.identity.name = csv::printable(result.identity.name);
+  result.identity.name = files::printable(result.identity.name);
   result.spread = run.spread(subject, second_part(done));
   if (run.stop) return result;
   for (PropertyResult& property :

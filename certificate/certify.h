@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "forceshade/certificate/certificate.h"
-#include "forceshade/certificate/evidence.h"
-#include "forceshade/properties/subject.h"
+#include "certificate/certificate.h"
+#include "certificate/evidence.h"
+#include "properties/subject.h"
 
 namespace forceshade::properties {
 

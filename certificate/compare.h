@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "forceshade/certificate/tally.h"
-#include "forceshade/properties/binary32.h"
-#include "forceshade/properties/equivalence.h"
-#include "forceshade/properties/second_answer.h"
-#include "forceshade/properties/subject.h"
+#include "certificate/tally.h"
+#include "properties/binary32.h"
+#include "properties/equivalence.h"
+#include "properties/second_answer.h"
+#include "properties/subject.h"
 
 namespace forceshade::properties {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/certificate/evidence.h"
+#include "certificate/evidence.h"
 
 #include <string_view>
 #include <vector>

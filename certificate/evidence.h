@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "forceshade/certificate/certificate.h"
+#include "certificate/certificate.h"
 
 namespace forceshade::properties {
 

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "forceshade/certificate/tally.h"
+#include "certificate/tally.h"
 
 namespace forceshade::properties {
 

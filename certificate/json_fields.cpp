@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/certificate/json_fields.h"
+#include "certificate/json_fields.h"
 
 #include <cmath>
 
-#include "forceshade/csv/json_fault.h"
-#include "forceshade/csv/printable.h"
+#include "files/json_fault.h"
+#include "files/printable.h"
 
 namespace forceshade::properties {
 namespace {
@@ -35,7 +35,7 @@ nlohmann::json json_from(std::string_view text) {
   try {
     return nlohmann::json::parse(text, check);
   } catch (const nlohmann::json::parse_error& error) {
-    throw JsonError(csv::json_fault(text, error.byte));
+    throw JsonError(files::json_fault(text, error.byte));
   } catch (const nlohmann::json::exception&) {
     throw JsonError("expected numbers that binary64 can hold, got a larger one");
   }
@@ -94,7 +94,7 @@ bool Fields::flag(const char* key) {
 std::string Fields::plain_text(const std::string& key, const nlohmann::json& value, bool may_have_lines) const {
   if (!value.is_string()) refuse(key, value, "text");
   auto text = value.get<std::string>();
-  if (!csv::is_printable(text, may_have_lines)) refuse(key, value, "text without control characters");
+  if (!files::is_printable(text, may_have_lines)) refuse(key, value, "text without control characters");
   return text;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/certificate/merge.h"
+#include "certificate/merge.h"
 
 #include <algorithm>
 #include <functional>

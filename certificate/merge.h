@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/certificate/certificate.h"
+#include "certificate/certificate.h"
 
 namespace forceshade::properties {
 

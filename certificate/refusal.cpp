@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "forceshade/certificate/certificate.h"
-#include "forceshade/certificate/evidence.h"
+#include "certificate/certificate.h"
+#include "certificate/evidence.h"
 
 namespace forceshade::properties {
 namespace {

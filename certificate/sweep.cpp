@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/certificate/sweep.h"
+#include "certificate/sweep.h"
 
 #include <algorithm>
 #include <atomic>
@@ -7,7 +7,7 @@
 #include <functional>
 #include <thread>
 
-#include "forceshade/certificate/sweep_unit.h"
+#include "certificate/sweep_unit.h"
 
 namespace forceshade::properties {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "forceshade/vocabulary/law.h"
+#include "rendering/law.h"
 
 namespace forceshade::properties {
 

@@ -9,10 +9,10 @@
 #include <string>
 #include <utility>
 
-#include "forceshade/certificate/sweep_unit.h"
-#include "forceshade/properties/binary32.h"
-#include "forceshade/properties/equivalence.h"
-#include "forceshade/reference/consecutive_floats.h"
+#include "certificate/sweep_unit.h"
+#include "properties/binary32.h"
+#include "properties/equivalence.h"
+#include "reference/consecutive_floats.h"
 
 namespace forceshade::properties {
 

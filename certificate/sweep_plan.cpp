@@ -6,10 +6,10 @@
 #include <cmath>
 #include <random>
 
-#include "forceshade/certificate/sweep.h"
-#include "forceshade/properties/binary32.h"
-#include "forceshade/properties/built_or_throw.h"
-#include "forceshade/properties/law_claims.h"
+#include "certificate/sweep.h"
+#include "properties/binary32.h"
+#include "properties/built_or_throw.h"
+#include "properties/law_claims.h"
 
 namespace forceshade::properties {
 namespace {

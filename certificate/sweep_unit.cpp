@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/certificate/sweep_unit.h"
+#include "certificate/sweep_unit.h"
 
-#include "forceshade/certificate/sweep_checker.h"
+#include "certificate/sweep_checker.h"
 
 namespace forceshade::properties {
 

@@ -2,9 +2,9 @@
 #pragma once
 // One unit of a sweep: the fast path against the reference at 2^22 bit patterns and their negatives.
 
-#include "forceshade/certificate/sweep.h"
-#include "forceshade/fast/law.h"
-#include "forceshade/reference/law.h"
+#include "certificate/sweep.h"
+#include "fast/law.h"
+#include "reference/law.h"
 
 namespace forceshade::properties {
 

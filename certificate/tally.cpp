@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/certificate/tally.h"
+#include "certificate/tally.h"
 
 #include <algorithm>
 #include <functional>

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "forceshade/certificate/certificate.h"
-#include "forceshade/fast/instruction_set.h"
+#include "certificate/certificate.h"
+#include "fast/instruction_set.h"
 
 namespace forceshade::properties {
 

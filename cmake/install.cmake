@@ -8,19 +8,19 @@ function(install_headers module)
     install(FILES ${module}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/forceshade/${module}/${folder})
   endforeach()
 endfunction()
-install_headers(vocabulary breakdown.h height_map.h law.h mesh.h mesh_rendering.h monitor.h results.h)
+install_headers(rendering breakdown.h height_map.h law.h mesh.h mesh_rendering.h monitor.h results.h)
 file(GLOB law_headers RELATIVE ${PROJECT_SOURCE_DIR}/fast CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/fast/laws/*.h)
 install_headers(fast domain.h evaluate.h god_object.h height_map_field.h heights/force.h heights/grid.h heights/jet.h heights/shape.h
                 heights/spline.h heights/spline_force.h instruction_set.h law.h ${law_headers} numbers/arithmetic.h
                 numbers/ball.h numbers/big_float_ball.h numbers/double_double.h numbers/double_with_error.h
                 numbers/first_stage.h numbers/inline.h numbers/row.h session.h simd/batch.h stage.h)
-install_headers(csv csv.h)
+install_headers(files csv.h)
 install_headers(device attendant.h device.h hand_speed.h last_samples.h limited.h null.h open_device.h oscillation.h
                 passivity_controller.h placement.h real_time.h replay.h sample.h sent_forces.h servo_loop.h
                 shortened.h simulated/arm.h simulated/friction.h simulated/hand.h simulated/model.h simulated/motor.h
                 simulated/plant.h simulated/simulated.h simulated/steering.h supervisor.h timing.h triple_buffer.h)
 
-install(TARGETS forceshade_fast forceshade_csv forceshade_device EXPORT forceshade_targets)
+install(TARGETS forceshade_fast forceshade_files forceshade_device EXPORT forceshade_targets)
 set(export_sets forceshade_targets)
 if(NOT FORCESHADE_FAST_ONLY)
   install(TARGETS forceshade)
@@ -31,9 +31,9 @@ if(NOT FORCESHADE_FAST_ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/apps/documentation/forceshade.fish
           DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
   # What needs more than Eigen is a component of its own: find_package(forceshade COMPONENTS heights meshes properties).
-  install_headers(heights load.h spec.h)
-  install_headers(meshes check.h facts.h load.h normals.h repair.h)
-  install_headers(identity identity.h mesh_identity.h)
+  install_headers(rendering/heights load.h spec.h)
+  install_headers(rendering/meshes check.h facts.h load.h normals.h repair.h)
+  install_headers(rendering/identity identity.h mesh_identity.h)
   install_headers(reference height_map_field.h heights/outline.h law.h laws/bump_geometry.h laws/force.h meshes/god_object.h numbers/ball64.h
                   position.h)
   install_headers(properties calls.h field_subject.h height_map_subject.h height_map_claims.h law_claims.h law_subject.h mesh_subject.h positions.h rendered.h
@@ -68,7 +68,7 @@ function(install_pc name)
   install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 install_pc(forceshade DESCRIPTION "${PROJECT_DESCRIPTION}" REQUIRES "eigen3 >= 3.4"
-           LIBRARIES "-lforceshade_device -lforceshade_fast -lforceshade_csv -lcsv -ldl -pthread")
+           LIBRARIES "-lforceshade_device -lforceshade_fast -lforceshade_files -lcsv -ldl -pthread")
 if(NOT FORCESHADE_FAST_ONLY)
   install_pc(forceshade-heights DESCRIPTION "Height maps from TOML, image and array files"
              REQUIRES "forceshade, libpng, libtiff-4, tomlplusplus" LIBRARIES "-lforceshade_heights")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/check.h"
+#include "device/check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <limits>
 
-#include "forceshade/device/phantom/shared_objects.h"
-#include "forceshade/device/simulated/model.h"
+#include "device/phantom/shared_objects.h"
+#include "device/simulated/model.h"
 
 namespace forceshade::device {
 namespace {

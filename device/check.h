@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "forceshade/device/device.h"
-#include "forceshade/device/phantom/device_nodes.h"
-#include "forceshade/device/phantom/driver_folder.h"
-#include "forceshade/device/quiet_watch.h"
+#include "device/device.h"
+#include "device/phantom/device_nodes.h"
+#include "device/phantom/driver_folder.h"
+#include "device/quiet_watch.h"
 
 namespace forceshade::device {
 

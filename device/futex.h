@@ -10,7 +10,7 @@
 #include <atomic>
 #include <cstdint>
 
-#include "forceshade/device/monotonic.h"
+#include "device/monotonic.h"
 
 namespace forceshade::device {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "forceshade/device/sample.h"
+#include "device/sample.h"
 
 namespace forceshade::device {
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <utility>
 
-#include "forceshade/device/device.h"
-#include "forceshade/device/shortened.h"
+#include "device/device.h"
+#include "device/shortened.h"
 
 namespace forceshade::device {
 

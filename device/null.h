@@ -2,7 +2,7 @@
 #pragma once
 // No device at all: it rests at the origin and feels nothing. For trying a set-up before anything can move.
 
-#include "forceshade/device/device.h"
+#include "device/device.h"
 
 namespace forceshade::device {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/open_device.h"
+#include "device/open_device.h"
 
 #include <string_view>
 
-#include "forceshade/device/null.h"
-#include "forceshade/device/phantom/phantom.h"
-#include "forceshade/device/replay.h"
-#include "forceshade/device/simulated/simulated.h"
+#include "device/null.h"
+#include "device/phantom/phantom.h"
+#include "device/replay.h"
+#include "device/simulated/simulated.h"
 
 namespace forceshade::device {
 

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "forceshade/device/attendant.h"
-#include "forceshade/device/device.h"
+#include "device/attendant.h"
+#include "device/device.h"
 
 namespace forceshade::device {
 

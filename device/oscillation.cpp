@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/oscillation.h"
+#include "device/oscillation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/passivity_controller.h"
+#include "device/passivity_controller.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "forceshade/device/hand_speed.h"
-#include "forceshade/device/shortened.h"
+#include "device/hand_speed.h"
+#include "device/shortened.h"
 
 namespace forceshade::device {
 

@@ -8,8 +8,8 @@
 #include <optional>
 #include <string_view>
 
-#include "forceshade/device/device.h"
-#include "forceshade/device/sent_forces.h"
+#include "device/device.h"
+#include "device/sent_forces.h"
 
 namespace forceshade::device {
 

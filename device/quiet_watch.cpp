@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/quiet_watch.h"
+#include "device/quiet_watch.h"
 
 #include <algorithm>
 #include <chrono>
@@ -7,8 +7,8 @@
 #include <thread>
 #include <vector>
 
-#include "forceshade/device/real_time.h"
-#include "forceshade/device/simulated/model.h"
+#include "device/real_time.h"
+#include "device/simulated/model.h"
 
 namespace forceshade::device {
 namespace {

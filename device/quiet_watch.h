@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "forceshade/device/device.h"
+#include "device/device.h"
 
 namespace forceshade::device {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/real_time.h"
+#include "device/real_time.h"
 
 #include <pthread.h>
 #include <sys/mman.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/replay.h"
+#include "device/replay.h"
 
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
-#include "forceshade/csv/csv.h"
+#include "files/csv.h"
 
 namespace forceshade::device {
 namespace {
@@ -27,21 +27,21 @@ Replay::Replay(std::vector<Reading> recording) : recording_(std::move(recording)
   for (std::size_t i = 0; i < recording_.size(); ++i)
     if (!std::isfinite(recording_[i].time) || (i > 0 && !(recording_[i].time > recording_[i - 1].time)))
       throw std::invalid_argument("replay: reading " + std::to_string(i) +
-                                  ": expected a finite time after the one before, got " + csv::shortest(recording_[i].time));
+                                  ": expected a finite time after the one before, got " + files::shortest(recording_[i].time));
 }
 
 Replay Replay::load(const std::string& path) {
-  auto file = csv::open_input(path);
-  csv::Reader rows(file, path, {"t_s", "x_mm", "y_mm", "z_mm"});
+  auto file = files::open_input(path);
+  files::Reader rows(file, path, {"t_s", "x_mm", "y_mm", "z_mm"});
   std::vector<Reading> recording;
   while (rows.next()) {
     const Reading reading{{rows.binary32(1), rows.binary32(2), rows.binary32(3)}, rows.binary64(0)};
     if (!std::isfinite(reading.time)) throw rows.unexpected(0, "a finite time");
     if (!recording.empty() && !(reading.time > recording.back().time))
-      throw rows.unexpected(0, "a time after " + csv::shortest(recording.back().time));
+      throw rows.unexpected(0, "a time after " + files::shortest(recording.back().time));
     recording.push_back(reading);
   }
-  if (recording.empty()) throw csv::Error(path + ": expected at least one recorded position, got none");
+  if (recording.empty()) throw files::Error(path + ": expected at least one recorded position, got none");
   return Replay(std::move(recording));
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/device/device.h"
+#include "device/device.h"
 
 namespace forceshade::device {
 
@@ -22,7 +22,7 @@ class Replay final : public Device {
   explicit Replay(std::vector<Reading> recording);
 
   // Reads a CSV with columns t_s, x_mm, y_mm and z_mm. Positions are taken as they are, NaN too: to judge them is the law's
-  // business. Throws csv::Error with the line of a time that is not finite or does not increase, also when there is no row.
+  // business. Throws files::Error with the line of a time that is not finite or does not increase, also when there is no row.
   static Replay load(const std::string& path);
 
   Capabilities capabilities() const noexcept override { return {.model = "replay", .moves_an_arm = false}; }

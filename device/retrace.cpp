@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/retrace.h"
+#include "device/retrace.h"
 
 #include <bit>
 

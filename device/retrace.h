@@ -5,8 +5,8 @@
 
 #include <optional>
 
-#include "forceshade/device/sample.h"
-#include "forceshade/device/servo_loop.h"
+#include "device/sample.h"
+#include "device/servo_loop.h"
 
 namespace forceshade::device {
 

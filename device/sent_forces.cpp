@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/sent_forces.h"
+#include "device/sent_forces.h"
 
 #include <algorithm>
 

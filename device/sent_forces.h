@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "forceshade/device/device.h"
+#include "device/device.h"
 
 namespace forceshade::device {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/servo_loop.h"
+#include "device/servo_loop.h"
 
 #include <time.h>
 
@@ -11,9 +11,9 @@
 #include <limits>
 #include <memory>
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/device/monotonic.h"
-#include "forceshade/fast/law.h"
+#include "device/monotonic.h"
+#include "fast/law.h"
+#include "files/csv.h"
 
 namespace forceshade::device {
 namespace {
@@ -46,14 +46,15 @@ std::size_t ticks_in(std::optional<double> seconds, double rate_hz) {
 
 void check(const ServoOptions& options, const Capabilities& capabilities) {
   const auto refuse = [](const std::string& what, double got) {
-    throw std::invalid_argument(what + ", got " + csv::shortest(got));
+    throw std::invalid_argument(what + ", got " + files::shortest(got));
   };
   if (!(options.rate_hz >= kLowestRateHz && options.rate_hz <= kHighestRateHz))
-    refuse("rate: expected " + csv::shortest(kLowestRateHz) + " to " + csv::shortest(kHighestRateHz) + " Hz", options.rate_hz);
+    refuse("rate: expected " + files::shortest(kLowestRateHz) + " to " + files::shortest(kHighestRateHz) + " Hz",
+           options.rate_hz);
   if (options.max_seconds && !(*options.max_seconds > 0 && std::isfinite(*options.max_seconds)))
     refuse("seconds: expected a positive number", *options.max_seconds);
   if (options.watchdog_timeout && !(*options.watchdog_timeout > 0 && *options.watchdog_timeout <= kLongestWatchdogTimeout))
-    refuse("watchdog timeout: expected at most " + csv::shortest(kLongestWatchdogTimeout) + " s", *options.watchdog_timeout);
+    refuse("watchdog timeout: expected at most " + files::shortest(kLongestWatchdogTimeout) + " s", *options.watchdog_timeout);
   // A limit that is not a number would limit nothing.
   const auto expect_number = [](const char* what, bool number) {
     if (!number) throw std::invalid_argument(std::string("the device's ") + what + " is not a number");

@@ -10,14 +10,14 @@
 #include <string_view>
 #include <vector>
 
-#include "forceshade/device/device.h"
-#include "forceshade/device/passivity_controller.h"
-#include "forceshade/device/placement.h"
-#include "forceshade/device/real_time.h"
-#include "forceshade/device/sample.h"
-#include "forceshade/device/supervisor.h"
-#include "forceshade/device/timing.h"
-#include "forceshade/fast/session.h"
+#include "device/device.h"
+#include "device/passivity_controller.h"
+#include "device/placement.h"
+#include "device/real_time.h"
+#include "device/sample.h"
+#include "device/supervisor.h"
+#include "device/timing.h"
+#include "fast/session.h"
 
 namespace forceshade::device {
 

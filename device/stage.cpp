@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/stage.h"
+#include "device/stage.h"
 
 #include <bit>
 #include <utility>

@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-#include "forceshade/fast/session.h"
+#include "fast/session.h"
 
 namespace forceshade::device {
 

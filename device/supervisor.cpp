@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/supervisor.h"
+#include "device/supervisor.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "forceshade/device/shortened.h"
+#include "device/shortened.h"
 
 namespace forceshade::device {
 namespace {

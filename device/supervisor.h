@@ -12,11 +12,11 @@
 #include <optional>
 #include <string_view>
 
-#include "forceshade/device/device.h"
-#include "forceshade/device/hand_speed.h"
-#include "forceshade/device/oscillation.h"
-#include "forceshade/device/simulated/motor.h"
-#include "forceshade/vocabulary/law.h"
+#include "device/device.h"
+#include "device/hand_speed.h"
+#include "device/oscillation.h"
+#include "device/simulated/motor.h"
+#include "rendering/law.h"
 
 namespace forceshade::device {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "forceshade/fast/numbers/inline.h"
+#include "fast/numbers/inline.h"
 
 namespace forceshade::fast {
 

@@ -4,12 +4,12 @@
 
 #include <Eigen/Core>
 
-#include "forceshade/fast/domain.h"
-#include "forceshade/fast/laws/outcome.h"
-#include "forceshade/fast/numbers/big_float_ball.h"
-#include "forceshade/fast/numbers/first_stage.h"
-#include "forceshade/fast/stage.h"
-#include "forceshade/vocabulary/law.h"
+#include "fast/domain.h"
+#include "fast/laws/outcome.h"
+#include "fast/numbers/big_float_ball.h"
+#include "fast/numbers/first_stage.h"
+#include "fast/stage.h"
+#include "rendering/law.h"
 
 namespace forceshade::fast {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/fast/god_object.h"
+#include "fast/god_object.h"
 
-#include "forceshade/fast/meshes/session.h"
+#include "fast/meshes/session.h"
 
 namespace forceshade::fast {
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <variant>
 
-#include "forceshade/fast/session.h"
-#include "forceshade/vocabulary/mesh_rendering.h"
+#include "fast/session.h"
+#include "rendering/mesh_rendering.h"
 
 namespace forceshade::fast {
 

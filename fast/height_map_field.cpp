@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/fast/height_map_field.h"
+#include "fast/height_map_field.h"
 
 #include <algorithm>
 
-#include "forceshade/fast/heights/all.h"
-#include "forceshade/fast/heights/domain.h"
-#include "forceshade/fast/heights/exact.h"
-#include "forceshade/fast/numbers/arithmetic.h"
+#include "fast/heights/all.h"
+#include "fast/heights/domain.h"
+#include "fast/heights/exact.h"
+#include "fast/numbers/arithmetic.h"
 
 namespace forceshade::fast {
 

@@ -9,12 +9,12 @@
 #include <variant>
 #include <vector>
 
-#include "forceshade/fast/evaluate.h"
-#include "forceshade/fast/heights/shape.h"
-#include "forceshade/fast/heights/spline_force.h"
-#include "forceshade/fast/law.h"
-#include "forceshade/vocabulary/height_map.h"
-#include "forceshade/vocabulary/law.h"
+#include "fast/evaluate.h"
+#include "fast/heights/shape.h"
+#include "fast/heights/spline_force.h"
+#include "fast/law.h"
+#include "rendering/height_map.h"
+#include "rendering/law.h"
 
 namespace forceshade::fast {
 

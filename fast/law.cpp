@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/fast/law.h"
+#include "fast/law.h"
 
 #include <algorithm>
 #include <type_traits>

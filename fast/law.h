@@ -9,10 +9,10 @@
 #include <span>
 #include <variant>
 
-#include "forceshade/fast/evaluate.h"
-#include "forceshade/fast/instruction_set.h"
-#include "forceshade/fast/simd/batch.h"
-#include "forceshade/vocabulary/law.h"
+#include "fast/evaluate.h"
+#include "fast/instruction_set.h"
+#include "fast/simd/batch.h"
+#include "rendering/law.h"
 
 namespace forceshade::fast {
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "forceshade/fast/evaluate.h"
+#include "fast/evaluate.h"
 
 namespace forceshade::fast {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/binary32.h"
+#include "properties/binary32.h"
 
 #include <charconv>
 #include <cstdio>

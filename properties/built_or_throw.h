@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "forceshade/vocabulary/law.h"
+#include "rendering/law.h"
 
 namespace forceshade::properties {
 

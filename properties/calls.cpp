@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/calls.h"
+#include "properties/calls.h"
 
 #include <exception>
 #include <limits>
 #include <utility>
 #include <vector>
 
-#include "forceshade/fast/domain.h"
+#include "fast/domain.h"
 
 namespace forceshade::properties {
 namespace {

@@ -9,9 +9,9 @@
 #include <span>
 #include <string>
 
-#include "forceshade/fast/height_map_field.h"
-#include "forceshade/fast/law.h"
-#include "forceshade/fast/session.h"
+#include "fast/height_map_field.h"
+#include "fast/law.h"
+#include "fast/session.h"
 
 namespace forceshade::properties {
 

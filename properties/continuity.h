@@ -2,8 +2,8 @@
 #pragma once
 // Continuity: the force jumps nowhere but on the law's listed lines, and there by exactly the listed amount.
 
-#include "forceshade/properties/law_claims.h"
-#include "forceshade/properties/rendered.h"
+#include "properties/law_claims.h"
+#include "properties/rendered.h"
 
 namespace forceshade::properties {
 

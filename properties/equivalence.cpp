@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/equivalence.h"
+#include "properties/equivalence.h"
 
-#include "forceshade/properties/binary32.h"
-#include "forceshade/vocabulary/breakdown.h"
+#include "properties/binary32.h"
+#include "rendering/breakdown.h"
 
 namespace forceshade::properties {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/field_subject.h"
+#include "properties/field_subject.h"
 
-#include "forceshade/properties/generators.h"
-#include "forceshade/properties/height_properties.h"
-#include "forceshade/properties/passivity.h"
-#include "forceshade/properties/unit_normals.h"
+#include "properties/generators.h"
+#include "properties/height_properties.h"
+#include "properties/passivity.h"
+#include "properties/unit_normals.h"
 
 namespace forceshade::properties {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <utility>
 
-#include "forceshade/properties/height_map_claims.h"
-#include "forceshade/properties/law_claims.h"
-#include "forceshade/properties/subject.h"
+#include "properties/height_map_claims.h"
+#include "properties/law_claims.h"
+#include "properties/subject.h"
 
 namespace forceshade::properties {
 

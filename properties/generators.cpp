@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/generators.h"
+#include "properties/generators.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "forceshade/properties/binary32.h"
+#include "properties/binary32.h"
 
 namespace forceshade::properties {
 namespace {

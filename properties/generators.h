@@ -7,9 +7,9 @@
 #include <array>
 #include <vector>
 
-#include "forceshade/properties/height_positions.h"
-#include "forceshade/properties/positions.h"
-#include "forceshade/properties/work.h"
+#include "properties/height_positions.h"
+#include "properties/positions.h"
+#include "properties/work.h"
 
 namespace forceshade::properties {
 

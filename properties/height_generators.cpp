@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/height_generators.h"
+#include "properties/height_generators.h"
 
 #include <bit>
 #include <cmath>
 
-#include "forceshade/identity/identity.h"
-#include "forceshade/properties/positions.h"
-#include "forceshade/vocabulary/number_text.h"
+#include "properties/positions.h"
+#include "rendering/identity/identity.h"
+#include "rendering/number_text.h"
 
 namespace forceshade::properties {
 namespace {

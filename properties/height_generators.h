@@ -4,7 +4,7 @@
 
 #include <rapidcheck.h>
 
-#include "forceshade/properties/rendered.h"
+#include "properties/rendered.h"
 
 namespace forceshade::properties {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/height_loops.h"
+#include "properties/height_loops.h"
 
 #include <algorithm>
 #include <cmath>

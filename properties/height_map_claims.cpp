@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/height_map_claims.h"
+#include "properties/height_map_claims.h"
 
-#include "forceshade/reference/height_energy.h"
+#include "reference/height_energy.h"
 
 namespace forceshade::properties {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/reference/height_map_field.h"
-#include "forceshade/reference/heights/outline.h"
+#include "reference/height_map_field.h"
+#include "reference/heights/outline.h"
 
 namespace forceshade::properties {
 

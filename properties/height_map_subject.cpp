@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/height_map_subject.h"
+#include "properties/height_map_subject.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "forceshade/properties/binary32.h"
-#include "forceshade/properties/built_or_throw.h"
-#include "forceshade/properties/generators.h"
-#include "forceshade/properties/height_loops.h"
-#include "forceshade/properties/height_properties.h"
-#include "forceshade/properties/spread.h"
+#include "properties/binary32.h"
+#include "properties/built_or_throw.h"
+#include "properties/generators.h"
+#include "properties/height_loops.h"
+#include "properties/height_properties.h"
+#include "properties/spread.h"
 
 namespace forceshade::properties {
 

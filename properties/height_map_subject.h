@@ -2,7 +2,7 @@
 #pragma once
 // A height map as a subject.
 
-#include "forceshade/properties/field_subject.h"
+#include "properties/field_subject.h"
 
 namespace forceshade::properties {
 

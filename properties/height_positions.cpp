@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/height_positions.h"
+#include "properties/height_positions.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "forceshade/properties/binary32.h"
+#include "properties/binary32.h"
 
 namespace forceshade::properties {
 namespace {

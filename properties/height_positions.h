@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "forceshade/properties/height_map_claims.h"
-#include "forceshade/properties/positions.h"
+#include "properties/height_map_claims.h"
+#include "properties/positions.h"
 
 namespace forceshade::properties {
 

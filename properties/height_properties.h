@@ -2,9 +2,9 @@
 #pragma once
 // Continuity and passivity of height maps.
 
-#include "forceshade/properties/height_map_claims.h"
-#include "forceshade/properties/rendered.h"
-#include "forceshade/properties/work.h"
+#include "properties/height_map_claims.h"
+#include "properties/rendered.h"
+#include "properties/work.h"
 
 namespace forceshade::properties {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/law_claims.h"
+#include "properties/law_claims.h"
 
 #include <cmath>
 

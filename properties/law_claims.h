@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/reference/law.h"
+#include "reference/law.h"
 
 namespace forceshade::properties {
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/law_subject.h"
+#include "properties/law_subject.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "forceshade/properties/binary32.h"
-#include "forceshade/properties/built_or_throw.h"
-#include "forceshade/properties/continuity.h"
-#include "forceshade/properties/generators.h"
-#include "forceshade/properties/passivity.h"
-#include "forceshade/properties/spread.h"
-#include "forceshade/reference/energy.h"
+#include "properties/binary32.h"
+#include "properties/built_or_throw.h"
+#include "properties/continuity.h"
+#include "properties/generators.h"
+#include "properties/passivity.h"
+#include "properties/spread.h"
+#include "reference/energy.h"
 
 namespace forceshade::properties {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/mesh_generators.h"
+#include "properties/mesh_generators.h"
 
 #include <algorithm>
 #include <bit>
@@ -9,8 +9,8 @@
 #include <numeric>
 #include <utility>
 
-#include "forceshade/properties/binary32.h"
-#include "forceshade/properties/positions.h"
+#include "properties/binary32.h"
+#include "properties/positions.h"
 
 namespace forceshade::properties {
 namespace {

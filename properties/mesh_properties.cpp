@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/mesh_properties.h"
+#include "properties/mesh_properties.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "forceshade/properties/binary32.h"
+#include "properties/binary32.h"
 
 namespace forceshade::properties {
 namespace {

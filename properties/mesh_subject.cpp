@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/mesh_subject.h"
+#include "properties/mesh_subject.h"
 
 #include <rapidcheck.h>
 
@@ -10,12 +10,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "forceshade/properties/binary32.h"
-#include "forceshade/properties/built_or_throw.h"
-#include "forceshade/properties/generators.h"
-#include "forceshade/properties/mesh_generators.h"
-#include "forceshade/properties/mesh_properties.h"
-#include "forceshade/properties/spread.h"
+#include "properties/binary32.h"
+#include "properties/built_or_throw.h"
+#include "properties/generators.h"
+#include "properties/mesh_generators.h"
+#include "properties/mesh_properties.h"
+#include "properties/spread.h"
 
 namespace forceshade::properties {
 namespace {

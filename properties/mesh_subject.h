@@ -5,10 +5,10 @@
 #include <mutex>
 #include <optional>
 
-#include "forceshade/fast/god_object.h"
-#include "forceshade/identity/mesh_identity.h"
-#include "forceshade/properties/subject.h"
-#include "forceshade/reference/meshes/god_object.h"
+#include "fast/god_object.h"
+#include "properties/subject.h"
+#include "reference/meshes/god_object.h"
+#include "rendering/identity/mesh_identity.h"
 
 namespace forceshade::properties {
 
@@ -19,7 +19,8 @@ OpenTicks fast_god_object(const MeshRendering& rendering);
 
 class MeshSubject final : public Subject {
  public:
-  // name: of its file. The mesh has been checked (meshes/check.h). Throws std::invalid_argument where a side refuses it.
+  // name: of its file. The mesh has been checked (rendering/meshes/check.h). Throws std::invalid_argument where a side refuses
+  // it.
   MeshSubject(const std::string& name, const MeshRendering& rendering)
       : MeshSubject(name, rendering, fast_god_object(rendering)) {}
   // Any renderer of it.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/passivity.h"
+#include "properties/passivity.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "forceshade/reference/energy.h"
+#include "reference/energy.h"
 
 namespace forceshade::properties {
 namespace {

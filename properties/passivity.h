@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "forceshade/properties/work.h"
+#include "properties/work.h"
 
 namespace forceshade::properties {
 

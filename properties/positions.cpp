@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/positions.h"
+#include "properties/positions.h"
 
 #include <array>
 #include <bit>
 #include <cmath>
 
-#include "forceshade/properties/binary32.h"
+#include "properties/binary32.h"
 
 namespace forceshade::properties {
 namespace {

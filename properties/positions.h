@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <random>
 
-#include "forceshade/properties/law_claims.h"
-#include "forceshade/reference/position.h"
-#include "forceshade/vocabulary/breakdown.h"
+#include "properties/law_claims.h"
+#include "reference/position.h"
+#include "rendering/breakdown.h"
 
 namespace forceshade::properties {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/rendered.h"
+#include "properties/rendered.h"
 
-#include "forceshade/fast/height_map_field.h"
-#include "forceshade/fast/law.h"
-#include "forceshade/fast/session.h"
-#include "forceshade/properties/binary32.h"
+#include "fast/height_map_field.h"
+#include "fast/law.h"
+#include "fast/session.h"
+#include "properties/binary32.h"
 
 namespace forceshade::properties {
 namespace {

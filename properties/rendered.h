@@ -9,10 +9,10 @@
 #include <string>
 #include <variant>
 
-#include "forceshade/properties/calls.h"
-#include "forceshade/reference/height_map_field.h"
-#include "forceshade/reference/law.h"
-#include "forceshade/vocabulary/law.h"
+#include "properties/calls.h"
+#include "reference/height_map_field.h"
+#include "reference/law.h"
+#include "rendering/law.h"
 
 namespace forceshade::properties {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/run.h"
+#include "properties/run.h"
 
 #include <rapidcheck.h>
 
@@ -7,8 +7,8 @@
 #include <span>
 #include <stdexcept>
 
-#include "forceshade/properties/equivalence.h"
-#include "forceshade/properties/second_answer.h"
+#include "properties/equivalence.h"
+#include "properties/second_answer.h"
 
 namespace forceshade::properties {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/properties/subject.h"
-#include "forceshade/vocabulary/results.h"
+#include "properties/subject.h"
+#include "rendering/results.h"
 
 namespace forceshade::properties {
 
@@ -21,8 +21,8 @@ using PropertyDone = std::function<void(const PropertyResult&)>;
 
 // Equivalence, continuity, unit normals, passivity, each on `cases` generated cases (passivity, whose case is a whole loop, on
 // a tenth of them, and on the subject's fixed loops), then the subject's further properties. The same seed gives the same
-// cases. Where a renderer is random, keeps state that its definition does not have, or throws, the words of equivalence say that.
-// Throws std::invalid_argument for fewer cases than one, which would hold of whatever is checked. Once `stop` is set,
+// cases. Where a renderer is random, keeps state that its definition does not have, or throws, the words of equivalence say
+// that. Throws std::invalid_argument for fewer cases than one, which would hold of whatever is checked. Once `stop` is set,
 // nothing is checked any more, and what is returned says nothing. Not for two threads at once: RapidCheck is not.
 std::vector<PropertyResult> run_properties(const Subject& subject, int cases, std::uint64_t seed,
                                            const PropertyDone& done = nullptr, const OnCase& on_case = nullptr,

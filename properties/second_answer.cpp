@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/second_answer.h"
+#include "properties/second_answer.h"
 
 #include <stdexcept>
 
-#include "forceshade/properties/binary32.h"
-#include "forceshade/vocabulary/breakdown.h"
+#include "properties/binary32.h"
+#include "rendering/breakdown.h"
 
 namespace forceshade::properties {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <span>
 
-#include "forceshade/properties/rendered.h"
-#include "forceshade/properties/subject.h"
+#include "properties/rendered.h"
+#include "properties/subject.h"
 
 namespace forceshade::properties {
 

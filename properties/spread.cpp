@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/spread.h"
+#include "properties/spread.h"
 
 #include <algorithm>
 #include <array>

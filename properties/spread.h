@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <random>
 
-#include "forceshade/vocabulary/law.h"
+#include "rendering/law.h"
 
 namespace forceshade::properties {
 

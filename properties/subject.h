@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/identity/identity.h"
-#include "forceshade/properties/calls.h"
-#include "forceshade/properties/positions.h"
-#include "forceshade/properties/rendered.h"
-#include "forceshade/reference/law.h"
-#include "forceshade/vocabulary/monitor.h"
-#include "forceshade/vocabulary/results.h"
+#include "properties/calls.h"
+#include "properties/positions.h"
+#include "properties/rendered.h"
+#include "reference/law.h"
+#include "rendering/identity/identity.h"
+#include "rendering/monitor.h"
+#include "rendering/results.h"
 
 namespace forceshade::properties {
 

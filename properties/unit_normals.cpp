@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/unit_normals.h"
+#include "properties/unit_normals.h"
 
 #include <cmath>
 #include <cstdio>
 
-#include "forceshade/properties/binary32.h"
-#include "forceshade/properties/positions.h"
+#include "properties/binary32.h"
+#include "properties/positions.h"
 
 namespace forceshade::properties {
 namespace {

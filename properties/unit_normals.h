@@ -2,7 +2,7 @@
 #pragma once
 // Unit normals: the force is its magnitude times a unit vector, to within the rounding of its components; x = 0 included.
 
-#include "forceshade/properties/rendered.h"
+#include "properties/rendered.h"
 
 namespace forceshade::properties {
 

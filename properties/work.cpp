@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/work.h"
+#include "properties/work.h"
 
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
-#include "forceshade/properties/binary32.h"
+#include "properties/binary32.h"
 
 namespace forceshade::properties {
 namespace {

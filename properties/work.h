@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "forceshade/properties/law_claims.h"
-#include "forceshade/properties/rendered.h"
+#include "properties/law_claims.h"
+#include "properties/rendered.h"
 
 namespace forceshade::properties {
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/recorder/export.h"
+#include "recorder/export.h"
 
 #include <algorithm>
 #include <array>
 #include <ostream>
 #include <string_view>
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/csv/npy.h"
-#include "forceshade/csv/output_file.h"
-#include "forceshade/recorder/layout.h"
+#include "files/csv.h"
+#include "files/npy.h"
+#include "files/output_file.h"
+#include "recorder/layout.h"
 
 namespace forceshade::recorder {
 namespace {
@@ -25,7 +25,7 @@ void write_row(std::ostream& out, const Sample& sample, const std::string& path)
   if (sample.status >= kStatuses.size())
     throw RecordingError(path + ": tick " + std::to_string(sample.tick) + " has status " + std::to_string(sample.status) +
                          "; expected 0 to " + std::to_string(kStatuses.size() - 1));
-  const auto number = [&](auto value) { out << ',' << csv::shortest(value); };
+  const auto number = [&](auto value) { out << ',' << files::shortest(value); };
   const auto scaled = [&](std::int64_t value, double unit) { number(static_cast<double>(value) / unit); };
   out << sample.tick;
   scaled(sample.wall_ns, 1e9);
@@ -51,7 +51,7 @@ void write_row(std::ostream& out, const Sample& sample, const std::string& path)
 
 void export_csv(Recording& recording, const std::string& path) {
   expect_written_metadata(recording);
-  csv::OutputFile file(path);
+  files::OutputFile file(path);
   file.stream() << "tick,t_s,device_t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status,compute_us,law_fx_N,law_fy_N,law_fz_N,encoder_1,"
                    "encoder_2,encoder_3,gimbal_1_rad,gimbal_2_rad,gimbal_3_rad,energy_mJ,wakeup_us,buttons,late,limited,"
                    "altered,tripped\n";
@@ -63,8 +63,8 @@ void export_csv(Recording& recording, const std::string& path) {
 
 void export_npy(Recording& recording, const std::string& path) {
   expect_written_metadata(recording);
-  csv::OutputFile file(path);
-  file.stream() << csv::npy_header(layout(), recording.extent().samples);
+  files::OutputFile file(path);
+  file.stream() << files::npy_header(layout(), recording.extent().samples);
   recording.for_each_chunk([&](std::span<const Sample> chunk) {
     const auto bytes = std::as_bytes(chunk);
     file.stream().write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
@@ -73,7 +73,7 @@ void export_npy(Recording& recording, const std::string& path) {
 }
 
 void export_table(Recording& recording, const std::string& path) {
-  csv::is_named_npy(path) ? export_npy(recording, path) : export_csv(recording, path);
+  files::is_named_npy(path) ? export_npy(recording, path) : export_csv(recording, path);
 }
 
 }  // namespace forceshade::recorder

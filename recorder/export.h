@@ -4,12 +4,12 @@
 
 #include <string>
 
-#include "forceshade/recorder/recording.h"
+#include "recorder/recording.h"
 
 namespace forceshade::recorder {
 
 // One row a sample, times in seconds and µs. Numbers in the shortest form that reads back the same; an encoder that the device
-// has not is empty. Both throw csv::OutputError, or RecordingError for a damaged recording, and then leave no file.
+// has not is empty. Both throw files::OutputError, or RecordingError for a damaged recording, and then leave no file.
 void export_csv(Recording& recording, const std::string& path);
 
 // NPY 1.0, a structured array: numpy.load(path)["x_mm"]. The very bytes of the recording.

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "forceshade/device/sample.h"
+#include "device/sample.h"
 
 namespace forceshade::recorder {
 

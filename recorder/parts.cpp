@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/recorder/parts.h"
+#include "recorder/parts.h"
 
 #include <chrono>
 #include <thread>
 #include <utility>
 
-#include "forceshade/recorder/sqlite.h"
+#include "recorder/sqlite.h"
 
 namespace forceshade::recorder {
 

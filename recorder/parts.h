@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "forceshade/recorder/recorder.h"
+#include "recorder/recorder.h"
 
 namespace forceshade::recorder {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/recorder/recorder.h"
+#include "recorder/recorder.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -16,8 +16,8 @@
 #include <utility>
 #include <vector>
 
-#include "forceshade/recorder/checksum.h"
-#include "forceshade/recorder/layout.h"
+#include "recorder/checksum.h"
+#include "recorder/layout.h"
 
 namespace forceshade::recorder {
 namespace {

@@ -9,8 +9,8 @@
 #include <memory>
 #include <string>
 
-#include "forceshade/device/sample.h"
-#include "forceshade/recorder/sqlite.h"
+#include "device/sample.h"
+#include "recorder/sqlite.h"
 
 namespace forceshade::recorder {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/recorder/recording.h"
+#include "recorder/recording.h"
 
 #include <algorithm>
 #include <cstring>
@@ -7,9 +7,9 @@
 #include <optional>
 #include <system_error>
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/recorder/checksum.h"
-#include "forceshade/recorder/layout.h"
+#include "files/csv.h"
+#include "recorder/checksum.h"
+#include "recorder/layout.h"
 
 namespace forceshade::recorder {
 namespace {
@@ -29,8 +29,8 @@ std::string readable(const std::string& path) {
       exists(status) && !is_regular_file(status) && !is_directory(status))
     throw RecordingError(path + ": expected a recording, got no regular file");
   try {
-    csv::open_input(path);
-  } catch (const csv::Error& error) {
+    files::open_input(path);
+  } catch (const files::Error& error) {
     throw RecordingError(error.what());
   }
   return path;

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/recorder/layout.h"
-#include "forceshade/recorder/recorder.h"
+#include "recorder/layout.h"
+#include "recorder/recorder.h"
 
 namespace forceshade::recorder {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/recorder/settings.h"
+#include "recorder/settings.h"
 
 #include <Eigen/Core>
 #include <array>
@@ -11,9 +11,9 @@
 #include <system_error>
 #include <type_traits>
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/device/passivity_controller.h"
-#include "forceshade/device/sample.h"
+#include "device/passivity_controller.h"
+#include "device/sample.h"
+#include "files/csv.h"
 
 namespace forceshade::recorder {
 namespace {
@@ -90,7 +90,7 @@ class Reader {
 }  // namespace
 
 Metadata metadata_of(const device::SafetySettings& settings) {
-  Metadata metadata{{kRate, csv::shortest(settings.rate_hz)},
+  Metadata metadata{{kRate, files::shortest(settings.rate_hz)},
                     {kSupervised, settings.supervised ? "yes" : "no"},
                     {kController, std::string(name_of(settings.passivity))},
                     {kLatency, settings.passivity_settings.latency ? "yes" : "no"},
@@ -98,7 +98,7 @@ Metadata metadata_of(const device::SafetySettings& settings) {
                     {kActsOnLateness, settings.limits.acts_on_lateness ? "yes" : "no"}};
   const auto& button = settings.limits.dead_man_button;
   metadata[kDeadMan] = button ? std::to_string(*button) : kNobody;
-  for_each_number(settings, [&](const std::string& key, auto number) { metadata[key] = csv::shortest(number); });
+  for_each_number(settings, [&](const std::string& key, auto number) { metadata[key] = files::shortest(number); });
   return metadata;
 }
 

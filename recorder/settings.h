@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "forceshade/device/servo_loop.h"
-#include "forceshade/recorder/recorder.h"
+#include "device/servo_loop.h"
+#include "recorder/recorder.h"
 
 namespace forceshade::recorder {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/recorder/sqlite.h"
+#include "recorder/sqlite.h"
 
 #include <sqlite3.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/consecutive_floats.h"
+#include "reference/consecutive_floats.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "forceshade/reference/laws/with_law.h"
-#include "forceshade/reference/numbers/taylor.h"
-#include "forceshade/reference/position.h"
+#include "reference/laws/with_law.h"
+#include "reference/numbers/taylor.h"
+#include "reference/position.h"
 
 namespace forceshade::reference {
 namespace {

@@ -7,7 +7,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "forceshade/reference/law.h"
+#include "reference/law.h"
 
 namespace forceshade::reference {
 

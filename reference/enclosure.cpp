@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/enclosure.h"
+#include "reference/enclosure.h"
 
 namespace forceshade::reference {
 

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "forceshade/reference/law.h"
-#include "forceshade/reference/numbers/numbers.h"
+#include "reference/law.h"
+#include "reference/numbers/numbers.h"
 
 namespace forceshade::reference {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/energy.h"
+#include "reference/energy.h"
 
 #include <cmath>
 
-#include "forceshade/reference/energy/shaded_strip.h"
-#include "forceshade/reference/laws/with_law.h"
-#include "forceshade/reference/numbers/intervals.h"
+#include "reference/energy/shaded_strip.h"
+#include "reference/laws/with_law.h"
+#include "reference/numbers/intervals.h"
 
 namespace forceshade::reference {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/reference/enclosure.h"
+#include "reference/enclosure.h"
 
 namespace forceshade::reference {
 

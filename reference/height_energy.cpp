@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/height_energy.h"
+#include "reference/height_energy.h"
 
 #include <cmath>
 
-#include "forceshade/reference/energy/height_circulation.h"
-#include "forceshade/reference/energy/strips.h"
+#include "reference/energy/height_circulation.h"
+#include "reference/energy/strips.h"
 
 namespace forceshade::reference {
 namespace {

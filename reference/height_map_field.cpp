@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/height_map_field.h"
+#include "reference/height_map_field.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <mutex>
 
-#include "forceshade/reference/heights/domain.h"
-#include "forceshade/reference/heights/sum.h"
-#include "forceshade/reference/laws/slow_geometry.h"
-#include "forceshade/reference/numbers/tie.h"
-#include "forceshade/reference/position.h"
+#include "reference/heights/domain.h"
+#include "reference/heights/sum.h"
+#include "reference/laws/slow_geometry.h"
+#include "reference/numbers/tie.h"
+#include "reference/position.h"
 
 namespace forceshade::reference {
 namespace {

@@ -6,8 +6,8 @@
 #include <array>
 #include <variant>
 
-#include "forceshade/reference/law.h"
-#include "forceshade/vocabulary/height_map.h"
+#include "reference/law.h"
+#include "rendering/height_map.h"
 
 namespace forceshade::reference {
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/law.h"
+#include "reference/law.h"
 
 #include <cmath>
 #include <optional>
 
-#include "forceshade/reference/enclosure.h"
-#include "forceshade/reference/laws/slow_geometry.h"
-#include "forceshade/reference/laws/with_law.h"
-#include "forceshade/reference/numbers/decimal.h"
-#include "forceshade/reference/numbers/tie.h"
-#include "forceshade/reference/position.h"
+#include "reference/enclosure.h"
+#include "reference/laws/slow_geometry.h"
+#include "reference/laws/with_law.h"
+#include "reference/numbers/decimal.h"
+#include "reference/numbers/tie.h"
+#include "reference/position.h"
 
 namespace forceshade::reference {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <variant>
 
-#include "forceshade/reference/laws/force.h"
-#include "forceshade/vocabulary/law.h"
+#include "reference/laws/force.h"
+#include "rendering/law.h"
 
 namespace forceshade::reference {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/profile.h"
+#include "reference/profile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "forceshade/reference/energy/slope_and_curvature.h"
-#include "forceshade/reference/heights/sum.h"
-#include "forceshade/reference/position.h"
+#include "reference/energy/slope_and_curvature.h"
+#include "reference/heights/sum.h"
+#include "reference/position.h"
 
 namespace forceshade::reference {
 namespace {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "forceshade/vocabulary/height_map.h"
+#include "rendering/height_map.h"
 
 namespace forceshade::reference {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/theta_critical.h"
+#include "reference/theta_critical.h"
 
 #include <mutex>
 #include <optional>
 
-#include "forceshade/reference/laws/slow_geometry.h"
-#include "forceshade/reference/numbers/decimal.h"
+#include "reference/laws/slow_geometry.h"
+#include "reference/numbers/decimal.h"
 
 namespace forceshade::reference {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "forceshade/vocabulary/law.h"
+#include "rendering/law.h"
 
 namespace forceshade::reference {
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes a made-up but plausible hand, sampled at 1 kHz: it strokes across a bump, then taps its top.
 
-The same file comes out every time. Usage: make_sample_recording.py [FILE], by default recordings/strokes.csv.
+The same file comes out every time. Usage: make_sample_recording.py [FILE], by default examples/recordings/strokes.csv.
 """
 
 import math
@@ -87,7 +87,7 @@ def sample_times(count):
 
 
 def main():
-    default = pathlib.Path(__file__).resolve().parent.parent / "recordings" / "strokes.csv"
+    default = pathlib.Path(__file__).resolve().parent.parent / "examples" / "recordings" / "strokes.csv"
     path = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else default
     position, end = hand(moves())
     tremors = [tremor() for _ in range(3)]

@@ -7,7 +7,7 @@ set -euo pipefail
 compiler=$1 source=$2
 shift 2
 options=(-std=c++20 -fsyntax-only -Wall -Wextra -Werror -Wno-unused-function -Wno-unknown-warning-option)
-for module in vocabulary fast csv heights meshes device; do options+=("-I$source/include/$module"); done
+options+=("-I$source")
 for folder in "$@"; do options+=(-isystem "$folder"); done
 
 compiles() {
@@ -20,16 +20,16 @@ compiles() {
     */*avx*:x86_64 | */*avx*:amd64) ;;
     */*avx*:*) return 0 ;;
   esac
-  echo "#include \"forceshade/$header\"" | "$compiler" "${options[@]}" "${flags[@]}" -x c++ - 2>&1 || { echo "FAILED: $header"; return 1; }
+  echo "#include \"$header\"" | "$compiler" "${options[@]}" "${flags[@]}" -x c++ - 2>&1 || { echo "FAILED: $header"; return 1; }
 }
 if [ "${FORCESHADE_HEADER:-}" ]; then compiles "$FORCESHADE_HEADER"; exit; fi
 
 cd "$source"
-all=$(find vocabulary fast csv heights meshes device -name "*.h" | sort)
+all=$(find rendering fast files device -name "*.h" | sort)
 # Those of an instruction set are left out: another machine does not compile them.
 # shellcheck disable=SC2086
 first=$(for header in $(grep -v avx <<<"$all"); do
-  sed -nE '/^#include/{s|^#include "forceshade/(.*)".*|\1|p;q}; \%^//|^$|^#pragma once%!q' "$header"
+  sed -nE '/^#include/{s|^#include "(.*)".*|\1|p;q}; \%^//|^$|^#pragma once%!q' "$header"
 done | sort -u)
 headers="" with_another=0
 for header in $all; do

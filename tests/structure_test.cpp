@@ -14,9 +14,9 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/vocabulary/height_map.h"
-#include "forceshade/vocabulary/law.h"
-#include "forceshade/vocabulary/mesh.h"
+#include "rendering/height_map.h"
+#include "rendering/law.h"
+#include "rendering/mesh.h"
 
 namespace forceshade {
 namespace {
@@ -58,8 +58,8 @@ TEST(structure, every_law_has_its_file_in_every_folder) {
 // So that a build with the preset dev compiles the header by itself; the others are for tests/headers_test.sh.
 TEST(structure, each_source_file_includes_the_header_of_its_name_first) {
   int found = 0;
-  for (const char* folder : {"fast", "csv", "heights", "meshes", "device", "recorder", "reference", "identity", "properties",
-                             "certificate", "report", "experiments", "analysis", "window", "apps"})
+  for (const char* folder :
+       {"fast", "files", "rendering", "device", "recorder", "reference", "properties", "certificate", "study", "apps"})
     for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / folder)) {
       if (entry.path().extension() != ".cpp") continue;
       std::filesystem::path header = entry.path();
@@ -68,7 +68,7 @@ TEST(structure, each_source_file_includes_the_header_of_its_name_first) {
       std::ifstream file(entry.path());
       std::string line;
       while (std::getline(file, line) && !line.starts_with("#include")) continue;
-      const std::string expected = "#include \"forceshade/" + std::filesystem::relative(header, kRoot).string() + '"';
+      const std::string expected = "#include \"" + std::filesystem::relative(header, kRoot).string() + '"';
       EXPECT_EQ(line, expected) << entry.path();
     }
   EXPECT_GT(found, 60);
@@ -100,46 +100,43 @@ TEST(structure, every_file_that_evaluates_height_maps_has_its_mutants) {
   EXPECT_GT(found, 40);
 }
 
-// The arrows of the diagram in CONTRIBUTING.md: what each module may include besides itself.
-const std::map<std::string, std::vector<std::string>> kMayInclude{
-    {"vocabulary", {}},
-    {"csv", {}},
-    {"identity", {"vocabulary"}},
-    {"reference", {"vocabulary"}},
-    {"fast", {"vocabulary"}},
-    {"heights", {"vocabulary", "csv"}},
-    {"meshes", {"vocabulary"}},
-    {"properties", {"vocabulary", "identity", "reference", "fast"}},
-    {"certificate", {"vocabulary", "identity", "reference", "fast", "properties", "csv"}},
-    {"report", {"vocabulary", "identity", "reference", "fast", "properties", "certificate", "csv"}},
-    {"device", {"vocabulary", "fast", "csv"}},
-    {"recorder", {"vocabulary", "fast", "csv", "device"}},
-    {"experiments", {"vocabulary", "csv", "heights", "fast"}},
-    {"window", {"vocabulary", "experiments", "csv"}},
-    {"analysis",
-     {"vocabulary", "csv", "heights", "experiments", "report", "certificate", "properties", "identity", "reference", "fast"}},
-    {"apps",
-     {"vocabulary", "identity", "reference", "fast", "heights", "meshes", "properties", "certificate", "report", "device",
-      "recorder", "csv", "experiments", "analysis", "window"}},
-};
-
-TEST(structure, each_module_includes_only_what_it_may) {
-  for (const auto& [module, allowed] : kMayInclude)
-    for (const std::string& include : includes_of(kRoot / module)) {
-      if (!include.starts_with("forceshade/")) continue;
-      const std::string other = include.substr(11, include.find('/', 11) - 11);
-      EXPECT_TRUE(other == module || std::find(allowed.begin(), allowed.end(), other) != allowed.end())
-          << module << " includes " << include;
-    }
+// The modules of cmake/modules.txt.
+std::vector<std::string> modules() {
+  std::vector<std::string> found;
+  std::ifstream file(kRoot / "cmake/modules.txt");
+  for (std::string line; std::getline(file, line);)
+    if (!line.starts_with('#')) found.push_back(line.substr(0, line.find(':')));
+  EXPECT_GT(found.size(), 10U);
+  return found;
 }
 
-// Every include can be followed before anything is configured: include/<module> holds a link to the module.
-TEST(structure, every_module_has_its_link_in_include) {
-  for (const auto& entry : kMayInclude) {
-    const std::filesystem::path link = kRoot / "include" / entry.first / "forceshade" / entry.first;
-    ASSERT_TRUE(std::filesystem::is_symlink(link)) << link;
-    EXPECT_TRUE(std::filesystem::equivalent(link, kRoot / entry.first)) << link;
+// The folders at the top in which modules lie.
+std::set<std::string> top_folders() {
+  std::set<std::string> folders;
+  for (const std::string& module : modules()) folders.insert(module.substr(0, module.find('/')));
+  return folders;
+}
+
+// The compiler holds the table of modules; that it holds it everywhere takes a library of each, which is in the table.
+TEST(structure, every_folder_with_a_library_is_a_module) {
+  const std::vector<std::string> known = modules();
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot)) {
+    const std::string folder = std::filesystem::relative(entry.path().parent_path(), kRoot);
+    if (entry.path().filename() != "CMakeLists.txt" || folder.starts_with("build") || folder.starts_with("tests")) continue;
+    std::ifstream file(entry.path());
+    for (std::string line; std::getline(file, line);)
+      if (line.starts_with("forceshade_library("))
+        EXPECT_TRUE(std::ranges::find(known, folder) != known.end()) << folder << " is not in cmake/modules.txt";
   }
+}
+
+TEST(structure, at_most_sixteen_folders_lie_at_the_top) {
+  int found = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kRoot)) {
+    const std::string name = entry.path().filename();
+    found += entry.is_directory() && !name.starts_with('.') && !name.starts_with("build") ? 1 : 0;
+  }
+  EXPECT_LE(found, 16);
 }
 
 // A law or a kind of height map under the names that a file can have for it.
@@ -180,9 +177,9 @@ std::vector<Sort> sorts() {
   const std::string chosen = "it tests chosen laws and numbers, while loops over kLaws test every law",
                     figures = "the thesis's own figures", stimuli = "the stimuli of the thesis's two experiments";
   laws.exceptions = {
-      {"analysis/thesis.cpp", stimuli},
-      {"report/figures.cpp", figures},
-      {"report/thesis_figures.cpp", figures},
+      {"study/analysis/thesis.cpp", stimuli},
+      {"certificate/report/figures.cpp", figures},
+      {"certificate/report/thesis_figures.cpp", figures},
       {"tests/analysis/psychometric_test.cpp", stimuli},
       {"tests/analysis/simulated.h", stimuli},
       {"tests/analysis/thesis_numbers_test.cpp", stimuli},
@@ -216,7 +213,7 @@ std::vector<Sort> sorts() {
   const std::string some = "it tests what the schemes that it names have; mesh_subject_test.cpp runs every scheme",
                     paths = "the schemes of the stored paths";
   schemes.exceptions = {
-      {"bench/mesh_bench.cpp", "the schemes that are timed"},
+      {"tests/bench/mesh_bench.cpp", "the schemes that are timed"},
       {"properties/mesh_subject.cpp", "what only one scheme has: a turn that is bounded, a texture to draw"},
       {"tests/fast/same_bits_meshes.h", "the schemes of the stored hashes"},
       {"tests/meshes/god_object_consequences_test.cpp", some},
@@ -331,9 +328,7 @@ TEST(structure, no_file_beside_the_tables_has_to_be_extended) {
       if (unused.erase(file) == 0)
         ADD_FAILURE() << file << " names " << named << " of " << sort.all.size() << ", and is not in " << sort.heading;
     };
-    std::vector<std::string> folders{"bench", "tests"};
-    for (const auto& [module, allowed] : kMayInclude) folders.push_back(module);
-    for (const std::string& folder : folders)
+    for (const std::string& folder : top_folders())
       for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / folder)) look_at(entry.path());
     EXPECT_GT(found, 400);
     for (const auto& [file, reason] : unused) ADD_FAILURE() << file << " is no exception any more: " << reason;
@@ -356,10 +351,9 @@ TEST(structure, every_file_that_a_comment_or_page_names_exists) {
       {"_avx2.cpp", "the end of a pattern"},
       {"_avx512.cpp", "the end of a pattern"},
       {"_test.cpp", "the end of a pattern"},
-      {"forceshade/fast/law.h", "an include, whose link is below include/"},
   };
-  std::vector<std::string> folders{"bench", "cmake", "docs", "tests", "scripts"};
-  for (const auto& [module, allowed] : kMayInclude) folders.push_back(module);
+  std::vector<std::string> folders{"cmake", "docs", "scripts"};
+  for (const std::string& folder : top_folders()) folders.push_back(folder);
   std::vector<std::filesystem::path> files{kRoot / "README.md", kRoot / "CONTRIBUTING.md"};
   for (const std::string& folder : folders)
     for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / folder))
@@ -391,7 +385,8 @@ TEST(structure, every_file_that_a_comment_or_page_names_exists) {
 }
 
 TEST(structure, the_real_time_side_uses_no_library_of_the_exact_one) {
-  for (const char* folder : {"fast", "device", "heights"}) expect_no_include(folder, {"CGAL", "boost", "mpfr", "gmp"});
+  for (const char* folder : {"fast", "device", "rendering/heights"})
+    expect_no_include(folder, {"CGAL", "boost", "mpfr", "gmp"});
 }
 
 TEST(structure, the_recorder_takes_only_the_ring_of_boost) {
@@ -401,7 +396,7 @@ TEST(structure, the_recorder_takes_only_the_ring_of_boost) {
 }
 
 TEST(structure, no_gpl_part_of_cgal_is_used) {
-  for (const char* folder : {"reference", "meshes", "properties", "certificate", "report", "apps", "tests", "bench"})
+  for (const char* folder : {"reference", "rendering", "properties", "certificate", "study", "apps", "tests"})
     expect_no_include(folder, {"CGAL/AABB", "CGAL/Polygon_mesh_processing", "CGAL/Surface_mesh", "CGAL/box_intersection_d"});
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/phantom/device_nodes.h"
+#include "device/phantom/device_nodes.h"
 
 #include <fcntl.h>
 #include <grp.h>

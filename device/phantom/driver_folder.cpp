@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/phantom/driver_folder.h"
+#include "device/phantom/driver_folder.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/phantom/hdapi_library.h"
+#include "device/phantom/hdapi_library.h"
 
 #include <dlfcn.h>
 
 #include <cstdlib>
 
-#include "forceshade/device/open_device.h"
+#include "device/open_device.h"
 
 namespace forceshade::device::hdapi {
 namespace {

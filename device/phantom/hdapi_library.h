@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/device/phantom/hdapi_abi.h"
+#include "device/phantom/hdapi_abi.h"
 
 namespace forceshade::device::hdapi {
 

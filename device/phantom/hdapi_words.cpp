@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/phantom/hdapi_words.h"
+#include "device/phantom/hdapi_words.h"
 
 #include <array>
 #include <cstdio>

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "forceshade/device/phantom/hdapi_abi.h"
+#include "device/phantom/hdapi_abi.h"
 
 namespace forceshade::device::hdapi {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/phantom/phantom.h"
+#include "device/phantom/phantom.h"
 
 #include <sys/mman.h>
 #include <sys/socket.h>
@@ -18,14 +18,14 @@
 #include <system_error>
 #include <thread>
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/device/futex.h"
-#include "forceshade/device/open_device.h"
-#include "forceshade/device/phantom/hdapi_words.h"
-#include "forceshade/device/phantom/phantom_end.h"
-#include "forceshade/device/phantom/phantom_host.h"
-#include "forceshade/device/phantom/phantom_messages.h"
-#include "forceshade/device/simulated/arm.h"
+#include "device/futex.h"
+#include "device/open_device.h"
+#include "device/phantom/hdapi_words.h"
+#include "device/phantom/phantom_end.h"
+#include "device/phantom/phantom_host.h"
+#include "device/phantom/phantom_messages.h"
+#include "device/simulated/arm.h"
+#include "files/csv.h"
 
 namespace forceshade::device {
 namespace {
@@ -118,7 +118,7 @@ PhantomMessage Phantom::answer(milliseconds timeout) {
       return message;
     }
   }
-  const std::string seconds = csv::shortest(std::chrono::duration<double>(timeout).count());
+  const std::string seconds = files::shortest(std::chrono::duration<double>(timeout).count());
   return failed("the PHANToM's driver has not answered for " + seconds +
                 " s: check cable and power, and whether another program holds the device");
 }

@@ -10,10 +10,10 @@
 #include <memory>
 #include <string>
 
-#include "forceshade/device/attendant.h"
-#include "forceshade/device/device.h"
-#include "forceshade/device/open_device.h"
-#include "forceshade/device/phantom/phantom_shared.h"
+#include "device/attendant.h"
+#include "device/device.h"
+#include "device/open_device.h"
+#include "device/phantom/phantom_shared.h"
 
 namespace forceshade::device {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/phantom/phantom_end.h"
+#include "device/phantom/phantom_end.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -14,8 +14,8 @@
 #include <functional>
 #include <thread>
 
-#include "forceshade/device/monotonic.h"
-#include "forceshade/device/phantom/phantom_messages.h"
+#include "device/monotonic.h"
+#include "device/phantom/phantom_messages.h"
 
 namespace forceshade::device {
 namespace {

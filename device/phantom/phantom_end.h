@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "forceshade/device/phantom/phantom_frames.h"
+#include "device/phantom/phantom_frames.h"
 
 namespace forceshade::device {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/phantom/phantom_frames.h"
+#include "device/phantom/phantom_frames.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 
-#include "forceshade/device/futex.h"
-#include "forceshade/device/monotonic.h"
+#include "device/futex.h"
+#include "device/monotonic.h"
 
 namespace forceshade::device {
 namespace {

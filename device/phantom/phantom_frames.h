@@ -10,11 +10,11 @@
 #include <optional>
 #include <string>
 
-#include "forceshade/device/frame_times.h"
-#include "forceshade/device/phantom/hdapi_library.h"
-#include "forceshade/device/phantom/hdapi_words.h"
-#include "forceshade/device/phantom/phantom_shared.h"
-#include "forceshade/device/sent_forces.h"
+#include "device/frame_times.h"
+#include "device/phantom/hdapi_library.h"
+#include "device/phantom/hdapi_words.h"
+#include "device/phantom/phantom_shared.h"
+#include "device/sent_forces.h"
 
 namespace forceshade::device {
 

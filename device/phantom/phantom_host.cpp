@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/phantom/phantom_host.h"
+#include "device/phantom/phantom_host.h"
 
 #include <sched.h>
 
@@ -11,14 +11,14 @@
 #include <stdexcept>
 #include <thread>
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/device/open_device.h"
-#include "forceshade/device/phantom/hdapi_library.h"
-#include "forceshade/device/phantom/phantom_end.h"
-#include "forceshade/device/phantom/phantom_frames.h"
-#include "forceshade/device/phantom/phantom_limits.h"
-#include "forceshade/device/phantom/phantom_messages.h"
-#include "forceshade/device/real_time.h"
+#include "device/open_device.h"
+#include "device/phantom/hdapi_library.h"
+#include "device/phantom/phantom_end.h"
+#include "device/phantom/phantom_frames.h"
+#include "device/phantom/phantom_limits.h"
+#include "device/phantom/phantom_messages.h"
+#include "device/real_time.h"
+#include "files/csv.h"
 
 namespace forceshade::device {
 namespace {
@@ -261,7 +261,7 @@ std::string why_not_ready(const PhantomSample& sample, double rate) {
   if (sample.time == 0) return hdapi::kNoFrames;
   if (!sample.times) return "the PHANToM did not get ready in time: the driver runs its frames too slowly";
   if (!sample.answers && sample.times->rate > rate / 2) return hdapi::kNoAnswer;
-  return "communication with the PHANToM is too irregular to switch forces on: expected " + csv::shortest(rate) +
+  return "communication with the PHANToM is too irregular to switch forces on: expected " + files::shortest(rate) +
          " frames a second and no long gap, got " + words_of(*sample.times) +
          ": check cable and power, and what else this machine computes";
 }

@@ -7,8 +7,8 @@
 
 #include <string>
 
-#include "forceshade/device/phantom/phantom.h"
-#include "forceshade/device/phantom/phantom_shared.h"
+#include "device/phantom/phantom.h"
+#include "device/phantom/phantom_shared.h"
 
 namespace forceshade::device {
 

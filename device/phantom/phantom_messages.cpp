@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/phantom/phantom_messages.h"
+#include "device/phantom/phantom_messages.h"
 
 #include <poll.h>
 #include <sys/socket.h>

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "forceshade/device/phantom/phantom_shared.h"
+#include "device/phantom/phantom_shared.h"
 
 namespace forceshade::device {
 

@@ -9,9 +9,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "forceshade/device/device.h"
-#include "forceshade/device/frame_times.h"
-#include "forceshade/device/triple_buffer.h"
+#include "device/device.h"
+#include "device/frame_times.h"
+#include "device/triple_buffer.h"
 
 namespace forceshade::device {
 

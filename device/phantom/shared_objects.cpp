@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/phantom/shared_objects.h"
+#include "device/phantom/shared_objects.h"
 
 #include <fcntl.h>
 #include <spawn.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/simulated/arm.h"
+#include "device/simulated/arm.h"
 
 #include <Eigen/LU>
 #include <algorithm>

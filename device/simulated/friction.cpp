@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/simulated/friction.h"
+#include "device/simulated/friction.h"
 
 #include <Eigen/LU>
 #include <algorithm>

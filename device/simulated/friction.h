@@ -3,7 +3,7 @@
 // Coulomb friction of joints that are coupled by a mass matrix. A joint at rest stays at exactly rest as long as its friction
 // can hold it: no band of creep around zero speed, so nothing chatters.
 
-#include "forceshade/device/simulated/arm.h"
+#include "device/simulated/arm.h"
 
 namespace forceshade::device {
 

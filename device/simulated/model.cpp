@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/simulated/model.h"
+#include "device/simulated/model.h"
 
 #include <cctype>
 #include <numbers>

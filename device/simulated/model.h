@@ -6,8 +6,8 @@
 #include <optional>
 #include <string_view>
 
-#include "forceshade/device/simulated/arm.h"
-#include "forceshade/device/simulated/motor.h"
+#include "device/simulated/arm.h"
+#include "device/simulated/motor.h"
 
 namespace forceshade::device {
 

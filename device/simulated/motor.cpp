@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/simulated/motor.h"
+#include "device/simulated/motor.h"
 
 #include <algorithm>
 #include <cmath>

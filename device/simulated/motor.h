@@ -2,7 +2,7 @@
 #pragma once
 // A motor and its amplifier behind a gear: what torque comes out for a commanded one, and how that heats the motor.
 
-#include "forceshade/device/simulated/arm.h"
+#include "device/simulated/arm.h"
 
 namespace forceshade::device {
 

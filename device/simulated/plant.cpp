@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/simulated/plant.h"
+#include "device/simulated/plant.h"
 
 namespace forceshade::device {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <optional>
 
-#include "forceshade/device/simulated/friction.h"
-#include "forceshade/device/simulated/hand.h"
+#include "device/simulated/friction.h"
+#include "device/simulated/hand.h"
 
 namespace forceshade::device {
 

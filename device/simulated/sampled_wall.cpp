@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/simulated/sampled_wall.h"
+#include "device/simulated/sampled_wall.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "forceshade/device/simulated/simulated.h"
+#include "device/simulated/simulated.h"
 
 namespace forceshade::device {
 namespace {

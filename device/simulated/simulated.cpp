@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/simulated/simulated.h"
+#include "device/simulated/simulated.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "forceshade/device/open_device.h"
-#include "forceshade/device/replay.h"
+#include "device/open_device.h"
+#include "device/replay.h"
 
 namespace forceshade::device {
 namespace {

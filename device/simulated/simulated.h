@@ -7,12 +7,12 @@
 #include <memory>
 #include <string>
 
-#include "forceshade/device/attendant.h"
-#include "forceshade/device/device.h"
-#include "forceshade/device/sent_forces.h"
-#include "forceshade/device/simulated/model.h"
-#include "forceshade/device/simulated/plant.h"
-#include "forceshade/device/simulated/steering.h"
+#include "device/attendant.h"
+#include "device/device.h"
+#include "device/sent_forces.h"
+#include "device/simulated/model.h"
+#include "device/simulated/plant.h"
+#include "device/simulated/steering.h"
 
 namespace forceshade::device {
 
@@ -82,7 +82,7 @@ class Simulated final : public Device {
 
 // "", MODEL, MODEL:mouse or MODEL:RECORDING.csv. A recording is a hand's intention, with the columns of a replay's; without one
 // the hand makes strokes, or means to be where the attendant steers it. Its buttons are the attendant's. Throws UnknownDevice,
-// also for a mouse where the attendant steers nothing, or csv::Error for a recording that cannot be read.
+// also for a mouse where the attendant steers nothing, or files::Error for a recording that cannot be read.
 std::unique_ptr<Device> open_simulated(const std::string& rest, Attendant& attendant);
 
 }  // namespace forceshade::device

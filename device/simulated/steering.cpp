@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/simulated/steering.h"
+#include "device/simulated/steering.h"
 
 #include <cmath>
 #include <limits>

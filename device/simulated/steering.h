@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 
-#include "forceshade/device/simulated/hand.h"
-#include "forceshade/device/triple_buffer.h"
+#include "device/simulated/hand.h"
+#include "device/triple_buffer.h"
 
 namespace forceshade::device {
 

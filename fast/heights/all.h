@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Every kind of height map, as the real-time side has it: jet(), error_of(), add_terms() and denominator_bits() of each. A kind
-// of vocabulary/height_map.h that lacks one of them does not compile.
+// of rendering/height_map.h that lacks one of them does not compile.
 
-#include "forceshade/fast/heights/grid_kind.h"
+#include "fast/heights/grid_kind.h"
 
 // clang-format off
-#define FORCESHADE_HEIGHT_KIND(kind) <forceshade/fast/heights/kind.h>
+#define FORCESHADE_HEIGHT_KIND(kind) <fast/heights/kind.h>
 // clang-format on
-#include "forceshade/vocabulary/height_kinds.inc"
+#include "rendering/height_kinds.inc"
 #undef FORCESHADE_HEIGHT_KIND

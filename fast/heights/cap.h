@@ -2,9 +2,9 @@
 #pragma once
 // What cylinder cap and sphere cap share: U = √(R² - ρ²) - √(R² - (w/2)²) for 2ρ < w, else 0.
 
-#include "forceshade/fast/heights/check.h"
-#include "forceshade/fast/heights/exact_terms.h"
-#include "forceshade/fast/heights/jet.h"
+#include "fast/heights/check.h"
+#include "fast/heights/exact_terms.h"
+#include "fast/heights/jet.h"
 
 namespace forceshade::fast {
 

@@ -6,9 +6,9 @@
 #include <initializer_list>
 #include <optional>
 
-#include "forceshade/fast/domain.h"
-#include "forceshade/fast/heights/limits.h"
-#include "forceshade/vocabulary/law.h"
+#include "fast/domain.h"
+#include "fast/heights/limits.h"
+#include "rendering/law.h"
 
 namespace forceshade::fast {
 

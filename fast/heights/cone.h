@@ -2,9 +2,9 @@
 #pragma once
 // cone: U = height·(1 - ρ/radius) for ρ < radius, else 0; at the apex ∇U = (-height/radius, 0).
 
-#include "forceshade/fast/heights/check.h"
-#include "forceshade/fast/heights/exact_terms.h"
-#include "forceshade/fast/heights/jet.h"
+#include "fast/heights/check.h"
+#include "fast/heights/exact_terms.h"
+#include "fast/heights/jet.h"
 
 namespace forceshade::fast {
 

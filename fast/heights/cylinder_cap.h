@@ -2,7 +2,7 @@
 #pragma once
 // cylinder cap: a cap of ρ = |X|, the distance from its axis.
 
-#include "forceshade/fast/heights/cap.h"
+#include "fast/heights/cap.h"
 
 namespace forceshade::fast {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/fast/heights/domain.h"
+#include "fast/heights/domain.h"
 
-#include "forceshade/fast/heights/all.h"
+#include "fast/heights/all.h"
 
 namespace forceshade::fast {
 

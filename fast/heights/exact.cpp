@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/fast/heights/exact.h"
+#include "fast/heights/exact.h"
 
 #include <algorithm>
 #include <span>
 
-#include "forceshade/fast/heights/all.h"
-#include "forceshade/fast/numbers/arithmetic.h"
-#include "forceshade/fast/numbers/exp_cos_sin.h"
+#include "fast/heights/all.h"
+#include "fast/numbers/arithmetic.h"
+#include "fast/numbers/exp_cos_sin.h"
 
 namespace forceshade::fast {
 namespace {

@@ -14,11 +14,11 @@
 #include <array>
 #include <cstddef>
 
-#include "forceshade/fast/heights/exact_terms.h"
-#include "forceshade/fast/heights/jet.h"
-#include "forceshade/fast/heights/shape.h"
-#include "forceshade/fast/numbers/root_field.h"
-#include "forceshade/vocabulary/height_map.h"
+#include "fast/heights/exact_terms.h"
+#include "fast/heights/jet.h"
+#include "fast/heights/shape.h"
+#include "fast/numbers/root_field.h"
+#include "rendering/height_map.h"
 
 namespace forceshade::fast {
 

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "forceshade/fast/heights/jet.h"
-#include "forceshade/fast/numbers/fraction.h"
+#include "fast/heights/jet.h"
+#include "fast/numbers/fraction.h"
 
 namespace forceshade::fast {
 

@@ -2,8 +2,8 @@
 #pragma once
 // From a height map's jet to the force, in binary64 with a bound.
 
-#include "forceshade/fast/heights/jet.h"
-#include "forceshade/fast/numbers/first_stage.h"
+#include "fast/heights/jet.h"
+#include "fast/numbers/first_stage.h"
 
 namespace forceshade::fast {
 

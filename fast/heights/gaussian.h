@@ -2,10 +2,10 @@
 #pragma once
 // Gaussian: U = height·exp(-ρ²/2σ²).
 
-#include "forceshade/fast/heights/check.h"
-#include "forceshade/fast/heights/exact_terms.h"
-#include "forceshade/fast/heights/jet.h"
-#include "forceshade/fast/numbers/exp_cos_sin.h"
+#include "fast/heights/check.h"
+#include "fast/heights/exact_terms.h"
+#include "fast/heights/jet.h"
+#include "fast/numbers/exp_cos_sin.h"
 
 namespace forceshade::fast {
 

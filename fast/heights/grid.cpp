@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/fast/heights/grid.h"
+#include "fast/heights/grid.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "forceshade/fast/numbers/arithmetic.h"
+#include "fast/numbers/arithmetic.h"
 
 namespace forceshade::fast {
 namespace {

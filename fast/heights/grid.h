@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "forceshade/fast/heights/jet.h"
-#include "forceshade/fast/numbers/row.h"
+#include "fast/heights/jet.h"
+#include "fast/numbers/row.h"
 
 namespace forceshade::fast {
 

@@ -4,9 +4,9 @@
 
 #include <memory>
 
-#include "forceshade/fast/heights/check.h"
-#include "forceshade/fast/heights/exact_terms.h"
-#include "forceshade/fast/heights/spline.h"
+#include "fast/heights/check.h"
+#include "fast/heights/exact_terms.h"
+#include "fast/heights/spline.h"
 
 namespace forceshade::fast {
 

@@ -2,12 +2,12 @@
 #pragma once
 // What a height map is at a point: its height and its gradient, in Ball arithmetic (fast/numbers/ball.h).
 
-#include "forceshade/fast/domain.h"
-#include "forceshade/fast/numbers/big_float_ball.h"
-#include "forceshade/fast/numbers/double_double.h"
-#include "forceshade/fast/numbers/double_with_error.h"
-#include "forceshade/fast/numbers/row.h"
-#include "forceshade/vocabulary/height_map.h"
+#include "fast/domain.h"
+#include "fast/numbers/big_float_ball.h"
+#include "fast/numbers/double_double.h"
+#include "fast/numbers/double_with_error.h"
+#include "fast/numbers/row.h"
+#include "rendering/height_map.h"
 
 namespace forceshade::fast {
 

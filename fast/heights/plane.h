@@ -2,9 +2,9 @@
 #pragma once
 // plane: U = height + slope_x·x + slope_y·y.
 
-#include "forceshade/fast/heights/check.h"
-#include "forceshade/fast/heights/exact_terms.h"
-#include "forceshade/fast/heights/jet.h"
+#include "fast/heights/check.h"
+#include "fast/heights/exact_terms.h"
+#include "fast/heights/jet.h"
 
 namespace forceshade::fast {
 

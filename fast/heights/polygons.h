@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "forceshade/fast/heights/check.h"
-#include "forceshade/fast/heights/exact_terms.h"
-#include "forceshade/fast/heights/jet.h"
+#include "fast/heights/check.h"
+#include "fast/heights/exact_terms.h"
+#include "fast/heights/jet.h"
 
 namespace forceshade::fast {
 

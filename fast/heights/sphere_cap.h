@@ -2,7 +2,7 @@
 #pragma once
 // sphere cap: a cap of ρ, the distance from its centre.
 
-#include "forceshade/fast/heights/cap.h"
+#include "fast/heights/cap.h"
 
 namespace forceshade::fast {
 

@@ -3,8 +3,8 @@
 // The uniform cubic B-spline on a grid of coefficients. Its gradient comes from differences of neighbouring coefficients: where
 // these are all equal, it is exactly 0 in every arithmetic.
 
-#include "forceshade/fast/heights/grid.h"
-#include "forceshade/fast/numbers/first_stage.h"
+#include "fast/heights/grid.h"
+#include "fast/numbers/first_stage.h"
 
 namespace forceshade::fast {
 

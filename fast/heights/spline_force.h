@@ -2,9 +2,9 @@
 #pragma once
 // The first stage of a map that is one B-spline and no more: from a position to its force, in one function per instruction set.
 
-#include "forceshade/fast/heights/force.h"
-#include "forceshade/fast/heights/spline.h"
-#include "forceshade/fast/numbers/arithmetic.h"
+#include "fast/heights/force.h"
+#include "fast/heights/spline.h"
+#include "fast/numbers/arithmetic.h"
 
 namespace forceshade::fast {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The first stage of a spline, a row of its window in one register; compiled with -mavx2 -mfma.
 
-#include "forceshade/fast/heights/spline_force.h"
-#include "forceshade/fast/simd/row_avx2.h"
+#include "fast/heights/spline_force.h"
+#include "fast/simd/row_avx2.h"
 
 namespace forceshade::fast {
 namespace {

@@ -2,8 +2,8 @@
 // The first stage of a spline at eight positions, one a lane: what fast/heights/spline_force.h does, line by line; compiled
 // with -mavx512f -mavx512dq -mavx512vl -mavx512bw.
 
-#include "forceshade/fast/heights/spline_force.h"
-#include "forceshade/fast/simd/pack_avx512.h"
+#include "fast/heights/spline_force.h"
+#include "fast/simd/pack_avx512.h"
 
 namespace forceshade::fast {
 namespace {

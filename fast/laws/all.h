@@ -2,17 +2,17 @@
 #pragma once
 // The one list of the laws on this side, in the order of LawId.
 
-#include "forceshade/fast/laws/bump_1p.h"
-#include "forceshade/fast/laws/bump_1p_shaded.h"
-#include "forceshade/fast/laws/bump_2p.h"
-#include "forceshade/fast/laws/bump_2p_shaded.h"
-#include "forceshade/fast/laws/bump_3p.h"
-#include "forceshade/fast/laws/bump_3p_shaded.h"
-#include "forceshade/fast/laws/bump_cylinder.h"
-#include "forceshade/fast/laws/cylinder.h"
-#include "forceshade/fast/laws/wall.h"
-#include "forceshade/fast/numbers/first_stage.h"
-#include "forceshade/vocabulary/law.h"
+#include "fast/laws/bump_1p.h"
+#include "fast/laws/bump_1p_shaded.h"
+#include "fast/laws/bump_2p.h"
+#include "fast/laws/bump_2p_shaded.h"
+#include "fast/laws/bump_3p.h"
+#include "fast/laws/bump_3p_shaded.h"
+#include "fast/laws/bump_cylinder.h"
+#include "fast/laws/cylinder.h"
+#include "fast/laws/wall.h"
+#include "fast/numbers/first_stage.h"
+#include "rendering/law.h"
 
 namespace forceshade::fast {
 
@@ -24,6 +24,6 @@ struct LawList {
 };
 
 using Laws = LawList<Wall, Cylinder, BumpCylinder, Bump1p, Bump2p, Bump3p, Bump1pShaded, Bump2pShaded, Bump3pShaded>;
-static_assert(Laws::kCount == kLaws.size(), "each law of vocabulary/law.h has its definition here");
+static_assert(Laws::kCount == kLaws.size(), "each law of rendering/law.h has its definition here");
 
 }  // namespace forceshade::fast

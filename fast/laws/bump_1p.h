@@ -2,7 +2,7 @@
 #pragma once
 // bump-1p: one polygon, unshaded (thesis 4.4.1): H = 0 and D = ẑ, which is the wall.
 
-#include "forceshade/fast/laws/wall.h"
+#include "fast/laws/wall.h"
 
 namespace forceshade::fast {
 

@@ -2,9 +2,9 @@
 #pragma once
 // bump-1p-shaded: one flat polygon, force shaded (thesis 4.5): K(-z) along the cylinder's normal for 2|x| <= w, else ẑ.
 
-#include "forceshade/fast/laws/outcome.h"
-#include "forceshade/fast/laws/shading.h"
-#include "forceshade/fast/laws/wall.h"
+#include "fast/laws/outcome.h"
+#include "fast/laws/shading.h"
+#include "fast/laws/wall.h"
 
 namespace forceshade::fast {
 

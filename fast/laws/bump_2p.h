@@ -2,9 +2,9 @@
 #pragma once
 // bump-2p: two polygons, unshaded (thesis 4.4.2): K(H - z) along (±sin α/2, cos α/2) for 2|x| <= w, x = 0 to the right.
 
-#include "forceshade/fast/laws/outcome.h"
-#include "forceshade/fast/laws/polygon_gap.h"
-#include "forceshade/vocabulary/law.h"
+#include "fast/laws/outcome.h"
+#include "fast/laws/polygon_gap.h"
+#include "rendering/law.h"
 
 namespace forceshade::fast {
 

@@ -2,9 +2,9 @@
 #pragma once
 // bump-2p-shaded: two polygons, force shaded (thesis 4.5): the magnitude of bump-2p along the cylinder's normal.
 
-#include "forceshade/fast/laws/outcome.h"
-#include "forceshade/fast/laws/polygon_gap.h"
-#include "forceshade/fast/laws/shading.h"
+#include "fast/laws/outcome.h"
+#include "fast/laws/polygon_gap.h"
+#include "fast/laws/shading.h"
 
 namespace forceshade::fast {
 

@@ -2,10 +2,10 @@
 #pragma once
 // bump-3p: three polygons, unshaded (thesis 4.4.3): K(H - z) along ẑ on the flat top, (±sin θ, cos θ) on the sides.
 
-#include "forceshade/fast/laws/outcome.h"
-#include "forceshade/fast/laws/polygon_gap.h"
-#include "forceshade/fast/laws/top_edge.h"
-#include "forceshade/vocabulary/law.h"
+#include "fast/laws/outcome.h"
+#include "fast/laws/polygon_gap.h"
+#include "fast/laws/top_edge.h"
+#include "rendering/law.h"
 
 namespace forceshade::fast {
 

@@ -2,10 +2,10 @@
 #pragma once
 // bump-3p-shaded: three polygons, force shaded (thesis 4.5): the magnitude of bump-3p along the cylinder's normal.
 
-#include "forceshade/fast/laws/outcome.h"
-#include "forceshade/fast/laws/polygon_gap.h"
-#include "forceshade/fast/laws/shading.h"
-#include "forceshade/fast/laws/top_edge.h"
+#include "fast/laws/outcome.h"
+#include "fast/laws/polygon_gap.h"
+#include "fast/laws/shading.h"
+#include "fast/laws/top_edge.h"
 
 namespace forceshade::fast {
 

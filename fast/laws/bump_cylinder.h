@@ -2,7 +2,7 @@
 #pragma once
 // bump-cylinder: F = F_cylinder + F_wall everywhere, each where its own penetration is positive, rounded once (thesis 4.3).
 
-#include "forceshade/fast/laws/cylinder.h"
+#include "fast/laws/cylinder.h"
 
 namespace forceshade::fast {
 

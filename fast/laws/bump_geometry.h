@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "forceshade/fast/numbers/ball.h"
+#include "fast/numbers/ball.h"
 
 namespace forceshade::fast {
 

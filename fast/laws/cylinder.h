@@ -3,10 +3,10 @@
 // cylinder: F = K(R - ρ)·l/ρ for ρ < R, l = (x, z + d), ρ = ‖l‖ (thesis 2.2.2, sign and condition corrected); K R ẑ on the
 // axis, where the direction does not exist.
 
-#include "forceshade/fast/laws/bump_geometry.h"
-#include "forceshade/fast/laws/outcome.h"
-#include "forceshade/fast/numbers/first_stage.h"
-#include "forceshade/vocabulary/law.h"
+#include "fast/laws/bump_geometry.h"
+#include "fast/laws/outcome.h"
+#include "fast/numbers/first_stage.h"
+#include "rendering/law.h"
 
 namespace forceshade::fast {
 

@@ -2,7 +2,7 @@
 #pragma once
 // A law's answer in Ball arithmetic (fast/numbers/ball.h), before rounding: what every law's exact stage returns.
 
-#include "forceshade/fast/numbers/ball.h"
+#include "fast/numbers/ball.h"
 
 namespace forceshade::fast {
 

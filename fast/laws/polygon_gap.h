@@ -2,8 +2,8 @@
 #pragma once
 // H(x) - z, the penetration below the nominal height of a two- or three-polygon bump, first stage and exact stage.
 
-#include "forceshade/fast/laws/bump_geometry.h"
-#include "forceshade/fast/numbers/first_stage.h"
+#include "fast/laws/bump_geometry.h"
+#include "fast/numbers/first_stage.h"
 
 namespace forceshade::fast {
 

@@ -2,8 +2,8 @@
 #pragma once
 // The first stage of force shading: K·gap along (x/R, √(R² - x²)/R), the normal the cylinder would have at x.
 
-#include "forceshade/fast/numbers/first_stage.h"
-#include "forceshade/vocabulary/law.h"
+#include "fast/numbers/first_stage.h"
+#include "rendering/law.h"
 
 namespace forceshade::fast {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "forceshade/fast/numbers/double_double.h"
+#include "fast/numbers/double_double.h"
 
 namespace forceshade::fast {
 

@@ -2,9 +2,9 @@
 #pragma once
 // wall: F = -K z ẑ for z < 0 (thesis 2.2.1, sign and condition corrected: docs/errata.md).
 
-#include "forceshade/fast/laws/outcome.h"
-#include "forceshade/fast/numbers/first_stage.h"
-#include "forceshade/vocabulary/law.h"
+#include "fast/laws/outcome.h"
+#include "fast/numbers/first_stage.h"
+#include "rendering/law.h"
 
 namespace forceshade::fast {
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <optional>
 
-#include "forceshade/fast/domain.h"
-#include "forceshade/fast/meshes/force.h"
+#include "fast/domain.h"
+#include "fast/meshes/force.h"
 
 namespace forceshade::fast {
 

@@ -3,7 +3,7 @@
 // How many bits an exact number can take: the number on which the compiler runs the longest expressions of the shaded force,
 // once, to prove that the last stage's numbers hold them.
 
-#include "forceshade/fast/meshes/vector3.h"
+#include "fast/meshes/vector3.h"
 
 namespace forceshade::fast {
 

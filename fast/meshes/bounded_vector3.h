@@ -4,8 +4,8 @@
 // of the operations of DoubleWithError, have bounds as good, but each operation waits for the bound of the one before it: that
 // chain is most of the time of a shaded force.
 
-#include "forceshade/fast/meshes/vector3.h"
-#include "forceshade/fast/numbers/double_with_error.h"
+#include "fast/meshes/vector3.h"
+#include "fast/numbers/double_with_error.h"
 
 namespace forceshade::fast {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/fast/meshes/box_tree.h"
+#include "fast/meshes/box_tree.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "forceshade/fast/meshes/mesh.h"
+#include "fast/meshes/mesh.h"
 
 namespace forceshade::fast {
 

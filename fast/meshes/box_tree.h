@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "forceshade/fast/meshes/large_pages.h"
-#include "forceshade/fast/meshes/vector3.h"
+#include "fast/meshes/large_pages.h"
+#include "fast/meshes/vector3.h"
 
 namespace forceshade::fast {
 

@@ -11,13 +11,13 @@
 #include <array>
 #include <cstdint>
 
-#include "forceshade/fast/meshes/mesh.h"
-#include "forceshade/fast/meshes/rounding_bound.h"
-#include "forceshade/fast/meshes/vector3.h"
-#include "forceshade/fast/numbers/double_double.h"
-#include "forceshade/fast/numbers/double_with_error.h"
-#include "forceshade/fast/numbers/first_stage.h"
-#include "forceshade/fast/stage.h"
+#include "fast/meshes/mesh.h"
+#include "fast/meshes/rounding_bound.h"
+#include "fast/meshes/vector3.h"
+#include "fast/numbers/double_double.h"
+#include "fast/numbers/double_with_error.h"
+#include "fast/numbers/first_stage.h"
+#include "fast/stage.h"
 
 namespace forceshade::fast {
 

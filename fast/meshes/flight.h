@@ -2,8 +2,8 @@
 #pragma once
 // The straight way from the god-object's point to p: where it first meets the surface from a side on which it may not go on.
 
-#include "forceshade/fast/meshes/heading.h"
-#include "forceshade/fast/meshes/spot.h"
+#include "fast/meshes/heading.h"
+#include "fast/meshes/spot.h"
 
 namespace forceshade::fast {
 

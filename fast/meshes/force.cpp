@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/fast/meshes/force.h"
+#include "fast/meshes/force.h"
 
 #include <optional>
 
-#include "forceshade/fast/meshes/schemes/all.h"
-#include "forceshade/fast/numbers/arithmetic.h"
+#include "fast/meshes/schemes/all.h"
+#include "fast/numbers/arithmetic.h"
 
 namespace forceshade::fast {
 namespace {

@@ -3,7 +3,7 @@
 // The force at a rest: K times the way from p to r, or as long as that along the shading direction, each component correctly
 // rounded.
 
-#include "forceshade/fast/meshes/walk.h"
+#include "fast/meshes/walk.h"
 
 namespace forceshade::fast {
 

@@ -2,7 +2,7 @@
 #pragma once
 // Which way the surface leads from a point of it, and on which side of it a direction points: docs/god-object.md, "Directions".
 
-#include "forceshade/fast/meshes/decide.h"
+#include "fast/meshes/decide.h"
 
 namespace forceshade::fast {
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/fast/meshes/mesh.h"
+#include "fast/meshes/mesh.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "forceshade/fast/domain.h"
-#include "forceshade/fast/height_map_field.h"
-#include "forceshade/fast/meshes/decide.h"
-#include "forceshade/fast/meshes/session.h"
-#include "forceshade/fast/numbers/arithmetic.h"
-#include "forceshade/vocabulary/law.h"
+#include "fast/domain.h"
+#include "fast/height_map_field.h"
+#include "fast/meshes/decide.h"
+#include "fast/meshes/session.h"
+#include "fast/numbers/arithmetic.h"
+#include "rendering/law.h"
 
 namespace forceshade::fast {
 namespace {

@@ -9,9 +9,9 @@
 #include <variant>
 #include <vector>
 
-#include "forceshade/fast/meshes/box_tree.h"
-#include "forceshade/fast/meshes/large_pages.h"
-#include "forceshade/vocabulary/mesh_rendering.h"
+#include "fast/meshes/box_tree.h"
+#include "fast/meshes/large_pages.h"
+#include "rendering/mesh_rendering.h"
 
 namespace forceshade::fast {
 

@@ -5,10 +5,10 @@
 #include <array>
 #include <cstdint>
 
-#include "forceshade/fast/meshes/bit_span.h"
-#include "forceshade/fast/meshes/bounded_vector3.h"
-#include "forceshade/fast/meshes/walk.h"
-#include "forceshade/fast/numbers/big_float_ball.h"
+#include "fast/meshes/bit_span.h"
+#include "fast/meshes/bounded_vector3.h"
+#include "fast/meshes/walk.h"
+#include "fast/numbers/big_float_ball.h"
 
 namespace forceshade::fast::meshes {
 

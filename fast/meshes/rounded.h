@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "forceshade/fast/meshes/rest_numbers.h"
+#include "fast/meshes/rest_numbers.h"
 
 namespace forceshade::fast::meshes {
 

@@ -2,7 +2,7 @@
 #pragma once
 // A straight way between two points of the grid, in integers: where it meets a triangle.
 
-#include "forceshade/fast/meshes/flight.h"
+#include "fast/meshes/flight.h"
 
 namespace forceshade::fast {
 

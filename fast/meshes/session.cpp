@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/fast/meshes/session.h"
+#include "fast/meshes/session.h"
 
-#include "forceshade/fast/numbers/arithmetic.h"
+#include "fast/numbers/arithmetic.h"
 
 namespace forceshade::fast {
 namespace {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <utility>
 
-#include "forceshade/fast/god_object.h"
-#include "forceshade/fast/meshes/advance.h"
+#include "fast/god_object.h"
+#include "fast/meshes/advance.h"
 
 namespace forceshade::fast {
 

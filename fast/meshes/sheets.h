@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "forceshade/fast/meshes/segment.h"
+#include "fast/meshes/segment.h"
 
 namespace forceshade::fast {
 

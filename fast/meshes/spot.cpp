@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/fast/meshes/spot.h"
+#include "fast/meshes/spot.h"
 
 namespace forceshade::fast {
 

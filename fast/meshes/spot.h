@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where the god-object is, by the mesh's own numbering: what vocabulary/mesh.h states by the file's.
+// Where the god-object is, by the mesh's own numbering: what rendering/mesh.h states by the file's.
 
-#include "forceshade/fast/meshes/decide.h"
-#include "forceshade/vocabulary/mesh.h"
+#include "fast/meshes/decide.h"
+#include "rendering/mesh.h"
 
 namespace forceshade::fast {
 

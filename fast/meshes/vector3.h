@@ -2,8 +2,8 @@
 #pragma once
 // Three numbers of any kind: one text of a predicate serves binary64, its error analysis and exact integers.
 
-#include "forceshade/fast/numbers/fixed_integer.h"
-#include "forceshade/fast/numbers/inline.h"
+#include "fast/numbers/fixed_integer.h"
+#include "fast/numbers/inline.h"
 
 namespace forceshade::fast {
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "forceshade/fast/meshes/sheets.h"
+#include "fast/meshes/sheets.h"
 
 namespace forceshade::fast {
 

@@ -3,7 +3,7 @@
 // Whether arithmetic rounds as the proofs assume. No macro shows contraction or clang's reordering, and the mode belongs
 // to the thread: so the processor is tested. Each file that evaluates a law does it, because each file has flags of its own.
 
-#include "forceshade/fast/numbers/inline.h"
+#include "fast/numbers/inline.h"
 
 namespace forceshade::fast {
 

@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "forceshade/fast/numbers/ball.h"
+#include "fast/numbers/ball.h"
 
 namespace forceshade::fast {
 

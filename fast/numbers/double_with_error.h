@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "forceshade/fast/numbers/ball.h"
-#include "forceshade/fast/numbers/inline.h"
+#include "fast/numbers/ball.h"
+#include "fast/numbers/inline.h"
 
 namespace forceshade::fast {
 

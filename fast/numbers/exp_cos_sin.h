@@ -6,9 +6,9 @@
 #include <cmath>
 #include <type_traits>
 
-#include "forceshade/fast/numbers/big_float_ball.h"
-#include "forceshade/fast/numbers/double_double.h"
-#include "forceshade/fast/numbers/double_with_error.h"
+#include "fast/numbers/big_float_ball.h"
+#include "fast/numbers/double_double.h"
+#include "fast/numbers/double_with_error.h"
 
 namespace forceshade::fast {
 

@@ -8,8 +8,8 @@
 
 #include <cstdint>
 
-#include "forceshade/fast/numbers/double_double.h"
-#include "forceshade/fast/numbers/inline.h"
+#include "fast/numbers/double_double.h"
+#include "fast/numbers/inline.h"
 
 namespace forceshade::fast {
 
@@ -61,14 +61,14 @@ FORCESHADE_INLINE MaskOf<Real> never() {
 // The bits of a binary64 that rounding to binary32 drops; one half of the last place kept is (kDroppedMask + 1)/2.
 inline constexpr int kDroppedMask = (1 << 29) - 1;
 
-// The window of the dropped bits in which a relative error of kErrorBound could matter, in units of the last place on either side of
-// one half.
+// The window of the dropped bits in which a relative error of kErrorBound could matter, in units of the last place on either
+// side of one half.
 constexpr int doubt_window(double error_bound) {
   return static_cast<int>(error_bound * 0x1p53) + (error_bound > 0 ? 1 : 0);
 }
 
-// Whether the true number is fewer than kWindow units of the last place away from the computed one: a relative error e of the true
-// number is at most e(1 + 2e) of the computed one, which is less than 2^53 units.
+// Whether the true number is fewer than kWindow units of the last place away from the computed one: a relative error e of the
+// true number is at most e(1 + 2e) of the computed one, which is less than 2^53 units.
 constexpr bool window_covers(int window, double error_bound) {
   return 0x1p53 * error_bound * (1 + 2 * error_bound) <= window;
 }

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "forceshade/fast/numbers/inline.h"
+#include "fast/numbers/inline.h"
 
 namespace forceshade::fast {
 

@@ -3,7 +3,7 @@
 // Exact rational numbers of bounded size: the last word on height maps, where an enclosure cannot distinguish a tie from what
 // is beside it. No error bound is needed: a number is held without rounding, or says that it is not.
 
-#include "forceshade/fast/numbers/big_float_ball.h"
+#include "fast/numbers/big_float_ball.h"
 
 namespace forceshade::fast {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "forceshade/fast/numbers/fraction.h"
+#include "fast/numbers/fraction.h"
 
 namespace forceshade::fast {
 

@@ -8,7 +8,7 @@
 #include <emmintrin.h>
 #endif
 
-#include "forceshade/fast/numbers/inline.h"
+#include "fast/numbers/inline.h"
 
 namespace forceshade::fast {
 

@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "forceshade/fast/domain.h"
-#include "forceshade/fast/laws/all.h"
-#include "forceshade/fast/numbers/arithmetic.h"
-#include "forceshade/fast/numbers/first_stage.h"
+#include "fast/domain.h"
+#include "fast/laws/all.h"
+#include "fast/numbers/arithmetic.h"
+#include "fast/numbers/first_stage.h"
 
 namespace forceshade::fast {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The batch loop, compiled with -mavx512f -mavx512dq -mavx512vl -mavx512bw: eight binary64 numbers at a time.
 
-#include "forceshade/fast/simd/batch.h"
-#include "forceshade/fast/simd/pack_avx512.h"
-#include "forceshade/fast/simd/pack_pair.h"
+#include "fast/simd/batch.h"
+#include "fast/simd/pack_avx512.h"
+#include "fast/simd/pack_pair.h"
 
 namespace forceshade::fast {
 
-#include "forceshade/fast/simd/batch_loop.inl"
+#include "fast/simd/batch_loop.inl"
 
 const BlockTable kAvx512Blocks = kBlocks;
 

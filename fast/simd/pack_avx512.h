@@ -5,8 +5,8 @@
 
 #include <immintrin.h>
 
-#include "forceshade/fast/domain.h"
-#include "forceshade/fast/numbers/first_stage.h"
+#include "fast/domain.h"
+#include "fast/numbers/first_stage.h"
 
 namespace forceshade::fast {
 namespace {

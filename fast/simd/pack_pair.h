@@ -4,7 +4,7 @@
 // time: the processor does not look far enough ahead to overlap two steps of a loop that long. For the files that have a Pack
 // alone.
 
-#include "forceshade/fast/numbers/first_stage.h"
+#include "fast/numbers/first_stage.h"
 
 namespace forceshade::fast {
 namespace {

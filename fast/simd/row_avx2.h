@@ -2,8 +2,8 @@
 #pragma once
 // A row of a spline's window in one register of AVX2. For fast/*_avx2.cpp alone.
 
-#include "forceshade/fast/numbers/row.h"
-#include "forceshade/fast/simd/pack_avx2.h"
+#include "fast/numbers/row.h"
+#include "fast/simd/pack_avx2.h"
 
 namespace forceshade::fast {
 namespace {

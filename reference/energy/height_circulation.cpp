@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/energy/height_circulation.h"
+#include "reference/energy/height_circulation.h"
 
 namespace forceshade::reference {
 namespace {

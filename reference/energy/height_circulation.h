@@ -3,8 +3,8 @@
 // The circulation under a slice of a height map. With t along it, the depth δ and 1/n the normal's share upwards, it is
 // K·f per t and δ, f = δ·(1/n)_t + (surface - U)_t/n, and ½Kδ² times the jump of 1/n on a line. Callers hold exact_arithmetic.
 
-#include "forceshade/reference/energy/height_stretch.h"
-#include "forceshade/reference/height_energy.h"
+#include "reference/energy/height_stretch.h"
+#include "reference/height_energy.h"
 
 namespace forceshade::reference {
 

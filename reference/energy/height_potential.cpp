@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/height_energy.h"
-#include "forceshade/reference/heights/all.h"
+#include "reference/height_energy.h"
+#include "reference/heights/all.h"
 
 namespace forceshade::reference {
 namespace {

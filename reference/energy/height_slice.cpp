@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "forceshade/reference/energy/height_circulation.h"
-#include "forceshade/reference/heights/all.h"
-#include "forceshade/reference/position.h"
+#include "reference/energy/height_circulation.h"
+#include "reference/heights/all.h"
+#include "reference/position.h"
 
 namespace forceshade::reference {
 namespace {

@@ -6,9 +6,9 @@
 #include <limits>
 #include <string>
 
-#include "forceshade/reference/enclosure.h"
-#include "forceshade/reference/heights/line.h"
-#include "forceshade/vocabulary/monitor.h"
+#include "reference/enclosure.h"
+#include "reference/heights/line.h"
+#include "rendering/monitor.h"
 
 namespace forceshade::reference {
 

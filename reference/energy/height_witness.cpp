@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "forceshade/reference/energy/height_circulation.h"
-#include "forceshade/reference/energy/strips.h"
+#include "reference/energy/height_circulation.h"
+#include "reference/energy/strips.h"
 
 namespace forceshade::reference {
 namespace {

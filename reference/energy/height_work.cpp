@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/energy/height_stretch.h"
-#include "forceshade/reference/energy/strips.h"
-#include "forceshade/reference/height_energy.h"
-#include "forceshade/reference/heights/sum.h"
-#include "forceshade/reference/numbers/intervals.h"
+#include "reference/energy/height_stretch.h"
+#include "reference/energy/strips.h"
+#include "reference/height_energy.h"
+#include "reference/heights/sum.h"
+#include "reference/numbers/intervals.h"
 
 namespace forceshade::reference {
 namespace {

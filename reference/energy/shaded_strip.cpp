@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/energy/shaded_strip.h"
+#include "reference/energy/shaded_strip.h"
 
-#include "forceshade/reference/numbers/intervals.h"
+#include "reference/numbers/intervals.h"
 
 namespace forceshade::reference {
 namespace {

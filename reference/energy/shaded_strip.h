@@ -4,7 +4,7 @@
 // κ = (K/R)·(x - g r - δ x/r), which is positive above the depth q(x) = r - g r²/x and negative below. q is concave, because
 // its derivative -x/r + g(R²/x² + 1) falls. Callers hold exact_arithmetic.
 
-#include "forceshade/reference/energy/strips.h"
+#include "reference/energy/strips.h"
 
 namespace forceshade::reference {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/energy/slope_and_curvature.h"
+#include "reference/energy/slope_and_curvature.h"
 
 #include <cmath>
 #include <stdexcept>
 
-#include "forceshade/reference/heights/all.h"
+#include "reference/heights/all.h"
 
 namespace forceshade::reference {
 

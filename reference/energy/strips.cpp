@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/energy/strips.h"
+#include "reference/energy/strips.h"
 
-#include "forceshade/reference/laws/slow_geometry.h"
-#include "forceshade/reference/laws/with_law.h"
-#include "forceshade/reference/numbers/intervals.h"
-#include "forceshade/reference/position.h"
+#include "reference/laws/slow_geometry.h"
+#include "reference/laws/with_law.h"
+#include "reference/numbers/intervals.h"
+#include "reference/position.h"
 
 namespace forceshade::reference {
 namespace {

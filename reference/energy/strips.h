@@ -5,9 +5,9 @@
 
 #include <vector>
 
-#include "forceshade/reference/law.h"
-#include "forceshade/reference/laws/bump_geometry.h"
-#include "forceshade/reference/numbers/numbers.h"
+#include "reference/law.h"
+#include "reference/laws/bump_geometry.h"
+#include "reference/numbers/numbers.h"
 
 namespace forceshade::reference {
 

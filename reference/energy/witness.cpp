@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "forceshade/reference/energy.h"
-#include "forceshade/reference/energy/shaded_strip.h"
-#include "forceshade/reference/numbers/intervals.h"
-#include "forceshade/reference/position.h"
+#include "reference/energy.h"
+#include "reference/energy/shaded_strip.h"
+#include "reference/numbers/intervals.h"
+#include "reference/position.h"
 
 namespace forceshade::reference {
 namespace {

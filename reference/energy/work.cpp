@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "forceshade/reference/energy.h"
-#include "forceshade/reference/energy/strips.h"
-#include "forceshade/reference/laws/slow_geometry.h"
-#include "forceshade/reference/numbers/intervals.h"
+#include "reference/energy.h"
+#include "reference/energy/strips.h"
+#include "reference/laws/slow_geometry.h"
+#include "reference/numbers/intervals.h"
 
 namespace forceshade::reference {
 namespace {

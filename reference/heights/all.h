@@ -3,9 +3,9 @@
 // Every kind of height map, as the exact side has it: what reference/heights/kind.h lists.
 
 // clang-format off
-#define FORCESHADE_HEIGHT_KIND(kind) <forceshade/reference/heights/kind.h>
+#define FORCESHADE_HEIGHT_KIND(kind) <reference/heights/kind.h>
 // clang-format on
-#include "forceshade/vocabulary/height_kinds.inc"
+#include "rendering/height_kinds.inc"
 #undef FORCESHADE_HEIGHT_KIND
 
 namespace forceshade::reference {

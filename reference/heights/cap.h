@@ -2,7 +2,7 @@
 #pragma once
 // What cylinder cap and sphere cap share: U = √(R² - ρ²) - √(R² - (w/2)²) for 2ρ < w, else 0.
 
-#include "forceshade/reference/heights/kind.h"
+#include "reference/heights/kind.h"
 
 namespace forceshade::reference {
 

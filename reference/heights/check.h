@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "forceshade/vocabulary/law.h"
+#include "rendering/law.h"
 
 namespace forceshade::reference {
 

@@ -2,7 +2,7 @@
 #pragma once
 // cone: U = height·(1 - ρ/radius) for ρ < radius, else 0; at the apex ∇U = (-height/radius, 0).
 
-#include "forceshade/reference/heights/kind.h"
+#include "reference/heights/kind.h"
 
 namespace forceshade::reference {
 

@@ -6,9 +6,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "forceshade/reference/heights/jet.h"
-#include "forceshade/reference/laws/slow_geometry.h"
-#include "forceshade/reference/numbers/intervals.h"
+#include "reference/heights/jet.h"
+#include "reference/laws/slow_geometry.h"
+#include "reference/numbers/intervals.h"
 
 namespace forceshade::reference {
 

@@ -2,7 +2,7 @@
 #pragma once
 // cylinder cap: a cap of ρ = |X|, the distance from its axis.
 
-#include "forceshade/reference/heights/cap.h"
+#include "reference/heights/cap.h"
 
 namespace forceshade::reference {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/heights/domain.h"
+#include "reference/heights/domain.h"
 
-#include "forceshade/reference/heights/all.h"
+#include "reference/heights/all.h"
 
 namespace forceshade::reference {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "forceshade/vocabulary/height_map.h"
-#include "forceshade/vocabulary/law.h"
+#include "rendering/height_map.h"
+#include "rendering/law.h"
 
 namespace forceshade::reference {
 

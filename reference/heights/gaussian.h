@@ -3,7 +3,7 @@
 // Gaussian: U = height·exp(-ρ²/2σ²). Off the centre its height is transcendental:
 // at a position an Enclosure or an ExponentialSum.
 
-#include "forceshade/reference/heights/kind.h"
+#include "reference/heights/kind.h"
 
 namespace forceshade::reference {
 

@@ -3,7 +3,7 @@
 // grating: U = height·cos(wave_x·x + wave_y·y + phase). Where the angle is not 0 its height is transcendental: at a position an
 // Enclosure or an ExponentialSum.
 
-#include "forceshade/reference/heights/kind.h"
+#include "reference/heights/kind.h"
 
 namespace forceshade::reference {
 

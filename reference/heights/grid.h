@@ -8,8 +8,8 @@
 #include <memory>
 #include <utility>
 
-#include "forceshade/reference/heights/kind.h"
-#include "forceshade/vocabulary/number_text.h"
+#include "reference/heights/kind.h"
+#include "rendering/number_text.h"
 
 namespace forceshade::reference {
 

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <optional>
 
-#include "forceshade/reference/heights/check.h"
-#include "forceshade/reference/heights/cuts.h"
-#include "forceshade/reference/heights/jet.h"
-#include "forceshade/reference/heights/outline.h"
-#include "forceshade/reference/heights/section.h"
+#include "reference/heights/check.h"
+#include "reference/heights/cuts.h"
+#include "reference/heights/jet.h"
+#include "reference/heights/outline.h"
+#include "reference/heights/section.h"
 
 namespace forceshade::reference {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/heights/line.h"
+#include "reference/heights/line.h"
 
 #include <algorithm>
 
-#include "forceshade/reference/heights/all.h"
+#include "reference/heights/all.h"
 
 namespace forceshade::reference {
 namespace {

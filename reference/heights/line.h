@@ -5,10 +5,10 @@
 
 #include <vector>
 
-#include "forceshade/reference/height_map_field.h"
-#include "forceshade/reference/heights/cuts.h"
-#include "forceshade/reference/heights/jet.h"
-#include "forceshade/reference/numbers/taylor_coefficients.h"
+#include "reference/height_map_field.h"
+#include "reference/heights/cuts.h"
+#include "reference/heights/jet.h"
+#include "reference/numbers/taylor_coefficients.h"
 
 namespace forceshade::reference {
 

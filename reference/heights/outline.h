@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "forceshade/vocabulary/height_map.h"
+#include "rendering/height_map.h"
 
 namespace forceshade::reference {
 

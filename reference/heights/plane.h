@@ -2,7 +2,7 @@
 #pragma once
 // plane: U = height + slope_x·x + slope_y·y.
 
-#include "forceshade/reference/heights/kind.h"
+#include "reference/heights/kind.h"
 
 namespace forceshade::reference {
 

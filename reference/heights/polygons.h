@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "forceshade/reference/heights/kind.h"
+#include "reference/heights/kind.h"
 
 namespace forceshade::reference {
 

@@ -6,8 +6,8 @@
 
 #include <optional>
 
-#include "forceshade/reference/heights/jet.h"
-#include "forceshade/reference/numbers/numbers.h"
+#include "reference/heights/jet.h"
+#include "reference/numbers/numbers.h"
 
 namespace forceshade::reference {
 

@@ -2,7 +2,7 @@
 #pragma once
 // sphere cap: a cap of ρ, the distance from its centre.
 
-#include "forceshade/reference/heights/cap.h"
+#include "reference/heights/cap.h"
 
 namespace forceshade::reference {
 

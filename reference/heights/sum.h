@@ -6,8 +6,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "forceshade/reference/heights/all.h"
-#include "forceshade/reference/numbers/exponential_sum.h"
+#include "reference/heights/all.h"
+#include "reference/numbers/exponential_sum.h"
 
 namespace forceshade::reference {
 

@@ -2,7 +2,7 @@
 #pragma once
 // bump-1p: one polygon, unshaded (thesis 4.4.1): H = 0, D = ẑ.
 
-#include "forceshade/reference/laws/wall.h"
+#include "reference/laws/wall.h"
 
 namespace forceshade::reference {
 

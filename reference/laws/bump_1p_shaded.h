@@ -2,7 +2,7 @@
 #pragma once
 // bump-1p-shaded: H = 0; D is the cylinder's normal for 2|x| <= w, else ẑ (thesis 4.5).
 
-#include "forceshade/reference/laws/wall.h"
+#include "reference/laws/wall.h"
 
 namespace forceshade::reference {
 

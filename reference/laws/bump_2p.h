@@ -2,7 +2,7 @@
 #pragma once
 // bump-2p: two polygons, unshaded (thesis 4.4.2; x = 0 belongs to the right face).
 
-#include "forceshade/reference/laws/polygon.h"
+#include "reference/laws/polygon.h"
 
 namespace forceshade::reference {
 

@@ -2,7 +2,7 @@
 #pragma once
 // bump-3p: three polygons, unshaded (thesis 4.4.3).
 
-#include "forceshade/reference/laws/polygon.h"
+#include "reference/laws/polygon.h"
 
 namespace forceshade::reference {
 

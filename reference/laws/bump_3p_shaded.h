@@ -2,7 +2,7 @@
 #pragma once
 // bump-3p-shaded: the magnitude of bump-3p, the cylinder's normal for 2|x| <= w, else ẑ (thesis 4.5).
 
-#include "forceshade/reference/laws/polygon.h"
+#include "reference/laws/polygon.h"
 
 namespace forceshade::reference {
 

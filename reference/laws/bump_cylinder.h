@@ -2,8 +2,8 @@
 #pragma once
 // bump-cylinder: F = F_cylinder + F_wall, each where its own penetration is positive (thesis 4.3).
 
-#include "forceshade/reference/laws/cylinder.h"
-#include "forceshade/reference/laws/wall.h"
+#include "reference/laws/cylinder.h"
+#include "reference/laws/wall.h"
 
 namespace forceshade::reference {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/laws/bump_geometry.h"
+#include "reference/laws/bump_geometry.h"
 
 #include <CGAL/Algebraic_kernel_d_1.h>
 #include <CGAL/CORE_BigInt.h>
@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "forceshade/reference/laws/slow_geometry.h"
+#include "reference/laws/slow_geometry.h"
 
 namespace forceshade::reference {
 namespace {

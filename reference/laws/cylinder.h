@@ -3,7 +3,7 @@
 // cylinder: axis along y through (0, -d); l = (x, z + d), ρ = ‖l‖; F = K(R - ρ)l/ρ for 0 < ρ < R, K R ẑ at ρ = 0
 // (thesis 2.2.2, sign and condition corrected; the value on the axis is this project's convention).
 
-#include "forceshade/reference/laws/force.h"
+#include "reference/laws/force.h"
 
 namespace forceshade::reference {
 

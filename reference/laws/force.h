@@ -2,7 +2,7 @@
 #pragma once
 // What a law answers: first the facet (which formula holds at a position: decisions), then the force on it (values).
 
-#include "forceshade/reference/laws/bump_geometry.h"
+#include "reference/laws/bump_geometry.h"
 
 namespace forceshade::reference {
 

@@ -2,7 +2,7 @@
 #pragma once
 // The nominal heights H(x) of the two- and three-polygon bumps and the facet a position is on (thesis 4.4.2, 4.4.3).
 
-#include "forceshade/reference/laws/force.h"
+#include "reference/laws/force.h"
 
 namespace forceshade::reference {
 

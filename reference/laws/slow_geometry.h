@@ -2,8 +2,8 @@
 #pragma once
 // The geometry of a bump in the two slow number types. Callers hold exact_arithmetic.
 
-#include "forceshade/reference/laws/bump_geometry.h"
-#include "forceshade/reference/numbers/numbers.h"
+#include "reference/laws/bump_geometry.h"
+#include "reference/numbers/numbers.h"
 
 namespace forceshade::reference {
 

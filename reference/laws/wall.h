@@ -2,7 +2,7 @@
 #pragma once
 // wall: F = -K z ẑ for z < 0 (thesis 2.2.1, sign and condition corrected).
 
-#include "forceshade/reference/laws/force.h"
+#include "reference/laws/force.h"
 
 namespace forceshade::reference {
 

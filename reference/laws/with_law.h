@@ -2,15 +2,15 @@
 #pragma once
 // The one list of the laws on this side.
 
-#include "forceshade/reference/laws/bump_1p.h"
-#include "forceshade/reference/laws/bump_1p_shaded.h"
-#include "forceshade/reference/laws/bump_2p.h"
-#include "forceshade/reference/laws/bump_2p_shaded.h"
-#include "forceshade/reference/laws/bump_3p.h"
-#include "forceshade/reference/laws/bump_3p_shaded.h"
-#include "forceshade/reference/laws/bump_cylinder.h"
-#include "forceshade/reference/laws/cylinder.h"
-#include "forceshade/reference/laws/wall.h"
+#include "reference/laws/bump_1p.h"
+#include "reference/laws/bump_1p_shaded.h"
+#include "reference/laws/bump_2p.h"
+#include "reference/laws/bump_2p_shaded.h"
+#include "reference/laws/bump_3p.h"
+#include "reference/laws/bump_3p_shaded.h"
+#include "reference/laws/bump_cylinder.h"
+#include "reference/laws/cylinder.h"
+#include "reference/laws/wall.h"
 
 namespace forceshade::reference {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/meshes/crossings.h"
+#include "reference/meshes/crossings.h"
 
 #include <algorithm>
 #include <cmath>

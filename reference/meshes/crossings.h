@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "forceshade/reference/meshes/points.h"
+#include "reference/meshes/points.h"
 
 namespace forceshade::reference::meshes {
 

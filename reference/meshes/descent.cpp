@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/meshes/descent.h"
+#include "reference/meshes/descent.h"
 
 #include <utility>
 #include <variant>
 
-#include "forceshade/reference/meshes/directions.h"
+#include "reference/meshes/directions.h"
 
 namespace forceshade::reference::meshes {
 namespace {

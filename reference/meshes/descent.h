@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "forceshade/reference/meshes/sheets.h"
+#include "reference/meshes/sheets.h"
 
 namespace forceshade::reference::meshes {
 

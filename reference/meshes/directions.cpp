@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/meshes/directions.h"
+#include "reference/meshes/directions.h"
 
 #include <algorithm>
 #include <optional>

@@ -2,7 +2,7 @@
 #pragma once
 // In which way the surface goes from one of its points, seen from a direction u: along it, and on which side of it u points.
 
-#include "forceshade/reference/meshes/surface.h"
+#include "reference/meshes/surface.h"
 
 namespace forceshade::reference::meshes {
 

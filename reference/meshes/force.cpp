@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/meshes/force.h"
+#include "reference/meshes/force.h"
 
-#include "forceshade/reference/meshes/rounding.h"
+#include "reference/meshes/rounding.h"
 
 namespace forceshade::reference::meshes {
 std::array<float, 3> unshaded_force(const Rest& rest, float stiffness) {

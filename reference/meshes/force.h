@@ -2,7 +2,7 @@
 #pragma once
 // The force at rest, each component rounded once to binary32.
 
-#include "forceshade/reference/meshes/schemes/scheme.h"
+#include "reference/meshes/schemes/scheme.h"
 
 namespace forceshade::reference::meshes {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/meshes/god_object.h"
+#include "reference/meshes/god_object.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "forceshade/reference/meshes/force.h"
-#include "forceshade/reference/meshes/schemes/all.h"
-#include "forceshade/reference/position.h"
+#include "reference/meshes/force.h"
+#include "reference/meshes/schemes/all.h"
+#include "reference/position.h"
 
 namespace forceshade::reference {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <variant>
 
-#include "forceshade/vocabulary/mesh_rendering.h"
+#include "rendering/mesh_rendering.h"
 
 namespace forceshade::reference {
 

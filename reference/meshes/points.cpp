@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/meshes/points.h"
+#include "reference/meshes/points.h"
 
 #include <algorithm>
 #include <utility>

@@ -2,7 +2,7 @@
 #pragma once
 // Points of the surface with exact parameters, and how they are rounded to grid points.
 
-#include "forceshade/reference/meshes/surface.h"
+#include "reference/meshes/surface.h"
 
 namespace forceshade::reference::meshes {
 

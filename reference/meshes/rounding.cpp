@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/meshes/rounding.h"
+#include "reference/meshes/rounding.h"
 
 #include <algorithm>
 #include <cmath>

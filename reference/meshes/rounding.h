@@ -2,7 +2,7 @@
 #pragma once
 // Fractions and square roots of fractions, rounded to the nearest binary32.
 
-#include "forceshade/reference/meshes/integers.h"
+#include "reference/meshes/integers.h"
 
 namespace forceshade::reference::meshes {
 

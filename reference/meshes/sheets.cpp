@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/meshes/sheets.h"
+#include "reference/meshes/sheets.h"
 
 #include <algorithm>
 #include <array>

@@ -5,8 +5,8 @@
 
 #include <optional>
 
-#include "forceshade/reference/meshes/crossings.h"
-#include "forceshade/reference/meshes/directions.h"
+#include "reference/meshes/crossings.h"
+#include "reference/meshes/directions.h"
 
 namespace forceshade::reference::meshes {
 

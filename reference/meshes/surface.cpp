@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/meshes/surface.h"
+#include "reference/meshes/surface.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
-#include "forceshade/reference/meshes/rounding.h"
-#include "forceshade/reference/position.h"
+#include "reference/meshes/rounding.h"
+#include "reference/position.h"
 
 namespace forceshade::reference::meshes {
 namespace {

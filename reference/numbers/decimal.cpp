@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/numbers/decimal.h"
+#include "reference/numbers/decimal.h"
 
 #include <mpfr.h>
 

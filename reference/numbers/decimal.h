@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "forceshade/reference/numbers/numbers.h"
+#include "reference/numbers/numbers.h"
 
 namespace forceshade::reference {
 

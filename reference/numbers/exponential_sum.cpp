@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/numbers/exponential_sum.h"
+#include "reference/numbers/exponential_sum.h"
 
 #include <algorithm>
 #include <optional>

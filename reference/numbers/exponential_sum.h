@@ -14,7 +14,7 @@
 #include <boost/multiprecision/gmp.hpp>
 #include <vector>
 
-#include "forceshade/reference/numbers/numbers.h"
+#include "reference/numbers/numbers.h"
 
 namespace forceshade::reference {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "forceshade/reference/numbers/ball64.h"
+#include "reference/numbers/ball64.h"
 
 namespace forceshade::reference {
 

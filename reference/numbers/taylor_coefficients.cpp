@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/numbers/taylor_coefficients.h"
+#include "reference/numbers/taylor_coefficients.h"
 
 #include <mpfr.h>
 

@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "forceshade/reference/numbers/ball64.h"
+#include "reference/numbers/ball64.h"
 
 namespace forceshade::reference {
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "forceshade/reference/numbers/ball64.h"
+#include "reference/numbers/ball64.h"
 
 namespace forceshade::reference {
 

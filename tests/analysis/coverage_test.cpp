@@ -10,11 +10,11 @@
 #include <cstdlib>
 #include <numeric>
 
-#include "forceshade/analysis/bootstrap.h"
-#include "forceshade/analysis/statistics.h"
-#include "forceshade/analysis/tables.h"
-#include "forceshade/analysis/thesis.h"
-#include "forceshade/tests/analysis/simulated.h"
+#include "study/analysis/bootstrap.h"
+#include "study/analysis/statistics.h"
+#include "study/analysis/tables.h"
+#include "study/analysis/thesis.h"
+#include "tests/analysis/simulated.h"
 
 namespace forceshade::analysis {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/analysis/page.h"
+#include "study/analysis/page.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "forceshade/analysis/figures.h"
-#include "forceshade/tests/analysis/simulated.h"
+#include "study/analysis/figures.h"
+#include "tests/analysis/simulated.h"
 
 namespace forceshade::analysis {
 namespace {

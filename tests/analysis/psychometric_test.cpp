@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/analysis/psychometric.h"
+#include "study/analysis/psychometric.h"
 
 #include <gtest/gtest.h>
 
@@ -11,12 +11,12 @@
 #include <map>
 #include <sstream>
 
-#include "forceshade/analysis/distributions.h"
-#include "forceshade/analysis/simplex.h"
-#include "forceshade/analysis/tables.h"
-#include "forceshade/analysis/thesis.h"
-#include "forceshade/tests/analysis/simulated.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "study/analysis/distributions.h"
+#include "study/analysis/simplex.h"
+#include "study/analysis/tables.h"
+#include "study/analysis/thesis.h"
+#include "tests/analysis/simulated.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::analysis {
 namespace {

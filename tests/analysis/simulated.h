@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/analysis/distributions.h"
-#include "forceshade/analysis/psychometric.h"
-#include "forceshade/analysis/random.h"
-#include "forceshade/experiments/results.h"
+#include "study/analysis/distributions.h"
+#include "study/analysis/psychometric.h"
+#include "study/analysis/random.h"
+#include "study/experiments/results.h"
 
 namespace forceshade::analysis::tests {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/analysis/statistics.h"
+#include "study/analysis/statistics.h"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +8,12 @@
 #include <numeric>
 #include <set>
 
-#include "forceshade/analysis/bootstrap.h"
-#include "forceshade/analysis/distributions.h"
-#include "forceshade/analysis/number_words.h"
-#include "forceshade/analysis/random.h"
-#include "forceshade/analysis/tables.h"
-#include "forceshade/tests/analysis/simulated.h"
+#include "study/analysis/bootstrap.h"
+#include "study/analysis/distributions.h"
+#include "study/analysis/number_words.h"
+#include "study/analysis/random.h"
+#include "study/analysis/tables.h"
+#include "tests/analysis/simulated.h"
 
 namespace forceshade::analysis {
 namespace {

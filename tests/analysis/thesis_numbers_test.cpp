@@ -6,8 +6,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "forceshade/analysis/consistency.h"
-#include "forceshade/analysis/thesis.h"
+#include "study/analysis/consistency.h"
+#include "study/analysis/thesis.h"
 
 namespace forceshade::analysis {
 namespace {
@@ -111,7 +111,7 @@ TEST(thesis_numbers, page_has_what_is_computed) {
 
 // The files are what is compiled in: no character is lost on the way.
 TEST(thesis_numbers, are_those_of_the_files) {
-  const std::string file = text_of("analysis/thesis/table_6_3.csv");
+  const std::string file = text_of("study/analysis/thesis/table_6_3.csv");
   std::string again = "participant,slope,mean_sd_percent,mean_satisfaction,mean_steps\n";
   for (const ThesisRow& row : thesis_matching("bump-1p-shaded", false)->rows) {
     std::array<char, 80> line{};

@@ -8,7 +8,7 @@
 #include <regex>
 #include <set>
 
-#include "forceshade/tests/support/command_run.h"
+#include "tests/support/command_run.h"
 
 namespace forceshade::tests {
 namespace {

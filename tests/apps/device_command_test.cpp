@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "forceshade/recorder/recording.h"
-#include "forceshade/tests/support/command_run.h"
-#include "forceshade/tests/support/pseudo_terminal.h"
+#include "recorder/recording.h"
+#include "tests/support/command_run.h"
+#include "tests/support/pseudo_terminal.h"
 
 namespace forceshade::tests {
 namespace {

@@ -14,11 +14,11 @@
 #include <span>
 #include <thread>
 
-#include "forceshade/experiments/session_folder.h"
-#include "forceshade/recorder/recording.h"
-#include "forceshade/tests/support/comes_true.h"
-#include "forceshade/tests/support/command_run.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "recorder/recording.h"
+#include "study/experiments/session_folder.h"
+#include "tests/support/comes_true.h"
+#include "tests/support/command_run.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::tests {
 namespace {

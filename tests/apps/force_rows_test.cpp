@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Positions of a CSV that cannot be answered stand beside those that can.
 
-#include "forceshade/apps/force_rows.h"
+#include "apps/force_rows.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "forceshade/apps/bad_input.h"
-#include "forceshade/csv/csv.h"
+#include "apps/bad_input.h"
+#include "files/csv.h"
 
 namespace forceshade::apps {
 namespace {
@@ -96,7 +96,7 @@ TEST(force_rows, are_as_many_as_were_read_whichever_are_answered) {
 }
 
 TEST(force_rows, that_cannot_be_read_end_it) {
-  EXPECT_THROW(answered("x_mm,y_mm,z_mm\n1,2,3\n1,here,3\n"), csv::Error);
+  EXPECT_THROW(answered("x_mm,y_mm,z_mm\n1,2,3\n1,here,3\n"), files::Error);
 }
 
 }  // namespace

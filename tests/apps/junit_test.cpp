@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/junit.h"
+#include "apps/junit.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <boost/property_tree/xml_parser.hpp>
 #include <sstream>
 
-#include "forceshade/csv/printable.h"
+#include "files/printable.h"
 
 namespace forceshade::apps {
 namespace {
@@ -24,7 +24,7 @@ ptree parsed(const std::string& xml) {
 // XML 1.0, "Char": nothing else may stand in a document, not even as a reference.
 void expect_only_characters_of_xml(std::string_view text) {
   while (!text.empty()) {
-    const std::size_t size = csv::character_size(text);
+    const std::size_t size = files::character_size(text);
     ASSERT_GT(size, 0U) << "not UTF-8 at " << text;
     const auto byte = static_cast<unsigned char>(text[0]);
     EXPECT_TRUE(byte >= 0x20 || byte == '\t' || byte == '\n' || byte == '\r') << int{byte};

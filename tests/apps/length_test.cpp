@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/length.h"
+#include "apps/length.h"
 
 #include <gtest/gtest.h>
 
-#include "forceshade/apps/bad_input.h"
+#include "apps/bad_input.h"
 
 namespace forceshade::apps {
 namespace {

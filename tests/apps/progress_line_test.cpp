@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/progress_line.h"
+#include "apps/progress_line.h"
 
 #include <gtest/gtest.h>
 

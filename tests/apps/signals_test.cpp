@@ -13,8 +13,8 @@
 #include <span>
 #include <thread>
 
-#include "forceshade/recorder/recording.h"
-#include "forceshade/tests/device/faults/command.h"
+#include "recorder/recording.h"
+#include "tests/device/faults/command.h"
 
 namespace forceshade::tests {
 namespace {

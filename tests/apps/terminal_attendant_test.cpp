@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The person at the terminal: a process of its own on a terminal of its own, where the test types.
 
-#include "forceshade/apps/terminal_attendant.h"
+#include "apps/terminal_attendant.h"
 
 #include <gtest/gtest.h>
 #include <poll.h>
 
 #include <csignal>
 
-#include "forceshade/apps/signals.h"
-#include "forceshade/tests/support/pseudo_terminal.h"
+#include "apps/signals.h"
+#include "tests/support/pseudo_terminal.h"
 
 namespace forceshade::apps {
 namespace {

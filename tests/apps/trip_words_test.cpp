@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/trip_words.h"
+#include "apps/trip_words.h"
 
 #include <gtest/gtest.h>
 

@@ -10,9 +10,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "forceshade/csv/printable.h"
-#include "forceshade/tests/certificate/made_certificate.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "files/printable.h"
+#include "tests/certificate/made_certificate.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::properties {
 namespace {
@@ -321,7 +321,7 @@ TEST(certificate_reader, ends_with_clear_words_on_hostile_text) {
     const std::string said = message(text);
     EXPECT_TRUE(said.starts_with("here.json: expected a forceshade certificate (schema 6 or 7): ")) << said;
     EXPECT_LT(said.size(), 400U) << said;
-    EXPECT_TRUE(csv::is_printable(said)) << said;
+    EXPECT_TRUE(files::is_printable(said)) << said;
   }
   EXPECT_NE(message(hostile[12]).find("17825792 bytes; expected at most 16777216"), std::string::npos) << message(hostile[12]);
   EXPECT_NE(message(hostile[11]).find("more than 16 levels"), std::string::npos) << message(hostile[11]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/certificate/certificate.h"
+#include "certificate/certificate.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <set>
 #include <stdexcept>
 
-#include "forceshade/certificate/build.h"
-#include "forceshade/certificate/certify.h"
-#include "forceshade/properties/law_subject.h"
-#include "forceshade/properties/passivity.h"
+#include "certificate/build.h"
+#include "certificate/certify.h"
+#include "properties/law_subject.h"
+#include "properties/passivity.h"
 
 namespace forceshade::properties {
 namespace {

@@ -10,13 +10,13 @@
 #include <functional>
 #include <memory>
 
-#include "forceshade/certificate/certify.h"
-#include "forceshade/certificate/compare.h"
-#include "forceshade/properties/height_map_subject.h"
-#include "forceshade/properties/law_subject.h"
-#include "forceshade/properties/run.h"
-#include "forceshade/properties/spread.h"
-#include "forceshade/tests/properties/subject_wrapper.h"
+#include "certificate/certify.h"
+#include "certificate/compare.h"
+#include "properties/height_map_subject.h"
+#include "properties/law_subject.h"
+#include "properties/run.h"
+#include "properties/spread.h"
+#include "tests/properties/subject_wrapper.h"
 
 namespace forceshade::properties {
 namespace {

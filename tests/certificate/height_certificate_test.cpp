@@ -6,14 +6,14 @@
 #include <filesystem>
 #include <set>
 
-#include "forceshade/certificate/build.h"
-#include "forceshade/certificate/certify.h"
-#include "forceshade/certificate/merge.h"
-#include "forceshade/heights/spec.h"
-#include "forceshade/properties/height_map_subject.h"
-#include "forceshade/reference/enclosure.h"
-#include "forceshade/report/report.h"
-#include "forceshade/tests/properties/subject_wrapper.h"
+#include "certificate/build.h"
+#include "certificate/certify.h"
+#include "certificate/merge.h"
+#include "certificate/report/report.h"
+#include "properties/height_map_subject.h"
+#include "reference/enclosure.h"
+#include "rendering/heights/spec.h"
+#include "tests/properties/subject_wrapper.h"
 
 namespace forceshade::properties {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/certificate/certificate.h"
-#include "forceshade/certificate/evidence.h"
+#include "certificate/certificate.h"
+#include "certificate/evidence.h"
 
 namespace forceshade::tests {
 

@@ -5,8 +5,8 @@
 
 #include <functional>
 
-#include "forceshade/certificate/merge.h"
-#include "forceshade/tests/certificate/made_certificate.h"
+#include "certificate/merge.h"
+#include "tests/certificate/made_certificate.h"
 
 namespace forceshade::properties {
 namespace {

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "forceshade/certificate/merge.h"
-#include "forceshade/tests/certificate/made_certificate.h"
+#include "certificate/merge.h"
+#include "tests/certificate/made_certificate.h"
 
 namespace forceshade::properties {
 namespace {
@@ -114,7 +114,10 @@ std::vector<OneField> fields_of_points() {
        {"/build/library_digest"},
        "the certificate is for another build of the renderer"},
       {of_first([](SubjectResult& s) { s.seeds = {8}; }), {"/subjects/0/seeds/0"}},
-      {of_first([](SubjectResult& s) { s.seeds = {7, 8}; }), {"/subjects/0/seeds"}},
+      {of_first([](SubjectResult& s) {
+         s.seeds = {7, 8};
+       }),
+       {"/subjects/0/seeds"}},
       {[](Certificate& c) { c.seconds = 9.5; }, {"/seconds"}},
       {[](Certificate& c) { c.date = "2027-01-31T23:59:59Z"; }, {"/date"}},
       {[](Certificate& c) { c.processor = "another"; }, {"/processor"}},

@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "forceshade/certificate/evidence.h"
-#include "forceshade/report/report.h"
-#include "forceshade/tests/certificate/made_certificate.h"
+#include "certificate/evidence.h"
+#include "certificate/report/report.h"
+#include "tests/certificate/made_certificate.h"
 
 namespace forceshade::properties {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Exhaustive sweeps: they reach every input once, notice one wrong bit, and their parts join only if they fit.
 
-#include "forceshade/certificate/sweep.h"
+#include "certificate/sweep.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <bit>
 #include <optional>
 
-#include "forceshade/certificate/build.h"
-#include "forceshade/certificate/merge.h"
-#include "forceshade/certificate/sweep_checker.h"
+#include "certificate/build.h"
+#include "certificate/merge.h"
+#include "certificate/sweep_checker.h"
 
 namespace forceshade::properties {
 namespace {

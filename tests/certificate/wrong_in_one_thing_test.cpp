@@ -9,12 +9,12 @@
 #include <limits>
 #include <memory>
 
-#include "forceshade/certificate/build.h"
-#include "forceshade/certificate/certify.h"
-#include "forceshade/certificate/merge.h"
-#include "forceshade/properties/height_map_subject.h"
-#include "forceshade/properties/law_subject.h"
-#include "forceshade/tests/properties/subject_wrapper.h"
+#include "certificate/build.h"
+#include "certificate/certify.h"
+#include "certificate/merge.h"
+#include "properties/height_map_subject.h"
+#include "properties/law_subject.h"
+#include "tests/properties/subject_wrapper.h"
 
 namespace forceshade::properties {
 namespace {

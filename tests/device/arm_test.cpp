@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/simulated/arm.h"
+#include "device/simulated/arm.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-#include "forceshade/tests/device/each_model.h"
+#include "tests/device/each_model.h"
 
 namespace forceshade::device {
 namespace {

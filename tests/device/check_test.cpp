@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is found out about a driver's files and a device's nodes, and what is said of it.
 
-#include "forceshade/device/check.h"
+#include "device/check.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "forceshade/device/phantom/shared_objects.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "device/phantom/shared_objects.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::device {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "forceshade/device/simulated/model.h"
+#include "device/simulated/model.h"
 
 namespace forceshade::device {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/simulated/hand.h"
+#include "device/simulated/hand.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/phantom/hdapi_library.h"
+#include "device/phantom/hdapi_library.h"
 
 #include <dlfcn.h>
 #include <gtest/gtest.h>
@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/device/open_device.h"
-#include "forceshade/tests/device/stand_in_hd/stand_in_hd.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "device/open_device.h"
+#include "tests/device/stand_in_hd/stand_in_hd.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::device::hdapi {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/last_samples.h"
+#include "device/last_samples.h"
 
 #include <gtest/gtest.h>
 

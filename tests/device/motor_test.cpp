@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/simulated/motor.h"
+#include "device/simulated/motor.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "forceshade/device/simulated/model.h"
+#include "device/simulated/model.h"
 
 namespace forceshade::device {
 namespace {

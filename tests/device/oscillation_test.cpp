@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/oscillation.h"
+#include "device/oscillation.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
 
-#include "forceshade/device/simulated/simulated.h"
-#include "forceshade/tests/device/servo_loop_fixture.h"
+#include "device/simulated/simulated.h"
+#include "tests/device/servo_loop_fixture.h"
 
 namespace forceshade::device {
 namespace {

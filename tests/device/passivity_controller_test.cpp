@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/passivity_controller.h"
+#include "device/passivity_controller.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/device/simulated/simulated.h"
-#include "forceshade/properties/passivity.h"
-#include "forceshade/tests/device/unmoved_hand.h"
-#include "forceshade/tests/support/silent.h"
+#include "device/simulated/simulated.h"
+#include "properties/passivity.h"
+#include "tests/device/unmoved_hand.h"
+#include "tests/support/silent.h"
 
 namespace forceshade::device {
 namespace {

@@ -7,8 +7,8 @@
 #include <array>
 #include <cstdio>
 
-#include "forceshade/tests/device/unmoved_hand.h"
-#include "forceshade/tests/support/silent.h"
+#include "tests/device/unmoved_hand.h"
+#include "tests/support/silent.h"
 
 namespace forceshade::device {
 namespace {

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/device/phantom/hdapi_words.h"
-#include "forceshade/tests/device/stand_in_hd/phantom_fixture.h"
-#include "forceshade/tests/support/command_run.h"
+#include "device/phantom/hdapi_words.h"
+#include "tests/device/stand_in_hd/phantom_fixture.h"
+#include "tests/support/command_run.h"
 
 namespace forceshade::device {
 namespace {

@@ -2,7 +2,7 @@
 // What is done in each frame of a PHANToM's driver, frame by frame: without its scheduler and on a clock of the test's own, so
 // that every order of events can be had.
 
-#include "forceshade/device/phantom/phantom_frames.h"
+#include "device/phantom/phantom_frames.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/tests/device/faults/virtual_clock.h"
+#include "tests/device/faults/virtual_clock.h"
 
 namespace forceshade::device {
 namespace {

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/device/open_device.h"
-#include "forceshade/device/servo_loop.h"
-#include "forceshade/fast/law.h"
-#include "forceshade/tests/device/stand_in_hd/phantom_fixture.h"
+#include "device/open_device.h"
+#include "device/servo_loop.h"
+#include "fast/law.h"
+#include "tests/device/stand_in_hd/phantom_fixture.h"
 
 namespace forceshade::device {
 namespace {

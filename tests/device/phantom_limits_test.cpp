@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whatever a driver says of its device, no limit becomes wider than the one it should have given.
 
-#include "forceshade/device/phantom/phantom_limits.h"
+#include "device/phantom/phantom_limits.h"
 
 #include <gtest/gtest.h>
 

@@ -13,12 +13,12 @@
 #include <utility>
 #include <vector>
 
-#include "forceshade/device/monotonic.h"
-#include "forceshade/device/servo_loop.h"
-#include "forceshade/device/simulated/arm.h"
-#include "forceshade/fast/law.h"
-#include "forceshade/tests/device/stand_in_hd/phantom_fixture.h"
-#include "forceshade/tests/support/kept_samples.h"
+#include "device/monotonic.h"
+#include "device/servo_loop.h"
+#include "device/simulated/arm.h"
+#include "fast/law.h"
+#include "tests/device/stand_in_hd/phantom_fixture.h"
+#include "tests/support/kept_samples.h"
 
 namespace forceshade::device {
 namespace {

@@ -15,9 +15,9 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/device/open_device.h"
-#include "forceshade/device/phantom/hdapi_words.h"
-#include "forceshade/tests/device/stand_in_hd/phantom_fixture.h"
+#include "device/open_device.h"
+#include "device/phantom/hdapi_words.h"
+#include "tests/device/stand_in_hd/phantom_fixture.h"
 
 namespace forceshade::device {
 namespace {

@@ -11,10 +11,10 @@
 #include <thread>
 #include <vector>
 
-#include "forceshade/device/phantom/hdapi_words.h"
-#include "forceshade/device/servo_loop.h"
-#include "forceshade/fast/law.h"
-#include "forceshade/tests/device/stand_in_hd/phantom_fixture.h"
+#include "device/phantom/hdapi_words.h"
+#include "device/servo_loop.h"
+#include "fast/law.h"
+#include "tests/device/stand_in_hd/phantom_fixture.h"
 
 namespace forceshade::device {
 namespace {

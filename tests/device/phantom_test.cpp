@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A PHANToM that is opened and started, or says why not.
 
-#include "forceshade/device/phantom/phantom.h"
+#include "device/phantom/phantom.h"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "forceshade/device/open_device.h"
-#include "forceshade/device/phantom/hdapi_words.h"
-#include "forceshade/tests/device/stand_in_hd/phantom_fixture.h"
+#include "device/open_device.h"
+#include "device/phantom/hdapi_words.h"
+#include "tests/device/stand_in_hd/phantom_fixture.h"
 
 namespace forceshade::device {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A law that was shifted and turned in a device's workspace.
 
-#include "forceshade/device/placement.h"
+#include "device/placement.h"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,10 @@
 #include <set>
 #include <string>
 
-#include "forceshade/apps/bad_input.h"
-#include "forceshade/apps/placement_text.h"
-#include "forceshade/device/replay.h"
-#include "forceshade/tests/device/servo_loop_fixture.h"
+#include "apps/bad_input.h"
+#include "apps/placement_text.h"
+#include "device/replay.h"
+#include "tests/device/servo_loop_fixture.h"
 
 namespace forceshade::device {
 namespace {

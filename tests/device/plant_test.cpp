@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/simulated/plant.h"
+#include "device/simulated/plant.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "forceshade/device/simulated/model.h"
+#include "device/simulated/model.h"
 
 namespace forceshade::device {
 namespace {

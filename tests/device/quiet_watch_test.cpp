@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A device is looked at without force: what is measured, and what is said of it.
 
-#include "forceshade/device/quiet_watch.h"
+#include "device/quiet_watch.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "forceshade/device/check.h"
-#include "forceshade/device/limited.h"
-#include "forceshade/device/open_device.h"
-#include "forceshade/device/simulated/model.h"
+#include "device/check.h"
+#include "device/limited.h"
+#include "device/open_device.h"
+#include "device/simulated/model.h"
 
 namespace forceshade::device {
 namespace {

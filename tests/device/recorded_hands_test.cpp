@@ -9,10 +9,10 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "forceshade/device/replay.h"
-#include "forceshade/device/simulated/simulated.h"
-#include "forceshade/tests/device/chatter.h"
-#include "forceshade/tests/device/servo_loop_fixture.h"
+#include "device/replay.h"
+#include "device/simulated/simulated.h"
+#include "tests/device/chatter.h"
+#include "tests/device/servo_loop_fixture.h"
 
 namespace forceshade {
 

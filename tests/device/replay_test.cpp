@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/replay.h"
+#include "device/replay.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <variant>
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/device/open_device.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "device/open_device.h"
+#include "files/csv.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::device {
 namespace {
@@ -25,7 +25,7 @@ std::string error_of(const std::string& rows) {
   const std::string path = directory.write("hand.csv", rows);
   try {
     Replay::load(path);
-  } catch (const csv::Error& error) {
+  } catch (const files::Error& error) {
     return std::string(error.what()).substr(directory.path().size() + 1);
   }
   return "no error";

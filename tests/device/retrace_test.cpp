@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/retrace.h"
+#include "device/retrace.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
 
-#include "forceshade/device/open_device.h"
-#include "forceshade/device/simulated/simulated.h"
-#include "forceshade/tests/device/servo_loop_fixture.h"
+#include "device/open_device.h"
+#include "device/simulated/simulated.h"
+#include "tests/device/servo_loop_fixture.h"
 
 namespace forceshade::device {
 namespace {

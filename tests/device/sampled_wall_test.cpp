@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/simulated/sampled_wall.h"
+#include "device/simulated/sampled_wall.h"
 
 #include <gtest/gtest.h>
 

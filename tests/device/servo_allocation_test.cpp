@@ -8,13 +8,13 @@
 #include <memory>
 #include <thread>
 
-#include "forceshade/device/monotonic.h"
-#include "forceshade/device/open_device.h"
-#include "forceshade/device/phantom/phantom.h"
-#include "forceshade/fast/height_map_field.h"
-#include "forceshade/tests/device/servo_loop_fixture.h"
-#include "forceshade/tests/device/stand_in_hd/stand_in_hd.h"
-#include "forceshade/tests/support/allocations.h"
+#include "device/monotonic.h"
+#include "device/open_device.h"
+#include "device/phantom/phantom.h"
+#include "fast/height_map_field.h"
+#include "tests/device/servo_loop_fixture.h"
+#include "tests/device/stand_in_hd/stand_in_hd.h"
+#include "tests/support/allocations.h"
 
 namespace forceshade::device {
 namespace {

@@ -7,8 +7,8 @@
 #include <functional>
 #include <utility>
 
-#include "forceshade/tests/device/faults/virtual_clock.h"
-#include "forceshade/tests/device/servo_loop_fixture.h"
+#include "tests/device/faults/virtual_clock.h"
+#include "tests/device/servo_loop_fixture.h"
 
 namespace forceshade::device {
 namespace {

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "forceshade/device/servo_loop.h"
-#include "forceshade/fast/law.h"
-#include "forceshade/tests/support/kept_samples.h"
+#include "device/servo_loop.h"
+#include "fast/law.h"
+#include "tests/support/kept_samples.h"
 
 namespace forceshade::device {
 

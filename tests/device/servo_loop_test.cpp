@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/servo_loop.h"
+#include "device/servo_loop.h"
 
 #include <gtest/gtest.h>
 #include <pthread.h>
@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-#include "forceshade/device/replay.h"
-#include "forceshade/tests/device/servo_loop_fixture.h"
+#include "device/replay.h"
+#include "tests/device/servo_loop_fixture.h"
 
 #if defined(__SSE2__)
 #include <immintrin.h>

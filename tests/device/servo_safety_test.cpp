@@ -9,9 +9,9 @@
 #include <string>
 #include <thread>
 
-#include "forceshade/device/sent_forces.h"
-#include "forceshade/device/simulated/simulated.h"
-#include "forceshade/tests/device/servo_loop_fixture.h"
+#include "device/sent_forces.h"
+#include "device/simulated/simulated.h"
+#include "tests/device/servo_loop_fixture.h"
 
 namespace forceshade::device {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/simulated/simulated.h"
+#include "device/simulated/simulated.h"
 
 #include <gtest/gtest.h>
 #include <time.h>
@@ -12,14 +12,14 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/device/open_device.h"
-#include "forceshade/device/servo_loop.h"
-#include "forceshade/fast/height_map_field.h"
-#include "forceshade/fast/law.h"
-#include "forceshade/tests/device/each_model.h"
-#include "forceshade/tests/support/kept_samples.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "device/open_device.h"
+#include "device/servo_loop.h"
+#include "fast/height_map_field.h"
+#include "fast/law.h"
+#include "files/csv.h"
+#include "tests/device/each_model.h"
+#include "tests/support/kept_samples.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::device {
 namespace {
@@ -385,7 +385,7 @@ TEST(open_simulated, takes_a_recording_from_its_first_time_on_for_what_the_hand_
   EXPECT_EQ(readings, 1001);
   EXPECT_NEAR(last.position.x(), 10, 3);  // a hand lags behind what it means
   EXPECT_GT(last.position.x(), 5);
-  EXPECT_THROW(open_device("simulated:omni:" + directory.file("absent.csv")), csv::Error);
+  EXPECT_THROW(open_device("simulated:omni:" + directory.file("absent.csv")), files::Error);
   // A hand that is nowhere is a fault, not a number.
   const auto lost = open_device("simulated:omni:" + directory.write("lost.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,0\n1,nan,0,0\n"));
   lost->start(1000);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/stage.h"
+#include "device/stage.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <random>
 #include <thread>
 
-#include "forceshade/tests/device/servo_loop_fixture.h"
-#include "forceshade/tests/support/allocations.h"
+#include "tests/device/servo_loop_fixture.h"
+#include "tests/support/allocations.h"
 
 namespace forceshade::device {
 namespace {

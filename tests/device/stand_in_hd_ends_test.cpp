@@ -12,9 +12,9 @@
 #include <thread>
 #include <utility>
 
-#include "forceshade/tests/device/stand_in_hd/caller.h"
-#include "forceshade/tests/device/stand_in_hd/memory.h"
-#include "forceshade/tests/device/stand_in_hd/stand_in_hd.h"
+#include "tests/device/stand_in_hd/caller.h"
+#include "tests/device/stand_in_hd/memory.h"
+#include "tests/device/stand_in_hd/stand_in_hd.h"
 
 namespace forceshade::stand_in_hd {
 namespace {

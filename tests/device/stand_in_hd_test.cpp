@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The stand-in for the vendor's library behaves as that one does, and does as it is told.
 
-#include "forceshade/tests/device/stand_in_hd/stand_in_hd.h"
+#include "tests/device/stand_in_hd/stand_in_hd.h"
 
 #include <gtest/gtest.h>
 
@@ -16,10 +16,10 @@
 #include <utility>
 #include <vector>
 
-#include "forceshade/device/simulated/arm.h"
-#include "forceshade/device/simulated/model.h"
-#include "forceshade/tests/device/stand_in_hd/caller.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "device/simulated/arm.h"
+#include "device/simulated/model.h"
+#include "tests/device/stand_in_hd/caller.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::stand_in_hd {
 namespace {

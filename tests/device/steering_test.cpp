@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/simulated/steering.h"
+#include "device/simulated/steering.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <thread>
 
-#include "forceshade/device/open_device.h"
-#include "forceshade/device/simulated/simulated.h"
-#include "forceshade/tests/device/servo_loop_fixture.h"
+#include "device/open_device.h"
+#include "device/simulated/simulated.h"
+#include "tests/device/servo_loop_fixture.h"
 
 namespace forceshade::device {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "forceshade/device/supervisor.h"
+#include "device/supervisor.h"
 
 namespace forceshade::device {
 

@@ -4,8 +4,8 @@
 #include <Eigen/Geometry>
 #include <random>
 
-#include "forceshade/device/simulated/simulated.h"
-#include "forceshade/tests/device/supervised_hand.h"
+#include "device/simulated/simulated.h"
+#include "tests/device/supervised_hand.h"
 
 namespace forceshade::device {
 namespace {

@@ -4,11 +4,11 @@
 #include <cstdio>
 #include <string>
 
-#include "forceshade/device/null.h"
-#include "forceshade/device/open_device.h"
-#include "forceshade/device/simulated/simulated.h"
-#include "forceshade/fast/law.h"
-#include "forceshade/tests/device/supervised_hand.h"
+#include "device/null.h"
+#include "device/open_device.h"
+#include "device/simulated/simulated.h"
+#include "fast/law.h"
+#include "tests/device/supervised_hand.h"
 
 namespace forceshade::device {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <tuple>
 
-#include "forceshade/tests/device/supervised_hand.h"
+#include "tests/device/supervised_hand.h"
 
 namespace forceshade::device {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/timing.h"
+#include "device/timing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/triple_buffer.h"
+#include "device/triple_buffer.h"
 
 #include <gtest/gtest.h>
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/device/passivity_controller.h"
-#include "forceshade/fast/law.h"
-#include "forceshade/properties/passivity.h"
-#include "forceshade/tests/device/chatter.h"
+#include "device/passivity_controller.h"
+#include "fast/law.h"
+#include "properties/passivity.h"
+#include "tests/device/chatter.h"
 
 namespace forceshade::device {
 

@@ -10,11 +10,11 @@
 #include <cstdlib>
 #include <string>
 
-#include "forceshade/device/attendant.h"
-#include "forceshade/device/monotonic.h"
-#include "forceshade/device/open_device.h"
-#include "forceshade/device/phantom/hdapi_library.h"
-#include "forceshade/device/phantom/phantom.h"
+#include "device/attendant.h"
+#include "device/monotonic.h"
+#include "device/open_device.h"
+#include "device/phantom/hdapi_library.h"
+#include "device/phantom/phantom.h"
 
 namespace forceshade::device {
 namespace {

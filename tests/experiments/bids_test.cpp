@@ -2,7 +2,7 @@
 // The export of sessions to BIDS. tests/apps/bids_export_test.sh runs the community's validators on it, where they are
 // installed.
 
-#include "forceshade/experiments/bids.h"
+#include "study/experiments/bids.h"
 
 #include <gtest/gtest.h>
 
@@ -17,9 +17,9 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/experiments/error.h"
-#include "forceshade/experiments/virtual_participant.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "study/experiments/error.h"
+#include "study/experiments/virtual_participant.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::experiments {
 namespace {

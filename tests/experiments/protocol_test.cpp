@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Protocols and texts from TOML files, and the order of the trials.
 
-#include "forceshade/experiments/protocol.h"
+#include "study/experiments/protocol.h"
 
 #include <gtest/gtest.h>
 
@@ -18,11 +18,11 @@
 #include <utility>
 #include <vector>
 
-#include "forceshade/experiments/error.h"
-#include "forceshade/experiments/language.h"
-#include "forceshade/experiments/order.h"
-#include "forceshade/experiments/random.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "study/experiments/error.h"
+#include "study/experiments/language.h"
+#include "study/experiments/order.h"
+#include "study/experiments/random.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::experiments {
 namespace {

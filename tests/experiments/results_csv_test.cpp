@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/experiments/results_csv.h"
+#include "study/experiments/results_csv.h"
 
 #include <gtest/gtest.h>
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/csv/output_file.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "files/csv.h"
+#include "files/output_file.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::experiments {
 namespace {
@@ -137,7 +137,7 @@ TEST(results_csv, makes_the_folder_and_refuses_a_file_in_its_place) {
   write_results(some_results(), folder.file("new"));
   EXPECT_EQ(read_results(folder.file("new")).matching.size(), some_results().matching.size());
   folder.write("file", "");
-  EXPECT_THROW(write_results(some_results(), folder.file("file")), csv::OutputError);
+  EXPECT_THROW(write_results(some_results(), folder.file("file")), files::OutputError);
 }
 
 }  // namespace

@@ -14,9 +14,9 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/experiments/session.h"
-#include "forceshade/experiments/session_folder.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "study/experiments/session.h"
+#include "study/experiments/session_folder.h"
+#include "tests/support/temporary_directory.h"
 
 namespace {
 

@@ -15,15 +15,15 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/csv/output_file.h"
-#include "forceshade/experiments/error.h"
-#include "forceshade/experiments/random.h"
-#include "forceshade/experiments/session_folder.h"
-#include "forceshade/experiments/session_results.h"
-#include "forceshade/experiments/stimulus_list.h"
-#include "forceshade/experiments/trial_log.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "files/csv.h"
+#include "files/output_file.h"
+#include "study/experiments/error.h"
+#include "study/experiments/random.h"
+#include "study/experiments/session_folder.h"
+#include "study/experiments/session_results.h"
+#include "study/experiments/stimulus_list.h"
+#include "study/experiments/trial_log.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::experiments {
 namespace {
@@ -419,7 +419,7 @@ TEST(session_folder, leaves_nothing_half_written) {
   bool is_refused = false;
   try {
     RecordedSession::start(folder, protocol, "A", 1);
-  } catch (const csv::OutputError&) {
+  } catch (const files::OutputError&) {
     is_refused = true;
   }
   setrlimit(RLIMIT_FSIZE, &before);

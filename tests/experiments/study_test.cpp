@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/experiments/session_results.h"
-#include "forceshade/experiments/virtual_participant.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "study/experiments/session_results.h"
+#include "study/experiments/virtual_participant.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::experiments {
 namespace {

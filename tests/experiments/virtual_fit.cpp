@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// virtual_fit SOURCE_DIR [SEARCHES [PARTICIPANTS]]: fits the observer of experiments/virtual_participant.h to half of the
+// virtual_fit SOURCE_DIR [SEARCHES [PARTICIPANTS]]: fits the observer of study/experiments/virtual_participant.h to half of the
 // thesis's numbers, and prints how well it predicts the other half. Without SEARCHES, or with 0, it only prints the table for
 // the observer in the library. There are 5 participants unless said, as in the thesis; more show what is chance.
 //
@@ -18,9 +18,9 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/experiments/random.h"
-#include "forceshade/experiments/session_results.h"
-#include "forceshade/experiments/virtual_participant.h"
+#include "study/experiments/random.h"
+#include "study/experiments/session_results.h"
+#include "study/experiments/virtual_participant.h"
 
 namespace forceshade::experiments {
 namespace {

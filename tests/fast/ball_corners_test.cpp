@@ -8,8 +8,8 @@
 #include <random>
 #include <type_traits>
 
-#include "forceshade/fast/meshes/bounded_vector3.h"
-#include "forceshade/tests/support/multiprecision.h"
+#include "fast/meshes/bounded_vector3.h"
+#include "tests/support/multiprecision.h"
 
 namespace forceshade::fast {
 namespace {

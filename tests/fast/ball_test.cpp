@@ -2,14 +2,14 @@
 // The numbers of the exact stages on a random walk beside the same walk in 1600 bits. BigFloatBall is cut to two limbs, so that
 // every operation rounds.
 
-#include "forceshade/fast/numbers/ball.h"
+#include "fast/numbers/ball.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <random>
 
-#include "forceshade/tests/support/multiprecision.h"
+#include "tests/support/multiprecision.h"
 
 namespace forceshade::fast {
 namespace {

@@ -9,9 +9,9 @@
 #include <regex>
 #include <sstream>
 
-#include "forceshade/fast/heights/force.h"
-#include "forceshade/fast/heights/spline.h"
-#include "forceshade/tests/support/multiprecision.h"
+#include "fast/heights/force.h"
+#include "fast/heights/spline.h"
+#include "tests/support/multiprecision.h"
 
 namespace forceshade {
 namespace {

@@ -10,8 +10,8 @@
 
 #include <random>
 
-#include "forceshade/fast/law.h"
-#include "forceshade/tests/support/error_number.h"
+#include "fast/law.h"
+#include "tests/support/error_number.h"
 
 namespace forceshade {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // exp, cos and sin of the real-time side: what they leave out, on numbers that round nothing, and all of their bounds.
 
-#include "forceshade/fast/numbers/exp_cos_sin.h"
+#include "fast/numbers/exp_cos_sin.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "forceshade/tests/support/multiprecision.h"
+#include "tests/support/multiprecision.h"
 
 namespace forceshade::fast {
 

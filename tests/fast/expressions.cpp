@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/tests/fast/expressions.h"
+#include "tests/fast/expressions.h"
 
 #include <algorithm>
 #include <cmath>

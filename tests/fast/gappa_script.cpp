@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/tests/fast/gappa_script.h"
+#include "tests/fast/gappa_script.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/tests/fast/expressions.h"
+#include "tests/fast/expressions.h"
 
 namespace forceshade::tests {
 

@@ -11,10 +11,10 @@
 #include <functional>
 #include <random>
 
-#include "forceshade/fast/heights/all.h"
-#include "forceshade/fast/heights/force.h"
-#include "forceshade/fast/heights/limits.h"
-#include "forceshade/tests/fast/gappa_script.h"
+#include "fast/heights/all.h"
+#include "fast/heights/force.h"
+#include "fast/heights/limits.h"
+#include "tests/fast/gappa_script.h"
 
 namespace forceshade::tests {
 namespace {

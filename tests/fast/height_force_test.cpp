@@ -7,8 +7,8 @@
 #include <array>
 #include <random>
 
-#include "forceshade/fast/heights/force.h"
-#include "forceshade/tests/support/multiprecision.h"
+#include "fast/heights/force.h"
+#include "tests/support/multiprecision.h"
 
 namespace forceshade::fast {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/fast/instruction_set.h"
+#include "fast/instruction_set.h"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/tests/fast/pack_operations.h"
+#include "tests/fast/pack_operations.h"
 
-#include "forceshade/fast/numbers/row.h"
+#include "fast/numbers/row.h"
 
 namespace forceshade::tests {
 namespace {
 
 using fast::Pair64;
 
-#include "forceshade/tests/fast/pack_operations.inl"
+#include "tests/fast/pack_operations.inl"
 
 }  // namespace
 

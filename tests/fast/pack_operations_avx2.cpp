@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Compiled as fast/simd/batch_avx2.cpp is.
 
-#include "forceshade/fast/numbers/row.h"
-#include "forceshade/fast/simd/pack_pair.h"
-#include "forceshade/fast/simd/row_avx2.h"
-#include "forceshade/tests/fast/pack_operations.h"
+#include "fast/numbers/row.h"
+#include "fast/simd/pack_pair.h"
+#include "fast/simd/row_avx2.h"
+#include "tests/fast/pack_operations.h"
 
 namespace forceshade::tests {
 namespace {
 
 using fast::Pair64;
 
-#include "forceshade/tests/fast/pack_operations.inl"
+#include "tests/fast/pack_operations.inl"
 
 }  // namespace
 

@@ -9,15 +9,15 @@
 #include <filesystem>
 #include <functional>
 
-#include "forceshade/fast/heights/force.h"
-#include "forceshade/fast/heights/spline.h"
-#include "forceshade/fast/heights/spline_force.h"
-#include "forceshade/fast/law.h"
-#include "forceshade/fast/meshes/decide.h"
-#include "forceshade/fast/meshes/vector3.h"
-#include "forceshade/tests/fast/pack_operations.h"
-#include "forceshade/tests/fast/recorded_row.h"
-#include "forceshade/tests/fast/recorded_run.h"
+#include "fast/heights/force.h"
+#include "fast/heights/spline.h"
+#include "fast/heights/spline_force.h"
+#include "fast/law.h"
+#include "fast/meshes/decide.h"
+#include "fast/meshes/vector3.h"
+#include "tests/fast/pack_operations.h"
+#include "tests/fast/recorded_row.h"
+#include "tests/fast/recorded_run.h"
 
 namespace forceshade::tests {
 namespace {

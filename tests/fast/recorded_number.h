@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
-#include "forceshade/fast/numbers/first_stage.h"
-#include "forceshade/tests/fast/expressions.h"
+#include "fast/numbers/first_stage.h"
+#include "tests/fast/expressions.h"
 
 namespace forceshade::tests {
 

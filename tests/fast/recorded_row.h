@@ -2,8 +2,8 @@
 #pragma once
 // Two and four recorded numbers side by side, as fast/numbers/row.h has them: what a spline's jet is recorded with.
 
-#include "forceshade/fast/numbers/row.h"
-#include "forceshade/tests/fast/recorded_number.h"
+#include "fast/numbers/row.h"
+#include "tests/fast/recorded_number.h"
 
 namespace forceshade::tests {
 

@@ -6,8 +6,8 @@
 
 #include <set>
 
-#include "forceshade/tests/fast/gappa_script.h"
-#include "forceshade/tests/fast/recorded_number.h"
+#include "tests/fast/gappa_script.h"
+#include "tests/fast/recorded_number.h"
 
 namespace forceshade::tests {
 

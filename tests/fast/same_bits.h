@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "forceshade/fast/law.h"
+#include "fast/law.h"
 
 namespace forceshade::tests {
 

@@ -2,9 +2,9 @@
 #pragma once
 // One hash per kind of height map and rendering, of forces and statuses: as tests/fast/same_bits.h for laws, and by its means.
 
-#include "forceshade/fast/height_map_field.h"
-#include "forceshade/tests/fast/same_bits.h"
-#include "forceshade/tests/height_maps/height_scenes.h"
+#include "fast/height_map_field.h"
+#include "tests/fast/same_bits.h"
+#include "tests/height_maps/height_scenes.h"
 
 namespace forceshade::tests {
 

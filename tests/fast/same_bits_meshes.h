@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "forceshade/fast/god_object.h"
-#include "forceshade/tests/fast/same_bits.h"
-#include "forceshade/tests/meshes/rendering.h"
+#include "fast/god_object.h"
+#include "tests/fast/same_bits.h"
+#include "tests/meshes/rendering.h"
 
 namespace forceshade::tests {
 

@@ -13,7 +13,7 @@ trap 'rm -rf "$scratch"' EXIT
 evaluating="law height_map_field heights/exact heights/grid heights/spline_force_avx2 heights/spline_force_avx512
   meshes/force meshes/mesh meshes/session numbers/root_field simd/batch_avx2 simd/batch_avx512"
 every="$evaluating god_object heights/domain instruction_set meshes/box_tree meshes/spot"
-checks="box_tree check edges lines numbers predicates readers"  # of meshes/, because only a checked mesh is rendered
+checks="box_tree check edges lines numbers predicates readers"  # of rendering/meshes/, because only a checked mesh is rendered
 # A new file has to be put into one of the two lists.
 diff <(printf '%s\n' $every | sort) <(cd "$source/fast" && find . -name '*.cpp' | sed 's|^\./||; s/\.cpp$//' | sort) ||
   { echo "FAILED: these are not the files of fast/"; exit 1; }
@@ -25,18 +25,17 @@ vector_flags() {  # file
   esac
 }
 compile() {  # directory, file, flags...
-  $cache "$compiler" -std=c++20 -w -I"$source/include/fast" -I"$source/include/vocabulary" \
-    -I"$source/include/meshes" -I"$source/include/tests" -isystem "$eigen" "${@:3}" $(vector_flags "$2") -c "$source/$2.cpp" \
+  $cache "$compiler" -std=c++20 -w -I"$source" -isystem "$eigen" "${@:3}" $(vector_flags "$2") -c "$source/$2.cpp" \
     -o "$1/$(basename "$2").o"
 }
-link() { "$compiler" "${@:2}" "$1"/*.o "$1"/meshes/*.o -o "$1/same_bits"; }  # directory, flags...
+link() { "$compiler" "${@:2}" "$1"/*.o "$1"/rendering/meshes/*.o -o "$1/same_bits"; }  # directory, flags...
 
 same() {  # flags...
   local place="$scratch/same $*"
   mkdir "$place"
   for file in $every; do compile "$place" fast/$file "$@" -ffp-contract=off; done
   mkdir "$place/meshes"
-  for file in $checks; do compile "$place/meshes" meshes/$file "$@" -ffp-contract=off; done
+  for file in $checks; do compile "$place/meshes" rendering/meshes/$file "$@" -ffp-contract=off; done
   compile "$place" tests/fast/same_bits "$@" -ffp-contract=off
   link "$place" "$@"
   SECONDS=0

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <random>
 
-#include "forceshade/fast/law.h"
+#include "fast/law.h"
 
 namespace forceshade {
 namespace {

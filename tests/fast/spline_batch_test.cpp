@@ -8,9 +8,9 @@
 #include <cmath>
 #include <random>
 
-#include "forceshade/fast/heights/spline.h"
-#include "forceshade/fast/heights/spline_force.h"
-#include "forceshade/fast/instruction_set.h"
+#include "fast/heights/spline.h"
+#include "fast/heights/spline_force.h"
+#include "fast/instruction_set.h"
 
 namespace forceshade::fast {
 namespace {

@@ -6,10 +6,10 @@ gappa=$1
 sources=$(cd "$2" && pwd)
 copy=$(mktemp -d)
 trap 'rm -r "$copy"' EXIT
-mkdir -p "$copy"/{tests,docs,vocabulary}
+mkdir -p "$copy"/{tests,docs,rendering}
 cp -R "$sources/fast" "$copy"
 cp -R "$sources/tests/fast" "$copy/tests"
-cp "$sources/vocabulary/law.h" "$copy/vocabulary"
+cp "$sources/rendering/law.h" "$copy/rendering"
 failures=0
 
 # file, sed's command for the change, message, test and its further arguments

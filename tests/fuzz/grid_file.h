@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "forceshade/heights/load.h"
-#include "forceshade/tests/fuzz/input_file.h"
+#include "rendering/heights/load.h"
+#include "tests/fuzz/input_file.h"
 
 namespace forceshade::fuzz {
 

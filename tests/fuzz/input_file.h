@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "forceshade/tests/support/temporary_directory.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::fuzz {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/apps/length.h"
+#include "apps/length.h"
 
 #include <cmath>
 
-#include "forceshade/apps/bad_input.h"
-#include "forceshade/tests/fuzz/input_file.h"
+#include "apps/bad_input.h"
+#include "tests/fuzz/input_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace forceshade;

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <vector>
 
-#include "forceshade/meshes/check.h"
-#include "forceshade/meshes/load.h"
-#include "forceshade/meshes/normals.h"
-#include "forceshade/meshes/repair.h"
-#include "forceshade/tests/fuzz/input_file.h"
+#include "rendering/meshes/check.h"
+#include "rendering/meshes/load.h"
+#include "rendering/meshes/normals.h"
+#include "rendering/meshes/repair.h"
+#include "tests/fuzz/input_file.h"
 
 namespace forceshade::fuzz {
 
@@ -21,8 +21,8 @@ inline std::vector<std::array<mesh::Vertex, 3>> corners_of(const mesh::TriangleM
   return corners;
 }
 
-// Loads the input as a file of this name, in each unit: what comes of it is as meshes/load.h states, and can be checked and
-// repaired.
+// Loads the input as a file of this name, in each unit: what comes of it is as rendering/meshes/load.h states, and can be
+// checked and repaired.
 inline int load_mesh(std::string_view bytes, const char* name) {
   const std::string file = file_of(bytes, name);
   for (const mesh::Unit unit : {mesh::Unit::mm, mesh::Unit::m, mesh::Unit::in})

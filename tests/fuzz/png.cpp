@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <zlib.h>
 
-#include "forceshade/tests/fuzz/grid_file.h"
+#include "tests/fuzz/grid_file.h"
 
 namespace {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/experiments/protocol.h"
+#include "study/experiments/protocol.h"
 
-#include "forceshade/experiments/error.h"
-#include "forceshade/experiments/language.h"
-#include "forceshade/experiments/order.h"
-#include "forceshade/tests/fuzz/input_file.h"
+#include "study/experiments/error.h"
+#include "study/experiments/language.h"
+#include "study/experiments/order.h"
+#include "tests/fuzz/input_file.h"
 
 // Protocols and texts, both TOML: the input is read as one and as the other.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

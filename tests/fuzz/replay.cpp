@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/device/replay.h"
+#include "device/replay.h"
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/tests/fuzz/input_file.h"
+#include "files/csv.h"
+#include "tests/fuzz/input_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace forceshade;
   const std::string file = fuzz::file_of(fuzz::text_of(data, size), "hand.csv");
-  fuzz::read_or_refuse<csv::Error>(file + ':', [&] {
+  fuzz::read_or_refuse<files::Error>(file + ':', [&] {
     device::Replay replay = device::Replay::load(file);
     fuzz::require(!replay.start(1000), "a recording can be started");
     const std::size_t left = replay.readings_left().value();

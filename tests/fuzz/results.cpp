@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <stdexcept>
 
-#include "forceshade/experiments/results_csv.h"
-#include "forceshade/tests/fuzz/input_file.h"
+#include "study/experiments/results_csv.h"
+#include "tests/fuzz/input_file.h"
 
 // The input as matching.csv when its first byte is even, else as classification.csv. What is read is written and read again.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <filesystem>
 
-#include "forceshade/experiments/error.h"
-#include "forceshade/experiments/session_folder.h"
-#include "forceshade/tests/fuzz/input_file.h"
+#include "study/experiments/error.h"
+#include "study/experiments/session_folder.h"
+#include "tests/fuzz/input_file.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/experiments/error.h"
-#include "forceshade/experiments/stimulus_list.h"
-#include "forceshade/tests/fuzz/input_file.h"
+#include "study/experiments/error.h"
+#include "study/experiments/stimulus_list.h"
+#include "tests/fuzz/input_file.h"
 
 // The list of what a run rendered. What is read is written and read again.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

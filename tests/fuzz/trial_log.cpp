@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/experiments/trial_log.h"
+#include "study/experiments/trial_log.h"
 
 #include <algorithm>
 #include <cstdio>
 
-#include "forceshade/experiments/error.h"
-#include "forceshade/tests/fuzz/input_file.h"
+#include "study/experiments/error.h"
+#include "tests/fuzz/input_file.h"
 
 // The input as it is, and with its lines' checksums made right, which no fuzzer would find.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

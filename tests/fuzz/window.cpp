@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <set>
 
-#include "forceshade/experiments/error.h"
-#include "forceshade/tests/fuzz/input_file.h"
-#include "forceshade/window/settings.h"
+#include "study/experiments/error.h"
+#include "study/window/settings.h"
+#include "tests/fuzz/input_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace forceshade;

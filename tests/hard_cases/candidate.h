@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/fast/law.h"
+#include "fast/law.h"
 
 namespace forceshade::tests {
 

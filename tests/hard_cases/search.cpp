@@ -10,9 +10,9 @@
 #include <cstdlib>
 
 #include "beside_tie.h"
-#include "forceshade/properties/positions.h"
-#include "forceshade/tests/laws/cases.h"
+#include "properties/positions.h"
 #include "sweep.h"
+#include "tests/laws/cases.h"
 
 namespace forceshade::tests {
 namespace {

@@ -13,9 +13,9 @@
 #include <optional>
 #include <random>
 
-#include "forceshade/reference/height_map_field.h"
-#include "forceshade/tests/height_maps/height_cases.h"
+#include "reference/height_map_field.h"
 #include "sweep.h"
+#include "tests/height_maps/height_cases.h"
 
 namespace forceshade::tests {
 namespace {

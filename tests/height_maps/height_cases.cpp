@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/tests/height_maps/height_cases.h"
+#include "tests/height_maps/height_cases.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <optional>
 
-#include "forceshade/csv/csv.h"
+#include "files/csv.h"
 
 namespace forceshade::tests {
 namespace {
@@ -44,7 +44,7 @@ std::string case_file(const HeightScene& scene) {
 }
 
 std::vector<HeightCase> read_height_cases(std::istream& in, const std::string& file) {
-  csv::Reader reader(in, file, {"rendering", "K", "x", "y", "z", "Fx", "Fy", "Fz", "status", "closest", "why"});
+  files::Reader reader(in, file, {"rendering", "K", "x", "y", "z", "Fx", "Fy", "Fz", "status", "closest", "why"});
   std::vector<std::pair<std::string, height::Rendering>> renderings;
   for (const auto& [rendering, name] : height::kRenderings) renderings.emplace_back(name, rendering);
   std::vector<HeightCase> cases;
@@ -65,13 +65,13 @@ std::vector<HeightCase> read_height_cases(std::istream& in, const std::string& f
     if (cases.back().closest.empty()) throw reader.unexpected(9, "a distance");
     if (cases.back().why.empty()) throw reader.unexpected(10, "words");
   }
-  if (cases.empty()) throw csv::Error(file + ":1: expected cases below the header");
+  if (cases.empty()) throw files::Error(file + ":1: expected cases below the header");
   return cases;
 }
 
 std::vector<HeightCase> height_cases(const HeightScene& scene) {
   const std::string file = case_file(scene);
-  std::ifstream in = csv::open_input(std::string(FORCESHADE_SOURCE_DIR "/") + file);
+  std::ifstream in = files::open_input(std::string(FORCESHADE_SOURCE_DIR "/") + file);
   return read_height_cases(in, file);
 }
 

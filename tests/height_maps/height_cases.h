@@ -9,12 +9,12 @@
 #include <variant>
 #include <vector>
 
-#include "forceshade/fast/heights/all.h"
-#include "forceshade/fast/heights/force.h"
-#include "forceshade/fast/heights/shape.h"
-#include "forceshade/fast/heights/spline.h"
-#include "forceshade/tests/height_maps/height_scenes.h"
-#include "forceshade/vocabulary/law.h"
+#include "fast/heights/all.h"
+#include "fast/heights/force.h"
+#include "fast/heights/shape.h"
+#include "fast/heights/spline.h"
+#include "rendering/law.h"
+#include "tests/height_maps/height_scenes.h"
 
 namespace forceshade::tests {
 
@@ -31,7 +31,7 @@ struct HeightCase {
 
 std::string case_file(const HeightScene& scene);  // from the root of the sources
 
-// Throws csv::Error, which names file and line, where the file is malformed or has no cases.
+// Throws files::Error, which names file and line, where the file is malformed or has no cases.
 std::vector<HeightCase> height_cases(const HeightScene& scene);
 std::vector<HeightCase> read_height_cases(std::istream& in, const std::string& file);
 

@@ -2,7 +2,7 @@
 // The hard cases of height maps: both sides give the recorded force and status, by every instruction set, and each case is as
 // close to a tie or to the surface as its file says.
 
-#include "forceshade/tests/height_maps/height_cases.h"
+#include "tests/height_maps/height_cases.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include <set>
 #include <sstream>
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/fast/height_map_field.h"
-#include "forceshade/properties/binary32.h"
-#include "forceshade/reference/height_map_field.h"
+#include "fast/height_map_field.h"
+#include "files/csv.h"
+#include "properties/binary32.h"
+#include "reference/height_map_field.h"
 
 namespace forceshade::tests {
 namespace {
@@ -79,7 +79,7 @@ std::string refusal_of(const std::string& row) {
   std::istringstream in("rendering,K,x,y,z,Fx,Fy,Fz,status,closest,why\n" + row);
   try {
     read_height_cases(in, "tests/some.cases");
-  } catch (const csv::Error& error) {
+  } catch (const files::Error& error) {
     return error.what();
   }
   return "none";

@@ -6,11 +6,11 @@
 #include <bit>
 #include <random>
 
-#include "forceshade/fast/height_map_field.h"
-#include "forceshade/fast/heights/all.h"
-#include "forceshade/fast/heights/exact.h"
-#include "forceshade/properties/binary32.h"
-#include "forceshade/reference/height_map_field.h"
+#include "fast/height_map_field.h"
+#include "fast/heights/all.h"
+#include "fast/heights/exact.h"
+#include "properties/binary32.h"
+#include "reference/height_map_field.h"
 
 namespace forceshade {
 namespace {

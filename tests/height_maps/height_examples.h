@@ -2,7 +2,7 @@
 #pragma once
 // A height map of every kind and a sum, with its height written down a second time, in binary64.
 
-#include "forceshade/tests/height_maps/height_kinds.h"
+#include "tests/height_maps/height_kinds.h"
 
 namespace forceshade {
 

@@ -9,12 +9,12 @@
 #include <map>
 #include <set>
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/fast/height_map_field.h"
-#include "forceshade/properties/binary32.h"
-#include "forceshade/reference/height_map_field.h"
-#include "forceshade/tests/height_maps/height_cases.h"
-#include "forceshade/tests/height_maps/height_maps_file.h"
+#include "fast/height_map_field.h"
+#include "files/csv.h"
+#include "properties/binary32.h"
+#include "reference/height_map_field.h"
+#include "tests/height_maps/height_cases.h"
+#include "tests/height_maps/height_maps_file.h"
 
 namespace forceshade {
 namespace {
@@ -55,10 +55,10 @@ bool has_these_digits(const N& force, const std::string& text) {
 TEST(height_golden, forces_are_met_to_every_bit_and_digit) {
   const auto maps = tests::height_maps_in(kGolden + "height_maps.csv");
   const std::string path = kGolden + "height_forces.csv";
-  std::ifstream in = csv::open_input(path);
-  csv::Reader rows(in, path,
-                   {"map", "rendering", "K_N_per_mm", "x_mm", "y_mm", "z_mm", "fx_N", "fy_N", "fz_N", "fx_binary32",
-                    "fy_binary32", "fz_binary32", "status"});
+  std::ifstream in = files::open_input(path);
+  files::Reader rows(in, path,
+                     {"map", "rendering", "K_N_per_mm", "x_mm", "y_mm", "z_mm", "fx_N", "fy_N", "fz_N", "fx_binary32",
+                      "fy_binary32", "fz_binary32", "status"});
   std::array<int, 3> stages{}, methods{}, statuses{};
   std::set<std::pair<std::string, std::string>> renderings_met;
   std::set<std::size_t> kinds;

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "forceshade/vocabulary/height_map.h"
+#include "rendering/height_map.h"
 
 namespace forceshade {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The real-time height maps against the reference, bit for bit, on positions aimed at what could go wrong.
 
-#include "forceshade/fast/height_map_field.h"
+#include "fast/height_map_field.h"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +10,11 @@
 #include <limits>
 #include <random>
 
-#include "forceshade/properties/binary32.h"
-#include "forceshade/reference/height_map_field.h"
-#include "forceshade/tests/height_maps/height_kinds.h"
-#include "forceshade/tests/laws/force_suite.h"
-#include "forceshade/tests/support/allocations.h"
+#include "properties/binary32.h"
+#include "reference/height_map_field.h"
+#include "tests/height_maps/height_kinds.h"
+#include "tests/laws/force_suite.h"
+#include "tests/support/allocations.h"
 
 namespace forceshade {
 namespace {

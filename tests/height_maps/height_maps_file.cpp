@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/tests/height_maps/height_maps_file.h"
+#include "tests/height_maps/height_maps_file.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "forceshade/csv/csv.h"
+#include "files/csv.h"
 
 namespace forceshade::tests {
 namespace {
@@ -32,7 +32,7 @@ height::Shape grid_of(const std::string& shape, const std::vector<float>& n) {
                    {n.begin() + 3, n.end()}});
 }
 
-// The numbers of a kind in the order in which vocabulary/height_map.h has them.
+// The numbers of a kind in the order in which rendering/height_map.h has them.
 height::Shape shape_of(const std::string& shape, const std::vector<float>& n) {
   const auto named = std::ranges::find(height::kKindNames, shape);
   if (named == height::kKindNames.end()) return grid_of(shape, n);
@@ -51,8 +51,8 @@ height::Shape shape_of(const std::string& shape, const std::vector<float>& n) {
 }  // namespace
 
 std::map<std::string, HeightMap> height_maps_in(const std::string& path) {
-  std::ifstream in = csv::open_input(path);
-  csv::Reader rows(in, path, {"map", "use", "negated", "shape", "numbers"});
+  std::ifstream in = files::open_input(path);
+  files::Reader rows(in, path, {"map", "use", "negated", "shape", "numbers"});
   std::map<std::string, HeightMap> maps;
   while (rows.next()) {
     HeightMap& map = maps[rows.text(0)];

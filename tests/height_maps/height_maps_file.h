@@ -5,11 +5,11 @@
 #include <map>
 #include <string>
 
-#include "forceshade/vocabulary/height_map.h"
+#include "rendering/height_map.h"
 
 namespace forceshade::tests {
 
-// By the name in the column `map`. Throws csv::Error, std::invalid_argument or std::out_of_range for a file that no such
+// By the name in the column `map`. Throws files::Error, std::invalid_argument or std::out_of_range for a file that no such
 // program has written.
 std::map<std::string, HeightMap> height_maps_in(const std::string& path);
 

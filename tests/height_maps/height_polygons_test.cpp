@@ -6,9 +6,9 @@
 #include <cmath>
 #include <random>
 
-#include "forceshade/fast/height_map_field.h"
-#include "forceshade/reference/height_map_field.h"
-#include "forceshade/reference/law.h"
+#include "fast/height_map_field.h"
+#include "reference/height_map_field.h"
+#include "reference/law.h"
 
 namespace forceshade {
 namespace {

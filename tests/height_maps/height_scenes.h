@@ -2,7 +2,7 @@
 #pragma once
 // Height maps of every kind, and sums, that are the same to the bit on every machine: what hashes and hard cases are of.
 
-#include "forceshade/tests/height_maps/height_kinds.h"
+#include "tests/height_maps/height_kinds.h"
 
 namespace forceshade::tests {
 

@@ -7,12 +7,12 @@
 #include <cstdlib>
 #include <string>
 
-#include "forceshade/fast/height_map_field.h"
-#include "forceshade/fast/heights/exact.h"
-#include "forceshade/identity/identity.h"
-#include "forceshade/properties/binary32.h"
-#include "forceshade/reference/height_map_field.h"
-#include "forceshade/tests/height_maps/hostile_maps.h"
+#include "fast/height_map_field.h"
+#include "fast/heights/exact.h"
+#include "properties/binary32.h"
+#include "reference/height_map_field.h"
+#include "rendering/identity/identity.h"
+#include "tests/height_maps/hostile_maps.h"
 
 namespace forceshade {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/tests/height_maps/hostile_maps.h"
+#include "tests/height_maps/hostile_maps.h"
 
 #include <algorithm>
 #include <bit>

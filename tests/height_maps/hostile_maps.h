@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <random>
 
-#include "forceshade/vocabulary/height_map.h"
+#include "rendering/height_map.h"
 
 namespace forceshade::tests {
 

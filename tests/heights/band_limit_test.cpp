@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Heights without short waves, and what the spline through them adds.
 
-#include "forceshade/heights/band_limit.h"
+#include "rendering/heights/band_limit.h"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,10 @@
 #include <numbers>
 #include <random>
 
-#include "forceshade/fast/heights/spline.h"
-#include "forceshade/heights/coefficients.h"
-#include "forceshade/heights/load.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "fast/heights/spline.h"
+#include "rendering/heights/coefficients.h"
+#include "rendering/heights/load.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::heights {
 namespace {

@@ -10,9 +10,9 @@
 #include <limits>
 #include <random>
 
-#include "forceshade/heights/load.h"
-#include "forceshade/heights/samples.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "rendering/heights/load.h"
+#include "rendering/heights/samples.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::heights {
 namespace {

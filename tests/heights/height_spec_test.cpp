@@ -6,10 +6,10 @@
 #include <random>
 #include <string>
 
-#include "forceshade/fast/height_map_field.h"
-#include "forceshade/heights/spec.h"
-#include "forceshade/reference/height_map_field.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "fast/height_map_field.h"
+#include "reference/height_map_field.h"
+#include "rendering/heights/spec.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::heights {
 namespace {

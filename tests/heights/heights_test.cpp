@@ -10,10 +10,10 @@
 #include <cmath>
 #include <random>
 
-#include "forceshade/heights/coefficients.h"
-#include "forceshade/heights/load.h"
-#include "forceshade/tests/heights/written_grids.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "rendering/heights/coefficients.h"
+#include "rendering/heights/load.h"
+#include "tests/heights/written_grids.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Texts that nest too deep for a parser are refused before it sees them.
 
-#include "forceshade/heights/nesting.h"
+#include "rendering/heights/nesting.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <string>
 
-#include "forceshade/heights/spec.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "rendering/heights/spec.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::heights {
 namespace {

@@ -42,7 +42,7 @@ libraries=$(dirname "$pc")
 # shellcheck disable=SC2046,SC2086  # flags are words
 "$compiler" -std=c++20 -O1 $flags -shared -fPIC "$source/plugin.cpp" -o "$scratch/plugin.so" \
   $(PKG_CONFIG_PATH=$pc pkg-config --cflags forceshade) -Wl,-z,defs -Wl,--whole-archive \
-  "$libraries"/libforceshade_{fast,csv,device,heights,meshes}.a -Wl,--no-whole-archive \
+  "$libraries"/libforceshade_{fast,files,device,heights,meshes}.a -Wl,--no-whole-archive \
   $(PKG_CONFIG_PATH=$pc pkg-config --libs forceshade-heights forceshade-meshes)
 # shellcheck disable=SC2086
 "$compiler" -std=c++20 $flags "$source/plugin_loader.cpp" -o "$scratch/plugin_loader" -ldl
@@ -54,7 +54,7 @@ include=$(dirname "$(find "$prefix" -type d -name forceshade -path '*include*')"
 sed 's|.*|#include <forceshade/&>|' "$source/offered.txt" > "$scratch/offered.cpp"
 eigen=$(pkg-config --cflags eigen3)
 # shellcheck disable=SC2086
-"$compiler" -std=c++20 $eigen -I"$include" -M "$scratch/offered.cpp" | tr -s ' \\' '\n\n' | grep "^$include/" |
+"$compiler" -std=c++20 $eigen -I"$include" -I"$include/forceshade" -M "$scratch/offered.cpp" | tr -s ' \\' '\n\n' | grep "^$include/" |
   sed "s|^$include/||" | LC_ALL=C sort -u > "$scratch/reached"
 (cd "$include" && find forceshade -type f) | LC_ALL=C sort > "$scratch/installed"
 diff "$scratch/reached" "$scratch/installed" || fail "installed headers (>) are not those that the offered ones reach (<)"

@@ -2,7 +2,7 @@
 // Renders a height map from a file, as a stranger would: heights_consumer SPEC.toml.
 
 #include <forceshade/fast/height_map_field.h>
-#include <forceshade/heights/spec.h>
+#include <forceshade/rendering/heights/spec.h>
 
 #include <cstdio>
 

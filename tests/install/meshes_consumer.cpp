@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Renders a mesh from a file, and tests the renderer, as a stranger would: meshes_consumer MESH.off.
 
-#include <forceshade/meshes/check.h>
-#include <forceshade/meshes/facts.h>
-#include <forceshade/meshes/load.h>
-#include <forceshade/meshes/normals.h>
 #include <forceshade/properties/mesh_subject.h>
 #include <forceshade/properties/run.h>
+#include <forceshade/rendering/meshes/check.h>
+#include <forceshade/rendering/meshes/facts.h>
+#include <forceshade/rendering/meshes/load.h>
+#include <forceshade/rendering/meshes/normals.h>
 
 #include <cstdio>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/fast/law.h"
-#include "forceshade/properties/positions.h"
-#include "forceshade/tests/laws/law_suite.h"
+#include "fast/law.h"
+#include "properties/positions.h"
+#include "tests/laws/law_suite.h"
 
 using namespace forceshade;
 

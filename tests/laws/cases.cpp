@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/tests/laws/cases.h"
+#include "tests/laws/cases.h"
 
 #include <cmath>
 #include <cstdio>
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/reference/enclosure.h"
+#include "files/csv.h"
+#include "reference/enclosure.h"
 
 namespace forceshade::tests {
 namespace {
@@ -27,7 +27,7 @@ double log_distance(const Interval& value, bool may_tie) {
 }  // namespace
 
 std::vector<HardCase> read_hard_cases(std::istream& in, const std::string& file) {
-  csv::Reader reader(in, file, {"R", "w", "K", "x", "z", "Fx", "Fz", "from tie", "why"});
+  files::Reader reader(in, file, {"R", "w", "K", "x", "z", "Fx", "Fz", "from tie", "why"});
   std::vector<HardCase> cases;
   while (reader.next()) {
     const auto number = [&](std::size_t i) { return reader.binary32(i); };
@@ -40,13 +40,13 @@ std::vector<HardCase> read_hard_cases(std::istream& in, const std::string& file)
     if (cases.back().from_tie.empty()) throw reader.unexpected(7, "a distance");
     if (cases.back().why.empty()) throw reader.unexpected(8, "words");
   }
-  if (cases.empty()) throw csv::Error(file + ":1: expected cases below the header");
+  if (cases.empty()) throw files::Error(file + ":1: expected cases below the header");
   return cases;
 }
 
 std::vector<HardCase> hard_cases(LawId law) {
   const std::string file = "tests/laws/" + std::string(kLaws[static_cast<std::size_t>(law)].file) + ".cases";
-  std::ifstream in = csv::open_input(std::string(FORCESHADE_SOURCE_DIR "/") + file);
+  std::ifstream in = files::open_input(std::string(FORCESHADE_SOURCE_DIR "/") + file);
   return read_hard_cases(in, file);
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A case file that is empty or malformed is refused by file and line, so it cannot pass for a test.
 
-#include "forceshade/tests/laws/cases.h"
+#include "tests/laws/cases.h"
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 
-#include "forceshade/csv/csv.h"
+#include "files/csv.h"
 
 namespace forceshade::tests {
 namespace {
@@ -18,7 +18,7 @@ std::string refusal_of(const std::string& text) {
   std::istringstream in(text);
   try {
     read_hard_cases(in, "tests/some.cases");
-  } catch (const csv::Error& error) {
+  } catch (const files::Error& error) {
     return error.what();
   }
   return "none";

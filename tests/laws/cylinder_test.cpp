@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/fast/law.h"
-#include "forceshade/tests/laws/law_suite.h"
+#include "fast/law.h"
+#include "tests/laws/law_suite.h"
 
 using namespace forceshade;
 

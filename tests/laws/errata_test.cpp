@@ -14,8 +14,8 @@
 #include <variant>
 #include <vector>
 
-#include "forceshade/fast/law.h"
-#include "forceshade/reference/law.h"
+#include "fast/law.h"
+#include "reference/law.h"
 
 namespace forceshade {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/tests/laws/force_suite.h"
+#include "tests/laws/force_suite.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "forceshade/properties/binary32.h"
-#include "forceshade/tests/support/allocations.h"
+#include "properties/binary32.h"
+#include "tests/support/allocations.h"
 
 namespace forceshade::tests {
 

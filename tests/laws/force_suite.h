@@ -8,8 +8,8 @@
 #include <span>
 #include <string>
 
-#include "forceshade/fast/law.h"
-#include "forceshade/reference/law.h"
+#include "fast/law.h"
+#include "reference/law.h"
 
 namespace forceshade::tests {
 

@@ -10,10 +10,10 @@
 #include <map>
 #include <tuple>
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/fast/law.h"
-#include "forceshade/properties/binary32.h"
-#include "forceshade/reference/law.h"
+#include "fast/law.h"
+#include "files/csv.h"
+#include "properties/binary32.h"
+#include "reference/law.h"
 
 namespace forceshade {
 namespace {
@@ -60,8 +60,8 @@ class Golden : public ::testing::Test {
  protected:
   // Compares every row; how many decimal digits are compared, and whether a tie in the last of them may go either way.
   void forces(const std::string& path, unsigned digits, bool ties_to_even, int every) {
-    std::ifstream in = csv::open_input(path);
-    csv::Reader rows(
+    std::ifstream in = files::open_input(path);
+    files::Reader rows(
         in, path, {"law", "R_mm", "w_mm", "K_N_per_mm", "x_mm", "y_mm", "z_mm", "fx_N", "fz_N", "fx_binary32", "fz_binary32"});
     std::map<LawKey, std::pair<fast::Law, reference::Law>> laws;
     std::array<int, 3> stages{}, methods{};
@@ -113,8 +113,8 @@ class Golden : public ::testing::Test {
   }
 
   void geometry(const std::string& path) {
-    std::ifstream in = csv::open_input(path);
-    csv::Reader rows(in, path, {"R_mm", "w_mm", "d_mm", "h_mm", "w_prime_mm", "h_prime_mm", "theta_rad"});
+    std::ifstream in = files::open_input(path);
+    files::Reader rows(in, path, {"R_mm", "w_mm", "d_mm", "h_mm", "w_prime_mm", "h_prime_mm", "theta_rad"});
     int count = 0;
     while (rows.next()) {
       const reference::DecimalGeometry g = reference::geometry({rows.binary32(0), rows.binary32(1), 1}, 50);

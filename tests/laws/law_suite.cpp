@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/tests/laws/law_suite.h"
+#include "tests/laws/law_suite.h"
 
 #include <array>
 
-#include "forceshade/fast/law.h"
-#include "forceshade/properties/binary32.h"
-#include "forceshade/properties/equivalence.h"
-#include "forceshade/properties/law_subject.h"
-#include "forceshade/properties/positions.h"
-#include "forceshade/properties/run.h"
-#include "forceshade/tests/laws/cases.h"
-#include "forceshade/tests/laws/force_suite.h"
-#include "forceshade/tests/support/allocations.h"
+#include "fast/law.h"
+#include "properties/binary32.h"
+#include "properties/equivalence.h"
+#include "properties/law_subject.h"
+#include "properties/positions.h"
+#include "properties/run.h"
+#include "tests/laws/cases.h"
+#include "tests/laws/force_suite.h"
+#include "tests/support/allocations.h"
 
 namespace forceshade::tests {
 namespace {

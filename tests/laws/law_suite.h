@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "forceshade/properties/rendered.h"
+#include "properties/rendered.h"
 
 namespace forceshade::tests {
 

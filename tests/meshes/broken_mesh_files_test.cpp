@@ -6,8 +6,8 @@
 
 #include <cstring>
 
-#include "forceshade/meshes/check.h"
-#include "forceshade/tests/meshes/loaded.h"
+#include "rendering/meshes/check.h"
+#include "tests/meshes/loaded.h"
 
 namespace forceshade::mesh {
 namespace {

@@ -12,14 +12,14 @@
 #include <map>
 #include <string>
 
-#include "forceshade/fast/meshes/session.h"
-#include "forceshade/meshes/check.h"
-#include "forceshade/properties/mesh_generators.h"
-#include "forceshade/reference/meshes/god_object.h"
-#include "forceshade/tests/meshes/god_object_paths.h"
-#include "forceshade/tests/meshes/rendering.h"
-#include "forceshade/tests/meshes/steps.h"
-#include "forceshade/tests/support/allocations.h"
+#include "fast/meshes/session.h"
+#include "properties/mesh_generators.h"
+#include "reference/meshes/god_object.h"
+#include "rendering/meshes/check.h"
+#include "tests/meshes/god_object_paths.h"
+#include "tests/meshes/rendering.h"
+#include "tests/meshes/steps.h"
+#include "tests/support/allocations.h"
 
 namespace forceshade {
 namespace {

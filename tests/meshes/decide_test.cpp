@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The error bounds of the god-object's decisions: their constants, counted again by hand, and against exact integers.
 
-#include "forceshade/fast/meshes/decide.h"
+#include "fast/meshes/decide.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <random>
 #include <string>
 
-#include "forceshade/fast/meshes/bit_span.h"
+#include "fast/meshes/bit_span.h"
 
 namespace forceshade::fast {
 namespace {

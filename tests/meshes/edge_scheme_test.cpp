@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "forceshade/reference/meshes/god_object.h"
-#include "forceshade/tests/meshes/rendering.h"
+#include "reference/meshes/god_object.h"
+#include "tests/meshes/rendering.h"
 
 namespace forceshade {
 namespace {

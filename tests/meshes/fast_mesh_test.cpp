@@ -9,11 +9,11 @@
 #include <map>
 #include <set>
 
-#include "forceshade/fast/meshes/decide.h"
-#include "forceshade/fast/meshes/mesh.h"
-#include "forceshade/fast/meshes/spot.h"
-#include "forceshade/properties/mesh_generators.h"
-#include "forceshade/tests/meshes/rendering.h"
+#include "fast/meshes/decide.h"
+#include "fast/meshes/mesh.h"
+#include "fast/meshes/spot.h"
+#include "properties/mesh_generators.h"
+#include "tests/meshes/rendering.h"
 
 namespace forceshade::fast {
 namespace {

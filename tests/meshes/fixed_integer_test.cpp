@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The exact integers of the fast path against integers of any size.
 
-#include "forceshade/fast/numbers/fixed_integer.h"
+#include "fast/numbers/fixed_integer.h"
 
 #include <gtest/gtest.h>
 

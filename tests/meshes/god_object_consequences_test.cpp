@@ -12,12 +12,12 @@
 #include <random>
 #include <utility>
 
-#include "forceshade/properties/mesh_generators.h"
-#include "forceshade/reference/meshes/descent.h"
-#include "forceshade/reference/meshes/directions.h"
-#include "forceshade/reference/meshes/god_object.h"
-#include "forceshade/tests/meshes/god_object_paths.h"
-#include "forceshade/tests/meshes/rendering.h"
+#include "properties/mesh_generators.h"
+#include "reference/meshes/descent.h"
+#include "reference/meshes/directions.h"
+#include "reference/meshes/god_object.h"
+#include "tests/meshes/god_object_paths.h"
+#include "tests/meshes/rendering.h"
 
 namespace forceshade {
 namespace {

@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <map>
 
-#include "forceshade/reference/meshes/god_object.h"
-#include "forceshade/tests/meshes/god_object_paths.h"
-#include "forceshade/tests/meshes/rendering.h"
+#include "reference/meshes/god_object.h"
+#include "tests/meshes/god_object_paths.h"
+#include "tests/meshes/rendering.h"
 
 namespace forceshade {
 namespace {

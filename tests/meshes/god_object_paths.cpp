@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/tests/meshes/god_object_paths.h"
+#include "tests/meshes/god_object_paths.h"
 
 #include <algorithm>
 #include <bit>
@@ -12,14 +12,14 @@
 #include <stdexcept>
 #include <utility>
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/meshes/load.h"
+#include "files/csv.h"
+#include "rendering/meshes/load.h"
 
 namespace forceshade::tests {
 namespace {
 
 template <class Enumeration, std::size_t count>
-Enumeration named(const csv::Reader& rows, std::size_t column, const std::array<std::string_view, count>& names,
+Enumeration named(const files::Reader& rows, std::size_t column, const std::array<std::string_view, count>& names,
                   const char* expected) {
   const auto found = std::ranges::find(names, rows.text(column));
   if (found == names.end()) throw rows.unexpected(column, expected);
@@ -37,8 +37,8 @@ bool has_rim(const mesh::TriangleMesh& mesh) {
 mesh::Sides sides_of(const std::string& folder, const std::string& name, const mesh::TriangleMesh& mesh) {
   const std::string list = folder + "/meshes.csv";
   if (!std::filesystem::exists(list)) return has_rim(mesh) && name != "pit" ? mesh::Sides::both : mesh::Sides::front;
-  std::ifstream in = csv::open_input(list);
-  csv::Reader rows(in, list, {"name", "sides"});
+  std::ifstream in = files::open_input(list);
+  files::Reader rows(in, list, {"name", "sides"});
   while (rows.next())
     if (rows.text(0) == name)
       return named<mesh::Sides>(rows, 1, std::array<std::string_view, 2>{"front", "both"}, "front or both");
@@ -46,8 +46,8 @@ mesh::Sides sides_of(const std::string& folder, const std::string& name, const m
 }
 
 mesh::CornerNormals read_normals(const std::string& path, std::size_t triangles) {
-  std::ifstream in = csv::open_input(path);
-  csv::Reader rows(in, path, {"triangle", "corner", "nx", "ny", "nz"});
+  std::ifstream in = files::open_input(path);
+  files::Reader rows(in, path, {"triangle", "corner", "nx", "ny", "nz"});
   mesh::CornerNormals normals;
   for (std::size_t i = 0; rows.next(); ++i) {
     if (rows.text(0) != std::to_string(i / 3)) throw rows.unexpected(0, "the triangles in order");
@@ -60,7 +60,7 @@ mesh::CornerNormals read_normals(const std::string& path, std::size_t triangles)
 }
 
 // The state that the columns `feature` and `side` describe; where it is free, it has no position yet.
-mesh::GodObject read_state(const csv::Reader& rows, std::size_t feature, std::size_t side) {
+mesh::GodObject read_state(const files::Reader& rows, std::size_t feature, std::size_t side) {
   mesh::GodObject state;
   std::istringstream words(rows.text(feature));
   std::string kind;
@@ -106,8 +106,8 @@ GodObjectPath read_god_object_path(const std::string& folder, const std::string&
   path.mesh = mesh::load(stem + ".off", mesh::Unit::mm);
   path.normals = read_normals(stem + ".normals.csv", path.mesh.triangles.size());
   path.sides = sides_of(folder, name, path.mesh);
-  std::ifstream in = csv::open_input(stem + ".csv");
-  csv::Reader rows(
+  std::ifstream in = files::open_input(stem + ".csv");
+  files::Reader rows(
       in, name + ".csv",
       {"x_mm", "y_mm", "z_mm", "status", "feature", "side", "moves", "fx_N", "fy_N", "fz_N", "sx_N", "sy_N", "sz_N"});
   mesh::GodObject before;
@@ -158,7 +158,7 @@ std::string show(const mesh::Tick& tick) {
   std::string text(mesh::kTickStatusNames[static_cast<std::size_t>(tick.status)]);
   text += ", " + feature_text(tick.after) + ", " + std::string(mesh::kSideNames[static_cast<std::size_t>(tick.after.side)]);
   text += ", " + std::to_string(tick.moves) + " moves, (";
-  for (const float component : tick.force) text += csv::shortest(component) + " ";
+  for (const float component : tick.force) text += files::shortest(component) + " ";
   text.back() = ')';
   return text;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The real-time god-object against paths that other programs have computed.
 
-#include "forceshade/fast/god_object.h"
+#include "fast/god_object.h"
 
 #include <gtest/gtest.h>
 
@@ -12,13 +12,13 @@
 #include <map>
 #include <random>
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/fast/meshes/session.h"
-#include "forceshade/properties/mesh_generators.h"
-#include "forceshade/reference/meshes/god_object.h"
-#include "forceshade/tests/meshes/god_object_paths.h"
-#include "forceshade/tests/meshes/rendering.h"
-#include "forceshade/tests/meshes/steps.h"
+#include "fast/meshes/session.h"
+#include "files/csv.h"
+#include "properties/mesh_generators.h"
+#include "reference/meshes/god_object.h"
+#include "tests/meshes/god_object_paths.h"
+#include "tests/meshes/rendering.h"
+#include "tests/meshes/steps.h"
 
 namespace forceshade::fast {
 namespace {
@@ -126,7 +126,7 @@ struct Scene {
 
   std::string place(std::size_t tick, const std::array<float, 3>& p) const {
     return std::string(properties::kMeshFamilies[made.family]) + ", tick " + std::to_string(tick) + " at " +
-           csv::shortest(p[0]) + " " + csv::shortest(p[1]) + " " + csv::shortest(p[2]);
+           files::shortest(p[0]) + " " + files::shortest(p[1]) + " " + files::shortest(p[2]);
   }
 };
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <string>
 
-#include "forceshade/reference/meshes/god_object.h"
-#include "forceshade/tests/meshes/rendering.h"
-#include "forceshade/tests/meshes/steps.h"
+#include "reference/meshes/god_object.h"
+#include "tests/meshes/rendering.h"
+#include "tests/meshes/steps.h"
 
 namespace forceshade::fast {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/tests/meshes/hard_crossings.h"
+#include "tests/meshes/hard_crossings.h"
 
 #include <utility>
 

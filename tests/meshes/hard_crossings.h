@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "forceshade/properties/positions.h"
-#include "forceshade/vocabulary/mesh.h"
+#include "properties/positions.h"
+#include "rendering/mesh.h"
 
 namespace forceshade::tests {
 

@@ -13,13 +13,13 @@
 #include <optional>
 #include <string>
 
-#include "forceshade/fast/meshes/advance.h"
-#include "forceshade/meshes/check.h"
-#include "forceshade/reference/meshes/god_object.h"
-#include "forceshade/tests/meshes/god_object_paths.h"
-#include "forceshade/tests/meshes/hard_crossings.h"
-#include "forceshade/tests/meshes/rendering.h"
-#include "forceshade/tests/meshes/steps.h"
+#include "fast/meshes/advance.h"
+#include "reference/meshes/god_object.h"
+#include "rendering/meshes/check.h"
+#include "tests/meshes/god_object_paths.h"
+#include "tests/meshes/hard_crossings.h"
+#include "tests/meshes/rendering.h"
+#include "tests/meshes/steps.h"
 
 namespace forceshade {
 namespace {

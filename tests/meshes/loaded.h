@@ -9,8 +9,8 @@
 #include <cstring>
 #include <string>
 
-#include "forceshade/meshes/load.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "rendering/meshes/load.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::mesh {
 

@@ -8,7 +8,7 @@
 #include <random>
 #include <sstream>
 
-#include "forceshade/reference/meshes/surface.h"
+#include "reference/meshes/surface.h"
 
 namespace forceshade::reference::meshes {
 namespace {

@@ -11,10 +11,10 @@
 #include <map>
 #include <random>
 
-#include "forceshade/meshes/check.h"
-#include "forceshade/meshes/load.h"
-#include "forceshade/meshes/make.h"
-#include "forceshade/meshes/predicates.h"
+#include "rendering/meshes/check.h"
+#include "rendering/meshes/load.h"
+#include "rendering/meshes/make.h"
+#include "rendering/meshes/predicates.h"
 
 namespace forceshade::mesh {
 namespace {

@@ -7,10 +7,10 @@
 #include <limits>
 #include <type_traits>
 
-#include "forceshade/fast/god_object.h"
-#include "forceshade/fast/meshes/advance.h"
-#include "forceshade/reference/meshes/god_object.h"
-#include "forceshade/tests/meshes/rendering.h"
+#include "fast/god_object.h"
+#include "fast/meshes/advance.h"
+#include "reference/meshes/god_object.h"
+#include "tests/meshes/rendering.h"
 
 namespace forceshade {
 namespace {

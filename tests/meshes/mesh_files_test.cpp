@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "forceshade/tests/meshes/loaded.h"
+#include "tests/meshes/loaded.h"
 
 namespace forceshade::mesh {
 namespace {

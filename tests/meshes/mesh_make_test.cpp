@@ -8,10 +8,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "forceshade/meshes/facts.h"
-#include "forceshade/meshes/make.h"
-#include "forceshade/meshes/save.h"
-#include "forceshade/tests/meshes/loaded.h"
+#include "rendering/meshes/facts.h"
+#include "rendering/meshes/make.h"
+#include "rendering/meshes/save.h"
+#include "tests/meshes/loaded.h"
 
 namespace forceshade::mesh {
 namespace {

@@ -12,9 +12,9 @@
 #include <fstream>
 #include <random>
 
-#include "forceshade/meshes/load.h"
-#include "forceshade/meshes/make.h"
-#include "forceshade/meshes/normals.h"
+#include "rendering/meshes/load.h"
+#include "rendering/meshes/make.h"
+#include "rendering/meshes/normals.h"
 
 namespace forceshade::mesh {
 namespace {

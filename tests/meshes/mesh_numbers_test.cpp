@@ -12,7 +12,7 @@
 #include <limits>
 #include <random>
 
-#include "forceshade/meshes/numbers.h"
+#include "rendering/meshes/numbers.h"
 
 namespace forceshade::mesh {
 namespace {

@@ -12,7 +12,7 @@
 #include <set>
 #include <vector>
 
-#include "forceshade/meshes/predicates.h"
+#include "rendering/meshes/predicates.h"
 
 namespace forceshade::mesh {
 namespace {

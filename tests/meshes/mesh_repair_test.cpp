@@ -6,9 +6,9 @@
 #include <cmath>
 #include <random>
 
-#include "forceshade/meshes/check.h"
-#include "forceshade/meshes/make.h"
-#include "forceshade/meshes/repair.h"
+#include "rendering/meshes/check.h"
+#include "rendering/meshes/make.h"
+#include "rendering/meshes/repair.h"
 
 namespace forceshade::mesh {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <random>
 
-#include "forceshade/reference/meshes/points.h"
-#include "forceshade/reference/meshes/rounding.h"
+#include "reference/meshes/points.h"
+#include "reference/meshes/rounding.h"
 
 namespace forceshade::reference::meshes {
 namespace {

@@ -9,10 +9,10 @@
 #include <cstdio>
 #include <sstream>
 
-#include "forceshade/meshes/make.h"
-#include "forceshade/meshes/save.h"
-#include "forceshade/tests/meshes/loaded.h"
-#include "forceshade/tests/meshes/real_meshes.h"
+#include "rendering/meshes/make.h"
+#include "rendering/meshes/save.h"
+#include "tests/meshes/loaded.h"
+#include "tests/meshes/real_meshes.h"
 
 namespace forceshade::mesh {
 namespace {

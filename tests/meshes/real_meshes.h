@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/tests/support/temporary_directory.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::tests {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Meshes that others have made are read, checked, repaired and rendered. Skipped where Debian's libcgal-demo is not installed.
 
-#include "forceshade/tests/meshes/real_meshes.h"
+#include "tests/meshes/real_meshes.h"
 
 #include <gtest/gtest.h>
 
@@ -9,16 +9,16 @@
 #include <map>
 #include <optional>
 
-#include "forceshade/meshes/check.h"
-#include "forceshade/meshes/facts.h"
-#include "forceshade/meshes/load.h"
-#include "forceshade/meshes/normals.h"
-#include "forceshade/meshes/repair.h"
-#include "forceshade/properties/mesh_generators.h"
-#include "forceshade/reference/meshes/god_object.h"
-#include "forceshade/tests/meshes/god_object_paths.h"
-#include "forceshade/tests/meshes/rendering.h"
-#include "forceshade/tests/meshes/steps.h"
+#include "properties/mesh_generators.h"
+#include "reference/meshes/god_object.h"
+#include "rendering/meshes/check.h"
+#include "rendering/meshes/facts.h"
+#include "rendering/meshes/load.h"
+#include "rendering/meshes/normals.h"
+#include "rendering/meshes/repair.h"
+#include "tests/meshes/god_object_paths.h"
+#include "tests/meshes/rendering.h"
+#include "tests/meshes/steps.h"
 
 namespace forceshade::tests {
 namespace {

@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "forceshade/fast/meshes/mesh.h"
-#include "forceshade/meshes/check.h"
-#include "forceshade/vocabulary/mesh_rendering.h"
+#include "fast/meshes/mesh.h"
+#include "rendering/mesh_rendering.h"
+#include "rendering/meshes/check.h"
 
 namespace forceshade::tests {
 

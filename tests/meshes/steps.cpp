@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/tests/meshes/steps.h"
+#include "tests/meshes/steps.h"
 
 namespace forceshade::fast {
 

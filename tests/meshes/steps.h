@@ -2,7 +2,7 @@
 #pragma once
 // One tick on the fast path from any state, compiled once for all tests, because it takes ten seconds.
 
-#include "forceshade/fast/meshes/advance.h"
+#include "fast/meshes/advance.h"
 
 namespace forceshade::fast {
 

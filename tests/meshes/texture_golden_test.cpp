@@ -8,14 +8,14 @@
 #include <map>
 #include <variant>
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/meshes/check.h"
-#include "forceshade/meshes/texture.h"
-#include "forceshade/reference/meshes/god_object.h"
-#include "forceshade/tests/height_maps/height_maps_file.h"
-#include "forceshade/tests/meshes/god_object_paths.h"
-#include "forceshade/tests/meshes/rendering.h"
-#include "forceshade/tests/meshes/steps.h"
+#include "files/csv.h"
+#include "reference/meshes/god_object.h"
+#include "rendering/meshes/check.h"
+#include "rendering/meshes/texture.h"
+#include "tests/height_maps/height_maps_file.h"
+#include "tests/meshes/god_object_paths.h"
+#include "tests/meshes/rendering.h"
+#include "tests/meshes/steps.h"
 
 namespace forceshade {
 namespace {
@@ -29,8 +29,8 @@ struct Corners {
 
 Corners read_corners(const std::string& name) {
   const std::string path = kFolder + "/" + name + ".texture.csv";
-  std::ifstream in = csv::open_input(path);
-  csv::Reader rows(in, path, {"triangle", "corner", "u", "v", "x_mm", "y_mm", "xx", "xy", "xz", "yx", "yy", "yz"});
+  std::ifstream in = files::open_input(path);
+  files::Reader rows(in, path, {"triangle", "corner", "u", "v", "x_mm", "y_mm", "xx", "xy", "xz", "yx", "yy", "yz"});
   Corners corners;
   for (std::size_t i = 0; rows.next(); ++i) {
     if (rows.text(0) != std::to_string(i / 3) || rows.text(1) != std::to_string(i % 3))
@@ -54,8 +54,8 @@ struct Options {
 
 std::map<std::string, Options> read_options() {
   const std::string path = kFolder + "/meshes.csv";
-  std::ifstream in = csv::open_input(path);
-  csv::Reader rows(in, path, {"name", "crease_degrees", "scale_mm"});
+  std::ifstream in = files::open_input(path);
+  files::Reader rows(in, path, {"name", "crease_degrees", "scale_mm"});
   std::map<std::string, Options> options;
   while (rows.next()) options[rows.text(0)] = {static_cast<double>(rows.binary32(1)), rows.binary32(2)};
   return options;

@@ -15,21 +15,21 @@
 #include <optional>
 #include <random>
 
-#include "forceshade/fast/height_map_field.h"
-#include "forceshade/fast/meshes/session.h"
-#include "forceshade/meshes/check.h"
-#include "forceshade/meshes/make.h"
-#include "forceshade/meshes/normals.h"
-#include "forceshade/meshes/texture.h"
-#include "forceshade/properties/height_generators.h"
-#include "forceshade/properties/mesh_generators.h"
-#include "forceshade/properties/mesh_properties.h"
-#include "forceshade/reference/height_map_field.h"
-#include "forceshade/reference/meshes/god_object.h"
-#include "forceshade/tests/meshes/god_object_paths.h"
-#include "forceshade/tests/meshes/rendering.h"
-#include "forceshade/tests/meshes/steps.h"
-#include "forceshade/tests/support/allocations.h"
+#include "fast/height_map_field.h"
+#include "fast/meshes/session.h"
+#include "properties/height_generators.h"
+#include "properties/mesh_generators.h"
+#include "properties/mesh_properties.h"
+#include "reference/height_map_field.h"
+#include "reference/meshes/god_object.h"
+#include "rendering/meshes/check.h"
+#include "rendering/meshes/make.h"
+#include "rendering/meshes/normals.h"
+#include "rendering/meshes/texture.h"
+#include "tests/meshes/god_object_paths.h"
+#include "tests/meshes/rendering.h"
+#include "tests/meshes/steps.h"
+#include "tests/support/allocations.h"
 
 namespace forceshade {
 namespace {

@@ -11,11 +11,11 @@
 #include <memory>
 #include <numbers>
 
-#include "forceshade/fast/meshes/session.h"
-#include "forceshade/meshes/make.h"
-#include "forceshade/meshes/normals.h"
-#include "forceshade/tests/meshes/loaded.h"
-#include "forceshade/tests/meshes/rendering.h"
+#include "fast/meshes/session.h"
+#include "rendering/meshes/make.h"
+#include "rendering/meshes/normals.h"
+#include "tests/meshes/loaded.h"
+#include "tests/meshes/rendering.h"
 
 namespace forceshade {
 namespace {

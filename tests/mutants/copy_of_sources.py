@@ -34,17 +34,14 @@ def is_script(test):
 
 def sources():
     listing = subprocess.run(["git", "ls-files", "-coz", "--exclude-standard"], cwd=ROOT, check=True, capture_output=True)
-    return [path for path in listing.stdout.decode().split("\0") if path and ((ROOT / path).is_file() or (ROOT / path).is_symlink())]
+    return [path for path in listing.stdout.decode().split("\0") if path and (ROOT / path).is_file()]
 
 
 class Copy:
     def __init__(self, root, flags="-O1"):
         self.root, self.build, self.flags = root, root / "build", flags
         for path in sources():
-            if (ROOT / path).is_symlink():  # those of include/
-                self.link(path)
-            else:
-                self.write(path, (ROOT / path).read_bytes())
+            self.write(path, (ROOT / path).read_bytes())
         self.configure(with_mutants="OFF")
 
     def configure(self, with_mutants):
@@ -60,12 +57,6 @@ class Copy:
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_bytes(content)
         target.chmod((ROOT / path).stat().st_mode)
-
-    def link(self, path):
-        target = self.root / path
-        if not target.is_symlink():
-            target.parent.mkdir(parents=True, exist_ok=True)
-            target.symlink_to(os.readlink(ROOT / path))
 
     def run(self, command, **options):
         return subprocess.run([str(word) for word in command], cwd=self.root, text=True, errors="replace",

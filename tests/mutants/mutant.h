@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "forceshade/vocabulary/law.h"
+#include "rendering/law.h"
 
 namespace forceshade::tests {
 

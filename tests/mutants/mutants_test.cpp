@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <random>
 
-#include "forceshade/properties/equivalence.h"
-#include "forceshade/properties/positions.h"
-#include "forceshade/tests/laws/cases.h"
 #include "mutant.h"
+#include "properties/equivalence.h"
+#include "properties/positions.h"
+#include "tests/laws/cases.h"
 
 namespace forceshade::tests {
 

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The properties hold on height maps of every kind, and each of them can fail.
 
-#include "forceshade/properties/height_properties.h"
+#include "properties/height_properties.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
 
-#include "forceshade/properties/equivalence.h"
-#include "forceshade/properties/generators.h"
-#include "forceshade/properties/height_generators.h"
-#include "forceshade/properties/height_map_subject.h"
-#include "forceshade/properties/run.h"
-#include "forceshade/properties/unit_normals.h"
+#include "properties/equivalence.h"
+#include "properties/generators.h"
+#include "properties/height_generators.h"
+#include "properties/height_map_subject.h"
+#include "properties/run.h"
+#include "properties/unit_normals.h"
 
 namespace forceshade::properties {
 namespace {

@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "forceshade/properties/law_subject.h"
-#include "forceshade/properties/run.h"
-#include "forceshade/tests/properties/subject_wrapper.h"
+#include "properties/law_subject.h"
+#include "properties/run.h"
+#include "tests/properties/subject_wrapper.h"
 
 namespace forceshade::properties {
 namespace {

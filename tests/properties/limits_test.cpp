@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "forceshade/properties/binary32.h"
-#include "forceshade/properties/mesh_properties.h"
-#include "forceshade/properties/work.h"
-#include "forceshade/tests/meshes/rendering.h"
+#include "properties/binary32.h"
+#include "properties/mesh_properties.h"
+#include "properties/work.h"
+#include "tests/meshes/rendering.h"
 
 namespace forceshade::properties {
 namespace {

@@ -2,7 +2,7 @@
 // A god-object as a subject: every property holds of the fast path on every family of meshes, and renderers that are wrong in
 // one way each are found by the property that is for it.
 
-#include "forceshade/properties/mesh_subject.h"
+#include "properties/mesh_subject.h"
 
 #include <gtest/gtest.h>
 
@@ -16,10 +16,10 @@
 #include <random>
 #include <set>
 
-#include "forceshade/properties/mesh_generators.h"
-#include "forceshade/properties/mesh_properties.h"
-#include "forceshade/properties/run.h"
-#include "forceshade/tests/meshes/rendering.h"
+#include "properties/mesh_generators.h"
+#include "properties/mesh_properties.h"
+#include "properties/run.h"
+#include "tests/meshes/rendering.h"
 
 namespace forceshade::properties {
 namespace {

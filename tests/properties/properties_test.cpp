@@ -9,11 +9,11 @@
 #include <map>
 #include <stdexcept>
 
-#include "forceshade/properties/binary32.h"
-#include "forceshade/properties/continuity.h"
-#include "forceshade/properties/law_subject.h"
-#include "forceshade/properties/passivity.h"
-#include "forceshade/properties/run.h"
+#include "properties/binary32.h"
+#include "properties/continuity.h"
+#include "properties/law_subject.h"
+#include "properties/passivity.h"
+#include "properties/run.h"
 
 namespace forceshade::properties {
 namespace {

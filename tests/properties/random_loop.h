@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "forceshade/reference/height_energy.h"
+#include "reference/height_energy.h"
 
 namespace forceshade::reference {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "forceshade/properties/subject.h"
+#include "properties/subject.h"
 
 namespace forceshade::tests {
 

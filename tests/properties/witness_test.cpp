@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <random>
 
-#include "forceshade/fast/law.h"
-#include "forceshade/properties/law_claims.h"
-#include "forceshade/reference/energy.h"
+#include "fast/law.h"
+#include "properties/law_claims.h"
+#include "reference/energy.h"
 
 namespace forceshade::reference {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/properties/work.h"
+#include "properties/work.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <random>
 
-#include "forceshade/reference/energy.h"
+#include "reference/energy.h"
 
 namespace forceshade::reference {
 namespace {

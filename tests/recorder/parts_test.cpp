@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/recorder/parts.h"
+#include "recorder/parts.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <string>
 #include <thread>
 
-#include "forceshade/recorder/recording.h"
-#include "forceshade/recorder/settings.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "recorder/recording.h"
+#include "recorder/settings.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::recorder {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/recorder/recorder.h"
+#include "recorder/recorder.h"
 
 #include <gtest/gtest.h>
 #include <sys/mman.h>
@@ -11,12 +11,12 @@
 #include <filesystem>
 #include <thread>
 
-#include "forceshade/recorder/layout.h"
-#include "forceshade/recorder/recording.h"
-#include "forceshade/tests/recorder/faulty_disk.h"
-#include "forceshade/tests/support/allocations.h"
-#include "forceshade/tests/support/comes_true.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "recorder/layout.h"
+#include "recorder/recording.h"
+#include "tests/recorder/faulty_disk.h"
+#include "tests/support/allocations.h"
+#include "tests/support/comes_true.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::recorder {
 namespace {

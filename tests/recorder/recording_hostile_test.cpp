@@ -7,10 +7,10 @@
 #include <random>
 #include <set>
 
-#include "forceshade/recorder/checksum.h"
-#include "forceshade/recorder/export.h"
-#include "forceshade/recorder/recording.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "recorder/checksum.h"
+#include "recorder/export.h"
+#include "recorder/recording.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::recorder {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/recorder/recording.h"
+#include "recorder/recording.h"
 
 #include <gtest/gtest.h>
 
@@ -7,15 +7,15 @@
 #include <cmath>
 #include <cstring>
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/csv/output_file.h"
-#include "forceshade/device/replay.h"
-#include "forceshade/device/servo_loop.h"
-#include "forceshade/fast/law.h"
-#include "forceshade/recorder/export.h"
-#include "forceshade/recorder/layout.h"
-#include "forceshade/tests/support/kept_samples.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "device/replay.h"
+#include "device/servo_loop.h"
+#include "fast/law.h"
+#include "files/csv.h"
+#include "files/output_file.h"
+#include "recorder/export.h"
+#include "recorder/layout.h"
+#include "tests/support/kept_samples.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::recorder {
 namespace {
@@ -99,10 +99,10 @@ TEST(recording, as_csv_has_every_number_of_every_tick) {
   export_csv(recording, directory.file("run.csv"));
   EXPECT_TRUE(directory.read("run.csv").starts_with("tick,t_s,device_t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status,compute_us,"));
 
-  auto file = csv::open_input(directory.file("run.csv"));
-  csv::Reader rows(file, "run.csv",
-                   {"t_s", "device_t_s", "z_mm", "law_fz_N", "fz_N", "compute_us", "encoder_2", "gimbal_3_rad", "energy_mJ",
-                    "wakeup_us", "status", "buttons", "late", "limited", "altered", "tripped"});
+  auto file = files::open_input(directory.file("run.csv"));
+  files::Reader rows(file, "run.csv",
+                     {"t_s", "device_t_s", "z_mm", "law_fz_N", "fz_N", "compute_us", "encoder_2", "gimbal_3_rad", "energy_mJ",
+                      "wakeup_us", "status", "buttons", "late", "limited", "altered", "tripped"});
   const std::vector<std::string> statuses = {"free", "contact", "invalid", "end"};
   std::size_t count = 0;
   for (; rows.next(); ++count) {
@@ -138,8 +138,8 @@ TEST(recording, as_csv_names_unfinished_ticks) {
   }
   Recording recording(directory.file("run.fsr"));
   export_table(recording, directory.file("run.csv"));
-  auto file = csv::open_input(directory.file("run.csv"));
-  csv::Reader rows(file, "run.csv", {"status"});
+  auto file = files::open_input(directory.file("run.csv"));
+  files::Reader rows(file, "run.csv", {"status"});
   for (const char* expected : {"contact", "unfinished"}) {
     ASSERT_TRUE(rows.next());
     EXPECT_EQ(rows.text(0), expected);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The reference's cheap enclosure against 6000 bits: it encloses, and does not decide what it cannot know.
 
-#include "forceshade/reference/numbers/ball64.h"
+#include "reference/numbers/ball64.h"
 
 #include <gtest/gtest.h>
 

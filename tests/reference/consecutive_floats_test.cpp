@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The truth along a run is the truth at each of its positions.
 
-#include "forceshade/reference/consecutive_floats.h"
+#include "reference/consecutive_floats.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "forceshade/properties/binary32.h"
-#include "forceshade/tests/laws/law_suite.h"
+#include "properties/binary32.h"
+#include "tests/laws/law_suite.h"
 
 namespace forceshade::reference {
 namespace {

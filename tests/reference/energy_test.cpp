@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/energy.h"
+#include "reference/energy.h"
 
 #include <gtest/gtest.h>
 

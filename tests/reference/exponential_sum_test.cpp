@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Exact sums of roots, exponentials and waves against identities of algebra, and beside them.
 
-#include "forceshade/reference/numbers/exponential_sum.h"
+#include "reference/numbers/exponential_sum.h"
 
 #include <gtest/gtest.h>
 

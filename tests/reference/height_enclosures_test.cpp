@@ -8,12 +8,12 @@
 #include <limits>
 #include <random>
 
-#include "forceshade/fast/height_map_field.h"
-#include "forceshade/reference/energy.h"
-#include "forceshade/reference/energy/height_circulation.h"
-#include "forceshade/reference/height_energy.h"
-#include "forceshade/reference/numbers/taylor_coefficients.h"
-#include "forceshade/tests/properties/random_loop.h"
+#include "fast/height_map_field.h"
+#include "reference/energy.h"
+#include "reference/energy/height_circulation.h"
+#include "reference/height_energy.h"
+#include "reference/numbers/taylor_coefficients.h"
+#include "tests/properties/random_loop.h"
 
 namespace forceshade::reference {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/height_energy.h"
+#include "reference/height_energy.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <cstdio>
 #include <random>
 
-#include "forceshade/reference/energy.h"
-#include "forceshade/tests/height_maps/height_examples.h"
-#include "forceshade/tests/properties/random_loop.h"
+#include "reference/energy.h"
+#include "tests/height_maps/height_examples.h"
+#include "tests/properties/random_loop.h"
 
 namespace forceshade::reference {
 namespace {

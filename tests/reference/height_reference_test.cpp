@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "forceshade/reference/height_map_field.h"
+#include "reference/height_map_field.h"
 
 namespace forceshade {
 namespace {

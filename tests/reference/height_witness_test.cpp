@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "forceshade/fast/height_map_field.h"
-#include "forceshade/reference/height_energy.h"
-#include "forceshade/tests/height_maps/height_examples.h"
+#include "fast/height_map_field.h"
+#include "reference/height_energy.h"
+#include "tests/height_maps/height_examples.h"
 
 namespace forceshade::reference {
 namespace {

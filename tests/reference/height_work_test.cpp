@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <random>
 
-#include "forceshade/reference/height_energy.h"
-#include "forceshade/reference/numbers/taylor_coefficients.h"
-#include "forceshade/tests/height_maps/height_examples.h"
+#include "reference/height_energy.h"
+#include "reference/numbers/taylor_coefficients.h"
+#include "tests/height_maps/height_examples.h"
 
 namespace forceshade::reference {
 namespace {

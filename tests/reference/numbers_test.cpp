@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The numbers both sides compute with: their enclosures enclose, their bounds are not idle, their roundings are right.
 
-#include "forceshade/reference/numbers/numbers.h"
+#include "reference/numbers/numbers.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "forceshade/fast/numbers/big_float_ball.h"
-#include "forceshade/fast/numbers/double_double.h"
-#include "forceshade/fast/numbers/first_stage.h"
-#include "forceshade/properties/binary32.h"
-#include "forceshade/reference/laws/slow_geometry.h"
-#include "forceshade/reference/numbers/decimal.h"
-#include "forceshade/reference/numbers/taylor.h"
+#include "fast/numbers/big_float_ball.h"
+#include "fast/numbers/double_double.h"
+#include "fast/numbers/first_stage.h"
+#include "properties/binary32.h"
+#include "reference/laws/slow_geometry.h"
+#include "reference/numbers/decimal.h"
+#include "reference/numbers/taylor.h"
 
 namespace forceshade {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Polygons under any profile: how far its normal turns, how many polygons that requires, and where their ends are.
 
-#include "forceshade/reference/profile.h"
+#include "reference/profile.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "forceshade/reference/theta_critical.h"
+#include "reference/theta_critical.h"
 
 namespace forceshade::reference {
 namespace {

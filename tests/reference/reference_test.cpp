@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "forceshade/reference/enclosure.h"
-#include "forceshade/reference/law.h"
-#include "forceshade/reference/numbers/tie.h"
+#include "reference/enclosure.h"
+#include "reference/law.h"
+#include "reference/numbers/tie.h"
 
 namespace forceshade::reference {
 namespace {

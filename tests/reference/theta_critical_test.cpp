@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/theta_critical.h"
+#include "reference/theta_critical.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pictures as files of their own: nothing written in them is cut off, and they say what they show.
 
-#include "forceshade/report/pictures.h"
+#include "certificate/report/pictures.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <cmath>
 #include <regex>
 
-#include "forceshade/report/mesh_picture.h"
-#include "forceshade/report/thesis_figures.h"
+#include "certificate/report/mesh_picture.h"
+#include "certificate/report/thesis_figures.h"
 
 namespace forceshade::properties {
 namespace {

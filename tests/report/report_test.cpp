@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/report/report.h"
+#include "certificate/report/report.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/identity/mesh_identity.h"
-#include "forceshade/report/gnuplot.h"
+#include "certificate/report/gnuplot.h"
+#include "rendering/identity/mesh_identity.h"
 
 namespace forceshade::properties {
 namespace {
@@ -150,8 +150,8 @@ TEST(report, says_failed_when_other_parameters_failed) {
   result_of(certificate, LawId::wall).spread.counterexamples = {"K = 3: wrong"};
   const std::string html = to_html(certificate, Pictures::none);
   EXPECT_TRUE(has(html, ">Failed</p>"));
-  EXPECT_TRUE(
-      has(html, "Among 2\u202F000 points per law, and of 500 per law with other parameters, 3 answers of the fast path differ"));
+  EXPECT_TRUE(has(
+      html, "Among 2\u202F000 points per law, and of 500 per law with other parameters, 3 answers of the fast path differ"));
   EXPECT_TRUE(has(html, "<pre>K = 3: wrong</pre>"));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is drawn of a height map is what the map is.
 
-#include "forceshade/report/side_view.h"
+#include "certificate/report/side_view.h"
 
 #include <gtest/gtest.h>
 

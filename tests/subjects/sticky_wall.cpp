@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/tests/subjects/sticky_wall.h"
+#include "tests/subjects/sticky_wall.h"
 
 #include <rapidcheck.h>
 
@@ -7,8 +7,8 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 
-#include "forceshade/properties/binary32.h"
-#include "forceshade/properties/spread.h"
+#include "properties/binary32.h"
+#include "properties/spread.h"
 
 namespace forceshade::tests {
 namespace {

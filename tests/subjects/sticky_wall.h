@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "forceshade/properties/subject.h"
+#include "properties/subject.h"
 
 namespace forceshade::tests {
 

@@ -4,15 +4,15 @@
 
 #include <gtest/gtest.h>
 
-#include "forceshade/apps/driven.h"
-#include "forceshade/certificate/build.h"
-#include "forceshade/certificate/certify.h"
-#include "forceshade/device/open_device.h"
-#include "forceshade/device/servo_loop.h"
-#include "forceshade/properties/run.h"
-#include "forceshade/recorder/recording.h"
-#include "forceshade/tests/subjects/sticky_wall.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "apps/driven.h"
+#include "certificate/build.h"
+#include "certificate/certify.h"
+#include "device/open_device.h"
+#include "device/servo_loop.h"
+#include "properties/run.h"
+#include "recorder/recording.h"
+#include "tests/subjects/sticky_wall.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::tests {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/tests/support/allocations.h"
+#include "tests/support/allocations.h"
 
 #include <cstdlib>
 #include <new>

@@ -13,7 +13,7 @@
 #include <map>
 #include <vector>
 
-#include "forceshade/fast/numbers/first_stage.h"
+#include "fast/numbers/first_stage.h"
 
 namespace forceshade::tests {
 

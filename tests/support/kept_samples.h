@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "forceshade/device/sample.h"
+#include "device/sample.h"
 
 namespace forceshade::tests {
 

@@ -4,9 +4,9 @@
 
 #include <boost/multiprecision/mpfr.hpp>
 
-#include "forceshade/fast/numbers/big_float_ball.h"
-#include "forceshade/fast/numbers/double_double.h"
-#include "forceshade/fast/numbers/double_with_error.h"
+#include "fast/numbers/big_float_ball.h"
+#include "fast/numbers/double_double.h"
+#include "fast/numbers/double_with_error.h"
 
 namespace forceshade::tests {
 

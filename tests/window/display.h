@@ -3,7 +3,7 @@
 // What a test does to the display itself, by Xlib, whose macros stay in the source file. The display has no window manager, so
 // the participant's window stands right below its root.
 
-#include "forceshade/window/window.h"
+#include "study/window/window.h"
 
 namespace forceshade::window {
 

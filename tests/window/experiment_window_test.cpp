@@ -14,15 +14,15 @@
 #include <vector>
 
 #include "display.h"
-#include "forceshade/experiments/session_folder.h"
-#include "forceshade/tests/device/faults/command.h"
-#include "forceshade/tests/support/comes_true.h"
-#include "forceshade/tests/support/temporary_directory.h"
-#include "forceshade/window/layout.h"
-#include "forceshade/window/settings.h"
-#include "forceshade/window/view.h"
 #include "screenshots.h"
 #include "short_protocols.h"
+#include "study/experiments/session_folder.h"
+#include "study/window/layout.h"
+#include "study/window/settings.h"
+#include "study/window/view.h"
+#include "tests/device/faults/command.h"
+#include "tests/support/comes_true.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::window {
 namespace {

@@ -10,7 +10,7 @@
 #include <future>
 #include <string>
 
-#include "forceshade/window/window.h"
+#include "study/window/window.h"
 
 namespace forceshade::window {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "forceshade/tests/support/temporary_directory.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::window {
 

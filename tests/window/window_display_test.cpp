@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "display.h"
-#include "forceshade/window/layout.h"
-#include "forceshade/window/view.h"
 #include "screenshots.h"
+#include "study/window/layout.h"
+#include "study/window/view.h"
 
 namespace forceshade::window {
 namespace {

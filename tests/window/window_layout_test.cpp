@@ -12,8 +12,8 @@
 #include <string>
 #include <type_traits>
 
-#include "forceshade/window/layout.h"
-#include "forceshade/window/view.h"
+#include "study/window/layout.h"
+#include "study/window/view.h"
 
 namespace forceshade::window {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Both experiments from the first screen to the last in a real window, by the keys and the mouse of a display in memory: a
-// session of experiments/ without a device.
+// session of study/experiments/ without a device.
 
 #include <gtest/gtest.h>
 
@@ -13,12 +13,12 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/experiments/session.h"
-#include "forceshade/tests/support/temporary_directory.h"
-#include "forceshade/window/layout.h"
-#include "forceshade/window/view.h"
 #include "screenshots.h"
 #include "short_protocols.h"
+#include "study/experiments/session.h"
+#include "study/window/layout.h"
+#include "study/window/view.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::window {
 namespace {

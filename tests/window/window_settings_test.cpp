@@ -7,9 +7,9 @@
 #include <map>
 #include <string>
 
-#include "forceshade/experiments/error.h"
-#include "forceshade/tests/support/temporary_directory.h"
-#include "forceshade/window/settings.h"
+#include "study/experiments/error.h"
+#include "study/window/settings.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::window {
 namespace {

@@ -2,9 +2,9 @@
 #pragma once
 // The one list of the shading schemes of this side.
 
-#include "forceshade/fast/meshes/schemes/edge_scheme.h"
-#include "forceshade/fast/meshes/schemes/texture_scheme.h"
-#include "forceshade/fast/meshes/schemes/vertex_scheme.h"
+#include "fast/meshes/schemes/edge_scheme.h"
+#include "fast/meshes/schemes/texture_scheme.h"
+#include "fast/meshes/schemes/vertex_scheme.h"
 
 namespace forceshade::fast::meshes {
 

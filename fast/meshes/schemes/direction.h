@@ -2,7 +2,7 @@
 #pragma once
 // What a shading scheme gives in real time.
 
-#include "forceshade/fast/meshes/rest_numbers.h"
+#include "fast/meshes/rest_numbers.h"
 
 namespace forceshade::fast::meshes {
 

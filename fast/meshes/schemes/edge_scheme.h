@@ -3,8 +3,8 @@
 // The thesis's edge scheme (3.3) as it is printed: a triangle's normal, mixed with those of its three neighbours; inside
 // triangles alone.
 
-#include "forceshade/fast/meshes/rounded.h"
-#include "forceshade/fast/meshes/schemes/direction.h"
+#include "fast/meshes/rounded.h"
+#include "fast/meshes/schemes/direction.h"
 
 namespace forceshade::fast::meshes {
 

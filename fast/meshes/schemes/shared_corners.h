@@ -3,8 +3,8 @@
 // Schemes that give a direction at each corner of each triangle and interpolate: where these directions are shared, and how one
 // goes over into another on an edge where they are not (docs/god-object.md).
 
-#include "forceshade/fast/meshes/rounded.h"
-#include "forceshade/fast/meshes/schemes/direction.h"
+#include "fast/meshes/rounded.h"
+#include "fast/meshes/schemes/direction.h"
 
 namespace forceshade::fast::meshes {
 

@@ -2,7 +2,7 @@
 #pragma once
 // The vertex scheme: N is interpolated between the corners' normals.
 
-#include "forceshade/fast/meshes/schemes/shared_corners.h"
+#include "fast/meshes/schemes/shared_corners.h"
 
 namespace forceshade::fast::meshes {
 

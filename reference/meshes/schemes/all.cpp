@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/meshes/schemes/all.h"
+#include "reference/meshes/schemes/all.h"
 
 #include <stdexcept>
 #include <utility>
 
-#include "forceshade/reference/meshes/schemes/edge_scheme.h"
-#include "forceshade/reference/meshes/schemes/texture_scheme.h"
-#include "forceshade/reference/meshes/schemes/vertex_scheme.h"
+#include "reference/meshes/schemes/edge_scheme.h"
+#include "reference/meshes/schemes/texture_scheme.h"
+#include "reference/meshes/schemes/vertex_scheme.h"
 
 namespace forceshade::reference::meshes {
 

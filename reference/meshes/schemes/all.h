@@ -5,8 +5,8 @@
 #include <memory>
 #include <variant>
 
-#include "forceshade/reference/meshes/schemes/scheme.h"
-#include "forceshade/vocabulary/mesh_rendering.h"
+#include "reference/meshes/schemes/scheme.h"
+#include "rendering/mesh_rendering.h"
 
 namespace forceshade::reference::meshes {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/meshes/schemes/edge_scheme.h"
+#include "reference/meshes/schemes/edge_scheme.h"
 
-#include "forceshade/reference/meshes/rounding.h"
+#include "reference/meshes/rounding.h"
 
 namespace forceshade::reference::meshes {
 namespace {

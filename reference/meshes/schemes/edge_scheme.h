@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "forceshade/reference/meshes/schemes/scheme.h"
+#include "reference/meshes/schemes/scheme.h"
 
 namespace forceshade::reference::meshes {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "forceshade/reference/meshes/descent.h"
+#include "reference/meshes/descent.h"
 
 namespace forceshade::reference::meshes {
 

@@ -3,7 +3,7 @@
 // Schemes that give a direction at each corner of each triangle and interpolate: where these directions are shared, and how one
 // goes over into another on an edge where they are not (docs/god-object.md).
 
-#include "forceshade/reference/meshes/schemes/scheme.h"
+#include "reference/meshes/schemes/scheme.h"
 
 namespace forceshade::reference::meshes {
 

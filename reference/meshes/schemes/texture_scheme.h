@@ -2,8 +2,8 @@
 #pragma once
 // The texture scheme: the vertex scheme's N, tilted by the slopes of a height map that is laid over the mesh.
 
-#include "forceshade/reference/height_map_field.h"
-#include "forceshade/reference/meshes/schemes/vertex_scheme.h"
+#include "reference/height_map_field.h"
+#include "reference/meshes/schemes/vertex_scheme.h"
 
 namespace forceshade::reference::meshes {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/reference/meshes/schemes/vertex_scheme.h"
+#include "reference/meshes/schemes/vertex_scheme.h"
 
 #include <utility>
 
-#include "forceshade/reference/meshes/rounding.h"
+#include "reference/meshes/rounding.h"
 
 namespace forceshade::reference::meshes {
 

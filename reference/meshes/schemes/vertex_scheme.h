@@ -2,7 +2,7 @@
 #pragma once
 // The vertex scheme: N is interpolated between the corners' normals.
 
-#include "forceshade/reference/meshes/schemes/shared_corners.h"
+#include "reference/meshes/schemes/shared_corners.h"
 
 namespace forceshade::reference::meshes {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/tests/device/deaths/deaths.h"
+#include "tests/device/deaths/deaths.h"
 
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -12,8 +12,8 @@
 #include <cstring>
 #include <thread>
 
-#include "forceshade/tests/support/comes_true.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "tests/support/comes_true.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::deaths {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/tests/device/stand_in_hd/stand_in_hd.h"
+#include "tests/device/stand_in_hd/stand_in_hd.h"
 
 namespace forceshade::deaths {
 

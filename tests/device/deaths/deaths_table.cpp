@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/tests/device/deaths/deaths.h"
+#include "tests/device/deaths/deaths.h"
 
 namespace {
 

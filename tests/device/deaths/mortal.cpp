@@ -13,9 +13,9 @@
 #include <string>
 #include <thread>
 
-#include "forceshade/device/phantom/phantom.h"
-#include "forceshade/device/servo_loop.h"
-#include "forceshade/fast/law.h"
+#include "device/phantom/phantom.h"
+#include "device/servo_loop.h"
+#include "fast/law.h"
 
 namespace {
 

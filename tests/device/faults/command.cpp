@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/tests/device/faults/command.h"
+#include "tests/device/faults/command.h"
 
 #include <fcntl.h>
 #include <sys/wait.h>

@@ -6,11 +6,11 @@
 #include <stdexcept>
 #include <thread>
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/recorder/recording.h"
-#include "forceshade/tests/device/faults/command.h"
-#include "forceshade/tests/device/faults/press.h"
-#include "forceshade/tests/support/comes_true.h"
+#include "files/csv.h"
+#include "recorder/recording.h"
+#include "tests/device/faults/command.h"
+#include "tests/device/faults/press.h"
+#include "tests/support/comes_true.h"
 
 namespace forceshade::faults {
 namespace {
@@ -118,7 +118,7 @@ bool is_pushing(const TemporaryDirectory& directory) {
 }
 
 Words pressing() {
-  return drive("simulated:premium-1.5:hand.csv") + Words{"--uncertified", "--watchdog-timeout", csv::shortest(kBusy)};
+  return drive("simulated:premium-1.5:hand.csv") + Words{"--uncertified", "--watchdog-timeout", files::shortest(kBusy)};
 }
 
 Outcome stopped_and_continued() {

@@ -4,7 +4,7 @@
 #include <cfenv>
 #include <cmath>
 
-#include "forceshade/tests/device/faults/press.h"
+#include "tests/device/faults/press.h"
 
 namespace forceshade::faults {
 namespace {

@@ -11,13 +11,13 @@
 #include <new>
 #include <thread>
 
-#include "forceshade/device/open_device.h"
-#include "forceshade/fast/law.h"
-#include "forceshade/recorder/recording.h"
-#include "forceshade/tests/device/faults/press.h"
-#include "forceshade/tests/recorder/faulty_disk.h"
-#include "forceshade/tests/support/comes_true.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "device/open_device.h"
+#include "fast/law.h"
+#include "recorder/recording.h"
+#include "tests/device/faults/press.h"
+#include "tests/recorder/faulty_disk.h"
+#include "tests/support/comes_true.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::faults {
 namespace {

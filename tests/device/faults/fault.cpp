@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/tests/device/faults/fault.h"
+#include "tests/device/faults/fault.h"
 
 #include <exception>
 #include <string_view>
 
-#include "forceshade/csv/csv.h"
+#include "files/csv.h"
 
 namespace forceshade::faults {
 namespace {
@@ -46,18 +46,18 @@ std::vector<std::string> complaints(const Fault& fault, const Outcome& outcome) 
   expect(says(outcome.reaction, fault.reaction),
          "expected the reaction \"" + fault.reaction + "\", got \"" + outcome.reaction + "\"");
   expect(fault.under_force ? outcome.before >= kFelt : outcome.before == 0,
-         "a force before the fault of " + csv::shortest(outcome.before) + " N");
-  expect(outcome.highest <= kPeak, "a force of " + csv::shortest(outcome.highest) + " N");
+         "a force before the fault of " + files::shortest(outcome.before) + " N");
+  expect(outcome.highest <= kPeak, "a force of " + files::shortest(outcome.highest) + " N");
   if (!fault.to_zero) {
     expect(!outcome.to_zero, "the force did not go on");
   } else if (!outcome.to_zero) {
     complaints.push_back("the force went on");
   } else {
-    expect(*outcome.to_zero <= *fault.to_zero, "zero force only after " + csv::shortest(*outcome.to_zero) + " " + fault.unit +
-                                                   ", expected at most " + csv::shortest(*fault.to_zero));
+    expect(*outcome.to_zero <= *fault.to_zero, "zero force only after " + files::shortest(*outcome.to_zero) + " " + fault.unit +
+                                                   ", expected at most " + files::shortest(*fault.to_zero));
   }
   expect(outcome.lost <= fault.lost,
-         csv::shortest(outcome.lost) + " " + fault.lost_unit + " lost, expected at most " + csv::shortest(fault.lost));
+         files::shortest(outcome.lost) + " " + fault.lost_unit + " lost, expected at most " + files::shortest(fault.lost));
   return complaints;
 }
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/tests/device/faults/fault.h"
+#include "files/csv.h"
+#include "tests/device/faults/fault.h"
 
 namespace forceshade::faults {
 
@@ -32,7 +32,7 @@ TEST_P(fault, has_its_reaction) {
   const Outcome outcome = tried(GetParam());
   EXPECT_EQ(all_of(complaints(GetParam(), outcome)), "");
   std::printf("  %s; %.3g N before; zero after %s; %g lost\n", outcome.reaction.substr(0, 300).c_str(), outcome.before,
-              outcome.to_zero ? csv::shortest(*outcome.to_zero).c_str() : "never", outcome.lost);
+              outcome.to_zero ? files::shortest(*outcome.to_zero).c_str() : "never", outcome.lost);
 }
 
 inline std::string test_name(const testing::TestParamInfo<Fault>& info) {

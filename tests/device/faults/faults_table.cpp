@@ -3,8 +3,8 @@
 
 #include <cstdio>
 
-#include "forceshade/csv/csv.h"
-#include "forceshade/tests/device/faults/fault.h"
+#include "files/csv.h"
+#include "tests/device/faults/fault.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "forceshade/tests/device/faults/fault_suite.h"
+#include "tests/device/faults/fault_suite.h"
 
 namespace forceshade::faults {
 namespace {

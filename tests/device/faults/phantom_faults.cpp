@@ -7,14 +7,14 @@
 #include <span>
 #include <thread>
 
-#include "forceshade/device/open_device.h"
-#include "forceshade/device/phantom/phantom.h"
-#include "forceshade/fast/law.h"
-#include "forceshade/recorder/recorder.h"
-#include "forceshade/tests/device/faults/press.h"
-#include "forceshade/tests/device/stand_in_hd/stand_in_hd.h"
-#include "forceshade/tests/support/kept_samples.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "device/open_device.h"
+#include "device/phantom/phantom.h"
+#include "fast/law.h"
+#include "recorder/recorder.h"
+#include "tests/device/faults/press.h"
+#include "tests/device/stand_in_hd/stand_in_hd.h"
+#include "tests/support/kept_samples.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::faults {
 namespace {

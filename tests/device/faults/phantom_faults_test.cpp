@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "forceshade/tests/device/faults/fault_suite.h"
+#include "tests/device/faults/fault_suite.h"
 
 namespace forceshade::faults {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "forceshade/tests/device/faults/press.h"
+#include "tests/device/faults/press.h"
 
 namespace forceshade::faults {
 namespace {

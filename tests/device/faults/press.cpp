@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/tests/device/faults/press.h"
+#include "tests/device/faults/press.h"
 
 #include <algorithm>
 #include <cfenv>
@@ -8,11 +8,11 @@
 #include <unordered_map>
 #include <utility>
 
-#include "forceshade/device/simulated/simulated.h"
-#include "forceshade/fast/law.h"
-#include "forceshade/recorder/recording.h"
-#include "forceshade/tests/support/kept_samples.h"
-#include "forceshade/tests/support/temporary_directory.h"
+#include "device/simulated/simulated.h"
+#include "fast/law.h"
+#include "recorder/recording.h"
+#include "tests/support/kept_samples.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::faults {
 namespace {

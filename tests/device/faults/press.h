@@ -7,11 +7,11 @@
 #include <functional>
 #include <optional>
 
-#include "forceshade/device/device.h"
-#include "forceshade/device/servo_loop.h"
-#include "forceshade/recorder/recorder.h"
-#include "forceshade/tests/device/faults/fault.h"
-#include "forceshade/tests/device/faults/virtual_clock.h"
+#include "device/device.h"
+#include "device/servo_loop.h"
+#include "recorder/recorder.h"
+#include "tests/device/faults/fault.h"
+#include "tests/device/faults/virtual_clock.h"
 
 namespace forceshade::faults {
 

@@ -4,7 +4,7 @@
 #include <cfenv>
 #include <memory>
 
-#include "forceshade/tests/device/faults/press.h"
+#include "tests/device/faults/press.h"
 
 #if defined(__SSE2__)
 #include <immintrin.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/tests/device/faults/virtual_clock.h"
+#include "tests/device/faults/virtual_clock.h"
 
 #include <time.h>
 

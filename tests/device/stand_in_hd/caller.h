@@ -18,9 +18,9 @@
 #include <string>
 #include <thread>
 
-#include "forceshade/device/phantom/hdapi_library.h"
-#include "forceshade/tests/device/stand_in_hd/stand_in_hd.h"
-#include "forceshade/tests/support/comes_true.h"
+#include "device/phantom/hdapi_library.h"
+#include "tests/device/stand_in_hd/stand_in_hd.h"
+#include "tests/support/comes_true.h"
 
 namespace forceshade::stand_in_hd {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "forceshade/tests/device/stand_in_hd/memory.h"
-#include "forceshade/tests/device/stand_in_hd/stand_in_hd.h"
+#include "tests/device/stand_in_hd/memory.h"
+#include "tests/device/stand_in_hd/stand_in_hd.h"
 
 namespace forceshade::stand_in_hd {
 namespace {

@@ -4,7 +4,7 @@
 
 // First, so that what is declared in it can be found by its name.
 #pragma GCC visibility push(default)
-#include "forceshade/device/phantom/hdapi_abi.h"
+#include "device/phantom/hdapi_abi.h"
 #pragma GCC visibility pop
 
 #include <atomic>
@@ -19,9 +19,9 @@
 #include <utility>
 #include <vector>
 
-#include "forceshade/device/simulated/model.h"
-#include "forceshade/device/simulated/simulated.h"
-#include "forceshade/tests/device/stand_in_hd/memory.h"
+#include "device/simulated/model.h"
+#include "device/simulated/simulated.h"
+#include "tests/device/stand_in_hd/memory.h"
 
 namespace forceshade::stand_in_hd {
 

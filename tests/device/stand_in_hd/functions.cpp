@@ -6,7 +6,7 @@
 #include <csignal>
 #include <cstdio>
 
-#include "forceshade/tests/device/stand_in_hd/driver.h"
+#include "tests/device/stand_in_hd/driver.h"
 
 namespace forceshade::device::hdapi {
 

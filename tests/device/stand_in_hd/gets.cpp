@@ -7,7 +7,7 @@
 #include <initializer_list>
 #include <limits>
 
-#include "forceshade/tests/device/stand_in_hd/driver.h"
+#include "tests/device/stand_in_hd/driver.h"
 
 namespace forceshade::device::hdapi {
 

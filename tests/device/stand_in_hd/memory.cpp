@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/tests/device/stand_in_hd/memory.h"
+#include "tests/device/stand_in_hd/memory.h"
 
 #include <fcntl.h>
 #include <sys/mman.h>

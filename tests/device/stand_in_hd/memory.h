@@ -11,7 +11,7 @@
 #include <string>
 #include <type_traits>
 
-#include "forceshade/tests/device/stand_in_hd/orders.h"
+#include "tests/device/stand_in_hd/orders.h"
 
 namespace forceshade::stand_in_hd {
 

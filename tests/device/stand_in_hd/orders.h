@@ -11,7 +11,7 @@
 #include <optional>
 #include <type_traits>
 
-#include "forceshade/device/phantom/hdapi_abi.h"
+#include "device/phantom/hdapi_abi.h"
 
 namespace forceshade::stand_in_hd {
 

@@ -11,9 +11,9 @@
 #include <thread>
 #include <vector>
 
-#include "forceshade/device/phantom/phantom.h"
-#include "forceshade/tests/device/stand_in_hd/stand_in_hd.h"
-#include "forceshade/tests/support/comes_true.h"
+#include "device/phantom/phantom.h"
+#include "tests/device/stand_in_hd/stand_in_hd.h"
+#include "tests/support/comes_true.h"
 
 namespace forceshade::device {
 using namespace std::chrono_literals;

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/tests/device/stand_in_hd/orders.h"
+#include "tests/device/stand_in_hd/orders.h"
 
 namespace forceshade::stand_in_hd {
 

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A mesh from one direction, with the path of the device on it, the god-object's, and some of the forces.
+
+#include <span>
+#include <string>
+
+#include "certificate/report/depth_buffer.h"
+#include "certificate/report/gnuplot.h"
+#include "certificate/report/side_view.h"
+#include "properties/mesh_properties.h"
+
+namespace forceshade::properties {
+
+// name: of the mesh, unique in a page. What the mesh hides of the path is dotted. A tick with an invalid position interrupts
+// both lines. At most 40 forces are drawn, at ticks that are evenly spaced among those on the surface; each begins at the
+// god-object. An empty path gives a picture of the mesh alone.
+Picture mesh_picture(const mesh::TriangleMesh& mesh, std::span<const Ticked> path, const ViewDirection& direction,
+                     const std::string& name, const Heading& heading);
+
+}  // namespace forceshade::properties

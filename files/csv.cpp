@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "files/csv.h"
+
+#include <csv.h>
+#include <locale.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+#include <new>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "files/file_kind.h"
+#include "files/printable.h"
+
+namespace forceshade::files {
+namespace {
+
+constexpr int kEnd = std::char_traits<char>::eof();
+
+std::optional<std::size_t> first_byte_not_utf8(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t size = character_size(text.substr(at));
+    if (size == 0) return at;
+    at += size;
+  }
+  return std::nullopt;
+}
+
+std::string hex(unsigned char byte) {
+  std::array<char, 8> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "0x%02x", static_cast<unsigned>(byte));
+  return buffer.data();
+}
+
+// In quotes, on one line, and short enough to read.
+std::string quoted(std::string_view text) {
+  constexpr std::size_t kLongest = 60;
+  std::size_t size = 0;
+  while (size < text.size() && size < kLongest) size += std::max<std::size_t>(character_size(text.substr(size)), 1);
+  return '"' + printable(text.substr(0, size)) + (size < text.size() ? "...\"" : "\"");
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string result;
+  for (const std::string& name : names) {
+    if (!result.empty()) result += ", ";
+    result += name;
+  }
+  return result;
+}
+
+void convert(const char* text, locale_t locale, float& value) {
+  value = strtof_l(text, nullptr, locale);
+}
+void convert(const char* text, locale_t locale, double& value) {
+  value = strtod_l(text, nullptr, locale);
+}
+
+// from_chars decides what a number looks like. Its value is used only for decimals in range: libstdc++ 12 rounds some
+// subnormal hexfloats wrongly (0x5.fbdaa4p-131), and out of range it does not distinguish too large from too small.
+template <class T>
+std::optional<T> parse(const std::string& text) {
+  std::string_view digits = text;
+  const bool has_sign = digits.starts_with('+') || digits.starts_with('-');
+  const bool is_hex = digits.substr(has_sign ? 1 : 0).starts_with("0x") || digits.substr(has_sign ? 1 : 0).starts_with("0X");
+  if (is_hex)
+    digits.remove_prefix(has_sign ? 3 : 2);
+  else if (digits.starts_with('+'))
+    digits.remove_prefix(1);
+
+  constexpr std::string_view kHexStart = "0123456789abcdefABCDEF.";
+  if (is_hex && (digits.empty() || kHexStart.find(digits.front()) == std::string_view::npos)) return std::nullopt;
+  if (text.starts_with('+') && digits.starts_with('-')) return std::nullopt;
+
+  T value{};
+  const auto format = is_hex ? std::chars_format::hex : std::chars_format::general;
+  const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), value, format);
+  if (end != digits.data() + digits.size() || code == std::errc::invalid_argument) return std::nullopt;
+  if (is_hex || code == std::errc::result_out_of_range) {
+    static const locale_t c_locale = newlocale(LC_ALL_MASK, "C", nullptr);
+    convert(text.c_str(), c_locale, value);
+  }
+  return value;
+}
+
+// What stands between the columns of a header that commas do not divide; empty where nothing known does.
+std::string separator_of(const std::vector<std::string>& header) {
+  if (header.size() != 1) return "";
+  for (const auto& [separator, name] : {std::pair{';', "semicolons"}, {'\t', "tabs"}, {'|', "bars"}})
+    if (header.front().find(separator) != std::string::npos) return name;
+  return "";
+}
+
+// 1,5 for 1.5
+bool has_decimal_comma(std::string text) {
+  if (std::ranges::count(text, ',') != 1) return false;
+  std::ranges::replace(text, ',', '.');
+  return parse<double>(text).has_value();
+}
+
+template <class T>
+std::string shortest_decimal(T value) {
+  std::array<char, 32> buffer{};
+  const auto [end, code] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return {buffer.data(), end};
+}
+
+}  // namespace
+
+std::ifstream open_input(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw Error(path + ": cannot open: " + std::generic_category().message(errno));
+  return in;
+}
+
+void Reader::FreeParser::operator()(csv_parser* parser) const noexcept {
+  csv_free(parser);
+  delete parser;
+}
+
+// noexcept, since an exception must not cross the C library: out of memory ends the program here, and rows are short.
+void Reader::on_field(void* text, std::size_t size, void* self) noexcept {
+  auto& reader = *static_cast<Reader*>(self);
+  if (reader.field_count_ == reader.fields_.size()) reader.fields_.emplace_back();
+  reader.fields_[reader.field_count_++].assign(static_cast<const char*>(text), size);
+}
+
+void Reader::on_row(int, void* self) noexcept {
+  static_cast<Reader*>(self)->row_complete_ = true;
+}
+
+// Of the line that was read last, whose next byte is not of a text.
+Error Reader::no_text(unsigned char byte, std::size_t at, std::string_view words) const {
+  const std::string kind = line_ == 1 ? binary_kind(line_text_ + static_cast<char>(byte)) : "";
+  if (!kind.empty()) return Error(file_ + ": expected a CSV file, got " + kind);
+  return error(line_, "byte " + std::to_string(at + 1) + ": " + std::string(words) + hex(byte));
+}
+
+Error Reader::error(std::size_t line, std::string_view words) const {
+  return Error(file_ + ':' + std::to_string(line) + ": " + std::string(words));
+}
+
+Error Reader::unexpected(std::size_t i, std::string_view expected) const {
+  return error(row_line_, "column " + std::to_string(place_[i] + 1) + " (" + columns_[i] + "): expected " +
+                              std::string(expected) + ", got " + quoted(text(i)));
+}
+
+Reader::Reader(std::istream& in, std::string file, std::vector<std::string> columns)
+    : in_(*in.rdbuf()), file_(std::move(file)), columns_(std::move(columns)), parser_(new csv_parser) {
+  if (csv_init(parser_.get(), CSV_STRICT) != 0) throw std::bad_alloc();
+  csv_set_term_func(parser_.get(), [](unsigned char c) -> int { return c == '\n'; });
+
+  if (!read_row()) throw error(1, "expected a header row with columns " + listed(columns_) + ", got an empty file");
+  header_.assign(fields_.begin(), fields_.begin() + static_cast<std::ptrdiff_t>(field_count_));
+  for (const std::string& column : columns_) {
+    const auto found = std::find(header_.begin(), header_.end(), column);
+    if (const std::string separator = separator_of(header_); found == header_.end() && !separator.empty())
+      throw error(row_line_, "expected commas between the columns, and points in decimals, got " + separator + " in " +
+                                 quoted(header_.front()));
+    if (found == header_.end())
+      throw error(row_line_,
+                  "no column " + column + ": expected columns " + listed(columns_) + ", got " + quoted(listed(header_)));
+    const auto again = std::find(found + 1, header_.end(), column);
+    const auto number = [&](auto at) { return std::to_string(at - header_.begin() + 1); };
+    if (again != header_.end())
+      throw error(row_line_, "columns " + number(found) + " and " + number(again) + " are both called " + column);
+    place_.push_back(static_cast<std::size_t>(found - header_.begin()));
+  }
+}
+
+bool Reader::next() {
+  if (!read_row()) return false;
+  const std::string expected = "expected " + std::to_string(header_.size()) + " fields, got " + std::to_string(field_count_);
+  if (field_count_ < header_.size())
+    throw error(row_line_,
+                expected + ": column " + std::to_string(field_count_ + 1) + " (" + header_[field_count_] + ") is missing");
+  if (field_count_ > header_.size())
+    throw error(row_line_, expected + ": column " + std::to_string(header_.size() + 1) + " has no name in the header" +
+                               (field_count_ == 2 * header_.size() ? "; a decimal is written with a point, not a comma" : ""));
+  return true;
+}
+
+// The next physical line without its end, in line_text_; false at the end of the file.
+bool Reader::read_line() try {
+  line_text_.clear();
+  int c = in_.sbumpc();
+  if (c == kEnd) {
+    // A std::cin that shares its buffer with C reports an error as an end of file.
+    if (&in_ == std::cin.rdbuf() && std::ferror(stdin) != 0) throw error(line_ + 1, "cannot read");
+    return false;
+  }
+  ++line_;
+  for (; c != kEnd && c != '\n'; c = in_.sbumpc()) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool ends_line = byte == '\r' && (in_.sgetc() == '\n' || in_.sgetc() == kEnd);
+    if (ends_line) continue;
+    if ((byte < 0x20 && byte != '\t') || byte == 0x7F)
+      throw no_text(byte, line_text_.size(), "expected text, got the control character ");
+    if (line_text_.size() == kLongestRow)
+      throw error(line_, "expected at most " + std::to_string(kLongestRow) + " bytes in a row, got more");
+    line_text_ += static_cast<char>(byte);
+  }
+  if (const auto at = first_byte_not_utf8(line_text_))
+    throw no_text(static_cast<unsigned char>(line_text_[*at]), *at, "expected UTF-8 text, got ");
+  if (line_ == 1 && line_text_.starts_with("\xEF\xBB\xBF")) line_text_.erase(0, 3);
+  return true;
+} catch (const std::ios_base::failure& failure) {
+  throw error(line_ + 1, "cannot read: " + failure.code().message());
+}
+
+// One row, which may span lines where a quoted field does; false at the end of the file.
+bool Reader::read_row() {
+  field_count_ = 0;
+  row_complete_ = false;
+  std::size_t row_size = 0;
+  while (!row_complete_) {
+    if (!read_line()) {
+      if (row_size == 0) return false;
+      throw error(row_line_, "expected a closing quote in the row that begins here, got the end of the file");
+    }
+    if (row_size == 0) {
+      if (line_text_.find_first_not_of(" \t") == std::string::npos) continue;
+      row_line_ = line_;
+    }
+    line_text_ += '\n';
+    row_size += line_text_.size();
+    if (row_size > kLongestRow + 1)
+      throw error(row_line_,
+                  "expected at most " + std::to_string(kLongestRow) + " bytes in a row, got more: is a quote left open?");
+    if (csv_parse(parser_.get(), line_text_.data(), line_text_.size(), on_field, on_row, this) == line_text_.size()) continue;
+    if (csv_error(parser_.get()) == CSV_ENOMEM) throw std::bad_alloc();
+    throw error(line_, "column " + std::to_string(field_count_ + 1) +
+                           ": expected quotes around a whole field and doubled inside it, got a stray one");
+  }
+  return true;
+}
+
+const std::string& Reader::text(std::size_t i) const {
+  return fields_[place_[i]];
+}
+
+template <class T>
+T Reader::number(std::size_t i) const {
+  if (const auto value = parse<T>(text(i))) return *value;
+  throw unexpected(i, has_decimal_comma(text(i)) ? "a number with a decimal point" : "a number");
+}
+
+float Reader::binary32(std::size_t i) const {
+  return number<float>(i);
+}
+
+double Reader::binary64(std::size_t i) const {
+  return number<double>(i);
+}
+
+std::string shortest(float value) {
+  return shortest_decimal(value);
+}
+
+std::string shortest(double value) {
+  return shortest_decimal(value);
+}
+
+}  // namespace forceshade::files

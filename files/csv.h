@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Reads named columns of a CSV stream row by row; whatever is wrong is said with file, line and column.
+
+#include <cstddef>
+#include <fstream>
+#include <istream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+struct csv_parser;
+
+namespace forceshade::files {
+
+// what() reads like `input.csv:12: column 2 (x_mm): expected a number, got "abc"`; the line is the one an editor shows.
+struct Error : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Throws Error with the system's reason when the file cannot be opened. A directory opens and fails at the first read.
+std::ifstream open_input(const std::string& path);
+
+// UTF-8 with or without a byte order mark, lines ended by LF or CRLF, blank lines skipped, spaces around a field dropped,
+// quotes as in RFC 4180, every row as long as the header. A row of more than kLongestRow bytes is an error, so that
+// neither a binary file nor a forgotten quote fills the memory.
+class Reader {
+ public:
+  static constexpr std::size_t kLongestRow = std::size_t{1} << 20;
+
+  // Reads the header row. `file` is what messages call the stream. Index i below is an index into `columns`;
+  // the file may have them in any order, and others beside them.
+  Reader(std::istream& in, std::string file, std::vector<std::string> columns);
+
+  // Goes to the next row; false after the last one. Throws Error, after which the reader is of no further use.
+  bool next();
+
+  // Where in the file the current row begins, from 1.
+  std::size_t line() const noexcept { return row_line_; }
+
+  const std::string& text(std::size_t i) const;
+
+  // The nearest number, ties to even: 1e39 is infinite and 1e-60 is zero in binary32. Decimal (1.5, +2e-3),
+  // hexfloat (0x1.8p+3), nan and inf; anything else throws unexpected(i, "a number").
+  float binary32(std::size_t i) const;
+  double binary64(std::size_t i) const;
+
+  // The error to throw when the field is not what the caller needs.
+  Error unexpected(std::size_t i, std::string_view expected) const;
+
+ private:
+  struct FreeParser {
+    void operator()(csv_parser* parser) const noexcept;
+  };
+
+  static void on_field(void* text, std::size_t size, void* self) noexcept;
+  static void on_row(int terminator, void* self) noexcept;
+
+  bool read_line();
+  bool read_row();
+  Error error(std::size_t line, std::string_view words) const;
+  Error no_text(unsigned char byte, std::size_t at, std::string_view words) const;
+  template <class T>
+  T number(std::size_t i) const;
+
+  std::streambuf& in_;
+  std::string file_;
+  std::vector<std::string> columns_;
+  std::unique_ptr<csv_parser, FreeParser> parser_;
+  std::string line_text_;
+  std::size_t line_ = 0;
+  std::size_t row_line_ = 0;
+  bool row_complete_ = false;
+  std::vector<std::string> fields_;  // the first field_count_ belong to the current row, the rest keep their memory
+  std::size_t field_count_ = 0;
+  std::vector<std::string> header_;
+  std::vector<std::size_t> place_;  // place_[i]: where in a row columns_[i] is
+};
+
+// The shortest decimal that reads back as the same number.
+std::string shortest(float value);
+std::string shortest(double value);
+
+}  // namespace forceshade::files

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "files/output_file.h"
+
+#include <fcntl.h>
+#include <linux/magic.h>
+#include <poll.h>
+#include <sys/vfs.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <random>
+#include <regex>
+#include <streambuf>
+#include <system_error>
+#include <utility>
+
+namespace forceshade::files {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A name in a folder of open descriptors, such as /proc/1234/fd/3.
+struct OpenDescriptor {
+  std::string name;
+  std::optional<int> number;  // of this process
+};
+
+bool is_of_proc(const fs::path& folder) {
+  struct statfs about {};
+  return ::statfs(folder.c_str(), &about) == 0 && about.f_type == PROC_SUPER_MAGIC;
+}
+
+// The links are followed one by one, because what an entry of /proc/PID/fd points to need not be a path: pipe:[4711].
+std::optional<OpenDescriptor> open_descriptor(fs::path path) {
+  constexpr int kMostLinks = 40;  // as the kernel has it
+  std::error_code error;
+  for (int links = 0; links < kMostLinks && fs::is_symlink(path, error); ++links) {
+    const fs::path folder = fs::canonical(path.has_parent_path() ? path.parent_path() : ".", error);
+    if (error) break;
+    if (is_of_proc(folder) && folder.filename() == "fd") {
+      OpenDescriptor found{folder / path.filename(), std::nullopt};
+      if (folder == fs::path("/proc") / std::to_string(::getpid()) / "fd") {
+        const std::string digits = path.filename();
+        int number = -1;
+        if (std::from_chars(digits.data(), digits.data() + digits.size(), number).ec == std::errc()) found.number = number;
+      }
+      return found;
+    }
+    path = folder / fs::read_symlink(path, error);
+    if (error) break;
+  }
+  return std::nullopt;
+}
+
+// Opened again, a file of which a part was written would be overwritten from its beginning.
+int opened(const OpenDescriptor& found) {
+  if (!found.number) return ::open(found.name.c_str(), O_WRONLY | O_CLOEXEC);
+  const int flags = ::fcntl(*found.number, F_GETFL);
+  if (flags >= 0 && (flags & O_ACCMODE) == O_RDONLY) errno = EBADF;
+  return flags < 0 || (flags & O_ACCMODE) == O_RDONLY ? -1 : ::fcntl(*found.number, F_DUPFD_CLOEXEC, 0);
+}
+
+}  // namespace
+
+OutputError output_failure(const std::string& path, const std::string& what, int reason) {
+  return OutputError(final_name(path) + ": cannot " + what + ": " + std::generic_category().message(reason));
+}
+
+std::string partial_name(const std::string& path) {
+  std::array<char, 9> digits{};
+  std::snprintf(digits.data(), digits.size(), "%08x", static_cast<unsigned>(std::random_device{}()));
+  return path + ".partial-" + digits.data();
+}
+
+std::string final_name(const std::string& path) {
+  static const std::regex partial("/\\.partial-[0-9a-f]{8}(?=/)|\\.partial-[0-9a-f]{8}(?=/|$)");
+  return std::regex_replace(path, partial, "");
+}
+
+void sync_folder(const std::string& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  // EINVAL: a file system that has nothing to sync.
+  const bool is_synced = descriptor >= 0 && (::fsync(descriptor) == 0 || errno == EINVAL);
+  const int reason = errno;
+  if (descriptor >= 0) ::close(descriptor);
+  if (!is_synced) throw output_failure(folder, "sync", reason);
+}
+
+bool is_standard_output(const std::string& path) {
+  if (path == "-") return true;
+  const auto found = open_descriptor(path);
+  return found && found->number == STDOUT_FILENO;
+}
+
+bool is_written_directly(const std::string& path) {
+  if (path == "-" || open_descriptor(path)) return true;
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+// A std::filebuf does not say why a write failed, and cannot be fsynced.
+class OutputFile::Buffer : public std::streambuf {
+ public:
+  Buffer(std::string path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) { empty(); }
+  ~Buffer() override {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  Buffer(const Buffer&) = delete;
+  Buffer& operator=(const Buffer&) = delete;
+
+  void write_out() {
+    for (const char* from = pbase(); from != pptr();) {
+      const ssize_t written = ::write(descriptor_, from, static_cast<std::size_t>(pptr() - from));
+      if (written >= 0)
+        from += written;
+      else if (errno == EAGAIN)
+        wait_for_room();
+      else if (errno != EINTR)
+        throw output_failure(path_, "write", errno);
+    }
+    empty();
+  }
+
+  void reach_disk() {
+    if (::fsync(descriptor_) != 0) throw output_failure(path_, "write", errno);
+  }
+
+  // Some file systems say only here that a write failed.
+  void close() {
+    if (::close(std::exchange(descriptor_, -1)) != 0) throw output_failure(path_, "write", errno);
+  }
+
+ protected:
+  int_type overflow(int_type c) override {
+    write_out();
+    return traits_type::eq_int_type(c, traits_type::eof()) ? traits_type::not_eof(c) : sputc(traits_type::to_char_type(c));
+  }
+
+  int sync() override {
+    write_out();
+    return 0;
+  }
+
+ private:
+  void empty() { setp(bytes_.data(), bytes_.data() + bytes_.size()); }
+
+  // A pipe that another program made non-blocking.
+  void wait_for_room() const {
+    pollfd room{descriptor_, POLLOUT, 0};
+    ::poll(&room, 1, -1);
+  }
+
+  std::string path_;
+  int descriptor_;
+  std::array<char, 1 << 16> bytes_;
+};
+
+OutputFile::OutputFile(std::string path) : path_(std::move(path)), stream_(nullptr) {
+  std::error_code ignored;
+  int descriptor = -1;
+  if (path_ == "-") {
+    path_ = "standard output";
+    descriptor = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
+  } else if (const auto found = open_descriptor(path_)) {
+    descriptor = opened(*found);
+  } else {
+    if (fs::is_symlink(path_, ignored) && fs::exists(path_, ignored)) path_ = fs::canonical(path_);
+    if (fs::exists(path_, ignored) && !fs::is_regular_file(path_, ignored)) {
+      descriptor = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    } else {
+      do {
+        partial_path_ = partial_name(path_);
+        descriptor = ::open(partial_path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      } while (descriptor < 0 && errno == EEXIST);
+    }
+  }
+  if (descriptor < 0) throw output_failure(path_, "open for writing", errno);
+  buffer_ = std::make_unique<Buffer>(path_, descriptor);
+  stream_.rdbuf(buffer_.get());
+  stream_.exceptions(std::ios_base::badbit);
+}
+
+OutputFile::~OutputFile() {
+  if (!partial_path_.empty()) ::unlink(partial_path_.c_str());
+}
+
+void OutputFile::commit() {
+  if (!stream_) throw OutputError(final_name(path_) + ": cannot write: an earlier write failed");
+  buffer_->write_out();
+  if (!partial_path_.empty()) buffer_->reach_disk();
+  buffer_->close();
+  if (partial_path_.empty()) return;
+  if (::rename(partial_path_.c_str(), path_.c_str()) != 0) throw output_failure(path_, "replace", errno);
+  partial_path_.clear();
+  const fs::path folder = fs::path(path_).parent_path();
+  sync_folder(folder.empty() ? "." : folder);
+}
+
+}  // namespace forceshade::files

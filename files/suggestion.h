@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What a misspelt word was meant to be.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace forceshade::files {
+
+// The one of the words that is most like this one, which is none of them (Levenshtein's distance); empty where none is like it.
+std::string nearest(std::string_view word, const std::vector<std::string>& words);
+
+// "; the nearest is WORD", to stand behind what was got; empty where none is like it.
+std::string suggestion(std::string_view word, const std::vector<std::string>& words);
+
+}  // namespace forceshade::files

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// PNG through libpng, whose errors jump: nothing with a destructor lives between setjmp and what may jump.
+
+#include <png.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "rendering/heights/samples.h"
+
+namespace forceshade::heights {
+namespace {
+
+// What libpng says goes into the error's text.
+void keep_message(png_structp png, png_const_charp message) {
+  std::snprintf(static_cast<char*>(png_get_error_ptr(png)), 200, "%s", message);
+  png_longjmp(png, 1);
+}
+void ignore_warning(png_structp, png_const_charp) {}
+
+class Reader {
+ public:
+  explicit Reader(const Source& source)
+      : source_(source), file_(source.file), stream_(std::fopen(source.file.c_str(), "rb"), &std::fclose) {
+    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, message_, &keep_message, &ignore_warning);
+    info_ = png_ == nullptr ? nullptr : png_create_info_struct(png_);
+    if (info_ == nullptr) return;
+    // A chunk that was changed, or left over, is an error: what it said may have mattered.
+    png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
+    png_set_benign_errors(png_, 0);
+    png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_ALWAYS, reinterpret_cast<png_const_bytep>("acTL"), 1);
+  }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+  ~Reader() { png_destroy_read_struct(&png_, &info_, nullptr); }
+
+  Samples read() {
+    if (stream_ == nullptr || info_ == nullptr || !read_header()) throw Error(file_, message_);
+    const int depth = png_get_bit_depth(png_, info_);
+    if (png_get_color_type(png_, info_) != PNG_COLOR_TYPE_GRAY || depth < 8) throw Error(file_, "is not 8 or 16 bit greyscale");
+    const auto bytes = static_cast<std::uint32_t>(depth / 8);
+    if (png_get_interlace_type(png_, info_) != PNG_INTERLACE_NONE) throw Error(file_, "is interlaced");
+    Samples samples =
+        allocate(source_, png_get_image_width(png_, info_), png_get_image_height(png_, info_), bytes, kCompressed);
+    std::vector<unsigned char> row(std::size_t{samples.columns} * bytes);
+    const float white = depth == 8 ? 255 : 65535;
+    for (std::uint32_t i = 0; i < samples.rows; ++i) {
+      if (!read_row(row.data())) throw Error(file_, message_);
+      samples.put_row(i, [&](std::size_t k) {
+        return static_cast<double>(static_cast<float>(bytes == 1 ? row[k] : 256 * row[2 * k] + row[2 * k + 1]) / white);
+      });
+    }
+    if (!read_end()) throw Error(file_, message_);
+    if (std::fgetc(stream_.get()) != EOF) throw Error(file_, "goes on after its end");
+    expect_heights_alone();
+    return samples;
+  }
+
+ private:
+  // That no chunk, wherever in the file, says that a sample is no height, or not where it stands. How bright a sample is shown
+  // (gAMA, sRGB, cHRM, iCCP) changes no height: a height is the sample's number.
+  void expect_heights_alone() const {
+    const auto refuse = [&](const char* what) { throw Error(file_, what); };
+    if (png_get_valid(png_, info_, PNG_INFO_tRNS) != 0) refuse("has a transparent level (tRNS); expected greyscale alone");
+    if (png_get_valid(png_, info_, PNG_INFO_pCAL) != 0) refuse("has a scale of its own (pCAL); expected none");
+    if (png_get_valid(png_, info_, PNG_INFO_eXIf) != 0) refuse("has Exif data (eXIf), which may turn it; expected none");
+    if (png_get_x_pixels_per_meter(png_, info_) != png_get_y_pixels_per_meter(png_, info_))
+      refuse("has pixels that are not square (pHYs); expected one pitch");
+    png_unknown_chunkp other = nullptr;
+    if (png_get_unknown_chunks(png_, info_, &other) > 0) refuse("is animated (acTL); expected one picture");
+  }
+
+  bool read_header() {
+    if (setjmp(png_jmpbuf(png_)) != 0) return false;
+    png_init_io(png_, stream_.get());
+    png_read_info(png_, info_);
+    return true;
+  }
+  bool read_row(unsigned char* to) {
+    if (setjmp(png_jmpbuf(png_)) != 0) return false;
+    png_read_row(png_, to, nullptr);
+    return true;
+  }
+  bool read_end() {
+    if (setjmp(png_jmpbuf(png_)) != 0) return false;
+    png_read_end(png_, info_);
+    return true;
+  }
+
+  const Source& source_;
+  const std::filesystem::path& file_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream_;
+  png_structp png_ = nullptr;
+  png_infop info_ = nullptr;
+  char message_[200] = "cannot be read";
+};
+
+}  // namespace
+
+Samples read_png(const Source& source) {
+  return Reader(source).read();
+}
+
+}  // namespace forceshade::heights

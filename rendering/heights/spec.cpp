@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rendering/heights/spec.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <set>
+#include <span>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "files/suggestion.h"
+#include "rendering/heights/toml_file.h"
+
+namespace forceshade::heights {
+namespace {
+
+namespace fs = std::filesystem;
+
+template <class T>
+using Words = std::span<const std::pair<std::string_view, T>>;
+
+// One table of the file, read key by key.
+class Table {
+ public:
+  Table(const fs::path& file, const toml::table& table) : file_(file), table_(table) {}
+
+  float number(std::string_view key, std::optional<float> otherwise = std::nullopt) {
+    const toml::node* node = find(key, otherwise.has_value());
+    if (!node) return *otherwise;
+    const auto value = node->value<double>();  // a whole number, too
+    if (!value) fail(*node, key, "a number");
+    return static_cast<float>(*value);
+  }
+
+  // A scale of 0, or one so small that every height would be read as 0, leaves nothing of a grid.
+  float scale(const char* key) {
+    const float value = number(key);
+    if (!(std::fabs(value) >= 0x1p-30F && std::isfinite(value)))
+      fail(*table_.get(key), key, "a finite number of at least 2^-30 mm in size");
+    return value;
+  }
+
+  std::string text(const char* key) {
+    const toml::node* node = find(key, false);
+    const auto value = node->value_exact<std::string>();
+    if (!value) fail(*node, key, "a text in quotes");
+    return *value;
+  }
+
+  bool flag(const char* key) {
+    const toml::node* node = find(key, true);
+    if (!node) return false;
+    const auto value = node->value_exact<bool>();
+    if (!value) fail(*node, key, "true or false");
+    return *value;
+  }
+
+  std::vector<height::Knot> knots(const char* key) {
+    const toml::node* node = find(key, false);
+    const toml::array* list = node->as_array();
+    std::vector<height::Knot> all;
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+      const toml::array* pair = (*list)[i].as_array();
+      const auto number = [&](std::size_t k) {
+        return pair != nullptr && pair->size() == 2 ? (*pair)[k].value<double>() : std::nullopt;
+      };
+      if (!number(0) || !number(1)) fail((*list)[i], key, "pairs of numbers [x, height]");
+      all.push_back({static_cast<float>(*number(0)), static_cast<float>(*number(1))});
+    }
+    if (list == nullptr) fail(*node, key, "a list of pairs [x, height]");
+    return all;
+  }
+
+  template <class T>
+  T word(const char* key, Words<T> words, std::optional<T> otherwise = std::nullopt) {
+    const toml::node* node = find(key, otherwise.has_value());
+    if (!node) return *otherwise;
+    const auto got = node->value_exact<std::string>();
+    std::string expected;
+    std::vector<std::string> names;
+    for (const auto& [word, value] : words) {
+      if (got == word) return value;
+      expected += (expected.empty() ? "one of " : ", ") + std::string(word);
+      names.emplace_back(word);
+    }
+    fail(*node, key, expected, files::suggestion(got.value_or(""), names));
+  }
+
+  // A key that was not read is a mistake, most likely a misspelt one.
+  void expect_no_other() const {
+    for (const auto& [key, node] : table_)
+      if (!read_.contains(key.str()))
+        throw Error(file_, line_of(node) + "unknown key " + std::string(key.str()) +
+                               files::suggestion(key.str(), {read_.begin(), read_.end()}));
+  }
+
+  std::string line_of(const toml::node& node) const { return "line " + std::to_string(node.source().begin.line) + ": "; }
+  [[noreturn]] void fail(const toml::node& node, std::string_view key, const std::string& expected,
+                         const std::string& suggestion = "") const {
+    throw Error(file_,
+                line_of(node) + std::string(key) + ": expected " + expected + ", got " + words_of_value(node) + suggestion);
+  }
+
+ private:
+  const toml::node* find(std::string_view key, bool optional) {
+    read_.emplace(key);
+    const toml::node* node = table_.get(key);
+    if (!node && !optional)
+      throw Error(file_, line_of(table_) + "key " + std::string(key) + " is missing" +
+                             files::suggestion(key, keys_beside(table_, read_)));
+    return node;
+  }
+
+  const fs::path& file_;
+  const toml::table& table_;
+  std::set<std::string, std::less<>> read_;
+};
+
+constexpr std::array<std::pair<std::string_view, height::Edge>, 2> kEdges{
+    {{"clamp", height::Edge::clamp}, {"tile", height::Edge::tile}}};
+enum class Sampled { bilinear, cubic_spline, band_limited };
+constexpr std::array<std::pair<std::string_view, Sampled>, 3> kInterpolants{
+    {{"bilinear", Sampled::bilinear}, {"cubic-spline", Sampled::cubic_spline}, {"band-limited", Sampled::band_limited}}};
+
+height::Shape grid(Table& table, const fs::path& file) {
+  const auto sampled = table.word<Sampled>("interpolant", kInterpolants, Sampled::cubic_spline);
+  Source source{.file = file.parent_path() / table.text("file"),
+                .pitch = table.number("pitch_mm"),
+                .scale = table.scale("scale_mm"),
+                .edge = table.word<height::Edge>("edge", kEdges, height::Edge::clamp)};
+  if (sampled == Sampled::bilinear) source.interpolant = height::Interpolant::bilinear;
+  if (sampled == Sampled::band_limited) source.shortest_wavelength = table.number("shortest_wavelength_mm");
+  return load(source);
+}
+
+// The kind whose name is the word, with its numbers under their keys.
+height::Shape shape(Table& table, const fs::path& file) {
+  std::array<std::pair<std::string_view, std::size_t>, height::kKinds> kinds;
+  for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = {height::kKindNames[i], i};
+  return height::shape_of_kind(
+      table.word<std::size_t>("shape", kinds),
+      [&](const auto& number) { return table.number(number.key, number.is_required ? std::nullopt : std::optional(0.0F)); },
+      [&] { return height::Polygons{table.knots("knots_mm")}; }, [&] { return grid(table, file); });
+}
+
+height::Part part(const fs::path& file, const toml::table& table) {
+  Table keys(file, table);
+  height::Part part{shape(keys, file), keys.flag("negated")};
+  keys.expect_no_other();
+  return part;
+}
+
+// 16 parts and 16 surfaces of 1025 knots each, at 40 bytes a knot, take a third of it.
+constexpr std::size_t kLargestFile = 4 << 20;
+
+toml::table parsed(const fs::path& file) {
+  auto root = parse_toml_file(file, kLargestFile);
+  if (const auto* fault = std::get_if<TomlFault>(&root))
+    throw Error(file, (fault->line == 0 ? "" : "line " + std::to_string(fault->line) + ": ") + fault->reason);
+  return std::get<toml::table>(std::move(root));
+}
+
+}  // namespace
+
+std::uint32_t PartLines::of(std::string parameter) const {
+  if (parameter.find("knot") != std::string::npos) parameter = "knots";
+  if (parameter.starts_with("centre ")) parameter.erase(0, std::string("centre ").size());
+  std::replace(parameter.begin(), parameter.end(), ' ', '_');
+  for (const char* unit : {"", "_mm", "_rad", "_rad_per_mm"})
+    if (const auto found = keys.find(parameter + unit); found != keys.end()) return found->second;
+  return part;
+}
+
+Lines lines_of_parts(const fs::path& file) {
+  const toml::table root = parsed(file);
+  const auto lines = [&](const char* list) {
+    std::vector<PartLines> all;
+    const toml::array* parts = root[list].as_array();
+    for (std::size_t i = 0; parts != nullptr && i < parts->size(); ++i) {
+      PartLines& lines_of_part = all.emplace_back();
+      lines_of_part.part = (*parts)[i].source().begin.line;
+      if (const toml::table* keys = (*parts)[i].as_table())
+        for (const auto& [key, value] : *keys) lines_of_part.keys[std::string(key.str())] = value.source().begin.line;
+    }
+    return all;
+  };
+  return {lines("part"), lines("surface")};
+}
+
+Spec read_spec(const fs::path& file) {
+  const toml::table root = parsed(file);
+  Table keys(file, root);
+  std::array<std::pair<std::string_view, height::Rendering>, height::kRenderings.size()> renderings;
+  for (std::size_t i = 0; i < renderings.size(); ++i)
+    renderings[i] = {height::kRenderings[i].name, height::kRenderings[i].rendering};
+  Spec spec{{}, keys.word<height::Rendering>("render", renderings)};
+  for (const auto& [key, node] : root) {
+    if (key.str() == "render") continue;
+    const bool is_surface = key.str() == "surface";
+    const toml::array* parts = key.str() == "part" || is_surface ? node.as_array() : nullptr;
+    if (!parts)
+      throw Error(file, keys.line_of(node) + "expected render, [[part]] and [[surface]], got " + std::string(key.str()));
+    if (is_surface && spec.rendering != height::Rendering::force_shaded)
+      throw Error(file, keys.line_of(node) + "only render = \"height-map-shaded\" has a [[surface]]");
+    for (const toml::node& element : *parts) {
+      if (!element.is_table()) keys.fail(element, key.str(), "a table");
+      (is_surface ? spec.map.surface : spec.map.parts).push_back(part(file, *element.as_table()));
+    }
+  }
+  if (spec.map.parts.empty()) throw Error(file, "expected at least one [[part]], got none");
+  return spec;
+}
+
+std::string shading_polygons(const fs::path& file, const std::vector<height::Knot>& knots, const fs::path& directory) {
+  toml::table root = parsed(file);
+  for (toml::node& part : *root["part"].as_array())
+    if (auto grid = part.as_table()->at_path("file"); grid.is_string()) {
+      const fs::path from = fs::absolute(file).parent_path() / *grid.value<std::string>();
+      grid.as_string()->get() = fs::relative(from, fs::absolute(directory)).string();
+    }
+  toml::array pairs;
+  for (const height::Knot& knot : knots)
+    pairs.push_back(toml::array{static_cast<double>(knot.x), static_cast<double>(knot.height)});
+  root.insert_or_assign("render", "height-map-shaded");
+  root.insert_or_assign("surface", toml::array{toml::table{{"shape", "polygons"}, {"knots_mm", std::move(pairs)}}});
+  std::ostringstream text;
+  text << toml::toml_formatter{root} << '\n';
+  return text.str();
+}
+
+}  // namespace forceshade::heights

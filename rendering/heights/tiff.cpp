@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// TIFF through libtiff: one number a sample, whole or binary, in strips or tiles, without loss.
+
+#include <tiffio.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdarg>
+#include <cstdio>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <string>
+#include <type_traits>
+
+#include "rendering/heights/samples.h"
+
+namespace forceshade::heights {
+namespace {
+
+struct Message {
+  char text[200] = "cannot be read";
+};
+
+int keep_message(TIFF*, void* to, const char*, const char* format, va_list arguments) {
+  std::vsnprintf(static_cast<Message*>(to)->text, sizeof Message::text, format, arguments);
+  return 1;
+}
+int ignore_warning(TIFF*, void*, const char*, const char*, va_list) {
+  return 1;
+}
+
+// One kind of number. An unsigned one is a picture's, whose white is its largest: a sample is the binary32 number nearest to
+// number / white, as in a PNG. Any other sample is the number itself.
+struct Kind {
+  std::uint16_t format, bits;
+  double (*number)(const unsigned char* row, std::size_t column);  // in this machine's order of bytes
+};
+
+template <class T>
+double number(const unsigned char* row, std::size_t column) {
+  T value;
+  std::memcpy(&value, row + column * sizeof(T), sizeof(T));
+  if constexpr (!std::is_unsigned_v<T>) return static_cast<double>(value);
+  // In binary64 first, which changes nothing: the quotient's bits are those of the number over and over, so where binary64 ends
+  // there was a 1 beyond the middle of two binary32 numbers, if the quotient is beyond it.
+  constexpr auto kWhite = static_cast<double>(std::numeric_limits<T>::max());
+  return static_cast<double>(static_cast<float>(static_cast<double>(value) / kWhite));
+}
+
+constexpr std::array<Kind, 8> kKinds{{{SAMPLEFORMAT_UINT, 8, &number<std::uint8_t>},
+                                      {SAMPLEFORMAT_UINT, 16, &number<std::uint16_t>},
+                                      {SAMPLEFORMAT_UINT, 32, &number<std::uint32_t>},
+                                      {SAMPLEFORMAT_INT, 8, &number<std::int8_t>},
+                                      {SAMPLEFORMAT_INT, 16, &number<std::int16_t>},
+                                      {SAMPLEFORMAT_INT, 32, &number<std::int32_t>},
+                                      {SAMPLEFORMAT_IEEEFP, 32, &number<float>},
+                                      {SAMPLEFORMAT_IEEEFP, 64, &number<double>}}};
+
+// Those that lose nothing.
+constexpr std::array<std::uint16_t, 7> kCompressions{COMPRESSION_NONE,    COMPRESSION_LZW,  COMPRESSION_ADOBE_DEFLATE,
+                                                     COMPRESSION_DEFLATE, COMPRESSION_LZMA, COMPRESSION_PACKBITS,
+                                                     COMPRESSION_ZSTD};
+
+const Kind& kind_of(TIFF* tiff, const std::filesystem::path& file) {
+  std::uint16_t bits = 0, samples_per_pixel = 0, format = 0;
+  TIFFGetFieldDefaulted(tiff, TIFFTAG_BITSPERSAMPLE, &bits);
+  TIFFGetFieldDefaulted(tiff, TIFFTAG_SAMPLESPERPIXEL, &samples_per_pixel);
+  TIFFGetFieldDefaulted(tiff, TIFFTAG_SAMPLEFORMAT, &format);
+  for (const Kind& kind : kKinds)
+    if (samples_per_pixel == 1 && format == kind.format && bits == kind.bits) return kind;
+  throw Error(file, "has " + std::to_string(samples_per_pixel) + " samples a pixel of " + std::to_string(bits) +
+                        " bits and sample format " + std::to_string(format) +
+                        "; expected 1 of 8, 16 or 32 bits, whole (1 or 2), or of 32 or 64, binary (3)");
+}
+
+// Refuses whatever says that the numbers are no heights, or not where they stand.
+void expect_heights_alone(TIFF* tiff, const std::filesystem::path& file) {
+  std::uint16_t compression = 0, orientation = 0, photometric = PHOTOMETRIC_MINISBLACK, below = 0;
+  std::uint64_t* places = nullptr;
+  float across = 1, along = 1;
+  TIFFGetFieldDefaulted(tiff, TIFFTAG_COMPRESSION, &compression);
+  if (std::find(kCompressions.begin(), kCompressions.end(), compression) == kCompressions.end())
+    throw Error(file, "has compression " + std::to_string(compression) +
+                          "; expected one without loss: none, LZW, Deflate, LZMA, PackBits or ZSTD");
+  TIFFGetFieldDefaulted(tiff, TIFFTAG_ORIENTATION, &orientation);
+  if (orientation != ORIENTATION_TOPLEFT)
+    throw Error(file, "declares orientation " + std::to_string(orientation) + "; expected 1, the first row on top");
+  TIFFGetField(tiff, TIFFTAG_PHOTOMETRIC, &photometric);
+  if (photometric != PHOTOMETRIC_MINISBLACK)
+    throw Error(file,
+                "declares photometric interpretation " + std::to_string(photometric) + "; expected 1, greyscale with 0 black");
+  if (TIFFGetField(tiff, TIFFTAG_XRESOLUTION, &across) == 1 && TIFFGetField(tiff, TIFFTAG_YRESOLUTION, &along) == 1 &&
+      across != along)
+    throw Error(file, "has pixels that are not square; expected one resolution");
+  if (TIFFLastDirectory(tiff) == 0 || TIFFGetField(tiff, TIFFTAG_SUBIFD, &below, &places) == 1)
+    throw Error(file, "has more than one page; expected one");
+}
+
+void read_strips(TIFF* tiff, const Kind& kind, Samples& samples, const Message& message) {
+  std::vector<unsigned char> row(std::size_t{samples.columns} * kind.bits / 8);
+  if (TIFFScanlineSize(tiff) != static_cast<tmsize_t>(row.size()))
+    throw Error(samples.source->file, "has rows of another size");
+  for (std::uint32_t j = 0; j < samples.rows; ++j) {
+    if (TIFFReadScanline(tiff, row.data(), j) != 1) throw Error(samples.source->file, message.text);
+    samples.put_row(j, [&](std::size_t column) { return kind.number(row.data(), column); });
+  }
+}
+
+// Tiles are all of one size; those on the right and at the bottom reach beyond the picture. `most`: bytes that one may take.
+void read_tiles(TIFF* tiff, const Kind& kind, Samples& samples, const Message& message, std::uint64_t most) {
+  std::uint32_t width = 0, length = 0;
+  TIFFGetField(tiff, TIFFTAG_TILEWIDTH, &width);
+  TIFFGetField(tiff, TIFFTAG_TILELENGTH, &length);
+  const std::uint64_t bytes = std::uint64_t{width} * (kind.bits / 8U);
+  if (width == 0 || length == 0 || bytes > most / length)
+    throw Error(samples.source->file, "declares tiles of " + std::to_string(width) + " x " + std::to_string(length) +
+                                          " samples, more than its bytes can hold");
+  std::vector<unsigned char> tile(bytes * length);
+  if (TIFFTileSize(tiff) != static_cast<tmsize_t>(tile.size())) throw Error(samples.source->file, "has tiles of another size");
+  for (std::uint32_t top = 0; top < samples.rows; top += std::min(length, samples.rows - top))
+    for (std::uint32_t left = 0; left < samples.columns; left += std::min(width, samples.columns - left)) {
+      if (TIFFReadTile(tiff, tile.data(), left, top, 0, 0) != static_cast<tmsize_t>(tile.size()))
+        throw Error(samples.source->file, message.text);
+      for (std::uint32_t j = 0; j < std::min(length, samples.rows - top); ++j)
+        for (std::uint32_t i = 0; i < std::min(width, samples.columns - left); ++i)
+          samples.put(top + j, left + i, kind.number(&tile[j * bytes], i));
+    }
+}
+
+}  // namespace
+
+Samples read_tiff(const Source& source) {
+  const std::filesystem::path& file = source.file;
+  Message message;
+  const std::unique_ptr<TIFFOpenOptions, void (*)(TIFFOpenOptions*)> options(TIFFOpenOptionsAlloc(), &TIFFOpenOptionsFree);
+  TIFFOpenOptionsSetErrorHandlerExtR(options.get(), &keep_message, &message);
+  TIFFOpenOptionsSetWarningHandlerExtR(options.get(), &ignore_warning, nullptr);
+  // No strip, tile or table of an honest file is larger.
+  const std::uint64_t most =
+      std::min(kCompressed * std::filesystem::file_size(file), kMostSamples * sizeof(double)) + (1U << 16);
+  TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), static_cast<tmsize_t>(most));
+  const std::unique_ptr<TIFF, void (*)(TIFF*)> tiff(TIFFOpenExt(file.c_str(), "r", options.get()), &TIFFClose);
+  if (tiff == nullptr) throw Error(file, message.text);
+  std::uint32_t columns = 0, rows = 0;
+  TIFFGetField(tiff.get(), TIFFTAG_IMAGEWIDTH, &columns);
+  TIFFGetField(tiff.get(), TIFFTAG_IMAGELENGTH, &rows);
+  const Kind& kind = kind_of(tiff.get(), file);
+  expect_heights_alone(tiff.get(), file);
+  Samples samples = allocate(source, columns, rows, kind.bits / 8U, kCompressed);
+  if (TIFFIsTiled(tiff.get()) != 0)
+    read_tiles(tiff.get(), kind, samples, message, most);
+  else
+    read_strips(tiff.get(), kind, samples, message);
+  return samples;
+}
+
+}  // namespace forceshade::heights

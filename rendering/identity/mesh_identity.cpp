@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rendering/identity/mesh_identity.h"
+
+#include "rendering/identity/digest.h"
+
+namespace forceshade::properties {
+
+Identity identity_of(const std::string& name, const MeshRendering& rendering) {
+  Digest digest;
+  const auto line = [&](const char* what, std::size_t count) { digest.line(what + (' ' + std::to_string(count))); };
+  line("vertices", rendering.mesh().vertices.size());
+  for (const mesh::Vertex& vertex : rendering.mesh().vertices)
+    for (const float coordinate : vertex) digest.number(coordinate);
+  line("triangles", rendering.mesh().triangles.size());
+  for (const mesh::Triangle& triangle : rendering.mesh().triangles)
+    for (const std::uint32_t vertex : triangle) digest.whole(vertex);
+  line("normals", rendering.normals.size());
+  for (const auto& corners : rendering.normals)
+    for (const mesh::Normal& normal : corners)
+      for (const float component : normal) digest.number(component);
+  if (!rendering.texture.corners.empty()) {
+    line("texture", rendering.texture.corners.size());
+    for (const auto& corners : rendering.texture.corners)
+      for (const mesh::CornerTexture& corner : corners) {
+        for (const float coordinate : corner.point) digest.number(coordinate);
+        for (const mesh::Normal& gradient : {corner.gradient_x, corner.gradient_y})
+          for (const float component : gradient) digest.number(component);
+      }
+    digest.line("map " + identity_of("", rendering.texture.map, height::Rendering::force_shaded, 1).digest);
+  }
+  // Named only where they are allowed, so that what was certified or recorded before there was such a choice is still the same.
+  const bool has_sheets = rendering.checked.self_intersections() == mesh::SelfIntersections::allowed;
+  if (has_sheets) digest.line("self-intersections allowed");
+  Identity identity{kMeshKind,
+                    name,
+                    {{"sides", std::string(name_of(rendering.sides))},
+                     {"shading", std::string(name_of(rendering.shading))},
+                     {"stiffness_N_per_mm", rendering.stiffness}},
+                    digest.hex()};
+  if (has_sheets) identity.parameters.push_back({"self_intersections", std::string("allowed")});
+  return identity;
+}
+
+}  // namespace forceshade::properties

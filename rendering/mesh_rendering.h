@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What a god-object on a mesh is built from, on both sides.
+
+#include <cmath>
+#include <optional>
+
+#include "rendering/law.h"
+#include "rendering/mesh.h"
+
+namespace forceshade {
+
+struct MeshRendering {
+  mesh::CheckedMesh checked;
+  mesh::CornerNormals normals = {};  // one for each corner where the shading uses them
+  mesh::Sides sides = mesh::Sides::front;
+  mesh::Shading shading = mesh::Shading::none;
+  float stiffness = 0;         // K, N/mm, in [10^-3, 10^3]
+  mesh::Texture texture = {};  // of the texture scheme
+
+  const mesh::TriangleMesh& mesh() const { return checked.mesh(); }
+};
+
+inline std::optional<ParameterError> error_of_stiffness(float stiffness) {
+  if (stiffness >= 0.001F && stiffness <= 1000) return std::nullopt;
+  return ParameterError{"stiffness", "N/mm", stiffness, 0.001F, 1000};
+}
+
+// Why it cannot be rendered, but for what the texture's height map says of itself: the stiffness; normals that are not one for
+// each corner, with components in [-2, 2], where the shading uses them; the same of a texture, with points within 10^4 mm and
+// gradients of 0 or of 2^-30 to 1000 mm/mm.
+inline std::optional<ParameterError> first_error(const MeshRendering& rendering) {
+  const auto outside = [](const char* name, const char* unit, float value, float most) -> std::optional<ParameterError> {
+    if (std::fabs(value) <= most) return std::nullopt;
+    return ParameterError{name, unit, value, -most, most};
+  };
+  const std::size_t triangles = rendering.mesh().triangles.size();
+  const auto other_count = [&](const char* name, std::size_t count) -> std::optional<ParameterError> {
+    const auto expected = static_cast<float>(triangles);
+    if (count == triangles) return std::nullopt;
+    return ParameterError{name, "", static_cast<float>(count), expected, expected};
+  };
+  if (const auto error = error_of_stiffness(rendering.stiffness)) return error;
+  if (!mesh::has_corner_normals(rendering.shading)) return std::nullopt;
+  if (const auto error = other_count("number of triangles with normals", rendering.normals.size())) return error;
+  for (const auto& corners : rendering.normals)
+    for (const mesh::Normal& normal : corners)
+      for (const float component : normal)
+        if (const auto error = outside("component of a normal", "", component, 2)) return error;
+  if (rendering.shading != mesh::Shading::texture_scheme) return std::nullopt;
+  if (const auto error = other_count("number of triangles with texture", rendering.texture.corners.size())) return error;
+  constexpr float kLeast = 0x1p-30F, kMost = 1000;  // mm/mm
+  for (const auto& corners : rendering.texture.corners)
+    for (const mesh::CornerTexture& corner : corners) {
+      for (const float coordinate : corner.point)
+        if (const auto error = outside("texture coordinate", "mm", coordinate, 10000)) return error;
+      for (const mesh::Normal& gradient : {corner.gradient_x, corner.gradient_y})
+        for (const float component : gradient) {
+          if (const auto error = outside("gradient of a texture coordinate", "mm/mm", component, kMost)) return error;
+          if (component != 0 && std::fabs(component) < kLeast)
+            return ParameterError{"size of a gradient of a texture coordinate", "mm/mm", std::fabs(component), kLeast, kMost};
+        }
+    }
+  return std::nullopt;
+}
+
+}  // namespace forceshade

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rendering/meshes/load.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "rendering/meshes/readers.h"
+
+namespace forceshade::mesh {
+namespace {
+
+struct Format {
+  std::string_view ending;
+  LoadedMesh (*read)(const std::filesystem::path& file, Unit unit);
+};
+constexpr std::array kFormats{Format{".obj", &read_obj}, Format{".off", &read_off}, Format{".ply", &read_ply},
+                              Format{".stl", &read_stl}};
+
+}  // namespace
+
+LoadedMesh load_with_corners(const std::filesystem::path& file, Unit unit) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const Format& format : kFormats)
+    if (format.ending == ending) return format.read(file, unit);
+  throw Error(file, "has a name of no known format; expected a name that ends in .obj, .off, .ply or .stl");
+}
+
+TriangleMesh load(const std::filesystem::path& file, Unit unit) {
+  return load_with_corners(file, unit).mesh;
+}
+
+}  // namespace forceshade::mesh

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What the readers of the formats share.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "rendering/meshes/lines.h"
+#include "rendering/meshes/load.h"
+
+namespace forceshade::mesh {
+
+LoadedMesh read_obj(const std::filesystem::path& file, Unit unit);
+LoadedMesh read_off(const std::filesystem::path& file, Unit unit);
+LoadedMesh read_ply(const std::filesystem::path& file, Unit unit);
+LoadedMesh read_stl(const std::filesystem::path& file, Unit unit);
+
+// More of either no file may have, so that three times the number fits in 32 bits.
+inline constexpr std::uint64_t kMost = std::uint64_t{1} << 28;
+
+// A corner of a face: places in the lists of vertices, normals and points of the texture.
+struct Corner {
+  static constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
+  std::uint32_t vertex = 0, normal = kNone, texture = kNone;
+};
+
+// Of one face. Its triangles have a vertex in common, so that the check, which compares each two of them, takes time that grows
+// with the square: 0.9 s for as many as this.
+inline constexpr std::size_t kMostCorners = 4096;
+
+// Makes a mesh of the vertices and faces of a file.
+class Builder {
+ public:
+  std::vector<Vertex> vertices;
+  std::vector<Normal> normals;
+  std::vector<TexturePoint> texture;
+
+  // Of 3 corners or more, whose places are in the lists. A face of more than kMostCorners makes take() throw. line: of the
+  // file, from 1; 0 where the file is binary.
+  void add_face(std::span<const Corner> corners, std::uint64_t line);
+  bool has_faces() const { return faces_ > 0; }
+  // Room for so many triangles.
+  void reserve(std::uint64_t triangles) { loaded_.mesh.triangles.reserve(triangles); }
+
+  // Throws Error where there is no triangle, or are too many.
+  LoadedMesh take(const std::filesystem::path& file);
+
+ private:
+  LoadedMesh loaded_;
+  std::uint64_t faces_ = 0, split_faces_ = 0;
+  struct LongFace {
+    std::uint64_t face, line;  // the first one, from 1
+    std::size_t corners;
+  };
+  std::optional<LongFace> too_long_;
+  // The first face with a corner that has none, from 1.
+  std::optional<std::uint64_t> without_normal_, without_texture_;
+};
+
+// The coordinate that a number of mm is read as; nothing where it is none.
+std::optional<float> coordinate(float number);
+
+// A coordinate of a vertex. Throws Error.
+float coordinate_of(const Lines& lines, std::string_view word, Unit unit);
+// A component of a normal or of a point of the texture, without a unit, with the limits of a coordinate. Throws Error.
+float component_of(const Lines& lines, std::string_view word);
+// Decimal digits alone. Nothing where the word is no number below 2^64.
+std::optional<std::uint64_t> whole_number(std::string_view word);
+
+// As many digits as distinguish the number from any other.
+std::string words_of(double number);
+
+// Throws Error where a file of so many bytes cannot hold the number of things, each of so many bytes at least, or where they
+// are more than kMost. `place` is "line 12: " or "byte 84: ".
+void expect_room(const std::filesystem::path& file, const std::string& place, std::uint64_t number, const std::string& things,
+                 std::uint64_t bytes_each, std::uint64_t bytes);
+
+}  // namespace forceshade::mesh

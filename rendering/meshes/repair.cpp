@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rendering/meshes/repair.h"
+
+#include <algorithm>
+#include <functional>
+#include <span>
+
+#include "rendering/meshes/edges.h"
+#include "rendering/meshes/predicates.h"
+#include "rendering/meshes/readers.h"
+#include "rendering/meshes/weld.h"
+
+namespace forceshade::mesh {
+namespace {
+
+constexpr std::uint32_t kBeyond = 0xFFFFFFFF;  // in place of a vertex that is none
+
+// "dropped 3 faces without area: 4, 9, 12", of many only the first.
+std::string sentence(const std::string& words, const std::vector<std::uint32_t>& numbers) {
+  constexpr std::size_t kNamed = 20;
+  std::string text = words + ": ";
+  for (std::size_t i = 0; i < numbers.size() && i < kNamed; ++i) text += (i == 0 ? "" : ", ") + std::to_string(numbers[i]);
+  return numbers.size() > kNamed ? text + ", ..." : text;
+}
+
+class Repair {
+ public:
+  explicit Repair(TriangleMesh mesh) : mesh_(std::move(mesh)), number_(mesh_.triangles.size()) {
+    for (std::uint32_t i = 0; i < number_.size(); ++i) number_[i] = i;
+  }
+
+  Repaired run() {
+    weld();
+    drop("with a vertex that is none", [&](const Triangle& t) {
+      return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return v >= mesh_.vertices.size(); });
+    });
+    drop("with a vertex twice", [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+    drop("without area", [&](const Triangle& t) {
+      return !has_area({mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]});
+    });
+    drop_same();
+    orient();
+    return {std::move(mesh_), std::move(done_)};
+  }
+
+ private:
+  void weld() {
+    Welder welder;
+    std::vector<std::uint32_t> place(mesh_.vertices.size(), kBeyond);
+    std::size_t valid = 0;
+    for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
+      Vertex vertex{};
+      bool is_valid = true;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto kept = coordinate(mesh_.vertices[v][i]);
+        is_valid &= kept.has_value();
+        vertex[i] = kept.value_or(0);
+      }
+      if (!is_valid) continue;
+      ++valid;
+      place[v] = welder.place_of(vertex);
+    }
+    const std::size_t count = mesh_.vertices.size();
+    mesh_.vertices = welder.take();
+    for (Triangle& t : mesh_.triangles)
+      for (std::uint32_t& v : t) v = v < count ? place[v] : kBeyond;
+    if (valid < count)
+      done_.push_back("dropped " + std::to_string(count - valid) +
+                      " vertices with a coordinate that is no number within 10000 mm");
+    if (mesh_.vertices.size() < valid)
+      done_.push_back("joined " + std::to_string(valid - mesh_.vertices.size()) +
+                      " vertices to another with the same coordinates");
+  }
+
+  // The faces of which it is so go. `number_` keeps the numbers that the faces had.
+  void drop(const std::string& words, const std::function<bool(const Triangle&)>& is_wrong) {
+    std::vector<std::uint32_t> dropped;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
+      if (is_wrong(mesh_.triangles[i])) {
+        dropped.push_back(number_[i]);
+        continue;
+      }
+      mesh_.triangles[kept] = mesh_.triangles[i];
+      number_[kept++] = number_[i];
+    }
+    mesh_.triangles.resize(kept);
+    number_.resize(kept);
+    if (!dropped.empty()) done_.push_back(sentence("dropped " + std::to_string(dropped.size()) + " faces " + words, dropped));
+  }
+
+  void drop_same() {
+    std::vector<std::array<std::uint32_t, 4>> sorted;  // the vertices in order, the face
+    for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
+      Triangle t = mesh_.triangles[i];
+      std::sort(t.begin(), t.end());
+      sorted.push_back({t[0], t[1], t[2], i});
+    }
+    std::sort(sorted.begin(), sorted.end());
+    std::vector<bool> is_same(sorted.size(), false);
+    for (std::size_t i = 1; i < sorted.size(); ++i)
+      is_same[sorted[i][3]] = std::equal(sorted[i].begin(), sorted[i].begin() + 3, sorted[i - 1].begin());
+    std::size_t at = 0;
+    drop("with the vertices of a face before them", [&](const Triangle&) { return is_same[at++]; });
+  }
+
+  // Over edges with two faces, whatever their directions.
+  void orient() {
+    std::vector<std::uint32_t> across(3 * mesh_.triangles.size(), kNoEdge);
+    for_each_edge(mesh_, [&](std::span<const std::uint32_t> half_edges) {
+      if (half_edges.size() != 2) return;
+      across[half_edges[0]] = half_edges[1];
+      across[half_edges[1]] = half_edges[0];
+    });
+    enum : char { unmet, kept, turned };
+    std::vector<char> state(mesh_.triangles.size(), unmet);
+    std::vector<std::uint32_t> next, turned_over;
+    for (std::uint32_t first = 0; first < mesh_.triangles.size(); ++first) {
+      if (state[first] != unmet) continue;
+      state[first] = kept;
+      next.assign(1, first);
+      std::vector<std::uint32_t> part;
+      bool is_possible = true;
+      while (!next.empty()) {
+        const std::uint32_t i = next.back();
+        next.pop_back();
+        part.push_back(i);
+        for (std::uint32_t h = 3 * i; h < 3 * i + 3; ++h) {
+          if (across[h] == kNoEdge) continue;
+          const std::uint32_t other = across[h] / 3;
+          const bool is_same_direction = start_of(mesh_, h) == start_of(mesh_, across[h]);
+          const char expected = (state[i] == turned) == is_same_direction ? kept : turned;
+          if (state[other] == unmet) {
+            state[other] = expected;
+            next.push_back(other);
+          } else if (state[other] != expected) {
+            is_possible = false;
+          }
+        }
+      }
+      if (!is_possible) {
+        done_.push_back("left the part of face " + std::to_string(number_[first]) + " as it is: it has only one side");
+        for (const std::uint32_t i : part) state[i] = kept;
+      }
+    }
+    for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
+      if (state[i] != turned) continue;
+      std::swap(mesh_.triangles[i][1], mesh_.triangles[i][2]);
+      turned_over.push_back(number_[i]);
+    }
+    if (!turned_over.empty())
+      done_.push_back(sentence("turned " + std::to_string(turned_over.size()) + " faces over", turned_over));
+  }
+
+  TriangleMesh mesh_;
+  std::vector<std::uint32_t> number_;  // of each face, which it had at first
+  std::vector<std::string> done_;
+};
+
+}  // namespace
+
+Repaired repair(TriangleMesh mesh) {
+  return Repair(std::move(mesh)).run();
+}
+
+}  // namespace forceshade::mesh

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// STL, of 3D Systems: triangles with their coordinates, as text or binary. The format repeats a vertex in every triangle, so
+// vertices with equal coordinates are one. The normals are not read: the order of the corners says where the front is.
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+#include "rendering/meshes/bytes.h"
+#include "rendering/meshes/numbers.h"
+#include "rendering/meshes/readers.h"
+#include "rendering/meshes/weld.h"
+
+namespace forceshade::mesh {
+namespace {
+
+constexpr std::uint64_t kHead = 84, kTriangle = 50;  // bytes: a text of 80 and the number of triangles; a triangle
+
+void add_triangle(Builder& builder, Welder& welder, const std::array<Vertex, 3>& vertices, std::uint64_t line) {
+  std::array<Corner, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) corners[i].vertex = welder.place_of(vertices[i]);
+  builder.add_face(corners, line);
+}
+
+LoadedMesh taken(Builder& builder, Welder& welder, const std::filesystem::path& file, std::uint64_t triangles) {
+  builder.vertices = welder.take();
+  const std::size_t count = builder.vertices.size();
+  LoadedMesh loaded = builder.take(file);
+  loaded.notes.push_back("STL repeats its vertices: of " + std::to_string(3 * triangles) +
+                         ", those with equal coordinates are one, " + std::to_string(count) + " in all");
+  return loaded;
+}
+
+LoadedMesh read_binary(const std::filesystem::path& file, Unit unit, std::uint64_t triangles) {
+  Bytes bytes(file, kHead, std::endian::little);
+  Builder builder;
+  Welder welder;
+  builder.reserve(triangles);
+  for (std::uint64_t i = 0; i < triangles; ++i) {
+    bytes.skip(12);  // the normal
+    std::array<Vertex, 3> vertices;
+    for (Vertex& vertex : vertices)
+      for (float& x : vertex) {
+        const std::uint64_t place = bytes.position();
+        const float number = bytes.take<float>();
+        const auto kept = coordinate(from_binary(static_cast<double>(number), unit));
+        if (!kept)
+          throw bytes.error(place, "expected a coordinate within 10000 mm, got " + words_of(static_cast<double>(number)));
+        x = *kept;
+      }
+    bytes.skip(2);  // what some programs use for a colour
+    add_triangle(builder, welder, vertices, 0);
+  }
+  return taken(builder, welder, file, triangles);
+}
+
+class Text {
+ public:
+  Text(const std::filesystem::path& file, Unit unit) : file_(file), unit_(unit), lines_(file) {}
+
+  LoadedMesh read() {
+    std::uint64_t triangles = 0;
+    while (lines_.next_with_words()) {
+      Words words = after("solid");
+      next("facet or endsolid");
+      for (; is("facet"); next("facet or endsolid"), ++triangles) {
+        const std::uint64_t line = lines_.number();
+        next("outer loop");
+        words = after("outer");
+        expect_word(words, "loop");
+        std::array<Vertex, 3> vertices;
+        for (Vertex& vertex : vertices) {
+          next("vertex");
+          words = after("vertex");
+          for (float& x : vertex) x = coordinate_of(lines_, words.next(), unit_);
+          if (const std::string_view more = words.next(); !more.empty()) throw lines_.unexpected("the end of the line", more);
+        }
+        next("endloop");
+        after("endloop");
+        next("endfacet");
+        after("endfacet");
+        add_triangle(builder_, welder_, vertices, line);
+      }
+      after("endsolid");
+    }
+    if (triangles == 0) throw lines_.ended("a face, of which there is none");
+    return taken(builder_, welder_, file_, triangles);
+  }
+
+ private:
+  static std::string lower(std::string_view word) {
+    std::string text(word);
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+  }
+  void next(const char* expected) {
+    if (!lines_.next_with_words()) throw lines_.ended(expected);
+  }
+  bool is(const char* keyword) const { return lower(Words(lines_.line()).next()) == keyword; }
+  void expect_word(Words& words, const char* expected) const {
+    const std::string_view word = words.next();
+    if (lower(word) != expected) throw lines_.unexpected(expected, word);
+  }
+  // The words behind the keyword with which the line begins.
+  Words after(const char* keyword) const {
+    Words words(lines_.line());
+    expect_word(words, keyword);
+    return words;
+  }
+
+  std::filesystem::path file_;
+  Unit unit_;
+  Lines lines_;
+  Builder builder_;
+  Welder welder_;
+};
+
+// The first bytes of a file up to the end of its first triangle, if it is binary.
+std::string head_of(const std::filesystem::path& file) {
+  std::string head;
+  for (Bytes bytes(file, 0, std::endian::little); head.size() < kHead + kTriangle && bytes.left() > 0;)
+    head += static_cast<char>(bytes.take<unsigned char>());
+  return head;
+}
+
+// Many binary files begin with the word solid, too. No text has a zero byte, but a binary file of less than 2^24 triangles has
+// one in their number.
+bool is_text(std::string_view head) {
+  if (head.find('\0') != std::string_view::npos) return false;
+  if (head.starts_with(kByteOrderMark)) head.remove_prefix(kByteOrderMark.size());
+  const std::string_view solid = "solid";
+  return head.size() >= solid.size() && std::equal(solid.begin(), solid.end(), head.begin(), [](char expected, char found) {
+           return expected == std::tolower(static_cast<unsigned char>(found));
+         });
+}
+
+}  // namespace
+
+// The size decides: a file of the size that it declares is binary.
+LoadedMesh read_stl(const std::filesystem::path& file, Unit unit) {
+  const std::uint64_t size = size_of(file);
+  std::uint64_t triangles = 0;
+  if (size >= kHead) {
+    triangles = Bytes(file, kHead - 4, std::endian::little).take<std::uint32_t>();
+    if (size == kHead + kTriangle * triangles) return read_binary(file, unit, triangles);
+  }
+  if (is_text(head_of(file))) return Text(file, unit).read();
+  if (size < kHead) throw Error(file, "is no STL file: expected the word solid, or 84 bytes and more");
+  throw Error(file, "byte 80: declares " + std::to_string(triangles) + " triangles, which take " +
+                        std::to_string(kHead + kTriangle * triangles) + " bytes; the file has " + std::to_string(size));
+}
+
+}  // namespace forceshade::mesh

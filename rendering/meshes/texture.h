@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Where the corners of a mesh lie on a height map that is laid over it, and how fast the map goes by along the surface.
+
+#include <vector>
+
+#include "rendering/meshes/check.h"
+#include "rendering/meshes/load.h"
+
+namespace forceshade::mesh {
+
+// points: of each corner of each triangle, in the file's units; scale: mm for one such unit, 10^-3 to 10^4. A coordinate is the
+// binary32 number of mm nearest to number times scale, and 0 below 2^-30 mm in size.
+//
+// The gradients of a corner are means over the triangles around its vertex, weighted by their areas: of those that are joined
+// to the corner's own triangle over edges at the vertex that do not separate. An edge separates if its triangles turn by more
+// than the crease angle, have different points at either of its ends, or only one of them is turned over in the texture. Each
+// component is the binary32 number nearest to the exact one, ties to even, and 0 below 2^-30 in size; one that 1280 bits do not
+// separate from a tie is taken for the tie.
+//
+// Throws std::invalid_argument, with the number of the face, where a triangle has no area in the texture, a point is beyond
+// 10^4 mm, a component of a gradient is above 1000, or the scale is outside its range.
+CornerTextures corner_textures(const CheckedMesh& mesh, const std::vector<std::array<TexturePoint, 3>>& points, float scale,
+                               double crease_degrees = 180);
+
+}  // namespace forceshade::mesh

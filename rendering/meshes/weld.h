@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Vertices with equal coordinates as one vertex.
+
+#include <cstdint>
+#include <vector>
+
+#include "rendering/mesh.h"
+
+namespace forceshade::mesh {
+
+// A list of vertices with different coordinates, in the order in which they first came.
+class Welder {
+ public:
+  // The place of the vertex in the list, in which it is then. No coordinate is NaN or -0.
+  std::uint32_t place_of(const Vertex& vertex);
+
+  std::vector<Vertex> take() { return std::move(vertices_); }
+
+ private:
+  static std::uint64_t hash_of(const Vertex& vertex);
+  void grow();
+
+  std::vector<Vertex> vertices_;
+  std::vector<std::uint32_t> slots_;  // a power of two of them, at most half in use: 0, or 1 + a place in the list
+};
+
+}  // namespace forceshade::mesh

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "study/experiments/session_folder.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "files/output_file.h"
+#include "files/printable.h"
+#include "study/experiments/error.h"
+#include "study/experiments/json_text.h"
+#include "study/experiments/trial_log.h"
+
+namespace forceshade::experiments {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kSessionSchema = 1;
+constexpr std::size_t kLongestId = 32;
+
+Error failed(const fs::path& file, const char* what) {
+  return {file, std::string("cannot ") + what + ": " + std::generic_category().message(errno)};
+}
+
+std::string content_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw failed(file, "be opened");
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (in.bad()) throw failed(file, "be read");
+  return text;
+}
+
+void write_whole(const fs::path& file, const std::string& text) {
+  files::OutputFile out(file.string());
+  out.stream() << text;
+  out.commit();
+}
+
+// session.json, but for the experiment, which the protocol holds.
+struct About {
+  std::string participant;
+  std::uint64_t seed = 0;
+  fs::path files_from;
+};
+
+About read_about(const fs::path& folder) {
+  const fs::path file = folder / "session.json";
+  const std::string text = content_of(file);
+  try {
+    const Json json = json_of(text);
+    whole_member(json, "schema", kSessionSchema, kSessionSchema);
+    About about;
+    about.participant = text_member(json, "participant");
+    if (!is_participant(about.participant)) throw std::invalid_argument("participant: expected letters, digits and dashes");
+    const std::string seed = text_member(json, "seed");
+    const auto [end, error] = std::from_chars(seed.data(), seed.data() + seed.size(), about.seed);
+    if (error != std::errc() || end != seed.data() + seed.size())
+      throw std::invalid_argument("seed: expected a whole number below 2^64 in quotes, got " + seed);
+    about.files_from = text_member(json, "files_from");
+    return about;
+  } catch (const std::invalid_argument& error) {
+    throw Error(file, files::printable(error.what()));
+  }
+}
+
+// What follows from the folder but for the events.
+struct Opened {
+  About about;
+  Protocol protocol;
+  Language language;
+};
+
+Opened opened(const fs::path& folder, Files files) {
+  Opened all{read_about(folder), {}, {}};
+  all.protocol = read_protocol(folder / "protocol.toml", all.about.files_from, files);
+  all.language = read_language(folder / "language.toml");
+  return all;
+}
+
+fs::path log_in(const fs::path& folder) {
+  return folder / "trials.jsonl";
+}
+
+// `make` builds the session; an event that does not fit becomes an error of its line.
+template <class Make>
+auto with_lines(const fs::path& folder, const Make& make) {
+  try {
+    return make();
+  } catch (const ReplayError& error) {
+    throw Error(log_in(folder), error.event + 1, error.what());
+  }
+}
+
+}  // namespace
+
+bool is_participant(std::string_view id) {
+  const auto is_alphanumeric = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+  };
+  return !id.empty() && id.size() <= kLongestId && is_alphanumeric(id.front()) &&
+         std::ranges::all_of(id, [&](char c) { return is_alphanumeric(c) || c == '-'; });
+}
+
+fs::path ticks_of_run(const fs::path& session, int run) {
+  return session / "ticks" / ("run-" + std::to_string(run));
+}
+
+// Appends lines; holds a lock on the file, so that no second process goes on with the same session.
+class RecordedSession::Log {
+ public:
+  Log(fs::path file, int flags, Sync sync)
+      : file_(std::move(file)), descriptor_(::open(file_.c_str(), flags | O_WRONLY | O_APPEND | O_CLOEXEC, 0666)), sync_(sync) {
+    if (descriptor_ < 0) throw failed(file_, "be opened for writing");
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+    ::close(descriptor_);
+    throw Error(file_, "another process goes on with this session");
+  }
+  ~Log() { ::close(descriptor_); }
+  Log(const Log&) = delete;
+  Log& operator=(const Log&) = delete;
+
+  // Cuts off what stands after the whole lines.
+  void keep(std::size_t size, std::size_t lines) {
+    size_ = static_cast<off_t>(size);
+    lines_ = lines;
+    if (::ftruncate(descriptor_, size_) != 0) throw failed(file_, "be cut to its whole lines");
+  }
+
+  void append(const Event& event) {
+    const std::string line = line_of(event, lines_ + 1);
+    for (std::size_t done = 0; done < line.size();) {
+      const ssize_t written = ::write(descriptor_, line.data() + done, line.size() - done);
+      if (written >= 0) {
+        done += static_cast<std::size_t>(written);
+      } else if (errno != EINTR) {
+        const Error error = failed(file_, "be written");
+        // What is left of the line would damage the next one. Where this fails, too, the line is torn, and is recognised.
+        [[maybe_unused]] const int ignored = ::ftruncate(descriptor_, size_);
+        throw error;
+      }
+    }
+    size_ += static_cast<off_t>(line.size());
+    ++lines_;
+    if (sync_ == Sync::each_event && ::fdatasync(descriptor_) != 0) throw failed(file_, "reach the disk");
+  }
+
+ private:
+  fs::path file_;
+  int descriptor_;
+  Sync sync_;
+  off_t size_ = 0;
+  std::size_t lines_ = 0;
+};
+
+RecordedSession RecordedSession::start(const fs::path& folder, const fs::path& protocol_file, const std::string& participant,
+                                       std::uint64_t seed, KeyNames keys, Sync sync) {
+  if (!is_participant(participant))
+    throw Error(folder, "participant: expected 1 to 32 letters, digits and dashes, the first no dash, got \"" +
+                            files::printable(participant) + '"');
+  Protocol protocol = read_protocol(protocol_file);
+  Language language = read_language(protocol.language);
+  std::error_code error;
+  if (fs::exists(folder, error) && (!fs::is_directory(folder, error) || !fs::is_empty(folder, error)))
+    throw Error(folder, "expected no file of this name, or an empty folder: a session has a folder of its own");
+  const bool is_new = !fs::exists(folder, error);
+  RecordedSession recorded;
+  try {
+    fs::create_directories(folder / "ticks", error);
+    if (error) throw Error(folder, "cannot be made: " + error.message());
+    write_whole(folder / "protocol.toml", content_of(protocol_file));
+    write_whole(folder / "language.toml", content_of(protocol.language));
+    const Json about{{"schema", kSessionSchema},
+                     {"participant", participant},
+                     {"experiment", name_of(protocol.experiment)},
+                     {"seed", std::to_string(seed)},
+                     {"files_from", fs::absolute(protocol_file).parent_path().string()}};
+    write_whole(folder / "session.json", about.dump(2) + '\n');
+    recorded.log_ = std::make_shared<Log>(log_in(folder), O_CREAT | O_EXCL, sync);
+    files::sync_folder(folder);
+  } catch (...) {
+    // Nothing half-written: the folder was empty, or was not there.
+    for (const char* name : {"protocol.toml", "language.toml", "session.json", "trials.jsonl", "ticks"})
+      fs::remove(folder / name, error);
+    if (is_new) fs::remove(folder, error);
+    throw;
+  }
+  recorded.folder_ = folder;
+  recorded.participant_ = participant;
+  recorded.session_ = std::make_unique<Session>(
+      std::move(protocol), std::move(language), seed, [log = recorded.log_](const Event& event) { log->append(event); },
+      std::span<const Event>(), keys);
+  return recorded;
+}
+
+RecordedSession RecordedSession::resume(const fs::path& folder, KeyNames keys, Sync sync) {
+  Opened all = opened(folder, Files::must_exist);
+  RecordedSession recorded;
+  recorded.log_ = std::make_shared<Log>(log_in(folder), 0, sync);  // locked before it is read
+  LogText text = read_log(log_in(folder));
+  if (std::ranges::any_of(text.events, [](const Event& event) { return event.kind == EventKind::session_ended; }))
+    throw Error(folder, "the session is over: there is nothing to go on with");
+  with_lines(folder, [&] {
+    return Session(
+        all.protocol, all.language, all.about.seed, [](const Event&) {}, text.events);
+  });
+  recorded.log_->keep(text.size, text.events.size());
+  recorded.folder_ = folder;
+  recorded.participant_ = all.about.participant;
+  recorded.note_ = text.note;
+  recorded.run_ = 1 + static_cast<int>(std::ranges::count(text.events, EventKind::run_started, &Event::kind));
+  recorded.session_ = std::make_unique<Session>(
+      std::move(all.protocol), std::move(all.language), all.about.seed,
+      [log = recorded.log_](const Event& event) { log->append(event); }, text.events, keys);
+  return recorded;
+}
+
+SavedSession read_session(const fs::path& folder) {
+  Opened all = opened(folder, Files::may_be_missing);
+  LogText text = read_log(log_in(folder));
+  with_lines(folder, [&] {
+    return Session(
+        all.protocol, all.language, all.about.seed, [](const Event&) {}, text.events);
+  });
+  return {all.about.participant,   all.about.seed,         std::move(all.protocol),
+          std::move(all.language), std::move(text.events), text.note};
+}
+
+}  // namespace forceshade::experiments

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What the participant sees, as a picture: from a screen of the session and the state of the scene, without a display.
+
+#include "study/experiments/language.h"
+#include "study/experiments/screen.h"
+#include "study/window/picture.h"
+#include "study/window/scene.h"
+#include "study/window/text.h"
+
+namespace forceshade::window {
+
+struct Look {
+  experiments::Labels labels;  // in the language of the screens
+  double text_scale = 1;       // times the usual size of text
+};
+
+// Pixels: the size of the body of all text in a window of this size, before text_scale.
+double text_size(Size window);
+
+// Of the colours that tests look for.
+inline constexpr Colour kPaper{0.965F, 0.961F, 0.949F}, kPanel{0.925F, 0.918F, 0.898F}, kCursor{0.784F, 0.251F, 0.141F};
+
+// The bumps and the cursor are drawn on screens of kind matching alone, and there only while shows_scene is true; else their
+// area is one colour (but see Scene::shows_tip_alone). The four pictures of a classification are always drawn, for they are the
+// answers. Text that is too long for its place is made smaller until it fits (text.h).
+Picture picture_of(const experiments::Screen& screen, const Scene& scene, const Look& look, Size window,
+                   const Measure& measure);
+
+}  // namespace forceshade::window

@@ -1,0 +1,484 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The god-object's time for a tick, beside that of a naive binary32 one on the same path: forceshade_mesh_bench
+// [MOST_TRIANGLES [LEAST_TRIANGLES]].
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <numeric>
+#include <random>
+#include <string>
+#include <variant>
+
+#include "fast/meshes/large_pages.h"
+#include "fast/meshes/session.h"
+#include "rendering/meshes/check.h"
+#include "rendering/meshes/make.h"
+#include "rendering/meshes/normals.h"
+#include "rendering/meshes/texture.h"
+#include "tests/bench/mesh_workloads.h"
+#include "tests/bench/naive_mesh.h"
+
+namespace {
+std::atomic<std::size_t> allocations{0};
+}  // namespace
+
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* place = std::malloc(size)) return place;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
+  ++allocations;
+  const auto to = static_cast<std::size_t>(alignment);
+  if (void* place = std::aligned_alloc(to, (size + to - 1) / to * to)) return place;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* place) noexcept {
+  std::free(place);
+}
+[[gnu::noinline]] void operator delete(void* place, std::size_t) noexcept {
+  std::free(place);
+}
+[[gnu::noinline]] void operator delete(void* place, std::align_val_t) noexcept {
+  std::free(place);
+}
+[[gnu::noinline]] void operator delete(void* place, std::size_t, std::align_val_t) noexcept {
+  std::free(place);
+}
+
+namespace forceshade::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+#if defined(__x86_64__)
+inline std::uint64_t now() {
+  unsigned processor = 0;
+  const std::uint64_t count = __builtin_ia32_rdtscp(&processor);
+  __builtin_ia32_lfence();
+  return count;
+}
+#else
+inline std::uint64_t now() {
+  return static_cast<std::uint64_t>(Clock::now().time_since_epoch().count());
+}
+#endif
+
+// Of now(), against the steady clock; and what reading it takes.
+struct Scale {
+  double microseconds_per_count, counts_to_read;
+};
+Scale scale() {
+  const auto start = Clock::now();
+  const std::uint64_t first = now();
+  while (seconds_since(start) < 0.05) continue;
+  const double per_count = 1e6 * seconds_since(start) / static_cast<double>(now() - first);
+  std::vector<std::uint64_t> idle(2001);
+  for (std::uint64_t& one : idle) {
+    const std::uint64_t before = now();
+    one = now() - before;
+  }
+  std::ranges::nth_element(idle, idle.begin() + 1000);
+  return {per_count, static_cast<double>(idle[1000])};
+}
+
+constexpr int kPasses = 5;
+
+struct Times {
+  double median, most_of_1000, longest;  // µs; 999 of 1000 ticks are no longer than the second
+  std::size_t allocations;
+};
+
+template <class Step>
+double time_of(const Scale& scale, const Step& step) {
+  const std::uint64_t before = now();
+  step();
+  return std::max(0.0, (static_cast<double>(now() - before) - scale.counts_to_read) * scale.microseconds_per_count);
+}
+
+Times summary(std::vector<double> times, std::size_t allocated) {
+  std::ranges::sort(times);
+  return {times[times.size() / 2], times[times.size() * 999 / 1000], times.back(), allocated};
+}
+
+// times: those of the path's ticks, in order.
+template <class Step>
+Times measure(const std::vector<std::array<float, 3>>& path, const Scale& scale, std::vector<double>& times, const Step& step) {
+  times.clear();
+  times.reserve(path.size());
+  const std::size_t before = allocations;
+  for (const auto& p : path) times.push_back(time_of(scale, [&] { step(p); }));
+  const std::size_t allocated = allocations - before;
+  return summary(times, allocated);
+}
+constexpr Times kNone{HUGE_VAL, HUGE_VAL, HUGE_VAL, 0};
+Times least(const Times& a, const Times& b) {
+  return {std::min(a.median, b.median), std::min(a.most_of_1000, b.most_of_1000), std::min(a.longest, b.longest),
+          a.allocations + b.allocations};
+}
+
+template <class Value>
+void keep(const Value& value) {
+  asm volatile("" : : "g"(&value) : "memory");
+}
+
+// Memory that no cache of this machine holds, in pages like those of a mesh.
+class Memory {
+ public:
+  // A ring through all lines in random order, as many as the mesh has triangles, but 2^22 at least.
+  explicit Memory(std::size_t triangles) : lines_(std::max(triangles, kLeastLines)) {
+    std::vector<std::uint32_t> order(lines_.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::shuffle(order.begin(), order.end(), std::mt19937(1));
+    for (std::size_t i = 0; i < order.size(); ++i) lines_[order[i]].next = order[(i + 1) % order.size()];
+  }
+  // µs that one load takes which depends on the one before: the least of five medians.
+  double latency(const Scale& scale) {
+    constexpr int kLoads = 500, kTries = 40;
+    double least = HUGE_VAL;
+    for (int pass = 0; pass < kPasses; ++pass) {
+      std::vector<double> times;
+      for (int i = 0; i < kTries; ++i)
+        times.push_back(time_of(scale, [&] {
+          for (int k = 0; k < kLoads; ++k) at_ = lines_[at_].next;
+          keep(at_);
+        }));
+      std::ranges::sort(times);
+      least = std::min(least, times[kTries / 2] / kLoads);
+    }
+    return least;
+  }
+  // Reads enough of it that nothing else is left in the caches.
+  void flush_caches() {
+    std::uint32_t sum = 0;
+    for (std::size_t i = 0; i < kFlush; ++i) sum += lines_[i].next;
+    sum_ = sum;
+  }
+
+ private:
+  struct alignas(64) Line {
+    std::uint32_t next;
+  };
+  static constexpr std::size_t kLeastLines = std::size_t{1} << 22, kFlush = std::size_t{1} << 20;  // 256 MB, 64 MB
+  std::vector<Line, fast::LargePages<Line>> lines_;
+  std::uint32_t at_ = 0;
+  volatile std::uint32_t sum_ = 0;
+};
+
+// Notes how many decisions each stage has taken.
+struct CountedStages {
+  static constexpr bool kFilter = true;
+  int* in_binary64;
+  int* in_integers;
+  bool sure(bool is_proved) const noexcept {
+    *in_binary64 += is_proved;
+    return is_proved;
+  }
+  void note(fast::Stage) const noexcept { ++*in_integers; }
+};
+
+void print(const char* what, const Times& times) {
+  std::printf("  %-28s p50 %6.3f  p99.9 %6.3f  longest %8.3f us, %zu allocations\n", what, times.median, times.most_of_1000,
+              times.longest, times.allocations);
+}
+
+constexpr auto kStiffness = static_cast<float>(kMeshStiffness);
+
+// What is rendered.
+struct Rendering {
+  std::shared_ptr<const fast::Mesh> mesh;
+  mesh::Shading shading = mesh::Shading::none;
+
+  // At the beginning of the path in contact.
+  fast::MeshSession session(const MeshWorkload& workload) const {
+    fast::MeshSession session(mesh, kStiffness, shading);
+    for (const auto& p : workload.approach) session.tick(p);
+    return session;
+  }
+};
+
+double percentile(std::vector<double> times, double part) {
+  std::ranges::sort(times);
+  return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
+}
+
+// Of the ticks in contact, without look_ahead() and after it. Every pass goes along the same path; the least of each percentile
+// counts, since other programs disturb some of them. shortest: of each tick, over the passes without.
+void run_contact(const MeshWorkload& workload, const Rendering& rendering, const Scale& scale, std::vector<double>& shortest) {
+  Times at_once = kNone, after_look = kNone, look = kNone;
+  std::vector<double> times, looks;
+  looks.reserve(workload.contact.size());
+  shortest.assign(workload.contact.size(), HUGE_VAL);
+  for (int pass = 0; pass < kPasses; ++pass) {
+    fast::MeshSession session = rendering.session(workload);
+    at_once = least(at_once, measure(workload.contact, scale, times, [&](const auto& p) { keep(session.tick(p)); }));
+    for (std::size_t i = 0; i < times.size(); ++i) shortest[i] = std::min(shortest[i], times[i]);
+
+    fast::MeshSession other = rendering.session(workload);
+    times.clear();
+    looks.clear();
+    for (const auto& p : workload.contact) {
+      looks.push_back(time_of(scale, [&] { other.look_ahead(); }));
+      times.push_back(time_of(scale, [&] { keep(other.tick(p)); }));
+    }
+    after_look = least(after_look, summary(times, 0));
+    look = least(look, summary(looks, 0));
+  }
+  print("exact, contact", at_once);
+  print("exact, after look_ahead()", after_look);
+  print("look_ahead() itself", look);
+}
+
+// The same ticks where nothing has to come from memory: pieces of the path, each gone through several times.
+void run_in_caches(const MeshWorkload& workload, const Rendering& rendering, const Scale& scale) {
+  constexpr std::size_t kPieces = 20, kLength = 1000;
+  const std::size_t apart = workload.contact.size() / kPieces;
+  fast::MeshSession session = rendering.session(workload);
+  std::vector<double> all;
+  double mean = 0;  // us, by one reading of the clock for a piece
+  for (std::size_t piece = 0; piece < kPieces; ++piece) {
+    const std::size_t begin = piece * apart;
+    const mesh::GodObject start = session.state();
+    std::vector<double> shortest(kLength, HUGE_VAL);
+    for (int pass = 0; pass <= kPasses; ++pass) {
+      session.resume(start);
+      for (std::size_t i = 0; i < kLength; ++i) {
+        const double time = time_of(scale, [&] { keep(session.tick(workload.contact[begin + i])); });
+        if (pass > 0) shortest[i] = std::min(shortest[i], time);
+      }
+    }
+    double whole = HUGE_VAL;
+    for (int pass = 0; pass < kPasses; ++pass) {
+      session.resume(start);
+      whole = std::min(whole, time_of(scale, [&] {
+                         for (std::size_t i = 0; i < kLength; ++i) keep(session.tick(workload.contact[begin + i]));
+                       }));
+    }
+    mean += whole / kLength / kPieces;
+    all.insert(all.end(), shortest.begin(), shortest.end());
+    for (std::size_t i = kLength; i < apart; ++i) session.tick(workload.contact[begin + i]);
+  }
+  print("exact, all in the caches", summary(all, 0));
+  std::printf("  %-28s mean %.3f us a tick, the clock being read once for %zu ticks\n", "", mean, kLength);
+}
+
+// As a loop of 1 kHz meets it when other programs have used the caches since the last tick.
+void run_cold(const MeshWorkload& workload, const Rendering& rendering, const Scale& scale, Memory& memory) {
+  for (const bool looks_ahead : {false, true}) {
+    fast::MeshSession session = rendering.session(workload);
+    const std::size_t every = workload.contact.size() / 300;
+    std::vector<double> cold;
+    for (std::size_t i = 0; i < workload.contact.size(); ++i) {
+      if (i % every != every - 1) {
+        session.tick(workload.contact[i]);
+        continue;
+      }
+      memory.flush_caches();
+      const std::array<float, 3> position = workload.contact[i];  // a loop has just read it
+      const auto step = [&] { keep(session.tick(position)); };
+      keep(position);
+      if (looks_ahead) session.look_ahead();
+      cold.push_back(time_of(scale, step));
+    }
+    std::printf("  %-28s p50 %6.3f  p99   %6.3f us\n", looks_ahead ? "cold caches, look_ahead()" : "cold caches",
+                percentile(cold, 0.5), percentile(cold, 0.99));
+  }
+}
+
+void run_exact(const MeshWorkload& workload, const Rendering& rendering, const Scale& scale) {
+  std::vector<double> shortest, times;
+  run_contact(workload, rendering, scale, shortest);
+  run_in_caches(workload, rendering, scale);
+  Memory memory(rendering.mesh->faces());
+  run_cold(workload, rendering, scale, memory);
+
+  std::vector<mesh::GodObject> states;  // before each tick in contact
+  std::vector<double> entered;          // triangles, by each tick
+  std::size_t touching = 0;
+  fast::MeshSession session = rendering.session(workload);
+  for (const auto& p : workload.contact) {
+    states.push_back(session.state());
+    const mesh::Tick tick = session.tick(p);
+    touching += tick.status == mesh::TickStatus::touching;
+    entered.push_back(tick.moves > 0 ? tick.moves - 1.0 : 0.0);
+  }
+  const double mean = std::accumulate(entered.begin(), entered.end(), 0.0) / static_cast<double>(entered.size());
+  std::printf("  %zu of %zu ticks in contact, %.2f moves a tick\n", touching, entered.size(), 1 + mean);
+  const double latency = memory.latency(scale), usual = percentile(entered, 0.5), most = percentile(entered, 0.999);
+  std::printf(
+      "  a load from memory %.3f us; a tick goes on to %.0f further triangles (p99.9: %.0f); loaded one after another: %.3f us "
+      "(%.3f)\n",
+      latency, usual, most, usual * latency, most * latency);
+
+  Times free = kNone;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    session.tick(workload.free.front());
+    free = least(free, measure(workload.free, scale, times, [&](const auto& p) { keep(session.tick(p)); }));
+  }
+  print("exact, free", free);
+
+  // The tick that took longest even in its shortest pass; not one of the first, which find other caches than the rest.
+  constexpr std::ptrdiff_t kFirst = 100;
+  const auto worst = static_cast<std::size_t>(std::max_element(shortest.begin() + kFirst, shortest.end()) - shortest.begin());
+  int in_binary64 = 0, in_integers = 0;
+  fast::Arrival arrival{spot_of(*rendering.mesh, states[worst]), fast::Rest::none, 0, true};
+  mesh::Tick tick;
+  fast::advance(*rendering.mesh, arrival, fast::quantised(workload.contact[worst]), kStiffness, rendering.shading,
+                CountedStages{&in_binary64, &in_integers}, tick);
+  std::printf(
+      "  the longest tick, in its shortest pass: tick %zu, %.3f us, %d moves, %d decisions in binary64, %d in integers, "
+      "from %s to %s\n",
+      worst, shortest[worst], int{tick.moves}, in_binary64, in_integers,
+      mesh::kPlaceNames[static_cast<std::size_t>(states[worst].place)].data(),
+      mesh::kPlaceNames[static_cast<std::size_t>(arrival.spot.place)].data());
+}
+
+void run_naive(const MeshWorkload& workload, const Scale& scale, const mesh::CornerNormals& normals = {}) {
+  NaiveGodObject naive(workload.mesh, kStiffness, normals);
+  const auto step = [&](const std::array<float, 3>& p) { keep(naive.step(Eigen::Vector3f(p.data()))); };
+  Times contact = kNone, free = kNone;
+  std::vector<double> times;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    for (const auto& p : workload.approach) step(p);
+    contact = least(contact, measure(workload.contact, scale, times, step));
+    step(workload.free.front());
+    free = least(free, measure(workload.free, scale, times, step));
+  }
+  print(normals.empty() ? "naive, contact" : "naive, vertex shading", contact);
+  if (normals.empty()) print("naive, free", free);
+}
+
+// The value, or the program's end with the message.
+template <class T>
+T value_of(std::variant<T, ParameterError> made, const MeshWorkload& workload) {
+  if (const auto* error = std::get_if<ParameterError>(&made)) {
+    std::printf("%s: %s\n", workload.name.c_str(), error->message().c_str());
+    std::exit(1);
+  }
+  return std::get<T>(std::move(made));
+}
+
+MeshRendering unshaded_rendering(const MeshWorkload& workload, mesh::SelfIntersections allowed) {
+  auto checked = mesh::check(workload.mesh, allowed);
+  if (const auto* findings = std::get_if<mesh::Findings>(&checked)) {
+    std::printf("%s: %s\n", workload.name.c_str(), findings->words().c_str());
+    std::exit(1);
+  }
+  return {std::get<mesh::CheckedMesh>(std::move(checked)), {}, mesh::Sides::front, mesh::Shading::none, kStiffness};
+}
+
+// A B-spline of 1024 x 1024 samples over the mesh, seen from above, with slopes up to about one.
+mesh::Texture texture_of(const mesh::CheckedMesh& checked) {
+  height::Grid grid{1024, 1024, 0.1F, height::Edge::clamp, height::Interpolant::cubic_spline, {}};
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> uniform(-0.05F, 0.05F);
+  for (std::uint32_t i = 0; i < grid.columns * grid.rows; ++i) grid.values.push_back(uniform(random));
+  return {mesh::corner_textures(checked, mesh::texture_from_above(checked.mesh()), 1),
+          {{{std::make_shared<const height::Grid>(std::move(grid))}}}};
+}
+
+// Contact with the interpolated normal, and with a texture too where the mesh can be seen whole from above.
+void run_shaded(const MeshWorkload& workload, bool is_seen_from_above, const Scale& scale) {
+  auto check = mesh::check(workload.mesh);
+  const auto* checked = std::get_if<mesh::CheckedMesh>(&check);
+  if (checked == nullptr) return;
+  const mesh::CornerNormals normals = mesh::corner_normals(*checked).normals;
+  const mesh::Texture texture = is_seen_from_above ? texture_of(*checked) : mesh::Texture();
+  const mesh::Shading most = is_seen_from_above ? mesh::Shading::texture_scheme : mesh::Shading::vertex_scheme;
+  const Rendering rendering{std::make_shared<const fast::Mesh>(
+      value_of(fast::Mesh::build({*checked, normals, mesh::Sides::front, most, kStiffness, texture}), workload))};
+  for (const mesh::Shading shading : {mesh::Shading::vertex_scheme, mesh::Shading::texture_scheme}) {
+    if (shading == mesh::Shading::texture_scheme && !is_seen_from_above) continue;
+    Times contact = kNone;
+    std::vector<double> times;
+    for (int pass = 0; pass < kPasses; ++pass) {
+      fast::MeshSession session = Rendering{rendering.mesh, shading}.session(workload);
+      contact = least(contact, measure(workload.contact, scale, times, [&](const auto& p) { keep(session.tick(p)); }));
+    }
+    print(shading == mesh::Shading::vertex_scheme ? "exact, vertex shading" : "exact, texture shading", contact);
+  }
+  run_naive(workload, scale, normals);
+}
+
+void run(const MeshWorkload& workload, const Scale& scale) {
+  double seconds = HUGE_VAL;
+  Rendering rendering;
+  const MeshRendering unshaded = unshaded_rendering(workload, mesh::SelfIntersections::refused);
+  for (int i = 0; i < 3; ++i) {
+    const auto start = Clock::now();
+    auto built = fast::Mesh::build(unshaded);
+    seconds = std::min(seconds, seconds_since(start));
+    rendering.mesh = std::make_shared<const fast::Mesh>(value_of(std::move(built), workload));
+  }
+  const auto triangles = static_cast<double>(workload.mesh.triangles.size());
+  std::printf("%s: %.0f triangles, built in %.3f s, %.1f bytes a triangle\n", workload.name.c_str(), triangles, seconds,
+              static_cast<double>(rendering.mesh->bytes()) / triangles);
+  run_exact(workload, rendering, scale);
+  run_naive(workload, scale);
+}
+
+// Where sheets cross. These ticks are long enough that other programs interrupt one in some hundred of them, so each counts
+// with the shortest of its times.
+void run_crossing(const MeshWorkload& workload, const Scale& scale) {
+  const Rendering rendering{std::make_shared<const fast::Mesh>(
+      value_of(fast::Mesh::build(unshaded_rendering(workload, mesh::SelfIntersections::allowed)), workload))};
+  std::vector<double> times, shortest(workload.contact.size(), HUGE_VAL);
+  std::size_t allocated = 0;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    fast::MeshSession session = rendering.session(workload);
+    allocated += measure(workload.contact, scale, times, [&](const auto& p) { keep(session.tick(p)); }).allocations;
+    for (std::size_t i = 0; i < times.size(); ++i) shortest[i] = std::min(shortest[i], times[i]);
+  }
+  std::size_t touching = 0, moves = 0, most = 0;
+  fast::MeshSession session = rendering.session(workload);
+  for (const auto& p : workload.contact) {
+    const mesh::Tick tick = session.tick(p);
+    touching += tick.status == mesh::TickStatus::touching;
+    moves += tick.moves;
+    most = std::max<std::size_t>(most, tick.moves);
+  }
+  const std::size_t ticks = workload.contact.size();
+  std::printf("%s: %zu triangles\n", workload.name.c_str(), workload.mesh.triangles.size());
+  print("exact, shortest of five", summary(shortest, allocated));
+  std::printf("  %zu of %zu ticks in contact, %.2f moves a tick, at most %zu\n", touching, ticks,
+              static_cast<double>(moves) / static_cast<double>(ticks), most);
+}
+
+}  // namespace
+}  // namespace forceshade::bench
+
+int main(int argc, char** argv) {
+  using namespace forceshade::bench;
+  const double most = argc > 1 ? std::atof(argv[1]) : 1.1e6, fewest = argc > 2 ? std::atof(argv[2]) : 0;
+  constexpr std::size_t kContact = 200000, kFree = 20000;
+  constexpr int kShadedSphere = 71, kShadedBump = 224;  // 10^5 triangles
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
+  const Scale clock = scale();
+  const auto is_in_range = [&](double triangles) { return triangles >= fewest && triangles <= most; };
+  for (const int f : {7, 22, 71, 224, 707}) {
+    if (!is_in_range(20.0 * f * f)) continue;
+    const MeshWorkload workload = sphere_workload(f, kContact, kFree);
+    run(workload, clock);
+    if (f == kShadedSphere) run_shaded(workload, false, clock);
+  }
+  for (const int n : {22, 71, 224, 707, 2236}) {
+    if (!is_in_range(2.0 * n * n)) continue;
+    const MeshWorkload workload = bump_workload(n, kContact, kFree);
+    run(workload, clock);
+    if (n == kShadedBump) run_shaded(workload, true, clock);
+  }
+  constexpr std::size_t kCrossing = 10000;
+  for (const int n : {4, 32, 256})
+    if (is_in_range(2.0 * n * n + 2))
+      for (const bool is_along_wall : {false, true}) run_crossing(crossing_workload(n, is_along_wall, kCrossing), clock);
+}

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The naive loops with the instructions of fast/simd/batch_avx512.cpp.
+
+#include "tests/bench/naive.h"
+
+namespace forceshade::bench {
+
+const NaiveTable kNaiveAvx512 = kNaiveLoops;
+
+}  // namespace forceshade::bench
