@@ -137,12 +137,12 @@ void add_certify(CLI::App& app, int& result) {
   CLI::App* command = app.add_subcommand("certify", "Check the fast path against the reference and write a certificate");
   const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::several);
   command->option_defaults()->group(kEvidenceGroup);
-  CLI::Option* points = add_whole(
-      *command, "--points",
-      "points per law, height map or mesh, half of them aimed, and a quarter as many with other parameters; " +
-          std::to_string(properties::points_of_kind(properties::kLawKind)) + " unless said, for a height map or mesh " +
-          std::to_string(properties::points_of_kind(properties::kHeightMapKind)),
-      {1, 1000000000000}, [options](std::uint64_t given) { options->points = given; });
+  CLI::Option* points =
+      add_whole(*command, "--points",
+                "points per law, height map or mesh, half of them aimed, and a quarter as many with other parameters; " +
+                    std::to_string(properties::points_of_kind(kLawKind)) + " unless said, for a height map or mesh " +
+                    std::to_string(properties::points_of_kind(kHeightMapKind)),
+                {1, 1000000000000}, [options](std::uint64_t given) { options->points = given; });
   CLI::Option* cases = add_whole(*command, "--cases", options->cases, "cases per property (passivity: a tenth)", kCases);
   CLI::Option* seed = add_whole(*command, "--seed", options->seed, "seed of points and cases", kSeeds);
   add_whole(*command, "--threads", options->threads, "threads", {1, 1024})->group(kOtherGroup);

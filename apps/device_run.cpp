@@ -9,6 +9,7 @@
 
 #include "apps/command.h"
 #include "apps/drive_summary.h"
+#include "apps/driven.h"
 #include "apps/last_ticks.h"
 #include "apps/live_view.h"
 #include "apps/options.h"
@@ -30,7 +31,7 @@ namespace {
 constexpr const char* kNotBegun = "the run had not begun";
 
 // What the device says of itself; what it does not say is left out.
-recorder::Metadata metadata(const RunPlan& plan, const Driven& what, const device::Capabilities& capabilities) {
+recorder::Metadata metadata(const RunPlan& plan, const Rendering& what, const device::Capabilities& capabilities) {
   recorder::Metadata metadata = metadata_of_run(plan.device, capabilities, plan.servo);
   metadata.insert({{"certificate_digest", plan.digest.value_or("none")},
                    {"origin_mm", origin_words(plan.servo.placement)},
@@ -40,7 +41,7 @@ recorder::Metadata metadata(const RunPlan& plan, const Driven& what, const devic
 }
 
 nlohmann::ordered_json summary(const device::ServoResult& run, const std::vector<device::Sample>& last_ticks,
-                               const RunPlan& plan, const Driven& what, const device::Capabilities& capabilities) {
+                               const RunPlan& plan, const Rendering& what, const device::Capabilities& capabilities) {
   nlohmann::ordered_json json = summary_of(what.identity);
   json["certificate_digest"] = plan.digest ? nlohmann::ordered_json(*plan.digest) : nlohmann::ordered_json(nullptr);
   json["library_digest"] = properties::current_build().library_digest;
@@ -115,7 +116,7 @@ std::unique_ptr<device::Device> open_for_a_run(const std::string& name, device::
   throw Interrupted(kNotBegun);
 }
 
-RunOutcome run_on(device::Device& device, const Driven& what, RunPlan plan) {
+RunOutcome run_on(device::Device& device, const Rendering& what, RunPlan plan) {
   const device::Capabilities capabilities = device.capabilities();
   std::optional<RunRecord> record;
   if (!plan.record.empty()) record.emplace(plan.record, metadata(plan, what, capabilities), plan.servo.paced, plan.overwrite);
@@ -127,7 +128,8 @@ RunOutcome run_on(device::Device& device, const Driven& what, RunPlan plan) {
   if (view) plan.servo.sinks.push_back(&*view);
   if (interrupted()) throw Interrupted(kNotBegun);
 
-  device::ServoResult result = device::run_servo_loop(device, *what.session, plan.servo, interrupted());
+  const std::unique_ptr<fast::Session> session = what.renderer.open();
+  device::ServoResult result = device::run_servo_loop(device, *session, plan.servo, interrupted());
   view.reset();
   bool written = !record || record->close(std::string(name_of(result.end_reason)));
   const std::vector<device::Sample> last_ticks = has_failed(result) ? last.samples() : std::vector<device::Sample>{};

@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "apps/driven.h"
 #include "device/open_device.h"
 #include "device/servo_loop.h"
+#include "rendering/renderer/rendering.h"
 
 namespace forceshade::apps {
 
@@ -40,6 +40,6 @@ std::unique_ptr<device::Device> open_for_a_run(const std::string& name, device::
 // Call end_runs_in_order() first. Records, runs, and writes the summary: to standard output unless something else goes there.
 // A file that cannot be written is said on standard error, and costs nothing of the rest. Throws Interrupted if a signal came
 // before the run.
-RunOutcome run_on(device::Device& device, const Driven& what, RunPlan plan);
+RunOutcome run_on(device::Device& device, const Rendering& what, RunPlan plan);
 
 }  // namespace forceshade::apps

@@ -20,7 +20,6 @@
 #include "device/limited.h"
 #include "fast/law.h"
 #include "files/csv.h"
-#include "properties/law_subject.h"
 #include "rendering/monitor.h"
 
 namespace forceshade::apps {
@@ -113,7 +112,7 @@ int run(DeviceTryOptions options) {
   if (options.record.empty()) options.record = dated_name();
   if (!options.record.ends_with(".fsr"))
     throw BadInput("--record: expected FILE.fsr, a recording that survives a crash, got \"" + options.record + '"');
-  const Driven wall(properties::LawSubject(LawId::wall, {.stiffness = stiffness}));
+  const Rendering wall = built(rendering_of(LawId::wall, {.stiffness = stiffness}));
   const Certified covered = certified(options.certificate, wall.identity);
   if (!may_be_driven(covered, options.uncertified)) {
     std::fprintf(stderr, "forceshade: to have one: forceshade certify --law wall --stiffness %s --out DIR\n",

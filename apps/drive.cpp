@@ -58,7 +58,7 @@ void expect_consistent(const DriveOptions& options) {
 int run(const DriveOptions& options, const SubjectOption& subject, const PlacementOptions& place) {
   expect_consistent(options);
   const device::Placement placement = place.placement();
-  const Driven what(*subject.subject());
+  const Rendering what = subject.rendering();
   const Certified covered = certified(options.certificate, what.identity);
   if (!may_be_driven(covered, options.uncertified)) return kFailed;
 

@@ -17,7 +17,7 @@ namespace forceshade::apps {
 namespace {
 
 // "height_map": names the kind in JSON and in a recording.
-std::string key_of_kind(const properties::Identity& identity) {
+std::string key_of_kind(const Identity& identity) {
   std::string key = identity.kind;
   std::replace(key.begin(), key.end(), ' ', '_');
   return key;
@@ -25,17 +25,17 @@ std::string key_of_kind(const properties::Identity& identity) {
 
 }  // namespace
 
-nlohmann::ordered_json summary_of(const properties::Identity& identity) {
+nlohmann::ordered_json summary_of(const Identity& identity) {
   nlohmann::ordered_json json{{key_of_kind(identity), identity.name}};
   if (!identity.digest.empty()) json["digest"] = identity.digest;
   json["parameters"] = parameters_json(identity);
   return json;
 }
 
-recorder::Metadata metadata_of(const properties::Identity& identity) {
+recorder::Metadata metadata_of(const Identity& identity) {
   recorder::Metadata metadata{{key_of_kind(identity), identity.name}};
   if (!identity.digest.empty()) metadata["digest"] = identity.digest;
-  for (const auto& [key, value] : identity.parameters) metadata[key] = properties::text_of(value);
+  for (const auto& [key, value] : identity.parameters) metadata[key] = forceshade::text_of(value);
   return metadata;
 }
 
@@ -65,14 +65,14 @@ recorder::Metadata metadata_of_run(const std::string& device, const device::Capa
   return metadata;
 }
 
-Certified certified(const std::string& file, const properties::Identity& subject) {
+Certified certified(const std::string& file, const Identity& subject) {
   if (file.empty())
     return {std::nullopt, "no certificate was given; expected --certificate FILE, as written by 'forceshade certify'"};
   const std::string text = properties::read_certificate(file);
   const properties::Certificate certificate = properties::from_json(text, file);
   if (const auto refused = refusal(certificate, properties::current_build(), subject))
     return {std::nullopt, file + ": " + *refused};
-  properties::Digest digest;
+  Digest digest;
   digest.text(text);
   return {digest.hex(), ""};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What is rendered on a device, and whether a certificate covers it.
+// Whether a certificate covers what is to be driven, and what recordings and summaries say of it.
 
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
@@ -10,22 +10,14 @@
 #include <vector>
 
 #include "device/servo_loop.h"
-#include "fast/session.h"
-#include "properties/subject.h"
 #include "recorder/recorder.h"
+#include "rendering/identity/identity.h"
 
 namespace forceshade::apps {
 
-struct Driven {
-  std::unique_ptr<fast::Session> session;
-  properties::Identity identity;
-
-  explicit Driven(const properties::Subject& subject) : session(subject.calls().open()), identity(subject.identity()) {}
-};
-
 // As a run's summary names it, and as a recording does.
-nlohmann::ordered_json summary_of(const properties::Identity& identity);
-recorder::Metadata metadata_of(const properties::Identity& identity);
+nlohmann::ordered_json summary_of(const Identity& identity);
+recorder::Metadata metadata_of(const Identity& identity);
 
 // What a device says of itself: model, serial, driver, firmware, as far as it says them.
 std::vector<std::pair<std::string, std::string>> words_of(const device::Capabilities& capabilities);
@@ -42,7 +34,7 @@ struct Certified {
 };
 
 // An empty name is no file. Throws for a file that is no certificate.
-Certified certified(const std::string& file, const properties::Identity& subject);
+Certified certified(const std::string& file, const Identity& subject);
 
 // What follows from it, said on standard error unless it is covered: false where it may not be driven.
 bool may_be_driven(const Certified& certified, bool uncertified);

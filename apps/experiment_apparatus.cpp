@@ -110,7 +110,7 @@ void Apparatus::offer(const experiments::Scene& scene) {
                          std::optional<experiments::ListedBump>& side) {
     if (!bump) return;
     const properties::Subject& subject = bumps_.of(*bump);
-    placed = device::Placed{subject.calls().open(), Bumps::place_of(*bump, plan_.origin)};
+    placed = device::Placed{subject.renderer().open(), Bumps::place_of(*bump, plan_.origin)};
     const std::string name = certificate_name(subject.identity());
     const auto digest = plan_.certificates.find(name);
     side = {bump->stimulus,

@@ -69,8 +69,8 @@ Eigen::Vector3f Bumps::place_of(const Bump& bump, const Eigen::Vector3f& origin)
 
 double Bumps::height(const Bump& bump, double x) {
   Kept& its = kept(bump);
-  if (its.subject->identity().kind == properties::kMeshKind) return 0;
-  if (!its.looked_at) its.looked_at = its.subject->calls().open();
+  if (its.subject->identity().kind == kMeshKind) return 0;
+  if (!its.looked_at) its.looked_at = its.subject->renderer().open();
   // The highest place with a force, to a hundredth of a millimetre; a height map is at most as high as its domain.
   const auto is_inside = [&](double z) {
     return its.looked_at->step({static_cast<float>(x), 0, static_cast<float>(z)}).status == Status::contact;

@@ -30,10 +30,10 @@ Certified covering(const properties::Subject& subject, const fs::path& folder) {
 
 }  // namespace
 
-std::string certificate_name(const properties::Identity& identity) {
-  properties::Digest digest;
+std::string certificate_name(const Identity& identity) {
+  Digest digest;
   for (const std::string& word : {identity.kind, identity.name, identity.digest}) digest.line(word);
-  for (const auto& [key, value] : identity.parameters) digest.line(key + '=' + properties::text_of(value));
+  for (const auto& [key, value] : identity.parameters) digest.line(key + '=' + forceshade::text_of(value));
   std::string name = identity.name;
   for (char& c : name)
     if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-') c = '_';

@@ -12,7 +12,7 @@
 namespace forceshade::apps {
 
 // "bump-1p-shaded-0123456789abcdef.json": the name, and the beginning of the digest of the whole identity.
-std::string certificate_name(const properties::Identity& identity);
+std::string certificate_name(const Identity& identity);
 
 // Of what the folder lacks, certifies each with as many points and cases as `drive` demands: a certificate of fewer would not
 // let anything be driven. What is there and covers this build is kept. Says each on standard output; false where one failed.

@@ -48,7 +48,7 @@ Answer answer_of(const ForceOptions& options, const SubjectOption& option) {
       const reference::Rounded answer = reference->step(position);
       return AnsweredRow{answer.force, row_status(answer.status, answer.is_unfinished), std::nullopt};
     };
-  return [session = std::shared_ptr(subject->calls().open())](const auto& position) {
+  return [session = std::shared_ptr(subject->renderer().open())](const auto& position) {
     const fast::Evaluation answer = session->step(position);
     return AnsweredRow{answer.force, row_status(answer.status, answer.is_unfinished), std::nullopt};
   };

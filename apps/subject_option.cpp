@@ -47,6 +47,16 @@ std::vector<std::shared_ptr<const properties::Subject>> SubjectOption::subjects(
   return all;
 }
 
+Rendering SubjectOption::rendering() const {
+  if (mesh_.is_given()) return built(rendering_of(mesh_.name(), mesh_.read(law_.stiffness())));
+  if (height_map_.is_given()) {
+    const float stiffness = law_.stiffness();
+    const auto [map, rendering] = height_map_.read(stiffness);
+    return built(rendering_of(height_map_.name(), map, rendering, stiffness));
+  }
+  return built(rendering_of(law_.laws().front(), law_.parameters()));
+}
+
 std::vector<std::string> SubjectOption::subject_files() const {
   std::vector<Entries> subjects;
   if (mesh_.is_given())

@@ -21,6 +21,9 @@ class SubjectOption {
   std::vector<std::shared_ptr<const properties::Subject>> subjects() const;
   std::shared_ptr<const properties::Subject> subject() const { return subjects().front(); }
 
+  // The one that is named, without its exact side: what a device is driven with. Throws as subjects() does.
+  Rendering rendering() const;
+
   // The text of a subject file for each of them, with every option that holds, given or not; a file is named without its
   // folder.
   std::vector<std::string> subject_files() const;

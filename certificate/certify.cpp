@@ -103,9 +103,10 @@ SubjectResult checked(const Subject& subject, const Run& run, const Done& done) 
        run_properties(subject, options.cases, options.seed, nullptr, run.on_case(subject.identity().name), &run.stop))
     if (std::find(kPropertyNames.begin(), kPropertyNames.end(), property.name) != kPropertyNames.end())
       result.properties.push_back(std::move(property));
-  result.jumps = subject.jumps();
-  result.conservative = subject.is_conservative();
-  result.unit_directions = subject.has_unit_directions() && result.has_held("unit normals");
+  const Expected expected = subject.expected();
+  result.jumps = expected.jumps;
+  result.conservative = expected.is_conservative;
+  result.unit_directions = expected.has_unit_directions && result.has_held("unit normals");
   if (run.stop) return result;
   // done() counts the points up to 1; certify() makes nine tenths of that, and the loops are the tenth that is left.
   add_energies(subject, Monitor([&](double share) { done(1 + share / 9); }, run.stop), result);

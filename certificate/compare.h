@@ -22,8 +22,9 @@ namespace forceshade::properties {
 // wrong for the first of its calls that is.
 class Chunk {
  public:
-  Chunk(const Subject& subject, Positions& source, std::uint64_t count, Tally& tally) : calls_(subject.calls()), wrong_(count) {
-    const auto session = calls_.open();
+  Chunk(const Subject& subject, Positions& source, std::uint64_t count, Tally& tally)
+      : renderer_(subject.renderer()), wrong_(count) {
+    const auto session = renderer_.open();
     const auto reference = subject.open_reference();
     for (std::uint64_t i = 0; i < count; ++i) {
       const Aimed aimed = source.next();
@@ -49,8 +50,8 @@ class Chunk {
   void compare_sets(Tally& tally) {
     for (const fast::InstructionSet set : fast::kInstructionSets) {
       if (!fast::is_available(set)) continue;
-      if (calls_.batch) compare(set, positions_.size(), "the batch call (");
-      if (calls_.single_depends_on_set) compare(set, 1, "the single call (");
+      if (renderer_.batch) compare(set, positions_.size(), "the batch call (");
+      if (renderer_.single_depends_on_set) compare(set, 1, "the single call (");
       tally.sets[static_cast<std::size_t>(set)] += positions_.size();
     }
   }
@@ -93,7 +94,7 @@ class Chunk {
       std::fill(forces.begin(), forces.end(), Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
       fast::BatchResult result;
       try {
-        result = calls_.batch(std::span(positions_).subspan(begin, size), forces, set);
+        result = renderer_.batch(std::span(positions_).subspan(begin, size), forces, set);
       } catch (...) {
         fault(begin, who + " of " + std::to_string(size) + " positions from " + show(positions_[begin]) +
                          " mm on throws: " + current_exception_words());
@@ -116,7 +117,7 @@ class Chunk {
     if (!wrong_[i]) wrong_[i] = std::move(words);
   }
 
-  const Calls& calls_;
+  const Renderer& renderer_;
   std::vector<Eigen::Vector3f> positions_;
   std::vector<reference::Rounded> exact_;
   std::vector<std::optional<std::string>> wrong_;

@@ -17,10 +17,10 @@
 namespace forceshade::properties {
 
 // Renderer: fast::Law, or what evaluates like it.
-template <class Renderer>
+template <class FastLaw>
 class SweepChecker {
  public:
-  SweepChecker(const Sweep& sweep, const Renderer& law, const reference::Law& reference)
+  SweepChecker(const Sweep& sweep, const FastLaw& law, const reference::Law& reference)
       : sweep_(sweep), law_(law), reference_(reference) {}
 
   UnitTally check(std::uint32_t unit) {
@@ -132,7 +132,7 @@ class SweepChecker {
   }
 
   const Sweep& sweep_;
-  const Renderer& law_;
+  const FastLaw& law_;
   const reference::Law& reference_;
   UnitTally tally_;
 };

@@ -14,27 +14,21 @@ namespace forceshade::properties {
 template <class Field, class Claims>
 class FieldSubject : public Subject {
  public:
-  const Identity& identity() const override { return identity_; }
+  const Rendering& rendering() const override { return rendering_; }
   std::unique_ptr<ReferenceSession> open_reference() const override;
-  const Calls& calls() const override { return calls_; }
   std::vector<Eigen::Vector3f> draw_path() const override;
   Violation check_unit_normals() const override;
   Violation check_passivity() const override;
-  std::vector<std::string> jumps() const override { return claims_.jumps(); }
 
  protected:
-  FieldSubject(Calls calls, Field field, Identity identity)
-      : calls_(std::move(calls)),
-        rendered_{std::move(field), renderer_of(calls_)},
-        claims_(rendered_.law),
-        identity_(std::move(identity)) {}
-  FieldSubject(RenderedField<Field> rendered, Identity identity)
-      : FieldSubject(calls_of(rendered.renderer), std::move(rendered.law), std::move(identity)) {}
+  FieldSubject(Rendering rendering, Field field)
+      : rendering_(std::move(rendering)),
+        rendered_{std::move(field), force_at_of(rendering_.renderer)},
+        claims_(rendered_.law) {}
 
-  Calls calls_;
+  Rendering rendering_;
   RenderedField<Field> rendered_;
   Claims claims_;
-  Identity identity_;
 };
 
 extern template class FieldSubject<reference::Law, LawClaims>;

@@ -9,7 +9,7 @@ namespace forceshade::properties {
 namespace {
 
 // By the force at the middle of steps no longer than 1 µm.
-double walked(const Renderer& renderer, const std::vector<Eigen::Vector3f>& path, const Monitor& monitor) {
+double walked(const ForceAt& renderer, const std::vector<Eigen::Vector3f>& path, const Monitor& monitor) {
   double generated = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {
     monitor.at(static_cast<double>(i) / static_cast<double>(path.size()));
@@ -42,7 +42,7 @@ std::vector<LoopEnergy> loop_energies(const RenderedHeightMap& rendered, const M
     const auto loop = witness(law, slice, depth, half.part(0.4, 0.6));
     const auto generated = work(law, loop, half.part(0.6, 0.8));
     energies.push_back({static_cast<double>(depth), binary64(bound.most()), binary64(generated)[0],
-                        walked(rendered.renderer, loop, half.part(0.8, 1))});
+                        walked(rendered.force_at, loop, half.part(0.8, 1))});
   }
   return energies;
 }

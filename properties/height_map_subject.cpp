@@ -13,20 +13,26 @@
 
 namespace forceshade::properties {
 
-Calls fast_height_map(const HeightMap& map, height::Rendering rendering, float stiffness) {
-  return calls_of(built_or_throw(fast::HeightMapField::build(map, rendering, stiffness)));
+Renderer fast_height_map(const HeightMap& map, height::Rendering rendering, float stiffness) {
+  return renderer_of(built_or_throw(fast::HeightMapField::build(map, rendering, stiffness)));
 }
 
 HeightMapSubject::HeightMapSubject(const std::string& name, const HeightMap& map, height::Rendering rendering, float stiffness,
                                    RenderHeightMap render)
-    : FieldSubject(render(map, rendering, stiffness),
-                   built_or_throw(reference::HeightMapField::build(map, rendering, stiffness)),
-                   identity_of(name, map, rendering, stiffness)),
+    : FieldSubject({identity_of(name, map, rendering, stiffness), render(map, rendering, stiffness)},
+                   built_or_throw(reference::HeightMapField::build(map, rendering, stiffness))),
       render_(std::move(render)) {}
 
 HeightMapSubject::HeightMapSubject(const RenderedHeightMap& rendered, const std::string& name)
-    : FieldSubject(rendered, identity_of(name, rendered.law.map(), rendered.law.rendering(), rendered.law.stiffness())),
+    : FieldSubject({identity_of(name, rendered.law.map(), rendered.law.rendering(), rendered.law.stiffness()),
+                    renderer_of(rendered.force_at)},
+                   rendered.law),
       render_(&fast_height_map) {}
+
+// The normal of a conservative map is no unit vector, and is not meant to be one.
+Expected HeightMapSubject::expected() const {
+  return {claims_.jumps(), rendered_.law.rendering() != height::Rendering::conservative, claims_.is_conservative};
+}
 
 std::unique_ptr<Positions> HeightMapSubject::positions(std::uint64_t seed) const {
   return std::make_unique<HeightPositionSource>(rendered_.law, claims_, seed);
@@ -58,7 +64,7 @@ std::vector<LoopEnergy> HeightMapSubject::energies(const Monitor& monitor) const
 DrawnSubject HeightMapSubject::with_drawn_parameters(std::uint64_t seed) const {
   const float stiffness = ParameterSource(seed).next().stiffness;
   return {
-      std::make_unique<HeightMapSubject>(identity_.name, rendered_.law.map(), rendered_.law.rendering(), stiffness, render_),
+      std::make_unique<HeightMapSubject>(identity().name, rendered_.law.map(), rendered_.law.rendering(), stiffness, render_),
       "K = " + show(stiffness) + " N/mm: "};
 }
 

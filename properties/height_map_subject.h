@@ -7,8 +7,8 @@
 namespace forceshade::properties {
 
 // What renders a height map, which is in the domain with this stiffness (N/mm).
-using RenderHeightMap = std::function<Calls(const HeightMap& map, height::Rendering rendering, float stiffness)>;
-Calls fast_height_map(const HeightMap& map, height::Rendering rendering, float stiffness);
+using RenderHeightMap = std::function<Renderer(const HeightMap& map, height::Rendering rendering, float stiffness)>;
+Renderer fast_height_map(const HeightMap& map, height::Rendering rendering, float stiffness);
 
 class HeightMapSubject final : public FieldSubject<reference::HeightMapField, HeightMapClaims> {
  public:
@@ -24,9 +24,7 @@ class HeightMapSubject final : public FieldSubject<reference::HeightMapField, He
   // "cell lines", where the map has a grid: whether its gradient is continuous across them. A bilinear grid's is not, and a
   // certificate does not demand it.
   std::vector<FurtherProperty> further_properties() const override;
-  // A conservative map's normal is not one, and should not be.
-  bool has_unit_directions() const override { return rendered_.law.rendering() != height::Rendering::conservative; }
-  bool is_conservative() const override { return claims_.is_conservative; }
+  Expected expected() const override;
   std::vector<LoopEnergy> energies(const Monitor& monitor) const override;
   DrawnSubject with_drawn_parameters(std::uint64_t seed) const override;
   // The two sides of a map take long to build, so there are few sets.

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "reference/energy.h"
+
 namespace forceshade::properties {
 
 LawClaims::LawClaims(const reference::Law& law)
@@ -16,6 +18,7 @@ LawClaims::LawClaims(const reference::Law& law)
       h(law.geometry().h.mid()),
       w_prime(law.geometry().w_prime.mid()),
       h_prime(law.geometry().h_prime.mid()),
+      is_conservative(reference::potential(law).has_value()),
       steepest(0) {
   switch (id) {
     case LawId::wall:
@@ -54,10 +57,6 @@ long double LawClaims::surface(long double x) const {
 
 bool LawClaims::is_shaded() const {
   return id == LawId::bump_1p_shaded || id == LawId::bump_2p_shaded || id == LawId::bump_3p_shaded;
-}
-
-bool LawClaims::is_conservative() const {
-  return id == LawId::wall || id == LawId::bump_1p || has_cylinder();
 }
 
 std::vector<std::string> LawClaims::jumps() const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What docs/laws.md says of each law beside its force: its nominal surface, where it jumps and by how much, whether it is
+// What docs/laws.md says of each law beside its force: its nominal surface, where it jumps and by how much, and whether it is
 // conservative. Sizes in long double, good to about 17 digits; for properties and aim, not for decisions.
 
 #include <string>
@@ -23,6 +23,7 @@ struct LawClaims {
   long double alpha, theta;  // rad: half the subtended angle; the slope of a three-polygon side
   long double h, w_prime, h_prime;
   std::vector<JumpLine> jump_lines;
+  bool is_conservative;  // the law has a potential (docs/energy.md)
   long double steepest;  // largest |dH/dx| of the nominal surface where H is polygonal, else 0
 
   explicit LawClaims(const reference::Law& law);
@@ -32,7 +33,6 @@ struct LawClaims {
 
   bool is_shaded() const;
   bool has_cylinder() const { return id == LawId::cylinder || id == LawId::bump_cylinder; }
-  bool is_conservative() const;
 
   // Where the force jumps, in words; none where it is continuous.
   std::vector<std::string> jumps() const;

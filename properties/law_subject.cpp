@@ -14,17 +14,18 @@
 
 namespace forceshade::properties {
 
-Calls fast_law(LawId law, const Parameters& parameters) {
-  return calls_of(built_or_throw(fast::Law::build(law, parameters)));
+Renderer fast_law(LawId law, const Parameters& parameters) {
+  return renderer_of(built_or_throw(fast::Law::build(law, parameters)));
 }
 
 LawSubject::LawSubject(LawId law, const Parameters& parameters, RenderLaw render)
-    : FieldSubject(render(law, parameters), built_or_throw(reference::Law::build(law, parameters)),
-                   identity_of(law, parameters)),
+    : FieldSubject({identity_of(law, parameters), render(law, parameters)},
+                   built_or_throw(reference::Law::build(law, parameters))),
       render_(std::move(render)) {}
 
 LawSubject::LawSubject(const RenderedLaw& rendered)
-    : FieldSubject(rendered, identity_of(rendered.law.id(), rendered.law.parameters())), render_(&fast_law) {}
+    : FieldSubject({identity_of(rendered.law.id(), rendered.law.parameters()), renderer_of(rendered.force_at)}, rendered.law),
+      render_(&fast_law) {}
 
 std::unique_ptr<Positions> LawSubject::positions(std::uint64_t seed) const {
   return std::make_unique<PositionSource>(rendered_.law, seed);
@@ -43,8 +44,8 @@ std::vector<std::function<Violation()>> LawSubject::fixed_loops() const {
   return loops;
 }
 
-bool LawSubject::is_conservative() const {
-  return reference::potential(rendered_.law).has_value();
+Expected LawSubject::expected() const {
+  return {claims_.jumps(), true, claims_.is_conservative};
 }
 
 std::vector<LoopEnergy> LawSubject::energies(const Monitor& monitor) const {

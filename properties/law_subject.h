@@ -7,8 +7,8 @@
 namespace forceshade::properties {
 
 // What renders a law with these parameters, which are in its domain.
-using RenderLaw = std::function<Calls(LawId law, const Parameters& parameters)>;
-Calls fast_law(LawId law, const Parameters& parameters);
+using RenderLaw = std::function<Renderer(LawId law, const Parameters& parameters)>;
+Renderer fast_law(LawId law, const Parameters& parameters);
 
 class LawSubject final : public FieldSubject<reference::Law, LawClaims> {
  public:
@@ -20,8 +20,7 @@ class LawSubject final : public FieldSubject<reference::Law, LawClaims> {
   std::unique_ptr<Positions> positions(std::uint64_t seed) const override;
   Violation check_continuity() const override;
   std::vector<std::function<Violation()>> fixed_loops() const override;
-  bool has_unit_directions() const override { return true; }
-  bool is_conservative() const override;
+  Expected expected() const override;
   std::vector<LoopEnergy> energies(const Monitor& monitor) const override;
   DrawnSubject with_drawn_parameters(std::uint64_t seed) const override;
   std::uint64_t points_of_a_set(std::uint64_t) const override { return 1024; }

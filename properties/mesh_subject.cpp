@@ -136,31 +136,30 @@ OpenTicks fast_god_object(const MeshRendering& rendering) {
 }
 
 MeshSubject::MeshSubject(const std::string& name, MeshRendering rendering, OpenTicks open)
-    : rendering_(std::make_shared<const MeshRendering>(std::move(rendering))),
-      stiffness_(rendering_->stiffness),
+    : mesh_(std::make_shared<const MeshRendering>(std::move(rendering))),
+      stiffness_(mesh_->stiffness),
       open_(std::move(open)),
-      calls_{[its = open_, K = stiffness_] { return its(K); }},
-      identity_(identity_of(name, *rendering_)) {
-  if (const auto error = first_error(*rendering_)) throw std::invalid_argument(error->message());
+      rendering_{identity_of(name, *mesh_), {[its = open_, K = stiffness_] { return its(K); }}} {
+  if (const auto error = first_error(*mesh_)) throw std::invalid_argument(error->message());
 }
 
 const reference::GodObject& MeshSubject::reference() const {
-  std::call_once(is_built_, [this] { reference_ = built_or_throw(reference::GodObject::build(*rendering_)); });
+  std::call_once(is_built_, [this] { reference_ = built_or_throw(reference::GodObject::build(*mesh_)); });
   return *reference_;
 }
 
 std::vector<std::string> MeshSubject::parts() const {
-  std::vector<std::string> words{std::to_string(rendering_->mesh().triangles.size()) + " triangles, " +
-                                 std::to_string(rendering_->mesh().vertices.size()) + " vertices"};
-  if (rendering_->shading == mesh::Shading::vertex_scheme) {
+  std::vector<std::string> words{std::to_string(mesh_->mesh().triangles.size()) + " triangles, " +
+                                 std::to_string(mesh_->mesh().vertices.size()) + " vertices"};
+  if (mesh_->shading == mesh::Shading::vertex_scheme) {
     double turn = 0;
-    for (std::uint32_t i = 0; i < rendering_->mesh().triangles.size(); ++i) turn = std::max(turn, largest_turn(*rendering_, i));
+    for (std::uint32_t i = 0; i < mesh_->mesh().triangles.size(); ++i) turn = std::max(turn, largest_turn(*mesh_, i));
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.4f", std::ceil(turn * 1e4) / 1e4);
     words.push_back(std::string("at a rest inside a triangle the shading gives at most ") + text.data() +
                     " mJ more for each mm of path and N of force");
   }
-  for (const std::string& part : properties::words_of(rendering_->texture.map)) words.push_back("texture, " + part);
+  for (const std::string& part : forceshade::words_of(mesh_->texture.map)) words.push_back("texture, " + part);
   return words;
 }
 
@@ -169,17 +168,17 @@ std::unique_ptr<ReferenceSession> MeshSubject::open_reference() const {
 }
 
 std::unique_ptr<Positions> MeshSubject::positions(std::uint64_t seed) const {
-  return std::make_unique<MeshPositions>(rendering_, seed);
+  return std::make_unique<MeshPositions>(mesh_, seed);
 }
 
 std::vector<Eigen::Vector3f> MeshSubject::draw_path() const {
   std::vector<Eigen::Vector3f> path;
-  for (const MeshPosition& p : drawn_path(*rendering_)) path.emplace_back(p[0], p[1], p[2]);
+  for (const MeshPosition& p : drawn_path(*mesh_)) path.emplace_back(p[0], p[1], p[2]);
   return path;
 }
 
 Violation MeshSubject::check_continuity() const {
-  const auto path = drawn_path(*rendering_);
+  const auto path = drawn_path(*mesh_);
   const auto session = open_(stiffness_), beside = open_(stiffness_);
   const auto axis = static_cast<std::size_t>(*rc::gen::inRange(0, 3));
   const float towards = *rc::gen::arbitrary<bool>() ? INFINITY : -INFINITY;
@@ -190,7 +189,7 @@ Violation MeshSubject::check_continuity() const {
     near[axis] = std::nextafter(near[axis], towards);
     if (is_valid(position) && is_valid(near) && state.place != mesh::Place::nowhere) {
       beside->resume(state);
-      if (auto violation = force_follows_the_spring(*rendering_, here, {near, beside->tick(near)})) return violation;
+      if (auto violation = force_follows_the_spring(*mesh_, here, {near, beside->tick(near)})) return violation;
     }
     state = here.tick.after;
   }
@@ -199,21 +198,21 @@ Violation MeshSubject::check_continuity() const {
 
 Violation MeshSubject::check_unit_normals() const {
   const auto session = open_(stiffness_);
-  for (const Ticked& one : ticked(*session, drawn_path(*rendering_)))
-    if (auto violation = force_is_as_long_as_the_spring(*rendering_, one)) return violation;
+  for (const Ticked& one : ticked(*session, drawn_path(*mesh_)))
+    if (auto violation = force_is_as_long_as_the_spring(*mesh_, one)) return violation;
   return std::nullopt;
 }
 
 Violation MeshSubject::check_passivity() const {
-  auto path = drawn_path(*rendering_);
+  auto path = drawn_path(*mesh_);
   std::erase_if(path, [](const MeshPosition& position) { return !is_valid(position); });
   const auto session = open_(stiffness_);
-  return spring_gives_no_energy(*rendering_, ticked(*session, path));
+  return spring_gives_no_energy(*mesh_, ticked(*session, path));
 }
 
 std::vector<FurtherProperty> MeshSubject::further_properties() const {
   const auto states = [this]() -> Violation {
-    const auto path = drawn_path(*rendering_);
+    const auto path = drawn_path(*mesh_);
     const auto split = static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(path.size())));
     auto session = open_(stiffness_);
     mesh::GodObject state;
@@ -229,7 +228,7 @@ std::vector<FurtherProperty> MeshSubject::further_properties() const {
     return std::nullopt;
   };
   const auto repeats = [this]() -> Violation {
-    const auto path = drawn_path(*rendering_);
+    const auto path = drawn_path(*mesh_);
     const auto session = open_(stiffness_);
     for (std::size_t i = 0; i < path.size(); ++i) {
       mesh::Tick first = session->tick(path[i]);
@@ -243,21 +242,21 @@ std::vector<FurtherProperty> MeshSubject::further_properties() const {
   return {{"states", states}, {"repeats", repeats}};
 }
 
-std::vector<std::string> MeshSubject::jumps() const {
+Expected MeshSubject::expected() const {
   std::vector<std::string> words{"where the god-object leaves a rim, a wide edge or a vertex"};
-  if (rendering_->shading != mesh::Shading::none) words.emplace_back("where the shading is given up");
-  if (rendering_->shading == mesh::Shading::texture_scheme) {
+  if (mesh_->shading != mesh::Shading::none) words.emplace_back("where the shading is given up");
+  if (mesh_->shading == mesh::Shading::texture_scheme) {
     words.emplace_back("where the texture's slope jumps, and between the steps of its rounded coordinates");
     words.emplace_back("on flat and wide edges that separate the texture, its seams");
   }
-  return words;
+  return {words, true, false};
 }
 
 DrawnSubject MeshSubject::with_drawn_parameters(std::uint64_t seed) const {
-  MeshRendering rendering = *rendering_;
+  MeshRendering rendering = *mesh_;
   rendering.stiffness = ParameterSource(seed).next().stiffness;
   const std::string words = "K = " + show(rendering.stiffness) + " N/mm: ";
-  return {std::make_unique<MeshSubject>(identity_.name, std::move(rendering), open_), words};
+  return {std::make_unique<MeshSubject>(identity().name, std::move(rendering), open_), words};
 }
 
 }  // namespace forceshade::properties

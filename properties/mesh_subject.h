@@ -26,10 +26,9 @@ class MeshSubject final : public Subject {
   // Any renderer of it.
   MeshSubject(const std::string& name, MeshRendering rendering, OpenTicks open);
 
-  const Identity& identity() const override { return identity_; }
+  const Rendering& rendering() const override { return rendering_; }
   std::vector<std::string> parts() const override;
   std::unique_ptr<ReferenceSession> open_reference() const override;
-  const Calls& calls() const override { return calls_; }
   std::unique_ptr<Positions> positions(std::uint64_t seed) const override;
   std::vector<Eigen::Vector3f> draw_path() const override;
   // properties/mesh_properties.h says what each of them is on a mesh.
@@ -39,20 +38,17 @@ class MeshSubject final : public Subject {
   // "states": the renderer's state, status, moves and force are the definition's, tick by tick, also with a path that goes on
   // from a state of it. "repeats": a position that is repeated changes neither state nor force once the tick is finished.
   std::vector<FurtherProperty> further_properties() const override;
-  std::vector<std::string> jumps() const override;
-  bool has_unit_directions() const override { return true; }
-  bool is_conservative() const override { return false; }
+  Expected expected() const override;
   // None is known.
   std::vector<LoopEnergy> energies(const Monitor&) const override { return {}; }
   DrawnSubject with_drawn_parameters(std::uint64_t seed) const override;
   std::uint64_t points_of_a_set(std::uint64_t points) const override { return (points + 7) / 8; }
 
  private:
-  std::shared_ptr<const MeshRendering> rendering_;  // of all stiffnesses but its own
+  std::shared_ptr<const MeshRendering> mesh_;  // of all stiffnesses but its own
   float stiffness_;
   OpenTicks open_;
-  Calls calls_;
-  Identity identity_;
+  Rendering rendering_;
   // Built when it is first needed: it takes some 2 kB for each triangle, and a servo loop needs none.
   const reference::GodObject& reference() const;
   mutable std::once_flag is_built_;

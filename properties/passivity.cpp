@@ -40,11 +40,11 @@ std::vector<PathPoint> through(const LawClaims& claims, double depth) {
 
 Violation passivity(const RenderedLaw& rendered, const LawClaims& claims, const std::vector<PathPoint>& vertices) {
   const Work work = work_around(rendered, claims, vertices);
-  const double allowed = (claims.is_conservative() ? work.placing : work.exact) + work.rounding + work.summing();
+  const double allowed = (claims.is_conservative ? work.placing : work.exact) + work.rounding + work.summing();
   if (work.rendered <= allowed) return std::nullopt;
   char numbers[200];
   std::snprintf(numbers, sizeof numbers, "gives %.9g mJ to the hand; the exact law gives %.9g mJ and rounding may add %.3g mJ",
-                work.rendered, claims.is_conservative() ? 0.0 : work.exact, work.rounding);
+                work.rendered, claims.is_conservative ? 0.0 : work.exact, work.rounding);
   return "the closed path " + loop_text(vertices) + " mm " + numbers;
 }
 

@@ -16,7 +16,7 @@ std::variant<RenderedField<Reference>, ParameterError> built(const From&... from
   if (const auto* error = std::get_if<ParameterError>(&reference)) return *error;
   auto fast = Fast::build(from...);
   if (const auto* error = std::get_if<ParameterError>(&fast)) return *error;
-  return RenderedField<Reference>{std::get<Reference>(std::move(reference)), renderer_of(calls_of(std::get<Fast>(fast)))};
+  return RenderedField<Reference>{std::get<Reference>(std::move(reference)), force_at_of(renderer_of(std::get<Fast>(fast)))};
 }
 
 }  // namespace
@@ -30,16 +30,16 @@ Rendered answer_of(fast::Session& session, const Eigen::Vector3f& position) {
   return {answer.force, answer.status};
 }
 
-Renderer renderer_of(const Calls& calls) {
-  return [session = std::shared_ptr<fast::Session>(calls.open())](const Eigen::Vector3f& position) {
+ForceAt force_at_of(const Renderer& renderer) {
+  return [session = std::shared_ptr<fast::Session>(renderer.open())](const Eigen::Vector3f& position) {
     return answer_of(*session, position);
   };
 }
 
-Calls calls_of(const Renderer& renderer) {
-  return {[renderer] {
-    return answering([renderer](const Eigen::Vector3f& position) {
-      const Rendered answer = renderer(position);
+Renderer renderer_of(const ForceAt& force_at) {
+  return {[force_at] {
+    return answering([force_at](const Eigen::Vector3f& position) {
+      const Rendered answer = force_at(position);
       return fast::Evaluation{answer.force, answer.status};
     });
   }};

@@ -9,10 +9,10 @@
 #include <string>
 #include <variant>
 
-#include "properties/calls.h"
 #include "reference/height_map_field.h"
 #include "reference/law.h"
 #include "rendering/law.h"
+#include "rendering/renderer/renderer.h"
 
 namespace forceshade::properties {
 
@@ -22,12 +22,12 @@ struct Rendered {
 };
 
 // position (mm) -> force, the same for the same position. What it throws fails the property that called it.
-using Renderer = std::function<Rendered(const Eigen::Vector3f& position)>;
+using ForceAt = std::function<Rendered(const Eigen::Vector3f& position)>;
 
 template <class Reference>
 struct RenderedField {
   Reference law;
-  Renderer renderer;
+  ForceAt force_at;
 };
 using RenderedLaw = RenderedField<reference::Law>;
 using RenderedHeightMap = RenderedField<reference::HeightMapField>;
@@ -43,11 +43,11 @@ struct RendererThrew : std::runtime_error {
 // The session's answer there. Throws RendererThrew.
 Rendered answer_of(fast::Session& session, const Eigen::Vector3f& position);
 
-// Its call for one position. One thread at a time. Throws RendererThrew.
-Renderer renderer_of(const Calls& calls);
+// The renderer's call for one position. One thread at a time. Throws RendererThrew.
+ForceAt force_at_of(const Renderer& renderer);
 
-// The other way round, without a batch call. What it gives is counted as decided by binary64.
-Calls calls_of(const Renderer& renderer);
+// A renderer without a batch call. What it gives is counted as decided by binary64.
+Renderer renderer_of(const ForceAt& force_at);
 
 // The fast path as a renderer, beside its reference.
 std::variant<RenderedLaw, ParameterError> fast_rendering(LawId id, const Parameters& parameters);

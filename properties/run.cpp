@@ -103,7 +103,7 @@ class Equivalence {
 
   // Along a path, from its beginning: the renderer's answer is the exact force rounded, at every step.
   Violation along(const std::vector<Eigen::Vector3f>& path) {
-    const auto session = subject_.calls().open();
+    const auto session = subject_.renderer().open();
     const auto reference = subject_.open_reference();
     for (std::size_t i = 0; i < path.size(); ++i) {
       const Rendered answer = answer_of(*session, path[i]);

@@ -16,7 +16,7 @@ constexpr int kRepetitions = 8;
 using Path = std::span<const Eigen::Vector3f>;
 
 Rendered last_answer(const Subject& subject, Path path) {
-  const auto session = subject.calls().open();
+  const auto session = subject.renderer().open();
   Rendered answer;
   for (const Eigen::Vector3f& position : path) answer = answer_of(*session, position);
   return answer;

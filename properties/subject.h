@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What is checked, certified and driven: one notion for laws, height maps and whatever else renders a force. A subject is an
-// exact definition of the force along a path, a renderer that is said to compute it, and what may be expected of both.
+// What is checked and certified: one notion for laws, height maps and whatever else renders a force. A subject is a rendering,
+// which is all that a device is driven with, the exact definition of its force along a path, and what may be expected of both.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -10,12 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "properties/calls.h"
 #include "properties/positions.h"
 #include "properties/rendered.h"
 #include "reference/law.h"
-#include "rendering/identity/identity.h"
 #include "rendering/monitor.h"
+#include "rendering/renderer/rendering.h"
 #include "rendering/results.h"
 
 namespace forceshade::properties {
@@ -35,6 +34,14 @@ struct FurtherProperty {
   std::function<Violation()> check;
 };
 
+// What may be expected of the force: where it jumps, in words; whether its direction is a unit vector; whether no loop gives
+// energy.
+struct Expected {
+  std::vector<std::string> jumps;
+  bool has_unit_directions = true;
+  bool is_conservative = false;
+};
+
 class Subject;
 
 // A subject of the same kind with other parameters, and these in words: "K = 0.25 N/mm: ".
@@ -49,14 +56,16 @@ class Subject {
  public:
   virtual ~Subject() = default;
 
-  virtual const Identity& identity() const = 0;
+  // The renderer that is checked, and what it is said to render.
+  virtual const Rendering& rendering() const = 0;
+  const Identity& identity() const { return rendering().identity; }
+  const Renderer& renderer() const { return rendering().renderer; }
 
   // What it is made of, in words, a line each: the parts of a height map. Empty where the identity says all.
   virtual std::vector<std::string> parts() const { return {}; }
 
-  // The exact definition and the renderer.
+  // A path through the exact definition.
   virtual std::unique_ptr<ReferenceSession> open_reference() const = 0;
-  virtual const Calls& calls() const = 0;
 
   // Where to look: an endless stream, the same for the same seed. This must outlive it.
   virtual std::unique_ptr<Positions> positions(std::uint64_t seed) const = 0;
@@ -72,11 +81,8 @@ class Subject {
   virtual std::vector<std::function<Violation()>> fixed_loops() const { return {}; }
   virtual std::vector<FurtherProperty> further_properties() const { return {}; }
 
-  // What may be expected: where the force jumps, in words; whether its direction is a unit vector, and whether no loop gives
-  // energy; and the energy of loops by their depth. energies() throws reference::NotEnclosed, Interrupted.
-  virtual std::vector<std::string> jumps() const = 0;
-  virtual bool has_unit_directions() const = 0;
-  virtual bool is_conservative() const = 0;
+  virtual Expected expected() const = 0;
+  // The energy of loops by their depth. Throws reference::NotEnclosed, Interrupted.
   virtual std::vector<LoopEnergy> energies(const Monitor& monitor) const = 0;
 
   // With parameters from all of the domain.

@@ -124,7 +124,7 @@ SideView side_view(const RenderedHeightMap& rendered, const std::string& name, c
   view.nominal = {std::max(low - 0.08 * width, top - width), top};
   view.surface = [section](double x) { return section.surface(x); };
   view.stands_for = [map, is_shaded](double x) { return is_shaded ? map.surface(x) : std::nan(""); };
-  view.force = [renderer = rendered.renderer, y = range.y](float x, float z) { return renderer({x, y, z}).force; };
+  view.force = [renderer = rendered.force_at, y = range.y](float x, float z) { return renderer({x, y, z}).force; };
   view.density = [section, is_conservative = shape.is_conservative](double x, double z) {
     return is_conservative ? 0 : section.density(x, z);
   };

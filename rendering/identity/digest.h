@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace forceshade::properties {
+namespace forceshade {
 
 // Fed with text and lines of it, and with binary32 and whole numbers as their four bytes, the least significant first.
 class Digest {
@@ -41,4 +41,4 @@ class Digest {
   std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_{EVP_MD_CTX_new(), &EVP_MD_CTX_free};
 };
 
-}  // namespace forceshade::properties
+}  // namespace forceshade

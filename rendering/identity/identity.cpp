@@ -10,7 +10,7 @@
 #include "rendering/identity/digest.h"
 #include "rendering/number_text.h"
 
-namespace forceshade::properties {
+namespace forceshade {
 namespace {
 
 // A part in words: its kind, its numbers under their keys in a TOML file, and a grid's samples.
@@ -154,4 +154,4 @@ std::vector<std::string> words_of(const HeightMap& map) {
   return lines;
 }
 
-}  // namespace forceshade::properties
+}  // namespace forceshade

@@ -12,7 +12,7 @@
 #include "rendering/height_map.h"
 #include "rendering/law.h"
 
-namespace forceshade::properties {
+namespace forceshade {
 
 inline constexpr const char kLawKind[] = "law", kHeightMapKind[] = "height map";
 
@@ -63,4 +63,4 @@ std::string text_of(const IdentityValue& value);
 // One line for each part: "gaussian: x_mm 0, y_mm 0, height_mm 3, sigma_mm 5".
 std::vector<std::string> words_of(const HeightMap& map);
 
-}  // namespace forceshade::properties
+}  // namespace forceshade

@@ -6,7 +6,7 @@
 
 #include "rendering/identity/identity.h"
 
-namespace forceshade::properties {
+namespace forceshade {
 
 // Binary32 numbers are written as the binary64 numbers they are, so they come back the same.
 inline nlohmann::ordered_json parameters_json(const Identity& identity) {
@@ -20,4 +20,4 @@ inline nlohmann::ordered_json parameters_json(const Identity& identity) {
   return json;
 }
 
-}  // namespace forceshade::properties
+}  // namespace forceshade

@@ -3,7 +3,7 @@
 
 #include "rendering/identity/digest.h"
 
-namespace forceshade::properties {
+namespace forceshade {
 
 Identity identity_of(const std::string& name, const MeshRendering& rendering) {
   Digest digest;
@@ -41,4 +41,4 @@ Identity identity_of(const std::string& name, const MeshRendering& rendering) {
   return identity;
 }
 
-}  // namespace forceshade::properties
+}  // namespace forceshade

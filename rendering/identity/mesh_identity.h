@@ -7,7 +7,7 @@
 #include "rendering/identity/identity.h"
 #include "rendering/mesh_rendering.h"
 
-namespace forceshade::properties {
+namespace forceshade {
 
 inline constexpr const char kMeshKind[] = "mesh";
 
@@ -15,4 +15,4 @@ inline constexpr const char kMeshKind[] = "mesh";
 // gradients of its corners and of its height map.
 Identity identity_of(const std::string& name, const MeshRendering& rendering);
 
-}  // namespace forceshade::properties
+}  // namespace forceshade

@@ -26,7 +26,7 @@ using fast::InstructionSet;
 constexpr Parameters kThesisBump{15.24F, 25.4F, 0.5F};
 
 // What is compared, made anew with every change of a test to its calls.
-using Change = std::function<Calls(Calls)>;
+using Change = std::function<Renderer(Renderer)>;
 using Subjects = std::function<std::shared_ptr<const Subject>(const Change&)>;
 
 Subjects law_of(LawId id) {
@@ -45,7 +45,7 @@ Subjects map_of(const HeightMap& map) {
   };
 }
 
-const Change kAsItIs = [](Calls calls) { return calls; };
+const Change kAsItIs = [](Renderer renderer) { return renderer; };
 
 CertifyOptions small(const Subjects& subjects, const Change& change = kAsItIs) {
   return {.subjects = {subjects(change)}, .points = 9000, .cases = 20, .seed = 3, .threads = 2};
@@ -104,14 +104,14 @@ TEST(comparison, finds_a_batch_call_that_is_wrong_in_one_set) {
   for (const Subjects& subjects : {law_of(LawId::bump_1p_shaded), map_of(slope())})
     for (const InstructionSet wrong : available())
       for (const Eigen::Index component : {0, 2}) {
-        const Certificate certificate = certified(small(subjects, [=](Calls calls) {
-          calls.batch = [=, right = calls.batch](auto positions, auto forces, InstructionSet set) {
+        const Certificate certificate = certified(small(subjects, [=](Renderer renderer) {
+          renderer.batch = [=, right = renderer.batch](auto positions, auto forces, InstructionSet set) {
             const fast::BatchResult result = right(positions, forces, set);
             if (set == wrong && positions.size() > 1)
               for (std::size_t i = 0; i < positions.size(); i += 1000) forces[i][component] = flipped(forces[i][component]);
             return result;
           };
-          return calls;
+          return renderer;
         }));
         const Findings& found = only(certificate);
         EXPECT_EQ(found.mismatches, 11U) << "of three chunks, 5, 5 and 1";
@@ -126,13 +126,13 @@ TEST(comparison, finds_a_batch_call_that_is_wrong_in_one_set) {
 
 TEST(comparison, finds_a_single_call_that_is_wrong_in_one_set) {
   for (const InstructionSet wrong : available()) {
-    CertifyOptions options = small(map_of(spline()), [=](Calls calls) {
-      calls.batch = [=, right = calls.batch](auto positions, auto forces, InstructionSet set) {
+    CertifyOptions options = small(map_of(spline()), [=](Renderer renderer) {
+      renderer.batch = [=, right = renderer.batch](auto positions, auto forces, InstructionSet set) {
         const fast::BatchResult result = right(positions, forces, set);
         if (set == wrong && positions.size() == 1) forces[0].z() = flipped(forces[0].z());
         return result;
       };
-      return calls;
+      return renderer;
     });
     options.points = 300;
     options.cases = 1;
@@ -145,15 +145,15 @@ TEST(comparison, finds_a_single_call_that_is_wrong_in_one_set) {
 
 TEST(comparison, finds_the_single_call_that_is_wrong) {
   for (const Subjects& subjects : {law_of(LawId::cylinder), map_of(slope())}) {
-    const Certificate certificate = certified(small(subjects, [](Calls calls) {
-      calls.open = [open = calls.open] {
+    const Certificate certificate = certified(small(subjects, [](Renderer renderer) {
+      renderer.open = [open = renderer.open] {
         return answering([right = std::shared_ptr<fast::Session>(open())](const Eigen::Vector3f& position) {
           fast::Evaluation answer = right->step(position);
           if (answer.status == Status::contact) answer.force.x() = flipped(answer.force.x());
           return answer;
         });
       };
-      return calls;
+      return renderer;
     }));
     EXPECT_EQ(only(certificate).mismatches, only(certificate).points_by_status.at("contact"));
     EXPECT_FALSE(only(certificate).has_held("equivalence"));
@@ -161,27 +161,27 @@ TEST(comparison, finds_the_single_call_that_is_wrong) {
 }
 
 TEST(comparison, finds_a_batch_call_that_writes_nothing_or_miscounts) {
-  const Certificate silent = certified(small(law_of(LawId::wall), [](Calls calls) {
-    calls.batch = [right = calls.batch](auto positions, auto forces, InstructionSet set) {
+  const Certificate silent = certified(small(law_of(LawId::wall), [](Renderer renderer) {
+    renderer.batch = [right = renderer.batch](auto positions, auto forces, InstructionSet set) {
       return set == InstructionSet::scalar ? right(positions, forces, set) : right(positions, forces, InstructionSet::scalar);
     };
-    return calls;
+    return renderer;
   }));
   EXPECT_TRUE(silent.held()) << "a set that gives another's bits gives the right ones";
-  const Certificate unwritten = certified(small(law_of(LawId::wall), [](Calls calls) {
-    calls.batch = [right = calls.batch](auto positions, auto forces, InstructionSet set) {
+  const Certificate unwritten = certified(small(law_of(LawId::wall), [](Renderer renderer) {
+    renderer.batch = [right = renderer.batch](auto positions, auto forces, InstructionSet set) {
       return right(positions.first(positions.size() - 1), forces.first(positions.size() - 1), set);
     };
-    return calls;
+    return renderer;
   }));
   EXPECT_GE(only(unwritten).mismatches, 3U) << "the last of each chunk";
-  const Certificate miscounted = certified(small(law_of(LawId::wall), [](Calls calls) {
-    calls.batch = [right = calls.batch](auto positions, auto forces, InstructionSet set) {
+  const Certificate miscounted = certified(small(law_of(LawId::wall), [](Renderer renderer) {
+    renderer.batch = [right = renderer.batch](auto positions, auto forces, InstructionSet set) {
       fast::BatchResult result = right(positions, forces, set);
       ++result.invalid;
       return result;
     };
-    return calls;
+    return renderer;
   }));
   EXPECT_EQ(only(miscounted).mismatches, 3U) << "one for each chunk";
   EXPECT_NE(only(miscounted).counterexamples.at(0).find("invalid positions of 4096; expected "), std::string::npos);
@@ -204,16 +204,16 @@ TEST(comparison, finds_by_default_that_a_wall_truncates_instead_of_rounding) {
           answer.force.z() = std::nextafter(answer.force.z(), 0.0F);
         return answer;
       };
-      return Calls{[truncated] { return answering(truncated); },
-                   [truncated](auto positions, auto forces, InstructionSet) {
-                     fast::BatchResult result;
-                     for (std::size_t i = 0; i < positions.size(); ++i) {
-                       const fast::Evaluation answer = truncated(positions[i]);
-                       forces[i] = answer.force;
-                       result.invalid += answer.status == Status::invalid;
-                     }
-                     return result;
-                   }};
+      return Renderer{[truncated] { return answering(truncated); },
+                      [truncated](auto positions, auto forces, InstructionSet) {
+                        fast::BatchResult result;
+                        for (std::size_t i = 0; i < positions.size(); ++i) {
+                          const fast::Evaluation answer = truncated(positions[i]);
+                          forces[i] = answer.force;
+                          result.invalid += answer.status == Status::invalid;
+                        }
+                        return result;
+                      }};
     };
     options.subjects = {std::make_shared<LawSubject>(law, kThesisBump, truncating)};
     const Certificate certificate = certified(options);

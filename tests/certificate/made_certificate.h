@@ -40,19 +40,18 @@ inline properties::Findings made_findings(std::uint64_t points) {
   return found;
 }
 
-inline properties::SubjectResult made_subject(properties::Identity identity, std::vector<std::string> parts = {}) {
+inline properties::SubjectResult made_subject(Identity identity, std::vector<std::string> parts = {}) {
   const std::uint64_t points = properties::points_of_kind(identity.kind);
   return {made_findings(points), std::move(identity), std::move(parts), true, {7}};
 }
 
 inline properties::SubjectResult made_law(LawId law = LawId::bump_2p, const Parameters& parameters = {15.24F, 25.4F, 0.5F}) {
-  return made_subject(properties::identity_of(law, parameters));
+  return made_subject(identity_of(law, parameters));
 }
 
 // Of a map that nobody has: its digest is made up.
-inline properties::Identity made_map_identity(height::Rendering rendering = height::Rendering::true_height,
-                                              float stiffness = 0.5F) {
-  properties::Identity identity = properties::identity_of("hill.toml", {}, rendering, stiffness);
+inline Identity made_map_identity(height::Rendering rendering = height::Rendering::true_height, float stiffness = 0.5F) {
+  Identity identity = identity_of("hill.toml", {}, rendering, stiffness);
   identity.digest = std::string(64, 'c');
   return identity;
 }

@@ -64,7 +64,7 @@ struct WrongStep {
   std::function<bool(std::size_t step, const fast::Evaluation& answer)> where;
 };
 
-Calls with_wrong_steps(Calls calls, const WrongStep& wrong) {
+Renderer with_wrong_steps(Renderer renderer, const WrongStep& wrong) {
   struct Session final : fast::Session {
     Session(std::unique_ptr<fast::Session> its, WrongStep what) : right(std::move(its)), wrong(std::move(what)) {}
     fast::Evaluation step(const Eigen::Vector3f& position) noexcept override {
@@ -80,8 +80,8 @@ Calls with_wrong_steps(Calls calls, const WrongStep& wrong) {
     WrongStep wrong;
     std::size_t steps = 0;
   };
-  calls.open = [open = calls.open, wrong] { return std::make_unique<Session>(open(), wrong); };
-  return calls;
+  renderer.open = [open = renderer.open, wrong] { return std::make_unique<Session>(open(), wrong); };
+  return renderer;
 }
 
 // A batch call of more than one position that is wrong at one of them, in one set.
@@ -91,26 +91,26 @@ struct WrongBatch {
   std::size_t at;
 };
 
-Calls with_a_wrong_batch(Calls calls, const WrongBatch& wrong) {
-  calls.batch = [right = calls.batch, wrong](auto positions, auto forces, InstructionSet set) {
+Renderer with_a_wrong_batch(Renderer renderer, const WrongBatch& wrong) {
+  renderer.batch = [right = renderer.batch, wrong](auto positions, auto forces, InstructionSet set) {
     const fast::BatchResult result = right(positions, forces, set);
     if (set == wrong.set && wrong.at < positions.size() && positions.size() > 1)
       forces[wrong.at][wrong.component] = with_last_bit_flipped(forces[wrong.at][wrong.component]);
     return result;
   };
-  return calls;
+  return renderer;
 }
 
 // A law that is wrong with the given parameters alone, or in the spread alone.
 std::shared_ptr<const Subject> wrong_law(LawId law, bool in_spread, const Parameters& given,
-                                         const std::function<Calls(Calls)>& change) {
+                                         const std::function<Renderer(Renderer)>& change) {
   return std::make_shared<LawSubject>(law, given, [=](LawId id, const Parameters& p) {
     const bool is_given = p == given;
     return is_given == in_spread ? fast_law(id, p) : change(fast_law(id, p));
   });
 }
 
-std::shared_ptr<const Subject> wrong_map(const std::function<Calls(Calls)>& change) {
+std::shared_ptr<const Subject> wrong_map(const std::function<Renderer(Renderer)>& change) {
   return std::make_shared<HeightMapSubject>("map.toml", HeightMap{{{height::Plane{0.25F, 0.125F, 1}}}},
                                             height::Rendering::true_height, 0.5F,
                                             [=](const HeightMap& map, height::Rendering rendering, float stiffness) {
@@ -120,7 +120,7 @@ std::shared_ptr<const Subject> wrong_map(const std::function<Calls(Calls)>& chan
 
 TEST(wrong_in_one_thing, a_right_renderer_is_refused_for_its_few_points_alone) {
   const Certificate certificate =
-      checked_alone(wrong_law(LawId::bump_2p, false, kBumpOfLaw, [](Calls calls) { return calls; }));
+      checked_alone(wrong_law(LawId::bump_2p, false, kBumpOfLaw, [](Renderer renderer) { return renderer; }));
   const Certificate end = after_the_whole_way(certificate);
   EXPECT_TRUE(end.held());
   EXPECT_EQ(refusal(end, current_build(), certificate.subjects[0].identity),
@@ -132,8 +132,9 @@ TEST(wrong_in_one_thing, a_component_or_the_status_of_the_single_call) {
   for (const int component : {0, 1, 2, 3})
     for (const bool in_spread : {false, true})
       for (const std::size_t at : {std::size_t{0}, in_spread ? std::size_t{1023} : kLastOfChunk}) {
-        const Certificate certificate = checked_alone(wrong_law(LawId::bump_2p, in_spread, kBumpOfLaw, [=](Calls calls) {
-          return with_wrong_steps(calls, {component, [at](std::size_t step, const fast::Evaluation&) { return step == at; }});
+        const Certificate certificate = checked_alone(wrong_law(LawId::bump_2p, in_spread, kBumpOfLaw, [=](Renderer renderer) {
+          return with_wrong_steps(renderer,
+                                  {component, [at](std::size_t step, const fast::Evaluation&) { return step == at; }});
         }));
         const std::string what = "component " + std::to_string(component) + " at " + std::to_string(at);
         const SubjectResult& found = certificate.subjects[0];
@@ -146,10 +147,10 @@ TEST(wrong_in_one_thing, a_component_or_the_status_of_the_single_call) {
 
 TEST(wrong_in_one_thing, one_stage_of_the_single_call) {
   for (std::size_t stage = 0; stage < kStageNames.size(); ++stage) {
-    const Certificate certificate = checked_alone(wrong_law(LawId::cylinder, false, kWithTies, [=](Calls calls) {
-      return with_wrong_steps(calls, {2, [stage](std::size_t, const fast::Evaluation& answer) {
-                                        return static_cast<std::size_t>(answer.stage) == stage;
-                                      }});
+    const Certificate certificate = checked_alone(wrong_law(LawId::cylinder, false, kWithTies, [=](Renderer renderer) {
+      return with_wrong_steps(renderer, {2, [stage](std::size_t, const fast::Evaluation& answer) {
+                                           return static_cast<std::size_t>(answer.stage) == stage;
+                                         }});
     }));
     const SubjectResult& found = certificate.subjects[0];
     EXPECT_GT(found.mismatches, 0U) << kStageNames[stage];
@@ -164,7 +165,7 @@ TEST(wrong_in_one_thing, a_component_of_one_set_s_batch_call) {
     for (const Eigen::Index component : {0, 1, 2})
       for (const std::size_t at : {std::size_t{0}, kLastOfChunk}) {
         const WrongBatch wrong{set, component, at};
-        const auto change = [wrong](Calls calls) { return with_a_wrong_batch(std::move(calls), wrong); };
+        const auto change = [wrong](Renderer renderer) { return with_a_wrong_batch(std::move(renderer), wrong); };
         for (const auto& subject : {wrong_law(LawId::bump_2p, false, kBumpOfLaw, change), wrong_map(change)}) {
           const Certificate certificate = checked_alone(subject, kPoints, 1);
           const std::string what = subject->identity().name + ", " + std::string(name_of(set)) + ", component " +
@@ -181,17 +182,17 @@ TEST(wrong_in_one_thing, the_number_of_invalid_positions_of_one_set_s_batch_call
   for (const InstructionSet wrong : fast::kInstructionSets) {
     if (!fast::is_available(wrong)) continue;
     for (const bool too_many : {false, true}) {
-      const Certificate certificate =
-          checked_alone(wrong_law(LawId::bump_2p, false, kBumpOfLaw,
-                                  [=](Calls calls) {
-                                    calls.batch = [=, right = calls.batch](auto positions, auto forces, InstructionSet set) {
-                                      fast::BatchResult result = right(positions, forces, set);
-                                      if (set == wrong) result.invalid += too_many ? 1 : -1;
-                                      return result;
-                                    };
-                                    return calls;
-                                  }),
-                        kPoints, 1);
+      const Certificate certificate = checked_alone(
+          wrong_law(LawId::bump_2p, false, kBumpOfLaw,
+                    [=](Renderer renderer) {
+                      renderer.batch = [=, right = renderer.batch](auto positions, auto forces, InstructionSet set) {
+                        fast::BatchResult result = right(positions, forces, set);
+                        if (set == wrong) result.invalid += too_many ? 1 : -1;
+                        return result;
+                      };
+                      return renderer;
+                    }),
+          kPoints, 1);
       EXPECT_EQ(certificate.subjects[0].mismatches, 2U) << "one for each chunk";
       expect_refused(certificate, std::string(name_of(wrong)) + (too_many ? ", too many" : ", too few"));
     }
@@ -204,16 +205,16 @@ TEST(wrong_in_one_thing, a_single_call_of_one_set_that_does_not_write_an_answer_
   const HeightMap flat{{{std::make_shared<const height::Grid>(
       height::Grid{4, 4, 0.5F, height::Edge::tile, height::Interpolant::cubic_spline, std::move(values)})}}};
   const auto lazy = [](const HeightMap& map, height::Rendering rendering, float stiffness) {
-    Calls calls = fast_height_map(map, rendering, stiffness);
-    calls.batch = [right = calls.batch, last = Eigen::Vector3f(-1, 0, 0)](auto positions, auto forces,
-                                                                          InstructionSet set) mutable {
+    Renderer renderer = fast_height_map(map, rendering, stiffness);
+    renderer.batch = [right = renderer.batch, last = Eigen::Vector3f(-1, 0, 0)](auto positions, auto forces,
+                                                                                InstructionSet set) mutable {
       if (positions.size() > 1) return right(positions, forces, set);
       Eigen::Vector3f answer;
       const fast::BatchResult result = right(positions, std::span(&answer, 1), set);
       if (answer != last) forces[0] = last = answer;
       return result;
     };
-    return calls;
+    return renderer;
   };
   const Certificate certificate =
       checked_alone(std::make_shared<HeightMapSubject>("flat.toml", flat, height::Rendering::true_height, 0.5F, lazy), 400, 1);
@@ -231,10 +232,12 @@ class WithOneFailure final : public tests::SubjectWrapper {
     is_wrong_ = property_ == "equivalence" && drawn_++ >= at_;
     return its_->draw_path();
   }
-  const Calls& calls() const override {
-    calls_ = its_->calls();
-    if (is_wrong_) calls_ = with_wrong_steps(calls_, {2, [](std::size_t, const fast::Evaluation&) { return true; }});
-    return calls_;
+  const Rendering& rendering() const override {
+    rendering_ = its_->rendering();
+    if (is_wrong_)
+      rendering_.renderer =
+          with_wrong_steps(rendering_.renderer, {2, [](std::size_t, const fast::Evaluation&) { return true; }});
+    return rendering_;
   }
   Violation check_continuity() const override { return of("continuity", its_->check_continuity()); }
   Violation check_unit_normals() const override { return of("unit normals", its_->check_unit_normals()); }
@@ -256,7 +259,7 @@ class WithOneFailure final : public tests::SubjectWrapper {
   int at_;
   mutable int drawn_ = 0;
   mutable bool is_wrong_ = false;
-  mutable Calls calls_;
+  mutable Rendering rendering_;
 };
 
 TEST(wrong_in_one_thing, one_property_in_its_first_or_last_case) {
@@ -284,9 +287,9 @@ TEST(wrong_in_one_thing, one_property_in_its_first_or_last_case) {
 // A renderer without a batch call whose answers are not for good. What certify says of it names that.
 TEST(wrong_in_one_thing, answers_that_are_random_or_remembered_or_thrown) {
   const RenderedLaw right = std::get<RenderedLaw>(fast_rendering(LawId::bump_2p, kBumpOfLaw));
-  const auto words_for = [&](const Renderer& renderer) {
+  const auto words_for = [&](const ForceAt& renderer) {
     RenderedLaw rendered = right;
-    rendered.renderer = renderer;
+    rendered.force_at = renderer;
     const Certificate certificate = checked_alone(std::make_shared<LawSubject>(rendered), 1000);
     expect_refused(certificate, "inconsistent");
     return certificate.subjects[0].counterexamples;
@@ -306,16 +309,16 @@ TEST(wrong_in_one_thing, answers_that_are_random_or_remembered_or_thrown) {
   });
   EXPECT_EQ(thrown_at.size(), kCounterexamples);
   for (const std::string& words : thrown_at) expect_in(words, " mm the renderer throws: no such place");
-  const auto remembering = wrong_law(LawId::bump_2p, false, kBumpOfLaw, [](Calls calls) {
-    return with_wrong_steps(calls, {2, [](std::size_t step, const fast::Evaluation&) { return step > 0; }});
+  const auto remembering = wrong_law(LawId::bump_2p, false, kBumpOfLaw, [](Renderer renderer) {
+    return with_wrong_steps(renderer, {2, [](std::size_t step, const fast::Evaluation&) { return step > 0; }});
   });
   const Certificate certificate = checked_alone(remembering, 1000);
   expect_in(certificate.subjects[0].counterexamples.at(0), "keeps state that its definition does not have");
   expect_refused(certificate, "remembering");
 
-  const auto throwing = wrong_law(LawId::bump_2p, false, kBumpOfLaw, [](Calls calls) {
-    calls.batch = [](auto, auto, InstructionSet) -> fast::BatchResult { throw std::runtime_error("no memory"); };
-    return calls;
+  const auto throwing = wrong_law(LawId::bump_2p, false, kBumpOfLaw, [](Renderer renderer) {
+    renderer.batch = [](auto, auto, InstructionSet) -> fast::BatchResult { throw std::runtime_error("no memory"); };
+    return renderer;
   });
   const Certificate thrown = checked_alone(throwing, 1000);
   expect_in(thrown.subjects[0].counterexamples.at(0), "the batch call (scalar) of 1000 positions from x = ");

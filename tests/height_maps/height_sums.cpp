@@ -33,7 +33,7 @@ struct Counts {
 
 void print_words(const tests::HostileMap& one, const Vector3f& position, const std::string& what) {
   std::printf("%s, stiffness %a\n", name_of(one.rendering).data(), static_cast<double>(one.stiffness));
-  for (const std::string& words : properties::words_of(one.map)) std::printf("  %s\n", words.c_str());
+  for (const std::string& words : forceshade::words_of(one.map)) std::printf("  %s\n", words.c_str());
   std::printf("  at %s: %s\n", properties::show(position).c_str(), what.c_str());
 }
 

@@ -19,7 +19,7 @@ int main(int, char** arguments) {
                           0.5F};
   if (!mesh::facts_of(mesh).is_closed()) rendering.sides = mesh::Sides::both;
   const properties::MeshSubject subject("a mesh", rendering);
-  const auto session = subject.calls().open();
+  const auto session = subject.renderer().open();
   session->step({2, 2, -1});
   const Eigen::Vector3f force = session->step({2, 2, 1}).force;
   std::printf("%g N\n", static_cast<double>(force.norm()));

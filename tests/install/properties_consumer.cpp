@@ -13,7 +13,7 @@ namespace {
 
 using namespace forceshade;
 
-properties::Renderer wall_of(float sign) {
+properties::ForceAt wall_of(float sign) {
   return [sign](const Eigen::Vector3f& position) -> properties::Rendered {
     // Coordinate by coordinate, because the largest of several is not defined where one is a NaN.
     if (!(position.array().abs() <= 1e4F).all()) return {{0, 0, 0}, Status::invalid};
@@ -24,7 +24,7 @@ properties::Renderer wall_of(float sign) {
 }
 
 // Half of the force before and half of the one that is due: a filter, which the definition of a wall does not have.
-properties::Renderer filtered_wall() {
+properties::ForceAt filtered_wall() {
   return [right = wall_of(1), before = std::make_shared<Eigen::Vector3f>(0, 0, 0)](const Eigen::Vector3f& position) {
     properties::Rendered answer = right(position);
     *before = answer.force = 0.5F * (*before + answer.force);
@@ -38,7 +38,7 @@ properties::Rendered throwing_wall(const Eigen::Vector3f& position) {
 }
 
 // What is said of the first property that does not hold; empty where all hold.
-std::string failure_of(const properties::Renderer& wall) {
+std::string failure_of(const properties::ForceAt& wall) {
   const auto law = reference::Law::build(LawId::wall, {.stiffness = 0.5F});
   std::string failure;
   const properties::LawSubject subject(properties::RenderedLaw{std::get<reference::Law>(law), wall});

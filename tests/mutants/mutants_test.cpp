@@ -50,7 +50,7 @@ std::vector<Eigen::Vector3f> ties() {
   return found;
 }
 
-properties::Renderer renderer_of(const Mutant& mutant, const Parameters& p) {
+properties::ForceAt renderer_of(const Mutant& mutant, const Parameters& p) {
   return [law = mutant.build(p)](const Eigen::Vector3f& position) {
     const MutantAnswer answer = law(position);
     return properties::Rendered{answer.force, answer.status};

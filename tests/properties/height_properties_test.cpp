@@ -77,7 +77,7 @@ TEST(height_properties, hold_on_maps_of_every_kind) {
 template <class Change>
 RenderedHeightMap changed(const HeightMap& map, Rendering rendering, const Change& change) {
   RenderedHeightMap subject = subject_of(map, rendering);
-  subject.renderer = [right = subject.renderer, change](const Eigen::Vector3f& position) {
+  subject.force_at = [right = subject.force_at, change](const Eigen::Vector3f& position) {
     return change(right, position, right(position));
   };
   return subject;
@@ -101,7 +101,7 @@ TEST(height_properties, name_every_kink) {
 }
 
 TEST(height_properties, refuse_a_gradient_of_the_wrong_sign) {
-  const auto mirrored = [](const Renderer&, const Eigen::Vector3f&, Rendered answer) {
+  const auto mirrored = [](const ForceAt&, const Eigen::Vector3f&, Rendered answer) {
     answer.force.head<2>() *= -1;
     return answer;
   };
@@ -112,7 +112,7 @@ TEST(height_properties, refuse_a_gradient_of_the_wrong_sign) {
 }
 
 TEST(height_properties, refuse_x_and_y_exchanged) {
-  const auto exchanged = [](const Renderer&, const Eigen::Vector3f&, Rendered answer) {
+  const auto exchanged = [](const ForceAt&, const Eigen::Vector3f&, Rendered answer) {
     std::swap(answer.force.x(), answer.force.y());
     return answer;
   };
@@ -122,7 +122,7 @@ TEST(height_properties, refuse_x_and_y_exchanged) {
 
 TEST(height_properties, refuse_a_normal_that_was_not_normalised_and_one_that_was) {
   const auto with_length = [](double power) {
-    return [power](const Renderer&, const Eigen::Vector3f&, Rendered answer) {
+    return [power](const ForceAt&, const Eigen::Vector3f&, Rendered answer) {
       const Eigen::Vector3d force = answer.force.cast<double>();
       if (force.z() > 0) answer.force = (force * std::pow(force.norm() / force.z(), power)).cast<float>();
       return answer;
@@ -136,7 +136,7 @@ TEST(height_properties, refuse_a_normal_that_was_not_normalised_and_one_that_was
 }
 
 TEST(height_properties, refuse_a_force_from_the_wrong_cell) {
-  const auto late = [](const Renderer& right, const Eigen::Vector3f& position, const Rendered& answer) {
+  const auto late = [](const ForceAt& right, const Eigen::Vector3f& position, const Rendered& answer) {
     const double place = static_cast<double>(position.x()) / 0.25 - 0.5, beyond = place - std::floor(place);
     return beyond < 1e-3 ? right(position - Eigen::Vector3f(0.25F, 0, 0)) : answer;
   };

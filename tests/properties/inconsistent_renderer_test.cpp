@@ -21,15 +21,15 @@ constexpr Parameters kParameters{15.24F, 25.4F, 0.5F};
 // A field's renderer as a stranger writes it: a function of the position, which may keep what it likes.
 LawSubject field_of(const std::function<Rendered(const Eigen::Vector3f&, const Rendered& right)>& change) {
   RenderedLaw law = std::get<RenderedLaw>(fast_rendering(LawId::wall, kParameters));
-  law.renderer = [right = law.renderer, change](const Eigen::Vector3f& position) { return change(position, right(position)); };
+  law.force_at = [right = law.force_at, change](const Eigen::Vector3f& position) { return change(position, right(position)); };
   return LawSubject(law);
 }
 
 // A renderer with sessions, each of which answers the n-th step, from 0 on, as `change` says.
 LawSubject sessions_of(const std::function<void(int step, fast::Evaluation& answer)>& change) {
   return LawSubject(LawId::wall, kParameters, [change](LawId law, const Parameters& p) {
-    Calls calls = fast_law(law, p);
-    calls.open = [open = calls.open, change] {
+    Renderer renderer = fast_law(law, p);
+    renderer.open = [open = renderer.open, change] {
       return answering([right = std::shared_ptr<fast::Session>(open()), change,
                         step = std::make_shared<int>(0)](const Eigen::Vector3f& position) {
         fast::Evaluation answer = right->step(position);
@@ -37,7 +37,7 @@ LawSubject sessions_of(const std::function<void(int step, fast::Evaluation& answ
         return answer;
       });
     };
-    return calls;
+    return renderer;
   });
 }
 
@@ -111,12 +111,12 @@ TEST(inconsistent_renderer, that_throws_is_quoted_with_the_position) {
 
 TEST(inconsistent_renderer, that_opens_no_session_is_quoted) {
   const LawSubject subject(LawId::wall, kParameters, [](LawId law, const Parameters& p) {
-    Calls calls = fast_law(law, p);
-    calls.open = [open = calls.open, count = std::make_shared<int>(0)] {
+    Renderer renderer = fast_law(law, p);
+    renderer.open = [open = renderer.open, count = std::make_shared<int>(0)] {
       if (++*count > 1) throw std::runtime_error("no more sessions");
       return open();
     };
-    return calls;
+    return renderer;
   });
   expect_words(equivalence_of(subject), {"an exception is thrown: no more sessions"});
 }

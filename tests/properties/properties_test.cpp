@@ -26,7 +26,7 @@ constexpr std::uint64_t kSeed = 11;
 template <class Change>
 RenderedLaw changed(LawId law, const Change& change) {
   RenderedLaw subject = std::get<RenderedLaw>(fast_rendering(law, kBump));
-  subject.renderer = [right = subject.renderer, change](const Eigen::Vector3f& position) {
+  subject.force_at = [right = subject.force_at, change](const Eigen::Vector3f& position) {
     return change(position, right(position));
   };
   return subject;
@@ -241,7 +241,7 @@ TEST(properties, active_laws_pay_what_is_promised_and_conservative_laws_nothing)
     const LawClaims claims(subject.law);
     for (const float depth : {0.5F, 1.0F, 2.0F, 6.0F}) {
       const WitnessLoop loop = witness_loop(subject.law, depth);
-      EXPECT_EQ(loop.bound_mJ[1] == 0, claims.is_conservative()) << law.name;
+      EXPECT_EQ(loop.bound_mJ[1] == 0, claims.is_conservative) << law.name;
       EXPECT_EQ(witness_is_reached(subject, claims, depth), std::nullopt) << law.name;
     }
   }

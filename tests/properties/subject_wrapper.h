@@ -13,10 +13,9 @@ class SubjectWrapper : public properties::Subject {
  public:
   explicit SubjectWrapper(std::shared_ptr<const properties::Subject> its) : its_(std::move(its)) {}
 
-  const properties::Identity& identity() const override { return its_->identity(); }
+  const Rendering& rendering() const override { return its_->rendering(); }
   std::vector<std::string> parts() const override { return its_->parts(); }
   std::unique_ptr<properties::ReferenceSession> open_reference() const override { return its_->open_reference(); }
-  const properties::Calls& calls() const override { return its_->calls(); }
   std::unique_ptr<properties::Positions> positions(std::uint64_t seed) const override { return its_->positions(seed); }
   std::vector<Eigen::Vector3f> draw_path() const override { return its_->draw_path(); }
   properties::Violation check_continuity() const override { return its_->check_continuity(); }
@@ -24,9 +23,7 @@ class SubjectWrapper : public properties::Subject {
   properties::Violation check_passivity() const override { return its_->check_passivity(); }
   std::vector<std::function<properties::Violation()>> fixed_loops() const override { return its_->fixed_loops(); }
   std::vector<properties::FurtherProperty> further_properties() const override { return its_->further_properties(); }
-  std::vector<std::string> jumps() const override { return its_->jumps(); }
-  bool has_unit_directions() const override { return its_->has_unit_directions(); }
-  bool is_conservative() const override { return its_->is_conservative(); }
+  properties::Expected expected() const override { return its_->expected(); }
   std::vector<properties::LoopEnergy> energies(const Monitor& monitor) const override { return its_->energies(monitor); }
   properties::DrawnSubject with_drawn_parameters(std::uint64_t seed) const override {
     return its_->with_drawn_parameters(seed);

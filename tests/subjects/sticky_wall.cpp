@@ -127,7 +127,7 @@ Start any_start(const StickyWallParameters& p) {
 
 // At z on the side that was asked for, as far as there are two.
 std::unique_ptr<fast::Session> opened_at(const StickyWall& wall, const Start& start) {
-  auto session = wall.calls().open();
+  auto session = wall.renderer().open();
   session->step({0, 0, start.is_held ? -1.0F : 9e3F});
   session->step({0, 0, start.z});
   return session;
@@ -146,8 +146,8 @@ std::unique_ptr<fast::Session> StickyWall::open_fast(const StickyWallParameters&
 StickyWall::StickyWall(const StickyWallParameters& p, Open open)
     : p_(p),
       open_(std::move(open)),
-      calls_{[p, its = open_] { return its(p); }},
-      identity_{"sticky wall", "sticky-wall", {{"release_mm", p.release}, {"stiffness_N_per_mm", p.stiffness}}} {}
+      rendering_{{"sticky wall", "sticky-wall", {{"release_mm", p.release}, {"stiffness_N_per_mm", p.stiffness}}},
+                 {[p, its = open_] { return its(p); }}} {}
 
 std::unique_ptr<properties::ReferenceSession> StickyWall::open_reference() const {
   return std::make_unique<ExactSession>(p_);
@@ -198,7 +198,7 @@ properties::Violation StickyWall::check_unit_normals() const {
 // linear force is exact, and where the tip is caught or let go the force jumps to or from a side on which it acts against it.
 properties::Violation StickyWall::check_passivity() const {
   const int count = *rc::gen::inRange(2, 30);
-  const auto session = calls_.open();
+  const auto session = renderer().open();
   double energy = 0, rounding = 0;
   float before = 2 * p_.release, force = session->step({0, 0, before}).force.z();
   const auto go = [&](float z) {

@@ -27,17 +27,14 @@ class StickyWall final : public properties::Subject {
 
   explicit StickyWall(const StickyWallParameters& p, Open open = &open_fast);
 
-  const properties::Identity& identity() const override { return identity_; }
+  const Rendering& rendering() const override { return rendering_; }
   std::unique_ptr<properties::ReferenceSession> open_reference() const override;
-  const properties::Calls& calls() const override { return calls_; }
   std::unique_ptr<properties::Positions> positions(std::uint64_t seed) const override;
   std::vector<Eigen::Vector3f> draw_path() const override;
   properties::Violation check_continuity() const override;
   properties::Violation check_unit_normals() const override;
   properties::Violation check_passivity() const override;
-  std::vector<std::string> jumps() const override { return {"z = the release height, on the way up"}; }
-  bool has_unit_directions() const override { return true; }
-  bool is_conservative() const override { return false; }
+  properties::Expected expected() const override { return {{"z = the release height, on the way up"}, true, false}; }
   // Each time round the hand loses K·r²/2, so no loop gives it any energy.
   std::vector<properties::LoopEnergy> energies(const Monitor&) const override;
   properties::DrawnSubject with_drawn_parameters(std::uint64_t seed) const override;
@@ -46,8 +43,7 @@ class StickyWall final : public properties::Subject {
  private:
   StickyWallParameters p_;
   Open open_;
-  properties::Calls calls_;
-  properties::Identity identity_;
+  Rendering rendering_;
 };
 
 }  // namespace forceshade::tests

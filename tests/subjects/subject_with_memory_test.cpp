@@ -94,11 +94,10 @@ TEST(subject_with_memory, is_driven_and_its_recording_can_be_computed_again) {
     for (int i = 0; i < 2000; ++i) hand << i * 0.001 << ",0,0," << 1.5 * std::cos(i * 0.02) << '\n';
   }
   const StickyWall wall({});
-  const apps::Driven driven(wall);
+  const auto session = wall.renderer().open();
   const auto device = device::open_device("replay:" + replayed);
-  recorder::Recorder recorder(file, apps::metadata_of(driven.identity));
-  device::run_servo_loop(*device, *driven.session, {.max_seconds = 2, .paced = false, .sinks = {&recorder}},
-                         std::atomic<bool>(false));
+  recorder::Recorder recorder(file, apps::metadata_of(wall.identity()));
+  device::run_servo_loop(*device, *session, {.max_seconds = 2, .paced = false, .sinks = {&recorder}}, std::atomic<bool>(false));
   EXPECT_EQ(recorder.close("time up").lost, 0U);
 
   recorder::Recording recording(file);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "properties/calls.h"
+#include "rendering/renderer/renderer.h"
 
 #include <exception>
 #include <limits>
@@ -8,7 +8,7 @@
 
 #include "fast/domain.h"
 
-namespace forceshade::properties {
+namespace forceshade {
 namespace {
 
 // A field that many sessions share.
@@ -44,7 +44,7 @@ class AnsweringSession final : public fast::Session {
 
 }  // namespace
 
-Calls calls_of(const fast::Law& law) {
+Renderer renderer_of(const fast::Law& law) {
   return {[law] { return fast::session_of(law); },
           // This batch call has no y: a position refused for its y alone is sent as one refused for its x.
           [law](std::span<const Eigen::Vector3f> positions, std::span<Eigen::Vector3f> forces, fast::InstructionSet set) {
@@ -59,13 +59,17 @@ Calls calls_of(const fast::Law& law) {
           }};
 }
 
-Calls calls_of(const fast::HeightMapField& map) {
+Renderer renderer_of(const fast::HeightMapField& map) {
   const Shared<fast::HeightMapField> law{std::make_shared<const fast::HeightMapField>(map)};
   return {[law] { return fast::session_of(law); },
           [law](std::span<const Eigen::Vector3f> positions, std::span<Eigen::Vector3f> forces, fast::InstructionSet set) {
             return law.field->force(positions, forces, set);
           },
           true};
+}
+
+Renderer renderer_of(const fast::GodObject& god_object) {
+  return {[god_object] { return god_object.open(); }};
 }
 
 std::unique_ptr<fast::Session> answering(std::function<fast::Evaluation(const Eigen::Vector3f& position)> evaluate) {
@@ -87,4 +91,4 @@ std::string current_exception_words() {
   }
 }
 
-}  // namespace forceshade::properties
+}  // namespace forceshade

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A renderer under comparison: every way in which it can be called.
+// A renderer: every way in which it can be called. Ours and anybody's are held against the exact definition, certified and
+// driven through it.
 
 #include <Eigen/Core>
 #include <functional>
@@ -9,14 +10,15 @@
 #include <span>
 #include <string>
 
+#include "fast/god_object.h"
 #include "fast/height_map_field.h"
 #include "fast/law.h"
 #include "fast/session.h"
 
-namespace forceshade::properties {
+namespace forceshade {
 
-// Both are called from several threads at once.
-struct Calls {
+// Every function is called from several threads at once.
+struct Renderer {
   // A session for one path, which one thread uses at a time.
   std::function<std::unique_ptr<fast::Session>()> open;
 
@@ -31,8 +33,9 @@ struct Calls {
   bool single_depends_on_set = false;
 };
 
-Calls calls_of(const fast::Law& law);
-Calls calls_of(const fast::HeightMapField& law);
+Renderer renderer_of(const fast::Law& law);
+Renderer renderer_of(const fast::HeightMapField& map);
+Renderer renderer_of(const fast::GodObject& god_object);  // it has no batch call: the force depends on the path
 
 // A session that answers with a function. Where that throws, the answer is a NaN, invalid, and exception_of() says what.
 std::unique_ptr<fast::Session> answering(std::function<fast::Evaluation(const Eigen::Vector3f& position)> evaluate);
@@ -44,4 +47,4 @@ std::optional<std::string> exception_of(const fast::Session& session);
 // The words of the exception that is being handled.
 std::string current_exception_words();
 
-}  // namespace forceshade::properties
+}  // namespace forceshade

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rendering/renderer/rendering.h"
+
+#include <utility>
+
+#include "fast/god_object.h"
+
+namespace forceshade {
+namespace {
+
+template <class Fast, class... From>
+std::variant<Rendering, ParameterError> rendered(const Identity& identity, const From&... from) {
+  auto built = Fast::build(from...);
+  if (auto* error = std::get_if<ParameterError>(&built)) return *error;
+  return Rendering{identity, renderer_of(std::get<Fast>(built))};
+}
+
+}  // namespace
+
+std::variant<Rendering, ParameterError> rendering_of(LawId law, const Parameters& parameters) {
+  return rendered<fast::Law>(identity_of(law, parameters), law, parameters);
+}
+
+std::variant<Rendering, ParameterError> rendering_of(const std::string& name, const HeightMap& map, height::Rendering rendering,
+                                                     float stiffness) {
+  return rendered<fast::HeightMapField>(identity_of(name, map, rendering, stiffness), map, rendering, stiffness);
+}
+
+std::variant<Rendering, ParameterError> rendering_of(const std::string& name, const MeshRendering& mesh) {
+  return rendered<fast::GodObject>(identity_of(name, mesh), mesh);
+}
+
+}  // namespace forceshade
