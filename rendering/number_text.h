@@ -5,7 +5,7 @@
 #include <charconv>
 #include <string>
 
-namespace forceshade::properties {
+namespace forceshade {
 
 // Reads back as the same binary32: "0.1".
 inline std::string shortest(float value) {
@@ -19,4 +19,4 @@ inline std::string digits(double value, int count) {
   return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, count).ptr};
 }
 
-}  // namespace forceshade::properties
+}  // namespace forceshade
