@@ -12,6 +12,7 @@
 #include "apps/command.h"
 #include "apps/device_command.h"
 #include "apps/device_run.h"
+#include "apps/driven.h"
 #include "apps/length.h"
 #include "apps/options.h"
 #include "apps/output_options.h"

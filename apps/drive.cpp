@@ -9,6 +9,7 @@
 
 #include "apps/command.h"
 #include "apps/device_run.h"
+#include "apps/driven.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
 #include "apps/placement_options.h"
