@@ -97,8 +97,8 @@ AllowedChange allowed_change(const reference::Law& law, const LawClaims& claims,
 Violation continuity(const RenderedLaw& rendered, const LawClaims& claims, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
   const AllowedChange allowed = allowed_change(rendered.law, claims, a, b);
   if (!allowed.is_known) return std::nullopt;
-  const Eigen::Vector3f at_a = rendered.renderer(a).force;
-  const Eigen::Vector3f at_b = rendered.renderer(b).force;
+  const Eigen::Vector3f at_a = rendered.force_at(a).force;
+  const Eigen::Vector3f at_b = rendered.force_at(b).force;
   const Real change = std::hypot(static_cast<Real>(at_a.x()) - static_cast<Real>(at_b.x()),
                                  static_cast<Real>(at_a.z()) - static_cast<Real>(at_b.z()));
   const Real rounding =

@@ -17,7 +17,7 @@ std::string not_decided(const Eigen::Vector3f& position, const std::domain_error
 template <class Reference>
 Violation equivalence(const RenderedField<Reference>& rendered, const Eigen::Vector3f& position) {
   try {
-    return difference(position, rendered.renderer(position), rendered.law.round_to_binary32(position));
+    return difference(position, rendered.force_at(position), rendered.law.round_to_binary32(position));
   } catch (const std::domain_error& error) {
     return not_decided(position, error);
   }

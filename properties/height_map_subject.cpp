@@ -25,7 +25,7 @@ HeightMapSubject::HeightMapSubject(const std::string& name, const HeightMap& map
 
 HeightMapSubject::HeightMapSubject(const RenderedHeightMap& rendered, const std::string& name)
     : FieldSubject({identity_of(name, rendered.law.map(), rendered.law.rendering(), rendered.law.stiffness()),
-                    renderer_of(rendered.force_at)},
+                    renderer_answering(rendered.force_at)},
                    rendered.law),
       render_(&fast_height_map) {}
 

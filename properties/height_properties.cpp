@@ -67,7 +67,7 @@ Violation continuity(const RenderedHeightMap& rendered, const HeightMapClaims& c
   const Vector at_a = placed(a), at_b = placed(b);
   const Real apart = (at_a - at_b).norm(), size = std::max(magnitude(claims, exact_a), magnitude(claims, exact_b));
   const GradientChange change_of_gradient = gradient_change_between(claims, at_a, at_b);
-  const Eigen::Vector3f force_a = rendered.renderer(a).force, force_b = rendered.renderer(b).force;
+  const Eigen::Vector3f force_a = rendered.force_at(a).force, force_b = rendered.force_at(b).force;
   const Real change = (force_a.cast<Real>() - force_b.cast<Real>()).norm();
 
   const Real jump = change_of_gradient.kink ? size * (direction(claims, exact_a) - direction(claims, exact_b)).norm() : 0;
@@ -101,7 +101,7 @@ Violation gradient_across_cells(const RenderedHeightMap& rendered, const HeightM
     line = std::string("across a cell line at ") + (is_column ? "x = " + show(a.x()) : "y = " + show(a.y())) + " mm of part " +
            std::to_string(i + 1) + ", ";
   }
-  const Eigen::Vector3f force_a = rendered.renderer(a).force, force_b = rendered.renderer(b).force;
+  const Eigen::Vector3f force_a = rendered.force_at(a).force, force_b = rendered.force_at(b).force;
   const auto is_felt = [](const Eigen::Vector3f& force) { return static_cast<Real>(force.z()) > rounding(force); };
   if (!is_felt(force_a) || !is_felt(force_b)) return std::nullopt;
   const auto felt = [](const Eigen::Vector3f& force) {
@@ -131,7 +131,7 @@ Violation passivity(const RenderedHeightMap& rendered, const HeightMapClaims& cl
     for (int piece = 0; piece < kPieces; ++piece) {
       const Eigen::Vector3f middle = (from + (piece + 0.5) * step).cast<float>();
       const Exact exact = rendered.law.estimate(middle);
-      work.add(rendered.renderer(middle).force, force_of(exact), step);
+      work.add(rendered.force_at(middle).force, force_of(exact), step);
       if (!claims.is_conservative) continue;
       // No position of the piece is farther than this from where the force was taken, rounded to binary32.
       const Real length = step.norm(), far = length / 2 + rounding(middle);

@@ -24,7 +24,8 @@ LawSubject::LawSubject(LawId law, const Parameters& parameters, RenderLaw render
       render_(std::move(render)) {}
 
 LawSubject::LawSubject(const RenderedLaw& rendered)
-    : FieldSubject({identity_of(rendered.law.id(), rendered.law.parameters()), renderer_of(rendered.force_at)}, rendered.law),
+    : FieldSubject({identity_of(rendered.law.id(), rendered.law.parameters()), renderer_answering(rendered.force_at)},
+                   rendered.law),
       render_(&fast_law) {}
 
 std::unique_ptr<Positions> LawSubject::positions(std::uint64_t seed) const {

@@ -36,7 +36,7 @@ ForceAt force_at_of(const Renderer& renderer) {
   };
 }
 
-Renderer renderer_of(const ForceAt& force_at) {
+Renderer renderer_answering(const ForceAt& force_at) {
   return {[force_at] {
     return answering([force_at](const Eigen::Vector3f& position) {
       const Rendered answer = force_at(position);

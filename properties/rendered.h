@@ -47,7 +47,7 @@ Rendered answer_of(fast::Session& session, const Eigen::Vector3f& position);
 ForceAt force_at_of(const Renderer& renderer);
 
 // A renderer without a batch call. What it gives is counted as decided by binary64.
-Renderer renderer_of(const ForceAt& force_at);
+Renderer renderer_answering(const ForceAt& force_at);
 
 // The fast path as a renderer, beside its reference.
 std::variant<RenderedLaw, ParameterError> fast_rendering(LawId id, const Parameters& parameters);

@@ -28,7 +28,7 @@ Violation difference_in_length(const Eigen::Vector3f& position, const Eigen::Vec
 Violation unit_normals(const RenderedLaw& rendered, const Eigen::Vector3f& position) {
   if (rendered.law.round_to_binary32(position).status == Status::invalid) return std::nullopt;
   const reference::Law::Estimate exact = rendered.law.estimate(position);
-  const Eigen::Vector3f force = rendered.renderer(position).force;
+  const Eigen::Vector3f force = rendered.force_at(position).force;
 
   Real z = force.z();
   const bool is_sum = exact.facet == reference::Facet::cylinder_and_plane ||
@@ -42,7 +42,7 @@ Violation unit_normals(const RenderedHeightMap& rendered, const Eigen::Vector3f&
   const reference::HeightMapField& law = rendered.law;
   if (!is_valid(position)) return std::nullopt;
   const reference::HeightMapField::Estimate exact = law.estimate(position);
-  const Eigen::Vector3f force = rendered.renderer(position).force;
+  const Eigen::Vector3f force = rendered.force_at(position).force;
   reference::Ball64 magnitude(0.0);
   if (exact.gap.mid() > 0) magnitude = reference::Ball64(static_cast<double>(law.stiffness())) * exact.gap;
   if (law.rendering() == height::Rendering::conservative)

@@ -74,7 +74,7 @@ Work work_around(const RenderedLaw& rendered, const LawClaims& claims, const std
     const double dx = b.x - a.x, dz = b.z - a.z;
     const Eigen::Vector3f position(static_cast<float>(a.x + t * dx), 0, static_cast<float>(a.z + t * dz));
     const auto exact = rendered.law.estimate(position).force;
-    work.add(rendered.renderer(position).force, {exact.x.mid(), 0, exact.z.mid()}, weight * Eigen::Vector3d(dx, 0, dz));
+    work.add(rendered.force_at(position).force, {exact.x.mid(), 0, exact.z.mid()}, weight * Eigen::Vector3d(dx, 0, dz));
     const double off = std::hypot(half_spacing(position.x()), half_spacing(position.z()));
     const double rho =
         claims.has_cylinder() ? std::hypot(static_cast<double>(position.x()), static_cast<double>(position.z()) + d) : 0;

@@ -236,9 +236,9 @@ inline Outline outline_of(const height::Grid& grid) {
   shape.rows = rows;
   if (is_bilinear) {
     if (differences.kink > 0)
-      shape.kinks = {"its cell lines, the gradient by up to " + properties::digits(differences.kink / pitch, 3) + " at (" +
-                     properties::digits(columns.at(differences.kink_column), 6) + ", " +
-                     properties::digits(rows.at(differences.kink_row), 6) + ") mm"};
+      shape.kinks = {"its cell lines, the gradient by up to " + forceshade::digits(differences.kink / pitch, 3) + " at (" +
+                     forceshade::digits(columns.at(differences.kink_column), 6) + ", " +
+                     forceshade::digits(rows.at(differences.kink_row), 6) + ") mm"};
     shape.gradient_change = [=, rate = differences.mixed / (pitch * pitch)](double x, double y, double reach) {
       return GradientChange{rate, std::min(columns.distance(x), rows.distance(y)) <= reach + kOutlineSlack};
     };

@@ -298,14 +298,14 @@ TEST(wrong_in_one_thing, answers_that_are_random_or_remembered_or_thrown) {
     EXPECT_NE(said.find(words), std::string::npos) << said;
   };
   const auto random = words_for([&, calls = std::make_shared<int>(0)](const Eigen::Vector3f& position) {
-    Rendered answer = right.renderer(position);
+    Rendered answer = right.force_at(position);
     if (++*calls % 7 == 0) answer.force.z() += 1;
     return answer;
   });
   expect_in(random.at(0), "gives two answers for one input");
   const auto thrown_at = words_for([&](const Eigen::Vector3f& position) {
     if (position.x() > 1) throw std::runtime_error("no such place");
-    return right.renderer(position);
+    return right.force_at(position);
   });
   EXPECT_EQ(thrown_at.size(), kCounterexamples);
   for (const std::string& words : thrown_at) expect_in(words, " mm the renderer throws: no such place");

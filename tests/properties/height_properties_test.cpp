@@ -194,7 +194,7 @@ TEST(height_properties, hold_on_generated_maps) {
     const HeightTarget target{subject.law, claims};
     for (int i = 0; i < 8; ++i) {
       const Eigen::Vector3f position = *position_of(target);
-      ++statuses[static_cast<std::size_t>(subject.renderer(position).status)];
+      ++statuses[static_cast<std::size_t>(subject.force_at(position).status)];
       if (const Violation violation = equivalence(subject, position)) return violation;
       if (const Violation violation = unit_normals(subject, position)) return violation;
     }
