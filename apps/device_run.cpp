@@ -9,18 +9,12 @@
 
 #include "apps/command.h"
 #include "apps/drive_summary.h"
-#include "apps/driven.h"
-#include "apps/last_ticks.h"
 #include "apps/live_view.h"
 #include "apps/options.h"
-#include "apps/placement_text.h"
-#include "apps/run_record.h"
 #include "apps/signals.h"
 #include "apps/terminal_attendant.h"
 #include "apps/trip_words.h"
-#include "certificate/build.h"
-#include "device/last_samples.h"
-#include "files/csv.h"
+#include "device/run/words.h"
 #include "files/output_file.h"
 #include "files/printable.h"
 #include "rendering/monitor.h"
@@ -30,32 +24,6 @@ namespace {
 
 constexpr const char* kNotBegun = "the run had not begun";
 
-// What the device says of itself; what it does not say is left out.
-recorder::Metadata metadata(const RunPlan& plan, const Rendering& what, const device::Capabilities& capabilities) {
-  recorder::Metadata metadata = metadata_of_run(plan.device, capabilities, plan.servo);
-  metadata.insert({{"certificate_digest", plan.digest.value_or("none")},
-                   {"origin_mm", origin_words(plan.servo.placement)},
-                   {"axes", axes_words(plan.servo.placement)}});
-  metadata.merge(metadata_of(what.identity));
-  return metadata;
-}
-
-nlohmann::ordered_json summary(const device::ServoResult& run, const std::vector<device::Sample>& last_ticks,
-                               const RunPlan& plan, const Rendering& what, const device::Capabilities& capabilities) {
-  nlohmann::ordered_json json = summary_of(what.identity);
-  json["certificate_digest"] = plan.digest ? nlohmann::ordered_json(*plan.digest) : nlohmann::ordered_json(nullptr);
-  json["library_digest"] = properties::current_build().library_digest;
-  const Eigen::Vector3d origin = plan.servo.placement.origin().cast<double>();
-  json["placement"] = {{"origin_mm", {origin.x(), origin.y(), origin.z()}}, {"axes", axes_words(plan.servo.placement)}};
-  json["device"] = {{"name", plan.device}};
-  for (const auto& [what_it_is, words] : words_of(capabilities)) json["device"][what_it_is] = words;
-  json.update(to_json(run));
-  const std::string signal = interrupting_signal();
-  json["signal"] = signal.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(signal);
-  json["last_ticks"] = last_ticks_json(last_ticks);
-  return json;
-}
-
 // N: more than these forces are is seldom commanded.
 double bar_of(const device::Capabilities& capabilities) {
   return std::isfinite(capabilities.peak_force) ? static_cast<double>(capabilities.peak_force) : 5;
@@ -64,10 +32,6 @@ double bar_of(const device::Capabilities& capabilities) {
 // No line is drawn where the output is no terminal, or where another output goes there.
 bool is_watched() {
   return isatty(STDERR_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
-}
-
-bool has_failed(const device::ServoResult& run) {
-  return run.trip || run.end_reason == device::EndReason::device_fault;
 }
 
 // Names and serial numbers come from a driver, which promises no encoding.
@@ -118,36 +82,39 @@ std::unique_ptr<device::Device> open_for_a_run(const std::string& name, device::
 
 RunOutcome run_on(device::Device& device, const Rendering& what, RunPlan plan) {
   const device::Capabilities capabilities = device.capabilities();
-  std::optional<RunRecord> record;
-  if (!plan.record.empty()) record.emplace(plan.record, metadata(plan, what, capabilities), plan.servo.paced, plan.overwrite);
   std::optional<LiveView> view;
   if (is_watched()) view.emplace(bar_of(capabilities));
-  device::LastSamples last(kKeptBeforeTheEnd, plan.servo.rate_hz);
-  plan.servo.sinks.push_back(&last);
-  if (record) plan.servo.sinks.push_back(&record->sink());
-  if (view) plan.servo.sinks.push_back(&*view);
-  if (interrupted()) throw Interrupted(kNotBegun);
-
-  const std::unique_ptr<fast::Session> session = what.renderer.open();
-  device::ServoResult result = device::run_servo_loop(device, *session, plan.servo, interrupted());
+  if (view) plan.run.servo.sinks.push_back(&*view);
+  const run::Outcome outcome = run::run(device, what, plan.run, interrupted());
   view.reset();
-  bool written = !record || record->close(std::string(name_of(result.end_reason)));
-  const std::vector<device::Sample> last_ticks = has_failed(result) ? last.samples() : std::vector<device::Sample>{};
-  if (!plan.json.empty()) written = wrote_json(plan.json, summary(result, last_ticks, plan, what, capabilities)) && written;
-  if (plan.record != "-" && plan.json != "-") {
-    if (const device::Placement& placement = plan.servo.placement; !(placement == device::Placement{}))
-      std::printf("placement         origin at %s mm, x, y, z along %s of the device\n", origin_words(placement).c_str(),
-                  axes_words(placement).c_str());
+  const device::ServoResult& result = outcome.result;
+  for (const std::string& fault : outcome.record_faults) std::fprintf(stderr, "forceshade: %s\n", fault.c_str());
+  bool written = outcome.record_faults.empty();
+  if (!plan.json.empty())
+    written = wrote_json(plan.json, run::summary(outcome, what, plan.run, capabilities, interrupting_signal())) && written;
+  if (plan.run.record != "-" && plan.json != "-") {
+    if (const device::Placement& placement = plan.run.servo.placement; !(placement == device::Placement{}))
+      std::printf("placement         origin at %s mm, x, y, z along %s of the device\n", run::origin_words(placement).c_str(),
+                  run::axes_words(placement).c_str());
     print(result);
-    print_last_ticks(last_ticks);
+    print_last_ticks(outcome.last_ticks);
   }
   if (const std::string signal = interrupting_signal(); !signal.empty() && result.end_reason == device::EndReason::stopped)
     std::fprintf(stderr, "forceshade: %s ended the run\n", signal.c_str());
   if (result.trip) std::fprintf(stderr, "forceshade: the supervisor stopped the run: %s\n", words_of_trip(result).c_str());
   if (result.end_reason == device::EndReason::device_fault)
     std::fprintf(stderr, "forceshade: device fault: %s\n", result.fault);
-  const int code = has_failed(result) ? kDeviceFault : written ? kHeld : kBadInput;
-  return {std::move(result), code};
+  return {result, run::has_failed(result) ? kDeviceFault : written ? kHeld : kBadInput};
+}
+
+bool may_be_driven(const run::Certified& certified, bool uncertified) {
+  if (certified.digest) return true;
+  const std::string why = files::printable(certified.why_not);
+  if (uncertified)
+    std::fprintf(stderr, "*** DRIVING UNCERTIFIED, because of --uncertified: %s ***\n", why.c_str());
+  else
+    std::fprintf(stderr, "forceshade: refused to drive: %s\n", why.c_str());
+  return uncertified;
 }
 
 }  // namespace forceshade::apps

@@ -8,17 +8,13 @@
 #include <string>
 
 #include "device/open_device.h"
-#include "device/servo_loop.h"
-#include "rendering/renderer/rendering.h"
+#include "device/run/run.h"
 
 namespace forceshade::apps {
 
 struct RunPlan {
-  std::string device;                 // as the command line names it
-  std::optional<std::string> digest;  // of the certificate
-  std::string record, json;           // files; - is standard output, empty is none
-  bool overwrite = false;             // a recording that is there already
-  device::ServoOptions servo = {};
+  run::Plan run;     // the device as the command line names it
+  std::string json;  // the summary's file; - is standard output, empty is none
 };
 
 struct RunOutcome {
@@ -41,5 +37,8 @@ std::unique_ptr<device::Device> open_for_a_run(const std::string& name, device::
 // A file that cannot be written is said on standard error, and costs nothing of the rest. Throws Interrupted if a signal came
 // before the run.
 RunOutcome run_on(device::Device& device, const Rendering& what, RunPlan plan);
+
+// What follows from a certificate, said on standard error unless it covers what is to be driven: false where that may not be.
+bool may_be_driven(const run::Certified& certified, bool uncertified);
 
 }  // namespace forceshade::apps

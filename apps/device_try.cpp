@@ -12,7 +12,6 @@
 #include "apps/command.h"
 #include "apps/device_command.h"
 #include "apps/device_run.h"
-#include "apps/driven.h"
 #include "apps/length.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
@@ -114,7 +113,7 @@ int run(DeviceTryOptions options) {
   if (!options.record.ends_with(".fsr"))
     throw BadInput("--record: expected FILE.fsr, a recording that survives a crash, got \"" + options.record + '"');
   const Rendering wall = built(rendering_of(LawId::wall, {.stiffness = stiffness}));
-  const Certified covered = certified(options.certificate, wall.identity);
+  const run::Certified covered = run::certified(options.certificate, wall.identity);
   if (!may_be_driven(covered, options.uncertified)) {
     std::fprintf(stderr, "forceshade: to have one: forceshade certify --law wall --stiffness %s --out DIR\n",
                  files::shortest(stiffness).c_str());
@@ -130,15 +129,15 @@ int run(DeviceTryOptions options) {
   expect_done(person, second_step(button, options.seconds));
   Felt felt;
   const RunOutcome outcome = run_on(device, wall,
-                                    {.device = options.device,
-                                     .digest = covered.digest,
-                                     .record = options.record,
-                                     .json = options.json,
-                                     .overwrite = options.overwrite,
-                                     .servo = {.max_seconds = options.seconds,
-                                               .watchdog_timeout = options.watchdog_timeout,
-                                               .dead_man_button = button,
-                                               .sinks = {&felt}}});
+                                    {.run = {.device = options.device,
+                                             .digest = covered.digest,
+                                             .record = options.record,
+                                             .overwrite = options.overwrite,
+                                             .servo = {.max_seconds = options.seconds,
+                                                       .watchdog_timeout = options.watchdog_timeout,
+                                                       .dead_man_button = button,
+                                                       .sinks = {&felt}}},
+                                     .json = options.json});
   if (options.json != "-") felt.print(outcome.result);
   person.report("the run is over and there is no force; its recording is " + options.record);
   return outcome.code;

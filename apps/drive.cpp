@@ -9,7 +9,6 @@
 
 #include "apps/command.h"
 #include "apps/device_run.h"
-#include "apps/driven.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
 #include "apps/placement_options.h"
@@ -60,27 +59,27 @@ int run(const DriveOptions& options, const SubjectOption& subject, const Placeme
   expect_consistent(options);
   const device::Placement placement = place.placement();
   const Rendering what = subject.rendering();
-  const Certified covered = certified(options.certificate, what.identity);
+  const run::Certified covered = run::certified(options.certificate, what.identity);
   if (!may_be_driven(covered, options.uncertified)) return kFailed;
 
   end_runs_in_order();
   const auto prepares = attendant(options.in_reset_pose, options.dead_man.has_value());
   const std::unique_ptr<device::Device> device = open_for_a_run(options.device, *prepares);
   return run_on(*device, what,
-                {.device = options.device,
-                 .digest = covered.digest,
-                 .record = options.record,
-                 .json = options.json,
-                 .overwrite = options.overwrite,
-                 .servo = {.rate_hz = options.rate,
-                           .max_seconds = options.seconds,
-                           .paced = !options.free_run,
-                           .follows_device = options.pace == "device",
-                           .cpu = options.cpu,
-                           .passivity = controller_named(options.passivity),
-                           .watchdog_timeout = options.watchdog_timeout,
-                           .dead_man_button = options.dead_man,
-                           .placement = placement}})
+                {.run = {.device = options.device,
+                         .digest = covered.digest,
+                         .record = options.record,
+                         .overwrite = options.overwrite,
+                         .servo = {.rate_hz = options.rate,
+                                   .max_seconds = options.seconds,
+                                   .paced = !options.free_run,
+                                   .follows_device = options.pace == "device",
+                                   .cpu = options.cpu,
+                                   .passivity = controller_named(options.passivity),
+                                   .watchdog_timeout = options.watchdog_timeout,
+                                   .dead_man_button = options.dead_man,
+                                   .placement = placement}},
+                 .json = options.json})
       .code;
 }
 

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The summary of a drive, for people and for programs.
+// The summary of a run for people, on standard output.
 
-#include <nlohmann/json_fwd.hpp>
+#include <vector>
 
+#include "device/sample.h"
 #include "device/servo_loop.h"
 
 namespace forceshade::apps {
 
-void print(const device::ServoResult& run);
+void print(const device::ServoResult& result);
 
-// The part of --json that is about the run.
-nlohmann::ordered_json to_json(const device::ServoResult& run);
+// The last ticks before the supervisor or a fault of the device ended a run: of the last one position, speed, force, rules.
+// Prints nothing without samples.
+void print_last_ticks(const std::vector<device::Sample>& samples);
 
 }  // namespace forceshade::apps

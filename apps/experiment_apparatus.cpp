@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "apps/command.h"
-#include "apps/driven.h"
 #include "apps/experiment_certificates.h"
 #include "apps/signals.h"
 #include "study/experiments/stimulus_list.h"
@@ -30,7 +29,7 @@ std::string numbered(int number, const std::string& place) {
 recorder::Metadata known_before(const ApparatusPlan& plan, const device::Capabilities& capabilities) {
   recorder::Metadata metadata = plan.metadata;
   metadata.insert({{"stimuli", "stimuli.jsonl"}, {"certified", plan.certificates.empty() ? "no" : "yes"}});
-  metadata.merge(metadata_of_run(plan.device, capabilities, plan.servo));
+  metadata.merge(run::metadata_of_run(plan.device, capabilities, plan.servo));
   return metadata;
 }
 
@@ -116,7 +115,7 @@ void Apparatus::offer(const experiments::Scene& scene) {
     side = {bump->stimulus,
             bump->radius,
             {placed->origin.x(), placed->origin.y(), placed->origin.z()},
-            summary_of(subject.identity()).dump(),
+            run::summary_of(subject.identity()).dump(),
             name,
             digest == plan_.certificates.end() ? "none" : digest->second};
     if (!plan_.certificates.empty() && digest == plan_.certificates.end())

@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "apps/command.h"
-#include "apps/driven.h"
 #include "apps/signals.h"
 #include "certificate/certify.h"
 #include "rendering/identity/digest.h"
@@ -22,10 +21,10 @@ std::shared_ptr<const properties::Subject> borrowed(const properties::Subject& s
   return {std::shared_ptr<const properties::Subject>(), &subject};
 }
 
-Certified covering(const properties::Subject& subject, const fs::path& folder) {
+run::Certified covering(const properties::Subject& subject, const fs::path& folder) {
   const fs::path file = folder / certificate_name(subject.identity());
   if (!fs::exists(file)) return {std::nullopt, file.string() + " is not there; 'forceshade experiment prepare' makes it"};
-  return certified(file, subject.identity());
+  return run::certified(file, subject.identity());
 }
 
 }  // namespace
@@ -49,7 +48,7 @@ bool prepare_certificates(Bumps& bumps, const fs::path& folder, unsigned threads
     const fs::path file = folder / certificate_name(subject.identity());
     ++done;
     // A certificate of an earlier build covers nothing now, and is made again.
-    if (fs::exists(file) && certified(file, subject.identity()).digest) {
+    if (fs::exists(file) && run::certified(file, subject.identity()).digest) {
       ++kept;
       continue;
     }
@@ -61,7 +60,7 @@ bool prepare_certificates(Bumps& bumps, const fs::path& folder, unsigned threads
         [](std::string_view, double) {}, interrupted());
     if (!certificate) throw Interrupted("the certificates made so far are in " + folder.string());
     write_file(file, to_json(*certificate));
-    const Certified covers = certified(file, subject.identity());
+    const run::Certified covers = run::certified(file, subject.identity());
     held = held && covers.digest;
     std::printf("%3d of %zu  %-28s %s\n", done, all.size(), words_of(bump).c_str(),
                 covers.digest ? "certified" : ("FAILED: " + covers.why_not).c_str());
@@ -78,7 +77,7 @@ std::map<std::string, std::string> certificates_of(Bumps& bumps, const fs::path&
   constexpr int kNamed = 10;
   for (const Bump& bump : bumps.protocol().bumps()) {
     const properties::Subject& subject = bumps.of(bump);
-    const Certified covers = covering(subject, folder);
+    const run::Certified covers = covering(subject, folder);
     if (covers.digest) {
       digests[certificate_name(subject.identity())] = *covers.digest;
       continue;

@@ -12,9 +12,9 @@
 #include "apps/device_run.h"
 #include "apps/experiment_certificates.h"
 #include "apps/live_line.h"
-#include "apps/rule_names.h"
 #include "apps/signals.h"
 #include "apps/trip_words.h"
+#include "device/run/rule_names.h"
 #include "files/printable.h"
 
 namespace forceshade::apps {
@@ -66,7 +66,7 @@ class Watch {
                                     static_cast<double>(latest->force[2]));
     place += "  ";
     draw_line(place + live_line({seconds, rate, static_cast<double>(latest->wakeup_ns) / 1e3, force, full_force_,
-                                 latest->energy, joined_rule_names(latest->limited)},
+                                 latest->energy, run::joined_rule_names(latest->limited)},
                                 room_for_a_line() - static_cast<int>(place.size())));
   }
 

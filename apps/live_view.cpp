@@ -8,7 +8,7 @@
 #include <string>
 
 #include "apps/live_line.h"
-#include "apps/rule_names.h"
+#include "device/run/rule_names.h"
 
 namespace forceshade::apps {
 namespace {
@@ -55,7 +55,7 @@ void LiveView::draw(const Shown& before, const Shown& now) const {
   const double seconds = static_cast<double>(now.last.wall_ns - before.last.wall_ns) / 1e9;
   const double rate = static_cast<double>(now.last.tick - before.last.tick) / std::max(seconds, 1e-9);
   draw_line(live_line({static_cast<double>(now.last.wall_ns) / 1e9, rate, static_cast<double>(now.worst_wakeup) / 1e3,
-                       length_of(now.last.force), full_force_, now.last.energy, joined_rule_names(now.limited)},
+                       length_of(now.last.force), full_force_, now.last.energy, run::joined_rule_names(now.limited)},
                       room_for_a_line()));
 }
 

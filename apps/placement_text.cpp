@@ -62,19 +62,4 @@ device::Placement parse_placement(const std::string& origin, const std::string& 
   return placement;
 }
 
-std::string origin_words(const device::Placement& placement) {
-  const Eigen::Vector3f& origin = placement.origin();
-  return files::shortest(origin.x()) + ',' + files::shortest(origin.y()) + ',' + files::shortest(origin.z());
-}
-
-std::string axes_words(const device::Placement& placement) {
-  std::string words;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (i > 0) words += ',';
-    words += placement.is_against(i) ? '-' : '+';
-    words += static_cast<char>('x' + placement.axis(i));
-  }
-  return words;
-}
-
 }  // namespace forceshade::apps

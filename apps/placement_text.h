@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The texts of --origin and --turn, and the words for a placement.
+// The texts of --origin and --turn.
 
 #include <string>
 
@@ -11,11 +11,5 @@ namespace forceshade::apps {
 // "X,Y,Z", lengths with or without units, within 10^4 mm; and AXIS and ANGLE, for instance "z90" or "x-90,z180deg": turns about
 // the device's axes, one after the other. An empty text is no shift, or no turn. Throw BadInput.
 device::Placement parse_placement(const std::string& origin, const std::string& turn);
-
-// "X,Y,Z" in mm, each in the shortest form that reads back the same.
-std::string origin_words(const device::Placement& placement);
-
-// Along which of the device's axes the subject's x, y and z point: "+x,+y,+z" where it is not turned.
-std::string axes_words(const device::Placement& placement);
 
 }  // namespace forceshade::apps

@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/command.h"
-#include "apps/driven.h"
 #include "apps/output_options.h"
 #include "apps/progress_line.h"
 #include "apps/session_recompute.h"
 #include "apps/signals.h"
 #include "apps/subject_option.h"
+#include "device/run/words.h"
 #include "files/printable.h"
 #include "properties/binary32.h"
 #include "recorder/export.h"
@@ -84,7 +84,7 @@ int recompute(const RecordOptions& options, const SubjectOption& subject_option)
   if (std::filesystem::is_directory(options.file)) return recompute_session(options.file);
   recorder::Recording recording(options.file);
   const auto subject = subject_option.subject();
-  for (const auto& [key, expected] : metadata_of(subject->identity())) {
+  for (const auto& [key, expected] : run::metadata_of(subject->identity())) {
     const auto found = recording.metadata().find(key);
     if (found == recording.metadata().end() || found->second != expected)
       throw BadInput(options.file + ": " + key + " is " +

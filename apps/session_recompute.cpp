@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "apps/command.h"
-#include "apps/driven.h"
 #include "apps/experiment_bumps.h"
 #include "apps/session_motion.h"
 #include "apps/signals.h"
 #include "device/retrace.h"
+#include "device/run/summary.h"
 #include "files/printable.h"
 #include "properties/binary32.h"
 #include "recorder/settings.h"
@@ -67,7 +67,7 @@ class Stimuli {
         if (!*its) continue;
         const Bump bump{(*its)->stimulus, (*its)->radius, 0};
         const auto& [x, y, z] = (*its)->origin;
-        if (const std::string subject = summary_of(bumps.of(bump).identity()).dump(); (*its)->subject != subject)
+        if (const std::string subject = run::summary_of(bumps.of(bump).identity()).dump(); (*its)->subject != subject)
           throw BadInput(file.string() + ":" + std::to_string(listed.number) + ": the rendered " + words_of(bump) + " was " +
                          (*its)->subject + "; the protocol's is " + subject);
         *side = Side{bump, {x, y, z}};

@@ -30,25 +30,30 @@ if(NOT FORCESHADE_FAST_ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/apps/documentation/_forceshade DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
   install(FILES ${PROJECT_BINARY_DIR}/apps/documentation/forceshade.fish
           DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
-  # What needs more than Eigen is a component of its own: find_package(forceshade COMPONENTS heights meshes properties).
+  # What needs more than Eigen is a component of its own: find_package(forceshade COMPONENTS heights meshes run properties).
   install_headers(rendering/heights load.h spec.h)
   install_headers(rendering/meshes check.h facts.h load.h normals.h repair.h)
   install_headers(rendering/identity identity.h mesh_identity.h)
   install_headers(rendering/renderer renderer.h rendering.h)
+  install_headers(device/run certified.h run.h)
   install_headers(reference height_map_field.h heights/outline.h law.h laws/bump_geometry.h laws/force.h meshes/god_object.h numbers/ball64.h
                   position.h)
   install_headers(properties field_subject.h height_map_subject.h height_map_claims.h law_claims.h law_subject.h mesh_subject.h positions.h rendered.h
                   run.h subject.h)
-  set_target_properties(forceshade_heights PROPERTIES EXPORT_NAME heights)
-  set_target_properties(forceshade_meshes PROPERTIES EXPORT_NAME meshes)
-  set_target_properties(forceshade_identity PROPERTIES EXPORT_NAME identity)
-  set_target_properties(forceshade_renderer PROPERTIES EXPORT_NAME renderer)
-  set_target_properties(forceshade_reference PROPERTIES EXPORT_NAME reference)
-  set_target_properties(forceshade_properties PROPERTIES EXPORT_NAME properties)
-  install(TARGETS forceshade_heights EXPORT forceshade_heights_targets)
-  install(TARGETS forceshade_meshes EXPORT forceshade_meshes_targets)
-  install(TARGETS forceshade_identity forceshade_renderer forceshade_reference forceshade_properties EXPORT forceshade_properties_targets)
-  list(APPEND export_sets forceshade_heights_targets forceshade_meshes_targets forceshade_properties_targets)
+  install_headers(rendering number_text.h)
+  install_headers(certificate certificate.h certify.h evidence.h sweep.h)
+  # Each component's libraries, and the components that it links.
+  set(libraries_of_heights heights)
+  set(libraries_of_meshes meshes)
+  set(libraries_of_run identity renderer certificate recorder run)
+  set(libraries_of_properties reference properties certify)
+  foreach(component IN ITEMS heights meshes run properties)
+    foreach(library IN LISTS libraries_of_${component})
+      set_target_properties(forceshade_${library} PROPERTIES EXPORT_NAME ${library})
+      install(TARGETS forceshade_${library} EXPORT forceshade_${component}_targets)
+    endforeach()
+    list(APPEND export_sets forceshade_${component}_targets)
+  endforeach()
 endif()
 foreach(set IN LISTS export_sets)
   install(EXPORT ${set} NAMESPACE forceshade:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/forceshade)
@@ -76,7 +81,10 @@ if(NOT FORCESHADE_FAST_ONLY)
              REQUIRES "forceshade, libpng, libtiff-4, tomlplusplus" LIBRARIES "-lforceshade_heights")
   install_pc(forceshade-meshes DESCRIPTION "Triangle meshes from files, checked and repaired"
              REQUIRES "forceshade" LIBRARIES "-lforceshade_meshes -lmpfi -lmpfr -lgmp -pthread")
-  install_pc(forceshade-properties DESCRIPTION "Properties that a haptic renderer must have"
-             REQUIRES "forceshade, libcrypto"
-             LIBRARIES "-lforceshade_properties -lforceshade_renderer -lforceshade_identity -lforceshade_reference -lrapidcheck -lmpfi -lmpfr -lgmp")
+  set(run_libraries "-lforceshade_run -lforceshade_recorder -lforceshade_certificate -lforceshade_renderer -lforceshade_identity")
+  install_pc(forceshade-run DESCRIPTION "Certified runs of the servo loop" REQUIRES "forceshade, libcrypto, sqlite3"
+             LIBRARIES "${run_libraries}")
+  install_pc(forceshade-properties DESCRIPTION "Properties that a haptic renderer must have, and certificates of them"
+             REQUIRES "forceshade-run"
+             LIBRARIES "-lforceshade_certify -lforceshade_properties -lforceshade_reference -lrapidcheck -lmpfi -lmpfr -lgmp")
 endif()

@@ -14,15 +14,16 @@
 #include "apps/bad_input.h"
 #include "apps/placement_text.h"
 #include "device/replay.h"
+#include "device/run/words.h"
 #include "tests/device/servo_loop_fixture.h"
 
 namespace forceshade::device {
 namespace {
 
-using apps::axes_words;
-using apps::origin_words;
 using apps::parse_placement;
 using Eigen::Vector3f;
+using run::axes_words;
+using run::origin_words;
 using tests::vector;
 
 std::vector<Placement> all_turns(const Vector3f& origin = {0, 0, 0}) {

@@ -36,14 +36,28 @@ for consumer in consumer:forceshade heights_consumer:forceshade-heights "meshes_
 done
 use "$scratch/by-pc"
 
+echo "== examples/programs"
+cmake -S "$source/../../examples/programs" -B "$scratch/programs" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_COMPILER="$compiler" \
+  -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_BUILD_TYPE=Release > "$scratch/configure.log"
+cmake --build "$scratch/programs" > "$scratch/build.log" || { cat "$scratch/build.log"; exit 1; }
+"$scratch/programs/certify" "$scratch/wall.json"
+"$prefix/bin/forceshade" certify --law bump-2p --radius 15.24mm --width 25.4mm --stiffness 0.5N/mm --out "$scratch/bump" > "$scratch/certify.log"
+refusal=$("$scratch/programs/drive" "$scratch/wall.json" null "$scratch/refused.fsr") && fail "a bump was driven with a wall's certificate"
+case $refusal in "refused: "*) ;; *) fail "expected a refusal, got: $refusal" ;; esac
+"$scratch/programs/drive" "$scratch/bump/certificate.json" "replay:$source/../../examples/recordings/strokes.csv" "$scratch/run.fsr"
+"$prefix/bin/forceshade" recording verify "$scratch/run.fsr" > "$scratch/verify.log" || { cat "$scratch/verify.log"; exit 1; }
+# What drives a device links nothing of the exact side.
+! ldd "$scratch/programs/drive" | grep -E 'gmp|mpfr|mpfi|CGAL' || fail "the program that drives links a library of the exact side"
+! nm -C "$scratch/programs/drive" | grep -E 'CGAL|rc::|forceshade::reference' || fail "the program that drives holds exact code"
+
 echo "== shared object"
 # Every object of these libraries has to be position independent, not only those that the plugin calls.
 libraries=$(dirname "$pc")
 # shellcheck disable=SC2046,SC2086  # flags are words
 "$compiler" -std=c++20 -O1 $flags -shared -fPIC "$source/plugin.cpp" -o "$scratch/plugin.so" \
   $(PKG_CONFIG_PATH=$pc pkg-config --cflags forceshade) -Wl,-z,defs -Wl,--whole-archive \
-  "$libraries"/libforceshade_{fast,files,device,heights,meshes}.a -Wl,--no-whole-archive \
-  $(PKG_CONFIG_PATH=$pc pkg-config --libs forceshade-heights forceshade-meshes)
+  "$libraries"/libforceshade_{fast,files,device,heights,meshes,identity,renderer,certificate,recorder,run}.a -Wl,--no-whole-archive \
+  $(PKG_CONFIG_PATH=$pc pkg-config --libs forceshade-heights forceshade-meshes forceshade-run)
 # shellcheck disable=SC2086
 "$compiler" -std=c++20 $flags "$source/plugin_loader.cpp" -o "$scratch/plugin_loader" -ldl
 "$scratch/plugin_loader" "$scratch/plugin.so"

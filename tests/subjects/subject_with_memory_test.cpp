@@ -4,10 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/driven.h"
 #include "certificate/build.h"
 #include "certificate/certify.h"
 #include "device/open_device.h"
+#include "device/run/certified.h"
+#include "device/run/words.h"
 #include "device/servo_loop.h"
 #include "properties/run.h"
 #include "recorder/recording.h"
@@ -76,8 +77,8 @@ TEST(subject_with_memory, is_driven_only_where_a_certificate_covers_it) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("certificate.json");
   std::ofstream(file) << to_json(certificate());
-  EXPECT_TRUE(apps::certified(file, StickyWall({}).identity()).digest);
-  const apps::Certified other = apps::certified(file, StickyWall({0.5F, 2}).identity());
+  EXPECT_TRUE(run::certified(file, StickyWall({}).identity()).digest);
+  const run::Certified other = run::certified(file, StickyWall({0.5F, 2}).identity());
   EXPECT_FALSE(other.digest);
   EXPECT_EQ(other.why_not, file +
                                ": the certificate covers sticky-wall with other parameters: expected release 2 mm, stiffness "
@@ -96,7 +97,7 @@ TEST(subject_with_memory, is_driven_and_its_recording_can_be_computed_again) {
   const StickyWall wall({});
   const auto session = wall.renderer().open();
   const auto device = device::open_device("replay:" + replayed);
-  recorder::Recorder recorder(file, apps::metadata_of(wall.identity()));
+  recorder::Recorder recorder(file, run::metadata_of(wall.identity()));
   device::run_servo_loop(*device, *session, {.max_seconds = 2, .paced = false, .sinks = {&recorder}}, std::atomic<bool>(false));
   EXPECT_EQ(recorder.close("time up").lost, 0U);
 

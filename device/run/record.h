@@ -1,34 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What --record names. A recording, FILE.fsr, is written while the loop runs; a table, CSV or
+// The record of a run. A recording, FILE.fsr, is written while the loop runs; a table, CSV or
 // NPY, is a recording, kept beside it until the run is over and then exported, so that no run is too long for it.
 
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "recorder/recorder.h"
 
-namespace forceshade::apps {
+namespace forceshade::run {
 
-class RunRecord {
+class Record {
  public:
   // `path` ends in .fsr, or is a table (recorder::export_table). A run that is not paced waits for the disk instead of losing
   // ticks. A recording that is there already is refused, or where `replaces` goes now. Throws RecordingError or
   // files::OutputError.
-  RunRecord(std::string path, recorder::Metadata metadata, bool paced, bool replaces);
+  Record(std::string path, recorder::Metadata metadata, bool paced, bool replaces);
 
-  // A recording that was never closed is of a run that never began, and goes; one that could not be exported is kept, and its
-  // name was said.
-  ~RunRecord();
-  RunRecord(const RunRecord&) = delete;
-  RunRecord& operator=(const RunRecord&) = delete;
+  // A recording that was never closed is of a run that never began, and goes; one that could not be exported is kept, and
+  // close() named it.
+  ~Record();
+  Record(const Record&) = delete;
+  Record& operator=(const Record&) = delete;
 
   device::SampleSink& sink() { return *recorder_; }
 
-  // Call once, when the run is over. Whether every tick was written; says so on standard error where not.
-  bool close(const std::string& end_reason);
+  // Call once, when the run is over. Why some ticks were not written, each reason a line; none where all were.
+  std::vector<std::string> close(const std::string& end_reason);
 
  private:
   bool is_table() const { return !path_.ends_with(".fsr"); }
@@ -40,4 +41,4 @@ class RunRecord {
   bool closed_ = false, kept_ = false;
 };
 
-}  // namespace forceshade::apps
+}  // namespace forceshade::run

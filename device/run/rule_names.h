@@ -8,7 +8,7 @@
 
 #include "device/supervisor.h"
 
-namespace forceshade::apps {
+namespace forceshade::run {
 
 // Of Sample::limited.
 inline std::vector<std::string> rule_names(std::uint16_t rules) {
@@ -26,4 +26,4 @@ inline std::string joined_rule_names(std::uint16_t rules) {
   return joined;
 }
 
-}  // namespace forceshade::apps
+}  // namespace forceshade::run

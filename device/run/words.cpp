@@ -1,35 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/driven.h"
+#include "device/run/words.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <utility>
 
 #include "certificate/build.h"
-#include "certificate/certificate.h"
-#include "files/printable.h"
+#include "files/csv.h"
 #include "recorder/settings.h"
-#include "rendering/identity/digest.h"
-#include "rendering/identity/identity_json.h"
 
-namespace forceshade::apps {
+namespace forceshade::run {
 
-namespace {
-
-// "height_map": names the kind in JSON and in a recording.
 std::string key_of_kind(const Identity& identity) {
   std::string key = identity.kind;
   std::replace(key.begin(), key.end(), ' ', '_');
   return key;
-}
-
-}  // namespace
-
-nlohmann::ordered_json summary_of(const Identity& identity) {
-  nlohmann::ordered_json json{{key_of_kind(identity), identity.name}};
-  if (!identity.digest.empty()) json["digest"] = identity.digest;
-  json["parameters"] = parameters_json(identity);
-  return json;
 }
 
 recorder::Metadata metadata_of(const Identity& identity) {
@@ -65,26 +48,19 @@ recorder::Metadata metadata_of_run(const std::string& device, const device::Capa
   return metadata;
 }
 
-Certified certified(const std::string& file, const Identity& subject) {
-  if (file.empty())
-    return {std::nullopt, "no certificate was given; expected --certificate FILE, as written by 'forceshade certify'"};
-  const std::string text = properties::read_certificate(file);
-  const properties::Certificate certificate = properties::from_json(text, file);
-  if (const auto refused = refusal(certificate, properties::current_build(), subject))
-    return {std::nullopt, file + ": " + *refused};
-  Digest digest;
-  digest.text(text);
-  return {digest.hex(), ""};
+std::string origin_words(const device::Placement& placement) {
+  const Eigen::Vector3f& origin = placement.origin();
+  return files::shortest(origin.x()) + ',' + files::shortest(origin.y()) + ',' + files::shortest(origin.z());
 }
 
-bool may_be_driven(const Certified& certified, bool uncertified) {
-  if (certified.digest) return true;
-  const std::string why = files::printable(certified.why_not);
-  if (uncertified)
-    std::fprintf(stderr, "*** DRIVING UNCERTIFIED, because of --uncertified: %s ***\n", why.c_str());
-  else
-    std::fprintf(stderr, "forceshade: refused to drive: %s\n", why.c_str());
-  return uncertified;
+std::string axes_words(const device::Placement& placement) {
+  std::string words;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (i > 0) words += ',';
+    words += placement.is_against(i) ? '-' : '+';
+    words += static_cast<char>('x' + placement.axis(i));
+  }
+  return words;
 }
 
-}  // namespace forceshade::apps
+}  // namespace forceshade::run

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/run_record.h"
+#include "device/run/record.h"
 
 #include <stdlib.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <system_error>
 
 #include "files/output_file.h"
 #include "recorder/export.h"
 
-namespace forceshade::apps {
+namespace forceshade::run {
 namespace {
 
 namespace fs = std::filesystem;
@@ -31,7 +30,7 @@ void remove_recording(const std::string& path) {
 
 }  // namespace
 
-RunRecord::RunRecord(std::string path, recorder::Metadata metadata, bool paced, bool replaces) : path_(std::move(path)) {
+Record::Record(std::string path, recorder::Metadata metadata, bool paced, bool replaces) : path_(std::move(path)) {
   if (is_table())
     directory_ = new_directory(path_);
   else if (replaces)
@@ -45,32 +44,29 @@ RunRecord::RunRecord(std::string path, recorder::Metadata metadata, bool paced, 
   }
 }
 
-RunRecord::~RunRecord() {
+Record::~Record() {
   recorder_.reset();
   std::error_code ignored;
   if (is_table() && !kept_) fs::remove_all(directory_, ignored);
   if (!is_table() && !closed_) remove_recording(path_);
 }
 
-bool RunRecord::close(const std::string& end_reason) {
+std::vector<std::string> Record::close(const std::string& end_reason) {
   closed_ = true;
+  std::vector<std::string> faults;
   const auto [written, lost, error] = recorder_->close(end_reason);
-  const bool whole = lost == 0 && error.empty();
-  if (!whole)
-    std::fprintf(stderr, "forceshade: %s; recorded %llu samples, lost %llu\n",
-                 error.empty() ? (recording() + ": the disk was too slow").c_str() : error.c_str(),
-                 static_cast<unsigned long long>(written), static_cast<unsigned long long>(lost));
-  if (!is_table()) return whole;
+  if (lost > 0 || !error.empty())
+    faults.push_back((error.empty() ? recording() + ": the disk was too slow" : error) + "; recorded " +
+                     std::to_string(written) + " samples, lost " + std::to_string(lost));
+  if (!is_table()) return faults;
   try {
     recorder::Recording finished(recording());
     recorder::export_table(finished, path_);
-    return whole;
   } catch (const std::exception& failure) {
     kept_ = true;
-    std::fprintf(stderr, "forceshade: %s; the ticks are in %s: forceshade recording export\n", failure.what(),
-                 recording().c_str());
-    return false;
+    faults.push_back(failure.what() + ("; the ticks are in " + recording()) + ": forceshade recording export");
   }
+  return faults;
 }
 
-}  // namespace forceshade::apps
+}  // namespace forceshade::run

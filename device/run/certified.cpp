@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "device/run/certified.h"
+
+#include "certificate/build.h"
+#include "certificate/certificate.h"
+#include "rendering/identity/digest.h"
+
+namespace forceshade::run {
+
+Certified certified(const std::string& file, const Identity& rendering) {
+  if (file.empty())
+    return {std::nullopt, "no certificate was given; expected --certificate FILE, as written by 'forceshade certify'"};
+  const std::string text = properties::read_certificate(file);
+  const properties::Certificate certificate = properties::from_json(text, file);
+  if (const auto refused = refusal(certificate, properties::current_build(), rendering))
+    return {std::nullopt, file + ": " + *refused};
+  Digest digest;
+  digest.text(text);
+  return {digest.hex(), ""};
+}
+
+}  // namespace forceshade::run

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The summary of a run for programs. docs/device.md lists its fields.
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "device/sample.h"
+#include "device/servo_loop.h"
+#include "rendering/identity/identity.h"
+
+namespace forceshade::run {
+
+// The rendering: its kind, name, digest and parameters.
+nlohmann::ordered_json summary_of(const Identity& identity);
+
+// What the servo loop measured.
+nlohmann::ordered_json to_json(const device::ServoResult& run);
+
+// What each tick followed, "device" or "clock"; null where ticks followed one another.
+const char* pacer_of(const device::ServoResult& run);
+
+// An array, oldest first: tick, t_s, position_mm, law_force_N, force_N, limited (names of rules), tripped (its name or null).
+nlohmann::ordered_json last_ticks_json(const std::vector<device::Sample>& samples);
+
+}  // namespace forceshade::run

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What recordings and summaries say of a run: of the rendering, the device, the build and the settings.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "device/servo_loop.h"
+#include "recorder/recorder.h"
+#include "rendering/identity/identity.h"
+
+namespace forceshade::run {
+
+// "height_map": the kind of a rendering as a key.
+std::string key_of_kind(const Identity& identity);
+
+// The identity as a recording keeps it.
+recorder::Metadata metadata_of(const Identity& identity);
+
+// The build, the device by its name and by its own words, the pace, and the settings of supervisor and controller.
+recorder::Metadata metadata_of_run(const std::string& device, const device::Capabilities& capabilities,
+                                   const device::ServoOptions& servo);
+
+// What a device says of itself: model, serial, driver, firmware, as far as it says them.
+std::vector<std::pair<std::string, std::string>> words_of(const device::Capabilities& capabilities);
+
+// "X,Y,Z" in mm, each in the shortest form that reads back the same.
+std::string origin_words(const device::Placement& placement);
+
+// Along which of the device's axes the subject's x, y and z point: "+x,+y,+z" where it is not turned.
+std::string axes_words(const device::Placement& placement);
+
+}  // namespace forceshade::run

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Certifies a renderer of one's own against the exact wall of 0.5 N/mm, at 10 000 points: certify FILE.
+#include <forceshade/certificate/certify.h>
+#include <forceshade/properties/law_subject.h>
+
+#include <cstdio>
+#include <fstream>
+
+using namespace forceshade;
+
+properties::Rendered my_wall(const Eigen::Vector3f& p) {  // mm; the force is in N
+  if (!(p.array().abs() <= 1e4F).all()) return {{0, 0, 0}, Status::invalid};
+  if (!(p.z() <= -0x1p-30F)) return {{0, 0, 0}, Status::free};  // nearer to 0 than the position quantum is 0
+  return {{0, 0, 0.5F * -p.z()}, Status::contact};
+}
+
+int main(int argc, char** argv) {
+  if (argc != 2) return std::puts("usage: certify FILE"), 2;
+  const auto exact = std::get<reference::Law>(reference::Law::build(LawId::wall, {.stiffness = 0.5F}));
+  const auto subject = std::make_shared<properties::LawSubject>(properties::RenderedLaw{exact, my_wall});
+  const auto certificate = properties::certify(
+      {.subjects = {subject}, .points = 10000}, [](auto, double) {}, false);
+  std::ofstream(argv[1]) << properties::to_json(*certificate);
+  return std::puts(certificate->held() ? "held" : "failed"), certificate->held() ? 0 : 1;
+}
