@@ -20,7 +20,7 @@ namespace {
 
 using height::Edge;
 using height::Interpolant;
-using height::Rendering;
+using Mode = height::Rendering;
 
 constexpr int kCases = 300;
 constexpr std::uint64_t kSeed = 3;
@@ -52,7 +52,7 @@ std::vector<Named> maps() {
           {"bump and texture", {{{height::SphereCap{0, 0, 5, 8}}, {texture(Interpolant::cubic_spline)}}}}};
 }
 
-RenderedHeightMap subject_of(const HeightMap& map, Rendering rendering) {
+RenderedHeightMap subject_of(const HeightMap& map, Mode rendering) {
   return std::get<RenderedHeightMap>(fast_rendering(map, rendering, 0.5F));
 }
 
@@ -75,7 +75,7 @@ TEST(height_properties, hold_on_maps_of_every_kind) {
 
 // The fast path of `map` with its answers changed by `change(right, position, answer)`, `right` being the fast path itself.
 template <class Change>
-RenderedHeightMap changed(const HeightMap& map, Rendering rendering, const Change& change) {
+RenderedHeightMap changed(const HeightMap& map, Mode rendering, const Change& change) {
   RenderedHeightMap subject = subject_of(map, rendering);
   subject.force_at = [right = subject.force_at, change](const Eigen::Vector3f& position) {
     return change(right, position, right(position));
@@ -90,7 +90,7 @@ void expect_refused(const RenderedHeightMap& subject, const std::vector<std::str
 TEST(height_properties, name_every_kink) {
   std::map<std::string, std::string> words;
   for (const auto& [name, map] : maps())
-    for (const std::string& jump : HeightMapClaims(subject_of(map, Rendering::true_height).law).jumps())
+    for (const std::string& jump : HeightMapClaims(subject_of(map, Mode::true_height).law).jumps())
       words[name] += jump + "; ";
   EXPECT_EQ(words["cone"], "part 1, cone: its apex; part 1, cone: its rim; ");
   EXPECT_EQ(words["dent"], "part 1, sphere-cap: its rim; ");
@@ -117,7 +117,7 @@ TEST(height_properties, refuse_x_and_y_exchanged) {
     return answer;
   };
   for (const auto& [name, map] : maps())
-    expect_refused(changed(map, Rendering::conservative, exchanged), {"equivalence", "passivity"}, name);
+    expect_refused(changed(map, Mode::conservative, exchanged), {"equivalence", "passivity"}, name);
 }
 
 TEST(height_properties, refuse_a_normal_that_was_not_normalised_and_one_that_was) {
@@ -129,9 +129,9 @@ TEST(height_properties, refuse_a_normal_that_was_not_normalised_and_one_that_was
     };
   };
   for (const auto& [name, map] : maps()) {
-    expect_refused(changed(map, Rendering::true_height, with_length(1)), {"equivalence", "unit normals", "passivity"}, name);
-    expect_refused(changed(map, Rendering::force_shaded, with_length(1)), {"equivalence", "unit normals", "passivity"}, name);
-    expect_refused(changed(map, Rendering::conservative, with_length(-1)), {"equivalence", "unit normals"}, name);
+    expect_refused(changed(map, Mode::true_height, with_length(1)), {"equivalence", "unit normals", "passivity"}, name);
+    expect_refused(changed(map, Mode::force_shaded, with_length(1)), {"equivalence", "unit normals", "passivity"}, name);
+    expect_refused(changed(map, Mode::conservative, with_length(-1)), {"equivalence", "unit normals"}, name);
   }
 }
 
@@ -149,7 +149,7 @@ TEST(height_properties, refuse_a_force_from_the_wrong_cell) {
 // Force shading gives energy away: small loops show it, if the bound of the quadrature is no wider than it must be.
 TEST(height_properties, refuse_energy_from_a_map_that_should_have_a_potential) {
   for (const auto& [name, map] : maps()) {
-    const RenderedHeightMap subject = subject_of(map, Rendering::force_shaded);
+    const RenderedHeightMap subject = subject_of(map, Mode::force_shaded);
     HeightMapClaims claims(subject.law);
     claims.is_conservative = true;
     const HeightTarget target{subject.law, claims};
@@ -160,7 +160,7 @@ TEST(height_properties, refuse_energy_from_a_map_that_should_have_a_potential) {
 
 TEST(height_properties, hold_where_depth_is_measured_from_another_surface) {
   const HeightMap map{{{height::CylinderCap{0, 5, 8}}}, {{height::Polygons{{{-4, 0}, {0, 2}, {4, 0}}}}}};
-  const RenderedHeightMap subject = subject_of(map, Rendering::force_shaded);
+  const RenderedHeightMap subject = subject_of(map, Mode::force_shaded);
   for (const PropertyResult& result : run_properties(HeightMapSubject(subject), kCases, kSeed))
     EXPECT_TRUE(result.held) << result.name << ": " << result.counterexample;
   EXPECT_EQ(HeightMapClaims(subject.law).jumps(), std::vector<std::string>{"part 1, cylinder-cap: its two edges"});
@@ -169,7 +169,7 @@ TEST(height_properties, hold_where_depth_is_measured_from_another_surface) {
 TEST(height_properties, find_where_the_gradient_of_a_bilinear_map_jumps_and_by_how_much) {
   const HeightMap roof{
       {{std::make_shared<const height::Grid>(height::Grid{3, 2, 2, Edge::clamp, Interpolant::bilinear, {0, 1, 0, 0, 1, 0}})}}};
-  const RenderedHeightMap subject = subject_of(roof, Rendering::true_height);
+  const RenderedHeightMap subject = subject_of(roof, Mode::true_height);
   const HeightMapClaims claims(subject.law);
   EXPECT_EQ(claims.jumps(),
             std::vector<std::string>{"part 1, bilinear grid: its cell lines, the gradient by up to 1 at (0, -1) mm"});
