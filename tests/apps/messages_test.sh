@@ -47,6 +47,38 @@ expect 2 'unknown key block_oder; the nearest is block_order' -- "$forceshade" e
 expect 2 "leather.png: expected a TOML file, got a PNG picture" -- "$forceshade" force --height-map "$examples/leather.png"
 expect 2 "leather.png: expected a CSV file, got a PNG picture" -- "$forceshade" force --law wall --input "$examples/leather.png"
 expect 2 "leather.png: expected a TOML file, got a PNG picture" -- "$forceshade" force --subject "$examples/leather.png"
+printf '{"law": "wall"}\n' > object.json
+printf '[{"law": "wall"},\n {"law": "wall"}]\n' > list.json
+printf 'x_mm,y_mm,z_mm\n1,0,-1\n' > positions.csv
+printf 'law = "wall"\n' > wall.toml
+: > empty.txt
+for file in object.json list.json; do
+  for command in "force --height-map" "force --subject" "experiment check"; do
+    expect 2 "$file: expected a TOML file, got a JSON file" -- "$forceshade" $command $file
+  done
+done
+expect 2 "positions.csv: expected a TOML file, got a CSV file" -- "$forceshade" force --height-map positions.csv
+expect 2 "object.json: expected a CSV file, got a JSON file" -- "$forceshade" force --law wall --input object.json
+for command in "recording info" "recording verify" "recording export" "recording recompute"; do
+  for file in "positions.csv a CSV file" "object.json a JSON file" "wall.toml a TOML file" "empty.txt an empty file" \
+    "$examples/leather.png a PNG picture"; do
+    expect 2 "${file%% *}: expected a recording (.fsr), got ${file#* }" -- "$forceshade" $command "${file%% *}"
+  done
+done
+expect 2 "expected JSON, got a CSV file" -- "$forceshade" drive --law wall --certificate positions.csv --device null
+
+# TOML that cannot be read: in our words, with what stands there.
+toml() { printf "$2\n" > broken.toml; expect 2 "broken.toml: line $1: expected $3" -- "$forceshade" force --height-map broken.toml; }
+toml 2 'render = "height-map"\n[[part]' "the name of a table in brackets, alone on its line, such as [[part]] (expected ']', got the end of the line)"
+toml 1 'render = height-map' "a text in quotes, a number, true, false, a list or a table (could not determine value type)"
+toml 1 'render = ' "KEY = VALUE on a line (expected value, got the end of the line)"
+toml 1 'render "height-map"' "KEY = VALUE on a line (expected '=', got '\"')"
+toml 1 'render = "height-map' "a text in quotes, which ends on its line ("
+toml 1 'render = ["a", "b"' "a list in brackets, with commas between its elements (got the end of the file)"
+toml 1 'render = \xff' "UTF-8 ("
+sed 's/^name = /name : /' "$examples/experiments/matching.toml" > protocol.toml
+expect 2 "expected KEY = VALUE on a line (expected '=', got ':')" -- "$forceshade" experiment check protocol.toml
+
 head -c 100 /dev/zero > zeros.bin
 expect 2 "zeros.bin: expected a CSV file, got a binary file" -- "$forceshade" force --law wall --input zeros.bin
 printf '{\n "a": [1,2,}' > broken.json
