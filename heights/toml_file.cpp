@@ -51,6 +51,7 @@ std::string words_of_syntax_error(std::string description) {
     description.erase(0, end + 2);
   }
   if (description.find("utf-8") != std::string::npos) expected = "UTF-8";
+  if (description.find("redefine") != std::string::npos) expected = "each key and table once";
   replace(description, "saw '\\n'", "got the end of the line");
   replace(description, "encountered end-of-file", "got the end of the file");
   replace(description, "saw ", "got ");

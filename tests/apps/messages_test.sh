@@ -35,6 +35,20 @@ expect 2 'got "refrence"; the nearest is reference' -- "$forceshade" force --law
 expect 2 'got "vertx"; the nearest is vertex' -- "$forceshade" force --mesh m.off --unit mm --shading vertx
 printf 'render = "height-map"\n[[part]]\nshape = "con"\n' > map.toml
 expect 2 "got 'con'; the nearest is cone" -- "$forceshade" force --height-map map.toml
+echo 'lwa = "wall"' > lwa.toml
+echo 'heightmap = "map.toml"' > heightmap.toml
+echo 'law = "bump_2p"' > law.toml
+expect 2 'unknown key lwa; expected keys of a subject; the nearest is law' -- "$forceshade" properties --subject lwa.toml
+expect 2 'unknown key heightmap; expected keys of a subject; the nearest is height-map' -- \
+  "$forceshade" force --subject heightmap.toml
+for command in force properties certify drive; do
+  expect 2 'law.toml: line 1: law: expected' -- "$forceshade" $command --subject law.toml
+  expect 2 'got "bump_2p"; the nearest is bump-2p' -- "$forceshade" $command --subject law.toml
+done
+printf 'render = "height-map"\n[[part]]\nshape = "gaussian"\ncenter_x_mm = 3\nsigma_mm = 5\nheight_mm = 1\n' > map.toml
+expect 2 'map.toml: line 4: unknown key center_x_mm; the nearest is x_mm' -- "$forceshade" force --height-map map.toml
+printf 'render = "height-map"\n[[parts]]\nshape = "plane"\n' > map.toml
+expect 2 'expected render, [[part]] and [[surface]], got parts; the nearest is part' -- "$forceshade" force --height-map map.toml
 sed 's/^name/nmae/' "$examples/experiments/matching.toml" > protocol.toml
 expect 2 'key name is missing' -- "$forceshade" experiment check protocol.toml
 sed 's/^resume/resme/' "$examples/experiments/matching.toml" > protocol.toml
@@ -75,6 +89,7 @@ toml 1 'render = ' "KEY = VALUE on a line (expected value, got the end of the li
 toml 1 'render "height-map"' "KEY = VALUE on a line (expected '=', got '\"')"
 toml 1 'render = "height-map' "a text in quotes, which ends on its line ("
 toml 1 'render = ["a", "b"' "a list in brackets, with commas between its elements (got the end of the file)"
+toml 2 'render = "height-map"\nrender = "height-map"' "each key and table once (cannot redefine existing string 'render')"
 toml 1 'render = \xff' "UTF-8 ("
 sed 's/^name = /name : /' "$examples/experiments/matching.toml" > protocol.toml
 expect 2 "expected KEY = VALUE on a line (expected '=', got ':')" -- "$forceshade" experiment check protocol.toml
