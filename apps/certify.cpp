@@ -147,8 +147,7 @@ void add_certify(CLI::App& app, int& result) {
   CLI::Option* seed = add_whole(*command, "--seed", options->seed, "seed of points and cases", kSeeds);
   add_whole(*command, "--threads", options->threads, "threads", {1, 1024})->group(kOtherGroup);
   const auto out = std::make_shared<OutFolder>(*command, kCertificateFolder);
-  CLI::Option* junit =
-      add_output(*command, "--junit", options->junit, "what was found as JUnit XML, for continuous integration");
+  CLI::Option* junit = add_junit(*command, options->junit);
   options->exhaustive.add_to(*command);
   for (CLI::Option* of_points : {points, cases, seed, junit}) command->get_option("--exhaustive")->excludes(of_points);
   add_merge(*command, result);

@@ -166,7 +166,8 @@ void add_device_try(CLI::App& device, int& result) {
   add_watchdog_timeout(*command, options->watchdog_timeout);
   add_in_reset_pose(*command, options->in_reset_pose);
   command->add_flag("--uncertified", options->uncertified, "try even where the certificate does not allow it");
-  add_output(*command, "--record", options->record, "the recording, FILE.fsr; forceshade-try-DATE-TIME.fsr unless said");
+  add_output(*command, "--record", options->record, "the recording, FILE.fsr; forceshade-try-DATE-TIME.fsr unless said",
+             {".fsr", ".npy", ".csv"});
   add_json(*command, options->json, "the summary");
   command->callback([options, command, &result] {
     options->overwrite = overwrites(*command);

@@ -77,15 +77,6 @@ std::string ending_of(const std::string& path) {
   return ending;
 }
 
-// OFF, or OBJ where it may be that, is written. Under the ending of another format it could not be read again, and with
-// --overwrite it would replace the mesh that was to be repaired.
-void expect_ending(const std::string& path, bool may_be_obj) {
-  const std::string ending = ending_of(path);
-  if (ending == ".ply" || ending == ".stl" || (ending == ".obj" && !may_be_obj))
-    throw BadInput(std::string("--out: expected a name that ends in .off") + (may_be_obj ? " or .obj" : "") +
-                   ", which is the format of the file that is written, got \"" + path + '"');
-}
-
 void write_mesh(const std::string& path, const mesh::TriangleMesh& triangles) {
   csv::OutputFile file(path);
   mesh::write_off(file.stream(), triangles);
@@ -206,7 +197,6 @@ int info(const MeshFileOptions& options) {
 }
 
 int repair(const MeshFileOptions& options) {
-  expect_ending(options.out, false);
   mesh::LoadedMesh loaded = load(options);
   std::vector<std::string> done = loaded.notes;
   if (!loaded.normals.empty() || !loaded.texture.empty()) done.emplace_back("normals and texture are left out");
@@ -297,7 +287,6 @@ mesh::TriangleMesh made(const MakeOptions& options) {
 }
 
 int make(const MakeOptions& options) {
-  expect_ending(options.out, true);
   try {
     const bool is_solid = options.shape == "icosphere" || options.shape == "cube" || options.shape == "torus";
     write_made(options.out, made(options), is_solid ? &mesh::texture_from_box : &mesh::texture_from_above);
@@ -325,7 +314,8 @@ void add_make(CLI::App& command, int& result) {
             "along each side of the square, or around a torus; each edge of an icosahedron becomes so many", {1, 16384});
   verb->add_option("--height-map", options->height_map, "for the shape height-map: a TOML file (docs/height-maps.md)")
       ->type_name("SPEC");
-  add_output(*verb, "--out", options->out, "the mesh in mm: NAME.obj, an OBJ file with texture coordinates; else an OFF file")
+  add_output(*verb, "--out", options->out, "the mesh in mm: NAME.obj, an OBJ file with texture coordinates; else an OFF file",
+             {".off", ".obj"})
       ->required();
   verb->callback([options, verb, &result] {
     expect_options_of(options->shape, *verb);
@@ -362,7 +352,7 @@ void add_mesh(CLI::App& app, int& result) {
   const auto [repair_verb, repair_options] = add(
       "repair", "Join equal vertices, drop faces without area or twice there, turn faces over; lists what was done", repair);
   allow_self_intersections(*repair_verb, *repair_options);
-  add_output(*repair_verb, "--out", repair_options->out, "the repaired mesh, an OFF file in mm")->required();
+  add_output(*repair_verb, "--out", repair_options->out, "the repaired mesh, an OFF file in mm", {".off"})->required();
   add_json(*repair_verb, repair_options->json, "what was done,");
   add_make(*command, result);
 }

@@ -57,6 +57,20 @@ expect 2 'key resume is missing' -- "$forceshade" experiment check protocol.toml
 sed '/^block_order/a block_oder = "random"' "$examples/experiments/matching.toml" > protocol.toml
 expect 2 'unknown key block_oder; the nearest is block_order' -- "$forceshade" experiment check protocol.toml
 
+# A name that means another format than what is written.
+for ending in npy csv fsr html png; do
+  expect 2 "--json: expected a name that ends in .json, which is the format of the file that is written, got \"x.$ending\"" -- \
+    "$forceshade" geometry --json x.$ending
+  for command in properties certify; do
+    expect 2 "--junit: expected a name that ends in .xml, which is the format of the file that is written, got \"x.$ending\"" -- \
+      "$forceshade" $command --law wall --junit x.$ending
+  done
+done
+expect 2 'ends in .csv or .npy, which is the format of the file that is written, got "x.JSON"' -- \
+  "$forceshade" force --law wall --out x.JSON
+expect 0 "" -- "$forceshade" geometry --json x.txt
+same "" "$(find . -name 'x.*' ! -name x.txt)"
+
 # A file of another kind.
 expect 2 "leather.png: expected a TOML file, got a PNG picture" -- "$forceshade" force --height-map "$examples/leather.png"
 expect 2 "leather.png: expected a CSV file, got a PNG picture" -- "$forceshade" force --law wall --input "$examples/leather.png"
