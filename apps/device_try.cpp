@@ -111,7 +111,7 @@ std::string second_step(const std::optional<int>& button, double seconds) {
 int run(DeviceTryOptions options) {
   const float stiffness = gentle_stiffness(options.stiffness);
   if (options.record.empty()) options.record = dated_name();
-  if (!options.record.ends_with(".fsr"))
+  if (format_ending(options.record) != ".fsr")
     throw BadInput("--record: expected FILE.fsr, a recording that survives a crash, got \"" + options.record + '"');
   const Driven wall(properties::LawSubject(LawId::wall, {.stiffness = stiffness}));
   const Certified covered = certified(options.certificate, wall.identity);
@@ -167,7 +167,7 @@ void add_device_try(CLI::App& device, int& result) {
   add_in_reset_pose(*command, options->in_reset_pose);
   command->add_flag("--uncertified", options->uncertified, "try even where the certificate does not allow it");
   add_output(*command, "--record", options->record, "the recording, FILE.fsr; forceshade-try-DATE-TIME.fsr unless said",
-             {".fsr", ".npy", ".csv"});
+             {".fsr"});
   add_json(*command, options->json, "the summary");
   command->callback([options, command, &result] {
     options->overwrite = overwrites(*command);

@@ -2,7 +2,6 @@
 // forceshade mesh: whether a file holds a mesh that can be rendered, what is in it, its repair, and meshes of simple shapes.
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -71,12 +70,6 @@ void print_faults(const std::string& file, const std::vector<std::string>& fault
   print(faults, (file == "-" ? "standard input" : file) + ": ");
 }
 
-std::string ending_of(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
-
 void write_mesh(const std::string& path, const mesh::TriangleMesh& triangles) {
   csv::OutputFile file(path);
   mesh::write_off(file.stream(), triangles);
@@ -88,7 +81,7 @@ using TexturePoints = std::vector<std::array<mesh::TexturePoint, 3>>;
 // A mesh that is made, with its texture if the file can hold one.
 void write_made(const std::string& path, const mesh::TriangleMesh& triangles,
                 TexturePoints (*texture)(const mesh::TriangleMesh&)) {
-  if (ending_of(path) != ".obj") return write_mesh(path, triangles);
+  if (format_ending(path) != ".obj") return write_mesh(path, triangles);
   csv::OutputFile file(path);
   mesh::write_obj(file.stream(), triangles, texture(triangles));
   file.commit();

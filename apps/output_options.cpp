@@ -38,9 +38,9 @@ std::string refusal(const CLI::App& command, const std::string& path) {
 }
 
 std::string refusal_of_ending(const std::string& path, const std::vector<std::string>& endings) {
-  std::string ending = std::filesystem::path(path).extension(), expected;
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = format_ending(path);
   if (std::ranges::find(kEndings, ending) == kEndings.end() || std::ranges::find(endings, ending) != endings.end()) return "";
+  std::string expected;
   for (const std::string& its : endings) expected += (expected.empty() ? "" : " or ") + its;
   return "expected a name that ends in " + expected + ", which is the format of the file that is written, got \"" + path + '"';
 }
@@ -52,6 +52,12 @@ std::string shorten_standard_output(std::string& path) {
 }
 
 }  // namespace
+
+std::string format_ending(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
 
 bool overwrites(const CLI::App& command) {
   return command.count(kOverwrite) > 0;

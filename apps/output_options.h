@@ -11,6 +11,9 @@
 
 namespace forceshade::apps {
 
+// ".npy" for a file FILE.npy, and for FILE.NPY.
+std::string format_ending(const std::string& path);
+
 // NAME FILE. endings: ".json" and so on, those that name the formats which are written. A name that ends as another format does
 // is refused, because the file could not be read as what it is called.
 CLI::Option* add_output(CLI::App& command, const std::string& name, std::string& path, const std::string& help,

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "forceshade/apps/output_options.h"
 #include "forceshade/recorder/recorder.h"
 
 namespace forceshade::apps {
@@ -31,7 +32,7 @@ class RunRecord {
   bool close(const std::string& end_reason);
 
  private:
-  bool is_table() const { return !path_.ends_with(".fsr"); }
+  bool is_table() const { return format_ending(path_) != ".fsr"; }
   std::string recording() const { return is_table() ? directory_ / "run.fsr" : std::filesystem::path(path_); }
 
   std::string path_;
