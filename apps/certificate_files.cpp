@@ -6,6 +6,7 @@
 #include "forceshade/apps/command.h"
 #include "forceshade/certificate/evidence.h"
 #include "forceshade/csv/output_folder.h"
+#include "forceshade/csv/printable.h"
 #include "forceshade/report/report.h"
 
 namespace forceshade::apps {
@@ -66,7 +67,8 @@ int write_certificate(const properties::Certificate& certificate, const std::fil
   const properties::Assessment assessment = assessed(certificate);
   std::printf("%s\n", (directory / "certificate.html").c_str());
   if (assessment.standing == properties::Standing::insufficient)
-    std::printf("too little for drive: %s\nto gather it: %s\n", assessment.lacks.c_str(), assessment.remedy.c_str());
+    std::printf("too little for drive: %s\nto gather it: %s\n", csv::printable(assessment.lacks).c_str(),
+                csv::printable(assessment.remedy).c_str());
   std::printf("%s\n", verdict(certificate, assessment.standing).c_str());
   return certificate.held() ? kHeld : kFailed;
 }
