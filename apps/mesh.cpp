@@ -17,6 +17,7 @@
 #include "forceshade/apps/mesh_option.h"
 #include "forceshade/apps/options.h"
 #include "forceshade/apps/output_options.h"
+#include "forceshade/apps/signals.h"
 #include "forceshade/csv/csv.h"
 #include "forceshade/csv/output_file.h"
 #include "forceshade/csv/printable.h"
@@ -26,6 +27,7 @@
 #include "forceshade/meshes/make.h"
 #include "forceshade/meshes/repair.h"
 #include "forceshade/meshes/save.h"
+#include "forceshade/vocabulary/monitor.h"
 
 namespace forceshade::apps {
 namespace {
@@ -42,7 +44,10 @@ struct MeshFileOptions {
 };
 
 mesh::LoadedMesh load(const MeshFileOptions& options) {
-  return load_mesh(options.file, unit_named(options.unit));
+  watch_for_interrupt();
+  mesh::LoadedMesh loaded = load_mesh(options.file, unit_named(options.unit));
+  if (interrupted()) throw Interrupted("nothing was found out about " + options.file);
+  return loaded;
 }
 
 // One for each finding. lines_of_faces: LoadedMesh::lines of the file that it is about.
