@@ -5,6 +5,8 @@
 # An option before the command, and the words that other programs understand.
 expect 2 'expected a command before the option "--law", one of: laws' -- "$forceshade" --law wall force
 expect 2 'unknown command "forse"' -- "$forceshade" forse
+same "forceshade: expected a command: laws" "$("$forceshade" 2>&1 | cut -d, -f1 | head -1)"
+expect 2 "forceshade: mesh: expected a command: check" -- "$forceshade" mesh
 expect 2 'the nearest is force' -- "$forceshade" forse
 expect 2 'got "chek"; the nearest is check' -- "$forceshade" mesh chek a.off --unit mm
 for version in --version -v version; do expect 0 "library digest" -- "$forceshade" $version; done
@@ -20,11 +22,13 @@ for command in "" laws geometry polygons force energy plot figures properties ce
   "experiment run" "experiment resume" "experiment virtual" "experiment export" analyze man completion; do
   same "" "$("$forceshade" help $command | grep -nE '^.{101,}$')"
   same "$([ -z "$command" ] && echo 1 || echo 0)" "$("$forceshade" help $command | grep -c '1000mil')"
+  expect 0 ".SH EXAMPLES" -- "$forceshade" man $command
   case "$command" in "" | recording | device | mesh | experiment) ;; *)
-    expect 0 "  forceshade $command" -- "$forceshade" help $command
-    expect 0 ".SH EXAMPLES" -- "$forceshade" man $command ;;
+    expect 0 "  forceshade $command" -- "$forceshade" help $command ;;
   esac
 done
+for command in make check; do expect 0 "forceshade mesh $command" -- sh -c "'$forceshade' man mesh | man -l - | cat"; done
+for command in certify drive "device list"; do expect 0 "forceshade $command" -- sh -c "'$forceshade' man | man -l - | cat"; done
 for title in "What is rendered:" "Where it lies:" "Evidence:" "Device and loop:" "Output:"; do
   expect 0 "$title" -- "$forceshade" help drive
 done
@@ -70,6 +74,34 @@ expect 2 'ends in .csv or .npy, which is the format of the file that is written,
   "$forceshade" force --law wall --out x.JSON
 expect 0 "" -- "$forceshade" geometry --json x.txt
 same "" "$(find . -name 'x.*' ! -name x.txt)"
+
+# What is missing for drive: every law, and for a mesh a command that can be pasted, with its options and folder.
+expect 0 "the certificate has 2000 points for wall; driving needs at least 1000000; and the certificate has 2000 points for bump-2p;" \
+  -- "$forceshade" certify --law wall,bump-2p --points 2000 --cases 20 --out few
+expect 0 "to gather it: forceshade certify --law wall,bump-2p --radius 15.24 --width 25.4 --stiffness 0.5 --points 1000000" -- \
+  "$forceshade" certify --law wall,bump-2p --points 2000 --cases 20 --out few --overwrite
+mkdir "my meshes"
+"$forceshade" mesh make cube --out "my meshes/it's.off"
+output=$("$forceshade" certify --mesh "my meshes/it's.off" --unit mm --sides both --shading edge --crease 20 --points 200 --cases 20 --out few-mesh)
+command=$(sed -n 's/^to gather it: //p' <<< "$output")
+same "forceshade certify --mesh 'my meshes/it'\\''s.off' --unit mm --sides both --shading edge --crease 20deg --stiffness 0.5N/mm --points 200000 --cases 2000 --out DIR" \
+  "$command"
+mkdir bin
+ln -s "$forceshade" bin/forceshade
+expect 0 "" -- env PATH="$PWD/bin:$PATH" sh -c "${command/200000 --cases 2000/200 --cases 20}"
+same "$(grep -m1 '"digest": "' few-mesh/certificate.json)" "$(grep -m1 '"digest": "' DIR/certificate.json)"
+
+# Ended by Ctrl-C: one line that says so.
+{ echo OFF; echo "30001 30000 0"; echo 0 0 0
+  awk 'BEGIN { for (i = 0; i < 30000; i++) printf "%.9g %.9g %.9g\n", 50 * cos(i * 2e-4), 50 * sin(i * 2e-4), i % 2; for (i = 1; i < 30000; i++) print 3, 0, i, i + 1; print 3, 0, 30000, 1 }'
+} > fan.off
+for command in "mesh check fan.off --unit mm" "force --mesh fan.off --unit mm"; do
+  # A shell ignores SIGINT in what it starts in the background.
+  env --default-signal=INT "$forceshade" $command > stopped.txt 2>&1 < /dev/null &
+  sleep 2; kill -INT $!; wait $!; same 130 $?
+  same 1 "$(wc -l < stopped.txt)"
+  expect 0 "fan.off" -- grep "^forceshade: interrupted: [a-hj-z]" stopped.txt
+done
 
 # A file of another kind.
 expect 2 "leather.png: expected a TOML file, got a PNG picture" -- "$forceshade" force --height-map "$examples/leather.png"
