@@ -7,6 +7,7 @@
 #include "certificate/evidence.h"
 #include "certificate/report/report.h"
 #include "files/output_folder.h"
+#include "files/printable.h"
 
 namespace forceshade::apps {
 namespace {
@@ -66,7 +67,8 @@ int write_certificate(const properties::Certificate& certificate, const std::fil
   const properties::Assessment assessment = assessed(certificate);
   std::printf("%s\n", (directory / "certificate.html").c_str());
   if (assessment.standing == properties::Standing::insufficient)
-    std::printf("too little for drive: %s\nto gather it: %s\n", assessment.lacks.c_str(), assessment.remedy.c_str());
+    std::printf("too little for drive: %s\nto gather it: %s\n", files::printable(assessment.lacks).c_str(),
+                files::printable(assessment.remedy).c_str());
   std::printf("%s\n", verdict(certificate, assessment.standing).c_str());
   return certificate.held() ? kHeld : kFailed;
 }

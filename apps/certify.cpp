@@ -86,7 +86,7 @@ std::string junit_of(const properties::Certificate& certificate, const PartTimes
                   cases);
 }
 
-int run_points(const CertifyOptions& options, properties::CertifyOptions what, const std::vector<std::string>& subject_files,
+int run_points(const CertifyOptions& options, properties::CertifyOptions what, const SubjectOption& subject,
                const OutFolder& out) {
   what.points = options.points > 0 ? options.points : properties::points_of_kind(what.subjects.front()->identity().kind);
   what.cases = static_cast<int>(options.cases);
@@ -110,7 +110,11 @@ int run_points(const CertifyOptions& options, properties::CertifyOptions what, c
     std::fprintf(stderr, "forceshade: interrupted: no certificate was written\n");
     return kInterrupted;
   }
-  for (std::size_t i = 0; i < subject_files.size(); ++i) certificate->subjects[i].subject_file = subject_files[i];
+  const std::vector<std::string> subject_files = subject.subject_files();
+  for (std::size_t i = 0; i < subject_files.size(); ++i) {
+    certificate->subjects[i].subject_file = subject_files[i];
+    certificate->subjects[i].options = subject.options_for_shell();
+  }
   if (!options.junit.empty()) write_file(options.junit, junit_of(*certificate, times));
   return write_certificate(*certificate, out.path());
 }
@@ -123,7 +127,7 @@ int run(const CertifyOptions& options, const SubjectOption& subject, const OutFo
   // Before the work, so that a path that cannot be written to is said at once.
   out.expect_room_for(certificate_files());
   expect_folder_of("--junit", options.junit);
-  if (!options.exhaustive.is_given) return run_points(options, std::move(what), subject.subject_files(), out);
+  if (!options.exhaustive.is_given) return run_points(options, std::move(what), subject, out);
   properties::SweepPlan plan{subject.law().laws(), subject.law().parameters(), {}};
   for (const properties::ThesisRadius& radius : properties::kThesisRadii) plan.radii.push_back(radius.mm);
   if (radius_is_given) plan.radii = {plan.parameters.radius};
@@ -147,8 +151,7 @@ void add_certify(CLI::App& app, int& result) {
   CLI::Option* seed = add_whole(*command, "--seed", options->seed, "seed of points and cases", kSeeds);
   add_whole(*command, "--threads", options->threads, "threads", {1, 1024})->group(kOtherGroup);
   const auto out = std::make_shared<OutFolder>(*command, kCertificateFolder);
-  CLI::Option* junit =
-      add_output(*command, "--junit", options->junit, "what was found as JUnit XML, for continuous integration");
+  CLI::Option* junit = add_junit(*command, options->junit);
   options->exhaustive.add_to(*command);
   for (CLI::Option* of_points : {points, cases, seed, junit}) command->get_option("--exhaustive")->excludes(of_points);
   add_merge(*command, result);

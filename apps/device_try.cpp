@@ -20,6 +20,7 @@
 #include "device/limited.h"
 #include "fast/law.h"
 #include "files/csv.h"
+#include "files/output_file.h"
 #include "rendering/monitor.h"
 
 namespace forceshade::apps {
@@ -110,7 +111,7 @@ std::string second_step(const std::optional<int>& button, double seconds) {
 int run(DeviceTryOptions options) {
   const float stiffness = gentle_stiffness(options.stiffness);
   if (options.record.empty()) options.record = dated_name();
-  if (!options.record.ends_with(".fsr"))
+  if (files::format_ending(options.record) != ".fsr")
     throw BadInput("--record: expected FILE.fsr, a recording that survives a crash, got \"" + options.record + '"');
   const Rendering wall = built(rendering_of(LawId::wall, {.stiffness = stiffness}));
   const run::Certified covered = run::certified(options.certificate, wall.identity);
@@ -165,7 +166,8 @@ void add_device_try(CLI::App& device, int& result) {
   add_watchdog_timeout(*command, options->watchdog_timeout);
   add_in_reset_pose(*command, options->in_reset_pose);
   command->add_flag("--uncertified", options->uncertified, "try even where the certificate does not allow it");
-  add_output(*command, "--record", options->record, "the recording, FILE.fsr; forceshade-try-DATE-TIME.fsr unless said");
+  add_output(*command, "--record", options->record, "the recording, FILE.fsr; forceshade-try-DATE-TIME.fsr unless said",
+             {".fsr"});
   add_json(*command, options->json, "the summary");
   command->callback([options, command, &result] {
     options->overwrite = overwrites(*command);

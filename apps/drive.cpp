@@ -130,7 +130,8 @@ void add_drive(CLI::App& app, int& result) {
   add_output(
       *command, "--record", options->record,
       "every tick: FILE.fsr, a recording that survives a crash; FILE.npy, a structured array for numpy.load; else its CSV, - "
-      "for standard output");
+      "for standard output",
+      {".fsr", ".npy", ".csv"});
   add_json(*command, options->json, "the summary");
   command->callback([options, subject, place, command, &result] {
     options->overwrite = overwrites(*command);

@@ -83,7 +83,7 @@ void add_force(CLI::App& app, int& result) {
   for (const char* other : {"--height-map", "--mesh"}) digits->excludes(command->get_option(other));
   command->add_option("--input", options->input, "CSV file; - is standard input")->type_name("FILE")->capture_default_str();
   add_output(*command, "--out", options->out,
-             "FILE.npy, a structured array for numpy.load; else a CSV file, - is standard output")
+             "FILE.npy, a structured array for numpy.load; else a CSV file, - is standard output", {".csv", ".npy"})
       ->capture_default_str();
   command->callback([options, subject, digits, &result] {
     if (!digits->empty() && options->path != "reference")

@@ -22,6 +22,9 @@ class HeightMapOption {
   // For people and records; no claim hangs on it.
   std::string name() const;
 
+  // With its folder.
+  const std::string& file() const { return file_; }
+
   // What can be built, on both sides. Throws heights::Error or BadInput with file, line, value and what was expected.
   heights::Spec read(float stiffness) const;
 

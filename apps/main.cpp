@@ -131,7 +131,8 @@ int run(const std::vector<std::string>& arguments) {
     print_lines(error.what());
     return kBadInput;
   } catch (const Interrupted& error) {
-    std::cerr << "forceshade: interrupted: " << files::printable(error.what()) << '\n';
+    const std::string undone = error.what(), unsaid = Interrupted().what();
+    std::cerr << "forceshade: interrupted" << (undone == unsaid ? "" : ": " + files::printable(undone)) << '\n';
     return kInterrupted;
   } catch (const std::exception& error) {
     std::cerr << "forceshade: " << files::printable(line.placed(error.what())) << '\n';

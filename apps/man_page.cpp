@@ -83,6 +83,17 @@ std::vector<const CLI::App*> tree(const CLI::App& command) {
   return all;
 }
 
+// Its own; where it has none, those of the commands below it, of which the program shows one each.
+std::vector<Example> examples_for_page(const CLI::App& command) {
+  std::vector<Example> all = examples_of(full_name(command));
+  if (!all.empty()) return all;
+  for (const CLI::App* verb : verbs_of(command)) {
+    const std::vector<Example> its = examples_for_page(*verb);
+    all.insert(all.end(), its.begin(), command.get_parent() == nullptr && !its.empty() ? its.begin() + 1 : its.end());
+  }
+  return all;
+}
+
 const CLI::App& found(const CLI::App& program, const std::vector<std::string>& words) {
   const CLI::App* command = &program;
   for (const std::string& word : words) {
@@ -140,7 +151,7 @@ std::string man_page(const CLI::App& command, const std::string& version) {
   if (!verbs.empty()) page += ".SH COMMANDS\n";
   for (const CLI::App* verb : verbs)
     page += ".TP\n.B " + roff(verb->get_name()) + '\n' + roff(sentence(verb->get_description())) + '\n';
-  if (const std::vector<Example> examples = examples_of(full_name(command)); !examples.empty()) {
+  if (const std::vector<Example> examples = examples_for_page(command); !examples.empty()) {
     page += ".SH EXAMPLES\n";
     for (const Example& example : examples)
       page += ".PP\n" + roff(sentence(example.what)) + "\n.PP\n.nf\n.RS\n" + roff(example.line) + "\n.RE\n.fi\n";

@@ -2,7 +2,6 @@
 // forceshade mesh: whether a file holds a mesh that can be rendered, what is in it, its repair, and meshes of simple shapes.
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -18,6 +17,7 @@
 #include "apps/mesh_option.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
+#include "apps/signals.h"
 #include "fast/height_map_field.h"
 #include "files/csv.h"
 #include "files/output_file.h"
@@ -27,6 +27,7 @@
 #include "rendering/meshes/make.h"
 #include "rendering/meshes/repair.h"
 #include "rendering/meshes/save.h"
+#include "rendering/monitor.h"
 
 namespace forceshade::apps {
 namespace {
@@ -43,7 +44,10 @@ struct MeshFileOptions {
 };
 
 mesh::LoadedMesh load(const MeshFileOptions& options) {
-  return load_mesh(options.file, unit_named(options.unit));
+  watch_for_interrupt();
+  mesh::LoadedMesh loaded = load_mesh(options.file, unit_named(options.unit));
+  if (interrupted()) throw Interrupted("nothing was found out about " + options.file);
+  return loaded;
 }
 
 // One for each finding. lines_of_faces: LoadedMesh::lines of the file that it is about.
@@ -71,21 +75,6 @@ void print_faults(const std::string& file, const std::vector<std::string>& fault
   print(faults, (file == "-" ? "standard input" : file) + ": ");
 }
 
-std::string ending_of(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
-
-// OFF, or OBJ where it may be that, is written. Under the ending of another format it could not be read again, and with
-// --overwrite it would replace the mesh that was to be repaired.
-void expect_ending(const std::string& path, bool may_be_obj) {
-  const std::string ending = ending_of(path);
-  if (ending == ".ply" || ending == ".stl" || (ending == ".obj" && !may_be_obj))
-    throw BadInput(std::string("--out: expected a name that ends in .off") + (may_be_obj ? " or .obj" : "") +
-                   ", which is the format of the file that is written, got \"" + path + '"');
-}
-
 void write_mesh(const std::string& path, const mesh::TriangleMesh& triangles) {
   files::OutputFile file(path);
   mesh::write_off(file.stream(), triangles);
@@ -97,7 +86,7 @@ using TexturePoints = std::vector<std::array<mesh::TexturePoint, 3>>;
 // A mesh that is made, with its texture if the file can hold one.
 void write_made(const std::string& path, const mesh::TriangleMesh& triangles,
                 TexturePoints (*texture)(const mesh::TriangleMesh&)) {
-  if (ending_of(path) != ".obj") return write_mesh(path, triangles);
+  if (files::format_ending(path) != ".obj") return write_mesh(path, triangles);
   files::OutputFile file(path);
   mesh::write_obj(file.stream(), triangles, texture(triangles));
   file.commit();
@@ -206,7 +195,6 @@ int info(const MeshFileOptions& options) {
 }
 
 int repair(const MeshFileOptions& options) {
-  expect_ending(options.out, false);
   mesh::LoadedMesh loaded = load(options);
   std::vector<std::string> done = loaded.notes;
   if (!loaded.normals.empty() || !loaded.texture.empty()) done.emplace_back("normals and texture are left out");
@@ -297,7 +285,6 @@ mesh::TriangleMesh made(const MakeOptions& options) {
 }
 
 int make(const MakeOptions& options) {
-  expect_ending(options.out, true);
   try {
     const bool is_solid = options.shape == "icosphere" || options.shape == "cube" || options.shape == "torus";
     write_made(options.out, made(options), is_solid ? &mesh::texture_from_box : &mesh::texture_from_above);
@@ -325,7 +312,8 @@ void add_make(CLI::App& command, int& result) {
             "along each side of the square, or around a torus; each edge of an icosahedron becomes so many", {1, 16384});
   verb->add_option("--height-map", options->height_map, "for the shape height-map: a TOML file (docs/height-maps.md)")
       ->type_name("SPEC");
-  add_output(*verb, "--out", options->out, "the mesh in mm: NAME.obj, an OBJ file with texture coordinates; else an OFF file")
+  add_output(*verb, "--out", options->out, "the mesh in mm: NAME.obj, an OBJ file with texture coordinates; else an OFF file",
+             {".off", ".obj"})
       ->required();
   verb->callback([options, verb, &result] {
     expect_options_of(options->shape, *verb);
@@ -362,7 +350,7 @@ void add_mesh(CLI::App& app, int& result) {
   const auto [repair_verb, repair_options] = add(
       "repair", "Join equal vertices, drop faces without area or twice there, turn faces over; lists what was done", repair);
   allow_self_intersections(*repair_verb, *repair_options);
-  add_output(*repair_verb, "--out", repair_options->out, "the repaired mesh, an OFF file in mm")->required();
+  add_output(*repair_verb, "--out", repair_options->out, "the repaired mesh, an OFF file in mm", {".off"})->required();
   add_json(*repair_verb, repair_options->json, "what was done,");
   add_make(*command, result);
 }

@@ -74,6 +74,7 @@ mesh::LoadedMesh load_mesh(const std::string& file, mesh::Unit unit) {
   {
     std::ofstream copy(unnamed, std::ios::binary);
     if (std::cin.peek() != std::char_traits<char>::eof()) copy << std::cin.rdbuf();
+    if (interrupted()) throw Interrupted();  // which ends the input, too
     if (!copy.flush()) throw BadInput("standard input: cannot be kept in " + unnamed.parent_path().string());
   }
   std::ifstream in(unnamed, std::ios::binary);
@@ -91,8 +92,13 @@ mesh::LoadedMesh load_mesh(const std::string& file, mesh::Unit unit) {
 
 std::variant<mesh::CheckedMesh, mesh::Findings> checked_with_progress(const std::string& file, mesh::TriangleMesh triangles,
                                                                       mesh::SelfIntersections self_intersections) {
-  ProgressLine line("check of " + (file == "-" ? kStandardInput : fs::path(file).filename().string()));
-  return mesh::check(std::move(triangles), self_intersections, Monitor([&](double done) { line.draw(done); }, interrupted()));
+  const std::string name = "check of " + (file == "-" ? kStandardInput : fs::path(file).filename().string());
+  ProgressLine line(name);
+  try {
+    return mesh::check(std::move(triangles), self_intersections, Monitor([&](double done) { line.draw(done); }, interrupted()));
+  } catch (const Interrupted&) {
+    throw Interrupted("the " + name + " was not finished");
+  }
 }
 
 }  // namespace forceshade::apps

@@ -113,9 +113,11 @@ std::string MeshOption::name() const {
   return std::filesystem::path(mesh_.file).filename();
 }
 
-std::vector<std::pair<std::string, std::string>> MeshOption::entries() const {
-  const auto file_name = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
-  return {{"mesh", name()},
+std::vector<std::pair<std::string, std::string>> MeshOption::entries(bool with_folders) const {
+  const auto file_name = [&](const std::string& path) {
+    return with_folders ? path : std::filesystem::path(path).filename().string();
+  };
+  return {{"mesh", file_name(mesh_.file)},
           {"unit", mesh_.unit},
           {"sides", mesh_.sides},
           {"shading", is_texture(mesh_.shading)

@@ -42,7 +42,8 @@ class MeshOption {
   std::string name() const;
 
   // What holds, as the keys and values of a subject file; where it was not given, what holds unless said.
-  std::vector<std::pair<std::string, std::string>> entries() const;
+  // Files are named without their folders unless these are asked for.
+  std::vector<std::pair<std::string, std::string>> entries(bool with_folders = false) const;
 
   // read_mesh() of the options.
   MeshRendering read(float stiffness) const;

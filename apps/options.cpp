@@ -53,17 +53,23 @@ bool is_option(const std::string& word) {
   return word.starts_with("-");
 }
 
+// "check: "; empty for the program, which is named in front of every message.
+std::string named(const CLI::App& command) {
+  const bool is_program = command.get_parent() == nullptr && command.get_name() == "forceshade";
+  return is_program ? "" : command.get_name() + ": ";
+}
+
 // What was left over: an option that the command has not, or a word that it has no place for.
 std::string words_of_extra(const CLI::App& command) {
   const std::vector<std::string> extras = command.remaining();
   const auto option = std::find_if(extras.begin(), extras.end(), is_option);
   if (option == extras.end())
-    return command.get_name() + ": expected no further word, got \"" + (extras.empty() ? "" : extras.front()) + '"';
+    return named(command) + "expected no further word, got \"" + (extras.empty() ? "" : extras.front()) + '"';
   const std::string name = option->substr(0, option->find('='));
   std::vector<std::string> names;
   for (const CLI::Option* known : command.get_options())
     for (const std::string& known_name : known->get_lnames()) names.push_back("--" + known_name);
-  return command.get_name() + ": unknown option \"" + name + '"' + files::suggestion(name, names);
+  return named(command) + "unknown option \"" + name + '"' + files::suggestion(name, names);
 }
 
 std::string words_of_missing(const CLI::App& command, const std::string& what) {
@@ -73,10 +79,10 @@ std::string words_of_missing(const CLI::App& command, const std::string& what) {
   const bool has_misspelt_command = !verbs.empty() && !extras.empty() && !is_option(extras.front());
   if (!has_misspelt_command && std::any_of(extras.begin(), extras.end(), is_option)) return words_of_extra(command);
   if (what.find("subcommand") == std::string::npos)
-    return command.get_name() + ": expected " + what.substr(0, what.find(" is required")) + ", got none";
+    return named(command) + "expected " + what.substr(0, what.find(" is required")) + ", got none";
   std::vector<std::string> names;
   for (const CLI::App* verb : verbs) names.push_back(verb->get_name());
-  const std::string words = command.get_name() + ": expected a command: " + joined(names, ", ") + "; got ";
+  const std::string words = named(command) + "expected a command: " + joined(names, ", ") + "; got ";
   return extras.empty() ? words + "none" : words + '"' + extras.front() + '"' + files::suggestion(extras.front(), names);
 }
 

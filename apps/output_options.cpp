@@ -3,6 +3,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <filesystem>
 
 #include "apps/command.h"
@@ -13,6 +16,10 @@ namespace forceshade::apps {
 namespace {
 
 constexpr const char* kOverwrite = "--overwrite";
+
+// Of the formats that this program reads or writes.
+constexpr std::array kEndings{".csv", ".npy",  ".fsr", ".json", ".xml", ".html", ".png",
+                              ".svg", ".toml", ".off", ".obj",  ".ply", ".stl"};
 
 void add_overwrite(CLI::App& command) {
   if (command.get_option_no_throw(kOverwrite) == nullptr)
@@ -28,6 +35,14 @@ std::string refusal(const CLI::App& command, const std::string& path) {
   if (std::filesystem::is_directory(path, ignored)) return "expected a file, got \"" + path + "\", which is a folder";
   if (overwrites(command) || !std::filesystem::exists(path, ignored)) return "";
   return "expected a new file, or --overwrite beside it; \"" + path + "\" is there already";
+}
+
+std::string refusal_of_ending(const std::string& path, const std::vector<std::string>& endings) {
+  const std::string ending = files::format_ending(path);
+  if (std::ranges::find(kEndings, ending) == kEndings.end() || std::ranges::find(endings, ending) != endings.end()) return "";
+  std::string expected;
+  for (const std::string& its : endings) expected += (expected.empty() ? "" : " or ") + its;
+  return "expected a name that ends in " + expected + ", which is the format of the file that is written, got \"" + path + '"';
 }
 
 // One name for standard output, so that a command does not write words among what it writes there.
@@ -55,20 +70,26 @@ void expect_folder_of(const std::string& option, const std::string& path) {
     throw BadInput(option + ": expected a file in a folder that can be written to, got \"" + path + '"');
 }
 
-CLI::Option* add_output(CLI::App& command, const std::string& name, std::string& path, const std::string& help) {
+CLI::Option* add_output(CLI::App& command, const std::string& name, std::string& path, const std::string& help,
+                        const std::vector<std::string>& endings) {
   add_overwrite(command);
   return command.add_option(name, path, help)
       ->type_name("FILE")
       ->group(kOutputGroup)
       ->transform(CLI::Validator(shorten_standard_output, ""))
+      ->check(CLI::Validator([endings](const std::string& file) { return refusal_of_ending(file, endings); }, ""))
       ->check(CLI::Validator([&command](const std::string& file) { return refusal(command, file); }, ""));
 }
 
 CLI::Option* add_json(CLI::App& command, std::string& path, const std::string& what) {
-  return add_output(command, "--json", path, what + " as JSON, on standard output unless a file is named")
+  return add_output(command, "--json", path, what + " as JSON, on standard output unless a file is named", {".json"})
       ->type_name("[FILE]")
       ->expected(0, 1)
       ->default_str("-");
+}
+
+CLI::Option* add_junit(CLI::App& command, std::string& path) {
+  return add_output(command, "--junit", path, "what was found as JUnit XML, for continuous integration", {".xml"});
 }
 
 OutFolder::OutFolder(CLI::App& command, const std::string& help)

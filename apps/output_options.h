@@ -11,11 +11,16 @@
 
 namespace forceshade::apps {
 
-// NAME FILE.
-CLI::Option* add_output(CLI::App& command, const std::string& name, std::string& path, const std::string& help);
+// NAME FILE. endings: ".json" and so on, those that name the formats which are written. A name that ends as another format does
+// is refused, because the file could not be read as what it is called.
+CLI::Option* add_output(CLI::App& command, const std::string& name, std::string& path, const std::string& help,
+                        const std::vector<std::string>& endings);
 
 // --json [FILE]: standard output without FILE. `what` is what is written.
 CLI::Option* add_json(CLI::App& command, std::string& path, const std::string& what);
+
+// --junit FILE.
+CLI::Option* add_junit(CLI::App& command, std::string& path);
 
 // Throws BadInput, naming the option, where the file is there and may not be replaced. The option was added by a function of
 // this file, or the command has an OutFolder.

@@ -121,7 +121,7 @@ void add_polygons(CLI::App& app, int&) {
   add_length(*command, "--from", options->from, "x where the section begins")->needs(height_map);
   add_length(*command, "--to", options->to, "x where it ends")->needs(height_map);
   add_output(*command, "--out", options->out,
-             "the map that shades its polygons, a TOML file for --height-map of other commands")
+             "the map that shades its polygons, a TOML file for --height-map of other commands", {".toml"})
       ->needs(height_map);
   add_angle(*command, "--theta-critical", "each polygon turns by less than this", {reference::kLeastThetaCritical, 180},
             [options](double degrees) { options->theta_critical = degrees; })

@@ -135,7 +135,7 @@ void add_properties(CLI::App& app, int& result) {
   add_whole(*command, "--cases", options->cases, "cases per law and property (passivity: a tenth)", kCases);
   add_whole(*command, "--seed", options->seed, "seed of the cases", kSeeds);
   add_json(*command, options->json, "what was found");
-  add_output(*command, "--junit", options->junit, "what was found as JUnit XML, for continuous integration");
+  add_junit(*command, options->junit);
   command->callback([options, subject, &result] { result = run(*options, *subject); });
 }
 

@@ -167,7 +167,7 @@ void add_recording(CLI::App& app, int& result) {
   again->callback([recomputed, subject, &result] { result = recompute(*recomputed, *subject); });
   const auto [export_verb, export_options] = add("export", "The ticks for other programs", write);
   add_output(*export_verb, "--out", export_options->out,
-             "FILE.npy, a structured array for numpy.load; else its CSV, - for standard output")
+             "FILE.npy, a structured array for numpy.load; else its CSV, - for standard output", {".csv", ".npy"})
       ->capture_default_str();
 }
 

@@ -46,8 +46,6 @@ void append(const std::string& file, ExpandedLine& line) {
   if (const auto* fault = std::get_if<heights::TomlFault>(&read))
     throw BadInput(file + ": " + (fault->line == 0 ? "" : "line " + std::to_string(fault->line) + ": ") + fault->reason);
   const toml::table& table = std::get<toml::table>(read);
-  if (!table.contains("law") && !table.contains("height-map") && !table.contains("mesh"))
-    throw BadInput(file + ": has none of the keys law, height-map and mesh; expected one of them");
   for (const auto& [key_of_table, node] : table) {
     const std::string key(key_of_table.str());
     const std::string place = file + ": line " + std::to_string(node.source().begin.line);
@@ -70,6 +68,8 @@ void append(const std::string& file, ExpandedLine& line) {
       value = std::string(kTexture) + beside(file, value.substr(kTexture.size()));
     line.words.push_back(option + '=' + value);
   }
+  if (!table.contains("law") && !table.contains("height-map") && !table.contains("mesh"))
+    throw BadInput(file + ": has none of the keys law, height-map and mesh; expected one of them");
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/subject_option.h"
 
+#include <string_view>
+
 #include "apps/options.h"
 #include "apps/subject_file.h"
 #include "files/csv.h"
@@ -22,6 +24,15 @@ Entries entries_of_law(LawId id, const Parameters& parameters) {
   if (has_bump_geometry(id))
     entries.insert(entries.end(), {{"radius", millimetres(parameters.radius)}, {"width", millimetres(parameters.width)}});
   return entries;
+}
+
+// As one word of a command line.
+std::string quoted_for_shell(const std::string& word) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:=,+-@%";
+  if (word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
 }
 
 }  // namespace
@@ -71,6 +82,17 @@ std::vector<std::string> SubjectOption::subject_files() const {
     texts.push_back(subject_file_text(entries));
   }
   return texts;
+}
+
+std::string SubjectOption::options_for_shell() const {
+  if (is_a_law()) return "";
+  Entries entries = mesh_.is_given() ? mesh_.entries(true) : Entries{{"height-map", height_map_.file()}};
+  entries.emplace_back("stiffness", files::shortest(law_.stiffness()) + "N/mm");
+  std::string options;
+  for (const auto& [key, value] : entries)
+    if (!value.empty())
+      options += (options.empty() ? "--" : " --") + key + (value == "true" ? "" : ' ' + quoted_for_shell(value));
+  return options;
 }
 
 std::shared_ptr<const properties::Subject> read_subject(const std::string& file) {

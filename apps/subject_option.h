@@ -28,6 +28,9 @@ class SubjectOption {
   // folder.
   std::vector<std::string> subject_files() const;
 
+  // The options of a mesh or height map as a shell reads them, every one that holds, files with their folders; empty for laws.
+  std::string options_for_shell() const;
+
   bool is_a_law() const { return !height_map_.is_given() && !mesh_.is_given(); }
   const LawOptions& law() const { return law_; }
   const HeightMapOption& height_map() const { return height_map_; }

@@ -87,6 +87,9 @@ struct SubjectResult : Findings {
   // What was certified in the words of the command, as a subject file that means the same again (docs/subjects.md); empty where
   // a program certified a subject of its own. No claim hangs on it.
   std::string subject_file = {};
+  // The options of forceshade certify that name it, as a shell reads them; empty for a law, and where it was read from a file,
+  // which does not keep where a mesh or height map lies.
+  std::string options = {};
 
   const std::string& name() const { return identity.name; }
 };

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "certificate/evidence.h"
 
+#include <algorithm>
+#include <map>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace forceshade::properties {
@@ -43,23 +46,61 @@ std::optional<std::string> too_few(const Comparison& found, const std::string& n
   return std::nullopt;
 }
 
-// The command line that checks a law as much as drive needs. The options of other subjects are not in a certificate.
-std::string command_that_gathers(const Identity& identity) {
-  const std::string enough =
-      " --points " + std::to_string(points_of_kind(identity.kind)) + " --cases " + std::to_string(kCases) + " --out DIR";
-  if (identity.kind != kLawKind) return "forceshade certify with the same " + identity.kind + " and" + enough;
-  std::string command = "forceshade certify --law " + identity.name;
-  for (const auto& [key, option] :
-       {std::pair{"radius_mm", " --radius "}, {"width_mm", " --width "}, {"stiffness_N_per_mm", " --stiffness "}})
-    if (const IdentityValue* value = identity.parameter(key)) command += option + text_of(*value);
-  return command + enough;
+// Laws that one command can check, because no two have a parameter in different values.
+struct Laws {
+  std::string names;
+  std::map<std::string, std::string> options;  // with their values
+
+  bool take(const Identity& law) {
+    std::map<std::string, std::string> all = options;
+    for (const auto& [key, option] :
+         {std::pair{"radius_mm", "--radius"}, {"width_mm", "--width"}, {"stiffness_N_per_mm", "--stiffness"}})
+      if (const IdentityValue* value = law.parameter(key);
+          value && all.emplace(option, text_of(*value)).first->second != text_of(*value))
+        return false;
+    options = std::move(all);
+    names += (names.empty() ? "" : ",") + law.name;
+    return true;
+  }
+};
+
+// The command line, or several, that check these subjects as much as drive needs.
+std::string command_that_gathers(const std::vector<const SubjectResult*>& subjects) {
+  std::vector<Laws> groups;
+  std::vector<std::pair<std::string, std::string>> subjects_by_options;  // with the kind
+  for (const SubjectResult* subject : subjects) {
+    const Identity& identity = subject->identity;
+    if (identity.kind == kLawKind) {
+      if (std::none_of(groups.begin(), groups.end(), [&](Laws& group) { return group.take(identity); }))
+        groups.emplace_back().take(identity);
+    } else {
+      subjects_by_options.emplace_back(subject->options.empty() ? "with the same " + identity.kind + " and" : subject->options,
+                                       identity.kind);
+    }
+  }
+  for (const Laws& group : groups) {
+    std::string options = "--law " + group.names;
+    for (const char* option : {"--radius", "--width", "--stiffness"})
+      if (const auto found = group.options.find(option); found != group.options.end())
+        options += std::string(" ") + option + ' ' + found->second;
+    subjects_by_options.emplace_back(options, kLawKind);
+  }
+  std::string commands;
+  int folder = 1;
+  for (const auto& [options, kind] : subjects_by_options) {
+    commands += (commands.empty() ? "" : " && ") + ("forceshade certify " + options) + " --points " +
+                std::to_string(points_of_kind(kind)) + " --cases " + std::to_string(kCases) + " --out DIR" +
+                (folder == 1 ? "" : std::to_string(folder));
+    ++folder;
+  }
+  return commands;
 }
 
 }  // namespace
 
 Assessment assessed(const SubjectResult& subject) {
   if (!subject.held()) return {Standing::failed};
-  if (auto lacks = lacking(subject)) return {Standing::insufficient, *lacks, command_that_gathers(subject.identity)};
+  if (auto lacks = lacking(subject)) return {Standing::insufficient, *lacks, command_that_gathers({&subject})};
   return {Standing::sufficient};
 }
 
@@ -76,9 +117,17 @@ Assessment assessed(const Certificate& certificate) {
              "the sweeps are not complete: units " + std::to_string(sweeps.first) + " to " + std::to_string(sweeps.next) +
                  " of " + std::to_string(sweeps.units()) + " are done",
              "the same command as before, which goes on, and forceshade certify merge with the other parts"};
-  for (const SubjectResult& subject : certificate.subjects)
-    if (Assessment one = assessed(subject); one.standing > worst.standing) worst = std::move(one);
-  return worst;
+  std::vector<const SubjectResult*> insufficient;
+  std::string lacks;
+  for (const SubjectResult& subject : certificate.subjects) {
+    const Assessment one = assessed(subject);
+    if (one.standing == Standing::failed) return one;
+    if (one.standing == Standing::sufficient) continue;
+    insufficient.push_back(&subject);
+    lacks += (lacks.empty() ? "" : "; and ") + one.lacks;
+  }
+  if (insufficient.empty() || worst.standing == Standing::insufficient) return worst;
+  return {Standing::insufficient, lacks, command_that_gathers(insufficient)};
 }
 
 std::optional<std::string> lacking(const SubjectResult& found) {

@@ -39,12 +39,13 @@ constexpr std::string_view name_of(Standing standing) {
 struct Assessment {
   Standing standing = Standing::failed;
   std::string lacks = {};   // where insufficient: what is missing, in words; else empty
-  std::string remedy = {};  // and what gathers it: a command, or words with one
+  std::string remedy = {};  // and what gathers it: a command, several with && between them, or words with one
 };
 
 Assessment assessed(const SubjectResult& subject);
 
-// The worst of its subjects' and its sweeps'. Sweeps alone, or some of their units alone, are insufficient.
+// The worst of its subjects' and its sweeps'; of several subjects that lack evidence it names each. Sweeps alone, or some of
+// their units alone, are insufficient.
 Assessment assessed(const Certificate& certificate);
 
 // What is too little for driving, in words: "the certificate has 1 point for wall; driving needs at least 1000000". Each aim

@@ -145,6 +145,8 @@ Error Reader::no_text(unsigned char byte, std::size_t at, std::string_view words
 }
 
 Error Reader::error(std::size_t line, std::string_view words) const {
+  const std::string kind = line == 1 && line_ == 1 && !line_text_.empty() ? text_kind(line_text_) : "";
+  if (!kind.empty() && kind != kCsvFile) return Error(file_ + ": expected a CSV file, got " + kind);
   return Error(file_ + ':' + std::to_string(line) + ": " + std::string(words));
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "files/file_kind.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace forceshade::files {
 namespace {
@@ -27,12 +29,66 @@ constexpr std::array kSignatures{Signature{"\x89PNG"sv, "a PNG picture"},
                                  Signature{"\xff\xfe"sv, "a UTF-16 text"},
                                  Signature{"\xfe\xff"sv, "a UTF-16 text"}};
 
+constexpr std::string_view kBlank = " \t\r\n";
+
+// The first line that is neither blank nor a comment of TOML, and all that follows.
+std::string_view from_first_line(std::string_view text) {
+  while (true) {
+    text.remove_prefix(std::min(text.find_first_not_of(kBlank), text.size()));
+    if (!text.starts_with('#')) return text;
+    text.remove_prefix(std::min(text.find('\n'), text.size()));
+  }
+}
+
+// A list of JSON ends as it begins, and its first element is none that a [table] or [[table]] of TOML could be named by.
+bool begins_as_json(std::string_view text) {
+  if (text.starts_with('{')) return true;
+  const std::size_t element = text.find_first_not_of(std::string(kBlank) + '[');
+  return text.starts_with('[') && element != std::string_view::npos &&
+         std::string_view("{\"-0123456789").find(text[element]) != std::string_view::npos &&
+         text[text.find_last_not_of(kBlank)] == ']';
+}
+
+bool begins_as_toml(std::string_view line) {
+  const std::size_t key = line.find_first_of(" \t=");
+  if (line.starts_with('[')) return line.find(']') != std::string_view::npos;
+  return key != 0 && key != std::string_view::npos && line.substr(line.find_first_not_of(" \t", key)).starts_with('=');
+}
+
+// Columns in the first line, and as many in the second if there is one.
+bool begins_as_csv(std::string_view text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::string_view first = text.substr(0, end), rest = text.substr(std::min(end + 1, text.size()));
+  const std::string_view second = rest.substr(0, rest.find('\n'));
+  return std::ranges::any_of(std::string_view(",;\t"), [&](char separator) {
+    const auto columns = std::ranges::count(first, separator);
+    return columns > 0 && (second.empty() || std::ranges::count(second, separator) == columns);
+  });
+}
+
 }  // namespace
 
 std::string binary_kind(std::string_view bytes) {
   for (const Signature& signature : kSignatures)
     if (bytes.starts_with(signature.beginning)) return std::string(signature.kind);
   return bytes.find('\0') == std::string_view::npos ? "" : "a binary file";
+}
+
+std::string text_kind(std::string_view text) {
+  constexpr std::string_view kMark = "\xef\xbb\xbf";  // with which some programs begin a text in UTF-8
+  if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
+  if (text.find_first_not_of(kBlank) == std::string_view::npos) return "an empty file";
+  text = from_first_line(text);
+  if (begins_as_json(text)) return std::string(kJsonFile);
+  if (text.starts_with('<')) return "an XML or HTML file";
+  if (begins_as_toml(text.substr(0, text.find('\n')))) return std::string(kTomlFile);
+  return begins_as_csv(text) ? std::string(kCsvFile) : "";
+}
+
+std::string kind_of_file(std::string_view bytes) {
+  for (const std::string& kind : {binary_kind(bytes), text_kind(bytes)})
+    if (!kind.empty()) return kind;
+  return "a text";
 }
 
 }  // namespace forceshade::files

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a file is that was given where a text is expected.
+// What a file is that was given where another one is expected.
 
 #include <string>
 #include <string_view>
@@ -10,5 +10,15 @@ namespace forceshade::files {
 // "a PNG picture", "a recording (SQLite)" and so on by how the bytes begin, "a binary file" where they hold a zero byte; empty
 // for what may be a text.
 std::string binary_kind(std::string_view bytes);
+
+// What a file of this kind is called in messages.
+inline constexpr std::string_view kCsvFile = "a CSV file", kJsonFile = "a JSON file", kTomlFile = "a TOML file";
+
+// One of these three, "an XML or HTML file" or "an empty file" by how the text begins, whatever is wrong further on; empty for
+// another text.
+std::string text_kind(std::string_view text);
+
+// Any of these, "a text" where nothing more is known.
+std::string kind_of_file(std::string_view bytes);
 
 }  // namespace forceshade::files

@@ -11,6 +11,7 @@ namespace forceshade::files {
 std::string json_fault(std::string_view text, std::size_t byte) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) return "expected JSON, got an empty text";
   if (const std::string kind = binary_kind(text); !kind.empty()) return "expected JSON, got " + kind;
+  if (const std::string kind = text_kind(text); !kind.empty() && kind != kJsonFile) return "expected JSON, got " + kind;
   const std::size_t at = std::min(std::max<std::size_t>(byte, 1) - 1, text.size());
   const std::string_view before = text.substr(0, at);
   const std::size_t line = 1 + static_cast<std::size_t>(std::ranges::count(before, '\n'));

@@ -7,7 +7,9 @@
 #include <sys/vfs.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
@@ -200,6 +202,12 @@ void OutputFile::commit() {
   partial_path_.clear();
   const fs::path folder = fs::path(path_).parent_path();
   sync_folder(folder.empty() ? "." : folder);
+}
+
+std::string format_ending(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
 }
 
 }  // namespace forceshade::files

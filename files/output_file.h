@@ -58,4 +58,7 @@ void sync_folder(const std::string& folder);
 // What is thrown: `path: cannot DO: reason`. `reason` is an errno.
 OutputError output_failure(const std::string& path, const std::string& what, int reason);
 
+// ".npy" for a file FILE.npy, and for FILE.NPY.
+std::string format_ending(const std::string& path);
+
 }  // namespace forceshade::files

@@ -25,6 +25,12 @@ std::size_t edits(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+bool ends_in_words(std::string_view word, std::string_view last) {
+  if (last.empty() || !word.ends_with(last) || word.size() == last.size()) return false;
+  const char before = word[word.size() - last.size() - 1];
+  return before == '_' || before == '-';
+}
+
 }  // namespace
 
 std::string nearest(std::string_view word, const std::vector<std::string>& words) {
@@ -32,7 +38,8 @@ std::string nearest(std::string_view word, const std::vector<std::string>& words
   std::size_t least = word.size() / 3 + 2;
   if (word.empty() || word.size() > kLongestWord) return best;
   for (const std::string& candidate : words) {
-    const std::size_t distance = candidate.starts_with(word) ? 1 : edits(word, candidate);
+    const bool is_longer = candidate.starts_with(word), is_shorter = ends_in_words(word, candidate);
+    const std::size_t distance = is_longer ? 1 : is_shorter ? 2 : edits(word, candidate);
     if (distance < least) least = distance, best = candidate;
   }
   return best;

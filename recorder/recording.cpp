@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <optional>
+#include <string_view>
 #include <system_error>
 
 #include "files/csv.h"
+#include "files/file_kind.h"
 #include "recorder/checksum.h"
 #include "recorder/layout.h"
 
@@ -17,19 +20,28 @@ namespace {
 // Of a text from the file, in a message.
 constexpr std::size_t kLongestQuote = 200;
 
+// Of a file, to tell what it is.
+constexpr std::size_t kMostRead = 4096;
+constexpr std::string_view kSqliteHeader{"SQLite format 3\0", 16};
+
 std::string ticks(std::uint64_t first, std::uint64_t last) {
   return first == last ? "tick " + std::to_string(first) : "ticks " + std::to_string(first) + " to " + std::to_string(last);
 }
 
-// For what SQLite itself says little about: a file that is absent or may not be read. A pipe would keep the reader waiting for
-// ever.
+// For what SQLite itself says little about: a file that is absent, may not be read, or is none of its own. A pipe would keep
+// the reader waiting for ever.
 std::string readable(const std::string& path) {
   std::error_code none;
-  if (const auto status = std::filesystem::status(path, none);
-      exists(status) && !is_regular_file(status) && !is_directory(status))
-    throw RecordingError(path + ": expected a recording, got no regular file");
+  const auto status = std::filesystem::status(path, none);
+  if (is_directory(status)) throw RecordingError(path + ": expected a recording (.fsr), got a folder");
+  if (exists(status) && !is_regular_file(status)) throw RecordingError(path + ": expected a recording, got no regular file");
   try {
-    files::open_input(path);
+    std::ifstream in = files::open_input(path);
+    std::string beginning(kMostRead, '\0');
+    in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+    beginning.resize(static_cast<std::size_t>(in.gcount()));
+    if (!beginning.starts_with(kSqliteHeader))
+      throw RecordingError(path + ": expected a recording (.fsr), got " + files::kind_of_file(beginning));
   } catch (const files::Error& error) {
     throw RecordingError(error.what());
   }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "files/output_file.h"
 #include "recorder/recorder.h"
 
 namespace forceshade::run {
@@ -32,7 +33,7 @@ class Record {
   std::vector<std::string> close(const std::string& end_reason);
 
  private:
-  bool is_table() const { return !path_.ends_with(".fsr"); }
+  bool is_table() const { return files::format_ending(path_) != ".fsr"; }
   std::string recording() const { return is_table() ? directory_ / "run.fsr" : std::filesystem::path(path_); }
 
   std::string path_;

@@ -203,7 +203,8 @@ Spec read_spec(const fs::path& file) {
     const bool is_surface = key.str() == "surface";
     const toml::array* parts = key.str() == "part" || is_surface ? node.as_array() : nullptr;
     if (!parts)
-      throw Error(file, keys.line_of(node) + "expected render, [[part]] and [[surface]], got " + std::string(key.str()));
+      throw Error(file, keys.line_of(node) + "expected render, [[part]] and [[surface]], got " + std::string(key.str()) +
+                            files::suggestion(key.str(), {"render", "part", "surface"}));
     if (is_surface && spec.rendering != height::Rendering::force_shaded)
       throw Error(file, keys.line_of(node) + "only render = \"height-map-shaded\" has a [[surface]]");
     for (const toml::node& element : *parts) {

@@ -190,19 +190,23 @@ void check_meetings(const TriangleMesh& mesh, bool may_cross, const Monitor& mon
   std::atomic<std::size_t> task = 0;
   std::atomic<std::uint64_t> pairs = 0;
   std::mutex mutex;
-  // report: after each task; throws where the work is to stop.
+  // report: of the tasks that are done, after each task and after many pairs, because one task may take minutes where many
+  // triangles meet at a vertex; throws where the work is to stop.
   const auto work = [&](const std::function<void(std::size_t)>& report) {
     Collector of_thread;
     std::uint64_t uncounted = 0;
     bool goes_on = true;
+    std::size_t begun = 0;
     const auto pair = [&](std::uint32_t i, std::uint32_t j) {
       check_pair(mesh, i, j, may_cross, of_thread);
       constexpr std::uint64_t kMany = std::uint64_t{1} << 16;
       if (++uncounted < kMany) return true;
       uncounted = 0;
+      report(begun);
       return goes_on = (pairs += kMany) <= most;
     };
     for (std::size_t i = task++; goes_on && i < tree.tasks(); i = task++) {
+      begun = i;
       tree.run(i, pair);
       report(i + 1);
     }
@@ -214,9 +218,15 @@ void check_meetings(const TriangleMesh& mesh, bool may_cross, const Monitor& mon
   for (unsigned i = 1; !is_small && i < std::min(std::thread::hardware_concurrency(), 8U); ++i)
     others.emplace_back([&] { work([](std::size_t) {}); });
   try {
-    work([&](std::size_t done) { monitor.at(static_cast<double>(done) / static_cast<double>(tree.tasks())); });
+    double share = 0;  // of the tasks, or of the pairs after which it is given up
+    work([&](std::size_t done) {
+      share = std::max({share, static_cast<double>(done) / static_cast<double>(tree.tasks()),
+                        std::min(static_cast<double>(pairs) / static_cast<double>(most), 1.0)});
+      monitor.at(share);
+    });
   } catch (const Interrupted&) {
-    task = tree.tasks();  // the other threads end with the task that they are at
+    task = tree.tasks();
+    pairs = most;  // the other threads end with the pairs that they are at
     throw;
   }
   others.clear();

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "files/suggestion.h"
 #include "study/experiments/error.h"
 #include "study/experiments/toml_file.h"
 
@@ -86,7 +87,11 @@ Stimulus stimulus_of(TomlTable table, const Beside& where) {
   if (table.has("law")) {
     const std::string law = table.text("law");
     const auto id = law_named(law);
-    if (!id) table.fail("law", "expected the name of a law as `forceshade laws` lists them, got \"" + law + '"');
+    std::vector<std::string> known;
+    for (const LawName& each : kLaws) known.emplace_back(each.name);
+    if (!id)
+      table.fail("law", "expected the name of a law as `forceshade laws` lists them, got \"" + law + '"' +
+                            files::suggestion(law, known));
     stimulus.law = *id;
     if (!has_name) stimulus.name = law;
   } else if (table.has("variants")) {

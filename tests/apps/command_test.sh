@@ -355,7 +355,7 @@ same "$(cat run.csv)" "$(recording export run.fsr)"
 same "$(cut -d, -f1,3-10 record.csv)" "$(cut -d, -f1,3-10 run.csv)"
 same "NUMPY" "$(head -c 6 run.npy | tail -c 5)"
 expect 2 "nowhere" -- recording export run.fsr --out nowhere/run.csv
-expect 2 "in.csv: file is not a database" -- recording verify in.csv
+expect 2 "in.csv: expected a recording (.fsr), got a CSV file" -- recording verify in.csv
 mkfifo pipe.fsr
 expect 2 "pipe.fsr: expected a recording, got no regular file" -- timeout 10 "$forceshade" recording verify pipe.fsr
 # Said before the work: a folder that is not there, and standard output for several files.

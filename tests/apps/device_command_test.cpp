@@ -213,7 +213,8 @@ TEST(device_try, refuses_what_is_not_gentle_or_not_certified) {
   refused("device try simulated --stiffness 0.201", 2, {"expected at most 0.2 N/mm for a first contact, got 0.201"});
   refused("device try simulated --stiffness 0", 2, {"--stiffness"});
   refused("device try simulated", 1, {"no certificate was given", "certify --law wall --stiffness 0.05 --out DIR"});
-  refused("device try simulated --uncertified --record run.csv", 2, {"--record: expected FILE.fsr", "\"run.csv\""});
+  refused("device try simulated --uncertified --record run.csv", 2,
+          {"--record: expected a name that ends in .fsr", "\"run.csv\""});
   refused("device try simulated --dead-man 16", 2, {"--dead-man", "\"16\""});
   refused("device try", 2, {"expected device, got none"});
   EXPECT_EQ(here.entries(), 2);  // .out and .err

@@ -5,6 +5,8 @@
 # An option before the command, and the words that other programs understand.
 expect 2 'expected a command before the option "--law", one of: laws' -- "$forceshade" --law wall force
 expect 2 'unknown command "forse"' -- "$forceshade" forse
+same "forceshade: expected a command: laws" "$("$forceshade" 2>&1 | cut -d, -f1 | head -1)"
+expect 2 "forceshade: mesh: expected a command: check" -- "$forceshade" mesh
 expect 2 'the nearest is force' -- "$forceshade" forse
 expect 2 'got "chek"; the nearest is check' -- "$forceshade" mesh chek a.off --unit mm
 for version in --version -v version; do expect 0 "library digest" -- "$forceshade" $version; done
@@ -20,11 +22,13 @@ for command in "" laws geometry polygons force energy plot figures properties ce
   "experiment run" "experiment resume" "experiment virtual" "experiment export" analyze man completion; do
   same "" "$("$forceshade" help $command | grep -nE '^.{101,}$')"
   same "$([ -z "$command" ] && echo 1 || echo 0)" "$("$forceshade" help $command | grep -c '1000mil')"
+  expect 0 ".SH EXAMPLES" -- "$forceshade" man $command
   case "$command" in "" | recording | device | mesh | experiment) ;; *)
-    expect 0 "  forceshade $command" -- "$forceshade" help $command
-    expect 0 ".SH EXAMPLES" -- "$forceshade" man $command ;;
+    expect 0 "  forceshade $command" -- "$forceshade" help $command ;;
   esac
 done
+for command in make check; do expect 0 "forceshade mesh $command" -- sh -c "'$forceshade' man mesh | man -l - | cat"; done
+for command in certify drive "device list"; do expect 0 "forceshade $command" -- sh -c "'$forceshade' man | man -l - | cat"; done
 for title in "What is rendered:" "Where it lies:" "Evidence:" "Device and loop:" "Output:"; do
   expect 0 "$title" -- "$forceshade" help drive
 done
@@ -35,6 +39,20 @@ expect 2 'got "refrence"; the nearest is reference' -- "$forceshade" force --law
 expect 2 'got "vertx"; the nearest is vertex' -- "$forceshade" force --mesh m.off --unit mm --shading vertx
 printf 'render = "height-map"\n[[part]]\nshape = "con"\n' > map.toml
 expect 2 "got 'con'; the nearest is cone" -- "$forceshade" force --height-map map.toml
+echo 'lwa = "wall"' > lwa.toml
+echo 'heightmap = "map.toml"' > heightmap.toml
+echo 'law = "bump_2p"' > law.toml
+expect 2 'unknown key lwa; expected keys of a subject; the nearest is law' -- "$forceshade" properties --subject lwa.toml
+expect 2 'unknown key heightmap; expected keys of a subject; the nearest is height-map' -- \
+  "$forceshade" force --subject heightmap.toml
+for command in force properties certify drive; do
+  expect 2 'law.toml: line 1: law: expected' -- "$forceshade" $command --subject law.toml
+  expect 2 'got "bump_2p"; the nearest is bump-2p' -- "$forceshade" $command --subject law.toml
+done
+printf 'render = "height-map"\n[[part]]\nshape = "gaussian"\ncenter_x_mm = 3\nsigma_mm = 5\nheight_mm = 1\n' > map.toml
+expect 2 'map.toml: line 4: unknown key center_x_mm; the nearest is x_mm' -- "$forceshade" force --height-map map.toml
+printf 'render = "height-map"\n[[parts]]\nshape = "plane"\n' > map.toml
+expect 2 'expected render, [[part]] and [[surface]], got parts; the nearest is part' -- "$forceshade" force --height-map map.toml
 sed 's/^name/nmae/' "$examples/experiments/matching.toml" > protocol.toml
 expect 2 'key name is missing' -- "$forceshade" experiment check protocol.toml
 sed 's/^resume/resme/' "$examples/experiments/matching.toml" > protocol.toml
@@ -43,10 +61,85 @@ expect 2 'key resume is missing' -- "$forceshade" experiment check protocol.toml
 sed '/^block_order/a block_oder = "random"' "$examples/experiments/matching.toml" > protocol.toml
 expect 2 'unknown key block_oder; the nearest is block_order' -- "$forceshade" experiment check protocol.toml
 
+# A name that means another format than what is written.
+for ending in npy csv fsr html png; do
+  expect 2 "--json: expected a name that ends in .json, which is the format of the file that is written, got \"x.$ending\"" -- \
+    "$forceshade" geometry --json x.$ending
+  for command in properties certify; do
+    expect 2 "--junit: expected a name that ends in .xml, which is the format of the file that is written, got \"x.$ending\"" -- \
+      "$forceshade" $command --law wall --junit x.$ending
+  done
+done
+expect 2 'ends in .csv or .npy, which is the format of the file that is written, got "x.JSON"' -- \
+  "$forceshade" force --law wall --out x.JSON
+expect 0 "" -- "$forceshade" geometry --json x.txt
+same "" "$(find . -name 'x.*' ! -name x.txt)"
+
+# What is missing for drive: every law, and for a mesh a command that can be pasted, with its options and folder.
+expect 0 "the certificate has 2000 points for wall; driving needs at least 1000000; and the certificate has 2000 points for bump-2p;" \
+  -- "$forceshade" certify --law wall,bump-2p --points 2000 --cases 20 --out few
+expect 0 "to gather it: forceshade certify --law wall,bump-2p --radius 15.24 --width 25.4 --stiffness 0.5 --points 1000000" -- \
+  "$forceshade" certify --law wall,bump-2p --points 2000 --cases 20 --out few --overwrite
+mkdir "my meshes"
+"$forceshade" mesh make cube --out "my meshes/it's.off"
+output=$("$forceshade" certify --mesh "my meshes/it's.off" --unit mm --sides both --shading edge --crease 20 --points 200 --cases 20 --out few-mesh)
+command=$(sed -n 's/^to gather it: //p' <<< "$output")
+same "forceshade certify --mesh 'my meshes/it'\\''s.off' --unit mm --sides both --shading edge --crease 20deg --stiffness 0.5N/mm --points 200000 --cases 2000 --out DIR" \
+  "$command"
+mkdir bin
+ln -s "$forceshade" bin/forceshade
+expect 0 "" -- env PATH="$PWD/bin:$PATH" sh -c "${command/200000 --cases 2000/200 --cases 20}"
+same "$(grep -m1 '"digest": "' few-mesh/certificate.json)" "$(grep -m1 '"digest": "' DIR/certificate.json)"
+
+# Ended by Ctrl-C: one line that says so.
+{ echo OFF; echo "30001 30000 0"; echo 0 0 0
+  awk 'BEGIN { for (i = 0; i < 30000; i++) printf "%.9g %.9g %.9g\n", 50 * cos(i * 2e-4), 50 * sin(i * 2e-4), i % 2; for (i = 1; i < 30000; i++) print 3, 0, i, i + 1; print 3, 0, 30000, 1 }'
+} > fan.off
+for command in "mesh check fan.off --unit mm" "force --mesh fan.off --unit mm"; do
+  # A shell ignores SIGINT in what it starts in the background.
+  env --default-signal=INT "$forceshade" $command > stopped.txt 2>&1 < /dev/null &
+  sleep 2; kill -INT $!; wait $!; same 130 $?
+  same 1 "$(wc -l < stopped.txt)"
+  expect 0 "fan.off" -- grep "^forceshade: interrupted: [a-hj-z]" stopped.txt
+done
+
 # A file of another kind.
 expect 2 "leather.png: expected a TOML file, got a PNG picture" -- "$forceshade" force --height-map "$examples/leather.png"
 expect 2 "leather.png: expected a CSV file, got a PNG picture" -- "$forceshade" force --law wall --input "$examples/leather.png"
 expect 2 "leather.png: expected a TOML file, got a PNG picture" -- "$forceshade" force --subject "$examples/leather.png"
+printf '{"law": "wall"}\n' > object.json
+printf '[{"law": "wall"},\n {"law": "wall"}]\n' > list.json
+printf 'x_mm,y_mm,z_mm\n1,0,-1\n' > positions.csv
+printf 'law = "wall"\n' > wall.toml
+: > empty.txt
+for file in object.json list.json; do
+  for command in "force --height-map" "force --subject" "experiment check"; do
+    expect 2 "$file: expected a TOML file, got a JSON file" -- "$forceshade" $command $file
+  done
+done
+expect 2 "positions.csv: expected a TOML file, got a CSV file" -- "$forceshade" force --height-map positions.csv
+expect 2 "object.json: expected a CSV file, got a JSON file" -- "$forceshade" force --law wall --input object.json
+for command in "recording info" "recording verify" "recording export" "recording recompute"; do
+  for file in "positions.csv a CSV file" "object.json a JSON file" "wall.toml a TOML file" "empty.txt an empty file" \
+    "$examples/leather.png a PNG picture"; do
+    expect 2 "${file%% *}: expected a recording (.fsr), got ${file#* }" -- "$forceshade" $command "${file%% *}"
+  done
+done
+expect 2 "expected JSON, got a CSV file" -- "$forceshade" drive --law wall --certificate positions.csv --device null
+
+# TOML that cannot be read: in our words, with what stands there.
+toml() { printf "$2\n" > broken.toml; expect 2 "broken.toml: line $1: expected $3" -- "$forceshade" force --height-map broken.toml; }
+toml 2 'render = "height-map"\n[[part]' "the name of a table in brackets, alone on its line, such as [[part]] (expected ']', got the end of the line)"
+toml 1 'render = height-map' "a text in quotes, a number, true, false, a list or a table (could not determine value type)"
+toml 1 'render = ' "KEY = VALUE on a line (expected value, got the end of the line)"
+toml 1 'render "height-map"' "KEY = VALUE on a line (expected '=', got '\"')"
+toml 1 'render = "height-map' "a text in quotes, which ends on its line ("
+toml 1 'render = ["a", "b"' "a list in brackets, with commas between its elements (got the end of the file)"
+toml 2 'render = "height-map"\nrender = "height-map"' "each key and table once (cannot redefine existing string 'render')"
+toml 1 'render = \xff' "UTF-8 ("
+sed 's/^name = /name : /' "$examples/experiments/matching.toml" > protocol.toml
+expect 2 "expected KEY = VALUE on a line (expected '=', got ':')" -- "$forceshade" experiment check protocol.toml
+
 head -c 100 /dev/zero > zeros.bin
 expect 2 "zeros.bin: expected a CSV file, got a binary file" -- "$forceshade" force --law wall --input zeros.bin
 printf '{\n "a": [1,2,}' > broken.json

@@ -35,6 +35,8 @@ cmp forces.npy CAPITALS.NPY || exit 1
 expect 2 "--digits: expected a CSV file as --out beside it" -- force --out more.npy --path reference --digits 40
 expect 0 "" -- "$forceshade" drive --law wall --uncertified --device null --seconds 0.01 --free-run --record run.npy
 same "NUMPY" "$(head -c 6 run.npy | tail -c 5)"
+expect 0 "" -- "$forceshade" drive --law wall --uncertified --device null --seconds 0.01 --free-run --record RUN.FSR
+expect 0 "whole" -- "$forceshade" recording verify RUN.FSR
 
 # A folder of files appears whole, also where it is interrupted or the disk is full.
 "$forceshade" plot --law all --out stopped > stopped.txt 2>&1 &

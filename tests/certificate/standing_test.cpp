@@ -48,11 +48,33 @@ TEST(standing, is_insufficient_where_drive_refuses_for_want_of_evidence_and_name
   EXPECT_EQ(assessed(certificate.subjects[1]).standing, Standing::sufficient) << "each subject has its own";
 }
 
+TEST(standing, names_every_subject_that_lacks_evidence_and_one_command_for_laws_of_the_same_parameters) {
+  Certificate certificate = with_few_points();
+  for (const Identity& other : {identity_of(LawId::wall, {.stiffness = 0.5F}),
+                                identity_of(LawId::bump_1p, {.radius = 15.24F, .width = 25.4F, .stiffness = 2})}) {
+    SubjectResult few = certificate.subjects[0];
+    few.identity = other;
+    certificate.subjects.push_back(few);
+  }
+  const Assessment all = assessed(certificate);
+  EXPECT_EQ(all.lacks,
+            "the certificate has 2000 points for bump-2p; driving needs at least 1000000; and "
+            "the certificate has 2000 points for wall; driving needs at least 1000000; and "
+            "the certificate has 2000 points for bump-1p; driving needs at least 1000000");
+  EXPECT_EQ(all.remedy,
+            "forceshade certify --law bump-2p,wall --radius 15.24 --width 25.4 --stiffness 0.5 --points 1000000 --cases 2000 "
+            "--out DIR && forceshade certify --law bump-1p --radius 15.24 --width 25.4 --stiffness 2 --points 1000000 "
+            "--cases 2000 --out DIR2");
+}
+
 TEST(standing, of_a_map_names_the_options_that_are_to_be_the_same) {
   Certificate certificate = tests::made_certificate();
   certificate.subjects[2].points_by_aim["axis"] = 0;
   EXPECT_EQ(assessed(certificate.subjects[2]).remedy,
             "forceshade certify with the same height map and --points 200000 --cases 2000 --out DIR");
+  certificate.subjects[2].options = "--height-map 'my maps/hill.toml'";
+  EXPECT_EQ(assessed(certificate.subjects[2]).remedy,
+            "forceshade certify --height-map 'my maps/hill.toml' --points 200000 --cases 2000 --out DIR");
 }
 
 TEST(standing, of_sweeps_alone_or_of_some_of_their_units_is_insufficient) {

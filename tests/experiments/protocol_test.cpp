@@ -97,7 +97,7 @@ TEST(protocol, a_mistake_is_named_with_line_and_key) {
             "11: vision: expected a list of true, false or both, each once, got true");
   EXPECT_EQ(words_with("bigger =", "colour = 1\nbigger ="), "19: unknown key colour");
   EXPECT_EQ(words_with("bump-1p-shaded", "bump-9p"),
-            "10: law: expected the name of a law as `forceshade laws` lists them, got \"bump-9p\"");
+            "10: law: expected the name of a law as `forceshade laws` lists them, got \"bump-9p\"; the nearest is bump-1p");
 }
 
 TEST(protocol, a_condition_that_cannot_be_rendered_is_refused) {

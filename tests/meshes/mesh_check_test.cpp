@@ -11,6 +11,7 @@
 #include <map>
 #include <random>
 
+#include "rendering/meshes/box_tree.h"
 #include "rendering/meshes/check.h"
 #include "rendering/meshes/load.h"
 #include "rendering/meshes/make.h"
@@ -194,6 +195,29 @@ TEST(mesh_check, decides_as_an_independent_program) {
   std::printf("%d meshes, %d refused\n", held, refused);
   EXPECT_GT(held, 0);
   EXPECT_EQ(refused, static_cast<int>(reasons.size()));
+}
+
+// A fan of triangles, of which every two have boxes that meet.
+TriangleMesh large_fan(std::uint32_t triangles) {
+  TriangleMesh fan{{{0, 0, 0}}, {}};
+  for (std::uint32_t i = 0; i <= triangles; ++i) {
+    const double angle = 6.0 * i / triangles;
+    fan.vertices.push_back({static_cast<float>(50 * std::cos(angle)), static_cast<float>(50 * std::sin(angle)), 0});
+    if (i > 0) fan.triangles.push_back({0, i, i + 1});
+  }
+  return fan;
+}
+
+// A task of a fan of a million triangles takes half a minute.
+TEST(mesh_check, reports_within_a_task_that_has_many_pairs_and_can_be_stopped_there) {
+  const TriangleMesh fan = large_fan(4000);
+  const std::size_t tasks = BoxTree(fan).tasks();
+  std::atomic<bool> stop = false;
+  std::size_t reports = 0;
+  EXPECT_TRUE(
+      std::holds_alternative<CheckedMesh>(check(fan, SelfIntersections::refused, Monitor([&](double) { ++reports; }, stop))));
+  EXPECT_GE(reports, tasks + 4000 * 3999 / 2 / 65536);
+  EXPECT_THROW(check(fan, SelfIntersections::refused, Monitor([&](double) { stop = true; }, stop)), Interrupted);
 }
 
 // On one thread and on several.

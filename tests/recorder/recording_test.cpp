@@ -334,11 +334,11 @@ TEST(recording, is_told_from_other_files) {
   const TemporaryDirectory directory;
   const std::string path = directory.file("run.fsr");
   EXPECT_EQ(words_of(directory.file("absent.fsr")), directory.file("absent.fsr") + ": cannot open: No such file or directory");
-  EXPECT_NE(words_of(directory.path()).find(directory.path() + ": "), std::string::npos);
+  EXPECT_EQ(words_of(directory.path()), directory.path() + ": expected a recording (.fsr), got a folder");
   const std::string text = directory.write("text.fsr", std::string(5000, 'a'));
-  EXPECT_EQ(words_of(text), text + ": file is not a database");
+  EXPECT_EQ(words_of(text), text + ": expected a recording (.fsr), got a text");
   const std::string empty = directory.write("empty.fsr", "");
-  EXPECT_EQ(words_of(empty), empty + ": a database, but not a forceshade recording");
+  EXPECT_EQ(words_of(empty), empty + ": expected a recording (.fsr), got an empty file");
   execute(empty, "CREATE TABLE metadata(key TEXT, value TEXT)");
   EXPECT_EQ(words_of(empty), empty + ": a database, but not a forceshade recording");
   record(path);
