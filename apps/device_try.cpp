@@ -18,6 +18,7 @@
 #include "apps/signals.h"
 #include "apps/terminal_attendant.h"
 #include "device/limited.h"
+#include "device/run/certified.h"
 #include "fast/law.h"
 #include "files/csv.h"
 #include "files/output_file.h"

@@ -14,6 +14,7 @@
 #include "apps/placement_options.h"
 #include "apps/signals.h"
 #include "apps/subject_option.h"
+#include "device/run/certified.h"
 
 namespace forceshade::apps {
 namespace {

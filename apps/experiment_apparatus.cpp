@@ -8,6 +8,8 @@
 #include "apps/command.h"
 #include "apps/experiment_certificates.h"
 #include "apps/signals.h"
+#include "device/run/summary.h"
+#include "device/run/words.h"
 #include "study/experiments/stimulus_list.h"
 
 namespace forceshade::apps {

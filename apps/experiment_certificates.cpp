@@ -7,6 +7,7 @@
 #include "apps/command.h"
 #include "apps/signals.h"
 #include "certificate/certify.h"
+#include "device/run/certified.h"
 #include "rendering/identity/digest.h"
 #include "rendering/monitor.h"
 
