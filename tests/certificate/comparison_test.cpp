@@ -4,14 +4,17 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <bit>
 #include <cfenv>
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 
 #include "forceshade/certificate/certify.h"
 #include "forceshade/certificate/compare.h"
+#include "forceshade/certificate/in_parallel.h"
 #include "forceshade/properties/height_map_subject.h"
 #include "forceshade/properties/law_subject.h"
 #include "forceshade/properties/run.h"
@@ -272,6 +275,19 @@ TEST(tally, does_not_depend_on_the_order_of_threads) {
   EXPECT_EQ(one.comparison().mismatches, 16U);
   EXPECT_EQ(one.closest_call.x, 2);
   EXPECT_EQ(two.closest_call.x, 2);
+}
+
+// With any number of threads, of which another one than the caller's may be the one that throws.
+TEST(in_parallel, rethrows_what_a_chunk_threw) {
+  const std::atomic<bool> never_stop = false;
+  for (const unsigned threads : {1U, 3U})
+    for (const std::uint64_t bad : {0U, 7U})
+      EXPECT_THROW(in_parallel(
+                       8, threads, [](double) {}, never_stop,
+                       [&](std::uint64_t chunk, Tally&) {
+                         if (chunk == bad) throw std::runtime_error("chunk");
+                       }),
+                   std::runtime_error);
 }
 
 TEST(spread, draws_from_all_of_the_domain_and_nothing_outside) {
