@@ -292,7 +292,7 @@ TEST(in_parallel, rethrows_what_a_chunk_threw) {
 
 TEST(spread, draws_from_all_of_the_domain_and_nothing_outside) {
   ParameterSource source(5);
-  int full = 0, few = 0, fitting = 0, ends = 0, rational = 0;
+  int full = 0, few = 0, fitting = 0, ends = 0, half_cylinders = 0, rational = 0;
   const int kDraws = 4000;
   float lowest = 1e3F, highest = 0;
   for (int i = 0; i < kDraws; ++i) {
@@ -307,6 +307,7 @@ TEST(spread, draws_from_all_of_the_domain_and_nothing_outside) {
     fitting += p.width > p.radius;
     ends += p.radius == 0.1F || p.radius == 1e4F || p.stiffness == 1e-3F || p.stiffness == 1e3F || p.width == 1e-3F ||
             p.width == 2 * p.radius;
+    half_cylinders += p.width == 2 * p.radius;
     const double depth = std::sqrt(static_cast<double>(p.radius) * static_cast<double>(p.radius) -
                                    static_cast<double>(p.width) * static_cast<double>(p.width) / 4);
     rational += depth > 0 && static_cast<double>(static_cast<float>(std::ldexp(std::round(std::ldexp(depth, 5)), -5))) == depth;
@@ -318,6 +319,7 @@ TEST(spread, draws_from_all_of_the_domain_and_nothing_outside) {
   EXPECT_GT(rational, kDraws / 10);
   EXPECT_GT(fitting, 50) << "wide bumps";
   EXPECT_GT(ends, kDraws / 16);
+  EXPECT_GT(half_cylinders, kDraws / 100);
   EXPECT_EQ(lowest, 1e-3F);
   EXPECT_EQ(highest, 1e3F);
 }
