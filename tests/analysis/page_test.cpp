@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <string>
 
 #include "study/analysis/figures.h"
+#include "study/analysis/thesis.h"
 #include "tests/analysis/simulated.h"
 
 namespace forceshade::analysis {
@@ -62,6 +65,41 @@ TEST(page, draws_every_figure_of_chapter_6) {
     EXPECT_FALSE(has(page, part)) << part;
 }
 
+// In a participant's panel and in that of all, each by the mark of the radius that it began with.
+TEST(page, draws_every_trial_once_in_each_of_its_panels) {
+  const Analysis analysis = small_analysis();
+  const MatchingTable& table = analysis.matching.front();
+  const std::string commands = scatter(analysis.results, table).commands;
+  std::istringstream lines(commands);
+  std::size_t trials = 0;
+  bool is_data = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (is_data && line != "EOD" && line != "NaN NaN") ++trials;
+    if (line == "EOD") is_data = false;
+    if (line.ends_with("<< EOD")) is_data = true;
+  }
+  EXPECT_EQ(trials, 2 * table.overall().trials);
+}
+
+// To rounding: 6.5 of the thesis is 6.45 to 6.55.
+TEST(page, marks_a_number_of_the_thesis_outside_the_interval_alone) {
+  const double printed = thesis_matching("bump-cylinder", false)->overall().values[0];
+  Analysis analysis;
+  MatchingTable table{"bump-cylinder", false, {MatchingRow{kOverall, 300, {}, {}, {}}}};
+  const auto is_marked = [&](double low, double high) {
+    table.rows[0].columns[0] = {printed, {low, high}};
+    analysis.matching = {table};
+    const std::string page = to_html(analysis, {}, {});
+    const std::string body = page.substr(page.find("</tr></thead>"));
+    return has(body, "<span class=\"outside\">");
+  };
+  EXPECT_FALSE(is_marked(printed - 0.1, printed + 0.1));
+  EXPECT_FALSE(is_marked(printed + 0.003, printed + 0.1)) << "it may have been as large before it was rounded";
+  EXPECT_FALSE(is_marked(printed - 0.1, printed - 0.003));
+  EXPECT_TRUE(is_marked(printed + 0.006, printed + 0.1));
+  EXPECT_TRUE(is_marked(printed - 0.1, printed - 0.006));
+}
+
 TEST(page, is_made_without_pictures_where_gnuplot_is_missing) {
   const Analysis analysis = small_analysis();
   const std::string page = to_html(analysis, pictures(analysis, {}), {});
@@ -103,6 +141,28 @@ TEST(analysis_text, has_the_tables_in_the_thesiss_layout) {
   EXPECT_TRUE(has(csv, "\n6.9,bump-1p,,600,overall,48,percent_1,")) << csv;
   const auto lines = std::ranges::count(csv, '\n');
   EXPECT_EQ(lines, 1 + 2 * 3 * 4 + 3 * 21 * 4);
+}
+
+TEST(analysis_text, in_csv_has_both_ends_of_an_interval_and_nothing_for_what_is_not_defined) {
+  Analysis analysis;
+  MatchingRow row{"A", 9, {}, {}, {}};
+  row.columns[0] = {0.5, {0.25, 0.75}};
+  row.columns[2] = {7, {}};
+  analysis.matching.push_back({"own", true, {row}});
+  const std::string csv = to_csv(analysis);
+  EXPECT_TRUE(has(csv, "\n,own,yes,,A,9,slope,0.5,0.25,0.75,\n")) << csv;
+  EXPECT_TRUE(has(csv, "\n,own,yes,,A,9,mean_sd_percent,,,,\n")) << csv;
+  EXPECT_TRUE(has(csv, "\n,own,yes,,A,9,mean_satisfaction,7,,,\n")) << csv;
+}
+
+// Tables and fits have numbers of resamples of their own: p of n refits is a multiple of 1 / (1 + n).
+TEST(analysis_text, is_of_as_many_refits_as_it_says) {
+  const Analysis analysis = small_analysis();
+  ASSERT_FALSE(analysis.psychometric.empty());
+  for (const PsychometricEstimate& one : analysis.psychometric)
+    EXPECT_NEAR(one.p_bootstrap * 11, std::round(one.p_bootstrap * 11), 1e-9) << one.participant;
+  EXPECT_TRUE(has(to_text(analysis), "of 100 resamples"));
+  EXPECT_TRUE(has(to_text(analysis), "10 refits"));
 }
 
 // Every number of a psychometric fit another one, so that none can be in another's column.

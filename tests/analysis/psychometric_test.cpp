@@ -169,6 +169,27 @@ TEST(psychometric, p_values_are_those_of_their_definitions) {
   EXPECT_GT(compared, 6);
 }
 
+// Of so many answers that each interval is narrow, and of parameters that are far apart.
+TEST(psychometric, interval_of_each_parameter_is_about_that_parameter) {
+  const PsychometricParameters truth{20, 4, 0.05, 0.2};
+  std::vector<AngleCount> points;
+  for (const double angle : {2.0, 8.0, 14.0, 18.0, 22.0, 26.0, 34.0, 45.0}) {
+    constexpr int kTrials = 4000;
+    points.push_back({angle, static_cast<int>(std::lround(kTrials * probability_at(angle, truth, Shape::logistic))), kTrials});
+  }
+  const auto found = estimate("P", points, {}, {1, 40});
+  ASSERT_TRUE(found);
+  const auto expect_about = [](const Interval& interval, double value, double reach) {
+    EXPECT_GT(interval.low, value - reach);
+    EXPECT_LT(interval.high, value + reach);
+    EXPECT_LT(interval.low, interval.high);
+  };
+  expect_about(found->threshold, 20, 2);
+  expect_about(found->scale, 4, 1.5);
+  expect_about(found->guess, 0.05, 0.06);
+  expect_about(found->lapse, 0.2, 0.06);
+}
+
 TEST(psychometric, needs_four_angles) {
   EXPECT_FALSE(fit({{0, 9, 10}, {20, 8, 10}, {20, 7, 10}, {40, 2, 10}}, {}).has_value());
   EXPECT_TRUE(fit({{0, 9, 10}, {10, 8, 10}, {20, 7, 10}, {40, 2, 10}}, {}).has_value());

@@ -283,6 +283,7 @@ TEST(certificate_reader, names_the_key_the_value_and_what_was_expected) {
       {"/exhaustive/sweeps/0/inputs", 4294967297U, "exhaustive.sweeps[0].inputs is 4294967297; expected at most 2^32"},
       {"/exhaustive/sweeps/0/mismatches", 6001,
        "exhaustive.sweeps[0].mismatches is 6001; expected no more than there are calls"},
+      {"/exhaustive/sweeps/0/mismatches", 6000, "exhaustive.mismatches is 0; expected 6000, the sum of the sweeps'"},
       {"/exhaustive/sweeps/0/mismatches", 1, "exhaustive.mismatches is 0; expected 1, the sum of the sweeps'"},
       {"/exhaustive/inputs", 1, "exhaustive.inputs is 1; expected 3000, the sum of the sweeps'"},
       {"/exhaustive/finished", false, "exhaustive.finished is false; expected true"},

@@ -4,14 +4,17 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <bit>
 #include <cfenv>
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 
 #include "certificate/certify.h"
 #include "certificate/compare.h"
+#include "certificate/in_parallel.h"
 #include "properties/height_map_subject.h"
 #include "properties/law_subject.h"
 #include "properties/run.h"
@@ -274,9 +277,22 @@ TEST(tally, does_not_depend_on_the_order_of_threads) {
   EXPECT_EQ(two.closest_call.x, 2);
 }
 
+// With any number of threads, of which another one than the caller's may be the one that throws.
+TEST(in_parallel, rethrows_what_a_chunk_threw) {
+  const std::atomic<bool> never_stop = false;
+  for (const unsigned threads : {1U, 3U})
+    for (const std::uint64_t bad : {0U, 7U})
+      EXPECT_THROW(in_parallel(
+                       8, threads, [](double) {}, never_stop,
+                       [&](std::uint64_t chunk, Tally&) {
+                         if (chunk == bad) throw std::runtime_error("chunk");
+                       }),
+                   std::runtime_error);
+}
+
 TEST(spread, draws_from_all_of_the_domain_and_nothing_outside) {
   ParameterSource source(5);
-  int full = 0, few = 0, fitting = 0, ends = 0, rational = 0;
+  int full = 0, few = 0, fitting = 0, ends = 0, half_cylinders = 0, rational = 0;
   const int kDraws = 4000;
   float lowest = 1e3F, highest = 0;
   for (int i = 0; i < kDraws; ++i) {
@@ -291,6 +307,7 @@ TEST(spread, draws_from_all_of_the_domain_and_nothing_outside) {
     fitting += p.width > p.radius;
     ends += p.radius == 0.1F || p.radius == 1e4F || p.stiffness == 1e-3F || p.stiffness == 1e3F || p.width == 1e-3F ||
             p.width == 2 * p.radius;
+    half_cylinders += p.width == 2 * p.radius;
     const double depth = std::sqrt(static_cast<double>(p.radius) * static_cast<double>(p.radius) -
                                    static_cast<double>(p.width) * static_cast<double>(p.width) / 4);
     rational += depth > 0 && static_cast<double>(static_cast<float>(std::ldexp(std::round(std::ldexp(depth, 5)), -5))) == depth;
@@ -302,6 +319,7 @@ TEST(spread, draws_from_all_of_the_domain_and_nothing_outside) {
   EXPECT_GT(rational, kDraws / 10);
   EXPECT_GT(fitting, 50) << "wide bumps";
   EXPECT_GT(ends, kDraws / 16);
+  EXPECT_GT(half_cylinders, kDraws / 100);
   EXPECT_EQ(lowest, 1e-3F);
   EXPECT_EQ(highest, 1e3F);
 }

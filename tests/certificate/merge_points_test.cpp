@@ -71,6 +71,15 @@ TEST(merge_points, keeps_subjects_apart_and_in_their_order) {
   EXPECT_EQ(sum.subjects[2].points, 1000000U) << "other parameters are another subject";
 }
 
+// Only one of them may have been made with --subject, whose file says how to make the subject again.
+TEST(merge_points, keeps_the_subject_file_of_whichever_has_one) {
+  const CertificateFile bare = file_of("a.json", 1);
+  CertificateFile named = file_of("b.json", 2);
+  named.certificate.subjects[0].subject_file = "law = \"bump-2p\"\n";
+  for (const auto& files : {std::vector{bare, named}, std::vector{named, bare}})
+    EXPECT_EQ(merged(files).subjects[0].subject_file, "law = \"bump-2p\"\n");
+}
+
 // A change of one of two files, wherever it stands, is found in the sum.
 TEST(merge_points, loses_nothing_that_failed_in_any_of_the_files) {
   const std::vector<std::function<void(SubjectResult&)>> faults{

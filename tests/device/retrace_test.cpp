@@ -108,6 +108,31 @@ TEST(retrace, gives_a_run_that_trips_and_one_of_a_device_that_cannot_push) {
   EXPECT_EQ(differences(safety_settings(still.capabilities(), {}), observed), 0U);
 }
 
+// The dead-man button is let go and pressed again while the wall is felt.
+TEST(retrace, gives_every_command_of_a_run_with_a_dead_man_button) {
+  class Holding final : public Still {
+   public:
+    Capabilities capabilities() const noexcept override {
+      return {.resolution = 0.03F, .peak_force = 8.5F, .continuous_force = 1.4F, .buttons = 2};
+    }
+
+   private:
+    ReadResult at(std::size_t reading) noexcept override {
+      if (reading == 2000) return EndOfData{};
+      Reading here{{0, 0, 1 - 1e-3F * static_cast<float>(reading)}, 1e-3 * static_cast<double>(reading)};
+      here.buttons = reading >= 1500 && reading < 1600 ? 1 : 2;
+      return here;
+    }
+  } device;
+  const ServoOptions options{.paced = false, .dead_man_button = 1};
+  const SafetySettings settings = safety_settings(device.capabilities(), options);
+  const Kept run(device, wall(), options);
+  ASSERT_EQ(run.end_reason, EndReason::end_of_data);
+  EXPECT_GT(run.peak_force_N, 0.1) << "with the button pressed";
+  EXPECT_EQ(run.samples[1550].force[2], 0);
+  EXPECT_EQ(differences(settings, run), 0U);
+}
+
 // Late ticks too: how late each was is part of the recording.
 TEST(retrace, gives_a_run_in_real_time_to_the_bit) {
   const auto device = open_device("simulated");

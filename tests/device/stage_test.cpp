@@ -221,6 +221,26 @@ TEST(stage, never_begins_a_renderer_with_a_memory_inside_its_object) {
   EXPECT_EQ(stage.step({0, 0, -2}).force, Vector3f(0, 0, 2));
 }
 
+// Counts how often it was told to look ahead.
+struct Looking final : fast::Session {
+  explicit Looking(int& its_looks) : looks(its_looks) {}
+  fast::Evaluation step(const Vector3f&) noexcept override { return {}; }
+  void look_ahead() noexcept override { ++looks; }
+  int& looks;
+};
+
+TEST(stage, looks_ahead_in_both_bumps_of_what_is_shown) {
+  Stage stage;
+  stage.look_ahead();  // there is none yet
+  int left = 0, right = 0;
+  stage.offer(std::make_unique<Stimulus>(Stimulus{1, Placed{std::make_unique<Looking>(left), {-kHalf, 0, 0}},
+                                                  Placed{std::make_unique<Looking>(right), {kHalf, 0, 0}}, 0}));
+  stage.step(kFree);
+  stage.look_ahead();
+  EXPECT_EQ(left, 1);
+  EXPECT_EQ(right, 1);
+}
+
 // Says whether it was destroyed by the thread of a loop.
 struct Freed final : fast::Session {
   fast::Evaluation step(const Vector3f&) noexcept override { return {}; }

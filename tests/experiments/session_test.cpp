@@ -159,6 +159,18 @@ TEST(session, shows_and_renders_what_the_trial_is_about) {
   EXPECT_EQ(session.scene(), Scene());
 }
 
+TEST(session, knows_when_its_trial_began) {
+  const tests::TemporaryDirectory directory;
+  RecordedSession recorded =
+      RecordedSession::start(directory.file("s"), directory.write("p.toml", small_matching("trial")), "A", 1);
+  Session& session = recorded.session();
+  session.press({Action::enter}, 1);
+  session.press({Action::enter}, 2.5);
+  session.press({Action::smaller}, 4);
+  ASSERT_TRUE(session.current());
+  EXPECT_EQ(session.current()->started, 2.5);
+}
+
 TEST(session, the_keys_stop_at_the_limits) {
   const tests::TemporaryDirectory directory;
   RecordedSession recorded =
@@ -191,6 +203,21 @@ TEST(session, a_classification_has_one_bump_and_an_answer_that_can_be_changed) {
   ASSERT_EQ(results.classification.size(), 8U);
   EXPECT_EQ(results.classification[0].answer, 4);
   EXPECT_EQ(results.classification[1].answer, 3);
+}
+
+// The numbers of the trials of both experiments are from 1 on.
+TEST(session, of_each_experiment_may_be_done_by_the_same_participant) {
+  const tests::TemporaryDirectory directory;
+  std::vector<fs::path> folders;
+  for (const std::string& protocol : {small_matching("trial"), kSmallClassification}) {
+    folders.push_back(directory.file("s" + std::to_string(folders.size())));
+    RecordedSession recorded = RecordedSession::start(folders.back(), directory.write("p.toml", protocol), "A", 1);
+    double time = 0;
+    go_on(recorded.session(), time);
+  }
+  const Results results = results_of(folders);
+  EXPECT_EQ(results.matching.size(), 12U);
+  EXPECT_EQ(results.classification.size(), 8U);
 }
 
 // The log may end anywhere: after each event of a session, and within the line of the next one.
@@ -325,6 +352,16 @@ TEST(session, a_log_that_fails_leaves_the_session_where_it_was) {
   EXPECT_FALSE(session.scene() == before);
 }
 
+// The practice is block 0, which its line says as that of any other block does.
+TEST(trial_log, says_of_every_block_which_it_is) {
+  for (const int block : {0, 1}) {
+    Event event;
+    event.kind = EventKind::block_started;
+    event.block = block;
+    EXPECT_NE(line_of(event, 1).find("\"block\":" + std::to_string(block)), std::string::npos) << line_of(event, 1);
+  }
+}
+
 std::string words_of_reading(const fs::path& folder) {
   try {
     read_session(folder);
@@ -405,27 +442,33 @@ TEST(session_folder, refuses_what_would_mix_two_sessions) {
   EXPECT_THROW(results_of(twice), Error);
 }
 
-// A full disk, by the limit of a file's size.
+// A full disk, by the limit of a file's size. An empty folder that was there stays, as it may be the user's.
 TEST(session_folder, leaves_nothing_half_written) {
-  const tests::TemporaryDirectory directory;
-  const fs::path folder = directory.file("s");
-  const std::string protocol = directory.write("p.toml", kSmallClassification);
-  rlimit before{};
-  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  rlimit small = before;
-  small.rlim_cur = 1000;  // enough for the protocol, too little for the texts
-  setrlimit(RLIMIT_FSIZE, &small);
-  bool is_refused = false;
-  try {
-    RecordedSession::start(folder, protocol, "A", 1);
-  } catch (const files::OutputError&) {
-    is_refused = true;
+  for (const bool is_there : {false, true}) {
+    const tests::TemporaryDirectory directory;
+    const fs::path folder = directory.file("s");
+    if (is_there) fs::create_directory(folder);
+    const std::string protocol = directory.write("p.toml", kSmallClassification);
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit small = before;
+    small.rlim_cur = 1000;  // enough for the protocol, too little for the texts
+    setrlimit(RLIMIT_FSIZE, &small);
+    bool is_refused = false;
+    try {
+      RecordedSession::start(folder, protocol, "A", 1);
+    } catch (const files::OutputError&) {
+      is_refused = true;
+    }
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_TRUE(is_refused);
+    EXPECT_EQ(fs::exists(folder), is_there);
+    if (fs::exists(folder)) {
+      EXPECT_TRUE(fs::is_empty(folder));
+    }
   }
-  setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, handler);
-  EXPECT_TRUE(is_refused);
-  EXPECT_FALSE(fs::exists(folder));
 }
 
 TEST(session_folder, refuses_a_session_json_with_file_and_key) {

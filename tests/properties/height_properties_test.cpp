@@ -5,13 +5,16 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <map>
 
 #include "properties/equivalence.h"
 #include "properties/generators.h"
 #include "properties/height_generators.h"
 #include "properties/height_map_subject.h"
+#include "properties/height_positions.h"
 #include "properties/run.h"
 #include "properties/unit_normals.h"
 
@@ -90,8 +93,7 @@ void expect_refused(const RenderedHeightMap& subject, const std::vector<std::str
 TEST(height_properties, name_every_kink) {
   std::map<std::string, std::string> words;
   for (const auto& [name, map] : maps())
-    for (const std::string& jump : HeightMapClaims(subject_of(map, Mode::true_height).law).jumps())
-      words[name] += jump + "; ";
+    for (const std::string& jump : HeightMapClaims(subject_of(map, Mode::true_height).law).jumps()) words[name] += jump + "; ";
   EXPECT_EQ(words["cone"], "part 1, cone: its apex; part 1, cone: its rim; ");
   EXPECT_EQ(words["dent"], "part 1, sphere-cap: its rim; ");
   EXPECT_EQ(words["polygons"], "part 1, polygons: its knots; ");
@@ -185,6 +187,22 @@ TEST(height_properties, find_where_the_gradient_of_a_bilinear_map_jumps_and_by_h
 }
 
 // Each property on a generated position, pair or path of a generated map.
+// Of the domain's ends, those of each coordinate.
+TEST(height_properties, are_checked_at_the_ends_of_the_domain_in_each_coordinate) {
+  const RenderedHeightMap subject = subject_of(maps().front().map, Rendering::force_shaded);
+  const HeightMapClaims claims(subject.law);
+  HeightPositionSource source(subject.law, claims, kSeed);
+  std::array<int, 3> at_an_end{};
+  for (int i = 0; i < 20000; ++i) {
+    const Aimed aimed = source.next();
+    if (aimed.aim != Aim::domain_end) continue;
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      at_an_end[static_cast<std::size_t>(axis)] += std::fabs(aimed.position[axis]) > 0.999F * reference::kDomainEnd;
+  }
+  std::printf("  at an end in x, y and z: %d, %d and %d\n", at_an_end[0], at_an_end[1], at_an_end[2]);
+  for (const int count : at_an_end) EXPECT_GT(count, 50);
+}
+
 TEST(height_properties, hold_on_generated_maps) {
   std::array<int, 3> statuses{};
   const PropertyResult result = run_property("any map", 500, kSeed, [&]() -> Violation {

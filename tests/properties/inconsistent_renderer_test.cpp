@@ -7,10 +7,13 @@
 #include <functional>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "properties/law_subject.h"
 #include "properties/run.h"
+#include "properties/second_answer.h"
 #include "tests/properties/subject_wrapper.h"
 
 namespace forceshade::properties {
@@ -94,6 +97,20 @@ TEST(inconsistent_renderer, that_remembers_is_told_from_one_that_is_wrong) {
   EXPECT_EQ(wrong.counterexample.find("two answers"), std::string::npos) << wrong.counterexample;
 }
 
+// One position before is enough to have the answer again, or the whole path is needed.
+TEST(inconsistent_renderer, that_remembers_is_quoted_with_as_much_of_its_path_as_it_takes) {
+  const std::vector<Eigen::Vector3f> path{{0, 0, 1}, {1, 0, -1}, {2, 0, -1}, {3, 0, -1}};
+  for (const int remembered : {1, 3}) {
+    const LawSubject subject = sessions_of([remembered](int step, fast::Evaluation& answer) {
+      if (step >= remembered) answer.force.z() = 123;
+    });
+    const reference::Rounded exact = subject.open_reference()->step(path.back());
+    const Violation words = undeclared_memory(subject, path, {{0, 0, 123}, Status::contact}, exact);
+    ASSERT_TRUE(words);
+    EXPECT_EQ(words->find("after 3 positions, the last ") != std::string::npos, remembered == 3) << *words;
+  }
+}
+
 TEST(inconsistent_renderer, that_throws_is_quoted_with_the_position) {
   const auto throws = [](const std::function<void()>& what) {
     return field_of([what](const Eigen::Vector3f& position, const Rendered& answer) {
@@ -143,23 +160,44 @@ TEST(inconsistent_renderer, a_property_that_fails_once_keeps_the_words_of_its_fa
       << "a case that does not apply is no failure";
 }
 
-class WithALoop final : public tests::SubjectWrapper {
+class WithLoops final : public tests::SubjectWrapper {
  public:
-  WithALoop(std::shared_ptr<const Subject> its, std::function<Violation()> loop)
-      : SubjectWrapper(std::move(its)), loop_(std::move(loop)) {}
-  std::vector<std::function<Violation()>> fixed_loops() const override { return {loop_}; }
+  WithLoops(std::shared_ptr<const Subject> its, std::vector<std::function<Violation()>> loops)
+      : SubjectWrapper(std::move(its)), loops_(std::move(loops)) {}
+  std::vector<std::function<Violation()>> fixed_loops() const override { return loops_; }
 
  private:
-  std::function<Violation()> loop_;
+  std::vector<std::function<Violation()>> loops_;
 };
 
 TEST(inconsistent_renderer, that_throws_in_a_fixed_loop_fails_passivity) {
   const auto wall = std::make_shared<LawSubject>(LawId::wall, kParameters);
-  const WithALoop subject(wall, []() -> Violation { throw std::runtime_error("too deep"); });
+  const WithLoops subject(wall, {[]() -> Violation { throw std::runtime_error("too deep"); }});
   for (const PropertyResult& result : run_properties(subject, 20, 5)) {
     EXPECT_EQ(result.held, result.name != "passivity") << result.name;
     EXPECT_EQ(result.counterexample, result.held ? "" : "an exception is thrown: too deep");
   }
+}
+
+// A fixed loop is a case of its own, and the first that fails is the last that is tried.
+TEST(inconsistent_renderer, passivity_counts_its_fixed_loops_up_to_the_first_that_fails) {
+  const auto wall = std::make_shared<LawSubject>(LawId::wall, kParameters);
+  std::uint64_t drawn = 0;
+  for (const PropertyResult& result : run_properties(WithLoops(wall, {}), 20, 5))
+    if (result.name == "passivity") drawn = result.cases;
+  const auto loop = [](Violation violation) { return [violation] { return violation; }; };
+  const auto passivity_of = [&](std::vector<std::function<Violation()>> loops) {
+    for (PropertyResult& result : run_properties(WithLoops(wall, std::move(loops)), 20, 5))
+      if (result.name == "passivity") return std::move(result);
+    return PropertyResult{};
+  };
+  const PropertyResult held = passivity_of({loop(std::nullopt), loop(std::nullopt)});
+  EXPECT_TRUE(held.held);
+  EXPECT_EQ(held.cases, drawn + 2);
+  const PropertyResult failed = passivity_of({loop(std::nullopt), loop("the first"), loop("the second")});
+  EXPECT_FALSE(failed.held);
+  EXPECT_EQ(failed.cases, drawn + 2);
+  EXPECT_EQ(failed.counterexample, "the first");
 }
 
 }  // namespace

@@ -8,11 +8,14 @@
 #include <cmath>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "properties/binary32.h"
 #include "properties/continuity.h"
+#include "properties/generators.h"
 #include "properties/law_subject.h"
 #include "properties/passivity.h"
+#include "properties/positions.h"
 #include "properties/run.h"
 
 namespace forceshade::properties {
@@ -78,6 +81,22 @@ TEST(properties, a_run_reports_each_case_of_each_property) {
     EXPECT_EQ(done.back(), 1);
     EXPECT_TRUE(std::is_sorted(done.begin(), done.end())) << watched[i].name;
   }
+}
+
+// Steps of both signs up to three, each as often as any other; the steps of a pair in x say nothing of those in z.
+TEST(properties, neighbours_are_up_to_three_steps_away_in_either_direction) {
+  Draws draws(1);
+  std::map<int, int> steps;
+  for (int i = 0; i < 7000; ++i) ++steps[draws.small_step()];
+  for (int step = -3; step <= 3; ++step) EXPECT_NEAR(steps[step], 1000, 150) << step;
+  EXPECT_EQ(steps.size(), 7U);
+  const auto generator = pair_of(std::get<RenderedLaw>(fast_rendering(LawId::bump_2p, kBump)).law);
+  std::map<std::pair<int, int>, int> pairs;
+  for (std::uint64_t seed = 0; seed < 4900; ++seed) {
+    const NearbyPair pair = generator(rc::Random(seed), 100).value();
+    ++pairs[{pair.x_steps, pair.z_steps}];
+  }
+  EXPECT_EQ(pairs.size(), 49U);
 }
 
 TEST(properties, equivalence_refuses_one_unit_in_the_last_place) {

@@ -111,6 +111,22 @@ TEST(parts, that_lost_a_tick_say_so_even_where_the_disk_took_the_others) {
   }
 }
 
+// What was lost belongs to the part before, and is said by end(): the last part is whole.
+TEST(parts, after_one_that_lost_ticks_have_their_own_end) {
+  const TemporaryDirectory directory;
+  Parts parts({.ring = 4, .interval = std::chrono::seconds(10)});
+  parts.begin(directory.file("a.fsr"), {});
+  for (std::uint64_t tick = 0; tick < 50; ++tick) parts.push({.tick = tick});
+  parts.begin(directory.file("b.fsr"), {});
+  parts.push({.tick = 50});
+  EXPECT_THROW(parts.end("over"), RecordingError);
+  Recording last(directory.file("b.fsr"));
+  EXPECT_EQ(problems_of(last), std::vector<std::string>{});
+  EXPECT_EQ(last.extent().samples, 1U);
+  ASSERT_TRUE(last.ended());
+  EXPECT_EQ(last.metadata().at("end_reason"), "over");
+}
+
 std::vector<double*> numbers_of(device::SafetySettings& settings) {
   auto& limits = settings.limits;
   auto& passivity = settings.passivity_settings;

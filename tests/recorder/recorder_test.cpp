@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <future>
 #include <thread>
 
 #include "recorder/layout.h"
@@ -115,6 +116,25 @@ TEST(recorder, waits_for_the_disk_if_it_may) {
   EXPECT_EQ(written, 1000U);
   EXPECT_EQ(lost, 0U);
   expect_ticks(samples_of(directory.file("run.fsr")));
+}
+
+TEST(recorder, that_may_wait_does_not_wait_for_a_disk_that_takes_nothing) {
+  const TemporaryDirectory directory;
+  const FaultyDisk disk;
+  Recorder recorder(directory.file("run.fsr"), {}, {.ring = 100, .interval = 10ms, .waits = true});
+  FaultyDisk::full = true;
+  recorder.push(sample(0));
+  ASSERT_TRUE(comes_true([&] { return recorder.failing(); }));
+  auto pushing = std::async(std::launch::async, [&] {
+    for (std::uint64_t tick = 1; tick < 1000; ++tick) recorder.push(sample(tick));
+  });
+  EXPECT_EQ(pushing.wait_for(10s), std::future_status::ready);
+  const std::uint64_t refused = pushing.wait_for(0s) == std::future_status::ready ? 899 : 0;
+  FaultyDisk::full = false;  // for a push that waits
+  pushing.wait();
+  const auto [written, lost, error] = recorder.close("time up");
+  EXPECT_EQ(written, 1000 - refused);
+  EXPECT_EQ(lost, refused);
 }
 
 // All pushes together take less than one write of this disk, of which every chunk needs several.

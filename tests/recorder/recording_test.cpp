@@ -182,6 +182,19 @@ TEST(recording, as_npy_is_a_header_and_the_samples) {
   EXPECT_TRUE(npy.substr(length) == bytes);
 }
 
+// An array has as many rows as there are samples, whatever ticks they are of: numpy.load refuses a file with fewer.
+TEST(recording, as_npy_counts_samples_and_not_ticks) {
+  const TemporaryDirectory directory;
+  {
+    Recorder recorder(directory.file("run.fsr"), {});
+    for (const std::uint64_t tick : {3U, 4U, 9U}) recorder.push({.tick = tick});
+    recorder.close("time up");
+  }
+  Recording recording(directory.file("run.fsr"));
+  export_npy(recording, directory.file("run.npy"));
+  EXPECT_NE(directory.read("run.npy").find("'shape': (3,), }"), std::string::npos);
+}
+
 // The sizes of the columns before it give the place of each column's bytes.
 TEST(recording, names_its_columns_where_they_are) {
   Sample sample;
