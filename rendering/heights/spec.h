@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A height map as a small TOML file: how it is rendered, and its parts. The keys: docs/height-maps.md, "As a file".
+// A height map as a small TOML file: how it is rendered, and its parts. The keys: docs/height-maps.md, "As a TOML file".
 
 #include <cstdint>
 #include <filesystem>
