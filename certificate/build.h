@@ -8,7 +8,7 @@ namespace forceshade::properties {
 
 Build current_build();
 
-// As the processor calls itself; "unknown" where the system does not say.
+// The name by which the processor calls itself; "unknown" where the system does not say.
 std::string processor_name();
 
 // 2026-01-31T23:59:59Z

@@ -45,8 +45,8 @@ class Chunk {
     tally.points += count;
   }
 
-  // By the code of each instruction set that this machine has: all positions at once, and one by one where that is other code.
-  // A renderer without a batch call has no code of its own in any set: its single call stands for all of them.
+  // Compares the code of each instruction set that this machine has: all positions at once, and one by one where that is other
+  // code. A renderer without a batch call has no code of its own in any set: its single call stands for all of them.
   void compare_sets(Tally& tally) {
     for (const fast::InstructionSet set : fast::kInstructionSets) {
       if (!fast::is_available(set)) continue;

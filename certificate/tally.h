@@ -27,7 +27,7 @@ struct Tally {
 
   void mismatch(std::uint64_t chunk, std::string words);
 
-  // Of two equally close ones the smaller position stands, so that the order of threads does not matter.
+  // Counts a call. Of two equally close ones the smaller position is kept, so that the order of threads does not matter.
   void call(const ClosestCall& other);
 
   void add(const Tally& other);

@@ -95,7 +95,7 @@ class Device {
   // began. Both in ns of CLOCK_MONOTONIC.
   virtual std::int64_t wait_for_frame(std::int64_t deadline) noexcept { return deadline; }
 
-  // For the commands that follow. A device without an account of its own may ignore it.
+  // Sets the allowance for the commands that follow. A device without an account of its own may ignore it.
   virtual void allow(const Allowance& allowance) noexcept { static_cast<void>(allowance); }
 
   // Holds this force, in N, until the next command. Zero must be carried out even after a fault. A device with real motors

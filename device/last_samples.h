@@ -17,7 +17,7 @@ class LastSamples final : public SampleSink {
   // The zero force that ends a run is not kept.
   void push(const Sample& sample) noexcept override;
 
-  // In order, oldest first. Not while the run goes on.
+  // The samples in order, oldest first. Not to be called during the run.
   std::vector<Sample> samples() const;
 
  private:

@@ -23,9 +23,9 @@ struct PassivitySettings {
   double period = 0.001;  // s, between two readings
 };
 
-// For a hand no faster than kFastestUnderForce. Epsilon is twice what a wall of 1 N/mm needs in advance, so that no softer
-// one is altered when pressed slowly: it needs K δ for the next step (two steps, with latency) when ½K δ² was put in.
-// Of the friction that the device's sheet has, half is counted.
+// The settings for a hand no faster than kFastestUnderForce. Epsilon is twice what a wall of 1 N/mm needs in advance, so that
+// no softer one is altered when pressed slowly: it needs K δ for the next step (two steps, with latency) when ½K δ² was put
+// in. Half of the friction of the device's data sheet is counted.
 PassivitySettings passivity_settings(const Capabilities& capabilities, double rate) noexcept;
 
 // Energies in mJ of the forces as they acted: F(j-1)·(x(j) - x(j-1)), by the device's frames or, where it does not report

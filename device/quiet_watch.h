@@ -13,7 +13,7 @@
 
 namespace forceshade::device {
 
-// Of the readings that differ in the device's time: one that is read twice counts once.
+// Statistics of the readings that differ in the device's time: one that is read twice counts once.
 struct Observed {
   std::optional<Fault> fault;  // ended it early
   State state = {};            // with the last reading

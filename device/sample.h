@@ -34,7 +34,7 @@ struct Sample {
   std::uint8_t altered = 0;   // 1 if the passivity controller changed the supervisor's force
   std::uint8_t tripped = 0;   // the rule that stopped the run, from 1; 0 for none
 
-  // From here on what formats before 4 lack: with these the commanded force can be computed again (device/retrace.h).
+  // The members from here on are new in format 4: with these the commanded force can be computed again (device/retrace.h).
   std::uint64_t shown = 0;                       // fast::Session::shown()
   double sent_work = 0;                          // mJ, Sent::work
   std::array<float, 3> sent_acted = {0, 0, 0};   // N, in the device's own frame, as the next

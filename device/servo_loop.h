@@ -132,7 +132,7 @@ struct FloatingPointModeError : std::runtime_error {
 // report its limits.
 ServoResult run_servo_loop(Device& device, fast::Session& session, const ServoOptions& options, const std::atomic<bool>& stop);
 
-// Of a law or a height map.
+// The session of a law or a height map.
 template <class Field>
 requires requires(const Field& field) {
   field.evaluate(Eigen::Vector3f());

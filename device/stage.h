@@ -25,8 +25,8 @@ struct Stimulus {
   std::optional<Placed> left, right;
   float seam = 0;  // mm: where x is smaller the left one is felt, else the right one
 
-  // Of the one that is felt at a position of the path: both follow the path, because the force of a renderer with memory
-  // depends on how the tip came to where it is.
+  // The answers at a position of the path. `felt` is that of the side at the position: both follow the path, because the force
+  // of a renderer with memory depends on how the tip came to where it is.
   struct Answer {
     fast::Evaluation left, right, felt;
   };
@@ -50,12 +50,12 @@ class Stage final : public fast::Session {
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
-  // By the other thread. An exchange waits where what an earlier one retired has not been collected.
+  // Called by the other thread. An exchange waits where what an earlier one retired has not been collected.
   void offer(std::unique_ptr<Stimulus> next);
-  // By the other thread, often: destroys what the loop is through with.
+  // Called by the other thread, often: destroys what the loop no longer uses.
   void collect();
 
-  // By the loop.
+  // Called by the loop.
   fast::Evaluation step(const Eigen::Vector3f& position) noexcept override;
   void look_ahead() noexcept override;
   // The number of what answered the last step, and of what waits; 0 for none. By any thread.

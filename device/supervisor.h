@@ -53,7 +53,8 @@ std::string_view name_of(Rule rule) noexcept;
 // A set of rules that limit.
 class Rules {
  public:
-  // In Sample::limited, of rule k: bit k, which recordings rely on. The last rule has the bit of a rule that only trips.
+  // The bit of a rule in Sample::limited: bit k for rule k, which recordings rely on. The last rule has the bit of a rule that
+  // only trips.
   static constexpr unsigned bit_of(Rule rule) noexcept {
     return static_cast<unsigned>(rule == Rule::unfinished ? Rule::watchdog : rule);
   }
@@ -131,7 +132,7 @@ class Supervisor {
   // The user's word after a trip. Starts gently again; motors stay as warm, and counts as high, as they were.
   void rearm() noexcept;
 
-  // In how many ticks a rule limited, and how many times it tripped.
+  // The number of ticks in which a rule limited, or of times that it tripped.
   std::size_t count(Rule rule) const noexcept { return counts_[static_cast<std::size_t>(rule)]; }
 
  private:

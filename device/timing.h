@@ -9,7 +9,7 @@
 
 namespace forceshade::device {
 
-// In µs; percentiles by nearest rank, at most 1/32 too high. All zero if nothing was counted.
+// Durations in µs; percentiles by nearest rank, at most 1/32 too high. All zero if nothing was counted.
 struct Durations {
   double p50 = 0, p99 = 0, p999 = 0, p9999 = 0;
   double max = 0;  // exact

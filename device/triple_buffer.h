@@ -13,13 +13,13 @@ namespace forceshade::device {
 template <class T>
 class TripleBuffer {
  public:
-  // By the writing thread.
+  // Called by the writing thread.
   void publish(const T& value) noexcept {
     slots_[writers_] = value;
     writers_ = shared_.exchange(writers_ | kFresh, std::memory_order_acq_rel) & kSlot;
   }
 
-  // By the reading thread; valid until its next call. T{} before anything was published.
+  // Called by the reading thread; the result is valid until its next call. T{} before anything was published.
   const T& latest() noexcept {
     if (shared_.load(std::memory_order_relaxed) & kFresh)
       readers_ = shared_.exchange(readers_, std::memory_order_acq_rel) & kSlot;

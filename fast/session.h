@@ -28,7 +28,7 @@ class Session {
   virtual std::uint64_t shown() const noexcept { return 0; }
 };
 
-// Of a field, whose force depends on nothing but the position: a law or a height map.
+// The session of a field, whose force depends on nothing but the position: a law or a height map.
 template <class Field>
 class FieldSession final : public Session {
  public:

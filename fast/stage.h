@@ -7,7 +7,7 @@ namespace forceshade::fast {
 // Cheapest first.
 enum class Stage { binary64, double_double, wide };
 
-// For an answer that takes several decisions: the last stage of any of them.
+// Raises `last` to `stage`: an answer that takes several decisions has the last stage of any of them.
 inline void raise(Stage& last, Stage stage) noexcept {
   if (last < stage) last = stage;
 }

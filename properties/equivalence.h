@@ -8,7 +8,7 @@
 
 namespace forceshade::properties {
 
-// For an answer already given, against a rounding already done.
+// Compares an answer already given with a rounding already done.
 Violation difference(const Eigen::Vector3f& position, const Rendered& answer, const reference::Rounded& exact);
 
 // The violation where the reference throws: an answer that is not known is not known to be right.

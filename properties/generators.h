@@ -48,7 +48,7 @@ rc::Gen<std::vector<Eigen::Vector3f>> polygon_of(const HeightTarget& map);
 // A closed polygon of 3 to 8 corners in and around the object, self-crossing or not.
 rc::Gen<std::vector<PathPoint>> polygon_of(const reference::Law& law);
 
-// For RapidCheck's own messages.
+// The text of a case in RapidCheck's own messages.
 std::ostream& operator<<(std::ostream& out, const NearbyPair& pair);
 std::ostream& operator<<(std::ostream& out, const PathPoint& point);
 std::ostream& operator<<(std::ostream& out, const Neighbours& pair);

@@ -27,7 +27,7 @@ struct HeightMapClaims {
 
   explicit HeightMapClaims(const reference::HeightMapField& law);
 
-  // Of the gradient that the direction comes from.
+  // The change of the gradient that the direction comes from.
   GradientChange gradient_change(double x, double y, double reach) const;
 
   // Where the force jumps, in words; none where it is continuous.

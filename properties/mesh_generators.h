@@ -42,8 +42,8 @@ class MeshSource : private Draws {
   RandomMesh next() { return of_family(count_++ % kMeshFamilies.size()); }
   RandomMesh of_family(std::size_t family);
 
-  // Of each vertex one normal, or one for each of some of its triangles; unit vectors about those of the surface, but for some
-  // that point elsewhere.
+  // One normal for each vertex, or one for each of some of its triangles; unit vectors about those of the surface, but for
+  // some that point elsewhere.
   mesh::CornerNormals normals_of(const mesh::TriangleMesh& mesh);
   // A map laid along two directions, some 20 mm of it over the mesh; some corners have a point or a gradient of their own, so
   // that there are seams.

@@ -14,7 +14,7 @@ namespace forceshade::properties {
 
 // Opens a session of what is said to be a god-object with this stiffness (N/mm).
 using OpenTicks = std::function<std::unique_ptr<fast::TickSession>(float stiffness)>;
-// Of the fast path. Throws std::invalid_argument for what is no surface.
+// The god-object of the fast path. Throws std::invalid_argument for what is no surface.
 OpenTicks fast_god_object(const MeshRendering& rendering);
 
 class MeshSubject final : public Subject {

@@ -18,7 +18,7 @@ enum class Aim { any_bits, volume, surface, facet_line, quantum, domain_end, tie
 inline constexpr std::size_t kAims = kAimNames.size();
 std::string_view name_of(Aim aim);
 
-// In the domain of positions, as the definition states it.
+// Whether the position is in the domain, as the definition states it.
 inline bool is_valid(const Eigen::Vector3f& position) {
   return reference::in_domain(position);
 }

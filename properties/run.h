@@ -16,7 +16,7 @@ namespace forceshade::properties {
 // Before each case with the property's name, and when the property is finished: the share of it that is done, in [0, 1].
 using OnCase = std::function<void(const std::string& property, double done)>;
 
-// As each property is finished.
+// Called when a property is finished.
 using PropertyDone = std::function<void(const PropertyResult&)>;
 
 // Equivalence, continuity, unit normals, passivity, each on `cases` generated cases (passivity, whose case is a whole loop, on

@@ -85,7 +85,7 @@ class Subject {
   // The energy of loops by their depth. Throws reference::NotEnclosed, Interrupted.
   virtual std::vector<LoopEnergy> energies(const Monitor& monitor) const = 0;
 
-  // With parameters from all of the domain.
+  // The subject with parameters from all of the domain.
   virtual DrawnSubject with_drawn_parameters(std::uint64_t seed) const = 0;
   // How many of `points` to compare with one set of them.
   virtual std::uint64_t points_of_a_set(std::uint64_t points) const = 0;

@@ -10,7 +10,8 @@ namespace forceshade::properties {
 // objects, the wall's share is taken off first. Invalid positions hold trivially.
 Violation unit_normals(const RenderedLaw& rendered, const Eigen::Vector3f& position);
 
-// As above; for a conservative height map, whose normal is left as it is, ‖F‖ must be K·penetration·√(U_x² + U_y² + 1).
+// The same for a height map; for a conservative height map, whose normal is left as it is, ‖F‖ must be K·penetration·√(U_x² +
+// U_y² + 1).
 Violation unit_normals(const RenderedHeightMap& rendered, const Eigen::Vector3f& position);
 
 }  // namespace forceshade::properties

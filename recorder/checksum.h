@@ -18,8 +18,8 @@ inline std::array<std::byte, SHA256_DIGEST_LENGTH> sha256(std::span<const std::b
   return digest;
 }
 
-// In hexadecimal, of every key and value but the digest's own, in the order of the keys' bytes, each as LENGTH:BYTES, where
-// LENGTH is a decimal number of bytes: no two sets of metadata are written alike.
+// The digest, in hexadecimal, of every key and value but the digest's own, in the order of the keys' bytes, each as
+// LENGTH:BYTES, where LENGTH is a decimal number of bytes: no two sets of metadata are written alike.
 inline std::string digest_of(const std::map<std::string, std::string>& metadata, const std::string& digest_key) {
   std::string text;
   const auto write = [&](const std::string& word) { text += std::to_string(word.size()) + ':' + word + ','; };

@@ -15,7 +15,7 @@ void export_csv(Recording& recording, const std::string& path);
 // NPY 1.0, a structured array: numpy.load(path)["x_mm"]. The very bytes of the recording.
 void export_npy(Recording& recording, const std::string& path);
 
-// By the end of the path: .npy or .NPY, else CSV.
+// Writes the format that the end of the path names: .npy or .NPY, else CSV.
 void export_table(Recording& recording, const std::string& path);
 
 }  // namespace forceshade::recorder

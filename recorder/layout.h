@@ -14,13 +14,13 @@ namespace forceshade::recorder {
 
 using device::Sample;
 
-// In the header of every recording: "FSHR", and the version that a change of the schema, of a sample's bytes or of the metadata
-// raises. Format 4 has more columns behind those of format 3, which is format 2 with a digest of the metadata; no other is
-// read.
+// The header of every recording has "FSHR", and the version that a change of the schema, of a sample's bytes or of the
+// metadata raises. Format 4 has more columns behind those of format 3, which is format 2 with a digest of the metadata; no
+// other is read.
 inline constexpr int kApplicationId = 0x46534852;
 inline constexpr int kFormatVersion = 4, kFormatOfFewerColumns = 3, kFormatWithoutDigest = 2;
 
-// As SQLite keeps them, word for word: a file with any other table, a view or a trigger is no recording.
+// The tables as SQLite keeps them, word for word: a file with any other table, a view or a trigger is no recording.
 inline constexpr std::array<std::string_view, 2> kTables{
     "CREATE TABLE metadata(key TEXT PRIMARY KEY, value TEXT NOT NULL)",
     "CREATE TABLE chunk(id INTEGER PRIMARY KEY, first_tick INTEGER NOT NULL, last_tick INTEGER NOT NULL,"
@@ -39,7 +39,7 @@ struct Column {
   const char* type;  // as NumPy writes it
 };
 
-// In the order of Sample's members.
+// The columns, in the order of Sample's members.
 inline constexpr std::array<Column, 37> kColumns{{
     {"tick", "<u8"},
     {"wall_ns", "<i8"},
@@ -80,7 +80,7 @@ inline constexpr std::array<Column, 37> kColumns{{
     {"device_state", "<u4"},
 }};
 
-// Of a sample before format 4: the first columns, and their bytes.
+// The first columns, which a sample before format 4 has, and their bytes.
 inline constexpr std::size_t kFewerColumns = 27, kFewerBytes = 128;
 
 // The columns as a NumPy dtype, [('tick', '<u8'), ...]: in every recording's metadata, and in the header of an NPY file.

@@ -20,18 +20,18 @@ class Parts final : public device::SampleSink {
   // Without end() before, the last part stays marked as cut off.
   ~Parts() override;
 
-  // By one thread: ticks go to this new file from now on, and the part before is closed meanwhile. Before the first call ticks
-  // are dropped. Throws RecordingError where the file cannot be made, and then the part before goes on; and where the one
-  // before that has lost ticks.
+  // Called by one thread: ticks go to this new file from now on, and the part before is closed meanwhile. Before the first
+  // call ticks are dropped. Throws RecordingError where the file cannot be made, and then the part before goes on; and where
+  // the one before that has lost ticks.
   void begin(const std::string& path, Metadata metadata);
 
-  // By the same thread, when nothing more is pushed. Throws RecordingError where a part has lost ticks.
+  // Called by the same thread, when nothing more is pushed. Throws RecordingError where a part has lost ticks.
   void end(const std::string& end_reason);
 
   // Whether the disk refused the current part's ticks at the last try.
   bool failing() const noexcept;
 
-  // By the loop: neither waits nor allocates. It looks at most twice for where ticks go.
+  // Called by the loop: neither waits nor allocates. It looks at most twice for where ticks go.
   void push(const device::Sample& sample) noexcept override;
 
  private:

@@ -34,9 +34,9 @@ class Recording {
   // Why the metadata are not those that were written; empty if they are, or if there is no digest.
   const std::string& metadata_problem() const noexcept { return metadata_problem_; }
 
-  // From the table of chunks, without looking into them; all zero if there is none. `missing` ticks were left out on
-  // the way to the last; `repeated` samples are of ticks not after those of an earlier chunk. Throws RecordingError for a
-  // chunk that cannot be: more samples than ticks, or a first tick after its last.
+  // The extent by the table of chunks, without reading them; all zero if there is none. `missing` ticks were left out on the
+  // way to the last; `repeated` samples are of ticks not after those of an earlier chunk. Throws RecordingError for a chunk
+  // that cannot be: more samples than ticks, or a first tick after its last.
   struct Extent {
     std::uint64_t samples = 0, first_tick = 0, last_tick = 0, missing = 0, repeated = 0;
   };
@@ -45,7 +45,7 @@ class Recording {
   // Whether it has the columns from `shown` on; without them (before format 4) they are zero.
   bool has_all_columns() const noexcept { return sample_bytes_ == sizeof(device::Sample); }
 
-  // In order, chunk by chunk. Throws RecordingError at the first chunk that is not as it was written.
+  // Takes the samples in order, chunk by chunk. Throws RecordingError at the first chunk that is not as it was written.
   void for_each_chunk(const std::function<void(std::span<const device::Sample>)>& take);
 
  private:
@@ -60,7 +60,7 @@ class Recording {
   std::string metadata_problem_;
 };
 
-// In words, whatever keeps the recording from being a whole run as it was written: SQLite's own integrity check, chunks that
+// A text for whatever keeps the recording from being a whole run as it was written: SQLite's own integrity check, chunks that
 // differ from their checksum, metadata that differ from theirs, missing ticks, a missing end. Empty if it is whole.
 std::vector<std::string> problems_of(Recording& recording);
 

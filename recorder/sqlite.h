@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// As much of SQLite as a recording needs.
+// The part of SQLite that a recording needs.
 
 #include <cstddef>
 #include <cstdint>
@@ -26,8 +26,8 @@ class Database {
  public:
   enum class Access { read, write };
 
-  // For reading, nothing in the file is trusted: no view, no trigger and no function of its schema is run, nothing longer than
-  // a chunk is taken into memory, and a statement that takes more steps than a file of its size needs is stopped.
+  // Opens a file. For reading, nothing in it is trusted: no view, no trigger and no function of its schema is run, nothing
+  // longer than a chunk is taken into memory, and a statement that takes more steps than a file of its size needs is stopped.
   Database(std::string path, Access access);
 
   // Throws RecordingError with SQLite's words, as all below.

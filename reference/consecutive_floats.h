@@ -30,7 +30,7 @@ struct RoundedRun {
 // fixed: mm, the other coordinate.
 RoundedRun round_run(const Law& law, Along along, float fixed, std::uint32_t first);
 
-// For every x of a run with 2|x| <= w: the highest binary32 position in contact and the next one, which is free. A position
+// The highest binary32 position in contact and the next one, which is free, for every x of a run with 2|x| <= w. A position
 // below the quantum counts as 0, so the neighbours of 0 are ±2^-30 mm.
 struct SurfaceRun {
   std::array<float, kRun> contact{}, free{};  // mm

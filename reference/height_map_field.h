@@ -20,7 +20,7 @@ class HeightMapField {
   height::Rendering rendering() const { return rendering_; }
   float stiffness() const { return stiffness_; }
 
-  // As Law::round_to_binary32: every answer is decided. What enclosures of 768 bits leave open, exact sums decide.
+  // The same as Law::round_to_binary32: every answer is decided. What enclosures of 768 bits leave open, exact sums decide.
   Rounded round_to_binary32(const Eigen::Vector3f& position) const;
 
   // U_x and U_y at a place of the plane within the domain, mm: each the binary32 nearest to the exact one, ties to even, and 0

@@ -14,8 +14,8 @@ namespace forceshade::reference {
 // for.
 class Profile {
  public:
-  // Of the sum of parts in their domains, from < to in mm. Refuses kinks strictly between the two, and more than 20 000
-  // changes of the curvature's sign or cells of a grid.
+  // The profile of the sum of parts in their domains, from < to in mm. Refuses kinks strictly between the two, and more than
+  // 20 000 changes of the curvature's sign or cells of a grid.
   Profile(const std::vector<height::Part>& parts, float from, float to);
   ~Profile();
 

@@ -177,7 +177,7 @@ Shape shape_of_kind(std::size_t index, const Value& value, const MakePolygons& p
   });
 }
 
-// By index.
+// The names of the kinds, by index.
 inline constexpr std::array<std::string_view, kKinds> kKindNames = []<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
   return std::array<std::string_view, kKinds>{KindOf<std::variant_alternative_t<kIndex, Shape>>::type::kName...};
 }

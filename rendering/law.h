@@ -70,7 +70,7 @@ struct ParameterError {
   float high;
   const char* arithmetic_fault = nullptr;  // what fast::arithmetic_fault() found; null where a parameter is at fault
 
-  // For people: the parameter, its value and the range, or the fault. Allocates; not for the real-time path.
+  // A text for users: the parameter, its value and the range, or the fault. Allocates; not for the real-time path.
   std::string message() const {
     if (arithmetic_fault != nullptr)
       return std::string("found ") + arithmetic_fault + "; expected the arithmetic of IEEE 754, rounded to nearest";

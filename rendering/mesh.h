@@ -39,13 +39,13 @@ struct CornerTexture {
 };
 using CornerTextures = std::vector<std::array<CornerTexture, 3>>;
 
-// Of each corner of each triangle. No corners: there is no texture.
+// The texture at each corner of each triangle. Without corners there is no texture.
 struct Texture {
   CornerTextures corners;
   HeightMap map;  // `surface` is not used: the depth is that of the mesh
 };
 
-// From which sides a triangle blocks motion: against its normal, or against and along it.
+// The directions in which a triangle blocks motion: against its normal, or against and along it.
 enum class Sides { front, both };
 
 // Whether triangles that have no vertex in common may meet or cross, if not in one plane.

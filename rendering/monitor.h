@@ -10,7 +10,7 @@
 
 namespace forceshade {
 
-// By a signal, before the work was done. what() says what was not done, where whoever throws it knows.
+// The work was interrupted by a signal before it was done. what() says what was not done, where whoever throws it knows.
 struct Interrupted : std::runtime_error {
   explicit Interrupted(const std::string& undone = "interrupted") : std::runtime_error(undone) {}
 };
@@ -29,7 +29,7 @@ class Monitor {
     if (report_) report_(from_ + done * (to_ - from_));
   }
 
-  // For a part of the computation, which takes it from one share of the whole to another.
+  // A monitor for a part of the computation, which takes it from one share of the whole to another.
   Monitor part(double from, double to) const {
     Monitor monitor = *this;
     monitor.from_ = from_ + from * (to_ - from_);

@@ -8,9 +8,9 @@
 
 namespace forceshade::properties {
 
-// From where an object is seen, without perspective. At azimuth 0 and elevation 0 the viewer looks along +y, with x to the
-// right and z up. The azimuth turns the viewer about z, from -y towards +x; the elevation lifts the viewer above the plane of x
-// and y.
+// The direction from which an object is seen, without perspective. At azimuth 0 and elevation 0 the viewer looks along +y,
+// with x to the right and z up. The azimuth turns the viewer about z, from -y towards +x; the elevation lifts the viewer above
+// the plane of x and y.
 struct ViewDirection {
   double azimuth = 30, elevation = 25;  // degrees
 
@@ -24,7 +24,7 @@ struct SampleGrid {
   int columns, rows;
 };
 
-// For pictures: it computes in binary64 without bounds of errors.
+// A depth buffer for pictures: it computes in binary64 without bounds of errors.
 class DepthBuffer {
  public:
   explicit DepthBuffer(const SampleGrid& grid);

@@ -43,7 +43,7 @@ inline std::string grouped(std::uint64_t count) {
   return result;
 }
 
-// As digits(), with a power of ten that reads as one: "3.1 × 10<sup>−9</sup>".
+// The same as digits(), with a power of ten that reads as one: "3.1 × 10<sup>−9</sup>".
 inline std::string html_number(double value, int count) {
   std::string text = digits(value, count);
   const std::size_t e = text.find('e');

@@ -7,7 +7,7 @@
 
 namespace forceshade::properties {
 
-// For gnuplot: enough digits for a plot; "NaN", which it leaves out, for what is not finite.
+// A number for gnuplot, with enough digits for a plot; "NaN", which it leaves out, for what is not finite.
 std::string plotted(double value);
 
 // Commands of gnuplot. Axis is "x" or "y"; margins are fractions of the panel, seen from its lower left corner.
@@ -25,7 +25,7 @@ std::string ticks(const char* axis, double length, int count);
 // Names the vertical axis above its upper end, to be read without turning the head.
 std::string vertical_name(const char* text);
 
-// In single quotes, as it stands; a control character becomes a space.
+// The text in single quotes, as it stands; a control character becomes a space.
 std::string quoted(const std::string& text);
 
 struct Panel {

@@ -28,7 +28,7 @@ struct Trouble {
   explicit operator bool() const noexcept { return words != nullptr; }
 };
 
-// In `room`, or a constant. Allocates nothing.
+// A sentence about the trouble, in `room`, or a constant. Allocates nothing.
 const char* sentence(const Trouble& trouble, std::span<char> room) noexcept;
 
 // Why hdInitDevice failed and what to check. The driver's error is often a general one, whatever the cause.

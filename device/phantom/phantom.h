@@ -18,8 +18,8 @@
 namespace forceshade::device {
 
 struct PhantomOptions {
-  // For how long a force is held without a new command (it fades from an eighth of it on), and for how long the driver may run
-  // no frame.
+  // The time for which a force is held without a new command (it fades from an eighth of it on), and for which the driver may
+  // run no frame.
   std::chrono::milliseconds watchdog_timeout{25};
   // How long the driver may take to open the device, to run good frames, and the user to calibrate it.
   std::chrono::milliseconds open{20'000}, start{5000}, calibration{120'000};

@@ -16,7 +16,7 @@ namespace forceshade::device {
 // Exit codes: the device was let go; it was not opened or started, which was said; some call of the driver's did not return.
 inline constexpr int kLetGo = 0, kRefused = 1, kStuck = 2;
 
-// For the driver to stop, after which the process ends all the same.
+// The time that the driver has to stop, after which the process ends in any case.
 inline constexpr std::chrono::milliseconds kTimeToEnd{1000};
 
 // Makes the forked process one of its own: nothing that is sent to a terminal's programs reaches it, no handler of the driver's
@@ -30,7 +30,7 @@ void end_force_at_exit() noexcept;
 
 // The frames that are to be closed before the process ends; null: none. They live as long as the process.
 void hold_frames(PhantomFrames* frames) noexcept;
-// In each frame, by the driver's thread.
+// Called in each frame by the driver's thread.
 void meet_driver() noexcept;
 // Whether the force has ended; by any thread, and by a signal handler.
 bool let_go() noexcept;

@@ -41,11 +41,12 @@ class PhantomFrames {
   // To be scheduled with `self`.
   static unsigned tick(void* self) noexcept;
 
-  // By any thread, and by a signal handler: zero is sent in the next frame and the output switched off, for good.
+  // May be called by any thread and by a signal handler: zero is sent in the next frame and the output switched off, for good.
   void close() noexcept { closing_ = true; }
   bool closed() const noexcept { return closed_; }  // or the device was released
 
-  // By the frames' own thread, in a frame that does not end: releases the device, which ends the force. No frame may follow.
+  // Called by the frames' own thread in a frame that does not end: releases the device, which ends the force. No frame may
+  // follow.
   void abandon() noexcept;
   bool abandoned() const noexcept { return abandoned_; }
 

@@ -10,7 +10,7 @@
 
 namespace forceshade::device {
 
-// As the driver gave them; none where it gave an error. What it did not write is NaN.
+// The limits as the driver gave them; none where it gave an error. What it did not write is NaN.
 struct DriversLimits {
   std::optional<double> peak, continuous;                         // N
   std::optional<double> speed;                                    // mm/s

@@ -15,7 +15,7 @@
 
 namespace forceshade::device {
 
-// Of one frame, in the driver's frame of reference and units: x right, y up, z to the user; mm, N, rad.
+// The data of one frame, in the driver's frame of reference and units: x right, y up, z to the user; mm, N, rad.
 struct PhantomSample {
   // Closed: zero was sent last and the output is off, for good.
   enum class Phase { settling, ready, closed };

@@ -7,7 +7,7 @@
 
 namespace forceshade::device {
 
-// For a time step: the way each joint slips, +1 or -1, or 0 where it sticks.
+// The way each joint slips in a time step: +1 or -1, or 0 where it sticks.
 using Slip = Eigen::Vector3i;
 
 // A joint that moves slips the way it moves. One at rest sticks if some friction of at most `coulomb` keeps it there, given

@@ -17,7 +17,7 @@ struct Grip {
   double arm_stiffness = 175, arm_damping = 11;
 };
 
-// In the laws' frame.
+// A target in the laws' frame.
 struct Target {
   Eigen::Vector3d position{0, 0, 0};  // mm
   Eigen::Vector3d velocity{0, 0, 0};  // mm/s

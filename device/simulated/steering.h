@@ -19,13 +19,13 @@ class Steering {
   // The hand begins here, in mm in the laws' frame.
   explicit Steering(const Eigen::Vector3d& start = {0, 0, 20}) noexcept;
 
-  // By one thread: where the hand is to go, mm. What is not finite is ignored.
+  // Sets where the hand is to go, mm; called by one thread. A position that is not finite is ignored.
   void aim(const Eigen::Vector3d& position) noexcept;
 
-  // By the device before its first reading: aims outside the box from -reach to reach (mm) count as its nearest place.
+  // Called by the device before its first reading: aims outside the box from -reach to reach (mm) count as its nearest place.
   void stay_within(const Eigen::Vector3d& reach) noexcept;
 
-  // By the device: where the hand means to be `period` s after the last call, which is its start at the first.
+  // Called by the device: where the hand means to be `period` s after the last call, which is its start at the first.
   Target next(double period) noexcept;
 
  private:

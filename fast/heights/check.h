@@ -33,7 +33,7 @@ inline ParameterError height_of(float value) noexcept {
   return symmetric("height", "mm", value, height_limits::kLargestHeight);
 }
 
-// Of a sample or a knot.
+// The error of the value of a sample or a knot.
 inline MaybeError error_of_value(float value) noexcept {
   const float size = std::fabs(value);
   if (value == 0 || (size >= kPositionQuantum && size <= height_limits::kLargestHeight)) return std::nullopt;

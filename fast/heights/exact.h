@@ -40,11 +40,11 @@ class ExactPlace {
   using Use = ExactTerms::Use;
   void add(const EvaluatedShape& shape, const Use& use) noexcept;
 
-  // Of the gap, and of component `axis` (0 to 2) less `tie`, which is not 0 and of the component's sign; there is contact.
-  // Unknown where the numbers outgrow their room.
+  // The sign of the gap, and that of component `axis` (0 to 2) less `tie`, which is not 0 and of the component's sign; there
+  // is contact. Unknown where the numbers outgrow their room.
   Sign sign_of_gap() const noexcept;
   Sign sign_of_excess(std::size_t axis, double tie) const noexcept;
-  // Of the slope along `axis` (0 or 1) less `tie`.
+  // The sign of the slope along `axis` (0 or 1) less `tie`.
   Sign sign_of_slope_excess(std::size_t axis, double tie) const noexcept;
 
  private:
@@ -54,7 +54,7 @@ class ExactPlace {
     Fraction key;          // of a root: the radicand; of e^(-q): q; of a wave: the size of its angle
     GapAndSlopes factors;  // of a root: the slopes times the radicand, whose square would else stand in every denominator
   };
-  // As many as there can be: a cap has two roots.
+  // The largest numbers of parts and terms that there can be: a cap has two roots.
   static constexpr std::size_t kMostParts = 32, kMostTerms = 2 * kMostParts + 1;
 
   friend class ExactTerms;

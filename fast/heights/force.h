@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// From a height map's jet to the force, in binary64 with a bound.
+// Computes the force from a height map's jet, in binary64 with a bound.
 
 #include "fast/heights/jet.h"
 #include "fast/numbers/first_stage.h"

@@ -37,7 +37,7 @@ class HeightGrid {
   // What turns p U_x and 2 p U_y into slopes: 1/p and 1/2p. 0 instead of 1/p where no step goes along x: then U_x is 0, not
   // what rounding leaves of it.
   FORCESHADE_INLINE Pair64 per_slope() const noexcept { return per_slope_; }
-  // Of the differences between values side by side, tiled or not; mm.
+  // The largest differences between values side by side, tiled or not; mm.
   double largest_step_along() const noexcept { return largest_step_along_; }
   double largest_step_across() const noexcept { return largest_step_across_; }
   // Whether the four by four values around a cell are all inside the grid.
@@ -107,7 +107,8 @@ struct InCell {
         s((N::exactly(at.y()) - N::exactly(cell.start[1])) / N::exactly(grid.pitch())) {}
 };
 
-// From differences of neighbouring values: where these are equal, the gradient is exactly 0 in every arithmetic.
+// The jet is computed from differences of neighbouring values: where these are equal, the gradient is exactly 0 in every
+// arithmetic.
 template <class N>
 Jet<N> bilinear_jet(const HeightGrid& grid, const Place& at) noexcept {
   const HeightGrid::Cell cell = grid.cell(at);

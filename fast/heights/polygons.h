@@ -10,7 +10,7 @@
 
 namespace forceshade::fast {
 
-// Of knots whose x are quantised. Level pieces are level in every arithmetic.
+// The jet of polygons with knots whose x are quantised. Level pieces are level in every arithmetic.
 template <class N>
 Jet<N> jet(const height::Polygons& polygons, const Place& at) noexcept {
   const auto& knots = polygons.knots;

@@ -70,8 +70,8 @@ struct SplineColumn {
   Real value;        // less c, mm
   Real twice_slope;  // in pitches, mm
 
-  // By steps s from row to row and their differences: value - row 1 = s'/6 + (y/2)(s0 + s1) + (y^2/2) s' + (y^3/6) s'', where
-  // s' = s1 - s0 and s'' = s0 - 2 s1 + s2.
+  // The value is computed by steps s from row to row and their differences: value - row 1 = s'/6 + (y/2)(s0 + s1) + (y^2/2) s'
+  // + (y^3/6) s'', where s' = s1 - s0 and s'' = s0 - 2 s1 + s2.
   FORCESHADE_INLINE SplineColumn(const Real& row0, const Real& row1, const Real& row2, const Real& row3, const Real& c,
                                  const Real& y) noexcept
       : value(row1), twice_slope(row1) {
@@ -151,7 +151,7 @@ struct SplineErrors {
         Uy(across > 0 ? rise * grid.per_pitch()[0] : 0) {}
 };
 
-// With the errors of this very cell.
+// The jet with the errors of this very cell.
 inline Jet<DoubleWithError> tracked_spline_jet(const HeightGrid& grid, const Place& at) noexcept {
   const HeightGrid::Cell cell = grid.cell(at);
   const HeightGrid::Window<4> w(grid, cell.column - 1, cell.row - 1);

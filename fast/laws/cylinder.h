@@ -51,7 +51,7 @@ struct Cylinder {
     return force;
   }
 
-  // As first_stage, but at the one z next to -d.
+  // The same as first_stage, but at the one z next to -d.
   template <class Real>
   FORCESHADE_INLINE FirstStage<Real> off_axis(Real x, Real z) const {
     const Real a = multiply_subtract(x, x, Real(anchored));

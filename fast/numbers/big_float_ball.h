@@ -124,7 +124,7 @@ class BigFloatBall {
     if (a.may_be_zero()) return Sign::zero;
     return a.negative_ ? Sign::negative : Sign::positive;
   }
-  // For numbers that nothing separates from zero: zero only if that is all there is.
+  // The sign of a number that no bound separates from zero: zero only if the ball is exactly zero, unknown if it may be.
   friend Sign proved_sign(const BigFloatBall& a) noexcept {
     return a.may_be_zero() && !a.is_exact_zero() ? Sign::unknown : sign(a);
   }
@@ -153,7 +153,7 @@ class BigFloatBall {
   std::int64_t error_exponent() const noexcept { return error_; }
   // Nothing was rounded on the way here.
   bool is_exact() const noexcept { return error_ < kExact / 2; }
-  // Of a number that is not 0: 2^(exponent() - 1) <= |value| < 2^exponent().
+  // The exponent of a number that is not 0: 2^(exponent() - 1) <= |value| < 2^exponent().
   std::int64_t exponent() const noexcept { return exponent_; }
   // Times 2^k.
   BigFloatBall scaled(std::int64_t k) const noexcept {

@@ -33,7 +33,7 @@ FORCESHADE_INLINE Terms<Real> two_sum(Real a, Real b) noexcept {
   return {s, (a - (s - t)) + (b - t)};
 }
 
-// As two_sum, for |a| >= |b| or a == 0 (Dekker).
+// The same as two_sum, for |a| >= |b| or a == 0 (Dekker).
 template <class Real>
 FORCESHADE_INLINE Terms<Real> fast_two_sum(Real a, Real b) noexcept {
   const Real s = a + b;

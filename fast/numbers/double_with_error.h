@@ -60,7 +60,8 @@ struct DoubleWithError {
   }
 };
 
-// As the general one: both ends of the enclosure round to the answer. 2^-52 covers the rounding of the ends themselves.
+// The same as the general one: both ends of the enclosure round to the answer. 2^-52 covers the rounding of the ends
+// themselves.
 FORCESHADE_INLINE std::optional<float> round_to_binary32(const DoubleWithError& a) noexcept {
   const double reach = a.error == 0 ? 0 : a.error + 0x1p-52 * __builtin_fabs(a.value);
   const auto low = static_cast<float>(a.value - reach), high = static_cast<float>(a.value + reach);

@@ -76,7 +76,7 @@ struct CosineAndSine {
   N cosine, sine;
 };
 
-// For |angle| <= size, 0 < size.
+// Requires |angle| <= size and 0 < size.
 template <class N>
 CosineAndSine<N> cosine_and_sine(const N& angle, double size) noexcept {
   const int k = halvings<N>(size);

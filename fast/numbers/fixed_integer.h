@@ -101,7 +101,7 @@ class FixedInteger {
     return (*this - other).sign();
   }
 
-  // Of its size: 0 for 0, else one more than the exponent of its leading bit.
+  // The bits of its size: 0 for 0, else one more than the exponent of its leading bit.
   constexpr int bit_length() const noexcept {
     const Words words = size();
     for (std::size_t i = kWords; i-- > 0;)
@@ -147,7 +147,8 @@ class FixedInteger {
     return result;
   }
 
-  // Of two sizes. The words above kBits + kOther are zero, so those of `a` times those of `b` that lie there are too.
+  // The product of two sizes. The words above kBits + kOther are zero, so those of `a` times those of `b` that lie there are
+  // too.
   template <std::size_t kA, std::size_t kB>
   static constexpr FixedInteger product(const std::array<std::uint64_t, kA>& a, const std::array<std::uint64_t, kB>& b,
                                         bool is_negative) noexcept {
@@ -176,7 +177,7 @@ constexpr int compare_sizes(const FixedInteger<kA>& a, int shift, const FixedInt
   const int a_length = a.bit_length(), b_length = b.bit_length();
   if (a_length == 0 || b_length == 0) return (a_length != 0 ? 1 : 0) - (b_length != 0 ? 1 : 0);
   if (a_length + shift != b_length) return a_length + shift > b_length ? 1 : -1;
-  // As long as each other when shifted, so both fit the longer type.
+  // Both are equally long when shifted, so both fit the longer type.
   using Longer = FixedInteger<std::max(kA, kB)>;
   return Longer(a).size_shifted(shift > 0 ? shift : 0).compare(Longer(b).size_shifted(shift < 0 ? -shift : 0));
 }

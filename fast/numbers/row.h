@@ -12,7 +12,7 @@
 
 namespace forceshade::fast {
 
-// In the vector registers of every x86-64 and AArch64; each lane is IEEE arithmetic all the same.
+// Two numbers in a vector register of any x86-64 or AArch64; each lane is IEEE arithmetic all the same.
 using Pair64 = double __attribute__((vector_size(16)));
 
 struct Pair32 {
@@ -36,7 +36,7 @@ FORCESHADE_INLINE Pair64 to_binary64(const float& first, const float& second) {
 #endif
 }
 
-// In any arithmetic.
+// A row of numbers in any arithmetic.
 template <class T>
 struct Row {
   std::array<T, 4> lanes;

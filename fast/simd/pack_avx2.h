@@ -29,7 +29,7 @@ struct Pack {
   FORCESHADE_INLINE Pack(__m256d a) : lanes(a) {}
 
   FORCESHADE_INLINE static Pack load(const float* from) { return _mm256_cvtps_pd(_mm_loadu_ps(from)); }
-  // From and to memory aligned to 32 bytes.
+  // Load and store use memory aligned to 32 bytes.
   FORCESHADE_INLINE static Pack load(const double* from) { return _mm256_load_pd(from); }
   FORCESHADE_INLINE void store(double* to) const { _mm256_store_pd(to, lanes); }
   // Rounds to binary32.

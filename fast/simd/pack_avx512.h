@@ -28,7 +28,7 @@ struct Pack {
   FORCESHADE_INLINE Pack(__m512d a) : lanes(a) {}
 
   FORCESHADE_INLINE static Pack load(const float* from) { return _mm512_cvtps_pd(_mm256_loadu_ps(from)); }
-  // From and to memory aligned to 64 bytes.
+  // Load and store use memory aligned to 64 bytes.
   FORCESHADE_INLINE static Pack load(const double* from) { return _mm512_load_pd(from); }
   FORCESHADE_INLINE void store(double* to) const { _mm512_store_pd(to, lanes); }
   // Rounds to binary32.

@@ -19,7 +19,7 @@ FORCESHADE_INLINE Pair64 sums(Pack a, Pack b) {
   return halves(_mm256_hadd_pd(a.lanes, b.lanes));
 }
 
-// As Quad (fast/numbers/row.h), in one register and with fused operations.
+// The same as Quad (fast/numbers/row.h), in one register and with fused operations.
 struct Vector : Pack {
   using Number = double;
   using Two = Pair64;

@@ -33,7 +33,7 @@ class Circulation {
   // What is generated between them, over K; certain to `relative` of all. In order of t.
   std::vector<Stretch> stretches(long double relative, const Monitor& monitor = {}) const;
 
-  // By how much 1/n rises where a piece begins; not the first.
+  // The rise of 1/n where a piece begins; not for the first piece.
   Ball64 rise(std::size_t piece) const;
 
   // f at the surface and at the depth, at one t.

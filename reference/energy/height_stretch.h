@@ -12,7 +12,7 @@
 
 namespace forceshade::reference {
 
-// As much of a column, from the surface to the depth D, as a counter-clockwise loop is to enclose.
+// The part of a column, from the surface to the depth D, that a counter-clockwise loop is to enclose.
 enum class Enclosed { nothing, all, top, bottom };
 
 // A stretch of a piece and what it is worth.

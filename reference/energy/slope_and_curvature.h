@@ -9,8 +9,8 @@
 
 namespace forceshade::reference {
 
-// For every x of a stretch that holds `inside` and has no kink or grid line in its interior; `inside` is not at its ends, which
-// belong to it whatever kinks there. Callers hold exact_arithmetic.
+// Enclosures for every x of a stretch that holds `inside` and has no kink or grid line in its interior; `inside` is not at its
+// ends, which belong to it whatever kinks there. Callers hold exact_arithmetic.
 SlopeAndCurvature slope_and_curvature(const std::vector<height::Part>& parts, const Enclosure& x, double inside);
 
 // What kinks strictly between the two, if anything does.

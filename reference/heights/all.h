@@ -18,7 +18,7 @@ const T& as_shape(const T& shape) {
   return shape;
 }
 
-// Of the variant's alternative.
+// The formula of the variant's alternative.
 template <class T>
 inline constexpr Formula kFormula = formula<typename height::KindOf<T>::type>();
 

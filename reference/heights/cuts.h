@@ -39,12 +39,12 @@ struct Cut {
   }
 };
 
-// For one part after the other: the cell at the start, the cuts after it.
+// The cell at the start and the cuts after it, collected for one part after the other.
 class Cuts {
  public:
   explicit Cuts(const Segment& way) : segment_(way) {}
 
-  // Of the parts so far; a kind's cut() sets the last cell.
+  // The cells and cuts of the parts so far; a kind's cut() sets the last cell.
   std::vector<Cell> cells;
   std::vector<Cut> cuts;
 

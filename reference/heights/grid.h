@@ -155,7 +155,7 @@ Jet<N> jet_in(const height::Grid& grid, const OnWay<N>& at) {
   return cell_jet(grid, column, row, within(column, at.x), within(row, at.y));
 }
 
-// Of a spline: a quadratic in each cell, of the differences between columns.
+// The slope and curvature of a spline: a quadratic in each cell, of the differences between columns.
 inline SlopeAndCurvature slope_and_curvature_of(const height::Grid& grid, const Enclosure& x, double inside) {
   using section::exactly;
   const auto column = GridCell::at(inside, grid.pitch, grid.columns), row = GridCell::at(0, grid.pitch, grid.rows);

@@ -23,7 +23,7 @@ struct Jet {
   friend Jet operator-(const Jet& a) { return {-a.U, -a.Ux, -a.Uy}; }
 };
 
-// Of an enclosure; balls have their own.
+// The square of an enclosure; balls have their own.
 template <class N>
 N square(const N& x) {
   return x * x;

@@ -31,7 +31,7 @@ class HeightLine {
   struct Piece {
     Ball64 from, to;          // t
     std::vector<Cell> cells;  // of each part
-    // Of the map and of the surface, the sum of the parts that are polynomials: its series about the middle is all of it.
+    // The sum of the parts that are polynomials, of the map and of the surface: its series about the middle is all of it.
     double middle = 0;
     std::array<Jet<SectionSeries>, 2> polynomial;
   };
@@ -39,7 +39,7 @@ class HeightLine {
   // Both must outlive it.
   HeightLine(const HeightMapField& law, const Segment& way);
 
-  // In order of t. Cuts at one and the same place are one.
+  // The pieces in order of t. Cuts at one and the same place are one.
   const std::vector<Piece>& pieces() const { return pieces_; }
 
   template <class N>

@@ -7,11 +7,11 @@
 
 namespace forceshade::reference {
 
-// From the printed formulas, θ = (2/3) arcsin(w/2R), at the precision last set by set_precision().
+// The geometry from the printed formulas, θ = (2/3) arcsin(w/2R), at the precision last set by set_precision().
 BumpGeometry<Enclosure> enclosing_geometry(const Parameters& parameters);
 Enclosure enclosing_theta(const Parameters& parameters);
 
-// From t = sin(α/3): the root of 4t³ - 3t + w/2R in (0, ½], isolated by CGAL's algebraic kernel.
+// The geometry from t = sin(α/3): the root of 4t³ - 3t + w/2R in (0, ½], isolated by CGAL's algebraic kernel.
 BumpGeometry<Exact> exact_geometry(const Parameters& parameters);
 
 // Rounded outwards.

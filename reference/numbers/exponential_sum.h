@@ -32,7 +32,8 @@ class ExponentialSum {
   // The divisor: one term c·√D, not 0. Throws std::logic_error for any other.
   friend ExponentialSum operator/(const ExponentialSum& a, const ExponentialSum& b);
 
-  // Of a rational number, not negative for the first. They throw std::logic_error for any other sum.
+  // Root and exponential of a rational number, which is not negative for the root. They throw std::logic_error for any other
+  // sum.
   friend ExponentialSum sqrt(const ExponentialSum& a);
   friend ExponentialSum exp(const ExponentialSum& a);  // of a number that is not positive
   friend ExponentialSum cos(const ExponentialSum& a);

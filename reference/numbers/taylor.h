@@ -58,7 +58,7 @@ class Taylor {
     return t.with_rest(dropped + 5 * kUnit * a.size() * b.size() + a.size() * b.rest_ + a.rest_ * (b.size() + b.rest_));
   }
 
-  // With b = b0(1 + u), |u| <= U: 1/(1 + u) = 1 - u + u² - u³ within U⁴/(1 - U).
+  // The quotient uses, for b = b0(1 + u), |u| <= U: 1/(1 + u) = 1 - u + u² - u³ within U⁴/(1 - U).
   friend Taylor operator/(const Taylor& a, const Taylor& b) {
     const Taylor u = b.relative_change();
     const long double U = u.size() + u.rest_;
@@ -80,7 +80,7 @@ class Taylor {
     return root * Taylor(Ball64(scale, kUnit * scale));
   }
 
-  // For every s, or not at all.
+  // The answer holds for every s; throws Undecided where it differs.
   friend bool operator<(const Taylor& a, const Taylor& b) {
     const Taylor difference = a - b;
     const long double spread = kSlack * (difference.size() - std::fabs(difference.c_[0]) + difference.rest_);

@@ -40,7 +40,7 @@ class Series {
 
   const Ball64& operator[](std::size_t k) const { return c_[k]; }
 
-  // From there on all coefficients are zero.
+  // The index from which on all coefficients are zero.
   std::size_t length() const {
     std::size_t length = kLength;
     while (length > 0 && is_zero(c_[length - 1])) --length;
@@ -97,7 +97,7 @@ class Series {
     return s;
   }
 
-  // From q·b = a.
+  // The recurrence follows from q·b = a.
   friend Series operator/(const Series& a, const Series& b) {
     Series q;
     const Ball64 inverse = Ball64(1.0) / b.c_[0];
@@ -110,7 +110,7 @@ class Series {
     return q;
   }
 
-  // From r·r = a.
+  // The recurrence follows from r·r = a.
   friend Series sqrt(const Series& a) {
     Series r(sqrt(a.c_[0]));
     const Ball64 inverse = Ball64(0.5) / r.c_[0];
@@ -122,14 +122,14 @@ class Series {
     return r;
   }
 
-  // From e' = a'·e.
+  // The recurrence follows from e' = a'·e.
   friend Series exp(const Series& a) {
     Series e(exp(a.c_[0]));
     for (std::size_t k = 1; k <= kOrder; ++k) e.c_[k] = a.chained(e, k);
     return e;
   }
 
-  // From s' = a'·c and c' = -a'·s.
+  // The recurrences follow from s' = a'·c and c' = -a'·s.
   friend std::array<Series, 2> sine_and_cosine(const Series& a) {
     const auto [sine, cosine] = sine_and_cosine(a.c_[0]);
     Series s(sine), c(cosine);

@@ -9,7 +9,7 @@
 
 namespace forceshade::reference {
 
-// Of two neighbouring binary32, the one that a number between them rounds to, ties to even; `sign` is that of the number less
+// The one of two neighbouring binary32 that a number between them rounds to, ties to even; `sign` is that of the number less
 // their middle. A zero is +0.
 inline float rounded_between(float below, float above, int sign) {
   const bool below_is_even = (__builtin_bit_cast(unsigned, below) & 1U) == 0;

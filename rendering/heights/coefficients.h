@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// From heights to the coefficients of the cubic B-spline that passes through them.
+// Computes the coefficients of the cubic B-spline that passes through given heights.
 
 #include <cstdint>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace forceshade::heights {
 
-// In place, row by row. Computed in binary64 and rounded once: at each sample the spline is within 2^-24 of its largest
-// coefficient there of the height given.
+// Replaces the heights, row by row, by the coefficients. Computed in binary64 and rounded once: at each sample the spline is
+// within 2^-24 of its largest coefficient there of the height given.
 void make_coefficients(std::vector<float>& values, std::uint32_t columns, std::uint32_t rows, height::Edge edge);
 
 }  // namespace forceshade::heights

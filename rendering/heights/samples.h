@@ -21,7 +21,7 @@ struct Samples {
   // Throws Error with the place and the number where it is no height.
   void put(std::uint32_t row, std::uint32_t column, double number);
 
-  // Of the numbers of a row, one for each column: read_number(column).
+  // Puts a row of samples, made of one number for each column: read_number(column).
   template <class ReadNumber>
   void put_row(std::uint32_t row, const ReadNumber& read_number) {
     for (std::uint32_t column = 0; column < columns; ++column) put(row, column, read_number(column));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A height map as a small TOML file: how it is rendered, and its parts. The keys: docs/height-maps.md, "As a file".
+// A height map as a small TOML file: how it is rendered, and its parts. The keys: docs/height-maps.md, "As a TOML file".
 
 #include <cstdint>
 #include <filesystem>
@@ -27,7 +27,7 @@ struct PartLines {
   std::uint32_t part = 0;
   std::map<std::string, std::uint32_t> keys;
 
-  // Of the number that a ParameterError calls so, "sigma" for sigma_mm; of the part where no one key has it.
+  // The line of the number that a ParameterError calls so, "sigma" for sigma_mm; the line of the part where no one key has it.
   std::uint32_t of(std::string parameter) const;
 };
 struct Lines {

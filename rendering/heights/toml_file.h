@@ -21,7 +21,7 @@ struct TomlFault {
   std::string reason;
 };
 
-// Of a file of at most `most_bytes`, which nests no deeper than nesting.h allows.
+// The table of a file of at most `most_bytes`, which nests no deeper than nesting.h allows.
 std::variant<toml::table, TomlFault> parse_toml_file(const std::filesystem::path& file, std::size_t most_bytes);
 
 // The node's value as it may stand behind "got".

@@ -22,7 +22,7 @@ using IdentityValue = std::variant<float, std::string>;
 struct Identity {
   std::string kind;  // kLawKind, kHeightMapKind, or that of a subject of another kind
   std::string name;  // of a law; of a height map the name of its file
-  // In the order in which they are written; the keys end in their units: "stiffness_N_per_mm".
+  // The parameters, in the order in which they are written; the keys end in their units: "stiffness_N_per_mm".
   std::vector<std::pair<std::string, IdentityValue>> parameters;
   std::string digest = {};  // SHA-256, in hex, of what name and parameters leave out; empty where they leave out nothing
 
@@ -30,7 +30,7 @@ struct Identity {
   bool is_alike(const Identity& other) const {
     return kind == other.kind && digest == other.digest && (!digest.empty() || name == other.name);
   }
-  // In whatever order they stand.
+  // Whether both have the same parameters, in whatever order they stand.
   bool has_parameters_of(const Identity& other) const;
   bool is_same(const Identity& other) const { return is_alike(other) && has_parameters_of(other); }
 
@@ -54,7 +54,7 @@ std::optional<LawAndParameters> law_of(const Identity& identity);
 // "radius 15.24 mm, width 25.4 mm, stiffness 0.5 N/mm".
 std::string parameters_in_words(const Identity& identity);
 
-// Of a height map whose direction is no unit vector, but as long as the map is steep.
+// Whether this is a height map whose direction is no unit vector, but longer where the map is steeper.
 bool is_conservative_map(const Identity& identity);
 
 // A parameter's value as text that reads back as the same.

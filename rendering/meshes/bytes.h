@@ -18,7 +18,8 @@ namespace forceshade::mesh {
 
 class Bytes {
  public:
-  // From the byte of this number on, the first being 0. Throws Error unless the file is a regular one that can be opened.
+  // Reads the file from the byte `begin` on, the first being 0. Throws Error unless the file is a regular one that can be
+  // opened.
   Bytes(const std::filesystem::path& file, std::uint64_t begin, std::endian order);
 
   // The next number, of the type of sizeof(T) bytes. Throws Error at the end of the file.

@@ -6,7 +6,7 @@
 
 namespace forceshade::mesh {
 
-// Of two triangles with an area: whether the angle between their normals is more than the crease angle, 0 to 180 degrees.
+// Whether the angle between their normals is more than the crease angle, 0 to 180 degrees.
 bool turns_by_more(const TrianglePoints& s, const TrianglePoints& t, double crease_degrees);
 
 }  // namespace forceshade::mesh

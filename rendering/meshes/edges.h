@@ -30,8 +30,8 @@ inline std::uint32_t end_of(const TriangleMesh& mesh, std::uint32_t half_edge) {
 // the order of their lower vertex, then of the other. Every index is that of a vertex, and no triangle has a vertex twice.
 void for_each_edge(const TriangleMesh& mesh, const std::function<void(std::span<const std::uint32_t> half_edges)>& edge);
 
-// For each half-edge the one that runs along it in the other direction, or kNoEdge. Of a mesh whose edges have one or two
-// triangles, two of which run along it in opposite directions; of other edges every half-edge has kNoEdge.
+// The half-edge that runs along each in the other direction, or kNoEdge. The mesh has edges of one or two triangles, two of
+// which run along them in opposite directions; a half-edge of any other edge has kNoEdge.
 std::vector<std::uint32_t> opposite_half_edges(const TriangleMesh& mesh);
 
 // Calls corner(half_edge) for each half-edge that starts at the start of `half_edge` and is reached from it over edges with two

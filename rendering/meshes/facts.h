@@ -29,7 +29,8 @@ struct LargestFan {
   std::uint64_t triangles = 0;
 };
 LargestFan largest_fan(const TriangleMesh& mesh);
-// With more triangles at a vertex, a tick there can take longer than 0.1 ms (docs/meshes.md, "Vertices of many triangles").
+// The most triangles at a vertex with which no tick there takes longer than 0.1 ms (docs/meshes.md, "Vertices of many
+// triangles").
 inline constexpr std::uint64_t kLargestQuickFan = 1000;
 
 }  // namespace forceshade::mesh

@@ -25,7 +25,7 @@ class Words {
   std::string_view rest_;
 };
 
-// In front of a text in UTF-8, as some editors write it.
+// The byte order mark that some editors write in front of a text in UTF-8.
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 // Lines end in LF, CRLF or CR. A byte order mark in front of the first is no part of it.

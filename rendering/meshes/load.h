@@ -19,7 +19,7 @@ class Error : public std::runtime_error {
   Error(const std::filesystem::path& file, const std::string& reason) : runtime_error(file.string() + ": " + reason) {}
 };
 
-// Of the coordinates in the file, for no format says it.
+// The unit of the coordinates in the file, which no format states.
 enum class Unit { mm, m, in };
 
 inline constexpr std::array<std::string_view, 3> kUnitNames{"mm", "m", "in"};

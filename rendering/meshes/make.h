@@ -15,7 +15,7 @@ namespace forceshade::mesh {
 // of 1 or more. All vertices lie on the sphere.
 TriangleMesh icosphere(std::uint32_t frequency, double radius);
 
-// With edges along the axes, around the origin: 12 triangles.
+// A box with edges along the axes, around the origin: 12 triangles.
 TriangleMesh box(double size_x, double size_y, double size_z);
 TriangleMesh cube(double size);
 

@@ -11,11 +11,11 @@ namespace forceshade::mesh {
 
 inline constexpr float kLargest = 1e4F, kSmallest = 0x1p-30F;  // mm, of a coordinate; below the smallest it is 0
 
-// Of a decimal such as -1.5e3, whatever the locale; a + may stand in front. Infinite where binary32 cannot hold it, NaN of
-// "nan". Nothing if the word is not a number from its first character to its last.
+// The coordinate in mm that a decimal such as -1.5e3 stands for, whatever the locale; a + may stand in front. Infinite where
+// binary32 cannot hold it, NaN of "nan". Nothing if the word is not a number from its first character to its last.
 std::optional<float> from_decimal(std::string_view word, Unit unit);
 
-// Of a binary number.
+// The coordinate in mm that a binary number stands for.
 float from_binary(double number, Unit unit);
 
 }  // namespace forceshade::mesh

@@ -28,8 +28,8 @@ struct Corner {
   std::uint32_t vertex = 0, normal = kNone, texture = kNone;
 };
 
-// Of one face. Its triangles have a vertex in common, so that the check, which compares each two of them, takes time that grows
-// with the square: 0.9 s for as many as this.
+// The most corners of one face. Its triangles have a vertex in common, so that the check, which compares each two of them,
+// takes time that grows with the square: 0.9 s for as many as this.
 inline constexpr std::size_t kMostCorners = 4096;
 
 // Makes a mesh of the vertices and faces of a file.
@@ -39,8 +39,8 @@ class Builder {
   std::vector<Normal> normals;
   std::vector<TexturePoint> texture;
 
-  // Of 3 corners or more, whose places are in the lists. A face of more than kMostCorners makes take() throw. line: of the
-  // file, from 1; 0 where the file is binary.
+  // Adds a face of 3 corners or more, whose places are in the lists. A face of more than kMostCorners makes take() throw.
+  // line: of the file, from 1; 0 where the file is binary.
   void add_face(std::span<const Corner> corners, std::uint64_t line);
   bool has_faces() const { return faces_ > 0; }
   // Room for so many triangles.
@@ -71,7 +71,7 @@ float component_of(const Lines& lines, std::string_view word);
 // Decimal digits alone. Nothing where the word is no number below 2^64.
 std::optional<std::uint64_t> whole_number(std::string_view word);
 
-// As many digits as distinguish the number from any other.
+// The number with as many digits as distinguish it from any other.
 std::string words_of(double number);
 
 // Throws Error where a file of so many bytes cannot hold the number of things, each of so many bytes at least, or where they

@@ -45,7 +45,7 @@ struct CountCheck {
 };
 std::vector<CountCheck> count_checks();
 
-// In how many ways `trials` answers can be counted so that their percentages round to these.
+// The number of ways in which `trials` answers can be counted so that their percentages round to these.
 int ways_to_count(const std::array<int, 4>& percents, int trials);
 
 // The tables of docs/thesis-numbers.md in Markdown, in the order of the functions above.

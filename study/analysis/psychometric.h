@@ -56,7 +56,7 @@ struct PsychometricEstimate {
   std::string participant;
   std::vector<AngleCount> points;
   PsychometricFit fit;
-  // Of the fits to data drawn from the fitted function (parametric bootstrap): their quantiles at (1 -+ level) / 2.
+  // Intervals from the quantiles at (1 -+ level) / 2 of fits to data drawn from the fitted function (parametric bootstrap).
   Interval threshold, scale, guess, lapse;
   // Goodness of fit. The fraction of those fits with at least this deviance, the data counted as one of them; and by chi-square
   // with so many points less four degrees of freedom, which holds for many trials at each point only. NaN without such degrees.

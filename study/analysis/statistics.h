@@ -34,7 +34,7 @@ struct MatchingSummary {
   double steps;         // mean number of changes of the radius
 };
 
-// Of the trials at these places, each as often as it is named.
+// The summary of the trials at these places, each as often as it is named.
 MatchingSummary summary_of(const std::vector<TrialNumbers>& trials, const std::vector<std::size_t>& rows);
 
 // What the thesis prints beside each scatter plot as "varper": one reference radius, mil, and the percentage there.
@@ -43,7 +43,7 @@ struct Spread {
   double mean, sd_percent;
 };
 
-// In ascending order of the reference radius.
+// The spreads in ascending order of the reference radius.
 std::vector<Spread> spreads_of(const std::vector<TrialNumbers>& trials, const std::vector<std::size_t>& rows);
 
 // What resamples of trials are drawn from: rows of `trials`, in strata that correspond to those of the data.

@@ -23,7 +23,7 @@ struct MatchingRow {
   std::vector<Spread> spreads;
 };
 
-// Of one matching bump, with or without vision.
+// The results of one matching bump, with or without vision.
 struct MatchingTable {
   std::string stimulus;
   bool vision;
@@ -32,7 +32,7 @@ struct MatchingTable {
   const MatchingRow& overall() const { return rows.back(); }
 };
 
-// Of one bump and radius: one row of table 6.9.
+// The answers for one bump and radius: one row of table 6.9.
 struct ClassificationRow {
   std::string participant;  // or kOverall
   std::string stimulus;
@@ -41,14 +41,14 @@ struct ClassificationRow {
   std::array<Estimate, 4> percents;  // of the answers 1 to 4
 };
 
-// In the order of the thesis; conditions that it does not have come after them, by name.
+// The tables in the order of the thesis; conditions that it does not have come after them, by name.
 std::vector<MatchingTable> matching_tables(const experiments::Results& results, const Resampling& resampling);
 
 // The rows of table 6.9, overall, then those of each participant. Where all answers or none are the same, every resample is,
 // too: then the interval is the exact one of Clopper and Pearson (1934), which is right for trials that are independent.
 std::vector<ClassificationRow> classification_rows(const experiments::Results& results, const Resampling& resampling);
 
-// Of the results, in the order in which they first appear.
+// The participants of the results, in the order in which they first appear.
 std::vector<std::string> participants_of(const experiments::Results& results);
 
 }  // namespace forceshade::analysis

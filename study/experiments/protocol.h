@@ -77,7 +77,8 @@ struct Protocol {
   std::vector<Stimulus> stimuli;  // that are matched or classified; each is a block in the matching experiment
   int repetitions = 0;            // of each condition
 
-  // Of the matching experiment alone. Stimulus and vision make the blocks, the rest their conditions (thesis, Table 5.1).
+  // These are set in the matching experiment alone. Stimulus and vision make the blocks, the rest their conditions (thesis,
+  // Table 5.1).
   Stimulus reference;
   std::vector<bool> vision;  // in the order of the blocks
   std::vector<Mil> reference_radii;
@@ -86,14 +87,14 @@ struct Protocol {
   Bigger bigger = Bigger::higher;
   Mil spacing = 0;  // between the middles of the two bumps
 
-  // Of the classification experiment alone (thesis, Table 5.2): for laws; other stimuli have their variants' radii.
+  // The radii of the classification experiment alone (thesis, Table 5.2), for laws; other stimuli have their variants' radii.
   std::vector<Mil> radii;
 
-  // Of the matched or classified ones and the reference. Precondition: there is one of this name.
+  // The stimulus of this name, among the matched or classified ones and the reference. Precondition: there is one.
   const Stimulus& stimulus(std::string_view name) const;
   Parameters parameters(Mil radius) const;  // of a law: mm, N/mm
 
-  // Of the classification experiment: those at which a stimulus is presented.
+  // The radii at which a stimulus is presented in the classification experiment.
   std::vector<Mil> radii_of(const Stimulus& stimulus) const;
   // What the keys make of a radius: direction 1 is the next larger one, -1 the next smaller; the same at the limit.
   Mil stepped(const Stimulus& stimulus, Mil radius, int direction) const;

@@ -36,7 +36,7 @@ class Random {
     return static_cast<std::size_t>(drawn % count);
   }
 
-  // In [0, 1), a multiple of 2^-53.
+  // A number in [0, 1), a multiple of 2^-53.
   double uniform() { return static_cast<double>(next() >> 11U) * 0x1p-53; }
 
   // Mean 0, standard deviation 1, never beyond 6: the sum of twelve uniform numbers, which needs no function of a library.

@@ -10,11 +10,12 @@
 
 namespace forceshade::experiments {
 
-// Of every trial that was answered; practice, trials that an interruption ended and trials of a block that was repeated are
-// left out. A session that is not over has the results it has.
+// The results of every trial that was answered; practice, trials that an interruption ended and trials of a block that was
+// repeated are left out. A session that is not over has the results it has.
 Results results_of(const SavedSession& session);
 
-// Of the sessions in these folders together. Throws Error, also where a participant and trial of an experiment come twice.
+// The results of the sessions in these folders together. Throws Error, also where a participant and trial of an experiment
+// come twice.
 Results results_of(std::span<const std::filesystem::path> folders);
 
 }  // namespace forceshade::experiments

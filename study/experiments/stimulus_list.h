@@ -33,7 +33,7 @@ struct ListedStimulus {
   friend bool operator==(const ListedStimulus&, const ListedStimulus&) = default;
 };
 
-// With its line feed.
+// The line of a stimulus, with its line feed.
 std::string line_of(const ListedStimulus& stimulus);
 
 // Line by line. A last line without a line feed was cut short by a crash, and its stimulus was never offered: it is left out.

@@ -33,7 +33,7 @@ class Font : public Measure {
   // Renders what the picture needs and is not there yet. True if the texture has to be loaded again.
   bool prepare(const Picture& picture);
 
-  // Of prepared text.
+  // The font of prepared text.
   ImFont* at(double size) const;
 
  private:

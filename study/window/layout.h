@@ -18,7 +18,7 @@ struct Look {
 // Pixels: the size of the body of all text in a window of this size, before text_scale.
 double text_size(Size window);
 
-// Of the colours that tests look for.
+// The colours that tests look for.
 inline constexpr Colour kPaper{0.965F, 0.961F, 0.949F}, kPanel{0.925F, 0.918F, 0.898F}, kCursor{0.784F, 0.251F, 0.141F};
 
 // The bumps and the cursor are drawn on screens of kind matching alone, and there only while shows_scene is true; else their

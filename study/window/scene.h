@@ -17,8 +17,8 @@ struct Position {
 
 // What is felt, as one tick of the servo loop left it.
 struct Scene {
-  // Of the tip of the stylus, in the frame in which the two bumps stand at x = -separation/2 and +separation/2 on the plane z =
-  // 0. Not given: no cursor is drawn.
+  // The position of the tip of the stylus, in the frame in which the two bumps stand at x = -separation/2 and +separation/2 on
+  // the plane z = 0. Not given: no cursor is drawn.
   std::optional<Position> tip;
   // On a classification screen, which has no scene: whether the tip is shown there by itself, in front of no surface. So
   // somebody without a PHANToM sees how the surface pushes the hand that the mouse moves. Not for a hand that can feel.

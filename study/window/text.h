@@ -18,7 +18,7 @@ class Measure {
   virtual double width(std::string_view words, double size) const = 0;
 };
 
-// From one line to the next, as a multiple of the font's size.
+// The distance from one line to the next, as a multiple of the font's size.
 inline constexpr double kLineHeight = 1.4;
 
 // The text in lines no wider than `width`: broken at line feeds, else at spaces, else (a long word, or a language without
@@ -34,8 +34,8 @@ struct Fitted {
   double height() const { return static_cast<double>(lines.size()) * size * kLineHeight; }
 };
 
-// In the largest size up to `size` in which the text is no higher than `height`, by steps of a twentieth; below one pixel,
-// where nothing can be read, in that size.
+// The text in the largest size up to `size` in which the text is no higher than `height`, by steps of a twentieth; below one
+// pixel, where nothing can be read, in that size.
 Fitted fitted(std::string_view text, double width, double height, double size, const Measure& measure);
 
 // The code points of a text; bytes that are not UTF-8 are left out.

@@ -17,7 +17,7 @@ class View {
  public:
   View(const Scene& scene, Rectangle area);
 
-  // Of the window of this size.
+  // The view of a window of this size.
   View(const Scene& scene, Size window) : View(scene, scene_area(window)) {}
 
   Point pixel(const Position& position) const;
