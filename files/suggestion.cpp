@@ -47,7 +47,7 @@ std::string nearest(std::string_view word, const std::vector<std::string>& words
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& words) {
   const std::string near = nearest(word, words);
-  return near.empty() ? "" : "; the nearest is " + near;
+  return near.empty() || near == word ? "" : "; the nearest is " + near;
 }
 
 }  // namespace forceshade::files

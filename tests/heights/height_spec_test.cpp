@@ -175,7 +175,7 @@ TEST(height_spec, says_what_is_wrong_and_where) {
   EXPECT_EQ(with("sigma_mm = 2", "sigma_mm = 2\nradius_mm = 3"), "line 6: unknown key radius_mm");
   EXPECT_EQ(with("sigma_mm = 2", "sigma_mm = 2\nnegated = 1"), "line 6: negated: expected true or false, got 1");
   EXPECT_EQ(with("[[part]]", "[part]"), "line 2: expected render, [[part]] and [[surface]], got part");
-  EXPECT_EQ(with("[[part]]", "[[parts]]"), "line 2: expected render, [[part]] and [[surface]], got parts");
+  EXPECT_EQ(with("[[part]]", "[[parts]]"), "line 2: expected render, [[part]] and [[surface]], got parts; the nearest is part");
   EXPECT_NE(with("sigma_mm = 2", "sigma_mm = ").find("line 5: "), std::string::npos);
   EXPECT_NE(with("\"gaussian\"", "\"grid\"\npitch_mm = 1\nscale_mm = 1"), "");
   EXPECT_EQ(with("[[part]]", "[[surface]]\nshape = \"plane\"\n[[part]]"),
