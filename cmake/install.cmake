@@ -40,7 +40,6 @@ if(NOT FORCESHADE_FAST_ONLY)
                   position.h)
   install_headers(properties field_subject.h height_map_subject.h height_map_claims.h law_claims.h law_subject.h mesh_subject.h positions.h rendered.h
                   run.h subject.h)
-  install_headers(rendering number_text.h)
   install_headers(certificate certificate.h certify.h evidence.h sweep.h)
   # Each component's libraries, and the components that it links.
   set(libraries_of_heights heights)
