@@ -19,7 +19,7 @@ class HeightMapOption {
 
   bool is_given() const { return !file_.empty(); }
 
-  // For people and records; no claim hangs on it.
+  // Display name; not part of the identity.
   std::string name() const;
 
   // With its folder.

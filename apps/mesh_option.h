@@ -14,7 +14,7 @@
 
 namespace forceshade::apps {
 
-// Of --unit, a word of mesh::kUnitNames. Throws BadInput for any other.
+// The unit of a word of --unit, which is one of mesh::kUnitNames. Throws BadInput for any other.
 mesh::Unit unit_named(const std::string& word);
 
 // A mesh file and how it is rendered, in the words of the options.
@@ -38,11 +38,11 @@ class MeshOption {
 
   bool is_given() const { return !mesh_.file.empty(); }
 
-  // For people and records; no claim hangs on it.
+  // Display name; not part of the identity.
   std::string name() const;
 
   // What holds, as the keys and values of a subject file; where it was not given, what holds unless said.
-  // Files are named without their folders unless these are asked for.
+  // with_folders: files are named with their folders, else without.
   std::vector<std::pair<std::string, std::string>> entries(bool with_folders = false) const;
 
   // read_mesh() of the options.

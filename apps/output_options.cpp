@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kOverwrite = "--overwrite";
 
-// Of the formats that this program reads or writes.
+// The endings of the formats that this program reads or writes.
 constexpr std::array kEndings{".csv", ".npy",  ".fsr", ".json", ".xml", ".html", ".png",
                               ".svg", ".toml", ".off", ".obj",  ".ply", ".stl"};
 

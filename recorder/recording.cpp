@@ -17,10 +17,10 @@
 namespace forceshade::recorder {
 namespace {
 
-// Of a text from the file, in a message.
+// Bytes of a text from the file that a message quotes at most.
 constexpr std::size_t kLongestQuote = 200;
 
-// Of a file, to tell what it is.
+// Bytes at the beginning of a file that are read to tell what it is.
 constexpr std::size_t kMostRead = 4096;
 constexpr std::string_view kSqliteHeader{"SQLite format 3\0", 16};
 

@@ -100,6 +100,13 @@ TEST(structure, every_file_that_evaluates_height_maps_has_its_mutants) {
   EXPECT_GT(found, 40);
 }
 
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
 // The modules of cmake/modules.txt.
 std::vector<std::string> modules() {
   std::vector<std::string> found;
@@ -117,26 +124,44 @@ std::set<std::string> top_folders() {
   return folders;
 }
 
+// The folders at the top, without those of builds and of tools.
+std::vector<std::filesystem::path> folders_at_the_top() {
+  std::vector<std::filesystem::path> found;
+  for (const auto& entry : std::filesystem::directory_iterator(kRoot)) {
+    const std::string name = entry.path().filename();
+    if (entry.is_directory() && !name.starts_with('.') && !name.starts_with("build")) found.push_back(entry.path());
+  }
+  return found;
+}
+
 // The compiler holds the table of modules; that it holds it everywhere takes a library of each, which is in the table.
 TEST(structure, every_folder_with_a_library_is_a_module) {
   const std::vector<std::string> known = modules();
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot)) {
-    const std::string folder = std::filesystem::relative(entry.path().parent_path(), kRoot);
-    if (entry.path().filename() != "CMakeLists.txt" || folder.starts_with("build") || folder.starts_with("tests")) continue;
-    std::ifstream file(entry.path());
-    for (std::string line; std::getline(file, line);)
-      if (line.starts_with("forceshade_library("))
+  int found = 0;
+  for (const std::filesystem::path& top : folders_at_the_top())
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(top)) {
+      const std::string folder = std::filesystem::relative(entry.path().parent_path(), kRoot);
+      if (entry.path().filename() != "CMakeLists.txt" || folder.starts_with("tests")) continue;
+      std::ifstream file(entry.path());
+      for (std::string line; std::getline(file, line);) {
+        if (!line.starts_with("forceshade_library(")) continue;
+        ++found;
         EXPECT_TRUE(std::ranges::find(known, folder) != known.end()) << folder << " is not in cmake/modules.txt";
+      }
+    }
+  EXPECT_GT(found, 10);
+}
+
+TEST(structure, every_module_is_in_the_picture_that_scripts_modules_draws) {
+  const std::string picture = text_of(kRoot / "docs/modules.svg");
+  for (const std::string& module : modules()) {
+    if (module == "apps" || module.starts_with("tests")) continue;  // they may include everything
+    EXPECT_NE(picture.find("<title>" + module + "</title>"), std::string::npos) << module << ": run scripts/modules";
   }
 }
 
 TEST(structure, at_most_sixteen_folders_lie_at_the_top) {
-  int found = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(kRoot)) {
-    const std::string name = entry.path().filename();
-    found += entry.is_directory() && !name.starts_with('.') && !name.starts_with("build") ? 1 : 0;
-  }
-  EXPECT_LE(found, 16);
+  EXPECT_LE(folders_at_the_top().size(), 16U);
 }
 
 // A law or a kind of height map under the names that a file can have for it.
@@ -224,13 +249,6 @@ std::vector<Sort> sorts() {
       {"tests/meshes/texture_scheme_test.cpp", some},
   };
   return {laws, kinds, schemes};
-}
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
 }
 
 // As a word of its own: bump-1p is no part of bump-1p-shaded.

@@ -10,7 +10,7 @@
 
 namespace forceshade::run {
 
-// Of Sample::limited.
+// The names of the rules in Sample::limited.
 inline std::vector<std::string> rule_names(std::uint16_t rules) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < device::kRules; ++i) {

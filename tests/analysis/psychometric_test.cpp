@@ -169,7 +169,7 @@ TEST(psychometric, p_values_are_those_of_their_definitions) {
   EXPECT_GT(compared, 6);
 }
 
-// Of so many answers that each interval is narrow, and of parameters that are far apart.
+// A function with so many answers that each interval is narrow, and with parameters that are far apart.
 TEST(psychometric, interval_of_each_parameter_is_about_that_parameter) {
   const PsychometricParameters truth{20, 4, 0.05, 0.2};
   std::vector<AngleCount> points;

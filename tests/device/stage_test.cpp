@@ -221,7 +221,7 @@ TEST(stage, never_begins_a_renderer_with_a_memory_inside_its_object) {
   EXPECT_EQ(stage.step({0, 0, -2}).force, Vector3f(0, 0, 2));
 }
 
-// Counts how often it was told to look ahead.
+// Counts the calls of look_ahead().
 struct Looking final : fast::Session {
   explicit Looking(int& its_looks) : looks(its_looks) {}
   fast::Evaluation step(const Vector3f&) noexcept override { return {}; }

@@ -187,7 +187,7 @@ TEST(height_properties, find_where_the_gradient_of_a_bilinear_map_jumps_and_by_h
 }
 
 // Each property on a generated position, pair or path of a generated map.
-// Of the domain's ends, those of each coordinate.
+// The ends of the domain are among the positions, in each coordinate.
 TEST(height_properties, are_checked_at_the_ends_of_the_domain_in_each_coordinate) {
   const RenderedHeightMap subject = subject_of(maps().front().map, Mode::force_shaded);
   const HeightMapClaims claims(subject.law);
