@@ -2,6 +2,7 @@
 // certificate.json as it is read: nothing is taken that is not in the schema or contradicts the rest.
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <fstream>
 #include <functional>
@@ -363,10 +364,11 @@ std::string read_certificate(const std::string& file) {
   const auto refuse = [&](const std::string& why) { throw CertificateError(file + ": cannot be read: " + why); };
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
-  std::string text(kLargestJson + 1, '\0');
-  if (stream) stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  std::string text;
+  std::array<char, 1 << 16> block;
+  while (text.size() <= kLargestJson && (stream.read(block.data(), block.size()), stream.gcount() > 0))
+    text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
   if (!stream.eof() && !stream) refuse(std::generic_category().message(errno));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
   if (text.empty()) refuse(errno != 0 ? std::generic_category().message(errno) : "it is empty; expected a certificate");
   if (text.size() > kLargestJson) refuse("it is larger than " + std::to_string(kLargestJson) + " bytes");
   return text;
