@@ -34,6 +34,16 @@ mesh::Shading shading_named(const std::string& word) {
   return is_texture(word) ? mesh::Shading::texture_scheme : value_named<mesh::Shading>(word, mesh::kShadingNames);
 }
 
+mesh::Contact contact_of(const MeshChoice& choice) {
+  return value_named<mesh::Contact>(choice.contact, mesh::kContactNames);
+}
+
+// A rule that uses corner normals shades already.
+std::string shading_of(const MeshChoice& choice) {
+  if (!choice.shading.empty()) return choice.shading;
+  return std::string(name_of(has_corner_normals(contact_of(choice)) ? mesh::Shading::none : mesh::Shading::vertex_scheme));
+}
+
 // A name of the list, but for texture: that needs its file.
 std::string refusal_of_shading(const std::string& got) {
   const bool is_name = static_cast<std::size_t>(shading_named(got)) < mesh::kShadingNames.size();
@@ -87,11 +97,14 @@ MeshOption::MeshOption(CLI::App& command, LawOptions& law) {
       ->needs(option);
   command
       .add_option("--shading", mesh_.shading,
-                  "of a mesh: vertex turns the force to the interpolated normal, edge as the thesis has it, texture tilts that "
-                  "normal by a height map, a TOML file")
+                  "of a mesh: vertex, which is the default, turns the force to the interpolated normal, edge as the thesis has "
+                  "it, texture tilts that normal by a height map, a TOML file")
       ->type_name("vertex|edge|none|texture:FILE")
-      ->capture_default_str()
       ->check(CLI::Validator(&refusal_of_shading, ""))
+      ->needs(option);
+  add_word(command, "--contact", mesh_.contact, "of a mesh: in a tick the god-object goes for the position (direct)",
+           {mesh::kContactNames.begin(), mesh::kContactNames.end()})
+      ->capture_default_str()
       ->needs(option);
   command
       .add_option_function<std::string>(
@@ -122,7 +135,8 @@ std::vector<std::pair<std::string, std::string>> MeshOption::entries(bool with_f
           {"sides", mesh_.sides},
           {"shading", is_texture(mesh_.shading)
                           ? std::string(kTexturePrefix) + file_name(mesh_.shading.substr(kTexturePrefix.size()))
-                          : mesh_.shading},
+                          : shading_of(mesh_)},
+          {"contact", mesh_.contact == name_of(mesh::kUsualContact) ? "" : mesh_.contact},
           {"texture-scale", mesh_.texture_scale ? files::shortest(*mesh_.texture_scale) + "mm" : ""},
           {"self-intersecting", mesh_.is_self_intersecting ? "true" : ""},
           {"crease", files::shortest(mesh_.crease_degrees) + "deg"}};
@@ -151,9 +165,9 @@ MeshRendering read_mesh(const MeshChoice& choice, float stiffness) {
   rendering.stiffness = stiffness;
   const std::string sides = choice.sides.empty() ? (mesh::facts_of(found).is_closed() ? "front" : "both") : choice.sides;
   rendering.sides = value_named<mesh::Sides>(sides, mesh::kSidesNames);
-  rendering.shading = shading_named(choice.shading);
-  if (mesh::has_corner_normals(rendering.shading))
-    rendering.normals = mesh::corner_normals(found, choice.crease_degrees).normals;
+  rendering.shading = shading_named(shading_of(choice));
+  rendering.contact = contact_of(choice);
+  if (rendering.has_corner_normals()) rendering.normals = mesh::corner_normals(found, choice.crease_degrees).normals;
   if (rendering.shading == mesh::Shading::texture_scheme)
     read_texture(choice, found, loaded.texture, rendering);
   else if (choice.texture_scale)

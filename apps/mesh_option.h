@@ -20,8 +20,9 @@ mesh::Unit unit_named(const std::string& word);
 // A mesh file and how it is rendered, in the words of the options.
 struct MeshChoice {
   std::string file, unit;
-  std::string sides = {};          // front, both, or empty: front where the mesh is closed, both where it is not
-  std::string shading = "vertex";  // vertex, edge, none or texture:FILE
+  std::string sides = {};    // front, both, or empty: front where the mesh is closed, both where it is not
+  std::string shading = {};  // vertex, edge, none, texture:FILE, or empty: what is usual beside the contact rule
+  std::string contact = std::string(name_of(mesh::kUsualContact));  // a word of mesh::kContactNames
   double crease_degrees = 180;
   std::optional<float> texture_scale = std::nullopt;  // mm, of texture:FILE
   bool is_self_intersecting = false;

@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestFile = 1 << 16;
 constexpr std::string_view kOption = "--subject", kTexture = "texture:";
-const std::array<std::string, 12> kKeys{"law",  "radius", "width",   "stiffness",     "height-map",        "mesh",
-                                        "unit", "sides",  "shading", "texture-scale", "self-intersecting", "crease"};
+const std::array<std::string, 13> kKeys{"law",   "radius",  "width",   "stiffness",     "height-map",        "mesh",  "unit",
+                                        "sides", "shading", "contact", "texture-scale", "self-intersecting", "crease"};
 
 std::string beside(const fs::path& file, const std::string& name) {
   return (file.parent_path() / name).string();

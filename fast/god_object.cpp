@@ -8,16 +8,17 @@ namespace forceshade::fast {
 std::variant<GodObject, ParameterError> GodObject::build(const MeshRendering& rendering) {
   auto mesh = Mesh::build(rendering);
   if (const auto* error = std::get_if<ParameterError>(&mesh)) return *error;
-  return GodObject(std::make_shared<const Mesh>(std::get<Mesh>(std::move(mesh))), rendering.stiffness, rendering.shading);
+  return GodObject(std::make_shared<const Mesh>(std::get<Mesh>(std::move(mesh))), rendering.stiffness, rendering.shading,
+                   rendering.contact);
 }
 
 std::variant<GodObject, ParameterError> GodObject::with_stiffness(float stiffness) const {
   if (const auto error = error_of_stiffness(stiffness)) return *error;
-  return GodObject(mesh_, stiffness, shading_);
+  return GodObject(mesh_, stiffness, shading_, contact_);
 }
 
 std::unique_ptr<TickSession> GodObject::open() const {
-  return std::make_unique<MeshSession>(mesh_, stiffness_, shading_);
+  return std::make_unique<MeshSession>(mesh_, stiffness_, shading_, contact_);
 }
 
 }  // namespace forceshade::fast

@@ -49,12 +49,13 @@ class GodObject {
   std::unique_ptr<TickSession> open() const;
 
  private:
-  GodObject(std::shared_ptr<const Mesh> mesh, float stiffness, mesh::Shading shading) noexcept
-      : mesh_(std::move(mesh)), stiffness_(stiffness), shading_(shading) {}
+  GodObject(std::shared_ptr<const Mesh> mesh, float stiffness, mesh::Shading shading, mesh::Contact contact) noexcept
+      : mesh_(std::move(mesh)), stiffness_(stiffness), shading_(shading), contact_(contact) {}
 
   std::shared_ptr<const Mesh> mesh_;
   float stiffness_;
   mesh::Shading shading_;
+  mesh::Contact contact_;
 };
 
 }  // namespace forceshade::fast

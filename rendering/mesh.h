@@ -101,6 +101,19 @@ constexpr bool has_corner_normals(Shading shading) {
   return shading == Shading::vertex_scheme || shading == Shading::texture_scheme;
 }
 
+// The one list of the contact rules: which point the god-object goes for in a tick.
+enum class Contact { direct };
+
+inline constexpr std::array<std::string_view, 1> kContactNames{"direct"};
+inline constexpr Contact kUsualContact = {};  // unless another is asked for
+
+constexpr std::string_view name_of(Contact contact) {
+  return kContactNames[static_cast<std::size_t>(contact)];
+}
+constexpr bool has_corner_normals(Contact) {
+  return false;
+}
+
 // Where the god-object is. `nowhere`: no valid position has come yet.
 enum class Place : std::uint8_t { nowhere, free, vertex, edge, triangle };
 enum class Side : std::uint8_t { front, back };

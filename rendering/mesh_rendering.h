@@ -12,13 +12,15 @@ namespace forceshade {
 
 struct MeshRendering {
   mesh::CheckedMesh checked;
-  mesh::CornerNormals normals = {};  // one for each corner where the shading uses them
+  mesh::CornerNormals normals = {};  // one for each corner where the shading or the contact rule uses them
   mesh::Sides sides = mesh::Sides::front;
   mesh::Shading shading = mesh::Shading::none;
   float stiffness = 0;         // K, N/mm, in [10^-3, 10^3]
   mesh::Texture texture = {};  // of the texture scheme
+  mesh::Contact contact = mesh::kUsualContact;
 
   const mesh::TriangleMesh& mesh() const { return checked.mesh(); }
+  bool has_corner_normals() const { return mesh::has_corner_normals(shading) || mesh::has_corner_normals(contact); }
 };
 
 inline std::optional<ParameterError> error_of_stiffness(float stiffness) {
@@ -27,8 +29,8 @@ inline std::optional<ParameterError> error_of_stiffness(float stiffness) {
 }
 
 // Why it cannot be rendered, but for what the texture's height map says of itself: the stiffness; normals that are not one for
-// each corner, with components in [-2, 2], where the shading uses them; the same of a texture, with points within 10^4 mm and
-// gradients of 0 or of 2^-30 to 1000 mm/mm.
+// each corner, with components in [-2, 2], where the shading or the contact rule uses them; the same of a texture, with points
+// within 10^4 mm and gradients of 0 or of 2^-30 to 1000 mm/mm.
 inline std::optional<ParameterError> first_error(const MeshRendering& rendering) {
   const auto outside = [](const char* name, const char* unit, float value, float most) -> std::optional<ParameterError> {
     if (std::fabs(value) <= most) return std::nullopt;
@@ -41,7 +43,7 @@ inline std::optional<ParameterError> first_error(const MeshRendering& rendering)
     return ParameterError{name, "", static_cast<float>(count), expected, expected};
   };
   if (const auto error = error_of_stiffness(rendering.stiffness)) return error;
-  if (!mesh::has_corner_normals(rendering.shading)) return std::nullopt;
+  if (!rendering.has_corner_normals()) return std::nullopt;
   if (const auto error = other_count("number of triangles with normals", rendering.normals.size())) return error;
   for (const auto& corners : rendering.normals)
     for (const mesh::Normal& normal : corners)

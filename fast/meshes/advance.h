@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "fast/domain.h"
+#include "fast/meshes/contact/all.h"
 #include "fast/meshes/force.h"
 
 namespace forceshade::fast {
@@ -17,22 +18,39 @@ FORCESHADE_INLINE void set_force(const std::optional<std::array<float, 3>>& forc
     tick.status = mesh::TickStatus::invalid;
 }
 
-// Moves it to where one position of its path leads it: 256 moves at most. p: mm, in the domain and quantised; stiffness: N/mm.
-// `tick` gets all but the state.
+// What a tick has of where it arrived. goal: what the god-object went for; the same object as p where that is it.
 template <class Stages>
-FORCESHADE_INLINE void advance(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, float stiffness,
-                               mesh::Shading shading, const Stages& stages, mesh::Tick& tick) noexcept {
-  if (mesh.has_sheets()) [[unlikely]]
-    Walk<Stages, true>(mesh, at, p, stages).run();
-  else
-    Walk<Stages>(mesh, at, p, stages).run();
+FORCESHADE_INLINE void settle(const Mesh& mesh, const Arrival& at, const std::array<float, 3>& goal,
+                              const std::array<float, 3>& p, float stiffness, mesh::Shading shading, const Stages& stages,
+                              mesh::Tick& tick) noexcept {
   tick.moves = static_cast<std::uint16_t>(at.moves);
   tick.status = !at.is_finished                      ? mesh::TickStatus::unfinished
                 : at.spot.place == mesh::Place::free ? mesh::TickStatus::free
                                                      : mesh::TickStatus::touching;
   ForceDecision decided;
-  set_force(mesh_force(mesh, at, p, stiffness, shading, Stages::kFilter, &decided), tick);
+  set_force(mesh_force(mesh, at, goal, p, stiffness, shading, Stages::kFilter, &decided), tick);
   if (decided.last != Stage::binary64) stages.note(decided.last);
+}
+
+// Kept out of line, so that a tick of the usual rule is as fast as if there were no other.
+template <class Stages>
+[[gnu::noinline]] void advance_by(mesh::Contact contact, const Mesh& mesh, Arrival& at, const std::array<float, 3>& p,
+                                  float stiffness, mesh::Shading shading, const Stages& stages, mesh::Tick& tick) noexcept {
+  const Goal goal = move_by(contact, mesh, at, p, stages);
+  if (!goal.is_decided) return set_force(std::nullopt, tick);
+  settle(mesh, at, goal.is_position ? p : goal.point, p, stiffness, shading, stages, tick);
+}
+
+// Moves it to where one position of its path leads it: 256 moves at most. p: mm, in the domain and quantised; stiffness: N/mm.
+// The mesh has what the shading and the contact rule use. `tick` gets all but the state.
+template <class Stages>
+FORCESHADE_INLINE void advance(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, float stiffness,
+                               mesh::Shading shading, const Stages& stages, mesh::Tick& tick,
+                               mesh::Contact contact = mesh::kUsualContact) noexcept {
+  if (contact != mesh::kUsualContact) [[unlikely]]
+    return advance_by(contact, mesh, at, p, stiffness, shading, stages, tick);
+  ContactRules::Usual::move(mesh, at, p, stages);
+  settle(mesh, at, p, p, stiffness, shading, stages, tick);
 }
 
 }  // namespace forceshade::fast

@@ -68,8 +68,11 @@ constexpr int most_bits(const ShadedCase& of) noexcept {
 
 inline constexpr Span3 kEdgeSpan = all_three(kCoordinateSpan - kCoordinateSpan);  // also p less a corner
 inline constexpr Span3 kFaceNormalSpan = cross(kEdgeSpan, kEdgeSpan);
-inline constexpr Span3 kWayInTriangle = scaled_span(dot(kFaceNormalSpan, kEdgeSpan), kFaceNormalSpan);  // -(n·w) n, over n·n
-inline constexpr Span3 kWayOnEdge = cross(kEdgeSpan, cross(kEdgeSpan, kEdgeSpan));  // e x (e x w), over e·e
+// From a goal to r, and from p past the goal: -(n·w) n, over n·n; e x (e x w), over e·e.
+inline constexpr Span3 kFootInTriangle = scaled_span(dot(kFaceNormalSpan, kEdgeSpan), kFaceNormalSpan);
+inline constexpr Span3 kFootOnEdge = cross(kEdgeSpan, cross(kEdgeSpan, kEdgeSpan));
+inline constexpr Span3 kWayInTriangle = all_three(kFootInTriangle.x + square(kFaceNormalSpan) * kEdgeSpan.x);
+inline constexpr Span3 kWayOnEdge = all_three(kFootOnEdge.x + square(kEdgeSpan) * kEdgeSpan.x);
 inline constexpr Span3 kWayAtSpot =
     all_three(kWeightSpan * kEdgeSpan.x + kWeightSpan * kEdgeSpan.x + kWeightSpan * kEdgeSpan.x);
 

@@ -15,11 +15,12 @@ struct ForceDecision {
   Stage last = Stage::binary64;  // of all that the force is made of, slopes of a texture included
 };
 
-// N. p: mm, in the domain and quantised; stiffness: N/mm. The mesh has what the scheme uses. is_filtered: for tests; false
-// leaves all to exact numbers. decided: what did, where it is not null. Empty where the last stage cannot decide.
-std::optional<std::array<float, 3>> mesh_force(const Mesh& mesh, const Arrival& arrival, const std::array<float, 3>& p,
-                                               float stiffness, mesh::Shading shading, bool is_filtered = true,
-                                               ForceDecision* decided = nullptr) noexcept;
+// N. goal: what the god-object went for, p: the hand's position, from which the force is drawn; mm, in the domain and
+// quantised, the same object where they are one. stiffness: N/mm. The mesh has what the scheme uses. is_filtered: for tests;
+// false leaves all to exact numbers. decided: what did, where it is not null. Empty where the last stage cannot decide.
+std::optional<std::array<float, 3>> mesh_force(const Mesh& mesh, const Arrival& arrival, const std::array<float, 3>& goal,
+                                               const std::array<float, 3>& p, float stiffness, mesh::Shading shading,
+                                               bool is_filtered = true, ForceDecision* decided = nullptr) noexcept;
 
 // Of force.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h.
 const char* force_arithmetic_fault() noexcept;

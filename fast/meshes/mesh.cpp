@@ -100,7 +100,7 @@ std::variant<Mesh, ParameterError> Mesh::build(const MeshRendering& rendering) {
     into.reserve(order.size());
     for (const std::uint32_t t : order) into.push_back(from[t]);
   };
-  if (mesh::has_corner_normals(rendering.shading)) in_order(result.normals_, rendering.normals);
+  if (rendering.has_corner_normals()) in_order(result.normals_, rendering.normals);
   if (is_textured) in_order(result.textures_, rendering.texture.corners);
   result.tree_ = BoxTree(result.faces_);
   return result;

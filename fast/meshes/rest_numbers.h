@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the force at a rest is made of: the way from p to r, normals, edges and weights, in the numbers of any stage.
+// What the force at a rest is made of: the way from the hand's position p to r, normals, edges and weights, in the numbers of
+// any stage. r follows from the goal that the god-object went for, which may be another point than p.
 
 #include <array>
 #include <cstdint>
@@ -67,45 +68,20 @@ class RestNumbers {
  public:
   using N = Numbers;
 
-  // p: mm, in the domain and quantised. All three have to outlive this.
-  RestNumbers(const Mesh& mesh, const Arrival& arrival, const float* p) noexcept
-      : mesh_(mesh), spot_(arrival.spot), rest_(arrival.rest), position_(p), p_(point<N>(p)) {}
+  // goal, p: mm, in the domain and quantised; the same address where the goal is p. All four have to outlive this.
+  RestNumbers(const Mesh& mesh, const Arrival& arrival, const float* goal, const float* p) noexcept
+      : mesh_(mesh), spot_(arrival.spot), rest_(arrival.rest), goal_(goal), position_(p), goal_point_(point<N>(goal)) {}
 
   const Mesh& mesh() const noexcept { return mesh_; }
   const Spot& spot() const noexcept { return spot_; }
   Rest rest() const noexcept { return rest_; }
+  // Whether the way is a foot's: at a right angle to the triangle or edge.
+  bool is_at_foot() const noexcept { return rest_ != Rest::at_spot && goal_ == position_; }
 
   Way3<N> way() const noexcept {
-    switch (rest_) {
-      case Rest::in_triangle: {
-        const Face& f = mesh_.face(face_of(spot_.half));
-        const Vector3<N> n = normal(f);
-        if constexpr (kIsFromIntegers) {
-          const auto exact = ExactFace(f).n;
-          return {scaled(-near(dot(exact, exact_difference(position_, f.corner[0].data())), kUnit3), n),
-                  near(square(exact), kUnit4)};
-        } else {
-          return {scaled(-dot(n, p_ - point<N>(f.corner[0].data())), n), square(n)};
-        }
-      }
-      case Rest::on_edge: {
-        if constexpr (kIsFromIntegers) {
-          const ExactDifference e = exact_edge(), w = exact_difference(position_, mesh_.start_point(spot_.half));
-          return {near(cross(e, cross(e, w)), kUnit3), near(square(e), kUnit2)};
-        } else {
-          const Vector3<N> e = edge(), w = p_ - start();
-          return {cross(e, cross(e, w)), square(e)};
-        }
-      }
-      default: {
-        const Point g = point_of(mesh_, spot_);
-        if constexpr (kIsFromIntegers) return {opposite(near(exact_offset_from(g, position_), kUnit)), N::exactly(0x1p24)};
-        Vector3<N> to = scaled(whole<N>(g.weight[0]), point<N>(g.corner[0]) - p_);
-        for (std::size_t c = 1; c < static_cast<std::size_t>(g.count); ++c)
-          to = sum(to, scaled(whole<N>(g.weight[c]), point<N>(g.corner[c]) - p_));
-        return {to, N::exactly(0x1p24)};
-      }
-    }
+    if (goal_ == position_ || rest_ == Rest::at_spot) [[likely]]
+      return way_from_goal();
+    return way_past_goal();
   }
 
   Vector3<N> normal(const Face& f) const noexcept {
@@ -122,10 +98,10 @@ class RestNumbers {
       return {whole<N>(kGrid - spot_.weight[0] - spot_.weight[1]), whole<N>(spot_.weight[0]), whole<N>(spot_.weight[1])};
     const Face& f = mesh_.face(face_of(spot_.half));
     if constexpr (kIsFromIntegers) {
-      const ExactWeights exact(f, position_);
+      const ExactWeights exact(f, goal_);
       return {near(exact.corner[0], kUnit4), near(exact.corner[1], kUnit4), near(exact.corner[2], kUnit4)};
     }
-    const Vector3<N> a = point<N>(f.corner[0].data()), n = normal(f), w = p_ - a;
+    const Vector3<N> a = point<N>(f.corner[0].data()), n = normal(f), w = goal_point_ - a;
     const N second = dot(cross(w, point<N>(f.corner[2].data()) - a), n),
             third = dot(cross(point<N>(f.corner[1].data()) - a, w), n);
     return {square(n) - (second + third), second, third};
@@ -133,15 +109,61 @@ class RestNumbers {
   std::array<N, 2> weights_on_edge() const noexcept {
     if (rest_ == Rest::at_spot) return {whole<N>(kGrid - spot_.weight[0]), whole<N>(spot_.weight[0])};
     if constexpr (kIsFromIntegers) {
-      const ExactFoot exact(mesh_.start_point(spot_.half), mesh_.start_point(next(spot_.half)), position_);
+      const ExactFoot exact(mesh_.start_point(spot_.half), mesh_.start_point(next(spot_.half)), goal_);
       return {near(exact.length - exact.along, kUnit2), near(exact.along, kUnit2)};
     }
     const Vector3<N> e = edge();
-    const N along = dot(p_ - start(), e);
+    const N along = dot(goal_point_ - start(), e);
     return {square(e) - along, along};
   }
 
  private:
+  // r less the goal; at the spot, r less p.
+  FORCESHADE_INLINE Way3<N> way_from_goal() const noexcept {
+    switch (rest_) {
+      case Rest::in_triangle: {
+        const Face& f = mesh_.face(face_of(spot_.half));
+        const Vector3<N> n = normal(f);
+        if constexpr (kIsFromIntegers) {
+          const auto exact = ExactFace(f).n;
+          return {scaled(-near(dot(exact, exact_difference(goal_, f.corner[0].data())), kUnit3), n),
+                  near(square(exact), kUnit4)};
+        } else {
+          return {scaled(-dot(n, goal_point_ - point<N>(f.corner[0].data())), n), square(n)};
+        }
+      }
+      case Rest::on_edge: {
+        if constexpr (kIsFromIntegers) {
+          const ExactDifference e = exact_edge(), w = exact_difference(goal_, mesh_.start_point(spot_.half));
+          return {near(cross(e, cross(e, w)), kUnit3), near(square(e), kUnit2)};
+        } else {
+          const Vector3<N> e = edge(), w = goal_point_ - start();
+          return {cross(e, cross(e, w)), square(e)};
+        }
+      }
+      case Rest::at_goal: return {{}, N::exactly(1)};
+      default: {
+        const Point g = point_of(mesh_, spot_);
+        if constexpr (kIsFromIntegers) return {opposite(near(exact_offset_from(g, position_), kUnit)), N::exactly(0x1p24)};
+        const Vector3<N> p = point<N>(position_);
+        Vector3<N> to = scaled(whole<N>(g.weight[0]), point<N>(g.corner[0]) - p);
+        for (std::size_t c = 1; c < static_cast<std::size_t>(g.count); ++c)
+          to = sum(to, scaled(whole<N>(g.weight[c]), point<N>(g.corner[c]) - p));
+        return {to, N::exactly(0x1p24)};
+      }
+    }
+  }
+
+  // Longer by the way from p to the goal.
+  [[gnu::noinline]] Way3<N> way_past_goal() const noexcept {
+    const Way3<N> from_goal = way_from_goal();
+    const auto past = [&]() -> Vector3<N> {
+      if constexpr (kIsFromIntegers) return near(exact_difference(goal_, position_), kUnit);
+      return goal_point_ - point<N>(position_);
+    };
+    return {sum(from_goal.vector, scaled(from_goal.length, past())), from_goal.length};
+  }
+
   ExactDifference exact_edge() const noexcept {
     return exact_difference(mesh_.start_point(next(spot_.half)), mesh_.start_point(spot_.half));
   }
@@ -149,8 +171,9 @@ class RestNumbers {
   const Mesh& mesh_;
   const Spot& spot_;
   Rest rest_;
+  const float* goal_;
   const float* position_;
-  Vector3<N> p_;
+  Vector3<N> goal_point_;
 };
 
 }  // namespace forceshade::fast::meshes

@@ -52,7 +52,7 @@ double lower_bound_of_square(const Face& face, const Vector3<double>& at) noexce
 
 [[gnu::noinline]] mesh::Tick MeshSession::tick_on_mesh(const std::array<float, 3>& p) noexcept {
   mesh::Tick tick;
-  advance(*mesh_, at_, p, stiffness_, shading_, FilteredStages{&stage_}, tick);
+  advance(*mesh_, at_, p, stiffness_, shading_, FilteredStages{&stage_}, tick, contact_);
   square_ = 0;  // a ball is of use only to a god-object that is in it
   if (at_.spot.place == mesh::Place::free)
     seek_ball();

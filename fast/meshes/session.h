@@ -14,9 +14,10 @@ namespace forceshade::fast {
 // That saves time and changes no result. One thread at a time; the mesh may be shared.
 class MeshSession final : public TickSession {
  public:
-  // stiffness: N/mm, in [10^-3, 10^3]. The mesh has what the shading uses.
-  MeshSession(std::shared_ptr<const Mesh> mesh, float stiffness, mesh::Shading shading) noexcept
-      : mesh_(std::move(mesh)), stiffness_(stiffness), shading_(shading) {}
+  // stiffness: N/mm, in [10^-3, 10^3]. The mesh has what the shading and the contact rule use.
+  MeshSession(std::shared_ptr<const Mesh> mesh, float stiffness, mesh::Shading shading,
+              mesh::Contact contact = mesh::kUsualContact) noexcept
+      : mesh_(std::move(mesh)), stiffness_(stiffness), shading_(shading), contact_(contact) {}
 
   mesh::Tick tick(const std::array<float, 3>& position) noexcept override {
     stage_ = Stage::binary64;
@@ -85,6 +86,7 @@ class MeshSession final : public TickSession {
   bool is_seeking_ = false;
   Stage stage_{};
   BoxTree::Search search_;
+  mesh::Contact contact_;
 };
 
 }  // namespace forceshade::fast

@@ -8,13 +8,13 @@
 
 namespace forceshade::fast {
 
-// How the exact point r of a rest, which decides the force, follows from the state.
+// How the exact point r of a rest, which decides the force, follows from the state and from p, the goal of the walk.
 enum class Rest {
   none,         // free
   at_spot,      // r = g: the state itself
   in_triangle,  // r = the point of the triangle's plane nearest to p
   on_edge,      // r = the point of the edge's line nearest to p
-  at_position,  // r = p
+  at_goal,      // r = p
 };
 
 struct Arrival {
@@ -33,7 +33,8 @@ class Walk {
   static constexpr int kMostMoves = 256;
   static constexpr int kMostTries = 256;  // with these, no further detour or landing of the tick begins
 
-  // Moves `at`, from where its spot is. p: mm, in the domain and quantised. Both have to outlive the walk.
+  // Moves `at`, from where its spot is, towards p: the hand's position, or what a contact rule puts in its place. p: mm, in
+  // the domain and quantised. Both have to outlive the walk.
   FORCESHADE_INLINE Walk(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, const Stages& stages = {}) noexcept
       : mesh_(mesh), at_(at), spot_(at.spot), p_(p), stages_(stages) {}
 
@@ -128,7 +129,7 @@ class Walk {
     if (hit.part == Hit::Part::none)
       be_free();
     else
-      rest(Rest::at_position, spot_at_position(hit));
+      rest(Rest::at_goal, spot_at_position(hit));
   }
 
   // p, which lies on the surface at the hit, with its parameters rounded.
@@ -297,7 +298,7 @@ class Walk {
       return slid(Rest::on_edge, rest_on_edge(h, spot_.side), first_beside(h));
     const HalfEdge end = is_towards_start ? h : next(h);
     const Spot vertex = spot_at_vertex(mesh_, end, spot_.side);
-    if (is_position(mesh_.start_point(end))) return slid(Rest::at_position, vertex, first_beside(h));
+    if (is_position(mesh_.start_point(end))) return slid(Rest::at_goal, vertex, first_beside(h));
     return slid_onward(vertex, first_beside(h));
   }
   // The triangle beside the edge that comes first in the file.
@@ -325,7 +326,7 @@ class Walk {
     if (at_.moves == kMostMoves) return Step::exhausted;
     ++at_.moves;
     at_.plane = {facing.numbers.n, dot(facing.numbers.n, facing.w), weights.all.value, facing.numbers.area, size_of(facing.w)};
-    return slid(facing.side == 0 ? Rest::at_position : Rest::in_triangle, to, f);
+    return slid(facing.side == 0 ? Rest::at_goal : Rest::in_triangle, to, f);
   }
   // The same where q is not strictly inside.
   FORCESHADE_INLINE Step slide_out(std::uint32_t f, const Facing& facing, const std::array<int, 3>& inside) noexcept {
@@ -347,13 +348,13 @@ class Walk {
       if (first == 0) {
         const HalfEdge corner = 3 * f + (3 - i - j);
         const Spot vertex = spot_at_vertex(mesh_, corner, spot_.side);
-        if (is_position(mesh_.start_point(corner))) return slid(Rest::at_position, vertex, f);
+        if (is_position(mesh_.start_point(corner))) return slid(Rest::at_goal, vertex, f);
         return slid_onward(vertex, f);
       }
       if (first < 0) i = j;
     }
     const HalfEdge edge = 3 * f + after(i);
-    if (facing.side == 0 && inside[i] == 0) return slid(Rest::at_position, rest_on_edge(edge, spot_.side), f);
+    if (facing.side == 0 && inside[i] == 0) return slid(Rest::at_goal, rest_on_edge(edge, spot_.side), f);
     const std::uint32_t j = before(i);  // the edge's end
     const DoubleWithError along = num(j), whole = times(G[i], weights.all) - shifted<24>(weights.corner[i]);
     if constexpr (!kHasSheets)  // whose slides have to be tested one by one
@@ -530,7 +531,7 @@ class Walk {
             return sheets.landing(g, spot_if_touching(), sheets.bases(flight.end(), flight.cells_at_end()), tries);
           });
       }
-      return rest(Rest::at_position, to);
+      return rest(Rest::at_goal, to);
     }
     const HalfEdge h = 3 * landing.face + landing.corner;
     const Spot to = landing.part == Hit::Part::corner ? spot_at_vertex(mesh_, h, landing.side)

@@ -33,16 +33,18 @@ Side side_of(DirectionKind way) {
   return way == DirectionKind::back ? Side::back : Side::front;
 }
 
+// In it p is the goal.
 class Tick {
  public:
-  Tick(const Surface& surface, const Crossings& crossings, Sides sides, bool has_sheets, const std::array<float, 3>& position)
-      : surface_(surface),
-        crossings_(crossings),
-        sides_(sides),
-        has_sheets_(has_sheets),
-        p_(exact_point(position)),
-        sheets_(surface, crossings, sides, p_) {
-    for (std::size_t axis = 0; axis < 3; ++axis) quantised_[axis] = p_[axis].is_zero() ? 0.0F : position[axis];
+  Tick(const Ground& ground, const std::array<float, 3>& goal, const std::array<float, 3>& position)
+      : surface_(ground.surface),
+        crossings_(ground.crossings),
+        sides_(ground.sides),
+        has_sheets_(ground.self_intersections == mesh::SelfIntersections::allowed),
+        p_(exact_point(goal)),
+        hand_(exact_point(position)),
+        sheets_(surface_, crossings_, sides_, p_) {
+    for (std::size_t axis = 0; axis < 3; ++axis) quantised_[axis] = p_[axis].is_zero() ? 0.0F : goal[axis];
   }
 
   Descended start() {
@@ -212,7 +214,7 @@ class Tick {
   }
 
   Descended rests_at(const GridPoint& at, Side side, TickStatus status) const {
-    return {status, moves_, state(at, side), Rest{exactly(at), surface_.position(at) - p_, 1, side}};
+    return {status, moves_, state(at, side), Rest{exactly(at), surface_.position(at) - hand_, 1, side}};
   }
 
   Descended rests_at_foot(const Rested& rested) const {
@@ -220,16 +222,17 @@ class Tick {
     Rest rest{foot(surface_, rested.feature, p_), {}, 1, side};
     const std::size_t index = rested.feature.index;
     if (rested.feature.place == Place::vertex) {
-      rest.D_over = surface_.vertices()[index] - p_;
+      rest.D_over = surface_.vertices()[index] - hand_;
     } else if (rested.feature.place == Place::edge) {
       const Edge& edge = surface_.edges()[index];
       rest.D_under = edge.length_squared;
       const Fraction& t = rest.r.parameter[0];
-      rest.D_over = rest.D_under * (surface_.vertices()[edge.vertices[0]] - p_) + t.over * edge.along;
+      rest.D_over = rest.D_under * (surface_.vertices()[edge.vertices[0]] - hand_) + t.over * edge.along;
     } else {
       const Triangle& triangle = surface_.triangles()[index];
       rest.D_under = triangle.normal_squared;
-      rest.D_over = dot(triangle.normal, surface_.vertices()[triangle.vertices[0]] - p_) * triangle.normal;
+      rest.D_over =
+          rest.D_under * (p_ - hand_) + dot(triangle.normal, surface_.vertices()[triangle.vertices[0]] - p_) * triangle.normal;
     }
     const mesh::GodObject after = state(rounded_inside(rest.r), side);
     return {TickStatus::touching, moves_, after, std::move(rest)};
@@ -251,7 +254,7 @@ class Tick {
   const Crossings& crossings_;
   const Sides sides_;
   const bool has_sheets_;
-  const Vector p_;
+  const Vector p_, hand_;
   const Sheets sheets_;
   std::array<float, 3> quantised_{};
   unsigned moves_ = 0;
@@ -260,13 +263,13 @@ class Tick {
 
 }  // namespace
 
-Descended descend(const Surface& surface, const Crossings& crossings, Sides sides, mesh::SelfIntersections self_intersections,
-                  const mesh::GodObject& before, const std::array<float, 3>& position, unsigned most_moves) {
-  Tick tick(surface, crossings, sides, self_intersections == mesh::SelfIntersections::allowed, position);
+Descended descend(const Ground& ground, const mesh::GodObject& before, const std::array<float, 3>& goal,
+                  const std::array<float, 3>& position, unsigned most_moves) {
+  Tick tick(ground, goal, position);
   if (before.place == Place::nowhere) return tick.start();
   if (before.place == Place::free) return tick.from_free(before.position, most_moves);
   const std::size_t index =
-      before.place == Place::edge ? surface.edge_between(before.index[0], before.index[1]) : before.index[0];
+      before.place == Place::edge ? ground.surface.edge_between(before.index[0], before.index[1]) : before.index[0];
   return tick.from_surface({{before.place, index}, before.parameter}, before.side, most_moves);
 }
 

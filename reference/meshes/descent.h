@@ -8,7 +8,15 @@
 
 namespace forceshade::reference::meshes {
 
-// Where the god-object rests: r, exactly, and D = r - p.
+// What a god-object moves on. All of it has to outlive who holds this.
+struct Ground {
+  const Surface& surface;
+  const Crossings& crossings;
+  mesh::Sides sides;
+  mesh::SelfIntersections self_intersections;  // whether ways are tested against the whole surface
+};
+
+// Where the god-object rests: r, exactly, and D = r - p, p being the hand's position.
 struct Rest {
   SurfacePoint r;
   Vector D_over;  // D = D_over / D_under, in units of 2^-77 mm
@@ -23,10 +31,9 @@ struct Descended {
   std::optional<Rest> rest;  // where it is touching
 };
 
-// `position` is valid; `before` is a state on this surface; at least one move is allowed. self_intersections: whether ways are
-// tested against the whole surface.
-Descended descend(const Surface& surface, const Crossings& crossings, mesh::Sides sides,
-                  mesh::SelfIntersections self_intersections, const mesh::GodObject& before,
+// From `before`, a state on this surface, towards the goal; D is drawn from the hand's position. Both are valid, and at least
+// one move is allowed.
+Descended descend(const Ground& ground, const mesh::GodObject& before, const std::array<float, 3>& goal,
                   const std::array<float, 3>& position, unsigned most_moves);
 
 }  // namespace forceshade::reference::meshes

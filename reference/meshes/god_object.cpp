@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "reference/meshes/contact/all.h"
 #include "reference/meshes/force.h"
 #include "reference/meshes/schemes/all.h"
 #include "reference/position.h"
@@ -15,8 +16,7 @@ struct GodObject::Parts {
   explicit Parts(const MeshRendering& rendering)
       : surface(rendering.mesh()),
         crossings(surface),
-        sides(rendering.sides),
-        self_intersections(rendering.checked.self_intersections()),
+        contact(meshes::contact_of(rendering, {surface, crossings, rendering.sides, rendering.checked.self_intersections()})),
         stiffness(rendering.stiffness) {}
 
   std::array<float, 3> force(const meshes::Rest& rest) const {
@@ -26,8 +26,7 @@ struct GodObject::Parts {
 
   const meshes::Surface surface;
   const meshes::Crossings crossings;
-  const mesh::Sides sides;
-  const mesh::SelfIntersections self_intersections;
+  const std::unique_ptr<const meshes::ContactRule> contact;
   const float stiffness;
   std::unique_ptr<const meshes::Scheme> scheme;  // null: the force is not shaded
 };
@@ -43,8 +42,7 @@ std::variant<GodObject, ParameterError> GodObject::build(const MeshRendering& re
 
 mesh::Tick GodObject::step(const mesh::GodObject& before, const std::array<float, 3>& position, unsigned most_moves) const {
   if (!in_domain(Eigen::Vector3f(position.data()))) return {mesh::TickStatus::invalid, 0, {}, before};
-  const meshes::Descended end = meshes::descend(parts_->surface, parts_->crossings, parts_->sides, parts_->self_intersections,
-                                                before, position, most_moves);
+  const meshes::Descended end = parts_->contact->move(before, position, most_moves);
   mesh::Tick tick{end.status, static_cast<std::uint16_t>(end.moves), {}, end.after};
   if (end.rest) tick.force = parts_->force(*end.rest);
   return tick;

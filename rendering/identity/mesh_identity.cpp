@@ -28,9 +28,11 @@ Identity identity_of(const std::string& name, const MeshRendering& rendering) {
       }
     digest.line("map " + identity_of("", rendering.texture.map, height::Rendering::force_shaded, 1).digest);
   }
-  // Named only where they are allowed, so that what was certified or recorded before there was such a choice is still the same.
+  // What is usual is not named, so that what was certified or recorded before there was such a choice is still the same.
   const bool has_sheets = rendering.checked.self_intersections() == mesh::SelfIntersections::allowed;
   if (has_sheets) digest.line("self-intersections allowed");
+  const bool has_own_contact = rendering.contact != mesh::kUsualContact;
+  if (has_own_contact) digest.line("contact " + std::string(name_of(rendering.contact)));
   Identity identity{kMeshKind,
                     name,
                     {{"sides", std::string(name_of(rendering.sides))},
@@ -38,6 +40,7 @@ Identity identity_of(const std::string& name, const MeshRendering& rendering) {
                      {"stiffness_N_per_mm", rendering.stiffness}},
                     digest.hex()};
   if (has_sheets) identity.parameters.push_back({"self_intersections", std::string("allowed")});
+  if (has_own_contact) identity.parameters.push_back({"contact", std::string(name_of(rendering.contact))});
   return identity;
 }
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes god_object/: small meshes, paths on them, and what the god-object of docs/god-object.md does on these paths.
+"""Writes god_object/: small meshes, paths on them, and what the god-object of docs/god-object.md does on these paths, by the
+contact rule direct.
 
 Usage: make_god_object_golden.py [directory]       (the default is god_object/ beside this file; the output is always the same)
        make_god_object_golden.py --check directory [mesh ...]

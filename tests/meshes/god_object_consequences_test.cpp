@@ -55,6 +55,8 @@ struct Scene {
         surface(made.mesh),
         crossings(surface) {}
 
+  reference::meshes::Ground ground() const { return {surface, crossings, made.sides, mesh::SelfIntersections::refused}; }
+
   static constexpr float kStiffness = 0.7F;
   RandomMesh made;
   mesh::CornerNormals normals;
@@ -466,8 +468,7 @@ TEST(god_object_consequences, every_rest_but_a_refusal_is_a_local_minimum_and_of
                                           "at the rim"};
   on_random_paths(8, 330, 200, expected, [](const Scene& scene, const Step& step, Counts& counts) {
     if (step.tick.status != TickStatus::touching) return;
-    const auto end = descend(scene.surface, scene.crossings, scene.made.sides, mesh::SelfIntersections::refused, step.before,
-                             step.position, 256);
+    const auto end = descend(scene.ground(), step.before, step.position, step.position, 256);
     const auto& rest = end.rest.value();
     const Vector p = reference::meshes::exact_point(step.position);
     const Feature& feature = rest.r.feature;
@@ -522,8 +523,7 @@ TEST(god_object_consequences, a_tick_gives_no_more_than_the_account_with_the_rou
                   [&](const Scene& scene, const Step& step, Counts& counts) {
                     const std::optional<Ended> before = std::exchange(last, std::nullopt);
                     if (step.tick.status != TickStatus::touching) return;
-                    const auto end = descend(scene.surface, scene.crossings, scene.made.sides, mesh::SelfIntersections::refused,
-                                             step.before, step.position, 256);
+                    const auto end = descend(scene.ground(), step.before, step.position, step.position, 256);
                     const auto& rest = end.rest.value();
                     const Vector p = reference::meshes::exact_point(step.position);
                     last = Ended{step.tick.after, p, over(rest.D_over, rest.D_under)};

@@ -15,8 +15,8 @@ mesh::Tick walk_through_sheets(const Mesh& mesh, const mesh::GodObject& before, 
 }
 
 template mesh::Tick step(const Mesh&, const mesh::GodObject&, const std::array<float, 3>&, float, mesh::Shading,
-                         const FilteredStages&) noexcept;
+                         const FilteredStages&, mesh::Contact) noexcept;
 template mesh::Tick step(const Mesh&, const mesh::GodObject&, const std::array<float, 3>&, float, mesh::Shading,
-                         const ExactStages&) noexcept;
+                         const ExactStages&, mesh::Contact) noexcept;
 
 }  // namespace forceshade::fast

@@ -9,10 +9,10 @@ namespace forceshade::fast {
 // What one position does to a god-object. position: mm; stiffness: N/mm. A state that is not one of this mesh counts as none.
 template <class Stages = FilteredStages>
 mesh::Tick step(const Mesh& mesh, const mesh::GodObject& before, const std::array<float, 3>& position, float stiffness,
-                mesh::Shading shading, const Stages& stages = {}) noexcept {
+                mesh::Shading shading, const Stages& stages = {}, mesh::Contact contact = mesh::kUsualContact) noexcept {
   Arrival at{spot_of(mesh, before), Rest::none, 0, true};
   mesh::Tick tick;
-  if (in_domain(position)) advance(mesh, at, quantised(position), stiffness, shading, stages, tick);
+  if (in_domain(position)) advance(mesh, at, quantised(position), stiffness, shading, stages, tick, contact);
   tick.after = object_of(mesh, at.spot);
   return tick;
 }
@@ -21,8 +21,8 @@ mesh::Tick step(const Mesh& mesh, const mesh::GodObject& before, const std::arra
 mesh::Tick walk_through_sheets(const Mesh& mesh, const mesh::GodObject& before, const std::array<float, 3>& position) noexcept;
 
 extern template mesh::Tick step(const Mesh&, const mesh::GodObject&, const std::array<float, 3>&, float, mesh::Shading,
-                                const FilteredStages&) noexcept;
+                                const FilteredStages&, mesh::Contact) noexcept;
 extern template mesh::Tick step(const Mesh&, const mesh::GodObject&, const std::array<float, 3>&, float, mesh::Shading,
-                                const ExactStages&) noexcept;
+                                const ExactStages&, mesh::Contact) noexcept;
 
 }  // namespace forceshade::fast

@@ -24,26 +24,32 @@
 namespace forceshade::properties {
 namespace {
 
-MeshRendering rendering_of(MeshSource& source, std::size_t family, mesh::Shading shading) {
+MeshRendering rendering_of(MeshSource& source, std::size_t family, mesh::Shading shading,
+                           mesh::Contact contact = mesh::kUsualContact) {
   RandomMesh random = source.of_family(family);
   MeshRendering rendering{tests::checked(std::move(random.mesh)), {}, random.sides, shading, 0.3F};
-  if (mesh::has_corner_normals(shading)) rendering.normals = source.normals_of(rendering.mesh());
+  rendering.contact = contact;
+  if (rendering.has_corner_normals()) rendering.normals = source.normals_of(rendering.mesh());
   if (shading == mesh::Shading::texture_scheme)
     rendering.texture = {source.textures_of(rendering.mesh()),
                          {{{height::Grating{1, 0.5F, 0.75F, 0}}, {height::Cone{1, 2, 3, 4}}}}};
   return rendering;
 }
 
+void expect_every_property(mesh::Shading shading, mesh::Contact contact) {
+  for (std::size_t family = 0; family < kMeshFamilies.size(); ++family) {
+    MeshSource source(2026 + family);
+    const MeshSubject subject(std::string(kMeshFamilies[family]), rendering_of(source, family, shading, contact));
+    for (const PropertyResult& result : run_properties(subject, 40, 7))
+      EXPECT_TRUE(result.held) << subject.identity().name << ", " << name_of(shading) << ", " << name_of(contact) << ", "
+                               << result.name << ": " << result.counterexample;
+  }
+}
+
 TEST(mesh_subject, has_every_property_on_every_family_of_meshes) {
-  for (std::size_t family = 0; family < kMeshFamilies.size(); ++family)
-    for (const mesh::Shading shading :
-         {mesh::Shading::none, mesh::Shading::vertex_scheme, mesh::Shading::edge_scheme, mesh::Shading::texture_scheme}) {
-      MeshSource source(2026 + family);
-      const MeshSubject subject(std::string(kMeshFamilies[family]), rendering_of(source, family, shading));
-      for (const PropertyResult& result : run_properties(subject, 40, 7))
-        EXPECT_TRUE(result.held) << subject.identity().name << ", " << name_of(shading) << ", " << result.name << ": "
-                                 << result.counterexample;
-    }
+  for (const mesh::Shading shading :
+       {mesh::Shading::none, mesh::Shading::vertex_scheme, mesh::Shading::edge_scheme, mesh::Shading::texture_scheme})
+    expect_every_property(shading, mesh::Contact::direct);
 }
 
 // Answers as the fast path does, changed.

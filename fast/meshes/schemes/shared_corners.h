@@ -56,7 +56,7 @@ struct SharedCorners {
     // D = α n1 + β n2, α and β of the side's sign; they carry it to the direction.
     const Face &first = mesh.face(face_of(spot.half)), &second = mesh.face(face_of(other));
     if (first.edge_angle(corner_of(spot.half)) == EdgeAngle::flat) return {ShadingOutcome::none, {}};
-    if (numbers.rest() == Rest::at_spot) {
+    if (!numbers.is_at_foot()) {
       const Sign along = proved_sign(dot(way.vector, numbers.edge()));
       if (along == Sign::unknown) return {ShadingOutcome::unknown, {}};
       if (along != Sign::zero) return {ShadingOutcome::none, {}};

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The one list of the contact rules of this side, the usual one first.
+
+#include "fast/meshes/contact/direct.h"
+
+namespace forceshade::fast {
+
+template <class First, class... Others>
+struct ContactList {
+  static constexpr std::size_t kCount = 1 + sizeof...(Others);
+  using Usual = First;  // its goal is the hand's position
+};
+using ContactRules = ContactList<Direct>;
+static_assert(ContactRules::kCount == mesh::kContactNames.size() && ContactRules::Usual::kContact == mesh::kUsualContact);
+
+template <class Stages, class First, class... Others>
+Goal move_by(mesh::Contact contact, const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, const Stages& stages,
+             ContactList<First, Others...>) noexcept {
+  if constexpr (sizeof...(Others) > 0)
+    if (contact != First::kContact) return move_by(contact, mesh, at, p, stages, ContactList<Others...>());
+  return First::move(mesh, at, p, stages);
+}
+
+// Moves `at` by the rule, from where its spot is. p: the hand's position, mm, in the domain and quantised. The mesh has what
+// the rule uses.
+template <class Stages>
+Goal move_by(mesh::Contact contact, const Mesh& mesh, Arrival& at, const std::array<float, 3>& p,
+             const Stages& stages) noexcept {
+  return move_by(contact, mesh, at, p, stages, ContactRules());
+}
+
+}  // namespace forceshade::fast

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reference/meshes/contact/all.h"
+
+#include <stdexcept>
+
+#include "reference/meshes/contact/direct.h"
+
+namespace forceshade::reference::meshes {
+
+std::unique_ptr<const ContactRule> contact_of(const MeshRendering& rendering, const Ground& ground) {
+  switch (rendering.contact) {
+    case mesh::Contact::direct: return std::make_unique<const Direct>(ground);
+  }
+  throw std::logic_error("a contact rule that the exact side's list lacks");
+}
+
+}  // namespace forceshade::reference::meshes
