@@ -102,8 +102,11 @@ MeshOption::MeshOption(CLI::App& command, LawOptions& law) {
       ->type_name("vertex|edge|none|texture:FILE")
       ->check(CLI::Validator(&refusal_of_shading, ""))
       ->needs(option);
-  add_word(command, "--contact", mesh_.contact, "of a mesh: in a tick the god-object goes for the position (direct)",
-           {mesh::kContactNames.begin(), mesh::kContactNames.end()})
+  add_word(
+      command, "--contact", mesh_.contact,
+      "of a mesh: in a contact the god-object goes for the position (direct), or for that as a plane would hold it which is "
+      "turned to the interpolated normal (sub-goal); then --shading is none unless given",
+      {mesh::kContactNames.begin(), mesh::kContactNames.end()})
       ->capture_default_str()
       ->needs(option);
   command

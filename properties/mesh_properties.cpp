@@ -55,6 +55,20 @@ double most_turn(const MeshRendering& rendering, const mesh::Tick& tick, const E
   return largest_turn(rendering, tick.after.index[0]);
 }
 
+// Of the distance to the new position, beside what it would be had the god-object not moved: by what factor it may be longer. A
+// sub-goal is off the position by the sine of a turn, times that distance, and no farther from where the god-object arrives
+// than from where it was. A sine is at most the chord.
+double most_growth(const MeshRendering& rendering, const mesh::GodObject& before) {
+  if (rendering.contact != mesh::Contact::sub_goal || before.place != mesh::Place::triangle) return 1;
+  return 1 + 2 * largest_turn(rendering, before.index[0]);
+}
+
+// How far off a goal may be because its coordinates are binary32 numbers. distance: the most that it is off the position q.
+double rounding_of_goal(const Eigen::Vector3d& q, double distance) {
+  const double largest = q.cwiseAbs().maxCoeff() + distance;
+  return std::numbers::sqrt3 * (half_spacing(static_cast<float>(largest)) + 0x1p-30);
+}
+
 std::string at(const MeshPosition& p) {
   return "at (" + show(p[0]) + ", " + show(p[1]) + ", " + show(p[2]) + ") mm ";
 }
@@ -146,16 +160,17 @@ Violation spring_gives_no_energy(const MeshRendering& rendering, std::span<const
     const Ticked &before = path[i - 1], &now = path[i];
     const Eigen::Vector3d p = read(before.position), q = read(now.position), step = q - p;
     const Eigen::Vector3d r = point_of(rendering.mesh(), before.tick.after), s = point_of(rendering.mesh(), now.tick.after);
-    const double slack =
-        grid_reach(rendering.mesh(), before.tick.after) + grid_reach(rendering.mesh(), now.tick.after) + 4 * kSum;
-    if ((s - q).norm() > (r - q).norm() + slack)
+    const double growth = most_growth(rendering, before.tick.after);
+    const double slack = grid_reach(rendering.mesh(), before.tick.after) + grid_reach(rendering.mesh(), now.tick.after) +
+                         4 * kSum + (growth > 1 ? 2 * rounding_of_goal(q, growth * (r - q).norm()) : 0);
+    if ((s - q).norm() > growth * (r - q).norm() + slack)
       return at(now.position) + "the god-object went from " + words((r - q).norm()) + " mm off the position to " +
              words((s - q).norm()) + " mm off it";
     const Eigen::Vector3d F = force_of(before.tick), G = force_of(now.tick);
     const double given = F.dot(step);
     const double turned = is_on_surface(before.tick) ? most_turn(rendering, before.tick, r - p, slack) : 0;
-    const double stored =
-        (F.squaredNorm() - G.squaredNorm()) / (2 * K) + 0.5 * K * step.squaredNorm() + turned * F.norm() * step.norm();
+    const double stored = (F.squaredNorm() - G.squaredNorm() / (growth * growth)) / (2 * K) + 0.5 * K * step.squaredNorm() +
+                          turned * F.norm() * step.norm();
     // Where the springs' ends are off by the slack, and the forces by their roundings.
     const double off = (turned > 0 ? 3 : 1) * K * slack + rounding_of(before.tick) + rounding_of(now.tick);
     const double allowed = off * (step.norm() + (F.norm() + G.norm() + off) / K);

@@ -41,7 +41,8 @@ double largest_turn(const MeshRendering& rendering, std::uint32_t triangle);
 // one is at most what it would be had it not moved. So an unshaded force gives no more energy than sampling does: over one tick
 // F·(p' - p) <= (F² - F'²)/2K + K/2 |p' - p|², which is checked of the forces, too. A shaded force is as long as the spring's
 // and gives at most t |F| |p' - p| more, where t is largest_turn() at a rest inside a triangle, else the root of 2
-// (docs/energy.md).
+// (docs/energy.md). By the contact rule sub-goal, after a rest inside a triangle, that distance may be 1 + 2t times as long,
+// and F' counts for F'/(1 + 2t).
 Violation spring_gives_no_energy(const MeshRendering& rendering, std::span<const Ticked> path);
 
 }  // namespace forceshade::properties

@@ -239,12 +239,15 @@ std::vector<FurtherProperty> MeshSubject::further_properties() const {
     }
     return std::nullopt;
   };
+  // A sub-goal depends on where the god-object is, which goes on.
+  if (mesh_->contact == mesh::Contact::sub_goal) return {{"states", states}};
   return {{"states", states}, {"repeats", repeats}};
 }
 
 Expected MeshSubject::expected() const {
   std::vector<std::string> words{"where the god-object leaves a rim, a wide edge or a vertex"};
   if (mesh_->shading != mesh::Shading::none) words.emplace_back("where the shading is given up");
+  if (mesh_->contact == mesh::Contact::sub_goal) words.emplace_back("where the sub-goal leaves the surface");
   if (mesh_->shading == mesh::Shading::texture_scheme) {
     words.emplace_back("where the texture's slope jumps, and between the steps of its rounded coordinates");
     words.emplace_back("on flat and wide edges that separate the texture, its seams");

@@ -101,17 +101,17 @@ constexpr bool has_corner_normals(Shading shading) {
   return shading == Shading::vertex_scheme || shading == Shading::texture_scheme;
 }
 
-// The one list of the contact rules: which point the god-object goes for in a tick.
-enum class Contact { direct };
+// The one list of the contact rules: which point the god-object goes for in a tick. sub_goal uses corner normals.
+enum class Contact { direct, sub_goal };
 
-inline constexpr std::array<std::string_view, 1> kContactNames{"direct"};
+inline constexpr std::array<std::string_view, 2> kContactNames{"direct", "sub-goal"};
 inline constexpr Contact kUsualContact = {};  // unless another is asked for
 
 constexpr std::string_view name_of(Contact contact) {
   return kContactNames[static_cast<std::size_t>(contact)];
 }
-constexpr bool has_corner_normals(Contact) {
-  return false;
+constexpr bool has_corner_normals(Contact contact) {
+  return contact == Contact::sub_goal;
 }
 
 // Where the god-object is. `nowhere`: no valid position has come yet.

@@ -85,6 +85,18 @@ same 1 "$("$forceshade" recording recompute run.fsr $mesh | grep -c 'ticks, [1-9
 expect 2 "run.fsr: sides is front; expected both" -- "$forceshade" recording recompute run.fsr $mesh --sides both
 expect 2 "expected wall" -- "$forceshade" recording recompute run.fsr --law wall
 
+# Another contact rule is part of what is certified and recorded, and what is not turned by a shading unless that is given.
+leading="$mesh --contact sub-goal"
+expect 1 "" -- "$forceshade" drive $leading --device simulated --seconds 0.1 --certificate certificate/certificate.json
+same "$("$forceshade" force $leading --shading none --input path.csv)" "$("$forceshade" force $leading --input path.csv)"
+same "$("$forceshade" force $leading --input path.csv)" "$("$forceshade" force $leading --path reference --input path.csv)"
+expect 0 "held, not certified: 6250 points" -- "$forceshade" certify $leading --points 5000 --cases 100 --out leading
+grep -q '"contact": "sub-goal"' leading/certificate.json || { echo "FAILED: the certificate does not name the rule"; exit 1; }
+expect 0 "(time up)" -- "$forceshade" drive $leading --device replay:hand.csv --free-run --seconds 1 --record leading.fsr --uncertified
+same 1 "$("$forceshade" recording recompute leading.fsr $leading | grep -c 'ticks, [1-9][0-9]* in contact, 0 differ')"
+expect 2 "leading.fsr: " -- "$forceshade" recording recompute leading.fsr $mesh
+expect 2 "--contact: " -- "$forceshade" force $mesh --contact subgoal --input path.csv
+
 # Faces that cross: refused, unless --self-intersecting is given; then part of what is certified and recorded. A floor and a wall
 # through it: the god-object stops before the wall and goes along it.
 printf 'OFF\n8 4 0\n-20 -20 0\n20 -20 0\n20 20 0\n-20 20 0\n0 -19 -7\n0 19 -7\n0 19 9\n0 -19 9\n3 0 1 2\n3 0 2 3\n3 4 5 6\n3 4 6 7\n' > plates.off

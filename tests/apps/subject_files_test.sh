@@ -8,11 +8,11 @@ printf 'x_mm,y_mm,z_mm\n1,0,-0.5\n3,0.5,-1\n-40,2,0.25\n' > positions.csv
 mkdir inputs && cp ball.off inputs/ && cp "$examples/groove.toml" inputs/
 printf 'law = "bump-2p-shaded"\nradius = "1000mil"\nwidth = 30\nstiffness = "250N/m"\n' > inputs/law.toml
 printf 'height-map = "groove.toml"\nstiffness = 0.25\n' > inputs/map.toml
-printf 'mesh = "ball.off"\nunit = "mm"\nsides = "both"\nshading = "edge"\ncrease = "40deg"\nself-intersecting = true\nstiffness = 0.25\n' \
+printf 'mesh = "ball.off"\nunit = "mm"\nsides = "both"\nshading = "edge"\ncontact = "sub-goal"\ncrease = "40deg"\nself-intersecting = true\nstiffness = 0.25\n' \
   > inputs/mesh.toml
 law="--law bump-2p-shaded --radius 1000mil --width 30 --stiffness 250N/m"
 map="--height-map inputs/groove.toml --stiffness 0.25"
-mesh="--mesh inputs/ball.off --unit mm --sides both --shading edge --crease 40deg --self-intersecting --stiffness 0.25"
+mesh="--mesh inputs/ball.off --unit mm --sides both --shading edge --contact sub-goal --crease 40deg --self-intersecting --stiffness 0.25"
 
 for kind in law map mesh; do
   options=${!kind} file=inputs/$kind.toml

@@ -4,6 +4,8 @@
 contact rule direct.
 
 Usage: make_god_object_golden.py [directory]       (the default is god_object/ beside this file; the output is always the same)
+       make_god_object_golden.py --sub-goal [directory]
+           the same by the contact rule sub-goal on some of the meshes; the default is sub_goal_god_object/
        make_god_object_golden.py --check directory [mesh ...]
            computes every path in the directory again and compares every column
        make_god_object_golden.py --single-moves directory output [mesh ...]
@@ -18,7 +20,8 @@ The methods are chosen to differ from the formulas of docs/god-object.md:
     the place of the crossing;
   - projections onto triangles: 2 x 2 normal equations;
   - grid points: all neighbours of the point are tried;
-  - forces: a component is rounded from its exact square, shaded and unshaded alike.
+  - forces: a component is rounded from its exact square, shaded and unshaded alike;
+  - sub-goals: the position, moved by what lies between the feet in the triangle of itself and of its foot on the shading plane.
 Angles and unit normals, which the corner normals are made of, are decimals of 110 digits; a corner normal that these leave in
 doubt would stop the program. Everything else is exact. The unit of length of the integers is 2^-77 mm: vertices and positions
 are multiples of 2^-53 mm, and the grid of the states divides these by 2^24.
@@ -426,6 +429,38 @@ class Mesh:
             side = 'front' if self.is_at_rim(place) else new_side
             moves += 1
 
+    # ------------------------------------------------------------ contact rules
+
+    def foot_in(self, i, point):
+        """The point of a triangle's plane that is nearest to a point."""
+        a, b, c = (self.w[v] for v in self.triangles[i])
+        x, y = minus(b, a), minus(c, a)
+        s, t, d = in_basis(x, y, minus(point, a))
+        return plus(a, plus(times(Fraction(s) / d, x), times(Fraction(t) / d, y)))
+
+    def sub_goal(self, state, p):
+        """In units; p itself where there is none."""
+        place, side, g = state
+        if place is None or place[0] != 't':
+            return p
+        facing = 1 if side == 'front' else -1
+        n, N = (times(facing, v) for v in (self.normals[place[1]], self.direction_in(place[1], as_fractions(place))))
+        from_g = minus(p, g)
+        if dot(from_g, n) >= 0 or dot(from_g, N) >= 0:
+            return p
+        on_plane = minus(p, times(Fraction(dot(from_g, N)) / dot(N, N), N))
+        goal = plus(p, minus(self.foot_in(place[1], on_plane), self.foot_in(place[1], p)))
+        self.reached['sub-goals'] += 1
+        return in_units(bounded(rounded(Fraction(c) / UNIT) for c in goal))
+
+    def tick_by_sub_goal(self, state, p):
+        goal = self.sub_goal(state, p)
+        result = self.tick(state, goal)
+        if result[1] == 'free' and goal != p:
+            self.reached['sub-goals off the surface'] += 1
+            return self.tick(state, p)
+        return result
+
     # ------------------------------------------------------------ force
 
     def direction_in(self, i, rest):
@@ -491,14 +526,14 @@ TABLE = ['name', 'sides', 'crease_degrees', 'triangles', 'ticks']
 COLUMNS = 'x_mm,y_mm,z_mm,status,feature,side,moves,fx_N,fy_N,fz_N,sx_N,sy_N,sz_N'
 
 
-def follow(mesh, positions):
+def follow(mesh, positions, tick=Mesh.tick):
     """The rows of a path."""
     state = None, 'front', None
     for position in positions:
         moves, forces = 0, [0.0] * 6
         if all(abs(c) <= 1e4 for c in position):  # false for NaN too
             p = in_units(position)
-            state, status, moves, rest = mesh.tick(state, p)
+            state, status, moves, rest = tick(mesh, state, p)
             forces = mesh.forces(rest, state[1], p)
         else:
             status = 'invalid'
@@ -992,6 +1027,31 @@ def places_of(rows):
     return seen
 
 
+# Some of the meshes, with smooth normals, and a part of their paths.
+BY_SUB_GOAL = {'tetrahedron', 'l_prism', 'folded_sheet', 'saddle_8', 'torus', 'stairs', 'far'}
+MUST_OCCUR_BY_SUB_GOAL = ['free', 'touching', 'invalid', 'v front', 'v back', 'e front', 'e back', 't front', 't back',
+                          'sub-goals', 'sub-goals off the surface']
+
+
+def main_of_sub_goals(directory):
+    directory.mkdir(exist_ok=True)
+    table = []
+    for scene in scenes():
+        if scene.name not in BY_SUB_GOAL:
+            continue
+        scene = scene._replace(crease=180, ticks=120)
+        mesh = Mesh(scene.vertices, scene.triangles, scene.sides)
+        normals = corner_normals(mesh, scene.crease)
+        mesh.corner_normals = [[tuple(map(Fraction, n)) for n in corners] for corners in normals]
+        rows = list(follow(mesh, Paths(scene, mesh).positions(), Mesh.tick_by_sub_goal))
+        write_path(directory, scene, normals, rows)
+        table.append([scene.name, scene.sides, scene.crease, len(scene.triangles), len(rows)])
+        Mesh.reached.update(places_of(rows))
+    write(directory / 'meshes.csv', [TABLE, *table])
+    print(*(f'{kind}: {Mesh.reached[kind]}' for kind in MUST_OCCUR_BY_SUB_GOAL), sep='\n')
+    assert all(Mesh.reached[kind] for kind in MUST_OCCUR_BY_SUB_GOAL)
+
+
 def main(directory):
     directory.mkdir(exist_ok=True)
     table = []
@@ -1016,4 +1076,6 @@ if __name__ == '__main__':
         sys.exit(1 if check(Path(sys.argv[2]), sys.argv[3:]) else 0)
     if sys.argv[1:2] == ['--single-moves']:
         sys.exit(write_single_moves(Path(sys.argv[2]), Path(sys.argv[3]), sys.argv[4:]))
+    if sys.argv[1:2] == ['--sub-goal']:
+        sys.exit(main_of_sub_goals(Path(sys.argv[2]) if len(sys.argv) > 2 else Path(__file__).parent / 'sub_goal_god_object'))
     main(Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parent / 'god_object')

@@ -87,6 +87,7 @@ const std::vector<Row>& rows() {
       {"two crossings in a plane, from grid to grid", l * l * l * l * l * l * l * l, 520},
       {"the square of a way's length, from grid to grid, times m²", (l * l) << 96U, 154},
       {"from a landing to the grid: d² det(…), d = (e × (p − g))·n", l * l * n * l * l * n * v, 679},
+      {"a coordinate of a sub-goal, times 2²⁴ N² n²", 9 * kSide2 * (Integer(144) << 144U) * n * n, 563},
       {"a component of N′ with a texture, times n²", (n * n) << 88U, 467},
       {"a component of αq₁N₁′ + βq₂N₂′ with a texture", on_crease, 987},
       {"its square, times those of K and of e² D", (on_crease * on_crease * l * l * l * l * l * l) << 40U, 2358},

@@ -50,6 +50,8 @@ TEST(mesh_subject, has_every_property_on_every_family_of_meshes) {
   for (const mesh::Shading shading :
        {mesh::Shading::none, mesh::Shading::vertex_scheme, mesh::Shading::edge_scheme, mesh::Shading::texture_scheme})
     expect_every_property(shading, mesh::Contact::direct);
+  for (const mesh::Shading shading : {mesh::Shading::none, mesh::Shading::vertex_scheme, mesh::Shading::texture_scheme})
+    expect_every_property(shading, mesh::Contact::sub_goal);
 }
 
 // Answers as the fast path does, changed.
@@ -283,6 +285,7 @@ TEST(mesh_subject, identity_is_that_of_every_number) {
       changed([](MeshRendering& r) { r.sides = r.sides == mesh::Sides::both ? mesh::Sides::front : mesh::Sides::both; }));
   EXPECT_TRUE(changed([](MeshRendering& r) { r.shading = mesh::Shading::none; }));
   EXPECT_TRUE(changed([](MeshRendering& r) { r.stiffness = 0.5F; }));
+  EXPECT_TRUE(changed([](MeshRendering& r) { r.contact = mesh::Contact::sub_goal; }));
 }
 
 TEST(mesh_subject, identity_is_that_of_every_number_of_a_texture) {
