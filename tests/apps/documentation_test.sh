@@ -14,18 +14,22 @@ fail() { echo "FAILED: $*"; exit 1; }
 . ./forceshade.bash || fail "bash cannot read the completion"
 for shell in zsh fish; do "$forceshade" completion $shell > forceshade.$shell || fail "no completion for $shell was written"; done
 
-# completed WORD...: what bash completes after the words; the last one is begun, and may be empty.
-completed() {
+# complete_words WORD...: sets COMPREPLY to what bash completes after the words; the last one is begun, and may be empty.
+complete_words() {
   COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); COMPREPLY=()
   _forceshade
-  printf '%s\n' "${COMPREPLY[@]}"
 }
 # completes EXPECTED WORD...: EXPECTED is among them.
 completes() {
-  local expected=$1; shift
+  local expected=$1 word; shift
   checks=$((checks + 1))
-  completed "$@" | grep -qxF -e "$expected" || fail "bash completes $* with: $(completed "$@" | tr '\n' ' '); expected $expected"
+  complete_words "$@"
+  for word in "${COMPREPLY[@]}"; do [ "$word" != "$expected" ] || return 0; done
+  fail "bash completes $* with: ${COMPREPLY[*]}; expected $expected"
 }
+# has_line PATTERN TEXT: whether a line of the text matches the extended regular expression as a whole. Without a process, of
+# which this test would start thousands.
+has_line() { [[ $'\n'$2$'\n' =~ $'\n'($1)$'\n' ]]; }
 
 # below COMMAND...: its verbs, as its help lists them.
 below() { "$forceshade" "$@" --help | sed -n '/^Commands:/,/^$/ s/^  \([a-z]*\) .*/\1/p'; }
@@ -36,6 +40,7 @@ for command in $(below); do
 done
 [ ${#commands[@]} -ge 21 ] || fail "found only these commands: ${commands[*]}"
 
+zsh=$(cat forceshade.zsh) fish=$(cat forceshade.fish)
 for command in "${commands[@]}"; do
   read -ra words <<< "$command"
   page=pages/$(echo forceshade $command | tr ' ' -).1
@@ -44,15 +49,15 @@ for command in "${commands[@]}"; do
   plain=$(sed -e 's/\\-/-/g' -e 's/\\f[BIR]//g' "$page")
   options=$("$forceshade" "${words[@]}" --help | grep -o '^  \(-[hv], \)\?--[a-z-]*' | sed 's/.*--/--/')
   for option in $options; do
-    grep -qE -e "^(-[hv], )?$option( |$)" <<< "$plain" || fail "$page lacks $option"
+    has_line "(-[hv], )?$option( [^"$'\n'"]*)?" "$plain" || fail "$page lacks $option"
     completes "$option" forceshade "${words[@]}" "${option:0:4}"
     checks=$((checks + 2))
-    grep -qE -e "^    +'forceshade${command:+ $command}'\) known='(.* )?$option[ ']" forceshade.zsh || fail "the completion of zsh lacks $command $option"
-    grep -q -e "^complete -c forceshade -n '__forceshade_is \"forceshade${command:+ $command}\"' -l ${option#--} " forceshade.fish ||
+    has_line "    +'forceshade${command:+ $command}'\\) known='([^"$'\n'"]* )?$option[ '][^"$'\n'"]*" "$zsh" || fail "the completion of zsh lacks $command $option"
+    [[ $'\n'$fish == *$'\n'"complete -c forceshade -n '__forceshade_is \"forceshade${command:+ $command}\"' -l ${option#--} "* ]] ||
       fail "the completion of fish lacks $command $option"
   done
   for verb in $(below "${words[@]}"); do
-    grep -qx -e ".B $verb" <<< "$plain" || fail "$page lacks $verb"
+    has_line "\\.B $verb" "$plain" || fail "$page lacks $verb"
     completes "$verb" forceshade "${words[@]}" "${verb:0:2}"
   done
   ! LC_ALL=C grep -q '[^ -~]' "$page" || fail "$page has something that is not ASCII"
@@ -80,8 +85,10 @@ completes bash forceshade completion b
 completes 'a file.csv' forceshade recording verify a
 completes simulated forceshade drive --device s
 completes simulated forceshade device check s
-[ -z "$(completed forceshade energy --law wal | grep -v '^wall$')" ] || fail "more than the law is completed after --law"
-[ -z "$(completed forceshade energy --depth '')" ] || fail "a number is completed: $(completed forceshade energy --depth '')"
+complete_words forceshade energy --law wal
+[ "${COMPREPLY[*]}" = wall ] || fail "after --law wal is completed: ${COMPREPLY[*]}"
+complete_words forceshade energy --depth ''
+[ ${#COMPREPLY[@]} = 0 ] || fail "a number is completed: ${COMPREPLY[*]}"
 
 # zsh calls the function with the words and the place of the cursor; what it adds is printed here instead.
 if command -v zsh > /dev/null; then

@@ -71,18 +71,6 @@ TEST(god_object, equals_the_paths_in_a_given_folder_in_every_column) {
   expect_same_as_all_in(folder);
 }
 
-// Notes how many decisions each stage has taken.
-struct CountedStages {
-  static constexpr bool kFilter = true;
-  std::size_t* in_binary64;
-  std::size_t* in_integers;
-  bool sure(bool is_proved) const noexcept {
-    *in_binary64 += is_proved;
-    return is_proved;
-  }
-  void note(Stage) const noexcept { ++*in_integers; }
-};
-
 struct Reached {
   std::map<std::string, std::size_t> counts;
 
@@ -180,7 +168,7 @@ TEST(god_object, is_the_same_with_and_without_a_filter_and_from_tick_to_tick_in_
       const std::size_t before = in_integers;
       mesh::Tick filtered;
       if (in_domain(p))
-        advance(*mesh, arrival, quantised(p), kStiffness, scene.shading, CountedStages{&in_binary64, &in_integers}, filtered);
+        arrive(*mesh, arrival, quantised(p), kStiffness, scene.shading, CountedStages{&in_binary64, &in_integers}, filtered);
       filtered.after = object_of(*mesh, arrival.spot);
       if (i % 3 != 0) session.look_ahead();  // without any trace in what follows
       const mesh::Tick in_session = session.tick(p);

@@ -13,7 +13,6 @@
 #include <optional>
 #include <string>
 
-#include "fast/meshes/advance.h"
 #include "reference/meshes/god_object.h"
 #include "rendering/meshes/check.h"
 #include "tests/meshes/god_object_paths.h"
@@ -34,17 +33,6 @@ using tests::Place;
 constexpr float kStiffness = 0.3F;  // N/mm
 // The limits of docs/god-object.md: with the first, no detour or landing of the tick begins.
 constexpr int kMostTries = 256, kMostTriesOfADetour = 256;
-// How many decisions a tick makes.
-struct Counted {
-  static constexpr bool kFilter = true;
-  std::size_t* in_binary64;
-  std::size_t* in_integers;
-  bool sure(bool is_proved) const noexcept {
-    *in_binary64 += is_proved;
-    return is_proved;
-  }
-  void note(fast::Stage) const noexcept { ++*in_integers; }
-};
 
 struct Cost {
   std::size_t operations = 0, in_binary64 = 0, in_integers = 0;
@@ -69,8 +57,8 @@ Cost cost_of(const fast::Mesh& mesh, const HardCase& one) {
     Cost cost;
     mesh::Tick tick;
     const auto start = std::chrono::steady_clock::now();
-    fast::advance(mesh, at, fast::quantised(p), kStiffness, mesh::Shading::none, Counted{&cost.in_binary64, &cost.in_integers},
-                  tick);
+    fast::arrive(mesh, at, fast::quantised(p), kStiffness, mesh::Shading::none,
+                 fast::CountedStages{&cost.in_binary64, &cost.in_integers}, tick);
     cost.microseconds = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
     cost.tries = at.tries;
     cost.moves = at.moves;
@@ -98,7 +86,8 @@ class Both {
     state_ = expected.after;
     decisions_ = 0;
     mesh::Tick found;
-    fast::advance(mesh_, at_, fast::quantised(p), kStiffness, mesh::Shading::none, Counted{&decisions_, &decisions_}, found);
+    fast::arrive(mesh_, at_, fast::quantised(p), kStiffness, mesh::Shading::none, fast::CountedStages{&decisions_, &decisions_},
+                 found);
     found.after = fast::object_of(mesh_, at_.spot);
     EXPECT_TRUE(tests::is_same(found, expected)) << "expected " << tests::show(expected) << ", found " << tests::show(found);
     const mesh::Tick exact = fast::step(mesh_, before, p, kStiffness, mesh::Shading::none, fast::ExactStages());

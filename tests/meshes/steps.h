@@ -6,6 +6,24 @@
 
 namespace forceshade::fast {
 
+// Counts the decisions of each stage.
+struct CountedStages {
+  static constexpr bool kFilter = true;
+  std::size_t* in_binary64;
+  std::size_t* in_integers;
+  bool sure(bool is_proved) const noexcept {
+    *in_binary64 += is_proved;
+    return is_proved;
+  }
+  void note(Stage) const noexcept { ++*in_integers; }
+};
+
+// advance() by the usual contact rule.
+void arrive(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, float stiffness, mesh::Shading shading,
+            const CountedStages& stages, mesh::Tick& tick) noexcept;
+void arrive(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, float stiffness, mesh::Shading shading,
+            const FilteredStages& stages, mesh::Tick& tick) noexcept;
+
 // What one position does to a god-object. position: mm; stiffness: N/mm. A state that is not one of this mesh counts as none.
 template <class Stages = FilteredStages>
 mesh::Tick step(const Mesh& mesh, const mesh::GodObject& before, const std::array<float, 3>& position, float stiffness,

@@ -153,7 +153,7 @@ TEST(texture_scheme, is_the_reference_in_every_bit_on_random_meshes_and_maps) {
       if (fast::in_domain(p)) {
         const Position read = fast::quantised(p);
         mesh::Tick tick;
-        fast::advance(mesh, arrival, read, kStiffness, mesh::Shading::texture_scheme, fast::FilteredStages(), tick);
+        fast::arrive(mesh, arrival, read, kStiffness, mesh::Shading::texture_scheme, fast::FilteredStages(), tick);
         fast::ForceDecision decided;
         fast::mesh_force(mesh, arrival, read, read, kStiffness, mesh::Shading::texture_scheme, true, &decided);
         const fast::ForceStage stage = decided.numbers;
