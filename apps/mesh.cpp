@@ -108,7 +108,7 @@ std::vector<std::string> notes_of(const mesh::LoadedMesh& loaded) {
   std::vector<std::string> notes = loaded.notes;
   if (!loaded.normals.empty())
     notes.emplace_back(
-        "the normals in the file are not rendered: shading computes its own (docs/mesh-files.md, \"Corner normals\")");
+        "the normals in the file are not rendered: shading computes its own (docs/meshes.md, \"Corner normals\")");
   return notes;
 }
 

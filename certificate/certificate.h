@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What certify found, as it is written to certificate.json (schema: docs/certificate.md) and read again by drive.
+// What certify found, as it is written to certificate.json (certificate/schema.md) and read again by drive.
 
 #include <array>
 #include <cstdint>

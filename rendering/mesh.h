@@ -54,7 +54,7 @@ enum class SelfIntersections { refused, allowed };
 // What a check finds, instead of the mesh: rendering/meshes/check.h.
 struct Findings;
 
-// A mesh whose triangles are joined as docs/mesh-files.md demands. Whether they meet beside their common vertices is not known.
+// A mesh whose triangles are joined as docs/meshes.md demands. Whether they meet beside their common vertices is not known.
 // Only mesh::check_joints() and mesh::check() make it.
 class JoinedMesh {
  public:

@@ -45,8 +45,8 @@ bool has_failed(const device::ServoResult& result);
 // recorder::RecordingError and files::OutputError for a record that cannot be begun, and Interrupted where stop was set before.
 Outcome run(device::Device& device, const Rendering& what, const Plan& plan, const std::atomic<bool>& stop);
 
-// For programs: what was rendered, where, and what came of it (docs/device.md). signal: the one that ended the run; empty is
-// none.
+// For programs: what was rendered, where, and what came of it (device/run/summary.md). signal: the one that ended the run; empty
+// is none.
 nlohmann::ordered_json summary(const Outcome& outcome, const Rendering& what, const Plan& plan,
                                const device::Capabilities& capabilities, const std::string& signal = "");
 

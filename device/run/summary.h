@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The summary of a run for programs. docs/device.md lists its fields.
+// The summary of a run for programs. summary.md beside it lists its fields.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // A sampled height map from an image or array file: greyscale PNG, TIFF and PFM, or NPY of two dimensions, distinguished by how
-// the file begins. Whole and binary numbers of 8 to 64 bits: the table in docs/height-maps.md says how each becomes a height.
+// the file begins. Whole and binary numbers of 8 to 64 bits: the table in formats.md says how each becomes a height.
 
 #include <filesystem>
 #include <memory>
@@ -33,7 +33,7 @@ struct Source {
 // The picture as it is seen from above: its first row has the largest y. For a spline the values are the coefficients that
 // interpolate the heights. Throws Error; then it has allocated no more than some 1100 times the file's size, nor more than a
 // grid of 2^26 samples takes, whatever the file declares. Nothing that a file says of orientation, scale or further pages is
-// left out without a word: docs/height-maps.md says what is applied and what is refused.
+// left out without a word: formats.md says what is applied and what is refused.
 std::shared_ptr<const height::Grid> load(const Source& source);
 
 }  // namespace forceshade::heights

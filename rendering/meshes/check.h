@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a mesh must be (docs/mesh-files.md, "What is checked"), decided exactly; what is not is said in words with the numbers
+// What a mesh must be (docs/meshes.md, "What is checked"), decided exactly; what is not is said in words with the numbers
 // of faces and vertices, from 0 as in the file.
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A triangle mesh from a file. The ending of its name names the format. What is read of each format: docs/mesh-files.md.
+// A triangle mesh from a file. The ending of its name names the format. What is read of each format: formats.md.
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A session on disk: a folder with its protocol, its texts and an append-only log that survives a crash (docs/experiments.md).
+// A session on disk: a folder with its protocol, its texts and an append-only log that survives a crash (session_format.md).
 
 #include <cstdint>
 #include <filesystem>

@@ -34,7 +34,7 @@ using Feel = std::function<Stroke(const Bump&)>;
 // that is no law.
 Feel feel_of_laws(const Protocol& protocol);
 
-// The numbers of the model. docs/experiments.md defines it and describes the fit.
+// The numbers of the model. virtual_participants.md defines it and describes the fit.
 struct Observer {
   // Standard deviation of what one comparison yields, as a multiple of a threshold from the literature.
   double position_noise = 1;   // of the mean height of a bump; 1: 0.43 mm

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How often intervals of nominal coverage 0.95 hold the true value, on simulated results. FORCESHADE_COVERAGE=N makes N data
-// sets for each line (docs/analysis.md has the numbers of 10000); without it there are 200, and the allowance is wider by their
+// sets for each line (docs/analysis.md has the numbers of 5000); without it there are 200, and the allowance is wider by their
 // own error.
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes textured_god_object/: paths of the god-object on meshes with a height map laid over them (docs/god-object.md, the
-texture scheme; docs/mesh-files.md, texture coordinates).
+texture scheme; docs/meshes.md, texture coordinates).
 
 Usage: make_texture_golden.py [directory]     (the default is textured_god_object/ beside this file; the output is always the same)
 

@@ -115,7 +115,7 @@ TEST(grid_files, that_say_something_odd_are_refused_in_words) {
   for (const auto& [name, words] : expected) EXPECT_EQ(of_corpus(name).refusal, words) << name;
 }
 
-// How bright a picture is shown is no statement about heights: docs/height-maps.md.
+// How bright a picture is shown is no statement about heights: rendering/heights/formats.md.
 TEST(grid_files, of_any_gamma_have_the_heights_of_their_numbers) {
   const Loaded plain = of_corpus("png/8.png");
   EXPECT_EQ(plain.heights.size(), 6U) << plain.refusal;

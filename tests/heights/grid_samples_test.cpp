@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every kind of number that a TIFF or NPY file may hold becomes the height that docs/height-maps.md promises.
+// Every kind of number that a TIFF or NPY file may hold becomes the height that rendering/heights/formats.md promises.
 
 #include <gtest/gtest.h>
 #include <mpfr.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long the integers of a god-object's decisions can be: the proof of the table in docs/god-object.md, "Bounds".
+// How long the integers of a god-object's decisions can be: the proof of the table in docs/proofs.md, "Bounds".
 
 #include <gtest/gtest.h>
 
@@ -96,7 +96,7 @@ const std::vector<Row>& rows() {
 }
 
 TEST(mesh_bit_bounds, the_table_in_the_documentation_has_these_rows) {
-  std::ifstream page(std::string(FORCESHADE_SOURCE_DIR "/docs/god-object.md"));
+  std::ifstream page(std::string(FORCESHADE_SOURCE_DIR "/docs/proofs.md"));
   std::stringstream text;
   text << page.rdbuf();
   for (const Row& row : rows()) {

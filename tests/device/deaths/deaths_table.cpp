@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tries every death at every phase and prints the matrix of docs/faults.md. Exit code 1 if the arm feels what it should not.
+// Tries every death at every phase and prints docs/tables/deaths.md. Exit code 1 if the arm feels what it should not.
 
 #include <sys/wait.h>
 #include <unistd.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The fault campaign: everything that may go wrong while a hand is on the device, done on purpose in a real run of the servo
-// loop. docs/faults.md is the table that comes out of it.
+// loop. docs/tables/faults.md is the table that comes out of it.
 
 #include <functional>
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// scripts/faults: tries every fault and prints the table of docs/faults.md. Exit code 1 if one is not answered as it should be.
+// scripts/faults: tries every fault and prints docs/tables/faults.md. Exit code 1 if one is not answered as it should be.
 
 #include <cstdio>
 

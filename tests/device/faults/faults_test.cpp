@@ -63,7 +63,7 @@ TEST(faults, are_noticed_in_every_part_of_an_outcome) {
 
 TEST(faults, page_has_every_one) {
   std::ostringstream page;
-  page << std::ifstream(FORCESHADE_SOURCE_DIR "/docs/faults.md").rdbuf();
+  page << std::ifstream(FORCESHADE_SOURCE_DIR "/docs/tables/faults.md").rdbuf();
   for (const Fault& fault : catalogue()) EXPECT_NE(page.str().find("| " + fault.what + " |"), std::string::npos) << fault.what;
 }
 
