@@ -190,5 +190,235 @@ TEST(analysis_text, has_each_number_of_a_psychometric_fit_in_its_column) {
       << text;
 }
 
+// Every number another one. Some have no interval, some conditions are not the thesis's, one fit is at a limit.
+Analysis made_analysis() {
+  Analysis analysis;
+  analysis.options.resampling = {45, 123, 0.9, Unit::trials};
+  analysis.options.psychometric_count = 67;
+  const MatchingRow p{
+      "P1", 9, {{{0.912, {0.811, 1.013}}, {10.26, {9.1, 11.2}}, {7.7, {6.6, 8.8}}, {20.4, {18.3, 22.5}}}}, {}, {}};
+  const MatchingRow all{kOverall, 18, {{{0.9, {0.8, 0.96}}, {12.5, {}}, {8, {7, 9}}, {30.6, {28.5, 32.7}}}}, {}, {}};
+  const MatchingRow own{kOverall, 4, {{{}, {}, {6, {}}, {3.5, {}}}}, {}, {}};
+  analysis.matching = {{"bump-cylinder", true, {p, all}}, {"own é", false, {own}}};
+  analysis.classification = {{kOverall, "bump-cylinder", 600, 24, {{{4, {1, 9}}, {12, {5, 20}}, {21, {11, 32}}, {63, {}}}}},
+                             {kOverall, "own", 650.5, 8, {{{25, {}}, {26, {}}, {24, {}}, {25, {}}}}},
+                             {"P1", "bump-cylinder", 600, 12, {{{3, {}}, {13, {}}, {22, {}}, {62, {}}}}},
+                             {"P1", "own", 650.5, 6, {{{1, {}}, {2, {}}, {3, {}}, {94, {}}}}},
+                             {"P2", "own", 650.5, 2, {{{5, {}}, {6, {}}, {7, {}}, {82, {}}}}}};
+  analysis.psychometric = {{.participant = "P1",
+                            .points = {{0, 1, 3}, {10, 2, 4}},
+                            .fit = {{21.5, 4.25, 0.06, 0.07}, -100, 8.5, false},
+                            .threshold = {18.5, 24.5},
+                            .scale = {3.25, 5.75},
+                            .guess = {0.01, 0.11},
+                            .lapse = {0.02, 0.13},
+                            .p_bootstrap = 0.125,
+                            .p_chi_square = 0.375},
+                           {.participant = kOverall,
+                            .points = {{0, 1, 30}, {10, 2, 41}},
+                            .fit = {{31.5, 5.25, 0.16, 0.17}, -100, 9.5, true},
+                            .threshold = {},
+                            .scale = {},
+                            .guess = {},
+                            .lapse = {},
+                            .p_bootstrap = kUndefined,
+                            .p_chi_square = 0.625}};
+  return analysis;
+}
+
+TEST(analysis_text, is_this_text_as_a_whole) {
+  EXPECT_EQ(to_text(made_analysis()),
+            "Table 6.2: Circular cylinder, with vision\n"
+            "  participant  trials  slope                mean SD (%)         mean SI           mean steps\n"
+            "  P1           9       0.91 (0.81 to 1.01)  10.3 (9.1 to 11.2)  7.7 (6.6 to 8.8)  20.4 (18.3 to 22.5)\n"
+            "  overall      18      0.90 (0.80 to 0.96)  12.5                8.0 (7.0 to 9.0)  30.6 (28.5 to 32.7)\n"
+            "  thesis       300     0.94                 12.9                8.3               29\n"
+            "\n"
+            "Table: own é, no vision\n"
+            "  participant  trials  slope  mean SD (%)  mean SI  mean steps\n"
+            "  overall      4       -      -            6.0      3.5\n"
+            "\n"
+            "Table 7.1: overall rows\n"
+            "  bump                       trials  slope                mean SD (%)  mean SI           mean steps\n"
+            "  Circular cylinder, vision  18      0.90 (0.80 to 0.96)  12.5         8.0 (7.0 to 9.0)  30.6 (28.5 to 32.7)\n"
+            "  own é, no vision           4       -                    -            6.0               3.5\n"
+            "\n"
+            "Table 6.9: answers, all participants\n"
+            "  bump               radius (mil)  trials  1 (%)       2 (%)         3 (%)          4 (%)  thesis\n"
+            "  Circular cylinder  600           24      4 (1 to 9)  12 (5 to 20)  21 (11 to 32)  63     0 7 19 75\n"
+            "  own                650.5         8       25          26            24             25     -\n"
+            "\n"
+            "Answer 4 against the angle that each polygon subtends\n"
+            "  participant  θ-critical (°)       scale (°)         guess                lapse                deviance  p, "
+            "bootstrap  p, chi-square  \n"
+            "  P1           21.5 (18.5 to 24.5)  4.2 (3.2 to 5.8)  0.06 (0.01 to 0.11)  0.07 (0.02 to 0.13)  8.5       0.125   "
+            "      0.375          \n"
+            "  overall      31.5                 5.2               0.16                 0.17                 9.5       -       "
+            "      0.625          at a limit of its range\n"
+            "\n"
+            "90 % BCa intervals (Efron 1987) of 123 resamples, seed 45; units: trials within participant and radius, so the "
+            "intervals are about these participants; psychometric fits: maximum likelihood, 67 refits\n");
+}
+
+TEST(analysis_text, says_which_method_was_used) {
+  AnalysisOptions options;
+  options.resampling = {8, 9, 0.99, Unit::participants};
+  EXPECT_EQ(method_of(options),
+            "99 % BCa intervals (Efron 1987) of 9 resamples, seed 8; units in overall rows: participants, so those intervals "
+            "are about people like them; psychometric fits: maximum likelihood, 1000 refits");
+}
+
+TEST(analysis_text, in_csv_is_this_text_as_a_whole) {
+  Analysis analysis = made_analysis();
+  analysis.matching[1].stimulus = "own, \"é\"";
+  analysis.classification.resize(3);
+  EXPECT_EQ(to_csv(analysis),
+            "table,stimulus,vision,radius_mil,participant,trials,column,value,low,high,thesis\n"
+            "6.2,bump-cylinder,yes,,P1,9,slope,0.912,0.811,1.013,\n"
+            "6.2,bump-cylinder,yes,,P1,9,mean_sd_percent,10.26,9.1,11.2,\n"
+            "6.2,bump-cylinder,yes,,P1,9,mean_satisfaction,7.7,6.6,8.8,\n"
+            "6.2,bump-cylinder,yes,,P1,9,mean_steps,20.4,18.3,22.5,\n"
+            "6.2,bump-cylinder,yes,,overall,18,slope,0.9,0.8,0.96,0.94\n"
+            "6.2,bump-cylinder,yes,,overall,18,mean_sd_percent,12.5,,,12.9\n"
+            "6.2,bump-cylinder,yes,,overall,18,mean_satisfaction,8,7,9,8.3\n"
+            "6.2,bump-cylinder,yes,,overall,18,mean_steps,30.6,28.5,32.7,29\n"
+            ",\"own, \"\"é\"\"\",no,,overall,4,slope,,,,\n"
+            ",\"own, \"\"é\"\"\",no,,overall,4,mean_sd_percent,,,,\n"
+            ",\"own, \"\"é\"\"\",no,,overall,4,mean_satisfaction,6,,,\n"
+            ",\"own, \"\"é\"\"\",no,,overall,4,mean_steps,3.5,,,\n"
+            "6.9,bump-cylinder,,600,overall,24,percent_1,4,1,9,0\n"
+            "6.9,bump-cylinder,,600,overall,24,percent_2,12,5,20,7\n"
+            "6.9,bump-cylinder,,600,overall,24,percent_3,21,11,32,19\n"
+            "6.9,bump-cylinder,,600,overall,24,percent_4,63,,,75\n"
+            ",own,,650.5,overall,8,percent_1,25,,,\n"
+            ",own,,650.5,overall,8,percent_2,26,,,\n"
+            ",own,,650.5,overall,8,percent_3,24,,,\n"
+            ",own,,650.5,overall,8,percent_4,25,,,\n"
+            "6.9,bump-cylinder,,600,P1,12,percent_1,3,,,\n"
+            "6.9,bump-cylinder,,600,P1,12,percent_2,13,,,\n"
+            "6.9,bump-cylinder,,600,P1,12,percent_3,22,,,\n"
+            "6.9,bump-cylinder,,600,P1,12,percent_4,62,,,\n");
+}
+
+// A page's words with | where a cell ends, a line for each row, heading and paragraph; * stands before a number that is marked.
+std::string words_of(const std::string& page) {
+  std::string words;
+  const std::string body = page.substr(page.find("<body>"));
+  for (std::size_t at = 0; at < body.size();) {
+    if (body[at] != '<') {
+      const std::size_t end = std::min(body.find('<', at), body.size());
+      if (body.compare(at, end - at, "\n") != 0) words += body.substr(at, end - at);
+      at = end;
+      continue;
+    }
+    const std::size_t end = body.find('>', at) + 1;
+    const std::string tag = body.substr(at, end - at);
+    if (tag.starts_with("<tr class=")) words += tag.substr(11, tag.find('"', 11) - 11) + ": ";
+    if (tag == "<small>") words += " / ";
+    if (tag == "<span class=\"outside\">") words += "*";
+    if (tag == "</th>" || tag == "</td>") words += '|';
+    if (tag == "</tr>" || tag == "</p>" || tag == "</h1>" || tag == "</h2>" || tag == "</h3>") words += '\n';
+    at = end;
+  }
+  return words;
+}
+
+TEST(page, has_these_words_in_its_tables) {
+  Analysis analysis = made_analysis();
+  analysis.matching[0].rows[0].participant = "P<1>";
+  analysis.results.matching.resize(1234);
+  analysis.results.classification.resize(5);
+  std::string words = words_of(to_html(analysis, {}, {}));
+  for (std::size_t at; (at = words.find("Below each number")) != std::string::npos ||
+                       (at = words.find("Answers in percent of")) != std::string::npos ||
+                       (at = words.find("How often a shaded bump")) != std::string::npos;)
+    words.erase(at, words.find('\n', at) + 1 - at);
+  EXPECT_EQ(words,
+            "forceshade: analysis of the experiments\n"
+            "1 participant, 1\u202F234 matching and 5 classification trials.\n" +
+                method_of(analysis.options) +
+                ".\n"
+                "The matching experiment\n"
+                "Table 6.2: Circular cylinder, with vision\n"
+                "participant|trials|slope|mean SD (%)|mean SI|mean steps|\n"
+                ": P&lt;1&gt;|9|0.91 / 0.81 to 1.01|10.3 / 9.1 to 11.2|7.7 / 6.6 to 8.8|20.4 / 18.3 to 22.5|\n"
+                "overall: overall|18|0.90 / 0.80 to 0.96|12.5|8.0 / 7.0 to 9.0|30.6 / 28.5 to 32.7|\n"
+                "thesis: thesis|300|0.94|12.9|8.3|29|\n"
+                "Table: own é, no vision\n"
+                "participant|trials|slope|mean SD (%)|mean SI|mean steps|\n"
+                "overall: overall|4|-|-|6.0|3.5|\n"
+                "Table 7.1: overall rows\n"
+                "bump|trials|slope|mean SD (%)|mean SI|mean steps|\n"
+                ": Circular cylinder, vision|18|0.90 / 0.80 to 0.96|12.5|8.0 / 7.0 to 9.0|30.6 / 28.5 to 32.7|\n"
+                "thesis: thesis|300|0.94|12.9|8.3|29|\n"
+                ": own é, no vision|4|-|-|6.0|3.5|\n"
+                "The classification experiment\n"
+                "Table 6.9: all participants\n"
+                "bump|trials|1 (%)|2 (%)|3 (%)|4 (%)|\n"
+                ": Circular cylinder, 600 mil|24|4 / 1 to 9|12 / 5 to 20|21 / 11 to 32|63|\n"
+                "thesis: thesis|120|*0|7|19|75|\n"
+                ": own, 650 mil|8|25|26|24|25|\n"
+                "P1\n"
+                "bump|trials|1 (%)|2 (%)|3 (%)|4 (%)|\n"
+                ": Circular cylinder, 600 mil|12|3|13|22|62|\n"
+                ": own, 650 mil|6|1|2|3|94|\n"
+                "P2\n"
+                "bump|trials|1 (%)|2 (%)|3 (%)|4 (%)|\n"
+                ": own, 650 mil|2|5|6|7|82|\n"
+                "θ-critical\n"
+                "participant|trials|θ-critical (°)|scale (°)|guess|lapse|deviance|p, bootstrap|p, chi-square|\n"
+                ": P1|7|21.5 / 18.5 to 24.5|4.2 / 3.2 to 5.8|0.06 / 0.01 to 0.11|0.07 / 0.02 to 0.13|8.5|0.125|0.375|\n"
+                "overall: overall|71|31.5|5.2|0.16|0.17|9.5|-|0.625|\n"
+                "overall: a parameter lies at a limit of its range, so the data do not determine all four.\n");
+}
+
+TEST(page, leaves_out_what_was_not_measured) {
+  Analysis analysis = made_analysis();
+  const auto has_heading = [](const Analysis& of, const std::string& heading) {
+    return has(to_html(of, {}, {}), "<h2>" + heading + "</h2>");
+  };
+  EXPECT_TRUE(has_heading(analysis, "θ-critical"));
+  analysis.psychometric.clear();
+  EXPECT_FALSE(has_heading(analysis, "θ-critical"));
+  EXPECT_TRUE(has_heading(analysis, "The classification experiment"));
+  analysis.classification.clear();
+  EXPECT_FALSE(has_heading(analysis, "The classification experiment"));
+  EXPECT_TRUE(has_heading(analysis, "The matching experiment"));
+  EXPECT_FALSE(has(to_text(analysis), "Table 6.9"));
+  EXPECT_FALSE(has(to_text(analysis), "Answer 4"));
+  analysis.matching.clear();
+  EXPECT_FALSE(has_heading(analysis, "The matching experiment"));
+  EXPECT_EQ(to_text(analysis), method_of(analysis.options) + '\n');
+}
+
+// Every kind of figure has the caption of its kind, beneath the drawing that was made of it.
+TEST(page, puts_each_caption_below_its_figure) {
+  const Analysis analysis = small_analysis();
+  const std::vector<properties::Picture> all = pictures(analysis, some_profiles());
+  std::vector<std::string> drawn;
+  for (std::size_t i = 0; i < all.size(); ++i) drawn.push_back("drawing " + std::to_string(i));
+  const std::string page = to_html(analysis, all, drawn);
+  const std::vector<std::string> captions{"Each mark is a trial",
+                                          "The thesis's satisfaction index",
+                                          "Each mark is a trial",
+                                          "The thesis's satisfaction index",
+                                          "Each point is a bump and a radius",
+                                          "Each point is a change of the radius",
+                                          "Dots are positions of the stylus",
+                                          "Dots are positions of the stylus"};
+  ASSERT_EQ(all.size(), captions.size());
+  std::size_t at = 0;
+  const auto next = [&](const std::string& words) {
+    const std::size_t found = page.find(words, at);
+    EXPECT_NE(found, std::string::npos) << words;
+    if (found != std::string::npos) at = found + words.size();
+  };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    next("<span>Figure " + std::to_string(i + 1) + "</span> ");
+    next(drawn[i] + "</div>");
+    next("<figcaption>" + captions[i]);
+  }
+}
+
 }  // namespace
 }  // namespace forceshade::analysis

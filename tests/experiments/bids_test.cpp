@@ -7,17 +7,21 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "study/experiments/error.h"
+#include "study/experiments/session_results.h"
 #include "study/experiments/virtual_participant.h"
 #include "tests/support/temporary_directory.h"
 
@@ -379,6 +383,182 @@ TEST_F(Bids, what_cannot_be_exported_is_refused_before_anything_is_written) {
   EXPECT_THROW(export_bids(sessions, directory.file("twice")), Error);
   EXPECT_FALSE(fs::exists(directory.file("twice")));
   EXPECT_THROW(export_bids({}, out()), Error) << "the folder is not empty";
+}
+
+// The columns of an events file by the results of the session and by its log.
+TEST_F(Bids, each_cell_is_that_of_the_session) {
+  const SavedSession session = read_session(sessions.front());
+  const Results results = results_of(session);
+  const Rows rows = rows_of(out() / "sub-V1/beh/sub-V1_task-matching_run-1_events.tsv");
+  EXPECT_EQ(rows[0],
+            (std::vector<std::string>{"onset", "duration", "trial_type", "trial", "stimulus", "radius_mil", "initial",
+                                      "initial_radius_mil", "repetition", "vision", "matching_radius_mil", "response"}));
+  const auto whole = [](double number) { return std::to_string(static_cast<int>(number)); };
+  const std::array<const char*, 3> initials{"large", "same", "small"};
+  std::map<std::string, std::vector<Event>> breaks;
+  std::vector<double> starts;  // of the trials that count
+  for (const Event& event : session.events) {
+    if (event.kind == EventKind::trial_started && event.block > 0) starts.push_back(event.time);
+    if (event.kind == EventKind::break_started) breaks["begin"].push_back(event);
+    if (event.kind == EventKind::break_ended) breaks["end"].push_back(event);
+  }
+  std::size_t trials = 0, changes = 0, pauses = 0, practice = 0;
+  std::vector<RadiusChange> by_keys = results.radius_changes;
+  std::erase_if(by_keys, [](const RadiusChange& change) { return change.step == 0; });
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const std::vector<std::string>& row = rows[i];
+    if (row[2] == "matching") {
+      const MatchingResult& trial = results.matching.at(trials);
+      const std::vector<std::string> expected{whole(trial.trial),
+                                              trial.stimulus,
+                                              whole(trial.reference_radius),
+                                              initials[static_cast<std::size_t>(trial.initial)],
+                                              whole(trial.initial_radius),
+                                              whole(trial.repetition),
+                                              trial.vision ? "yes" : "no",
+                                              whole(trial.final_radius),
+                                              whole(trial.satisfaction)};
+      EXPECT_EQ(std::vector(row.begin() + 3, row.end()), expected);
+      EXPECT_EQ(std::stod(row[0]), starts.at(trials));
+      EXPECT_NEAR(std::stod(row[1]), trial.seconds, 1e-9);
+      ++trials;
+    } else if (row[2] == "radius_change" && row[3] != "n/a") {
+      const RadiusChange& change = by_keys.at(changes++);
+      EXPECT_NEAR(std::stod(row[0]), starts.at(static_cast<std::size_t>(change.trial) - 1) + change.seconds, 1e-9);
+      EXPECT_EQ(row[1], "0");
+      EXPECT_EQ(row[3], whole(change.trial));
+      EXPECT_EQ(row[10], whole(change.radius));
+      for (const std::size_t empty : {4U, 5U, 6U, 7U, 8U, 9U, 11U}) EXPECT_EQ(row[empty], "n/a");
+    } else if (row[2] == "break") {
+      EXPECT_EQ(std::stod(row[0]), breaks["begin"].at(pauses).time);
+      EXPECT_NEAR(std::stod(row[1]), breaks["end"].at(pauses).time - breaks["begin"].at(pauses).time, 1e-9);
+      ++pauses;
+    } else if (row[2] == "practice") {
+      EXPECT_EQ(row[3], "n/a") << "it has no number";
+      EXPECT_NE(row[11], "n/a");
+      ++practice;
+    }
+  }
+  EXPECT_EQ(trials, results.matching.size());
+  EXPECT_EQ(changes, by_keys.size());
+  EXPECT_GT(changes, 24U);
+  EXPECT_EQ(pauses, breaks["begin"].size());
+  EXPECT_GT(pauses, 4U);
+  EXPECT_EQ(practice, 4U);
+}
+
+// What the end of a run left unfinished has no duration and no answer, and the radius that it had.
+TEST_F(Bids, an_interrupted_trial_and_break_have_no_duration) {
+  for (const auto& [run, type] : {std::pair{"1", "interrupted"}, {"2", "break"}}) {
+    const Rows rows = rows_of(out() / (std::string("sub-B2/beh/sub-B2_task-matching_run-") + run + "_events.tsv"));
+    const auto unfinished = [](const std::vector<std::string>& row) { return row[1] == "n/a"; };
+    ASSERT_EQ(std::ranges::count_if(rows, unfinished), 1) << run;
+    const std::vector<std::string>& row = *std::ranges::find_if(rows, unfinished);
+    EXPECT_EQ(row[2], type);
+    EXPECT_EQ(row[11], "n/a");
+    EXPECT_EQ(row[3] != "n/a", type == std::string("interrupted"));
+  }
+}
+
+TEST_F(Bids, motion_has_the_ticks_of_its_run) {
+  const std::string base = out() / "sub-B2/motion/sub-B2_task-matching_tracksys-stylus_run-2";
+  EXPECT_EQ(text_of(base + "_motion.tsv"),
+            "0.001\t1e-07\t0\t-2.5\t0\t0\t1\n0.002\t1e-07\t0\t-2.5\t0\t0\t1\n0.003\t1e-07\t0\t-2.5\t0\t0\t1\n"
+            "0.004\t1e-07\t0\t-2.5\t0\t0\t1\n0.005\t1e-07\t0\t-2.5\t0\t0\t1\n");
+  EXPECT_EQ(text_of(base + "_channels.tsv"),
+            "name\tcomponent\ttype\ttracked_point\tunits\treference_frame\n"
+            "latency\tn/a\tLATENCY\tstylus_tip\ts\tworkspace\n"
+            "position_x\tx\tPOS\tstylus_tip\tmm\tworkspace\nposition_y\ty\tPOS\tstylus_tip\tmm\tworkspace\n"
+            "position_z\tz\tPOS\tstylus_tip\tmm\tworkspace\nforce_x\tx\tMISC\tstylus_tip\tN\tworkspace\n"
+            "force_y\ty\tMISC\tstylus_tip\tN\tworkspace\nforce_z\tz\tMISC\tstylus_tip\tN\tworkspace\n");
+  EXPECT_EQ(text_of(base + "_events.tsv"), text_of(out() / "sub-B2/beh/sub-B2_task-matching_run-2_events.tsv"));
+  // Each component in a column of its own, a single tick, and a device without a name.
+  const fs::path folder = directory.file("one");
+  export_bids(sessions, folder, [](const fs::path&, int run) -> std::optional<Motion> {
+    if (run != 1) return std::nullopt;
+    return Motion{500, "", "", [left = 1]() mutable -> std::optional<MotionSample> {
+                    if (left-- == 0) return std::nullopt;
+                    return MotionSample{7, 1, 2, 3, 4, 5, 6};
+                  }};
+  });
+  const std::string one = folder / "sub-V1/motion/sub-V1_task-matching_tracksys-stylus_run-1";
+  EXPECT_EQ(text_of(one + "_motion.tsv"), "7\t1\t2\t3\t4\t5\t6\n");
+  const nlohmann::json json = json_of(one + "_motion.json");
+  EXPECT_EQ(json["SamplingFrequencyEffective"], 500);
+  EXPECT_EQ(json["RecordingDuration"], 0);
+  EXPECT_FALSE(json.contains("Manufacturer"));
+  EXPECT_FALSE(json.contains("ManufacturersModelName"));
+}
+
+TEST_F(Bids, the_data_set_says_who_took_part_and_what_it_is) {
+  EXPECT_EQ(text_of(out() / "participants.tsv"), "participant_id\tpseudonym\nsub-B2\tB-2\nsub-V1\tV1\n");
+  const nlohmann::json about = json_of(out() / "dataset_description.json");
+  EXPECT_EQ(about["Name"], "Force shading for shape perception");
+  EXPECT_EQ(about["BIDSVersion"], "1.9.0");
+  EXPECT_EQ(about["DatasetType"], "raw");
+  EXPECT_EQ(about["GeneratedBy"][0]["Name"], "forceshade");
+  const std::string base = out() / "sub-V1/beh/sub-V1_task-matching_run-1";
+  const nlohmann::json answers = json_of(base + "_beh.json"), events = json_of(base + "_events.json");
+  const SavedSession session = read_session(sessions.front());
+  EXPECT_EQ(answers["TaskName"], "matching");
+  EXPECT_EQ(answers["TaskDescription"],
+            "The participant changes the radius of the right bump until it feels like the left one.");
+  EXPECT_EQ(answers["Instructions"], session.language.matching.text);
+  EXPECT_EQ(answers["radius_mil"]["Description"], "Radius of the reference bump");
+  EXPECT_EQ(answers["radius_mil"]["Units"], "mil (0.0254 mm)");
+  EXPECT_EQ(answers["response"]["Description"], "Satisfaction index, 1 (entirely different) to 10 (no difference)");
+  EXPECT_EQ(answers["response_time"]["Units"], "s");
+  EXPECT_FALSE(answers["trial_type"]["Levels"].contains("break"));
+  EXPECT_EQ(events["onset"]["Units"], "s");
+  EXPECT_EQ(events["StimulusPresentation"]["SoftwareName"], "forceshade");
+}
+
+TEST_F(Bids, of_a_classification_describes_its_own_task) {
+  const fs::path folder = directory.file("c");
+  const std::vector<fs::path> own = run_virtual_study(directory.file("own"), kExampleFiles / "classification.toml", 1, 3);
+  export_bids(own, folder);
+  const SavedSession session = read_session(own.front());
+  const Results results = results_of(session);
+  const std::string base = folder / "sub-V1/beh/sub-V1_task-classification_run-1";
+  const nlohmann::json answers = json_of(base + "_beh.json");
+  EXPECT_EQ(answers["TaskName"], "classification");
+  EXPECT_EQ(answers["TaskDescription"], "The participant feels a bump and chooses the most similar of four pictures.");
+  EXPECT_EQ(answers["Instructions"], session.language.classification.text);
+  EXPECT_EQ(answers["radius_mil"]["Description"], "Radius of the bump");
+  EXPECT_EQ(answers["response"]["Description"], "Number of the picture: 1 plane, 2 two polygons, 3 three polygons, 4 cylinder");
+  std::size_t trials = 0;
+  for (const auto& row : rows_of(base + "_beh.tsv")) {
+    if (row[0] != "classification") continue;
+    const ClassificationResult& trial = results.classification.at(trials++);
+    EXPECT_EQ(
+        std::vector(row.begin() + 1, row.begin() + 10),
+        (std::vector<std::string>{std::to_string(trial.trial), trial.stimulus, std::to_string(static_cast<int>(trial.radius)),
+                                  "n/a", "n/a", std::to_string(trial.repetition), "yes", "n/a", std::to_string(trial.answer)}));
+    EXPECT_NEAR(std::stod(row[10]), trial.seconds, 1e-9);
+  }
+  EXPECT_EQ(trials, 504U);
+}
+
+TEST_F(Bids, says_why_it_refuses_sessions) {
+  const auto said = [&](const std::vector<fs::path>& all, const fs::path& folder) -> std::string {
+    try {
+      export_bids(all, folder);
+      return "";
+    } catch (const Error& error) {
+      return error.what();
+    }
+  };
+  const fs::path second = sessions[1], twice = directory.file("B2");
+  EXPECT_EQ(said({second, second}, directory.file("x")),
+            second.string() + ": participant B-2 did the same experiment in an earlier session");
+  RecordedSession::start(twice, second / "protocol.toml", "B2", 1, {}, Sync::never);
+  EXPECT_EQ(said({second, twice}, directory.file("x")),
+            twice.string() + ": participants B-2 and B2 become one in BIDS, where labels have no dashes: rename one");
+  const std::string file = directory.write("file", "");
+  EXPECT_EQ(said(sessions, file), file + ": expected no file of this name, or an empty folder");
+  EXPECT_EQ(said(sessions, out()), out().string() + ": expected no file of this name, or an empty folder");
+  fs::create_directory(directory.file("empty"));
+  EXPECT_EQ(said(sessions, directory.file("empty")), "");
 }
 
 }  // namespace

@@ -552,5 +552,169 @@ TEST(stimulus_list, refuses_another_line_with_file_and_line) {
   }
 }
 
+// What stands on each screen beside its text.
+TEST(session, says_on_each_screen_where_it_is) {
+  const tests::TemporaryDirectory directory;
+  KeyNames keys;
+  keys.smaller = "links";
+  keys.bigger = "rechts";
+  keys.done = "fertig";
+  keys.enter = "weiter";
+  keys.erase = "weg";
+  RecordedSession recorded =
+      RecordedSession::start(directory.file("s"), directory.write("p.toml", small_matching("trial")), "A", 1, keys);
+  Session& session = recorded.session();
+  const Language& language = session.language();
+  int presses = 0, trial = 0, question = 0;
+  double time = 0;
+  bool is_practice = true, had_break = false;
+  while (!session.is_over()) {
+    const Screen screen = session.screen();
+    const auto current = session.current();
+    switch (screen.kind) {
+      case ScreenKind::matching:
+        if (presses == 0) ++trial;
+        [[fallthrough]];
+      case ScreenKind::satisfaction: {
+        ASSERT_TRUE(current);
+        EXPECT_EQ(screen.trial, trial);
+        EXPECT_EQ(screen.trials, is_practice ? 1 : 6);
+        EXPECT_EQ(screen.is_practice, is_practice);
+        EXPECT_EQ(screen.shows_scene, current->trial.number <= 6) << "the second block is without vision";
+        EXPECT_EQ(current->run, 1);
+        EXPECT_EQ(current->block, is_practice ? 0 : (current->trial.number - 1) / 6 + 1);
+        EXPECT_EQ(current->index, trial);
+        EXPECT_EQ(current->attempt, 1);
+        EXPECT_EQ(current->is_practice, is_practice);
+        EXPECT_EQ(current->radius, session.scene().right->radius);
+        const bool is_matching = screen.kind == ScreenKind::matching;
+        EXPECT_EQ(screen.title, (is_matching ? language.match : language.satisfy).title);
+        EXPECT_EQ(screen.text, is_matching ? "links: smaller   rechts: bigger   fertig: as alike as possible"
+                                           : "Type a number from 1 (entirely different) to 10 (no difference), then press "
+                                             "weiter. weg deletes a digit.");
+        break;
+      }
+      case ScreenKind::question:
+        EXPECT_EQ(screen.title, language.question.title);
+        EXPECT_EQ(screen.text, "Please type your answer, as short or as long as you like, and press weiter.\n\n" +
+                                   language.questions_after_matching.at(static_cast<std::size_t>(question)));
+        question += screen.entry.empty() ? 0 : 1;
+        break;
+      case ScreenKind::text:
+        EXPECT_EQ(screen.trial, 0);
+        EXPECT_EQ(screen.trials, 0);
+        EXPECT_FALSE(current);
+        if (screen.title.starts_with("Part ")) {
+          is_practice = false;
+          trial = 0;
+        }
+        if (screen.title == "A break") {
+          EXPECT_TRUE(
+              screen.text.starts_with(trial == 4 && !had_break ? "4 of 12 trials are done." : "10 of 12 trials are done."))
+              << screen.text;
+          had_break = true;
+        }
+        break;
+      default: ADD_FAILURE();
+    }
+    session.press(next_press(screen, presses), time += 0.5);
+  }
+  EXPECT_EQ(question, 5);
+  EXPECT_TRUE(had_break);
+  EXPECT_EQ(session.screen().title, language.end.title);
+}
+
+// An event of each kind, with a number of its own in each field that it has.
+TEST(trial_log, reads_back_each_field_of_each_event) {
+  const tests::TemporaryDirectory directory;
+  std::vector<Event> events;
+  std::string text;
+  for (int kind = 0; kind <= static_cast<int>(EventKind::run_ended); ++kind) {
+    Event event;
+    event.kind = static_cast<EventKind>(kind);
+    event.time = 0.1 + kind;
+    event.run = 100 + kind;
+    event.block = 200 + kind;
+    event.index = 300 + kind;
+    event.attempt = 400 + kind;
+    event.radius = 500 + kind;
+    event.answer = 600 + kind;
+    event.text = "ö \"" + std::to_string(kind);
+    if (event.kind == EventKind::trial_started) event.trial = {701, "name", 702, InitialRadius::small, 703, 704};
+    events.push_back(event);
+    text += line_of(event, events.size());
+  }
+  const LogText log = read_log(directory.write("log.jsonl", text));
+  EXPECT_EQ(log.size, text.size());
+  EXPECT_EQ(log.note, "");
+  ASSERT_EQ(log.events.size(), events.size());
+  for (std::size_t i = 0; i < events.size(); ++i) EXPECT_TRUE(log.events[i] == events[i]) << i;
+  EXPECT_TRUE(text.starts_with(
+      R"({"n":1,"event":"run-started","t":0.1,"run":100,"block":200,"index":300,"attempt":400,"radius_mil":500,"answer":600,)"))
+      << text;
+  EXPECT_NE(text.find(R"("trial":{"number":701,"stimulus":"name","radius_mil":702,"initial":"small","initial_radius_mil":703,)"
+                      R"("repetition":704})"),
+            std::string::npos);
+}
+
+// The results of a matching trial by its events.
+TEST(session_results, are_those_of_the_events) {
+  const tests::TemporaryDirectory directory;
+  const Protocol protocol = read_protocol(directory.write("p.toml", small_matching("trial")));
+  SavedSession saved{"Q", 1, protocol, read_language(protocol.language), {}, {}};
+  Session session(saved.protocol, saved.language, 1, [&](const Event& event) { saved.events.push_back(event); });
+  double time = 0;
+  go_on(session, time);
+  const Results results = results_of(saved);
+  const std::vector<Block> blocks = order(protocol, 1);
+  ASSERT_EQ(results.matching.size(), 12U);
+  for (std::size_t i = 0; i < 12; ++i) {
+    const Block& block = blocks[i < 6 ? 1 : 2];
+    const Trial& planned = block.trials[i % 6];
+    const MatchingResult& trial = results.matching[i];
+    EXPECT_EQ(trial.participant, "Q");
+    EXPECT_EQ(trial.trial, planned.number);
+    EXPECT_EQ(trial.vision, block.vision);
+    EXPECT_EQ(trial.stimulus, planned.stimulus);
+    EXPECT_EQ(trial.initial, planned.initial);
+    EXPECT_EQ(trial.repetition, planned.repetition);
+    EXPECT_EQ(trial.reference_radius, planned.radius);
+    EXPECT_EQ(trial.initial_radius, planned.initial_radius);
+    EXPECT_EQ(trial.final_radius, std::max(550, planned.initial_radius - 100));
+    for (const std::size_t step : {0U, 1U}) {
+      const RadiusChange& change = results.radius_changes.at(2 * i + step);
+      EXPECT_EQ(change.participant, "Q");
+      EXPECT_EQ(change.trial, planned.number);
+      EXPECT_EQ(change.step, static_cast<int>(step));
+      EXPECT_DOUBLE_EQ(change.seconds, step == 0 ? 0 : 0.5);
+      EXPECT_EQ(change.radius, step == 0 ? planned.initial_radius : trial.final_radius);
+    }
+  }
+}
+
+TEST(session_results, of_a_classification_are_those_of_the_events) {
+  const tests::TemporaryDirectory directory;
+  const Protocol protocol = read_protocol(directory.write("p.toml", kSmallClassification));
+  SavedSession saved{"Q", 1, protocol, read_language(protocol.language), {}, {}};
+  Session session(saved.protocol, saved.language, 1, [&](const Event& event) { saved.events.push_back(event); });
+  double time = 0;
+  go_on(session, time);
+  const Results results = results_of(saved);
+  const std::vector<Block> blocks = order(protocol, 1);
+  ASSERT_EQ(results.classification.size(), 8U);
+  EXPECT_TRUE(results.radius_changes.empty());
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Trial& planned = blocks.back().trials[i];
+    const ClassificationResult& trial = results.classification[i];
+    EXPECT_EQ(trial.participant, "Q");
+    EXPECT_EQ(trial.trial, planned.number);
+    EXPECT_EQ(trial.stimulus, planned.stimulus);
+    EXPECT_EQ(trial.radius, planned.radius);
+    EXPECT_EQ(trial.repetition, planned.repetition);
+    EXPECT_EQ(trial.answer, 3);
+    EXPECT_DOUBLE_EQ(trial.seconds, 1);
+  }
+}
+
 }  // namespace
 }  // namespace forceshade::experiments

@@ -120,5 +120,47 @@ TEST(virtual_study, leaves_sessions_as_a_person_does) {
   EXPECT_EQ(results.classification.back().participant, "V2");
 }
 
+// What a participant of a seed does: a change of a number of the model, of the noise or of the order in which it is drawn would
+// give recorded seeds another meaning. The numbers are those of the version that docs/experiments.md describes.
+TEST(virtual_participant, of_a_seed_does_the_same_for_ever) {
+  Protocol matching = read_protocol(kExamples / "matching.toml");
+  SavedSession saved{"V", 5, matching, read_language(matching.language), {}, {}};
+  Session session(matching, saved.language, 5, [&](const Event& event) { saved.events.push_back(event); });
+  VirtualParticipant participant(matching, fitted_observer(), feel_of_laws(matching), 6);
+  const double seconds = run_to_end(session, participant);
+  double radii = 0;
+  int satisfaction = 0, steps = 0;
+  for (const MatchingResult& trial : results_of(saved).matching) {
+    radii += trial.final_radius;
+    satisfaction += trial.satisfaction;
+    steps += trial.steps;
+  }
+  EXPECT_EQ(radii, 443'340);
+  EXPECT_EQ(satisfaction, 3322);
+  EXPECT_EQ(steps, 14'879);
+  EXPECT_NEAR(seconds, 21'793.4, 1e-6);
+  const Protocol classification = read_protocol(kExamples / "classification.toml");
+  std::vector<int> answers(4);
+  int by_place = 0, place = 0;
+  for (const ClassificationResult& trial : run_in_memory(classification, fitted_observer(), 7).results.classification) {
+    ++answers[static_cast<std::size_t>(trial.answer - 1)];
+    by_place += ++place * trial.answer;
+  }
+  EXPECT_EQ(answers, (std::vector<int>{62, 80, 126, 236}));
+  EXPECT_EQ(by_place, 393'656);
+}
+
+TEST(virtual_study, has_folders_and_seeds_of_its_own_for_each_participant) {
+  const tests::TemporaryDirectory directory;
+  const std::vector<fs::path> folders = run_virtual_study(directory.file("study"), kExamples / "classification.toml", 2, 9);
+  EXPECT_EQ(folders, (std::vector<fs::path>{directory.file("study/V1"), directory.file("study/V2")}));
+  const SavedSession one = read_session(folders[0]), two = read_session(folders[1]);
+  EXPECT_EQ(one.participant, "V1");
+  EXPECT_EQ(two.participant, "V2");
+  EXPECT_NE(one.seed, two.seed);
+  EXPECT_EQ(one.events.back().kind, EventKind::run_ended);
+  EXPECT_GT(one.events.back().time, 504 * 8) << "s; a classification takes a stroke or two";
+}
+
 }  // namespace
 }  // namespace forceshade::experiments
