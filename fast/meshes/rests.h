@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Where a god-object comes to rest and what its state keeps of that: rules 3 and 4 of docs/god-object.md.
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "fast/meshes/flight.h"
+
+namespace forceshade::fast {
+
+// How the exact point r of a rest, which decides the force, follows from the state and from p, the goal of the walk.
+enum class Rest {
+  none,         // free
+  at_spot,      // r = g: the state itself
+  in_triangle,  // r = the point of the triangle's plane nearest to p
+  on_edge,      // r = the point of the edge's line nearest to p
+  at_goal,      // r = p
+};
+
+struct Arrival {
+  Spot spot;
+  Rest rest = Rest::none;
+  int moves = 0;
+  bool is_finished = true;
+  Plane plane{};  // of the rest's triangle: in_triangle alone
+  int tries = 0;  // that the tick's detours and landings have taken: where sheets may cross
+};
+
+// The points that the state can hold, as they lie to p.
+template <class Stages>
+class Rests {
+ public:
+  // p: mm, in the domain and quantised. Both have to outlive this.
+  FORCESHADE_INLINE Rests(const Mesh& mesh, Spot& spot, const std::array<float, 3>& p, const Stages& stages) noexcept
+      : mesh_(mesh), spot_(spot), p_(p), stages_(stages) {}
+
+  // Makes this the state, but for the position of a free one. One member at a time: a load that spans several recent stores
+  // waits for them.
+  FORCESHADE_INLINE void put(const Spot& to) const noexcept {
+    spot_.place = to.place;
+    spot_.side = to.side;
+    spot_.half = to.half;
+    spot_.weight[0] = to.weight[0];
+    spot_.weight[1] = to.weight[1];
+  }
+
+  // p, which lies on the surface at the hit, with its parameters rounded.
+  Spot spot_at_position(const Hit& hit) const noexcept {
+    const HalfEdge h = 3 * hit.face + hit.corner;
+    if (hit.part == Hit::Part::corner) return spot_at_vertex(mesh_, h, hit.side);
+    if (hit.part == Hit::Part::edge) return rest_on_edge(h, hit.side);
+    const Face& f = mesh_.face(hit.face);
+    return rest_in_triangle(hit.face, Weights(FaceNumbers(f), difference(p_.data(), f.corner[0].data())), hit.side);
+  }
+
+  // ---- Rule 4: what the state keeps of a rest.
+
+  Spot rest_on_edge(HalfEdge h, mesh::Side side) const noexcept {
+    const Foot foot(mesh_.start_point(h), mesh_.start_point(next(h)), p_.data());
+    std::uint32_t m = GridParameters(foot.length).nearest(foot.along, stages_, [&] {
+      const ExactFoot exact = exact_foot(h);
+      return exact_nearest(exact.along, exact.length);
+    });
+    m = m < 1 ? 1 : m > kGrid - 1 ? kGrid - 1 : m;
+    return spot_on_edge(mesh_, h, m, side);
+  }
+  FORCESHADE_INLINE std::uint32_t rested(std::uint32_t f, const GridParameters& parameters, const Weights& weights,
+                                         std::size_t corner) const noexcept {
+    const std::uint32_t nearest = parameters.nearest(weights.corner[corner], stages_, [&] {
+      const ExactWeights exact(mesh_.face(f), p_.data());
+      return exact_nearest(exact.corner[corner], exact.all);
+    });
+    return nearest < 1 ? 1 : nearest;
+  }
+  FORCESHADE_INLINE Spot rest_in_triangle(std::uint32_t f, const Weights& weights, mesh::Side side) const noexcept {
+    const GridParameters parameters(weights.all);
+    std::uint32_t k = rested(f, parameters, weights, 1), l = rested(f, parameters, weights, 2);
+    if (k + l > kGrid - 1) {
+      const std::uint32_t excess = k + l - (kGrid - 1);
+      (k >= l ? k : l) -= excess;
+    }
+    return {mesh::Place::triangle, side, 3 * f, {k, l}, {}};
+  }
+
+  // Whether the spot, whose parameters are those of q rounded, is q.
+  bool is_nearest_already(std::uint32_t f, const Weights& weights) const noexcept {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const int sign = compare_with_halves(weights.corner[i + 1], weights.all, 2 * spot_.weight[i], stages_, [&] {
+        const ExactWeights exact(mesh_.face(f), p_.data());
+        return exact_compare_with_halves(exact.corner[i + 1], exact.all, 2 * spot_.weight[i]);
+      });
+      if (sign != 0) return false;
+    }
+    return true;
+  }
+
+  // ---- Rule 3: the end of a move, rounded to the grid.
+
+  // The end of the cell that is nearer to p; equally near: the one nearer to the edge's lower vertex.
+  FORCESHADE_INLINE std::uint32_t rounded_on_edge(HalfEdge h, const Cell& cell, const Foot& foot) const noexcept {
+    if (cell.is_whole) return cell.floor;
+    const int beyond = compare_with_halves(foot.along, foot.length, 2 * cell.floor + 1, stages_, [&] {
+      const ExactFoot exact = exact_foot(h);
+      return exact_compare_with_halves(exact.along, exact.length, 2 * cell.floor + 1);
+    });
+    const bool is_upper = beyond > 0 || (beyond == 0 && mesh_.start(h) > mesh_.start(next(h)));
+    return cell.floor + (is_upper ? 1 : 0);
+  }
+
+  // Whether the rounded point is nearer to p.
+  [[gnu::noinline]] bool is_nearer(const Spot& to) const noexcept {
+    const Point here = point_of(mesh_, spot_), there = point_of(mesh_, to);
+    const auto length = [&](const Point& point) -> DoubleWithError {
+      const Offset U = offset_from(point, p_.data(), largest());
+      return {square(U.U), kOffsetLength.error * U.size * U.size};
+    };
+    return sign_of(length(here) - length(there), stages_, [&] {
+             return square(exact_offset_from(here, p_.data())).compare(square(exact_offset_from(there, p_.data())));
+           }) > 0;
+  }
+  Spot rounded_landing(HalfEdge h, const Cell& cell, mesh::Side side) const noexcept {
+    const Foot foot(mesh_.start_point(h), mesh_.start_point(next(h)), p_.data());
+    return spot_on_edge(mesh_, h, rounded_on_edge(h, cell, foot), side);
+  }
+
+  // ---- How p lies to the state.
+
+  bool is_at_position() const noexcept {
+    const Point g = point_of(mesh_, spot_);
+    const Offset U = offset_from(g, p_.data(), largest());
+    if (stages_.sure(U.size < HUGE_VAL)) return false;
+    stages_.note(Stage::wide);
+    return is_zero(exact_offset_from(g, p_.data()));
+  }
+
+  ExactFoot exact_foot(HalfEdge h) const noexcept {
+    return ExactFoot(mesh_.start_point(h), mesh_.start_point(next(h)), p_.data());
+  }
+  bool is_position(const float* point) const noexcept { return point[0] == p_[0] && point[1] == p_[1] && point[2] == p_[2]; }
+
+  // The largest coordinate of p and of the mesh, in size; mm.
+  double largest() const noexcept {
+    float largest = mesh_.largest_coordinate();
+    for (const float coordinate : p_)
+      if (std::fabs(coordinate) > largest) largest = std::fabs(coordinate);
+    return static_cast<double>(largest);
+  }
+
+  const Mesh& mesh_;
+  Spot& spot_;
+  const std::array<float, 3>& p_;
+  Stages stages_;
+};
+
+}  // namespace forceshade::fast
