@@ -37,7 +37,7 @@ Certificate certificate_of_every_law() {
       law.properties.push_back({property, 100, true, ""});
     for (const double depth : {0.5, 1.0, 2.0})
       law.energy.push_back(law.conservative ? LoopEnergy{depth, {0, 0}, 0, 1e-18}
-                                            : LoopEnergy{depth, {depth, depth}, depth, depth * (1 + 1e-6)});
+                                            : LoopEnergy{depth, {1.001 * depth, 1.002 * depth}, depth, depth * (1 + 1e-6)});
     certificate.subjects.push_back(law);
   }
   return certificate;
