@@ -139,6 +139,14 @@ TEST(virtual_participant, of_a_seed_does_the_same_for_ever) {
   EXPECT_EQ(satisfaction, 3322);
   EXPECT_EQ(steps, 14'879);
   EXPECT_NEAR(seconds, 21'793.4, 1e-6);
+  // One who is never content compares until the most comparisons are made.
+  matching.stimuli.resize(1);
+  matching.reference_radii = {1000};
+  Observer hesitant = fitted_observer();
+  hesitant.criterion = 0;
+  int hesitant_steps = 0;
+  for (const MatchingResult& trial : run_in_memory(matching, hesitant, 8).results.matching) hesitant_steps += trial.steps;
+  EXPECT_EQ(hesitant_steps, 12'472);
   const Protocol classification = read_protocol(kExamples / "classification.toml");
   std::vector<int> answers(4);
   int by_place = 0, place = 0;

@@ -165,6 +165,10 @@ TEST(settings, of_a_run_are_read_as_they_were_written) {
   ASSERT_TRUE(read);
   EXPECT_EQ(metadata_of(*read), written);
   EXPECT_EQ(read->limits.dead_man_button, 1);
+  EXPECT_EQ(read->limits.held_ticks, 7);
+  EXPECT_EQ(read->rate_hz, 998.5);
+  EXPECT_TRUE(read->supervised);
+  EXPECT_TRUE(read->passivity_settings.latency);
   EXPECT_FALSE(read->limits.acts_on_lateness);
   device::SafetySettings expected = odd_settings(), got = *read;
   for (std::size_t i = 0; i < numbers_of(expected).size(); ++i)
