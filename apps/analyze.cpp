@@ -12,7 +12,6 @@
 #include <set>
 
 #include "apps/command.h"
-#include "apps/length.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
 #include "apps/signals.h"
@@ -20,7 +19,9 @@
 #include "files/csv.h"
 #include "files/output_folder.h"
 #include "files/printable.h"
+#include "files/quantity.h"
 #include "rendering/monitor.h"
+#include "rendering/subjects/options.h"
 #include "study/analysis/figures.h"
 #include "study/analysis/page.h"
 #include "study/analysis/thesis.h"
@@ -35,12 +36,12 @@ using properties::Picture;
 
 struct AnalyzeOptions {
   std::vector<std::string> folders, trials;
-  std::string json, width = kThesisWidth, unit = "trials", shape = "logistic";
+  std::string json, width = subjects::kUsualWidth, unit = "trials", shape = "logistic";
   analysis::AnalysisOptions options;
 
   // Throws BadInput.
   void read() {
-    options.width = static_cast<double>(parse_length("--width", width)) / 0.0254;
+    options.width = static_cast<double>(files::parse_length("--width", width)) / 0.0254;
     if (!(options.width > 0)) throw BadInput("--width: expected a length above 0 mm, got \"" + width + '"');
     options.resampling.unit = unit == "trials" ? analysis::Unit::trials : analysis::Unit::participants;
     options.model.shape = shape == "logistic" ? analysis::Shape::logistic : analysis::Shape::gaussian;

@@ -110,10 +110,11 @@ int run_points(const CertifyOptions& options, properties::CertifyOptions what, c
     std::fprintf(stderr, "forceshade: interrupted: no certificate was written\n");
     return kInterrupted;
   }
-  const std::vector<std::string> subject_files = subject.subject_files();
+  const subjects::Options named = subject.options();
+  const std::vector<std::string> subject_files = subjects::written_files(named);
   for (std::size_t i = 0; i < subject_files.size(); ++i) {
     certificate->subjects[i].subject_file = subject_files[i];
-    certificate->subjects[i].options = subject.options_for_shell();
+    certificate->subjects[i].options = subjects::written_for_shell(named);
   }
   if (!options.junit.empty()) write_file(options.junit, junit_of(*certificate, times));
   return write_certificate(*certificate, out.path());
@@ -121,14 +122,19 @@ int run_points(const CertifyOptions& options, properties::CertifyOptions what, c
 
 int run(const CertifyOptions& options, const SubjectOption& subject, const OutFolder& out, bool radius_is_given) {
   watch_for_interrupt();
-  properties::CertifyOptions what{.subjects = subject.subjects()};
-  if (options.exhaustive.is_given && !subject.is_a_law())
+  const subjects::Options named = subject.options();
+  if (options.exhaustive.is_given && !named.has("law"))
     throw BadInput("--exhaustive: expected --law, got --height-map; a height map has too many inputs to sweep");
+  properties::CertifyOptions what{.subjects = subject.subjects()};
   // Before the work, so that a path that cannot be written to is said at once.
   out.expect_room_for(certificate_files());
   expect_folder_of("--junit", options.junit);
   if (!options.exhaustive.is_given) return run_points(options, std::move(what), subject, out);
-  properties::SweepPlan plan{subject.law().laws(), subject.law().parameters(), {}};
+  properties::SweepPlan plan{{}, {}, {}};
+  for (const DescribedLaw& law : subjects::laws_of(named)) {
+    plan.laws.push_back(law.law);
+    plan.parameters = law.parameters;
+  }
   for (const properties::ThesisRadius& radius : properties::kThesisRadii) plan.radii.push_back(radius.mm);
   if (radius_is_given) plan.radii = {plan.parameters.radius};
   return run_exhaustive(options.exhaustive, plan, options.threads, out);
@@ -139,7 +145,7 @@ int run(const CertifyOptions& options, const SubjectOption& subject, const OutFo
 void add_certify(CLI::App& app, int& result) {
   const auto options = std::make_shared<CertifyOptions>();
   CLI::App* command = app.add_subcommand("certify", "Check the fast path against the reference and write a certificate");
-  const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::several);
+  const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::several);
   command->option_defaults()->group(kEvidenceGroup);
   CLI::Option* points =
       add_whole(*command, "--points",

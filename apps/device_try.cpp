@@ -12,7 +12,6 @@
 #include "apps/command.h"
 #include "apps/device_command.h"
 #include "apps/device_run.h"
-#include "apps/length.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
 #include "apps/signals.h"
@@ -22,6 +21,7 @@
 #include "fast/law.h"
 #include "files/csv.h"
 #include "files/output_file.h"
+#include "files/quantity.h"
 #include "rendering/monitor.h"
 
 namespace forceshade::apps {
@@ -58,7 +58,7 @@ class Felt final : public device::SampleSink {
 };
 
 float gentle_stiffness(const std::string& text) {
-  const float stiffness = parse_stiffness("--stiffness", text);
+  const float stiffness = files::parse_stiffness("--stiffness", text);
   built(fast::Law::build(LawId::wall, {.stiffness = stiffness}));
   if (stiffness <= kHighestStiffness) return stiffness;
   throw BadInput("--stiffness: expected at most " + files::shortest(kHighestStiffness) + " N/mm for a first contact, got " +

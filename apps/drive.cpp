@@ -89,7 +89,7 @@ int run(const DriveOptions& options, const SubjectOption& subject, const Placeme
 void add_drive(CLI::App& app, int& result) {
   const auto options = std::make_shared<DriveOptions>();
   CLI::App* command = app.add_subcommand("drive", "Drive a device with a certified renderer");
-  const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::one);
+  const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one);
   const auto place = std::make_shared<PlacementOptions>(*command);
   command->add_option("--certificate", options->certificate, "certificate.json of this build")
       ->type_name("FILE")

@@ -10,12 +10,12 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/command.h"
-#include "apps/height_map_option.h"
-#include "apps/length.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
 #include "apps/progress_line.h"
 #include "apps/signals.h"
+#include "apps/subject_option.h"
+#include "files/quantity.h"
 #include "reference/height_energy.h"
 #include "rendering/monitor.h"
 
@@ -153,21 +153,17 @@ void answer(const Verdict& verdict, const EnergyOptions& options) {
   if (options.json != "-") print(verdict);
 }
 
-void run_law(const EnergyOptions& options, const LawOptions& law_options, float depth) {
-  const auto law = std::get<reference::Law>(reference::Law::build(law_options.law(), law_options.parameters()));
+void run_law(const EnergyOptions& options, const DescribedLaw& described, float depth) {
+  const auto law = std::get<reference::Law>(reference::Law::build(described.law, described.parameters));
   if (const auto error = reference::depth_error(law, depth)) throw BadInput("--" + error->message());
   answer(verdict_on(law, depth), options);
 }
 
-int run_height_map(const EnergyOptions& options, const LawOptions& law_options, const HeightMapOption& height_map,
-                   float depth) {
-  const float stiffness = law_options.stiffness();
-  const heights::Spec spec = height_map.read(stiffness);
-  const auto law = std::get<reference::HeightMapField>(reference::HeightMapField::build(spec.map, spec.rendering, stiffness));
+int run_height_map(const EnergyOptions& options, const std::string& name, const DescribedHeightMap& map, float depth) {
+  const auto law = std::get<reference::HeightMapField>(reference::HeightMapField::build(map.map, map.rendering, map.stiffness));
   const reference::Slice slice{options.along == "x" ? reference::Slice::Along::x : reference::Slice::Along::y,
-                               parse_length("--at", options.at), parse_length("--from", options.from),
-                               parse_length("--to", options.to)};
-  const std::string name = height_map.name();
+                               files::parse_length("--at", options.at), files::parse_length("--from", options.from),
+                               files::parse_length("--to", options.to)};
   if (const auto error = reference::slice_error(law, slice, depth)) throw BadInput(name + ": " + error->message());
   watch_for_interrupt();
   try {
@@ -187,8 +183,8 @@ void add_energy(CLI::App& app, int& result) {
   const auto options = std::make_shared<EnergyOptions>();
   CLI::App* command =
       app.add_subcommand("energy", "Whether a law or a height map is passive, and the most energy a loop can draw from it");
-  const auto law_options = std::make_shared<LawOptions>(*command, LawOptions::Laws::one);
-  const auto height_map = std::make_shared<HeightMapOption>(*command, *law_options);
+  const auto subject =
+      std::make_shared<SubjectOption>(*command, subjects::Laws::one, SubjectOption::Kinds::laws_and_height_maps);
   add_length(*command, "--depth", options->depth, "of the loops, below the nominal surface")->required();
   add_json(*command, options->json, "the verdict, with the loop,");
   CLI::Option* map_option = command->get_option("--height-map");
@@ -200,12 +196,13 @@ void add_energy(CLI::App& app, int& result) {
   add("--at", options->at, "where on the other axis");
   add("--from", options->from, "where the loops may begin");
   add("--to", options->to, "and where they end");
-  command->callback([options, law_options, height_map, &result] {
-    const float depth = parse_length("--depth", options->depth);
-    if (height_map->is_given())
-      result = run_height_map(*options, *law_options, *height_map, depth);
+  command->callback([options, subject, &result] {
+    const float depth = files::parse_length("--depth", options->depth);
+    const Description what = subject->description();
+    if (const auto* law = std::get_if<DescribedLaw>(&what.what))
+      run_law(*options, *law, depth);
     else
-      run_law(*options, *law_options, depth);
+      result = run_height_map(*options, what.name, std::get<DescribedHeightMap>(what.what), depth);
   });
 }
 

@@ -16,9 +16,9 @@
 #include "apps/experiment_virtual.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
-#include "apps/placement_text.h"
 #include "apps/session_motion.h"
 #include "apps/signals.h"
+#include "device/placement_text.h"
 #include "files/printable.h"
 #include "study/experiments/bids.h"
 #include "study/experiments/results_csv.h"
@@ -121,7 +121,7 @@ struct Driving {
                      device);
     return {.device = device,
             .certificates = certificates,
-            .origin = parse_placement(origin, "").origin(),
+            .origin = device::parse_placement(origin, "").origin(),
             .in_reset_pose = in_reset_pose,
             .servo = {.paced = !free_run, .watchdog_timeout = watchdog_timeout, .dead_man_button = dead_man}};
   }

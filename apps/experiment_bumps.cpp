@@ -5,14 +5,10 @@
 #include <cmath>
 
 #include "apps/command.h"
-#include "apps/height_map_option.h"
-#include "apps/mesh_option.h"
 #include "apps/subject_option.h"
 #include "files/csv.h"
-#include "properties/height_map_subject.h"
+#include "properties/described_subject.h"
 #include "properties/law_subject.h"
-#include "properties/mesh_subject.h"
-#include "rendering/heights/spec.h"
 
 namespace forceshade::apps {
 namespace {
@@ -23,7 +19,7 @@ using experiments::StimulusKind;
 
 // The protocol's stiffness is that of all that a session renders.
 std::shared_ptr<const properties::Subject> subject_of_file(const std::string& file, float stiffness) {
-  auto subject = read_subject(file);
+  auto subject = properties::subject_of(read_with_progress(subjects::options_of_file(file)));
   for (const auto& [key, value] : subject->identity().parameters)
     if (const auto* its = std::get_if<float>(&value); key == "stiffness_N_per_mm" && its != nullptr && *its != stiffness)
       throw BadInput(file + ": stiffness: expected that of the protocol, " + files::shortest(stiffness) + " N/mm, got " +
@@ -37,14 +33,16 @@ std::shared_ptr<const properties::Subject> subject_of(const experiments::Protoco
     return std::make_shared<properties::LawSubject>(stimulus.law, protocol.parameters(bump.radius));
   const auto variant = std::ranges::find(stimulus.variants, bump.radius, &experiments::Variant::radius);
   if (variant == stimulus.variants.end()) throw BadInput(words_of(bump) + ": the protocol has no such shape");
-  const std::string file = variant->file, name = variant->file.filename();
+  const std::string file = variant->file;
   if (stimulus.kind == StimulusKind::subject) return subject_of_file(file, protocol.stiffness);
-  if (stimulus.kind == StimulusKind::mesh)
-    return std::make_shared<properties::MeshSubject>(name,
-                                                     read_mesh({.file = file, .unit = variant->unit}, protocol.stiffness));
-  const heights::Spec spec = heights::read_spec(file);
-  expect_valid(file, spec, protocol.stiffness);
-  return std::make_shared<properties::HeightMapSubject>(name, spec.map, spec.rendering, protocol.stiffness);
+  subjects::Options options{{"stiffness", files::shortest(protocol.stiffness)}};
+  if (stimulus.kind == StimulusKind::mesh) {
+    options.add({"mesh", file});
+    options.add({"unit", variant->unit});
+  } else {
+    options.add({"height-map", file});
+  }
+  return properties::subject_of(read_with_progress(options));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "files/csv.h"
 #include "files/npy.h"
 #include "files/output_file.h"
+#include "properties/described_subject.h"
 #include "reference/law.h"
 
 namespace forceshade::apps {
@@ -36,13 +37,14 @@ RowStatus row_status(Status status, bool is_unfinished) {
 
 // By the fast path, or by the reference; in a CSV a law's to any number of digits. Built before anything is read.
 Answer answer_of(const ForceOptions& options, const SubjectOption& option) {
-  if (options.path == "reference" && option.is_a_law() && format_of(options) == RowFormat::csv)
-    return [law = built(reference::Law::build(option.law().law(), option.law().parameters())),
-            digits = options.digits](const auto& position) {
+  const Description what = option.description();
+  const auto* a_law = std::get_if<DescribedLaw>(&what.what);
+  if (options.path == "reference" && a_law != nullptr && format_of(options) == RowFormat::csv)
+    return [law = built(reference::Law::build(a_law->law, a_law->parameters)), digits = options.digits](const auto& position) {
       reference::DecimalForce answer = law.decimal(position, digits);
       return AnsweredRow{{}, row_status(answer.status, false), {{std::move(answer.x), "0", std::move(answer.z)}}};
     };
-  const auto subject = option.subject();
+  const auto subject = properties::subject_of(what);
   if (options.path == "reference")
     return [subject, reference = std::shared_ptr(subject->open_reference())](const auto& position) {
       const reference::Rounded answer = reference->step(position);
@@ -75,7 +77,7 @@ ExitCode run(const ForceOptions& options, const SubjectOption& subject) {
 void add_force(CLI::App& app, int& result) {
   const auto options = std::make_shared<ForceOptions>();
   CLI::App* command = app.add_subcommand("force", "Read positions as CSV (x_mm, y_mm, z_mm), write forces as CSV or NPY");
-  const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::one);
+  const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one);
   add_word(*command, "--path", options->path, "fast: binary32, shortest form; reference: exact, to N digits",
            {"fast", "reference"});
   CLI::Option* digits =

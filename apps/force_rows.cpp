@@ -5,7 +5,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "apps/bad_input.h"
 #include "apps/signals.h"
 #include "files/csv.h"
 #include "files/npy.h"

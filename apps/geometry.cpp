@@ -8,6 +8,7 @@
 #include "apps/command.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
+#include "apps/subject_option.h"
 #include "reference/law.h"
 
 namespace forceshade::apps {

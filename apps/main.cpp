@@ -126,14 +126,14 @@ int run(const std::vector<std::string>& arguments) {
     std::cerr << "forceshade: device fault: ";
     print_lines(error.what());
     return kDeviceFault;
-  } catch (const BadInputOfLines& error) {
-    std::cerr << "forceshade: ";
-    print_lines(error.what());
-    return kBadInput;
   } catch (const Interrupted& error) {
     const std::string undone = error.what(), unsaid = Interrupted().what();
     std::cerr << "forceshade: interrupted" << (undone == unsaid ? "" : ": " + files::printable(undone)) << '\n';
     return kInterrupted;
+  } catch (const BadInput& error) {
+    std::cerr << "forceshade: ";
+    print_lines(error.has_lines() ? error.what() : files::printable(line.placed(error.what())));
+    return kBadInput;
   } catch (const std::exception& error) {
     std::cerr << "forceshade: " << files::printable(line.placed(error.what())) << '\n';
     return kBadInput;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // forceshade mesh: whether a file holds a mesh that can be rendered, what is in it, its repair, and meshes of simple shapes.
 
+#include "rendering/subjects/mesh.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -11,10 +13,7 @@
 #include <string_view>
 
 #include "apps/command.h"
-#include "apps/height_map_option.h"
-#include "apps/length.h"
 #include "apps/mesh_input.h"
-#include "apps/mesh_option.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
 #include "apps/signals.h"
@@ -22,12 +21,14 @@
 #include "files/csv.h"
 #include "files/output_file.h"
 #include "files/printable.h"
+#include "files/quantity.h"
 #include "rendering/meshes/facts.h"
 #include "rendering/meshes/load.h"
 #include "rendering/meshes/make.h"
 #include "rendering/meshes/repair.h"
 #include "rendering/meshes/save.h"
 #include "rendering/monitor.h"
+#include "rendering/subjects/height_map.h"
 
 namespace forceshade::apps {
 namespace {
@@ -45,7 +46,7 @@ struct MeshFileOptions {
 
 mesh::LoadedMesh load(const MeshFileOptions& options) {
   watch_for_interrupt();
-  mesh::LoadedMesh loaded = load_mesh(options.file, unit_named(options.unit));
+  mesh::LoadedMesh loaded = load_mesh(options.file, subjects::unit_named(options.unit));
   if (interrupted()) throw Interrupted("nothing was found out about " + options.file);
   return loaded;
 }
@@ -216,7 +217,7 @@ int repair(const MeshFileOptions& options) {
 
 struct MakeOptions {
   std::string shape, out, height_map;
-  std::string radius, across_radius = "10mm", width = kThesisWidth, size = "100mm";
+  std::string radius, across_radius = "10mm", width = subjects::kUsualWidth, size = "100mm";
   std::uint32_t cells = 64;
 };
 
@@ -255,7 +256,7 @@ double surface_of(const fast::HeightMapField& field, double x, double y) {
 }
 
 double length(const char* name, const std::string& text) {
-  const float length = parse_length(name, text);
+  const float length = files::parse_length(name, text);
   if (!(length > 0 && length <= 20000))
     throw BadInput(std::string(name) + ": expected a length above 0 and up to 20000 mm, got \"" + text + '"');
   return static_cast<double>(length);
@@ -265,7 +266,9 @@ mesh::TriangleMesh made(const MakeOptions& options) {
   const double size = length("--size", options.size), width = length("--width", options.width);
   const double across_radius = length("--across-radius", options.across_radius);
   const bool is_large = options.shape == "icosphere" || options.shape == "torus";
-  const double radius = length("--radius", !options.radius.empty() ? options.radius : is_large ? "50mm" : kThesisRadius);
+  const double radius = length("--radius", !options.radius.empty() ? options.radius
+                                           : is_large              ? "50mm"
+                                                                   : subjects::kUsualRadius);
   if (options.height_map.empty() && options.shape == "height-map")
     throw BadInput("--height-map: expected a height map for the shape height-map, got none");
   if (options.shape == "icosphere") return mesh::icosphere(options.cells, radius);
@@ -278,7 +281,7 @@ mesh::TriangleMesh made(const MakeOptions& options) {
   if (options.shape == "bump") return mesh::bump(radius, width, size, options.cells);
   if (options.shape == "cylinder-bump") return mesh::cylinder_bump(radius, width, size, options.cells);
   const heights::Spec spec = heights::read_spec(options.height_map);
-  expect_valid(options.height_map, spec, 1);
+  subjects::expect_valid(options.height_map, spec, 1);
   const auto field = built(fast::HeightMapField::build(spec.map, spec.rendering, 1), options.height_map + ": ");
   return mesh::height_map(size, size, options.cells, options.cells,
                           [&](double x, double y) { return surface_of(field, x, y); });

@@ -12,9 +12,9 @@
 #include <string_view>
 #include <system_error>
 
-#include "apps/bad_input.h"
 #include "apps/progress_line.h"
 #include "apps/signals.h"
+#include "files/bad_input.h"
 
 namespace forceshade::apps {
 namespace {
@@ -29,7 +29,7 @@ class TemporaryFile {
   TemporaryFile() {
     std::string pattern = (fs::temp_directory_path() / "forceshade-XXXXXX").string();
     if (mkdtemp(pattern.data()) == nullptr)
-      throw BadInput("standard input: cannot be kept in " + pattern + ": " + std::generic_category().message(errno));
+      throw files::BadInput("standard input: cannot be kept in " + pattern + ": " + std::generic_category().message(errno));
     folder_ = pattern;
   }
   ~TemporaryFile() {
@@ -75,7 +75,7 @@ mesh::LoadedMesh load_mesh(const std::string& file, mesh::Unit unit) {
     std::ofstream copy(unnamed, std::ios::binary);
     if (std::cin.peek() != std::char_traits<char>::eof()) copy << std::cin.rdbuf();
     if (interrupted()) throw Interrupted();  // which ends the input, too
-    if (!copy.flush()) throw BadInput("standard input: cannot be kept in " + unnamed.parent_path().string());
+    if (!copy.flush()) throw files::BadInput("standard input: cannot be kept in " + unnamed.parent_path().string());
   }
   std::ifstream in(unnamed, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <utility>
 
-#include "apps/length.h"
+#include "files/quantity.h"
 #include "files/suggestion.h"
 
 namespace forceshade::apps {
@@ -155,7 +155,7 @@ CLI::Option* add_angle(CLI::App& command, const std::string& name, const std::st
                        std::function<void(double)> keep) {
   const std::string range = written(degrees.least) + " to " + written(degrees.most);
   const auto read = [=](const std::string& text) {
-    const double angle = parse_angle(name, text);
+    const double angle = files::parse_angle(name, text);
     if (!(angle >= degrees.least && angle <= degrees.most))
       throw CLI::ValidationError(name, "expected an angle from " + range + " degrees, got \"" + text + '"');
     keep(angle);

@@ -2,7 +2,7 @@
 #include "apps/placement_options.h"
 
 #include "apps/options.h"
-#include "apps/placement_text.h"
+#include "device/placement_text.h"
 
 namespace forceshade::apps {
 
@@ -22,7 +22,7 @@ PlacementOptions::PlacementOptions(CLI::App& command) {
 }
 
 device::Placement PlacementOptions::placement() const {
-  return parse_placement(origin_, turn_);
+  return device::parse_placement(origin_, turn_);
 }
 
 }  // namespace forceshade::apps

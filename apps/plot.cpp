@@ -10,9 +10,6 @@
 #include <memory>
 
 #include "apps/command.h"
-#include "apps/height_map_option.h"
-#include "apps/length.h"
-#include "apps/mesh_option.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
 #include "apps/signals.h"
@@ -22,6 +19,7 @@
 #include "certificate/report/thesis_figures.h"
 #include "files/csv.h"
 #include "files/output_folder.h"
+#include "files/quantity.h"
 #include "properties/mesh_subject.h"
 #include "rendering/monitor.h"
 
@@ -56,7 +54,8 @@ struct PlotOptions {
   }
 
   properties::Range range() const {
-    const properties::Range range{parse_length("--at", y), parse_length("--from", from), parse_length("--to", to)};
+    const properties::Range range{files::parse_length("--at", y), files::parse_length("--from", from),
+                                  files::parse_length("--to", to)};
     const auto check = [](const std::string& option, float got, float low, float high) {
       if (!(got >= low && got <= high)) throw BadInput("--" + ParameterError{option.c_str(), "mm", got, low, high}.message());
     };
@@ -77,30 +76,30 @@ struct PlannedView {
   std::function<SideView()> view;
 };
 
-std::vector<PlannedView> views_of_laws(const LawOptions& law) {
-  const Parameters parameters = law.parameters();
-  std::vector<PlannedView> views;
-  for (const LawId id : law.laws())
-    views.push_back({std::string(name_of(id)), [id, parameters] {
-                       SideView view = side_view(properties::Drawn(id, parameters));
-                       view.heading = {view.name, has_bump_geometry(id)
-                                                      ? "R = " + files::shortest(parameters.radius) +
-                                                            " mm, w = " + files::shortest(parameters.width) + " mm, "
-                                                      : ""};
-                       view.heading.parameters += "K = " + files::shortest(parameters.stiffness) + " N/mm";
-                       return view;
-                     }});
-  return views;
+PlannedView view_of_law(const DescribedLaw& described) {
+  return {std::string(name_of(described.law)), [id = described.law, parameters = described.parameters] {
+            SideView view = side_view(properties::Drawn(id, parameters));
+            view.heading = {view.name, has_bump_geometry(id) ? "R = " + files::shortest(parameters.radius) +
+                                                                   " mm, w = " + files::shortest(parameters.width) + " mm, "
+                                                             : ""};
+            view.heading.parameters += "K = " + files::shortest(parameters.stiffness) + " N/mm";
+            return view;
+          }};
 }
 
-PlannedView view_of_height_map(const HeightMapOption& height_map, float stiffness, const properties::Range& range) {
-  const std::string name = std::filesystem::path(height_map.name()).stem();
-  return {name, [=, spec = height_map.read(stiffness), title = height_map.name()] {
-            SideView view = side_view(built(properties::fast_rendering(spec.map, spec.rendering, stiffness)), name, range);
-            view.heading = {title, std::string(name_of(spec.rendering)) + ", K = " + files::shortest(stiffness) +
+PlannedView view_of_height_map(const std::string& title, const DescribedHeightMap& its, const properties::Range& range) {
+  const std::string name = std::filesystem::path(title).stem();
+  return {name, [=] {
+            SideView view = side_view(built(properties::fast_rendering(its.map, its.rendering, its.stiffness)), name, range);
+            view.heading = {title, std::string(name_of(its.rendering)) + ", K = " + files::shortest(its.stiffness) +
                                        " N/mm, y = " + files::shortest(range.y) + " mm"};
             return view;
           }};
+}
+
+PlannedView view_of(const Description& what, const PlotOptions& options) {
+  if (const auto* law = std::get_if<DescribedLaw>(&what.what)) return view_of_law(*law);
+  return view_of_height_map(what.name, std::get<DescribedHeightMap>(what.what), options.range());
 }
 
 std::vector<std::string> files(const std::vector<PlannedView>& views, const std::vector<Kind>& kinds) {
@@ -149,14 +148,13 @@ struct MeshPlotOptions {
   std::string input;
   properties::ViewDirection direction;
 
-  void draw(const MeshOption& option, float stiffness, const OutFolder& out) const {
-    const std::string name = std::filesystem::path(option.name()).stem();
-    const MeshRendering rendering = option.read(stiffness);
+  void draw(const std::string& title, const MeshRendering& rendering, const OutFolder& out) const {
+    const std::string name = std::filesystem::path(title).stem();
     std::vector<Ticked> path;
-    if (!input.empty()) path = path_of(input, *properties::fast_god_object(rendering)(stiffness));
+    if (!input.empty()) path = path_of(input, *properties::fast_god_object(rendering)(rendering.stiffness));
     std::string words = std::to_string(rendering.mesh().triangles.size()) + " triangles";
     if (!path.empty())
-      words += "; K = " + files::shortest(stiffness) + " N/mm, shading " + std::string(name_of(rendering.shading)) +
+      words += "; K = " + files::shortest(rendering.stiffness) + " N/mm, shading " + std::string(name_of(rendering.shading)) +
                ", sides " + std::string(name_of(rendering.sides));
     const auto unfinished =
         std::ranges::count_if(path, [](const Ticked& one) { return one.tick.status == mesh::TickStatus::unfinished; });
@@ -164,7 +162,7 @@ struct MeshPlotOptions {
     const std::vector<std::string> names{name + "-mesh.svg", name + "-mesh.png"};
     out.expect_room_for(names);
     files::OutputFolder folder(out.path());
-    write(mesh_picture(rendering.mesh(), path, direction, name, {option.name(), words}), name + "-mesh", folder);
+    write(mesh_picture(rendering.mesh(), path, direction, name, {title, words}), name + "-mesh", folder);
     finish(folder, out, names);
   }
 };
@@ -174,7 +172,7 @@ struct MeshPlotOptions {
 void add_plot(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand(
       "plot", "Draw a law or a height map: force profile, directions, nominal geometry, energy map; or a mesh");
-  const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::several);
+  const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::several);
   const auto options = std::make_shared<PlotOptions>();
   const auto mesh_options = std::make_shared<MeshPlotOptions>();
   const auto add = [&](const char* name, std::string& value, const char* help) {
@@ -201,14 +199,12 @@ void add_plot(CLI::App& app, int&) {
   out->require();
   command->callback([subject, options, mesh_options, out] {
     watch_for_interrupt();
-    const LawOptions* const law = &subject->law();
-    const HeightMapOption* const height_map = &subject->height_map();
-    const MeshOption* const mesh = &subject->mesh();
-    if (mesh->is_given()) return mesh_options->draw(*mesh, law->stiffness(), *out);
+    const std::vector<Description> all = subject->descriptions();
+    if (const auto* mesh = std::get_if<MeshRendering>(&all.front().what))
+      return mesh_options->draw(all.front().name, *mesh, *out);
     const std::vector<Kind> kinds = options->kinds();
-    const std::vector<PlannedView> views =
-        height_map->is_given() ? std::vector{view_of_height_map(*height_map, law->stiffness(), options->range())}
-                               : views_of_laws(*law);
+    std::vector<PlannedView> views;
+    for (const Description& what : all) views.push_back(view_of(what, *options));
     const std::vector<std::string> names = files(views, kinds);
     out->expect_room_for(names);
     files::OutputFolder folder(out->path());

@@ -9,15 +9,16 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/command.h"
-#include "apps/height_map_option.h"
-#include "apps/length.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
+#include "apps/subject_option.h"
 #include "certificate/report/thesis.h"
+#include "files/quantity.h"
 #include "reference/height_map_field.h"
 #include "reference/profile.h"
 #include "reference/theta_critical.h"
 #include "rendering/heights/spec.h"
+#include "rendering/subjects/height_map.h"
 
 namespace forceshade::apps {
 namespace {
@@ -75,9 +76,10 @@ void of_height_map(const PolygonsOptions& options) {
   if (!options.json.empty() && options.json == options.out)
     throw BadInput("--json and --out: expected two files, got \"" + options.json + "\" for both");
   const HeightMap map{heights::read_spec(options.height_map).map.parts};
-  expect_valid(options.height_map, {map, height::Rendering::force_shaded}, 1);
+  subjects::expect_valid(options.height_map, {map, height::Rendering::force_shaded}, 1);
   try {
-    const reference::Profile profile(map.parts, parse_length("--from", options.from), parse_length("--to", options.to));
+    const reference::Profile profile(map.parts, files::parse_length("--from", options.from),
+                                     files::parse_length("--to", options.to));
     const auto [polygons, is_fewest] = profile.polygons_needed(options.theta_critical);
     const double turning = profile.most_turning();
     if (!options.json.empty())

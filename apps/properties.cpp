@@ -131,7 +131,7 @@ int run(const PropertiesOptions& options, const SubjectOption& option) {
 void add_properties(CLI::App& app, int& result) {
   const auto options = std::make_shared<PropertiesOptions>();
   CLI::App* command = app.add_subcommand("properties", "Check the properties of the fast path on generated cases");
-  const auto subject = std::make_shared<SubjectOption>(*command, LawOptions::Laws::several);
+  const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::several);
   add_whole(*command, "--cases", options->cases, "cases per law and property (passivity: a tenth)", kCases);
   add_whole(*command, "--seed", options->seed, "seed of the cases", kSeeds);
   add_json(*command, options->json, "what was found");

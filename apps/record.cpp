@@ -163,7 +163,7 @@ void add_recording(CLI::App& app, int& result) {
   again->add_option("file", recomputed->file, "a recording, FILE.fsr; or the folder of a session, which needs no other option")
       ->type_name("FILE")
       ->required();
-  const auto subject = std::make_shared<SubjectOption>(*again, LawOptions::Laws::one);
+  const auto subject = std::make_shared<SubjectOption>(*again, subjects::Laws::one);
   again->callback([recomputed, subject, &result] { result = recompute(*recomputed, *subject); });
   const auto [export_verb, export_options] = add("export", "The ticks for other programs", write);
   add_output(*export_verb, "--out", export_options->out,

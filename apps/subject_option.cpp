@@ -1,114 +1,138 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/subject_option.h"
 
-#include <string_view>
+#include <filesystem>
 
 #include "apps/options.h"
-#include "apps/subject_file.h"
-#include "files/csv.h"
-#include "properties/height_map_subject.h"
-#include "properties/law_subject.h"
-#include "properties/mesh_subject.h"
+#include "apps/progress_line.h"
+#include "apps/signals.h"
+#include "properties/described_subject.h"
+#include "rendering/mesh.h"
+#include "rendering/meshes/load.h"
+#include "rendering/monitor.h"
 
 namespace forceshade::apps {
 namespace {
 
-using Entries = std::vector<std::pair<std::string, std::string>>;
+constexpr const char *kRadiusHelp = "R, radius of the bump", *kWidthHelp = "w, width of the bump on the plane";
 
-std::string millimetres(float value) {
-  return files::shortest(value) + "mm";
+template <std::size_t N>
+std::string choice(const std::array<std::string_view, N>& words) {
+  std::string all;
+  for (const std::string_view word : words) all += (all.empty() ? "" : "|") + std::string(word);
+  return all;
 }
 
-Entries entries_of_law(LawId id, const Parameters& parameters) {
-  Entries entries{{"law", std::string(name_of(id))}};
-  if (has_bump_geometry(id))
-    entries.insert(entries.end(), {{"radius", millimetres(parameters.radius)}, {"width", millimetres(parameters.width)}});
-  return entries;
+std::string choice_of_shading() {
+  std::string all;
+  for (const std::string& word : subjects::shading_words()) all += (all.empty() ? "" : "|") + word;
+  return all;
 }
 
-// As one word of a command line.
-std::string quoted_for_shell(const std::string& word) {
-  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:=,+-@%";
-  if (word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + "'";
+// Calls `read` with a monitor that draws how far the check of the mesh is, if there is one.
+template <class Read>
+auto with_progress(const subjects::Options& options, const Read& read) {
+  ProgressLine line("check of " + std::filesystem::path(options.value("mesh")).filename().string());
+  return read(options, Monitor([&](double done) { line.draw(done); }, interrupted()));
 }
 
 }  // namespace
 
-SubjectOption::SubjectOption(CLI::App& command, LawOptions::Laws laws)
-    : law_(command, laws), height_map_(command, law_), mesh_(command, law_) {
-  // expand_subject_files() has put the file's options in its place before the command line is parsed.
-  command.add_option("--subject", "a TOML file that has these options as its keys (docs/subjects.md)")
-      ->type_name("FILE")
-      ->group(kSubjectGroup);
+SubjectOption::SubjectOption(CLI::App& command, subjects::Laws laws, Kinds kinds) : laws_(laws) {
+  const std::string group = command.option_defaults()->get_group();
+  command.option_defaults()->group(kSubjectGroup);
+  const auto add = [&](const std::string& key, const std::string& type, const std::string& help) {
+    CLI::Option* option = command.add_option("--" + key, values_[key], help)->type_name(type);
+    option->check([key, laws](const std::string& value) { return subjects::refusal_of(key, value, laws); });
+    return options_[key] = option;
+  };
+  const auto add_usual = [&](const std::string& key, const std::string& type, const std::string& help, const char* usual) {
+    values_[key] = usual;
+    return add(key, type, help)->capture_default_str();
+  };
+  CLI::Option* law = add("law", "ID", subjects::expected_law(laws));
+  CLI::Option* radius = add_usual("radius", "LENGTH", kRadiusHelp, subjects::kUsualRadius);
+  CLI::Option* width = add_usual("width", "LENGTH", kWidthHelp, subjects::kUsualWidth);
+  add_usual("stiffness", "STIFFNESS", "K, stiffness", subjects::kUsualStiffness);
+  CLI::Option* map = add("height-map", "SPEC", "instead of a law: a height map, a TOML file (docs/height-maps.md)");
+  for (CLI::Option* of_a_law : {law, radius, width}) of_a_law->excludes(map);
+  if (kinds == Kinds::all) {
+    CLI::Option* mesh =
+        add("mesh", "FILE", "instead of a law: a triangle mesh, an OBJ, OFF, PLY or STL file (docs/meshes.md)")->excludes(map);
+    for (CLI::Option* of_a_law : {law, radius, width}) of_a_law->excludes(mesh);
+    add("unit", choice(mesh::kUnitNames), "of a mesh's coordinates, which no format says")->needs(mesh);
+    add("sides", choice(mesh::kSidesNames), "of a mesh that block motion; front where it is closed, else both, unless said")
+        ->needs(mesh);
+    add("shading", choice_of_shading(),
+        "of a mesh: vertex, which is the default, turns the force to the interpolated normal, edge as the thesis has it, "
+        "texture tilts that normal by a height map, a TOML file")
+        ->needs(mesh);
+    add_usual(
+        "contact", choice(mesh::kContactNames),
+        "of a mesh: in a contact the god-object goes for the position (direct), or for that as a plane would hold it which is "
+        "turned to the interpolated normal (sub-goal); then --shading is none unless given",
+        name_of(mesh::kUsualContact).data())
+        ->needs(mesh);
+    add("texture-scale", "LENGTH",
+        "of a textured mesh: the length of one unit of the texture coordinates in its file, which no format says")
+        ->needs(mesh);
+    options_["self-intersecting"] =
+        command
+            .add_flag("--self-intersecting", is_self_intersecting_,
+                      "of a mesh: faces without a common vertex may cross; each way is tested against the whole mesh")
+            ->needs(mesh);
+    add("crease", "ANGLE (0 to 180)", "of a mesh: an edge that turns by more is not shaded over")->needs(mesh);
+    // expand_subject_files() has put the file's options in its place before the command line is parsed.
+    command.add_option("--subject", "a TOML file that has these options as its keys (docs/subjects.md)")->type_name("FILE");
+  }
+  command.option_defaults()->group(group);
+}
+
+subjects::Options SubjectOption::options() const {
+  subjects::Options given;
+  for (const auto& [key, option] : options_)
+    if (!option->empty()) given.add({key, option->get_expected_max() == 0 ? "true" : values_.at(key)});
+  if (given.has("law") || given.has("height-map") || given.has("mesh")) return given;
+  if (laws_ == subjects::Laws::one)
+    throw CLI::RequiredError(options_.contains("mesh") ? "--law, --height-map or --mesh" : "--law or --height-map");
+  given.add({"law", "all"});
+  return given;
+}
+
+std::vector<Description> SubjectOption::descriptions() const {
+  if (laws_ == subjects::Laws::one) return {read_with_progress(options())};
+  return with_progress(options(), subjects::read);
 }
 
 std::vector<std::shared_ptr<const properties::Subject>> SubjectOption::subjects() const {
-  if (mesh_.is_given()) return {std::make_shared<properties::MeshSubject>(mesh_.name(), mesh_.read(law_.stiffness()))};
-  if (height_map_.is_given()) {
-    const float stiffness = law_.stiffness();
-    const auto [map, rendering] = height_map_.read(stiffness);
-    return {std::make_shared<properties::HeightMapSubject>(height_map_.name(), map, rendering, stiffness)};
-  }
-  const Parameters parameters = law_.parameters();
   std::vector<std::shared_ptr<const properties::Subject>> all;
-  for (const LawId id : law_.laws()) all.push_back(std::make_shared<properties::LawSubject>(id, parameters));
+  for (const Description& one : descriptions()) all.push_back(properties::subject_of(one));
   return all;
 }
 
 Rendering SubjectOption::rendering() const {
-  if (mesh_.is_given()) return built(rendering_of(mesh_.name(), mesh_.read(law_.stiffness())));
-  if (height_map_.is_given()) {
-    const float stiffness = law_.stiffness();
-    const auto [map, rendering] = height_map_.read(stiffness);
-    return built(rendering_of(height_map_.name(), map, rendering, stiffness));
-  }
-  return built(rendering_of(law_.laws().front(), law_.parameters()));
+  return built(rendering_of(description()));
 }
 
-std::vector<std::string> SubjectOption::subject_files() const {
-  std::vector<Entries> subjects;
-  if (mesh_.is_given())
-    subjects = {mesh_.entries()};
-  else if (height_map_.is_given())
-    subjects = {{{"height-map", height_map_.name()}}};
-  else
-    for (const LawId id : law_.laws()) subjects.push_back(entries_of_law(id, law_.parameters()));
-  std::vector<std::string> texts;
-  for (Entries& entries : subjects) {
-    entries.emplace_back("stiffness", files::shortest(law_.stiffness()) + "N/mm");
-    texts.push_back(subject_file_text(entries));
-  }
-  return texts;
+Description read_with_progress(const subjects::Options& options) {
+  return with_progress(options, subjects::read_one);
 }
 
-std::string SubjectOption::options_for_shell() const {
-  if (is_a_law()) return "";
-  Entries entries = mesh_.is_given() ? mesh_.entries(true) : Entries{{"height-map", height_map_.file()}};
-  entries.emplace_back("stiffness", files::shortest(law_.stiffness()) + "N/mm");
-  std::string options;
-  for (const auto& [key, value] : entries)
-    if (!value.empty())
-      options += (options.empty() ? "--" : " --") + key + (value == "true" ? "" : ' ' + quoted_for_shell(value));
-  return options;
+BumpOptions::BumpOptions(CLI::App& command)
+    : radius_option_(add_length(command, "--radius", radius_, kRadiusHelp)),
+      width_option_(add_length(command, "--width", width_, kWidthHelp)) {
+  for (CLI::Option* option : {radius_option_, width_option_}) option->group(kSubjectGroup);
 }
 
-std::shared_ptr<const properties::Subject> read_subject(const std::string& file) {
-  CLI::App command("", "subject");
-  const SubjectOption subject(command, LawOptions::Laws::one);
-  const ExpandedLine line = expand_subject_files({"--subject", file});
-  try {
-    command.parse(std::vector<std::string>(line.words.rbegin(), line.words.rend()));
-    return subject.subject();
-  } catch (const CLI::ParseError& error) {
-    throw BadInput(line.placed(reason_of(command, error)));
-  } catch (const BadInputOfLines&) {
-    throw;
-  } catch (const BadInput& error) {
-    throw BadInput(line.placed(error.what()));
-  }
+void BumpOptions::allow_instead(CLI::Option* other) {
+  for (CLI::Option* option : {radius_option_, width_option_}) option->excludes(other);
+}
+
+Parameters BumpOptions::bump() const {
+  subjects::Options options{{"law", std::string(name_of(LawId::bump_cylinder))}, {"stiffness", "1"}};
+  if (!radius_option_->empty()) options.add({"radius", radius_});
+  if (!width_option_->empty()) options.add({"width", width_});
+  return subjects::laws_of(options).front().parameters;
 }
 
 }  // namespace forceshade::apps

@@ -1,48 +1,66 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // What a command works on: --law with its parameters, --height-map SPEC or --mesh FILE, or --subject with a file that has these
-// options. Commands that need no more than a subject do not distinguish them.
+// options. Commands that need no more than a subject do not distinguish them. What the options mean is for
+// rendering/subjects/read.h to say.
 
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "apps/command.h"
-#include "apps/height_map_option.h"
-#include "apps/mesh_option.h"
 #include "properties/subject.h"
+#include "rendering/renderer/rendering.h"
+#include "rendering/subjects/read.h"
 
 namespace forceshade::apps {
 
 class SubjectOption {
  public:
-  SubjectOption(CLI::App& command, LawOptions::Laws laws);
+  enum class Kinds { laws_and_height_maps, all };
 
-  // One, or all laws. Throws BadInput or heights::Error, naming the option or file, the line, the value and what was expected.
+  // --law is needed where one is expected, and "all" unless said where several are.
+  SubjectOption(CLI::App& command, subjects::Laws laws, Kinds kinds = Kinds::all);
+
+  // Those that were given. Throws CLI::RequiredError where none is.
+  subjects::Options options() const;
+
+  // One, or all laws. The check of a mesh draws its progress. Throws BadInput, naming the option or file, the line, the value
+  // and what was expected; and Interrupted.
+  std::vector<Description> descriptions() const;
+  Description description() const { return std::move(descriptions().front()); }
+
   std::vector<std::shared_ptr<const properties::Subject>> subjects() const;
   std::shared_ptr<const properties::Subject> subject() const { return subjects().front(); }
 
-  // The one that is named, without its exact side: what a device is driven with. Throws as subjects() does.
+  // The one that is named, without its exact side: what a device is driven with. Throws as descriptions() does.
   Rendering rendering() const;
 
-  // The text of a subject file for each of them, with every option that holds, given or not; a file is named without its
-  // folder.
-  std::vector<std::string> subject_files() const;
-
-  // The options of a mesh or height map as a shell reads them, every one that holds, files with their folders; empty for laws.
-  std::string options_for_shell() const;
-
-  bool is_a_law() const { return !height_map_.is_given() && !mesh_.is_given(); }
-  const LawOptions& law() const { return law_; }
-  const HeightMapOption& height_map() const { return height_map_; }
-  const MeshOption& mesh() const { return mesh_; }
-
  private:
-  LawOptions law_;
-  HeightMapOption height_map_;
-  MeshOption mesh_;
+  subjects::Laws laws_;
+  std::map<std::string, std::string> values_;
+  bool is_self_intersecting_ = false;
+  std::map<std::string, CLI::Option*> options_;  // by their keys
 };
 
-// The one subject of a file that --subject may name. Throws as subjects() does.
-std::shared_ptr<const properties::Subject> read_subject(const std::string& file);
+// subjects::read_one() that draws the progress of a mesh's check on standard error.
+Description read_with_progress(const subjects::Options& options);
+
+// --radius and --width of a bump, those of the thesis unless said.
+class BumpOptions {
+ public:
+  explicit BumpOptions(CLI::App& command);
+
+  // From then on they are refused beside this option.
+  void allow_instead(CLI::Option* other);
+
+  // With a stiffness of 1 N/mm, which the geometry does not need. Throws BadInput.
+  Parameters bump() const;
+
+ private:
+  std::string radius_ = subjects::kUsualRadius, width_ = subjects::kUsualWidth;
+  CLI::Option *radius_option_, *width_option_;
+};
 
 }  // namespace forceshade::apps

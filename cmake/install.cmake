@@ -8,13 +8,13 @@ function(install_headers module)
     install(FILES ${module}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/forceshade/${module}/${folder})
   endforeach()
 endfunction()
-install_headers(rendering breakdown.h height_map.h law.h mesh.h mesh_rendering.h monitor.h results.h)
+install_headers(rendering breakdown.h description.h height_map.h law.h mesh.h mesh_rendering.h monitor.h results.h)
 file(GLOB law_headers RELATIVE ${PROJECT_SOURCE_DIR}/fast CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/fast/laws/*.h)
 install_headers(fast domain.h evaluate.h god_object.h height_map_field.h heights/force.h heights/grid.h heights/jet.h heights/shape.h
                 heights/spline.h heights/spline_force.h instruction_set.h law.h ${law_headers} numbers/arithmetic.h
                 numbers/ball.h numbers/big_float_ball.h numbers/double_double.h numbers/double_with_error.h
                 numbers/first_stage.h numbers/inline.h numbers/row.h session.h simd/batch.h stage.h)
-install_headers(files csv.h)
+install_headers(files bad_input.h csv.h)
 install_headers(device attendant.h device.h hand_speed.h last_samples.h limited.h null.h open_device.h oscillation.h
                 passivity_controller.h placement.h real_time.h replay.h sample.h sent_forces.h servo_loop.h
                 shortened.h simulated/arm.h simulated/friction.h simulated/hand.h simulated/model.h simulated/motor.h

@@ -6,16 +6,17 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <stdexcept>
+#include <string>
 
+#include "files/bad_input.h"
 #include "rendering/height_map.h"
 
 namespace forceshade::heights {
 
 // "FILE: reason".
-class Error : public std::runtime_error {
+class Error : public files::BadInput {
  public:
-  Error(const std::filesystem::path& file, const std::string& reason) : runtime_error(file.string() + ": " + reason) {}
+  Error(const std::filesystem::path& file, const std::string& reason) : BadInput(file.string() + ": " + reason) {}
 };
 
 struct Source {

@@ -68,9 +68,14 @@ std::variant<toml::table, TomlFault> parse_toml_file(const std::filesystem::path
   do {
     in.read(bytes.data(), bytes.size());
     text.append(bytes.data(), static_cast<std::size_t>(in.gcount()));
-    if (text.size() > most_bytes) return TomlFault{0, "expected at most " + std::to_string(most_bytes) + " bytes, got more"};
-  } while (in);
+  } while (in && text.size() <= most_bytes);
   if (in.bad()) return TomlFault{0, "cannot be read: " + std::generic_category().message(errno)};
+  return parse_toml(text, file, most_bytes);
+}
+
+std::variant<toml::table, TomlFault> parse_toml(const std::string& text, const std::filesystem::path& file,
+                                                std::size_t most_bytes) {
+  if (text.size() > most_bytes) return TomlFault{0, "expected at most " + std::to_string(most_bytes) + " bytes, got more"};
   if (const std::string kind = files::binary_kind(text); !kind.empty())
     return TomlFault{0, "expected a TOML file, got " + kind};
   if (const auto line = line_nested_too_deep(text))

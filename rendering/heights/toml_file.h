@@ -24,6 +24,10 @@ struct TomlFault {
 // The table of a file of at most `most_bytes`, which nests no deeper than nesting.h allows.
 std::variant<toml::table, TomlFault> parse_toml_file(const std::filesystem::path& file, std::size_t most_bytes);
 
+// The same of a text. file: its name.
+std::variant<toml::table, TomlFault> parse_toml(const std::string& text, const std::filesystem::path& file,
+                                                std::size_t most_bytes);
+
 // The node's value as it may stand behind "got".
 std::string words_of_value(const toml::node& node);
 

@@ -5,18 +5,18 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "files/bad_input.h"
 #include "rendering/mesh.h"
 
 namespace forceshade::mesh {
 
 // "FILE: line 12: reason", or "FILE: byte 84: reason" where the file is binary.
-class Error : public std::runtime_error {
+class Error : public files::BadInput {
  public:
-  Error(const std::filesystem::path& file, const std::string& reason) : runtime_error(file.string() + ": " + reason) {}
+  Error(const std::filesystem::path& file, const std::string& reason) : BadInput(file.string() + ": " + reason) {}
 };
 
 // The unit of the coordinates in the file, which no format states.

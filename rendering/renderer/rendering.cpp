@@ -30,4 +30,11 @@ std::variant<Rendering, ParameterError> rendering_of(const std::string& name, co
   return rendered<fast::GodObject>(identity_of(name, mesh), mesh);
 }
 
+std::variant<Rendering, ParameterError> rendering_of(const Description& description) {
+  if (const auto* law = std::get_if<DescribedLaw>(&description.what)) return rendering_of(law->law, law->parameters);
+  if (const auto* map = std::get_if<DescribedHeightMap>(&description.what))
+    return rendering_of(description.name, map->map, map->rendering, map->stiffness);
+  return rendering_of(description.name, std::get<MeshRendering>(description.what));
+}
+
 }  // namespace forceshade

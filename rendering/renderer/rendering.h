@@ -10,6 +10,7 @@
 #include <string>
 #include <variant>
 
+#include "rendering/description.h"
 #include "rendering/identity/identity.h"
 #include "rendering/identity/mesh_identity.h"
 #include "rendering/renderer/renderer.h"
@@ -31,5 +32,8 @@ std::variant<Rendering, ParameterError> rendering_of(const std::string& name, co
 
 // name: of the mesh's file.
 std::variant<Rendering, ParameterError> rendering_of(const std::string& name, const MeshRendering& mesh);
+
+// Whichever of the three it is.
+std::variant<Rendering, ParameterError> rendering_of(const Description& description);
 
 }  // namespace forceshade

@@ -4,18 +4,19 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
+
+#include "files/bad_input.h"
 
 namespace forceshade::experiments {
 
 // "FILE: reason", or "FILE:LINE: reason" where a line is known; the reason names the key or column, what was expected and what
 // was got.
-class Error : public std::runtime_error {
+class Error : public files::BadInput {
  public:
-  Error(const std::filesystem::path& file, const std::string& reason) : runtime_error(file.string() + ": " + reason) {}
+  Error(const std::filesystem::path& file, const std::string& reason) : BadInput(file.string() + ": " + reason) {}
   Error(const std::filesystem::path& file, std::size_t line, const std::string& reason)
-      : runtime_error(file.string() + ":" + std::to_string(line) + ": " + reason) {}
+      : BadInput(file.string() + ":" + std::to_string(line) + ": " + reason) {}
 };
 
 }  // namespace forceshade::experiments

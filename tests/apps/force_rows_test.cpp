@@ -12,7 +12,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "apps/bad_input.h"
 #include "files/csv.h"
 
 namespace forceshade::apps {

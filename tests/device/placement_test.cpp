@@ -11,16 +11,15 @@
 #include <set>
 #include <string>
 
-#include "apps/bad_input.h"
-#include "apps/placement_text.h"
+#include "device/placement_text.h"
 #include "device/replay.h"
 #include "device/run/words.h"
+#include "files/bad_input.h"
 #include "tests/device/servo_loop_fixture.h"
 
 namespace forceshade::device {
 namespace {
 
-using apps::parse_placement;
 using Eigen::Vector3f;
 using run::axes_words;
 using run::origin_words;
@@ -92,7 +91,7 @@ TEST(placement, is_read_from_lengths_with_units_and_quarter_turns) {
   const auto words_of = [](const char* origin, const char* turn) {
     try {
       parse_placement(origin, turn);
-    } catch (const apps::BadInput& error) {
+    } catch (const files::BadInput& error) {
       return std::string(error.what());
     }
     return std::string("read");

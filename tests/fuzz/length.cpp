@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/length.h"
-
 #include <cmath>
 
-#include "apps/bad_input.h"
+#include "files/bad_input.h"
+#include "files/quantity.h"
 #include "tests/fuzz/input_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace forceshade;
   const std::string text(fuzz::text_of(data, size));
-  fuzz::read_or_refuse<apps::BadInput>(
-      "--radius", [&] { fuzz::require(!std::isnan(apps::parse_length("--radius", text)), "a length is a number"); });
-  fuzz::read_or_refuse<apps::BadInput>("--stiffness", [&] {
-    fuzz::require(!std::isnan(apps::parse_stiffness("--stiffness", text)), "a stiffness is a number");
+  fuzz::read_or_refuse<files::BadInput>(
+      "--radius", [&] { fuzz::require(!std::isnan(files::parse_length("--radius", text)), "a length is a number"); });
+  fuzz::read_or_refuse<files::BadInput>("--stiffness", [&] {
+    fuzz::require(!std::isnan(files::parse_stiffness("--stiffness", text)), "a stiffness is a number");
   });
   return 0;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/length.h"
+#include "files/quantity.h"
 
 #include <array>
 #include <charconv>
@@ -8,9 +8,9 @@
 #include <numbers>
 #include <string_view>
 
-#include "apps/bad_input.h"
+#include "files/bad_input.h"
 
-namespace forceshade::apps {
+namespace forceshade::files {
 namespace {
 
 // One of the unit is numerator/denominator of the base unit.
@@ -60,4 +60,4 @@ double parse_angle(const std::string& name, const std::string& text) {
   return parse<double>(name, text, kAngles, "an angle such as 30, 30deg or 0.5rad");
 }
 
-}  // namespace forceshade::apps
+}  // namespace forceshade::files

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/placement_text.h"
+#include "device/placement_text.h"
 
 #include <charconv>
 #include <string_view>
 #include <vector>
 
-#include "apps/bad_input.h"
-#include "apps/length.h"
 #include "fast/domain.h"
+#include "files/bad_input.h"
 #include "files/csv.h"
+#include "files/quantity.h"
 
-namespace forceshade::apps {
+namespace forceshade::device {
 namespace {
 
 std::vector<std::string> at_commas(const std::string& text) {
@@ -26,8 +26,8 @@ std::vector<std::string> at_commas(const std::string& text) {
 // "z90", "x-90deg": the axis, and how many quarter turns.
 std::pair<int, int> quarter_turns(const std::string& text) {
   const auto refuse = [&] {
-    return BadInput("--turn: expected an axis and a multiple of 90 degrees, such as z90 or x-90,z180, got \"" + text +
-                    "\"; another angle would round the force");
+    return files::BadInput("--turn: expected an axis and a multiple of 90 degrees, such as z90 or x-90,z180, got \"" + text +
+                           "\"; another angle would round the force");
   };
   const std::size_t axis = std::string_view("xyz").find(text.empty() ? ' ' : text[0]);
   if (axis == std::string_view::npos) throw refuse();
@@ -46,10 +46,11 @@ device::Placement parse_placement(const std::string& origin, const std::string& 
   if (!origin.empty()) {
     const std::vector<std::string> lengths = at_commas(origin);
     if (lengths.size() != 3)
-      throw BadInput("--origin: expected three lengths X,Y,Z such as 10mm,0,-1in, got \"" + origin + '"');
+      throw files::BadInput("--origin: expected three lengths X,Y,Z such as 10mm,0,-1in, got \"" + origin + '"');
     for (std::size_t i = 0; i < 3; ++i) {
-      const float length = parse_length("--origin", lengths[i]);
-      if (!fast::in_domain(length)) throw BadInput("--origin: expected at most 10000 mm each way, got \"" + lengths[i] + '"');
+      const float length = files::parse_length("--origin", lengths[i]);
+      if (!fast::in_domain(length))
+        throw files::BadInput("--origin: expected at most 10000 mm each way, got \"" + lengths[i] + '"');
       shift[static_cast<Eigen::Index>(i)] = length;
     }
   }
@@ -62,4 +63,4 @@ device::Placement parse_placement(const std::string& origin, const std::string& 
   return placement;
 }
 
-}  // namespace forceshade::apps
+}  // namespace forceshade::device

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/height_map_option.h"
+#include "rendering/subjects/height_map.h"
 
-#include <filesystem>
-
-#include "apps/options.h"
 #include "fast/height_map_field.h"
+#include "rendering/subjects/words.h"
 
-namespace forceshade::apps {
+namespace forceshade::subjects {
 namespace {
 
 std::optional<ParameterError> error_of(const HeightMap& map, height::Rendering rendering, float stiffness) {
@@ -35,24 +33,13 @@ void expect_valid(const std::string& file, const heights::Spec& spec, float stif
     throw BadInput(file + ": " + place(file, spec.map) + error->message());
 }
 
-HeightMapOption::HeightMapOption(CLI::App& command, LawOptions& law) {
-  CLI::Option* option =
-      command.add_option("--height-map", file_, "instead of a law: a height map, a TOML file (docs/height-maps.md)")
-          ->type_name("SPEC")
-          ->group(kSubjectGroup);
-  law.allow_instead(option);
-}
-
-std::string HeightMapOption::name() const {
-  return std::filesystem::path(file_).filename();
-}
-
-heights::Spec HeightMapOption::read(float stiffness) const {
-  heights::Spec spec = heights::read_spec(file_);
+heights::Spec read_height_map(const Options& options, float stiffness) {
+  const std::string file = options.value("height-map");
+  heights::Spec spec = heights::read_spec(file);
   if (const auto error = error_of({{{height::Plane{}}}}, height::Rendering::true_height, stiffness))
-    throw BadInput("--" + error->message());
-  expect_valid(file_, spec, stiffness);
+    throw BadInput(words_of(*error, options));
+  expect_valid(file, spec, stiffness);
   return spec;
 }
 
-}  // namespace forceshade::apps
+}  // namespace forceshade::subjects

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/length.h"
+#include "files/quantity.h"
 
 #include <gtest/gtest.h>
 
-#include "apps/bad_input.h"
+#include "files/bad_input.h"
 
-namespace forceshade::apps {
+namespace forceshade::files {
 namespace {
 
 TEST(length, reads_every_unit_and_rounds_once) {
@@ -50,4 +50,4 @@ TEST(angle, reads_degrees_or_radians) {
 }
 
 }  // namespace
-}  // namespace forceshade::apps
+}  // namespace forceshade::files

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace forceshade::apps {
+namespace forceshade::files {
 
 // The binary32 number of millimetres nearest to the length. `name` is what a message calls it. Throws BadInput.
 float parse_length(const std::string& name, const std::string& text);
@@ -16,4 +16,4 @@ float parse_stiffness(const std::string& name, const std::string& text);
 // Degrees, of an angle in degrees, with or without that unit, or in rad. Throws BadInput.
 double parse_angle(const std::string& name, const std::string& text);
 
-}  // namespace forceshade::apps
+}  // namespace forceshade::files

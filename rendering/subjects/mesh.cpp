@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rendering/subjects/mesh.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+#include "files/csv.h"
+#include "files/printable.h"
+#include "files/quantity.h"
+#include "rendering/heights/spec.h"
+#include "rendering/meshes/check.h"
+#include "rendering/meshes/facts.h"
+#include "rendering/meshes/normals.h"
+#include "rendering/meshes/texture.h"
+#include "rendering/subjects/height_map.h"
+#include "rendering/subjects/words.h"
+
+namespace forceshade::subjects {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kUsualCrease = 180;  // degrees
+
+template <class Value, std::size_t N>
+Value value_named(const std::string& word, const std::array<std::string_view, N>& names) {
+  return static_cast<Value>(std::find(names.begin(), names.end(), word) - names.begin());
+}
+
+mesh::Shading shading_named(const std::string& word) {
+  return value_named<mesh::Shading>(word.substr(0, word.find(':')), mesh::kShadingNames);  // texture:FILE is texture
+}
+
+std::string contact_of(const Options& options) {
+  return options.has("contact") ? options.value("contact") : std::string(name_of(mesh::kUsualContact));
+}
+
+// A rule that uses corner normals shades already.
+std::string shading_of(const Options& options) {
+  if (options.has("shading")) return options.value("shading");
+  const auto contact = value_named<mesh::Contact>(contact_of(options), mesh::kContactNames);
+  return std::string(name_of(has_corner_normals(contact) ? mesh::Shading::none : mesh::Shading::vertex_scheme));
+}
+
+double crease_degrees(const Options& options) {
+  if (!options.has("crease")) return kUsualCrease;
+  const std::string name = options.name("crease"), text = options.value("crease");
+  const double degrees = files::parse_angle(name, text);
+  if (degrees >= 0 && degrees <= kUsualCrease) return degrees;
+  throw BadInput(name + ": expected an angle from 0 to 180 degrees, got \"" + text + '"');
+}
+
+std::optional<float> texture_scale(const Options& options) {
+  if (!options.has("texture-scale")) return std::nullopt;
+  return files::parse_length(options.name("texture-scale"), options.value("texture-scale"));
+}
+
+mesh::CheckedMesh checked(const Options& options, mesh::LoadedMesh& loaded, const Monitor& monitor) {
+  const std::string file = options.value("mesh");
+  const bool may_cross = options.is_true("self-intersecting");
+  const auto result = [&] {
+    try {
+      return mesh::check(std::move(loaded.mesh),
+                         may_cross ? mesh::SelfIntersections::allowed : mesh::SelfIntersections::refused, monitor);
+    } catch (const Interrupted&) {
+      throw Interrupted("the check of " + fs::path(file).filename().string() + " was not finished");
+    }
+  }();
+  if (const auto* found = std::get_if<mesh::CheckedMesh>(&result)) return *found;
+  const auto& findings = std::get<mesh::Findings>(result);
+  const bool crosses = findings.counts[static_cast<std::size_t>(mesh::Fault::meeting)] > 0;
+  throw BadInput(files::printable(file) + ": cannot be rendered:\n" + findings.words(loaded.lines) +
+                     "'forceshade mesh repair' mends some of this" +
+                     (crosses && !may_cross ? "; with --self-intersecting, faces without a common vertex may cross" : ""),
+                 BadInput::Lines::several);
+}
+
+void read_texture(const Options& options, const std::vector<std::array<mesh::TexturePoint, 3>>& points,
+                  MeshRendering& rendering) {
+  const std::string mesh_file = options.value("mesh");
+  if (points.empty())
+    throw BadInput(mesh_file +
+                   ": has no texture coordinates at some or all corners; expected them beside --shading texture:FILE: vt of an "
+                   "OBJ file, s and t or u and v or texcoord of a PLY file, or ST of an OFF file");
+  const std::optional<float> scale = texture_scale(options);
+  if (!scale)
+    throw BadInput(
+        "--texture-scale is required beside --shading texture:FILE: expected the length of one unit of the texture "
+        "coordinates, such as 1mm, for no mesh file says it");
+  const std::string file = options.value("shading").substr(kTexturePrefix.size());
+  heights::Spec spec = heights::read_spec(file);
+  expect_valid(file, spec, 1);
+  if (!spec.map.surface.empty())
+    throw BadInput(file + ": has a surface to measure the depth from; expected none, for the depth is that of the mesh");
+  rendering.texture.map = std::move(spec.map);
+  try {
+    rendering.texture.corners = mesh::corner_textures(rendering.checked, points, *scale, crease_degrees(options));
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(mesh_file + ": cannot be textured: " + error.what());
+  }
+}
+
+}  // namespace
+
+mesh::Unit unit_named(const std::string& word, const std::string& name) {
+  const auto unit = value_named<mesh::Unit>(word, mesh::kUnitNames);
+  if (static_cast<std::size_t>(unit) < mesh::kUnitNames.size()) return unit;
+  throw BadInput(name + ": expected mm, m or in, got \"" + word + '"');
+}
+
+MeshRendering read_mesh(const Options& options, float stiffness, const Monitor& monitor) {
+  if (!options.has("unit"))
+    throw BadInput("--unit is required beside --mesh: expected mm, m or in, for no mesh file says its unit");
+  if (const auto error = error_of_stiffness(stiffness)) throw BadInput(words_of(*error, options));
+  const double crease = crease_degrees(options);
+  const bool has_scale = texture_scale(options).has_value();
+  mesh::LoadedMesh loaded = mesh::load_with_corners(options.value("mesh"), unit_named(options.value("unit")));
+  MeshRendering rendering{checked(options, loaded, monitor)};
+  rendering.stiffness = stiffness;
+  const bool is_closed = !options.has("sides") && mesh::facts_of(rendering.checked).is_closed();
+  const std::string sides = options.has("sides") ? options.value("sides") : is_closed ? "front" : "both";
+  rendering.sides = value_named<mesh::Sides>(sides, mesh::kSidesNames);
+  rendering.shading = shading_named(shading_of(options));
+  rendering.contact = value_named<mesh::Contact>(contact_of(options), mesh::kContactNames);
+  if (rendering.has_corner_normals()) rendering.normals = mesh::corner_normals(rendering.checked, crease).normals;
+  if (is_texture(shading_of(options)))
+    read_texture(options, loaded.texture, rendering);
+  else if (has_scale)
+    throw BadInput("--texture-scale is for --shading texture:FILE alone");
+  return rendering;
+}
+
+std::vector<std::pair<std::string, std::string>> written_mesh(const Options& options, bool with_folders) {
+  const auto file_name = [&](const std::string& path) { return with_folders ? path : fs::path(path).filename().string(); };
+  const std::string shading = shading_of(options), contact = contact_of(options);
+  const std::optional<float> scale = texture_scale(options);
+  return {{"mesh", file_name(options.value("mesh"))},
+          {"unit", options.value("unit")},
+          {"sides", options.value("sides")},
+          {"shading",
+           is_texture(shading) ? std::string(kTexturePrefix) + file_name(shading.substr(kTexturePrefix.size())) : shading},
+          {"contact", contact == name_of(mesh::kUsualContact) ? "" : contact},
+          {"texture-scale", scale ? files::shortest(*scale) + "mm" : ""},
+          {"self-intersecting", options.is_true("self-intersecting") ? "true" : ""},
+          {"crease", files::shortest(crease_degrees(options)) + "deg"}};
+}
+
+}  // namespace forceshade::subjects

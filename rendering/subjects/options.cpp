@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rendering/subjects/options.h"
+
+#include <algorithm>
+
+#include "files/suggestion.h"
+#include "rendering/law.h"
+#include "rendering/mesh.h"
+#include "rendering/meshes/load.h"
+#include "rendering/subjects/words.h"
+
+namespace forceshade::subjects {
+namespace {
+
+constexpr std::array<std::string_view, 3> kKinds{"law", "height-map", "mesh"};
+
+std::string option(std::string_view key) {
+  return "--" + std::string(key);
+}
+
+// The words for the first name that is no law, or not another one than those before it.
+std::string refusal_of_law(const std::string& names, Laws laws) {
+  if (laws == Laws::several && names == "all") return "";
+  std::vector<std::string> known;
+  for (const LawName& law : kLaws) known.emplace_back(law.name);
+  const std::vector<std::string> all = laws == Laws::several ? at_commas(names) : std::vector{names};
+  for (auto name = all.begin(); name != all.end(); ++name) {
+    if (!law_named(*name)) return "expected " + expected_law(laws) + "; got \"" + *name + '"' + files::suggestion(*name, known);
+    if (std::find(all.begin(), name, *name) != name) return "expected each law once, got " + *name + " twice";
+  }
+  return "";
+}
+
+std::string refusal_of_word(const std::string& got, const std::vector<std::string>& words) {
+  if (std::ranges::find(words, got) != words.end()) return "";
+  std::string expected;
+  for (const std::string& word : words) expected += (expected.empty() ? "" : ", ") + word;
+  return "expected one of " + expected + "; got \"" + got + '"' + files::suggestion(got, words);
+}
+
+template <std::size_t N>
+std::vector<std::string> texts(const std::array<std::string_view, N>& words) {
+  return {words.begin(), words.end()};
+}
+
+void expect_companions(const Options& options, const Key& key) {
+  const std::string name = options.name(key.name);
+  if (key.of == "mesh" && !options.has("mesh")) throw BadInput(name + ": expected --mesh beside it, got it alone");
+  const std::string_view kind = key.of.empty() ? key.name : key.of;
+  if (std::ranges::find(kKinds, kind) == kKinds.end()) return;
+  for (const std::string_view other : kKinds)
+    if (other != kind && options.has(other)) throw BadInput(name + ": expected without " + option(other) + ", got both");
+}
+
+}  // namespace
+
+const Option* Options::find(std::string_view key) const {
+  const auto found = std::ranges::find(options_, key, &Option::key);
+  return found == options_.end() ? nullptr : &*found;
+}
+
+std::string Options::value(std::string_view key) const {
+  const Option* found = find(key);
+  return found == nullptr ? "" : found->value;
+}
+
+std::string Options::name(std::string_view key) const {
+  const Option* found = find(key);
+  return found == nullptr || found->name.empty() ? option(key) : found->name;
+}
+
+std::string expected_law(Laws laws) {
+  std::string list;
+  for (const LawName& law : kLaws) list += (list.empty() ? "" : ", ") + std::string(law.name);
+  return (laws == Laws::several ? "all, or one or several, with commas between them, of " : "one of ") + list;
+}
+
+std::vector<std::string> shading_words() {
+  std::vector<std::string> words;
+  for (const std::string_view name : mesh::kShadingNames)
+    if (name != name_of(mesh::Shading::none) && name != name_of(mesh::Shading::texture_scheme)) words.emplace_back(name);
+  words.emplace_back(name_of(mesh::Shading::none));
+  words.push_back(std::string(kTexturePrefix) + "FILE");
+  return words;
+}
+
+std::string refusal_of(std::string_view key, const std::string& value, Laws laws) {
+  if (value.empty()) return "expected a value, got an empty one";
+  if (key == "law") return refusal_of_law(value, laws);
+  if (key == "unit") return refusal_of_word(value, texts(mesh::kUnitNames));
+  if (key == "sides") return refusal_of_word(value, texts(mesh::kSidesNames));
+  if (key == "contact") return refusal_of_word(value, texts(mesh::kContactNames));
+  if (key == "shading") return is_texture(value) ? "" : refusal_of_word(value, shading_words());
+  return "";
+}
+
+void expect_consistent(const Options& options, Laws laws) {
+  for (const auto& [key, value, name] : options) {
+    if (std::ranges::find(kKeys, key, &Key::name) == kKeys.end())
+      throw BadInput((name.empty() ? option(key) : name) + ": expected an option of a subject, got an unknown one" +
+                     files::suggestion(key, names_of_keys()));
+    const auto is_it = [&, &key = key](const Option& other) { return other.key == key; };
+    if (std::count_if(options.begin(), options.end(), is_it) > 1)
+      throw BadInput(options.name(key) + ": expected once, got several times");
+    if (const std::string refusal = refusal_of(key, value, laws); !refusal.empty())
+      throw BadInput(options.name(key) + ": " + refusal);
+  }
+  for (const Key& key : kKeys)
+    if (options.has(key.name)) expect_companions(options, key);
+  if (std::ranges::none_of(kKinds, [&](std::string_view kind) { return options.has(kind); }))
+    throw BadInput("expected one of the options --law, --height-map and --mesh, got none");
+}
+
+}  // namespace forceshade::subjects

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The options that name what is rendered, in words: those of the command line, which are the keys of a subject file
+// (docs/subjects.md).
+
+#include <array>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "files/bad_input.h"
+
+namespace forceshade::subjects {
+
+using files::BadInput;
+
+struct Option {
+  std::string key, value;  // "radius", "600mil"; a flag has the value "true" or "false"
+  std::string name = {};   // what a message calls it: "bump.toml: line 3: radius"; "--radius" where it is empty
+};
+
+struct Key {
+  std::string_view name, of;  // of: the key that it needs beside it; empty for one that needs none
+};
+// In the order in which an option of each is looked at.
+inline constexpr std::array<Key, 13> kKeys{{{"law", ""},
+                                            {"radius", "law"},
+                                            {"width", "law"},
+                                            {"stiffness", ""},
+                                            {"height-map", ""},
+                                            {"mesh", ""},
+                                            {"unit", "mesh"},
+                                            {"sides", "mesh"},
+                                            {"shading", "mesh"},
+                                            {"contact", "mesh"},
+                                            {"texture-scale", "mesh"},
+                                            {"self-intersecting", "mesh"},
+                                            {"crease", "mesh"}}};
+
+// What holds unless an option says otherwise: the thesis's bump of 600 and 1000 mil.
+inline constexpr const char *kUsualRadius = "15.24mm", *kUsualWidth = "25.4mm", *kUsualStiffness = "0.5N/mm";
+
+class Options {
+ public:
+  Options() = default;
+  Options(std::initializer_list<Option> options) : options_(options) {}
+
+  void add(Option option) { options_.push_back(std::move(option)); }
+
+  // None where it was not given.
+  const Option* find(std::string_view key) const;
+  bool has(std::string_view key) const { return find(key) != nullptr; }
+  // Empty where it was not given.
+  std::string value(std::string_view key) const;
+  bool is_true(std::string_view key) const { return value(key) == "true"; }
+  std::string name(std::string_view key) const;
+
+  auto begin() const { return options_.begin(); }
+  auto end() const { return options_.end(); }
+
+ private:
+  std::vector<Option> options_;
+};
+
+enum class Laws { one, several };
+
+// "one of wall, cylinder, ..."
+std::string expected_law(Laws laws);
+// "vertex", "edge", "none", "texture:FILE"
+std::vector<std::string> shading_words();
+
+// Why an option cannot have this value, "expected ..., got ...": of the options that have one of several words. Empty where
+// it can, and for an option that has a number or a file.
+std::string refusal_of(std::string_view key, const std::string& value, Laws laws = Laws::several);
+
+// Throws BadInput: an unknown key, a value that is refused, an option that is given twice or lacks another, or none of law,
+// height-map and mesh, or several.
+void expect_consistent(const Options& options, Laws laws);
+
+}  // namespace forceshade::subjects
