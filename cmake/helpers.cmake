@@ -67,6 +67,8 @@ function(forceshade_compile_options name)
                                                $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/forceshade>)
   target_compile_features(${name} PUBLIC cxx_std_20)
   target_compile_options(${name} PUBLIC -ffp-contract=off PRIVATE -Wall -Wextra -Wconversion)
+  # A translation unit takes less than 1 GB: g++ need not collect what it no longer uses, which took a tenth of its time.
+  target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=1000000>)
   if(FORCESHADE_WERROR)
     target_compile_options(${name} PRIVATE -Werror)
   endif()

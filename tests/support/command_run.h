@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <functional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -28,15 +29,10 @@ inline std::vector<std::string> words_of(const std::string& line) {
   return words;
 }
 
-// In the directory, with standard input from /dev/null; standard output goes to `output` if one is given.
-inline CommandRun run_command(const TemporaryDirectory& here, const std::vector<std::string>& arguments,
-                              const std::string& output = "") {
+// In a child process that calls run() and exits with what it returns: in the directory, with standard input from /dev/null;
+// standard output goes to `output` if one is given.
+inline CommandRun run_in_child(const TemporaryDirectory& here, const std::string& output, const std::function<int()>& run) {
   const std::string out = output.empty() ? here.file(".out") : output, err = here.file(".err");
-  std::string program = FORCESHADE_COMMAND;
-  std::vector<char*> argv{program.data()};
-  std::vector<std::string> copies = arguments;
-  for (std::string& argument : copies) argv.push_back(argument.data());
-  argv.push_back(nullptr);
   const pid_t child = ::fork();
   if (child == 0) {
     const auto redirect = [](const std::string& path, int flags, int stream) {
@@ -46,13 +42,26 @@ inline CommandRun run_command(const TemporaryDirectory& here, const std::vector<
     redirect(out, O_WRONLY | O_CREAT | O_TRUNC, STDOUT_FILENO);
     redirect(err, O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO);
     if (::chdir(here.file("").c_str()) != 0) ::_exit(126);
-    ::execv(program.c_str(), argv.data());
-    ::_exit(127);
+    ::_exit(run());
   }
   int status = 0;
   if (child < 0 || ::waitpid(child, &status, 0) != child) throw std::runtime_error("cannot run the command");
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), output.empty() ? here.read(".out") : "",
           here.read(".err")};
+}
+
+// The program FORCESHADE_COMMAND, as run_in_child().
+inline CommandRun run_command(const TemporaryDirectory& here, const std::vector<std::string>& arguments,
+                              const std::string& output = "") {
+  std::string program = FORCESHADE_COMMAND;
+  std::vector<std::string> copies = arguments;
+  std::vector<char*> argv{program.data()};
+  for (std::string& argument : copies) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  return run_in_child(here, output, [&] {
+    ::execv(program.c_str(), argv.data());
+    return 127;
+  });
 }
 
 }  // namespace forceshade::tests

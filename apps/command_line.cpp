@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/command_line.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "apps/command.h"
+#include "apps/documentation.h"
+#include "apps/options.h"
+#include "apps/standard_streams.h"
+#include "apps/subject_file.h"
+#include "certificate/build.h"
+#include "device/open_device.h"
+#include "files/output_file.h"
+#include "files/printable.h"
+#include "files/suggestion.h"
+#include "rendering/monitor.h"
+
+namespace forceshade::apps {
+namespace {
+
+void print_lines(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) std::cerr << files::printable(line) << '\n';
+}
+
+// `help` and `version` are words for --help and --version: forceshade help device check.
+std::vector<std::string> with_words_for_flags(std::vector<std::string> words) {
+  if (words.empty()) return words;
+  if (words.front() == "version") words.front() = "--version";
+  if (words.front() != "help") return words;
+  words.erase(words.begin());
+  words.emplace_back("--help");
+  return words;
+}
+
+// What keeps the first word from being a command; empty where it is one, or a flag of the program.
+std::string fault_of_first_word(const CLI::App& app, const std::vector<std::string>& words) {
+  if (words.empty()) return "";
+  const std::string& first = words.front();
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  const auto listed = [&] {
+    std::string all;
+    for (const std::string& name : names) all += ' ' + name;
+    return all;
+  };
+  if (first.starts_with("-")) {
+    if (app.get_option_no_throw(first) != nullptr) return "";
+    return "expected a command before the option \"" + first + "\", one of:" + listed();
+  }
+  if (std::ranges::find(names, first) != names.end()) return "";
+  return "unknown command \"" + first + "\"; expected one of:" + listed() + files::suggestion(first, names);
+}
+
+bool takes_a_subject(const CLI::App& app, const std::vector<std::string>& words) {
+  const CLI::App* command = &app;
+  for (const std::string& word : words) {
+    const auto below = command->get_subcommands([&](const CLI::App* each) { return each->get_name() == word; });
+    if (below.empty()) break;
+    command = below.front();
+  }
+  return command->get_option_no_throw("--subject") != nullptr;
+}
+
+int report(const CLI::App& app, const CLI::ParseError& error, const ExpandedLine& line) {
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+    std::ostringstream text;  // not std::cout: it would be flushed where nobody sees whether that fails
+    app.exit(error, text, std::cerr);
+    std::fputs(text.str().c_str(), stdout);
+    return kHeld;
+  }
+  std::cerr << "forceshade: " << line.placed(failure_message(app, error));
+  return kBadInput;
+}
+
+int run(const std::vector<std::string>& arguments) {
+  CLI::App app("Haptic force laws, correctly rounded in real time: evaluate, check, certify and drive.", "forceshade");
+  app.set_version_flag("-v,--version", [] {
+    const properties::Build build = properties::current_build();
+    return "forceshade " + build.version + "\nrevision         " + build.revision + "\ncompiler         " + build.compiler +
+           "\ninstruction set  " + build.instruction_set + "\nlibrary digest   " + build.library_digest;
+  });
+  app.require_subcommand(1);
+  app.formatter_fn([](const CLI::App* command, const std::string&, CLI::AppFormatMode) { return help_text(*command); });
+  app.footer(kWhereMoreIs);  // of each command
+  int result = kHeld;
+  add_laws(app, result);
+  add_geometry(app, result);
+  add_polygons(app, result);
+  add_force(app, result);
+  add_energy(app, result);
+  add_plot(app, result);
+  add_figures(app, result);
+  add_properties(app, result);
+  add_certify(app, result);
+  add_drive(app, result);
+  add_recording(app, result);
+  add_device(app, result);
+  add_mesh(app, result);
+  add_experiment(app, result);
+  add_analyze(app, result);
+  add_man(app);
+  add_completion(app);
+  refuse_empty_values(app);
+  app.footer(std::string(kQuantities) + '\n' + kFiles + '\n' + kExitCodes +
+             "\n'forceshade help COMMAND' explains a command; 'forceshade man COMMAND | man -l -' shows its page.");
+  ExpandedLine line{with_words_for_flags(arguments)};
+  if (const std::string fault = fault_of_first_word(app, line.words); !fault.empty()) {
+    std::cerr << "forceshade: " << files::printable(fault) << '\n';
+    return kBadInput;
+  }
+  try {
+    if (takes_a_subject(app, line.words)) line = expand_subject_files(line.words);
+    app.parse(std::vector<std::string>(line.words.rbegin(), line.words.rend()));  // CLI11 takes them from the back
+  } catch (const CLI::ParseError& error) {
+    return report(app, error, line);
+  } catch (const device::DeviceError& error) {
+    // Several lines: what was tried and what to check.
+    std::cerr << "forceshade: device fault: ";
+    print_lines(error.what());
+    return kDeviceFault;
+  } catch (const Interrupted& error) {
+    const std::string undone = error.what(), unsaid = Interrupted().what();
+    std::cerr << "forceshade: interrupted" << (undone == unsaid ? "" : ": " + files::printable(undone)) << '\n';
+    return kInterrupted;
+  } catch (const BadInput& error) {
+    std::cerr << "forceshade: ";
+    print_lines(error.has_lines() ? error.what() : files::printable(line.placed(error.what())));
+    return kBadInput;
+  } catch (const std::exception& error) {
+    std::cerr << "forceshade: " << files::printable(line.placed(error.what())) << '\n';
+    return kBadInput;
+  }
+  return result;
+}
+
+}  // namespace
+
+int run_command_line(const std::vector<std::string>& arguments) {
+  open_standard_streams();
+  const int result = run(arguments);
+  remove_unused_directories();
+  try {
+    flush_standard_output();
+  } catch (const files::OutputError& error) {
+    std::cerr << "forceshade: " << files::printable(error.what()) << '\n';
+    return result == kHeld ? kBadInput : result;
+  }
+  return result;
+}
+
+}  // namespace forceshade::apps
