@@ -20,7 +20,7 @@
 #include "files/output_folder.h"
 #include "files/printable.h"
 #include "files/quantity.h"
-#include "rendering/monitor.h"
+#include "forceshade/checks.h"
 #include "rendering/subjects/options.h"
 #include "study/analysis/figures.h"
 #include "study/analysis/page.h"

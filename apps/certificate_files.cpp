@@ -4,10 +4,11 @@
 #include <cstdio>
 
 #include "apps/command.h"
-#include "certificate/evidence.h"
 #include "certificate/report/report.h"
 #include "files/output_folder.h"
 #include "files/printable.h"
+#include "forceshade/certificate.h"
+#include "rendering/breakdown.h"
 
 namespace forceshade::apps {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "certificate/certificate.h"
+#include "forceshade/certificate.h"
 
 namespace forceshade::apps {
 

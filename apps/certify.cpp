@@ -2,7 +2,7 @@
 // forceshade certify: check the fast path against the reference, at points or exhaustively, and write certificate.json and
 // certificate.html.
 
-#include "certificate/certify.h"
+#include "forceshade/certify.h"
 
 #include <chrono>
 #include <cstdio>

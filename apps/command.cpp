@@ -5,7 +5,12 @@
 
 #include <filesystem>
 
+#include "apps/length.h"
+#include "apps/options.h"
 #include "files/output_file.h"
+#include "files/suggestion.h"
+#include "forceshade/fast.h"
+#include "forceshade/reference.h"
 
 namespace forceshade::apps {
 namespace {

@@ -7,8 +7,9 @@
 #include <variant>
 #include <vector>
 
-#include "files/bad_input.h"
-#include "rendering/law.h"
+#include "apps/bad_input.h"
+#include "forceshade/bad_input.h"
+#include "forceshade/law.h"
 
 namespace forceshade::apps {
 

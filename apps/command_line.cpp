@@ -15,11 +15,11 @@
 #include "apps/standard_streams.h"
 #include "apps/subject_file.h"
 #include "certificate/build.h"
-#include "device/open_device.h"
 #include "files/output_file.h"
 #include "files/printable.h"
 #include "files/suggestion.h"
-#include "rendering/monitor.h"
+#include "forceshade/checks.h"
+#include "forceshade/device.h"
 
 namespace forceshade::apps {
 namespace {

@@ -17,7 +17,7 @@
 #include "device/phantom/hdapi_library.h"
 #include "files/csv.h"
 #include "files/printable.h"
-#include "rendering/monitor.h"
+#include "forceshade/checks.h"
 
 namespace forceshade::apps {
 namespace {

@@ -14,10 +14,11 @@
 #include "apps/signals.h"
 #include "apps/terminal_attendant.h"
 #include "apps/trip_words.h"
+#include "device/run/summary.h"
 #include "device/run/words.h"
 #include "files/output_file.h"
 #include "files/printable.h"
-#include "rendering/monitor.h"
+#include "forceshade/checks.h"
 
 namespace forceshade::apps {
 namespace {

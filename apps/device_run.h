@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "device/open_device.h"
-#include "device/run/run.h"
+#include "forceshade/device.h"
+#include "forceshade/run.h"
 
 namespace forceshade::apps {
 

@@ -16,13 +16,13 @@
 #include "apps/output_options.h"
 #include "apps/signals.h"
 #include "apps/terminal_attendant.h"
-#include "device/limited.h"
-#include "device/run/certified.h"
-#include "fast/law.h"
 #include "files/csv.h"
 #include "files/output_file.h"
 #include "files/quantity.h"
-#include "rendering/monitor.h"
+#include "forceshade/checks.h"
+#include "forceshade/device.h"
+#include "forceshade/fast.h"
+#include "forceshade/run.h"
 
 namespace forceshade::apps {
 namespace {

@@ -14,12 +14,12 @@
 #include "apps/placement_options.h"
 #include "apps/signals.h"
 #include "apps/subject_option.h"
-#include "device/run/certified.h"
+#include "forceshade/run.h"
 
 namespace forceshade::apps {
 namespace {
 
-using Controller = device::PassivityController::Kind;
+using Controller = device::Passivity;
 
 constexpr NumberRange kSeconds{1 / device::kHighestRateHz, 1e9};
 constexpr WholeRange kButtons{0, std::numeric_limits<decltype(device::Reading::buttons)>::digits - 1};

@@ -4,8 +4,7 @@
 
 #include <vector>
 
-#include "device/sample.h"
-#include "device/servo_loop.h"
+#include "forceshade/servo_loop.h"
 
 namespace forceshade::apps {
 

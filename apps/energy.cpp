@@ -16,8 +16,8 @@
 #include "apps/signals.h"
 #include "apps/subject_option.h"
 #include "files/quantity.h"
+#include "forceshade/checks.h"
 #include "reference/height_energy.h"
-#include "rendering/monitor.h"
 
 namespace forceshade::apps {
 namespace {

@@ -14,8 +14,8 @@
 #include "apps/progress_line.h"
 #include "apps/signals.h"
 #include "certificate/build.h"
-#include "certificate/merge.h"
 #include "files/printable.h"
+#include "forceshade/certify.h"
 
 namespace forceshade::apps {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "apps/output_options.h"
-#include "certificate/sweep.h"
+#include "forceshade/certify.h"
 
 namespace forceshade::apps {
 

@@ -12,9 +12,9 @@
 #include <thread>
 
 #include "apps/experiment_bumps.h"
-#include "device/servo_loop.h"
 #include "device/stage.h"
 #include "device/triple_buffer.h"
+#include "forceshade/servo_loop.h"
 #include "recorder/parts.h"
 
 namespace forceshade::apps {

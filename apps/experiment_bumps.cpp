@@ -7,8 +7,11 @@
 #include "apps/command.h"
 #include "apps/subject_option.h"
 #include "files/csv.h"
+#include "forceshade/heights.h"
 #include "properties/described_subject.h"
+#include "properties/height_map_subject.h"
 #include "properties/law_subject.h"
+#include "properties/mesh_subject.h"
 
 namespace forceshade::apps {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "properties/subject.h"
+#include "forceshade/properties.h"
 #include "study/experiments/session.h"
 
 namespace forceshade::apps {

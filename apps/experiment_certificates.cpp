@@ -6,10 +6,10 @@
 
 #include "apps/command.h"
 #include "apps/signals.h"
-#include "certificate/certify.h"
-#include "device/run/certified.h"
+#include "forceshade/certify.h"
+#include "forceshade/checks.h"
+#include "forceshade/run.h"
 #include "rendering/identity/digest.h"
-#include "rendering/monitor.h"
 
 namespace forceshade::apps {
 namespace {

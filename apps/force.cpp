@@ -13,8 +13,8 @@
 #include "files/csv.h"
 #include "files/npy.h"
 #include "files/output_file.h"
+#include "forceshade/reference.h"
 #include "properties/described_subject.h"
-#include "reference/law.h"
 
 namespace forceshade::apps {
 namespace {

@@ -9,7 +9,7 @@
 #include "files/csv.h"
 #include "files/npy.h"
 #include "files/printable.h"
-#include "rendering/monitor.h"
+#include "forceshade/checks.h"
 
 namespace forceshade::apps {
 namespace {

@@ -9,7 +9,7 @@
 #include "apps/options.h"
 #include "apps/output_options.h"
 #include "apps/subject_option.h"
-#include "reference/law.h"
+#include "forceshade/reference.h"
 
 namespace forceshade::apps {
 namespace {

@@ -5,7 +5,7 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include "device/attendant.h"
+#include "forceshade/device.h"
 
 namespace forceshade::apps {
 namespace {

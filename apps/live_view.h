@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <thread>
 
-#include "device/sample.h"
 #include "device/triple_buffer.h"
+#include "forceshade/servo_loop.h"
 
 namespace forceshade::apps {
 

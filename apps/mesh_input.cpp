@@ -14,7 +14,7 @@
 
 #include "apps/progress_line.h"
 #include "apps/signals.h"
-#include "files/bad_input.h"
+#include "forceshade/bad_input.h"
 
 namespace forceshade::apps {
 namespace {

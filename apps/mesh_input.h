@@ -5,8 +5,7 @@
 #include <string>
 #include <variant>
 
-#include "rendering/meshes/check.h"
-#include "rendering/meshes/load.h"
+#include "forceshade/meshes.h"
 
 namespace forceshade::apps {
 

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "device/placement.h"
+#include "forceshade/servo_loop.h"
 
 namespace forceshade::apps {
 

@@ -20,8 +20,8 @@
 #include "files/csv.h"
 #include "files/output_folder.h"
 #include "files/quantity.h"
+#include "forceshade/checks.h"
 #include "properties/mesh_subject.h"
-#include "rendering/monitor.h"
 
 namespace forceshade::apps {
 namespace {

@@ -14,10 +14,10 @@
 #include "apps/subject_option.h"
 #include "certificate/report/thesis.h"
 #include "files/quantity.h"
-#include "reference/height_map_field.h"
+#include "forceshade/heights.h"
+#include "forceshade/reference.h"
 #include "reference/profile.h"
 #include "reference/theta_critical.h"
-#include "rendering/heights/spec.h"
 #include "rendering/subjects/height_map.h"
 
 namespace forceshade::apps {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // forceshade properties: equivalence, continuity, unit normals and passivity of the fast path, with RapidCheck.
 
+#include "forceshade/properties.h"
+
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -15,9 +17,8 @@
 #include "apps/standard_streams.h"
 #include "apps/subject_option.h"
 #include "certificate/build.h"
-#include "properties/run.h"
+#include "forceshade/checks.h"
 #include "rendering/identity/identity_json.h"
-#include "rendering/monitor.h"
 
 namespace forceshade::apps {
 namespace {

@@ -14,10 +14,9 @@
 #include "apps/subject_option.h"
 #include "device/run/words.h"
 #include "files/printable.h"
+#include "forceshade/checks.h"
+#include "forceshade/recording.h"
 #include "properties/binary32.h"
-#include "recorder/export.h"
-#include "recorder/recording.h"
-#include "rendering/monitor.h"
 
 namespace forceshade::apps {
 namespace {

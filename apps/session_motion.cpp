@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "recorder/recording.h"
+#include "forceshade/recording.h"
 #include "recorder/settings.h"
 #include "study/experiments/session_folder.h"
 

@@ -19,9 +19,9 @@
 #include "device/retrace.h"
 #include "device/run/summary.h"
 #include "files/printable.h"
+#include "forceshade/checks.h"
 #include "properties/binary32.h"
 #include "recorder/settings.h"
-#include "rendering/monitor.h"
 #include "study/experiments/session_folder.h"
 #include "study/experiments/stimulus_list.h"
 

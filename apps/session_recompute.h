@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "device/sample.h"
-#include "recorder/recording.h"
+#include "forceshade/recording.h"
+#include "forceshade/servo_loop.h"
 
 namespace forceshade::apps {
 

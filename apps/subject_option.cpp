@@ -6,10 +6,10 @@
 #include "apps/options.h"
 #include "apps/progress_line.h"
 #include "apps/signals.h"
+#include "forceshade/checks.h"
+#include "forceshade/mesh.h"
+#include "forceshade/meshes.h"
 #include "properties/described_subject.h"
-#include "rendering/mesh.h"
-#include "rendering/meshes/load.h"
-#include "rendering/monitor.h"
 
 namespace forceshade::apps {
 namespace {

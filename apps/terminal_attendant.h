@@ -6,7 +6,7 @@
 #include <string>
 
 #include "apps/keyboard_buttons.h"
-#include "device/attendant.h"
+#include "forceshade/device.h"
 
 namespace forceshade::apps {
 

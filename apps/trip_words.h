@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "device/servo_loop.h"
+#include "forceshade/servo_loop.h"
 
 namespace forceshade::apps {
 

@@ -5,9 +5,8 @@
 #include <fstream>
 
 #include "build_options.h"  // made by CMake when it configures
-#include "fast/instruction_set.h"
-#include "fast/law.h"
 #include "files/printable.h"
+#include "forceshade/fast.h"
 #include "revision.h"  // made by cmake/revision.cmake at every build
 
 namespace forceshade::properties {

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What this program was built from and with.
+// The machine and the time of a certificate, beside current_build() of include/forceshade/certificate.h.
 
-#include "certificate/certificate.h"
+#include "forceshade/certificate.h"
 
 namespace forceshade::properties {
-
-Build current_build();
 
 // The name by which the processor calls itself; "unknown" where the system does not say.
 std::string processor_name();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "certificate/certificate.h"
+#include "forceshade/certificate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <set>
 
 #include "certificate/certificate_text.h"
-#include "certificate/evidence.h"
+#include "rendering/breakdown.h"
 #include "rendering/identity/identity_json.h"
 #include "rendering/number_text.h"
 

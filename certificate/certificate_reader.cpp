@@ -9,11 +9,11 @@
 #include <system_error>
 #include <utility>
 
-#include "certificate/certificate.h"
 #include "certificate/certificate_text.h"
-#include "certificate/evidence.h"
 #include "certificate/json_fields.h"
-#include "fast/law.h"
+#include "forceshade/certificate.h"
+#include "forceshade/fast.h"
+#include "rendering/breakdown.h"
 
 namespace forceshade::properties {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "certificate/certify.h"
+#include "forceshade/certify.h"
 
 #include <algorithm>
 #include <chrono>
@@ -7,12 +7,13 @@
 
 #include "certificate/build.h"
 #include "certificate/compare.h"
-#include "certificate/evidence.h"
 #include "certificate/in_parallel.h"
-#include "fast/law.h"
 #include "files/printable.h"
-#include "properties/run.h"
+#include "forceshade/certificate.h"
+#include "forceshade/fast.h"
+#include "forceshade/properties.h"
 #include "reference/height_energy.h"
+#include "rendering/breakdown.h"
 
 namespace forceshade::properties {
 namespace {

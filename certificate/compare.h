@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "certificate/tally.h"
+#include "forceshade/properties.h"
 #include "properties/binary32.h"
 #include "properties/equivalence.h"
 #include "properties/second_answer.h"
-#include "properties/subject.h"
 
 namespace forceshade::properties {
 

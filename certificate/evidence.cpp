@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "certificate/evidence.h"
-
 #include <algorithm>
 #include <map>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "forceshade/certificate.h"
+#include "rendering/breakdown.h"
 
 namespace forceshade::properties {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "certificate/merge.h"
-
 #include <algorithm>
 #include <functional>
 #include <iterator>
+
+#include "forceshade/certify.h"
 
 namespace forceshade::properties {
 namespace {

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include "certificate/certificate.h"
-#include "certificate/evidence.h"
+#include "forceshade/certificate.h"
 
 namespace forceshade::properties {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "certificate/sweep.h"
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -8,6 +6,7 @@
 #include <thread>
 
 #include "certificate/sweep_unit.h"
+#include "forceshade/certify.h"
 
 namespace forceshade::properties {
 

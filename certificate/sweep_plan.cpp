@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "certificate/sweep.h"
+#include "forceshade/certify.h"
 #include "properties/binary32.h"
 #include "properties/built_or_throw.h"
 #include "properties/law_claims.h"

@@ -2,9 +2,9 @@
 #pragma once
 // One unit of a sweep: the fast path against the reference at 2^22 bit patterns and their negatives.
 
-#include "certificate/sweep.h"
-#include "fast/law.h"
-#include "reference/law.h"
+#include "forceshade/certify.h"
+#include "forceshade/fast.h"
+#include "forceshade/reference.h"
 
 namespace forceshade::properties {
 

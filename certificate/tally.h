@@ -8,8 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "certificate/certificate.h"
-#include "fast/instruction_set.h"
+#include "forceshade/certificate.h"
+#include "forceshade/fast.h"
+#include "rendering/breakdown.h"
 
 namespace forceshade::properties {
 

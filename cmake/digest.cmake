@@ -10,7 +10,7 @@ foreach(object IN LISTS OBJECTS)
 endforeach()
 string(SHA256 digest "${sums}")
 file(CONFIGURE OUTPUT ${OUTPUT} CONTENT [[// Made by cmake/digest.cmake.
-#include "fast/law.h"
+#include "forceshade/fast.h"
 
 namespace forceshade::fast {
 

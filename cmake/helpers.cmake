@@ -54,6 +54,21 @@ foreach(line IN LISTS lines)
   endforeach()
 endforeach()
 
+# The public headers, each linked into the folder of its module alone.
+file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/public_headers.txt lines REGEX "^[^#]")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/public_headers.txt)
+foreach(line IN LISTS lines)
+  string(REGEX MATCH "^([^:]+): (.+)$" matched "${line}")
+  set(header ${CMAKE_MATCH_1})
+  set(module ${CMAKE_MATCH_2})
+  if(NOT module IN_LIST forceshade_modules)
+    message(FATAL_ERROR "cmake/public_headers.txt: expected a module of cmake/modules.txt for ${header}, got ${module}")
+  endif()
+  list(APPEND forceshade_public_headers_of_${module} ${header})
+  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/links/${module}/forceshade)
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/include/forceshade/${header} ${PROJECT_BINARY_DIR}/links/${module}/forceshade/${header} SYMBOLIC)
+endforeach()
+
 # Warnings, the language, and the headers that the target's module may include.
 function(forceshade_compile_options name)
   cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE module)
@@ -63,8 +78,7 @@ function(forceshade_compile_options name)
   foreach(seen IN LISTS forceshade_sees_${module})
     target_include_directories(${name} PRIVATE ${PROJECT_BINARY_DIR}/links/${seen})
   endforeach()
-  target_include_directories(${name} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
-                                               $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/forceshade>)
+  target_include_directories(${name} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_compile_features(${name} PUBLIC cxx_std_20)
   target_compile_options(${name} PUBLIC -ffp-contract=off PRIVATE -Wall -Wextra -Wconversion)
   # A translation unit takes less than 1 GB: g++ need not collect what it no longer uses, which took a tenth of its time.

@@ -1,24 +1,15 @@
 include(CMakePackageConfigHelpers)
 
-# The headers that a program of somebody else's may include, and what these include in turn; no other header is installed.
-# tests/install compares this list with what the offered headers reach.
-function(install_headers module)
-  foreach(header IN LISTS ARGN)
-    cmake_path(GET header PARENT_PATH folder)
-    install(FILES ${module}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/forceshade/${module}/${folder})
+# The public headers: no other header is installed. Those of fast and device need no more than Eigen.
+set(modules rendering files fast device)
+if(NOT FORCESHADE_FAST_ONLY)
+  set(modules ${forceshade_modules})
+endif()
+foreach(module IN LISTS modules)
+  foreach(header IN LISTS forceshade_public_headers_of_${module})
+    install(FILES include/forceshade/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/forceshade)
   endforeach()
-endfunction()
-install_headers(rendering breakdown.h description.h height_map.h law.h mesh.h mesh_rendering.h monitor.h results.h)
-file(GLOB law_headers RELATIVE ${PROJECT_SOURCE_DIR}/fast CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/fast/laws/*.h)
-install_headers(fast domain.h evaluate.h god_object.h height_map_field.h heights/force.h heights/grid.h heights/jet.h heights/shape.h
-                heights/spline.h heights/spline_force.h instruction_set.h law.h ${law_headers} numbers/arithmetic.h
-                numbers/ball.h numbers/big_float_ball.h numbers/double_double.h numbers/double_with_error.h
-                numbers/first_stage.h numbers/inline.h numbers/row.h session.h simd/batch.h stage.h)
-install_headers(files bad_input.h csv.h)
-install_headers(device attendant.h device.h hand_speed.h last_samples.h limited.h null.h open_device.h oscillation.h
-                passivity_controller.h placement.h real_time.h replay.h sample.h sent_forces.h servo_loop.h
-                shortened.h simulated/arm.h simulated/friction.h simulated/hand.h simulated/model.h simulated/motor.h
-                simulated/plant.h simulated/simulated.h simulated/steering.h supervisor.h timing.h triple_buffer.h)
+endforeach()
 
 install(TARGETS forceshade_fast forceshade_files forceshade_device EXPORT forceshade_targets)
 set(export_sets forceshade_targets)
@@ -31,16 +22,6 @@ if(NOT FORCESHADE_FAST_ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/apps/documentation/forceshade.fish
           DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
   # What needs more than Eigen is a component of its own: find_package(forceshade COMPONENTS heights meshes run properties).
-  install_headers(rendering/heights load.h spec.h)
-  install_headers(rendering/meshes check.h facts.h load.h normals.h repair.h)
-  install_headers(rendering/identity identity.h mesh_identity.h)
-  install_headers(rendering/renderer renderer.h rendering.h)
-  install_headers(device/run certified.h run.h)
-  install_headers(reference height_map_field.h heights/outline.h law.h laws/bump_geometry.h laws/force.h meshes/god_object.h numbers/ball64.h
-                  position.h)
-  install_headers(properties field_subject.h height_map_subject.h height_map_claims.h law_claims.h law_subject.h mesh_subject.h positions.h rendered.h
-                  run.h subject.h)
-  install_headers(certificate certificate.h certify.h evidence.h sweep.h)
   # Each component's libraries, and the components that it links.
   set(libraries_of_heights heights)
   set(libraries_of_meshes meshes)

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "device/device.h"
 #include "device/phantom/device_nodes.h"
 #include "device/phantom/driver_folder.h"
 #include "device/quiet_watch.h"
+#include "forceshade/device.h"
 
 namespace forceshade::device {
 

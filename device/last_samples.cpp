@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "device/last_samples.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "forceshade/servo_loop.h"
 
 namespace forceshade::device {
 

@@ -2,7 +2,7 @@
 #pragma once
 // No device at all: it rests at the origin and feels nothing. For trying a set-up before anything can move.
 
-#include "device/device.h"
+#include "forceshade/device.h"
 
 namespace forceshade::device {
 

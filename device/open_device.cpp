@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "device/open_device.h"
-
 #include <string_view>
 
 #include "device/null.h"
 #include "device/phantom/phantom.h"
-#include "device/replay.h"
 #include "device/simulated/simulated.h"
+#include "forceshade/device.h"
 
 namespace forceshade::device {
 

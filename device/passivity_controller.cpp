@@ -30,23 +30,23 @@ PassivitySettings passivity_settings(const Capabilities& capabilities, double ra
           .period = 1 / rate};
 }
 
-std::string_view name_of(PassivityController::Kind kind) noexcept {
+std::string_view name_of(Passivity kind) noexcept {
   switch (kind) {
-    case PassivityController::Kind::observer: return "observer";
-    case PassivityController::Kind::tank: return "tank";
-    case PassivityController::Kind::damping: break;
+    case Passivity::observer: return "observer";
+    case Passivity::tank: return "tank";
+    case Passivity::damping: break;
   }
   return "damping";
 }
 
-PassivityController::PassivityController(const PassivitySettings& settings, Kind kind) noexcept
+PassivityController::PassivityController(const PassivitySettings& settings, Passivity kind) noexcept
     : settings_(settings), kind_(kind), left_(settings.epsilon) {
   // What is sent is shortened here.
   own_.allow({.longest_step = settings.longest_step});
 }
 
 Allowance PassivityController::allowance() const noexcept {
-  if (kind_ == Kind::observer) return {};
+  if (kind_ == Passivity::observer) return {};
   return {.work = settings_.epsilon + account_.dissipated + account_.forgiven, .longest_step = settings_.longest_step};
 }
 
@@ -62,10 +62,10 @@ Eigen::Vector3f PassivityController::limited(const Reading& reading, const Eigen
   settle(reading.sent.value_or(own_.report()), step);
 
   Eigen::Vector3f force = rounded(finite);
-  if (kind_ != Kind::observer)
+  if (kind_ != Passivity::observer)
     if (const Eigen::Vector3d left = shaped(finite); left != finite) force = rounded(left * (1 - kRoom));
   if (!reading.sent) {
-    if (kind_ != Kind::observer)
+    if (kind_ != Passivity::observer)
       force = rounded(shortened(force, std::max(left(), 0.0) / (settings_.longest_step * (1 + kRoom))).cast<double>());
     own_.send(force.cast<double>());
   }
@@ -87,7 +87,7 @@ void PassivityController::settle(const Sent& sent, const Eigen::Vector3d& step) 
   account_.given += std::max(given, 0.0);
   account_.withheld += acting_wanted_.dot(step) - given;
   account_.longest_step = std::max(account_.longest_step, step.norm());
-  if (kind_ != Kind::observer && left() < 0) {
+  if (kind_ != Passivity::observer && left() < 0) {
     const double forgiven = settings_.epsilon / 2 - left();
     account_.balance += forgiven;
     account_.forgiven += forgiven;
@@ -111,7 +111,7 @@ Eigen::Vector3d PassivityController::shaped(const Eigen::Vector3d& desired) cons
 
   // While the hand goes as it went, a part of epsilon is spent and no more, over a way of `reach`. The rest is for a hand that
   // turns, and lets it have force again once it pushes: from an empty account it could put nothing in.
-  const bool damps = kind_ == Kind::damping;
+  const bool damps = kind_ == Passivity::damping;
   const double reach = (settings_.latency ? s : s / 2) + 2 * motion_.norm();
   const double limit = (left_ - settings_.epsilon / (damps ? 2 : 4)) / reach;
   const Eigen::Vector3d way = way_ / s;

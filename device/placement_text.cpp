@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "fast/domain.h"
-#include "files/bad_input.h"
 #include "files/csv.h"
 #include "files/quantity.h"
+#include "forceshade/bad_input.h"
 
 namespace forceshade::device {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "device/placement.h"
+#include "forceshade/servo_loop.h"
 
 namespace forceshade::device {
 

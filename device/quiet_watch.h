@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "device/device.h"
+#include "forceshade/device.h"
 
 namespace forceshade::device {
 

@@ -6,14 +6,9 @@
 
 #include <optional>
 
-namespace forceshade::device {
+#include "forceshade/servo_loop.h"
 
-// What was requested and granted; all of it for the calling thread, but for the memory.
-struct Privileges {
-  bool scheduling = false;  // SCHED_FIFO
-  bool memory_locked = false;
-  std::optional<int> cpu;  // the one it is pinned to
-};
+namespace forceshade::device {
 
 // Takes them for as long as it lives, as far as the system allows, and gives them back.
 class RealTime {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "device/replay.h"
-
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include "files/csv.h"
+#include "forceshade/device.h"
 
 namespace forceshade::device {
 namespace {

@@ -5,8 +5,9 @@
 
 #include <optional>
 
-#include "device/sample.h"
-#include "device/servo_loop.h"
+#include "device/passivity_controller.h"
+#include "device/supervisor.h"
+#include "forceshade/servo_loop.h"
 
 namespace forceshade::device {
 

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "device/device.h"
+#include "forceshade/device.h"
 
 namespace forceshade::device {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "device/servo_loop.h"
+#include "forceshade/servo_loop.h"
 
 #include <time.h>
 
@@ -12,8 +12,12 @@
 #include <memory>
 
 #include "device/monotonic.h"
-#include "fast/law.h"
+#include "device/passivity_controller.h"
+#include "device/real_time.h"
+#include "device/supervisor.h"
+#include "device/timing.h"
 #include "files/csv.h"
+#include "forceshade/fast.h"
 
 namespace forceshade::device {
 namespace {

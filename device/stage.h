@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-#include "fast/session.h"
+#include "forceshade/session.h"
 
 namespace forceshade::device {
 

@@ -12,99 +12,14 @@
 #include <optional>
 #include <string_view>
 
-#include "device/device.h"
 #include "device/hand_speed.h"
 #include "device/oscillation.h"
 #include "device/simulated/motor.h"
-#include "rendering/law.h"
+#include "forceshade/servo_loop.h"
 
 namespace forceshade::device {
 
-enum class Rule : std::uint8_t {
-  // These limit.
-  peak_force,
-  continuous_force,
-  warm_motors,
-  slew,
-  workspace,
-  gentle_start,
-  dead_man,
-  // This limits at first, then trips.
-  missed_deadlines,
-  // These trip.
-  invalid_position,
-  uncalibrated,
-  invalid_force,
-  jump,
-  velocity,
-  frozen_encoder,
-  watchdog,
-  // This limits; it is the last that has a bit in a Rules.
-  oscillation,
-  // This trips.
-  energy,
-  // This limits at first, then trips.
-  unfinished,
-};
-inline constexpr std::size_t kRules = static_cast<std::size_t>(Rule::unfinished) + 1;
-
-std::string_view name_of(Rule rule) noexcept;
-
-// A set of rules that limit.
-class Rules {
- public:
-  // The bit of a rule in Sample::limited: bit k for rule k, which recordings rely on. The last rule has the bit of a rule that
-  // only trips.
-  static constexpr unsigned bit_of(Rule rule) noexcept {
-    return static_cast<unsigned>(rule == Rule::unfinished ? Rule::watchdog : rule);
-  }
-  static constexpr bool limits(Rule rule) noexcept {
-    return rule <= Rule::missed_deadlines || rule == Rule::oscillation || rule == Rule::unfinished;
-  }
-
-  void add(Rule rule) noexcept { bits_ = static_cast<std::uint16_t>(bits_ | bit(rule)); }
-  bool has(Rule rule) const noexcept { return (bits_ & bit(rule)) != 0; }
-  bool none() const noexcept { return bits_ == 0; }
-  std::uint16_t bits() const noexcept { return bits_; }
-
- private:
-  static std::uint16_t bit(Rule rule) noexcept {
-    return limits(rule) ? static_cast<std::uint16_t>(1U << bit_of(rule)) : std::uint16_t{0};
-  }
-  std::uint16_t bits_ = 0;
-};
-
-// Infinite or empty: not limited. Why each default is what it is: docs/safety.md.
-struct SupervisorLimits {
-  static constexpr double kNone = std::numeric_limits<double>::infinity();
-
-  double peak_force = kNone, continuous_force = kNone;  // N
-  double slew = 1000;                                   // N/s, by which a force may grow or turn; it falls at once
-  Eigen::Vector3f workspace_low = Eigen::Vector3f::Constant(-Capabilities::kNone);
-  Eigen::Vector3f workspace_high = Eigen::Vector3f::Constant(Capabilities::kNone);  // mm
-  double workspace_margin = 10;                       // mm outside the workspace, over which the force falls to zero
-  double resolution = 0;                              // mm; 0: not an encoder, which cannot freeze
-  double speed_under_force = kFastestUnderForce;      // mm/s
-  double speed = kFastest;                            // mm/s
-  double frozen = 0.02;                               // s without a change of any bit of the position ...
-  double frozen_speed = 100;                          // ... mm/s, right after a step as fast as this
-  double frozen_force = 0.5;                          // ... or N, after the force has changed by as much
-  double forgiven = 100;                              // mJ, in all: PassivityAccount::forgiven
-  int held_ticks = 3;                                 // ticks in a row that may be late, with the force held
-  double ramp_down = 0.02;                            // s, over which it then falls to zero
-  double watchdog_timeout = 0.02;                     // s: the latest that a tick may be, and the longest that all may be
-  double felt_free = 0.05;                            // s in free space before there is any force
-  double ramp_up = 0.5;                               // s, over which it then grows
-  std::optional<int> dead_man_button = std::nullopt;  // to be held down, else there is no force
-  bool acts_on_lateness = true;                       // false: a late tick neither limits a force nor trips
-};
-
 SupervisorLimits supervisor_limits(const Capabilities& capabilities, double rate) noexcept;
-
-struct Trip {
-  Rule rule;
-  std::size_t tick;  // of those supervised, from 0
-};
 
 struct Verdict {
   Eigen::Vector3f force{0, 0, 0};  // N, what to command

@@ -7,18 +7,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace forceshade::device {
+#include "forceshade/servo_loop.h"
 
-// Durations in µs; percentiles by nearest rank, at most 1/32 too high. All zero if nothing was counted.
-struct Durations {
-  double p50 = 0, p99 = 0, p999 = 0, p9999 = 0;
-  double max = 0;  // exact
-  struct Bucket {
-    double up_to;  // µs
-    std::uint64_t count;
-  };
-  std::vector<Bucket> histogram;  // those that are not empty, in order
-};
+namespace forceshade::device {
 
 class Histogram {
  public:

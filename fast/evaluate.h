@@ -8,18 +8,9 @@
 #include "fast/laws/outcome.h"
 #include "fast/numbers/big_float_ball.h"
 #include "fast/numbers/first_stage.h"
-#include "fast/stage.h"
-#include "rendering/law.h"
+#include "forceshade/session.h"
 
 namespace forceshade::fast {
-
-struct Evaluation {
-  Eigen::Vector3f force{0, 0, 0};  // N; zero unless status is contact
-  Status status = Status::free;
-  Stage stage = Stage::binary64;
-  // Whether a god-object used up the moves of one tick; the force is then that of the point which it has come to.
-  bool is_unfinished = false;
-};
 
 // BigFloatBall numbers always decide (fast/numbers/big_float_ball.h). Should they not: no force, and a status on which a loop
 // stops.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fast/god_object.h"
-
 #include "fast/meshes/session.h"
+#include "forceshade/fast.h"
+#include "rendering/mesh_rendering.h"
 
 namespace forceshade::fast {
 

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fast/height_map_field.h"
-
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
 
+#include "fast/evaluate.h"
 #include "fast/heights/all.h"
 #include "fast/heights/domain.h"
 #include "fast/heights/exact.h"
+#include "fast/heights/shape.h"
+#include "fast/heights/spline_force.h"
 #include "fast/numbers/arithmetic.h"
+#include "forceshade/fast.h"
 
 namespace forceshade::fast {
 
@@ -118,10 +125,60 @@ const char* height_arithmetic_fault() noexcept {
   return batch != nullptr ? batch->arithmetic_fault_here() : nullptr;
 }
 
+struct Part {
+  EvaluatedShape shape;
+  bool negated;
+};
+
+// A part as it is evaluated: a centre quantised, a grid measured.
+template <class T>
+EvaluatedShape real_time(T shape) {
+  if constexpr (requires { shape.x; }) shape.x = quantised(shape.x);
+  if constexpr (requires { shape.y; }) shape.y = quantised(shape.y);
+  if constexpr (requires { shape.knots; })
+    for (height::Knot& knot : shape.knots) knot.x = quantised(knot.x);
+  if constexpr (std::is_constructible_v<HeightGrid, T>)
+    return HeightGrid(shape);
+  else
+    return shape;
+}
+
+std::vector<Part> real_time(const std::vector<height::Part>& parts) {
+  std::vector<Part> all;
+  all.reserve(parts.size());
+  for (const height::Part& part : parts)
+    all.push_back({std::visit([](const auto& shape) { return real_time(shape); }, part.shape), part.negated});
+  return all;
+}
+
 }  // namespace
 
+// The map as it is evaluated.
+class HeightMapField::Inside {
+ public:
+  Inside(std::vector<Part> parts, std::vector<Part> surface, Rendering rendering, float stiffness);
+
+  Evaluation evaluate_in_stages(const Eigen::Vector3f& position) const noexcept;
+  std::optional<Slopes> slopes(float x, float y, bool is_filtered) const noexcept;
+  const SplineMap* spline() const noexcept { return spline_.get(); }
+
+ private:
+  template <class N>
+  static Jet<N> sum_at(const Place& at, const std::vector<Part>& parts) noexcept;
+  template <class N>
+  Jet<N> jet_at(const Place& at) const noexcept;
+  Evaluation evaluate_wide(const Place& at, double z) const noexcept;
+  std::optional<Slopes> slopes_wide(const Place& at) const noexcept;
+  void describe(ExactPlace& place) const noexcept;
+
+  std::vector<Part> parts_, surface_;
+  Rendering rendering_;
+  double stiffness_;                         // N/mm
+  std::shared_ptr<const SplineMap> spline_;  // HeightMapField::spline_
+};
+
 template <class N>
-FORCESHADE_INLINE Jet<N> HeightMapField::sum_at(const Place& at, const std::vector<Part>& parts) noexcept {
+FORCESHADE_INLINE Jet<N> HeightMapField::Inside::sum_at(const Place& at, const std::vector<Part>& parts) noexcept {
   const auto jet_of = [&](const Part& part) {
     const Jet<N> one = std::visit([&](const auto& shape) { return jet<N>(shape, at); }, part.shape);
     return part.negated ? -one : one;
@@ -133,14 +190,25 @@ FORCESHADE_INLINE Jet<N> HeightMapField::sum_at(const Place& at, const std::vect
 
 // The map's gradient, with the height that the depth is measured from.
 template <class N>
-FORCESHADE_INLINE Jet<N> HeightMapField::jet_at(const Place& at) const noexcept {
+FORCESHADE_INLINE Jet<N> HeightMapField::Inside::jet_at(const Place& at) const noexcept {
   Jet<N> map = sum_at<N>(at, parts_);
   if (rendering_ != Rendering::force_shaded) return map;
   const Jet<N> surface = surface_.empty() ? flat<N>() : sum_at<N>(at, surface_);
   return {surface.U, map.Ux, map.Uy, map.decided && surface.decided};
 }
 
-[[gnu::noinline]] Evaluation HeightMapField::evaluate_in_stages(const Eigen::Vector3f& position) const noexcept {
+HeightMapField::Inside::Inside(std::vector<Part> parts, std::vector<Part> surface, Rendering rendering, float stiffness)
+    : parts_(std::move(parts)),
+      surface_(std::move(surface)),
+      rendering_(rendering),
+      stiffness_(static_cast<double>(stiffness)) {
+  const auto* grid = std::get_if<HeightGrid>(&parts_.front().shape);
+  if (parts_.size() == 1 && surface_.empty() && !parts_.front().negated && grid != nullptr &&
+      grid->interpolant() == height::Interpolant::cubic_spline)
+    spline_ = std::make_shared<const SplineMap>(*grid, rendering, stiffness_);
+}
+
+[[gnu::noinline]] Evaluation HeightMapField::Inside::evaluate_in_stages(const Eigen::Vector3f& position) const noexcept {
   if (!in_domain(position.x()) || !in_domain(position.y()) || !in_domain(position.z()))
     return {{0, 0, 0}, Status::invalid, Stage::binary64};
   const Place at(quantised(position.x()), quantised(position.y()));
@@ -154,7 +222,7 @@ FORCESHADE_INLINE Jet<N> HeightMapField::jet_at(const Place& at) const noexcept 
 }
 
 // Kept out of line: with what it calls it takes up to 3 MiB of stack, for one position in many millions.
-[[gnu::noinline]] Evaluation HeightMapField::evaluate_wide(const Place& at, double z) const noexcept {
+[[gnu::noinline]] Evaluation HeightMapField::Inside::evaluate_wide(const Place& at, double z) const noexcept {
   std::optional<ExactPlace> place;
   const auto exact = [&](const auto& question) {
     if (!place) describe(place.emplace(at, z, rendering_, stiffness_));
@@ -167,7 +235,7 @@ FORCESHADE_INLINE Jet<N> HeightMapField::jet_at(const Place& at) const noexcept 
       .value_or(undecided_evaluation());
 }
 
-std::optional<HeightMapField::Slopes> HeightMapField::slopes(float x, float y, bool is_filtered) const noexcept {
+std::optional<HeightMapField::Slopes> HeightMapField::Inside::slopes(float x, float y, bool is_filtered) const noexcept {
   const Place at(quantised(x), quantised(y));
   if (is_filtered) {
     if (const auto first = rounded_slopes(sum_at<DoubleWithError>(at, parts_))) return Slopes{*first, Stage::binary64};
@@ -179,7 +247,7 @@ std::optional<HeightMapField::Slopes> HeightMapField::slopes(float x, float y, b
 }
 
 // Kept out of line as evaluate_wide() is.
-[[gnu::noinline]] std::optional<HeightMapField::Slopes> HeightMapField::slopes_wide(const Place& at) const noexcept {
+[[gnu::noinline]] std::optional<HeightMapField::Slopes> HeightMapField::Inside::slopes_wide(const Place& at) const noexcept {
   std::optional<ExactPlace> place;
   const auto exact = [&](const auto& question) {
     if (!place) describe(place.emplace(at, 0, rendering_, stiffness_));
@@ -191,13 +259,26 @@ std::optional<HeightMapField::Slopes> HeightMapField::slopes(float x, float y, b
   return Slopes{*slopes, Stage::wide};
 }
 
-void HeightMapField::describe(ExactPlace& place) const noexcept {
+void HeightMapField::Inside::describe(ExactPlace& place) const noexcept {
   const auto add = [&](const std::vector<Part>& parts, bool gap, bool slopes) {
     for (const Part& part : parts) place.add(part.shape, {gap, slopes, part.negated ? -1.0 : 1.0});
   };
   const bool is_shaded = rendering_ == Rendering::force_shaded;
   add(parts_, !is_shaded, true);
   add(surface_, true, false);
+}
+
+HeightMapField::HeightMapField(std::shared_ptr<const Inside> inside) noexcept
+    : inside_(std::move(inside)), spline_(inside_->spline()), first_stage_(functions(best_instruction_set()).force) {
+  static_assert(kPositive == Sign::positive && kUnknown == Sign::unknown);
+}
+
+Evaluation HeightMapField::evaluate_in_stages(const Eigen::Vector3f& position) const noexcept {
+  return inside_->evaluate_in_stages(position);
+}
+
+std::optional<HeightMapField::Slopes> HeightMapField::slopes(float x, float y, bool is_filtered) const noexcept {
+  return inside_->slopes(x, y, is_filtered);
 }
 
 BatchResult HeightMapField::force(std::span<const Eigen::Vector3f> positions, std::span<Eigen::Vector3f> to,
@@ -227,39 +308,6 @@ BatchResult HeightMapField::force(std::span<const Eigen::Vector3f> positions, st
   return result;
 }
 
-// A part as it is evaluated: a centre quantised, a grid measured.
-template <class T>
-EvaluatedShape HeightMapField::real_time(T shape) {
-  if constexpr (requires { shape.x; }) shape.x = quantised(shape.x);
-  if constexpr (requires { shape.y; }) shape.y = quantised(shape.y);
-  if constexpr (requires { shape.knots; })
-    for (height::Knot& knot : shape.knots) knot.x = quantised(knot.x);
-  if constexpr (std::is_constructible_v<HeightGrid, T>)
-    return HeightGrid(shape);
-  else
-    return shape;
-}
-
-std::vector<HeightMapField::Part> HeightMapField::real_time(const std::vector<height::Part>& parts) {
-  std::vector<Part> all;
-  all.reserve(parts.size());
-  for (const height::Part& part : parts)
-    all.push_back({std::visit([](const auto& shape) { return real_time(shape); }, part.shape), part.negated});
-  return all;
-}
-
-HeightMapField::HeightMapField(std::vector<Part> parts, std::vector<Part> surface, Rendering rendering, float stiffness)
-    : parts_(std::move(parts)),
-      surface_(std::move(surface)),
-      rendering_(rendering),
-      stiffness_(static_cast<double>(stiffness)),
-      first_stage_(functions(best_instruction_set()).force) {
-  const auto* grid = std::get_if<HeightGrid>(&parts_.front().shape);
-  if (parts_.size() == 1 && surface_.empty() && !parts_.front().negated && grid != nullptr &&
-      grid->interpolant() == height::Interpolant::cubic_spline)
-    spline_ = std::make_shared<const SplineMap>(*grid, rendering, stiffness_);
-}
-
 std::variant<HeightMapField, ParameterError> HeightMapField::build(const HeightMap& map, Rendering rendering, float stiffness) {
   if (const char* fault = height_arithmetic_fault()) return ParameterError{"arithmetic", "", 0, 0, 0, fault};
   if (const auto error = first_error(map, rendering, stiffness)) return *error;
@@ -267,7 +315,7 @@ std::variant<HeightMapField, ParameterError> HeightMapField::build(const HeightM
   if (const std::size_t bits = bits_of_exact_numbers(map); bits > kRoom)
     return ParameterError{"size of the sum's exact numbers (fewer parts, or pitches of fewer digits, make it smaller)", "bits",
                           static_cast<float>(bits), 0, static_cast<float>(kRoom)};
-  return HeightMapField(real_time(map.parts), real_time(map.surface), rendering, stiffness);
+  return HeightMapField(std::make_shared<const Inside>(real_time(map.parts), real_time(map.surface), rendering, stiffness));
 }
 
 }  // namespace forceshade::fast

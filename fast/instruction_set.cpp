@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fast/instruction_set.h"
+#include "forceshade/fast.h"
 
 namespace forceshade::fast {
 

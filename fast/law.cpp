@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fast/law.h"
-
 #include <algorithm>
+#include <new>
 #include <type_traits>
+#include <variant>
+
+#include "fast/evaluate.h"
+#include "fast/laws/all.h"
+#include "fast/simd/batch.h"
+#include "forceshade/fast.h"
 
 namespace forceshade::fast {
 namespace {
@@ -49,26 +54,45 @@ const char* arithmetic_fault() noexcept {
   return fault;
 }
 
-template <class... Definition>
-std::optional<Law> Law::built(LawId id, const Parameters& p, LawList<Definition...>) noexcept {
-  std::optional<Law> law;
-  std::size_t index = 0;
-  const auto try_one = [&]<class One>(std::type_identity<One>) {
-    if (static_cast<std::size_t>(id) == index++) law = Law(id, p, Built<One>(p));
-  };
-  (try_one(std::type_identity<Definition>()), ...);
-  return law;
+// The definition of the one law that it is.
+struct Law::Inside {
+  template <class... Definition>
+  static std::variant<Built<Definition>...> any_of(LawList<Definition...>);
+  decltype(any_of(Laws())) law;
+
+  // Nothing where there is no such law.
+  template <class... Definition>
+  static std::optional<Inside> built(LawId id, const Parameters& parameters, LawList<Definition...>) noexcept {
+    std::optional<Inside> inside;
+    std::size_t index = 0;
+    const auto try_one = [&]<class One>(std::type_identity<One>) {
+      if (static_cast<std::size_t>(id) == index++) inside = Inside{Built<One>(parameters)};
+    };
+    (try_one(std::type_identity<Definition>()), ...);
+    return inside;
+  }
+};
+
+// Of what is trivially copyable, a copy of the bytes is a copy.
+Law::Law(LawId id, const Parameters& parameters, const Inside& inside) noexcept : id_(id), parameters_(parameters) {
+  static_assert(sizeof(Inside) <= sizeof inside_ && alignof(Inside) <= 8 && std::is_trivially_copyable_v<Inside>,
+                "the buffer in include/forceshade/fast.h has room for the largest law's definition");
+  ::new (inside_.data()) Inside(inside);
+}
+
+const Law::Inside& Law::inside() const noexcept {
+  return *std::launder(reinterpret_cast<const Inside*>(inside_.data()));
 }
 
 std::variant<Law, ParameterError> Law::build(LawId id, const Parameters& p) noexcept {
   if (const char* fault = arithmetic_fault()) return ParameterError{"arithmetic", "", 0, 0, 0, fault};
   if (const auto error = first_error(id, p)) return *error;
-  if (const auto law = built(id, p, Laws())) return *law;
+  if (const auto inside = Inside::built(id, p, Laws())) return Law(id, p, *inside);
   return ParameterError{"law", "", static_cast<float>(static_cast<int>(id)), 0, static_cast<float>(kLaws.size() - 1)};
 }
 
 Evaluation Law::evaluate(const Eigen::Vector3f& position) const noexcept {
-  return std::visit([&](const auto& law) { return fast::evaluate(law, parameters_, position); }, law_);
+  return std::visit([&](const auto& law) { return fast::evaluate(law, parameters_, position); }, inside().law);
 }
 
 BatchResult Law::force(std::span<const float> x, std::span<const float> z, std::span<float> fx, std::span<float> fz,
@@ -101,7 +125,7 @@ BatchResult Law::force(std::span<const float> x, std::span<const float> z, std::
         }
         return result;
       },
-      law_);
+      inside().law);
 }
 
 }  // namespace forceshade::fast

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Which arithmetic decided an answer.
+// The last of several stages.
+
+#include "forceshade/session.h"
 
 namespace forceshade::fast {
-
-// Cheapest first.
-enum class Stage { binary64, double_double, wide };
 
 // Raises `last` to `stage`: an answer that takes several decisions has the last stage of any of them.
 inline void raise(Stage& last, Stage stage) noexcept {

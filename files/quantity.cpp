@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string_view>
 
-#include "files/bad_input.h"
+#include "forceshade/bad_input.h"
 
 namespace forceshade::files {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "rendering/law.h"
+#include "forceshade/law.h"
 
 namespace forceshade::properties {
 

@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "properties/subject.h"
-#include "rendering/description.h"
+#include "forceshade/description.h"
+#include "forceshade/properties.h"
 
 namespace forceshade::properties {
 

@@ -4,9 +4,10 @@
 
 #include <utility>
 
+#include "forceshade/properties.h"
 #include "properties/height_map_claims.h"
 #include "properties/law_claims.h"
-#include "properties/subject.h"
+#include "properties/rendered.h"
 
 namespace forceshade::properties {
 

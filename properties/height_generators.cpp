@@ -4,8 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "forceshade/identity.h"
 #include "properties/positions.h"
-#include "rendering/identity/identity.h"
 #include "rendering/number_text.h"
 
 namespace forceshade::properties {

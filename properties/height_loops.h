@@ -2,9 +2,9 @@
 #pragma once
 // How much energy loops over a height map can give to the hand, for its certificate.
 
+#include "forceshade/checks.h"
 #include "properties/rendered.h"
 #include "reference/height_energy.h"
-#include "rendering/results.h"
 
 namespace forceshade::properties {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/height_map_field.h"
+#include "forceshade/reference.h"
 #include "reference/heights/outline.h"
 
 namespace forceshade::properties {

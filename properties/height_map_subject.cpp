@@ -10,6 +10,7 @@
 #include "properties/height_loops.h"
 #include "properties/height_properties.h"
 #include "properties/spread.h"
+#include "reference/estimates.h"
 
 namespace forceshade::properties {
 
@@ -66,6 +67,23 @@ DrawnSubject HeightMapSubject::with_drawn_parameters(std::uint64_t seed) const {
   return {
       std::make_unique<HeightMapSubject>(identity().name, rendered_.law.map(), rendered_.law.rendering(), stiffness, render_),
       "K = " + show(stiffness) + " N/mm: "};
+}
+
+std::unique_ptr<Subject> height_map_subject(const std::string& name, const HeightMap& map, height::Rendering rendering,
+                                            float stiffness) {
+  return std::make_unique<HeightMapSubject>(name, map, rendering, stiffness);
+}
+
+std::unique_ptr<Subject> height_map_subject(const std::string& name, const HeightMap& map, height::Rendering rendering,
+                                            float stiffness, ForceAt force_at) {
+  return std::make_unique<HeightMapSubject>(
+      RenderedHeightMap{built_or_throw(reference::HeightMapField::build(map, rendering, stiffness)), std::move(force_at)},
+      name);
+}
+
+std::unique_ptr<Subject> height_map_subject(const std::string& name, const HeightMap& map, height::Rendering rendering,
+                                            float stiffness, RenderHeightMap render) {
+  return std::make_unique<HeightMapSubject>(name, map, rendering, stiffness, std::move(render));
 }
 
 }  // namespace forceshade::properties

@@ -6,8 +6,6 @@
 
 namespace forceshade::properties {
 
-// What renders a height map, which is in the domain with this stiffness (N/mm).
-using RenderHeightMap = std::function<Renderer(const HeightMap& map, height::Rendering rendering, float stiffness)>;
 Renderer fast_height_map(const HeightMap& map, height::Rendering rendering, float stiffness);
 
 class HeightMapSubject final : public FieldSubject<reference::HeightMapField, HeightMapClaims> {

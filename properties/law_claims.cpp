@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "reference/energy.h"
+#include "reference/estimates.h"
 
 namespace forceshade::properties {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/law.h"
+#include "forceshade/reference.h"
 
 namespace forceshade::properties {
 

@@ -75,4 +75,16 @@ std::vector<float> witness_depths(const reference::Law& law) {
   return {deepest / 8, deepest / 4, deepest / 2, deepest * 3 / 4, deepest};
 }
 
+std::unique_ptr<Subject> law_subject(LawId law, const Parameters& parameters) {
+  return std::make_unique<LawSubject>(law, parameters);
+}
+
+std::unique_ptr<Subject> law_subject(LawId law, const Parameters& parameters, ForceAt force_at) {
+  return std::make_unique<LawSubject>(RenderedLaw{built_or_throw(reference::Law::build(law, parameters)), std::move(force_at)});
+}
+
+std::unique_ptr<Subject> law_subject(LawId law, const Parameters& parameters, RenderLaw render) {
+  return std::make_unique<LawSubject>(law, parameters, std::move(render));
+}
+
 }  // namespace forceshade::properties

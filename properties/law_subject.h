@@ -6,8 +6,6 @@
 
 namespace forceshade::properties {
 
-// What renders a law with these parameters, which are in its domain.
-using RenderLaw = std::function<Renderer(LawId law, const Parameters& parameters)>;
 Renderer fast_law(LawId law, const Parameters& parameters);
 
 class LawSubject final : public FieldSubject<reference::Law, LawClaims> {

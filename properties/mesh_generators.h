@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "forceshade/mesh.h"
 #include "properties/positions.h"
-#include "rendering/mesh.h"
 
 namespace forceshade::properties {
 

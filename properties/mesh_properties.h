@@ -5,8 +5,8 @@
 #include <array>
 #include <span>
 
+#include "forceshade/identity.h"
 #include "properties/rendered.h"
-#include "rendering/identity/mesh_identity.h"
 
 namespace forceshade::properties {
 

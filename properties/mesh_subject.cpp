@@ -16,6 +16,7 @@
 #include "properties/mesh_generators.h"
 #include "properties/mesh_properties.h"
 #include "properties/spread.h"
+#include "rendering/mesh_rendering.h"
 
 namespace forceshade::properties {
 namespace {
@@ -260,6 +261,14 @@ DrawnSubject MeshSubject::with_drawn_parameters(std::uint64_t seed) const {
   rendering.stiffness = ParameterSource(seed).next().stiffness;
   const std::string words = "K = " + show(rendering.stiffness) + " N/mm: ";
   return {std::make_unique<MeshSubject>(identity().name, std::move(rendering), open_), words};
+}
+
+std::unique_ptr<Subject> mesh_subject(const std::string& name, const MeshRendering& rendering) {
+  return std::make_unique<MeshSubject>(name, rendering);
+}
+
+std::unique_ptr<Subject> mesh_subject(const std::string& name, const MeshRendering& rendering, OpenTicks open) {
+  return std::make_unique<MeshSubject>(name, rendering, std::move(open));
 }
 
 }  // namespace forceshade::properties

@@ -5,22 +5,20 @@
 #include <mutex>
 #include <optional>
 
-#include "fast/god_object.h"
-#include "properties/subject.h"
-#include "reference/meshes/god_object.h"
-#include "rendering/identity/mesh_identity.h"
+#include "forceshade/fast.h"
+#include "forceshade/identity.h"
+#include "forceshade/properties.h"
+#include "forceshade/reference.h"
 
 namespace forceshade::properties {
 
-// Opens a session of what is said to be a god-object with this stiffness (N/mm).
-using OpenTicks = std::function<std::unique_ptr<fast::TickSession>(float stiffness)>;
 // The god-object of the fast path. Throws std::invalid_argument for what is no surface.
 OpenTicks fast_god_object(const MeshRendering& rendering);
 
 class MeshSubject final : public Subject {
  public:
-  // name: of its file. The mesh has been checked (rendering/meshes/check.h). Throws std::invalid_argument where a side refuses
-  // it.
+  // name: of its file. The mesh has been checked (include/forceshade/meshes.h). Throws std::invalid_argument where a side
+  // refuses it.
   MeshSubject(const std::string& name, const MeshRendering& rendering)
       : MeshSubject(name, rendering, fast_god_object(rendering)) {}
   // Any renderer of it.

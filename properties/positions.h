@@ -7,16 +7,14 @@
 #include <cstdint>
 #include <random>
 
+#include "forceshade/properties.h"
 #include "properties/law_claims.h"
 #include "reference/position.h"
 #include "rendering/breakdown.h"
 
 namespace forceshade::properties {
 
-// How a position was chosen; every count of a run is broken down by it.
-enum class Aim { any_bits, volume, surface, facet_line, quantum, domain_end, tie, axis, few_bits };
 inline constexpr std::size_t kAims = kAimNames.size();
-std::string_view name_of(Aim aim);
 
 // Whether the position is in the domain, as the definition states it.
 inline bool is_valid(const Eigen::Vector3f& position) {
@@ -28,11 +26,6 @@ inline double kept_in_domain(double coordinate) {
   constexpr auto kEnd = static_cast<double>(reference::kDomainEnd);
   return std::clamp(coordinate, -kEnd, kEnd);
 }
-
-struct Aimed {
-  Eigen::Vector3f position;
-  Aim aim;
-};
 
 // Numbers of the kinds that positions are made of, repeatable.
 class Draws {
@@ -50,13 +43,6 @@ class Draws {
 
  private:
   std::mt19937_64 random_;
-};
-
-// An endless, repeatable stream of positions at which to compare.
-class Positions {
- public:
-  virtual ~Positions() = default;
-  virtual Aimed next() = 0;
 };
 
 // Half by bit pattern or spread over the working volume, half aimed at surface neighbours,

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "properties/rendered.h"
 
-#include "fast/height_map_field.h"
-#include "fast/law.h"
-#include "fast/session.h"
+#include "forceshade/fast.h"
+#include "forceshade/session.h"
 #include "properties/binary32.h"
 
 namespace forceshade::properties {

@@ -3,26 +3,14 @@
 // A field, which is a law or a height map, beside a renderer that is said to render it: what the properties of fields check.
 
 #include <Eigen/Core>
-#include <functional>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <variant>
 
-#include "reference/height_map_field.h"
-#include "reference/law.h"
-#include "rendering/law.h"
-#include "rendering/renderer/renderer.h"
+#include "forceshade/properties.h"
+#include "forceshade/reference.h"
 
 namespace forceshade::properties {
-
-struct Rendered {
-  Eigen::Vector3f force{0, 0, 0};  // N
-  Status status = Status::free;
-};
-
-// position (mm) -> force, the same for the same position. What it throws fails the property that called it.
-using ForceAt = std::function<Rendered(const Eigen::Vector3f& position)>;
 
 template <class Reference>
 struct RenderedField {
@@ -31,9 +19,6 @@ struct RenderedField {
 };
 using RenderedLaw = RenderedField<reference::Law>;
 using RenderedHeightMap = RenderedField<reference::HeightMapField>;
-
-// What went wrong, in words with numbers in hexfloat and decimal; empty where the property holds.
-using Violation = std::optional<std::string>;
 
 // A renderer that threw where it had to answer: "at x = ... mm the renderer throws: ...".
 struct RendererThrew : std::runtime_error {
@@ -45,9 +30,6 @@ Rendered answer_of(fast::Session& session, const Eigen::Vector3f& position);
 
 // The renderer's call for one position. One thread at a time. Throws RendererThrew.
 ForceAt force_at_of(const Renderer& renderer);
-
-// A renderer without a batch call. What it gives is counted as decided by binary64.
-Renderer renderer_answering(const ForceAt& force_at);
 
 // The fast path as a renderer, beside its reference.
 std::variant<RenderedLaw, ParameterError> fast_rendering(LawId id, const Parameters& parameters);

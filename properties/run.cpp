@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "properties/run.h"
-
 #include <rapidcheck.h>
 
 #include <algorithm>
 #include <span>
 #include <stdexcept>
 
+#include "forceshade/properties.h"
 #include "properties/equivalence.h"
 #include "properties/second_answer.h"
+#include "rendering/breakdown.h"
 
 namespace forceshade::properties {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <span>
 
+#include "forceshade/properties.h"
 #include "properties/rendered.h"
-#include "properties/subject.h"
 
 namespace forceshade::properties {
 

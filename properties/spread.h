@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <random>
 
-#include "rendering/law.h"
+#include "forceshade/law.h"
 
 namespace forceshade::properties {
 

@@ -6,6 +6,7 @@
 
 #include "properties/binary32.h"
 #include "properties/positions.h"
+#include "reference/estimates.h"
 
 namespace forceshade::properties {
 namespace {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "properties/binary32.h"
+#include "reference/estimates.h"
 
 namespace forceshade::properties {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "recorder/export.h"
-
 #include <algorithm>
 #include <array>
 #include <ostream>
@@ -9,6 +7,7 @@
 #include "files/csv.h"
 #include "files/npy.h"
 #include "files/output_file.h"
+#include "forceshade/recording.h"
 #include "recorder/layout.h"
 
 namespace forceshade::recorder {

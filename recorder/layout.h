@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "device/sample.h"
+#include "forceshade/servo_loop.h"
 
 namespace forceshade::recorder {
 

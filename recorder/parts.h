@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "recorder/recorder.h"
+#include "forceshade/recording.h"
 
 namespace forceshade::recorder {
 

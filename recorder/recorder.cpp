@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "recorder/recorder.h"
-
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -16,8 +14,10 @@
 #include <utility>
 #include <vector>
 
+#include "forceshade/recording.h"
 #include "recorder/checksum.h"
 #include "recorder/layout.h"
+#include "recorder/sqlite.h"
 
 namespace forceshade::recorder {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "recorder/recording.h"
+#include "forceshade/recording.h"
 
 #include <algorithm>
 #include <cstring>
@@ -13,6 +13,7 @@
 #include "files/file_kind.h"
 #include "recorder/checksum.h"
 #include "recorder/layout.h"
+#include "recorder/sqlite.h"
 
 namespace forceshade::recorder {
 namespace {
@@ -50,11 +51,11 @@ std::string readable(const std::string& path) {
 
 }  // namespace
 
-Recording::Recording(const std::string& path) : database_(readable(path), Database::Access::read) {
-  database_.execute("BEGIN");
-  if (database_.integer("PRAGMA application_id") != kApplicationId)
+Recording::Recording(const std::string& path) : database_(std::make_unique<Database>(readable(path), Database::Access::read)) {
+  database_->execute("BEGIN");
+  if (database_->integer("PRAGMA application_id") != kApplicationId)
     throw RecordingError(path + ": a database, but not a forceshade recording");
-  const auto version = database_.integer("PRAGMA user_version");
+  const auto version = database_->integer("PRAGMA user_version");
   if (version < kFormatWithoutDigest || version > kFormatVersion)
     throw RecordingError(path + ": expected a recording of format " + std::to_string(kFormatWithoutDigest) + " to " +
                          std::to_string(kFormatVersion) + ", got format " + std::to_string(version));
@@ -73,9 +74,25 @@ Recording::Recording(const std::string& path) : database_(readable(path), Databa
     metadata_problem_ = "the metadata (law, parameters, certificate, device and so on) are not what was written";
 }
 
+Recording::~Recording() = default;
+Recording::Recording(Recording&&) noexcept = default;
+Recording& Recording::operator=(Recording&&) noexcept = default;
+
+const std::string& Recording::path() const noexcept {
+  return database_->path();
+}
+
+bool Recording::has_digest() const {
+  return metadata_.contains(kDigestKey);
+}
+
+bool Recording::has_all_columns() const noexcept {
+  return sample_bytes_ == sizeof(device::Sample);
+}
+
 // Before anything else is read: a view or a trigger could make a reading of any length of it.
 void Recording::expect_tables_of_a_recording() {
-  Statement rows = database_.prepare(
+  Statement rows = database_->prepare(
       "SELECT type, name, sql FROM sqlite_schema "
       "WHERE type <> 'index' OR name <> 'sqlite_autoindex_metadata_1'");
   std::size_t found = 0;
@@ -91,14 +108,14 @@ void Recording::expect_tables_of_a_recording() {
 }
 
 void Recording::read_metadata() {
-  Statement rows = database_.prepare("SELECT key, value FROM metadata");
+  Statement rows = database_->prepare("SELECT key, value FROM metadata");
   while (rows.step())
     if (!metadata_.emplace(rows.text(0), rows.text(1)).second)
       throw RecordingError(path() + ": has " + rows.text(0).substr(0, kLongestQuote) + " twice in its metadata");
 }
 
 Recording::Extent Recording::extent() {
-  Statement row = database_.prepare("SELECT first_tick, last_tick, samples FROM chunk ORDER BY id");
+  Statement row = database_->prepare("SELECT first_tick, last_tick, samples FROM chunk ORDER BY id");
   Extent extent;
   std::uint64_t next = 0;  // behind the last tick so far
   for (bool is_first = true; row.step(); is_first = false) {
@@ -130,14 +147,14 @@ std::string Recording::words_of_cut() {
   std::error_code none;
   if (std::filesystem::exists(path() + "-wal", none)) return "";
   const auto expected =
-      static_cast<std::uintmax_t>(database_.integer("PRAGMA page_count") * database_.integer("PRAGMA page_size"));
+      static_cast<std::uintmax_t>(database_->integer("PRAGMA page_count") * database_->integer("PRAGMA page_size"));
   const std::uintmax_t size = std::filesystem::file_size(path(), none);
   if (none || size >= expected) return "";
   return "cut off: expected " + std::to_string(expected) + " bytes, got " + std::to_string(size);
 }
 
 void Recording::for_each_chunk(const std::function<void(std::span<const device::Sample>)>& take) {
-  Statement row = database_.prepare("SELECT first_tick, last_tick, samples, sha256, data FROM chunk ORDER BY id");
+  Statement row = database_->prepare("SELECT first_tick, last_tick, samples, sha256, data FROM chunk ORDER BY id");
   std::vector<Sample> samples;
   while (row.step()) {
     const auto first = static_cast<std::uint64_t>(row.integer(0)), last = static_cast<std::uint64_t>(row.integer(1));
@@ -160,7 +177,7 @@ std::vector<std::string> problems_of(Recording& recording) {
   std::optional<std::uint64_t> last;
   std::uint64_t samples = 0;
   try {
-    Statement check = recording.database_.prepare("PRAGMA integrity_check");
+    Statement check = recording.database_->prepare("PRAGMA integrity_check");
     while (check.step())
       if (const std::string words = check.text(0); words != "ok") found(words);
     if (const std::string words = recording.words_of_cut(); !words.empty()) found(words);

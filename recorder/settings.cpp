@@ -12,8 +12,8 @@
 #include <type_traits>
 
 #include "device/passivity_controller.h"
-#include "device/sample.h"
 #include "files/csv.h"
+#include "forceshade/servo_loop.h"
 
 namespace forceshade::recorder {
 namespace {
@@ -103,7 +103,7 @@ Metadata metadata_of(const device::SafetySettings& settings) {
 }
 
 std::optional<device::SafetySettings> safety_settings_in(const Metadata& metadata, const std::string& path) {
-  using Kind = device::PassivityController::Kind;
+  using Kind = device::Passivity;
   if (!metadata.contains(kSupervised)) return std::nullopt;
   const Reader read(metadata, path);
   device::SafetySettings settings{.rate_hz = read.number<double>(kRate)};

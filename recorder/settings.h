@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "device/servo_loop.h"
-#include "recorder/recorder.h"
+#include "forceshade/recording.h"
+#include "forceshade/servo_loop.h"
 
 namespace forceshade::recorder {
 

@@ -6,19 +6,15 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
+
+#include "forceshade/recording.h"
 
 struct sqlite3;
 struct sqlite3_stmt;
 
 namespace forceshade::recorder {
-
-// what() names the file and says what is wrong with it.
-struct RecordingError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 class Statement;
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/estimates.h"
 #include "reference/laws/with_law.h"
 #include "reference/numbers/taylor.h"
 #include "reference/position.h"

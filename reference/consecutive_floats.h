@@ -7,7 +7,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "reference/law.h"
+#include "forceshade/reference.h"
 
 namespace forceshade::reference {
 

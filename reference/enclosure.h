@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "reference/law.h"
+#include "forceshade/reference.h"
 #include "reference/numbers/numbers.h"
 
 namespace forceshade::reference {

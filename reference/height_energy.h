@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "forceshade/checks.h"
+#include "forceshade/reference.h"
 #include "reference/enclosure.h"
-#include "reference/height_map_field.h"
-#include "rendering/monitor.h"
 
 namespace forceshade::reference {
 

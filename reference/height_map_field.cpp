@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reference/height_map_field.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <mutex>
 
+#include "forceshade/reference.h"
+#include "reference/estimates.h"
 #include "reference/heights/domain.h"
 #include "reference/heights/sum.h"
 #include "reference/laws/slow_geometry.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reference/law.h"
-
 #include <cmath>
 #include <optional>
 
+#include "forceshade/reference.h"
 #include "reference/enclosure.h"
+#include "reference/estimates.h"
 #include "reference/laws/slow_geometry.h"
 #include "reference/laws/with_law.h"
 #include "reference/numbers/decimal.h"
@@ -137,14 +137,14 @@ std::variant<Law, ParameterError> Law::build(LawId id, const Parameters& p) {
   Parameters used = p;
   if (!has_bump_geometry(id)) used.radius = used.width = 1;  // never looked at
   const std::lock_guard lock(exact_arithmetic);
-  return Law(id, used, filter_geometry(used));
+  return Law(id, used, std::make_shared<const BumpGeometry<Ball64>>(filter_geometry(used)));
 }
 
 Rounded Law::round_to_binary32(const Eigen::Vector3f& position) const {
   if (!in_domain(position)) return {{0, 0, 0}, Status::invalid, Method::filter};
   const Point point(position);
   try {
-    const Estimate quick = filtered(id_, geometry_, point);
+    const Estimate quick = filtered(id_, *geometry_, point);
     if (quick.facet == Facet::none) return {};
     const float x = quick.force.x.round(), z = quick.force.z.round();
     return {
@@ -193,7 +193,7 @@ DecimalForce Law::decimal(const Eigen::Vector3f& position, unsigned digits) cons
 Law::Estimate Law::estimate(const Eigen::Vector3f& position) const {
   const Point point(position);
   try {
-    return filtered(id_, geometry_, point);
+    return filtered(id_, *geometry_, point);
   } catch (const Undecided&) {
     const std::lock_guard lock(exact_arithmetic);
     set_precision(256);

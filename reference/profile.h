@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "rendering/height_map.h"
+#include "forceshade/height_map.h"
 
 namespace forceshade::reference {
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "rendering/law.h"
+#include "forceshade/law.h"
 
 namespace forceshade::reference {
 

@@ -1,27 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a god-object on a mesh is built from, on both sides.
+// Why a god-object on a mesh cannot be built: the domain of a MeshRendering, for both sides.
 
 #include <cmath>
 #include <optional>
 
-#include "rendering/law.h"
-#include "rendering/mesh.h"
+#include "forceshade/law.h"
+#include "forceshade/mesh.h"
 
 namespace forceshade {
-
-struct MeshRendering {
-  mesh::CheckedMesh checked;
-  mesh::CornerNormals normals = {};  // one for each corner where the shading or the contact rule uses them
-  mesh::Sides sides = mesh::Sides::front;
-  mesh::Shading shading = mesh::Shading::none;
-  float stiffness = 0;         // K, N/mm, in [10^-3, 10^3]
-  mesh::Texture texture = {};  // of the texture scheme
-  mesh::Contact contact = mesh::kUsualContact;
-
-  const mesh::TriangleMesh& mesh() const { return checked.mesh(); }
-  bool has_corner_normals() const { return mesh::has_corner_normals(shading) || mesh::has_corner_normals(contact); }
-};
 
 inline std::optional<ParameterError> error_of_stiffness(float stiffness) {
   if (stiffness >= 0.001F && stiffness <= 1000) return std::nullopt;

@@ -7,7 +7,7 @@ set -euo pipefail
 compiler=$1 source=$2
 shift 2
 options=(-std=c++20 -fsyntax-only -Wall -Wextra -Werror -Wno-unused-function -Wno-unknown-warning-option)
-options+=("-I$source")
+options+=("-I$source" "-I$source/include")
 for folder in "$@"; do options+=(-isystem "$folder"); done
 
 compiles() {
@@ -25,7 +25,7 @@ compiles() {
 if [ "${FORCESHADE_HEADER:-}" ]; then compiles "$FORCESHADE_HEADER"; exit; fi
 
 cd "$source"
-all=$(find rendering fast files device -name "*.h" | sort)
+all=$(find include rendering fast files device -name "*.h" | sort)
 # Those of an instruction set are left out: another machine does not compile them.
 # shellcheck disable=SC2086
 first=$(for header in $(grep -v avx <<<"$all"); do

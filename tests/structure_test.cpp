@@ -14,9 +14,9 @@
 #include <string>
 #include <vector>
 
-#include "rendering/height_map.h"
-#include "rendering/law.h"
-#include "rendering/mesh.h"
+#include "forceshade/height_map.h"
+#include "forceshade/law.h"
+#include "forceshade/mesh.h"
 
 namespace forceshade {
 namespace {
@@ -117,9 +117,9 @@ std::vector<std::string> modules() {
   return found;
 }
 
-// The folders at the top in which modules lie.
+// The folders at the top in which modules and their public headers lie.
 std::set<std::string> top_folders() {
-  std::set<std::string> folders;
+  std::set<std::string> folders{"include"};
   for (const std::string& module : modules()) folders.insert(module.substr(0, module.find('/')));
   return folders;
 }
@@ -157,6 +157,102 @@ TEST(structure, every_module_is_in_the_picture_that_scripts_modules_draws) {
   for (const std::string& module : modules()) {
     if (module == "apps" || module.starts_with("tests")) continue;  // they may include everything
     EXPECT_NE(picture.find("<title>" + module + "</title>"), std::string::npos) << module << ": run scripts/modules";
+  }
+}
+
+// The lines of cmake/public_headers.txt: header and module.
+std::map<std::string, std::string> public_headers() {
+  std::map<std::string, std::string> found;
+  std::ifstream file(kRoot / "cmake/public_headers.txt");
+  for (std::string line; std::getline(file, line);)
+    if (const std::size_t colon = line.find(": "); !line.starts_with('#') && colon != std::string::npos)
+      found[line.substr(0, colon)] = line.substr(colon + 2);
+  EXPECT_GE(found.size(), 12U);
+  return found;
+}
+
+std::vector<std::string> includes_of_file(const std::filesystem::path& path) {
+  std::vector<std::string> found;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("#include ")) found.push_back(line.substr(9));
+  return found;
+}
+
+TEST(structure, the_public_headers_are_the_files_of_their_folder) {
+  std::set<std::string> files, listed;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / "include"))
+    if (!entry.is_directory()) files.insert(std::filesystem::relative(entry.path(), kRoot / "include/forceshade"));
+  const std::vector<std::string> known = modules();
+  for (const auto& [header, module] : public_headers()) {
+    listed.insert(header);
+    EXPECT_TRUE(std::ranges::find(known, module) != known.end()) << header << ": " << module;
+  }
+  EXPECT_EQ(files, listed);
+}
+
+// So that an installed program needs no other header, and no library but Eigen to compile.
+TEST(structure, public_headers_include_only_one_another_eigen_and_the_standard_library) {
+  const std::regex is_standard("<[a-z_]+>");
+  for (const auto& [header, module] : public_headers())
+    for (const std::string& include : includes_of_file(kRoot / "include/forceshade" / header)) {
+      if (include == "<Eigen/Core>" || std::regex_match(include, is_standard)) continue;
+      ASSERT_TRUE(include.starts_with("\"forceshade/")) << header << " includes " << include;
+      EXPECT_TRUE(public_headers().contains(include.substr(12, include.size() - 13))) << header << " includes " << include;
+    }
+}
+
+TEST(structure, each_public_header_begins_with_an_example_and_says_what_is_not_promised) {
+  for (const auto& [header, module] : public_headers()) {
+    const std::string text = text_of(kRoot / "include/forceshade" / header), begin = text.substr(0, text.find("\n\n"));
+    EXPECT_NE(begin.find("\n//\n//   "), std::string::npos) << header;
+    EXPECT_NE(begin.find("\n// Not promised: "), std::string::npos) << header;
+  }
+}
+
+// The component of the package that each library comes with; a library that none names is always there.
+std::map<std::string, std::string> components() {
+  std::map<std::string, std::string> found;
+  const std::string text = text_of(kRoot / "cmake/install.cmake");
+  const std::regex line(R"(set\(libraries_of_(\w+) ([^)]+)\))");
+  for (std::sregex_iterator at(text.begin(), text.end(), line), end; at != end; ++at) {
+    std::istringstream libraries(at->str(2));
+    for (std::string library; libraries >> library;) found[library] = at->str(1);
+  }
+  EXPECT_GT(found.size(), 8U);
+  return found;
+}
+
+TEST(structure, the_page_of_the_public_headers_says_what_each_includes_and_needs) {
+  const std::string page = text_of(kRoot / "docs/public-headers.md");
+  const std::map<std::string, std::string> component_of = components();
+  for (const auto& [header, module] : public_headers()) {
+    std::string includes;
+    const auto add = [&](const std::string& word) { includes += (includes.empty() ? "" : ", ") + word; };
+    bool has_eigen = false;
+    for (const std::string& include : includes_of_file(kRoot / "include/forceshade" / header))
+      if (include.starts_with('"'))
+        add('`' + include.substr(12, include.size() - 13) + '`');
+      else
+        has_eigen = has_eigen || include == "<Eigen/Core>";
+    if (has_eigen) add("Eigen");
+    const std::size_t row = page.find("\n| `" + header + "` | ");
+    ASSERT_NE(row, std::string::npos) << header;
+    const std::string line = page.substr(row + 1, page.find('\n', row + 1) - row - 1);
+    EXPECT_NE(line.find(" | " + (includes.empty() ? "—" : includes) + " | "), std::string::npos)
+        << line << "\nexpected " << includes;
+    const std::string begin = " | `forceshade::";
+    const std::size_t at = line.find(begin);
+    if (at == std::string::npos) {
+      EXPECT_EQ(module, "rendering") << line;
+      EXPECT_TRUE(line.ends_with(" | none | always there |")) << line;
+      continue;
+    }
+    const std::string library = line.substr(at + begin.size(), line.find('`', at + begin.size()) - at - begin.size());
+    const auto component = component_of.find(library);
+    EXPECT_TRUE(line.ends_with(component == component_of.end() ? " | always there |" : " | `" + component->second + "` |"))
+        << line;
+    EXPECT_NE(text_of(kRoot / module / "CMakeLists.txt").find("forceshade_" + library), std::string::npos) << line;
   }
 }
 
@@ -371,7 +467,6 @@ TEST(structure, every_file_that_a_comment_or_page_names_exists) {
       {"_avx2.cpp", "the end of a pattern"},
       {"_avx512.cpp", "the end of a pattern"},
       {"_test.cpp", "the end of a pattern"},
-      {"forceshade/fast/law.h", "an include of the installed package"},
   };
   std::vector<std::string> folders{"cmake", "docs", "scripts"};
   for (const std::string& folder : top_folders()) folders.push_back(folder);
@@ -396,6 +491,7 @@ TEST(structure, every_file_that_a_comment_or_page_names_exists) {
         ++found;
         const bool has_folder = name.find('/') != std::string::npos;
         EXPECT_TRUE(has_folder ? std::filesystem::exists(kRoot / name) || std::filesystem::exists(kRoot / "fast" / name) ||
+                                     std::filesystem::exists(kRoot / "include" / name) ||
                                      std::filesystem::exists(file.parent_path() / name)
                                : names.contains(name))
             << std::filesystem::relative(file, kRoot) << " names " << name;

@@ -12,6 +12,7 @@
 #include "certificate/report/panels.h"
 #include "certificate/report/pictures.h"
 #include "properties/binary32.h"
+#include "reference/estimates.h"
 
 namespace forceshade::properties {
 namespace {

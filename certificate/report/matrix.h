@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "certificate/certificate.h"
+#include "forceshade/certificate.h"
 
 namespace forceshade::properties {
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "certificate/certificate.h"
 #include "certificate/report/plot_text.h"
-#include "fast/law.h"
+#include "forceshade/certificate.h"
+#include "forceshade/fast.h"
+#include "forceshade/reference.h"
 #include "properties/law_claims.h"
-#include "reference/law.h"
 
 namespace forceshade::properties {
 

@@ -5,13 +5,15 @@
 #include <array>
 #include <set>
 
-#include "certificate/evidence.h"
 #include "certificate/report/figures.h"
 #include "certificate/report/html.h"
 #include "certificate/report/matrix.h"
 #include "certificate/report/page_style.h"
-#include "fast/instruction_set.h"
-#include "rendering/identity/mesh_identity.h"
+#include "forceshade/certificate.h"
+#include "forceshade/certify.h"
+#include "forceshade/fast.h"
+#include "forceshade/identity.h"
+#include "rendering/breakdown.h"
 
 namespace forceshade::properties {
 namespace {

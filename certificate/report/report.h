@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "certificate/certificate.h"
 #include "certificate/report/gnuplot.h"
+#include "forceshade/certificate.h"
 
 namespace forceshade::properties {
 

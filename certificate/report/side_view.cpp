@@ -7,6 +7,7 @@
 #include "certificate/report/pictures.h"
 #include "properties/height_map_claims.h"
 #include "reference/energy.h"
+#include "reference/estimates.h"
 
 namespace forceshade::properties {
 namespace {

@@ -11,7 +11,8 @@
 #include "certificate/report/panels.h"
 #include "certificate/report/pictures.h"
 #include "certificate/report/thesis.h"
-#include "reference/height_map_field.h"
+#include "forceshade/reference.h"
+#include "reference/estimates.h"
 #include "reference/theta_critical.h"
 
 namespace forceshade::properties {

@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "device/open_device.h"
+#include "forceshade/device.h"
 
 namespace forceshade::device::hdapi {
 namespace {

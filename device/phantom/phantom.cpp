@@ -19,13 +19,13 @@
 #include <thread>
 
 #include "device/futex.h"
-#include "device/open_device.h"
 #include "device/phantom/hdapi_words.h"
 #include "device/phantom/phantom_end.h"
 #include "device/phantom/phantom_host.h"
 #include "device/phantom/phantom_messages.h"
 #include "device/simulated/arm.h"
 #include "files/csv.h"
+#include "forceshade/device.h"
 
 namespace forceshade::device {
 namespace {

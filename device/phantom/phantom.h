@@ -10,10 +10,8 @@
 #include <memory>
 #include <string>
 
-#include "device/attendant.h"
-#include "device/device.h"
-#include "device/open_device.h"
 #include "device/phantom/phantom_shared.h"
+#include "forceshade/device.h"
 
 namespace forceshade::device {
 

@@ -11,7 +11,6 @@
 #include <stdexcept>
 #include <thread>
 
-#include "device/open_device.h"
 #include "device/phantom/hdapi_library.h"
 #include "device/phantom/phantom_end.h"
 #include "device/phantom/phantom_frames.h"
@@ -19,6 +18,7 @@
 #include "device/phantom/phantom_messages.h"
 #include "device/real_time.h"
 #include "files/csv.h"
+#include "forceshade/device.h"
 
 namespace forceshade::device {
 namespace {

@@ -9,9 +9,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "device/device.h"
 #include "device/frame_times.h"
 #include "device/triple_buffer.h"
+#include "forceshade/device.h"
 
 namespace forceshade::device {
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "device/run/certified.h"
-
 #include "certificate/build.h"
-#include "certificate/certificate.h"
+#include "forceshade/certificate.h"
+#include "forceshade/run.h"
 #include "rendering/identity/digest.h"
 
 namespace forceshade::run {

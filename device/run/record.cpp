@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "files/output_file.h"
-#include "recorder/export.h"
+#include "forceshade/recording.h"
 
 namespace forceshade::run {
 namespace {

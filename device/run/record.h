@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "files/output_file.h"
-#include "recorder/recorder.h"
+#include "forceshade/recording.h"
 
 namespace forceshade::run {
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "device/run/run.h"
+#include "forceshade/run.h"
 
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "certificate/build.h"
-#include "device/last_samples.h"
 #include "device/run/record.h"
 #include "device/run/summary.h"
 #include "device/run/words.h"
-#include "rendering/monitor.h"
+#include "forceshade/checks.h"
+#include "forceshade/servo_loop.h"
 
 namespace forceshade::run {
 namespace {
@@ -61,6 +61,11 @@ nlohmann::ordered_json summary(const Outcome& outcome, const Rendering& what, co
   json["signal"] = signal.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(signal);
   json["last_ticks"] = last_ticks_json(outcome.last_ticks);
   return json;
+}
+
+std::string summary_text(const Outcome& outcome, const Rendering& what, const Plan& plan,
+                         const device::Capabilities& capabilities, const std::string& signal) {
+  return summary(outcome, what, plan, capabilities, signal).dump(2);
 }
 
 }  // namespace forceshade::run

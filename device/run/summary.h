@@ -6,11 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "device/sample.h"
-#include "device/servo_loop.h"
-#include "rendering/identity/identity.h"
+#include "forceshade/identity.h"
+#include "forceshade/run.h"
+#include "forceshade/servo_loop.h"
 
 namespace forceshade::run {
+
+// For programs: what was rendered, where, and what came of it (docs/device.md). signal: the one that ended the run; empty is
+// none.
+nlohmann::ordered_json summary(const Outcome& outcome, const Rendering& what, const Plan& plan,
+                               const device::Capabilities& capabilities, const std::string& signal = "");
 
 // The rendering: its kind, name, digest and parameters.
 nlohmann::ordered_json summary_of(const Identity& identity);

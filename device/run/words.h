@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "device/servo_loop.h"
-#include "recorder/recorder.h"
-#include "rendering/identity/identity.h"
+#include "forceshade/identity.h"
+#include "forceshade/recording.h"
+#include "forceshade/servo_loop.h"
 
 namespace forceshade::run {
 

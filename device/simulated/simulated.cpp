@@ -5,8 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "device/open_device.h"
-#include "device/replay.h"
+#include "forceshade/device.h"
 
 namespace forceshade::device {
 namespace {

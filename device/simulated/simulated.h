@@ -7,12 +7,11 @@
 #include <memory>
 #include <string>
 
-#include "device/attendant.h"
-#include "device/device.h"
 #include "device/sent_forces.h"
 #include "device/simulated/model.h"
 #include "device/simulated/plant.h"
 #include "device/simulated/steering.h"
+#include "forceshade/device.h"
 
 namespace forceshade::device {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Certifies a renderer of one's own against the exact wall of 0.5 N/mm, at 10 000 points: certify FILE.
-#include <forceshade/certificate/certify.h>
-#include <forceshade/properties/law_subject.h>
+#include <forceshade/certify.h>
+#include <forceshade/properties.h>
 
 #include <cstdio>
 #include <fstream>
@@ -16,8 +16,7 @@ properties::Rendered my_wall(const Eigen::Vector3f& p) {  // mm; the force is in
 
 int main(int argc, char** argv) {
   if (argc != 2) return std::puts("usage: certify FILE"), 2;
-  const auto exact = std::get<reference::Law>(reference::Law::build(LawId::wall, {.stiffness = 0.5F}));
-  const auto subject = std::make_shared<properties::LawSubject>(properties::RenderedLaw{exact, my_wall});
+  const std::shared_ptr<properties::Subject> subject = properties::law_subject(LawId::wall, {.stiffness = 0.5F}, my_wall);
   const auto certificate = properties::certify(
       {.subjects = {subject}, .points = 10000}, [](auto, double) {}, false);
   std::ofstream(argv[1]) << properties::to_json(*certificate);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Drives a device with a certified bump for two seconds and keeps a recording: drive CERTIFICATE DEVICE RECORD.
-#include <forceshade/device/open_device.h>
-#include <forceshade/device/run/run.h>
+#include <forceshade/device.h>
+#include <forceshade/run.h>
 
 #include <cstdio>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Every kind of height map, as the real-time side has it: jet(), error_of(), add_terms() and denominator_bits() of each. A kind
-// of rendering/height_map.h that lacks one of them does not compile.
+// of include/forceshade/height_map.h that lacks one of them does not compile.
 
 #include "fast/heights/grid_kind.h"
 

@@ -8,7 +8,7 @@
 
 #include "fast/domain.h"
 #include "fast/heights/limits.h"
-#include "rendering/law.h"
+#include "forceshade/law.h"
 
 namespace forceshade::fast {
 

@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "rendering/height_map.h"
-#include "rendering/law.h"
+#include "forceshade/height_map.h"
+#include "forceshade/law.h"
 
 namespace forceshade::fast {
 

@@ -18,7 +18,7 @@
 #include "fast/heights/jet.h"
 #include "fast/heights/shape.h"
 #include "fast/numbers/root_field.h"
-#include "rendering/height_map.h"
+#include "forceshade/height_map.h"
 
 namespace forceshade::fast {
 

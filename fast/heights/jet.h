@@ -7,7 +7,7 @@
 #include "fast/numbers/double_double.h"
 #include "fast/numbers/double_with_error.h"
 #include "fast/numbers/row.h"
-#include "rendering/height_map.h"
+#include "forceshade/height_map.h"
 
 namespace forceshade::fast {
 

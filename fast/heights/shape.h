@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A part's shape as it is evaluated: a grid is measured, all else is what rendering/height_map.h says.
+// A part's shape as it is evaluated: a grid is measured, all else is what include/forceshade/height_map.h says.
 
 #include <memory>
 #include <variant>
 
 #include "fast/heights/grid.h"
-#include "rendering/height_map.h"
+#include "forceshade/height_map.h"
 
 namespace forceshade::fast {
 

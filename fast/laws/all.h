@@ -12,7 +12,7 @@
 #include "fast/laws/cylinder.h"
 #include "fast/laws/wall.h"
 #include "fast/numbers/first_stage.h"
-#include "rendering/law.h"
+#include "forceshade/law.h"
 
 namespace forceshade::fast {
 
@@ -24,6 +24,6 @@ struct LawList {
 };
 
 using Laws = LawList<Wall, Cylinder, BumpCylinder, Bump1p, Bump2p, Bump3p, Bump1pShaded, Bump2pShaded, Bump3pShaded>;
-static_assert(Laws::kCount == kLaws.size(), "each law of rendering/law.h has its definition here");
+static_assert(Laws::kCount == kLaws.size(), "each law of include/forceshade/law.h has its definition here");
 
 }  // namespace forceshade::fast

@@ -4,7 +4,7 @@
 
 #include "fast/laws/outcome.h"
 #include "fast/laws/polygon_gap.h"
-#include "rendering/law.h"
+#include "forceshade/law.h"
 
 namespace forceshade::fast {
 

@@ -5,7 +5,7 @@
 #include "fast/laws/outcome.h"
 #include "fast/laws/polygon_gap.h"
 #include "fast/laws/top_edge.h"
-#include "rendering/law.h"
+#include "forceshade/law.h"
 
 namespace forceshade::fast {
 

@@ -6,7 +6,7 @@
 #include "fast/laws/bump_geometry.h"
 #include "fast/laws/outcome.h"
 #include "fast/numbers/first_stage.h"
-#include "rendering/law.h"
+#include "forceshade/law.h"
 
 namespace forceshade::fast {
 

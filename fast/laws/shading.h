@@ -3,7 +3,7 @@
 // The first stage of force shading: K·gap along (x/R, √(R² - x²)/R), the normal the cylinder would have at x.
 
 #include "fast/numbers/first_stage.h"
-#include "rendering/law.h"
+#include "forceshade/law.h"
 
 namespace forceshade::fast {
 

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "fast/domain.h"
-#include "fast/height_map_field.h"
 #include "fast/meshes/decide.h"
 #include "fast/meshes/session.h"
 #include "fast/numbers/arithmetic.h"
-#include "rendering/law.h"
+#include "forceshade/fast.h"
+#include "forceshade/law.h"
 
 namespace forceshade::fast {
 namespace {

@@ -61,7 +61,7 @@ class Mesh {
  public:
   static constexpr std::size_t kMostTriangles = std::size_t{1} << 26;
 
-  // As GodObject::build() of fast/god_object.h.
+  // As GodObject::build() of include/forceshade/fast.h.
   static std::variant<Mesh, ParameterError> build(const MeshRendering& rendering);
 
   const Face& face(std::uint32_t f) const noexcept { return faces_[f]; }

@@ -5,8 +5,8 @@
 #include <memory>
 #include <utility>
 
-#include "fast/god_object.h"
 #include "fast/meshes/advance.h"
+#include "forceshade/fast.h"
 
 namespace forceshade::fast {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where the god-object is, by the mesh's own numbering: what rendering/mesh.h states by the file's.
+// Where the god-object is, by the mesh's own numbering: what include/forceshade/mesh.h states by the file's.
 
 #include "fast/meshes/decide.h"
-#include "rendering/mesh.h"
+#include "forceshade/mesh.h"
 
 namespace forceshade::fast {
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <string>
 
+#include "forceshade/checks.h"
 #include "reference/enclosure.h"
 #include "reference/heights/line.h"
-#include "rendering/monitor.h"
 
 namespace forceshade::reference {
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "forceshade/height_map.h"
 #include "reference/heights/section.h"
-#include "rendering/height_map.h"
 
 namespace forceshade::reference {
 

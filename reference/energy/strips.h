@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "reference/law.h"
+#include "forceshade/reference.h"
 #include "reference/laws/bump_geometry.h"
 #include "reference/numbers/numbers.h"
 

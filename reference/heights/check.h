@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "rendering/law.h"
+#include "forceshade/law.h"
 
 namespace forceshade::reference {
 

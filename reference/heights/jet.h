@@ -4,10 +4,10 @@
 
 #include <array>
 
+#include "forceshade/height_map.h"
 #include "reference/numbers/ball64.h"
 #include "reference/numbers/numbers.h"
 #include "reference/position.h"
-#include "rendering/height_map.h"
 
 namespace forceshade::reference {
 

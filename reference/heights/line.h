@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "reference/height_map_field.h"
+#include "forceshade/reference.h"
 #include "reference/heights/cuts.h"
 #include "reference/heights/jet.h"
 #include "reference/numbers/taylor_coefficients.h"

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rendering/height_map.h"
+#include "forceshade/height_map.h"
 
 namespace forceshade::reference {
 

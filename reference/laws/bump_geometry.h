@@ -2,8 +2,8 @@
 #pragma once
 // The geometry of a bump: R, w and K as given, and d, h, w′, h′ as the thesis defines them (4.2 to 4.4.3).
 
+#include "forceshade/law.h"
 #include "reference/numbers/ball64.h"
-#include "rendering/law.h"
 
 namespace forceshade::reference {
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reference/meshes/god_object.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "forceshade/reference.h"
 #include "reference/meshes/contact/all.h"
 #include "reference/meshes/force.h"
 #include "reference/meshes/schemes/all.h"

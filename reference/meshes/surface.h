@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
+#include "forceshade/law.h"
+#include "forceshade/mesh.h"
 #include "reference/meshes/integers.h"
-#include "rendering/law.h"
-#include "rendering/mesh.h"
 
 namespace forceshade::reference::meshes {
 

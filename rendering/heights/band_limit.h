@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "rendering/height_map.h"
+#include "forceshade/height_map.h"
 
 namespace forceshade::heights {
 

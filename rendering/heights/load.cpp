@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rendering/heights/load.h"
-
 #include <array>
 #include <bit>
 #include <charconv>
@@ -9,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "forceshade/heights.h"
 #include "rendering/heights/band_limit.h"
 #include "rendering/heights/coefficients.h"
 #include "rendering/heights/samples.h"

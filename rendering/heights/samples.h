@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "rendering/heights/load.h"
+#include "forceshade/heights.h"
 
 namespace forceshade::heights {
 

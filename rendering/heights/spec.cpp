@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rendering/heights/spec.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +11,7 @@
 #include <utility>
 
 #include "files/suggestion.h"
+#include "forceshade/heights.h"
 #include "rendering/heights/toml_file.h"
 
 namespace forceshade::heights {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rendering/identity/identity.h"
+#include "forceshade/identity.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "rendering/identity/identity.h"
+#include "forceshade/identity.h"
 
 namespace forceshade {
 

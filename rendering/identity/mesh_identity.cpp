@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rendering/identity/mesh_identity.h"
-
+#include "forceshade/identity.h"
 #include "rendering/identity/digest.h"
 
 namespace forceshade {

@@ -12,7 +12,7 @@
 #include <memory>
 #include <string>
 
-#include "rendering/meshes/load.h"
+#include "forceshade/meshes.h"
 
 namespace forceshade::mesh {
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rendering/meshes/check.h"
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <thread>
 #include <tuple>
 
+#include "forceshade/meshes.h"
 #include "rendering/meshes/box_tree.h"
 #include "rendering/meshes/edges.h"
 #include "rendering/meshes/predicates.h"

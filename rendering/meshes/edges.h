@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "rendering/mesh.h"
+#include "forceshade/mesh.h"
 
 namespace forceshade::mesh {
 

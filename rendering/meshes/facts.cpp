@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rendering/meshes/facts.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "forceshade/meshes.h"
 #include "rendering/meshes/edges.h"
 
 namespace forceshade::mesh {

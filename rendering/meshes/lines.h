@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "rendering/meshes/load.h"
+#include "forceshade/meshes.h"
 
 namespace forceshade::mesh {
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rendering/meshes/load.h"
-
 #include <algorithm>
 #include <cctype>
 
+#include "forceshade/meshes.h"
 #include "rendering/meshes/readers.h"
 
 namespace forceshade::mesh {

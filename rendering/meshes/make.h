@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "rendering/meshes/load.h"
+#include "forceshade/meshes.h"
 
 namespace forceshade::mesh {
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rendering/meshes/normals.h"
-
 #include <algorithm>
 #include <cmath>
 #include <mutex>
@@ -10,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "forceshade/meshes.h"
 #include "rendering/meshes/creases.h"
 #include "rendering/meshes/edges.h"
 #include "rendering/meshes/interval.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "rendering/meshes/load.h"
+#include "forceshade/meshes.h"
 
 namespace forceshade::mesh {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-#include "rendering/mesh.h"
+#include "forceshade/mesh.h"
 
 namespace forceshade::mesh {
 

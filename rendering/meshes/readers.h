@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "forceshade/meshes.h"
 #include "rendering/meshes/lines.h"
-#include "rendering/meshes/load.h"
 
 namespace forceshade::mesh {
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rendering/meshes/repair.h"
-
 #include <algorithm>
 #include <functional>
 #include <span>
 
+#include "forceshade/meshes.h"
 #include "rendering/meshes/edges.h"
 #include "rendering/meshes/predicates.h"
 #include "rendering/meshes/readers.h"

@@ -4,7 +4,7 @@
 
 #include <ostream>
 
-#include "rendering/meshes/load.h"
+#include "forceshade/meshes.h"
 
 namespace forceshade::mesh {
 

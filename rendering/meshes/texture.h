@@ -4,8 +4,7 @@
 
 #include <vector>
 
-#include "rendering/meshes/check.h"
-#include "rendering/meshes/load.h"
+#include "forceshade/meshes.h"
 
 namespace forceshade::mesh {
 

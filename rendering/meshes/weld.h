@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "rendering/mesh.h"
+#include "forceshade/mesh.h"
 
 namespace forceshade::mesh {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rendering/renderer/renderer.h"
+#include "forceshade/renderer.h"
 
 #include <exception>
 #include <limits>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rendering/renderer/rendering.h"
-
 #include <utility>
 
-#include "fast/god_object.h"
+#include "forceshade/fast.h"
+#include "forceshade/renderer.h"
 
 namespace forceshade {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rendering/subjects/height_map.h"
 
-#include "fast/height_map_field.h"
+#include "forceshade/fast.h"
 #include "rendering/subjects/words.h"
 
 namespace forceshade::subjects {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "rendering/heights/spec.h"
+#include "forceshade/heights.h"
 #include "rendering/subjects/options.h"
 
 namespace forceshade::subjects {

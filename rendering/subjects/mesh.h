@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "forceshade/checks.h"
+#include "forceshade/meshes.h"
 #include "rendering/mesh_rendering.h"
-#include "rendering/meshes/load.h"
-#include "rendering/monitor.h"
 #include "rendering/subjects/options.h"
 
 namespace forceshade::subjects {

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "files/suggestion.h"
-#include "rendering/law.h"
-#include "rendering/mesh.h"
-#include "rendering/meshes/load.h"
+#include "forceshade/law.h"
+#include "forceshade/mesh.h"
+#include "forceshade/meshes.h"
 #include "rendering/subjects/words.h"
 
 namespace forceshade::subjects {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "files/bad_input.h"
+#include "forceshade/bad_input.h"
 
 namespace forceshade::subjects {
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "fast/domain.h"
-#include "fast/law.h"
 #include "files/quantity.h"
+#include "forceshade/fast.h"
 #include "rendering/subjects/height_map.h"
 #include "rendering/subjects/mesh.h"
 #include "rendering/subjects/words.h"

@@ -10,8 +10,8 @@
 
 #include <vector>
 
-#include "rendering/description.h"
-#include "rendering/monitor.h"
+#include "forceshade/checks.h"
+#include "forceshade/description.h"
 #include "rendering/subjects/file.h"
 #include "rendering/subjects/options.h"
 

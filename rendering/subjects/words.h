@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rendering/law.h"
+#include "forceshade/law.h"
 #include "rendering/subjects/options.h"
 
 namespace forceshade::subjects {

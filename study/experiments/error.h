@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "files/bad_input.h"
+#include "forceshade/bad_input.h"
 
 namespace forceshade::experiments {
 

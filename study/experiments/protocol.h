@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rendering/law.h"
+#include "forceshade/law.h"
 
 namespace forceshade::experiments {
 

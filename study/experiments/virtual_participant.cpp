@@ -12,7 +12,7 @@
 #include <utility>
 #include <variant>
 
-#include "fast/law.h"
+#include "forceshade/fast.h"
 #include "study/experiments/random.h"
 
 namespace forceshade::experiments {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "recorder/recording.h"
+#include "forceshade/recording.h"
 #include "tests/support/command_run.h"
 #include "tests/support/pseudo_terminal.h"
 

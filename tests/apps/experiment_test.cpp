@@ -14,7 +14,7 @@
 #include <span>
 #include <thread>
 
-#include "recorder/recording.h"
+#include "forceshade/recording.h"
 #include "study/experiments/session_folder.h"
 #include "tests/support/comes_true.h"
 #include "tests/support/command_run.h"

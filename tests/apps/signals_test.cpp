@@ -13,7 +13,7 @@
 #include <span>
 #include <thread>
 
-#include "recorder/recording.h"
+#include "forceshade/recording.h"
 #include "tests/device/faults/command.h"
 
 namespace forceshade::tests {

@@ -21,7 +21,7 @@
 #include <variant>
 #include <vector>
 
-#include "fast/law.h"
+#include "forceshade/fast.h"
 #include "properties/law_claims.h"
 #include "tests/bench/naive.h"
 

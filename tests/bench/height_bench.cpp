@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "fast/height_map_field.h"
+#include "forceshade/fast.h"
 #include "tests/bench/naive_spline.h"
 
 namespace forceshade::bench {

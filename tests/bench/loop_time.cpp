@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "device/open_device.h"
-#include "device/servo_loop.h"
-#include "fast/law.h"
+#include "forceshade/device.h"
+#include "forceshade/fast.h"
+#include "forceshade/servo_loop.h"
 #include "tests/support/kept_samples.h"
 
 namespace {

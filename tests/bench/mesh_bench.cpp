@@ -17,9 +17,8 @@
 
 #include "fast/meshes/large_pages.h"
 #include "fast/meshes/session.h"
-#include "rendering/meshes/check.h"
+#include "forceshade/meshes.h"
 #include "rendering/meshes/make.h"
-#include "rendering/meshes/normals.h"
 #include "rendering/meshes/texture.h"
 #include "tests/bench/mesh_workloads.h"
 #include "tests/bench/naive_mesh.h"

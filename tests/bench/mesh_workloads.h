@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rendering/mesh.h"
+#include "forceshade/mesh.h"
 
 namespace forceshade::bench {
 

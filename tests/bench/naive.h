@@ -8,7 +8,7 @@
 #include <array>
 #include <cstddef>
 
-#include "rendering/law.h"
+#include "forceshade/law.h"
 
 namespace forceshade::bench {
 

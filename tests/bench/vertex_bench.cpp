@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "fast/god_object.h"
-#include "rendering/meshes/check.h"
+#include "forceshade/fast.h"
+#include "forceshade/meshes.h"
 
 namespace forceshade::bench {
 namespace {

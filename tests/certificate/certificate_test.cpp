@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "certificate/certificate.h"
+#include "forceshade/certificate.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "certificate/build.h"
-#include "certificate/certify.h"
+#include "forceshade/certify.h"
 #include "properties/law_subject.h"
 #include "properties/passivity.h"
 

@@ -12,13 +12,14 @@
 #include <memory>
 #include <stdexcept>
 
-#include "certificate/certify.h"
 #include "certificate/compare.h"
 #include "certificate/in_parallel.h"
+#include "forceshade/certify.h"
+#include "forceshade/properties.h"
 #include "properties/height_map_subject.h"
 #include "properties/law_subject.h"
-#include "properties/run.h"
 #include "properties/spread.h"
+#include "reference/numbers/ball64.h"
 #include "tests/properties/subject_wrapper.h"
 
 namespace forceshade::properties {

@@ -7,12 +7,11 @@
 #include <set>
 
 #include "certificate/build.h"
-#include "certificate/certify.h"
-#include "certificate/merge.h"
 #include "certificate/report/report.h"
+#include "forceshade/certify.h"
+#include "forceshade/heights.h"
 #include "properties/height_map_subject.h"
 #include "reference/enclosure.h"
-#include "rendering/heights/spec.h"
 #include "tests/properties/subject_wrapper.h"
 
 namespace forceshade::properties {

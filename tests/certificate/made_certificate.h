@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "certificate/certificate.h"
-#include "certificate/evidence.h"
+#include "forceshade/certificate.h"
+#include "rendering/breakdown.h"
 
 namespace forceshade::tests {
 

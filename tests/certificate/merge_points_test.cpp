@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "certificate/merge.h"
+#include "forceshade/certify.h"
 #include "tests/certificate/made_certificate.h"
 
 namespace forceshade::properties {

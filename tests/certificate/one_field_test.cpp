@@ -8,7 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "certificate/merge.h"
+#include "forceshade/certify.h"
+#include "rendering/breakdown.h"
 #include "tests/certificate/made_certificate.h"
 
 namespace forceshade::properties {

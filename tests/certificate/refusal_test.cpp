@@ -5,7 +5,8 @@
 
 #include <functional>
 
-#include "certificate/evidence.h"
+#include "forceshade/certificate.h"
+#include "rendering/breakdown.h"
 #include "tests/certificate/made_certificate.h"
 
 namespace forceshade::properties {

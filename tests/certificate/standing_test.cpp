@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "certificate/evidence.h"
 #include "certificate/report/report.h"
+#include "forceshade/certificate.h"
 #include "tests/certificate/made_certificate.h"
 
 namespace forceshade::properties {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Exhaustive sweeps: they reach every input once, notice one wrong bit, and their parts join only if they fit.
 
-#include "certificate/sweep.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,8 +8,8 @@
 #include <optional>
 
 #include "certificate/build.h"
-#include "certificate/merge.h"
 #include "certificate/sweep_checker.h"
+#include "forceshade/certify.h"
 
 namespace forceshade::properties {
 namespace {

@@ -10,10 +10,11 @@
 #include <memory>
 
 #include "certificate/build.h"
-#include "certificate/certify.h"
-#include "certificate/merge.h"
+#include "forceshade/certify.h"
 #include "properties/height_map_subject.h"
 #include "properties/law_subject.h"
+#include "properties/rendered.h"
+#include "rendering/breakdown.h"
 #include "tests/properties/subject_wrapper.h"
 
 namespace forceshade::properties {

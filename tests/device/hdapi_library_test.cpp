@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "device/open_device.h"
+#include "forceshade/device.h"
 #include "tests/device/stand_in_hd/stand_in_hd.h"
 #include "tests/support/temporary_directory.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "device/last_samples.h"
-
 #include <gtest/gtest.h>
+
+#include "forceshade/servo_loop.h"
 
 namespace forceshade::device {
 namespace {

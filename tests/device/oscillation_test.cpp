@@ -103,8 +103,7 @@ TEST(oscillation, goes_quiet_on_a_simulated_device_whose_wall_is_too_stiff) {
 TEST(oscillation, is_said_by_the_loop) {
   const Intention rest({{0.1, {-30, 0, 3}}, {0.5, {-30, 0, -6}}, {3, {-30, 0, -6}}}, Intention::Between::minimum_jerk);
   Simulated device(premium_1_5(), Operator{Grip{}, rest, Tremor(1, 0.03), true});
-  const Kept run(device, law_of(LawId::wall, 8),
-                 {.max_seconds = 3, .paced = false, .passivity = PassivityController::Kind::observer});
+  const Kept run(device, law_of(LawId::wall, 8), {.max_seconds = 3, .paced = false, .passivity = Passivity::observer});
   EXPECT_EQ(run.end_reason, EndReason::time_up) << (run.trip ? name_of(run.trip->rule) : "");
   const auto limited = run.limited_ticks[static_cast<std::size_t>(Rule::oscillation)];
   EXPECT_GT(limited, 1000U);

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "device/open_device.h"
-#include "device/servo_loop.h"
-#include "fast/law.h"
+#include "forceshade/device.h"
+#include "forceshade/fast.h"
+#include "forceshade/servo_loop.h"
 #include "tests/device/stand_in_hd/phantom_fixture.h"
 
 namespace forceshade::device {

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "device/monotonic.h"
-#include "device/servo_loop.h"
 #include "device/simulated/arm.h"
-#include "fast/law.h"
+#include "forceshade/fast.h"
+#include "forceshade/servo_loop.h"
 #include "tests/device/stand_in_hd/phantom_fixture.h"
 #include "tests/support/kept_samples.h"
 

@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "device/open_device.h"
 #include "device/phantom/hdapi_words.h"
+#include "forceshade/device.h"
 #include "tests/device/stand_in_hd/phantom_fixture.h"
 
 namespace forceshade::device {

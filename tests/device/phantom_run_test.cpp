@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "device/phantom/hdapi_words.h"
-#include "device/servo_loop.h"
-#include "fast/law.h"
+#include "forceshade/fast.h"
+#include "forceshade/servo_loop.h"
 #include "tests/device/stand_in_hd/phantom_fixture.h"
 
 namespace forceshade::device {

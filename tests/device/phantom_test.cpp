@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "device/open_device.h"
 #include "device/phantom/hdapi_words.h"
+#include "forceshade/device.h"
 #include "tests/device/stand_in_hd/phantom_fixture.h"
 
 namespace forceshade::device {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A law that was shifted and turned in a device's workspace.
 
-#include "device/placement.h"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -11,10 +9,13 @@
 #include <set>
 #include <string>
 
+#include "apps/bad_input.h"
+#include "apps/placement_text.h"
 #include "device/placement_text.h"
-#include "device/replay.h"
 #include "device/run/words.h"
-#include "files/bad_input.h"
+#include "forceshade/bad_input.h"
+#include "forceshade/device.h"
+#include "forceshade/servo_loop.h"
 #include "tests/device/servo_loop_fixture.h"
 
 namespace forceshade::device {

@@ -9,9 +9,8 @@
 #include <functional>
 
 #include "device/check.h"
-#include "device/limited.h"
-#include "device/open_device.h"
 #include "device/simulated/model.h"
+#include "forceshade/device.h"
 
 namespace forceshade::device {
 namespace {

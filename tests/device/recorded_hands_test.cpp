@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "device/replay.h"
 #include "device/simulated/simulated.h"
+#include "forceshade/device.h"
 #include "tests/device/chatter.h"
 #include "tests/device/servo_loop_fixture.h"
 

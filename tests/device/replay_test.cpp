@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "device/replay.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,8 +7,8 @@
 #include <stdexcept>
 #include <variant>
 
-#include "device/open_device.h"
 #include "files/csv.h"
+#include "forceshade/device.h"
 #include "tests/support/temporary_directory.h"
 
 namespace forceshade::device {

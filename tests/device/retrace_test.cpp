@@ -5,8 +5,8 @@
 
 #include <cstdio>
 
-#include "device/open_device.h"
 #include "device/simulated/simulated.h"
+#include "forceshade/device.h"
 #include "tests/device/servo_loop_fixture.h"
 
 namespace forceshade::device {
@@ -52,8 +52,7 @@ class Looping final : public Still {
 };
 
 TEST(retrace, gives_every_command_of_a_run_to_the_bit) {
-  for (const auto kind :
-       {PassivityController::Kind::damping, PassivityController::Kind::tank, PassivityController::Kind::observer}) {
+  for (const auto kind : {Passivity::damping, Passivity::tank, Passivity::observer}) {
     Looping device;
     const ServoOptions options{.paced = false, .passivity = kind};
     const SafetySettings settings = safety_settings(device.capabilities(), options);
@@ -63,7 +62,7 @@ TEST(retrace, gives_every_command_of_a_run_to_the_bit) {
                 changed.altered);
     ASSERT_EQ(run.end_reason, EndReason::end_of_data) << (run.trip ? name_of(run.trip->rule) : "");
     EXPECT_GT(changed.limited, 100U);
-    if (kind != PassivityController::Kind::observer) {
+    if (kind != Passivity::observer) {
       EXPECT_GT(changed.altered, 100U);
     }
     EXPECT_EQ(differences(settings, run), 0U);
@@ -72,7 +71,7 @@ TEST(retrace, gives_every_command_of_a_run_to_the_bit) {
 
 // A device that reports what it sent, and gets warm.
 TEST(retrace, gives_every_command_of_a_simulated_run_to_the_bit) {
-  for (const auto kind : {PassivityController::Kind::damping, PassivityController::Kind::tank}) {
+  for (const auto kind : {Passivity::damping, Passivity::tank}) {
     const auto device = open_device("simulated");
     const ServoOptions options{.max_seconds = 5, .paced = false, .passivity = kind};
     const SafetySettings settings = safety_settings(device->capabilities(), options);
@@ -156,7 +155,7 @@ TEST(retrace, notices_another_force_setting_or_state) {
   EXPECT_GT(changed([](SafetySettings& s) { s.limits.ramp_up *= 2; }), 0U);
   EXPECT_GT(changed([](SafetySettings& s) { s.limits.felt_free *= 2; }), 0U);
   EXPECT_GT(changed([](SafetySettings& s) { s.passivity_settings.epsilon *= 0.5; }), 0U);
-  EXPECT_GT(changed([](SafetySettings& s) { s.passivity = PassivityController::Kind::tank; }), 0U);
+  EXPECT_GT(changed([](SafetySettings& s) { s.passivity = Passivity::tank; }), 0U);
   EXPECT_GT(changed([](SafetySettings& s) { s.supervised = false; }), 0U);
 
   const auto recorded = [&](auto change) {

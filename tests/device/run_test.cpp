@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is said of a certified run, as a whole, with every number another one; and what is recorded of it.
 
-#include "device/run/run.h"
+#include "forceshade/run.h"
 
 #include <gtest/gtest.h>
 
@@ -17,8 +17,8 @@
 #include "device/run/rule_names.h"
 #include "device/run/summary.h"
 #include "device/run/words.h"
-#include "recorder/recording.h"
-#include "rendering/monitor.h"
+#include "forceshade/checks.h"
+#include "forceshade/recording.h"
 #include "tests/device/servo_loop_fixture.h"
 #include "tests/support/temporary_directory.h"
 

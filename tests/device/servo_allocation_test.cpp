@@ -9,9 +9,9 @@
 #include <thread>
 
 #include "device/monotonic.h"
-#include "device/open_device.h"
 #include "device/phantom/phantom.h"
-#include "fast/height_map_field.h"
+#include "forceshade/device.h"
+#include "forceshade/fast.h"
 #include "tests/device/servo_loop_fixture.h"
 #include "tests/device/stand_in_hd/stand_in_hd.h"
 #include "tests/support/allocations.h"

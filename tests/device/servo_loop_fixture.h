@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "device/servo_loop.h"
-#include "fast/law.h"
+#include "forceshade/fast.h"
+#include "forceshade/servo_loop.h"
 #include "tests/support/kept_samples.h"
 
 namespace forceshade::device {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "device/servo_loop.h"
+#include "forceshade/servo_loop.h"
 
 #include <gtest/gtest.h>
 #include <pthread.h>
@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-#include "device/replay.h"
+#include "forceshade/device.h"
 #include "tests/device/servo_loop_fixture.h"
 
 #if defined(__SSE2__)

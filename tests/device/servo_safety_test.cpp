@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "device/passivity_controller.h"
 #include "device/sent_forces.h"
 #include "device/simulated/simulated.h"
 #include "tests/device/servo_loop_fixture.h"
@@ -23,7 +24,7 @@ TEST(servo_loop, supervises_a_device_that_can_push) {
   const Kept run(device, wall(), {.max_seconds = 0.8, .paced = false});
   EXPECT_EQ(run.end_reason, EndReason::time_up);
   EXPECT_TRUE(run.supervised);
-  EXPECT_EQ(run.passivity, PassivityController::Kind::damping);
+  EXPECT_EQ(run.passivity, Passivity::damping);
   // The gentle start: 50 free ticks, then half a second in which the force grows to the law's.
   const auto limited = [&](const Sample& sample) { return (sample.limited >> static_cast<int>(Rule::gentle_start) & 1) != 0; };
   EXPECT_FALSE(limited(run.samples[99]));
@@ -118,7 +119,7 @@ struct Harvester final : Pushing {
 
 // What is asked for is what is done.
 TEST(servo_loop, keeps_a_device_passive_as_told) {
-  const auto lowest = [](PassivityController::Kind kind) {
+  const auto lowest = [](Passivity kind) {
     Harvester device;
     const Kept run(device, wall(), {.max_seconds = 1, .paced = false, .passivity = kind});
     EXPECT_EQ(run.passivity, kind);
@@ -128,9 +129,9 @@ TEST(servo_loop, keeps_a_device_passive_as_told) {
     EXPECT_EQ(altered, run.account.altered);
     return run.account.lowest_balance / run.passivity_settings.epsilon;
   };
-  EXPECT_LT(lowest(PassivityController::Kind::observer), -5) << "although the supervisor takes it for a limit cycle";
-  EXPECT_GE(lowest(PassivityController::Kind::damping), -1);
-  EXPECT_GE(lowest(PassivityController::Kind::tank), -1);
+  EXPECT_LT(lowest(Passivity::observer), -5) << "although the supervisor takes it for a limit cycle";
+  EXPECT_GE(lowest(Passivity::damping), -1);
+  EXPECT_GE(lowest(Passivity::tank), -1);
 }
 
 TEST(servo_loop, gives_the_device_and_the_record_the_force_that_the_controller_left) {
@@ -163,7 +164,7 @@ TEST(servo_loop, lets_the_commanded_force_grow_no_faster_than_the_supervisor_all
       return there;
     }
   };
-  for (const PassivityController::Kind kind : {PassivityController::Kind::damping, PassivityController::Kind::tank}) {
+  for (const Passivity kind : {Passivity::damping, Passivity::tank}) {
     Presser device;
     const Kept run(device, law_of(LawId::wall, 8), {.max_seconds = 1, .paced = false, .passivity = kind});
     ASSERT_FALSE(run.trip) << name_of(run.trip->rule);
@@ -268,7 +269,7 @@ TEST(servo_loop, gives_force_again_after_any_stall_or_says_why_not) {
   std::size_t trips = 0, forgiving = 0;
   double most_forgiven = 0;
   for (const bool latency : {false, true})
-    for (const auto kind : {PassivityController::Kind::damping, PassivityController::Kind::tank})
+    for (const auto kind : {Passivity::damping, Passivity::tank})
       for (const double depth : {4.0, 8.0})
         for (const double speed : {50.0, 500.0, 990.0, -500.0})
           for (const double at : {0.0, 2.0})

@@ -12,11 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "device/open_device.h"
-#include "device/servo_loop.h"
-#include "fast/height_map_field.h"
-#include "fast/law.h"
 #include "files/csv.h"
+#include "forceshade/device.h"
+#include "forceshade/fast.h"
+#include "forceshade/servo_loop.h"
 #include "tests/device/each_model.h"
 #include "tests/support/kept_samples.h"
 #include "tests/support/temporary_directory.h"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <thread>
 
-#include "device/open_device.h"
 #include "device/simulated/simulated.h"
+#include "forceshade/device.h"
 #include "tests/device/servo_loop_fixture.h"
 
 namespace forceshade::device {

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "device/null.h"
-#include "device/open_device.h"
 #include "device/simulated/simulated.h"
-#include "fast/law.h"
+#include "forceshade/device.h"
+#include "forceshade/fast.h"
 #include "tests/device/supervised_hand.h"
 
 namespace forceshade::device {

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "device/passivity_controller.h"
-#include "fast/law.h"
+#include "forceshade/fast.h"
 #include "properties/passivity.h"
 #include "tests/device/chatter.h"
 
 namespace forceshade::device {
 
-using Kind = PassivityController::Kind;
+using Kind = Passivity;
 using Position = Eigen::Vector3d;
 
 inline constexpr Parameters kBump{.radius = 15.24F, .width = 25.4F, .stiffness = 0.5F};

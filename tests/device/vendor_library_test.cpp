@@ -10,11 +10,10 @@
 #include <cstdlib>
 #include <string>
 
-#include "device/attendant.h"
 #include "device/monotonic.h"
-#include "device/open_device.h"
 #include "device/phantom/hdapi_library.h"
 #include "device/phantom/phantom.h"
+#include "forceshade/device.h"
 
 namespace forceshade::device {
 namespace {

@@ -10,7 +10,9 @@
 
 #include <random>
 
-#include "fast/law.h"
+#include "fast/evaluate.h"
+#include "fast/laws/all.h"
+#include "forceshade/fast.h"
 #include "tests/support/error_number.h"
 
 namespace forceshade {

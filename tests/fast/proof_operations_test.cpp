@@ -9,12 +9,14 @@
 #include <filesystem>
 #include <functional>
 
+#include "fast/evaluate.h"
 #include "fast/heights/force.h"
 #include "fast/heights/spline.h"
 #include "fast/heights/spline_force.h"
-#include "fast/law.h"
+#include "fast/laws/all.h"
 #include "fast/meshes/decide.h"
 #include "fast/meshes/vector3.h"
+#include "forceshade/fast.h"
 #include "tests/fast/pack_operations.h"
 #include "tests/fast/recorded_row.h"
 #include "tests/fast/recorded_run.h"

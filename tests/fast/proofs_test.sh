@@ -100,7 +100,7 @@ check spline "$(constant "$fast/heights/spline.h" kSplineError)"
 check decide ""
 check grid_parameters ""
 check force "$(constant "$fast/heights/force.h" kHeightForceError)"
-laws=$(sed -n 's/.*{LawId::[a-z0-9_]*, "[^"]*", "\([a-z0-9_]*\)"},/\1/p' "$2/rendering/law.h")
-[ "$(wc -w <<<"$laws")" -ge 9 ] || fail "only $(wc -w <<<"$laws") laws found in rendering/law.h"
+laws=$(sed -n 's/.*{LawId::[a-z0-9_]*, "[^"]*", "\([a-z0-9_]*\)"},/\1/p' "$2/include/forceshade/law.h")
+[ "$(wc -w <<<"$laws")" -ge 9 ] || fail "only $(wc -w <<<"$laws") laws found in include/forceshade/law.h"
 for law in $laws; do check "$law" "$(constant "$fast/laws/$law.h" kErrorBound)"; done
 [ "$failures" = 0 ]

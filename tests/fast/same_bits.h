@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "fast/law.h"
+#include "forceshade/fast.h"
 
 namespace forceshade::tests {
 

@@ -2,7 +2,7 @@
 #pragma once
 // One hash per kind of height map and rendering, of forces and statuses: as tests/fast/same_bits.h for laws, and by its means.
 
-#include "fast/height_map_field.h"
+#include "forceshade/fast.h"
 #include "tests/fast/same_bits.h"
 #include "tests/height_maps/height_scenes.h"
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "fast/god_object.h"
+#include "forceshade/fast.h"
 #include "tests/fast/same_bits.h"
 #include "tests/meshes/rendering.h"
 

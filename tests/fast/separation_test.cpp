@@ -8,7 +8,9 @@
 #include <cstdio>
 #include <random>
 
-#include "fast/law.h"
+#include "fast/evaluate.h"
+#include "fast/laws/all.h"
+#include "forceshade/fast.h"
 
 namespace forceshade {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "fast/heights/spline.h"
 #include "fast/heights/spline_force.h"
-#include "fast/instruction_set.h"
+#include "forceshade/fast.h"
 
 namespace forceshade::fast {
 namespace {

@@ -6,10 +6,10 @@ gappa=$1
 sources=$(cd "$2" && pwd)
 copy=$(mktemp -d)
 trap 'rm -r "$copy"' EXIT
-mkdir -p "$copy"/{tests,docs,rendering}
+mkdir -p "$copy"/{tests,docs,include/forceshade}
 cp -R "$sources/fast" "$copy"
 cp -R "$sources/tests/fast" "$copy/tests"
-cp "$sources/rendering/law.h" "$copy/rendering"
+cp "$sources/include/forceshade/law.h" "$copy/include/forceshade"
 failures=0
 
 # file, sed's command for the change, message, test and its further arguments

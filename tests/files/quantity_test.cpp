@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "files/bad_input.h"
+#include "forceshade/bad_input.h"
 
 namespace forceshade::files {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "certificate/certificate.h"
+#include "forceshade/certificate.h"
 
 #include "tests/fuzz/input_file.h"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "rendering/heights/load.h"
+#include "forceshade/heights.h"
 #include "tests/fuzz/input_file.h"
 
 namespace forceshade::fuzz {

@@ -6,10 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "rendering/meshes/check.h"
-#include "rendering/meshes/load.h"
-#include "rendering/meshes/normals.h"
-#include "rendering/meshes/repair.h"
+#include "forceshade/meshes.h"
 #include "tests/fuzz/input_file.h"
 
 namespace forceshade::fuzz {
@@ -21,7 +18,7 @@ inline std::vector<std::array<mesh::Vertex, 3>> corners_of(const mesh::TriangleM
   return corners;
 }
 
-// Loads the input as a file of this name, in each unit: what comes of it is as rendering/meshes/load.h states, and can be
+// Loads the input as a file of this name, in each unit: what comes of it is as include/forceshade/meshes.h states, and can be
 // checked and repaired.
 inline int load_mesh(std::string_view bytes, const char* name) {
   const std::string file = file_of(bytes, name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "recorder/recording.h"
+#include "forceshade/recording.h"
 
 #include "tests/fuzz/input_file.h"
 

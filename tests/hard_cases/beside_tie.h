@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "candidate.h"
+#include "fast/evaluate.h"
 
 namespace forceshade::tests {
 

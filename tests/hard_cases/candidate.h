@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "fast/law.h"
+#include "fast/evaluate.h"
+#include "forceshade/fast.h"
 
 namespace forceshade::tests {
 

@@ -10,6 +10,7 @@
 #include <cstdlib>
 
 #include "beside_tie.h"
+#include "fast/laws/all.h"
 #include "properties/positions.h"
 #include "sweep.h"
 #include "tests/laws/cases.h"

@@ -13,7 +13,7 @@
 #include <optional>
 #include <random>
 
-#include "reference/height_map_field.h"
+#include "forceshade/reference.h"
 #include "sweep.h"
 #include "tests/height_maps/height_cases.h"
 

@@ -5,6 +5,7 @@
 // one, answered by next_in_range().
 
 #include "candidate.h"
+#include "fast/evaluate.h"
 #include "next_in_range.h"
 
 namespace forceshade::tests {

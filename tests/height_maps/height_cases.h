@@ -13,7 +13,7 @@
 #include "fast/heights/force.h"
 #include "fast/heights/shape.h"
 #include "fast/heights/spline.h"
-#include "rendering/law.h"
+#include "forceshade/law.h"
 #include "tests/height_maps/height_scenes.h"
 
 namespace forceshade::tests {

@@ -10,10 +10,11 @@
 #include <set>
 #include <sstream>
 
-#include "fast/height_map_field.h"
+#include "fast/heights/spline_force.h"
 #include "files/csv.h"
+#include "forceshade/fast.h"
+#include "forceshade/reference.h"
 #include "properties/binary32.h"
-#include "reference/height_map_field.h"
 
 namespace forceshade::tests {
 namespace {

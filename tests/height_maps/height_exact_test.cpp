@@ -6,11 +6,11 @@
 #include <bit>
 #include <random>
 
-#include "fast/height_map_field.h"
 #include "fast/heights/all.h"
 #include "fast/heights/exact.h"
+#include "forceshade/fast.h"
+#include "forceshade/reference.h"
 #include "properties/binary32.h"
-#include "reference/height_map_field.h"
 
 namespace forceshade {
 namespace {

@@ -9,10 +9,11 @@
 #include <map>
 #include <set>
 
-#include "fast/height_map_field.h"
+#include "fast/heights/spline_force.h"
 #include "files/csv.h"
+#include "forceshade/fast.h"
+#include "forceshade/reference.h"
 #include "properties/binary32.h"
-#include "reference/height_map_field.h"
 #include "tests/height_maps/height_cases.h"
 #include "tests/height_maps/height_maps_file.h"
 

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "rendering/height_map.h"
+#include "forceshade/height_map.h"
 
 namespace forceshade {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The real-time height maps against the reference, bit for bit, on positions aimed at what could go wrong.
 
-#include "fast/height_map_field.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -10,8 +8,11 @@
 #include <limits>
 #include <random>
 
+#include "fast/evaluate.h"
+#include "fast/heights/spline_force.h"
+#include "forceshade/fast.h"
+#include "forceshade/reference.h"
 #include "properties/binary32.h"
-#include "reference/height_map_field.h"
 #include "tests/height_maps/height_kinds.h"
 #include "tests/laws/force_suite.h"
 #include "tests/support/allocations.h"

@@ -32,7 +32,7 @@ height::Shape grid_of(const std::string& shape, const std::vector<float>& n) {
                    {n.begin() + 3, n.end()}});
 }
 
-// The numbers of a kind in the order in which rendering/height_map.h has them.
+// The numbers of a kind in the order in which include/forceshade/height_map.h has them.
 height::Shape shape_of(const std::string& shape, const std::vector<float>& n) {
   const auto named = std::ranges::find(height::kKindNames, shape);
   if (named == height::kKindNames.end()) return grid_of(shape, n);

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "rendering/height_map.h"
+#include "forceshade/height_map.h"
 
 namespace forceshade::tests {
 

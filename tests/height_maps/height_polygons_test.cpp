@@ -6,9 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "fast/height_map_field.h"
-#include "reference/height_map_field.h"
-#include "reference/law.h"
+#include "forceshade/fast.h"
+#include "forceshade/reference.h"
 
 namespace forceshade {
 namespace {

@@ -7,11 +7,12 @@
 #include <cstdlib>
 #include <string>
 
-#include "fast/height_map_field.h"
 #include "fast/heights/exact.h"
+#include "forceshade/fast.h"
+#include "forceshade/identity.h"
+#include "forceshade/reference.h"
 #include "properties/binary32.h"
-#include "reference/height_map_field.h"
-#include "rendering/identity/identity.h"
+#include "reference/estimates.h"
 #include "tests/height_maps/hostile_maps.h"
 
 namespace forceshade {

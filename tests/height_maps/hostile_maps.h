@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <random>
 
-#include "rendering/height_map.h"
+#include "forceshade/height_map.h"
 
 namespace forceshade::tests {
 

@@ -12,8 +12,8 @@
 #include <random>
 
 #include "fast/heights/spline.h"
+#include "forceshade/heights.h"
 #include "rendering/heights/coefficients.h"
-#include "rendering/heights/load.h"
 #include "tests/support/temporary_directory.h"
 
 namespace forceshade::heights {

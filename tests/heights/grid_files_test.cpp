@@ -10,7 +10,7 @@
 #include <limits>
 #include <random>
 
-#include "rendering/heights/load.h"
+#include "forceshade/heights.h"
 #include "rendering/heights/samples.h"
 #include "tests/support/temporary_directory.h"
 

@@ -6,9 +6,9 @@
 #include <random>
 #include <string>
 
-#include "fast/height_map_field.h"
-#include "reference/height_map_field.h"
-#include "rendering/heights/spec.h"
+#include "forceshade/fast.h"
+#include "forceshade/heights.h"
+#include "forceshade/reference.h"
 #include "tests/support/temporary_directory.h"
 
 namespace forceshade::heights {

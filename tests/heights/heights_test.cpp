@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Height grids from files: what they hold, and what hostile ones get.
 
+#include "forceshade/heights.h"
+
 #include <gtest/gtest.h>
 #include <png.h>
 #include <sys/resource.h>
@@ -11,7 +13,6 @@
 #include <random>
 
 #include "rendering/heights/coefficients.h"
-#include "rendering/heights/load.h"
 #include "tests/heights/written_grids.h"
 #include "tests/support/temporary_directory.h"
 

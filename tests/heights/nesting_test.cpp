@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "rendering/heights/spec.h"
+#include "forceshade/heights.h"
 #include "tests/support/temporary_directory.h"
 
 namespace forceshade::heights {

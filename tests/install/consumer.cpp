@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Uses the installed package as a stranger would.
 
-#include <forceshade/device/replay.h>
-#include <forceshade/device/servo_loop.h>
-#include <forceshade/fast/law.h>
+#include <forceshade/device.h>
+#include <forceshade/fast.h>
+#include <forceshade/servo_loop.h>
 
 #include <cstdio>
 

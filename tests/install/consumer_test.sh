@@ -63,15 +63,29 @@ libraries=$(dirname "$pc")
 "$scratch/plugin_loader" "$scratch/plugin.so"
 
 echo "== headers"
-# What the offered headers reach is what is installed, neither less nor more.
+# The public headers and nothing else are installed, each compiles by itself from the installed tree, and so does its example.
 include=$(dirname "$(find "$prefix" -type d -name forceshade -path '*include*')")
-sed 's|.*|#include <forceshade/&>|' "$source/offered.txt" > "$scratch/offered.cpp"
+(cd "$source/../../include" && find forceshade -type f) | LC_ALL=C sort > "$scratch/public"
+(cd "$include" && find . -type f) | sed 's|^./||' | LC_ALL=C sort > "$scratch/installed"
+diff "$scratch/public" "$scratch/installed" || fail "installed headers (>) are not those of include/ (<)"
+[ "$(wc -l < "$scratch/public")" -ge 12 ] || fail "expected 12 public headers or more"
 eigen=$(pkg-config --cflags eigen3)
-# shellcheck disable=SC2086
-"$compiler" -std=c++20 $eigen -I"$include" -I"$include/forceshade" -M "$scratch/offered.cpp" | tr -s ' \\' '\n\n' | grep "^$include/" |
-  sed "s|^$include/||" | LC_ALL=C sort -u > "$scratch/reached"
-(cd "$include" && find forceshade -type f) | LC_ALL=C sort > "$scratch/installed"
-diff "$scratch/reached" "$scratch/installed" || fail "installed headers (>) are not those that the offered ones reach (<)"
+while read -r header; do
+  echo "#include <$header>" > "$scratch/alone.cpp"
+  # shellcheck disable=SC2086
+  "$compiler" -std=c++20 -fsyntax-only -Wall -Wextra -Werror ${eigen//-I/-isystem} -I"$include" "$scratch/alone.cpp" ||
+    fail "$header does not compile by itself"
+  {
+    for other in $(cat "$scratch/public") algorithm cstdio; do echo "#include <$other>"; done
+    echo "using namespace forceshade; void example() {"
+    sed -n '/^$/q; s|^//   |  |p' "$include/$header"
+    echo "}"
+  } > "$scratch/example.cpp"
+  [ "$(wc -l < "$scratch/example.cpp")" -ge $(($(wc -l < "$scratch/public") + 7)) ] || fail "$header does not begin with an example"
+  # shellcheck disable=SC2086
+  "$compiler" -std=c++20 -fsyntax-only -Wall -Wextra -Werror -Wno-unused ${eigen//-I/-isystem} -I"$include" "$scratch/example.cpp" ||
+    fail "the example of $header does not compile"
+done < "$scratch/public"
 
 echo "== the rest"
 [ -s "$prefix/share/doc/forceshade/LICENSE" ] || fail "no licence file is installed"

@@ -23,7 +23,7 @@ expect() {  # same | another, what, the build
 
 copy=$scratch/a/longer/path/to/the/sources
 mkdir -p "$copy"
-(cd "$source" && cp -RP CMakeLists.txt cmake rendering fast files device LICENSE "$copy")
+(cd "$source" && cp -RP CMakeLists.txt cmake include rendering fast files device LICENSE "$copy")
 build "$source" "$scratch/b" -O0
 first=$(digest "$scratch/b")
 build "$copy" "$copy/build" -O0

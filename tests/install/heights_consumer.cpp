@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Renders a height map from a file, as a stranger would: heights_consumer SPEC.toml.
 
-#include <forceshade/fast/height_map_field.h>
-#include <forceshade/rendering/heights/spec.h>
+#include <forceshade/fast.h>
+#include <forceshade/heights.h>
 
 #include <cstdio>
 

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Renders a mesh from a file, and tests the renderer, as a stranger would: meshes_consumer MESH.off.
 
-#include <forceshade/properties/mesh_subject.h>
-#include <forceshade/properties/run.h>
-#include <forceshade/rendering/meshes/check.h>
-#include <forceshade/rendering/meshes/facts.h>
-#include <forceshade/rendering/meshes/load.h>
-#include <forceshade/rendering/meshes/normals.h>
+#include <forceshade/meshes.h>
+#include <forceshade/properties.h>
 
 #include <cstdio>
 
@@ -18,13 +14,13 @@ int main(int, char** arguments) {
   MeshRendering rendering{mesh, mesh::corner_normals(mesh, 180).normals, mesh::Sides::front, mesh::Shading::vertex_scheme,
                           0.5F};
   if (!mesh::facts_of(mesh).is_closed()) rendering.sides = mesh::Sides::both;
-  const properties::MeshSubject subject("a mesh", rendering);
-  const auto session = subject.renderer().open();
+  const auto subject = properties::mesh_subject("a mesh", rendering);
+  const auto session = subject->renderer().open();
   session->step({2, 2, -1});
   const Eigen::Vector3f force = session->step({2, 2, 1}).force;
   std::printf("%g N\n", static_cast<double>(force.norm()));
   bool all = force.norm() > 0.4F;
-  for (const properties::PropertyResult& result : properties::run_properties(subject, 20, 1)) {
+  for (const properties::PropertyResult& result : properties::run_properties(*subject, 20, 1)) {
     std::printf("%s: %s\n", result.name.c_str(), result.held ? "holds" : result.counterexample.c_str());
     all = all && result.held;
   }

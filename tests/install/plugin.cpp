@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A plugin as a game engine or a module of Python has it: a shared object with the libraries in it.
 
-#include <forceshade/fast/law.h>
+#include <forceshade/fast.h>
 
 // The force at depth 1 mm in a wall of 0.5 N/mm, N.
 extern "C" [[gnu::visibility("default")]] float plugin_force() {

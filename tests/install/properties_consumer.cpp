@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests walls of a stranger's: one is right, one pulls, one remembers the force before, and one throws.
 
-#include <forceshade/properties/law_subject.h>
-#include <forceshade/properties/run.h>
+#include <forceshade/properties.h>
 
 #include <cstdio>
 #include <memory>
@@ -39,10 +38,9 @@ properties::Rendered throwing_wall(const Eigen::Vector3f& position) {
 
 // What is said of the first property that does not hold; empty where all hold.
 std::string failure_of(const properties::ForceAt& wall) {
-  const auto law = reference::Law::build(LawId::wall, {.stiffness = 0.5F});
   std::string failure;
-  const properties::LawSubject subject(properties::RenderedLaw{std::get<reference::Law>(law), wall});
-  for (const properties::PropertyResult& result : properties::run_properties(subject, 2000, 1)) {
+  const auto subject = properties::law_subject(LawId::wall, {.stiffness = 0.5F}, wall);
+  for (const properties::PropertyResult& result : properties::run_properties(*subject, 2000, 1)) {
     std::printf("%s: %s\n", result.name.c_str(), result.held ? "holds" : result.counterexample.c_str());
     if (!result.held && failure.empty()) failure = result.counterexample;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fast/law.h"
+#include "forceshade/fast.h"
 #include "tests/laws/law_suite.h"
 
 using namespace forceshade;

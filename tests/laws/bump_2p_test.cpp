@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fast/law.h"
+#include "fast/simd/batch.h"
+#include "forceshade/fast.h"
 #include "tests/laws/law_suite.h"
 
 using namespace forceshade;

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "reference/law.h"
-#include "rendering/law.h"
+#include "forceshade/law.h"
+#include "forceshade/reference.h"
 
 namespace forceshade::tests {
 

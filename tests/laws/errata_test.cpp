@@ -14,8 +14,8 @@
 #include <variant>
 #include <vector>
 
-#include "fast/law.h"
-#include "reference/law.h"
+#include "forceshade/fast.h"
+#include "forceshade/reference.h"
 
 namespace forceshade {
 namespace {

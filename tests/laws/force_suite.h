@@ -8,8 +8,8 @@
 #include <span>
 #include <string>
 
-#include "fast/law.h"
-#include "reference/law.h"
+#include "forceshade/fast.h"
+#include "forceshade/reference.h"
 
 namespace forceshade::tests {
 

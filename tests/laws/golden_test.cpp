@@ -10,10 +10,10 @@
 #include <map>
 #include <tuple>
 
-#include "fast/law.h"
 #include "files/csv.h"
+#include "forceshade/fast.h"
+#include "forceshade/reference.h"
 #include "properties/binary32.h"
-#include "reference/law.h"
 
 namespace forceshade {
 namespace {

@@ -3,12 +3,13 @@
 
 #include <array>
 
-#include "fast/law.h"
+#include "fast/simd/batch.h"
+#include "forceshade/fast.h"
+#include "forceshade/properties.h"
 #include "properties/binary32.h"
 #include "properties/equivalence.h"
 #include "properties/law_subject.h"
 #include "properties/positions.h"
-#include "properties/run.h"
 #include "tests/laws/cases.h"
 #include "tests/laws/force_suite.h"
 #include "tests/support/allocations.h"

@@ -6,7 +6,7 @@
 
 #include <cstring>
 
-#include "rendering/meshes/check.h"
+#include "forceshade/meshes.h"
 #include "tests/meshes/loaded.h"
 
 namespace forceshade::mesh {

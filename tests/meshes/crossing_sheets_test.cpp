@@ -13,9 +13,9 @@
 #include <string>
 
 #include "fast/meshes/session.h"
+#include "forceshade/meshes.h"
+#include "forceshade/reference.h"
 #include "properties/mesh_generators.h"
-#include "reference/meshes/god_object.h"
-#include "rendering/meshes/check.h"
 #include "tests/meshes/god_object_paths.h"
 #include "tests/meshes/rendering.h"
 #include "tests/meshes/steps.h"

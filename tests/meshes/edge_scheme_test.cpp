@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "reference/meshes/god_object.h"
+#include "forceshade/reference.h"
 #include "tests/meshes/rendering.h"
 
 namespace forceshade {

@@ -12,10 +12,10 @@
 #include <random>
 #include <utility>
 
+#include "forceshade/reference.h"
 #include "properties/mesh_generators.h"
 #include "reference/meshes/descent.h"
 #include "reference/meshes/directions.h"
-#include "reference/meshes/god_object.h"
 #include "tests/meshes/god_object_paths.h"
 #include "tests/meshes/rendering.h"
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <map>
 
-#include "reference/meshes/god_object.h"
+#include "forceshade/reference.h"
 #include "tests/meshes/god_object_paths.h"
 #include "tests/meshes/rendering.h"
 

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "files/csv.h"
-#include "rendering/meshes/load.h"
+#include "forceshade/meshes.h"
 
 namespace forceshade::tests {
 namespace {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The real-time god-object against paths that other programs have computed.
 
-#include "fast/god_object.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,8 +12,9 @@
 
 #include "fast/meshes/session.h"
 #include "files/csv.h"
+#include "forceshade/fast.h"
+#include "forceshade/reference.h"
 #include "properties/mesh_generators.h"
-#include "reference/meshes/god_object.h"
 #include "tests/meshes/god_object_paths.h"
 #include "tests/meshes/rendering.h"
 #include "tests/meshes/steps.h"

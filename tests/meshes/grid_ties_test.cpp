@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "reference/meshes/god_object.h"
+#include "forceshade/reference.h"
 #include "tests/meshes/rendering.h"
 #include "tests/meshes/steps.h"
 

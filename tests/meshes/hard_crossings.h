@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "forceshade/mesh.h"
 #include "properties/positions.h"
-#include "rendering/mesh.h"
 
 namespace forceshade::tests {
 

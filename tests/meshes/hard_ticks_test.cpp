@@ -13,8 +13,9 @@
 #include <optional>
 #include <string>
 
-#include "reference/meshes/god_object.h"
-#include "rendering/meshes/check.h"
+#include "fast/meshes/advance.h"
+#include "forceshade/meshes.h"
+#include "forceshade/reference.h"
 #include "tests/meshes/god_object_paths.h"
 #include "tests/meshes/hard_crossings.h"
 #include "tests/meshes/rendering.h"

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <string>
 
-#include "rendering/meshes/load.h"
+#include "forceshade/meshes.h"
 #include "tests/support/temporary_directory.h"
 
 namespace forceshade::mesh {

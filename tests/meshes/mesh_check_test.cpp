@@ -11,9 +11,8 @@
 #include <map>
 #include <random>
 
+#include "forceshade/meshes.h"
 #include "rendering/meshes/box_tree.h"
-#include "rendering/meshes/check.h"
-#include "rendering/meshes/load.h"
 #include "rendering/meshes/make.h"
 #include "rendering/meshes/predicates.h"
 

@@ -7,9 +7,9 @@
 #include <limits>
 #include <type_traits>
 
-#include "fast/god_object.h"
 #include "fast/meshes/advance.h"
-#include "reference/meshes/god_object.h"
+#include "forceshade/fast.h"
+#include "forceshade/reference.h"
 #include "tests/meshes/rendering.h"
 
 namespace forceshade {

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "rendering/meshes/facts.h"
+#include "forceshade/meshes.h"
 #include "rendering/meshes/make.h"
 #include "rendering/meshes/save.h"
 #include "tests/meshes/loaded.h"

@@ -12,9 +12,8 @@
 #include <fstream>
 #include <random>
 
-#include "rendering/meshes/load.h"
+#include "forceshade/meshes.h"
 #include "rendering/meshes/make.h"
-#include "rendering/meshes/normals.h"
 
 namespace forceshade::mesh {
 namespace {

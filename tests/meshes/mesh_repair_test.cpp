@@ -6,9 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "rendering/meshes/check.h"
+#include "forceshade/meshes.h"
 #include "rendering/meshes/make.h"
-#include "rendering/meshes/repair.h"
 
 namespace forceshade::mesh {
 namespace {

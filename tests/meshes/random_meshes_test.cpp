@@ -8,8 +8,8 @@
 #include <map>
 #include <utility>
 
+#include "forceshade/meshes.h"
 #include "properties/mesh_generators.h"
-#include "rendering/meshes/check.h"
 
 namespace forceshade {
 namespace {

@@ -9,13 +9,9 @@
 #include <map>
 #include <optional>
 
+#include "forceshade/meshes.h"
+#include "forceshade/reference.h"
 #include "properties/mesh_generators.h"
-#include "reference/meshes/god_object.h"
-#include "rendering/meshes/check.h"
-#include "rendering/meshes/facts.h"
-#include "rendering/meshes/load.h"
-#include "rendering/meshes/normals.h"
-#include "rendering/meshes/repair.h"
 #include "tests/meshes/god_object_paths.h"
 #include "tests/meshes/rendering.h"
 #include "tests/meshes/steps.h"

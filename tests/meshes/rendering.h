@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "fast/meshes/mesh.h"
+#include "forceshade/meshes.h"
 #include "rendering/mesh_rendering.h"
-#include "rendering/meshes/check.h"
 
 namespace forceshade::tests {
 

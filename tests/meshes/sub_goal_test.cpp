@@ -10,8 +10,8 @@
 #include <map>
 
 #include "fast/meshes/session.h"
+#include "forceshade/reference.h"
 #include "properties/mesh_generators.h"
-#include "reference/meshes/god_object.h"
 #include "tests/meshes/god_object_paths.h"
 #include "tests/meshes/rendering.h"
 #include "tests/meshes/steps.h"

@@ -9,8 +9,8 @@
 #include <variant>
 
 #include "files/csv.h"
-#include "reference/meshes/god_object.h"
-#include "rendering/meshes/check.h"
+#include "forceshade/meshes.h"
+#include "forceshade/reference.h"
 #include "rendering/meshes/texture.h"
 #include "tests/height_maps/height_maps_file.h"
 #include "tests/meshes/god_object_paths.h"

@@ -15,16 +15,14 @@
 #include <optional>
 #include <random>
 
-#include "fast/height_map_field.h"
 #include "fast/meshes/session.h"
+#include "forceshade/fast.h"
+#include "forceshade/meshes.h"
+#include "forceshade/reference.h"
 #include "properties/height_generators.h"
 #include "properties/mesh_generators.h"
 #include "properties/mesh_properties.h"
-#include "reference/height_map_field.h"
-#include "reference/meshes/god_object.h"
-#include "rendering/meshes/check.h"
 #include "rendering/meshes/make.h"
-#include "rendering/meshes/normals.h"
 #include "rendering/meshes/texture.h"
 #include "tests/meshes/god_object_paths.h"
 #include "tests/meshes/rendering.h"

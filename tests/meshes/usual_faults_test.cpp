@@ -12,8 +12,8 @@
 #include <numbers>
 
 #include "fast/meshes/session.h"
+#include "forceshade/meshes.h"
 #include "rendering/meshes/make.h"
-#include "rendering/meshes/normals.h"
 #include "tests/meshes/loaded.h"
 #include "tests/meshes/rendering.h"
 

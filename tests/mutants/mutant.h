@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "rendering/law.h"
+#include "forceshade/law.h"
 
 namespace forceshade::tests {
 

@@ -10,12 +10,12 @@
 #include <cstdio>
 #include <map>
 
+#include "forceshade/properties.h"
 #include "properties/equivalence.h"
 #include "properties/generators.h"
 #include "properties/height_generators.h"
 #include "properties/height_map_subject.h"
 #include "properties/height_positions.h"
-#include "properties/run.h"
 #include "properties/unit_normals.h"
 
 namespace forceshade::properties {

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "forceshade/properties.h"
 #include "properties/law_subject.h"
-#include "properties/run.h"
 #include "properties/second_answer.h"
 #include "tests/properties/subject_wrapper.h"
 

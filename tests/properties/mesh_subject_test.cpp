@@ -16,9 +16,9 @@
 #include <random>
 #include <set>
 
+#include "forceshade/properties.h"
 #include "properties/mesh_generators.h"
 #include "properties/mesh_properties.h"
-#include "properties/run.h"
 #include "tests/meshes/rendering.h"
 
 namespace forceshade::properties {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every property can fail: renderers that are wrong in one way each, and the property that must say so.
 
+#include "forceshade/properties.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +18,6 @@
 #include "properties/law_subject.h"
 #include "properties/passivity.h"
 #include "properties/positions.h"
-#include "properties/run.h"
 
 namespace forceshade::properties {
 namespace {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "properties/subject.h"
+#include "forceshade/properties.h"
 
 namespace forceshade::tests {
 

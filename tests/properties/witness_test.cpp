@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <random>
 
-#include "fast/law.h"
+#include "forceshade/fast.h"
 #include "properties/law_claims.h"
 #include "reference/energy.h"
 

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "reference/energy.h"
+#include "reference/estimates.h"
 
 namespace forceshade::reference {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "recorder/recording.h"
+#include "forceshade/recording.h"
 #include "recorder/settings.h"
 #include "tests/support/temporary_directory.h"
 
@@ -154,7 +154,7 @@ device::SafetySettings odd_settings() {
   limits.held_ticks = 7;
   limits.acts_on_lateness = false;
   limits.dead_man_button = 1;
-  settings.passivity = device::PassivityController::Kind::tank;
+  settings.passivity = device::Passivity::tank;
   settings.passivity_settings.latency = true;
   return settings;
 }
@@ -175,7 +175,7 @@ TEST(settings, of_a_run_are_read_as_they_were_written) {
     EXPECT_EQ(*numbers_of(got)[i], *numbers_of(expected)[i]) << "number " << i;
   EXPECT_EQ(read->limits.workspace_high, odd_settings().limits.workspace_high);
   EXPECT_TRUE(std::isinf(read->limits.peak_force));
-  EXPECT_EQ(read->passivity, device::PassivityController::Kind::tank);
+  EXPECT_EQ(read->passivity, device::Passivity::tank);
   EXPECT_FALSE(safety_settings_in({{"law", "wall"}}, "run.fsr"));
 }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "recorder/recorder.h"
-
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -12,8 +10,8 @@
 #include <future>
 #include <thread>
 
+#include "forceshade/recording.h"
 #include "recorder/layout.h"
-#include "recorder/recording.h"
 #include "tests/recorder/faulty_disk.h"
 #include "tests/support/allocations.h"
 #include "tests/support/comes_true.h"

@@ -7,9 +7,10 @@
 #include <random>
 #include <set>
 
+#include "forceshade/recording.h"
 #include "recorder/checksum.h"
-#include "recorder/export.h"
-#include "recorder/recording.h"
+#include "recorder/layout.h"
+#include "recorder/sqlite.h"
 #include "tests/support/temporary_directory.h"
 
 namespace forceshade::recorder {

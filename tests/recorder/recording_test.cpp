@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "recorder/recording.h"
+#include "forceshade/recording.h"
 
 #include <gtest/gtest.h>
 
@@ -7,13 +7,13 @@
 #include <cmath>
 #include <cstring>
 
-#include "device/replay.h"
-#include "device/servo_loop.h"
-#include "fast/law.h"
 #include "files/csv.h"
 #include "files/output_file.h"
-#include "recorder/export.h"
+#include "forceshade/device.h"
+#include "forceshade/fast.h"
+#include "forceshade/servo_loop.h"
 #include "recorder/layout.h"
+#include "recorder/sqlite.h"
 #include "tests/support/kept_samples.h"
 #include "tests/support/temporary_directory.h"
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "reference/estimates.h"
+
 namespace forceshade::reference {
 namespace {
 

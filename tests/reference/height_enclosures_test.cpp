@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "fast/height_map_field.h"
+#include "forceshade/fast.h"
 #include "reference/energy.h"
 #include "reference/energy/height_circulation.h"
 #include "reference/height_energy.h"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "reference/height_map_field.h"
+#include "forceshade/reference.h"
 
 namespace forceshade {
 namespace {

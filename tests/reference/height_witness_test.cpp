@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "fast/height_map_field.h"
+#include "forceshade/fast.h"
 #include "reference/height_energy.h"
 #include "tests/height_maps/height_examples.h"
 

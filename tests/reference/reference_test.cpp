@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/reference.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
 #include "reference/enclosure.h"
-#include "reference/law.h"
 #include "reference/numbers/tie.h"
 
 namespace forceshade::reference {

@@ -14,7 +14,7 @@
 
 #include "certificate/report/gnuplot.h"
 #include "certificate/report/html.h"
-#include "rendering/identity/mesh_identity.h"
+#include "forceshade/identity.h"
 #include "tests/certificate/made_certificate.h"
 
 namespace forceshade::properties {

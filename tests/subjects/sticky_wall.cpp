@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "properties/binary32.h"
+#include "properties/positions.h"
 #include "properties/spread.h"
 
 namespace forceshade::tests {

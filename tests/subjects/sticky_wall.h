@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "properties/subject.h"
+#include "forceshade/properties.h"
 
 namespace forceshade::tests {
 

@@ -5,13 +5,13 @@
 #include <gtest/gtest.h>
 
 #include "certificate/build.h"
-#include "certificate/certify.h"
-#include "device/open_device.h"
-#include "device/run/certified.h"
 #include "device/run/words.h"
-#include "device/servo_loop.h"
-#include "properties/run.h"
-#include "recorder/recording.h"
+#include "forceshade/certify.h"
+#include "forceshade/device.h"
+#include "forceshade/properties.h"
+#include "forceshade/recording.h"
+#include "forceshade/run.h"
+#include "forceshade/servo_loop.h"
 #include "tests/subjects/sticky_wall.h"
 #include "tests/support/temporary_directory.h"
 

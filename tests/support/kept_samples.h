@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "device/sample.h"
+#include "forceshade/servo_loop.h"
 
 namespace forceshade::tests {
 

@@ -2,8 +2,8 @@
 #pragma once
 // The texture scheme: the vertex scheme's N, tilted by the slopes of a height map that is laid over the mesh.
 
-#include "fast/height_map_field.h"
 #include "fast/meshes/schemes/vertex_scheme.h"
+#include "forceshade/fast.h"
 
 namespace forceshade::fast::meshes {
 

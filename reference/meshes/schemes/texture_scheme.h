@@ -2,7 +2,7 @@
 #pragma once
 // The texture scheme: the vertex scheme's N, tilted by the slopes of a height map that is laid over the mesh.
 
-#include "reference/height_map_field.h"
+#include "forceshade/reference.h"
 #include "reference/meshes/schemes/vertex_scheme.h"
 
 namespace forceshade::reference::meshes {

@@ -14,8 +14,8 @@
 #include <thread>
 
 #include "device/phantom/phantom.h"
-#include "device/servo_loop.h"
-#include "fast/law.h"
+#include "forceshade/fast.h"
+#include "forceshade/servo_loop.h"
 
 namespace {
 

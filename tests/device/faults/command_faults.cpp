@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "files/csv.h"
-#include "recorder/recording.h"
+#include "forceshade/recording.h"
 #include "tests/device/faults/command.h"
 #include "tests/device/faults/press.h"
 #include "tests/support/comes_true.h"

@@ -11,9 +11,9 @@
 #include <new>
 #include <thread>
 
-#include "device/open_device.h"
-#include "fast/law.h"
-#include "recorder/recording.h"
+#include "forceshade/device.h"
+#include "forceshade/fast.h"
+#include "forceshade/recording.h"
 #include "tests/device/faults/press.h"
 #include "tests/recorder/faulty_disk.h"
 #include "tests/support/comes_true.h"

@@ -7,10 +7,10 @@
 #include <span>
 #include <thread>
 
-#include "device/open_device.h"
 #include "device/phantom/phantom.h"
-#include "fast/law.h"
-#include "recorder/recorder.h"
+#include "forceshade/device.h"
+#include "forceshade/fast.h"
+#include "forceshade/recording.h"
 #include "tests/device/faults/press.h"
 #include "tests/device/stand_in_hd/stand_in_hd.h"
 #include "tests/support/kept_samples.h"

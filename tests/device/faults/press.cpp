@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "device/simulated/simulated.h"
-#include "fast/law.h"
-#include "recorder/recording.h"
+#include "forceshade/fast.h"
+#include "forceshade/recording.h"
 #include "tests/support/kept_samples.h"
 #include "tests/support/temporary_directory.h"
 

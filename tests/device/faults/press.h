@@ -7,9 +7,9 @@
 #include <functional>
 #include <optional>
 
-#include "device/device.h"
-#include "device/servo_loop.h"
-#include "recorder/recorder.h"
+#include "forceshade/device.h"
+#include "forceshade/recording.h"
+#include "forceshade/servo_loop.h"
 #include "tests/device/faults/fault.h"
 #include "tests/device/faults/virtual_clock.h"
 

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The real-time renderers of laws, height maps and meshes: each component of each force is the exact force rounded to
+// binary32, to nearest, ties to even. They need the library forceshade::fast, which needs Eigen alone.
+//
+//   const auto built = fast::Law::build(LawId::bump_2p, {.radius = 15.24F, .width = 25.4F, .stiffness = 0.5F});
+//   if (const auto* error = std::get_if<ParameterError>(&built)) throw std::invalid_argument(error->message());
+//   const auto& law = std::get<fast::Law>(built);
+//   const Eigen::Vector3f force = law.force({3, 0, -0.5F});  // N, at mm
+//
+// Units: mm, N, N/mm. Positions and forces are in the frame of docs/laws.md: x right, y into the page, z up. A coordinate
+// below 2^-30 mm in size is read as 0; one beyond 10^4 mm or NaN gives Status::invalid and zero force.
+//
+// Errors: build() returns a ParameterError; nothing else fails, and nothing here throws but std::bad_alloc where it says that
+// it allocates.
+//
+// Threads: a renderer is immutable and may be shared; a session belongs to one thread at a time. Every evaluation is without
+// allocation, lock or exception. The calling thread must round to nearest and keep subnormals. build() looks at its own
+// thread; a mode that is set later, or on another thread (fesetround, flush to zero, a library that does either), makes
+// answers wrong, and nothing in them shows it. Who runs beside code that is not his own calls arithmetic_fault() on the
+// calling thread first, as run_servo_loop() does.
+//
+// Not promised: the layout of the classes, the time of a call, and which stage decides (both are measured in docs/speed.md).
+//
+// Source: Morgenbesser and Srinivasan (1996); the proofs are described in docs/proofs.md.
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <variant>
+
+#include "forceshade/height_map.h"
+#include "forceshade/law.h"
+#include "forceshade/mesh.h"
+#include "forceshade/session.h"
+
+namespace forceshade::fast {
+
+// Which vector instructions a batch call uses: all give the same bits, they differ in speed alone.
+enum class InstructionSet { scalar, avx2, avx512 };
+
+inline constexpr std::array kInstructionSets{InstructionSet::scalar, InstructionSet::avx2, InstructionSet::avx512};
+
+std::string_view name_of(InstructionSet set) noexcept;
+std::optional<InstructionSet> instruction_set_named(std::string_view name) noexcept;
+
+// Whether this processor and operating system run it.
+bool is_available(InstructionSet set) noexcept;
+
+// The widest available one, found once at the first call.
+InstructionSet best_instruction_set() noexcept;
+
+// What the arithmetic of this library, or of this thread's floating-point mode, does otherwise than IEEE 754 rounding to
+// nearest, as a noun; null if nothing was found. Every answer given under it would be unproved.
+const char* arithmetic_fault() noexcept;
+
+// SHA-256, in hex, of the compiled objects of this library: what a certificate is bound to.
+const char* library_digest() noexcept;
+
+struct BatchResult {
+  std::size_t invalid = 0;  // how many positions were outside the domain; their force is zero
+};
+
+// One of the nine laws. Trivially copyable; builds in at most 2 µs.
+class Law {
+ public:
+  // R in [0.1, 1e4] mm, w in [1e-3, 2R] mm, K in [1e-3, 1e3] N/mm; the wall reads K alone.
+  // Under an arithmetic_fault() nothing is built: the error states the fault.
+  static std::variant<Law, ParameterError> build(LawId id, const Parameters& parameters) noexcept;
+
+  LawId id() const noexcept { return id_; }
+  const Parameters& parameters() const noexcept { return parameters_; }
+
+  Evaluation evaluate(const Eigen::Vector3f& position) const noexcept;
+  Eigen::Vector3f force(const Eigen::Vector3f& position) const noexcept { return evaluate(position).force; }
+
+  // fx[i], fz[i] = force at (x[i], 0, z[i]), bit for bit what evaluate() gives, whatever the instruction set.
+  // As many as the shortest span has. An output may begin where an input begins, which it then takes the place of; any other
+  // overlap is not allowed. An instruction set this machine lacks falls back to the best it has.
+  BatchResult force(std::span<const float> x, std::span<const float> z, std::span<float> fx, std::span<float> fz,
+                    InstructionSet instructions = best_instruction_set()) const noexcept;
+
+ private:
+  struct Inside;
+  Law(LawId id, const Parameters& parameters, const Inside& inside) noexcept;
+  const Inside& inside() const noexcept;
+
+  LawId id_;
+  Parameters parameters_;
+  alignas(8) std::array<std::byte, 232> inside_;  // what the parameters make of the law's definition: fast/law.cpp
+};
+
+struct SplineMap;  // fast/heights/spline_force.h
+enum class Sign;   // fast/numbers/ball.h
+
+// A height map: a force at the surface's own depth, or at the plane's, along the map's normal. Copies share the map, and its
+// grids are those of the HeightMap, not copies.
+class HeightMapField {
+ public:
+  // Domains: docs/height-maps.md. Looks at every value of a grid, and allocates. Under an arithmetic_fault() nothing is built.
+  static std::variant<HeightMapField, ParameterError> build(const HeightMap& map, height::Rendering rendering, float stiffness);
+
+  // The last stage takes up to 3 MiB of stack. Should its numbers not decide (docs/height-map-ties.md says for which identities
+  // that could be), Status::invalid and no force.
+  Evaluation evaluate(const Eigen::Vector3f& position) const noexcept {
+    Evaluation answer;  // one object, built where the caller needs it: a copy would wait for what was just written
+    if (spline_ != nullptr) {
+      const Sign contact = first_stage_(*spline_, position.data(), answer.force.data());
+      answer.status = contact == kPositive ? Status::contact : Status::free;
+      if (contact != kUnknown) [[likely]]
+        return answer;
+    }
+    answer = evaluate_in_stages(position);
+    return answer;
+  }
+  Eigen::Vector3f force(const Eigen::Vector3f& position) const noexcept { return evaluate(position).force; }
+
+  // U_x and U_y, mm/mm, and the stage that decided them.
+  struct Slopes {
+    std::array<float, 2> values;
+    Stage stage;
+  };
+  // At a place of the domain, mm: each slope the binary32 nearest to the exact one, and 0 below 2^-30 in size. Nothing where
+  // evaluate() could not decide either. As evaluate() in all else. is_filtered: for tests; false leaves all to the last stage.
+  std::optional<Slopes> slopes(float x, float y, bool is_filtered = true) const noexcept;
+
+  // to[i] = force at positions[i], bit for bit what evaluate() gives, whatever the instruction set; as many as the shorter span
+  // has. `to` may begin where `positions` begins, and then takes their place; any other overlap is not allowed. An instruction
+  // set this machine lacks falls back to the best it has. Vectors speed up a map that is one B-spline.
+  BatchResult force(std::span<const Eigen::Vector3f> positions, std::span<Eigen::Vector3f> to,
+                    InstructionSet instructions = best_instruction_set()) const noexcept;
+
+ private:
+  static constexpr Sign kPositive{2}, kUnknown{3};
+
+  class Inside;
+  explicit HeightMapField(std::shared_ptr<const Inside> inside) noexcept;
+  Evaluation evaluate_in_stages(const Eigen::Vector3f& position) const noexcept;
+
+  std::shared_ptr<const Inside> inside_;
+  // The map once more if it is one B-spline and no more, the case with a path of its own; null for any other. Of inside_.
+  const SplineMap* spline_;
+  Sign (*first_stage_)(const SplineMap& map, const float* position, float* force) noexcept;  // the best of this machine
+};
+
+// A god-object as a servo loop drives it, which also gives the whole tick to whoever compares or records it.
+class TickSession : public Session {
+ public:
+  // position: mm, the next one of the path. Without allocation, lock or exception.
+  virtual mesh::Tick tick(const std::array<float, 3>& position) noexcept = 0;
+  // Which arithmetic decided the last tick: the last stage of all its decisions.
+  virtual Stage stage() const noexcept = 0;
+  // Goes on from a state of this mesh, as a tick gave it. A state that is not one of this mesh counts as none.
+  virtual void resume(const mesh::GodObject& state) noexcept = 0;
+
+  // An unfinished tick is a contact, and is marked.
+  Evaluation step(const Eigen::Vector3f& position) noexcept final {
+    const mesh::Tick its = tick({position.x(), position.y(), position.z()});
+    const Eigen::Vector3f force(its.force[0], its.force[1], its.force[2]);
+    switch (its.status) {
+      case mesh::TickStatus::free: return {{0, 0, 0}, Status::free, stage()};
+      case mesh::TickStatus::invalid: return {{0, 0, 0}, Status::invalid, stage()};
+      default: return {force, Status::contact, stage(), its.status == mesh::TickStatus::unfinished};
+    }
+  }
+};
+
+class Mesh;  // fast/meshes/mesh.h
+
+// The god-object on a mesh: state, moves and force equal the exact definition in every bit (docs/god-object.md). Copies share
+// the mesh.
+class GodObject {
+ public:
+  // Refused with the reason: a stiffness outside [10^-3, 10^3] N/mm, normals and textures outside the domains of docs/meshes.md
+  // or not one for each corner where the shading or the contact rule uses them, a texture's height map that HeightMapField
+  // refuses, more than 2^26 triangles, and anything under an arithmetic_fault(). Allocates.
+  static std::variant<GodObject, ParameterError> build(const MeshRendering& rendering);
+
+  // On the same mesh. stiffness: N/mm, in [10^-3, 10^3].
+  std::variant<GodObject, ParameterError> with_stiffness(float stiffness) const;
+
+  // At the beginning of a path. Allocates.
+  std::unique_ptr<TickSession> open() const;
+
+ private:
+  GodObject(std::shared_ptr<const Mesh> mesh, float stiffness, mesh::Shading shading, mesh::Contact contact) noexcept
+      : mesh_(std::move(mesh)), stiffness_(stiffness), shading_(shading), contact_(contact) {}
+
+  std::shared_ptr<const Mesh> mesh_;
+  float stiffness_;
+  mesh::Shading shading_;
+  mesh::Contact contact_;
+};
+
+}  // namespace forceshade::fast

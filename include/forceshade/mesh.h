@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A triangle mesh and the god-object on it: numbers only. What they mean, and what a mesh must be: docs/god-object.md.
+//
+//   mesh::TriangleMesh tetrahedron{{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 9}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+//   const mesh::GodObject nowhere;  // the state at the beginning of a path
+//   const bool is_new = nowhere.place == mesh::Place::nowhere;
+//
+// Lengths are in mm, forces in N, the stiffness in N/mm. A mesh is checked once, by mesh::check() of meshes.h, and only what
+// it gives can be rendered: fast::GodObject of fast.h does it, reference::GodObject of reference.h defines it. All of these
+// are values, which threads may share while nobody changes them. Nothing here allocates but the vectors' copies, or throws but
+// std::bad_alloc.
+//
+// Not promised: more enumerators or members may come in a new version (docs/versions.md).
+//
+// Source: Zilles and Salisbury (1995) for the god-object, Morgenbesser and Srinivasan (1996) for the shading.
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "forceshade/height_map.h"
+
+namespace forceshade {
+class Monitor;
+}  // namespace forceshade
+
+namespace forceshade::mesh {
+
+using Vertex = std::array<float, 3>;            // mm
+using Triangle = std::array<std::uint32_t, 3>;  // indices of vertices; the normal (b - a) x (c - a) points to the front
+using Normal = std::array<float, 3>;            // about a unit vector: each component is rounded to binary32
+
+// Triangles and vertices keep the order of their file: the god-object's state names them by their index, from 0.
+struct TriangleMesh {
+  std::vector<Vertex> vertices;
+  std::vector<Triangle> triangles;
+};
+
+// One normal for each corner of each triangle, in the order of the triangle's vertices (the vertex scheme).
+using CornerNormals = std::vector<std::array<Normal, 3>>;
+
+// A corner of a triangle on a height map that is laid over the mesh (the texture scheme).
+struct CornerTexture {
+  std::array<float, 2> point{};       // (x, y) on the map, mm
+  Normal gradient_x{}, gradient_y{};  // mm/mm: how fast, and in which direction along the surface, x and y grow
+
+  bool operator==(const CornerTexture&) const = default;
+};
+using CornerTextures = std::vector<std::array<CornerTexture, 3>>;
+
+// The texture at each corner of each triangle. Without corners there is no texture.
+struct Texture {
+  CornerTextures corners;
+  HeightMap map;  // `surface` is not used: the depth is that of the mesh
+};
+
+// The directions in which a triangle blocks motion: against its normal, or against and along it.
+enum class Sides { front, both };
+
+// Whether triangles that have no vertex in common may meet or cross, if not in one plane.
+enum class SelfIntersections { refused, allowed };
+
+// What a check finds, instead of the mesh: include/forceshade/meshes.h.
+struct Findings;
+
+// A mesh whose triangles are joined as docs/meshes.md demands. Whether they meet beside their common vertices is not known.
+// Only mesh::check_joints() and mesh::check() make it.
+class JoinedMesh {
+ public:
+  const TriangleMesh& mesh() const { return mesh_; }
+
+ private:
+  friend class CheckedMesh;
+  friend std::variant<JoinedMesh, Findings> check_joints(TriangleMesh mesh);
+  explicit JoinedMesh(TriangleMesh mesh) : mesh_(std::move(mesh)) {}
+
+  TriangleMesh mesh_;
+};
+
+// A mesh that can be rendered. Only mesh::check() makes it.
+class CheckedMesh : public JoinedMesh {
+ public:
+  // `refused`: it has been found that no triangles meet beside their common vertices. `allowed`: that those with a common
+  // vertex do not, and that none meet in one plane.
+  SelfIntersections self_intersections() const { return self_intersections_; }
+
+ private:
+  friend std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections self_intersections,
+                                                   const Monitor& monitor);
+  CheckedMesh(TriangleMesh mesh, SelfIntersections self_intersections)
+      : JoinedMesh(std::move(mesh)), self_intersections_(self_intersections) {}
+
+  SelfIntersections self_intersections_;
+};
+
+// The one list of the shading schemes. vertex_scheme uses corner normals; texture_scheme these and a texture.
+enum class Shading { none, vertex_scheme, edge_scheme, texture_scheme };
+
+inline constexpr std::array<std::string_view, 2> kSidesNames{"front", "both"};
+inline constexpr std::array<std::string_view, 4> kShadingNames{"none", "vertex", "edge", "texture"};
+
+constexpr std::string_view name_of(Sides sides) {
+  return kSidesNames[static_cast<std::size_t>(sides)];
+}
+constexpr std::string_view name_of(Shading shading) {
+  return kShadingNames[static_cast<std::size_t>(shading)];
+}
+
+constexpr bool has_corner_normals(Shading shading) {
+  return shading == Shading::vertex_scheme || shading == Shading::texture_scheme;
+}
+
+// The one list of the contact rules: which point the god-object goes for in a tick. sub_goal uses corner normals.
+enum class Contact { direct, sub_goal };
+
+inline constexpr std::array<std::string_view, 2> kContactNames{"direct", "sub-goal"};
+inline constexpr Contact kUsualContact = {};  // unless another is asked for
+
+constexpr std::string_view name_of(Contact contact) {
+  return kContactNames[static_cast<std::size_t>(contact)];
+}
+constexpr bool has_corner_normals(Contact contact) {
+  return contact == Contact::sub_goal;
+}
+
+// Where the god-object is. `nowhere`: no valid position has come yet.
+enum class Place : std::uint8_t { nowhere, free, vertex, edge, triangle };
+enum class Side : std::uint8_t { front, back };
+
+inline constexpr std::array<std::string_view, 5> kPlaceNames{"nowhere", "free", "vertex", "edge", "triangle"};
+inline constexpr std::array<std::string_view, 2> kSideNames{"front", "back"};
+
+// The whole memory of a god-object: exact, of constant size, the same on every machine. What a place does not use is 0.
+struct GodObject {
+  Place place = Place::nowhere;
+  Side side = Side::front;               // of the surface; front where it is free
+  std::array<float, 3> position{};       // free: mm, as quantised
+  std::array<std::uint32_t, 2> index{};  // vertex v: {v}; edge: {a, b}, a < b; triangle i: {i}
+  std::array<std::uint32_t, 2>
+      parameter{};  // in units of 2^-24. Edge: a + m (b - a): {m}. Triangle: a + k (b - a) + l (c - a): {k, l}
+
+  bool operator==(const GodObject&) const = default;
+};
+
+// `unfinished`: the god-object used up the moves of one tick; the next tick goes on from where it is.
+enum class TickStatus : std::uint8_t { free, touching, unfinished, invalid };
+
+inline constexpr std::array<std::string_view, 4> kTickStatusNames{"free", "touching", "unfinished", "invalid"};
+
+// What one position does.
+struct Tick {
+  TickStatus status = TickStatus::invalid;
+  std::uint16_t moves = 0;       // flights and slides; a refused one is not counted
+  std::array<float, 3> force{};  // N, each component the binary32 nearest to the exact one; zeros are +0
+  GodObject after;               // the state that the next tick starts from
+};
+
+}  // namespace forceshade::mesh
+
+namespace forceshade {
+
+// What a god-object on a mesh is built from.
+struct MeshRendering {
+  mesh::CheckedMesh checked;
+  mesh::CornerNormals normals = {};  // one for each corner where the shading or the contact rule uses them
+  mesh::Sides sides = mesh::Sides::front;
+  mesh::Shading shading = mesh::Shading::none;
+  float stiffness = 0;         // K, N/mm, in [10^-3, 10^3]
+  mesh::Texture texture = {};  // of the texture scheme
+  mesh::Contact contact = mesh::kUsualContact;
+
+  const mesh::TriangleMesh& mesh() const { return checked.mesh(); }
+  bool has_corner_normals() const { return mesh::has_corner_normals(shading) || mesh::has_corner_normals(contact); }
+};
+
+}  // namespace forceshade

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Reads triangle meshes from files, repairs them on demand, checks them exactly, and computes corner normals. The library is
+// forceshade::meshes, of the component meshes; it needs MPFI.
+//
+//   const auto checked = mesh::check(mesh::load("sphere.off", mesh::Unit::mm));
+//   if (const auto* findings = std::get_if<mesh::Findings>(&checked)) throw std::runtime_error(findings->words());
+//   const auto& mesh = std::get<mesh::CheckedMesh>(checked);
+//   const MeshRendering rendering{.checked = mesh,
+//                                 .normals = mesh::corner_normals(mesh).normals,
+//                                 .shading = mesh::Shading::vertex_scheme,
+//                                 .stiffness = 0.5F};  // N/mm; for fast::GodObject of fast.h
+//
+// Coordinates are in mm, within 10 000 mm. What a mesh must be: docs/meshes.md, "What is checked".
+//
+// Errors: what a file is not is a thrown mesh::Error; what a mesh is not is a value, Findings, in words with the numbers of
+// faces and vertices, from 0 as in the file.
+//
+// Threads: the functions keep no state, and may run at once; check() uses threads of its own.
+//
+// Not promised: the words of findings and notes, and how long check() takes of a mesh that crosses itself often.
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "forceshade/bad_input.h"
+#include "forceshade/checks.h"
+#include "forceshade/mesh.h"
+
+namespace forceshade::mesh {
+
+// "FILE: line 12: reason", or "FILE: byte 84: reason" where the file is binary.
+class Error : public files::BadInput {
+ public:
+  Error(const std::filesystem::path& file, const std::string& reason) : BadInput(file.string() + ": " + reason) {}
+};
+
+// The unit of the coordinates in the file, which no format states.
+enum class Unit { mm, m, in };
+
+inline constexpr std::array<std::string_view, 3> kUnitNames{"mm", "m", "in"};
+
+using TexturePoint = std::array<float, 2>;
+
+// A mesh with what else a file says of its corners.
+struct LoadedMesh {
+  TriangleMesh mesh;
+  CornerNormals normals;                             // empty, or one for each corner of each triangle; as the file has them
+  std::vector<std::array<TexturePoint, 3>> texture;  // the same
+  std::vector<std::uint64_t> lines;                  // of each triangle's face, from 1; empty for a binary file
+  std::vector<std::string> notes;                    // what the triangles are not word by word in the file: one sentence each
+};
+
+// The triangles in the order of the file; a face with more corners a, b, c, d, ... is the triangles (a, b, c), (a, c, d), ... A
+// coordinate is the binary32 number of mm nearest to the number in the file times its unit, rounded once; below 2^-30 mm in
+// size it is 0. Every coordinate is within 10000 mm and every index is that of a vertex. Nothing else is checked:
+// include/forceshade/meshes.h. Throws Error; then it has taken no more memory than some 100 times the file's size, whatever the
+// file declares.
+LoadedMesh load_with_corners(const std::filesystem::path& file, Unit unit);
+
+// Its mesh alone.
+TriangleMesh load(const std::filesystem::path& file, Unit unit);
+
+enum class Fault {
+  coordinate,      // not a number within 10000 mm
+  index,           // not that of a vertex
+  empty,           // no triangle at all, or more than can be counted
+  vertex_twice,    // in one triangle
+  no_area,         // three vertices on a line
+  same_vertices,   // as another triangle, in whatever order
+  many_at_edge,    // an edge with more than two triangles
+  same_direction,  // two triangles run along their edge in the same direction
+  several_fans,    // the triangles at a vertex are not one fan
+  meeting,         // two triangles have more points in common than their common vertices say
+  in_one_plane,    // the same in one plane, of triangles that may cross elsewhere
+  undecided        // too many pairs of triangles are near each other to decide the last in reasonable time
+};
+inline constexpr std::size_t kFaults = 12;
+
+struct Finding {
+  Fault fault{};
+  std::vector<std::uint32_t> triangles, vertices;  // which it is about; of many only the first
+
+  bool operator==(const Finding&) const = default;
+};
+
+// One sentence.
+std::string words_of(const Finding& finding);
+
+struct Findings {
+  static constexpr std::size_t kListed = 20;  // the most findings of a fault that are listed: the first ones
+
+  std::vector<Finding> listed;                  // in the order of the faults, then of the faces and vertices
+  std::array<std::uint64_t, kFaults> counts{};  // of each fault
+
+  bool empty() const { return listed.empty(); }
+  // The listed ones, one in a line, and how many more there are. lines: of each triangle in its file (LoadedMesh::lines); where
+  // there are any, those of a finding's triangles stand in front of it: "lines 12 and 15: ".
+  std::string words(std::span<const std::uint64_t> lines = {}) const;
+};
+
+// A coordinate below 2^-30 mm in size is 0 in the mesh that these give; nothing else is changed. All faults are looked for that
+// can still be decided beside those found.
+
+// All but whether triangles meet beside their common vertices.
+std::variant<JoinedMesh, Findings> check_joints(TriangleMesh mesh);
+
+// Takes some 50 bytes a triangle beside the mesh, and as many threads as the machine has cores, 8 at most; what it finds does
+// not depend on their number. With self-intersections allowed, triangles with a common vertex still meet in what they share
+// alone, and those in one plane do not meet. Throws Interrupted.
+std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections self_intersections = SelfIntersections::refused,
+                                          const Monitor& monitor = {});
+
+struct Facts {
+  std::uint64_t vertices = 0, triangles = 0;
+  std::uint64_t unused_vertices = 0;           // in no triangle
+  std::uint64_t edges = 0, rim_edges = 0;      // of all; with one triangle
+  std::uint64_t parts = 0;                     // joined over edges
+  Vertex low{}, high{};                        // mm: the box around the used vertices
+  double shortest_edge = 0, longest_edge = 0;  // mm
+  double area = 0;                             // mm^2
+  double volume = 0;                           // mm^3, signed, of a closed mesh: negative where the fronts are inside; else 0
+
+  bool is_closed() const { return rim_edges == 0; }
+};
+
+Facts facts_of(const JoinedMesh& mesh);
+
+// The vertex with the most triangles, the first of several.
+struct LargestFan {
+  std::uint32_t vertex = 0;
+  std::uint64_t triangles = 0;
+};
+LargestFan largest_fan(const TriangleMesh& mesh);
+// The most triangles at a vertex with which no tick there takes longer than 0.1 ms (docs/meshes.md, "Vertices of many
+// triangles").
+inline constexpr std::uint64_t kLargestQuickFan = 1000;
+
+// How many components binary64 decided, and how many it left to intervals of more bits.
+struct NormalStages {
+  std::uint64_t binary64 = 0, intervals = 0;
+};
+
+struct ComputedNormals {
+  CornerNormals normals;
+  NormalStages stages;
+};
+
+// At each corner the unit mean of the unit normals of the triangles around its vertex, weighted by their angles there: of those
+// that are joined to the corner's own triangle over edges at the vertex that do not separate. An edge separates if its
+// triangles turn by more than the crease angle, 0 to 180 degrees; at 180 none does. Each component is the binary32 number
+// nearest to the exact one; zeros are +0. Where the mean is 0 and so has no direction, the normal is (0, 0, 0), which shades
+// nothing. Throws std::invalid_argument where the angle is out of its range.
+ComputedNormals corner_normals(const CheckedMesh& mesh, double crease_degrees = 180);
+
+struct Repaired {
+  TriangleMesh mesh;
+  std::vector<std::string> done;  // one sentence each; empty if nothing was
+};
+
+// Repairs the mesh in this order: coordinates below 2^-30 mm in size are 0; vertices with equal coordinates are one, in the
+// order in which they first come; faces go that have an index of no vertex, a coordinate that is no number within 10000 mm, a
+// vertex twice or no area, and all but the first of several with the same vertices; faces are turned over until all that are
+// joined over edges with two faces run along these in opposite directions, each part as its first face is, unless it cannot be
+// done. Faces that are kept stay in their order. Nothing is moved, filled or cut: what is still no mesh then
+// (include/forceshade/meshes.h) is not repaired.
+Repaired repair(TriangleMesh mesh);
+
+}  // namespace forceshade::mesh

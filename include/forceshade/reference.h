@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The exact side: the force of every law, height map and mesh by its definition, rounded to binary32 with proof, or in decimal
+// digits. It shares nothing with the fast path, and is slow. The library is forceshade::reference, of the component
+// properties; it needs GMP, MPFR and MPFI, and at building CGAL and Boost.
+//
+//   const auto law = std::get<reference::Law>(reference::Law::build(LawId::bump_2p, {15.24F, 25.4F, 0.5F}));
+//   const reference::Rounded rounded = law.round_to_binary32({3, 0, -0.5F});  // N, at mm
+//   const reference::DecimalForce digits = law.decimal({3, 0, -0.5F}, 40);
+//   std::printf("%a, that is %s N\n", double{rounded.force.z()}, digits.z.c_str());
+//
+// Lengths are in mm, forces in N, the stiffness in N/mm. A coordinate below 2^-30 mm in size is read as 0; one beyond 10^4 mm
+// or NaN gives Status::invalid and zero force.
+//
+// Errors: build() returns a ParameterError. Everything here allocates, and may throw std::bad_alloc.
+//
+// Threads: the objects are immutable and may be shared; a GodObjectSession belongs to one thread at a time.
+//
+// Not promised: how long an answer takes (a tie may take a second), and what Method says of it.
+//
+// Source: Morgenbesser and Srinivasan (1996), with docs/errata.md; docs/laws.md, docs/height-maps.md and docs/god-object.md.
+
+#include <Eigen/Core>
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "forceshade/height_map.h"
+#include "forceshade/law.h"
+#include "forceshade/mesh.h"
+
+namespace forceshade::reference {
+
+// What it took to be sure of a rounding: the 64-bit filter, MPFI intervals, or CGAL's exact comparison with the tie.
+enum class Method { filter, enclosure, exact };
+
+struct Rounded {
+  Eigen::Vector3f force{0, 0, 0};  // N, each component the exact one rounded to binary32, ties to even; zeros are +0
+  Status status = Status::free;
+  Method method = Method::filter;
+  float ulps_from_tie = 1;     // of the component nearest to a rounding tie; 0 for a tie, or too close for the filter to decide
+  bool is_unfinished = false;  // a god-object used up the moves of one tick, and the force is not that of rest
+};
+
+struct DecimalForce {
+  std::string x, z;  // N
+  Status status;
+};
+
+struct DecimalGeometry {
+  std::string d, h, w_prime, h_prime;  // mm
+  std::string theta;                   // rad
+};
+
+// d, h, w′, h′ and θ correctly rounded to `digits` significant decimal digits. Parameters as for Law::build; K is not read.
+DecimalGeometry geometry(const Parameters& parameters, unsigned digits);
+
+class Ball64;  // reference/numbers/ball64.h
+template <class N>
+struct BumpGeometry;  // reference/laws/bump_geometry.h
+
+// A law's exact force. Immutable and safe to share between threads; whatever the filter cannot decide is done under one lock.
+class Law {
+ public:
+  // The domain of fast::Law::build, stated on its own.
+  static std::variant<Law, ParameterError> build(LawId id, const Parameters& parameters);
+
+  LawId id() const { return id_; }
+  const Parameters& parameters() const { return parameters_; }
+
+  // position: mm; a coordinate outside [-1e4, 1e4] or NaN gives zero force and Status::invalid; one below 2^-30 is read as 0.
+  Rounded round_to_binary32(const Eigen::Vector3f& position) const;
+
+  // Each component correctly rounded to `digits` significant decimal digits, positional notation.
+  DecimalForce decimal(const Eigen::Vector3f& position, unsigned digits) const;
+
+  // For this program's own properties: reference/estimates.h.
+  struct Estimate;
+  Estimate estimate(const Eigen::Vector3f& position) const;
+  const BumpGeometry<Ball64>& geometry() const { return *geometry_; }
+
+ private:
+  Law(LawId id, const Parameters& parameters, std::shared_ptr<const BumpGeometry<Ball64>> geometry)
+      : id_(id), parameters_(parameters), geometry_(std::move(geometry)) {}
+
+  LawId id_;
+  Parameters parameters_;
+  std::shared_ptr<const BumpGeometry<Ball64>> geometry_;
+};
+
+// A height map's exact force. Immutable and safe to share between threads.
+class HeightMapField {
+ public:
+  static std::variant<HeightMapField, ParameterError> build(HeightMap map, height::Rendering rendering, float stiffness);
+
+  const HeightMap& map() const { return map_; }
+  height::Rendering rendering() const { return rendering_; }
+  float stiffness() const { return stiffness_; }
+
+  // The same as Law::round_to_binary32: every answer is decided. What enclosures of 768 bits leave open, exact sums decide.
+  Rounded round_to_binary32(const Eigen::Vector3f& position) const;
+
+  // U_x and U_y at a place of the plane within the domain, mm: each the binary32 nearest to the exact one, ties to even, and 0
+  // below 2^-30 in size.
+  std::array<float, 2> slopes(float x, float y) const;
+
+  // For this program's own properties: reference/estimates.h.
+  struct Estimate;
+  Estimate estimate(const Eigen::Vector3f& position) const;
+
+ private:
+  HeightMapField(HeightMap map, height::Rendering rendering, float stiffness)
+      : map_(std::move(map)), rendering_(rendering), stiffness_(stiffness) {}
+
+  HeightMap map_;
+  height::Rendering rendering_;
+  float stiffness_;
+};
+
+// The god-object on a mesh: every decision the sign of an integer, the force rounded once to binary32. Immutable and safe to
+// share between threads; copies share the mesh.
+class GodObject {
+ public:
+  static constexpr unsigned kMostMoves = 256;  // in a tick
+
+  // Refused with the reason: a stiffness, normals or a texture outside the domains of docs/meshes.md, and a texture's height
+  // map that HeightMapField does.
+  static std::variant<GodObject, ParameterError> build(const MeshRendering& rendering);
+
+  // What a position in mm does to a state of this mesh. A position that is invalid gives no force and leaves the state as it
+  // is. 1 <= most_moves; with fewer than kMostMoves, more ticks are unfinished.
+  mesh::Tick step(const mesh::GodObject& before, const std::array<float, 3>& position, unsigned most_moves = kMostMoves) const;
+
+ private:
+  struct Parts;
+  explicit GodObject(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
+
+  std::shared_ptr<const Parts> parts_;
+};
+
+// A god-object that follows positions in order.
+class GodObjectSession {
+ public:
+  explicit GodObjectSession(GodObject god_object, const mesh::GodObject& state = {})
+      : god_object_(std::move(god_object)), state_(state) {}
+
+  mesh::Tick step(const std::array<float, 3>& position) {
+    const mesh::Tick tick = god_object_.step(state_, position);
+    state_ = tick.after;
+    return tick;
+  }
+  const mesh::GodObject& state() const { return state_; }
+
+ private:
+  GodObject god_object_;
+  mesh::GodObject state_;
+};
+
+}  // namespace forceshade::reference
