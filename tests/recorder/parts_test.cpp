@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "forceshade/recording.h"
+#include "recorder/layout.h"
 #include "recorder/settings.h"
 #include "tests/support/temporary_directory.h"
 
