@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "apps/length.h"
+#include "files/quantity.h"
 #include "apps/options.h"
 #include "files/output_file.h"
 #include "files/suggestion.h"

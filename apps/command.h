@@ -7,7 +7,6 @@
 #include <variant>
 #include <vector>
 
-#include "apps/bad_input.h"
 #include "forceshade/bad_input.h"
 #include "forceshade/law.h"
 

@@ -10,8 +10,6 @@
 #include <vector>
 
 #include "apps/command.h"
-#include "apps/height_map_option.h"
-#include "apps/mesh_option.h"
 #include "forceshade/properties.h"
 #include "forceshade/renderer.h"
 #include "rendering/subjects/read.h"

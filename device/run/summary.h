@@ -12,7 +12,7 @@
 
 namespace forceshade::run {
 
-// For programs: what was rendered, where, and what came of it (docs/device.md). signal: the one that ended the run; empty is
+// For programs: what was rendered, where, and what came of it. signal: the one that ended the run; empty is
 // none.
 nlohmann::ordered_json summary(const Outcome& outcome, const Rendering& what, const Plan& plan,
                                const device::Capabilities& capabilities, const std::string& signal = "");

@@ -9,8 +9,7 @@
 #include <set>
 #include <string>
 
-#include "apps/bad_input.h"
-#include "apps/placement_text.h"
+#include "device/placement_text.h"
 #include "device/placement_text.h"
 #include "device/run/words.h"
 #include "forceshade/bad_input.h"

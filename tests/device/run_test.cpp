@@ -49,7 +49,7 @@ ServoResult made_result() {
   run.peak_force_N = 3.25;
   run.supervised = true;
   for (std::size_t rule = 0; rule < device::kRules; ++rule) run.limited_ticks[rule] = 100 + rule;
-  run.passivity = device::PassivityController::Kind::damping;
+  run.passivity = device::Passivity::damping;
   run.passivity_settings.epsilon = 0.125;
   run.passivity_settings.friction = 0.375;
   run.passivity_settings.latency = true;
