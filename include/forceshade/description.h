@@ -4,6 +4,7 @@
 //
 //   const Description bump{"bump-2p", DescribedLaw{LawId::bump_2p, {15.24F, 25.4F, 0.5F}}};  // mm, mm, N/mm
 //   const auto built = rendering_of(bump);  // of renderer.h
+//   const auto session = std::get<Rendering>(built).renderer.open();
 //
 // Not promised: that a number is in its domain, which is looked at when a renderer is built.
 

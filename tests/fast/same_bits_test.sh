@@ -25,7 +25,7 @@ vector_flags() {  # file
   esac
 }
 compile() {  # directory, file, flags...
-  $cache "$compiler" -std=c++20 -w -I"$source" -isystem "$eigen" "${@:3}" $(vector_flags "$2") -c "$source/$2.cpp" \
+  $cache "$compiler" -std=c++20 -w -I"$source" -I"$source/include" -isystem "$eigen" "${@:3}" $(vector_flags "$2") -c "$source/$2.cpp" \
     -o "$1/$(basename "$2").o"
 }
 link() { "$compiler" "${@:2}" "$1"/*.o "$1"/meshes/*.o -o "$1/same_bits"; }  # directory, flags...
