@@ -76,7 +76,7 @@ void of_height_map(const PolygonsOptions& options) {
   if (!options.json.empty() && options.json == options.out)
     throw BadInput("--json and --out: expected two files, got \"" + options.json + "\" for both");
   const HeightMap map{heights::read_spec(options.height_map).map.parts};
-  subjects::expect_valid(options.height_map, {map, height::Rendering::force_shaded}, 1);
+  subjects::expect_valid(options.height_map, {map, height::Rendering::force_shaded});
   try {
     const reference::Profile profile(map.parts, files::parse_length("--from", options.from),
                                      files::parse_length("--to", options.to));

@@ -14,7 +14,7 @@ void append(const std::string& file, ExpandedLine& line) {
   for (const auto& [key, value, place] : subjects::options_of_file(file)) {
     const std::string option = "--" + key;
     line.places.emplace(option, place);
-    if (key != "self-intersecting")
+    if (!subjects::is_flag(key))
       line.words.push_back(option + '=' + value);
     else if (value == "true")
       line.words.push_back(option);

@@ -13,16 +13,6 @@
 namespace forceshade::device {
 namespace {
 
-std::vector<std::string> at_commas(const std::string& text) {
-  std::vector<std::string> parts(1);
-  for (const char c : text)
-    if (c == ',')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  return parts;
-}
-
 // "z90", "x-90deg": the axis, and how many quarter turns.
 std::pair<int, int> quarter_turns(const std::string& text) {
   const auto refuse = [&] {
@@ -44,7 +34,7 @@ std::pair<int, int> quarter_turns(const std::string& text) {
 device::Placement parse_placement(const std::string& origin, const std::string& turn) {
   Eigen::Vector3f shift{0, 0, 0};
   if (!origin.empty()) {
-    const std::vector<std::string> lengths = at_commas(origin);
+    const std::vector<std::string> lengths = files::at_commas(origin);
     if (lengths.size() != 3)
       throw files::BadInput("--origin: expected three lengths X,Y,Z such as 10mm,0,-1in, got \"" + origin + '"');
     for (std::size_t i = 0; i < 3; ++i) {
@@ -56,7 +46,7 @@ device::Placement parse_placement(const std::string& origin, const std::string& 
   }
   device::Placement placement(shift);
   if (turn.empty()) return placement;
-  for (const std::string& one : at_commas(turn)) {
+  for (const std::string& one : files::at_commas(turn)) {
     const auto [axis, quarters] = quarter_turns(one);
     placement = placement.turned(axis, quarters);
   }

@@ -60,4 +60,14 @@ double parse_angle(const std::string& name, const std::string& text) {
   return parse<double>(name, text, kAngles, "an angle such as 30, 30deg or 0.5rad");
 }
 
+std::vector<std::string> at_commas(const std::string& text) {
+  std::vector<std::string> parts{""};
+  for (const char c : text)
+    if (c == ',')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
+}
+
 }  // namespace forceshade::files

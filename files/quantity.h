@@ -4,6 +4,7 @@
 // and angles (30, 30deg, 0.5rad). A space may stand before the unit.
 
 #include <string>
+#include <vector>
 
 namespace forceshade::files {
 
@@ -15,5 +16,8 @@ float parse_stiffness(const std::string& name, const std::string& text);
 
 // Degrees, of an angle in degrees, with or without that unit, or in rad. Throws BadInput.
 double parse_angle(const std::string& name, const std::string& text);
+
+// The parts of a list with commas between them, such as "10mm,0,-1in"; one more than there are commas, each as it stands.
+std::vector<std::string> at_commas(const std::string& text);
 
 }  // namespace forceshade::files

@@ -20,7 +20,6 @@ namespace fs = std::filesystem;
 using Entries = std::vector<std::pair<std::string, std::string>>;
 
 constexpr std::size_t kLargestFile = 1 << 16;
-constexpr std::string_view kFlag = "self-intersecting";
 
 std::string beside(const fs::path& file, const std::string& name) {
   return (file.parent_path() / name).string();
@@ -47,13 +46,13 @@ Option option_of(const std::string& key, const toml::node& node, const fs::path&
   if (std::ranges::find(keys, key) == keys.end())
     throw BadInput(place + ": unknown key " + key + "; expected keys of a subject" + files::suggestion(key, keys));
   Option option{key, words_of_node(node), place + ": " + key};
-  if (key == kFlag) {
+  if (is_flag(key)) {
     const auto flag = node.value_exact<bool>();
     option.value = !flag ? "" : *flag ? "true" : "false";
   }
   if (option.value.empty())
     throw BadInput(option.name + ": expected " +
-                   (key == kFlag ? "true or false" : "a text in quotes, a number or a list of texts") + ", got " +
+                   (is_flag(key) ? "true or false" : "a text in quotes, a number or a list of texts") + ", got " +
                    heights::words_of_value(node));
   if (key == "mesh" || key == "height-map") option.value = beside(file, option.value);
   if (key == "shading" && is_texture(option.value))
@@ -102,7 +101,7 @@ Entries entries_of_law(const DescribedLaw& law) {
   return entries;
 }
 
-// Of a height map or mesh.
+// The entries of a height map or mesh.
 Entries entries_of_one(const Options& options, bool with_folders) {
   if (options.has("mesh")) return written_mesh(options, with_folders);
   const fs::path file = options.value("height-map");

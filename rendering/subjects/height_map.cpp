@@ -2,13 +2,14 @@
 #include "rendering/subjects/height_map.h"
 
 #include "forceshade/fast.h"
+#include "rendering/mesh_rendering.h"
 #include "rendering/subjects/words.h"
 
 namespace forceshade::subjects {
 namespace {
 
-std::optional<ParameterError> error_of(const HeightMap& map, height::Rendering rendering, float stiffness) {
-  const auto law = fast::HeightMapField::build(map, rendering, stiffness);
+std::optional<ParameterError> error_of(const HeightMap& map, height::Rendering rendering) {
+  const auto law = fast::HeightMapField::build(map, rendering, 1);
   const auto* error = std::get_if<ParameterError>(&law);
   return error == nullptr ? std::nullopt : std::optional(*error);
 }
@@ -18,7 +19,7 @@ std::string place(const std::string& file, const HeightMap& map) {
   const heights::Lines lines = heights::lines_of_parts(file);
   const auto search = [&](const std::vector<height::Part>& parts, const std::vector<heights::PartLines>& at) -> std::string {
     for (std::size_t i = 0; i < parts.size() && i < at.size(); ++i)
-      if (const auto error = error_of({{parts[i]}}, height::Rendering::true_height, 1))
+      if (const auto error = error_of({{parts[i]}}, height::Rendering::true_height))
         return "line " + std::to_string(at[i].of(error->parameter)) + ": ";
     return "";
   };
@@ -28,17 +29,16 @@ std::string place(const std::string& file, const HeightMap& map) {
 
 }  // namespace
 
-void expect_valid(const std::string& file, const heights::Spec& spec, float stiffness) {
-  if (const auto error = error_of(spec.map, spec.rendering, stiffness))
+void expect_valid(const std::string& file, const heights::Spec& spec) {
+  if (const auto error = error_of(spec.map, spec.rendering))
     throw BadInput(file + ": " + place(file, spec.map) + error->message());
 }
 
 heights::Spec read_height_map(const Options& options, float stiffness) {
   const std::string file = options.value("height-map");
   heights::Spec spec = heights::read_spec(file);
-  if (const auto error = error_of({{{height::Plane{}}}}, height::Rendering::true_height, stiffness))
-    throw BadInput(words_of(*error, options));
-  expect_valid(file, spec, stiffness);
+  if (const auto error = error_of_stiffness(stiffness)) throw BadInput(words_of(*error, options));
+  expect_valid(file, spec);
   return spec;
 }
 

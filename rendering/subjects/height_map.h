@@ -9,8 +9,8 @@
 
 namespace forceshade::subjects {
 
-// Throws BadInput with the file, the line of the number that is out of its domain, and the domain. stiffness: N/mm.
-void expect_valid(const std::string& file, const heights::Spec& spec, float stiffness);
+// Throws BadInput with the file, the line of the number that is out of its domain, and the domain.
+void expect_valid(const std::string& file, const heights::Spec& spec);
 
 // What both sides can build. Throws heights::Error or BadInput with file, line, value and what was expected.
 heights::Spec read_height_map(const Options& options, float stiffness);

@@ -88,7 +88,7 @@ void read_texture(const Options& options, const std::vector<std::array<mesh::Tex
         "coordinates, such as 1mm, for no mesh file says it");
   const std::string file = options.value("shading").substr(kTexturePrefix.size());
   heights::Spec spec = heights::read_spec(file);
-  expect_valid(file, spec, 1);
+  expect_valid(file, spec);
   if (!spec.map.surface.empty())
     throw BadInput(file + ": has a surface to measure the depth from; expected none, for the depth is that of the mesh");
   rendering.texture.map = std::move(spec.map);

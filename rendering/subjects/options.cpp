@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "files/quantity.h"
 #include "files/suggestion.h"
 #include "forceshade/law.h"
 #include "forceshade/mesh.h"
@@ -23,7 +24,7 @@ std::string refusal_of_law(const std::string& names, Laws laws) {
   if (laws == Laws::several && names == "all") return "";
   std::vector<std::string> known;
   for (const LawName& law : kLaws) known.emplace_back(law.name);
-  const std::vector<std::string> all = laws == Laws::several ? at_commas(names) : std::vector{names};
+  const std::vector<std::string> all = laws == Laws::several ? files::at_commas(names) : std::vector{names};
   for (auto name = all.begin(); name != all.end(); ++name) {
     if (!law_named(*name)) return "expected " + expected_law(laws) + "; got \"" + *name + '"' + files::suggestion(*name, known);
     if (std::find(all.begin(), name, *name) != name) return "expected each law once, got " + *name + " twice";
@@ -53,6 +54,10 @@ void expect_companions(const Options& options, const Key& key) {
 }
 
 }  // namespace
+
+bool is_flag(std::string_view key) {
+  return std::ranges::any_of(kKeys, [&](const Key& one) { return one.name == key && one.is_flag; });
+}
 
 const Option* Options::find(std::string_view key) const {
   const auto found = std::ranges::find(options_, key, &Option::key);

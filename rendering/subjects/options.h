@@ -22,6 +22,7 @@ struct Option {
 
 struct Key {
   std::string_view name, of;  // of: the key that it needs beside it; empty for one that needs none
+  bool is_flag = false;       // it is true or false, and on a command line has no value
 };
 // In the order in which an option of each is looked at.
 inline constexpr std::array<Key, 13> kKeys{{{"law", ""},
@@ -35,8 +36,11 @@ inline constexpr std::array<Key, 13> kKeys{{{"law", ""},
                                             {"shading", "mesh"},
                                             {"contact", "mesh"},
                                             {"texture-scale", "mesh"},
-                                            {"self-intersecting", "mesh"},
+                                            {"self-intersecting", "mesh", true},
                                             {"crease", "mesh"}}};
+
+// Whether it is the key of a flag; false for a word that is no key.
+bool is_flag(std::string_view key);
 
 // What holds unless an option says otherwise: the thesis's bump of 600 and 1000 mil.
 inline constexpr const char *kUsualRadius = "15.24mm", *kUsualWidth = "25.4mm", *kUsualStiffness = "0.5N/mm";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rendering/subjects/read.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "fast/domain.h"
@@ -29,7 +30,7 @@ std::vector<LawId> ids_of(const std::string& names) {
   if (names == "all")
     for (const LawName& law : kLaws) ids.push_back(law.id);
   else
-    for (const std::string& name : at_commas(names)) ids.push_back(*law_named(name));
+    for (const std::string& name : files::at_commas(names)) ids.push_back(*law_named(name));
   return ids;
 }
 
@@ -68,18 +69,18 @@ std::vector<DescribedLaw> laws_of(const Options& options) {
   parameters.stiffness = stiffness_of(options);
   const float radius = files::parse_length(options.name("radius"), given_or(options, "radius", kUsualRadius)),
               width = files::parse_length(options.name("width"), given_or(options, "width", kUsualWidth));
+  const std::vector<LawId> ids = ids_of(options.value("law"));
+  // All have the same numbers; a law takes those that are its own.
+  if (std::ranges::any_of(ids, has_bump_geometry)) {
+    parameters.radius = radius;
+    parameters.width = width;
+  }
   std::vector<DescribedLaw> all;
-  for (const LawId id : ids_of(options.value("law"))) {
-    if (has_bump_geometry(id)) {
-      parameters.radius = radius;
-      parameters.width = width;
-    }
+  for (const LawId id : ids) {
     const auto law = fast::Law::build(id, parameters);
     if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput(refusal_of_bump(*error, options));
     all.push_back({id, parameters});
   }
-  // All have the same numbers; a law takes those that are its own.
-  for (DescribedLaw& law : all) law.parameters = parameters;
   return all;
 }
 

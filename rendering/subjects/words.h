@@ -17,16 +17,6 @@ inline bool is_texture(const std::string& shading) {
   return shading.starts_with(kTexturePrefix) && shading.size() > kTexturePrefix.size();
 }
 
-inline std::vector<std::string> at_commas(const std::string& text) {
-  std::vector<std::string> parts{""};
-  for (const char c : text)
-    if (c == ',')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  return parts;
-}
-
 inline std::vector<std::string> names_of_keys() {
   std::vector<std::string> names;
   for (const Key& key : kKeys) names.emplace_back(key.name);
