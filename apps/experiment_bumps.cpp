@@ -7,11 +7,7 @@
 #include "apps/command.h"
 #include "apps/subject_option.h"
 #include "files/csv.h"
-#include "forceshade/heights.h"
-#include "properties/described_subject.h"
-#include "properties/height_map_subject.h"
-#include "properties/law_subject.h"
-#include "properties/mesh_subject.h"
+#include "forceshade/properties.h"
 
 namespace forceshade::apps {
 namespace {
@@ -22,18 +18,16 @@ using experiments::StimulusKind;
 
 // The protocol's stiffness is that of all that a session renders.
 std::shared_ptr<const properties::Subject> subject_of_file(const std::string& file, float stiffness) {
-  auto subject = properties::subject_of(read_with_progress(subjects::options_of_file(file)));
-  for (const auto& [key, value] : subject->identity().parameters)
-    if (const auto* its = std::get_if<float>(&value); key == "stiffness_N_per_mm" && its != nullptr && *its != stiffness)
-      throw BadInput(file + ": stiffness: expected that of the protocol, " + files::shortest(stiffness) + " N/mm, got " +
-                     files::shortest(*its) + " N/mm");
-  return subject;
+  const Description described = read_with_progress(subjects::options_of_file(file));
+  if (const float its = described.stiffness(); its != stiffness)
+    throw BadInput(file + ": stiffness: expected that of the protocol, " + files::shortest(stiffness) + " N/mm, got " +
+                   files::shortest(its) + " N/mm");
+  return properties::subject_of(described);
 }
 
 std::shared_ptr<const properties::Subject> subject_of(const experiments::Protocol& protocol, const Bump& bump) {
   const experiments::Stimulus& stimulus = protocol.stimulus(bump.stimulus);
-  if (stimulus.kind == StimulusKind::law)
-    return std::make_shared<properties::LawSubject>(stimulus.law, protocol.parameters(bump.radius));
+  if (stimulus.kind == StimulusKind::law) return properties::law_subject(stimulus.law, protocol.parameters(bump.radius));
   const auto variant = std::ranges::find(stimulus.variants, bump.radius, &experiments::Variant::radius);
   if (variant == stimulus.variants.end()) throw BadInput(words_of(bump) + ": the protocol has no such shape");
   const std::string file = variant->file;

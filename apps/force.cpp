@@ -13,8 +13,8 @@
 #include "files/csv.h"
 #include "files/npy.h"
 #include "files/output_file.h"
+#include "forceshade/properties.h"
 #include "forceshade/reference.h"
-#include "properties/described_subject.h"
 
 namespace forceshade::apps {
 namespace {
@@ -44,7 +44,7 @@ Answer answer_of(const ForceOptions& options, const SubjectOption& option) {
       reference::DecimalForce answer = law.decimal(position, digits);
       return AnsweredRow{{}, row_status(answer.status, false), {{std::move(answer.x), "0", std::move(answer.z)}}};
     };
-  const auto subject = properties::subject_of(what);
+  const std::shared_ptr<const properties::Subject> subject = properties::subject_of(what);
   if (options.path == "reference")
     return [subject, reference = std::shared_ptr(subject->open_reference())](const auto& position) {
       const reference::Rounded answer = reference->step(position);

@@ -9,23 +9,16 @@
 #include "forceshade/checks.h"
 #include "forceshade/mesh.h"
 #include "forceshade/meshes.h"
-#include "properties/described_subject.h"
 
 namespace forceshade::apps {
 namespace {
 
 constexpr const char *kRadiusHelp = "R, radius of the bump", *kWidthHelp = "w, width of the bump on the plane";
 
-template <std::size_t N>
-std::string choice(const std::array<std::string_view, N>& words) {
+template <class Words>
+std::string choice(const Words& words) {
   std::string all;
   for (const std::string_view word : words) all += (all.empty() ? "" : "|") + std::string(word);
-  return all;
-}
-
-std::string choice_of_shading() {
-  std::string all;
-  for (const std::string& word : subjects::shading_words()) all += (all.empty() ? "" : "|") + word;
   return all;
 }
 
@@ -63,7 +56,7 @@ SubjectOption::SubjectOption(CLI::App& command, subjects::Laws laws, Kinds kinds
     add("unit", choice(mesh::kUnitNames), "of a mesh's coordinates, which no format says")->needs(mesh);
     add("sides", choice(mesh::kSidesNames), "of a mesh that block motion; front where it is closed, else both, unless said")
         ->needs(mesh);
-    add("shading", choice_of_shading(),
+    add("shading", choice(subjects::shading_words()),
         "of a mesh: vertex, which is the default, turns the force to the interpolated normal, edge as the thesis has it, "
         "texture tilts that normal by a height map, a TOML file")
         ->needs(mesh);
@@ -91,7 +84,7 @@ SubjectOption::SubjectOption(CLI::App& command, subjects::Laws laws, Kinds kinds
 subjects::Options SubjectOption::options() const {
   subjects::Options given;
   for (const auto& [key, option] : options_)
-    if (!option->empty()) given.add({key, option->get_expected_max() == 0 ? "true" : values_.at(key)});
+    if (!option->empty()) given.add({key, subjects::is_flag(key) ? "true" : values_.at(key)});
   if (given.has("law") || given.has("height-map") || given.has("mesh")) return given;
   if (laws_ == subjects::Laws::one)
     throw CLI::RequiredError(options_.contains("mesh") ? "--law, --height-map or --mesh" : "--law or --height-map");

@@ -31,6 +31,13 @@ struct DescribedHeightMap {
 struct Description {
   std::string name;  // for people: the law's, or that of the file of a height map or mesh
   std::variant<DescribedLaw, DescribedHeightMap, MeshRendering> what;
+
+  // K, N/mm.
+  float stiffness() const {
+    if (const auto* law = std::get_if<DescribedLaw>(&what)) return law->parameters.stiffness;
+    if (const auto* map = std::get_if<DescribedHeightMap>(&what)) return map->stiffness;
+    return std::get<MeshRendering>(what).stiffness;
+  }
 };
 
 }  // namespace forceshade

@@ -37,6 +37,7 @@
 #include <vector>
 
 #include "forceshade/checks.h"
+#include "forceshade/description.h"
 #include "forceshade/fast.h"
 #include "forceshade/height_map.h"
 #include "forceshade/law.h"
@@ -175,6 +176,9 @@ std::unique_ptr<Subject> height_map_subject(const std::string& name, const Heigh
 // std::invalid_argument where a side refuses it.
 std::unique_ptr<Subject> mesh_subject(const std::string& name, const MeshRendering& rendering);
 std::unique_ptr<Subject> mesh_subject(const std::string& name, const MeshRendering& rendering, OpenTicks open);
+
+// Whichever of the three it is, rendered by the fast path.
+std::unique_ptr<Subject> subject_of(const Description& description);
 
 // A renderer without a batch call. What it gives is counted as decided by binary64.
 Renderer renderer_answering(const ForceAt& force_at);
