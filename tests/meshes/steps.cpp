@@ -14,18 +14,14 @@ mesh::Tick walk_through_sheets(const Mesh& mesh, const mesh::GodObject& before, 
   return tick;
 }
 
-void arrive(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, float stiffness, mesh::Shading shading,
-            const CountedStages& stages, mesh::Tick& tick) noexcept {
-  advance(mesh, at, p, stiffness, shading, stages, tick);
-}
-void arrive(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, float stiffness, mesh::Shading shading,
-            const FilteredStages& stages, mesh::Tick& tick) noexcept {
-  advance(mesh, at, p, stiffness, shading, stages, tick);
-}
-
 template mesh::Tick step(const Mesh&, const mesh::GodObject&, const std::array<float, 3>&, float, mesh::Shading,
                          const FilteredStages&, mesh::Contact) noexcept;
 template mesh::Tick step(const Mesh&, const mesh::GodObject&, const std::array<float, 3>&, float, mesh::Shading,
                          const ExactStages&, mesh::Contact) noexcept;
+
+template void arrive(const Mesh&, Arrival&, const std::array<float, 3>&, float, mesh::Shading, const CountedStages&,
+                     mesh::Tick&) noexcept;
+template void arrive(const Mesh&, Arrival&, const std::array<float, 3>&, float, mesh::Shading, const FilteredStages&,
+                     mesh::Tick&) noexcept;
 
 }  // namespace forceshade::fast

@@ -19,10 +19,11 @@ struct CountedStages {
 };
 
 // advance() by the usual contact rule.
+template <class Stages>
 void arrive(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, float stiffness, mesh::Shading shading,
-            const CountedStages& stages, mesh::Tick& tick) noexcept;
-void arrive(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, float stiffness, mesh::Shading shading,
-            const FilteredStages& stages, mesh::Tick& tick) noexcept;
+            const Stages& stages, mesh::Tick& tick) noexcept {
+  advance(mesh, at, p, stiffness, shading, stages, tick);
+}
 
 // What one position does to a god-object. position: mm; stiffness: N/mm. A state that is not one of this mesh counts as none.
 template <class Stages = FilteredStages>
@@ -42,5 +43,10 @@ extern template mesh::Tick step(const Mesh&, const mesh::GodObject&, const std::
                                 const FilteredStages&, mesh::Contact) noexcept;
 extern template mesh::Tick step(const Mesh&, const mesh::GodObject&, const std::array<float, 3>&, float, mesh::Shading,
                                 const ExactStages&, mesh::Contact) noexcept;
+
+extern template void arrive(const Mesh&, Arrival&, const std::array<float, 3>&, float, mesh::Shading, const CountedStages&,
+                            mesh::Tick&) noexcept;
+extern template void arrive(const Mesh&, Arrival&, const std::array<float, 3>&, float, mesh::Shading, const FilteredStages&,
+                            mesh::Tick&) noexcept;
 
 }  // namespace forceshade::fast
