@@ -73,7 +73,7 @@ struct Law::Inside {
   }
 };
 
-// Of what is trivially copyable, a copy of the bytes is a copy.
+// A definition is trivially copyable: a copy of its bytes is a copy of it.
 Law::Law(LawId id, const Parameters& parameters, const Inside& inside) noexcept : id_(id), parameters_(parameters) {
   static_assert(sizeof(Inside) <= sizeof inside_ && alignof(Inside) <= 8 && std::is_trivially_copyable_v<Inside>,
                 "the buffer in include/forceshade/fast.h has room for the largest law's definition");

@@ -107,8 +107,8 @@ class Ways {
     return onward != Aim::open && onward != from && !leaves;
   }
 
-  // How a way between two points, which are good to kAbout, lies to a triangle, as far as binary64 tells. Inwards and outwards:
-  // through its inside, from its front or to it.
+  // Where a way between two points, which are good to kAbout, meets a triangle, as far as binary64 can decide it. Inwards and
+  // outwards: through its inside, from its front or to it.
   enum class Meeting { none, inwards, outwards, unknown };
   // inside: a triangle that the way lies in, and so meets no triangle with which that has a vertex in common.
   Meeting meeting(const Face& face, const Vector3<double>& from, const Vector3<double>& to, const Face* inside) const noexcept {
@@ -137,7 +137,7 @@ class Ways {
     if (!stages_.sure(is_through)) return Meeting::unknown;
     return is_inwards ? Meeting::inwards : Meeting::outwards;
   }
-  // Of a meeting inside the triangle.
+  // Whether a way may not go on where it meets a triangle in its inside.
   bool is_blocked(Meeting meeting) const noexcept { return meeting == Meeting::inwards || mesh_.sides() == mesh::Sides::both; }
 
   // Whether nothing blocks the way to c, whose place is `to`.

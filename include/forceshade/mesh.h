@@ -118,7 +118,7 @@ constexpr bool has_corner_normals(Shading shading) {
 enum class Contact { direct, sub_goal };
 
 inline constexpr std::array<std::string_view, 2> kContactNames{"direct", "sub-goal"};
-inline constexpr Contact kUsualContact = {};  // unless another is asked for
+inline constexpr Contact kUsualContact = {};  // where no other is named
 
 constexpr std::string_view name_of(Contact contact) {
   return kContactNames[static_cast<std::size_t>(contact)];

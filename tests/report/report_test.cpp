@@ -312,7 +312,7 @@ std::string words_of(const std::string& html) {
   return words;
 }
 
-// Of a law that failed, of one with too little evidence and of a map, with sweeps: each number another one.
+// The certificate of a law that failed, of one with too little evidence and of a map, with sweeps: each number another one.
 TEST(report, has_each_number_in_its_place) {
   Certificate certificate = tests::made_certificate_with_sweeps();
   SubjectResult &failed = certificate.subjects[0], &few = certificate.subjects[1], &map = certificate.subjects[2];
