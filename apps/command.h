@@ -7,12 +7,14 @@
 #include <variant>
 #include <vector>
 
+#include "files/output_file.h"
 #include "forceshade/bad_input.h"
 #include "forceshade/law.h"
 
 namespace forceshade::apps {
 
 using files::BadInput;  // becomes exit code 2
+using files::write_file;
 
 enum ExitCode { kHeld = 0, kFailed = 1, kBadInput = 2, kDeviceFault = 3, kInterrupted = 130 };
 
@@ -22,9 +24,6 @@ L built(std::variant<L, ParameterError> law, const std::string& what = "--") {
   if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput(what + error->message());
   return std::get<L>(std::move(law));
 }
-
-// Writes the file whole or not at all; "-" is standard output. Throws files::OutputError.
-void write_file(const std::string& path, const std::string& text);
 
 // Throws BadInput, naming the option, unless the directory is there or can be made, and can be written to.
 void make_directory(const std::string& option, const std::string& path);

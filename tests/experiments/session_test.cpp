@@ -23,6 +23,7 @@
 #include "study/experiments/session_results.h"
 #include "study/experiments/stimulus_list.h"
 #include "study/experiments/trial_log.h"
+#include "tests/experiments/patient.h"
 #include "tests/support/temporary_directory.h"
 
 namespace forceshade::experiments {
@@ -67,21 +68,6 @@ stimuli = [{ law = "bump-1p" }, { law = "bump-cylinder" }]
 radii_mil = [600, 1000]
 repetitions = 2
 )";
-
-Press type(const std::string& text) {
-  return {Action::type, text};
-}
-
-// What a patient participant does, one press at a time: one step up, done, 7; or picture 3.
-Press next_press(const Screen& screen, int& presses_of_trial) {
-  switch (screen.kind) {
-    case ScreenKind::matching: return {presses_of_trial++ == 0 ? Action::bigger : Action::done};
-    case ScreenKind::satisfaction: presses_of_trial = 0; return screen.entry.empty() ? type("7") : Press{Action::enter};
-    case ScreenKind::classification: return screen.entry.empty() ? type("3") : Press{Action::enter};
-    case ScreenKind::question: return screen.entry.empty() ? type("ö") : Press{Action::enter};
-    default: return {Action::enter};
-  }
-}
 
 // Presses until the session is over or `most` presses are done.
 void go_on(Session& session, double& time, int most = 100'000) {

@@ -13,7 +13,8 @@
 #include <utility>
 
 #include "forceshade/reference.h"
-#include "properties/mesh_generators.h"
+#include "properties/mesh_path.h"
+#include "properties/mesh_source.h"
 #include "reference/meshes/descent.h"
 #include "reference/meshes/directions.h"
 #include "tests/meshes/god_object_paths.h"

@@ -17,8 +17,8 @@
 #include <set>
 
 #include "forceshade/properties.h"
-#include "properties/mesh_generators.h"
 #include "properties/mesh_properties.h"
+#include "properties/mesh_source.h"
 #include "tests/meshes/rendering.h"
 
 namespace forceshade::properties {
