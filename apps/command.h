@@ -28,7 +28,8 @@ L built(std::variant<L, ParameterError> law, const std::string& what = "--") {
 // Throws BadInput, naming the option, unless the directory is there or can be made, and can be written to.
 void make_directory(const std::string& option, const std::string& path);
 
-// Of what make_directory() made, removes the directories in which nothing was written: a command that fails leaves none behind.
+// Removes those directories that make_directory() made and in which nothing was written: a command that fails leaves none
+// behind.
 void remove_unused_directories();
 
 // One function per subcommand; each runs through `result` when the user calls it.

@@ -29,7 +29,7 @@ struct EnergyOptions {
   std::string depth, json, along = "x", at = "0", from = "-12.7mm", to = "12.7mm";
 };
 
-// Of a law or a height map. What differs between the two is in its JSON and its words.
+// The verdict on a law or a height map. What differs between the two is in its JSON and its words.
 struct Verdict {
   std::string name;
   Json of;            // the first members of the JSON: the law or map, its parameters, and where the loops lie

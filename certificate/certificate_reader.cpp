@@ -178,7 +178,7 @@ IdentityValue value_from(Fields& fields, const std::string& key) {
 
 using IdentityParameters = decltype(Identity::parameters);
 
-// Of a kind that has no rules of its own here.
+// The parameters of a kind that has no rules of its own here.
 IdentityParameters any_parameters_from(Fields fields) {
   IdentityParameters parameters;
   for (const std::string& key : fields.keys()) parameters.emplace_back(key, value_from(fields, key));

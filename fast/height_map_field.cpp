@@ -47,7 +47,7 @@ std::optional<Evaluation> height_force(const Jet<N>& map, height::Rendering rend
 
 constexpr double kLeastSlope = static_cast<double>(kPositionQuantum);
 
-// Of a correctly rounded slope.
+// A correctly rounded slope as the definition has it: 0 where it is tiny.
 float without_tiny(float slope) noexcept {
   return std::fabs(static_cast<double>(slope)) < kLeastSlope ? 0.0F : slope + 0.0F;
 }
@@ -112,8 +112,8 @@ const SplineBatchFunctions* batch_functions(InstructionSet set) noexcept {
   return nullptr;
 }
 
-// Of every file that takes part in an answer: fast/numbers/arithmetic.h. Functions that several of them compile, the linker
-// keeps once.
+// The faults of every file that takes part in an answer: fast/numbers/arithmetic.h. Functions that several of them compile, the
+// linker keeps once.
 const char* height_arithmetic_fault() noexcept {
   const InstructionSet best = best_instruction_set();
   for (const char* fault :

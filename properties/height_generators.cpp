@@ -33,7 +33,7 @@ class Shapes {
     const auto first = std::bit_cast<std::uint32_t>(low), last = std::bit_cast<std::uint32_t>(high);
     return std::bit_cast<float>(first + static_cast<std::uint32_t>(draws_.bits() % (last - first + 1)));
   }
-  // Of either sign, or zero.
+  // A number of either sign, or zero.
   float number(float largest, float usual, float smallest = 0x1p-126F) {
     const std::uint64_t choice = draws_.bits() % 8;
     if (choice == 0) return 0;

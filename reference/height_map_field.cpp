@@ -109,7 +109,7 @@ Rounded round_by_enclosures(const HeightMapField& law, const Point2& at, double 
 
 constexpr double kLeastSlope = 0x1p-30;
 
-// Of the middle of two neighbours, or of both ends, where they agree.
+// The slope of the middle of two neighbours, or of both ends, where they agree.
 float without_tiny(float slope) {
   return std::fabs(static_cast<double>(slope)) < kLeastSlope ? 0.0F : slope;
 }

@@ -59,7 +59,7 @@ class ScaledSum {
     is_empty_ = false;
     sum_ = sum_ + factor.enclosed<N>() * scale;
   }
-  // Of the sum and of all numbers within `rest` of it; not negative.
+  // The sign of the sum and of all numbers within `rest` of it, which is not negative.
   Sign sign(const N& rest) const noexcept {
     if (!is_exact_) return Sign::unknown;
     const Sign above = proved_sign(sum_ + rest), below = proved_sign(sum_ - rest);

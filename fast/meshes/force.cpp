@@ -134,7 +134,7 @@ FORCESHADE_INLINE std::optional<Force3> quick_force(const Face& f, const Plane& 
   const double all_error = kArea.error * plane.area * plane.area;
   if (!(plane.all > 0x1p20 * all_error)) return std::nullopt;
   const double inverse = 1 / plane.all, factor = K * plane.across * inverse, size = __builtin_fabs(factor);
-  // Of the factor: its error, from those of n·w and n·n, and three roundings. Then that of a component.
+  // The factor's error, from those of n·w and n·n, and three roundings. Then that of a component.
   const double factor_error =
       (1 + 0x1p-18) * (K * kAcross.error * plane.area * plane.size_w * inverse + size * (all_error * inverse + 0x1p-51));
   const double fixed = (1 + 0x1p-18) * (size + factor_error) * (kNormal.x.error * plane.area),

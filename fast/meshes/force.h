@@ -22,7 +22,7 @@ std::optional<std::array<float, 3>> mesh_force(const Mesh& mesh, const Arrival& 
                                                const std::array<float, 3>& p, float stiffness, mesh::Shading shading,
                                                bool is_filtered = true, ForceDecision* decided = nullptr) noexcept;
 
-// Of force.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h.
+// The fault of force.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h.
 const char* force_arithmetic_fault() noexcept;
 
 }  // namespace forceshade::fast

@@ -5,7 +5,7 @@
 namespace forceshade::reference {
 namespace {
 
-// Of a map each part of which has one everywhere.
+// The gradient of a map each part of which has one everywhere.
 std::optional<ConstantGradient> gradient_of(const std::vector<height::Part>& parts) {
   ConstantGradient sum{0, 0};
   for (const height::Part& part : parts) {

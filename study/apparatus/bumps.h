@@ -26,7 +26,7 @@ class Bumps {
   // read: subjects::read_one(), or one that shows how far the check of a mesh is.
   explicit Bumps(experiments::Protocol protocol, Read read) : protocol_(std::move(protocol)), read_(std::move(read)) {}
 
-  // Of this stimulus and radius, wherever it stands. Throws BadInput, heights::Error or mesh::Error for what cannot be
+  // What this stimulus and radius is, wherever it stands. Throws BadInput, heights::Error or mesh::Error for what cannot be
   // rendered. The protocol's height maps and meshes are read as `drive` reads them without further options.
   Description description(const experiments::Bump& bump) const;
 
