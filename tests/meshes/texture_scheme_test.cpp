@@ -154,7 +154,7 @@ TEST(texture_scheme, is_the_reference_in_every_bit_on_random_meshes_and_maps) {
         mesh::Tick tick;
         fast::arrive(mesh, arrival, read, kStiffness, mesh::Shading::texture_scheme, fast::FilteredStages(), tick);
         fast::ForceDecision decided;
-        fast::mesh_force(mesh, arrival, read, read, kStiffness, mesh::Shading::texture_scheme, true, &decided);
+        fast::mesh_force(mesh, arrival, fast::HandAndGoal(read), kStiffness, mesh::Shading::texture_scheme, true, &decided);
         const fast::ForceStage stage = decided.numbers;
         const Position untilted = step(mesh, state, p, kStiffness, mesh::Shading::vertex_scheme).force;
         if (stage != fast::ForceStage::unshaded) {

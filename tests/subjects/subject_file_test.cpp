@@ -60,7 +60,7 @@ TEST(subject_file, names_a_height_map_and_a_mesh_that_lie_beside_it) {
   const auto& rendering = std::get<MeshRendering>(mesh.what);
   EXPECT_EQ(rendering.stiffness, 0.25F);
   EXPECT_EQ(rendering.mesh().vertices.size(), 4U);
-  EXPECT_EQ(rendering.mesh().vertices[1].x(), 9000.0F) << "m are 1000 mm";
+  EXPECT_EQ(rendering.mesh().vertices[1][0], 9000.0F) << "m are 1000 mm";
 }
 
 TEST(subject_file, is_refused_with_its_line_and_what_was_expected) {
