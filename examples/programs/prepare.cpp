@@ -3,10 +3,11 @@
 #include <forceshade/preparation.h>
 
 #include <cstdio>
+#include <exception>
 
 using namespace forceshade;
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   if (argc != 3) return std::puts("usage: prepare PROTOCOL CERTIFICATES"), 2;
   std::filesystem::create_directories(argv[2]);
   const auto say = [](const apparatus::Prepared& one) {
@@ -14,4 +15,6 @@ int main(int argc, char** argv) {
   };
   const std::atomic<bool> stop = false;
   return apparatus::prepare(argv[1], argv[2], {.threads = 2, .done = say}, stop) ? 0 : 1;
+} catch (const std::exception& error) {
+  return std::printf("refused: %s\n", error.what()), 1;
 }

@@ -3,6 +3,7 @@
 #include <forceshade/apparatus.h>
 
 #include <cstdio>
+#include <exception>
 #include <iostream>
 
 using namespace forceshade;
@@ -26,7 +27,7 @@ struct Lines final : apparatus::Front {
   bool is_matching = false;
 };
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   if (argc != 5) return std::puts("usage: session PROTOCOL CERTIFICATES DEVICE FOLDER"), 2;
   const auto device = device::open_device(argv[3]);
   Lines lines;
@@ -35,4 +36,6 @@ int main(int argc, char** argv) {
   const std::atomic<bool> stop = false;
   const apparatus::Outcome outcome = apparatus::run_session(plan, *device, lines, stop);
   return std::puts(outcome.is_over ? "every trial is done" : "the session can go on"), outcome.is_over ? 0 : 1;
+} catch (const std::exception& error) {
+  return std::printf("refused: %s\n", error.what()), 1;
 }

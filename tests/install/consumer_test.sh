@@ -53,7 +53,7 @@ printf '%s\n' 'experiment = "classification"' 'name = "Mine"' "language = \"$exa
 mkdir "$scratch/none"
 "$scratch/programs/session" "$scratch/mine.toml" "$scratch/none" simulated:premium-1.5 "$scratch/P01" < /dev/null > "$scratch/log" 2>&1 &&
   fail "a session was driven without certificates"
-grep -q 'no certificate of this build covers bump-1p, 600 mil' "$scratch/log" || { cat "$scratch/log"; fail "expected a refusal in words"; }
+grep -q '^refused: no certificate of this build covers bump-1p, 600 mil' "$scratch/log" || { cat "$scratch/log"; fail "expected a refusal in words"; }
 [ ! -e "$scratch/P01" ] || fail "a session that was refused left a folder"
 "$scratch/programs/prepare" "$scratch/mine.toml" "$scratch/certificates" > "$scratch/log" || { cat "$scratch/log"; exit 1; }
 yes 2 | sed 'n;s/.*//' | "$scratch/programs/session" "$scratch/mine.toml" "$scratch/certificates" simulated:premium-1.5 "$scratch/P01" \

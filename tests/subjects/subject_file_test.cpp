@@ -46,7 +46,8 @@ TEST(subject_file, has_the_thesis_bump_where_it_does_not_say) {
 
 TEST(subject_file, names_a_height_map_and_a_mesh_that_lie_beside_it) {
   const tests::TemporaryDirectory folder;
-  folder.write("map.toml", "[[grating]]\namplitude_mm = 0.5\nperiod_mm = 4.0\n");
+  folder.write("map.toml",
+               "render = \"height-map-shaded\"\n[[part]]\nshape = \"grating\"\nheight_mm = 0.1\nwave_x_rad_per_mm = 3.0\n");
   folder.write("tetrahedron.off", "OFF\n4 4 0\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
   folder.write("of-map.toml", "height-map = \"map.toml\"\nstiffness = 0.75\n");
   folder.write("of-mesh.toml",
