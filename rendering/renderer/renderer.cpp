@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/renderer.h"
 
+#include <algorithm>
+#include <array>
 #include <exception>
 #include <limits>
 #include <utility>
-#include <vector>
 
 #include "fast/domain.h"
 
@@ -48,14 +49,21 @@ Renderer renderer_of(const fast::Law& law) {
   return {[law] { return fast::session_of(law); },
           // This batch call has no y: a position refused for its y alone is sent as one refused for its x.
           [law](std::span<const Eigen::Vector3f> positions, std::span<Eigen::Vector3f> forces, fast::InstructionSet set) {
-            std::vector<float> x, z, fx(positions.size()), fz(positions.size());
-            for (const Eigen::Vector3f& position : positions) {
-              x.push_back(fast::in_domain(position.y()) ? position.x() : std::numeric_limits<float>::quiet_NaN());
-              z.push_back(position.z());
+            constexpr std::size_t kBlock = 512;
+            std::array<float, kBlock> x, z;
+            fast::BatchResult all;
+            for (std::size_t begin = 0; begin < positions.size(); begin += kBlock) {
+              const std::size_t count = std::min(kBlock, positions.size() - begin);
+              for (std::size_t i = 0; i < count; ++i) {
+                const Eigen::Vector3f& position = positions[begin + i];
+                x[i] = fast::in_domain(position.y()) ? position.x() : std::numeric_limits<float>::quiet_NaN();
+                z[i] = position.z();
+              }
+              const std::span fx(x.data(), count), fz(z.data(), count);
+              all.invalid += law.force(fx, fz, fx, fz, set).invalid;
+              for (std::size_t i = 0; i < count; ++i) forces[begin + i] = {fx[i], 0, fz[i]};
             }
-            const fast::BatchResult result = law.force(x, z, fx, fz, set);
-            for (std::size_t i = 0; i < positions.size(); ++i) forces[i] = {fx[i], 0, fz[i]};
-            return result;
+            return all;
           }};
 }
 

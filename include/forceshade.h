@@ -1,0 +1,247 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#ifndef FORCESHADE_H
+#define FORCESHADE_H
+/* Haptic force laws, height maps and triangle meshes for programs in any language: each component of each force is the exact
+ * force rounded to binary32, to nearest, ties to even.
+ *
+ *   forceshade_law parameters = {sizeof parameters, 15.24f, 25.4f, 0.5f};         // mm, mm, N/mm
+ *   forceshade_subject bump;
+ *   float position[3] = {3, 0, -0.5f}, force[3];                                  // mm, N
+ *   if (forceshade_law_new("bump-2p", &parameters, &bump) == FORCESHADE_OK &&
+ *       forceshade_force(bump, position, force, NULL) == FORCESHADE_OK)
+ *     printf("%g N\n", force[2]);
+ *   else
+ *     puts(forceshade_message());
+ *   forceshade_subject_free(bump);
+ *
+ * Frame and units. x points right, y into the page, z up (docs/laws.md). Lengths are in mm, forces in N, stiffnesses in N/mm. A
+ * coordinate below 2^-30 mm in size is read as 0; one beyond 10^4 mm, or NaN, makes its position FORCESHADE_INVALID.
+ *
+ * Errors. Every function that can fail returns a forceshade_result, FORCESHADE_OK or the kind of the error, and then leaves a
+ * sentence for people in forceshade_message(). What a function was to write is then unchanged, unless it says otherwise. Nothing
+ * throws, aborts, prints, or changes the floating-point environment.
+ *
+ * Threads. Subjects do not change: any number of threads may use one, as long as none frees it meanwhile. A session is for one
+ * thread at a time: a second one gets FORCESHADE_BUSY. All other functions may be called from any thread at any time.
+ *
+ * Real time. forceshade_force(), forceshade_forces() and the functions that step a session allocate nothing and take no lock.
+ * The calling thread has to round to nearest and keep subnormals: forceshade_arithmetic_fault() looks.
+ *
+ * Not promised: the words of messages, and the time of a call (docs/speed.md has figures). A program that was built with an
+ * older header of the same major version goes on working: structs say their size, and only grow at their end. */
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(__GNUC__)
+#define FORCESHADE_API __attribute__((visibility("default")))
+#else
+#define FORCESHADE_API
+#endif
+
+/* Of this header; forceshade_version() is that of the library. */
+#define FORCESHADE_VERSION_MAJOR 0
+#define FORCESHADE_VERSION_MINOR 1
+#define FORCESHADE_VERSION_PATCH 0
+
+typedef int32_t forceshade_result;
+enum {
+  FORCESHADE_OK = 0,
+  FORCESHADE_NULL_POINTER = 1,   /* an argument that may not be NULL */
+  FORCESHADE_BAD_HANDLE = 2,     /* a subject or session that was never made, or is freed */
+  FORCESHADE_BAD_SIZE = 3,       /* the size of a struct, a count or a stride */
+  FORCESHADE_BAD_VALUE = 4,      /* a number outside its domain, or an unknown word */
+  FORCESHADE_BAD_INPUT = 5,      /* a file or text that is refused; the message has file and line */
+  FORCESHADE_WRONG_KIND = 6,     /* what a subject of this kind cannot do */
+  FORCESHADE_BUSY = 7,           /* another thread is in this session */
+  FORCESHADE_BAD_ARITHMETIC = 8, /* the calling thread's: forceshade_arithmetic_fault() */
+  FORCESHADE_NO_MEMORY = 9,
+  FORCESHADE_FAILED = 10 /* anything else */
+};
+
+/* What a position is. */
+typedef uint8_t forceshade_status;
+enum {
+  FORCESHADE_FREE = 0,      /* outside: no force */
+  FORCESHADE_CONTACT = 1,   /* inside */
+  FORCESHADE_INVALID = 2,   /* a coordinate is NaN or beyond 10^4 mm: no force */
+  FORCESHADE_UNFINISHED = 3 /* a contact whose god-object used up the moves of one tick; the next tick goes on from there */
+};
+
+/* Handles. One that is all zero is never valid. A handle is worth nothing in another process. */
+typedef struct forceshade_subject {
+  uint64_t handle;
+} forceshade_subject;
+typedef struct forceshade_session {
+  uint64_t handle;
+} forceshade_session;
+
+/* ---- The library ---- */
+
+/* 0x00MMmmpp: major, minor, patch. */
+FORCESHADE_API uint32_t forceshade_version(void);
+
+/* 1 where the library has the feature, else 0, also for NULL: "laws", "height-maps", "meshes", "subject-files", "states"; and
+ * "avx2", "avx512" where it will use these instructions on this processor. */
+FORCESHADE_API int32_t forceshade_has(const char* feature);
+
+/* The sentence of this thread's last error; "" before the first. Never NULL. It stays until this thread's next error. */
+FORCESHADE_API const char* forceshade_message(void);
+
+/* The name of a result without its prefix, "BAD_HANDLE"; "" for a number that is none. Never NULL; lives as long as the process. */
+FORCESHADE_API const char* forceshade_name_of_result(forceshade_result result);
+
+/* SHA-256, in 64 hexadecimal digits, of the compiled objects that answer here: what a certificate is bound to. */
+FORCESHADE_API const char* forceshade_library_digest(void);
+
+/* What the arithmetic of the calling thread does otherwise than IEEE 754 rounding to nearest, as a noun; NULL if nothing was
+ * found. Every force that is given under a fault is unproved. */
+FORCESHADE_API const char* forceshade_arithmetic_fault(void);
+
+/* ---- Subjects: what is rendered ---- */
+
+/* The parameters of a law. */
+typedef struct forceshade_law {
+  size_t size;     /* sizeof(forceshade_law) */
+  float radius;    /* R, mm, in [0.1, 10^4]; the wall reads the stiffness alone */
+  float width;     /* w, mm, the chord of the bump on the plane, in [10^-3, 2R] */
+  float stiffness; /* K, N/mm, in [10^-3, 10^3] */
+} forceshade_law;
+
+/* law: "wall", "cylinder", "bump-cylinder", "bump-1p", "bump-2p", "bump-3p", "bump-1p-shaded", "bump-2p-shaded",
+ * "bump-3p-shaded" (Morgenbesser and Srinivasan 1996; docs/laws.md). */
+FORCESHADE_API forceshade_result forceshade_law_new(const char* law, const forceshade_law* parameters, forceshade_subject* made);
+
+/* A height map of samples in a rectangular grid, whose middle is the origin. */
+typedef struct forceshade_height_map {
+  size_t size;              /* sizeof(forceshade_height_map) */
+  const float* heights;     /* mm, within +-10^4; read while the map is made, and not kept */
+  uint32_t columns, rows;   /* along x and y; 2 to 2^15 each, 2^26 samples at most */
+  ptrdiff_t column_stride;  /* bytes from a sample to the next one along x; a multiple of 4 */
+  ptrdiff_t row_stride;     /* bytes from a sample to the next one along y, from the smallest y; a multiple of 4 */
+  float pitch;              /* mm between samples */
+  const char* interpolant;  /* "bilinear" or "cubic-spline", which goes through the heights; NULL is "cubic-spline" */
+  const char* edge;         /* beyond the grid: "clamp" or "tile"; NULL is "clamp" */
+  const char* render;       /* "height-map", "height-map-shaded" or "height-map-conservative"; NULL is "height-map" */
+  float stiffness;          /* K, N/mm, in [10^-3, 10^3] */
+} forceshade_height_map;
+
+FORCESHADE_API forceshade_result forceshade_height_map_new(const forceshade_height_map* map, forceshade_subject* made);
+
+/* A triangle mesh. It is checked exactly when it is made (docs/meshes.md, "What is checked"), which takes a second for some
+ * hundred thousand triangles, and refused with FORCESHADE_BAD_VALUE and the numbers of faces and vertices. */
+typedef struct forceshade_mesh {
+  size_t size;               /* sizeof(forceshade_mesh) */
+  const float* vertices;     /* mm, three for each vertex; read while the mesh is made, and not kept */
+  size_t vertex_count;
+  const uint32_t* triangles; /* three numbers of vertices, from 0, for each; (b - a) x (c - a) points to the front */
+  size_t triangle_count;
+  const char* sides;         /* which block: "front" or "both"; NULL is "front" for a closed mesh and "both" for another */
+  const char* shading;       /* "none", "vertex" or "edge"; NULL is "vertex", and "none" with "sub-goal" */
+  const char* contact;       /* "direct" or "sub-goal"; NULL is "direct" */
+  double crease;             /* degrees, 0 to 180, for normals of the vertex scheme and of sub-goals; 180 has no creases */
+  float stiffness;           /* K, N/mm, in [10^-3, 10^3] */
+  int32_t self_intersecting; /* 0, or 1 where triangles that have no vertex in common may cross */
+} forceshade_mesh;
+
+FORCESHADE_API forceshade_result forceshade_mesh_new(const forceshade_mesh* mesh, forceshade_subject* made);
+
+/* A subject file (docs/subjects.md): a law, height map or mesh. Files that it names lie beside it. */
+FORCESHADE_API forceshade_result forceshade_subject_read(const char* file, forceshade_subject* made);
+
+/* The same of a text of so many bytes. file: what messages call it; the files that the text names lie beside it. */
+FORCESHADE_API forceshade_result forceshade_subject_parse(const char* text, size_t length, const char* file,
+                                                          forceshade_subject* made);
+
+/* Its sessions stay. No thread may be in a call with the subject. */
+FORCESHADE_API forceshade_result forceshade_subject_free(forceshade_subject subject);
+
+/* What a subject is, as a certificate has it. */
+enum {
+  FORCESHADE_KIND = 0,       /* "law", "height map" or "mesh" */
+  FORCESHADE_NAME = 1,       /* of the law, or of the file; "samples" or "triangles" where there was no file */
+  FORCESHADE_PARAMETERS = 2, /* "radius 15.24 mm, width 25.4 mm, stiffness 0.5 N/mm" */
+  FORCESHADE_DIGEST = 3      /* SHA-256, in hexadecimal digits, of what name and parameters leave out; "" for a law */
+};
+
+/* Writes the text and a zero at its end into `size` bytes, as much as there is room for; `length`, where it is not NULL, gets
+ * the length of the whole text without the zero. text may be NULL where size is 0. */
+FORCESHADE_API forceshade_result forceshade_subject_text(forceshade_subject subject, int32_t what, char* text, size_t size,
+                                                         size_t* length);
+
+/* ---- Forces ---- */
+
+/* The force (N, three floats) at a position (mm, three floats) of a law or a height map. status may be NULL. A mesh's force
+ * depends on the path, so that it is FORCESHADE_WRONG_KIND here. */
+FORCESHADE_API forceshade_result forceshade_force(forceshade_subject subject, const float* position, float* force,
+                                                  forceshade_status* status);
+
+/* Many positions and their forces. Strides are in bytes, multiples of 4, and may be negative; an array of (n, 3) floats without
+ * gaps has 12 and 4. The forces may take the place of the positions, with the same strides; any other overlap is not allowed. */
+typedef struct forceshade_batch {
+  size_t size;                        /* sizeof(forceshade_batch) */
+  size_t count;                       /* of positions; 0 does nothing */
+  const float* positions;             /* mm */
+  ptrdiff_t position_stride;          /* from a position to the next one */
+  ptrdiff_t position_component;       /* from x to y, and from y to z */
+  float* forces;                      /* N */
+  ptrdiff_t force_stride;             /* as for positions; not 0 */
+  ptrdiff_t force_component;
+  forceshade_status* statuses;        /* one for each, or NULL */
+  ptrdiff_t status_stride;            /* from a status to the next one; 1 without gaps */
+} forceshade_batch;
+
+/* Bit for bit what forceshade_force() gives for each, with the widest instructions of the processor. invalid, where it is not
+ * NULL, gets the number of positions that are FORCESHADE_INVALID. */
+FORCESHADE_API forceshade_result forceshade_forces(forceshade_subject subject, const forceshade_batch* batch, size_t* invalid);
+
+/* ---- Sessions: one path of the hand ---- */
+
+/* At the beginning of a path. */
+FORCESHADE_API forceshade_result forceshade_session_open(forceshade_subject subject, forceshade_session* made);
+FORCESHADE_API forceshade_result forceshade_session_close(forceshade_session session);
+
+/* The next position of the path (mm, three floats) and the force there (N, three floats). status may be NULL. */
+FORCESHADE_API forceshade_result forceshade_session_step(forceshade_session session, const float* position, float* force,
+                                                         forceshade_status* status);
+
+/* The next positions of the path, one after the other. */
+FORCESHADE_API forceshade_result forceshade_session_steps(forceshade_session session, const forceshade_batch* batch,
+                                                          size_t* invalid);
+
+/* Back to the beginning of a path. */
+FORCESHADE_API forceshade_result forceshade_session_reset(forceshade_session session);
+
+/* All that a session remembers of its path: the god-object of a mesh, exact and the same on every machine. A law or a height map
+ * remembers nothing, which is FORCESHADE_NOWHERE. What a place does not use is 0. */
+enum {
+  FORCESHADE_NOWHERE = 0, /* no valid position has come yet */
+  FORCESHADE_IN_THE_OPEN = 1,
+  FORCESHADE_AT_VERTEX = 2,
+  FORCESHADE_ON_EDGE = 3,
+  FORCESHADE_IN_TRIANGLE = 4
+};
+typedef struct forceshade_state {
+  size_t size;           /* sizeof(forceshade_state) */
+  uint8_t place;         /* one of the above */
+  uint8_t side;          /* of the surface: 0 front, 1 back */
+  float position[3];     /* mm; in the open */
+  uint32_t index[2];     /* vertex: {v}; edge: {a, b}, a < b; triangle: {i} */
+  uint32_t parameter[2]; /* in units of 2^-24. Edge: a + m (b - a): {m}. Triangle: a + k (b - a) + l (c - a): {k, l} */
+} forceshade_state;
+
+/* After the last step. state->size has to be set. */
+FORCESHADE_API forceshade_result forceshade_session_state(forceshade_session session, forceshade_state* state);
+
+/* Goes on from a state of the same subject. A state that is none of this mesh counts as FORCESHADE_NOWHERE. */
+FORCESHADE_API forceshade_result forceshade_session_resume(forceshade_session session, const forceshade_state* state);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
