@@ -9,9 +9,12 @@
 
 #include "study/analysis/analysis.h"
 #include "tests/analysis/small_analysis.h"
+#include "tests/support/has.h"
 
 namespace forceshade::analysis {
 namespace {
+
+using forceshade::tests::has;
 
 TEST(analysis_text, has_the_tables_in_the_thesiss_layout) {
   const std::string text = to_text(small_analysis());

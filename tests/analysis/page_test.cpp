@@ -13,9 +13,12 @@
 #include "study/analysis/figures.h"
 #include "study/analysis/thesis.h"
 #include "tests/analysis/small_analysis.h"
+#include "tests/support/has.h"
 
 namespace forceshade::analysis {
 namespace {
+
+using forceshade::tests::has;
 
 Profiles some_profiles() {
   return {

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "study/analysis/analysis.h"
 #include "tests/analysis/simulated.h"
 
 namespace forceshade::analysis {
@@ -21,10 +22,6 @@ inline Analysis small_analysis() {
   options.resampling.count = 100;
   options.psychometric_count = 10;
   return analyze(std::move(results), options);
-}
-
-inline bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 // Every number another one. Some have no interval, some conditions are not the thesis's, one fit is at a limit.

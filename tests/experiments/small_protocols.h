@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "study/experiments/session.h"
 #include "tests/experiments/patient.h"
 
 namespace forceshade::experiments {

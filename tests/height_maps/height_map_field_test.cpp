@@ -8,6 +8,8 @@
 #include <limits>
 #include <random>
 
+#include "fast/heights/grid.h"
+#include "fast/heights/jet.h"
 #include "forceshade/fast.h"
 #include "forceshade/reference.h"
 #include "properties/binary32.h"

@@ -42,8 +42,4 @@ inline const std::string& page() {
   return html;
 }
 
-inline bool has(const std::string& text, const std::string& wanted) {
-  return text.find(wanted) != std::string::npos;
-}
-
 }  // namespace forceshade::tests

@@ -15,9 +15,12 @@
 
 #include "certificate/report/mesh_picture.h"
 #include "certificate/report/thesis_figures.h"
+#include "tests/support/has.h"
 
 namespace forceshade::properties {
 namespace {
+
+using tests::has;
 
 // px in the frame. A character of sans-serif is about 0.6 of its size wide.
 struct Text {
@@ -70,10 +73,6 @@ void expect_nothing_cut_off(const Picture& picture, const std::string& svg) {
   }
 }
 
-bool holds(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
-}
-
 void expect_whole(SideView view) {
   view.heading = {"title 'of' \"it\" {/:Bold x}_y", "R = 1234.5678 mm, w = 1234.5678 mm, K = 123.45678 N/mm"};
   const ForceProfile profile(view, view.depths);
@@ -81,9 +80,9 @@ void expect_whole(SideView view) {
        {force_profile(view, profile, profile.side, profile.up), cross_section(view), direction_field(view), energy_map(view)}) {
     const std::string svg = svg_file(picture);
     expect_nothing_cut_off(picture, svg);
-    EXPECT_TRUE(holds(svg, "R = 1234.5678 mm")) << picture.frame.id;
-    EXPECT_TRUE(holds(svg, "{/:Bold x}_y")) << picture.frame.id;
-    EXPECT_TRUE(holds(svg, " mm deep") || holds(svg, "where the force begins")) << picture.frame.id;
+    EXPECT_TRUE(has(svg, "R = 1234.5678 mm")) << picture.frame.id;
+    EXPECT_TRUE(has(svg, "{/:Bold x}_y")) << picture.frame.id;
+    EXPECT_TRUE(has(svg, " mm deep") || has(svg, "where the force begins")) << picture.frame.id;
   }
 }
 
@@ -125,7 +124,7 @@ TEST(pictures, of_a_mesh_hold_their_words_whole_and_divide_the_path_into_seen_an
   expect_nothing_cut_off(picture, svg);
   for (const char* words : {"sides both", "{/:Bold x}_y", "device", "god-object", "force, at most 2 N",
                             "ticks: 2 free, 1 touching, 1 invalid", "azimuth 30", "2 mm"})
-    EXPECT_TRUE(holds(svg, words)) << words;
+    EXPECT_TRUE(has(svg, words)) << words;
   const auto rows_of = [&](const std::string& block) {
     const std::size_t begin = picture.commands.find('$' + block + " << EOD\n"), end = picture.commands.find("\nEOD", begin);
     return std::count(picture.commands.begin() + static_cast<std::ptrdiff_t>(begin),
@@ -137,15 +136,15 @@ TEST(pictures, of_a_mesh_hold_their_words_whole_and_divide_the_path_into_seen_an
   EXPECT_EQ(rows_of("forces"), 1);
 
   const std::string alone = svg_file(mesh_picture(wall, {}, {30, 25}, "wall", heading));
-  EXPECT_TRUE(holds(alone, "azimuth 30"));
-  for (const char* words : {"device", "ticks:", "at most"}) EXPECT_FALSE(holds(alone, words)) << words;
+  EXPECT_TRUE(has(alone, "azimuth 30"));
+  for (const char* words : {"device", "ticks:", "at most"}) EXPECT_FALSE(has(alone, words)) << words;
 }
 
 TEST(pictures, of_the_thesis_hold_their_words_whole) {
   for (const ThesisFigure& figure : thesis_figures()) {
     const std::string svg = svg_file(figure.picture);
     expect_nothing_cut_off(figure.picture, svg);
-    EXPECT_TRUE(holds(svg, "Figure " + figure.name.substr(std::string("figure-").size()))) << figure.name;
+    EXPECT_TRUE(has(svg, "Figure " + figure.name.substr(std::string("figure-").size()))) << figure.name;
   }
 }
 
@@ -180,7 +179,7 @@ TEST(plot_text, is_read_by_gnuplot_as_it_is_meant) {
             "<figure>\n<h3><span>Figure 3</span> a title</h3>\n<div class=\"panels two\">\n"
             "<div class=\"panel\"><h4>one</h4>\n<svg/></div>\n<div class=\"panel\"><h4>two</h4>\n<svg></svg></div>\n"
             "</div>\n<figcaption>words</figcaption>\n</figure>\n");
-  EXPECT_TRUE(holds(figure(3, "two", "", "a key", {}, ""), "<p class=\"legend\">a key</p>\n"));
+  EXPECT_TRUE(has(figure(3, "two", "", "a key", {}, ""), "<p class=\"legend\">a key</p>\n"));
 }
 
 // A surface of slope 1/2 under a force of (x, 0, -z), which jumps at 1.
@@ -207,17 +206,17 @@ TEST(pictures, have_the_numbers_of_the_view) {
   EXPECT_EQ(forces.frame.id, "force-made");
   EXPECT_EQ(forces.frame.width, 350);
   EXPECT_EQ(forces.frame.height, 27 + 2 * 91 + 35 + 48);
-  EXPECT_TRUE(holds(forces.commands, "set xrange [-2:2]\nset xtics 1\n"));
-  EXPECT_TRUE(holds(forces.commands, "set yrange [0:3.24]\nset ytics 1\n")) << forces.commands;
-  EXPECT_TRUE(holds(forces.commands, "set yrange [-2.16:2.16]\nset ytics 2\n")) << forces.commands;
-  EXPECT_TRUE(holds(forces.commands,
-                    "plot $force index 0 using 1:3 with lines lw 1.8 lc rgb '#85b8dc' title '0.25 mm deep', "
-                    "$force index 1 using 1:3 with lines lw 1.8 lc rgb '#2f7ab5' title '0.5 mm deep', $force "
-                    "index 2 using 1:3 with lines lw 1.8 lc rgb '#08315c' title '1 mm deep'\n"));
+  EXPECT_TRUE(has(forces.commands, "set xrange [-2:2]\nset xtics 1\n"));
+  EXPECT_TRUE(has(forces.commands, "set yrange [0:3.24]\nset ytics 1\n")) << forces.commands;
+  EXPECT_TRUE(has(forces.commands, "set yrange [-2.16:2.16]\nset ytics 2\n")) << forces.commands;
+  EXPECT_TRUE(has(forces.commands,
+                  "plot $force index 0 using 1:3 with lines lw 1.8 lc rgb '#85b8dc' title '0.25 mm deep', "
+                  "$force index 1 using 1:3 with lines lw 1.8 lc rgb '#2f7ab5' title '0.5 mm deep', $force "
+                  "index 2 using 1:3 with lines lw 1.8 lc rgb '#08315c' title '1 mm deep'\n"));
   EXPECT_LT(forces.commands.find("using 1:3"), forces.commands.find("{/:Italic F}_x (N)"));
   EXPECT_GT(forces.commands.find("using 1:2"), forces.commands.find("{/:Italic F}_x (N)"));
   const Picture flat = force_profile(view, profile, 0, 0);
-  EXPECT_TRUE(holds(flat.commands, "set yrange [0:1.08]\n") && holds(flat.commands, "set yrange [-1.08:1.08]\n"));
+  EXPECT_TRUE(has(flat.commands, "set yrange [0:1.08]\n") && has(flat.commands, "set yrange [-1.08:1.08]\n"));
 
   // 214 px across are 4 mm, so 3 mm up are 160.5 px.
   const Picture section = cross_section(view);
@@ -225,15 +224,15 @@ TEST(pictures, have_the_numbers_of_the_view) {
   EXPECT_EQ(section.frame.width, 270);
   EXPECT_EQ(section.frame.height, 26 + 47 + 161);
   EXPECT_TRUE(section.commands.starts_with("$surface << EOD\n-2 -1 NaN\n0 0 0\n1 0.5 3\n2 1 6\nEOD\n")) << section.commands;
-  EXPECT_TRUE(holds(section.commands, "set xrange [-2:2]\nset yrange [-1.5:1.5]\nset xtics 1\nset ytics 1\n"))
+  EXPECT_TRUE(has(section.commands, "set xrange [-2:2]\nset yrange [-1.5:1.5]\nset xtics 1\nset ytics 1\n"))
       << section.commands;
-  EXPECT_TRUE(holds(section.commands,
-                    "plot $surface using 1:2 with filledcurves y=-1.5 fc rgb '#e3ecf4' notitle, '' using 1:2 "
-                    "with lines lw 2 lc rgb '#08315c' title 'where the force begins', '' using 1:3 with lines "
-                    "lw 1.4 dt (4,3) lc rgb '#d55e00' title 'the shape it stands for'\n"));
+  EXPECT_TRUE(has(section.commands,
+                  "plot $surface using 1:2 with filledcurves y=-1.5 fc rgb '#e3ecf4' notitle, '' using 1:2 "
+                  "with lines lw 2 lc rgb '#08315c' title 'where the force begins', '' using 1:3 with lines "
+                  "lw 1.4 dt (4,3) lc rgb '#d55e00' title 'the shape it stands for'\n"));
   SideView alone = view;
   alone.stands_for = [](double) { return std::nan(""); };
-  EXPECT_FALSE(holds(cross_section(alone).commands, "stands for"));
+  EXPECT_FALSE(has(cross_section(alone).commands, "stands for"));
 
   // The first arrow stands half a step of 4/33 mm from the lower left corner and is 0.85 of a step long.
   const Picture directions = direction_field(view);
@@ -247,7 +246,7 @@ TEST(pictures, have_the_numbers_of_the_view) {
   for (double& number : arrow) ASSERT_TRUE(in >> number);
   const std::array<double, 5> expected{x, z, 0.85 * step * x / size, -0.85 * step * z / size, size};
   for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(arrow[i], expected[i], 1e-6) << i;
-  EXPECT_TRUE(holds(directions.commands, "$surface << EOD\n-2 -1\n0 0\n1 0.5\n2 1\nEOD\n"));
+  EXPECT_TRUE(has(directions.commands, "$surface << EOD\n-2 -1\n0 0\n1 0.5\n2 1\nEOD\n"));
 
   // 84 by 42 cells; the first row lies below the surface, and the last beside it above.
   const Picture energy = energy_map(view);
@@ -273,8 +272,8 @@ TEST(pictures, have_the_numbers_of_the_view) {
         EXPECT_NEAR(std::stod(rows[row][column]), at + 10 * up, 1e-6);
     }
   }
-  EXPECT_TRUE(holds(energy.commands, "$lines << EOD\n1 -3\n1 0.5\n\nEOD\n")) << "the line on which it jumps";
-  EXPECT_TRUE(holds(energy.commands, "title 'where it jumps'"));
+  EXPECT_TRUE(has(energy.commands, "$lines << EOD\n1 -3\n1 0.5\n\nEOD\n")) << "the line on which it jumps";
+  EXPECT_TRUE(has(energy.commands, "title 'where it jumps'"));
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "certificate/report/gnuplot.h"
 #include "forceshade/identity.h"
 #include "tests/report/page_of_every_law.h"
+#include "tests/support/has.h"
 
 namespace forceshade::properties {
 namespace {

@@ -13,6 +13,7 @@
 #include "forceshade/identity.h"
 #include "tests/certificate/made_certificate.h"
 #include "tests/report/page_of_every_law.h"
+#include "tests/support/has.h"
 
 namespace forceshade::properties {
 namespace {

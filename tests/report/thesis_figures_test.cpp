@@ -14,9 +14,12 @@
 #include <vector>
 
 #include "certificate/report/pictures.h"
+#include "tests/support/has.h"
 
 namespace forceshade::properties {
 namespace {
+
+using tests::has;
 
 std::vector<std::vector<double>> numbers_of(const std::string& csv, std::string* header = nullptr) {
   std::vector<std::vector<double>> rows;
@@ -100,15 +103,14 @@ TEST(thesis_figures, have_the_numbers_of_their_geometry) {
       else
         for (std::size_t n = 1; n <= 3; ++n) EXPECT_NEAR(rows[i][n], degrees / static_cast<double>(n), 1e-5);
     }
-    EXPECT_TRUE(holds(all[figure].picture.commands, "set xrange [550:1450]\n"));
+    EXPECT_TRUE(has(all[figure].picture.commands, "set xrange [550:1450]\n"));
   }
-  EXPECT_TRUE(
-      holds(all[4].picture.commands,
-            "plot $curve using 1:2 with lines lw 1.6 lc rgb '#0072b2' notitle, $points using 1:2 with points pt 7 ps 0.8 "
-            "lc rgb '#0072b2' title 'one polygon', $curve using 1:3 with lines lw 1.6 lc rgb '#d55e00' notitle, $points "
-            "using 1:3 with points pt 7 ps 0.8 lc rgb '#d55e00' title 'two polygons', $curve using 1:4 with lines lw 1.6 "
-            "lc rgb '#009e73' notitle, $points using 1:4 with points pt 7 ps 0.8 lc rgb '#009e73' title 'three "
-            "polygons'\n"));
+  EXPECT_TRUE(has(all[4].picture.commands,
+                  "plot $curve using 1:2 with lines lw 1.6 lc rgb '#0072b2' notitle, $points using 1:2 with points pt 7 ps 0.8 "
+                  "lc rgb '#0072b2' title 'one polygon', $curve using 1:3 with lines lw 1.6 lc rgb '#d55e00' notitle, $points "
+                  "using 1:3 with points pt 7 ps 0.8 lc rgb '#d55e00' title 'two polygons', $curve using 1:4 with lines lw 1.6 "
+                  "lc rgb '#009e73' notitle, $points using 1:4 with points pt 7 ps 0.8 lc rgb '#009e73' title 'three "
+                  "polygons'\n"));
 }
 
 TEST(panels, are_of_one_size_where_stiffness_and_bump_are) {
