@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tables of CONTRIBUTING.md say: where a law, a kind of height map, a shading scheme or a contact rule is added, and
-// that nothing beside these places has to be extended.
+// What the tables of CONTRIBUTING.md say: where a law, a kind of height map, a shading scheme, a contact rule or a device is
+// added, and that nothing beside these places has to be extended.
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "device/kinds.h"
 #include "forceshade/height_map.h"
 #include "forceshade/law.h"
 #include "forceshade/mesh.h"
@@ -56,12 +57,14 @@ std::vector<Sort> sorts() {
   Sort laws{"## Adding a law", "<law>", "LawId::", 12, {}, {}},
       kinds{"## Adding a kind of height map", "<kind>", "LawId::", 8, {}, {}},
       schemes{"## Adding a shading scheme", "<scheme>", "Shading::", 10, {}, {}},
-      rules{"## Adding a contact rule", "<rule>", "Contact::", 10, {}, {}};
+      rules{"## Adding a contact rule", "<rule>", "Contact::", 10, {}, {}},
+      devices{"## Adding a device", "<kind>", "LawId::", 2, {}, {}};
   for (const LawName& law : kLaws) laws.all.emplace_back(law.name);
   for (const std::string_view kind : height::kKindNames) kinds.all.emplace_back(kind);
   for (const std::string_view scheme : mesh::kShadingNames)
     if (scheme != mesh::name_of(mesh::Shading::none)) schemes.all.emplace_back(scheme, "-scheme");
   for (const std::string_view rule : mesh::kContactNames) rules.all.emplace_back(rule);
+  for (const device::Kind& kind : device::kinds()) devices.all.emplace_back(kind.name);
   const std::string chosen = "it tests chosen laws and numbers, while loops over kLaws test every law",
                     figures = "the thesis's own figures", stimuli = "the stimuli of the thesis's two experiments";
   laws.exceptions = {
@@ -111,7 +114,7 @@ std::vector<Sort> sorts() {
       {"tests/meshes/texture_golden_test.cpp", paths},
       {"tests/meshes/texture_scheme_test.cpp", some},
   };
-  return {laws, kinds, schemes, rules};
+  return {laws, kinds, schemes, rules, devices};
 }
 
 // As a word of its own: bump-1p is no part of bump-1p-shaded.

@@ -288,6 +288,47 @@ TEST(structure, every_file_that_a_comment_or_page_names_exists) {
   EXPECT_GT(found, 500);
 }
 
+// Tables, and the programs that compute the golden files by themselves.
+bool may_be_long(const std::string& file) {
+  return file.starts_with("tests/golden/") || file.ends_with(".txt") || file.ends_with(".cases");
+}
+
+TEST(structure, no_file_of_code_has_more_than_400_lines) {
+  int found = 0;
+  for (const std::string& folder : top_folders())
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / folder)) {
+      const std::string file = std::filesystem::relative(entry.path(), kRoot), extension = entry.path().extension();
+      if (extension != ".h" && extension != ".cpp" && extension != ".inl" && extension != ".inc" && extension != ".sh" &&
+          extension != ".py" && extension != ".cmake")
+        continue;
+      ++found;
+      const std::string text = text_of(entry.path());
+      if (!may_be_long(file)) {
+        EXPECT_LE(std::ranges::count(text, '\n'), 400) << file;
+      }
+    }
+  EXPECT_GT(found, 700);
+}
+
+// "Of a face that climbs." sends its reader to the code to find the noun.
+TEST(structure, no_comment_begins_with_the_tail_of_a_noun) {
+  for (const std::string& folder : top_folders())
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / folder)) {
+      const std::string extension = entry.path().extension();
+      if (extension != ".h" && extension != ".cpp" && extension != ".inl") continue;
+      std::ifstream file(entry.path());
+      bool is_within = false;  // a comment of several lines
+      for (std::string line; std::getline(file, line);) {
+        const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
+        const bool is_comment = line.compare(begin, 2, "//") == 0;
+        if (is_comment && !is_within) {
+          EXPECT_NE(line.compare(begin, 6, "// Of "), 0) << entry.path() << ": " << line;
+        }
+        is_within = is_comment;
+      }
+    }
+}
+
 TEST(structure, the_real_time_side_uses_no_library_of_the_exact_one) {
   for (const char* folder : {"fast", "device", "rendering/heights"})
     expect_no_include(folder, {"CGAL", "boost", "mpfr", "gmp"});

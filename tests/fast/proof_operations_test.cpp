@@ -46,13 +46,13 @@ void double_double(ComparedScript& script, bool is_fused) {
 void height_force(ComparedScript& script, bool is_fused) {
   for (const bool is_along_x : {true, false})
     for (const bool is_level : {true, false})
-      for (const auto& [rendering, name] : height::kRenderings) {
+      for (const auto& [mode, name] : height::kModes) {
         RecordedRun run(script, is_fused);
         const Recorded K = run.input("K", 0.7), gap = run.input("gap", 0.3), x = run.input("x", 1.1),
                        y = is_level ? Recorded(0) : run.input("y", -0.4);
-        const auto force = is_along_x ? fast::gap_force(gap, x, y, rendering, K) : fast::gap_force(gap, y, x, rendering, K);
+        const auto force = is_along_x ? fast::gap_force(gap, x, y, mode, K) : fast::gap_force(gap, y, x, mode, K);
         const Recorded& along = is_along_x ? force.x : force.y;
-        if (rendering == height::Rendering::conservative) {
+        if (mode == height::Mode::conservative) {
           run.expect("conservative", along);
           run.expect_value("rnd(K * gap)", force.up.expression());
         } else {
@@ -235,8 +235,7 @@ TEST(proof_operations, bounds_of_a_spline_are_in_its_largest_steps) {
     for (std::uint32_t j = 0; j < values.rows; ++j)
       for (std::uint32_t i = 0; i < values.columns; ++i)
         values.values.push_back(3 + along * static_cast<float>(i % 2) + across * static_cast<float>(j % 2));
-    const fast::SplineMap map(fast::HeightGrid(std::make_shared<const height::Grid>(values)), height::Rendering::true_height,
-                              1);
+    const fast::SplineMap map(fast::HeightGrid(std::make_shared<const height::Grid>(values)), height::Mode::true_height, 1);
     const double error = fast::kSplineError * static_cast<double>(std::max(along, across)), slope_error = error / 0.25;
     EXPECT_EQ(map.sure.gap * fast::kErrorBudgetShare, error);
     EXPECT_EQ(map.sure.Ux * fast::kErrorBudgetShare, along > 0 ? slope_error : 0);

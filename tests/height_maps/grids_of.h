@@ -27,8 +27,8 @@ inline std::shared_ptr<const height::Grid> grid(std::uint32_t columns, std::uint
   return std::make_shared<const height::Grid>(std::move(g));
 }
 
-inline fast::HeightMapField fast_law(const HeightMap& map, height::Rendering rendering, float stiffness = 0.5F) {
-  return std::get<fast::HeightMapField>(fast::HeightMapField::build(map, rendering, stiffness));
+inline fast::HeightMapField fast_law(const HeightMap& map, height::Mode mode, float stiffness = 0.5F) {
+  return std::get<fast::HeightMapField>(fast::HeightMapField::build(map, mode, stiffness));
 }
 
 }  // namespace forceshade::tests

@@ -110,8 +110,8 @@ std::vector<Case> cases() {
   return all;
 }
 
-std::span<const height::RenderingName> renderings_of(const HeightMap& map) {
-  const std::span<const height::RenderingName> all = height::kRenderings;
+std::span<const height::ModeName> renderings_of(const HeightMap& map) {
+  const std::span<const height::ModeName> all = height::kModes;
   return map.surface.empty() ? all : all.subspan(1, 1);  // the force-shaded
 }
 
@@ -172,11 +172,11 @@ class Positions {
 };
 
 // As the common suite takes it.
-tests::Tested tested(const Case& one, const height::RenderingName& how) {
-  const fast::HeightMapField fast = fast_law(one.map, how.rendering);
+tests::Tested tested(const Case& one, const height::ModeName& how) {
+  const fast::HeightMapField fast = fast_law(one.map, how.mode);
   return {std::string(one.name) + ", " + std::string(how.name),
           [fast](const Vector3f& position) { return fast.evaluate(position); },
-          [reference = std::get<reference::HeightMapField>(reference::HeightMapField::build(one.map, how.rendering, 0.5F))](
+          [reference = std::get<reference::HeightMapField>(reference::HeightMapField::build(one.map, how.mode, 0.5F))](
               const Vector3f& position) { return reference.round_to_binary32(position); },
           [fast](std::span<const Vector3f> positions, std::span<Vector3f> to, fast::InstructionSet set) {
             return fast.force(positions, to, set);
@@ -187,8 +187,8 @@ tests::Tested tested(const Case& one, const height::RenderingName& how) {
 template <class Claim>
 void for_every_map(int count, std::uint64_t seed, const Claim& claim) {
   for (const Case& one : cases())
-    for (const height::RenderingName& how : renderings_of(one.map)) {
-      const fast::HeightMapField law = fast_law(one.map, how.rendering);
+    for (const height::ModeName& how : renderings_of(one.map)) {
+      const fast::HeightMapField law = fast_law(one.map, how.mode);
       Positions positions(one, law, seed);
       std::vector<Vector3f> all;
       for (int i = 0; i < count; ++i) all.push_back(positions.next());
@@ -281,8 +281,8 @@ TEST(height_map_field, refuses_what_the_reference_refuses) {
   int refused = 0;
   for (const HeightMap& map : maps)
     for (const float stiffness : {1.0F, 0.0F}) {
-      const auto fast = fast::HeightMapField::build(map, height::Rendering::true_height, stiffness);
-      const auto reference = reference::HeightMapField::build(map, height::Rendering::true_height, stiffness);
+      const auto fast = fast::HeightMapField::build(map, height::Mode::true_height, stiffness);
+      const auto reference = reference::HeightMapField::build(map, height::Mode::true_height, stiffness);
       const auto message = [](const auto& built) {
         const auto* error = std::get_if<ParameterError>(&built);
         return error == nullptr ? std::string("built") : error->message();
@@ -295,7 +295,7 @@ TEST(height_map_field, refuses_what_the_reference_refuses) {
 }
 
 TEST(height_map_field, quantises_centres_and_positions_alike) {
-  const fast::HeightMapField cone = fast_law({{{height::Cone{0x1p-31F, 0, 8, 6}}}}, height::Rendering::true_height);
+  const fast::HeightMapField cone = fast_law({{{height::Cone{0x1p-31F, 0, 8, 6}}}}, height::Mode::true_height);
   const Vector3f apex = cone.force({0, 0, 3});
   EXPECT_EQ(cone.force({-0x1.fffffep-31F, 0x1p-149F, 3}), apex);
   EXPECT_NE(cone.force({-0x1p-30F, 0, 3}), apex);
@@ -306,11 +306,11 @@ TEST(height_map_field, is_in_contact_with_the_farthest_tail_of_a_gaussian) {
   for (const bool negated : {false, true}) {
     const HeightMap map{{{height::Gaussian{0, 0, 2, 1e-3F}, negated}}};
     const Vector3f far(9000, 9000, 0);
-    const fast::Evaluation answer = fast_law(map, height::Rendering::true_height).evaluate(far);
+    const fast::Evaluation answer = fast_law(map, height::Mode::true_height).evaluate(far);
     EXPECT_EQ(answer.status, negated ? Status::free : Status::contact);
     EXPECT_EQ(answer.force, Vector3f(0, 0, 0));
     const auto reference =
-        std::get<reference::HeightMapField>(reference::HeightMapField::build(map, height::Rendering::true_height, 0.5F));
+        std::get<reference::HeightMapField>(reference::HeightMapField::build(map, height::Mode::true_height, 0.5F));
     EXPECT_EQ(reference.round_to_binary32(far).status, answer.status);
   }
 }
@@ -320,7 +320,7 @@ TEST(height_map_field, shares_its_grid) {
   const auto values =
       grid(64, 64, 0.5F, Edge::tile, Interpolant::cubic_spline, [](auto i, auto j) { return 0.1F * float(i ^ j); });
   const std::size_t before = tests::allocated_bytes();
-  const fast::HeightMapField law = fast_law({{{values}}}, height::Rendering::true_height);
+  const fast::HeightMapField law = fast_law({{{values}}}, height::Mode::true_height);
   EXPECT_LT(sizeof law + (tests::allocated_bytes() - before), values->values.size() * sizeof(float) / 10);
 }
 

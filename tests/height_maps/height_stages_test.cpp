@@ -33,11 +33,11 @@ TEST(height_map_field, answers_flat_places_of_a_spline_at_once) {
   const auto along_x = [&](std::uint32_t, std::uint32_t j) { return ridge(j); };
   const auto plate = [](std::uint32_t i, std::uint32_t j) { return i < 4 && j < 4 ? 1.0F : 5.0F; };
   const fast::HeightMapField lines =
-      fast_law({{{grid(64, 64, 0.5F, Edge::tile, Interpolant::cubic_spline, along_y)}}}, height::Rendering::true_height);
+      fast_law({{{grid(64, 64, 0.5F, Edge::tile, Interpolant::cubic_spline, along_y)}}}, height::Mode::true_height);
   const fast::HeightMapField other_lines =
-      fast_law({{{grid(64, 64, 0.5F, Edge::tile, Interpolant::cubic_spline, along_x)}}}, height::Rendering::true_height);
+      fast_law({{{grid(64, 64, 0.5F, Edge::tile, Interpolant::cubic_spline, along_x)}}}, height::Mode::true_height);
   const fast::HeightMapField flat =
-      fast_law({{{grid(64, 64, 0.5F, Edge::clamp, Interpolant::cubic_spline, plate)}}}, height::Rendering::true_height);
+      fast_law({{{grid(64, 64, 0.5F, Edge::clamp, Interpolant::cubic_spline, plate)}}}, height::Mode::true_height);
   Random random(2);
   int in_binary64 = 0;
   for (int i = 0; i < 1000; ++i) {
@@ -100,10 +100,9 @@ TEST(height_map_field, rounds_subnormal_forces) {
     const HeightMap map{{{grid(8, 8, 32, Edge::tile, Interpolant::cubic_spline, [&](std::uint32_t i, std::uint32_t j) {
       return i == input.column && j == input.row ? 0x1.000002p-30F : 0x1p-30F;
     })}}};
-    for (const auto& [rendering, name] : height::kRenderings) {
-      const fast::HeightMapField law = fast_law(map, rendering, input.stiffness);
-      const auto reference =
-          std::get<reference::HeightMapField>(reference::HeightMapField::build(map, rendering, input.stiffness));
+    for (const auto& [mode, name] : height::kModes) {
+      const fast::HeightMapField law = fast_law(map, mode, input.stiffness);
+      const auto reference = std::get<reference::HeightMapField>(reference::HeightMapField::build(map, mode, input.stiffness));
       const auto expected = reference.round_to_binary32(input.position);
       const std::vector<Vector3f> positions(8, input.position);
       for (const fast::InstructionSet set : fast::kInstructionSets) {
@@ -123,8 +122,8 @@ TEST(height_map_field, first_stage_answers_a_spline_with_and_without_vectors) {
   Random random(8);
   const auto rough = [&](std::uint32_t, std::uint32_t) { return uniform(random, -0.5F, 0.5F); };
   const fast::HeightGrid g(grid(37, 29, 0.3F, Edge::tile, Interpolant::cubic_spline, rough));
-  for (const auto& [rendering, name] : height::kRenderings) {
-    const fast::SplineMap map(g, rendering, 0.5);
+  for (const auto& [mode, name] : height::kModes) {
+    const fast::SplineMap map(g, mode, 0.5);
     std::vector<fast::SplineForce> functions{&fast::spline_force<fast::Quad>};
 #if defined(__x86_64__)
     if (fast::is_available(fast::InstructionSet::avx2)) functions.push_back(fast::kAvx2SplineFunctions.force);
@@ -156,8 +155,8 @@ TEST(height_map_field, first_stage_answers_a_spline_with_and_without_vectors) {
         }
     // A tie, K (1 - z) = 1/2 + 2^-25, is left to a later stage, and what stands where the force would go is left alone.
     const auto level = [](auto, auto) { return 1.0F; };
-    const fast::SplineMap plane(fast::HeightGrid(grid(8, 8, 1, Edge::tile, Interpolant::cubic_spline, level)), rendering, 0.5);
-    if (rendering == height::Rendering::force_shaded) continue;
+    const fast::SplineMap plane(fast::HeightGrid(grid(8, 8, 1, Edge::tile, Interpolant::cubic_spline, level)), mode, 0.5);
+    if (mode == height::Mode::force_shaded) continue;
     for (const fast::SplineForce function : functions) {
       const Vector3f tie(0.25F, 0.25F, -0x1p-24F);
       Vector3f force(-7, -7, -7);

@@ -95,7 +95,7 @@ TEST(pictures, of_laws_hold_their_words_whole) {
 
 TEST(pictures, of_a_height_map_hold_their_words_whole) {
   const HeightMap hill{{{height::Gaussian{0, 0, 3, 5}}}};
-  expect_whole(side_view(std::get<RenderedHeightMap>(fast_rendering(hill, height::Rendering::force_shaded, 0.5F)), "map",
+  expect_whole(side_view(std::get<RenderedHeightMap>(fast_rendering(hill, height::Mode::force_shaded, 0.5F)), "map",
                          {0, -1234.5F, 1345.6F}));
 }
 
