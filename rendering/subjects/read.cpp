@@ -43,7 +43,7 @@ std::vector<Description> read(const Options& options, Laws laws, const Monitor& 
   if (!mesh.empty()) return {{name_of_file(mesh), read_mesh(options, stiffness, monitor)}};
   if (!map.empty()) {
     heights::Spec spec = read_height_map(options, stiffness);
-    return {{name_of_file(map), DescribedHeightMap{std::move(spec.map), spec.rendering, stiffness}}};
+    return {{name_of_file(map), DescribedHeightMap{std::move(spec.map), spec.mode, stiffness}}};
   }
   std::vector<Description> all;
   for (const DescribedLaw& law : laws_of(options)) all.push_back({std::string(name_of(law.law)), law});

@@ -50,14 +50,13 @@ inline properties::SubjectResult made_law(LawId law = LawId::bump_2p, const Para
 }
 
 // Of a map that nobody has: its digest is made up.
-inline Identity made_map_identity(height::Rendering rendering = height::Rendering::true_height, float stiffness = 0.5F) {
+inline Identity made_map_identity(height::Mode mode = height::Mode::true_height, float stiffness = 0.5F) {
   Identity identity = identity_of("hill.toml", {}, rendering, stiffness);
   identity.digest = std::string(64, 'c');
   return identity;
 }
 
-inline properties::SubjectResult made_map(height::Rendering rendering = height::Rendering::true_height,
-                                          float stiffness = 0.5F) {
+inline properties::SubjectResult made_map(height::Mode mode = height::Mode::true_height, float stiffness = 0.5F) {
   return made_subject(made_map_identity(rendering, stiffness), {"gaussian: x_mm 0, y_mm 0, height_mm 3, sigma_mm 5"});
 }
 

@@ -23,7 +23,7 @@ namespace {
 
 using height::Edge;
 using height::Interpolant;
-using Mode = height::Rendering;
+using Mode = height::Mode;
 
 constexpr int kCases = 300;
 constexpr std::uint64_t kSeed = 3;
@@ -55,8 +55,8 @@ std::vector<Named> maps() {
           {"bump and texture", {{{height::SphereCap{0, 0, 5, 8}}, {texture(Interpolant::cubic_spline)}}}}};
 }
 
-RenderedHeightMap subject_of(const HeightMap& map, Mode rendering) {
-  return std::get<RenderedHeightMap>(fast_rendering(map, rendering, 0.5F));
+RenderedHeightMap subject_of(const HeightMap& map, Mode mode) {
+  return std::get<RenderedHeightMap>(fast_rendering(map, mode, 0.5F));
 }
 
 PropertyResult result_of(const RenderedHeightMap& subject, const std::string& property) {
@@ -67,8 +67,8 @@ PropertyResult result_of(const RenderedHeightMap& subject, const std::string& pr
 
 TEST(height_properties, hold_on_maps_of_every_kind) {
   for (const auto& [name, map] : maps())
-    for (const auto& [rendering, word] : height::kRenderings) {
-      const std::vector<PropertyResult> results = run_properties(HeightMapSubject(subject_of(map, rendering)), kCases, kSeed);
+    for (const auto& [mode, word] : height::kModes) {
+      const std::vector<PropertyResult> results = run_properties(HeightMapSubject(subject_of(map, mode)), kCases, kSeed);
       EXPECT_GE(results.size(), 4U);
       for (const PropertyResult& result : results)
         EXPECT_EQ(result.held, result.name != "cell lines" || std::string(name) != "bilinear")
@@ -78,8 +78,8 @@ TEST(height_properties, hold_on_maps_of_every_kind) {
 
 // The fast path of `map` with its answers changed by `change(right, position, answer)`, `right` being the fast path itself.
 template <class Change>
-RenderedHeightMap changed(const HeightMap& map, Mode rendering, const Change& change) {
-  RenderedHeightMap subject = subject_of(map, rendering);
+RenderedHeightMap changed(const HeightMap& map, Mode mode, const Change& change) {
+  RenderedHeightMap subject = subject_of(map, mode);
   subject.force_at = [right = subject.force_at, change](const Eigen::Vector3f& position) {
     return change(right, position, right(position));
   };
@@ -108,9 +108,8 @@ TEST(height_properties, refuse_a_gradient_of_the_wrong_sign) {
     return answer;
   };
   for (const auto& [name, map] : maps())
-    for (const auto& [rendering, word] : height::kRenderings)
-      expect_refused(changed(map, rendering, mirrored), {"equivalence", "passivity"},
-                     std::string(name) + ", " + std::string(word));
+    for (const auto& [mode, word] : height::kModes)
+      expect_refused(changed(map, mode, mirrored), {"equivalence", "passivity"}, std::string(name) + ", " + std::string(word));
 }
 
 TEST(height_properties, refuse_x_and_y_exchanged) {
@@ -143,8 +142,8 @@ TEST(height_properties, refuse_a_force_from_the_wrong_cell) {
     return beyond < 1e-3 ? right(position - Eigen::Vector3f(0.25F, 0, 0)) : answer;
   };
   for (const Interpolant interpolant : {Interpolant::bilinear, Interpolant::cubic_spline})
-    for (const auto& [rendering, word] : height::kRenderings)
-      expect_refused(changed({{{texture(interpolant)}}}, rendering, late), {"equivalence", "continuity", "cell lines"},
+    for (const auto& [mode, word] : height::kModes)
+      expect_refused(changed({{{texture(interpolant)}}}, mode, late), {"equivalence", "continuity", "cell lines"},
                      std::string(word));
 }
 
@@ -207,7 +206,7 @@ TEST(height_properties, hold_on_generated_maps) {
   std::array<int, 3> statuses{};
   const PropertyResult result = run_property("any map", 500, kSeed, [&]() -> Violation {
     const AnyHeightMap any = *any_height_map();
-    const auto subject = std::get<RenderedHeightMap>(fast_rendering(any.map, any.rendering, any.stiffness));
+    const auto subject = std::get<RenderedHeightMap>(fast_rendering(any.map, any.mode, any.stiffness));
     const HeightMapClaims claims(subject.law);
     const HeightTarget target{subject.law, claims};
     for (int i = 0; i < 8; ++i) {
