@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Handles of the C interface: the index of a slot with the slot's generation, so that a handle that was freed, or never given, is
-// found to be none. Slots are never given back to the system, so that looking at one is always safe.
+// Handles of the C interface: the index of a slot with the slot's generation, so that a handle that was freed, or never given,
+// is found to be none. Slots are never given back to the system, so that looking at one is always safe.
 
 #include <array>
 #include <atomic>

@@ -148,6 +148,17 @@ class HeightMapField {
   Sign (*first_stage_)(const SplineMap& map, const float* position, float* force) noexcept;  // the best of this machine
 };
 
+// What a tick is to who steps a session. An unfinished tick is a contact, and is marked.
+inline Evaluation evaluation_of(const mesh::Tick& tick, Stage stage) noexcept {
+  switch (tick.status) {
+    case mesh::TickStatus::free: return {{0, 0, 0}, Status::free, stage};
+    case mesh::TickStatus::invalid: return {{0, 0, 0}, Status::invalid, stage};
+    default: break;
+  }
+  const Eigen::Vector3f force(tick.force[0], tick.force[1], tick.force[2]);
+  return {force, Status::contact, stage, tick.status == mesh::TickStatus::unfinished};
+}
+
 // A god-object as a servo loop drives it, which also gives the whole tick to whoever compares or records it.
 class TickSession : public Session {
  public:
@@ -158,15 +169,9 @@ class TickSession : public Session {
   // Goes on from a state of this mesh, as a tick gave it. A state that is not one of this mesh counts as none.
   virtual void resume(const mesh::GodObject& state) noexcept = 0;
 
-  // An unfinished tick is a contact, and is marked.
   Evaluation step(const Eigen::Vector3f& position) noexcept final {
     const mesh::Tick its = tick({position.x(), position.y(), position.z()});
-    const Eigen::Vector3f force(its.force[0], its.force[1], its.force[2]);
-    switch (its.status) {
-      case mesh::TickStatus::free: return {{0, 0, 0}, Status::free, stage()};
-      case mesh::TickStatus::invalid: return {{0, 0, 0}, Status::invalid, stage()};
-      default: return {force, Status::contact, stage(), its.status == mesh::TickStatus::unfinished};
-    }
+    return evaluation_of(its, stage());
   }
 };
 

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A batch of the C interface: checked, and gone through in blocks, without allocation.
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "bindings/c/errors.h"
+#include "bindings/c/strided.h"
+#include "forceshade.h"
+#include "forceshade/fast.h"
+
+namespace forceshade::c {
+
+// OK, or what is wrong with the batch, which has been said.
+forceshade_result check(const forceshade_batch* batch) noexcept;
+
+inline forceshade_status status_of(const fast::Evaluation& answer) noexcept {
+  if (answer.is_unfinished) return FORCESHADE_UNFINISHED;
+  return static_cast<forceshade_status>(answer.status);
+}
+
+// The widest block is what a vector call makes the most of.
+inline constexpr std::size_t kBlock = 512;
+using Block = std::array<Eigen::Vector3f, kBlock>;
+
+// answer(positions, forces, statuses) for one block after the other: writes the forces, and the statuses where the span is not
+// empty; its results are added up.
+template <class Answer>
+std::size_t for_each_block(const forceshade_batch& batch, const Answer& answer) noexcept {
+  Block positions, forces;
+  std::array<forceshade_status, kBlock> statuses;
+  std::size_t sum = 0;
+  for (std::size_t begin = 0; begin < batch.count; begin += kBlock) {
+    const std::size_t count = std::min(kBlock, batch.count - begin);
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        positions[i][static_cast<Eigen::Index>(axis)] =
+            *at(batch.positions, begin + i, batch.position_stride, axis, batch.position_component);
+    sum += answer(std::span(positions.data(), count), std::span(forces.data(), count),
+                  std::span(statuses.data(), batch.statuses == nullptr ? 0 : count));
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        *at(batch.forces, begin + i, batch.force_stride, axis, batch.force_component) =
+            forces[i][static_cast<Eigen::Index>(axis)];
+    if (batch.statuses == nullptr) continue;
+    for (std::size_t i = 0; i < count; ++i) *at(batch.statuses, begin + i, batch.status_stride) = statuses[i];
+  }
+  return sum;
+}
+
+}  // namespace forceshade::c

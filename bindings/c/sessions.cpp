@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sessions of the C interface: one path each, for one thread at a time.
+
+#include <memory>
+#include <string>
+
+#include "bindings/c/batch.h"
+#include "bindings/c/subject.h"
+
+namespace forceshade::c {
+namespace {
+
+class Session {
+ public:
+  explicit Session(const Renderer& renderer)
+      : session_(renderer.open()), ticks_(dynamic_cast<fast::TickSession*>(session_.get())) {}
+
+  fast::Evaluation step(const Eigen::Vector3f& position) noexcept {
+    if (ticks_ == nullptr) return session_->step(position);
+    const mesh::Tick tick = ticks_->tick({position.x(), position.y(), position.z()});
+    state_ = tick.after;
+    return fast::evaluation_of(tick, ticks_->stage());
+  }
+
+  bool remembers() const noexcept { return ticks_ != nullptr; }
+  const mesh::GodObject& state() const noexcept { return state_; }
+  void resume(const mesh::GodObject& state) noexcept {
+    state_ = state;
+    if (ticks_ != nullptr) ticks_->resume(state);
+  }
+
+ private:
+  std::unique_ptr<fast::Session> session_;
+  fast::TickSession* ticks_;  // the same, where it is a god-object's
+  mesh::GodObject state_;
+};
+
+Table<Session>& sessions() {
+  static auto& all = *new Table<Session>;
+  return all;
+}
+
+// A session that this thread alone is in, as long as this lives. Null where it is none or another thread is in it; then
+// `result` and the message say which.
+class Entered {
+ public:
+  explicit Entered(forceshade_session handle) noexcept : slot_(sessions().slot(handle.handle)) {
+    if (slot_ != nullptr && slot_->is_busy.exchange(true, std::memory_order_acquire)) {
+      slot_ = nullptr;
+      result = fail(FORCESHADE_BUSY, "another thread is in this session, which is for one at a time");
+      return;
+    }
+    // It may have been closed before this thread was in it.
+    if (slot_ != nullptr && Table<Session>::is_of(*slot_, handle.handle)) return;
+    leave();
+    result = fail(FORCESHADE_BAD_HANDLE, "the session is none: it was never opened, or has been closed");
+  }
+  ~Entered() { leave(); }
+  Entered(const Entered&) = delete;
+  Entered& operator=(const Entered&) = delete;
+
+  explicit operator bool() const noexcept { return slot_ != nullptr; }
+  Session& operator*() const noexcept { return *slot_->object.load(std::memory_order_acquire); }
+  Session* operator->() const noexcept { return &**this; }
+
+  forceshade_result result = FORCESHADE_OK;
+
+ private:
+  void leave() noexcept {
+    if (slot_ != nullptr) slot_->is_busy.store(false, std::memory_order_release);
+    slot_ = nullptr;
+  }
+
+  Table<Session>::Slot* slot_;
+};
+
+// Whether a state can be one of any mesh; the session looks whether it is one of its own.
+bool is_state(const forceshade_state& state) noexcept {
+  return state.place <= FORCESHADE_IN_TRIANGLE && state.side <= 1;
+}
+
+}  // namespace
+}  // namespace forceshade::c
+
+using namespace forceshade;
+using namespace forceshade::c;
+
+forceshade_result forceshade_session_open(forceshade_subject subject, forceshade_session* made) {
+  return guarded([&]() -> forceshade_result {
+    const Subject* const its = subject_of(subject);
+    if (its == nullptr) return FORCESHADE_BAD_HANDLE;
+    if (made == nullptr) return fail(FORCESHADE_NULL_POINTER, "made is NULL");
+    if (const char* fault = fast::arithmetic_fault())
+      return fail(FORCESHADE_BAD_ARITHMETIC, std::string("found ") + fault + "; expected rounding to nearest, with subnormals");
+    const std::uint64_t handle = sessions().add(std::make_unique<c::Session>(its->renderer));
+    if (handle == 0) return fail(FORCESHADE_NO_MEMORY, "there are too many sessions; expected some to be closed");
+    made->handle = handle;
+    return FORCESHADE_OK;
+  });
+}
+
+forceshade_result forceshade_session_close(forceshade_session session) {
+  return guarded([&]() -> forceshade_result {
+    const Entered entered(session);
+    if (!entered) return entered.result;
+    sessions().take(session.handle);
+    return FORCESHADE_OK;
+  });
+}
+
+forceshade_result forceshade_session_step(forceshade_session session, const float* position, float* force,
+                                          forceshade_status* status) {
+  if (position == nullptr || force == nullptr) return fail(FORCESHADE_NULL_POINTER, "position or force is NULL");
+  const Entered entered(session);
+  if (!entered) return entered.result;
+  const fast::Evaluation answer = entered->step({position[0], position[1], position[2]});
+  force[0] = answer.force.x();
+  force[1] = answer.force.y();
+  force[2] = answer.force.z();
+  if (status != nullptr) *status = status_of(answer);
+  return FORCESHADE_OK;
+}
+
+forceshade_result forceshade_session_steps(forceshade_session session, const forceshade_batch* batch, size_t* invalid) {
+  if (const forceshade_result wrong = check(batch); wrong != FORCESHADE_OK) return wrong;
+  const Entered entered(session);
+  if (!entered) return entered.result;
+  const std::size_t outside = for_each_block(*batch, [&](auto positions, auto forces, auto statuses) noexcept {
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      const fast::Evaluation answer = entered->step(positions[i]);
+      forces[i] = answer.force;
+      found += answer.status == Status::invalid ? 1 : 0;
+      if (!statuses.empty()) statuses[i] = status_of(answer);
+    }
+    return found;
+  });
+  if (invalid != nullptr) *invalid = outside;
+  return FORCESHADE_OK;
+}
+
+forceshade_result forceshade_session_reset(forceshade_session session) {
+  const Entered entered(session);
+  if (!entered) return entered.result;
+  entered->resume({});
+  return FORCESHADE_OK;
+}
+
+forceshade_result forceshade_session_state(forceshade_session session, forceshade_state* state) {
+  if (state == nullptr) return fail(FORCESHADE_NULL_POINTER, "state is NULL");
+  if (state->size < sizeof(forceshade_state))
+    return fail(FORCESHADE_BAD_SIZE, "state->size: expected sizeof(forceshade_state)");
+  const Entered entered(session);
+  if (!entered) return entered.result;
+  const mesh::GodObject& its = entered->state();
+  state->place = static_cast<std::uint8_t>(its.place);
+  state->side = static_cast<std::uint8_t>(its.side);
+  std::copy(its.position.begin(), its.position.end(), state->position);
+  std::copy(its.index.begin(), its.index.end(), state->index);
+  std::copy(its.parameter.begin(), its.parameter.end(), state->parameter);
+  return FORCESHADE_OK;
+}
+
+forceshade_result forceshade_session_resume(forceshade_session session, const forceshade_state* state) {
+  if (state == nullptr) return fail(FORCESHADE_NULL_POINTER, "state is NULL");
+  if (state->size < sizeof(forceshade_state))
+    return fail(FORCESHADE_BAD_SIZE, "state->size: expected sizeof(forceshade_state)");
+  const Entered entered(session);
+  if (!entered) return entered.result;
+  if (!is_state(*state)) return fail(FORCESHADE_BAD_VALUE, "state->place or state->side: expected one that a session gives");
+  if (!entered->remembers() && state->place != FORCESHADE_NOWHERE)
+    return fail(FORCESHADE_WRONG_KIND, "the state is that of a god-object; a law or a height map remembers nothing");
+  mesh::GodObject its{.place = static_cast<mesh::Place>(state->place), .side = static_cast<mesh::Side>(state->side)};
+  std::copy_n(state->position, 3, its.position.begin());
+  std::copy_n(state->index, 2, its.index.begin());
+  std::copy_n(state->parameter, 2, its.parameter.begin());
+  entered->resume(its);
+  return FORCESHADE_OK;
+}

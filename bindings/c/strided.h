@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Arrays of numbers that lie at equal distances, counted in bytes.
+
+#include <cstddef>
+
+namespace forceshade::c {
+
+// Whether floats may lie at this distance.
+constexpr bool is_stride(std::ptrdiff_t bytes) noexcept {
+  return bytes % static_cast<std::ptrdiff_t>(alignof(float)) == 0;
+}
+
+// Element (i, j). T is a char type or float, const or not.
+template <class T>
+T* at(T* first, std::size_t i, std::ptrdiff_t stride, std::size_t j = 0, std::ptrdiff_t component = 0) noexcept {
+  const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(i) * stride + static_cast<std::ptrdiff_t>(j) * component;
+  return first + offset / static_cast<std::ptrdiff_t>(sizeof(T));
+}
+
+}  // namespace forceshade::c

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A subject behind a handle of the C interface.
+
+#include <variant>
+
+#include "bindings/c/table.h"
+#include "forceshade.h"
+#include "forceshade/description.h"
+#include "forceshade/fast.h"
+#include "forceshade/identity.h"
+#include "forceshade/renderer.h"
+
+namespace forceshade::c {
+
+// field answers one position without a detour; renderer has the batch call and opens sessions.
+struct Subject {
+  Identity identity;
+  std::variant<fast::Law, fast::HeightMapField, fast::GodObject> field;
+  Renderer renderer;
+};
+
+Table<Subject>& subjects();
+
+// Null for a handle that is none; then BAD_HANDLE has been said.
+const Subject* subject_of(forceshade_subject handle) noexcept;
+
+// The handle of what is described, or the error.
+forceshade_result add_subject(const Description& description, forceshade_subject* made);
+
+}  // namespace forceshade::c

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Subjects of the C interface: from numbers, from files, freed, and what they are.
+
+#include "forceshade/subjects.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "bindings/c/errors.h"
+#include "bindings/c/strided.h"
+#include "bindings/c/subject.h"
+#include "forceshade/meshes.h"
+#include "rendering/heights/coefficients.h"
+
+namespace forceshade::c {
+namespace {
+
+constexpr std::uint32_t kMostAlong = 1U << 15U;
+constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 26U;
+constexpr float kLargestHeight = 1e4F;
+
+// The index of the word among the names; of `usual` where it is null. Nothing for another word, which is then said.
+template <class Names>
+std::optional<std::size_t> choice(const char* what, const char* word, const Names& names, std::size_t usual) {
+  if (word == nullptr) return usual;
+  std::string expected;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == word) return i;
+    expected += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + std::string(names[i]);
+  }
+  fail(FORCESHADE_BAD_VALUE, std::string(what) + ": expected " + expected + ", got \"" + std::string(word).substr(0, 64) + '"');
+  return std::nullopt;
+}
+
+forceshade_result wrong_size(const char* name, std::size_t got, std::size_t expected) {
+  return fail(FORCESHADE_BAD_SIZE, std::string(name) + ".size is " + std::to_string(got) + "; expected sizeof(" + name + "), " +
+                                       std::to_string(expected));
+}
+
+forceshade_result null(const char* what) noexcept {
+  return fail(FORCESHADE_NULL_POINTER, what);
+}
+
+// The samples as a grid has them.
+forceshade_result read_grid(const forceshade_height_map& map, height::Grid& grid) {
+  if (map.columns < 2 || map.rows < 2 || map.columns > kMostAlong || map.rows > kMostAlong ||
+      std::uint64_t{map.columns} * map.rows > kMostSamples)
+    return fail(FORCESHADE_BAD_SIZE, "columns and rows are " + std::to_string(map.columns) + " and " +
+                                         std::to_string(map.rows) + "; expected 2 to 32768 each, and 67108864 samples at most");
+  if (!is_stride(map.column_stride) || !is_stride(map.row_stride))
+    return fail(FORCESHADE_BAD_SIZE, "column_stride and row_stride are " + std::to_string(map.column_stride) + " and " +
+                                         std::to_string(map.row_stride) + "; expected multiples of 4");
+  grid.columns = map.columns;
+  grid.rows = map.rows;
+  grid.pitch = map.pitch;
+  grid.values.reserve(std::size_t{map.columns} * map.rows);
+  for (std::uint32_t row = 0; row < map.rows; ++row)
+    for (std::uint32_t column = 0; column < map.columns; ++column) {
+      const float height = *at(map.heights, row, map.row_stride, column, map.column_stride);
+      if (!(std::fabs(height) <= kLargestHeight))
+        return fail(FORCESHADE_BAD_VALUE, "the height of column " + std::to_string(column) + ", row " + std::to_string(row) +
+                                              " is " + std::to_string(height) + "; expected -10000 to 10000 mm");
+      grid.values.push_back(height);
+    }
+  return FORCESHADE_OK;
+}
+
+forceshade_result new_height_map(const forceshade_height_map& map, forceshade_subject* made) {
+  constexpr std::array<std::string_view, 2> kInterpolants{"bilinear", "cubic-spline"}, kEdges{"clamp", "tile"};
+  std::array<std::string_view, height::kModes.size()> modes;
+  for (std::size_t i = 0; i < modes.size(); ++i) modes[i] = height::kModes[i].name;
+  height::Grid grid;
+  if (const forceshade_result read = read_grid(map, grid); read != FORCESHADE_OK) return read;
+  const auto interpolant = choice("interpolant", map.interpolant, kInterpolants, 1);
+  const auto edge = choice("edge", map.edge, kEdges, 0), mode = choice("render", map.render, modes, 0);
+  if (!interpolant || !edge || !mode) return FORCESHADE_BAD_VALUE;
+  grid.interpolant = static_cast<height::Interpolant>(*interpolant);
+  grid.edge = static_cast<height::Edge>(*edge);
+  if (grid.interpolant == height::Interpolant::cubic_spline)
+    heights::make_coefficients(grid.values, grid.columns, grid.rows, grid.edge);
+  HeightMap all;
+  all.parts.push_back({std::make_shared<const height::Grid>(std::move(grid))});
+  return add_subject({"samples", DescribedHeightMap{std::move(all), height::kModes[*mode].mode, map.stiffness}}, made);
+}
+
+forceshade_result new_mesh(const forceshade_mesh& its, forceshade_subject* made) {
+  mesh::TriangleMesh triangles;
+  if (its.vertex_count > UINT32_MAX || its.triangle_count > UINT32_MAX)
+    return fail(FORCESHADE_BAD_SIZE, "vertex_count or triangle_count is over 2^32");
+  triangles.vertices.resize(its.vertex_count);
+  for (std::size_t i = 0; i < its.vertex_count; ++i) std::copy_n(its.vertices + 3 * i, 3, triangles.vertices[i].begin());
+  triangles.triangles.resize(its.triangle_count);
+  for (std::size_t i = 0; i < its.triangle_count; ++i) std::copy_n(its.triangles + 3 * i, 3, triangles.triangles[i].begin());
+  constexpr std::array<std::string_view, 3> kSchemes{"none", "vertex", "edge"};
+  const auto contact = choice("contact", its.contact, mesh::kContactNames, 0);
+  if (!contact) return FORCESHADE_BAD_VALUE;
+  const auto rule = static_cast<mesh::Contact>(*contact);
+  const auto shading = choice("shading", its.shading, kSchemes, has_corner_normals(rule) ? 0 : 1);
+  const auto sides = choice("sides", its.sides, mesh::kSidesNames, 0);
+  if (!shading || !sides) return FORCESHADE_BAD_VALUE;
+  if (!(its.crease >= 0 && its.crease <= 180))
+    return fail(FORCESHADE_BAD_VALUE, "crease is " + std::to_string(its.crease) + "; expected 0 to 180 degrees");
+  const auto checked = mesh::check(
+      std::move(triangles), its.self_intersecting != 0 ? mesh::SelfIntersections::allowed : mesh::SelfIntersections::refused);
+  if (const auto* findings = std::get_if<mesh::Findings>(&checked))
+    return fail(FORCESHADE_BAD_VALUE, "the mesh cannot be rendered: " + findings->words());
+  const auto& good = std::get<mesh::CheckedMesh>(checked);
+  MeshRendering rendering{.checked = good,
+                          .sides = static_cast<mesh::Sides>(*sides),
+                          .shading = static_cast<mesh::Shading>(*shading),
+                          .stiffness = its.stiffness,
+                          .contact = rule};
+  if (its.sides == nullptr) rendering.sides = facts_of(good).is_closed() ? mesh::Sides::front : mesh::Sides::both;
+  if (rendering.has_corner_normals()) rendering.normals = mesh::corner_normals(good, its.crease).normals;
+  return add_subject({"triangles", std::move(rendering)}, made);
+}
+
+}  // namespace
+}  // namespace forceshade::c
+
+using namespace forceshade::c;
+
+forceshade_result forceshade_law_new(const char* law, const forceshade_law* parameters, forceshade_subject* made) {
+  return guarded([&]() -> forceshade_result {
+    if (law == nullptr || parameters == nullptr || made == nullptr) return null("law, parameters or made is NULL");
+    if (parameters->size < sizeof(forceshade_law))
+      return wrong_size("forceshade_law", parameters->size, sizeof(forceshade_law));
+    const auto id = forceshade::law_named(law);
+    if (!id)
+      return fail(FORCESHADE_BAD_VALUE,
+                  "law: expected wall, cylinder, bump-cylinder, bump-1p, bump-2p, bump-3p, bump-1p-shaded, "
+                  "bump-2p-shaded or bump-3p-shaded, got \"" +
+                      std::string(law).substr(0, 64) + '"');
+    return add_subject({law, forceshade::DescribedLaw{*id, {parameters->radius, parameters->width, parameters->stiffness}}},
+                       made);
+  });
+}
+
+forceshade_result forceshade_height_map_new(const forceshade_height_map* map, forceshade_subject* made) {
+  return guarded([&] {
+    if (map == nullptr || made == nullptr) return null("map or made is NULL");
+    if (map->size < sizeof(forceshade_height_map))
+      return wrong_size("forceshade_height_map", map->size, sizeof(forceshade_height_map));
+    return map->heights == nullptr ? null("map->heights is NULL") : new_height_map(*map, made);
+  });
+}
+
+forceshade_result forceshade_mesh_new(const forceshade_mesh* mesh, forceshade_subject* made) {
+  return guarded([&] {
+    if (mesh == nullptr || made == nullptr) return null("mesh or made is NULL");
+    if (mesh->size < sizeof(forceshade_mesh)) return wrong_size("forceshade_mesh", mesh->size, sizeof(forceshade_mesh));
+    if (mesh->vertices == nullptr || mesh->triangles == nullptr) return null("mesh->vertices or mesh->triangles is NULL");
+    return new_mesh(*mesh, made);
+  });
+}
+
+forceshade_result forceshade_subject_read(const char* file, forceshade_subject* made) {
+  return guarded([&] {
+    if (file == nullptr || made == nullptr) return null("file or made is NULL");
+    return add_subject(forceshade::subjects::read_file(file), made);
+  });
+}
+
+forceshade_result forceshade_subject_parse(const char* text, size_t length, const char* file, forceshade_subject* made) {
+  return guarded([&] {
+    if (text == nullptr || file == nullptr || made == nullptr) return null("text, file or made is NULL");
+    return add_subject(forceshade::subjects::read_text(std::string(text, length), file), made);
+  });
+}
+
+forceshade_result forceshade_subject_free(forceshade_subject subject) {
+  return guarded([&]() -> forceshade_result {
+    if (subjects().take(subject.handle) != nullptr) return FORCESHADE_OK;
+    return fail(FORCESHADE_BAD_HANDLE, "the subject is none: it was never made, or has been freed");
+  });
+}
+
+forceshade_result forceshade_subject_text(forceshade_subject subject, int32_t what, char* text, size_t size, size_t* length) {
+  return guarded([&]() -> forceshade_result {
+    const Subject* const its = subject_of(subject);
+    if (its == nullptr) return FORCESHADE_BAD_HANDLE;
+    if (text == nullptr && size > 0) return null("text is NULL, and size is not 0");
+    const auto words = [&]() -> std::optional<std::string> {
+      switch (what) {
+        case FORCESHADE_KIND: return its->identity.kind;
+        case FORCESHADE_NAME: return its->identity.name;
+        case FORCESHADE_PARAMETERS: return parameters_in_words(its->identity);
+        case FORCESHADE_DIGEST: return its->identity.digest;
+        default: return std::nullopt;
+      }
+    }();
+    if (!words)
+      return fail(FORCESHADE_BAD_VALUE, "what is " + std::to_string(what) + "; expected FORCESHADE_KIND to FORCESHADE_DIGEST");
+    if (size > 0) text[words->copy(text, size - 1)] = '\0';
+    if (length != nullptr) *length = words->size();
+    return FORCESHADE_OK;
+  });
+}
