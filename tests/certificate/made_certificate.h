@@ -51,13 +51,13 @@ inline properties::SubjectResult made_law(LawId law = LawId::bump_2p, const Para
 
 // Of a map that nobody has: its digest is made up.
 inline Identity made_map_identity(height::Mode mode = height::Mode::true_height, float stiffness = 0.5F) {
-  Identity identity = identity_of("hill.toml", {}, rendering, stiffness);
+  Identity identity = identity_of("hill.toml", {}, mode, stiffness);
   identity.digest = std::string(64, 'c');
   return identity;
 }
 
 inline properties::SubjectResult made_map(height::Mode mode = height::Mode::true_height, float stiffness = 0.5F) {
-  return made_subject(made_map_identity(rendering, stiffness), {"gaussian: x_mm 0, y_mm 0, height_mm 3, sigma_mm 5"});
+  return made_subject(made_map_identity(mode, stiffness), {"gaussian: x_mm 0, y_mm 0, height_mm 3, sigma_mm 5"});
 }
 
 inline properties::Build made_build() {
