@@ -44,7 +44,7 @@ Subjects map_of(const HeightMap& map) {
   return [map](const Change& change) {
     return std::make_shared<HeightMapSubject>("map.toml", map, height::Mode::true_height, kThesisBump.stiffness,
                                               [change](const HeightMap& its, height::Mode mode, float stiffness) {
-                                                return change(fast_height_map(its, rendering, stiffness));
+                                                return change(fast_height_map(its, mode, stiffness));
                                               });
   };
 }

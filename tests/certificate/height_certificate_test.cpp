@@ -149,7 +149,7 @@ TEST(height_certificate, covers_the_map_that_was_checked) {
   EXPECT_EQ(certificate.subjects[0].spread.parameter_sets, 8U);
 }
 
-// Of a map, each number, each kind, each sign and the order of the parts; not where it was read from.
+// The digest is of each number of a map, each kind, each sign and the order of the parts; not where it was read from.
 TEST(height_certificate, is_bound_to_every_number_of_a_map) {
   height::Grid grid{3, 2, 0.5F, height::Edge::tile, height::Interpolant::cubic_spline, {1, 2, 3, 4, 5, 6}};
   std::set<std::string> digests;
@@ -184,7 +184,7 @@ TEST(height_certificate, is_bound_to_every_number_of_a_map) {
   EXPECT_EQ(digests.size(), static_cast<std::size_t>(maps));
   const auto again = [&] { return identity_of("", {{{std::make_shared<const height::Grid>(grid)}}}, Mode::true_height, 1); };
   EXPECT_TRUE(again().is_same(again()));
-  EXPECT_TRUE(digests.contains(again().digest)) << "the mode is no part of the map";
+  EXPECT_TRUE(digests.contains(again().digest)) << "how it is rendered is no part of the map";
 }
 
 TEST(height_certificate, has_a_page_that_shows_the_map) {

@@ -221,7 +221,7 @@ TEST(refusal, names_what_differs_of_a_height_map) {
                "rendering height-map, stiffness 0.5 N/mm");
   expect_words(of_map(certificate, tests::made_build(), tests::made_map_identity(height::Mode::true_height, 0.6F)),
                "stiffness 0.6 N/mm; got rendering height-map, stiffness 0.5 N/mm");
-  // Of two, the one of this shape says what differs.
+  // The one of two that has this shape says what differs.
   Certificate two = certificate;
   two.subjects[2] = tests::made_map(height::Mode::conservative, 0.75F);
   SubjectResult another = tests::made_map();

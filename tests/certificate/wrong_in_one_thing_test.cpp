@@ -115,7 +115,7 @@ std::shared_ptr<const Subject> wrong_map(const std::function<Renderer(Renderer)>
   return std::make_shared<HeightMapSubject>("map.toml", HeightMap{{{height::Plane{0.25F, 0.125F, 1}}}},
                                             height::Mode::true_height, 0.5F,
                                             [=](const HeightMap& map, height::Mode mode, float stiffness) {
-                                              return change(fast_height_map(map, rendering, stiffness));
+                                              return change(fast_height_map(map, mode, stiffness));
                                             });
 }
 
@@ -206,7 +206,7 @@ TEST(wrong_in_one_thing, a_single_call_of_one_set_that_does_not_write_an_answer_
   const HeightMap flat{{{std::make_shared<const height::Grid>(
       height::Grid{4, 4, 0.5F, height::Edge::tile, height::Interpolant::cubic_spline, std::move(values)})}}};
   const auto lazy = [](const HeightMap& map, height::Mode mode, float stiffness) {
-    Renderer renderer = fast_height_map(map, rendering, stiffness);
+    Renderer renderer = fast_height_map(map, mode, stiffness);
     renderer.batch = [right = renderer.batch, last = Eigen::Vector3f(-1, 0, 0)](auto positions, auto forces,
                                                                                 InstructionSet set) mutable {
       if (positions.size() > 1) return right(positions, forces, set);

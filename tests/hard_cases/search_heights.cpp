@@ -74,7 +74,8 @@ class HeightSearch {
   const HardestOfMap& hardest() const { return hardest_; }
 
  private:
-  // Of the scene's size; with few bits, multiples of 1/16 mm and the scene's edges, where ties and exact contact are.
+  // A coordinate of the scene's size; with few bits, multiples of 1/16 mm and the scene's edges, where ties and exact contact
+  // are.
   float coordinate(bool has_few_bits) {
     const std::uint64_t bits = random_();
     const auto any = static_cast<float>(static_cast<std::int32_t>(bits) >> 8) * scene_.step;

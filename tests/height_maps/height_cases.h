@@ -46,7 +46,7 @@ class Balls {
     std::array<N, 3> force;  // N; where the gap is positive
     bool decided;
   };
-  // Of coordinates that are quantised.
+  // The answer for coordinates that are quantised.
   template <class N>
   Answer<N> at(const Eigen::Vector3f& position, height::Mode mode, double K) const {
     const fast::Place place(position.x(), position.y());

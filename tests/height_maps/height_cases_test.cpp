@@ -90,7 +90,7 @@ TEST(height_case_files, are_refused_by_file_and_line) {
   EXPECT_EQ(refusal_of("height-map,1,0,0,-1,0,0,1,contact,z 0,a tie\n"), "none");
   EXPECT_EQ(refusal_of(""), "tests/some.cases:1: expected cases below the header");
   EXPECT_EQ(refusal_of("map,1,0,0,-1,0,0,1,contact,z 0,a tie\n"),
-            "tests/some.cases:2: column 1 (mode): expected a mode, got \"map\"");
+            "tests/some.cases:2: column 1 (rendering): expected a rendering, got \"map\"");
   EXPECT_EQ(refusal_of("height-map,1,0,0,-1,0,0,1,invalid,z 0,a tie\n"),
             "tests/some.cases:2: column 9 (status): expected free or contact, got \"invalid\"");
   EXPECT_EQ(refusal_of("height-map,1,0,0,-1,0,0,1,contact,z 0,\n"),

@@ -269,7 +269,8 @@ TEST(texture_scheme, the_direction_is_continuous_within_a_chart_and_jumps_at_sea
       shortest = std::min(shortest, wide(rendering.normals[i][k]).dot(wide(rendering.normals[i][(k + 1) % 3])));
     }
   }
-  // Of a Gaussian: e^(-1/2) and 1 times height over sigma and sigma². As a vector the slope is no longer, a component is one.
+  // The slopes of a Gaussian: e^(-1/2) and 1 times height over sigma and sigma². As a vector the slope is no longer, a
+  // component is one.
   constexpr double kSlope = 0.607 * static_cast<double>(kHeight / kSigma),
                    kCurvature = static_cast<double>(kHeight / (kSigma * kSigma));
   ASSERT_GT(shortest - 2 * kSlope, 0.5);

@@ -14,6 +14,7 @@
 #include "properties/equivalence.h"
 #include "properties/generators.h"
 #include "properties/height_generators.h"
+#include "properties/height_loops.h"
 #include "properties/height_map_subject.h"
 #include "properties/height_positions.h"
 #include "properties/unit_normals.h"
@@ -224,6 +225,24 @@ TEST(height_properties, hold_on_generated_maps) {
   std::printf("  %llu maps; free %d, contact %d, invalid %d\n", static_cast<unsigned long long>(result.cases), statuses[0],
               statuses[1], statuses[2]);
   for (const int count : statuses) EXPECT_GT(count, 100) << "a status was hardly ever reached";
+}
+
+// As far as the thesis's bump is wide, and no farther than 250 cells of the finest grid, which may be that of the surface.
+TEST(certified_slice, goes_over_at_most_250_cells_of_every_grid) {
+  const auto grid = [](float pitch) -> height::Part {
+    return {std::make_shared<const height::Grid>(height::Grid{4, 4, pitch, {}, {}, std::vector<float>(16)})};
+  };
+  const height::Part level{height::Plane{}};
+  const auto reach = [](const HeightMap& map) {
+    const reference::Slice slice = certified_slice(map);
+    EXPECT_EQ(slice.from, -slice.to);
+    return slice.to;
+  };
+  EXPECT_EQ(reach({{level}, {level}}), 12.7F);
+  EXPECT_EQ(reach({{grid(1)}}), 12.7F);
+  EXPECT_EQ(reach({{level, grid(0.02F)}}), 250 * 0.02F);
+  EXPECT_EQ(reach({{level}, {level, grid(0.01F)}}), 250 * 0.01F);
+  EXPECT_EQ(reach({{grid(0.01F)}, {grid(0.03F)}}), 250 * 0.01F);
 }
 
 }  // namespace

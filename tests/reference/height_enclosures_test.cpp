@@ -187,7 +187,7 @@ TEST(height_enclosures, of_fine_gratings_equal_the_closed_forms) {
     }
 }
 
-// Of any kind and size in the domain, near the slice, so that the slice meets it.
+// A part of any kind and size in the domain, near the slice, so that the slice meets it.
 height::Part random_part(Random& random, double reach) {
   const auto near = [&] { return static_cast<float>(random.uniform(-reach, reach)); };
   const auto cap_width = [&](float radius) {

@@ -142,7 +142,7 @@ TEST(height_energy, polygons_shaded_by_a_ridge_are_the_law_bump_2p_shaded) {
   }
 }
 
-// Of 20 000 columns, each of which takes in what generates energy, with the slopes of the second program's heights.
+// The bound of 20 000 columns, each of which takes in what generates energy, with the slopes of the second program's heights.
 std::array<double, 2> bound_by_columns(const HeightExample& example, Mode mode, const Slice& slice, double D) {
   constexpr int kColumns = 20000;
   const auto [along, at, from, to] = slice;
