@@ -29,7 +29,7 @@ class Table {
     if (free_.empty()) return 0;
     const std::uint32_t index = free_.back();
     free_.pop_back();
-    Slot& slot = *slot_at(index);
+    Slot& slot = owned_[index / kPerBlock][index % kPerBlock];
     slot.object.store(object.release(), std::memory_order_release);
     return std::uint64_t{slot.generation.load(std::memory_order_relaxed)} << 32U | (index + 1);
   }

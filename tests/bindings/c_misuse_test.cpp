@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whatever a program does wrong with the C interface is an error with a sentence, and never a crash.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <cfenv>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "forceshade.h"
+
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinite = std::numeric_limits<float>::infinity();
+
+// All zeros, but for its size.
+template <class Struct>
+Struct sized() {
+  Struct its{};
+  its.size = sizeof its;
+  return its;
+}
+
+struct Misuse {
+  std::string what;
+  std::function<forceshade_result()> call;
+  forceshade_result expected;
+  std::string words;  // a part of the sentence
+};
+
+constexpr std::array<float, 12> kVertices{0, 0, 0, 9, 0, 0, 0, 9, 0, 0, 0, 9};
+constexpr std::array<std::uint32_t, 12> kFaces{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+const std::vector<float> kHeights(16, 0.25F);
+
+class CMisuse : public testing::Test {
+ protected:
+  CMisuse() {
+    map.heights = kHeights.data();
+    map.columns = map.rows = 4;
+    map.column_stride = 4;
+    map.row_stride = 16;
+    map.pitch = map.stiffness = 0.5F;
+    mesh.vertices = kVertices.data();
+    mesh.vertex_count = 4;
+    mesh.triangles = kFaces.data();
+    mesh.triangle_count = 4;
+    mesh.crease = 180;
+    mesh.stiffness = 0.5F;
+    forceshade_law_new("bump-2p", &law, &bump);
+    forceshade_mesh_new(&mesh, &tetrahedron);
+    forceshade_session_open(bump, &of_bump);
+    forceshade_session_open(tetrahedron, &of_mesh);
+    forceshade_law_new("wall", &law, &freed);
+    forceshade_session_open(freed, &closed);
+    forceshade_subject_free(freed);
+    forceshade_session_close(closed);
+  }
+  ~CMisuse() override {
+    forceshade_session_close(of_bump);
+    forceshade_session_close(of_mesh);
+    forceshade_subject_free(bump);
+    forceshade_subject_free(tetrahedron);
+  }
+
+  // A law, map, mesh, batch or state that is right but for what `change` does to it.
+  template <class Struct, class Call>
+  static std::function<forceshade_result()> with(Struct its, const std::function<void(Struct&)>& change, const Call& call) {
+    change(its);
+    return [its, call]() mutable { return call(its); };
+  }
+  auto new_law(const char* name, const std::function<void(forceshade_law&)>& change) const {
+    return with<forceshade_law>(law, change, [name](forceshade_law& its) {
+      forceshade_subject made{42};
+      const forceshade_result result = forceshade_law_new(name, &its, &made);
+      EXPECT_EQ(made.handle, 42U) << "nothing is written where nothing is made";
+      return result;
+    });
+  }
+  auto new_map(const std::function<void(forceshade_height_map&)>& change) const {
+    return with<forceshade_height_map>(map, change, [](forceshade_height_map& its) {
+      forceshade_subject made{};
+      return forceshade_height_map_new(&its, &made);
+    });
+  }
+  auto new_mesh(const std::function<void(forceshade_mesh&)>& change) const {
+    return with<forceshade_mesh>(mesh, change, [](forceshade_mesh& its) {
+      forceshade_subject made{};
+      return forceshade_mesh_new(&its, &made);
+    });
+  }
+  auto forces(const std::function<void(forceshade_batch&)>& change) {
+    return with<forceshade_batch>(batch, change,
+                                  [this](forceshade_batch& its) { return forceshade_forces(bump, &its, nullptr); });
+  }
+  auto steps(const std::function<void(forceshade_batch&)>& change) {
+    return with<forceshade_batch>(batch, change,
+                                  [this](forceshade_batch& its) { return forceshade_session_steps(of_mesh, &its, nullptr); });
+  }
+  auto resume(forceshade_session session, const std::function<void(forceshade_state&)>& change) const {
+    return with<forceshade_state>(sized<forceshade_state>(), change,
+                                  [session](forceshade_state& its) { return forceshade_session_resume(session, &its); });
+  }
+
+  static std::vector<std::function<forceshade_result()>> every_use_of(forceshade_subject subject) {
+    static std::array<float, 3> at{}, force{};
+    static std::array<char, 8> text{};
+    static forceshade_session session{};
+    static const forceshade_batch none = sized<forceshade_batch>();
+    return {[=] { return forceshade_force(subject, at.data(), force.data(), nullptr); },
+            [=] { return forceshade_forces(subject, &none, nullptr); },
+            [=] { return forceshade_session_open(subject, &session); },
+            [=] { return forceshade_subject_text(subject, FORCESHADE_KIND, text.data(), text.size(), nullptr); },
+            [=] { return forceshade_subject_free(subject); }};
+  }
+  static std::vector<std::function<forceshade_result()>> every_use_of(forceshade_session session) {
+    static std::array<float, 3> at{}, force{};
+    static forceshade_state state = sized<forceshade_state>();
+    static const forceshade_batch none = sized<forceshade_batch>();
+    return {[=] { return forceshade_session_step(session, at.data(), force.data(), nullptr); },
+            [=] { return forceshade_session_steps(session, &none, nullptr); },
+            [=] { return forceshade_session_reset(session); },
+            [=] { return forceshade_session_state(session, &state); },
+            [=] { return forceshade_session_resume(session, &state); },
+            [=] { return forceshade_session_close(session); }};
+  }
+
+  forceshade_law law{sizeof(forceshade_law), 15.24F, 25.4F, 0.5F};
+  forceshade_height_map map = sized<forceshade_height_map>();
+  forceshade_mesh mesh = sized<forceshade_mesh>();
+  std::array<float, 6> at{1, 2, 3, 4, 5, 6}, to{};
+  std::array<forceshade_status, 2> statuses{};
+  forceshade_batch batch{.size = sizeof(forceshade_batch),
+                         .count = 2,
+                         .positions = at.data(),
+                         .position_stride = 12,
+                         .position_component = 4,
+                         .forces = to.data(),
+                         .force_stride = 12,
+                         .force_component = 4,
+                         .statuses = statuses.data(),
+                         .status_stride = 1};
+  forceshade_subject bump{}, tetrahedron{}, freed{};
+  forceshade_session of_bump{}, of_mesh{}, closed{};
+};
+
+TEST_F(CMisuse, of_every_kind_has_its_result_and_its_sentence) {
+  forceshade_subject made{};
+  std::array<float, 3> position{}, force{};
+  std::array<std::uint32_t, 12> other = kFaces;
+  other[0] = 7;
+  std::array<std::uint32_t, 12> folded = kFaces;
+  std::swap(folded[0], folded[1]);
+  std::array<float, 12> flat{};
+  std::array<float, 12> nan = kVertices;
+  nan[4] = kNan;
+  std::vector<float> steep(16, 0.25F);
+  steep[5] = kNan;
+  const auto null = FORCESHADE_NULL_POINTER, size = FORCESHADE_BAD_SIZE, value = FORCESHADE_BAD_VALUE,
+             input = FORCESHADE_BAD_INPUT, kind = FORCESHADE_WRONG_KIND;
+  std::vector<Misuse> misuses{
+      {"law name null", [&] { return forceshade_law_new(nullptr, &law, &made); }, null, "NULL"},
+      {"law parameters null", [&] { return forceshade_law_new("wall", nullptr, &made); }, null, "NULL"},
+      {"law made null", [&] { return forceshade_law_new("wall", &law, nullptr); }, null, "NULL"},
+      {"law unknown", new_law("bump-4p", [](auto&) {}), value, "got \"bump-4p\""},
+      {"law empty name", new_law("", [](auto&) {}), value, "got \"\""},
+      {"law size 0", new_law("wall", [](auto& its) { its.size = 0; }), size, "forceshade_law.size is 0"},
+      {"law size small", new_law("wall", [](auto& its) { its.size -= 4; }), size, "expected sizeof(forceshade_law)"},
+      {"law radius 0", new_law("bump-2p", [](auto& its) { its.radius = 0; }), value, "radius is 0 mm; expected 0.1 to 10000"},
+      {"law radius NaN", new_law("bump-2p", [](auto& its) { its.radius = kNan; }), value, "radius is nan"},
+      {"law radius infinite", new_law("bump-2p", [](auto& its) { its.radius = kInfinite; }), value, "radius is inf"},
+      {"law width wide", new_law("bump-2p", [](auto& its) { its.width = 31; }), value, "width is 31 mm"},
+      {"law width negative", new_law("bump-2p", [](auto& its) { its.width = -1; }), value, "width is -1 mm"},
+      {"law stiffness 0", new_law("wall", [](auto& its) { its.stiffness = 0; }), value, "stiffness is 0 N/mm"},
+      {"law stiffness NaN", new_law("wall", [](auto& its) { its.stiffness = kNan; }), value, "stiffness is nan"},
+      {"law stiffness stiff", new_law("wall", [](auto& its) { its.stiffness = 1001; }), value, "stiffness is 1001 N/mm"},
+
+      {"map null", [&] { return forceshade_height_map_new(nullptr, &made); }, null, "NULL"},
+      {"map made null", [&] { return forceshade_height_map_new(&map, nullptr); }, null, "NULL"},
+      {"map heights null", new_map([](auto& its) { its.heights = nullptr; }), null, "heights"},
+      {"map size", new_map([](auto& its) { its.size = 8; }), size, "forceshade_height_map.size is 8"},
+      {"map one column", new_map([](auto& its) { its.columns = 1; }), size, "columns and rows are 1 and 4"},
+      {"map no rows", new_map([](auto& its) { its.rows = 0; }), size, "4 and 0"},
+      {"map wide", new_map([](auto& its) { its.columns = 40000; }), size, "expected 2 to 32768"},
+      {"map large", new_map([](auto& its) { its.columns = its.rows = 32768; }), size, "67108864 samples"},
+      {"map stride", new_map([](auto& its) { its.column_stride = 3; }), size, "multiples of 4"},
+      {"map row stride", new_map([](auto& its) { its.row_stride = 17; }), size, "multiples of 4"},
+      {"map pitch 0", new_map([](auto& its) { its.pitch = 0; }), value, "pitch"},
+      {"map pitch NaN", new_map([](auto& its) { its.pitch = kNan; }), value, "pitch"},
+      {"map height NaN", new_map([&](auto& its) { its.heights = steep.data(); }), value, "column 1, row 1 is nan"},
+      {"map interpolant", new_map([](auto& its) { its.interpolant = "linear"; }), value, "interpolant: expected bilinear or"},
+      {"map edge", new_map([](auto& its) { its.edge = ""; }), value, "edge: expected clamp or tile, got \"\""},
+      {"map render", new_map([](auto& its) { its.render = "shaded"; }), value, "render: expected height-map, "},
+      {"map stiffness", new_map([](auto& its) { its.stiffness = -1; }), value, "stiffness is -1"},
+
+      {"mesh null", [&] { return forceshade_mesh_new(nullptr, &made); }, null, "NULL"},
+      {"mesh made null", [&] { return forceshade_mesh_new(&mesh, nullptr); }, null, "NULL"},
+      {"mesh vertices null", new_mesh([](auto& its) { its.vertices = nullptr; }), null, "vertices"},
+      {"mesh triangles null", new_mesh([](auto& its) { its.triangles = nullptr; }), null, "triangles"},
+      {"mesh size", new_mesh([](auto& its) { its.size = 0; }), size, "forceshade_mesh.size is 0"},
+      {"mesh too many", new_mesh([](auto& its) { its.triangle_count = std::size_t{1} << 40U; }), size, "over 2^32"},
+      {"mesh empty", new_mesh([](auto& its) { its.triangle_count = 0; }), value, "cannot be rendered"},
+      {"mesh index", new_mesh([&](auto& its) { its.triangles = other.data(); }), value, "cannot be rendered"},
+      {"mesh folded", new_mesh([&](auto& its) { its.triangles = folded.data(); }), value, "cannot be rendered"},
+      {"mesh flat", new_mesh([&](auto& its) { its.vertices = flat.data(); }), value, "cannot be rendered"},
+      {"mesh NaN", new_mesh([&](auto& its) { its.vertices = nan.data(); }), value, "cannot be rendered"},
+      {"mesh sides", new_mesh([](auto& its) { its.sides = "back"; }), value, "sides: expected front or both, got \"back\""},
+      {"mesh shading", new_mesh([](auto& its) { its.shading = "smooth"; }), value, "shading: expected none, vertex or edge"},
+      {"mesh texture", new_mesh([](auto& its) { its.shading = "texture"; }), value, "shading: expected"},
+      {"mesh contact", new_mesh([](auto& its) { its.contact = "x"; }), value, "contact: expected direct or sub-goal"},
+      {"mesh crease", new_mesh([](auto& its) { its.crease = 181; }), value, "crease is 181"},
+      {"mesh crease NaN", new_mesh([](auto& its) { its.crease = std::nan(""); }), value, "crease is nan"},
+      {"mesh stiffness", new_mesh([](auto& its) { its.stiffness = kNan; }), value, "stiffness is nan"},
+
+      {"file null", [&] { return forceshade_subject_read(nullptr, &made); }, null, "NULL"},
+      {"file made null", [&] { return forceshade_subject_read("x.toml", nullptr); }, null, "NULL"},
+      {"file absent", [&] { return forceshade_subject_read("/nowhere/x.toml", &made); }, input, "/nowhere/x.toml"},
+      {"file empty name", [&] { return forceshade_subject_read("", &made); }, input, "cannot be opened"},
+      {"file a folder", [&] { return forceshade_subject_read("/", &made); }, input, "/"},
+      {"text null", [&] { return forceshade_subject_parse(nullptr, 3, "x", &made); }, null, "NULL"},
+      {"text file null", [&] { return forceshade_subject_parse("x", 1, nullptr, &made); }, null, "NULL"},
+      {"text made null", [&] { return forceshade_subject_parse("x", 1, "x", nullptr); }, null, "NULL"},
+      {"text empty", [&] { return forceshade_subject_parse("", 0, "x.toml", &made); }, input, "x.toml: has none of the keys"},
+      {"text key", [&] { return forceshade_subject_parse("lav = 1\n", 8, "x.toml", &made); }, input, "line 1: unknown key lav"},
+      {"text syntax", [&] { return forceshade_subject_parse("law = =\n", 8, "x.toml", &made); }, input, "x.toml: line 1"},
+      {"text zeros", [&] { return forceshade_subject_parse("\0\0\0", 3, "x.toml", &made); }, input, "x.toml"},
+
+      {"force position null", [&] { return forceshade_force(bump, nullptr, force.data(), nullptr); }, null, "NULL"},
+      {"force null", [&] { return forceshade_force(bump, position.data(), nullptr, nullptr); }, null, "NULL"},
+      {"force of a mesh", [&] { return forceshade_force(tetrahedron, position.data(), force.data(), nullptr); }, kind, "path"},
+      {"forces of a mesh", [&] { return forceshade_forces(tetrahedron, &batch, nullptr); }, kind, "path"},
+      {"batch null", [&] { return forceshade_forces(bump, nullptr, nullptr); }, null, "batch is NULL"},
+      {"steps batch null", [&] { return forceshade_session_steps(of_mesh, nullptr, nullptr); }, null, "batch is NULL"},
+      {"text what", [&] { return forceshade_subject_text(bump, 4, nullptr, 0, nullptr); }, value, "what is 4"},
+      {"text what negative", [&] { return forceshade_subject_text(bump, -1, nullptr, 0, nullptr); }, value, "what is -1"},
+      {"text buffer null", [&] { return forceshade_subject_text(bump, 0, nullptr, 5, nullptr); }, null, "text is NULL"},
+
+      {"open made null", [&] { return forceshade_session_open(bump, nullptr); }, null, "NULL"},
+      {"step position null", [&] { return forceshade_session_step(of_mesh, nullptr, force.data(), nullptr); }, null, "NULL"},
+      {"step force null", [&] { return forceshade_session_step(of_mesh, position.data(), nullptr, nullptr); }, null, "NULL"},
+      {"state null", [&] { return forceshade_session_state(of_mesh, nullptr); }, null, "NULL"},
+      {"resume null", [&] { return forceshade_session_resume(of_mesh, nullptr); }, null, "NULL"},
+      {"resume size", resume(of_mesh, [](auto& its) { its.size = 4; }), size, "sizeof(forceshade_state)"},
+      {"resume place", resume(of_mesh, [](auto& its) { its.place = 5; }), value, "place"},
+      {"resume side", resume(of_mesh, [](auto& its) { its.side = 2; }), value, "side"},
+      {"resume a law", resume(of_bump, [](auto& its) { its.place = FORCESHADE_IN_TRIANGLE; }), kind, "remembers nothing"},
+  };
+  const std::vector<std::pair<std::string, std::function<void(forceshade_batch&)>>> batches{
+      {"size", [](auto& its) { its.size = 4; }},
+      {"position stride", [](auto& its) { its.position_stride = 13; }},
+      {"position component", [](auto& its) { its.position_component = 2; }},
+      {"force stride", [](auto& its) { its.force_stride = -6; }},
+      {"force component", [](auto& its) { its.force_component = 0; }},
+      {"force stride 0", [](auto& its) { its.force_stride = 0; }},
+      {"status stride 0", [](auto& its) { its.status_stride = 0; }},
+      {"count", [](auto& its) { its.count = SIZE_MAX; }},
+      {"positions not aligned",
+       [](auto& its) { its.positions = reinterpret_cast<const float*>(reinterpret_cast<const char*>(its.positions) + 1); }},
+      {"forces not aligned",
+       [](auto& its) { its.forces = reinterpret_cast<float*>(reinterpret_cast<char*>(its.forces) + 2); }}};
+  for (const auto& [what, change] : batches) {
+    misuses.push_back({"batch " + what, forces(change), size, what.starts_with("force") ? "" : "expected"});
+    misuses.push_back({"steps batch " + what, steps(change), size, ""});
+  }
+  misuses.push_back({"batch positions null", forces([](auto& its) { its.positions = nullptr; }), null, "NULL"});
+  misuses.push_back({"batch forces null", forces([](auto& its) { its.forces = nullptr; }), null, "NULL"});
+  const auto add_handles = [&](const std::string& name, const auto& handles) {
+    for (const auto handle : handles)
+      for (const auto& use : every_use_of(handle))
+        misuses.push_back({name + " " + std::to_string(handle.handle), use, FORCESHADE_BAD_HANDLE, "is none"});
+  };
+  add_handles("subject",
+              std::vector<forceshade_subject>{
+                  {0}, {1}, {UINT64_MAX}, {bump.handle + 1000000}, {bump.handle ^ (std::uint64_t{1} << 40U)}, freed});
+  add_handles("session",
+              std::vector<forceshade_session>{{0}, {7}, {UINT64_MAX}, {of_mesh.handle ^ (std::uint64_t{1} << 33U)}, closed});
+
+  for (const Misuse& misuse : misuses) {
+    const forceshade_result result = misuse.call();
+    EXPECT_EQ(result, misuse.expected) << misuse.what << ": " << forceshade_message();
+    EXPECT_NE(std::string(forceshade_message()).find(misuse.words), std::string::npos)
+        << misuse.what << ": " << forceshade_message();
+    if (std::getenv("FORCESHADE_SHOW_MISUSES") != nullptr)
+      std::printf("| %s | %s | %s |\n", misuse.what.c_str(), forceshade_name_of_result(result), forceshade_message());
+  }
+  std::printf("%zu misuses\n", misuses.size());
+  EXPECT_GE(misuses.size(), 100U);
+  // And all that was made is as it was.
+  EXPECT_EQ(forceshade_forces(bump, &batch, nullptr), FORCESHADE_OK);
+  EXPECT_EQ(forceshade_session_steps(of_mesh, &batch, nullptr), FORCESHADE_OK);
+}
+
+TEST_F(CMisuse, a_position_that_is_no_number_is_invalid_and_no_error) {
+  for (const float wrong : {kNan, kInfinite, -1e5F})
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::array<float, 3> position{1, 1, -1}, force{9, 9, 9};
+      position[axis] = wrong;
+      forceshade_status status = 99;
+      EXPECT_EQ(forceshade_force(bump, position.data(), force.data(), &status), FORCESHADE_OK);
+      EXPECT_EQ(status, FORCESHADE_INVALID);
+      EXPECT_EQ(force, (std::array<float, 3>{}));
+      EXPECT_EQ(forceshade_session_step(of_mesh, position.data(), force.data(), &status), FORCESHADE_OK);
+      EXPECT_EQ(status, FORCESHADE_INVALID);
+    }
+}
+
+// One thread's batch takes some time; another's calls meet it there. Whoever is second gets the error, and nothing breaks.
+TEST_F(CMisuse, two_threads_in_one_session_is_an_error_for_the_second) {
+  std::vector<float> many(3 * 200000, 1), forces(many.size());
+  forceshade_batch all = batch;
+  all.count = many.size() / 3;
+  all.positions = many.data();
+  all.forces = forces.data();
+  all.statuses = nullptr;
+  std::atomic<bool> stop = false;
+  std::atomic<int> refused = 0;
+  std::thread other([&] {
+    while (!stop) forceshade_session_steps(of_mesh, &all, nullptr);
+  });
+  std::array<float, 3> force{};
+  std::string words;
+  for (int i = 0; i < 10000000 && refused < 20; ++i)
+    if (const forceshade_result result = forceshade_session_step(of_mesh, at.data(), force.data(), nullptr);
+        result != FORCESHADE_OK) {
+      EXPECT_EQ(result, FORCESHADE_BUSY);
+      words = forceshade_message();
+      ++refused;
+    }
+  stop = true;
+  other.join();
+  EXPECT_EQ(refused, 20);
+  EXPECT_EQ(words, "another thread is in this session, which is for one at a time");
+  EXPECT_EQ(forceshade_session_step(of_mesh, at.data(), force.data(), nullptr), FORCESHADE_OK);
+}
+
+// Threads that open, step and close sessions, and now and then close one that another has closed.
+TEST_F(CMisuse, threads_that_close_each_others_sessions_get_errors_and_nothing_else) {
+  std::vector<std::atomic<std::uint64_t>> shared(8);
+  std::vector<std::thread> threads;
+  std::atomic<int> other_results = 0;
+  for (unsigned t = 0; t < 3; ++t)
+    threads.emplace_back([&, t] {
+      std::array<float, 3> force{};
+      for (unsigned i = 0; i < 20000; ++i) {
+        std::atomic<std::uint64_t>& slot = shared[(i * 5 + t) % shared.size()];
+        forceshade_session session{slot.load()};
+        forceshade_result result = FORCESHADE_OK;
+        switch ((i + t) % 3) {
+          case 0:
+            result = forceshade_session_open(tetrahedron, &session);
+            if (const std::uint64_t before = slot.exchange(session.handle)) forceshade_session_close({before});
+            break;
+          case 1: result = forceshade_session_step(session, at.data(), force.data(), nullptr); break;
+          default: result = forceshade_session_close(session);
+        }
+        if (result != FORCESHADE_OK && result != FORCESHADE_BUSY && result != FORCESHADE_BAD_HANDLE) ++other_results;
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(other_results, 0);
+  for (const auto& slot : shared) forceshade_session_close({slot.load()});
+}
+
+TEST_F(CMisuse, an_arithmetic_that_is_not_ieee_754_is_refused_where_something_is_made_or_opened) {
+  std::fesetround(FE_UPWARD);
+  forceshade_subject made{};
+  forceshade_session opened{};
+  const forceshade_result of_law = forceshade_law_new("wall", &law, &made), of_session = forceshade_session_open(bump, &opened);
+  const char* const fault = forceshade_arithmetic_fault();
+  std::fesetround(FE_TONEAREST);
+  EXPECT_EQ(of_law, FORCESHADE_BAD_ARITHMETIC);
+  EXPECT_EQ(of_session, FORCESHADE_BAD_ARITHMETIC) << forceshade_message();
+  EXPECT_NE(fault, nullptr);
+}
+
+}  // namespace
