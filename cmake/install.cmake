@@ -15,14 +15,18 @@ install(TARGETS forceshade_fast forceshade_files forceshade_device EXPORT forces
 set(export_sets forceshade_targets)
 if(NOT FORCESHADE_FAST_ONLY)
   install(TARGETS forceshade)
+  # For every language: the shared library and its one header.
+  set_target_properties(forceshade_c PROPERTIES EXPORT_NAME c)
+  install(TARGETS forceshade_c EXPORT forceshade_c_targets)
+  install(FILES include/forceshade.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
   install(DIRECTORY ${PROJECT_BINARY_DIR}/apps/documentation/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
   install(FILES ${PROJECT_BINARY_DIR}/apps/documentation/forceshade
           DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
   install(FILES ${PROJECT_BINARY_DIR}/apps/documentation/_forceshade DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
   install(FILES ${PROJECT_BINARY_DIR}/apps/documentation/forceshade.fish
           DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
-  # What needs more than Eigen is a component of its own: find_package(forceshade COMPONENTS heights meshes subjects run
-  # properties study).
+  # What needs more than Eigen is a component of its own: find_package(forceshade COMPONENTS c heights meshes subjects
+  # run properties study).
   # Each component's libraries, and the components that it links.
   set(libraries_of_heights heights)
   set(libraries_of_meshes meshes)
@@ -30,6 +34,7 @@ if(NOT FORCESHADE_FAST_ONLY)
   set(libraries_of_run identity renderer certificate recorder run)
   set(libraries_of_properties reference properties certify)
   set(libraries_of_study experiments apparatus preparation)
+  list(APPEND export_sets forceshade_c_targets)
   foreach(component IN ITEMS heights meshes subjects run properties study)
     foreach(library IN LISTS libraries_of_${component})
       set_target_properties(forceshade_${library} PROPERTIES EXPORT_NAME ${library})
@@ -60,6 +65,7 @@ endfunction()
 install_pc(forceshade DESCRIPTION "${PROJECT_DESCRIPTION}" REQUIRES "eigen3 >= 3.4"
            LIBRARIES "-lforceshade_device -lforceshade_fast -lforceshade_files -lcsv -ldl -pthread")
 if(NOT FORCESHADE_FAST_ONLY)
+  install_pc(forceshade-c DESCRIPTION "${PROJECT_DESCRIPTION}, for C and other languages" LIBRARIES "-lforceshade")
   install_pc(forceshade-heights DESCRIPTION "Height maps from TOML, image and array files"
              REQUIRES "forceshade, libpng, libtiff-4, tomlplusplus" LIBRARIES "-lforceshade_heights")
   install_pc(forceshade-meshes DESCRIPTION "Triangle meshes from files, checked and repaired"

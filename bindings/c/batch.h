@@ -22,6 +22,22 @@ inline forceshade_status status_of(const fast::Evaluation& answer) noexcept {
   return static_cast<forceshade_status>(answer.status);
 }
 
+// An answer where the caller wants it.
+inline forceshade_result give(const fast::Evaluation& answer, float* force, forceshade_status* status) noexcept {
+  // One by one, as they were just stored: a wider load would have to wait until these stores have reached the cache, 3 ns.
+  const volatile float* const components = answer.force.data();
+  for (std::size_t axis = 0; axis < 3; ++axis) force[axis] = components[axis];
+  if (status != nullptr) *status = status_of(answer);
+  return FORCESHADE_OK;
+}
+
+// Whether it can be answered where it lies. Statuses need the positions after the forces are written.
+inline bool is_without_gaps(const forceshade_batch& batch) noexcept {
+  return batch.position_stride == 12 && batch.position_component == 4 && batch.force_stride == 12 &&
+         batch.force_component == 4 &&
+         (batch.statuses == nullptr || (batch.status_stride == 1 && batch.positions != batch.forces));
+}
+
 // The widest block is what a vector call makes the most of.
 inline constexpr std::size_t kBlock = 512;
 using Block = std::array<Eigen::Vector3f, kBlock>;
@@ -30,6 +46,12 @@ using Block = std::array<Eigen::Vector3f, kBlock>;
 // empty; its results are added up.
 template <class Answer>
 std::size_t for_each_block(const forceshade_batch& batch, const Answer& answer) noexcept {
+  if (batch.count > 0 && is_without_gaps(batch)) {
+    static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
+    return answer(std::span(reinterpret_cast<const Eigen::Vector3f*>(batch.positions), batch.count),
+                  std::span(reinterpret_cast<Eigen::Vector3f*>(batch.forces), batch.count),
+                  std::span(batch.statuses, batch.statuses == nullptr ? 0 : batch.count));
+  }
   Block positions, forces;
   std::array<forceshade_status, kBlock> statuses;
   std::size_t sum = 0;

@@ -72,19 +72,11 @@ forceshade_result forceshade_force(forceshade_subject subject, const float* posi
   const Subject* const its = subject_of(subject);
   if (its == nullptr) return FORCESHADE_BAD_HANDLE;
   if (position == nullptr || force == nullptr) return fail(FORCESHADE_NULL_POINTER, "position or force is NULL");
-  const Eigen::Vector3f at(position[0], position[1], position[2]);
-  fast::Evaluation answer;
   if (const auto* law = std::get_if<fast::Law>(&its->field)) [[likely]]
-    answer = law->evaluate(at);
-  else if (const auto* map = std::get_if<fast::HeightMapField>(&its->field))
-    answer = map->evaluate(at);
-  else
-    return needs_a_session();
-  force[0] = answer.force.x();
-  force[1] = answer.force.y();
-  force[2] = answer.force.z();
-  if (status != nullptr) *status = status_of(answer);
-  return FORCESHADE_OK;
+    return give(law->evaluate(as_vector(position)), force, status);
+  if (const auto* map = std::get_if<fast::HeightMapField>(&its->field))
+    return give(map->evaluate(as_vector(position)), force, status);
+  return needs_a_session();
 }
 
 forceshade_result forceshade_forces(forceshade_subject subject, const forceshade_batch* batch, size_t* invalid) {

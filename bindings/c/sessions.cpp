@@ -35,23 +35,20 @@ class Session {
   mesh::GodObject state_;
 };
 
-Table<Session>& sessions() {
-  static auto& all = *new Table<Session>;
-  return all;
-}
+constinit Lasting<Session> sessions;
 
 // A session that this thread alone is in, as long as this lives. Null where it is none or another thread is in it; then
 // `result` and the message say which.
 class Entered {
  public:
-  explicit Entered(forceshade_session handle) noexcept : slot_(sessions().slot(handle.handle)) {
+  explicit Entered(forceshade_session handle) noexcept : slot_(sessions.table.slot(handle.handle)) {
     if (slot_ != nullptr && slot_->is_busy.exchange(true, std::memory_order_acquire)) {
       slot_ = nullptr;
       result = fail(FORCESHADE_BUSY, "another thread is in this session, which is for one at a time");
       return;
     }
     // It may have been closed before this thread was in it.
-    if (slot_ != nullptr && Table<Session>::is_of(*slot_, handle.handle)) return;
+    if (slot_ != nullptr && sessions.table.find(handle.handle) != nullptr) return;
     leave();
     result = fail(FORCESHADE_BAD_HANDLE, "the session is none: it was never opened, or has been closed");
   }
@@ -92,7 +89,7 @@ forceshade_result forceshade_session_open(forceshade_subject subject, forceshade
     if (made == nullptr) return fail(FORCESHADE_NULL_POINTER, "made is NULL");
     if (const char* fault = fast::arithmetic_fault())
       return fail(FORCESHADE_BAD_ARITHMETIC, std::string("found ") + fault + "; expected rounding to nearest, with subnormals");
-    const std::uint64_t handle = sessions().add(std::make_unique<c::Session>(its->renderer));
+    const std::uint64_t handle = sessions.table.add(std::make_unique<c::Session>(its->renderer));
     if (handle == 0) return fail(FORCESHADE_NO_MEMORY, "there are too many sessions; expected some to be closed");
     made->handle = handle;
     return FORCESHADE_OK;
@@ -103,7 +100,7 @@ forceshade_result forceshade_session_close(forceshade_session session) {
   return guarded([&]() -> forceshade_result {
     const Entered entered(session);
     if (!entered) return entered.result;
-    sessions().take(session.handle);
+    sessions.table.take(session.handle);
     return FORCESHADE_OK;
   });
 }
@@ -113,12 +110,7 @@ forceshade_result forceshade_session_step(forceshade_session session, const floa
   if (position == nullptr || force == nullptr) return fail(FORCESHADE_NULL_POINTER, "position or force is NULL");
   const Entered entered(session);
   if (!entered) return entered.result;
-  const fast::Evaluation answer = entered->step({position[0], position[1], position[2]});
-  force[0] = answer.force.x();
-  force[1] = answer.force.y();
-  force[2] = answer.force.z();
-  if (status != nullptr) *status = status_of(answer);
-  return FORCESHADE_OK;
+  return give(entered->step(as_vector(position)), force, status);
 }
 
 forceshade_result forceshade_session_steps(forceshade_session session, const forceshade_batch* batch, size_t* invalid) {

@@ -2,6 +2,7 @@
 #pragma once
 // Arrays of numbers that lie at equal distances, counted in bytes.
 
+#include <Eigen/Core>
 #include <cstddef>
 
 namespace forceshade::c {
@@ -16,6 +17,12 @@ template <class T>
 T* at(T* first, std::size_t i, std::ptrdiff_t stride, std::size_t j = 0, std::ptrdiff_t component = 0) noexcept {
   const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(i) * stride + static_cast<std::ptrdiff_t>(j) * component;
   return first + offset / static_cast<std::ptrdiff_t>(sizeof(T));
+}
+
+// Three floats that lie one after the other.
+inline const Eigen::Vector3f& as_vector(const float* three) noexcept {
+  static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float) && alignof(Eigen::Vector3f) == alignof(float));
+  return *reinterpret_cast<const Eigen::Vector3f*>(three);
 }
 
 }  // namespace forceshade::c

@@ -14,7 +14,7 @@ forceshade_result add(std::variant<Field, ParameterError> built, Identity identi
     return fail(error->arithmetic_fault == nullptr ? FORCESHADE_BAD_VALUE : FORCESHADE_BAD_ARITHMETIC, error->message());
   const auto& field = std::get<Field>(built);
   const std::uint64_t handle =
-      subjects().add(std::make_unique<Subject>(Subject{std::move(identity), field, renderer_of(field)}));
+      subjects.table.add(std::make_unique<Subject>(Subject{std::move(identity), field, renderer_of(field)}));
   if (handle == 0) return fail(FORCESHADE_NO_MEMORY, "there are too many subjects; expected some to be freed");
   made->handle = handle;
   return FORCESHADE_OK;
@@ -22,16 +22,11 @@ forceshade_result add(std::variant<Field, ParameterError> built, Identity identi
 
 }  // namespace
 
-// Never destroyed, because other threads may still use it while the process ends.
-Table<Subject>& subjects() {
-  static auto& all = *new Table<Subject>;
-  return all;
-}
+constinit Lasting<Subject> subjects;
 
-const Subject* subject_of(forceshade_subject handle) noexcept {
-  const Subject* const found = subjects().find(handle.handle);
-  if (found == nullptr) fail(FORCESHADE_BAD_HANDLE, "the subject is none: it was never made, or has been freed");
-  return found;
+const Subject* no_subject() noexcept {
+  fail(FORCESHADE_BAD_HANDLE, "the subject is none: it was never made, or has been freed");
+  return nullptr;
 }
 
 forceshade_result add_subject(const Description& description, forceshade_subject* made) {

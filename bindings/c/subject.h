@@ -20,10 +20,16 @@ struct Subject {
   Renderer renderer;
 };
 
-Table<Subject>& subjects();
+extern constinit Lasting<Subject> subjects;
+
+// Says BAD_HANDLE.
+const Subject* no_subject() noexcept;
 
 // Null for a handle that is none; then BAD_HANDLE has been said.
-const Subject* subject_of(forceshade_subject handle) noexcept;
+inline const Subject* subject_of(forceshade_subject handle) noexcept {
+  const Subject* const found = subjects.table.find(handle.handle);
+  return found != nullptr ? found : no_subject();
+}
 
 // The handle of what is described, or the error.
 forceshade_result add_subject(const Description& description, forceshade_subject* made);

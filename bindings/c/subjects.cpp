@@ -174,8 +174,9 @@ forceshade_result forceshade_subject_parse(const char* text, size_t length, cons
 
 forceshade_result forceshade_subject_free(forceshade_subject subject) {
   return guarded([&]() -> forceshade_result {
-    if (subjects().take(subject.handle) != nullptr) return FORCESHADE_OK;
-    return fail(FORCESHADE_BAD_HANDLE, "the subject is none: it was never made, or has been freed");
+    if (forceshade::c::subjects.table.take(subject.handle) != nullptr) return FORCESHADE_OK;
+    no_subject();
+    return FORCESHADE_BAD_HANDLE;
   });
 }
 

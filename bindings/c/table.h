@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Handles of the C interface: the index of a slot with the slot's generation, so that a handle that was freed, or never given,
-// is found to be none. Slots are never given back to the system, so that looking at one is always safe.
+// Handles of the C interface: the index of a slot, and in the upper half how often the slot has been given out, so that a
+// handle that was freed, or never given, is found to be none. Slots stay where they are, so that looking at one is always safe.
 
 #include <array>
 #include <atomic>
@@ -16,36 +16,44 @@ namespace forceshade::c {
 template <class T>
 class Table {
  public:
-  struct Slot {
-    std::atomic<std::uint32_t> generation = 1;  // of the handle that is valid now, or will be the next one
+  static constexpr std::uint32_t kSlots = 1U << 16U;
+
+  struct alignas(32) Slot {
     std::atomic<T*> object = nullptr;
-    std::atomic<bool> is_busy = false;  // for who uses the object alone
+    std::atomic<std::uint32_t> use = 0;  // the number of this use, or of the last one; 0: none yet
+    std::atomic<bool> is_busy = false;   // for who uses the object alone
   };
+
+  constexpr Table() = default;
 
   // 0 where there is no further slot. Throws std::bad_alloc.
   std::uint64_t add(std::unique_ptr<T> object) {
     const std::lock_guard lock(mutex_);
-    if (free_.empty()) grow();
-    if (free_.empty()) return 0;
-    const std::uint32_t index = free_.back();
-    free_.pop_back();
-    Slot& slot = owned_[index / kPerBlock][index % kPerBlock];
+    freed_.reserve(kSlots);  // so that take() never allocates
+    if (freed_.empty() && touched_ == kSlots) return 0;
+    std::uint32_t index = touched_;
+    if (freed_.empty()) {
+      ++touched_;
+    } else {
+      index = freed_.back();
+      freed_.pop_back();
+    }
+    Slot& slot = slots_[index];
+    const std::uint32_t use = slot.use.fetch_add(1, std::memory_order_release) + 1;
     slot.object.store(object.release(), std::memory_order_release);
-    return std::uint64_t{slot.generation.load(std::memory_order_relaxed)} << 32U | (index + 1);
+    return std::uint64_t{use} << 32U | index;
   }
 
   // Null for a handle that is none.
-  Slot* slot(std::uint64_t handle) const noexcept {
-    Slot* const slot = slot_at(static_cast<std::uint32_t>(handle) - 1);
-    return slot != nullptr && is_of(*slot, handle) ? slot : nullptr;
-  }
   T* find(std::uint64_t handle) const noexcept {
-    Slot* const found = slot(handle);
-    return found == nullptr ? nullptr : found->object.load(std::memory_order_acquire);
+    const auto index = static_cast<std::uint32_t>(handle);
+    if (index >= kSlots || slots_[index].use.load(std::memory_order_acquire) != handle >> 32U) [[unlikely]]
+      return nullptr;
+    return slots_[index].object.load(std::memory_order_acquire);
   }
-  static bool is_of(const Slot& slot, std::uint64_t handle) noexcept {
-    return slot.generation.load(std::memory_order_acquire) == handle >> 32U &&
-           slot.object.load(std::memory_order_acquire) != nullptr;
+  // The slot of a handle that is one.
+  Slot* slot(std::uint64_t handle) noexcept {
+    return find(handle) == nullptr ? nullptr : &slots_[static_cast<std::uint32_t>(handle)];
   }
 
   // The handle is none from then on. Null where it was none.
@@ -54,35 +62,25 @@ class Table {
     Slot* const its = slot(handle);
     if (its == nullptr) return nullptr;
     std::unique_ptr<T> object(its->object.exchange(nullptr));
-    // A slot that has gone through all generations is not used again.
-    if (its->generation.fetch_add(1) != UINT32_MAX) free_.push_back(static_cast<std::uint32_t>(handle) - 1);
+    // A slot whose uses can no longer be counted is not given out again.
+    if (its->use.load(std::memory_order_relaxed) != UINT32_MAX) freed_.push_back(static_cast<std::uint32_t>(handle));
     return object;
   }
 
  private:
-  static constexpr std::uint32_t kPerBlock = 1024, kBlocks = 1024;
-
-  // Null beyond the last one.
-  Slot* slot_at(std::uint32_t index) const noexcept {
-    if (index >= kPerBlock * kBlocks) return nullptr;
-    Slot* const block = blocks_[index / kPerBlock].load(std::memory_order_acquire);
-    return block == nullptr ? nullptr : block + index % kPerBlock;
-  }
-
-  void grow() {
-    if (used_blocks_ == kBlocks) return;
-    free_.reserve(std::size_t{kPerBlock} * (used_blocks_ + 1));  // so that take() never allocates
-    owned_.reserve(kBlocks);
-    owned_.push_back(std::make_unique<Slot[]>(kPerBlock));
-    for (std::uint32_t i = kPerBlock; i-- > 0;) free_.push_back(used_blocks_ * kPerBlock + i);
-    blocks_[used_blocks_++].store(owned_.back().get(), std::memory_order_release);
-  }
-
-  std::array<std::atomic<Slot*>, kBlocks> blocks_{};
+  std::array<Slot, kSlots> slots_{};  // memory that is not touched before it is used
   std::mutex mutex_;
-  std::vector<std::uint32_t> free_;  // slots without an object
-  std::vector<std::unique_ptr<Slot[]>> owned_;
-  std::uint32_t used_blocks_ = 0;
+  std::vector<std::uint32_t> freed_;
+  std::uint32_t touched_ = 0;  // how many slots have been used
+};
+
+// A table that is there before the first function runs and is never destroyed, because other threads may still use it while the
+// process ends.
+template <class T>
+union Lasting {
+  constexpr Lasting() : table() {}
+  ~Lasting() {}
+  Table<T> table;
 };
 
 }  // namespace forceshade::c

@@ -54,14 +54,20 @@ Renderer renderer_of(const fast::Law& law) {
             fast::BatchResult all;
             for (std::size_t begin = 0; begin < positions.size(); begin += kBlock) {
               const std::size_t count = std::min(kBlock, positions.size() - begin);
+              // By their coordinates, which the compiler loads several at a time.
+              const float* const from = positions[begin].data();
               for (std::size_t i = 0; i < count; ++i) {
-                const Eigen::Vector3f& position = positions[begin + i];
-                x[i] = fast::in_domain(position.y()) ? position.x() : std::numeric_limits<float>::quiet_NaN();
-                z[i] = position.z();
+                x[i] = fast::in_domain(from[3 * i + 1]) ? from[3 * i] : std::numeric_limits<float>::quiet_NaN();
+                z[i] = from[3 * i + 2];
               }
               const std::span fx(x.data(), count), fz(z.data(), count);
               all.invalid += law.force(fx, fz, fx, fz, set).invalid;
-              for (std::size_t i = 0; i < count; ++i) forces[begin + i] = {fx[i], 0, fz[i]};
+              float* const to = forces[begin].data();
+              for (std::size_t i = 0; i < count; ++i) {
+                to[3 * i] = x[i];
+                to[3 * i + 1] = 0;
+                to[3 * i + 2] = z[i];
+              }
             }
             return all;
           }};

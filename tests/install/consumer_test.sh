@@ -65,6 +65,15 @@ for program in drive session; do
   ! nm -C "$scratch/programs/$program" | grep -E 'CGAL::|rc::|forceshade::reference' || fail "$program holds exact code"
 done
 
+echo "== C"
+# shellcheck disable=SC2046  # flags are words
+cc -std=c11 -Wall -Wextra -Wpedantic -Werror "$source/../bindings/c_program.c" -o "$scratch/c_program" \
+  $(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs forceshade-c)
+[ "$(LD_LIBRARY_PATH=$(dirname "$pc") "$scratch/c_program")" = "2.51375 N, contact" ] || fail "the program in C gives another force"
+cmake -S "$source/c" -B "$scratch/c" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_BUILD_TYPE=Release > "$scratch/configure.log"
+cmake --build "$scratch/c" > "$scratch/build.log" || { cat "$scratch/build.log"; exit 1; }
+"$scratch/c/c_program" > "$scratch/log" || { cat "$scratch/log"; exit 1; }
+
 echo "== shared object"
 # Every object of these libraries has to be position independent, not only those that the plugin calls.
 libraries=$(dirname "$pc")
