@@ -5,9 +5,9 @@
 
 #include <filesystem>
 
-#include "files/quantity.h"
 #include "apps/options.h"
 #include "files/output_file.h"
+#include "files/quantity.h"
 #include "files/suggestion.h"
 #include "forceshade/fast.h"
 #include "forceshade/reference.h"
@@ -18,12 +18,6 @@ namespace {
 std::vector<std::filesystem::path> made_directories;  // each after the one that it is in
 
 }  // namespace
-
-void write_file(const std::string& path, const std::string& text) {
-  files::OutputFile file(path);
-  file.stream() << text;
-  file.commit();
-}
 
 void make_directory(const std::string& option, const std::string& path) {
   namespace fs = std::filesystem;

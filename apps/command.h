@@ -7,12 +7,14 @@
 #include <variant>
 #include <vector>
 
+#include "files/output_file.h"
 #include "forceshade/bad_input.h"
 #include "forceshade/law.h"
 
 namespace forceshade::apps {
 
 using files::BadInput;  // becomes exit code 2
+using files::write_file;
 
 enum ExitCode { kHeld = 0, kFailed = 1, kBadInput = 2, kDeviceFault = 3, kInterrupted = 130 };
 
@@ -23,13 +25,11 @@ L built(std::variant<L, ParameterError> law, const std::string& what = "--") {
   return std::get<L>(std::move(law));
 }
 
-// Writes the file whole or not at all; "-" is standard output. Throws files::OutputError.
-void write_file(const std::string& path, const std::string& text);
-
 // Throws BadInput, naming the option, unless the directory is there or can be made, and can be written to.
 void make_directory(const std::string& option, const std::string& path);
 
-// Of what make_directory() made, removes the directories in which nothing was written: a command that fails leaves none behind.
+// Removes those directories that make_directory() made and in which nothing was written: a command that fails leaves none
+// behind.
 void remove_unused_directories();
 
 // One function per subcommand; each runs through `result` when the user calls it.

@@ -9,6 +9,7 @@
 #include "apps/command.h"
 #include "apps/documentation.h"
 #include "apps/options.h"
+#include "device/kinds.h"
 
 namespace forceshade::apps {
 namespace {
@@ -30,12 +31,20 @@ std::string law_names(const CLI::Option& option) {
   return names;
 }
 
+// "null replay: simulated phantom": a colon where more has to follow.
+std::string device_words() {
+  std::string words;
+  for (const device::Kind& kind : device::kinds())
+    words += (words.empty() ? "" : " ") + std::string(kind.name) + (kind.rest.starts_with(':') ? ":" : "");
+  return words;
+}
+
 Values values_of(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const bool optional = option.get_expected_min() == 0;
   if (type == "FILE" || type == "SPEC" || type == "[FILE]") return {"", "-f", optional};
   if (type == "DIR") return {"", "-d", optional};
-  if (type == "DEVICE") return {"null replay: simulated phantom", "", optional};
+  if (type == "DEVICE") return {device_words(), "", optional};
   if (type == "ID") return {law_names(option), "", optional};
   if (type == "LIST") return {"directions heights lines", "", optional};
   if (type.find('|') == std::string::npos) return {};

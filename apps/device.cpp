@@ -8,6 +8,7 @@
 #include "apps/command.h"
 #include "apps/device_command.h"
 #include "apps/output_options.h"
+#include "device/kinds.h"
 #include "device/phantom/driver_folder.h"
 #include "device/simulated/model.h"
 #include "files/printable.h"
@@ -15,20 +16,9 @@
 namespace forceshade::apps {
 namespace {
 
-struct Kind {
-  const char *name, *what;
-};
-
-constexpr Kind kKinds[] = {
-    {"null", "at rest, feels nothing"},
-    {"replay:FILE.csv", "a recorded hand, whatever the force"},
-    {"simulated[:MODEL[:FILE.csv]]", "a simulated PHANToM in a simulated hand"},
-    {"phantom[:NAME]", "a real PHANToM (Premium, Omni, Touch) through the vendor's driver"},
-};
-
 nlohmann::ordered_json described(const device::DriverFolder& folder) {
   nlohmann::ordered_json kinds = nlohmann::ordered_json::array(), models = nlohmann::ordered_json::array();
-  for (const Kind& kind : kKinds) kinds.push_back({{"device", kind.name}, {"what", kind.what}});
+  for (const device::Kind& kind : device::kinds()) kinds.push_back({{"device", kind.form()}, {"what", kind.what}});
   for (const auto& make : device::kModels) models.push_back(make().name);
   return {{"kinds", kinds},
           {"models", models},
@@ -43,7 +33,7 @@ int list(const std::string& json) {
     write_file(json, described(folder).dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   if (json == "-") return kHeld;
   std::printf("Kinds of device, for --device:\n");
-  for (const Kind& kind : kKinds) std::printf("  %-30s %s\n", kind.name, kind.what);
+  for (const device::Kind& kind : device::kinds()) std::printf("  %-30s %s\n", kind.form().c_str(), kind.what.data());
   std::printf("Models that can be simulated:");
   for (const auto& make : device::kModels) std::printf(" %s", make().name.data());
   const std::string path = files::printable(folder.path.string());

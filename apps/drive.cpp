@@ -14,6 +14,7 @@
 #include "apps/placement_options.h"
 #include "apps/signals.h"
 #include "apps/subject_option.h"
+#include "device/kinds.h"
 #include "forceshade/run.h"
 
 namespace forceshade::apps {
@@ -84,6 +85,14 @@ int run(const DriveOptions& options, const SubjectOption& subject, const Placeme
       .code;
 }
 
+// "null, at rest, feels nothing; ..."
+std::string kinds_of_device() {
+  std::string all;
+  for (const device::Kind& kind : device::kinds())
+    all += (all.empty() ? "" : "; ") + kind.form() + ", " + std::string(kind.what);
+  return all;
+}
+
 }  // namespace
 
 void add_drive(CLI::App& app, int& result) {
@@ -95,13 +104,7 @@ void add_drive(CLI::App& app, int& result) {
       ->type_name("FILE")
       ->group(kEvidenceGroup);
   command->option_defaults()->group(kDeviceGroup);
-  command
-      ->add_option("--device", options->device,
-                   "null; replay:FILE.csv, a recording with columns t_s, x_mm, y_mm, z_mm; simulated[:MODEL[:FILE.csv]], a "
-                   "PHANToM (premium-1.5, premium-1.0, omni) in a hand that means to go as recorded, or strokes the bump; or "
-                   "phantom[:NAME], a real one through the vendor's driver")
-      ->type_name("DEVICE")
-      ->required();
+  command->add_option("--device", options->device, kinds_of_device())->type_name("DEVICE")->required();
   add_number(*command, "--rate", "ticks per second; 1000 unless said", {device::kLowestRateHz, device::kHighestRateHz},
              [options](double rate) { options->rate = rate; });
   add_number(*command, "--seconds", "stop after so many seconds' worth of ticks", kSeconds,

@@ -29,7 +29,7 @@ struct EnergyOptions {
   std::string depth, json, along = "x", at = "0", from = "-12.7mm", to = "12.7mm";
 };
 
-// Of a law or a height map. What differs between the two is in its JSON and its words.
+// The verdict on a law or a height map. What differs between the two is in its JSON and its words.
 struct Verdict {
   std::string name;
   Json of;            // the first members of the JSON: the law or map, its parameters, and where the loops lie
@@ -91,9 +91,9 @@ Verdict verdict_on(const reference::HeightMapField& law, const std::string& name
   std::snprintf(where.data(), where.size(), "over %s = %g mm, %s from %g to %g mm, ", is_x ? "y" : "x", at, is_x ? "x" : "y",
                 from, to);
   Verdict verdict{
-      .name = name + ", " + std::string(name_of(law.rendering())),
+      .name = name + ", " + std::string(name_of(law.mode())),
       .of = {{"height_map", name},
-             {"rendering", name_of(law.rendering())},
+             {"rendering", name_of(law.mode())},
              {"parameters", {{"stiffness_N_per_mm", static_cast<double>(law.stiffness())}}},
              {"slice", {{"along", is_x ? "x" : "y"}, {"at_mm", at}, {"from_mm", from}, {"to_mm", to}}}},
       .where = where.data(),
@@ -160,7 +160,7 @@ void run_law(const EnergyOptions& options, const DescribedLaw& described, float 
 }
 
 int run_height_map(const EnergyOptions& options, const std::string& name, const DescribedHeightMap& map, float depth) {
-  const auto law = std::get<reference::HeightMapField>(reference::HeightMapField::build(map.map, map.rendering, map.stiffness));
+  const auto law = std::get<reference::HeightMapField>(reference::HeightMapField::build(map.map, map.mode, map.stiffness));
   const reference::Slice slice{options.along == "x" ? reference::Slice::Along::x : reference::Slice::Along::y,
                                files::parse_length("--at", options.at), files::parse_length("--from", options.from),
                                files::parse_length("--to", options.to)};

@@ -10,24 +10,28 @@
 
 #include "apps/command.h"
 #include "apps/device_run.h"
-#include "apps/experiment_certificates.h"
 #include "apps/experiment_fronts.h"
 #include "apps/experiment_run.h"
 #include "apps/experiment_virtual.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
-#include "apps/session_motion.h"
 #include "apps/signals.h"
+#include "apps/subject_option.h"
 #include "device/placement_text.h"
 #include "files/printable.h"
+#include "study/apparatus/certificates.h"
+#include "study/apparatus/motion.h"
 #include "study/experiments/bids.h"
 #include "study/experiments/results_csv.h"
 #include "study/experiments/session_results.h"
+#include "study/preparation/prepare.h"
 
 namespace forceshade::apps {
 namespace {
 
 namespace fs = std::filesystem;
+using apparatus::Bumps;
+using apparatus::Front;
 using experiments::Bump;
 using experiments::Protocol;
 
@@ -52,7 +56,7 @@ double seam_depth(const Protocol& protocol) {
 int check(const std::string& file, const std::string& certificates) {
   const Protocol protocol = experiments::read_protocol(file);
   const experiments::Language language = experiments::read_language(protocol.language);
-  Bumps bumps(protocol);
+  Bumps bumps(protocol, read_with_progress);
   const std::vector<Bump> all = protocol.bumps();
   for (const Bump& bump : all) bumps.of(bump);
   std::printf("%s: a %s experiment, texts in %s\n", protocol.name.c_str(), name_of(protocol.experiment).data(),
@@ -66,16 +70,29 @@ int check(const std::string& file, const std::string& certificates) {
           "cylinder reaches it\n",
           depth);
   if (certificates.empty()) return kHeld;
-  certificates_of(bumps, certificates);
+  apparatus::certificates_of(bumps, certificates);
   std::printf("every one of them is certified for this build\n");
   return kHeld;
 }
 
 int prepare(const std::string& file, const OutFolder& out, unsigned threads) {
   watch_for_interrupt();
-  Bumps bumps(experiments::read_protocol(file));
+  const Bumps bumps(experiments::read_protocol(file), read_with_progress);
   out.make();
-  return prepare_certificates(bumps, out.path(), threads) ? kHeld : kFailed;
+  std::size_t all = 0, kept = 0;
+  const auto say = [&](const apparatus::Prepared& one) {
+    all = one.of;
+    if (one.was_there) {
+      ++kept;
+      return;
+    }
+    std::printf("%3zu of %zu  %-28s %s\n", one.number, one.of, one.bump.c_str(),
+                one.why_not.empty() ? "certified" : ("FAILED: " + one.why_not).c_str());
+    std::fflush(stdout);
+  };
+  const bool held = apparatus::prepare(bumps, out.path(), {.threads = threads, .done = say}, interrupted());
+  std::printf("%zu bumps, %zu of them certified before\n", all, kept);
+  return held ? kHeld : kFailed;
 }
 
 // What run and resume have in common.
@@ -186,7 +203,7 @@ int write_out(const ExportOptions& options) {
   }
   if (!options.bids.empty()) {
     expect_empty("--bids", options.bids);
-    experiments::export_bids(folders, options.bids, motion_of, options.authors);
+    experiments::export_bids(folders, options.bids, apparatus::motion_of, options.authors);
   }
   return kHeld;
 }
@@ -253,7 +270,7 @@ void add_virtual(CLI::App& experiment, int& result) {
   CLI::App* command = experiment.add_subcommand("virtual", "Sessions with virtual participants on a simulated device");
   command->add_option("protocol", texts->protocol, "the experiment, a TOML file")->type_name("FILE")->required();
   add_whole(*command, "--participants", options->participants, "how many", {1, 1000});
-  add_whole(*command, "--seed", options->seed, "of orders and participants", kSeeds);
+  add_whole(*command, "--seed", options->plan.seed, "of orders and participants", kSeeds);
   add_whole(*command, "--threads", options->threads, "participants at a time", {1, 1024});
   const auto out = std::make_shared<OutFolder>(*command, "directory for the sessions, V1 and so on");
   out->require();
@@ -265,10 +282,10 @@ void add_virtual(CLI::App& experiment, int& result) {
   command->callback([options, texts, out, &result] {
     if (texts->certificates.empty() && !texts->uncertified)
       throw BadInput("--certificates: expected the folder of 'forceshade experiment prepare', or --uncertified; got neither");
-    options->protocol = texts->protocol;
+    options->plan.protocol = texts->protocol;
     options->certificates = texts->certificates;
     out->make();
-    options->out = out->path();
+    options->plan.out = out->path();
     result = run_virtual(*options);
   });
 }

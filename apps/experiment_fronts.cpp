@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "files/printable.h"
+#include "study/experiments/language.h"
 
 namespace forceshade::apps {
 namespace {
@@ -63,8 +64,7 @@ TerminalFront::~TerminalFront() {
   if (is_terminal_) ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &before_);
 }
 
-bool TerminalFront::show(const experiments::Session& session, const std::optional<device::Sample>&, const experiments::Scene&) {
-  const Screen screen = session.screen();
+bool TerminalFront::show(const Screen& screen, const std::optional<device::Sample>&, const experiments::Scene&) {
   kind_ = screen.kind;
   if (const std::string words = words_of_screen(screen); words != shown_) {
     std::printf("%s%s", is_terminal_ ? "\r\033[K" : "", words.c_str());
@@ -94,7 +94,7 @@ std::vector<Press> TerminalFront::presses() {
   return press ? std::vector<Press>{*press} : std::vector<Press>{};
 }
 
-WindowFront::WindowFront(const window::Settings& settings, Bumps& bumps, device::Steering& steering,
+WindowFront::WindowFront(const window::Settings& settings, apparatus::Bumps& bumps, device::Steering& steering,
                          const Eigen::Vector3f& origin, bool has_mouse)
     : bumps_(bumps),
       steering_(steering),
@@ -120,9 +120,8 @@ window::Scene WindowFront::seen(const std::optional<device::Sample>& latest, con
   return seen;
 }
 
-bool WindowFront::show(const experiments::Session& session, const std::optional<device::Sample>& latest,
-                       const experiments::Scene& felt) {
-  const bool is_open = window_.draw(session.screen(), seen(latest, felt));
+bool WindowFront::show(const Screen& screen, const std::optional<device::Sample>& latest, const experiments::Scene& felt) {
+  const bool is_open = window_.draw(screen, seen(latest, felt));
   if (const auto mouse = window_.mouse()) steering_.aim(origin_ + Eigen::Vector3d(mouse->x, mouse->y, mouse->z));
   return is_open;
 }

@@ -6,21 +6,23 @@
 
 #include <string>
 
-#include "apps/experiment_run.h"
+#include "device/simulated/steering.h"
+#include "forceshade/apparatus.h"
+#include "study/apparatus/bumps.h"
 #include "study/window/window.h"
 
 namespace forceshade::apps {
 
 // Texts go to standard output when they change, keys come from standard input: a terminal, where each key acts at once, or a
 // pipe. j, k, l, Enter, Backspace as in the window; Ctrl-D, or the end of a pipe, closes it.
-class TerminalFront final : public Front {
+class TerminalFront final : public apparatus::Front {
  public:
   TerminalFront();
   ~TerminalFront() override;
   TerminalFront(const TerminalFront&) = delete;
   TerminalFront& operator=(const TerminalFront&) = delete;
 
-  bool show(const experiments::Session& session, const std::optional<device::Sample>& latest,
+  bool show(const experiments::Screen& screen, const std::optional<device::Sample>& latest,
             const experiments::Scene& felt) override;
   std::vector<experiments::Press> presses() override;
   bool waits_at_the_end() const override { return false; }
@@ -35,22 +37,22 @@ class TerminalFront final : public Front {
 // A key of the terminal on a screen of this kind: the bytes of one character. Nothing where it has no meaning there.
 std::optional<experiments::Press> press_of_character(experiments::ScreenKind kind, const std::string& character);
 
-class WindowFront final : public Front {
+class WindowFront final : public apparatus::Front {
  public:
   // Bumps and steering live longer; the labels are in the language of the protocol. Throws window::Error, and
   // experiments::Error of its file of texts. has_mouse: the hand is the mouse, so that its place has to be seen on every screen
   // that has something to feel.
-  WindowFront(const window::Settings& settings, Bumps& bumps, device::Steering& steering, const Eigen::Vector3f& origin,
-              bool has_mouse);
+  WindowFront(const window::Settings& settings, apparatus::Bumps& bumps, device::Steering& steering,
+              const Eigen::Vector3f& origin, bool has_mouse);
 
-  bool show(const experiments::Session& session, const std::optional<device::Sample>& latest,
+  bool show(const experiments::Screen& screen, const std::optional<device::Sample>& latest,
             const experiments::Scene& felt) override;
   std::vector<experiments::Press> presses() override { return window_.presses(); }
 
  private:
   window::Scene seen(const std::optional<device::Sample>& latest, const experiments::Scene& felt);
 
-  Bumps& bumps_;
+  apparatus::Bumps& bumps_;
   device::Steering& steering_;
   Eigen::Vector3d origin_;
   bool has_mouse_;

@@ -1,152 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/experiment_virtual.h"
 
-#include <cmath>
+#include <atomic>
 #include <cstdio>
 #include <exception>
 #include <mutex>
-#include <numbers>
 #include <thread>
 #include <vector>
 
 #include "apps/command.h"
-#include "apps/experiment_apparatus.h"
-#include "apps/experiment_certificates.h"
 #include "apps/signals.h"
-#include "device/simulated/steering.h"
-#include "files/printable.h"
-#include "forceshade/checks.h"
-#include "forceshade/device.h"
-#include "study/experiments/random.h"
-#include "study/experiments/session_folder.h"
-#include "study/experiments/virtual_participant.h"
+#include "apps/subject_option.h"
+#include "study/apparatus/certificates.h"
 
 namespace forceshade::apps {
-namespace {
-
-using experiments::RecordedSession;
-using experiments::Session;
-
-// A simulated PHANToM for which aim() is called before every reading, in the loop's own thread; where it returns false, the
-// data end. It may take its time, because such a loop is not paced.
-class SteeredDevice final : public device::Device {
- public:
-  SteeredDevice(std::unique_ptr<device::Device> device, std::function<bool()> aim)
-      : device_(std::move(device)), aim_(std::move(aim)) {}
-
-  device::Capabilities capabilities() const noexcept override { return device_->capabilities(); }
-  std::optional<device::Fault> start(double rate) noexcept override { return device_->start(rate); }
-  device::ReadResult read() noexcept override {
-    try {
-      if (!aim_()) return device::EndOfData{};
-    } catch (...) {
-      thrown_ = std::current_exception();
-      return device::EndOfData{};
-    }
-    return device_->read();
-  }
-  void allow(const device::Allowance& allowance) noexcept override { device_->allow(allowance); }
-  std::optional<device::Fault> command(const Eigen::Vector3f& force) noexcept override { return device_->command(force); }
-  device::State state() const noexcept override { return device_->state(); }
-
-  void rethrow() const {
-    if (thrown_) std::rethrow_exception(thrown_);
-  }
-
- private:
-  std::unique_ptr<device::Device> device_;
-  std::function<bool()> aim_;
-  std::exception_ptr thrown_;
-};
-
-struct SteeringOnly final : device::Attendant {
-  device::Steering* steering() noexcept override { return &hand; }
-  device::Steering hand;
-};
-
-// Where the hand means to be, tick by tick: a stroke across all bumps and back, and a moment in the air after each press.
-class Hand {
- public:
-  Hand(device::Steering& steering, double reach) : steering_(steering), reach_(reach) {}
-
-  void begin_stroke() { tick_ = 0; }
-  // False once the hand has nothing to do but to rest in the air.
-  bool goes_on() {
-    if (tick_ > kStroke + kRise) return false;
-    const double share = std::min(1.0, static_cast<double>(tick_) / kStroke);
-    // Down beside the bumps, across them, and up where it began.
-    const double x = -reach_ * std::cos(2 * std::numbers::pi * share);
-    steering_.aim({x, 0, tick_ < kDescent || tick_ > kStroke ? kAir : kDepth});
-    ++tick_;
-    return true;
-  }
-  // So many ticks in the air.
-  void rest() { tick_ = kStroke + kRise - kBetweenPresses; }
-
- private:
-  static constexpr int kStroke = 900, kDescent = 100, kRise = 60, kBetweenPresses = 8;  // ticks
-  static constexpr double kAir = 8, kDepth = -3;                                        // mm
-  device::Steering& steering_;
-  double reach_;
-  int tick_ = kStroke + kRise;
-};
-
-void run_participant(const VirtualOptions& options, const std::map<std::string, std::string>& certificates, int number) {
-  const std::string id = "V" + std::to_string(number);
-  const std::uint64_t seed = experiments::Random(options.seed, static_cast<std::uint64_t>(number)).next();
-  RecordedSession recorded = RecordedSession::start(options.out / id, options.protocol, id, seed, {}, experiments::Sync::never);
-  Session& session = recorded.session();
-  const experiments::Protocol& protocol = session.protocol();
-  Bumps bumps(protocol);
-  experiments::VirtualParticipant participant(protocol, experiments::fitted_observer(), experiments::feel_of_laws(protocol),
-                                              seed + 1);
-  SteeringOnly steered;
-  Hand hand(steered.hand, (0.5 * protocol.spacing + protocol.width) * experiments::kMillimetresPerMil);
-  std::unique_ptr<Apparatus> apparatus;
-  int trial = 0;  // that the stroke was of
-  const auto aim = [&] {
-    if (interrupted()) return false;
-    if (hand.goes_on()) return true;
-    if (session.is_over()) return false;
-    const auto response = participant.next(session.screen(), session.scene());
-    session.press(response.press, apparatus->seconds());
-    apparatus->follow(session);
-    const auto current = session.current();
-    const int now = current ? 1000 * current->block + current->index : 0;
-    if (current && now != trial)
-      hand.begin_stroke();
-    else
-      hand.rest();
-    trial = now;
-    return true;
-  };
-  SteeredDevice device(device::open_device("simulated:" + options.model + ":mouse", steered), aim);
-  apparatus = std::make_unique<Apparatus>(device, bumps,
-                                          ApparatusPlan{.device = "simulated:" + options.model + ":mouse",
-                                                        .folder = recorded.ticks(),
-                                                        .certificates = certificates,
-                                                        .origin = {0, 0, 0},
-                                                        .metadata = {{"participant", id}, {"run", "1"}, {"virtual", "yes"}},
-                                                        .servo = {.paced = false}});
-  apparatus->follow(session);
-  apparatus->start();
-  const device::ServoResult result = apparatus->stop_at_the_end();
-  session.close(apparatus->seconds());
-  device.rethrow();
-  if (result.trip)
-    throw std::runtime_error(id + ": the supervisor stopped the run: " + std::string(name_of(result.trip->rule)));
-  if (!session.is_over() && interrupted()) throw Interrupted("the sessions so far are in " + options.out.string());
-  std::printf("%s: %zu ticks, every trial done\n", id.c_str(), result.ticks);
-}
-
-}  // namespace
 
 int run_virtual(const VirtualOptions& options) {
   watch_for_interrupt();
-  std::map<std::string, std::string> certificates;
+  apparatus::VirtualPlan plan = options.plan;
   if (!options.certificates.empty()) {
-    Bumps bumps(experiments::read_protocol(options.protocol));
-    certificates = certificates_of(bumps, options.certificates);
+    apparatus::Bumps bumps(experiments::read_protocol(plan.protocol), read_with_progress);
+    plan.certificates = apparatus::certificates_of(bumps, options.certificates);
   }
   std::atomic<int> next = 1;
   std::mutex mutex;
@@ -155,7 +29,8 @@ int run_virtual(const VirtualOptions& options) {
   for (unsigned i = 0; i < options.threads; ++i)
     threads.emplace_back([&] {
       for (int number = next++; number <= options.participants; number = next++) try {
-          run_participant(options, certificates, number);
+          const std::size_t ticks = apparatus::run_virtual_session(plan, number, interrupted());
+          std::printf("V%d: %zu ticks, every trial done\n", number, ticks);
         } catch (...) {
           const std::lock_guard lock(mutex);
           if (!failed) failed = std::current_exception();

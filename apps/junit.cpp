@@ -11,7 +11,7 @@
 namespace forceshade::apps {
 namespace {
 
-// Of an attribute or an element.
+// The text as an attribute or an element has it.
 std::string xml(const std::string& text) {
   std::string all;
   const std::string shown = files::printable(text);

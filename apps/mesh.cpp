@@ -280,7 +280,7 @@ mesh::TriangleMesh made(const MakeOptions& options) {
   if (options.shape == "cylinder-bump") return mesh::cylinder_bump(radius, width, size, options.cells);
   const heights::Spec spec = heights::read_spec(options.height_map);
   subjects::expect_valid(options.height_map, spec);
-  const auto field = built(fast::HeightMapField::build(spec.map, spec.rendering, 1), options.height_map + ": ");
+  const auto field = built(fast::HeightMapField::build(spec.map, spec.mode, 1), options.height_map + ": ");
   return mesh::height_map(size, size, options.cells, options.cells,
                           [&](double x, double y) { return surface_of(field, x, y); });
 }

@@ -90,8 +90,8 @@ PlannedView view_of_law(const DescribedLaw& described) {
 PlannedView view_of_height_map(const std::string& title, const DescribedHeightMap& its, const properties::Range& range) {
   const std::string name = std::filesystem::path(title).stem();
   return {name, [=] {
-            SideView view = side_view(built(properties::fast_rendering(its.map, its.rendering, its.stiffness)), name, range);
-            view.heading = {title, std::string(name_of(its.rendering)) + ", K = " + files::shortest(its.stiffness) +
+            SideView view = side_view(built(properties::fast_rendering(its.map, its.mode, its.stiffness)), name, range);
+            view.heading = {title, std::string(name_of(its.mode)) + ", K = " + files::shortest(its.stiffness) +
                                        " N/mm, y = " + files::shortest(range.y) + " mm"};
             return view;
           }};

@@ -76,7 +76,7 @@ void of_height_map(const PolygonsOptions& options) {
   if (!options.json.empty() && options.json == options.out)
     throw BadInput("--json and --out: expected two files, got \"" + options.json + "\" for both");
   const HeightMap map{heights::read_spec(options.height_map).map.parts};
-  subjects::expect_valid(options.height_map, {map, height::Rendering::force_shaded});
+  subjects::expect_valid(options.height_map, {map, height::Mode::force_shaded});
   try {
     const reference::Profile profile(map.parts, files::parse_length("--from", options.from),
                                      files::parse_length("--to", options.to));
@@ -100,7 +100,7 @@ void of_height_map(const PolygonsOptions& options) {
     auto knots = profile.knots(polygons);
     if (!turns_little(map, knots, options.theta_critical)) knots = profile.knots(polygons + 1);
     const auto shaded =
-        reference::HeightMapField::build({map.parts, {{height::Polygons{knots}}}}, height::Rendering::force_shaded, 1);
+        reference::HeightMapField::build({map.parts, {{height::Polygons{knots}}}}, height::Mode::force_shaded, 1);
     if (const auto* error = std::get_if<ParameterError>(&shaded)) throw BadInput(options.out + ": " + error->message());
     write_file(options.out,
                heights::shading_polygons(options.height_map, knots, std::filesystem::absolute(options.out).parent_path()));

@@ -13,15 +13,17 @@
 #include <vector>
 
 #include "apps/command.h"
-#include "apps/experiment_bumps.h"
-#include "apps/session_motion.h"
 #include "apps/signals.h"
+#include "apps/subject_option.h"
 #include "device/retrace.h"
 #include "device/run/summary.h"
 #include "files/printable.h"
 #include "forceshade/checks.h"
+#include "forceshade/properties.h"
 #include "properties/binary32.h"
 #include "recorder/settings.h"
+#include "study/apparatus/bumps.h"
+#include "study/apparatus/motion.h"
 #include "study/experiments/session_folder.h"
 #include "study/experiments/stimulus_list.h"
 
@@ -46,6 +48,22 @@ std::vector<fs::path> runs_of(const fs::path& session) {
   return runs;
 }
 
+// The subjects of a protocol's bumps, each read once.
+class Subjects {
+ public:
+  explicit Subjects(experiments::Protocol protocol) : bumps_(std::move(protocol), read_with_progress) {}
+
+  const properties::Subject& of(const Bump& bump) {
+    std::shared_ptr<const properties::Subject>& subject = kept_[{bump.stimulus, bump.radius}];
+    if (!subject) subject = properties::subject_of(bumps_.description(bump));
+    return *subject;
+  }
+
+ private:
+  apparatus::Bumps bumps_;
+  std::map<std::pair<std::string, experiments::Mil>, std::shared_ptr<const properties::Subject>> kept_;
+};
+
 // One side of a stimulus.
 struct Side {
   Bump bump;
@@ -60,16 +78,16 @@ struct Line {
 // What stimuli.jsonl says.
 class Stimuli {
  public:
-  Stimuli(const fs::path& file, Bumps& bumps) {
+  Stimuli(const fs::path& file, Subjects& subjects) {
     for (const experiments::ListedStimulus& listed : experiments::read_stimuli(file)) {
       Line line{.left = std::nullopt, .right = std::nullopt, .seam = listed.seam};
       for (const auto& [side, its] : {std::pair{&line.left, &listed.left}, std::pair{&line.right, &listed.right}}) {
         if (!*its) continue;
         const Bump bump{(*its)->stimulus, (*its)->radius, 0};
         const auto& [x, y, z] = (*its)->origin;
-        if (const std::string subject = run::summary_of(bumps.of(bump).identity()).dump(); (*its)->subject != subject)
-          throw BadInput(file.string() + ":" + std::to_string(listed.number) + ": the rendered " + words_of(bump) + " was " +
-                         (*its)->subject + "; the protocol's is " + subject);
+        if (const std::string subject = run::summary_of(subjects.of(bump).identity()).dump(); (*its)->subject != subject)
+          throw BadInput(file.string() + ":" + std::to_string(listed.number) + ": the rendered " + apparatus::words_of(bump) +
+                         " was " + (*its)->subject + "; the protocol's is " + subject);
         *side = Side{bump, {x, y, z}};
       }
       lines_[listed.number] = line;
@@ -88,9 +106,9 @@ class Stimuli {
 // The exact definition of a stimulus along the path since it was first stepped.
 class Definition {
  public:
-  Definition(std::uint32_t number, const Line& line, Bumps& bumps) : number_(number), line_(line) {
-    if (line.left) left_ = bumps.of(line.left->bump).open_reference();
-    if (line.right) right_ = bumps.of(line.right->bump).open_reference();
+  Definition(std::uint32_t number, const Line& line, Subjects& subjects) : number_(number), line_(line) {
+    if (line.left) left_ = subjects.of(line.left->bump).open_reference();
+    if (line.right) right_ = subjects.of(line.right->bump).open_reference();
   }
 
   std::uint32_t number() const { return number_; }
@@ -119,8 +137,8 @@ struct Counts {
 // One run, from its first tick through all of its parts.
 class Run {
  public:
-  Run(const fs::path& folder, Bumps& bumps)
-      : bumps_(bumps), stimuli_(folder / "stimuli.jsonl", bumps), name_(folder.string()) {}
+  Run(const fs::path& folder, Subjects& subjects)
+      : subjects_(subjects), stimuli_(folder / "stimuli.jsonl", subjects), name_(folder.string()) {}
 
   void compute(const recorder::Recording& recording, const device::Sample& sample, Counts& counts) {
     const auto& [x, y, z] = sample.position;
@@ -153,10 +171,10 @@ class Run {
     if (line == nullptr)
       throw BadInput(recording.path() + ": tick " + std::to_string(sample.tick) + " has the stimulus " +
                      std::to_string(number) + ", which " + name_ + "/stimuli.jsonl does not list");
-    return std::make_unique<Definition>(number, *line, bumps_);
+    return std::make_unique<Definition>(number, *line, subjects_);
   }
 
-  Bumps& bumps_;
+  Subjects& subjects_;
   Stimuli stimuli_;
   std::string name_;
   std::unique_ptr<Definition> current_, waiting_;
@@ -207,15 +225,15 @@ bool CommandCheck::is_same(const device::Sample& sample) {
 
 int recompute_session(const fs::path& folder) {
   const experiments::SavedSession saved = experiments::read_session(folder);
-  Bumps bumps(saved.protocol);
+  Subjects subjects(saved.protocol);
   watch_for_interrupt();
   Counts counts;
   std::uint64_t commands = 0, changed = 0, other_commands = 0;
   bool whole = true;
   for (const fs::path& run_folder : runs_of(folder)) {
-    Run run(run_folder, bumps);
+    Run run(run_folder, subjects);
     std::unique_ptr<CommandCheck> check;
-    const std::vector<fs::path> parts = parts_of(run_folder);
+    const std::vector<fs::path> parts = apparatus::parts_of(run_folder);
     for (const fs::path& part : parts) {
       if (interrupted()) throw Interrupted(folder.string() + " was not computed to its end");
       recorder::Recording recording(part);
@@ -253,7 +271,7 @@ int verify_session(const fs::path& folder) {
   std::uint64_t samples = 0;
   std::size_t parts = 0, problems = 0;
   for (const fs::path& run : runs_of(folder))
-    for (const fs::path& part : parts_of(run)) {
+    for (const fs::path& part : apparatus::parts_of(run)) {
       recorder::Recording recording(part);
       for (const std::string& problem : problems_of(recording)) {
         say_difference(problem);

@@ -12,7 +12,7 @@
 
 namespace forceshade::apps {
 
-// Of a session folder, run by run: every force of a renderer is computed again from the recorded positions by the exact
+// Computes a session folder again, run by run: every force of a renderer from the recorded positions by the exact
 // definition, and every command from that force by supervisor and passivity controller with the recorded settings. Prints what
 // differs and the counts; the exit code. A run that was cut off is computed as far as it goes. Throws BadInput for what is no
 // session folder, or whose bumps are not those that were rendered.

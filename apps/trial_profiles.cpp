@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "apps/command.h"
-#include "apps/session_motion.h"
+#include "study/apparatus/motion.h"
 #include "study/experiments/session_folder.h"
 
 namespace forceshade::apps {
@@ -59,7 +59,7 @@ std::optional<Span> span_of(const SavedSession& session, const Named& one) {
 
 std::vector<analysis::Position> positions_of(const fs::path& folder, const Span& span) {
   std::vector<analysis::Position> all, some;
-  const auto motion = motion_of(folder, span.run);
+  const auto motion = apparatus::motion_of(folder, span.run);
   if (!motion) return {};
   while (const auto sample = motion->next()) {
     if (sample->time > span.to) break;

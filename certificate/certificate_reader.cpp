@@ -178,7 +178,7 @@ IdentityValue value_from(Fields& fields, const std::string& key) {
 
 using IdentityParameters = decltype(Identity::parameters);
 
-// Of a kind that has no rules of its own here.
+// The parameters of a kind that has no rules of its own here.
 IdentityParameters any_parameters_from(Fields fields) {
   IdentityParameters parameters;
   for (const std::string& key : fields.keys()) parameters.emplace_back(key, value_from(fields, key));
@@ -188,9 +188,8 @@ IdentityParameters any_parameters_from(Fields fields) {
 
 IdentityParameters map_parameters_from(Fields fields) {
   const std::string word = fields.text("rendering");
-  const auto is_it = [&](const height::RenderingName& one) { return one.name == word; };
-  if (std::none_of(height::kRenderings.begin(), height::kRenderings.end(), is_it))
-    throw JsonError("unknown rendering \"" + word + "\"");
+  const auto is_it = [&](const height::ModeName& one) { return one.name == word; };
+  if (std::none_of(height::kModes.begin(), height::kModes.end(), is_it)) throw JsonError("unknown rendering \"" + word + "\"");
   // The domain of a stiffness is the same for every law and map.
   const float stiffness = fields.binary32("stiffness_N_per_mm");
   const auto wall = fast::Law::build(LawId::wall, {.stiffness = stiffness});

@@ -29,7 +29,7 @@ struct Run {
 
   // An odd multiple from the golden ratio separates the streams: no two chunks or seeds in reach share one.
   std::uint64_t stream(std::uint64_t chunk) const { return (options.seed + 1) * 0x9E3779B97F4A7C15U + chunk; }
-  // Of the spread: as far from those as can be.
+  // The stream of the spread is as far from those as can be.
   std::uint64_t spread_stream(std::uint64_t chunk) const { return stream(chunk) ^ 0x8000000000000000U; }
 
   Tally in_parallel(std::uint64_t chunks, const Done& done, const std::function<void(std::uint64_t, Tally&)>& work) const {

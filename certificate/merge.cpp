@@ -84,7 +84,7 @@ void add(std::vector<PropertyResult>& sum, const std::vector<PropertyResult>& pa
   }
 }
 
-// Of the same subject, checked by the same build.
+// Both are of the same subject, checked by the same build.
 void add(SubjectResult& sum, const SubjectResult& part) {
   add(static_cast<Comparison&>(sum), part);
   add(static_cast<Comparison&>(sum.spread), part.spread);

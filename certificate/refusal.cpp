@@ -31,7 +31,7 @@ std::optional<std::string> uncovered_set(const Findings& found, const std::strin
   return std::nullopt;
 }
 
-// Of entries that are for what is to be driven, not empty: nothing where one of them is enough.
+// Why none of these entries, which are for what is to be driven and not empty, is enough; nothing where one is.
 std::optional<std::string> insufficient(const std::vector<const SubjectResult*>& entries, const Build& build) {
   std::optional<std::string> why;
   for (const SubjectResult* entry : entries) {

@@ -21,13 +21,16 @@ if(NOT FORCESHADE_FAST_ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/apps/documentation/_forceshade DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
   install(FILES ${PROJECT_BINARY_DIR}/apps/documentation/forceshade.fish
           DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
-  # What needs more than Eigen is a component of its own: find_package(forceshade COMPONENTS heights meshes run properties).
+  # What needs more than Eigen is a component of its own: find_package(forceshade COMPONENTS heights meshes subjects run
+  # properties study).
   # Each component's libraries, and the components that it links.
   set(libraries_of_heights heights)
   set(libraries_of_meshes meshes)
+  set(libraries_of_subjects subjects)
   set(libraries_of_run identity renderer certificate recorder run)
   set(libraries_of_properties reference properties certify)
-  foreach(component IN ITEMS heights meshes run properties)
+  set(libraries_of_study experiments apparatus preparation)
+  foreach(component IN ITEMS heights meshes subjects run properties study)
     foreach(library IN LISTS libraries_of_${component})
       set_target_properties(forceshade_${library} PROPERTIES EXPORT_NAME ${library})
       install(TARGETS forceshade_${library} EXPORT forceshade_${component}_targets)
@@ -67,4 +70,9 @@ if(NOT FORCESHADE_FAST_ONLY)
   install_pc(forceshade-properties DESCRIPTION "Properties that a haptic renderer must have, and certificates of them"
              REQUIRES "forceshade-run"
              LIBRARIES "-lforceshade_certify -lforceshade_properties -lforceshade_reference -lrapidcheck -lmpfi -lmpfr -lgmp")
+  install_pc(forceshade-subjects DESCRIPTION "Laws, height maps and meshes from subject files"
+             REQUIRES "forceshade-heights, forceshade-meshes" LIBRARIES "-lforceshade_subjects")
+  install_pc(forceshade-study DESCRIPTION "Sessions of psychophysical experiments on a device"
+             REQUIRES "forceshade-subjects, forceshade-properties"
+             LIBRARIES "-lforceshade_preparation -lforceshade_apparatus -lforceshade_experiments")
 endif()

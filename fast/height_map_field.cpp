@@ -17,13 +17,13 @@
 
 namespace forceshade::fast {
 
-using height::Rendering;
+using height::Mode;
 
 namespace {
 
 // As height_force, in Ball arithmetic. exact(): an ExactPlace, which is there for what the numbers leave open.
 template <class N, class Exact>
-std::optional<Evaluation> height_force(const Jet<N>& map, height::Rendering rendering, double stiffness, double z, Stage stage,
+std::optional<Evaluation> height_force(const Jet<N>& map, height::Mode mode, double stiffness, double z, Stage stage,
                                        const Exact& exact) noexcept {
   if (!map.decided) return std::nullopt;
   const N gap = map.U - N::exactly(z);
@@ -32,7 +32,7 @@ std::optional<Evaluation> height_force(const Jet<N>& map, height::Rendering rend
   if (contact == Sign::unknown) return std::nullopt;
   if (contact != Sign::positive) return Evaluation{{0, 0, 0}, Status::free, stage};
   N magnitude = N::exactly(stiffness) * gap;
-  if (rendering != height::Rendering::conservative)
+  if (mode != height::Mode::conservative)
     magnitude = magnitude / square_root(N::exactly(1) + (map.Ux * map.Ux + map.Uy * map.Uy));
   const auto rounded = [&](std::size_t axis, const N& value) {
     return round_to_binary32(approximately(value), [&](double tie) {
@@ -47,7 +47,7 @@ std::optional<Evaluation> height_force(const Jet<N>& map, height::Rendering rend
 
 constexpr double kLeastSlope = static_cast<double>(kPositionQuantum);
 
-// Of a correctly rounded slope.
+// A correctly rounded slope as the definition has it: 0 where it is tiny.
 float without_tiny(float slope) noexcept {
   return std::fabs(static_cast<double>(slope)) < kLeastSlope ? 0.0F : slope + 0.0F;
 }
@@ -112,8 +112,8 @@ const SplineBatchFunctions* batch_functions(InstructionSet set) noexcept {
   return nullptr;
 }
 
-// Of every file that takes part in an answer: fast/numbers/arithmetic.h. Functions that several of them compile, the linker
-// keeps once.
+// The faults of every file that takes part in an answer: fast/numbers/arithmetic.h. Functions that several of them compile, the
+// linker keeps once.
 const char* height_arithmetic_fault() noexcept {
   const InstructionSet best = best_instruction_set();
   for (const char* fault :
@@ -156,7 +156,7 @@ std::vector<Part> real_time(const std::vector<height::Part>& parts) {
 // The map as it is evaluated.
 class HeightMapField::Inside {
  public:
-  Inside(std::vector<Part> parts, std::vector<Part> surface, Rendering rendering, float stiffness);
+  Inside(std::vector<Part> parts, std::vector<Part> surface, Mode mode, float stiffness);
 
   Evaluation evaluate_in_stages(const Eigen::Vector3f& position) const noexcept;
   std::optional<Slopes> slopes(float x, float y, bool is_filtered) const noexcept;
@@ -172,7 +172,7 @@ class HeightMapField::Inside {
   void describe(ExactPlace& place) const noexcept;
 
   std::vector<Part> parts_, surface_;
-  Rendering rendering_;
+  Mode mode_;
   double stiffness_;                         // N/mm
   std::shared_ptr<const SplineMap> spline_;  // HeightMapField::spline_
 };
@@ -192,20 +192,17 @@ FORCESHADE_INLINE Jet<N> HeightMapField::Inside::sum_at(const Place& at, const s
 template <class N>
 FORCESHADE_INLINE Jet<N> HeightMapField::Inside::jet_at(const Place& at) const noexcept {
   Jet<N> map = sum_at<N>(at, parts_);
-  if (rendering_ != Rendering::force_shaded) return map;
+  if (mode_ != Mode::force_shaded) return map;
   const Jet<N> surface = surface_.empty() ? flat<N>() : sum_at<N>(at, surface_);
   return {surface.U, map.Ux, map.Uy, map.decided && surface.decided};
 }
 
-HeightMapField::Inside::Inside(std::vector<Part> parts, std::vector<Part> surface, Rendering rendering, float stiffness)
-    : parts_(std::move(parts)),
-      surface_(std::move(surface)),
-      rendering_(rendering),
-      stiffness_(static_cast<double>(stiffness)) {
+HeightMapField::Inside::Inside(std::vector<Part> parts, std::vector<Part> surface, Mode mode, float stiffness)
+    : parts_(std::move(parts)), surface_(std::move(surface)), mode_(mode), stiffness_(static_cast<double>(stiffness)) {
   const auto* grid = std::get_if<HeightGrid>(&parts_.front().shape);
   if (parts_.size() == 1 && surface_.empty() && !parts_.front().negated && grid != nullptr &&
       grid->interpolant() == height::Interpolant::cubic_spline)
-    spline_ = std::make_shared<const SplineMap>(*grid, rendering, stiffness_);
+    spline_ = std::make_shared<const SplineMap>(*grid, mode, stiffness_);
 }
 
 [[gnu::noinline]] Evaluation HeightMapField::Inside::evaluate_in_stages(const Eigen::Vector3f& position) const noexcept {
@@ -213,10 +210,10 @@ HeightMapField::Inside::Inside(std::vector<Part> parts, std::vector<Part> surfac
     return {{0, 0, 0}, Status::invalid, Stage::binary64};
   const Place at(quantised(position.x()), quantised(position.y()));
   const auto z = static_cast<double>(quantised(position.z()));
-  const HeightForce first = height_force(jet_at<DoubleWithError>(at), rendering_, stiffness_, z);
+  const HeightForce first = height_force(jet_at<DoubleWithError>(at), mode_, stiffness_, z);
   if (first.contact != Sign::unknown) return evaluation_of(first);
   const auto nobody = [](const auto&) { return Sign::unknown; };
-  if (const auto second = height_force(jet_at<DoubleDouble>(at), rendering_, stiffness_, z, Stage::double_double, nobody))
+  if (const auto second = height_force(jet_at<DoubleDouble>(at), mode_, stiffness_, z, Stage::double_double, nobody))
     return *second;
   return evaluate_wide(at, z);
 }
@@ -225,14 +222,12 @@ HeightMapField::Inside::Inside(std::vector<Part> parts, std::vector<Part> surfac
 [[gnu::noinline]] Evaluation HeightMapField::Inside::evaluate_wide(const Place& at, double z) const noexcept {
   std::optional<ExactPlace> place;
   const auto exact = [&](const auto& question) {
-    if (!place) describe(place.emplace(at, z, rendering_, stiffness_));
+    if (!place) describe(place.emplace(at, z, mode_, stiffness_));
     return question(*place);
   };
-  if (const auto third = height_force(jet_at<BigFloatBall<32>>(at), rendering_, stiffness_, z, Stage::wide, exact))
-    return *third;
+  if (const auto third = height_force(jet_at<BigFloatBall<32>>(at), mode_, stiffness_, z, Stage::wide, exact)) return *third;
   // Waves that all but cancel: more bits once more.
-  return height_force(jet_at<BigFloatBall<128>>(at), rendering_, stiffness_, z, Stage::wide, exact)
-      .value_or(undecided_evaluation());
+  return height_force(jet_at<BigFloatBall<128>>(at), mode_, stiffness_, z, Stage::wide, exact).value_or(undecided_evaluation());
 }
 
 std::optional<HeightMapField::Slopes> HeightMapField::Inside::slopes(float x, float y, bool is_filtered) const noexcept {
@@ -250,7 +245,7 @@ std::optional<HeightMapField::Slopes> HeightMapField::Inside::slopes(float x, fl
 [[gnu::noinline]] std::optional<HeightMapField::Slopes> HeightMapField::Inside::slopes_wide(const Place& at) const noexcept {
   std::optional<ExactPlace> place;
   const auto exact = [&](const auto& question) {
-    if (!place) describe(place.emplace(at, 0, rendering_, stiffness_));
+    if (!place) describe(place.emplace(at, 0, mode_, stiffness_));
     return question(*place);
   };
   auto slopes = rounded_slopes(sum_at<BigFloatBall<32>>(at, parts_), exact);
@@ -263,7 +258,7 @@ void HeightMapField::Inside::describe(ExactPlace& place) const noexcept {
   const auto add = [&](const std::vector<Part>& parts, bool gap, bool slopes) {
     for (const Part& part : parts) place.add(part.shape, {gap, slopes, part.negated ? -1.0 : 1.0});
   };
-  const bool is_shaded = rendering_ == Rendering::force_shaded;
+  const bool is_shaded = mode_ == Mode::force_shaded;
   add(parts_, !is_shaded, true);
   add(surface_, true, false);
 }
@@ -308,14 +303,14 @@ BatchResult HeightMapField::force(std::span<const Eigen::Vector3f> positions, st
   return result;
 }
 
-std::variant<HeightMapField, ParameterError> HeightMapField::build(const HeightMap& map, Rendering rendering, float stiffness) {
+std::variant<HeightMapField, ParameterError> HeightMapField::build(const HeightMap& map, Mode mode, float stiffness) {
   if (const char* fault = height_arithmetic_fault()) return ParameterError{"arithmetic", "", 0, 0, 0, fault};
-  if (const auto error = first_error(map, rendering, stiffness)) return *error;
+  if (const auto error = first_error(map, mode, stiffness)) return *error;
   constexpr std::size_t kRoom = Fraction::kMostBits;
   if (const std::size_t bits = bits_of_exact_numbers(map); bits > kRoom)
     return ParameterError{"size of the sum's exact numbers (fewer parts, or pitches of fewer digits, make it smaller)", "bits",
                           static_cast<float>(bits), 0, static_cast<float>(kRoom)};
-  return HeightMapField(std::make_shared<const Inside>(real_time(map.parts), real_time(map.surface), rendering, stiffness));
+  return HeightMapField(std::make_shared<const Inside>(real_time(map.parts), real_time(map.surface), mode, stiffness));
 }
 
 }  // namespace forceshade::fast

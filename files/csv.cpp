@@ -137,7 +137,7 @@ void Reader::on_row(int, void* self) noexcept {
   static_cast<Reader*>(self)->row_complete_ = true;
 }
 
-// Of the line that was read last, whose next byte is not of a text.
+// The error of the line that was read last, whose next byte is not of a text.
 Error Reader::no_text(unsigned char byte, std::size_t at, std::string_view words) const {
   const std::string kind = line_ == 1 ? binary_kind(line_text_ + static_cast<char>(byte)) : "";
   if (!kind.empty()) return Error(file_ + ": expected a CSV file, got " + kind);

@@ -93,6 +93,12 @@ void sync_folder(const std::string& folder) {
   if (!is_synced) throw output_failure(folder, "sync", reason);
 }
 
+void write_file(const std::string& path, const std::string& text) {
+  OutputFile file(path);
+  file.stream() << text;
+  file.commit();
+}
+
 bool is_standard_output(const std::string& path) {
   if (path == "-") return true;
   const auto found = open_descriptor(path);

@@ -39,6 +39,9 @@ class OutputFile {
   std::ostream stream_;
 };
 
+// Writes the file whole or not at all; "-" is standard output. Throws OutputError.
+void write_file(const std::string& path, const std::string& text);
+
 // Whether this names standard output (not in order with std::cout): "-", /dev/stdout, /dev/fd/1.
 bool is_standard_output(const std::string& path);
 

@@ -70,7 +70,7 @@ AllowedChange allowed_change(const reference::Law& law, const LawClaims& claims,
   const Real rate = claims.K * std::sqrt(1 + claims.steepest * claims.steepest);
   allowed.reach = rate * (lines == 0 ? apart : std::fabs(ax - bx) + std::fabs(az - bz));
   if (claims.is_shaded()) {
-    // Of a and b the one inside the bump: its normal turns on the way to the line; that of the plane outside does not.
+    // The one of a and b that is inside the bump: its normal turns on the way to the line; that of the plane outside does not.
     const auto to_the_edge = [&](Real x) { return turn(claims, std::fabs(x), claims.w / 2); };
     const Real turned = lines == 0 ? turn(claims, ax, bx) : std::min(to_the_edge(ax), to_the_edge(bx));
     allowed.reach += size * (2 * std::sin(turned / 2) + kEvaluation);  // the slopes' difference cancels, and is as good as that

@@ -6,7 +6,7 @@ namespace forceshade::properties {
 std::unique_ptr<Subject> subject_of(const Description& description) {
   if (const auto* law = std::get_if<DescribedLaw>(&description.what)) return law_subject(law->law, law->parameters);
   if (const auto* map = std::get_if<DescribedHeightMap>(&description.what))
-    return height_map_subject(description.name, map->map, map->rendering, map->stiffness);
+    return height_map_subject(description.name, map->map, map->mode, map->stiffness);
   return mesh_subject(description.name, std::get<MeshRendering>(description.what));
 }
 

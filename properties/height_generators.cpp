@@ -18,8 +18,8 @@ class Shapes {
   AnyHeightMap next() {
     AnyHeightMap any;
     for (std::uint64_t i = draws_.bits() % 3 + 1; i > 0; --i) any.map.parts.push_back({shape(), draws_.bits() % 4 == 0});
-    any.rendering = height::kRenderings[draws_.bits() % height::kRenderings.size()].rendering;
-    const bool is_shaded = any.rendering == height::Rendering::force_shaded;
+    any.mode = height::kModes[draws_.bits() % height::kModes.size()].mode;
+    const bool is_shaded = any.mode == height::Mode::force_shaded;
     for (std::uint64_t i = is_shaded ? draws_.bits() % 3 : 0; i > 0; --i)
       any.map.surface.push_back({shape(), draws_.bits() % 4 == 0});
     any.stiffness = size(1e-3F, 1e3F, 0.5F);
@@ -33,7 +33,7 @@ class Shapes {
     const auto first = std::bit_cast<std::uint32_t>(low), last = std::bit_cast<std::uint32_t>(high);
     return std::bit_cast<float>(first + static_cast<std::uint32_t>(draws_.bits() % (last - first + 1)));
   }
-  // Of either sign, or zero.
+  // A number of either sign, or zero.
   float number(float largest, float usual, float smallest = 0x1p-126F) {
     const std::uint64_t choice = draws_.bits() % 8;
     if (choice == 0) return 0;
@@ -139,7 +139,7 @@ rc::Gen<AnyHeightMap> any_height_map() {
 
 std::ostream& operator<<(std::ostream& out, const AnyHeightMap& any) {
   for (const std::string& words : words_of(any.map)) out << words << "; ";
-  return out << name_of(any.rendering) << ", stiffness " << shortest(any.stiffness);
+  return out << name_of(any.mode) << ", stiffness " << shortest(any.stiffness);
 }
 
 }  // namespace forceshade::properties

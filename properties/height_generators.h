@@ -10,7 +10,7 @@ namespace forceshade::properties {
 
 struct AnyHeightMap {
   HeightMap map;
-  height::Rendering rendering = height::Rendering::true_height;
+  height::Mode mode = height::Mode::true_height;
   float stiffness = 1;  // N/mm
 };
 

@@ -6,7 +6,7 @@
 namespace forceshade::properties {
 
 HeightMapClaims::HeightMapClaims(const reference::HeightMapField& law)
-    : rendering(law.rendering()),
+    : mode(law.mode()),
       stiffness(static_cast<double>(law.stiffness())),
       is_conservative(reference::potential(law).has_value()) {
   const auto add = [&](const std::vector<height::Part>& all, double& sum) {
@@ -18,7 +18,7 @@ HeightMapClaims::HeightMapClaims(const reference::HeightMapField& law)
   add(law.map().parts, steepest);
   map_parts = parts.size();
   add(law.map().surface, steepest_surface);
-  if (rendering != height::Rendering::force_shaded) steepest_surface = steepest;
+  if (mode != height::Mode::force_shaded) steepest_surface = steepest;
 }
 
 GradientChange HeightMapClaims::gradient_change(double x, double y, double reach) const {

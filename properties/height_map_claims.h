@@ -17,7 +17,7 @@ using reference::Rim;
 using PartShape = reference::Outline;  // of one part of a map
 
 struct HeightMapClaims {
-  height::Rendering rendering;
+  height::Mode mode;
   double stiffness;  // N/mm
   bool is_conservative;
   double steepest = 0;           // mm/mm: bounds the length of the gradient that the direction comes from

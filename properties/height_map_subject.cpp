@@ -14,25 +14,25 @@
 
 namespace forceshade::properties {
 
-Renderer fast_height_map(const HeightMap& map, height::Rendering rendering, float stiffness) {
-  return renderer_of(built_or_throw(fast::HeightMapField::build(map, rendering, stiffness)));
+Renderer fast_height_map(const HeightMap& map, height::Mode mode, float stiffness) {
+  return renderer_of(built_or_throw(fast::HeightMapField::build(map, mode, stiffness)));
 }
 
-HeightMapSubject::HeightMapSubject(const std::string& name, const HeightMap& map, height::Rendering rendering, float stiffness,
+HeightMapSubject::HeightMapSubject(const std::string& name, const HeightMap& map, height::Mode mode, float stiffness,
                                    RenderHeightMap render)
-    : FieldSubject({identity_of(name, map, rendering, stiffness), render(map, rendering, stiffness)},
-                   built_or_throw(reference::HeightMapField::build(map, rendering, stiffness))),
+    : FieldSubject({identity_of(name, map, mode, stiffness), render(map, mode, stiffness)},
+                   built_or_throw(reference::HeightMapField::build(map, mode, stiffness))),
       render_(std::move(render)) {}
 
 HeightMapSubject::HeightMapSubject(const RenderedHeightMap& rendered, const std::string& name)
-    : FieldSubject({identity_of(name, rendered.law.map(), rendered.law.rendering(), rendered.law.stiffness()),
+    : FieldSubject({identity_of(name, rendered.law.map(), rendered.law.mode(), rendered.law.stiffness()),
                     renderer_answering(rendered.force_at)},
                    rendered.law),
       render_(&fast_height_map) {}
 
 // The normal of a conservative map is no unit vector, and is not meant to be one.
 Expected HeightMapSubject::expected() const {
-  return {claims_.jumps(), rendered_.law.rendering() != height::Rendering::conservative, claims_.is_conservative};
+  return {claims_.jumps(), rendered_.law.mode() != height::Mode::conservative, claims_.is_conservative};
 }
 
 std::unique_ptr<Positions> HeightMapSubject::positions(std::uint64_t seed) const {
@@ -64,26 +64,23 @@ std::vector<LoopEnergy> HeightMapSubject::energies(const Monitor& monitor) const
 
 DrawnSubject HeightMapSubject::with_drawn_parameters(std::uint64_t seed) const {
   const float stiffness = ParameterSource(seed).next().stiffness;
-  return {
-      std::make_unique<HeightMapSubject>(identity().name, rendered_.law.map(), rendered_.law.rendering(), stiffness, render_),
-      "K = " + show(stiffness) + " N/mm: "};
+  return {std::make_unique<HeightMapSubject>(identity().name, rendered_.law.map(), rendered_.law.mode(), stiffness, render_),
+          "K = " + show(stiffness) + " N/mm: "};
 }
 
-std::unique_ptr<Subject> height_map_subject(const std::string& name, const HeightMap& map, height::Rendering rendering,
-                                            float stiffness) {
-  return std::make_unique<HeightMapSubject>(name, map, rendering, stiffness);
+std::unique_ptr<Subject> height_map_subject(const std::string& name, const HeightMap& map, height::Mode mode, float stiffness) {
+  return std::make_unique<HeightMapSubject>(name, map, mode, stiffness);
 }
 
-std::unique_ptr<Subject> height_map_subject(const std::string& name, const HeightMap& map, height::Rendering rendering,
-                                            float stiffness, ForceAt force_at) {
+std::unique_ptr<Subject> height_map_subject(const std::string& name, const HeightMap& map, height::Mode mode, float stiffness,
+                                            ForceAt force_at) {
   return std::make_unique<HeightMapSubject>(
-      RenderedHeightMap{built_or_throw(reference::HeightMapField::build(map, rendering, stiffness)), std::move(force_at)},
-      name);
+      RenderedHeightMap{built_or_throw(reference::HeightMapField::build(map, mode, stiffness)), std::move(force_at)}, name);
 }
 
-std::unique_ptr<Subject> height_map_subject(const std::string& name, const HeightMap& map, height::Rendering rendering,
-                                            float stiffness, RenderHeightMap render) {
-  return std::make_unique<HeightMapSubject>(name, map, rendering, stiffness, std::move(render));
+std::unique_ptr<Subject> height_map_subject(const std::string& name, const HeightMap& map, height::Mode mode, float stiffness,
+                                            RenderHeightMap render) {
+  return std::make_unique<HeightMapSubject>(name, map, mode, stiffness, std::move(render));
 }
 
 }  // namespace forceshade::properties

@@ -6,12 +6,12 @@
 
 namespace forceshade::properties {
 
-Renderer fast_height_map(const HeightMap& map, height::Rendering rendering, float stiffness);
+Renderer fast_height_map(const HeightMap& map, height::Mode mode, float stiffness);
 
 class HeightMapSubject final : public FieldSubject<reference::HeightMapField, HeightMapClaims> {
  public:
   // name: of its file. Throws std::invalid_argument for a map or a stiffness outside the domain.
-  HeightMapSubject(const std::string& name, const HeightMap& map, height::Rendering rendering, float stiffness,
+  HeightMapSubject(const std::string& name, const HeightMap& map, height::Mode mode, float stiffness,
                    RenderHeightMap render = &fast_height_map);
   // Any renderer of a map; drawn parameters are rendered by the fast path.
   explicit HeightMapSubject(const RenderedHeightMap& rendered, const std::string& name = "map");

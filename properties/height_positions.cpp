@@ -68,7 +68,7 @@ float HeightPositionSource::near_surface(const std::array<float, 2>& at) {
   return neighbour(static_cast<float>(surface(at)), small_step());
 }
 
-// Of eight neighbours in one coordinate, the one whose force comes closest to a tie.
+// The one of eight neighbours in one coordinate whose force comes closest to a tie.
 Eigen::Vector3f HeightPositionSource::near_tie(Eigen::Vector3f position) {
   Eigen::Vector3f best = position;
   float nearest = 1;

@@ -31,7 +31,7 @@ Real rounding(const Eigen::Vector3f& force) {
 // What the magnitude is given: a unit normal, or, where the map is conservative, a vector as long as that is steep.
 Vector direction(const HeightMapClaims& claims, const Exact& exact) {
   const Vector normal(-exact.Ux.mid(), -exact.Uy.mid(), 1);
-  return claims.rendering == height::Rendering::conservative ? normal : normal.normalized();
+  return claims.mode == height::Mode::conservative ? normal : normal.normalized();
 }
 
 Vector force_of(const Exact& exact) {
@@ -47,7 +47,7 @@ Real magnitude(const HeightMapClaims& claims, const Exact& exact) {
 // nowhere steeper, N.
 Real change_of_magnitude(const HeightMapClaims& claims, Real apart, Real steepest) {
   const Real slope = std::hypot(Real(1), steepest);
-  const Real longest = claims.rendering == height::Rendering::conservative ? slope : 1;
+  const Real longest = claims.mode == height::Mode::conservative ? slope : 1;
   return static_cast<Real>(claims.stiffness) * slope * apart * longest;
 }
 

@@ -30,7 +30,7 @@ Eigen::Vector3d force_of(const mesh::Tick& tick) {
   return vector_of(tick.force);
 }
 
-// Of a force whose components are rounded.
+// The rounding of a force whose components are rounded.
 double rounding_of(const mesh::Tick& tick) {
   double sum = 0;
   for (const float component : tick.force) sum += static_cast<double>(half_spacing(component));
@@ -41,7 +41,7 @@ bool is_on_surface(const mesh::Tick& tick) {
   return tick.status == mesh::TickStatus::touching || tick.status == mesh::TickStatus::unfinished;
 }
 
-// Of what a shaded force is turned by, as a chord, at the end of this tick; 0 where it is not shaded. D: from the position to
+// What a shaded force is turned by, as a chord, at the end of this tick; 0 where it is not shaded. D: from the position to
 // the god-object, mm, known to `slack`. A rest that was refused, or is not inside a triangle, has D along no normal in
 // particular.
 double most_turn(const MeshRendering& rendering, const mesh::Tick& tick, const Eigen::Vector3d& D, double slack) {
@@ -143,7 +143,7 @@ double largest_turn(const MeshRendering& rendering, std::uint32_t triangle) {
   const mesh::Triangle& corners = rendering.mesh().triangles[triangle];
   const auto corner = [&](std::size_t i) { return vector_of(rendering.mesh().vertices[corners[i]]); };
   const Eigen::Vector3d e = corner(1) - corner(0), f = corner(2) - corner(0), n = e.cross(f);
-  // Of the direction of n: differences and products are rounded, and cancel where the triangle is a needle.
+  // The error of the direction of n: differences and products are rounded, and cancel where the triangle is a needle.
   const double error = 16 * 0x1p-53 * e.norm() * f.norm() / n.norm() + 16 * 0x1p-53;
   double turn = 0;
   for (const mesh::Normal& normal : rendering.normals[triangle]) {

@@ -13,7 +13,7 @@
 #include "properties/binary32.h"
 #include "properties/built_or_throw.h"
 #include "properties/generators.h"
-#include "properties/mesh_generators.h"
+#include "properties/mesh_path.h"
 #include "properties/mesh_properties.h"
 #include "properties/spread.h"
 #include "rendering/mesh_rendering.h"

@@ -13,7 +13,7 @@ namespace {
 // On the pieces that work.cpp cuts, a conservative force is linear, or smooth with its nearest singularity, the axis, as far
 // away as the piece is long: there 15 points of Gauss are good to 4.6^-30, far below what adding up loses.
 
-// Of a shaded bump whose edge is its cylinder's (w = 2R) the force has a vertical tangent at the edge; 15 points integrate the
+// The force of a shaded bump whose edge is its cylinder's (w = 2R) has a vertical tangent at the edge; 15 points integrate the
 // square root at the end of a piece to 6e-5 of it.
 constexpr double kVerticalTangent = 1e-4;
 // The least share of the bound that a witness gives: docs/energy.md ("The witness"), 99.7 % being the least that was found.

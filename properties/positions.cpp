@@ -73,7 +73,7 @@ float PositionSource::near_line() {
   return neighbour((bits() & 1) != 0 ? x : -x, small_step());
 }
 
-// Of eight neighbours in x or z, the one whose force comes closest to a tie.
+// The one of eight neighbours in x or z whose force comes closest to a tie.
 Eigen::Vector3f PositionSource::near_tie(Eigen::Vector3f position) {
   Eigen::Vector3f best = position;
   long double best_distance = 2;

@@ -48,9 +48,8 @@ std::variant<RenderedLaw, ParameterError> fast_rendering(LawId id, const Paramet
   return built<fast::Law, reference::Law>(id, parameters);
 }
 
-std::variant<RenderedHeightMap, ParameterError> fast_rendering(const HeightMap& map, height::Rendering rendering,
-                                                               float stiffness) {
-  return built<fast::HeightMapField, reference::HeightMapField>(map, rendering, stiffness);
+std::variant<RenderedHeightMap, ParameterError> fast_rendering(const HeightMap& map, height::Mode mode, float stiffness) {
+  return built<fast::HeightMapField, reference::HeightMapField>(map, mode, stiffness);
 }
 
 }  // namespace forceshade::properties

@@ -33,7 +33,6 @@ ForceAt force_at_of(const Renderer& renderer);
 
 // The fast path as a renderer, beside its reference.
 std::variant<RenderedLaw, ParameterError> fast_rendering(LawId id, const Parameters& parameters);
-std::variant<RenderedHeightMap, ParameterError> fast_rendering(const HeightMap& map, height::Rendering rendering,
-                                                               float stiffness);
+std::variant<RenderedHeightMap, ParameterError> fast_rendering(const HeightMap& map, height::Mode mode, float stiffness);
 
 }  // namespace forceshade::properties

@@ -46,7 +46,7 @@ Violation unit_normals(const RenderedHeightMap& rendered, const Eigen::Vector3f&
   const Eigen::Vector3f force = rendered.force_at(position).force;
   reference::Ball64 magnitude(0.0);
   if (exact.gap.mid() > 0) magnitude = reference::Ball64(static_cast<double>(law.stiffness())) * exact.gap;
-  if (law.rendering() == height::Rendering::conservative)
+  if (law.mode() == height::Mode::conservative)
     magnitude = magnitude * sqrt(exact.Ux * exact.Ux + exact.Uy * exact.Uy + reference::Ball64(1.0));
   const Real length = std::hypot(static_cast<Real>(force.x()), static_cast<Real>(force.y()), static_cast<Real>(force.z()));
   return difference_in_length(position, force, length, magnitude);

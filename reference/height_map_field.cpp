@@ -15,7 +15,7 @@
 namespace forceshade::reference {
 namespace {
 
-using height::Rendering;
+using height::Mode;
 
 // What the force at a position is made of.
 template <class N>
@@ -27,7 +27,7 @@ struct LocalHeight {
 template <class N>
 LocalHeight<N> local(const HeightMapField& law, const Point2& at, double z) {
   const Jet<N> map = sum_jet<N>(law.map().parts, at);
-  const bool is_shaded = law.rendering() == Rendering::force_shaded;
+  const bool is_shaded = law.mode() == Mode::force_shaded;
   return {is_shaded ? N(sum_jet<N>(law.map().surface, at).U - N(z)) : N(map.U - N(z)), map.Ux, map.Uy};
 }
 
@@ -38,7 +38,7 @@ using Components = std::array<N, 3>;
 template <class N>
 Components<N> force(const HeightMapField& law, const LocalHeight<N>& at) {
   N magnitude = N(static_cast<double>(law.stiffness())) * at.gap;
-  if (law.rendering() != Rendering::conservative) magnitude = magnitude / sqrt(N(at.Ux * at.Ux + at.Uy * at.Uy + N(1.0)));
+  if (law.mode() != Mode::conservative) magnitude = magnitude / sqrt(N(at.Ux * at.Ux + at.Uy * at.Uy + N(1.0)));
   return {-magnitude * at.Ux, -magnitude * at.Uy, magnitude};
 }
 
@@ -47,7 +47,7 @@ Components<N> force(const HeightMapField& law, const LocalHeight<N>& at) {
 int sign_of_excess(const HeightMapField& law, const LocalHeight<ExponentialSum>& at, std::size_t axis, double tie) {
   const ExponentialSum slopes[] = {-at.Ux, -at.Uy, 1.0};
   const ExponentialSum push = ExponentialSum(static_cast<double>(law.stiffness())) * at.gap * slopes[axis];
-  if (law.rendering() == Rendering::conservative) return (push - tie).sign();
+  if (law.mode() == Mode::conservative) return (push - tie).sign();
   const int sign = push.sign(), sign_of_tie = (tie > 0) - (tie < 0);
   if (sign != sign_of_tie || sign == 0) return sign - sign_of_tie;
   return sign * (push * push - ExponentialSum(tie) * tie * (at.Ux * at.Ux + at.Uy * at.Uy + 1.0)).sign();
@@ -109,7 +109,7 @@ Rounded round_by_enclosures(const HeightMapField& law, const Point2& at, double 
 
 constexpr double kLeastSlope = 0x1p-30;
 
-// Of the middle of two neighbours, or of both ends, where they agree.
+// The slope of the middle of two neighbours, or of both ends, where they agree.
 float without_tiny(float slope) {
   return std::fabs(static_cast<double>(slope)) < kLeastSlope ? 0.0F : slope;
 }
@@ -141,9 +141,9 @@ bool is_transcendental(const HeightMap& map) {
 
 }  // namespace
 
-std::variant<HeightMapField, ParameterError> HeightMapField::build(HeightMap map, Rendering rendering, float stiffness) {
-  if (const auto error = first_error(map, rendering, stiffness)) return *error;
-  return HeightMapField(std::move(map), rendering, stiffness);
+std::variant<HeightMapField, ParameterError> HeightMapField::build(HeightMap map, Mode mode, float stiffness) {
+  if (const auto error = first_error(map, mode, stiffness)) return *error;
+  return HeightMapField(std::move(map), mode, stiffness);
 }
 
 Rounded HeightMapField::round_to_binary32(const Eigen::Vector3f& position) const {

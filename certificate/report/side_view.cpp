@@ -24,7 +24,7 @@ struct Section {
   Eigen::Vector3d direction(double x) const {
     const Exact exact = at(x, 0);
     const Eigen::Vector3d normal(-static_cast<double>(exact.Ux.mid()), -static_cast<double>(exact.Uy.mid()), 1);
-    return law.rendering() == height::Rendering::conservative ? normal : normal.normalized();
+    return law.mode() == height::Mode::conservative ? normal : normal.normalized();
   }
 
   // ∂F_z/∂x - ∂F_x/∂z of the exact force, by central differences over the steps that binary32 has.
@@ -94,10 +94,10 @@ SideView side_view(const RenderedHeightMap& rendered, const std::string& name, c
   const HeightMapClaims shape(rendered.law);
   const auto left = static_cast<double>(range.from), right = static_cast<double>(range.to), width = right - left;
   const double step = width / kSteps, deepest = width / 12;
-  const bool is_shaded = rendered.law.rendering() == height::Rendering::force_shaded;
+  const bool is_shaded = rendered.law.mode() == height::Mode::force_shaded;
   // The same numbers with their own height as the surface.
   const Section map{std::get<reference::HeightMapField>(reference::HeightMapField::build(
-                        {rendered.law.map().parts}, height::Rendering::true_height, rendered.law.stiffness())),
+                        {rendered.law.map().parts}, height::Mode::true_height, rendered.law.stiffness())),
                     range.y};
   SideView view{name, left, right, {}, {}, {deepest / 4, deepest / 2, deepest}, {}, {}, {}, {}, {}, {}};
   double low = HUGE_VAL, high = -HUGE_VAL;

@@ -44,8 +44,7 @@ bool is_of_the_thesis(double mil) {
 // 2-3: a height map; its heights need not be positive. Which function the thesis drew it does not say: these hills are ours.
 ThesisFigure height_map_function() {
   const HeightMap map{{{height::Gaussian{-3, -3, 4, 3}}, {height::Gaussian{4, 3, 3, 2.5F}, true}}};
-  const auto law =
-      std::get<reference::HeightMapField>(reference::HeightMapField::build(map, height::Rendering::true_height, 1));
+  const auto law = std::get<reference::HeightMapField>(reference::HeightMapField::build(map, height::Mode::true_height, 1));
   constexpr int kLines = 20;  // from the middle to an edge
   constexpr float kStep = 0.5F;
   std::string csv = "x_mm,y_mm,u_mm\n", block;

@@ -26,7 +26,7 @@ Functions load(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     void* const library = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
     if (!library) {
-      // Of the library itself, or of one that it needs.
+      // The reason is the library's own, or that of one that it needs.
       const std::string why = dlerror();
       tried.append("\n  ").append(why.starts_with(name) ? why : name + ": " + why);
       continue;

@@ -10,6 +10,6 @@
 namespace forceshade::fast {
 
 // The first number that is outside; stiffness: N/mm.
-std::optional<ParameterError> first_error(const HeightMap& map, height::Rendering rendering, float stiffness) noexcept;
+std::optional<ParameterError> first_error(const HeightMap& map, height::Mode mode, float stiffness) noexcept;
 
 }  // namespace forceshade::fast

@@ -59,7 +59,7 @@ class ScaledSum {
     is_empty_ = false;
     sum_ = sum_ + factor.enclosed<N>() * scale;
   }
-  // Of the sum and of all numbers within `rest` of it; not negative.
+  // The sign of the sum and of all numbers within `rest` of it, which is not negative.
   Sign sign(const N& rest) const noexcept {
     if (!is_exact_) return Sign::unknown;
     const Sign above = proved_sign(sum_ + rest), below = proved_sign(sum_ - rest);
@@ -113,8 +113,8 @@ std::size_t bits_of_exact_numbers(const HeightMap& map) noexcept {
   return 2 * depth.height + 6 * (direction.slopes + roots) + 4 * roots + 4 * kNumeratorBits + 2 * (kTieBits + kStiffnessBits);
 }
 
-ExactPlace::ExactPlace(const Place& at, double z, height::Rendering rendering, double stiffness) noexcept
-    : at_(at), rendering_(rendering), stiffness_(Fraction::exactly(stiffness)) {
+ExactPlace::ExactPlace(const Place& at, double z, height::Mode mode, double stiffness) noexcept
+    : at_(at), mode_(mode), stiffness_(Fraction::exactly(stiffness)) {
   terms_[0].factors[0] = Fraction::exactly(-z);
 }
 
@@ -220,7 +220,7 @@ Sign ExactPlace::sign_of_excess(std::size_t axis, double tie) const noexcept {
     const Expansion size = stiffness_ * v.gap();
     return axis == 2 ? size : minus_one * (size * v.slope(axis));
   };
-  if (rendering_ == height::Rendering::conservative)
+  if (mode_ == height::Mode::conservative)
     return sign_of([&](const Variables& v) { return push(v) + v.constant(-exact_tie); }, {true, axis == 0, axis == 1}, true);
   const Sign of_squares = sign_of(
       [&](const Variables& v) {

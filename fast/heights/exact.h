@@ -31,7 +31,7 @@ using GapAndSlopes = std::array<Fraction, 3>;
 
 class ExactPlace {
  public:
-  ExactPlace(const Place& at, double z, height::Rendering rendering, double stiffness) noexcept;
+  ExactPlace(const Place& at, double z, height::Mode mode, double stiffness) noexcept;
 
   // The fault of exact.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h.
   static const char* arithmetic_fault() noexcept;
@@ -63,7 +63,7 @@ class ExactPlace {
   Sign sign_of(const Polynomial& polynomial, const std::array<bool, 3>& reads, bool is_quadratic) const noexcept;
 
   Place at_;
-  height::Rendering rendering_;
+  height::Mode mode_;
   Fraction stiffness_;
   std::array<Term, kMostTerms> terms_;
   std::size_t count_ = 1;  // the first: the rational part

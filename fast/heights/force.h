@@ -27,9 +27,9 @@ struct GapForce {
   Real x, y, up;  // N
 };
 template <class Real>
-FORCESHADE_INLINE GapForce<Real> gap_force(Real gap, Real Ux, Real Uy, height::Rendering rendering, Real K) noexcept {
+FORCESHADE_INLINE GapForce<Real> gap_force(Real gap, Real Ux, Real Uy, height::Mode mode, Real K) noexcept {
   Real M = K * gap;
-  if (rendering != height::Rendering::conservative) M = M / square_root(Real(1) + (Ux * Ux + Uy * Uy));
+  if (mode != height::Mode::conservative) M = M / square_root(Real(1) + (Ux * Ux + Uy * Uy));
   return {M * Ux, M * Uy, M};
 }
 
@@ -38,17 +38,16 @@ FORCESHADE_INLINE GapForce<Real> gap_force(Real gap, Real Ux, Real Uy, height::R
 // With M = K·gap/n, n = √(1 + U_x² + U_y²), e the errors of the jet and primes for exact numbers: |n - n'| <= e_x + e_y, for a
 // length changes by no more than its vector, so |M - M'| <= K·e_U/n' + M|n - n'|/n' <= e_M = K·e_U + M(e_x + e_y), and
 // |M·U_x - M'·U_x'| <= e_M(|U_x| + e_x) + M·e_x. kSlack covers the roundings of these bounds; 2^-48 would.
-FORCESHADE_INLINE HeightForce height_force(const Jet<DoubleWithError>& map, height::Rendering rendering, double K,
-                                           double z) noexcept {
+FORCESHADE_INLINE HeightForce height_force(const Jet<DoubleWithError>& map, height::Mode mode, double K, double z) noexcept {
   constexpr double kSlack = 1 + 0x1p-20;
   const double gap = map.U.value - z, gap_error = map.U.error;
   if (!map.decided) return {0, 0, 0, Sign::unknown};
   if (!(gap > kSlack * gap_error)) return {0, 0, 0, gap <= -kSlack * gap_error ? Sign::negative : Sign::unknown};
   const double Ux = map.Ux.value, Uy = map.Uy.value;
-  const GapForce<double> of_jet = gap_force(gap, Ux, Uy, rendering, K);
+  const GapForce<double> of_jet = gap_force(gap, Ux, Uy, mode, K);
   const double M = of_jet.up;
   double error = K * gap_error;
-  if (rendering != height::Rendering::conservative) error = error + M * (map.Ux.error + map.Uy.error);
+  if (mode != height::Mode::conservative) error = error + M * (map.Ux.error + map.Uy.error);
   // Over a flat place all is exact as often as not, ties included, which no error bound could distinguish from their
   // neighbours.
   const bool is_exact = Ux == 0 && Uy == 0 && gap_error + map.Ux.error + map.Uy.error == 0 &&
@@ -72,12 +71,12 @@ struct CertaintyThresholds {
 // The force of a gap (U - z, mm) where their errors are small beside gap and slopes: then each component is good to 2^-33, for
 // those of gap, n and slope add up to three times 2^-35, and roundings to kHeightForceError. Unknown elsewhere, and next to
 // ties.
-FORCESHADE_INLINE HeightForce height_force(double gap, double Ux, double Uy, const CertaintyThresholds& sure,
-                                           height::Rendering rendering, double K) noexcept {
+FORCESHADE_INLINE HeightForce height_force(double gap, double Ux, double Uy, const CertaintyThresholds& sure, height::Mode mode,
+                                           double K) noexcept {
   constexpr int kWindow = doubt_window(4 * kErrorBudgetShare);
   static_assert(window_covers(kWindow, 4 * kErrorBudgetShare));
   if (gap <= -sure.gap) return {0, 0, 0, Sign::negative};
-  const auto [x, y, M] = gap_force(gap, Ux, Uy, rendering, K);
+  const auto [x, y, M] = gap_force(gap, Ux, Uy, mode, K);
   const bool is_sure = gap >= sure.gap && __builtin_fabs(Ux) >= sure.Ux && __builtin_fabs(Uy) >= sure.Uy &&
                        !rounding_is_in_doubt<kWindow>(x) && !rounding_is_in_doubt<kWindow>(y) &&
                        !rounding_is_in_doubt<kWindow>(M);

@@ -11,12 +11,11 @@ namespace forceshade::fast {
 // Such a map with all that its force takes.
 struct SplineMap {
   HeightGrid grid;
-  height::Rendering rendering;
+  height::Mode mode;
   double K;  // N/mm
   CertaintyThresholds sure;
 
-  SplineMap(const HeightGrid& spline, height::Rendering how, double stiffness) noexcept
-      : grid(spline), rendering(how), K(stiffness) {
+  SplineMap(const HeightGrid& spline, height::Mode how, double stiffness) noexcept : grid(spline), mode(how), K(stiffness) {
     // Clamping steps to 2^-40 mm sends subnormal results to a later stage; rounding_is_in_doubt requires normal ones.
     const auto counted = [](double step) { return step > 0 ? larger(step, 0x1p-40) : 0; };
     const SplineErrors error(grid, counted(grid.largest_step_along()), counted(grid.largest_step_across()));
@@ -53,16 +52,16 @@ FORCESHADE_INLINE Sign spline_force(const SplineMap& map, const float* position,
   const float* window = map.grid.values() + ((cell.row - 1) * stride + (cell.column - 1));
   const SplineValues<Four> jet(map.grid, cell.past, window, stride);
   const auto depth = -static_cast<double>(position[2]);
-  const bool is_shaded = map.rendering == height::Rendering::force_shaded;
+  const bool is_shaded = map.mode == height::Mode::force_shaded;
   const double gap = is_shaded ? depth : jet.rise + (jet.c + depth);
   const CertaintyThresholds sure{is_shaded ? 0 : map.sure.gap, map.sure.Ux, map.sure.Uy};
-  HeightForce answer = height_force(gap, jet.Ux, jet.Uy, sure, map.rendering, map.K);
+  HeightForce answer = height_force(gap, jet.Ux, jet.Uy, sure, map.mode, map.K);
   if (answer.contact == Sign::unknown) [[unlikely]] {
     // Near a tie, level ground or the surface: too near for one bound of all that is lost, mostly not for a bound of each part.
     const double gap_error = is_shaded ? 0 : kErrorBudgetShare * sure.gap + 0x1p-51 * absolute(gap);  // the second: for c - z
     const Jet<DoubleWithError> bounded{
         {gap, gap_error}, {jet.Ux, kErrorBudgetShare * sure.Ux}, {jet.Uy, kErrorBudgetShare * sure.Uy}};
-    answer = height_force(bounded, map.rendering, map.K, 0);
+    answer = height_force(bounded, map.mode, map.K, 0);
     if (answer.contact == Sign::unknown) return Sign::unknown;
   }
   force[0] = answer.x;

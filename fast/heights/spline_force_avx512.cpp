@@ -99,13 +99,13 @@ unsigned forces(const SplineMap& map, const float* positions, float* to) noexcep
   const auto [rise, Ux, Uy] = SplineJets<Pack>(coefficient, across.t, along.t, grid.per_slope());
 
   constexpr int kWindow = doubt_window(4 * kErrorBudgetShare);  // from here on as height_force
-  const bool is_shaded = map.rendering == height::Rendering::force_shaded;
+  const bool is_shaded = map.mode == height::Mode::force_shaded;
   const Pack depth = -Pack(_mm512_cvtps_pd(at.z)), gap = is_shaded ? depth : rise + (coefficient(1, 1) + depth),
              sure_gap(is_shaded ? 0 : map.sure.gap);
   const Pack::Mask is_free = gap <= -sure_gap;
   const Pack::Mask is_deep = (gap >= sure_gap) & (absolute(Ux) >= Pack(map.sure.Ux)) & (absolute(Uy) >= Pack(map.sure.Uy));
   // Over free lanes no depth, for a force of exactly 0.
-  const auto [x, y, M] = gap_force(select(is_free, Pack(0), gap), Ux, Uy, map.rendering, Pack(map.K));
+  const auto [x, y, M] = gap_force(select(is_free, Pack(0), gap), Ux, Uy, map.mode, Pack(map.K));
   const auto doubt = roundings_in_doubt<kWindow>(x) | roundings_in_doubt<kWindow>(y) | roundings_in_doubt<kWindow>(M);
   const auto negated = [](Pack a) { return _mm256_sub_ps(_mm256_setzero_ps(), _mm512_cvtpd_ps(a.lanes)); };
   Triples(negated(x), negated(y), _mm512_cvtpd_ps(M.lanes)).store(to);

@@ -18,17 +18,16 @@ FORCESHADE_INLINE void set_force(const std::optional<std::array<float, 3>>& forc
     tick.status = mesh::TickStatus::invalid;
 }
 
-// What a tick has of where it arrived. goal: what the god-object went for; the same object as p where that is it.
+// What a tick has of where it arrived.
 template <class Stages>
-FORCESHADE_INLINE void settle(const Mesh& mesh, const Arrival& at, const std::array<float, 3>& goal,
-                              const std::array<float, 3>& p, float stiffness, mesh::Shading shading, const Stages& stages,
-                              mesh::Tick& tick) noexcept {
+FORCESHADE_INLINE void settle(const Mesh& mesh, const Arrival& at, const HandAndGoal& ends, float stiffness,
+                              mesh::Shading shading, const Stages& stages, mesh::Tick& tick) noexcept {
   tick.moves = static_cast<std::uint16_t>(at.moves);
   tick.status = !at.is_finished                      ? mesh::TickStatus::unfinished
                 : at.spot.place == mesh::Place::free ? mesh::TickStatus::free
                                                      : mesh::TickStatus::touching;
   ForceDecision decided;
-  set_force(mesh_force(mesh, at, goal, p, stiffness, shading, Stages::kFilter, &decided), tick);
+  set_force(mesh_force(mesh, at, ends, stiffness, shading, Stages::kFilter, &decided), tick);
   if (decided.last != Stage::binary64) stages.note(decided.last);
 }
 
@@ -38,7 +37,7 @@ template <class Stages>
                                   float stiffness, mesh::Shading shading, const Stages& stages, mesh::Tick& tick) noexcept {
   const Goal goal = move_by(contact, mesh, at, p, stages);
   if (!goal.is_decided) return set_force(std::nullopt, tick);
-  settle(mesh, at, goal.is_position ? p : goal.point, p, stiffness, shading, stages, tick);
+  settle(mesh, at, HandAndGoal(p, goal), stiffness, shading, stages, tick);
 }
 
 // Moves it to where one position of its path leads it: 256 moves at most. p: mm, in the domain and quantised; stiffness: N/mm.
@@ -50,7 +49,7 @@ FORCESHADE_INLINE void advance(const Mesh& mesh, Arrival& at, const std::array<f
   if (contact != mesh::kUsualContact) [[unlikely]]
     return advance_by(contact, mesh, at, p, stiffness, shading, stages, tick);
   ContactRules::Usual::move(mesh, at, p, stages);
-  settle(mesh, at, p, p, stiffness, shading, stages, tick);
+  settle(mesh, at, HandAndGoal(p), stiffness, shading, stages, tick);
 }
 
 }  // namespace forceshade::fast

@@ -41,7 +41,7 @@ constexpr Span3 all_three(const BitSpan& span) noexcept {
 constexpr Span3 scaled_span(const BitSpan& factor, const Span3& a) noexcept {
   return {factor * a.x, factor * a.y, factor * a.z};
 }
-// Of the binary32 nearest to the length of a vector.
+// The span of the binary32 nearest to the length of a vector.
 constexpr BitSpan rounded_length(const Span3& a) noexcept {
   return {-149, square(a).high / 2 + 2};
 }
@@ -76,7 +76,7 @@ inline constexpr Span3 kWayOnEdge = all_three(kFootOnEdge.x + square(kEdgeSpan) 
 inline constexpr Span3 kWayAtSpot =
     all_three(kWeightSpan * kEdgeSpan.x + kWeightSpan * kEdgeSpan.x + kWeightSpan * kEdgeSpan.x);
 
-// Of a corner's weight in a triangle, and of an end's on an edge.
+// The spans of a corner's weight in a triangle, and of an end's on an edge.
 inline constexpr BitSpan kWeightInTriangle = square(kFaceNormalSpan) - (dot(cross(kEdgeSpan, kEdgeSpan), kFaceNormalSpan) +
                                                                         dot(cross(kEdgeSpan, kEdgeSpan), kFaceNormalSpan));
 inline constexpr BitSpan kWeightOnEdge = square(kEdgeSpan) - dot(kEdgeSpan, kEdgeSpan);

@@ -68,7 +68,7 @@ class BoxTree {
   std::size_t bytes() const noexcept { return nodes_.capacity() * sizeof(Node); }
 
  private:
-  // Of up to eight children; those that are missing are empty boxes.
+  // The boxes of up to eight children; those that are missing are empty.
   struct alignas(32) Node {
     std::array<std::array<float, kWidth>, 3> low, high;
   };

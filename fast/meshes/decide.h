@@ -235,8 +235,8 @@ std::uint32_t exact_nearest(const FixedInteger<kNum>& num, const FixedInteger<kD
   const int above = exact_compare_with_halves(num, den, 2 * cell.floor + 1);
   return cell.floor + (above > 0 || (above == 0 && cell.floor % 2 == 1) ? 1 : 0);
 }
-// Of quotients 2^24 num/den, 0 < 2^10 error < den: 2^24/den, and the share of a quotient that its error may be by den's error
-// and by rounding. grid_parameters.g proves what quotient() charges.
+// Serves quotients 2^24 num/den, 0 < 2^10 error < den: 2^24/den, and the share of a quotient that its error may be by den's
+// error and by rounding. grid_parameters.g proves what quotient() charges.
 template <class Real>
 struct GridScale {
   Real inverse, relative;

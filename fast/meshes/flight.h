@@ -274,7 +274,7 @@ class Flight {
     return true;
   }
 
-  // Of the flight's direction, or of the one it comes from, at an edge or a corner.
+  // Where the flight's direction leads, or the one it comes from, at an edge or a corner.
   Aim aim(const Hit& hit, bool is_opposite) const noexcept {
     const Vector3<double> d = is_opposite ? Vector3<double>{-U_.U.x, -U_.U.y, -U_.U.z} : U_.U;
     const Direction direction{d, U_.size, &g_, p_, is_opposite};
@@ -302,7 +302,7 @@ class Flight {
   }
 
  public:
-  // Of a triangle in whose plane p lies: the part that p is in, or none.
+  // The part that p is in of a triangle in whose plane it lies, or none.
   static Hit part_at(const Mesh& mesh, std::uint32_t f, const float* p, const Stages& stages) noexcept {
     const Face& face = mesh.face(f);
     const Weights weights(FaceNumbers(face), difference(p, face.corner[0].data()));

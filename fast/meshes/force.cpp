@@ -37,7 +37,7 @@ float rounded_quotient(const FixedInteger<kNum>& num, const FixedInteger<kDen>& 
 }
 
 // last: as ForceDecision::last.
-[[gnu::noinline]] Force3 exact_unshaded(const Mesh& mesh, const Arrival& arrival, const float* goal, const float* p, double K,
+[[gnu::noinline]] Force3 exact_unshaded(const Mesh& mesh, const Arrival& arrival, const HandAndGoal& ends, double K,
                                         bool is_filtered, Stage& last) noexcept {
   raise(last, Stage::wide);
   const auto rounded = [&](const auto& vector, const auto& length) -> Force3 {
@@ -46,9 +46,9 @@ float rounded_quotient(const FixedInteger<kNum>& num, const FixedInteger<kDen>& 
   };
   // vector/length is r less the goal.
   const auto rounded_past_goal = [&](const auto& vector, const auto& length) -> Force3 {
-    if (goal == p) [[likely]]
+    if (ends.are_one()) [[likely]]
       return rounded(vector, length);
-    const ExactDifference past = exact_difference(goal, p);
+    const ExactDifference past = exact_difference(ends.goal(), ends.hand());
     using Sum = decltype(vector.x + length * past.x);
     return rounded(Vector3<Sum>{vector.x + length * past.x, vector.y + length * past.y, vector.z + length * past.z}, length);
   };
@@ -56,16 +56,17 @@ float rounded_quotient(const FixedInteger<kNum>& num, const FixedInteger<kDen>& 
   if (arrival.rest == Rest::in_triangle) {
     const Face& f = mesh.face(face_of(spot.half));
     const auto n = ExactFace(f).n;
-    const auto across = -dot(n, exact_difference(goal, f.corner[0].data()));
+    const auto across = -dot(n, exact_difference(ends.goal(), f.corner[0].data()));
     return rounded_past_goal(Vector3<decltype(across * n.x)>{across * n.x, across * n.y, across * n.z}, square(n));
   }
   if (arrival.rest == Rest::on_edge) {
     const float* const start = mesh.start_point(spot.half);
     const ExactDifference e = exact_difference(mesh.start_point(next(spot.half)), start);
-    return rounded_past_goal(cross(e, cross(e, exact_difference(goal, start))), square(e));
+    return rounded_past_goal(cross(e, cross(e, exact_difference(ends.goal(), start))), square(e));
   }
-  if (arrival.rest == Rest::at_goal) return rounded(exact_difference(goal, p), FixedInteger<26>(std::int64_t{1}));
-  const ExactOffset U = exact_offset_from(point_of(mesh, spot), p);
+  if (arrival.rest == Rest::at_goal)
+    return rounded(exact_difference(ends.goal(), ends.hand()), FixedInteger<26>(std::int64_t{1}));
+  const ExactOffset U = exact_offset_from(point_of(mesh, spot), ends.hand());
   return rounded(ExactOffset{-U.x, -U.y, -U.z}, FixedInteger<26>(std::int64_t{kGrid}));
 }
 
@@ -75,40 +76,39 @@ bool is_zero(const DoubleWithError& a) noexcept {
 
 // The shaded force with the numbers N; empty where they cannot decide it.
 template <class N, bool kIsFromIntegers = false>
-std::optional<Force3> shaded_force(const Mesh& mesh, const Arrival& arrival, const Force3& goal, const Force3& p, double K,
+std::optional<Force3> shaded_force(const Mesh& mesh, const Arrival& arrival, const HandAndGoal& ends, double K,
                                    mesh::Shading scheme, Stage& last) noexcept {
-  const RestNumbers<N, kIsFromIntegers> numbers(mesh, arrival, goal.data(), p.data());
+  const RestNumbers<N, kIsFromIntegers> numbers(mesh, arrival, ends);
   const Way3<N> way = numbers.way();
   const ShadingDirection<N> shading = shading_direction(scheme, numbers, way, last);
   if (shading.outcome == ShadingOutcome::unknown) return std::nullopt;
-  if (shading.outcome == ShadingOutcome::none) return exact_unshaded(mesh, arrival, goal.data(), p.data(), K, true, last);
+  if (shading.outcome == ShadingOutcome::none) return exact_unshaded(mesh, arrival, ends, K, true, last);
   if (const auto force = along(way, shading.direction, K)) return force;
   // On flat parts the shading direction often is the way's own, and ties are as common as without shading.
   if constexpr (kIsFromIntegers) {
     const auto aside = cross(way.vector, shading.direction);
-    if (is_zero(aside.x) && is_zero(aside.y) && is_zero(aside.z))
-      return exact_unshaded(mesh, arrival, goal.data(), p.data(), K, true, last);
+    if (is_zero(aside.x) && is_zero(aside.y) && is_zero(aside.z)) return exact_unshaded(mesh, arrival, ends, K, true, last);
   }
   return std::nullopt;
 }
 
 // Both kept out of line: they are reached for few positions.
-[[gnu::noinline]] std::optional<Force3> shaded_force_from_integers(const Mesh& mesh, const Arrival& arrival, const Force3& goal,
-                                                                   const Force3& p, double K, mesh::Shading scheme,
+[[gnu::noinline]] std::optional<Force3> shaded_force_from_integers(const Mesh& mesh, const Arrival& arrival,
+                                                                   const HandAndGoal& ends, double K, mesh::Shading scheme,
                                                                    Stage& last) noexcept {
-  return shaded_force<DoubleWithError, true>(mesh, arrival, goal, p, K, scheme, last);
+  return shaded_force<DoubleWithError, true>(mesh, arrival, ends, K, scheme, last);
 }
 [[gnu::noinline]] std::optional<Force3> shaded_force_in_wide_numbers(const Mesh& mesh, const Arrival& arrival,
-                                                                     const Force3& goal, const Force3& p, double K,
-                                                                     mesh::Shading scheme, Stage& last) noexcept {
-  return shaded_force<Shaded>(mesh, arrival, goal, p, K, scheme, last);
+                                                                     const HandAndGoal& ends, double K, mesh::Shading scheme,
+                                                                     Stage& last) noexcept {
+  return shaded_force<Shaded>(mesh, arrival, ends, K, scheme, last);
 }
 
 // The unshaded force in binary64; empty where that cannot decide it. A component that is 0 because the edge is parallel to an
 // axis is 0 here too.
-[[gnu::noinline]] std::optional<Force3> unshaded_force(const Mesh& mesh, const Arrival& arrival, const Force3& goal,
-                                                       const Force3& p, double K) noexcept {
-  const auto way = RestNumbers<DoubleWithError>(mesh, arrival, goal.data(), p.data()).way();
+[[gnu::noinline]] std::optional<Force3> unshaded_force(const Mesh& mesh, const Arrival& arrival, const HandAndGoal& ends,
+                                                       double K) noexcept {
+  const auto way = RestNumbers<DoubleWithError>(mesh, arrival, ends).way();
   const DoubleWithError factor = DoubleWithError::exactly(K) / way.length;
   return each([&](const DoubleWithError& one) { return round_to_binary32(factor * one); }, way.vector);
 }
@@ -134,7 +134,7 @@ FORCESHADE_INLINE std::optional<Force3> quick_force(const Face& f, const Plane& 
   const double all_error = kArea.error * plane.area * plane.area;
   if (!(plane.all > 0x1p20 * all_error)) return std::nullopt;
   const double inverse = 1 / plane.all, factor = K * plane.across * inverse, size = __builtin_fabs(factor);
-  // Of the factor: its error, from those of n·w and n·n, and three roundings. Then that of a component.
+  // The factor's error, from those of n·w and n·n, and three roundings. Then that of a component.
   const double factor_error =
       (1 + 0x1p-18) * (K * kAcross.error * plane.area * plane.size_w * inverse + size * (all_error * inverse + 0x1p-51));
   const double fixed = (1 + 0x1p-18) * (size + factor_error) * (kNormal.x.error * plane.area),
@@ -154,34 +154,33 @@ FORCESHADE_INLINE std::optional<Force3> quick_force(const Face& f, const Plane& 
 
 }  // namespace
 
-std::optional<std::array<float, 3>> mesh_force(const Mesh& mesh, const Arrival& arrival, const std::array<float, 3>& goal,
-                                               const std::array<float, 3>& p, float stiffness, mesh::Shading shading,
-                                               bool is_filtered, ForceDecision* decided) noexcept {
+std::optional<std::array<float, 3>> mesh_force(const Mesh& mesh, const Arrival& arrival, const HandAndGoal& ends,
+                                               float stiffness, mesh::Shading shading, bool is_filtered,
+                                               ForceDecision* decided) noexcept {
   ForceDecision ignored;
   ForceDecision& by = decided != nullptr ? *decided : ignored;
   by = {};
-  const bool has_own_goal = &goal != &p;
-  if (arrival.rest == Rest::none || (arrival.rest == Rest::at_goal && !has_own_goal)) return Force3{};
+  if (arrival.rest == Rest::none || (arrival.rest == Rest::at_goal && ends.are_one())) return Force3{};
   const auto K = static_cast<double>(stiffness);
   if (shading == mesh::Shading::none) {
     if (is_filtered)
-      if (const auto force = arrival.rest == Rest::in_triangle && !has_own_goal
+      if (const auto force = arrival.rest == Rest::in_triangle && ends.are_one()
                                  ? quick_force(mesh.face(face_of(arrival.spot.half)), arrival.plane, K)
-                                 : unshaded_force(mesh, arrival, goal, p, K)) [[likely]]
+                                 : unshaded_force(mesh, arrival, ends, K)) [[likely]]
         return *force;
-    return exact_unshaded(mesh, arrival, goal.data(), p.data(), K, is_filtered, by.last);
+    return exact_unshaded(mesh, arrival, ends, K, is_filtered, by.last);
   }
   if (is_filtered) {
     by.numbers = ForceStage::binary64;
-    if (const auto force = shaded_force<DoubleWithError>(mesh, arrival, goal, p, K, shading, by.last)) [[likely]]
+    if (const auto force = shaded_force<DoubleWithError>(mesh, arrival, ends, K, shading, by.last)) [[likely]]
       return *force;
     raise(by.last, Stage::wide);
     by.numbers = ForceStage::from_integers;
-    if (const auto force = shaded_force_from_integers(mesh, arrival, goal, p, K, shading, by.last)) return *force;
+    if (const auto force = shaded_force_from_integers(mesh, arrival, ends, K, shading, by.last)) return *force;
   }
   raise(by.last, Stage::wide);
   by.numbers = ForceStage::wide;
-  return shaded_force_in_wide_numbers(mesh, arrival, goal, p, K, shading, by.last);
+  return shaded_force_in_wide_numbers(mesh, arrival, ends, K, shading, by.last);
 }
 
 const char* force_arithmetic_fault() noexcept {

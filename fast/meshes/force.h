@@ -3,6 +3,7 @@
 // The force at a rest: K times the way from p to r, or as long as that along the shading direction, each component correctly
 // rounded.
 
+#include "fast/meshes/contact/goal.h"
 #include "fast/meshes/walk.h"
 
 namespace forceshade::fast {
@@ -15,14 +16,13 @@ struct ForceDecision {
   Stage last = Stage::binary64;  // of all that the force is made of, slopes of a texture included
 };
 
-// N. goal: what the god-object went for, p: the hand's position, from which the force is drawn; mm, in the domain and
-// quantised, the same object where they are one. stiffness: N/mm. The mesh has what the scheme uses. is_filtered: for tests;
+// N. stiffness: N/mm. The mesh has what the scheme uses. is_filtered: for tests;
 // false leaves all to exact numbers. decided: what did, where it is not null. Empty where the last stage cannot decide.
-std::optional<std::array<float, 3>> mesh_force(const Mesh& mesh, const Arrival& arrival, const std::array<float, 3>& goal,
-                                               const std::array<float, 3>& p, float stiffness, mesh::Shading shading,
-                                               bool is_filtered = true, ForceDecision* decided = nullptr) noexcept;
+std::optional<std::array<float, 3>> mesh_force(const Mesh& mesh, const Arrival& arrival, const HandAndGoal& ends,
+                                               float stiffness, mesh::Shading shading, bool is_filtered = true,
+                                               ForceDecision* decided = nullptr) noexcept;
 
-// Of force.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h.
+// The fault of force.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h.
 const char* force_arithmetic_fault() noexcept;
 
 }  // namespace forceshade::fast

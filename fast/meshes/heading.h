@@ -57,7 +57,7 @@ struct Direction {
   }
 };
 
-// Of one direction at a point, on the triangles and edges there.
+// Where one direction at a point leads, on the triangles and edges there.
 template <class Stages>
 class Headings {
  public:

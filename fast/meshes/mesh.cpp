@@ -72,7 +72,7 @@ std::variant<Mesh, ParameterError> Mesh::build(const MeshRendering& rendering) {
   Mesh result;
   const bool is_textured = rendering.shading == mesh::Shading::texture_scheme;
   if (is_textured) {
-    auto map = HeightMapField::build({rendering.texture.map.parts}, height::Rendering::force_shaded, 1);
+    auto map = HeightMapField::build({rendering.texture.map.parts}, height::Mode::force_shaded, 1);
     if (const auto* error = std::get_if<ParameterError>(&map)) return *error;
     result.texture_map_ = std::make_shared<const HeightMapField>(std::get<HeightMapField>(std::move(map)));
   }

@@ -94,7 +94,7 @@ class Mesh {
   bool has_sheets() const noexcept { return has_sheets_; }  // which may cross
   const BoxTree& tree() const noexcept { return tree_; }
   float largest_coordinate() const noexcept { return largest_coordinate_; }
-  // Of the three corners of face f; empty where the mesh has none.
+  // The normals of the three corners of face f; empty where the mesh has none.
   const std::array<mesh::Normal, 3>* normals(std::uint32_t f) const noexcept {
     return normals_.empty() ? nullptr : &normals_[f];
   }
@@ -103,7 +103,7 @@ class Mesh {
   const std::array<mesh::CornerTexture, 3>* texture(std::uint32_t f) const noexcept {
     return textures_.empty() ? nullptr : &textures_[f];
   }
-  // Of everything that it holds but the height map, which is shared.
+  // The size of everything that it holds but the height map, which is shared.
   std::size_t bytes() const noexcept;
 
  private:

@@ -8,6 +8,7 @@
 
 #include "fast/meshes/bit_span.h"
 #include "fast/meshes/bounded_vector3.h"
+#include "fast/meshes/contact/goal.h"
 #include "fast/meshes/walk.h"
 #include "fast/numbers/big_float_ball.h"
 
@@ -68,18 +69,18 @@ class RestNumbers {
  public:
   using N = Numbers;
 
-  // goal, p: mm, in the domain and quantised; the same address where the goal is p. All four have to outlive this.
-  RestNumbers(const Mesh& mesh, const Arrival& arrival, const float* goal, const float* p) noexcept
-      : mesh_(mesh), spot_(arrival.spot), rest_(arrival.rest), goal_(goal), position_(p), goal_point_(point<N>(goal)) {}
+  // Mesh, arrival, hand and goal have to outlive this.
+  RestNumbers(const Mesh& mesh, const Arrival& arrival, const HandAndGoal& ends) noexcept
+      : mesh_(mesh), spot_(arrival.spot), rest_(arrival.rest), ends_(ends), goal_point_(point<N>(ends.goal())) {}
 
   const Mesh& mesh() const noexcept { return mesh_; }
   const Spot& spot() const noexcept { return spot_; }
   Rest rest() const noexcept { return rest_; }
   // Whether the way is a foot's: at a right angle to the triangle or edge.
-  bool is_at_foot() const noexcept { return rest_ != Rest::at_spot && goal_ == position_; }
+  bool is_at_foot() const noexcept { return rest_ != Rest::at_spot && ends_.are_one(); }
 
   Way3<N> way() const noexcept {
-    if (goal_ == position_ || rest_ == Rest::at_spot) [[likely]]
+    if (ends_.are_one() || rest_ == Rest::at_spot) [[likely]]
       return way_from_goal();
     return way_past_goal();
   }
@@ -98,7 +99,7 @@ class RestNumbers {
       return {whole<N>(kGrid - spot_.weight[0] - spot_.weight[1]), whole<N>(spot_.weight[0]), whole<N>(spot_.weight[1])};
     const Face& f = mesh_.face(face_of(spot_.half));
     if constexpr (kIsFromIntegers) {
-      const ExactWeights exact(f, goal_);
+      const ExactWeights exact(f, ends_.goal());
       return {near(exact.corner[0], kUnit4), near(exact.corner[1], kUnit4), near(exact.corner[2], kUnit4)};
     }
     const Vector3<N> a = point<N>(f.corner[0].data()), n = normal(f), w = goal_point_ - a;
@@ -109,7 +110,7 @@ class RestNumbers {
   std::array<N, 2> weights_on_edge() const noexcept {
     if (rest_ == Rest::at_spot) return {whole<N>(kGrid - spot_.weight[0]), whole<N>(spot_.weight[0])};
     if constexpr (kIsFromIntegers) {
-      const ExactFoot exact(mesh_.start_point(spot_.half), mesh_.start_point(next(spot_.half)), goal_);
+      const ExactFoot exact(mesh_.start_point(spot_.half), mesh_.start_point(next(spot_.half)), ends_.goal());
       return {near(exact.length - exact.along, kUnit2), near(exact.along, kUnit2)};
     }
     const Vector3<N> e = edge();
@@ -126,7 +127,7 @@ class RestNumbers {
         const Vector3<N> n = normal(f);
         if constexpr (kIsFromIntegers) {
           const auto exact = ExactFace(f).n;
-          return {scaled(-near(dot(exact, exact_difference(goal_, f.corner[0].data())), kUnit3), n),
+          return {scaled(-near(dot(exact, exact_difference(ends_.goal(), f.corner[0].data())), kUnit3), n),
                   near(square(exact), kUnit4)};
         } else {
           return {scaled(-dot(n, goal_point_ - point<N>(f.corner[0].data())), n), square(n)};
@@ -134,7 +135,7 @@ class RestNumbers {
       }
       case Rest::on_edge: {
         if constexpr (kIsFromIntegers) {
-          const ExactDifference e = exact_edge(), w = exact_difference(goal_, mesh_.start_point(spot_.half));
+          const ExactDifference e = exact_edge(), w = exact_difference(ends_.goal(), mesh_.start_point(spot_.half));
           return {near(cross(e, cross(e, w)), kUnit3), near(square(e), kUnit2)};
         } else {
           const Vector3<N> e = edge(), w = goal_point_ - start();
@@ -144,8 +145,8 @@ class RestNumbers {
       case Rest::at_goal: return {{}, N::exactly(1)};
       default: {
         const Point g = point_of(mesh_, spot_);
-        if constexpr (kIsFromIntegers) return {opposite(near(exact_offset_from(g, position_), kUnit)), N::exactly(0x1p24)};
-        const Vector3<N> p = point<N>(position_);
+        if constexpr (kIsFromIntegers) return {opposite(near(exact_offset_from(g, ends_.hand()), kUnit)), N::exactly(0x1p24)};
+        const Vector3<N> p = point<N>(ends_.hand());
         Vector3<N> to = scaled(whole<N>(g.weight[0]), point<N>(g.corner[0]) - p);
         for (std::size_t c = 1; c < static_cast<std::size_t>(g.count); ++c)
           to = sum(to, scaled(whole<N>(g.weight[c]), point<N>(g.corner[c]) - p));
@@ -158,8 +159,8 @@ class RestNumbers {
   [[gnu::noinline]] Way3<N> way_past_goal() const noexcept {
     const Way3<N> from_goal = way_from_goal();
     const auto past = [&]() -> Vector3<N> {
-      if constexpr (kIsFromIntegers) return near(exact_difference(goal_, position_), kUnit);
-      return goal_point_ - point<N>(position_);
+      if constexpr (kIsFromIntegers) return near(exact_difference(ends_.goal(), ends_.hand()), kUnit);
+      return goal_point_ - point<N>(ends_.hand());
     };
     return {sum(from_goal.vector, scaled(from_goal.length, past())), from_goal.length};
   }
@@ -171,8 +172,7 @@ class RestNumbers {
   const Mesh& mesh_;
   const Spot& spot_;
   Rest rest_;
-  const float* goal_;
-  const float* position_;
+  HandAndGoal ends_;
   Vector3<N> goal_point_;
 };
 

@@ -44,7 +44,7 @@ class MeshSession final : public TickSession {
   // It takes the tick to where the hand arrives if it goes on as in the last one, and forgets the result.
   void look_ahead() noexcept override;
 
-  // Of session.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h. Under a fault no mesh is built.
+  // The fault of session.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h. Under a fault no mesh is built.
   static const char* arithmetic_fault() noexcept;
 
   mesh::GodObject state() const noexcept { return object_of(*mesh_, at_.spot); }

@@ -158,7 +158,7 @@ class Sheets : Ways<Stages> {
   using Ways<Stages>::is_clear, Ways<Stages>::other_at;
 
   static constexpr int kLeastSteps = 8;
-  // Of the largest coordinate: longer than a cell of the grid, which is at most 2·√3·2^-24 of it.
+  // A share of the largest coordinate that is longer than a cell of the grid, which is at most 2·√3·2^-24 of it.
   static constexpr double kCell = 0x1p-22;
 
   using Distance = FixedInteger<192>;  // squared, in units of 2^-154 mm²

@@ -24,7 +24,7 @@ struct DescribedLaw {
 
 struct DescribedHeightMap {
   HeightMap map;
-  height::Rendering rendering{};
+  height::Mode mode{};
   float stiffness = 0;  // K, N/mm
 };
 

@@ -103,7 +103,7 @@ enum class Sign;   // fast/numbers/ball.h
 class HeightMapField {
  public:
   // Domains: docs/height-maps.md. Looks at every value of a grid, and allocates. Under an arithmetic_fault() nothing is built.
-  static std::variant<HeightMapField, ParameterError> build(const HeightMap& map, height::Rendering rendering, float stiffness);
+  static std::variant<HeightMapField, ParameterError> build(const HeightMap& map, height::Mode mode, float stiffness);
 
   // The last stage takes up to 3 MiB of stack. Should its numbers not decide (docs/height-map-ties.md says for which identities
   // that could be), Status::invalid and no force.

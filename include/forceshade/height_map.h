@@ -5,7 +5,7 @@
 //   HeightMap bump;
 //   bump.parts.push_back({height::Gaussian{.height = 3, .sigma = 5}});                     // mm
 //   bump.parts.push_back({height::Grating{.height = 0.1F, .wave_x = 2}, true});            // less a grating along x
-//   const std::string_view how = height::name_of(height::Rendering::force_shaded);         // "height-map-shaded"
+//   const std::string_view how = height::name_of(height::Mode::force_shaded);         // "height-map-shaded"
 //
 // Lengths are in mm, slopes in mm/mm. fast::HeightMapField of fast.h renders it, reference::HeightMapField of reference.h
 // defines the force, heights.h reads one from a file. Whether the numbers are in their domains is looked at when either is
@@ -201,21 +201,21 @@ struct Part {
 };
 
 // What turns a map into a force field (docs/height-maps.md).
-enum class Rendering { true_height, force_shaded, conservative };
+enum class Mode { true_height, force_shaded, conservative };
 
-struct RenderingName {
-  Rendering rendering;
+struct ModeName {
+  Mode mode;
   std::string_view name;
 };
 
-inline constexpr std::array<RenderingName, 3> kRenderings{{
-    {Rendering::true_height, "height-map"},
-    {Rendering::force_shaded, "height-map-shaded"},
-    {Rendering::conservative, "height-map-conservative"},
+inline constexpr std::array<ModeName, 3> kModes{{
+    {Mode::true_height, "height-map"},
+    {Mode::force_shaded, "height-map-shaded"},
+    {Mode::conservative, "height-map-conservative"},
 }};
 
-constexpr std::string_view name_of(Rendering rendering) {
-  return kRenderings[static_cast<std::size_t>(rendering)].name;
+constexpr std::string_view name_of(Mode mode) {
+  return kModes[static_cast<std::size_t>(mode)].name;
 }
 
 }  // namespace forceshade::height

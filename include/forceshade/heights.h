@@ -5,7 +5,7 @@
 // and toml++.
 //
 //   const heights::Spec spec = heights::read_spec("examples/leather.toml");
-//   const auto built = fast::HeightMapField::build(spec.map, spec.rendering, 0.5F);  // N/mm; of fast.h
+//   const auto built = fast::HeightMapField::build(spec.map, spec.mode, 0.5F);  // N/mm; of fast.h
 //   const auto grid = heights::load({.file = "leather.png", .pitch = 0.1F, .scale = 0.5F});  // mm
 //   std::printf("%u x %u\n", grid->columns, grid->rows);
 //
@@ -58,7 +58,7 @@ std::shared_ptr<const height::Grid> load(const Source& source);
 
 struct Spec {
   HeightMap map;
-  height::Rendering rendering;
+  height::Mode mode;
 };
 
 // Files of grids are taken relative to `file`. Throws Error, which names the line, the key, what was expected and what was got;

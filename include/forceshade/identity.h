@@ -52,7 +52,7 @@ struct Identity {
 Identity identity_of(LawId law, const Parameters& parameters);
 
 // The digest is that of the kind and every number of every part, grid values included.
-Identity identity_of(const std::string& name, const HeightMap& map, height::Rendering rendering, float stiffness);
+Identity identity_of(const std::string& name, const HeightMap& map, height::Mode mode, float stiffness);
 
 // name: of the mesh's file. The digest is that of every coordinate, index and normal, and of a texture: of the points and
 // gradients of its corners and of its height map.

@@ -153,7 +153,7 @@ class Subject {
 using RenderLaw = std::function<Renderer(LawId law, const Parameters& parameters)>;
 
 // What renders a height map, which is in the domain with this stiffness (N/mm).
-using RenderHeightMap = std::function<Renderer(const HeightMap& map, height::Rendering rendering, float stiffness)>;
+using RenderHeightMap = std::function<Renderer(const HeightMap& map, height::Mode mode, float stiffness)>;
 
 // Opens a session of what is said to be a god-object with this stiffness (N/mm).
 using OpenTicks = std::function<std::unique_ptr<fast::TickSession>(float stiffness)>;
@@ -165,12 +165,11 @@ std::unique_ptr<Subject> law_subject(LawId law, const Parameters& parameters, Fo
 std::unique_ptr<Subject> law_subject(LawId law, const Parameters& parameters, RenderLaw render);
 
 // The same of a height map. name: of its file; stiffness: N/mm.
-std::unique_ptr<Subject> height_map_subject(const std::string& name, const HeightMap& map, height::Rendering rendering,
-                                            float stiffness);
-std::unique_ptr<Subject> height_map_subject(const std::string& name, const HeightMap& map, height::Rendering rendering,
-                                            float stiffness, ForceAt force_at);
-std::unique_ptr<Subject> height_map_subject(const std::string& name, const HeightMap& map, height::Rendering rendering,
-                                            float stiffness, RenderHeightMap render);
+std::unique_ptr<Subject> height_map_subject(const std::string& name, const HeightMap& map, height::Mode mode, float stiffness);
+std::unique_ptr<Subject> height_map_subject(const std::string& name, const HeightMap& map, height::Mode mode, float stiffness,
+                                            ForceAt force_at);
+std::unique_ptr<Subject> height_map_subject(const std::string& name, const HeightMap& map, height::Mode mode, float stiffness,
+                                            RenderHeightMap render);
 
 // A god-object on a mesh as a subject, rendered by the fast path or by one's own sessions. name: of the mesh's file. They throw
 // std::invalid_argument where a side refuses it.

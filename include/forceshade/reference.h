@@ -94,10 +94,10 @@ class Law {
 // A height map's exact force. Immutable and safe to share between threads.
 class HeightMapField {
  public:
-  static std::variant<HeightMapField, ParameterError> build(HeightMap map, height::Rendering rendering, float stiffness);
+  static std::variant<HeightMapField, ParameterError> build(HeightMap map, height::Mode mode, float stiffness);
 
   const HeightMap& map() const { return map_; }
-  height::Rendering rendering() const { return rendering_; }
+  height::Mode mode() const { return mode_; }
   float stiffness() const { return stiffness_; }
 
   // The same as Law::round_to_binary32: every answer is decided. What enclosures of 768 bits leave open, exact sums decide.
@@ -112,11 +112,11 @@ class HeightMapField {
   Estimate estimate(const Eigen::Vector3f& position) const;
 
  private:
-  HeightMapField(HeightMap map, height::Rendering rendering, float stiffness)
-      : map_(std::move(map)), rendering_(rendering), stiffness_(stiffness) {}
+  HeightMapField(HeightMap map, height::Mode mode, float stiffness)
+      : map_(std::move(map)), mode_(mode), stiffness_(stiffness) {}
 
   HeightMap map_;
-  height::Rendering rendering_;
+  height::Mode mode_;
   float stiffness_;
 };
 

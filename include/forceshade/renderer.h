@@ -71,7 +71,7 @@ struct Rendering {
 std::variant<Rendering, ParameterError> rendering_of(LawId law, const Parameters& parameters);
 
 // name: of the map's file. stiffness: N/mm.
-std::variant<Rendering, ParameterError> rendering_of(const std::string& name, const HeightMap& map, height::Rendering rendering,
+std::variant<Rendering, ParameterError> rendering_of(const std::string& name, const HeightMap& map, height::Mode mode,
                                                      float stiffness);
 
 // name: of the mesh's file.

@@ -12,7 +12,7 @@ long double positive_part(long double at_surface, long double at_depth, long dou
   return depth * positive * positive / (2 * std::fabs(at_surface - at_depth));
 }
 
-// Of a function's values, and those of one that has its sign everywhere.
+// What holds of a function's values, given those of one that has its sign everywhere.
 Range with_sign(const Range& values, const Range& sign) {
   return {sign.low >= 0 ? std::max(0.0L, values.low) : values.low, sign.high <= 0 ? std::min(0.0L, values.high) : values.high};
 }
@@ -48,7 +48,7 @@ void Circulation::judge(Stretch& stretch) const {
   const auto surface = local.function([&](const SectionSample& g, const auto&) { return (g.excess * g.upright).shorter(); });
   const auto slope = local.function([&](const SectionSample& g, const auto&) { return g.upright.derivative(); });
   const auto bottom = surface + depth_ * slope;
-  // Of the same signs, n and n³ times as large: without a root, so that they are certain on longer stretches.
+  // These have the same signs and are n and n³ times as large: without a root, so that they are certain on longer stretches.
   const auto excess = local.function([&](const SectionSample& g, const auto&) { return g.excess.shorter(); });
   const auto below = local.function(
       [&](const SectionSample& g, const auto&) { return (g.excess * g.squared).shorter() + -half * g.squared.derivative(); });

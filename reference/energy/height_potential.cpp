@@ -5,7 +5,7 @@
 namespace forceshade::reference {
 namespace {
 
-// Of a map each part of which has one everywhere.
+// The gradient of a map each part of which has one everywhere.
 std::optional<ConstantGradient> gradient_of(const std::vector<height::Part>& parts) {
   ConstantGradient sum{0, 0};
   for (const height::Part& part : parts) {
@@ -20,10 +20,10 @@ std::optional<ConstantGradient> gradient_of(const std::vector<height::Part>& par
 }  // namespace
 
 std::optional<std::string> potential(const HeightMapField& law) {
-  const bool is_shaded = law.rendering() == height::Rendering::force_shaded;
+  const bool is_shaded = law.mode() == height::Mode::force_shaded;
   const std::string height = !is_shaded ? "U(x, y) - z" : law.map().surface.empty() ? "-z" : "S(x, y) - z";
   const std::string spring = "K/2 max(0, " + height + ")^2";
-  if (law.rendering() == height::Rendering::conservative) return spring;
+  if (law.mode() == height::Mode::conservative) return spring;
   const std::lock_guard lock(exact_arithmetic);
   const auto gradient = gradient_of(law.map().parts);
   const auto surface = is_shaded ? gradient_of(law.map().surface) : gradient;

@@ -13,7 +13,7 @@ constexpr float kMostCells = 65536;
 }  // namespace
 
 double tallest(const HeightMapField& law, const Slice& slice) {
-  const bool is_shaded = law.rendering() == height::Rendering::force_shaded;
+  const bool is_shaded = law.mode() == height::Mode::force_shaded;
   const Segment way = segment_of(slice);
   const double largest_x = std::max(size_of(way.x0), size_of(way.x1)), largest_y = std::max(size_of(way.y0), size_of(way.y1));
   double sum = 0;

@@ -26,7 +26,7 @@ struct Stretch {
   long double width() const { return to.high() - from.low(); }
   long double doubt() const { return generated.rad() + cost.rad(); }
 
-  // Off the ends: what is left to be certain of next to a cut gains nothing by another.
+  // A cut lies off the ends: what is left to be certain of next to a cut gains nothing by another.
   long double cut() const {
     const long double low = from.mid(), high = to.mid(), margin = (high - low) / 64;
     return change > low + margin && change < high - margin ? change : low + (high - low) / 2;

@@ -162,7 +162,7 @@ class Columns {
     return std::fabs(change_of_sign(piece, middle) - chord);
   }
 
-  // Of what is taken in at a place: its lower and its upper end.
+  // The lower and the upper end of what is taken in at a place.
   std::array<Corner, 2> sides(const HeightLine::Piece& piece, float s, Enclosed enclosed, long double sagitta) const {
     const long double D = circulation_.depth().mid(), height = static_cast<long double>(surface(piece, s));
     const long double change = change_of_sign(piece, s), bottom = enclosed == Enclosed::top ? change : D;

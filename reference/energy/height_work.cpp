@@ -8,7 +8,7 @@
 namespace forceshade::reference {
 namespace {
 
-using height::Rendering;
+using height::Mode;
 
 Point2 plan(const Eigen::Vector3f& point) {
   return {static_cast<double>(point.x()), static_cast<double>(point.y())};
@@ -16,7 +16,7 @@ Point2 plan(const Eigen::Vector3f& point) {
 
 // ½K·depth² there.
 Enclosure spring(const HeightMapField& law, const Eigen::Vector3f& point) {
-  const bool is_shaded = law.rendering() == Rendering::force_shaded;
+  const bool is_shaded = law.mode() == Mode::force_shaded;
   const Enclosure surface = sum_jet<Enclosure>(is_shaded ? law.map().surface : law.map().parts, plan(point)).U;
   const Enclosure depth = larger(0, surface - Enclosure(point.z()));
   return Enclosure(law.stiffness()) * depth * depth / 2;
@@ -25,7 +25,7 @@ Enclosure spring(const HeightMapField& law, const Eigen::Vector3f& point) {
 // From a straight up or down to b, and anywhere in a field that is minus the gradient of the spring.
 Enclosure work_of_spring(const HeightMapField& law, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
   const Enclosure released = spring(law, a) - spring(law, b);
-  if (law.rendering() == Rendering::conservative) return released;
+  if (law.mode() == Mode::conservative) return released;
   const Jet<Enclosure> map = sum_jet<Enclosure>(law.map().parts, plan(a));
   return released / sqrt(Enclosure(map.Ux * map.Ux + map.Uy * map.Uy + 1));
 }
@@ -72,7 +72,7 @@ Interval work(const HeightMapField& law, const std::vector<Eigen::Vector3f>& pat
     const Eigen::Vector3f &a = path[i - 1], &b = path[i];
     const Monitor segment = monitor.part(share(i - 1), share(i));
     segment.at(0);
-    if (law.rendering() == Rendering::conservative || (a.x() == b.x() && a.y() == b.y())) {
+    if (law.mode() == Mode::conservative || (a.x() == b.x() && a.y() == b.y())) {
       sum += work_of_spring(law, a, b);
     } else {
       const Ball64 across = decided([&] { return work_across(law, a, b, segment); });

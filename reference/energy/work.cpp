@@ -78,7 +78,7 @@ class Field {
   }
 
  private:
-  // Of the cylinder, and of it and the wall.
+  // The potential of the cylinder, and of it and the wall.
   Enclosure potential(const Place& at) const {
     const Enclosure rho = sqrt(square(at.x) + square(at.z + half_.g.d)), cylinder = spring(half_.g.K, half_.g.R - rho);
     return law_.id() == LawId::cylinder ? cylinder : cylinder + spring(half_.g.K, -at.z);

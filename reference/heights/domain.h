@@ -10,6 +10,6 @@
 namespace forceshade::reference {
 
 // The first number that is outside; stiffness: N/mm.
-std::optional<ParameterError> first_error(const HeightMap& map, height::Rendering rendering, float stiffness);
+std::optional<ParameterError> first_error(const HeightMap& map, height::Mode mode, float stiffness);
 
 }  // namespace forceshade::reference

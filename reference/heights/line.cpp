@@ -8,7 +8,7 @@
 namespace forceshade::reference {
 namespace {
 
-using height::Rendering;
+using height::Mode;
 
 bool is_polynomial(const height::Part& part) {
   return std::visit([]<class T>(const T&) { return kFormula<T> == Formula::polynomial; }, part.shape);
@@ -83,7 +83,7 @@ SectionSample<N> HeightLine::ground(const Piece& piece, const N& t) const {
   const HeightMap& map = law_.map();
   const Jet<N> U = jet(map.parts, 0, piece.polynomial[0]);
   const N climb = slope(U), squared = square(U.Ux) + square(U.Uy) + N(1.0), upright = N(1.0) / sqrt(squared);
-  if (law_.rendering() != Rendering::force_shaded) return {U.U, climb, N(0.0), squared, upright};
+  if (law_.mode() != Mode::force_shaded) return {U.U, climb, N(0.0), squared, upright};
   const Jet<N> surface = jet(map.surface, map.parts.size(), piece.polynomial[1]);
   return {surface.U, climb, slope(surface) - climb, squared, upright};
 }

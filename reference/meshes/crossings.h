@@ -45,7 +45,7 @@ class Crossings {
     bool is_apart(const Box& other) const;
   };
 
-  // Of the surface times scale.
+  // All three are of the surface times scale.
   std::vector<Crossing> between(const Vector& g, const Vector& p, const Integer& scale, const Box& box) const;
   std::vector<Feature> features_at(const Vector& over, const Integer& scale, const Box& box) const;
 

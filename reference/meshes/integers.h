@@ -55,7 +55,7 @@ struct Fraction {
   friend bool operator==(const Fraction& a, const Fraction& b) { return (a <=> b) == 0; }
 };
 
-// Of any under but 0.
+// For any `under` but 0.
 inline Fraction fraction(const Integer& over, const Integer& under) {
   return under < 0 ? Fraction{-over, -under} : Fraction{over, under};
 }

@@ -74,7 +74,7 @@ class Surface {
   bool is_at_rim(const Feature& feature) const;
   Vector position(const GridPoint& point) const;
 
-  // Of an edge by its vertices, which must be those of an edge.
+  // The number of the edge with these vertices, which must be those of one.
   std::size_t edge_between(std::uint32_t a, std::uint32_t b) const;
 
   // The point a + (k/2^24) (b - a) + (l/2^24) (c - a) of a closed triangle, or a + (m/2^24) (b - a) of a closed edge, in the

@@ -139,7 +139,7 @@ ExponentialSum sin(const ExponentialSum& a) {
   return result;
 }
 
-// Of e^least_decay times the sum, at the precision last set.
+// Encloses e^least_decay times the sum, at the precision last set.
 Enclosure ExponentialSum::enclosure(const Rational& least_decay) const {
   Enclosure sum(0);
   for (const Term& term : terms_) {

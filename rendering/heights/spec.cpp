@@ -193,10 +193,9 @@ Lines lines_of_parts(const fs::path& file) {
 Spec read_spec(const fs::path& file) {
   const toml::table root = parsed(file);
   Table keys(file, root);
-  std::array<std::pair<std::string_view, height::Rendering>, height::kRenderings.size()> renderings;
-  for (std::size_t i = 0; i < renderings.size(); ++i)
-    renderings[i] = {height::kRenderings[i].name, height::kRenderings[i].rendering};
-  Spec spec{{}, keys.word<height::Rendering>("render", renderings)};
+  std::array<std::pair<std::string_view, height::Mode>, height::kModes.size()> renderings;
+  for (std::size_t i = 0; i < renderings.size(); ++i) renderings[i] = {height::kModes[i].name, height::kModes[i].mode};
+  Spec spec{{}, keys.word<height::Mode>("render", renderings)};
   for (const auto& [key, node] : root) {
     if (key.str() == "render") continue;
     const bool is_surface = key.str() == "surface";
@@ -204,7 +203,7 @@ Spec read_spec(const fs::path& file) {
     if (!parts)
       throw Error(file, keys.line_of(node) + "expected render, [[part]] and [[surface]], got " + std::string(key.str()) +
                             files::suggestion(key.str(), {"render", "part", "surface"}));
-    if (is_surface && spec.rendering != height::Rendering::force_shaded)
+    if (is_surface && spec.mode != height::Mode::force_shaded)
       throw Error(file, keys.line_of(node) + "only render = \"height-map-shaded\" has a [[surface]]");
     for (const toml::node& element : *parts) {
       if (!element.is_table()) keys.fail(element, key.str(), "a table");

@@ -104,7 +104,7 @@ std::string text_of(const IdentityValue& value) {
 
 bool is_conservative_map(const Identity& identity) {
   const IdentityValue* rendering = identity.parameter("rendering");
-  return rendering != nullptr && text_of(*rendering) == name_of(height::Rendering::conservative);
+  return rendering != nullptr && text_of(*rendering) == name_of(height::Mode::conservative);
 }
 
 std::string parameters_in_words(const Identity& identity) {
@@ -122,7 +122,7 @@ std::string parameters_in_words(const Identity& identity) {
   return words;
 }
 
-Identity identity_of(const std::string& name, const HeightMap& map, height::Rendering rendering, float stiffness) {
+Identity identity_of(const std::string& name, const HeightMap& map, height::Mode mode, float stiffness) {
   Digest digest;
   for (const auto& [role, parts] : roles(map))
     for (const height::Part& part : *parts) {
@@ -136,8 +136,7 @@ Identity identity_of(const std::string& name, const HeightMap& map, height::Rend
       digest.line(std::to_string(words.samples.size()));
       for (const float sample : words.samples) digest.number(sample);
     }
-  return {
-      kHeightMapKind, name, {{"rendering", std::string(name_of(rendering))}, {"stiffness_N_per_mm", stiffness}}, digest.hex()};
+  return {kHeightMapKind, name, {{"rendering", std::string(name_of(mode))}, {"stiffness_N_per_mm", stiffness}}, digest.hex()};
 }
 
 std::vector<std::string> words_of(const HeightMap& map) {

@@ -25,7 +25,7 @@ Identity identity_of(const std::string& name, const MeshRendering& rendering) {
         for (const mesh::Normal& gradient : {corner.gradient_x, corner.gradient_y})
           for (const float component : gradient) digest.number(component);
       }
-    digest.line("map " + identity_of("", rendering.texture.map, height::Rendering::force_shaded, 1).digest);
+    digest.line("map " + identity_of("", rendering.texture.map, height::Mode::force_shaded, 1).digest);
   }
   // What is usual is not named, so that what was certified or recorded before there was such a choice is still the same.
   const bool has_sheets = rendering.checked.self_intersections() == mesh::SelfIntersections::allowed;

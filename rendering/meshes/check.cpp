@@ -60,7 +60,7 @@ class Collector {
   std::array<std::vector<Finding>, kFaults> kept_;
 };
 
-// Of many triangles the first few.
+// The first few of many triangles.
 std::vector<std::uint32_t> some(std::vector<std::uint32_t> triangles) {
   constexpr std::size_t kMostNamed = 8;
   std::sort(triangles.begin(), triangles.end());
@@ -148,7 +148,7 @@ void check_fans(const TriangleMesh& mesh, const std::vector<std::uint32_t>& oppo
   }
 }
 
-// Of two triangles the corners that they share come first, in the same order. How many these are.
+// Puts the corners that two triangles share first, in the same order. How many these are.
 std::size_t shared_first(Triangle& s, Triangle& t) {
   std::size_t shared = 0;
   for (std::size_t i = 0; i < 3; ++i)
@@ -253,7 +253,7 @@ std::string listed(const std::vector<Number>& numbers) {
   return text;
 }
 
-// Of a finding's triangles in the file: "line 12: " or "lines 12 and 15: ".
+// The place of a finding's triangles in the file: "line 12: " or "lines 12 and 15: ".
 std::string place_of(const Finding& finding, std::span<const std::uint64_t> lines) {
   if (lines.empty() || finding.triangles.empty()) return "";
   std::vector<std::uint64_t> its;

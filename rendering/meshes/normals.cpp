@@ -162,7 +162,7 @@ class Computation {
   Computation(const TriangleMesh& mesh, double crease_degrees, CornerNormals& normals)
       : mesh_(mesh), crease_(crease_degrees), opposite_(opposite_half_edges(mesh)), normals_(normals) {}
 
-  // Of the vertices with these first half-edges.
+  // Computes the normals of the vertices with these first half-edges.
   NormalStages run(std::span<const std::uint32_t> first) const {
     NormalStages stages;
     std::vector<std::uint32_t> fan, group;

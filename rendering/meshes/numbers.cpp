@@ -21,7 +21,7 @@ struct Decimal {
   std::int64_t exponent = 0;
 };
 
-// Of what from_chars takes for a finite number.
+// The decimal number of a word that from_chars takes for a finite one.
 Decimal decimal_of(std::string_view word) {
   Decimal decimal;
   decimal.is_negative = word.starts_with('-');

@@ -167,7 +167,7 @@ class HeaderReader {
     element.properties.push_back(std::move(property));
   }
 
-  // Of what is declared, against the size of the file.
+  // Checks what is declared against the size of the file.
   void check() const {
     bool has_vertices = false, has_faces = false;
     for (const Element& element : header_.elements) {
@@ -259,7 +259,7 @@ class BinaryBody {
       throw bytes_.error(bytes_.position(),
                          "the file goes on for " + std::to_string(bytes_.left()) + " bytes after its last element");
   }
-  // Of the element that is read.
+  // The error of the element that is read.
   Error error(const std::string& reason) const { return bytes_.error(begin_, reason); }
   static std::uint64_t line() { return 0; }
 

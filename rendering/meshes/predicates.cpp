@@ -100,9 +100,9 @@ int sign_of_sides(int p, int q, int r) {
   return p > 0 && q > 0 && r > 0 ? 1 : p < 0 && q < 0 && r < 0 ? -1 : 0;
 }
 
-// Of a segment (p, q) and a triangle in one plane, seen along `axis`, on which the triangle keeps an area. They are apart where
-// a side of the triangle has both ends strictly outside, or the segment's line has the triangle strictly on one side: the
-// difference of the two sets is a polygon with edges in just these directions.
+// Whether a segment (p, q) and a triangle in one plane meet, seen along `axis`, on which the triangle keeps an area. They are
+// apart where a side of the triangle has both ends strictly outside, or the segment's line has the triangle strictly on one
+// side: the difference of the two sets is a polygon with edges in just these directions.
 bool meet_in_plane(std::size_t axis, const Vertex& p, const Vertex& q, const TrianglePoints& t) {
   const int front = turn(axis, t[0], t[1], t[2]);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -118,7 +118,7 @@ std::size_t axis_with_area(const TrianglePoints& t) {
   return 0;
 }
 
-// Of a segment (p, q) and a triangle, given on which sides of the triangle the ends are.
+// Whether a segment (p, q) and a triangle meet, given on which sides of the triangle the ends are.
 bool meets(const Vertex& p, const Vertex& q, int side_p, int side_q, const TrianglePoints& t) {
   if (side_p * side_q > 0) return false;
   if (side_p == 0 && side_q == 0) return meet_in_plane(axis_with_area(t), p, q, t);

@@ -20,9 +20,9 @@ std::variant<Rendering, ParameterError> rendering_of(LawId law, const Parameters
   return rendered<fast::Law>(identity_of(law, parameters), law, parameters);
 }
 
-std::variant<Rendering, ParameterError> rendering_of(const std::string& name, const HeightMap& map, height::Rendering rendering,
+std::variant<Rendering, ParameterError> rendering_of(const std::string& name, const HeightMap& map, height::Mode mode,
                                                      float stiffness) {
-  return rendered<fast::HeightMapField>(identity_of(name, map, rendering, stiffness), map, rendering, stiffness);
+  return rendered<fast::HeightMapField>(identity_of(name, map, mode, stiffness), map, mode, stiffness);
 }
 
 std::variant<Rendering, ParameterError> rendering_of(const std::string& name, const MeshRendering& mesh) {
@@ -32,7 +32,7 @@ std::variant<Rendering, ParameterError> rendering_of(const std::string& name, co
 std::variant<Rendering, ParameterError> rendering_of(const Description& description) {
   if (const auto* law = std::get_if<DescribedLaw>(&description.what)) return rendering_of(law->law, law->parameters);
   if (const auto* map = std::get_if<DescribedHeightMap>(&description.what))
-    return rendering_of(description.name, map->map, map->rendering, map->stiffness);
+    return rendering_of(description.name, map->map, map->mode, map->stiffness);
   return rendering_of(description.name, std::get<MeshRendering>(description.what));
 }
 

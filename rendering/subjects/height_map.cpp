@@ -8,8 +8,8 @@
 namespace forceshade::subjects {
 namespace {
 
-std::optional<ParameterError> error_of(const HeightMap& map, height::Rendering rendering) {
-  const auto law = fast::HeightMapField::build(map, rendering, 1);
+std::optional<ParameterError> error_of(const HeightMap& map, height::Mode mode) {
+  const auto law = fast::HeightMapField::build(map, mode, 1);
   const auto* error = std::get_if<ParameterError>(&law);
   return error == nullptr ? std::nullopt : std::optional(*error);
 }
@@ -19,7 +19,7 @@ std::string place(const std::string& file, const HeightMap& map) {
   const heights::Lines lines = heights::lines_of_parts(file);
   const auto search = [&](const std::vector<height::Part>& parts, const std::vector<heights::PartLines>& at) -> std::string {
     for (std::size_t i = 0; i < parts.size() && i < at.size(); ++i)
-      if (const auto error = error_of({{parts[i]}}, height::Rendering::true_height))
+      if (const auto error = error_of({{parts[i]}}, height::Mode::true_height))
         return "line " + std::to_string(at[i].of(error->parameter)) + ": ";
     return "";
   };
@@ -30,8 +30,7 @@ std::string place(const std::string& file, const HeightMap& map) {
 }  // namespace
 
 void expect_valid(const std::string& file, const heights::Spec& spec) {
-  if (const auto error = error_of(spec.map, spec.rendering))
-    throw BadInput(file + ": " + place(file, spec.map) + error->message());
+  if (const auto error = error_of(spec.map, spec.mode)) throw BadInput(file + ": " + place(file, spec.map) + error->message());
 }
 
 heights::Spec read_height_map(const Options& options, float stiffness) {

@@ -7,6 +7,7 @@
 #include "fast/domain.h"
 #include "files/quantity.h"
 #include "forceshade/fast.h"
+#include "forceshade/subjects.h"
 #include "rendering/subjects/height_map.h"
 #include "rendering/subjects/mesh.h"
 #include "rendering/subjects/words.h"
@@ -42,7 +43,7 @@ std::vector<Description> read(const Options& options, Laws laws, const Monitor& 
   if (!mesh.empty()) return {{name_of_file(mesh), read_mesh(options, stiffness, monitor)}};
   if (!map.empty()) {
     heights::Spec spec = read_height_map(options, stiffness);
-    return {{name_of_file(map), DescribedHeightMap{std::move(spec.map), spec.rendering, stiffness}}};
+    return {{name_of_file(map), DescribedHeightMap{std::move(spec.map), spec.mode, stiffness}}};
   }
   std::vector<Description> all;
   for (const DescribedLaw& law : laws_of(options)) all.push_back({std::string(name_of(law.law)), law});
@@ -57,6 +58,14 @@ std::vector<Description> read(const Options& options, const Monitor& monitor) {
 
 Description read_one(const Options& options, const Monitor& monitor) {
   return std::move(read(options, Laws::one, monitor).front());
+}
+
+Description read_file(const std::filesystem::path& file, const Monitor& monitor) {
+  return read_one(options_of_file(file), monitor);
+}
+
+Description read_text(const std::string& text, const std::filesystem::path& file, const Monitor& monitor) {
+  return read_one(options_of_text(text, file), monitor);
 }
 
 float stiffness_of(const Options& options) {

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Options, a text or a file into what is to be rendered: the same words mean the same as on the command line.
+// Options into what is to be rendered; the public header forceshade/subjects.h does it with files and texts.
 //
-//   const Description bump = subjects::read_one(subjects::options_of_file("bump.toml"));
 //   const Description map = subjects::read_one({{"height-map", "leather.toml"}, {"stiffness", "0.5N/mm"}});
-//   const Rendering rendering = std::get<Rendering>(rendering_of(bump));
-//
-// Everything that is refused is a BadInput, which says the file, the line, what was expected and what was got.
 
 #include <vector>
 

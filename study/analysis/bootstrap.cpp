@@ -29,8 +29,8 @@ std::vector<std::size_t> all_but(const std::vector<Stratum>& strata, const std::
   return rows;
 }
 
-// Of each statistic: with the influence l = (n - 1) * (mean - value without the unit) of a unit among n in its stratum,
-// sum(l^3 / n^3) / (6 * sum(l^2 / n^2)^1.5). NaN where a jackknife value is. 0 where no unit has an influence.
+// The acceleration of each statistic: with the influence l = (n - 1) * (mean - value without the unit) of a unit among n in its
+// stratum, sum(l^3 / n^3) / (6 * sum(l^2 / n^2)^1.5). NaN where a jackknife value is. 0 where no unit has an influence.
 std::vector<double> accelerations(const std::vector<Stratum>& strata, const Statistic& statistic, std::size_t statistics) {
   std::vector<double> squares(statistics), cubes(statistics);
   for (const Stratum& stratum : strata) {

@@ -89,7 +89,7 @@ struct Start {
   PsychometricParameters parameters;
 };
 
-// Of a grid, the best place for each scale; of these the `most` best. A steep and a flat function are often both better than
+// The `most` best of the places of a grid that are best for their scale. A steep and a flat function are often both better than
 // what lies between them.
 std::vector<Start> starts(const std::vector<AngleCount>& points, const PsychometricModel& model, const Limits& limits,
                           std::size_t most) {

@@ -83,7 +83,7 @@ MatchingRow matching_row(const std::vector<MatchingResult>& trials, const std::v
   return row;
 }
 
-// Of a proportion that is 0 or 1, %: closed forms of the exact interval.
+// The exact interval of a proportion that is 0 or 1, in %, which has a closed form.
 Interval exact_percent(bool is_all, std::size_t trials, double level) {
   const double tail = 100 * std::pow((1 - level) / 2, 1 / static_cast<double>(trials));
   return is_all ? Interval{tail, 100} : Interval{0, 100 - tail};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "forceshade/law.h"
+#include "forceshade/participant.h"
 
 namespace forceshade::experiments {
 
@@ -17,11 +18,6 @@ enum class Experiment { matching, classification };
 constexpr std::string_view name_of(Experiment experiment) {
   return experiment == Experiment::matching ? "matching" : "classification";
 }
-
-inline constexpr double kMillimetresPerMil = 0.0254;
-
-// Radii are whole mil everywhere in an experiment, so that a radius reached by keys is exactly the one of a condition.
-using Mil = int;
 
 enum class StimulusKind { law, height_map, mesh, subject };
 
@@ -38,15 +34,6 @@ struct Stimulus {
   StimulusKind kind = StimulusKind::law;
   LawId law = LawId::wall;
   std::vector<Variant> variants;  // empty for a law
-};
-
-// A stimulus as it is rendered: the width, stiffness and placement are the protocol's.
-struct Bump {
-  std::string stimulus;
-  Mil radius = 0;    // 0 for a stimulus of one shape
-  Mil position = 0;  // of the middle of the bump along x, to the right
-
-  friend bool operator==(const Bump&, const Bump&) = default;
 };
 
 // What a session does after it was interrupted in a block.

@@ -338,6 +338,7 @@ Screen Session::screen() const {
   screen.kind = is_satisfaction ? ScreenKind::satisfaction : is_matching() ? ScreenKind::matching : ScreenKind::classification;
   screen.entry = entry_;
   screen.shows_scene = block().vision;
+  screen.block = block().number;
   screen.trial = static_cast<int>(trial_) + 1;
   screen.trials = static_cast<int>(block().trials.size());
   screen.is_practice = block().is_practice;

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "forceshade/participant.h"
 #include "study/experiments/language.h"
 #include "study/experiments/order.h"
 #include "study/experiments/protocol.h"
-#include "study/experiments/screen.h"
 
 namespace forceshade::experiments {
 
@@ -52,12 +52,6 @@ struct Event {
 struct ReplayError : std::invalid_argument {
   ReplayError(std::size_t its_event, const std::string& reason) : invalid_argument(reason), event(its_event) {}
   std::size_t event;
-};
-
-// What the servo loop renders now: nothing, one bump, or reference and matching bump.
-struct Scene {
-  std::optional<Bump> left, right;  // a single bump, at position 0, is `left`
-  friend bool operator==(const Scene&, const Scene&) = default;
 };
 
 class Session {

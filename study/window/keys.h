@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "study/experiments/screen.h"
+#include "forceshade/participant.h"
 
 namespace forceshade::window {
 

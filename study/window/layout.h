@@ -3,7 +3,7 @@
 // What the participant sees, as a picture: from a screen of the session and the state of the scene, without a display.
 
 #include "study/experiments/language.h"
-#include "study/experiments/screen.h"
+#include "forceshade/participant.h"
 #include "study/window/picture.h"
 #include "study/window/scene.h"
 #include "study/window/text.h"

@@ -15,8 +15,8 @@ Colour blend(Colour from, Colour to, double share) {
   return {between(from.red, to.red), between(from.green, to.green), between(from.blue, to.blue)};
 }
 
-// Of a face that climbs by `rise` over `run`. Light comes from 50 degrees to the left of the vertical, so that a plane is of a
-// middle shade, the left flank of a bump brighter and its right flank darker.
+// The colour of a face that climbs by `rise` over `run`. Light comes from 50 degrees to the left of the vertical, so that a
+// plane is of a middle shade, the left flank of a bump brighter and its right flank darker.
 Colour shade(double rise, double run) {
   const double light = std::cos(std::atan2(rise, run) - 0.87);
   return blend(kShade, kLit, std::fmin(1, std::fmax(0, light)));

@@ -6,7 +6,7 @@
 namespace forceshade::window {
 namespace {
 
-// Of the angle from which the plane is looked down at, 24 degrees.
+// The sine and cosine of the angle from which the plane is looked down at, 24 degrees.
 constexpr double kSine = 0.4067366430758002, kCosine = 0.9135454576426009;
 
 // mm: free room over the plane for the tip, and under it for the names of the bumps.

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "study/experiments/language.h"
-#include "study/experiments/screen.h"
+#include "forceshade/participant.h"
 #include "study/window/error.h"
 #include "study/window/scene.h"
 #include "study/window/settings.h"

@@ -103,6 +103,28 @@ TEST(psychometric, fit_finds_the_function_of_exact_proportions) {
   }
 }
 
+// A function with more guesses or lapses than are allowed, and every other parameter inside its range.
+TEST(psychometric, fit_says_that_it_ends_at_the_most_guesses_or_lapses) {
+  for (const PsychometricParameters& truth : {PsychometricParameters{45, 7, 0.55, 0.05}, {45, 7, 0.1, 0.3}}) {
+    std::vector<AngleCount> points;
+    constexpr int kTrials = 1000000;
+    for (double angle = 0; angle <= 110; angle += 10)
+      points.push_back(
+          {angle, static_cast<int>(std::lround(kTrials * probability_at(angle, truth, Shape::logistic))), kTrials});
+    const PsychometricModel model;
+    const auto found = fit(points, model);
+    ASSERT_TRUE(found.has_value());
+    const bool has_most_guesses = truth.guess > model.most_guess;
+    EXPECT_NEAR(has_most_guesses ? found->parameters.guess : found->parameters.lapse,
+                has_most_guesses ? model.most_guess : model.most_lapse, 1e-6);
+    const double other = has_most_guesses ? found->parameters.lapse : found->parameters.guess;
+    EXPECT_TRUE(other > 0.01 && other < 0.2) << other;
+    EXPECT_TRUE(found->parameters.threshold > 0 && found->parameters.threshold < 110) << found->parameters.threshold;
+    EXPECT_TRUE(found->parameters.scale > 1 && found->parameters.scale < 100) << found->parameters.scale;
+    EXPECT_TRUE(found->is_at_limit);
+  }
+}
+
 // Against every point of a fine grid, on data of many kinds: no likelihood there is higher.
 TEST(psychometric, no_place_of_a_grid_is_better_than_the_fit) {
   const std::vector<PsychometricParameters> truths{

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The forceshade command as its users call it: outputs, exit codes, messages, and what is left behind when things go wrong.
-stand_in_hd=$(realpath "$2")
+# The forceshade command as its users call it: laws, forces, energies, height maps, figures and properties; outputs, exit codes and messages.
 . "$(dirname "$0")/expect.sh"
+. "$examples/../tests/apps/command_inputs.sh"
 
 # Help, version, wrong usage.
 expect 0 "Usage: forceshade" -- "$forceshade" --help
@@ -27,7 +27,6 @@ expect 2 'got "wide"' -- "$forceshade" geometry --radius wide --width 1
 expect 2 "--digits" -- "$forceshade" geometry --radius 1 --width 1 --digits 0
 
 # force: columns in any order, both paths, statuses.
-printf 'z_mm,note,x_mm,y_mm\n-1,a,3,0\n5,b,0,0\n-1,c,nan,0\n' > in.csv
 same "$(printf 'x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status\n3,0,-1,0.6,0,0.8,contact\n0,0,5,0,0,0,free\nnan,0,-1,0,0,0,invalid')" \
   "$("$forceshade" force --law bump-1p-shaded --radius 5 --width 8 --stiffness 1 --input in.csv)"
 same "$(printf 'x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status\n3,0,-1,0.6000000,0,0.8000000,contact\n0,0,5,0,0,0,free\nnan,0,-1,0,0,0,invalid')" \
@@ -84,7 +83,6 @@ expect 0 ",contact" -- sh -c "printf 'x_mm,y_mm,z_mm\n1,0,-1\n' | '$forceshade' 
 
 # height maps
 felt() { printf 'x_mm,y_mm,z_mm\n0,0,2\n1,0,-0.5\n' | "$forceshade" force --stiffness 1 --height-map "$@"; }
-printf 'render = "height-map"\n[[part]]\nshape = "gaussian"\nheight_mm = 3\nsigma_mm = 5\n' > hill.toml
 same "$(felt hill.toml)" "$(felt hill.toml --path reference)"
 same "0,0,2,0,0,1,contact" "$(felt hill.toml | sed -n 2p)"
 expect 2 "--law: expected without --height-map, got both" -- "$forceshade" force --stiffness 1 --height-map hill.toml --law wall
@@ -195,216 +193,4 @@ if command -v xmllint > /dev/null; then for file in two hostile facets certify; 
 # Both say how far they are, on a terminal and nowhere else.
 expect 0 " left  Ctrl-C stops  bump-3p" -- script -qec "$forceshade properties --law bump-3p --cases 200000" /dev/null
 same "" "$("$forceshade" properties --law bump-3p --cases 1000 2>&1 | grep Ctrl-C)"
-
-recording() { "$forceshade" recording "$@"; }
-# certify and drive: certified, other parameters, other law, no certificate, a certificate of another build.
-expect 0 "certified: 1250000 points" -- "$forceshade" certify --law bump-1p-shaded --out here
-[ -s here/certificate.json ] && [ -s here/certificate.html ] || { echo "FAILED: certify wrote nothing"; exit 1; }
-expect 2 "expected a directory" -- "$forceshade" certify --law wall --points 1 --out in.csv/no
-# Its options: what is no whole number, what does not fit, what goes with something else.
-certify() { "$forceshade" certify --law wall "$@"; }
-expect 2 '--points: expected a whole number from 1 to 1000000000000, got "1e6"' -- certify --points 1e6 --out no
-expect 2 '--points: expected a whole number from 1' -- certify --points 0 --out no
-expect 2 '--cases: expected a whole number from 1 to 1000000000, got "-1"' -- certify --cases -1 --out no
-expect 2 '--seed: expected a whole number from 0 to 18446744073709551615, got "18446744073709551616"' -- \
-  certify --seed 18446744073709551616 --out no
-for option in --points --cases --seed; do expect 2 "$option: expected without --exhaustive, got both" -- certify --exhaustive $option 3 --out no; done
-expect 2 "--points: expected after 'certify merge'" -- "$forceshade" certify --points 3 merge in.csv --out no
-expect 2 "too many inputs to sweep" -- "$forceshade" certify --exhaustive --height-map hill.toml --out new/no
-expect 2 "--sweeps: expected a kind of sweep that the law has" -- "$forceshade" certify --exhaustive --law wall --sweeps lines --out new/no
-same "" "$(ls -d no new 2> /dev/null)"
-# Without gnuplot the page has no pictures, and the certificate is whole.
-expect 0 "certificate.html has no pictures: gnuplot was not found" -- env PATH=/nonexistent "$forceshade" certify --law wall \
-  --points 1000 --cases 10 --seed 18446744073709551615 --out plain
-grep -q "^ *18446744073709551615$" plain/certificate.json && grep -q "Summary" plain/certificate.html ||
-  { echo "FAILED: no certificate without gnuplot"; exit 1; }
-same 0 "$(grep -c "<figure>" plain/certificate.html)"
-expect 1 "the certificate has 1000 points for wall; driving needs at least 1000000" -- \
-  "$forceshade" drive --law wall --device null --certificate plain/certificate.json
-printf 't_s,x_mm,y_mm,z_mm\n0,3,0,-1\n0.001,4,0,-1\n0.002,4,0,1\n' > hand.csv
-# certify --exhaustive: a small shard of a quick sweep, stopped and resumed, refused when it does not fit.
-sweep() { "$forceshade" certify --exhaustive --law wall --sweeps heights "$@"; }
-for k in 1 2; do expect 0 "8388608 inputs" -- sweep --shards $k/512 --out parts; done
-expect 2 "missing part: units 2 to 512" -- "$forceshade" certify merge parts/exhaustive-1-of-512.json parts/exhaustive-2-of-512.json --out whole
-# As if all of it had been swept: a certificate of sweeps alone drives nothing, which is said twice.
-sed -e '0,/"held": false/s//"held": true/' -e 's/"end": 1,/"end": 512,/' -e 's/"next": 1,/"next": 512,/' \
-  parts/exhaustive-1-of-512.json > swept.json
-expect 0 "driving needs points and properties too" -- "$forceshade" certify merge swept.json --out swept
-expect 2 "swept/certificate.json" -- "$forceshade" certify merge swept.json --out swept
-expect 0 "swept, no mismatch" -- "$forceshade" certify merge swept.json --out swept --overwrite
-expect 1 "the certificate has sweeps only" -- "$forceshade" drive --law wall --device null --certificate swept/certificate.json
-expect 2 "overlaps" -- "$forceshade" certify merge parts/exhaustive-1-of-512.json parts/exhaustive-1-of-512.json --out whole
-expect 2 "exhaustive-1-of-512.json: expected a part of these sweeps, got one of other sweeps" -- "$forceshade" certify --exhaustive --law bump-1p --sweeps heights --shards 1/512 --out parts
-expect 2 "expected k/n" -- sweep --shards 3/2 --out parts
-expect 2 "--sweeps: expected a kind of sweep that the law has" -- "$forceshade" certify --exhaustive --law wall --sweeps lines --out parts
-expect 2 "certify: expected --out, got none" -- "$forceshade" certify --law wall
-"$forceshade" certify --exhaustive --out stopped_sweep > stopped.txt 2>&1 &
-sleep 2; kill -INT $!; wait $!; same 130 $?
-grep -q "the same command goes on from" stopped.txt || { echo "FAILED: $(cat stopped.txt)"; exit 1; }
-grep -q '"finished": false' stopped_sweep/exhaustive-1-of-1.json || { echo "FAILED: no checkpoint"; exit 1; }
-drive() { "$forceshade" drive --device replay:hand.csv --free-run "$@"; }
-expect 0 "missed deadlines  0" -- drive --law bump-1p-shaded --certificate here/certificate.json --record record.csv --json run.json
-same "tick,t_s,device_t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status,compute_us" "$(head -1 record.csv | cut -d, -f1-11)"
-same "" "$(ls -d record.csv.partial* 2> /dev/null)"
-same 5 "$(wc -l < record.csv)"
-same "0,0,0,end" "$(tail -1 record.csv | cut -d, -f7-10)"
-for key in ticks missed_deadlines overruns compute_us p50 p99 p999 p9999 max histogram tick_us wakeup_us peak_force_N \
-  energy_given_mJ energy_taken_mJ certificate_digest supervisor trip limited_ticks passivity balance_mJ; do
-  grep -q "\"$key\"" run.json || { echo "FAILED: run.json lacks $key"; exit 1; }
-done
-same "$(sha256sum here/certificate.json | cut -d' ' -f1)" "$(sed -n 's/.*"certificate_digest": "\(.*\)".*/\1/p' run.json)"
-# A recording of 100 Hz takes as long as it took: 20 ms are 21 readings at 1 kHz.
-printf 't_s,x_mm,y_mm,z_mm\n5,0,0,-1\n5.01,1,0,-1\n5.02,2,0,-1\n' > slow.csv
-expect 0 "ticks             21 (end of data)" -- "$forceshade" drive --law wall --uncertified --free-run --device replay:slow.csv --record slow_run.csv
-same "5.005,0.5,0,-1" "$(sed -n 7p slow_run.csv | cut -d, -f3-6)"
-printf '5.02,3,0,-1\n' >> slow.csv
-expect 2 'slow.csv:5: column 1 (t_s): expected a time after 5.02, got "5.02"' -- \
-  "$forceshade" drive --law wall --uncertified --free-run --device replay:slow.csv
-expect 1 "refused to drive: here/certificate.json: the certificate covers bump-1p-shaded with other parameters" -- \
-  drive --law bump-1p-shaded --stiffness 0.6 --certificate here/certificate.json
-expect 1 "does not cover the law wall" -- drive --law wall --certificate here/certificate.json
-expect 1 "no certificate was given" -- drive --law wall
-expect 0 "UNCERTIFIED" -- drive --law wall --uncertified
-sed 's/\("library_digest": "\)......../\1deadbeef/' here/certificate.json > other.json
-expect 1 "another build" -- drive --law bump-1p-shaded --certificate other.json
-sed 's/"mismatches": 0/"mismatches": 1/' here/certificate.json > failed.json
-expect 2 "subjects[0].counterexamples is an array; expected the first of 1 mismatches" -- drive --law bump-1p-shaded --certificate failed.json
-sed -e '0,/"held": true/s//"held": false/' -e '0,/"held": true/s//"held": false/' -e 's/"standing": "sufficient"/"standing": "failed"/' \
-  -e '0,/"mismatches": 0/s//"mismatches": 1/' \
-  -e '0,/"counterexamples": \[\]/s//"counterexamples": ["at 0"]/' here/certificate.json > failed.json
-expect 1 "the certificate says that bump-1p-shaded failed" -- drive --law bump-1p-shaded --certificate failed.json
-: > nothing.json
-expect 2 "nothing.json: cannot be read: it is empty" -- drive --law wall --certificate nothing.json
-expect 2 "expected a forceshade certificate" -- drive --law wall --certificate in.csv
-expect 2 "cannot be read" -- drive --law wall --certificate missing.json
-expect 2 "replay" -- "$forceshade" drive --law wall --uncertified --device teapot:x
-expect 0 "(time up)" -- "$forceshade" drive --law wall --uncertified --device simulated --seconds 0.1 --free-run
-expect 0 "(end of data)" -- "$forceshade" drive --law wall --uncertified --device simulated:omni:hand.csv --free-run
-expect 0 "(time up)" -- "$forceshade" drive --law wall --uncertified --device null --seconds 0.1 --free-run
-# A line follows the run in a terminal, and nowhere else.
-watched="$forceshade drive --law wall --uncertified --device null --seconds 0.5 --watchdog-timeout 1"
-expect 0 " Hz  late " -- script -qec "$watched" /dev/null
-same "" "$($watched 2>&1 | grep " Hz  late ")"
-# In a narrow terminal it is as narrow, so that it does not wrap.
-script -qec "stty cols 40; $watched" /dev/null | tr '\r' '\n' | sed 's/\x1b\[K//' | grep -a ' mJ$\| N ' > narrow.txt
-same 39 "$(awk '{ if (length($0) > most) most = length($0) } END { print (most <= 39 && most > 20) ? 39 : most }' narrow.txt)"
-expect 0 "passivity         tank: account" -- "$forceshade" drive --law wall --uncertified --device simulated --seconds 0.1 --free-run --passivity tank
-expect 2 "--passivity" -- drive --law wall --uncertified --passivity teapot
-expect 2 "dead-man button: expected none, because the device has no buttons" -- drive --law wall --uncertified --dead-man 1
-expect 2 "dead-man button" -- drive --law wall --uncertified --dead-man 1 --record never.fsr
-same "" "$(ls | grep never)"
-expect 0 "not supervised" -- drive --law wall --uncertified
-# A hand that is torn sideways under force: the supervisor ends the run, and says why.
-{ echo t_s,x_mm,y_mm,z_mm; for i in $(seq 0 19); do echo "0.$((i / 10))$((i % 10))0,0,0,3"; done
-  echo "0.300,0,0,-6"; echo "1.5,0,0,-6"; echo "1.51,120,0,-6"; echo "2,120,0,-6"; } > torn.csv
-expect 3 "the supervisor stopped the run: velocity" -- "$forceshade" drive --law wall --uncertified --free-run \
-  --device simulated:premium-1.5:torn.csv --record torn.fsr --json torn.json
-expect 0 "end_reason           tripped" -- recording info torn.fsr
-expect 0 "device_model         premium-1.5" -- recording info torn.fsr
-same "" "$(recording info torn.fsr | grep device_serial)"
-expect 3 "before the end    201 ticks kept" -- "$forceshade" drive --law wall --uncertified --free-run --device simulated:premium-1.5:torn.csv
-expect 3 "mm/s; force 0.000 N, one tick before " -- "$forceshade" drive --law wall --uncertified --free-run --device simulated:premium-1.5:torn.csv
-grep -q '"rule": "velocity"' torn.json || { echo "FAILED: torn.json has no trip"; exit 1; }
-expect 2 'unknown model "teapot"' -- "$forceshade" drive --law wall --uncertified --device simulated:teapot
-# A PHANToM: no driver library, one found by its name, one named, and a licence that is missing.
-phantom() { env LD_LIBRARY_PATH= FORCESHADE_HD_LIBRARY= "$@" "$forceshade" drive --law wall --uncertified --device phantom --seconds 0.1; }
-expect 3 "libHD.so.3.0: cannot open shared object file" -- phantom
-expect 3 "/nowhere/libHD.so: cannot open shared object file" -- phantom FORCESHADE_HD_LIBRARY=/nowhere/libHD.so
-expect 3 "it lacks hdInitDevice" -- phantom FORCESHADE_HD_LIBRARY=libm.so.6
-expect 3 "the vendor's licence is missing" -- phantom LD_LIBRARY_PATH="$(dirname "$stand_in_hd")" STAND_IN_HD_INIT=0x600
-expect 3 "the vendor's licence is missing" -- phantom FORCESHADE_HD_LIBRARY="$stand_in_hd" STAND_IN_HD_INIT=0x600
-expect 2 "phantom[:NAME]" -- "$forceshade" drive --law wall --uncertified --device phantom:
-expect 2 "--rate" -- drive --law wall --uncertified --rate 5
-
-# What is there already is replaced only with --overwrite, whatever option names it, and is refused before any work.
-echo old > kept
-for option in "force --law wall --input in.csv --out" "energy --law bump-1p --depth 1 --json" "polygons --theta-critical 40 --json" \
-  "geometry --json" "drive --law wall --uncertified --device null --seconds 0.01 --free-run --json" \
-  "drive --law wall --uncertified --device null --seconds 0.01 --free-run --record" "device list --json"; do
-  expect 2 'expected a new file, or --overwrite beside it; "kept" is there already' -- "$forceshade" $option kept
-  same old "$(cat kept)"
-  expect 0 "" -- "$forceshade" $option kept --overwrite
-  checks=$((checks + 1))
-  [ "$(cat kept)" != old ] || { echo "FAILED: $option kept --overwrite kept it"; exit 1; }
-  echo old > kept
-done
-echo old > kept.fsr; echo old > kept.fsr-wal
-expect 2 '"kept.fsr" is there already' -- drive --law wall --uncertified --record kept.fsr
-expect 0 "" -- drive --law wall --uncertified --record kept.fsr --overwrite
-expect 0 "whole: 4 samples" -- "$forceshade" recording verify kept.fsr
-for folder in "plot --law wall --what force" figures "certify --law wall --points 1000 --cases 10"; do
-  mkdir -p rule; rm -f rule/*
-  expect 0 "" -- "$forceshade" $folder --out rule
-  file=$(ls rule | head -1); echo old > "rule/$file"
-  expect 2 'expected a new file, or --overwrite beside it; "rule/' -- "$forceshade" $folder --out rule
-  same old "$(cat "rule/$file")"
-  expect 0 "" -- "$forceshade" $folder --out rule --overwrite
-done
-expect 0 "" -- "$forceshade" geometry --json /dev/null
-
-# recording: a whole recording, one on a disk that refuses, one killed; files that are none.
-expect 0 "(end of data)" -- drive --law bump-1p-shaded --certificate here/certificate.json --record run.fsr
-expect 2 '--record: expected a new file, or --overwrite beside it; "run.fsr" is there already' -- drive --law wall --uncertified --record run.fsr
-expect 0 "certificate_digest   $(sha256sum here/certificate.json | cut -d' ' -f1)" -- recording info run.fsr
-expect 0 "device               replay:hand.csv" -- recording info run.fsr
-expect 0 '"radius_mm": "15.24"' -- recording info run.fsr --json -
-expect 0 "whole: 4 samples" -- recording verify run.fsr
-expect 0 "" -- recording export run.fsr --out run.csv
-expect 0 "" -- recording export run.fsr --out run.npy
-same "$(cat run.csv)" "$(recording export run.fsr)"
-same "$(cut -d, -f1,3-10 record.csv)" "$(cut -d, -f1,3-10 run.csv)"
-same "NUMPY" "$(head -c 6 run.npy | tail -c 5)"
-expect 2 "nowhere" -- recording export run.fsr --out nowhere/run.csv
-expect 2 "in.csv: expected a recording (.fsr), got a CSV file" -- recording verify in.csv
-mkfifo pipe.fsr
-expect 2 "pipe.fsr: expected a recording, got no regular file" -- timeout 10 "$forceshade" recording verify pipe.fsr
-# Said before the work: a folder that is not there, and standard output for several files.
-expect 2 '--junit: expected a file in a folder that can be written to, got "nowhere/a.xml"' -- \
-  timeout 10 "$forceshade" properties --law all --cases 1000000000 --junit nowhere/a.xml
-expect 2 '--junit: expected a file in a folder that can be written to, got "nowhere/a.xml"' -- \
-  timeout 10 "$forceshade" certify --law wall --points 1000000000000 --out unwritten --junit nowhere/a.xml
-expect 2 '--out: expected a directory, for the command writes several files, got "-"' -- "$forceshade" plot --law wall --out -
-same "" "$(ls -d -- unwritten - 2> /dev/null)"
-# A file that someone else made: nothing in it commands the terminal, and one that is damaged says so.
-corpus="$(dirname "$examples")/tests/fuzz/corpus"
-expect 0 'law                  \x1b[2Jwall' -- recording info "$corpus/recording/escape.fsr"
-expect 0 '"\u009bkey": "\u202egpj"' -- recording info "$corpus/recording/escape.fsr" --json -
-same "" "$(recording info "$corpus/recording/escape.fsr" | tr -d '[:print:]\n')"
-expect 1 "the metadata (law, parameters, certificate, device and so on) are not what was written" -- recording verify "$corpus/recording/changed_stiffness.fsr"
-expect 1 "are not what was written" -- recording info "$corpus/recording/changed_stiffness.fsr"
-expect 2 "are not what was written" -- recording export "$corpus/recording/changed_stiffness.fsr" --out never.csv
-same "" "$(ls | grep never)"
-expect 0 "0 missing, 2 repeated" -- recording info "$corpus/recording/twice.fsr"
-expect 0 "format 2 has no checksum of the metadata" -- recording verify "$corpus/recording/format2.fsr"
-expect 0 "every checksum, and the metadata" -- recording verify "$corpus/recording/whole.fsr"
-expect 2 "got the view metadata" -- recording info "$corpus/recording/endless_view.fsr"
-expect 2 "got the view chunk" -- recording verify "$corpus/recording/endless_chunks.fsr"
-expect 2 "missing.fsr: cannot open: No such file" -- recording info missing.fsr
-expect 2 "recording: expected a command: info, verify, recompute, export; got none" -- recording
-expect 2 'got "ifno"; the nearest is info' -- recording ifno run.fsr
-small_disk() { (trap '' XFSZ; ulimit -f 200; "$@"); }
-expect 2 "full.fsr: disk I/O error; recorded" -- \
-  small_disk "$forceshade" drive --law wall --uncertified --device simulated --free-run --seconds 20 --record full.fsr
-expect 1 "no end" -- recording verify full.fsr
-no_disk() { (trap '' XFSZ; ulimit -f 0; "$@"); }
-expect 2 "run.fsr: " -- no_disk "$forceshade" drive --law wall --uncertified --device null --seconds 0.1 --record unmade.csv
-same "" "$(ls | grep unmade)"
-"$forceshade" drive --law wall --uncertified --device null --record killed.fsr 2> killed.txt &
-sleep 1; kill -KILL $!; wait $! 2> /dev/null
-expect 1 "killed.fsr: no end: cut off" -- recording verify killed.fsr
-expect 0 "the recording has no end" -- recording export killed.fsr --out killed.csv
-checks=$((checks + 1))
-[ "$(wc -l < killed.csv)" -gt 1 ] || { echo "FAILED: nothing was recorded before the kill: $(cat killed.txt)"; exit 1; }
-
-# Ctrl-C: a drive ends with force zero and its record complete; certify and force leave nothing.
-{ echo t_s,x_mm,y_mm,z_mm; for i in $(seq 0 20000); do echo "$i,3,0,-1"; done; } > long.csv
-"$forceshade" drive --law wall --uncertified --device replay:long.csv --record stopped.csv > stopped.txt 2>&1 &
-sleep 1; kill -INT $!; wait $!; same 0 $?
-grep -q "(stopped)" stopped.txt || { echo "FAILED: not stopped: $(cat stopped.txt)"; exit 1; }
-same "0,0,0,end" "$(tail -1 stopped.csv | cut -d, -f7-10)"
-same "$(($(sed -n 's/^ticks *\([0-9]*\).*/\1/p' stopped.txt) + 2))" "$(wc -l < stopped.csv)"
-"$forceshade" certify --points 1000000000 --out stopped > stopped.txt 2>&1 &
-sleep 1; kill -INT $!; wait $!; same 130 $?
-grep -q "interrupted" stopped.txt || { echo "FAILED: $(cat stopped.txt)"; exit 1; }
-same "" "$(ls -d stopped 2> /dev/null)"
 echo "$checks checks passed"

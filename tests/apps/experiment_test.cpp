@@ -16,6 +16,7 @@
 
 #include "forceshade/recording.h"
 #include "study/experiments/session_folder.h"
+#include "tests/experiments/protocol_folder.h"
 #include "tests/support/comes_true.h"
 #include "tests/support/command_run.h"
 #include "tests/support/temporary_directory.h"
@@ -26,51 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using experiments::EventKind;
 
-// Three matching trials of one bump at one reference radius.
-constexpr const char* kMatching = R"(experiment = "matching"
-name = "Small"
-language = "english.toml"
-width_mil = 1000
-stiffness_N_per_mm = 0.5
-spacing_mil = 2000
-practice_trials = 0
-trials_before_break = 0
-resume = "trial"
-block_order = "as-listed"
-reference = { law = "bump-cylinder" }
-stimuli = [{ law = "bump-1p-shaded" }]
-vision = [true]
-reference_radii_mil = [800]
-large_initial_radius_mil = 1000
-small_initial_radius_mil = 600
-repetitions = 1
-radius_step_mil = 200
-least_radius_mil = 600
-largest_radius_mil = 1000
-bigger = "higher"
-)";
-
-// Two trials of one bump.
-constexpr const char* kClassification = R"(experiment = "classification"
-name = "Small"
-language = "english.toml"
-width_mil = 1000
-stiffness_N_per_mm = 0.5
-practice_trials = 0
-trials_before_break = 0
-resume = "trial"
-stimuli = [{ law = "bump-1p" }]
-radii_mil = [600]
-repetitions = 2
-)";
-
-// With both protocols and their texts in it.
-struct Lab : TemporaryDirectory {
-  Lab() {
-    write("matching.toml", kMatching);
-    write("classification.toml", kClassification);
-    fs::copy_file(fs::path(FORCESHADE_SOURCE_DIR) / "examples/experiments/english.toml", file("english.toml"));
-  }
+struct Lab : ProtocolFolder {
   CommandRun run(const std::string& line) const { return run_command(*this, words_of(line)); }
 };
 

@@ -6,11 +6,11 @@
 printf 'x_mm,y_mm,z_mm\n1,0,-0.5\n3,0.5,-1\n-40,2,0.25\n' > positions.csv
 "$forceshade" mesh make icosphere --cells 3 --radius 20mm --out ball.off
 mkdir inputs && cp ball.off inputs/ && cp "$examples/groove.toml" inputs/
-printf 'law = "bump-2p-shaded"\nradius = "1000mil"\nwidth = 30\nstiffness = "250N/m"\n' > inputs/law.toml
+printf 'law = "bump-2p"\nradius = "1000mil"\nwidth = 30\nstiffness = "250N/m"\n' > inputs/law.toml
 printf 'height-map = "groove.toml"\nstiffness = 0.25\n' > inputs/map.toml
 printf 'mesh = "ball.off"\nunit = "mm"\nsides = "both"\nshading = "edge"\ncontact = "sub-goal"\ncrease = "40deg"\nself-intersecting = true\nstiffness = 0.25\n' \
   > inputs/mesh.toml
-law="--law bump-2p-shaded --radius 1000mil --width 30 --stiffness 250N/m"
+law="--law bump-2p --radius 1000mil --width 30 --stiffness 250N/m"
 map="--height-map inputs/groove.toml --stiffness 0.25"
 mesh="--mesh inputs/ball.off --unit mm --sides both --shading edge --contact sub-goal --crease 40deg --self-intersecting --stiffness 0.25"
 
@@ -33,7 +33,7 @@ sys.exit(any(a.get(key) != b.get(key) for key in ("name", "parameters", "digest"
   expect 0 "UNCERTIFIED" -- "$forceshade" drive --subject $file --device replay:<(printf 't_s,x_mm,y_mm,z_mm\n0,0,0,-1\n0.001,0,0,-1\n') \
     --uncertified --free-run
 done
-grep -q 'law = &quot;bump-2p-shaded&quot;' certificate-law/certificate.html || { echo "FAILED: the page does not quote"; exit 1; }
+grep -q 'law = &quot;bump-2p&quot;' certificate-law/certificate.html || { echo "FAILED: the page does not quote"; exit 1; }
 
 # Several laws at once, each once; of one where a command can have one only.
 same "$("$forceshade" properties --law wall --cases 20; "$forceshade" properties --law bump-2p --cases 20 | tail -n +2)" \

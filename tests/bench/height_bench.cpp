@@ -41,8 +41,8 @@ std::vector<Eigen::Vector3f> stroke() {
   return positions;
 }
 
-void proved(benchmark::State& state, height::Rendering rendering) {
-  const auto law = std::get<fast::HeightMapField>(fast::HeightMapField::build({{{texture()}}}, rendering, kStiffness));
+void proved(benchmark::State& state, height::Mode mode) {
+  const auto law = std::get<fast::HeightMapField>(fast::HeightMapField::build({{{texture()}}}, mode, kStiffness));
   const auto positions = stroke();
   std::size_t i = 0;
   for (auto _ : state) benchmark::DoNotOptimize(law.evaluate(positions[i++ % kPositions]));
@@ -52,7 +52,7 @@ void proved(benchmark::State& state, height::Rendering rendering) {
 // processor overlaps with the next in a row of independent calls.
 void proved_in_turn(benchmark::State& state) {
   const auto law =
-      std::get<fast::HeightMapField>(fast::HeightMapField::build({{{texture()}}}, height::Rendering::true_height, kStiffness));
+      std::get<fast::HeightMapField>(fast::HeightMapField::build({{{texture()}}}, height::Mode::true_height, kStiffness));
   const auto positions = stroke();
   std::size_t i = 0;
   float last = 0;
@@ -87,7 +87,7 @@ void root_and_quotient(benchmark::State& state) {
 void batch(benchmark::State& state, fast::InstructionSet set) {
   if (!fast::is_available(set)) return state.SkipWithError("not on this machine");
   const auto law =
-      std::get<fast::HeightMapField>(fast::HeightMapField::build({{{texture()}}}, height::Rendering::true_height, kStiffness));
+      std::get<fast::HeightMapField>(fast::HeightMapField::build({{{texture()}}}, height::Mode::true_height, kStiffness));
   const auto positions = stroke();
   std::vector<Eigen::Vector3f> forces(positions.size());
   while (state.KeepRunningBatch(static_cast<std::int64_t>(positions.size())))
@@ -104,9 +104,9 @@ void naive(benchmark::State& state) {
   }
 }
 
-BENCHMARK_CAPTURE(proved, height_map, height::Rendering::true_height);
-BENCHMARK_CAPTURE(proved, height_map_shaded, height::Rendering::force_shaded);
-BENCHMARK_CAPTURE(proved, height_map_conservative, height::Rendering::conservative);
+BENCHMARK_CAPTURE(proved, height_map, height::Mode::true_height);
+BENCHMARK_CAPTURE(proved, height_map_shaded, height::Mode::force_shaded);
+BENCHMARK_CAPTURE(proved, height_map_conservative, height::Mode::conservative);
 BENCHMARK_CAPTURE(batch, scalar, fast::InstructionSet::scalar);
 BENCHMARK_CAPTURE(batch, avx2, fast::InstructionSet::avx2);
 BENCHMARK_CAPTURE(batch, avx512, fast::InstructionSet::avx512);

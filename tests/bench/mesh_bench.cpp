@@ -3,176 +3,25 @@
 // [MOST_TRIANGLES [LEAST_TRIANGLES]].
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
-#include <new>
 #include <numeric>
 #include <random>
 #include <string>
 #include <variant>
 
-#include "fast/meshes/large_pages.h"
 #include "fast/meshes/session.h"
 #include "forceshade/meshes.h"
 #include "rendering/meshes/make.h"
 #include "rendering/meshes/texture.h"
 #include "tests/bench/mesh_workloads.h"
 #include "tests/bench/naive_mesh.h"
-
-namespace {
-std::atomic<std::size_t> allocations{0};
-}  // namespace
-
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* place = std::malloc(size)) return place;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
-  ++allocations;
-  const auto to = static_cast<std::size_t>(alignment);
-  if (void* place = std::aligned_alloc(to, (size + to - 1) / to * to)) return place;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* place) noexcept {
-  std::free(place);
-}
-[[gnu::noinline]] void operator delete(void* place, std::size_t) noexcept {
-  std::free(place);
-}
-[[gnu::noinline]] void operator delete(void* place, std::align_val_t) noexcept {
-  std::free(place);
-}
-[[gnu::noinline]] void operator delete(void* place, std::size_t, std::align_val_t) noexcept {
-  std::free(place);
-}
+#include "tests/bench/timing.h"
 
 namespace forceshade::bench {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-#if defined(__x86_64__)
-inline std::uint64_t now() {
-  unsigned processor = 0;
-  const std::uint64_t count = __builtin_ia32_rdtscp(&processor);
-  __builtin_ia32_lfence();
-  return count;
-}
-#else
-inline std::uint64_t now() {
-  return static_cast<std::uint64_t>(Clock::now().time_since_epoch().count());
-}
-#endif
-
-// Of now(), against the steady clock; and what reading it takes.
-struct Scale {
-  double microseconds_per_count, counts_to_read;
-};
-Scale scale() {
-  const auto start = Clock::now();
-  const std::uint64_t first = now();
-  while (seconds_since(start) < 0.05) continue;
-  const double per_count = 1e6 * seconds_since(start) / static_cast<double>(now() - first);
-  std::vector<std::uint64_t> idle(2001);
-  for (std::uint64_t& one : idle) {
-    const std::uint64_t before = now();
-    one = now() - before;
-  }
-  std::ranges::nth_element(idle, idle.begin() + 1000);
-  return {per_count, static_cast<double>(idle[1000])};
-}
-
-constexpr int kPasses = 5;
-
-struct Times {
-  double median, most_of_1000, longest;  // µs; 999 of 1000 ticks are no longer than the second
-  std::size_t allocations;
-};
-
-template <class Step>
-double time_of(const Scale& scale, const Step& step) {
-  const std::uint64_t before = now();
-  step();
-  return std::max(0.0, (static_cast<double>(now() - before) - scale.counts_to_read) * scale.microseconds_per_count);
-}
-
-Times summary(std::vector<double> times, std::size_t allocated) {
-  std::ranges::sort(times);
-  return {times[times.size() / 2], times[times.size() * 999 / 1000], times.back(), allocated};
-}
-
-// times: those of the path's ticks, in order.
-template <class Step>
-Times measure(const std::vector<std::array<float, 3>>& path, const Scale& scale, std::vector<double>& times, const Step& step) {
-  times.clear();
-  times.reserve(path.size());
-  const std::size_t before = allocations;
-  for (const auto& p : path) times.push_back(time_of(scale, [&] { step(p); }));
-  const std::size_t allocated = allocations - before;
-  return summary(times, allocated);
-}
-constexpr Times kNone{HUGE_VAL, HUGE_VAL, HUGE_VAL, 0};
-Times least(const Times& a, const Times& b) {
-  return {std::min(a.median, b.median), std::min(a.most_of_1000, b.most_of_1000), std::min(a.longest, b.longest),
-          a.allocations + b.allocations};
-}
-
-template <class Value>
-void keep(const Value& value) {
-  asm volatile("" : : "g"(&value) : "memory");
-}
-
-// Memory that no cache of this machine holds, in pages like those of a mesh.
-class Memory {
- public:
-  // A ring through all lines in random order, as many as the mesh has triangles, but 2^22 at least.
-  explicit Memory(std::size_t triangles) : lines_(std::max(triangles, kLeastLines)) {
-    std::vector<std::uint32_t> order(lines_.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::shuffle(order.begin(), order.end(), std::mt19937(1));
-    for (std::size_t i = 0; i < order.size(); ++i) lines_[order[i]].next = order[(i + 1) % order.size()];
-  }
-  // µs that one load takes which depends on the one before: the least of five medians.
-  double latency(const Scale& scale) {
-    constexpr int kLoads = 500, kTries = 40;
-    double least = HUGE_VAL;
-    for (int pass = 0; pass < kPasses; ++pass) {
-      std::vector<double> times;
-      for (int i = 0; i < kTries; ++i)
-        times.push_back(time_of(scale, [&] {
-          for (int k = 0; k < kLoads; ++k) at_ = lines_[at_].next;
-          keep(at_);
-        }));
-      std::ranges::sort(times);
-      least = std::min(least, times[kTries / 2] / kLoads);
-    }
-    return least;
-  }
-  // Reads enough of it that nothing else is left in the caches.
-  void flush_caches() {
-    std::uint32_t sum = 0;
-    for (std::size_t i = 0; i < kFlush; ++i) sum += lines_[i].next;
-    sum_ = sum;
-  }
-
- private:
-  struct alignas(64) Line {
-    std::uint32_t next;
-  };
-  static constexpr std::size_t kLeastLines = std::size_t{1} << 22, kFlush = std::size_t{1} << 20;  // 256 MB, 64 MB
-  std::vector<Line, fast::LargePages<Line>> lines_;
-  std::uint32_t at_ = 0;
-  volatile std::uint32_t sum_ = 0;
-};
 
 // Notes how many decisions each stage has taken.
 struct CountedStages {
@@ -185,11 +34,6 @@ struct CountedStages {
   }
   void note(fast::Stage) const noexcept { ++*in_integers; }
 };
-
-void print(const char* what, const Times& times) {
-  std::printf("  %-28s p50 %6.3f  p99.9 %6.3f  longest %8.3f us, %zu allocations\n", what, times.median, times.most_of_1000,
-              times.longest, times.allocations);
-}
 
 constexpr auto kStiffness = static_cast<float>(kMeshStiffness);
 
@@ -211,8 +55,8 @@ double percentile(std::vector<double> times, double part) {
   return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
 }
 
-// Of the ticks in contact, without look_ahead() and after it. Every pass goes along the same path; the least of each percentile
-// counts, since other programs disturb some of them. shortest: of each tick, over the passes without.
+// The times of the ticks in contact, without look_ahead() and after it. Every pass goes along the same path; the least of each
+// percentile counts, since other programs disturb some of them. shortest: of each tick, over the passes without.
 void run_contact(const MeshWorkload& workload, const Rendering& rendering, const Scale& scale, std::vector<double>& shortest) {
   Times at_once = kNone, after_look = kNone, look = kNone;
   std::vector<double> times, looks;

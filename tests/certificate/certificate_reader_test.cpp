@@ -339,6 +339,22 @@ TEST(certificate_reader, ends_with_words_whatever_byte_is_changed) {
     }
 }
 
+TEST(certificate_reader, refuses_energy_of_a_subject_that_is_said_to_be_conservative) {
+  for (const std::array<double, 2> bound : {std::array{0.0, 0.5}, {0.25, 0.5}}) {
+    Certificate certificate = tests::made_certificate();
+    certificate.subjects[0].conservative = true;
+    certificate.subjects[0].energy[0].bound_mJ = bound;
+    try {
+      from_json(to_json(certificate), "here.json");
+      FAIL() << bound[0] << ", " << bound[1];
+    } catch (const CertificateError& error) {
+      EXPECT_NE(std::string(error.what()).find("expected [0, 0], as no loop of a conservative law gives energy"),
+                std::string::npos)
+          << error.what();
+    }
+  }
+}
+
 TEST(certificate_writer, refuses_numbers_that_are_not_finite) {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bound : {infinity, -infinity, std::nan("")}) {

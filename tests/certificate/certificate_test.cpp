@@ -87,6 +87,21 @@ TEST(certificate, says_what_the_witness_gives_and_not_what_is_possible) {
   }
 }
 
+// What was measured is the renderer's: one that is twice as stiff gives twice the energy around the same loops.
+TEST(certificate, says_what_the_renderer_gave_around_the_witness_and_not_what_the_law_gives) {
+  const LawSubject right(LawId::bump_2p, kBump), stiffer(LawId::bump_2p, kBump, [](LawId law, Parameters parameters) {
+    parameters.stiffness *= 2;
+    return fast_law(law, parameters);
+  });
+  const std::vector<LoopEnergy> of_right = right.energies(Monitor()), of_stiffer = stiffer.energies(Monitor());
+  ASSERT_EQ(of_right.size(), of_stiffer.size());
+  for (std::size_t i = 0; i < of_right.size(); ++i) {
+    EXPECT_EQ(of_stiffer[i].witness_mJ, of_right[i].witness_mJ);
+    EXPECT_EQ(of_stiffer[i].measured_mJ, 2 * of_right[i].measured_mJ);
+    EXPECT_GT(of_right[i].measured_mJ, 0);
+  }
+}
+
 TEST(certificate, is_not_made_while_rounding_is_not_to_nearest) {
   const CertifyOptions options{laws({LawId::wall}, kBump), 20000, 200, 3, 1};
   const std::atomic<bool> never{false};

@@ -42,9 +42,9 @@ Subjects law_of(LawId id) {
 
 Subjects map_of(const HeightMap& map) {
   return [map](const Change& change) {
-    return std::make_shared<HeightMapSubject>("map.toml", map, height::Rendering::true_height, kThesisBump.stiffness,
-                                              [change](const HeightMap& its, height::Rendering rendering, float stiffness) {
-                                                return change(fast_height_map(its, rendering, stiffness));
+    return std::make_shared<HeightMapSubject>("map.toml", map, height::Mode::true_height, kThesisBump.stiffness,
+                                              [change](const HeightMap& its, height::Mode mode, float stiffness) {
+                                                return change(fast_height_map(its, mode, stiffness));
                                               });
   };
 }

@@ -17,17 +17,17 @@
 namespace forceshade::properties {
 namespace {
 
-using height::Rendering;
+using height::Mode;
 using tests::SubjectWrapper;
 
 struct Named {
   std::string name;
   HeightMap map;
-  Rendering rendering;
+  Mode mode;
 };
 
 std::shared_ptr<const Subject> subject_of(const Named& named) {
-  return std::make_shared<HeightMapSubject>(named.name, named.map, named.rendering, 0.5F);
+  return std::make_shared<HeightMapSubject>(named.name, named.map, named.mode, 0.5F);
 }
 
 Certificate certificate_of(const std::vector<Named>& maps, std::uint64_t points = 4000, unsigned threads = 2) {
@@ -40,7 +40,7 @@ Certificate certificate_of(const std::vector<Named>& maps, std::uint64_t points 
 }
 
 Named cone() {
-  return {"cone.toml", {{{height::Cone{0.5F, -0.25F, 2.5F, 4}}, {height::Plane{0.1F, 0, 0}, true}}}, Rendering::true_height};
+  return {"cone.toml", {{{height::Cone{0.5F, -0.25F, 2.5F, 4}}, {height::Plane{0.1F, 0, 0}, true}}}, Mode::true_height};
 }
 
 TEST(height_certificate, covers_every_example) {
@@ -48,7 +48,7 @@ TEST(height_certificate, covers_every_example) {
   for (const auto& entry : std::filesystem::directory_iterator(FORCESHADE_SOURCE_DIR "/examples")) {
     if (entry.path().extension() != ".toml") continue;
     heights::Spec spec = heights::read_spec(entry.path());
-    maps.push_back({entry.path().filename(), std::move(spec.map), spec.rendering});
+    maps.push_back({entry.path().filename(), std::move(spec.map), spec.mode});
   }
   const std::size_t examples = maps.size();
   EXPECT_GE(examples, 4U);
@@ -71,8 +71,7 @@ TEST(height_certificate, covers_every_example) {
 
 TEST(height_certificate, says_what_kind_of_force_each_map_is) {
   const HeightMap dent{{{height::SphereCap{0, 0, 5, 8}, true}}}, hill{{{height::Gaussian{0, 0, 3, 5}}}};
-  const Certificate certificate =
-      certificate_of({{"dent", dent, Rendering::conservative}, {"hill", hill, Rendering::force_shaded}});
+  const Certificate certificate = certificate_of({{"dent", dent, Mode::conservative}, {"hill", hill, Mode::force_shaded}});
   const SubjectResult &first = certificate.subjects[0], &second = certificate.subjects[1];
   EXPECT_EQ(first.jumps, std::vector<std::string>{"part 1, sphere-cap: its rim"});
   EXPECT_TRUE(first.conservative);
@@ -140,9 +139,9 @@ TEST(height_certificate, reads_back_what_it_wrote_whatever_the_number_of_threads
 
 TEST(height_certificate, covers_the_map_that_was_checked) {
   const Certificate certificate = certificate_of({cone()});
-  EXPECT_EQ(refusal(certificate, current_build(), identity_of("cone.toml", cone().map, Rendering::true_height, 0.5F)),
+  EXPECT_EQ(refusal(certificate, current_build(), identity_of("cone.toml", cone().map, Mode::true_height, 0.5F)),
             "the certificate has 4000 points for cone.toml; driving needs at least 200000");
-  EXPECT_NE(refusal(certificate, current_build(), identity_of("cone.toml", cone().map, Rendering::force_shaded, 0.5F))
+  EXPECT_NE(refusal(certificate, current_build(), identity_of("cone.toml", cone().map, Mode::force_shaded, 0.5F))
                 .value_or("")
                 .find("with other parameters"),
             std::string::npos);
@@ -150,14 +149,14 @@ TEST(height_certificate, covers_the_map_that_was_checked) {
   EXPECT_EQ(certificate.subjects[0].spread.parameter_sets, 8U);
 }
 
-// Of a map, each number, each kind, each sign and the order of the parts; not where it was read from.
+// The digest is of each number of a map, each kind, each sign and the order of the parts; not where it was read from.
 TEST(height_certificate, is_bound_to_every_number_of_a_map) {
   height::Grid grid{3, 2, 0.5F, height::Edge::tile, height::Interpolant::cubic_spline, {1, 2, 3, 4, 5, 6}};
   std::set<std::string> digests;
   int maps = 0;
   const auto add = [&](std::vector<height::Part> parts, std::vector<height::Part> surface = {}) {
     ++maps;
-    digests.insert(identity_of("", {std::move(parts), std::move(surface)}, Rendering::force_shaded, 1).digest);
+    digests.insert(identity_of("", {std::move(parts), std::move(surface)}, Mode::force_shaded, 1).digest);
   };
   const auto add_grid = [&](const auto& change) {
     height::Grid changed = grid;
@@ -183,11 +182,9 @@ TEST(height_certificate, is_bound_to_every_number_of_a_map) {
   add({{height::Polygons{{{0, 1}, {2, 3}}}}});
   add({{height::Polygons{{{0, 1}, {2, 3}, {3, 0}}}}});
   EXPECT_EQ(digests.size(), static_cast<std::size_t>(maps));
-  const auto again = [&] {
-    return identity_of("", {{{std::make_shared<const height::Grid>(grid)}}}, Rendering::true_height, 1);
-  };
+  const auto again = [&] { return identity_of("", {{{std::make_shared<const height::Grid>(grid)}}}, Mode::true_height, 1); };
   EXPECT_TRUE(again().is_same(again()));
-  EXPECT_TRUE(digests.contains(again().digest)) << "the rendering is no part of the map";
+  EXPECT_TRUE(digests.contains(again().digest)) << "how it is rendered is no part of the map";
 }
 
 TEST(height_certificate, has_a_page_that_shows_the_map) {

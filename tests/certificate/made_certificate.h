@@ -49,23 +49,22 @@ inline properties::SubjectResult made_law(LawId law = LawId::bump_2p, const Para
   return made_subject(identity_of(law, parameters));
 }
 
-// Of a map that nobody has: its digest is made up.
-inline Identity made_map_identity(height::Rendering rendering = height::Rendering::true_height, float stiffness = 0.5F) {
-  Identity identity = identity_of("hill.toml", {}, rendering, stiffness);
+// A map that nobody has: its digest is made up.
+inline Identity made_map_identity(height::Mode mode = height::Mode::true_height, float stiffness = 0.5F) {
+  Identity identity = identity_of("hill.toml", {}, mode, stiffness);
   identity.digest = std::string(64, 'c');
   return identity;
 }
 
-inline properties::SubjectResult made_map(height::Rendering rendering = height::Rendering::true_height,
-                                          float stiffness = 0.5F) {
-  return made_subject(made_map_identity(rendering, stiffness), {"gaussian: x_mm 0, y_mm 0, height_mm 3, sigma_mm 5"});
+inline properties::SubjectResult made_map(height::Mode mode = height::Mode::true_height, float stiffness = 0.5F) {
+  return made_subject(made_map_identity(mode, stiffness), {"gaussian: x_mm 0, y_mm 0, height_mm 3, sigma_mm 5"});
 }
 
 inline properties::Build made_build() {
   return {"0.1.0", "c0ffee", "GNU 12.2.0", "-O3 -ffp-contract=off", "avx2", std::string(64, 'a')};
 }
 
-// Of two laws and a height map.
+// A certificate of two laws and a height map.
 inline properties::Certificate made_certificate() {
   return {made_build(), 1.5, {made_law(), made_law(LawId::cylinder), made_map()}, {}, "2026-01-31T23:59:59Z", "a processor"};
 }

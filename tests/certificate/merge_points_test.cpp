@@ -13,7 +13,7 @@ namespace {
 
 using Seeds = std::vector<std::uint64_t>;
 
-// Of one law, with so many points.
+// A certificate of one law, with so many points.
 CertificateFile file_of(const std::string& name, std::uint64_t seed, std::uint64_t points = 1000000) {
   CertificateFile file{name, {tests::made_build(), 2, {tests::made_law()}, {}, "2026-01-31T23:59:59Z", "a processor"}};
   static_cast<Findings&>(file.certificate.subjects[0]) = tests::made_findings(points);

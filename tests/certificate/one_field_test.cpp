@@ -102,7 +102,7 @@ std::vector<OneField> fields_of_comparison(const std::function<Comparison&(Certi
 
 const std::string kFailed = "the certificate says that bump-2p failed";
 
-// Of what a certificate of points holds.
+// Each field of what a certificate of points holds.
 std::vector<OneField> fields_of_points() {
   const std::string other = "the certificate covers bump-2p with other parameters";
   std::vector<OneField> all{
@@ -196,7 +196,7 @@ std::vector<OneField> fields_of_points() {
   return all;
 }
 
-// Of what a part of an exhaustive run holds. `differs` is where the merged certificate does.
+// Each field of what a part of an exhaustive run holds. `differs` is where the merged certificate does.
 std::vector<OneField> fields_of_sweeps() {
   std::vector<OneField> all{
       {[](Certificate& c) { c.sweeps.seconds += 1; }, {"/exhaustive/seconds"}},

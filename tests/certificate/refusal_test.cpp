@@ -112,7 +112,7 @@ TEST(refusal, looks_at_every_entry_for_the_subject) {
       failed.mismatches = 1;
       certificate.subjects.insert(failed_first ? certificate.subjects.begin() : certificate.subjects.end(), failed);
       expect_words(of_law(certificate), "says that bump-2p failed");
-      SubjectResult map = tests::made_map(height::Rendering::true_height, stiffness);
+      SubjectResult map = tests::made_map(height::Mode::true_height, stiffness);
       map.mismatches = 1;
       certificate.subjects.insert(failed_first ? certificate.subjects.begin() : certificate.subjects.end(), map);
       expect_words(of_map(certificate), "hill.toml failed");
@@ -136,7 +136,7 @@ TEST(refusal, counts_the_evidence_of_the_subject_alone) {
     static_cast<Comparison&>(certificate.subjects[0]) = tests::made_comparison(10);
     static_cast<Comparison&>(certificate.subjects[2]) = tests::made_comparison(10);
     for (const SubjectResult& other :
-         {tests::made_map(height::Rendering::true_height, 0.75F), tests::made_law(LawId::bump_2p, {15.24F, 25.4F, 0.75F})})
+         {tests::made_map(height::Mode::true_height, 0.75F), tests::made_law(LawId::bump_2p, {15.24F, 25.4F, 0.75F})})
       certificate.subjects.insert(other_first ? certificate.subjects.begin() : certificate.subjects.end(), other);
     expect_words(of_map(certificate), "has 10 points for hill.toml");
     expect_words(of_law(certificate), "has 10 points for bump-2p");
@@ -216,14 +216,14 @@ TEST(refusal, names_what_differs_of_a_height_map) {
   expect_words(
       of_map(certificate, tests::made_build(), other),
       "covers another height map: expected the digest " + other.digest + ", got " + std::string(64, 'c') + " (hill.toml)");
-  expect_words(of_map(certificate, tests::made_build(), tests::made_map_identity(height::Rendering::conservative)),
+  expect_words(of_map(certificate, tests::made_build(), tests::made_map_identity(height::Mode::conservative)),
                "covers hill.toml with other parameters: expected rendering height-map-conservative, stiffness 0.5 N/mm; got "
                "rendering height-map, stiffness 0.5 N/mm");
-  expect_words(of_map(certificate, tests::made_build(), tests::made_map_identity(height::Rendering::true_height, 0.6F)),
+  expect_words(of_map(certificate, tests::made_build(), tests::made_map_identity(height::Mode::true_height, 0.6F)),
                "stiffness 0.6 N/mm; got rendering height-map, stiffness 0.5 N/mm");
-  // Of two, the one of this shape says what differs.
+  // The one of two that has this shape says what differs.
   Certificate two = certificate;
-  two.subjects[2] = tests::made_map(height::Rendering::conservative, 0.75F);
+  two.subjects[2] = tests::made_map(height::Mode::conservative, 0.75F);
   SubjectResult another = tests::made_map();
   another.identity.digest = std::string(64, 'd');
   two.subjects.push_back(another);

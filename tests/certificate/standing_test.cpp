@@ -86,6 +86,17 @@ TEST(standing, of_sweeps_alone_or_of_some_of_their_units_is_insufficient) {
   EXPECT_EQ(assessed(sweeps).lacks, "the sweeps are not complete: units 0 to 5 of 1024 are done");
   sweeps.sweeps.results[0].mismatches = 1;
   EXPECT_EQ(assessed(sweeps).standing, Standing::failed);
+  // A part that is done is not the whole.
+  for (const bool is_first_missing : {true, false}) {
+    Certificate part = tests::made_certificate_with_sweeps();
+    if (is_first_missing)
+      part.sweeps.first = 1;
+    else
+      part.sweeps.next = --part.sweeps.end;
+    EXPECT_TRUE(part.sweeps.is_finished());
+    EXPECT_EQ(assessed(part).standing, Standing::insufficient);
+    EXPECT_TRUE(assessed(part).lacks.starts_with("the sweeps are not complete: units ")) << assessed(part).lacks;
+  }
 }
 
 TEST(standing, is_failed_where_anything_failed) {

@@ -113,9 +113,9 @@ std::shared_ptr<const Subject> wrong_law(LawId law, bool in_spread, const Parame
 
 std::shared_ptr<const Subject> wrong_map(const std::function<Renderer(Renderer)>& change) {
   return std::make_shared<HeightMapSubject>("map.toml", HeightMap{{{height::Plane{0.25F, 0.125F, 1}}}},
-                                            height::Rendering::true_height, 0.5F,
-                                            [=](const HeightMap& map, height::Rendering rendering, float stiffness) {
-                                              return change(fast_height_map(map, rendering, stiffness));
+                                            height::Mode::true_height, 0.5F,
+                                            [=](const HeightMap& map, height::Mode mode, float stiffness) {
+                                              return change(fast_height_map(map, mode, stiffness));
                                             });
 }
 
@@ -205,8 +205,8 @@ TEST(wrong_in_one_thing, a_single_call_of_one_set_that_does_not_write_an_answer_
   std::vector<float> values(16, 0.5F);
   const HeightMap flat{{{std::make_shared<const height::Grid>(
       height::Grid{4, 4, 0.5F, height::Edge::tile, height::Interpolant::cubic_spline, std::move(values)})}}};
-  const auto lazy = [](const HeightMap& map, height::Rendering rendering, float stiffness) {
-    Renderer renderer = fast_height_map(map, rendering, stiffness);
+  const auto lazy = [](const HeightMap& map, height::Mode mode, float stiffness) {
+    Renderer renderer = fast_height_map(map, mode, stiffness);
     renderer.batch = [right = renderer.batch, last = Eigen::Vector3f(-1, 0, 0)](auto positions, auto forces,
                                                                                 InstructionSet set) mutable {
       if (positions.size() > 1) return right(positions, forces, set);
@@ -218,7 +218,7 @@ TEST(wrong_in_one_thing, a_single_call_of_one_set_that_does_not_write_an_answer_
     return renderer;
   };
   const Certificate certificate =
-      checked_alone(std::make_shared<HeightMapSubject>("flat.toml", flat, height::Rendering::true_height, 0.5F, lazy), 400, 1);
+      checked_alone(std::make_shared<HeightMapSubject>("flat.toml", flat, height::Mode::true_height, 0.5F, lazy), 400, 1);
   EXPECT_GT(certificate.subjects[0].mismatches, 40U);
   expect_refused(certificate, "unwritten");
 }

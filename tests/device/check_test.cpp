@@ -85,7 +85,7 @@ TEST(check, of_a_library_names_everything_that_it_lacks_at_once) {
 
 TEST(check, of_a_library_finds_the_file_that_the_loader_would_take) {
   const fs::path lacking = LACKING_LIBRARY;
-  // Of this kind of processor, and no other kind of file.
+  // A library of this kind of processor, and no other kind of file.
   const TemporaryDirectory here;
   here.write(lacking.filename().string(), "not a library");
   const Environment path("LD_LIBRARY_PATH", here.path() + ":" + lacking.parent_path().string());

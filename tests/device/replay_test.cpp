@@ -202,14 +202,13 @@ TEST(open_device, opens_a_device_that_is_none) {
 }
 
 TEST(open_device, lists_the_kinds_it_knows) {
-  for (const std::string name : {"", "replay", "replay:", "phantom:", "phantomx", "simulatedx", "null:1"}) {
+  for (const std::string name : {"", "replay", "replay:", "phantom:", "simulated:", "phantomx", "simulatedx", "null:1", ":"}) {
     try {
       open_device(name);
       FAIL() << name;
     } catch (const UnknownDevice& error) {
-      EXPECT_EQ(error.what(),
-                "unknown device \"" + name +
-                    "\": expected null, replay:FILE.csv, simulated[:MODEL[:RECORDING.csv or :mouse]] or phantom[:NAME]");
+      EXPECT_EQ(error.what(), "unknown device \"" + name +
+                                  "\": expected null, replay:FILE.csv, simulated[:MODEL[:FILE.csv]] or phantom[:NAME]");
     }
   }
 }

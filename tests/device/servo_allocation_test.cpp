@@ -56,7 +56,7 @@ TEST(servo_loop, allocates_nothing_after_the_first_reading_of_a_height_map) {
   // One part alone has a path of its own; the apex of the cone, where the device stays, needs more than the first stage.
   for (const HeightMap& map : {HeightMap{{{texture}}}, HeightMap{{{texture}, {height::Cone{3, 4, 1, 2}}}},
                                HeightMap{{{height::Gaussian{3, 4, 1, 2}}, {height::Grating{0.1F, 3, 0, 0}}}}})
-    for (const auto& [rendering, name] : height::kRenderings) {
+    for (const auto& [rendering, name] : height::kModes) {
       Watching device;
       const Kept result(device, std::get<fast::HeightMapField>(fast::HeightMapField::build(map, rendering, 0.5F)),
                         {.rate_hz = kHighestRateHz});

@@ -276,7 +276,7 @@ std::vector<Sample> stroked(std::uint64_t seed) {
 TEST(simulated, hand_is_pushed_left_and_right_by_every_ridge_it_strokes) {
   Simulated device(premium_1_5(), Operator{Grip{}, strokes(), Tremor(1, 0), false});
   const HeightMap ridges{{{height::Grating{0.1F, 3.14159265F, 0, 0}}}};
-  const auto map = std::get<fast::HeightMapField>(fast::HeightMapField::build(ridges, height::Rendering::force_shaded, 0.5F));
+  const auto map = std::get<fast::HeightMapField>(fast::HeightMapField::build(ridges, height::Mode::force_shaded, 0.5F));
   const std::atomic<bool> never = false;
   tests::KeptSamples kept;
   const ServoResult run = run_servo_loop(device, map, {.max_seconds = 1.9, .paced = false, .sinks = {&kept}}, never);

@@ -16,6 +16,7 @@
 
 #include "study/experiments/session.h"
 #include "study/experiments/session_folder.h"
+#include "study/experiments/session_results.h"
 #include "tests/support/temporary_directory.h"
 
 namespace {
@@ -139,6 +140,31 @@ TEST(session_break, whose_beginning_a_crash_prevented_is_not_made_up_for) {
   ASSERT_EQ(logged.size(), 2U);
   EXPECT_EQ(logged[1].kind, EventKind::trial_started);
   EXPECT_EQ(logged[1].index, 5);
+}
+
+// The match is done, and how content the participant is was not answered: the trial is not over.
+TEST(session_interrupted, at_the_question_of_satisfaction_begins_its_trial_again_or_its_block) {
+  for (const std::string unit : {"trial", "block"}) {
+    const Lab lab(unit);
+    {
+      RecordedSession recorded = lab.start();
+      answer_until(recorded.session(), "", 3);
+      recorded.session().press({Action::done}, 900);
+      ASSERT_EQ(recorded.session().screen().kind, ScreenKind::satisfaction);
+    }
+    RecordedSession resumed = lab.resume();
+    Session& session = resumed.session();
+    EXPECT_EQ(session.screen().title, unit == "trial" ? session.language().resumed.title : "Part 1 of 1: with a picture");
+    EXPECT_FALSE(session.current());
+    session.press({Action::enter}, 0);
+    ASSERT_TRUE(session.current());
+    EXPECT_EQ(session.current()->index, unit == "trial" ? 3 : 1);
+    EXPECT_EQ(session.current()->attempt, 2);
+    EXPECT_EQ(session.screen().kind, ScreenKind::matching);
+    answer_until(session, "");
+    EXPECT_TRUE(session.is_over());
+    EXPECT_EQ(results_of(read_session(lab.folder())).matching.size(), 12U);
+  }
 }
 
 TEST(session_break, comes_again_where_its_block_is_repeated) {

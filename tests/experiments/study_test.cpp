@@ -12,14 +12,13 @@
 
 #include "study/experiments/session_results.h"
 #include "study/experiments/virtual_participant.h"
+#include "tests/experiments/example_protocols.h"
 #include "tests/support/temporary_directory.h"
 
 namespace forceshade::experiments {
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path kExamples = FORCESHADE_SOURCE_DIR "/examples/experiments";
 
 // At 1 N and 0.5 N/mm the hand is 2 mm deep everywhere.
 TEST(virtual_participant, feels_what_the_laws_say) {

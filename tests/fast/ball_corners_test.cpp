@@ -44,7 +44,7 @@ class Operands {
     return pick(2) == 0 ? size : -size;
   }
 
-  // Of about the size 1, so that sums cancel, are ties, or lose one number beside the other.
+  // Numbers of about the size 1, so that sums cancel, are ties, or lose one number beside the other.
   template <class N>
   N next() {
     // 0, give or take.
@@ -209,7 +209,7 @@ TYPED_TEST(BallCorners, what_is_widened_or_shortened_encloses_what_it_was) {
     const N a = operands.next<N>();
     const Multiprecision middle = value_of(a);
     for (const int k : {-100, -3, 0, 1}) {
-      // Of double-double, the first number counts as the value.
+      // The first number of a double-double counts as its value.
       const Multiprecision reach = ldexp(abs(middle), k) * (1 - 0x1p-52);
       for (const Multiprecision& x : {Multiprecision(middle - reach), Multiprecision(middle + reach)})
         enclosed("widened", widened(a, k), x);

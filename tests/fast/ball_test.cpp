@@ -26,7 +26,7 @@ struct Walker {
   Multiprecision truth;
 };
 
-// Of any size, either sign, few bits or many; now and then zero.
+// A number of any size, either sign, few bits or many; now and then zero.
 template <class N>
 Walker<N> fresh(std::mt19937_64& random) {
   const int places = static_cast<int>(random() % 53) + 1;
@@ -117,7 +117,7 @@ TEST(ball, wide_has_a_root_that_covers_whatever_a_small_number_may_be) {
 TEST(ball, wide_loses_no_more_than_a_few_of_its_last_bits) {
   std::mt19937_64 random(13);
   std::uniform_real_distribution<double> uniform(1, 4);
-  // Of any size, far beyond binary64's.
+  // A number of any size, far beyond binary64's.
   const auto raised = [](Wide2 value, int times) {
     const Wide2 factor = Wide2::exactly(times < 0 ? 0x1p-501 : 0x1p501);
     for (int i = 0; i < std::abs(times); ++i) value = midpoint(value * factor);
@@ -128,7 +128,7 @@ TEST(ball, wide_loses_no_more_than_a_few_of_its_last_bits) {
     for (const int times : {-4, -3, 0, 3, 4}) {
       const Wide2 numerator = raised(Wide2::exactly(a), times), square = raised(Wide2::exactly(a), 2 * times);
       const Wide2 quotient = numerator / Wide2::exactly(b), root = square_root(square);
-      // Of the size of 2^(501 times): less than 4 of it, and 2.
+      // A number of the size of 2^(501 times): less than 4 of it, and 2.
       EXPECT_LE(quotient.error_exponent(), 501 * times + 2 - 128 + kLostBits);
       EXPECT_LE(root.error_exponent(), 501 * times + 1 - 128 + kLostBits);
       EXPECT_EQ(sign(quotient), Sign::positive);

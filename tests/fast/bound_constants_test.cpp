@@ -31,8 +31,8 @@ TEST(bound_constants, a_unit_is_half_the_distance_of_1_to_its_neighbour) {
   EXPECT_EQ(DoubleWithError::kUnit, (std::nextafter(1.0, 2.0) - 1) / 2);
 }
 
-// Of the quotient: |q| itself, its product with an error, the sum, the divisor's least size, the division, the sum with the
-// rounding error, and the product with kSlack. Every other operation has fewer.
+// The terms of the quotient: |q| itself, its product with an error, the sum, the divisor's least size, the division, the sum
+// with the rounding error, and the product with kSlack. Every other operation has fewer.
 TEST(bound_constants, slacks_outweigh_the_roundings_of_the_bounds) {
   constexpr int kRoundings = 7;
   EXPECT_GE(DoubleWithError::kSlack * loss(kRoundings), 1);

@@ -57,7 +57,7 @@ class Expressions {
   // Dekker's condition holds for their sum and difference: `a` is not below `b` in size. Argued in docs/proofs.md.
   void assume_larger(const Scaled& a, const Scaled& b) { larger_.insert({a.node, b.node}); }
 
-  // Of an expression of rounded operations, given the inputs' values by node.
+  // The value of an expression of rounded operations, given the inputs' values by node.
   double evaluate(const Scaled& a, const std::map<int, double>& inputs) const;
 
   // What lies more than `depth` operations deep is left out: shared parts would be written again and again.

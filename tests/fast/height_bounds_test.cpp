@@ -86,7 +86,7 @@ double least_exponential() {
   return least;
 }
 
-// Of one part, mm and mm/mm.
+// The bounds of one part, mm and mm/mm.
 struct Largest {
   double height, slope;
 };
@@ -199,7 +199,7 @@ TEST(height_bounds, the_least_result_of_a_jet_is_within_that_of_tracked_numbers)
                coordinate = log2_of(kLargestCoordinate), quantum = log2_of(kPositionQuantum);
   const double farthest = coordinate + 1.5;  // √8 times the largest coordinate
   const double exponential = std::log2(least_exponential());
-  // Of kind after kind the least result, as a logarithm. A difference of two numbers is 0 or a multiple of their last bits.
+  // The least result of kind after kind, as a logarithm. A difference of two numbers is 0 or a multiple of their last bits.
   const double plane = number + quantum;
   const double cone = number - reach + std::min(unit - coordinate, 2 * unit - reach - 1);
   const double cap = 2 * unit - reach - 1;
@@ -281,7 +281,7 @@ void expect(const char* kind, const Denominators& met, const Denominators& bound
   EXPECT_GE(met.slopes, bound.slopes - 8) << kind << ": idle";
 }
 
-// Of the maps that are rational functions of a position, each part by itself.
+// The bounds of the maps that are rational functions of a position, each part by itself.
 TEST(height_bounds, the_denominators_of_rational_maps_are_those_of_the_domain) {
   std::mt19937_64 random(1);
   const auto odd_float = [&](float near) {  // of about this size, with all 24 bits

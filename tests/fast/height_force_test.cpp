@@ -13,16 +13,16 @@
 namespace forceshade::fast {
 namespace {
 
-using height::Rendering;
+using height::Mode;
 using tests::Multiprecision;
 
 // Exact numbers.
 struct ExactJet {
   Multiprecision gap, Ux, Uy;
 
-  std::array<Multiprecision, 3> force(Rendering rendering, double K) const {
+  std::array<Multiprecision, 3> force(Mode mode, double K) const {
     Multiprecision M = K * gap;
-    if (rendering != Rendering::conservative) M /= sqrt(1 + Ux * Ux + Uy * Uy);
+    if (mode != Mode::conservative) M /= sqrt(1 + Ux * Ux + Uy * Uy);
     return {-M * Ux, -M * Uy, M};
   }
 };
@@ -57,11 +57,11 @@ class HeightForceBounds : public ::testing::Test {
   int pick(int count) { return static_cast<int>(random_() % static_cast<std::uint64_t>(count)); }
   double uniform() { return std::uniform_real_distribution<double>(1, 2)(random_); }
   double either_sign(double size) { return pick(2) == 0 ? size : -size; }
-  Rendering rendering() { return height::kRenderings[static_cast<std::size_t>(pick(3))].rendering; }
+  Mode mode() { return height::kModes[static_cast<std::size_t>(pick(3))].mode; }
 
   // So that a component of one of the members is a tie, but for 2^-50 of it, or now and then 2^-20.
-  double stiffness_for(const ExactJet& jet, Rendering rendering, std::size_t axis, double tie) {
-    const Multiprecision component = abs(jet.force(rendering, 1)[axis]);
+  double stiffness_for(const ExactJet& jet, Mode mode, std::size_t axis, double tie) {
+    const Multiprecision component = abs(jet.force(mode, 1)[axis]);
     if (component == 0) return 0;
     const auto exact = static_cast<double>(Multiprecision(tie / component));
     return exact * (1 + std::ldexp(pick(9) - 4, pick(4) == 0 ? -23 : -53));
@@ -71,18 +71,18 @@ class HeightForceBounds : public ::testing::Test {
     return 0.5 * (static_cast<double>(number) + static_cast<double>(std::nextafter(number, HUGE_VALF)));
   }
 
-  void check(const HeightForce& answer, const std::vector<ExactJet>& all, Rendering rendering, double K) {
+  void check(const HeightForce& answer, const std::vector<ExactJet>& all, Mode mode, double K) {
     ++answers_[static_cast<std::size_t>(answer.contact)];
     if (answer.contact == Sign::unknown) return;
     const std::array<float, 3> components{answer.x, answer.y, answer.z};
     for (const ExactJet& jet : all) {
       ASSERT_EQ(answer.contact == Sign::positive, jet.gap > 0) << jet.gap.str(30);
       if (answer.contact != Sign::positive) continue;
-      const auto force = jet.force(rendering, K);
+      const auto force = jet.force(mode, K);
       for (std::size_t axis = 0; axis < 3; ++axis)
         ASSERT_TRUE(rounds_to(force[axis], components[axis]))
             << "axis " << axis << ": " << components[axis] << " for " << force[axis].str(30) << ", gap " << jet.gap.str(20)
-            << ", slopes " << jet.Ux.str(20) << ' ' << jet.Uy.str(20) << ", rendering " << static_cast<int>(rendering);
+            << ", slopes " << jet.Ux.str(20) << ' ' << jet.Uy.str(20) << ", mode " << static_cast<int>(mode);
     }
   }
 
@@ -102,7 +102,7 @@ TEST_F(HeightForceBounds, hold_beside_ties) {
     const double U = pick(3) == 0 ? 0 : std::ldexp(uniform(), pick(8) - 6);
     const double gap_error = pick(2) == 0 ? 0 : std::ldexp(uniform(), std::ilogb(z) - 26 - pick(30));
     const auto all = members(Multiprecision(U) - z, gap_error, Ux, Uy);
-    const Rendering how = rendering();
+    const Mode how = mode();
     const ExactJet& aim = all[static_cast<std::size_t>(pick(9))];
     const auto axis = static_cast<std::size_t>(pick(3));
     const double K = stiffness_for(
@@ -132,7 +132,7 @@ TEST_F(HeightForceBounds, hold_where_errors_are_as_large_as_slopes) {
     Ux = scaled(Ux);
     Uy = scaled(Uy);
     const auto all = members(gap * gaps, gap_error * gaps, Ux, Uy);
-    const Rendering how = rendering();
+    const Mode how = mode();
     const double K = stiffness_for(all[static_cast<std::size_t>(pick(9))], how, static_cast<std::size_t>(pick(2)),
                                    0x1p-150 * (pick(3) == 0 ? 3 : 1));
     if (K == 0) continue;
@@ -148,11 +148,11 @@ TEST_F(HeightForceBounds, hold_where_errors_are_as_large_as_slopes) {
 TEST_F(HeightForceBounds, tell_a_tie_from_a_gap_that_was_rounded_to_it) {
   const double z = -0x1.000002p-30, tie = 1 + 0x1p-24;
   for (const double K : {1.0, 2.0, 0.5}) {
-    const auto contact = [&](double U) { return height_force({{U, 0}, {0, 0}, {0, 0}}, Rendering::true_height, K, z).contact; };
+    const auto contact = [&](double U) { return height_force({{U, 0}, {0, 0}, {0, 0}}, Mode::true_height, K, z).contact; };
     EXPECT_EQ(contact(tie - 0x1p-30), Sign::unknown) << "rounded: the gap is 2^-53 more";
     EXPECT_EQ(contact(tie - 0x1.000002p-30 + 0x1p-24), Sign::positive);
   }
-  EXPECT_EQ(height_force({{1, 0}, {0, 0}, {0, 0}}, Rendering::true_height, 1, -0x1p-24).z, 1) << "a tie, to even";
+  EXPECT_EQ(height_force({{1, 0}, {0, 0}, {0, 0}}, Mode::true_height, 1, -0x1p-24).z, 1) << "a tie, to even";
 }
 
 // A gap that is rounded, and an error next to it.
@@ -163,8 +163,8 @@ TEST_F(HeightForceBounds, hold_beside_the_surface) {
         pick(2) == 0 ? z + either_sign(std::ldexp(uniform(), -pick(53))) : either_sign(std::ldexp(uniform(), pick(6) - 3));
     const double error = std::fabs(U - z) * (1 + std::ldexp(pick(33) - 16, -52 + (pick(2) == 0 ? 0 : pick(33))));
     const auto all = members(Multiprecision(U) - z, error, {0, 0}, {0, 0});
-    check(height_force(Jet<DoubleWithError>{{U, error}, {0, 0}, {0, 0}}, Rendering::true_height, 0x1p-126, z), all,
-          Rendering::true_height, 0x1p-126);
+    check(height_force(Jet<DoubleWithError>{{U, error}, {0, 0}, {0, 0}}, Mode::true_height, 0x1p-126, z), all,
+          Mode::true_height, 0x1p-126);
     if (HasFatalFailure()) return;
   }
   EXPECT_GT(answers_[static_cast<std::size_t>(Sign::negative)], 100);
@@ -181,7 +181,7 @@ TEST_F(HeightForceBounds, of_sure_sizes_hold_beside_ties) {
     };
     const CertaintyThresholds sure{sure_of(gap), sure_of(Ux), sure_of(Uy)};
     const auto all = members(gap, 0x1p-35 * sure.gap, {Ux, 0x1p-35 * sure.Ux}, {Uy, 0x1p-35 * sure.Uy});
-    const Rendering how = rendering();
+    const Mode how = mode();
     const ExactJet& aim = all[static_cast<std::size_t>(pick(9))];
     const auto axis = static_cast<std::size_t>(pick(3));
     const double K =

@@ -19,12 +19,12 @@ int main() {
   try {
     // First, so that an arithmetic that height maps or meshes alone refuse is refused at once.
     tests::bits_of(tests::mesh_scenes().front());
-    const auto built = fast::HeightMapField::build(scenes.front().map, height::Rendering::true_height, 1);
+    const auto built = fast::HeightMapField::build(scenes.front().map, height::Mode::true_height, 1);
     if (const auto* error = std::get_if<ParameterError>(&built)) throw std::runtime_error(error->message());
     for (const LawName& law : kLaws) print(std::string(law.name), tests::bits_of(law.id));
     for (const tests::HeightScene& scene : scenes)
-      for (const auto& [rendering, name] : height::kRenderings)
-        if (is_rendered(scene, rendering)) print(name_of(scene, rendering), bits_of(scene, rendering));
+      for (const auto& [mode, name] : height::kModes)
+        if (is_rendered(scene, mode)) print(name_of(scene, mode), bits_of(scene, mode));
     for (const tests::MeshScene& scene : tests::mesh_scenes()) print(scene.name, bits_of(scene));
   } catch (const std::runtime_error& error) {
     return std::fprintf(stderr, "refused: %s\n", error.what()), 1;

@@ -57,8 +57,8 @@ class HeightPositions {
 
 inline constexpr std::size_t kHeightRun = 52, kHeightRuns = 6;  // a run: whole batches and a rest
 
-inline Bits bits_of(const HeightScene& scene, height::Rendering rendering) {
-  const auto built = fast::HeightMapField::build(scene.map, rendering, 0.7F);
+inline Bits bits_of(const HeightScene& scene, height::Mode mode) {
+  const auto built = fast::HeightMapField::build(scene.map, mode, 0.7F);
   if (const auto* error = std::get_if<ParameterError>(&built)) throw std::runtime_error(error->message());
   const auto& law = std::get<fast::HeightMapField>(built);
   HeightPositions positions(scene, law);
@@ -85,8 +85,8 @@ inline Bits bits_of(const HeightScene& scene, height::Rendering rendering) {
 }
 
 // Its name in tests/golden/hashes.txt.
-inline std::string name_of(const HeightScene& scene, height::Rendering rendering) {
-  return std::string(height::name_of(rendering)) + "/" + scene.name;
+inline std::string name_of(const HeightScene& scene, height::Mode mode) {
+  return std::string(height::name_of(mode)) + "/" + scene.name;
 }
 
 }  // namespace forceshade::tests

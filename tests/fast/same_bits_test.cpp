@@ -46,12 +46,12 @@ TEST(same_bits, every_instruction_set_makes_the_stored_hashes_of_height_maps) {
   const auto stored = stored_hashes();
   std::size_t maps = 0;
   for (const HeightScene& scene : height_scenes())
-    for (const auto& [rendering, name] : height::kRenderings) {
-      if (!is_rendered(scene, rendering)) continue;
+    for (const auto& [mode, name] : height::kModes) {
+      if (!is_rendered(scene, mode)) continue;
       ++maps;
-      const Bits bits = bits_of(scene, rendering);
+      const Bits bits = bits_of(scene, mode);
       const auto& [free, contact, invalid] = bits.statuses;
-      const std::string what = name_of(scene, rendering);
+      const std::string what = name_of(scene, mode);
       std::printf("  %-45s %s  %zu free, %zu contact, %zu invalid\n", what.c_str(), bits.hash.c_str(), free, contact, invalid);
       ASSERT_TRUE(stored.contains(what)) << what;
       EXPECT_EQ(bits.hash, stored.at(what)) << what;
@@ -95,7 +95,7 @@ bool is_refused() {
   };
   const bool is_law = is_on_its_account(fast::Law::build(LawId::wall, {0, 0, 1}));
   const bool is_height_map =
-      is_on_its_account(fast::HeightMapField::build({{{height::Plane{}}}}, height::Rendering::true_height, 1));
+      is_on_its_account(fast::HeightMapField::build({{{height::Plane{}}}}, height::Mode::true_height, 1));
   EXPECT_EQ(is_law, is_height_map);
   return is_law && is_height_map;
 }

@@ -25,11 +25,11 @@ HeightGrid rough_grid(std::mt19937& random) {
 }
 
 // The exact components, enclosed.
-std::array<N, 3> components(const HeightGrid& grid, const float* position, height::Rendering rendering, double K) {
+std::array<N, 3> components(const HeightGrid& grid, const float* position, height::Mode mode, double K) {
   const auto [U, Ux, Uy, decided] = spline_jet<N>(grid, Place(position[0], position[1]));
   const N z = N::exactly(static_cast<double>(position[2]));
-  N M = N::exactly(K) * (rendering == height::Rendering::force_shaded ? -z : U - z);
-  if (rendering != height::Rendering::conservative) M = M / square_root(N::exactly(1) + (Ux * Ux + Uy * Uy));
+  N M = N::exactly(K) * (mode == height::Mode::force_shaded ? -z : U - z);
+  if (mode != height::Mode::conservative) M = M / square_root(N::exactly(1) + (Ux * Ux + Uy * Uy));
   return {-(M * Ux), -(M * Uy), M};
 }
 
@@ -53,9 +53,9 @@ TEST(spline_batch, answers_no_lane_beside_a_tie_and_nearly_every_other) {
   std::uniform_real_distribution<float> place(-1.5F, 1.5F), depth(-3, -1), stiffness(0.5F, 1);
   int beside = 0, level = 0, apart = 0, apart_and_unknown = 0;
   for (int i = 0; i < 2500; ++i) {
-    const auto rendering = height::kRenderings[random() % 3].rendering;
+    const auto mode = height::kModes[random() % 3].mode;
     const auto K = static_cast<double>(stiffness(random));
-    const SplineMap map(grid, rendering, K);
+    const SplineMap map(grid, mode, K);
     float positions[3 * kSplineBatch], forces[3 * kSplineBatch];
     for (std::size_t lane = 0; lane < kSplineBatch; ++lane) {
       positions[3 * lane] = place(random);
@@ -65,7 +65,7 @@ TEST(spline_batch, answers_no_lane_beside_a_tie_and_nearly_every_other) {
     const unsigned known = kAvx512SplineFunctions.forces(map, positions, forces);
     for (std::size_t lane = 0; lane < kSplineBatch; ++lane) {
       double nearest = 1;
-      for (const N& component : components(grid, positions + 3 * lane, rendering, K))
+      for (const N& component : components(grid, positions + 3 * lane, mode, K))
         nearest = std::min(nearest, distance_from_tie(component));
       const bool is_known = (known >> lane & 1) != 0;
       const Jet<N> exact = spline_jet<N>(grid, Place(positions[3 * lane], positions[3 * lane + 1]));

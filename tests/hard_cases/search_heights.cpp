@@ -56,13 +56,13 @@ class HardestOfMap {
 
 class HeightSearch {
  public:
-  HeightSearch(const HeightScene& scene, height::Rendering rendering) : scene_(scene), rendering_(rendering), balls_(scene) {}
+  HeightSearch(const HeightScene& scene, height::Mode mode) : scene_(scene), mode_(mode), balls_(scene) {}
 
   void run(std::uint64_t positions) {
     for (std::uint64_t i = 0; i < positions; ++i) {
       const bool has_few_bits = i % 8 == 0;
       Eigen::Vector3f at(coordinate(has_few_bits), coordinate(has_few_bits), 0);
-      const auto height = static_cast<float>(balls_.at<DoubleWithError>(at, rendering_, 1).gap.value);
+      const auto height = static_cast<float>(balls_.at<DoubleWithError>(at, mode_, 1).gap.value);
       contact(at, height);
       const std::uint64_t bits = random_();
       at.z() = fast::quantised(has_few_bits
@@ -74,7 +74,8 @@ class HeightSearch {
   const HardestOfMap& hardest() const { return hardest_; }
 
  private:
-  // Of the scene's size; with few bits, multiples of 1/16 mm and the scene's edges, where ties and exact contact are.
+  // A coordinate of the scene's size; with few bits, multiples of 1/16 mm and the scene's edges, where ties and exact contact
+  // are.
   float coordinate(bool has_few_bits) {
     const std::uint64_t bits = random_();
     const auto any = static_cast<float>(static_cast<std::int32_t>(bits) >> 8) * scene_.step;
@@ -87,14 +88,14 @@ class HeightSearch {
     if (std::fabs(height) < 1e-3F) return;
     for (const float z : {std::nextafter(height, -1e5F), height, std::nextafter(height, 1e5F)}) {
       at.z() = z;
-      const DoubleDouble gap = balls_.at<DoubleDouble>(at, rendering_, 1).gap;
+      const DoubleDouble gap = balls_.at<DoubleDouble>(at, mode_, 1).gap;
       if (!(gap.error < 0x1p-70 * std::fabs(static_cast<double>(height)))) return;
       const bool may_be_zero = std::fabs(gap.hi) <= gap.error;
       const double share = std::fabs(gap.hi / static_cast<double>(z));
       if (may_be_zero) {
         if (wide_left_ == 0) continue;
         --wide_left_;
-        const fast::Sign sign = proved_sign(balls_.at<BigFloatBall>(at, rendering_, 1).gap);
+        const fast::Sign sign = proved_sign(balls_.at<BigFloatBall>(at, mode_, 1).gap);
         hardest_.offer(sign == fast::Sign::zero ? "contact: on the surface" : "contact: as if on the surface",
                        {0.75F, at, static_cast<double>(random_() % 1000)});
       } else {
@@ -105,9 +106,9 @@ class HeightSearch {
   }
 
   void force(const Eigen::Vector3f& at, bool may_tie) {
-    const auto unit = balls_.at<DoubleDouble>(at, rendering_, 1);
+    const auto unit = balls_.at<DoubleDouble>(at, mode_, 1);
     if (!unit.decided || !(unit.gap.hi > 4 * unit.gap.error)) return;
-    const auto first = balls_.at<DoubleWithError>(at, rendering_, 1);
+    const auto first = balls_.at<DoubleWithError>(at, mode_, 1);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const DoubleDouble& c = unit.force[axis];
       if (c.hi == 0 || !(c.error < 0x1p-76 * std::fabs(c.hi)) || std::fabs(c.hi) < 0x1p-100) continue;
@@ -128,7 +129,7 @@ class HeightSearch {
       if (!holds_its_tie(value)) return hardest_.offer(kind, {K, at, -std::log2(presumed(value).from_tie)});
       if (wide_left_ == 0) return;
       --wide_left_;
-      const BigFloatBall exact = balls_.at<BigFloatBall>(at, rendering_, static_cast<double>(K)).force[axis];
+      const BigFloatBall exact = balls_.at<BigFloatBall>(at, mode_, static_cast<double>(K)).force[axis];
       const BigFloatBall off = exact - BigFloatBall::exactly(tie_near(value.hi).at);
       if (sign(off) == fast::Sign::zero)
         hardest_.offer(component + ": a tie", {K, at, static_cast<double>(random_() % 1000)});
@@ -146,27 +147,27 @@ class HeightSearch {
     for_stiffnesses_near_ties(c, error > 0 ? -width : 0, width, 4, [&](float K) {
       const DoubleDouble value = DoubleDouble::exactly(static_cast<double>(K)) * c;
       if (holds_its_tie(value)) return;
-      const double answer = balls_.at<DoubleWithError>(at, rendering_, static_cast<double>(K)).force[axis].value;
+      const double answer = balls_.at<DoubleWithError>(at, mode_, static_cast<double>(K)).force[axis].value;
       hardest_.offer(kind, {K, at, needed_window(answer, presumed(value).right)});
     });
   }
 
   const HeightScene& scene_;
-  height::Rendering rendering_;
+  height::Mode mode_;
   Balls balls_;
   std::mt19937_64 random_{1995};
   HardestOfMap hardest_;
   int wide_left_ = 4000;  // how many more candidates that double-double takes for ties are given 2048 bits
 };
 
-void print(const HeightScene& scene, height::Rendering rendering, const HardestOfMap& hardest) {
+void print(const HeightScene& scene, height::Mode mode, const HardestOfMap& hardest) {
   const Balls balls(scene);
   for (const auto& [kind, candidates] : hardest.kinds())
     for (const HeightCandidate& candidate : candidates) {
       if (candidate.score <= 0) continue;
-      const auto law = std::get<reference::HeightMapField>(reference::HeightMapField::build(scene.map, rendering, candidate.K));
+      const auto law = std::get<reference::HeightMapField>(reference::HeightMapField::build(scene.map, mode, candidate.K));
       const reference::Rounded exact = law.round_to_binary32(candidate.at);
-      const HeightCase one{rendering, candidate.K, candidate.at, exact.force, exact.status, "", kind, ""};
+      const HeightCase one{mode, candidate.K, candidate.at, exact.force, exact.status, "", kind, ""};
       std::string line;
       for (const float number :
            {one.stiffness, one.position.x(), one.position.y(), one.position.z(), one.force.x(), one.force.y(), one.force.z()}) {
@@ -174,10 +175,10 @@ void print(const HeightScene& scene, height::Rendering rendering, const HardestO
         std::snprintf(text, sizeof text, "%a,", static_cast<double>(number));
         line += text;
       }
-      std::printf("%s,%s%s,%s,%s\n", height::name_of(rendering).data(), line.c_str(),
+      std::printf("%s,%s%s,%s,%s\n", height::name_of(mode).data(), line.c_str(),
                   one.status == Status::contact ? "contact" : "free", closeness(balls, one, is_about_gap(one)).c_str(),
                   kind.c_str());
-      std::fprintf(stderr, "%s, %s: %g\n", height::name_of(rendering).data(), kind.c_str(), candidate.score);
+      std::fprintf(stderr, "%s, %s: %g\n", height::name_of(mode).data(), kind.c_str(), candidate.score);
     }
 }
 
@@ -194,10 +195,10 @@ int main(int argc, char** argv) {
     return 2;
   }
   std::printf("rendering,K,x,y,z,Fx,Fy,Fz,status,closest,why\n");
-  for (const auto& [rendering, word] : height::kRenderings) {
-    if (!tests::is_rendered(*scene, rendering)) continue;
-    tests::HeightSearch search(*scene, rendering);
+  for (const auto& [mode, word] : height::kModes) {
+    if (!tests::is_rendered(*scene, mode)) continue;
+    tests::HeightSearch search(*scene, mode);
     search.run(argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 200'000);
-    tests::print(*scene, rendering, search.hardest());
+    tests::print(*scene, mode, search.hardest());
   }
 }

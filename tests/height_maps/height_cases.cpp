@@ -45,16 +45,16 @@ std::string case_file(const HeightScene& scene) {
 
 std::vector<HeightCase> read_height_cases(std::istream& in, const std::string& file) {
   files::Reader reader(in, file, {"rendering", "K", "x", "y", "z", "Fx", "Fy", "Fz", "status", "closest", "why"});
-  std::vector<std::pair<std::string, height::Rendering>> renderings;
-  for (const auto& [rendering, name] : height::kRenderings) renderings.emplace_back(name, rendering);
+  std::vector<std::pair<std::string, height::Mode>> renderings;
+  for (const auto& [mode, name] : height::kModes) renderings.emplace_back(name, mode);
   std::vector<HeightCase> cases;
   while (reader.next()) {
     const auto number = [&](std::size_t i) { return reader.binary32(i); };
-    const auto rendering = named<height::Rendering>(reader.text(0), renderings);
-    if (!rendering) throw reader.unexpected(0, "a rendering");
+    const auto mode = named<height::Mode>(reader.text(0), renderings);
+    if (!mode) throw reader.unexpected(0, "a rendering");
     const auto status = named<Status>(reader.text(8), {{"free", Status::free}, {"contact", Status::contact}});
     if (!status) throw reader.unexpected(8, "free or contact");
-    cases.push_back({*rendering,
+    cases.push_back({*mode,
                      number(1),
                      {number(2), number(3), number(4)},
                      {number(5), number(6), number(7)},
@@ -76,7 +76,7 @@ std::vector<HeightCase> height_cases(const HeightScene& scene) {
 }
 
 std::string closeness(const Balls& balls, const HeightCase& one, bool of_gap) {
-  const auto answer = balls.at<N>(one.position, one.rendering, static_cast<double>(one.stiffness));
+  const auto answer = balls.at<N>(one.position, one.mode, static_cast<double>(one.stiffness));
   char text[32];
   if (of_gap) {
     if (sign(answer.gap) == fast::Sign::zero) return "gap 0";

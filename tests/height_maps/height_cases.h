@@ -19,7 +19,7 @@
 namespace forceshade::tests {
 
 struct HeightCase {
-  height::Rendering rendering;
+  height::Mode mode;
   float stiffness;           // N/mm
   Eigen::Vector3f position;  // mm
   Eigen::Vector3f force;     // N, as the reference gives it
@@ -46,16 +46,16 @@ class Balls {
     std::array<N, 3> force;  // N; where the gap is positive
     bool decided;
   };
-  // Of coordinates that are quantised.
+  // The answer for coordinates that are quantised.
   template <class N>
-  Answer<N> at(const Eigen::Vector3f& position, height::Rendering rendering, double K) const {
+  Answer<N> at(const Eigen::Vector3f& position, height::Mode mode, double K) const {
     const fast::Place place(position.x(), position.y());
     const fast::Jet<N> map = sum<N>(parts_, place);
-    const bool is_shaded = rendering == height::Rendering::force_shaded;
+    const bool is_shaded = mode == height::Mode::force_shaded;
     const fast::Jet<N> surface = is_shaded ? sum<N>(surface_, place) : map;
     const N gap = surface.U - N::exactly(static_cast<double>(position.z()));
     N M = N::exactly(K) * gap;
-    if (rendering != height::Rendering::conservative) M = M / square_root(N::exactly(1) + (map.Ux * map.Ux + map.Uy * map.Uy));
+    if (mode != height::Mode::conservative) M = M / square_root(N::exactly(1) + (map.Ux * map.Ux + map.Uy * map.Uy));
     return {gap, map.Ux, map.Uy, {-(M * map.Ux), -(M * map.Uy), M}, map.decided && surface.decided};
   }
 

@@ -28,13 +28,13 @@ TEST_P(HeightCases, are_answered) {
   const HeightScene scene = height_scenes()[GetParam()];
   const Balls balls(scene);
   std::array<int, 3> stages{};
-  std::set<std::pair<height::Rendering, std::string>> kinds;
+  std::set<std::pair<height::Mode, std::string>> kinds;
   double closest = 0;
   for (const HeightCase& one : height_cases(scene)) {
     SCOPED_TRACE(one.place + ": " + one.why);
-    const auto law = std::get<fast::HeightMapField>(fast::HeightMapField::build(scene.map, one.rendering, one.stiffness));
+    const auto law = std::get<fast::HeightMapField>(fast::HeightMapField::build(scene.map, one.mode, one.stiffness));
     const auto reference =
-        std::get<reference::HeightMapField>(reference::HeightMapField::build(scene.map, one.rendering, one.stiffness));
+        std::get<reference::HeightMapField>(reference::HeightMapField::build(scene.map, one.mode, one.stiffness));
     const auto expect_recorded = [&](std::string_view who, const Eigen::Vector3f& force) {
       for (int axis = 0; axis < 3; ++axis) EXPECT_TRUE(same_bits(force[axis], one.force[axis])) << who << ": " << show(force);
     };
@@ -54,17 +54,17 @@ TEST_P(HeightCases, are_answered) {
       expect_recorded(fast::name_of(set), forces.back());
     }
     ++stages[static_cast<std::size_t>(answer.stage)];
-    kinds.emplace(one.rendering, one.why);
+    kinds.emplace(one.mode, one.why);
     if (const std::size_t power = one.closest.find("^-"); !is_about_gap(one) && power != std::string::npos)
       closest = std::max(closest, std::stod(one.closest.substr(power + 2)));
   }
   std::printf("  %s: answered by binary64 %d, double-double %d, wide %d; nearest to a tie, not on it: 2^-%.0f of its size\n",
               scene.name, stages[0], stages[1], stages[2], closest);
-  for (const auto& [rendering, name] : height::kRenderings) {
-    if (!is_rendered(scene, rendering)) continue;
-    EXPECT_TRUE(kinds.contains({rendering, "Fz: nearest to a tie"})) << name;
-    EXPECT_TRUE(kinds.contains({rendering, "Fz: binary64 lands across the tie"}) || scene.name == std::string("plane") ||
-                scene.name == std::string("what-cancels") || rendering == height::Rendering::conservative)
+  for (const auto& [mode, name] : height::kModes) {
+    if (!is_rendered(scene, mode)) continue;
+    EXPECT_TRUE(kinds.contains({mode, "Fz: nearest to a tie"})) << name;
+    EXPECT_TRUE(kinds.contains({mode, "Fz: binary64 lands across the tie"}) || scene.name == std::string("plane") ||
+                scene.name == std::string("what-cancels") || mode == height::Mode::conservative)
         << name;
   }
   EXPECT_GT(stages[1] + stages[2], 0) << "no case is hard";

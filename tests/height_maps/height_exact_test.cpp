@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The exact numbers behind the last stage of height maps, and forces that only they can round.
+// Forces of height maps that only the exact numbers of their last stage can round.
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <random>
 
 #include "fast/heights/all.h"
@@ -16,86 +15,13 @@ namespace forceshade {
 namespace {
 
 using Eigen::Vector3f;
-using fast::Fraction;
-using fast::RootField;
-using fast::RootNumber;
 using fast::Sign;
-using height::Rendering;
-
-Fraction whole(double value) {
-  return Fraction::exactly(value);
-}
-
-TEST(fraction, computes_with_rational_numbers_exactly) {
-  const Fraction third = whole(1) / whole(3), fifth = whole(-1) / whole(-5);
-  EXPECT_TRUE((third + fifth - whole(8) / whole(15)).is_zero());
-  EXPECT_TRUE((third * fifth - whole(1) / whole(15)).is_zero());
-  EXPECT_TRUE((third / fifth - whole(5) / whole(3)).is_zero());
-  EXPECT_TRUE((third + third + third - whole(1)).is_zero());
-  EXPECT_EQ(sign(third - whole(0x1.5555555555555p-2)), Sign::positive);
-  EXPECT_EQ(sign(whole(0x1.5555555555555p-2) - third), Sign::negative);
-  EXPECT_TRUE((whole(0x1p-1000) * whole(3) / whole(0x1p-1000)).is_whole()) << "a power of two is no denominator";
-  EXPECT_EQ(sign(whole(1) / whole(-3)), Sign::negative);
-}
-
-TEST(fraction, says_so_where_it_has_no_room) {
-  Fraction power = whole(1) / whole(3);
-  int doublings = 0;
-  while (power.is_exact() && doublings < 20) {
-    power = power * power;
-    ++doublings;
-  }
-  EXPECT_EQ(doublings, 13) << "3^(2^12) has 6493 bits, its square has 12985";
-  EXPECT_EQ(sign(power), Sign::unknown);
-  EXPECT_EQ(sign(power - power), Sign::unknown);
-  EXPECT_EQ(sign(whole(1) / whole(0)), Sign::unknown);
-  EXPECT_EQ(sign(whole(1) / whole(0) * whole(0)), Sign::unknown);
-  Fraction tiny = whole(0x1p-1000);
-  for (int i = 0; i < 3; ++i) tiny = tiny * tiny;  // 2^-8000
-  EXPECT_EQ(sign(whole(1) + tiny - whole(1)), Sign::positive);
-  EXPECT_EQ(sign(whole(1) + tiny * tiny), Sign::unknown) << "16001 bits";
-}
-
-TEST(root_field, finds_roots_that_are_related) {
-  RootField field;
-  const auto root = [&](double radicand) {
-    RootNumber number(field);
-    number.add(field.root(whole(radicand)).value(), whole(1));
-    return number;
-  };
-  const auto minus = [&](double value) { return RootNumber(field, whole(-value)); };
-  EXPECT_TRUE((root(25) + minus(5)).is_zero());
-  EXPECT_TRUE((root(0.0625) + minus(0.25)).is_zero());
-  EXPECT_TRUE((root(2) * root(2) + minus(2)).is_zero());
-  EXPECT_TRUE((root(8) + -(whole(2) * root(2))).is_zero());
-  EXPECT_TRUE((root(2) * root(3) + -root(6)).is_zero()) << "6 is no third root";
-  EXPECT_TRUE(((root(2) + root(3)) * (root(2) + root(3)) + minus(5) + -(whole(2) * root(24)) + whole(2) * root(6)).is_zero());
-  EXPECT_TRUE((root(5) * root(30) * root(6) + minus(30)).is_zero());
-  EXPECT_FALSE((root(2) + root(3) + -root(10)).is_zero());
-  EXPECT_FALSE(field.root(whole(7)).has_value()) << "a fourth root";
-  EXPECT_TRUE(field.root(whole(49)).has_value());
-  EXPECT_TRUE(field.root(whole(30 * 49)).has_value());
-}
-
-TEST(root_field, tells_squares_from_their_neighbours) {
-  std::mt19937_64 random(4);
-  for (int i = 0; i < 200; ++i) {
-    RootField field;
-    const auto odd = static_cast<double>(random() >> 12 | 1), other = static_cast<double>(random() >> 13 | 1);
-    const Fraction side = whole(odd) * whole(other), square = side * side;
-    const auto root = field.root(square);
-    ASSERT_TRUE(root.has_value());
-    EXPECT_EQ(root->subset, 0U);
-    EXPECT_TRUE((root->factor - side).is_zero());
-    EXPECT_NE(field.root(square + whole(1))->subset, 0U);
-    EXPECT_NE(field.root(square - whole(1))->subset, 0U);
-  }
-}
+using height::Mode;
 
 struct Input {
   const char* what;
   HeightMap map;
-  Rendering rendering;
+  Mode mode;
   float stiffness;
   Vector3f position;
 };
@@ -106,7 +32,7 @@ std::vector<Input> inputs() {
   const HeightMap tail{{{hill}, {half}}}, hole{{{hill, true}, {half}}};
   const HeightMap pair{{{height::Gaussian{-3, 0, 1, 1}}, {height::Gaussian{3, 0, 1, 1}, true}}};
   const HeightMap cones{{{height::Cone{0, 0, 6, 8}}, {height::Cone{0, 0, 6, 8}, true}, {height::Cone{0, 0, 7.5F, 10}}}};
-  constexpr auto kTrue = Rendering::true_height, kShaded = Rendering::force_shaded, kConservative = Rendering::conservative;
+  constexpr auto kTrue = Mode::true_height, kShaded = Mode::force_shaded, kConservative = Mode::conservative;
   return {
       {"contact, 64 sigma off", {{{narrow}, {half}}}, kTrue, 0.5F, {12.8F, 0, 0.5F}},
       {"no contact over a dent, 64 sigma off", {{{narrow, true}, {half}}}, kTrue, 0.5F, {12.8F, 0, 0.5F}},
@@ -154,9 +80,9 @@ std::vector<Input> inputs() {
 
 TEST(height_exact, rounds_what_no_enclosure_can) {
   for (const Input& input : inputs()) {
-    const auto fast = std::get<fast::HeightMapField>(fast::HeightMapField::build(input.map, input.rendering, input.stiffness));
+    const auto fast = std::get<fast::HeightMapField>(fast::HeightMapField::build(input.map, input.mode, input.stiffness));
     const auto reference =
-        std::get<reference::HeightMapField>(reference::HeightMapField::build(input.map, input.rendering, input.stiffness));
+        std::get<reference::HeightMapField>(reference::HeightMapField::build(input.map, input.mode, input.stiffness));
     for (const int step : {0, -1, 1, -2, 2}) {
       Vector3f position = input.position;
       position.z() = properties::neighbour(position.z(), step);
@@ -176,20 +102,18 @@ TEST(height_exact, rounds_what_no_enclosure_can) {
 
 // Answers known by hand: a tie goes to even but for a tail, which decides by its sign.
 TEST(height_exact, moves_a_tie_off_by_any_tail) {
-  const auto z_force = [](std::vector<height::Part> parts, Rendering rendering, float stiffness, const Vector3f& position) {
-    return std::get<fast::HeightMapField>(fast::HeightMapField::build({std::move(parts)}, rendering, stiffness))
-        .force(position)
-        .z();
+  const auto z_force = [](std::vector<height::Part> parts, Mode mode, float stiffness, const Vector3f& position) {
+    return std::get<fast::HeightMapField>(fast::HeightMapField::build({std::move(parts)}, mode, stiffness)).force(position).z();
   };
   const height::Plane half{0, 0, 0.5F};
   const float below = -0x1.000002p-1F;  // the force of the plane is 1 + 2^-24
   for (const float x : {40.0F, 80.0F, 1e3F, 1e4F}) {
     const height::Gaussian hill{0, 0, 1, 1};
-    EXPECT_EQ(z_force({{half}}, Rendering::true_height, 1, {x, 0, below}), 1);
-    EXPECT_EQ(z_force({{half}, {hill}}, Rendering::true_height, 1, {x, 0, below}), 0x1.000002p+0F);
-    EXPECT_EQ(z_force({{half}, {hill, true}}, Rendering::true_height, 1, {x, 0, below}), 1);
-    EXPECT_EQ(z_force({{half}}, Rendering::force_shaded, 1.5F, {x, 0, -0x1.000002p+0F}), 0x1.800004p+0F);
-    EXPECT_EQ(z_force({{half}, {hill}}, Rendering::force_shaded, 1.5F, {x, 0, -0x1.000002p+0F}), 0x1.800002p+0F);
+    EXPECT_EQ(z_force({{half}}, Mode::true_height, 1, {x, 0, below}), 1);
+    EXPECT_EQ(z_force({{half}, {hill}}, Mode::true_height, 1, {x, 0, below}), 0x1.000002p+0F);
+    EXPECT_EQ(z_force({{half}, {hill, true}}, Mode::true_height, 1, {x, 0, below}), 1);
+    EXPECT_EQ(z_force({{half}}, Mode::force_shaded, 1.5F, {x, 0, -0x1.000002p+0F}), 0x1.800004p+0F);
+    EXPECT_EQ(z_force({{half}, {hill}}, Mode::force_shaded, 1.5F, {x, 0, -0x1.000002p+0F}), 0x1.800002p+0F);
   }
 }
 
@@ -200,7 +124,7 @@ TEST(height_exact, has_room_for_every_map_that_is_built) {
     map.parts.push_back({std::make_shared<const height::Grid>(
         height::Grid{2, 2, pitch, height::Edge::tile, height::Interpolant::cubic_spline, {0.25F, 0.25F, 0.25F, 0.25F}})});
   };
-  const auto build = [&] { return fast::HeightMapField::build(map, Rendering::true_height, 1.5F); };
+  const auto build = [&] { return fast::HeightMapField::build(map, Mode::true_height, 1.5F); };
   while (map.parts.size() < 6) {
     add_grid(0.3F + static_cast<float>(map.parts.size()) * 0x1p-20F);
     const auto law = build();
@@ -230,7 +154,7 @@ TEST(height_exact, has_room_for_what_meets_in_one_root) {
       map.parts.push_back({height::Cone{x, y, static_cast<float>(1000 + i), radius}, negated});
     }
   map.parts.push_back({height::Polygons{{{5000, 0}, {8072, 4224}}}});
-  const auto law = std::get<fast::HeightMapField>(fast::HeightMapField::build(map, Rendering::force_shaded, 2.25F));
+  const auto law = std::get<fast::HeightMapField>(fast::HeightMapField::build(map, Mode::force_shaded, 2.25F));
   const Vector3f position(static_cast<float>(3 * kPlace / 1024), static_cast<float>(4 * kPlace / 1024), -0x1.000002p+0F);
   const fast::Evaluation answer = law.evaluate(position);
   EXPECT_EQ(answer.status, Status::contact);
@@ -250,11 +174,10 @@ TEST(height_exact, sees_waves_that_all_but_cancel) {
       const double height = (k % 2 == 0 ? 2 : -2) * binomial(2 * n, n + k) * 0x1p-11;
       map.parts.push_back({height::Grating{static_cast<float>(height), 0, 0, static_cast<float>(k) * 0x1p-149F}});
     }
-    const auto law = std::get<fast::HeightMapField>(fast::HeightMapField::build(map, Rendering::true_height, 1));
+    const auto law = std::get<fast::HeightMapField>(fast::HeightMapField::build(map, Mode::true_height, 1));
     EXPECT_EQ(law.evaluate({0, 0, 0}).status, Status::contact) << n;
     EXPECT_EQ(law.evaluate({0, 0, 0}).force, Vector3f(0, 0, 0)) << n;
-    const auto reference =
-        std::get<reference::HeightMapField>(reference::HeightMapField::build(map, Rendering::true_height, 1));
+    const auto reference = std::get<reference::HeightMapField>(reference::HeightMapField::build(map, Mode::true_height, 1));
     EXPECT_EQ(reference.round_to_binary32({0, 0, 0}).status, Status::contact) << n;
   }
 }
@@ -262,12 +185,12 @@ TEST(height_exact, sees_waves_that_all_but_cancel) {
 // Random parts at one place, as jets in 4096 bits and exactly.
 class PartsAtAPlace {
  public:
-  PartsAtAPlace(const fast::Place& at, double z, Rendering rendering, double stiffness)
-      : place_(at, z, rendering, stiffness), at_(at), z_(z), rendering_(rendering), stiffness_(stiffness) {}
+  PartsAtAPlace(const fast::Place& at, double z, Mode mode, double stiffness)
+      : place_(at, z, mode, stiffness), at_(at), z_(z), mode_(mode), stiffness_(stiffness) {}
 
   template <class Shape>
   void add(const Shape& shape, bool negated) {
-    const bool is_shaded = rendering_ == Rendering::force_shaded;
+    const bool is_shaded = mode_ == Mode::force_shaded;
     place_.add(shape, {!is_shaded, true, negated ? -1.0 : 1.0});
     const fast::Jet<N> one = fast::jet<N>(shape, at_);
     jet_ = jet_ + (negated ? -one : one);
@@ -281,10 +204,10 @@ class PartsAtAPlace {
  private:
   using N = fast::BigFloatBall<64>;
 
-  N gap() const { return (rendering_ == Rendering::force_shaded ? N::exactly(0) : jet_.U) - N::exactly(z_); }
+  N gap() const { return (mode_ == Mode::force_shaded ? N::exactly(0) : jet_.U) - N::exactly(z_); }
   N component(std::size_t axis) const {
     N magnitude = N::exactly(stiffness_) * gap();
-    if (rendering_ != Rendering::conservative)
+    if (mode_ != Mode::conservative)
       magnitude = magnitude / square_root(N::exactly(1) + (jet_.Ux * jet_.Ux + jet_.Uy * jet_.Uy));
     return axis == 2 ? magnitude : -(magnitude * (axis == 0 ? jet_.Ux : jet_.Uy));
   }
@@ -292,7 +215,7 @@ class PartsAtAPlace {
   fast::ExactPlace place_;
   fast::Place at_;
   double z_;
-  Rendering rendering_;
+  Mode mode_;
   double stiffness_;
   fast::Jet<N> jet_ = fast::flat<N>();
 };
@@ -311,7 +234,7 @@ struct Agreement {
   }
 };
 
-// Of components whose polynomial is of degree 2: near a Gaussian nothing else is expanded far enough.
+// Asks about components whose polynomial is of degree 2: near a Gaussian nothing else is expanded far enough.
 void ask(const PartsAtAPlace& parts, std::size_t first_axis, std::mt19937& random, Agreement& agreement) {
   agreement.expect(parts.exact_gap(), parts.enclosed_gap(), "gap");
   if (parts.enclosed_gap() != Sign::positive) return;
@@ -329,8 +252,8 @@ TEST(height_exact, agrees_with_enclosures_that_can_tell) {
   const auto reach = [&] { return static_cast<float>(random() % 15 + 1) / 2; };
   Agreement agreement;
   for (int i = 0; i < 600; ++i) {
-    const auto rendering = height::kRenderings[random() % 3].rendering;
-    PartsAtAPlace parts(fast::Place(few_bits(), few_bits()), static_cast<double>(few_bits()) - 4, rendering, 0.75);
+    const auto mode = height::kModes[random() % 3].mode;
+    PartsAtAPlace parts(fast::Place(few_bits(), few_bits()), static_cast<double>(few_bits()) - 4, mode, 0.75);
     int roots = 0;
     bool has_hill = false;
     for (auto part = random() % 3 + 1; part > 0; --part) {
@@ -357,7 +280,7 @@ TEST(height_exact, agrees_with_enclosures_that_can_tell) {
         }
       }
     }
-    ask(parts, has_hill && rendering != Rendering::conservative ? 2 : 0, random, agreement);
+    ask(parts, has_hill && mode != Mode::conservative ? 2 : 0, random, agreement);
   }
   std::printf("  %d compared, %d unknown\n", agreement.compared, agreement.unknown);
   EXPECT_GT(agreement.compared, 1000);
@@ -369,13 +292,13 @@ TEST(height_exact, agrees_with_enclosures_beside_ties) {
   std::mt19937 random(7);
   Agreement agreement;
   for (int i = 0; i < 400; ++i) {
-    const auto rendering = height::kRenderings[random() % 3].rendering;
+    const auto mode = height::kModes[random() % 3].mode;
     const bool is_sloped = random() % 2 == 0;
     const double gap = 1 + static_cast<double>(random() % 64) / 64, stiffness = 1.25;
     const float x = static_cast<float>(random() % 9) - 4;
     PartsAtAPlace parts(fast::Place(x, 0),
-                        (rendering == Rendering::force_shaded || !is_sloped ? 0.0 : 0.75 * static_cast<double>(x)) - gap,
-                        rendering, stiffness);
+                        (mode == Mode::force_shaded || !is_sloped ? 0.0 : 0.75 * static_cast<double>(x)) - gap, mode,
+                        stiffness);
     if (is_sloped) parts.add(height::Plane{0.75F, 0, 0}, false);
     for (auto hill = random() % 4; hill > 0; --hill) {
       const auto distance = static_cast<float>(random() % 4 + 8);
@@ -384,7 +307,7 @@ TEST(height_exact, agrees_with_enclosures_beside_ties) {
                                  static_cast<float>(random() % 3) - 1, random() % 3 == 0 ? 0.25F : 0.5F};
       parts.add(one, random() % 2 == 0);
     }
-    const bool is_long = rendering == Rendering::conservative || !is_sloped;  // the normal's length is left out, or is 1
+    const bool is_long = mode == Mode::conservative || !is_sloped;  // the normal's length is left out, or is 1
     agreement.expect(parts.exact_excess(2, stiffness * gap / (is_long ? 1 : 1.25)),
                      parts.enclosed_excess(2, stiffness * gap / (is_long ? 1 : 1.25)), "F_z");
     if (is_sloped)
@@ -398,7 +321,7 @@ TEST(height_exact, agrees_with_enclosures_beside_ties) {
 
 // Waves that are left are not its affair.
 TEST(height_exact, leaves_waves_to_enclosures) {
-  fast::ExactPlace place(fast::Place(1, 2), 0, Rendering::true_height, 1);
+  fast::ExactPlace place(fast::Place(1, 2), 0, Mode::true_height, 1);
   place.add(height::Grating{1, 1, 0, 0}, {true, true, 1});
   EXPECT_EQ(place.sign_of_gap(), Sign::unknown);
   EXPECT_EQ(place.sign_of_excess(2, 1), Sign::unknown);

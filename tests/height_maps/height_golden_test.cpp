@@ -66,11 +66,11 @@ TEST(height_golden, forces_are_met_to_every_bit_and_digit) {
   int count = 0;
   while (rows.next()) {
     const HeightMap& map = maps.at(rows.text(0));
-    const auto named = std::ranges::find(height::kRenderings, rows.text(1), &height::RenderingName::name);
-    ASSERT_NE(named, height::kRenderings.end()) << rows.text(1);
+    const auto named = std::ranges::find(height::kModes, rows.text(1), &height::ModeName::name);
+    ASSERT_NE(named, height::kModes.end()) << rows.text(1);
     const float K = rows.binary32(2);
-    const auto fast = std::get<fast::HeightMapField>(fast::HeightMapField::build(map, named->rendering, K));
-    const auto reference = std::get<reference::HeightMapField>(reference::HeightMapField::build(map, named->rendering, K));
+    const auto fast = std::get<fast::HeightMapField>(fast::HeightMapField::build(map, named->mode, K));
+    const auto reference = std::get<reference::HeightMapField>(reference::HeightMapField::build(map, named->mode, K));
     const Eigen::Vector3f position(rows.binary32(3), rows.binary32(4), rows.binary32(5));
     const fast::Evaluation answer = fast.evaluate(position);
     const reference::Rounded exact = reference.round_to_binary32(position);
@@ -92,7 +92,7 @@ TEST(height_golden, forces_are_met_to_every_bit_and_digit) {
       Eigen::Vector3f quantised = position;
       for (float& coordinate : quantised) coordinate = fast::quantised(coordinate);
       const tests::Balls balls({"", map, 0, {}});
-      const auto force = balls.at<N>(quantised, named->rendering, static_cast<double>(K)).force;
+      const auto force = balls.at<N>(quantised, named->mode, static_cast<double>(K)).force;
       for (std::size_t axis = 0; axis < 3; ++axis)
         EXPECT_TRUE(has_these_digits(force[axis], rows.text(6 + axis))) << where() << ": " << rows.text(6 + axis);
     }
@@ -108,8 +108,8 @@ TEST(height_golden, forces_are_met_to_every_bit_and_digit) {
   EXPECT_GT(count, 1900);
   EXPECT_EQ(kinds.size(), std::variant_size_v<height::Shape>) << "a kind of height map has no golden row";
   for (const auto& [name, map] : maps)
-    for (const auto& [rendering, word] : height::kRenderings)
-      if (map.surface.empty() || rendering == height::Rendering::force_shaded) {
+    for (const auto& [mode, word] : height::kModes)
+      if (map.surface.empty() || mode == height::Mode::force_shaded) {
         EXPECT_TRUE(renderings_met.contains({name, std::string(word)})) << name << ", " << word;
       }
   for (const auto& reached : {stages, methods, statuses})

@@ -31,7 +31,7 @@ struct HeightScene {
   std::vector<float> edges;  // mm: coordinates at which something changes
 };
 
-// Of a kind: scenes() for hashes, hard cases and the common suite, examples() for the energies.
+// What each kind has: scenes() for hashes, hard cases and the common suite, examples() for the energies.
 template <class Kind>
 struct Samples;
 

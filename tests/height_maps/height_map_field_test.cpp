@@ -8,11 +8,12 @@
 #include <limits>
 #include <random>
 
-#include "fast/evaluate.h"
-#include "fast/heights/spline_force.h"
+#include "fast/heights/grid.h"
+#include "fast/heights/jet.h"
 #include "forceshade/fast.h"
 #include "forceshade/reference.h"
 #include "properties/binary32.h"
+#include "tests/height_maps/grids_of.h"
 #include "tests/height_maps/height_kinds.h"
 #include "tests/laws/force_suite.h"
 #include "tests/support/allocations.h"
@@ -24,23 +25,12 @@ using Eigen::Vector3f;
 using height::Edge;
 using height::Interpolant;
 using properties::neighbour;
-using properties::same_bits;
 using properties::show;
+using tests::fast_law;
+using tests::grid;
+using tests::uniform;
 
 using Random = std::mt19937_64;
-
-float uniform(Random& random, float low, float high) {
-  return std::uniform_real_distribution<float>(low, high)(random);
-}
-
-std::shared_ptr<const height::Grid> grid(std::uint32_t columns, std::uint32_t rows, float pitch, Edge edge,
-                                         Interpolant interpolant,
-                                         const std::function<float(std::uint32_t, std::uint32_t)>& value) {
-  height::Grid g{columns, rows, pitch, edge, interpolant, {}};
-  for (std::uint32_t j = 0; j < rows; ++j)
-    for (std::uint32_t i = 0; i < columns; ++i) g.values.push_back(value(i, j));
-  return std::make_shared<const height::Grid>(std::move(g));
-}
 
 struct Case {
   const char* name;
@@ -120,8 +110,8 @@ std::vector<Case> cases() {
   return all;
 }
 
-std::span<const height::RenderingName> renderings_of(const HeightMap& map) {
-  const std::span<const height::RenderingName> all = height::kRenderings;
+std::span<const height::ModeName> renderings_of(const HeightMap& map) {
+  const std::span<const height::ModeName> all = height::kModes;
   return map.surface.empty() ? all : all.subspan(1, 1);  // the force-shaded
 }
 
@@ -181,16 +171,12 @@ class Positions {
   Random random_;
 };
 
-fast::HeightMapField fast_law(const HeightMap& map, height::Rendering rendering, float stiffness = 0.5F) {
-  return std::get<fast::HeightMapField>(fast::HeightMapField::build(map, rendering, stiffness));
-}
-
 // As the common suite takes it.
-tests::Tested tested(const Case& one, const height::RenderingName& how) {
-  const fast::HeightMapField fast = fast_law(one.map, how.rendering);
+tests::Tested tested(const Case& one, const height::ModeName& how) {
+  const fast::HeightMapField fast = fast_law(one.map, how.mode);
   return {std::string(one.name) + ", " + std::string(how.name),
           [fast](const Vector3f& position) { return fast.evaluate(position); },
-          [reference = std::get<reference::HeightMapField>(reference::HeightMapField::build(one.map, how.rendering, 0.5F))](
+          [reference = std::get<reference::HeightMapField>(reference::HeightMapField::build(one.map, how.mode, 0.5F))](
               const Vector3f& position) { return reference.round_to_binary32(position); },
           [fast](std::span<const Vector3f> positions, std::span<Vector3f> to, fast::InstructionSet set) {
             return fast.force(positions, to, set);
@@ -201,8 +187,8 @@ tests::Tested tested(const Case& one, const height::RenderingName& how) {
 template <class Claim>
 void for_every_map(int count, std::uint64_t seed, const Claim& claim) {
   for (const Case& one : cases())
-    for (const height::RenderingName& how : renderings_of(one.map)) {
-      const fast::HeightMapField law = fast_law(one.map, how.rendering);
+    for (const height::ModeName& how : renderings_of(one.map)) {
+      const fast::HeightMapField law = fast_law(one.map, how.mode);
       Positions positions(one, law, seed);
       std::vector<Vector3f> all;
       for (int i = 0; i < count; ++i) all.push_back(positions.next());
@@ -240,68 +226,6 @@ TEST(height_map_field, equals_scalar_at_every_simd_width) {
 
 TEST(height_map_field, allocates_nothing) {
   for_every_map(60, 3, [](const tests::Tested& one, const auto& at) { expect_no_allocation(one, at); });
-}
-
-// A spline that is flat in one direction, or all over a window, is answered in binary64: its bounds vanish with its steps.
-TEST(height_map_field, answers_flat_places_of_a_spline_at_once) {
-  const auto ridge = [](std::uint32_t i) { return 0.3F * static_cast<float>(i % 5); };
-  const auto along_y = [&](std::uint32_t i, std::uint32_t) { return ridge(i); };
-  const auto along_x = [&](std::uint32_t, std::uint32_t j) { return ridge(j); };
-  const auto plate = [](std::uint32_t i, std::uint32_t j) { return i < 4 && j < 4 ? 1.0F : 5.0F; };
-  const fast::HeightMapField lines =
-      fast_law({{{grid(64, 64, 0.5F, Edge::tile, Interpolant::cubic_spline, along_y)}}}, height::Rendering::true_height);
-  const fast::HeightMapField other_lines =
-      fast_law({{{grid(64, 64, 0.5F, Edge::tile, Interpolant::cubic_spline, along_x)}}}, height::Rendering::true_height);
-  const fast::HeightMapField flat =
-      fast_law({{{grid(64, 64, 0.5F, Edge::clamp, Interpolant::cubic_spline, plate)}}}, height::Rendering::true_height);
-  Random random(2);
-  int in_binary64 = 0;
-  for (int i = 0; i < 1000; ++i) {
-    const Vector3f position(uniform(random, 0, 9), uniform(random, 0, 9), uniform(random, -1, 0));
-    const fast::Evaluation on_lines = lines.evaluate(position), on_plate = flat.evaluate(position),
-                           on_other_lines = other_lines.evaluate(position);
-    EXPECT_EQ(on_lines.force.y(), 0);
-    EXPECT_EQ(on_other_lines.force.x(), 0);
-    EXPECT_EQ(on_plate.force.head<2>(), Eigen::Vector2f(0, 0));
-    for (const fast::Evaluation& one : {on_lines, on_other_lines, on_plate}) in_binary64 += one.stage == fast::Stage::binary64;
-  }
-  EXPECT_GT(in_binary64, 2985);
-}
-
-// The bounds of fast/heights/spline.g hold, and are not idle.
-TEST(height_map_field, spline_first_stage_stays_within_its_bound) {
-  Random random(3);
-  double worst = 0, worst_slope = 0;
-  for (int map = 0; map < 12; ++map) {
-    const float size = std::exp2(uniform(random, -10, 10)), base = map % 2 == 0 ? 0 : uniform(random, -100, 100);
-    const auto value = [&](std::uint32_t, std::uint32_t) {
-      return base + size * (map % 4 < 2 ? uniform(random, -1, 1) : static_cast<float>(random() % 2));
-    };
-    const fast::HeightGrid g(grid(9, 9, uniform(random, 0.01F, 3), Edge::clamp, Interpolant::cubic_spline, value));
-    const fast::SplineErrors error(g, g.largest_step_along(), g.largest_step_across());
-    const auto pitch = static_cast<float>(g.pitch());
-    for (int i = 0; i < 300; ++i) {
-      // Anywhere, or next to where cells meet.
-      const auto coordinate = [&] {
-        if (i % 2 == 0) return uniform(random, -2.99F * pitch, 2.99F * pitch);
-        return neighbour(static_cast<float>(static_cast<int>(random() % 5) - 2) * pitch, static_cast<int>(random() % 5) - 2);
-      };
-      const fast::Place at(coordinate(), coordinate());
-      const fast::NearCell<fast::Quad> cell(g, at.coordinates);
-      ASSERT_TRUE(g.has_window_around(cell.column, cell.row));
-      const fast::SplineValues<fast::Quad> quick(g, cell.past, g.values() + ((cell.row - 1) * 9 + cell.column - 1), 9);
-      const auto exact = fast::spline_jet<fast::BigFloatBall<32>>(g, at);
-      const auto share = [](double value, const fast::BigFloatBall<32>& truth, double bound) {
-        return std::fabs(approximately(fast::BigFloatBall<32>::exactly(value) - truth)) / bound;
-      };
-      worst = std::max(worst, share(quick.rise, exact.U - fast::BigFloatBall<32>::exactly(quick.c), error.rise));
-      worst_slope = std::max({worst_slope, share(quick.Ux, exact.Ux, error.Ux), share(quick.Uy, exact.Uy, error.Uy)});
-    }
-  }
-  std::printf("  worst error of the first stage: height %.3f, slopes %.3f of their bounds\n", worst, worst_slope);
-  EXPECT_LE(worst, 1);
-  EXPECT_LE(worst_slope, 1);
-  EXPECT_GE(std::min(worst, worst_slope), 1.0 / 128) << "loose: intervals add up what never comes together";
 }
 
 TEST(height_map_field, finds_the_cell_of_every_grid_line_and_its_neighbours) {
@@ -357,8 +281,8 @@ TEST(height_map_field, refuses_what_the_reference_refuses) {
   int refused = 0;
   for (const HeightMap& map : maps)
     for (const float stiffness : {1.0F, 0.0F}) {
-      const auto fast = fast::HeightMapField::build(map, height::Rendering::true_height, stiffness);
-      const auto reference = reference::HeightMapField::build(map, height::Rendering::true_height, stiffness);
+      const auto fast = fast::HeightMapField::build(map, height::Mode::true_height, stiffness);
+      const auto reference = reference::HeightMapField::build(map, height::Mode::true_height, stiffness);
       const auto message = [](const auto& built) {
         const auto* error = std::get_if<ParameterError>(&built);
         return error == nullptr ? std::string("built") : error->message();
@@ -371,7 +295,7 @@ TEST(height_map_field, refuses_what_the_reference_refuses) {
 }
 
 TEST(height_map_field, quantises_centres_and_positions_alike) {
-  const fast::HeightMapField cone = fast_law({{{height::Cone{0x1p-31F, 0, 8, 6}}}}, height::Rendering::true_height);
+  const fast::HeightMapField cone = fast_law({{{height::Cone{0x1p-31F, 0, 8, 6}}}}, height::Mode::true_height);
   const Vector3f apex = cone.force({0, 0, 3});
   EXPECT_EQ(cone.force({-0x1.fffffep-31F, 0x1p-149F, 3}), apex);
   EXPECT_NE(cone.force({-0x1p-30F, 0, 3}), apex);
@@ -382,91 +306,12 @@ TEST(height_map_field, is_in_contact_with_the_farthest_tail_of_a_gaussian) {
   for (const bool negated : {false, true}) {
     const HeightMap map{{{height::Gaussian{0, 0, 2, 1e-3F}, negated}}};
     const Vector3f far(9000, 9000, 0);
-    const fast::Evaluation answer = fast_law(map, height::Rendering::true_height).evaluate(far);
+    const fast::Evaluation answer = fast_law(map, height::Mode::true_height).evaluate(far);
     EXPECT_EQ(answer.status, negated ? Status::free : Status::contact);
     EXPECT_EQ(answer.force, Vector3f(0, 0, 0));
     const auto reference =
-        std::get<reference::HeightMapField>(reference::HeightMapField::build(map, height::Rendering::true_height, 0.5F));
+        std::get<reference::HeightMapField>(reference::HeightMapField::build(map, height::Mode::true_height, 0.5F));
     EXPECT_EQ(reference.round_to_binary32(far).status, answer.status);
-  }
-}
-
-// Steps so small that forces are subnormal, which drops more bits than rounding_is_in_doubt looks at: the first input is a tie,
-// rounded upwards by the first stage when it was sure of such numbers; the second it rounded in two ways, fused and not.
-TEST(height_map_field, rounds_subnormal_forces) {
-  struct Input {
-    std::uint32_t column, row;  // of the one coefficient that is a unit in the last place higher
-    float stiffness;
-    Vector3f position;
-  };
-  for (const Input& input : {Input{0, 0, 0x1.0ep-5F, {-76, -64, 0x1p-30F}}, Input{3, 4, 0x1.44p-8F, {36, 0, 0x1p-30F}}}) {
-    const HeightMap map{{{grid(8, 8, 32, Edge::tile, Interpolant::cubic_spline, [&](std::uint32_t i, std::uint32_t j) {
-      return i == input.column && j == input.row ? 0x1.000002p-30F : 0x1p-30F;
-    })}}};
-    for (const auto& [rendering, name] : height::kRenderings) {
-      const fast::HeightMapField law = fast_law(map, rendering, input.stiffness);
-      const auto reference =
-          std::get<reference::HeightMapField>(reference::HeightMapField::build(map, rendering, input.stiffness));
-      const auto expected = reference.round_to_binary32(input.position);
-      const std::vector<Vector3f> positions(8, input.position);
-      for (const fast::InstructionSet set : fast::kInstructionSets) {
-        std::vector<Vector3f> forces(8);
-        law.force(positions, forces, set);
-        for (int axis = 0; axis < 3; ++axis)
-          EXPECT_TRUE(same_bits(forces.front()[axis], expected.force[axis]))
-              << name << ", " << fast::name_of(set) << ": " << show(forces.front());
-      }
-      EXPECT_EQ(law.evaluate(input.position).force, expected.force) << name;
-    }
-  }
-}
-
-// The first stage itself, which evaluate() hides: with and without vectors it answers nearly everything, and the same.
-TEST(height_map_field, first_stage_answers_a_spline_with_and_without_vectors) {
-  Random random(8);
-  const auto rough = [&](std::uint32_t, std::uint32_t) { return uniform(random, -0.5F, 0.5F); };
-  const fast::HeightGrid g(grid(37, 29, 0.3F, Edge::tile, Interpolant::cubic_spline, rough));
-  for (const auto& [rendering, name] : height::kRenderings) {
-    const fast::SplineMap map(g, rendering, 0.5);
-    std::vector<fast::SplineForce> functions{&fast::spline_force<fast::Quad>};
-#if defined(__x86_64__)
-    if (fast::is_available(fast::InstructionSet::avx2)) functions.push_back(fast::kAvx2SplineFunctions.force);
-#endif
-    int answered = 0, asked = 0;
-    for (int i = 0; i < 3000; ++i) {
-      const Vector3f position(uniform(random, -5, 5), uniform(random, -3.8F, 3.8F), uniform(random, -1, 0.5F));
-      std::vector<fast::Evaluation> answers;
-      for (const fast::SplineForce function : functions) {
-        Vector3f force;
-        const fast::Sign contact = function(map, position.data(), force.data());
-        ++asked;
-        if (contact == fast::Sign::unknown) continue;
-        ++answered;
-        answers.push_back({force, contact == fast::Sign::positive ? Status::contact : Status::free, fast::Stage::binary64});
-      }
-      for (const fast::Evaluation& answer : answers) {
-        ASSERT_EQ(answer.status, answers.front().status) << name << ' ' << show(position);
-        ASSERT_EQ(answer.force, answers.front().force) << name << ' ' << show(position);
-      }
-    }
-    EXPECT_GE(1000 * answered, 995 * asked) << name;
-    for (const float odd : {5.6F, -5.5F, 6.0F, 1e5F, NAN, 0x1p-40F})
-      for (const fast::SplineForce function : functions)
-        for (int axis = 0; axis < 2; ++axis) {
-          Vector3f position(0, 0, -1), force;
-          position[axis] = odd;
-          EXPECT_EQ(function(map, position.data(), force.data()), fast::Sign::unknown) << odd;
-        }
-    // A tie, K (1 - z) = 1/2 + 2^-25, is left to a later stage, and what stands where the force would go is left alone.
-    const auto level = [](auto, auto) { return 1.0F; };
-    const fast::SplineMap plane(fast::HeightGrid(grid(8, 8, 1, Edge::tile, Interpolant::cubic_spline, level)), rendering, 0.5);
-    if (rendering == height::Rendering::force_shaded) continue;
-    for (const fast::SplineForce function : functions) {
-      const Vector3f tie(0.25F, 0.25F, -0x1p-24F);
-      Vector3f force(-7, -7, -7);
-      EXPECT_EQ(function(plane, tie.data(), force.data()), fast::Sign::unknown) << name;
-      EXPECT_EQ(force, Vector3f(-7, -7, -7)) << name;
-    }
   }
 }
 
@@ -475,7 +320,7 @@ TEST(height_map_field, shares_its_grid) {
   const auto values =
       grid(64, 64, 0.5F, Edge::tile, Interpolant::cubic_spline, [](auto i, auto j) { return 0.1F * float(i ^ j); });
   const std::size_t before = tests::allocated_bytes();
-  const fast::HeightMapField law = fast_law({{{values}}}, height::Rendering::true_height);
+  const fast::HeightMapField law = fast_law({{{values}}}, height::Mode::true_height);
   EXPECT_LT(sizeof law + (tests::allocated_bytes() - before), values->values.size() * sizeof(float) / 10);
 }
 

@@ -13,7 +13,7 @@ namespace forceshade {
 namespace {
 
 using Eigen::Vector3f;
-using height::Rendering;
+using height::Mode;
 
 // Bumps whose numbers are all binary32: Pythagorean triples, and rational sin(arcsin(w/2R)/3) = 5/13 for the last.
 struct Bump {
@@ -31,10 +31,10 @@ std::vector<height::Part> polygons(const Bump& b) {
 }
 
 // The bump's law, and the same as height maps on both sides, at positions over the bump, beside it, and on its ridge.
-int compare(LawId id, const Bump& b, const HeightMap& map, Rendering rendering) {
+int compare(LawId id, const Bump& b, const HeightMap& map, Mode mode) {
   const auto law = std::get<reference::Law>(reference::Law::build(id, {b.radius, b.width, 0.5F}));
-  const auto fast = std::get<fast::HeightMapField>(fast::HeightMapField::build(map, rendering, 0.5F));
-  const auto truth = std::get<reference::HeightMapField>(reference::HeightMapField::build(map, rendering, 0.5F));
+  const auto fast = std::get<fast::HeightMapField>(fast::HeightMapField::build(map, mode, 0.5F));
+  const auto truth = std::get<reference::HeightMapField>(reference::HeightMapField::build(map, mode, 0.5F));
   std::mt19937 random(3);
   std::uniform_real_distribution<float> uniform(-1, 1);
   int contacts = 0;
@@ -55,13 +55,13 @@ int compare(LawId id, const Bump& b, const HeightMap& map, Rendering rendering) 
 
 TEST(height_polygons, are_the_bumps_of_the_thesis_bit_for_bit) {
   for (const Bump& b : kRationalBumps)
-    EXPECT_GT(compare(b.height != 0 ? LawId::bump_2p : LawId::bump_3p, b, {polygons(b)}, Rendering::true_height), 100);
+    EXPECT_GT(compare(b.height != 0 ? LawId::bump_2p : LawId::bump_3p, b, {polygons(b)}, Mode::true_height), 100);
 }
 
 TEST(height_polygons, shaded_by_a_cap_are_the_shaded_bumps_of_the_thesis_bit_for_bit) {
   for (const Bump& b : kRationalBumps) {
     const HeightMap map{{{height::CylinderCap{0, b.radius, b.width}}}, polygons(b)};
-    EXPECT_GT(compare(b.height != 0 ? LawId::bump_2p_shaded : LawId::bump_3p_shaded, b, map, Rendering::force_shaded), 100);
+    EXPECT_GT(compare(b.height != 0 ? LawId::bump_2p_shaded : LawId::bump_3p_shaded, b, map, Mode::force_shaded), 100);
   }
 }
 
@@ -73,8 +73,7 @@ TEST(height_polygons, miss_a_bump_whose_height_is_irrational_by_the_rounding_of_
   const auto law = std::get<reference::Law>(reference::Law::build(LawId::bump_2p_shaded, bump));
   const HeightMap map{{{height::CylinderCap{0, bump.radius, bump.width}}},
                       {{height::Polygons{{{-bump.width / 2, 0}, {0, h}, {bump.width / 2, 0}}}}}};
-  const auto polygons =
-      std::get<fast::HeightMapField>(fast::HeightMapField::build(map, Rendering::force_shaded, bump.stiffness));
+  const auto polygons = std::get<fast::HeightMapField>(fast::HeightMapField::build(map, Mode::force_shaded, bump.stiffness));
   // Half a unit of the knot's last place, times K, and half a unit of each answer's.
   const float most = 0.5F * 0x1p-22F * bump.stiffness + 2 * 0x1p-23F;
   for (int i = 0; i < 1000; ++i) {
@@ -86,7 +85,7 @@ TEST(height_polygons, miss_a_bump_whose_height_is_irrational_by_the_rounding_of_
 
 TEST(height_polygons, give_a_knot_to_the_side_with_larger_x_and_are_level_beyond_their_ends) {
   const HeightMap map{{{height::Polygons{{{-4, 1}, {0, 4}, {1, 4}, {4, 0}}}}}};
-  const auto law = std::get<fast::HeightMapField>(fast::HeightMapField::build(map, Rendering::true_height, 1));
+  const auto law = std::get<fast::HeightMapField>(fast::HeightMapField::build(map, Mode::true_height, 1));
   EXPECT_EQ(law.force({-4, 0, -4}), Vector3f(-3, 0, 4)) << "slope 3/4, depth 5";
   EXPECT_EQ(law.force({0, 7, -1}), Vector3f(0, 0, 5)) << "level";
   EXPECT_EQ(law.force({1, 7, -1}), Vector3f(4, 0, 3)) << "slope -4/3, depth 5";
@@ -96,9 +95,9 @@ TEST(height_polygons, give_a_knot_to_the_side_with_larger_x_and_are_level_beyond
 
 TEST(height_polygons, a_surface_beside_another_rendering_is_refused) {
   const HeightMap map{{{height::Plane{}}}, {{height::Plane{}}}};
-  for (const auto& [rendering, name] : height::kRenderings) {
-    const auto built = fast::HeightMapField::build(map, rendering, 1);
-    EXPECT_EQ(std::holds_alternative<fast::HeightMapField>(built), rendering == Rendering::force_shaded) << name;
+  for (const auto& [mode, name] : height::kModes) {
+    const auto built = fast::HeightMapField::build(map, mode, 1);
+    EXPECT_EQ(std::holds_alternative<fast::HeightMapField>(built), mode == Mode::force_shaded) << name;
     if (const auto* error = std::get_if<ParameterError>(&built)) {
       EXPECT_EQ(error->message(), "number of surface parts is 1; expected 0 to 0");
     }

@@ -27,8 +27,8 @@ inline std::vector<HeightScene> height_scenes() {
   return scenes;
 }
 
-inline bool is_rendered(const HeightScene& scene, height::Rendering rendering) {
-  return scene.map.surface.empty() || rendering == height::Rendering::force_shaded;
+inline bool is_rendered(const HeightScene& scene, height::Mode mode) {
+  return scene.map.surface.empty() || mode == height::Mode::force_shaded;
 }
 
 }  // namespace forceshade::tests

@@ -33,19 +33,19 @@ struct Counts {
 };
 
 void print_words(const tests::HostileMap& one, const Vector3f& position, const std::string& what) {
-  std::printf("%s, stiffness %a\n", name_of(one.rendering).data(), static_cast<double>(one.stiffness));
+  std::printf("%s, stiffness %a\n", name_of(one.mode).data(), static_cast<double>(one.stiffness));
   for (const std::string& words : forceshade::words_of(one.map)) std::printf("  %s\n", words.c_str());
   std::printf("  at %s: %s\n", properties::show(position).c_str(), what.c_str());
 }
 
 void check(const tests::HostileMap& one, tests::HostileMaps& maps, Counts& counts) {
-  const auto fast_built = fast::HeightMapField::build(one.map, one.rendering, one.stiffness);
+  const auto fast_built = fast::HeightMapField::build(one.map, one.mode, one.stiffness);
   if (fast::bits_of_exact_numbers(one.map) > fast::Fraction::kMostBits) {  // refused by the fast path alone
     ++counts.refused;
     counts.mismatches += !std::holds_alternative<ParameterError>(fast_built);
     return;
   }
-  const auto reference_built = reference::HeightMapField::build(one.map, one.rendering, one.stiffness);
+  const auto reference_built = reference::HeightMapField::build(one.map, one.mode, one.stiffness);
   if (std::holds_alternative<ParameterError>(fast_built) != std::holds_alternative<ParameterError>(reference_built)) {
     ++counts.mismatches;
     print_words(one, {0, 0, 0}, "one side refuses the map, the other does not");

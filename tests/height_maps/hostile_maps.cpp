@@ -139,10 +139,10 @@ std::vector<height::Part> HostileMaps::sum() {
 }
 
 HostileMap HostileMaps::next_map() {
-  const height::Rendering rendering = height::kRenderings[pick(height::kRenderings.size())].rendering;
+  const height::Mode mode = height::kModes[pick(height::kModes.size())].mode;
   const float stiffness = once_in(2) ? one_of({1, 0.5F, 1.5F, 0.75F, 1e3F, 1e-3F}) : any_size(1e-3F, 1e3F);
-  HostileMap one{{sum()}, rendering, stiffness};
-  if (rendering == height::Rendering::force_shaded && once_in(3)) one.map.surface = sum();
+  HostileMap one{{sum()}, mode, stiffness};
+  if (mode == height::Mode::force_shaded && once_in(3)) one.map.surface = sum();
   return one;
 }
 

@@ -13,7 +13,7 @@ namespace forceshade::tests {
 
 struct HostileMap {
   HeightMap map;
-  height::Rendering rendering;
+  height::Mode mode;
   float stiffness;  // N/mm
 };
 

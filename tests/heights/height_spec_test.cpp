@@ -70,7 +70,7 @@ shape = "grating"
 height_mm = 0.1
 wave_y_rad_per_mm = 3
 )"));
-  EXPECT_EQ(spec.rendering, height::Rendering::conservative);
+  EXPECT_EQ(spec.mode, height::Mode::conservative);
   const auto& parts = spec.map.parts;
   ASSERT_EQ(parts.size(), 6U);
   EXPECT_EQ(std::get<height::Plane>(parts[0].shape).slope_x, 1);
@@ -140,7 +140,7 @@ scale_mm = 0.4
   const std::vector<height::Knot> knots{{-0.1F, 0x1.8p-29F}, {1.0F / 3, 1e4F}, {9999.999F, -2.0F / 3}};
   const Spec before = read_spec(file);
   const Spec after = read_spec(there.write("shading.toml", shading_polygons(file, knots, there.file(""))));
-  EXPECT_EQ(after.rendering, height::Rendering::force_shaded);
+  EXPECT_EQ(after.mode, height::Mode::force_shaded);
   ASSERT_EQ(after.map.parts.size(), 2U);
   EXPECT_TRUE(after.map.parts[0].negated);
   EXPECT_EQ(std::get<height::Gaussian>(after.map.parts[0].shape).sigma, 0.7F);

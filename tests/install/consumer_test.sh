@@ -3,6 +3,7 @@
 set -eu
 build=$1 compiler=$2 flags=$3
 source=$(cd "$(dirname "$0")" && pwd)
+examples=$(cd "$source/../../examples" && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 prefix=$scratch/prefix
@@ -11,7 +12,7 @@ fail() { echo "$1" >&2; exit 1; }
 
 use() {  # the four consumers of a folder
   "$1/consumer"
-  "$1/heights_consumer" "$source/../../examples/leather.toml"
+  "$1/heights_consumer" "$examples/leather.toml"
   "$1/meshes_consumer" "$scratch/tetrahedron.off" > "$scratch/meshes.log" 2>&1 || { cat "$scratch/meshes.log"; exit 1; }
   "$1/properties_consumer" > "$scratch/properties.log" 2>&1 || { cat "$scratch/properties.log"; exit 1; }
 }
@@ -37,18 +38,32 @@ done
 use "$scratch/by-pc"
 
 echo "== examples/programs"
-cmake -S "$source/../../examples/programs" -B "$scratch/programs" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_COMPILER="$compiler" \
+cmake -S "$examples/programs" -B "$scratch/programs" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_COMPILER="$compiler" \
   -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_BUILD_TYPE=Release > "$scratch/configure.log"
 cmake --build "$scratch/programs" > "$scratch/build.log" || { cat "$scratch/build.log"; exit 1; }
 "$scratch/programs/certify" "$scratch/wall.json"
 "$prefix/bin/forceshade" certify --law bump-2p --radius 15.24mm --width 25.4mm --stiffness 0.5N/mm --out "$scratch/bump" > "$scratch/certify.log"
 refusal=$("$scratch/programs/drive" "$scratch/wall.json" null "$scratch/refused.fsr") && fail "a bump was driven with a wall's certificate"
 case $refusal in "refused: "*) ;; *) fail "expected a refusal, got: $refusal" ;; esac
-"$scratch/programs/drive" "$scratch/bump/certificate.json" "replay:$source/../../examples/recordings/strokes.csv" "$scratch/run.fsr"
+"$scratch/programs/drive" "$scratch/bump/certificate.json" "replay:$examples/recordings/strokes.csv" "$scratch/run.fsr"
 "$prefix/bin/forceshade" recording verify "$scratch/run.fsr" > "$scratch/verify.log" || { cat "$scratch/verify.log"; exit 1; }
+# A session of a protocol of one's own, with two trials of one bump; what it may not be driven without is made first.
+printf '%s\n' 'experiment = "classification"' 'name = "Mine"' "language = \"$examples/experiments/english.toml\"" 'width_mil = 1000' \
+  'stiffness_N_per_mm = 0.5' 'resume = "trial"' 'stimuli = [{ law = "bump-1p" }]' 'radii_mil = [600]' 'repetitions = 2' > "$scratch/mine.toml"
+mkdir "$scratch/none"
+"$scratch/programs/session" "$scratch/mine.toml" "$scratch/none" simulated:premium-1.5 "$scratch/P01" < /dev/null > "$scratch/log" 2>&1 &&
+  fail "a session was driven without certificates"
+grep -q '^refused: no certificate of this build covers bump-1p, 600 mil' "$scratch/log" || { cat "$scratch/log"; fail "expected a refusal in words"; }
+[ ! -e "$scratch/P01" ] || fail "a session that was refused left a folder"
+"$scratch/programs/prepare" "$scratch/mine.toml" "$scratch/certificates" > "$scratch/log" || { cat "$scratch/log"; exit 1; }
+yes 2 | sed 'n;s/.*//' | "$scratch/programs/session" "$scratch/mine.toml" "$scratch/certificates" simulated:premium-1.5 "$scratch/P01" \
+  > "$scratch/log" 2>&1 || { cat "$scratch/log"; fail "the session did not come to its end"; }
+"$prefix/bin/forceshade" recording verify "$scratch/P01" > "$scratch/log" || { cat "$scratch/log"; exit 1; }
 # What drives a device links nothing of the exact side.
 ! ldd "$scratch/programs/drive" | grep -E 'gmp|mpfr|mpfi|CGAL' || fail "the program that drives links a library of the exact side"
-! nm -C "$scratch/programs/drive" | grep -E 'CGAL|rc::|forceshade::reference' || fail "the program that drives holds exact code"
+for program in drive session; do
+  ! nm -C "$scratch/programs/$program" | grep -E 'CGAL::|rc::|forceshade::reference' || fail "$program holds exact code"
+done
 
 echo "== shared object"
 # Every object of these libraries has to be position independent, not only those that the plugin calls.
@@ -56,8 +71,8 @@ libraries=$(dirname "$pc")
 # shellcheck disable=SC2046,SC2086  # flags are words
 "$compiler" -std=c++20 -O1 $flags -shared -fPIC "$source/plugin.cpp" -o "$scratch/plugin.so" \
   $(PKG_CONFIG_PATH=$pc pkg-config --cflags forceshade) -Wl,-z,defs -Wl,--whole-archive \
-  "$libraries"/libforceshade_{fast,files,device,heights,meshes,identity,renderer,certificate,recorder,run}.a -Wl,--no-whole-archive \
-  $(PKG_CONFIG_PATH=$pc pkg-config --libs forceshade-heights forceshade-meshes forceshade-run)
+  "$libraries"/libforceshade_{fast,files,device,heights,meshes,subjects,identity,renderer,certificate,recorder,run,experiments,apparatus}.a -Wl,--no-whole-archive \
+  $(PKG_CONFIG_PATH=$pc pkg-config --libs forceshade-subjects forceshade-run)
 # shellcheck disable=SC2086
 "$compiler" -std=c++20 $flags "$source/plugin_loader.cpp" -o "$scratch/plugin_loader" -ldl
 "$scratch/plugin_loader" "$scratch/plugin.so"

@@ -9,7 +9,7 @@
 int main(int, char** arguments) {
   using namespace forceshade;
   const heights::Spec spec = heights::read_spec(arguments[1]);
-  const auto field = fast::HeightMapField::build(spec.map, spec.rendering, 0.5F);
+  const auto field = fast::HeightMapField::build(spec.map, spec.mode, 0.5F);
   if (const auto* error = std::get_if<ParameterError>(&field)) return std::puts(error->message().c_str()), 1;
   const Eigen::Vector3f force = std::get<fast::HeightMapField>(field).force({1, 0, -1});
   std::printf("%g %g %g\n", static_cast<double>(force.x()), static_cast<double>(force.y()), static_cast<double>(force.z()));

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -15,7 +14,9 @@
 #include "fast/meshes/session.h"
 #include "forceshade/meshes.h"
 #include "forceshade/reference.h"
-#include "properties/mesh_generators.h"
+#include "properties/mesh_path.h"
+#include "properties/mesh_source.h"
+#include "tests/meshes/allowed_crossings.h"
 #include "tests/meshes/god_object_paths.h"
 #include "tests/meshes/rendering.h"
 #include "tests/meshes/steps.h"
@@ -26,8 +27,16 @@ namespace {
 
 using mesh::Sides;
 using mesh::TriangleMesh;
+using tests::built;
+using tests::defined;
+using tests::Exact;
+using tests::exact;
+using tests::Integer;
+using tests::kStiffness;
+using tests::Look;
+using tests::look_of;
+using tests::point_of;
 
-constexpr float kStiffness = 0.3F;  // N/mm
 constexpr std::array<const char*, 5> kKinds{"crossing sheets", "crossing tubes", "twisted strip", "pair of meshes",
                                             "three sheets"};
 
@@ -184,34 +193,6 @@ class Source {
   std::size_t count_ = 0;
 };
 
-// How it is shaded.
-struct Look {
-  mesh::Shading shading = mesh::Shading::none;
-  mesh::CornerNormals normals;
-  mesh::Texture texture;
-};
-Look look_of(const TriangleMesh& triangles, mesh::Shading shading, properties::MeshSource& source) {
-  Look look{shading, {}, {}};
-  if (mesh::has_corner_normals(shading)) look.normals = source.normals_of(triangles);
-  if (shading == mesh::Shading::texture_scheme)
-    look.texture = {source.textures_of(triangles),
-                    {{{height::Grating{1, 0.5F, 0.75F, 0}}, {height::Cone{1, 2, 3, 4}}, {height::Plane{0.25F, 0.5F, 0}}}}};
-  return look;
-}
-
-MeshRendering rendering_of(const TriangleMesh& triangles, Sides sides, mesh::SelfIntersections allowed, const Look& look) {
-  return {tests::checked(triangles, allowed), look.normals, sides, look.shading, kStiffness, look.texture};
-}
-
-fast::Mesh built(const TriangleMesh& triangles, Sides sides, mesh::SelfIntersections allowed, const Look& look = {}) {
-  return tests::fast_mesh(rendering_of(triangles, sides, allowed, look));
-}
-
-reference::GodObject defined(const TriangleMesh& triangles, Sides sides, mesh::SelfIntersections allowed,
-                             const Look& look = {}) {
-  return tests::built(reference::GodObject::build(rendering_of(triangles, sides, allowed, look)));
-}
-
 // More by hand.
 std::size_t ticks_of_a_test(std::size_t usual) {
   const char* given = std::getenv("FORCESHADE_GOD_OBJECT_TICKS");
@@ -301,34 +282,13 @@ TEST(crossing_sheets, an_embedded_mesh_is_rendered_as_ever_in_every_bit) {
 
 // A judge that shares nothing with either side: exact points, and how often a ray to far away goes into and out of a closed
 // part.
-using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
-using Exact = std::array<Integer, 3>;
 
-Exact exact(const std::array<float, 3>& v) {  // in units of 2^-77 mm
-  Exact result;
-  for (std::size_t i = 0; i < 3; ++i) result[i] = Integer(std::ldexp(static_cast<double>(v[i]), 77));
-  return result;
-}
 Integer determinant(const Exact& a, const Exact& b, const Exact& c, const Exact& d) {
   const auto minus = [](const Exact& x, const Exact& y) { return Exact{x[0] - y[0], x[1] - y[1], x[2] - y[2]}; };
   const Exact e = minus(b, a), f = minus(c, a), g = minus(d, a);
   return e[0] * (f[1] * g[2] - f[2] * g[1]) + e[1] * (f[2] * g[0] - f[0] * g[2]) + e[2] * (f[0] * g[1] - f[1] * g[0]);
 }
-Exact point_of(const TriangleMesh& mesh, const mesh::GodObject& state) {
-  const auto mix = [&](std::array<std::uint32_t, 3> corners, std::int64_t k, std::int64_t l) {
-    const Exact a = exact(mesh.vertices[corners[0]]), b = exact(mesh.vertices[corners[1]]),
-                c = exact(mesh.vertices[corners[2]]);
-    Exact point;
-    for (std::size_t i = 0; i < 3; ++i) point[i] = a[i] + (k * (b[i] - a[i]) + l * (c[i] - a[i])) / (1 << 24);
-    return point;
-  };
-  switch (state.place) {
-    case mesh::Place::vertex: return exact(mesh.vertices[state.index[0]]);
-    case mesh::Place::edge: return mix({state.index[0], state.index[1], state.index[0]}, state.parameter[0], 0);
-    case mesh::Place::triangle: return mix(mesh.triangles[state.index[0]], state.parameter[0], state.parameter[1]);
-    default: return exact(state.position);
-  }
-}
+
 // How often the part, triangles first to last, is around the point; a point in a triangle's plane may be counted either way, so
 // the least of three rays is taken.
 int times_around(const TriangleMesh& mesh, std::size_t first, std::size_t last, const Exact& point) {
@@ -382,126 +342,6 @@ TEST(crossing_sheets, a_god_object_that_begins_outside_is_never_inside_a_part) {
     std::printf("  %8zu %s\n", reached[name], name);
     EXPECT_GT(reached[name], 0U) << name;
   }
-}
-
-// Two plates that cross at a right angle, each blocking from its front alone: a floor and a wall.
-TriangleMesh floor_and_wall(float slope, float offset = 0.1F) {
-  TriangleMesh mesh;
-  mesh.vertices = {{-20, -20, 0}, {20, -20, 0}, {20, 20, 0}, {-20, 20, 0}};
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  // Its front towards +x; with a slope it leans back, as a ramp does.
-  for (const auto& [y, z] : {std::array{-19.0F, -7.0F}, {19.0F, -7.0F}, {19.0F, 9.0F}, {-19.0F, 9.0F}})
-    mesh.vertices.push_back({offset - slope * z, y, z});
-  mesh.triangles.push_back({4, 5, 6});
-  mesh.triangles.push_back({4, 6, 7});
-  return mesh;
-}
-
-TEST(crossing_sheets, a_god_object_goes_along_the_line_where_a_floor_and_a_wall_cross) {
-  const TriangleMesh plates = floor_and_wall(0);
-  const fast::Mesh mesh = built(plates, Sides::front, mesh::SelfIntersections::allowed);
-  mesh::GodObject state;
-  std::size_t most = 0;
-  for (const std::array<float, 3>& p : {std::array{5.0F, -11.3F, 3.0F}, {5.0F, -11.3F, -1.0F}})
-    state = fast::step(mesh, state, p, kStiffness, mesh::Shading::none).after;
-  for (int i = 0; i <= 200; ++i) {
-    const std::array<float, 3> p{-1.5F, -11.3F + 0.11F * static_cast<float>(i), -1.0F};
-    const mesh::Tick tick = fast::step(mesh, state, p, kStiffness, mesh::Shading::none);
-    state = tick.after;
-    most = std::max<std::size_t>(most, tick.moves);
-    // r = (0.1, p_y, 0), but for some steps of the grid, of 40 mm/2^24 each.
-    EXPECT_NEAR(tick.force[0], kStiffness * 1.6, 1e-4) << i;
-    EXPECT_NEAR(tick.force[1], 0, 1e-4) << i;
-    EXPECT_NEAR(tick.force[2], kStiffness * 1, 1e-4) << i;
-    const mesh::Tick again = fast::step(mesh, state, p, kStiffness, mesh::Shading::none);
-    EXPECT_EQ(again.after, state);
-    EXPECT_EQ(again.force, tick.force);
-  }
-  std::printf("  at most %zu moves in a tick\n", most);
-}
-
-// A wall that runs nearly as the floor's grid does. Beside it some point of the grid is always a little nearer to the wall and
-// to p; a god-object that took each of them in turn would need hundreds of moves.
-TEST(crossing_sheets, a_god_object_does_not_creep_along_a_wall_from_point_to_point_of_the_grid) {
-  for (const float slope : {1 / 50.0F, 1 / 300.0F, -1 / 300.0F, 1 / 2000.0F}) {
-    TriangleMesh plates;
-    plates.vertices = {{-20, -20, 0}, {20, -20, 0}, {20, 20, 0}, {-20, 20, 0}};
-    for (const auto& [x, z] : {std::array{-19.0F, -7.0F}, {-19.0F, 9.0F}, {19.0F, 9.0F}, {19.0F, -7.0F}})
-      plates.vertices.push_back({x, 0.1F + slope * x, z});  // its front towards +y
-    plates.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
-    const fast::Mesh mesh = built(plates, Sides::front, mesh::SelfIntersections::allowed);
-    const reference::GodObject definition = defined(plates, Sides::front, mesh::SelfIntersections::allowed);
-    std::size_t most = 0, sum = 0;
-    for (int i = 0; i < 40; ++i) {
-      mesh::GodObject state;
-      const float x = 1.37F + 0.113F * static_cast<float>(i);
-      for (const std::array<float, 3>& p : {std::array{x, 5.0F, 3.0F}, {x, 5.0F, -1.0F}, {x + 0.7F, -2.3F, -1.0F}}) {
-        const mesh::Tick expected = definition.step(state, p),
-                         found = fast::step(mesh, state, p, kStiffness, mesh::Shading::none);
-        ASSERT_TRUE(tests::is_same(found, expected)) << tests::show(expected) << ", found " << tests::show(found);
-        state = found.after;
-        most = std::max<std::size_t>(most, found.moves);
-        sum += found.moves;
-      }
-    }
-    std::printf("  slope %.5f: at most %zu moves in a tick, %zu in 120\n", static_cast<double>(slope), most, sum);
-    EXPECT_LE(most, 8U) << slope;
-  }
-}
-
-// The only way to a state that lies in two features: the origin, a point of the grid of both plates, to which the start is
-// rounded.
-TEST(crossing_sheets, a_path_may_begin_where_sheets_cross) {
-  const TriangleMesh plates = floor_and_wall(0, 0);
-  for (const Sides sides : {Sides::front, Sides::both}) {
-    const fast::Mesh mesh = built(plates, sides, mesh::SelfIntersections::allowed);
-    const reference::GodObject definition = defined(plates, sides, mesh::SelfIntersections::allowed);
-    for (const float x : {-1e-7F, 0.0F, 1e-7F, -1.0F, 1.0F})
-      for (const float z : {-1e-7F, 0.0F, 1e-7F, -1.0F, 1.0F}) {
-        mesh::GodObject state;
-        for (const std::array<float, 3>& p : {std::array{0.0F, 2e-9F, 3e-9F}, {x, -6e-9F, z}, {-x, 7e-9F, -z}}) {
-          const mesh::Tick expected = definition.step(state, p),
-                           found = fast::step(mesh, state, p, kStiffness, mesh::Shading::none);
-          ASSERT_TRUE(tests::is_same(found, expected))
-              << x << ' ' << z << ": expected " << tests::show(expected) << ", found " << tests::show(found);
-          state = found.after;
-        }
-      }
-  }
-}
-
-// Its way meets the edge between the wall's two triangles.
-TEST(crossing_sheets, a_slide_from_behind_a_wall_goes_through_an_edge_of_it) {
-  TriangleMesh plates = floor_and_wall(0);
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t axis = 0; axis < 2; ++axis) plates.vertices[i][axis] *= 0.8F;  // to 16
-  const reference::GodObject definition = defined(plates, Sides::front, mesh::SelfIntersections::allowed);
-  const fast::Mesh mesh = built(plates, Sides::front, mesh::SelfIntersections::allowed);
-  constexpr float kDiagonal = -2.375F;  // y where the wall's diagonal meets the floor
-  mesh::GodObject state;
-  for (const float x : {-4.0F, -4.0F, 6.0F}) {
-    const std::array<float, 3> p{x, kDiagonal, state.place == mesh::Place::nowhere ? 1.0F : -1.0F};
-    const mesh::Tick expected = definition.step(state, p), found = fast::step(mesh, state, p, kStiffness, mesh::Shading::none);
-    ASSERT_TRUE(tests::is_same(found, expected)) << tests::show(expected) << ", found " << tests::show(found);
-    state = found.after;
-  }
-  const Exact at = point_of(plates, state), end = exact({6, kDiagonal, 0});
-  EXPECT_EQ(at, end);
-}
-
-TEST(crossing_sheets, a_god_object_climbs_a_ramp_that_goes_through_the_floor) {
-  const TriangleMesh plates = floor_and_wall(1);  // its front towards (1, 0, 1)
-  const fast::Mesh mesh = built(plates, Sides::front, mesh::SelfIntersections::allowed);
-  mesh::GodObject state;
-  for (const std::array<float, 3>& p : {std::array{5.0F, 1.0F, 3.0F}, {5.0F, 1.0F, -0.1F}})
-    state = fast::step(mesh, state, p, kStiffness, mesh::Shading::none).after;
-  const mesh::Tick tick = fast::step(mesh, state, {-5, 1, -0.1F}, kStiffness, mesh::Shading::none);
-  // The foot on x + z = 0.1 is (5.2/2) (1, 0, 1) off p.
-  EXPECT_EQ(tick.status, mesh::TickStatus::touching);
-  EXPECT_GE(tick.after.index[0], 2U) << "on the ramp";
-  EXPECT_NEAR(tick.force[0], kStiffness * 2.6, 1e-4);
-  EXPECT_NEAR(tick.force[1], 0, 1e-4);
-  EXPECT_NEAR(tick.force[2], kStiffness * 2.6, 1e-4);
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST(decide, has_the_bounds_that_counting_by_hand_gives) {
   expect_units(kPasses, 6, (beside + 2 + 2) * 3 + 4 + 6);
 }
 
-// Of numbers that binary64 holds without rounding. The ends of each span are met, so that none is too wide either.
+// A span of numbers that binary64 holds without rounding. The ends of each span are met, so that none is too wide either.
 // What Gappa proves of each expression (fast/meshes/decide.g), in units of 2^-53.
 TEST(decide, has_bounds_that_the_proofs_of_gappa_imply) {
   const std::map<std::string, RoundingBound> bounds{{"normal", kNormal.x},

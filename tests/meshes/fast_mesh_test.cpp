@@ -12,7 +12,8 @@
 #include "fast/meshes/decide.h"
 #include "fast/meshes/mesh.h"
 #include "fast/meshes/spot.h"
-#include "properties/mesh_generators.h"
+#include "properties/mesh_path.h"
+#include "properties/mesh_source.h"
 #include "tests/meshes/rendering.h"
 
 namespace forceshade::fast {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What follows from the definition of the god-object (docs/god-object.md, Consequences), on random meshes and paths.
+// What follows from the definition of the god-object (docs/god-object.md, Consequences), on random meshes and paths, for the
+// states and forces of one mesh; god_object_symmetries_test.cpp has what follows for two.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <gtest/gtest.h>
@@ -7,16 +8,15 @@
 #include <algorithm>
 #include <boost/multiprecision/gmp.hpp>
 #include <cmath>
-#include <map>
-#include <numeric>
 #include <random>
 #include <utility>
 
 #include "forceshade/reference.h"
-#include "properties/mesh_generators.h"
+#include "properties/mesh_source.h"
 #include "reference/meshes/descent.h"
 #include "reference/meshes/directions.h"
 #include "tests/meshes/god_object_paths.h"
+#include "tests/meshes/random_paths.h"
 #include "tests/meshes/rendering.h"
 
 namespace forceshade {
@@ -26,99 +26,22 @@ using mesh::Place;
 using mesh::Side;
 using mesh::Sides;
 using mesh::TickStatus;
-using properties::MeshPath;
-using properties::MeshSource;
-using properties::RandomMesh;
 using reference::GodObject;
 using reference::meshes::Feature;
 using reference::meshes::Fold;
 using reference::meshes::Fraction;
-using reference::meshes::GridPoint;
 using reference::meshes::Integer;
 using reference::meshes::Surface;
 using reference::meshes::Vector;
-using tests::is_same;
+using tests::Counts;
+using tests::is_touching;
+using tests::on_random_paths;
+using tests::place_of;
+using tests::Position;
+using tests::Scene;
 using tests::show;
-
-using Position = std::array<float, 3>;
-
-GodObject built(const mesh::TriangleMesh& mesh, const mesh::CornerNormals& normals, Sides sides, float stiffness) {
-  return tests::built(GodObject::build(tests::shaded(mesh, normals, sides, stiffness)));
-}
-
-// A random mesh with its god-object, shaded.
-struct Scene {
-  Scene(const RandomMesh& random, mesh::CornerNormals corner_normals)
-      : made(random),
-        normals(std::move(corner_normals)),
-        god_object(built(made.mesh, normals, made.sides, kStiffness)),
-        surface(made.mesh),
-        crossings(surface) {}
-
-  reference::meshes::Ground ground() const { return {surface, crossings, made.sides, mesh::SelfIntersections::refused}; }
-
-  static constexpr float kStiffness = 0.7F;
-  RandomMesh made;
-  mesh::CornerNormals normals;
-  GodObject god_object;
-  Surface surface;
-  reference::meshes::Crossings crossings;
-};
-
-struct Step {
-  mesh::GodObject before;
-  Position position;
-  mesh::Tick tick;
-};
-
-bool is_touching(const mesh::GodObject& state) {
-  return state.place == Place::vertex || state.place == Place::edge || state.place == Place::triangle;
-}
-
-GridPoint point_of(const Surface& surface, const mesh::GodObject& state) {
-  const std::size_t index = state.place == Place::edge ? surface.edge_between(state.index[0], state.index[1]) : state.index[0];
-  return {{state.place, index}, state.parameter};
-}
-
-Vector place_of(const Surface& surface, const mesh::GodObject& state) {
-  return is_touching(state) ? surface.position(point_of(surface, state)) : reference::meshes::exact_point(state.position);
-}
-
-Integer squared_distance(const Surface& surface, const mesh::GodObject& state, const Position& position) {
-  const Vector off = place_of(surface, state) - reference::meshes::exact_point(position);
-  return dot(off, off);
-}
-
-// Calls check(scene, step, counts) for each tick of a random path on each of random meshes, every family as often, and prints
-// the counts. A name that stands in `expected` must have been counted.
-using Counts = std::map<std::string, int>;
-template <class Check>
-void on_random_paths(std::uint64_t seed, int meshes, int ticks, const std::vector<std::string>& expected, Check check) {
-  MeshSource source(seed);
-  Counts counts;
-  for (int i = 0; i < meshes && !testing::Test::HasFailure(); ++i) {
-    const RandomMesh made = source.next();
-    const Scene scene(made, source.normals_of(made.mesh));
-    MeshPath path(made.mesh, seed + static_cast<std::uint64_t>(i));
-    mesh::GodObject state;
-    for (int k = 0; k < ticks && !testing::Test::HasFailure(); ++k) {
-      const Position position = path.next();
-      const Step step{state, position, scene.god_object.step(state, position)};
-      SCOPED_TRACE("mesh " + std::to_string(i) + ", " + std::string(properties::kMeshFamilies[made.family]) + ", tick " +
-                   std::to_string(k) + ": from " + tests::feature_text(state) + " to " + show(step.tick));
-      ++counts[std::string(mesh::kTickStatusNames[static_cast<std::size_t>(step.tick.status)])];
-      if (is_touching(step.tick.after))
-        ++counts[std::string(mesh::kPlaceNames[static_cast<std::size_t>(step.tick.after.place)])];
-      if (step.tick.after.side == Side::back) ++counts["back"];
-      check(scene, step, counts);
-      state = step.tick.after;
-    }
-  }
-  for (const auto& [name, count] : counts) std::printf("  %8d %s\n", count, name.c_str());
-  for (const char* always : {"free", "touching", "invalid", "vertex", "edge", "triangle", "back"})
-    EXPECT_GT(counts[always], 0) << always;
-  for (const std::string& name : expected) EXPECT_GT(counts[name], 0) << name;
-}
+using tests::squared_distance;
+using tests::Step;
 
 TEST(god_object_consequences, resting_is_idempotent) {
   on_random_paths(1, 220, 200, {"rested again"}, [](const Scene& scene, const Step& step, Counts& counts) {
@@ -169,198 +92,6 @@ TEST(god_object_consequences, fewer_moves_a_tick_lead_to_the_same_state_and_from
       });
 }
 
-// Whether each coordinate times 2^places is one too.
-bool can_be_scaled(const Position& position, int places) {
-  return std::ranges::all_of(position, [&](float x) {
-    const float scaled = std::ldexp(x, places);
-    return std::fabs(x) <= 1e4F && (x == 0 || (std::fabs(x) >= 0x1p-30F && std::fabs(scaled) >= 0x1p-30F)) &&
-           std::fabs(scaled) <= 1e4F && std::ldexp(scaled, -places) == x;
-  });
-}
-
-Position scaled(const Position& position, int places) {
-  return {std::ldexp(position[0], places), std::ldexp(position[1], places), std::ldexp(position[2], places)};
-}
-
-TEST(god_object_consequences, a_size_times_a_power_of_two_changes_no_state) {
-  std::mt19937_64 random(4);
-  const Surface* last = nullptr;
-  int places = 0;
-  std::optional<GodObject> other;
-  on_random_paths(
-      4, 220, 150, {"scaled", "of another size and touching"}, [&](const Scene& scene, const Step& step, Counts& counts) {
-        if (last != &scene.surface || step.before.place == Place::nowhere) {
-          last = &scene.surface;
-          do {
-            places = static_cast<int>(random() % 33) - 16;
-          } while (!std::ranges::all_of(scene.made.mesh.vertices, [&](const Position& v) { return can_be_scaled(v, places); }));
-          mesh::TriangleMesh larger = scene.made.mesh;
-          for (mesh::Vertex& vertex : larger.vertices) vertex = scaled(vertex, places);
-          other = built(larger, scene.normals, scene.made.sides, Scene::kStiffness);
-        }
-        const bool is_free = step.before.place == Place::free;
-        if (!can_be_scaled(step.position, places) || (is_free && !can_be_scaled(step.before.position, places))) return;
-        mesh::GodObject before = step.before;
-        before.position = scaled(before.position, places);
-        mesh::Tick tick = other->step(before, scaled(step.position, places));
-        for (float& coordinate : tick.after.position) coordinate = std::ldexp(coordinate, -places);
-        EXPECT_EQ(tick.status, step.tick.status) << show(tick);
-        EXPECT_EQ(tick.moves, step.tick.moves) << show(tick);
-        EXPECT_EQ(tick.after, step.tick.after) << show(tick);
-        for (std::size_t axis = 0; axis < 3; ++axis)  // below 2^-126 a component has fewer digits
-          if (std::fabs(step.tick.force[axis]) >= 0x1p-100F) {
-            EXPECT_EQ(tick.force[axis], std::ldexp(step.tick.force[axis], places)) << show(tick);
-          }
-        ++counts["scaled"];
-        counts["of another size and touching"] += places != 0 && is_touching(tick.after);
-      });
-}
-
-// What a renumbering may change: ties, and at rest in a triangle the last grid step.
-class Renumbered {
- public:
-  Renumbered(const Scene& scene, std::uint64_t seed) : random_(seed), mesh_(scene.made.mesh) {
-    const auto shuffled = [&](std::size_t size) {
-      std::vector<std::uint32_t> order(size);
-      std::iota(order.begin(), order.end(), 0U);
-      std::ranges::shuffle(order, random_);
-      return order;
-    };
-    new_vertex_ = shuffled(mesh_.vertices.size());
-    new_triangle_ = shuffled(mesh_.triangles.size());
-    mesh::CornerNormals normals(mesh_.triangles.size());
-    for (std::size_t i = 0; i < new_vertex_.size(); ++i) mesh_.vertices[new_vertex_[i]] = scene.made.mesh.vertices[i];
-    for (std::size_t i = 0; i < new_triangle_.size(); ++i) {
-      turns_.push_back(random_() % 3);
-      for (std::size_t k = 0; k < 3; ++k) {
-        mesh_.triangles[new_triangle_[i]][(k + turns_[i]) % 3] = new_vertex_[scene.made.mesh.triangles[i][k]];
-        normals[new_triangle_[i]][(k + turns_[i]) % 3] = scene.normals[i][k];
-      }
-    }
-    surface_.emplace(mesh_);
-    god_object_ = built(mesh_, normals, scene.made.sides, Scene::kStiffness);
-  }
-
-  const GodObject& god_object() const { return *god_object_; }
-  const Surface& surface() const { return *surface_; }
-
-  // The same point, in the other numbering.
-  mesh::GodObject state(const mesh::GodObject& old) const {
-    mesh::GodObject state = old;
-    if (old.place == Place::vertex) state.index[0] = new_vertex_[old.index[0]];
-    if (old.place == Place::edge) {
-      state.index = {new_vertex_[old.index[0]], new_vertex_[old.index[1]]};
-      if (state.index[0] > state.index[1]) {
-        std::swap(state.index[0], state.index[1]);
-        state.parameter[0] = reference::meshes::kGrid - old.parameter[0];
-      }
-    }
-    if (old.place == Place::triangle) {
-      state.index[0] = new_triangle_[old.index[0]];
-      const auto [k, l] = old.parameter;
-      const std::array<std::uint32_t, 3> weights{reference::meshes::kGrid - k - l, k, l};
-      const std::size_t turn = turns_[old.index[0]];
-      state.parameter = {weights[(4 - turn) % 3], weights[(5 - turn) % 3]};
-    }
-    return state;
-  }
-
- private:
-  std::mt19937_64 random_;
-  mesh::TriangleMesh mesh_;
-  std::vector<std::uint32_t> new_vertex_, new_triangle_;
-  std::vector<std::size_t> turns_;
-  std::optional<Surface> surface_;
-  std::optional<GodObject> god_object_;
-};
-
-// In the same triangle, each of the three weights at most one grid step apart.
-bool is_a_grid_step_apart(const mesh::GodObject& a, const mesh::GodObject& b) {
-  if (a.place != Place::triangle || b.place != Place::triangle || a.index != b.index || a.side != b.side) return false;
-  const auto off = [](std::uint32_t x, std::uint32_t y) { return std::abs(static_cast<int>(x) - static_cast<int>(y)); };
-  return off(a.parameter[0], b.parameter[0]) <= 1 && off(a.parameter[1], b.parameter[1]) <= 1 &&
-         off(a.parameter[0] + a.parameter[1], b.parameter[0] + b.parameter[1]) <= 1;
-}
-
-TEST(god_object_consequences, renumbering_changes_only_ties_and_the_last_grid_step) {
-  std::optional<Renumbered> other;
-  const std::vector<std::string> expected{"same", "a tie of directions", "the last grid step"};
-  on_random_paths(5, 220, 150, expected, [&](const Scene& scene, const Step& step, Counts& counts) {
-    if (step.before.place == Place::nowhere) other.emplace(scene, 77);
-    // Move by move, so that a tie is seen where it is.
-    const mesh::Tick one = scene.god_object.step(step.before, step.position, 1);
-    const mesh::Tick renumbered = other->god_object().step(other->state(step.before), step.position, 1);
-    mesh::Tick as_expected = one;
-    as_expected.after = other->state(one.after);
-    if (is_same(renumbered, as_expected)) {
-      ++counts["same"];
-      return;
-    }
-    const Vector u = reference::meshes::exact_point(step.position) - place_of(scene.surface, step.before);
-    if (is_touching(step.before) && directions(scene.surface, point_of(scene.surface, step.before).feature, u).is_tied) {
-      ++counts["a tie of directions"];
-      return;
-    }
-    const bool is_rest = one.status == TickStatus::touching && renumbered.status == TickStatus::touching;
-    if (is_rest && one.force == renumbered.force && is_a_grid_step_apart(as_expected.after, renumbered.after)) {
-      ++counts["the last grid step"];
-      return;
-    }
-    ++counts["a tie of rounding"];
-    EXPECT_EQ(squared_distance(scene.surface, one.after, step.position),
-              squared_distance(other->surface(), renumbered.after, step.position))
-        << show(renumbered) << ", expected " << show(as_expected);
-  });
-}
-
-TEST(god_object_consequences, turning_every_triangle_over_swaps_the_sides_off_the_rim) {
-  std::optional<GodObject> other;
-  const auto turned_over = [](mesh::GodObject state, const Surface& surface) {
-    if (state.place == Place::triangle) std::swap(state.parameter[0], state.parameter[1]);
-    if (is_touching(state) && !surface.is_at_rim(point_of(surface, state).feature))
-      state.side = state.side == Side::front ? Side::back : Side::front;
-    return state;
-  };
-  on_random_paths(6, 220, 150, {"turned", "a tie"}, [&](const Scene& scene, const Step& step, Counts& counts) {
-    if (scene.made.sides != Sides::both) return;
-    if (step.before.place == Place::nowhere) {
-      mesh::TriangleMesh mesh = scene.made.mesh;
-      mesh::CornerNormals normals = scene.normals;
-      for (auto& [a, b, c] : mesh.triangles) std::swap(b, c);
-      for (auto& corners : normals) {
-        std::swap(corners[1], corners[2]);
-        for (mesh::Normal& normal : corners) normal = {-normal[0], -normal[1], -normal[2]};
-      }
-      other = built(mesh, normals, Sides::both, Scene::kStiffness);
-      return;  // the start stores front
-    }
-    // At the rim both store front: so a slide from there may not turn over, and shading from there does not.
-    const mesh::Tick one = scene.god_object.step(step.before, step.position, 1);
-    const auto is_at_rim = [&](const mesh::GodObject& state) {
-      return is_touching(state) && scene.surface.is_at_rim(point_of(scene.surface, state).feature);
-    };
-    if (is_at_rim(step.before) || is_at_rim(one.after)) {
-      ++counts["at the rim"];
-      return;
-    }
-    const mesh::Tick turned = other->step(turned_over(step.before, scene.surface), step.position, 1);
-    mesh::Tick as_expected = one;
-    as_expected.after = turned_over(one.after, scene.surface);
-    ++counts["turned"];
-    if (is_same(turned, as_expected)) return;
-    // k and l have changed places, so that a tie between them goes the other way.
-    ++counts["a tie"];
-    EXPECT_EQ(turned.status, one.status);
-    EXPECT_EQ(turned.moves, one.moves);
-    EXPECT_EQ(turned.after.side, as_expected.after.side) << show(turned) << ", expected " << show(as_expected);
-    const bool is_rest = one.status == TickStatus::touching && turned.force == one.force;
-    EXPECT_TRUE((is_rest && is_a_grid_step_apart(as_expected.after, turned.after)) ||
-                squared_distance(scene.surface, one.after, step.position) ==
-                    squared_distance(scene.surface, turned_over(turned.after, scene.surface), step.position))
-        << show(turned) << ", expected " << show(as_expected);
-  });
-}
-
 // Crossings of a ray, counted with CGAL's predicates: nothing in common with either side.
 class Inside {
  public:
@@ -372,7 +103,7 @@ class Inside {
     }
   }
 
-  // Of a point off the surface.
+  // Whether a point off the surface is inside.
   bool operator()(const Position& position) {
     const Point from = point(position);
     for (;;) {

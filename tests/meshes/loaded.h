@@ -20,7 +20,7 @@ struct Loaded {
   std::string refusal;
 };
 
-// Of a file of this name, whose ending is that of its format.
+// The mesh of a file of this name, whose ending is that of its format.
 inline Loaded of_text(const std::string& name, const std::string& text, Unit unit = Unit::mm) {
   const tests::TemporaryDirectory directory;
   const std::string file = directory.write(name, text);

@@ -37,7 +37,7 @@ float nearest(const mpq_class& number, Unit unit) {
   return result;
 }
 
-// Of digits with a point in them, and an exponent.
+// A number of digits with a point in them, and an exponent.
 mpq_class rational(const std::string& digits, int behind_point, int exponent, bool is_negative) {
   mpz_class number(digits, 10), power;
   mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(exponent - behind_point)));

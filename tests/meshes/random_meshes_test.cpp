@@ -9,7 +9,8 @@
 #include <utility>
 
 #include "forceshade/meshes.h"
-#include "properties/mesh_generators.h"
+#include "properties/mesh_path.h"
+#include "properties/mesh_source.h"
 
 namespace forceshade {
 namespace {

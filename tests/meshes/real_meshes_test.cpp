@@ -11,7 +11,7 @@
 
 #include "forceshade/meshes.h"
 #include "forceshade/reference.h"
-#include "properties/mesh_generators.h"
+#include "properties/mesh_path.h"
 #include "tests/meshes/god_object_paths.h"
 #include "tests/meshes/rendering.h"
 #include "tests/meshes/steps.h"

@@ -11,7 +11,8 @@
 
 #include "fast/meshes/session.h"
 #include "forceshade/reference.h"
-#include "properties/mesh_generators.h"
+#include "properties/mesh_path.h"
+#include "properties/mesh_source.h"
 #include "tests/meshes/god_object_paths.h"
 #include "tests/meshes/rendering.h"
 #include "tests/meshes/steps.h"

@@ -20,8 +20,9 @@
 #include "forceshade/meshes.h"
 #include "forceshade/reference.h"
 #include "properties/height_generators.h"
-#include "properties/mesh_generators.h"
+#include "properties/mesh_path.h"
 #include "properties/mesh_properties.h"
+#include "properties/mesh_source.h"
 #include "rendering/meshes/make.h"
 #include "rendering/meshes/texture.h"
 #include "tests/meshes/god_object_paths.h"
@@ -65,8 +66,8 @@ TEST(texture_scheme, slopes_are_the_reference_s_in_every_bit_on_random_maps_and_
   std::mt19937_64 random(5);
   for (std::uint64_t seed = 0; seed < kMaps; ++seed) {
     const HeightMap map = random_map(seed);
-    const auto fast_map = fast::HeightMapField::build(map, height::Rendering::force_shaded, 1);
-    const auto reference_map = reference::HeightMapField::build(map, height::Rendering::force_shaded, 1);
+    const auto fast_map = fast::HeightMapField::build(map, height::Mode::force_shaded, 1);
+    const auto reference_map = reference::HeightMapField::build(map, height::Mode::force_shaded, 1);
     ASSERT_TRUE(std::holds_alternative<fast::HeightMapField>(fast_map) &&
                 std::holds_alternative<reference::HeightMapField>(reference_map));
     const auto& fast_field = std::get<fast::HeightMapField>(fast_map);
@@ -110,8 +111,8 @@ TEST(texture_scheme, a_slope_that_is_a_tie_is_rounded_to_even_and_one_beside_it_
         Case{0x1.8p-23F, height::Part{far, true}, next}}) {
     HeightMap map{{rising(3, 1), rising(3, 2), rising(2, 2 * more)}};
     if (tail) map.parts.push_back(*tail);
-    const auto fast_map = fast::HeightMapField::build(map, height::Rendering::force_shaded, 1);
-    const auto reference_map = reference::HeightMapField::build(map, height::Rendering::force_shaded, 1);
+    const auto fast_map = fast::HeightMapField::build(map, height::Mode::force_shaded, 1);
+    const auto reference_map = reference::HeightMapField::build(map, height::Mode::force_shaded, 1);
     const auto found = std::get<fast::HeightMapField>(fast_map).slopes(1, 2);
     ASSERT_TRUE(found);
     EXPECT_EQ(found->values[0], expected) << more << ' ' << tail.has_value();
@@ -153,7 +154,7 @@ TEST(texture_scheme, is_the_reference_in_every_bit_on_random_meshes_and_maps) {
         mesh::Tick tick;
         fast::arrive(mesh, arrival, read, kStiffness, mesh::Shading::texture_scheme, fast::FilteredStages(), tick);
         fast::ForceDecision decided;
-        fast::mesh_force(mesh, arrival, read, read, kStiffness, mesh::Shading::texture_scheme, true, &decided);
+        fast::mesh_force(mesh, arrival, fast::HandAndGoal(read), kStiffness, mesh::Shading::texture_scheme, true, &decided);
         const fast::ForceStage stage = decided.numbers;
         const Position untilted = step(mesh, state, p, kStiffness, mesh::Shading::vertex_scheme).force;
         if (stage != fast::ForceStage::unshaded) {
@@ -215,7 +216,7 @@ TEST(texture_scheme, on_a_plane_the_force_is_that_of_the_force_shaded_height_map
   std::mt19937_64 random(8);
   for (const HeightMap& map : {cylinder_cap(), bilinear_samples()}) {
     const MeshRendering rendering = textured(plane, mesh::texture_from_above(plane), map);
-    const auto field = fast::HeightMapField::build(map, height::Rendering::force_shaded, kStiffness);
+    const auto field = fast::HeightMapField::build(map, height::Mode::force_shaded, kStiffness);
     double largest = 0;
     for (int i = 0; i < 2000; ++i) {
       const auto coordinate = [&](float reach) { return reach * static_cast<float>(random() >> 40) * 0x1p-24F; };
@@ -268,7 +269,8 @@ TEST(texture_scheme, the_direction_is_continuous_within_a_chart_and_jumps_at_sea
       shortest = std::min(shortest, wide(rendering.normals[i][k]).dot(wide(rendering.normals[i][(k + 1) % 3])));
     }
   }
-  // Of a Gaussian: e^(-1/2) and 1 times height over sigma and sigma². As a vector the slope is no longer, a component is one.
+  // The slopes of a Gaussian: e^(-1/2) and 1 times height over sigma and sigma². As a vector the slope is no longer, a
+  // component is one.
   constexpr double kSlope = 0.607 * static_cast<double>(kHeight / kSigma),
                    kCurvature = static_cast<double>(kHeight / (kSigma * kSigma));
   ASSERT_GT(shortest - 2 * kSlope, 0.5);

@@ -14,6 +14,7 @@
 #include "properties/equivalence.h"
 #include "properties/generators.h"
 #include "properties/height_generators.h"
+#include "properties/height_loops.h"
 #include "properties/height_map_subject.h"
 #include "properties/height_positions.h"
 #include "properties/unit_normals.h"
@@ -23,7 +24,7 @@ namespace {
 
 using height::Edge;
 using height::Interpolant;
-using Mode = height::Rendering;
+using Mode = height::Mode;
 
 constexpr int kCases = 300;
 constexpr std::uint64_t kSeed = 3;
@@ -55,8 +56,8 @@ std::vector<Named> maps() {
           {"bump and texture", {{{height::SphereCap{0, 0, 5, 8}}, {texture(Interpolant::cubic_spline)}}}}};
 }
 
-RenderedHeightMap subject_of(const HeightMap& map, Mode rendering) {
-  return std::get<RenderedHeightMap>(fast_rendering(map, rendering, 0.5F));
+RenderedHeightMap subject_of(const HeightMap& map, Mode mode) {
+  return std::get<RenderedHeightMap>(fast_rendering(map, mode, 0.5F));
 }
 
 PropertyResult result_of(const RenderedHeightMap& subject, const std::string& property) {
@@ -67,8 +68,8 @@ PropertyResult result_of(const RenderedHeightMap& subject, const std::string& pr
 
 TEST(height_properties, hold_on_maps_of_every_kind) {
   for (const auto& [name, map] : maps())
-    for (const auto& [rendering, word] : height::kRenderings) {
-      const std::vector<PropertyResult> results = run_properties(HeightMapSubject(subject_of(map, rendering)), kCases, kSeed);
+    for (const auto& [mode, word] : height::kModes) {
+      const std::vector<PropertyResult> results = run_properties(HeightMapSubject(subject_of(map, mode)), kCases, kSeed);
       EXPECT_GE(results.size(), 4U);
       for (const PropertyResult& result : results)
         EXPECT_EQ(result.held, result.name != "cell lines" || std::string(name) != "bilinear")
@@ -78,8 +79,8 @@ TEST(height_properties, hold_on_maps_of_every_kind) {
 
 // The fast path of `map` with its answers changed by `change(right, position, answer)`, `right` being the fast path itself.
 template <class Change>
-RenderedHeightMap changed(const HeightMap& map, Mode rendering, const Change& change) {
-  RenderedHeightMap subject = subject_of(map, rendering);
+RenderedHeightMap changed(const HeightMap& map, Mode mode, const Change& change) {
+  RenderedHeightMap subject = subject_of(map, mode);
   subject.force_at = [right = subject.force_at, change](const Eigen::Vector3f& position) {
     return change(right, position, right(position));
   };
@@ -108,9 +109,8 @@ TEST(height_properties, refuse_a_gradient_of_the_wrong_sign) {
     return answer;
   };
   for (const auto& [name, map] : maps())
-    for (const auto& [rendering, word] : height::kRenderings)
-      expect_refused(changed(map, rendering, mirrored), {"equivalence", "passivity"},
-                     std::string(name) + ", " + std::string(word));
+    for (const auto& [mode, word] : height::kModes)
+      expect_refused(changed(map, mode, mirrored), {"equivalence", "passivity"}, std::string(name) + ", " + std::string(word));
 }
 
 TEST(height_properties, refuse_x_and_y_exchanged) {
@@ -143,8 +143,8 @@ TEST(height_properties, refuse_a_force_from_the_wrong_cell) {
     return beyond < 1e-3 ? right(position - Eigen::Vector3f(0.25F, 0, 0)) : answer;
   };
   for (const Interpolant interpolant : {Interpolant::bilinear, Interpolant::cubic_spline})
-    for (const auto& [rendering, word] : height::kRenderings)
-      expect_refused(changed({{{texture(interpolant)}}}, rendering, late), {"equivalence", "continuity", "cell lines"},
+    for (const auto& [mode, word] : height::kModes)
+      expect_refused(changed({{{texture(interpolant)}}}, mode, late), {"equivalence", "continuity", "cell lines"},
                      std::string(word));
 }
 
@@ -207,7 +207,7 @@ TEST(height_properties, hold_on_generated_maps) {
   std::array<int, 3> statuses{};
   const PropertyResult result = run_property("any map", 500, kSeed, [&]() -> Violation {
     const AnyHeightMap any = *any_height_map();
-    const auto subject = std::get<RenderedHeightMap>(fast_rendering(any.map, any.rendering, any.stiffness));
+    const auto subject = std::get<RenderedHeightMap>(fast_rendering(any.map, any.mode, any.stiffness));
     const HeightMapClaims claims(subject.law);
     const HeightTarget target{subject.law, claims};
     for (int i = 0; i < 8; ++i) {
@@ -225,6 +225,24 @@ TEST(height_properties, hold_on_generated_maps) {
   std::printf("  %llu maps; free %d, contact %d, invalid %d\n", static_cast<unsigned long long>(result.cases), statuses[0],
               statuses[1], statuses[2]);
   for (const int count : statuses) EXPECT_GT(count, 100) << "a status was hardly ever reached";
+}
+
+// As far as the thesis's bump is wide, and no farther than 250 cells of the finest grid, which may be that of the surface.
+TEST(certified_slice, goes_over_at_most_250_cells_of_every_grid) {
+  const auto grid = [](float pitch) -> height::Part {
+    return {std::make_shared<const height::Grid>(height::Grid{4, 4, pitch, {}, {}, std::vector<float>(16)})};
+  };
+  const height::Part level{height::Plane{}};
+  const auto reach = [](const HeightMap& map) {
+    const reference::Slice slice = certified_slice(map);
+    EXPECT_EQ(slice.from, -slice.to);
+    return slice.to;
+  };
+  EXPECT_EQ(reach({{level}, {level}}), 12.7F);
+  EXPECT_EQ(reach({{grid(1)}}), 12.7F);
+  EXPECT_EQ(reach({{level, grid(0.02F)}}), 250 * 0.02F);
+  EXPECT_EQ(reach({{level}, {level, grid(0.01F)}}), 250 * 0.01F);
+  EXPECT_EQ(reach({{grid(0.01F)}, {grid(0.03F)}}), 250 * 0.01F);
 }
 
 }  // namespace

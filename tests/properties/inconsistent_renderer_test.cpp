@@ -138,7 +138,7 @@ TEST(inconsistent_renderer, that_opens_no_session_is_quoted) {
   expect_words(equivalence_of(subject), {"an exception is thrown: no more sessions"});
 }
 
-// Of a property of one's own nothing is known but that its case failed and then held.
+// Nothing is known of a property of one's own but that its case failed and then held.
 TEST(inconsistent_renderer, a_property_that_fails_once_keeps_the_words_of_its_failure) {
   int calls = 0;
   const PropertyResult once =

@@ -17,8 +17,8 @@
 #include <set>
 
 #include "forceshade/properties.h"
-#include "properties/mesh_generators.h"
 #include "properties/mesh_properties.h"
+#include "properties/mesh_source.h"
 #include "tests/meshes/rendering.h"
 
 namespace forceshade::properties {
@@ -52,6 +52,25 @@ TEST(mesh_subject, has_every_property_on_every_family_of_meshes) {
     expect_every_property(shading, mesh::Contact::direct);
   for (const mesh::Shading shading : {mesh::Shading::none, mesh::Shading::vertex_scheme, mesh::Shading::texture_scheme})
     expect_every_property(shading, mesh::Contact::sub_goal);
+}
+
+// Rounded upwards, because less would not be enough.
+TEST(mesh_subject, states_as_much_energy_of_the_shading_as_a_turn_can_give) {
+  int rounded = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    MeshSource source(seed);
+    const MeshRendering rendering = rendering_of(source, 7, mesh::Shading::vertex_scheme);
+    double turn = 0;
+    for (std::uint32_t i = 0; i < rendering.mesh().triangles.size(); ++i) turn = std::max(turn, largest_turn(rendering, i));
+    const std::vector<std::string> parts = MeshSubject("star", rendering).parts();
+    const std::string begin = "at a rest inside a triangle the shading gives at most ";
+    ASSERT_TRUE(parts.at(1).starts_with(begin)) << parts[1];
+    const double stated = std::stod(parts[1].substr(begin.size()));
+    EXPECT_GE(stated, turn);
+    EXPECT_LT(stated, turn + 1.0001e-4);
+    rounded += stated > turn ? 1 : 0;
+  }
+  EXPECT_GT(rounded, 0);
 }
 
 // Answers as the fast path does, changed.

@@ -110,8 +110,8 @@ std::optional<Read> read_whole(const std::string& path) {
   }
 }
 
-// Of every byte that is not 0, and of some of the others, one bit at random: what is read is as it was, or the recording is not
-// whole.
+// One bit at random is changed of every byte that is not 0, and of some of the others: what is read is as it was, or the
+// recording is not whole.
 TEST(recording, with_any_bit_changed_reads_the_same_or_is_found_out) {
   const Hostile recording;
   const std::string whole = recording.bytes();

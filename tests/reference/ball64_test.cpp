@@ -27,7 +27,7 @@ void expect_in(const Ball64& ball, const Multiprecision& value) {
 TEST(filter, encloses_the_result_for_every_member_of_its_operands) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> uniform(0.5, 2);
-  // Of any width or none, about numbers of 53 bits or 24.
+  // A ball of any width or none, about numbers of 53 bits or 24.
   const auto ball = [&] {
     double mid = random() % 2 == 0 ? uniform(random) : -uniform(random);
     if (random() % 4 == 0) mid = static_cast<double>(static_cast<float>(mid));

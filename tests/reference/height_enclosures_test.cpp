@@ -19,12 +19,12 @@ namespace forceshade::reference {
 namespace {
 
 using Along = Slice::Along;
-using height::Rendering;
+using height::Mode;
 
 constexpr long double kInfinity = std::numeric_limits<long double>::infinity();
 
-HeightMapField build(HeightMap map, Rendering rendering, float stiffness = 1) {
-  return std::get<HeightMapField>(HeightMapField::build(std::move(map), rendering, stiffness));
+HeightMapField build(HeightMap map, Mode mode, float stiffness = 1) {
+  return std::get<HeightMapField>(HeightMapField::build(std::move(map), mode, stiffness));
 }
 
 double number(const Multiprecision& value) {
@@ -140,10 +140,10 @@ Verdict verdict(const HeightMapField& law, const Slice& slice, float depth, cons
 
 TEST(height_enclosures, of_fine_gratings_are_narrow_and_met) {
   // Three waves of 0.3 mm, from gentle to as steep as a wall.
-  for (const Rendering rendering : {Rendering::true_height, Rendering::force_shaded})
+  for (const Mode mode : {Mode::true_height, Mode::force_shaded})
     for (const float h : {0.01F, 0.1F, 1.0F, 20.0F}) {
       const std::string what = "height " + std::to_string(h);
-      const HeightMapField law = build({{{height::Grating{h, 19.44F, 0, 0}}}}, rendering);
+      const HeightMapField law = build({{{height::Grating{h, 19.44F, 0, 0}}}}, mode);
       const Verdict v = verdict(law, {Along::x, 0, -0.5F, 0.5F}, 0.5F, what);
       const double most = number(v.bound.most().high);
       EXPECT_LE(number(Multiprecision(v.bound.most().high - v.bound.most().low)), 1e-7 * most) << what;
@@ -153,7 +153,7 @@ TEST(height_enclosures, of_fine_gratings_are_narrow_and_met) {
 
 TEST(height_enclosures, of_a_hundred_fine_waves_are_finite_and_narrow) {
   for (const float h : {1.0F, 20.0F}) {
-    const SliceBound bound = loop_bound(build({{{height::Grating{h, 19.44F, 0, 0}}}}, Rendering::force_shaded), {}, 0.5F);
+    const SliceBound bound = loop_bound(build({{{height::Grating{h, 19.44F, 0, 0}}}}, Mode::force_shaded), {}, 0.5F);
     for (const Interval& sense : {bound.counter_clockwise, bound.clockwise}) {
       expect_enclosed(sense, "height " + std::to_string(h));
       EXPECT_LE(number(Multiprecision(sense.high - sense.low)), 2e-5 * number(sense.high)) << h;
@@ -173,13 +173,13 @@ TEST(height_enclosures, of_fine_gratings_equal_the_closed_forms) {
       const Slice flank{Along::x, 0, static_cast<float>(1 / wave), static_cast<float>(1.25 / wave)};
       const double from = static_cast<double>(flank.from) * wave, to = static_cast<double>(flank.to) * wave;
       const double shaded = D * (area(from) - area(to)) + D * D / 2 * (upright(to) - upright(from));
-      const SliceBound on_flank = loop_bound(build(map, Rendering::force_shaded), flank, static_cast<float>(D));
+      const SliceBound on_flank = loop_bound(build(map, Mode::force_shaded), flank, static_cast<float>(D));
       EXPECT_NEAR(number(on_flank.counter_clockwise.low), shaded, 1e-7 * shaded) << h << ' ' << wave;
       EXPECT_NEAR(number(on_flank.counter_clockwise.high), shaded, 1e-7 * shaded) << h << ' ' << wave;
       // From flank to crest and back, at every crest and in every valley, of which there are three.
       const Slice waves{Along::x, 0, static_cast<float>(-1.5 * M_PI / wave), static_cast<float>(1.5 * M_PI / wave)};
       const double generated = 3 * D * D / 2 * (1 - upright(M_PI / 2));
-      const SliceBound bound = loop_bound(build(map, Rendering::true_height), waves, static_cast<float>(D));
+      const SliceBound bound = loop_bound(build(map, Mode::true_height), waves, static_cast<float>(D));
       for (const Interval& sense : {bound.counter_clockwise, bound.clockwise}) {
         EXPECT_NEAR(number(sense.low), generated, 2e-7 * generated) << h << ' ' << wave;
         EXPECT_NEAR(number(sense.high), generated, 2e-7 * generated) << h << ' ' << wave;
@@ -187,7 +187,7 @@ TEST(height_enclosures, of_fine_gratings_equal_the_closed_forms) {
     }
 }
 
-// Of any kind and size in the domain, near the slice, so that the slice meets it.
+// A part of any kind and size in the domain, near the slice, so that the slice meets it.
 height::Part random_part(Random& random, double reach) {
   const auto near = [&] { return static_cast<float>(random.uniform(-reach, reach)); };
   const auto cap_width = [&](float radius) {
@@ -260,7 +260,7 @@ TEST(height_enclosures, of_random_maps_are_finite_and_in_order_or_refused) {
     for (int parts = 1 + random.below(3); parts > 0; --parts) map.parts.push_back(random_part(random, reach));
     const bool is_shaded = random.is(0.6);
     if (is_shaded && random.is(0.3)) map.surface.push_back(random_part(random, reach));
-    const HeightMapField law = build(map, is_shaded ? Rendering::force_shaded : Rendering::true_height, random.size(1e-3, 1e3));
+    const HeightMapField law = build(map, is_shaded ? Mode::force_shaded : Mode::true_height, random.size(1e-3, 1e3));
     const Slice slice{random.is(0.5) ? Along::x : Along::y, static_cast<float>(random.uniform(-reach, reach)),
                       static_cast<float>(-reach), static_cast<float>(reach)};
     const float depth = random.size(1e-4, 100);
@@ -272,7 +272,7 @@ TEST(height_enclosures, of_random_maps_are_finite_and_in_order_or_refused) {
     try {
       const Verdict v = verdict(law, slice, depth, what);
       // Nowhere below the highest place by more than the depth.
-      const auto fast = std::get<fast::HeightMapField>(fast::HeightMapField::build(map, law.rendering(), law.stiffness()));
+      const auto fast = std::get<fast::HeightMapField>(fast::HeightMapField::build(map, law.mode(), law.stiffness()));
       const auto top = static_cast<float>(tallest(law, slice)), bottom = std::nextafter(top - depth, top);
       for (int loop = 0; loop < 5; ++loop) {
         const Walked around = walked(fast, random_loop(loops, slice, bottom, top + depth / 4));
@@ -330,7 +330,7 @@ TEST(height_enclosures, of_laws_are_finite_and_in_order) {
 }
 
 TEST(height_enclosures, refuse_a_cone_whose_apex_is_missed_by_less_than_64_bits_show) {
-  const HeightMapField law = build({{{height::Cone{0.3F, 0, 3, 4}}}}, Rendering::true_height);
+  const HeightMapField law = build({{{height::Cone{0.3F, 0, 3, 4}}}}, Mode::true_height);
   const Slice slice{Along::x, 1e-35F, -1, 1};
   const auto words = [](const auto& f) -> std::string {
     try {
@@ -346,7 +346,7 @@ TEST(height_enclosures, refuse_a_cone_whose_apex_is_missed_by_less_than_64_bits_
 }
 
 TEST(monitor, is_told_how_far_it_is_and_stops_all_three) {
-  const HeightMapField law = build({{{height::Grating{1, 19.44F, 0, 0}}}}, Rendering::force_shaded);
+  const HeightMapField law = build({{{height::Grating{1, 19.44F, 0, 0}}}}, Mode::force_shaded);
   const Slice slice{Along::x, 0, -0.5F, 0.5F};
   const auto path = witness(law, slice, 0.5F);
   std::atomic<bool> stop{false};

@@ -11,11 +11,11 @@ namespace forceshade {
 namespace {
 
 using Eigen::Vector3f;
-using height::Rendering;
+using height::Mode;
 using reference::HeightMapField;
 
-HeightMapField law(height::Shape shape, Rendering rendering = Rendering::true_height, bool negated = false) {
-  return std::get<HeightMapField>(HeightMapField::build({{{std::move(shape), negated}}}, rendering, 1));
+HeightMapField law(height::Shape shape, Mode mode = Mode::true_height, bool negated = false) {
+  return std::get<HeightMapField>(HeightMapField::build({{{std::move(shape), negated}}}, mode, 1));
 }
 
 Vector3f force(const HeightMapField& of, const Vector3f& position) {
@@ -32,9 +32,9 @@ TEST(height_reference, tilts_the_force_of_a_plane) {
   // Slope 3/4: n = 5/4, normal (-3/5, 0, 4/5). U(4, 7) = 5.
   const height::Plane plane{0.75F, 0, 2};
   EXPECT_EQ(force(law(plane), {4, 7, 0}), Vector3f(-3, 0, 4));
-  EXPECT_EQ(force(law(plane, Rendering::conservative), {4, 7, 0}), Vector3f(-3.75F, 0, 5));
-  EXPECT_EQ(force(law(plane, Rendering::force_shaded), {4, 7, -10}), Vector3f(-6, 0, 8));
-  EXPECT_EQ(force(law(plane, Rendering::true_height, true), {4, 7, -10}), Vector3f(3, 0, 4));
+  EXPECT_EQ(force(law(plane, Mode::conservative), {4, 7, 0}), Vector3f(-3.75F, 0, 5));
+  EXPECT_EQ(force(law(plane, Mode::force_shaded), {4, 7, -10}), Vector3f(-6, 0, 8));
+  EXPECT_EQ(force(law(plane, Mode::true_height, true), {4, 7, -10}), Vector3f(3, 0, 4));
 }
 
 TEST(height_reference, is_free_on_the_surface_and_invalid_outside_the_domain) {
@@ -47,7 +47,7 @@ TEST(height_reference, is_free_on_the_surface_and_invalid_outside_the_domain) {
 
 TEST(height_reference, gives_a_cone_the_side_with_larger_x_on_apex_and_rim) {
   // Slope 4/3: n = 5/3. At (3, 4) from the centre U = 4/3 and M = 4/5.
-  const HeightMapField cone = law(height::Cone{10, 0, 8, 6}, Rendering::true_height);
+  const HeightMapField cone = law(height::Cone{10, 0, 8, 6}, Mode::true_height);
   EXPECT_EQ(force(cone, {13, 4, 0}), Vector3f(0.64F, static_cast<float>(2.56 / 3), 0.8F)) << "inside";
   EXPECT_EQ(force(cone, {10, 0, 3}), Vector3f(4, 0, 3)) << "apex";
   EXPECT_EQ(force(cone, {4, 0, -5}), Vector3f(-4, 0, 3)) << "rim, left: inside";
@@ -65,7 +65,7 @@ TEST(height_reference, points_the_force_of_a_cap_away_from_its_axis) {
   EXPECT_EQ(force(dome, {4, -1, 0}), Vector3f(0.6F, 0, 0.8F));
   EXPECT_EQ(force(dome, {1, 2, 0}), Vector3f(0, 0.6F, 0.8F));
   EXPECT_EQ(force(dome, {1, 3, -5}), Vector3f(0, 0, 5)) << "rim, straight ahead: outside";
-  const HeightMapField bowl = law(height::SphereCap{1, -1, 5, 8}, Rendering::true_height, true);
+  const HeightMapField bowl = law(height::SphereCap{1, -1, 5, 8}, Mode::true_height, true);
   EXPECT_EQ(force(bowl, {4, -1, -2}), Vector3f(-0.6F, 0, 0.8F)) << "into the bowl";
 }
 
@@ -91,7 +91,7 @@ TEST(height_reference, repeats_a_tiled_grid) {
       EXPECT_EQ(force(tiled, {x, 0.25F, -2}), force(tiled, {x - 80, 0.25F + 60, -2}));
     }
   }
-  const HeightMapField heights = law(grid(height::Interpolant::bilinear, height::Edge::tile, values), Rendering::conservative);
+  const HeightMapField heights = law(grid(height::Interpolant::bilinear, height::Edge::tile, values), Mode::conservative);
   EXPECT_EQ(force(heights, {1, 0, -2}).z(), values[6] + 2) << "third column, second row";
   EXPECT_EQ(force(heights, {-15, 6, -2}).z(), values[6] + 2);
 }
@@ -101,21 +101,20 @@ TEST(height_reference, reproduces_what_a_cubic_spline_can) {
   std::vector<float> values;
   for (int j = 0; j < 3; ++j)
     for (int i = 0; i < 4; ++i) values.push_back(0.75F * static_cast<float>(i * i));
-  const HeightMapField spline =
-      law(grid(height::Interpolant::cubic_spline, height::Edge::clamp, values), Rendering::conservative);
+  const HeightMapField spline = law(grid(height::Interpolant::cubic_spline, height::Edge::clamp, values), Mode::conservative);
   // Within one cell from the edge on no coefficient is clamped: x = -1 to 1. U(0) = 0.75·(2.25 + 1/3) = 1.9375, slope 9/8.
   EXPECT_EQ(force(spline, {0, 0.5F, 0.9375F}), Vector3f(-1.125F, 0, 1));
   EXPECT_EQ(force(spline, {-1, 0, 0}), Vector3f(-0.75F, 0, 1)) << "U = 1";
 }
 
 TEST(height_reference, knows_gaussian_and_grating) {
-  const HeightMapField hill = law(height::Gaussian{1, 2, 3, 0.5F}, Rendering::conservative);
+  const HeightMapField hill = law(height::Gaussian{1, 2, 3, 0.5F}, Mode::conservative);
   EXPECT_EQ(force(hill, {1, 2, 1}), Vector3f(0, 0, 2)) << "the top";
   const double e = std::exp(-0.5);
   EXPECT_FLOAT_EQ(force(hill, {1.5F, 2, 0}).z(), static_cast<float>(3 * e));
   EXPECT_FLOAT_EQ(force(hill, {1.5F, 2, 0}).x(), static_cast<float>(3 * e * 2 * 3 * e));
   EXPECT_EQ(force(hill, {1.5F, 2, 0}).y(), 0);
-  const HeightMapField waves = law(height::Grating{2, 3, -4, 0.5F}, Rendering::conservative);
+  const HeightMapField waves = law(height::Grating{2, 3, -4, 0.5F}, Mode::conservative);
   const double angle = 3 * 0.25 - 4 * 0.5 + 0.5, gap = 2 * std::cos(angle) + 1;
   EXPECT_FLOAT_EQ(force(waves, {0.25F, 0.5F, -1}).z(), static_cast<float>(gap));
   EXPECT_FLOAT_EQ(force(waves, {0.25F, 0.5F, -1}).x(), static_cast<float>(gap * 2 * 3 * std::sin(angle)));
@@ -124,15 +123,15 @@ TEST(height_reference, knows_gaussian_and_grating) {
 
 TEST(height_reference, adds_parts) {
   const HeightMap map{{{height::Plane{0.75F, 0, 2}}, {height::Plane{0, 1, 1}, true}}};
-  const auto sum = std::get<HeightMapField>(HeightMapField::build(map, Rendering::conservative, 2));
+  const auto sum = std::get<HeightMapField>(HeightMapField::build(map, Mode::conservative, 2));
   EXPECT_EQ(force(sum, {4, 3, 0}), Vector3f(-1.5F, 2, 2)) << "U = 5 - 4";
 }
 
 // Positions at which no number of bits decides: what is left beside a surface, a tie or 0 is too small, or nothing.
 TEST(height_reference, decides_where_no_precision_does) {
   const height::Gaussian hill{0, 0, 1, 1};
-  const auto law = [](HeightMap map, Rendering rendering = Rendering::true_height, float stiffness = 1) {
-    return std::get<HeightMapField>(HeightMapField::build(std::move(map), rendering, stiffness));
+  const auto law = [](HeightMap map, Mode mode = Mode::true_height, float stiffness = 1) {
+    return std::get<HeightMapField>(HeightMapField::build(std::move(map), mode, stiffness));
   };
   const HeightMapField nothing = law({{{hill}, {hill, true}}});
   EXPECT_EQ(nothing.round_to_binary32({1, 1, 0}).status, Status::free) << "parts that cancel";
@@ -150,17 +149,17 @@ TEST(height_reference, decides_where_no_precision_does) {
   }
   // K (1/2 - z) is a tie, 1 + 2^-24; the tail moves it off, the way of its sign; its slope moves it down where the depth is not
   // its own.
-  const auto z_force = [&](bool negated, Rendering rendering, float z) {
-    return law({{{hill, negated}, {level}}}, rendering, 1).round_to_binary32({80, 0, z}).force.z();
+  const auto z_force = [&](bool negated, Mode mode, float z) {
+    return law({{{hill, negated}, {level}}}, mode, 1).round_to_binary32({80, 0, z}).force.z();
   };
   const float z = -0x1.000002p-1F;
   EXPECT_EQ(law({{{level}}}).round_to_binary32({80, 0, z}).force.z(), 1) << "a tie: to even";
-  EXPECT_EQ(z_force(false, Rendering::true_height, z), 0x1.000002p+0F);
-  EXPECT_EQ(z_force(true, Rendering::true_height, z), 1);
-  EXPECT_EQ(z_force(false, Rendering::conservative, z), 0x1.000002p+0F);
+  EXPECT_EQ(z_force(false, Mode::true_height, z), 0x1.000002p+0F);
+  EXPECT_EQ(z_force(true, Mode::true_height, z), 1);
+  EXPECT_EQ(z_force(false, Mode::conservative, z), 0x1.000002p+0F);
   // 1.5·(1 + 2^-23) is a tie, which rounds up to even: the tail's slope takes it below.
   const auto shaded = [&](std::vector<height::Part> parts) {
-    return law({std::move(parts)}, Rendering::force_shaded, 1.5F).round_to_binary32({80, 0, -0x1.000002p+0F}).force.z();
+    return law({std::move(parts)}, Mode::force_shaded, 1.5F).round_to_binary32({80, 0, -0x1.000002p+0F}).force.z();
   };
   EXPECT_EQ(shaded({{level}}), 0x1.800004p+0F);
   EXPECT_EQ(shaded({{hill}, {level}}), 0x1.800002p+0F);
@@ -168,12 +167,12 @@ TEST(height_reference, decides_where_no_precision_does) {
   // Two Gaussians, as far away and as high, one of them a dent: on the line between them they cancel, their slopes do not.
   const HeightMap pair{{{height::Gaussian{-3, 0, 1, 1}}, {height::Gaussian{3, 0, 1, 1}, true}}};
   EXPECT_EQ(law(pair).round_to_binary32({0, 2, 0}).status, Status::free);
-  EXPECT_EQ(law(pair, Rendering::conservative, 0.5F).round_to_binary32({0, 2, -0x1.000002p-1F}).force.z(), 0x1.000002p-2F);
+  EXPECT_EQ(law(pair, Mode::conservative, 0.5F).round_to_binary32({0, 2, -0x1.000002p-1F}).force.z(), 0x1.000002p-2F);
 }
 
 TEST(height_reference, refuses_numbers_outside_the_domain) {
   const auto error = [](height::Shape shape, float stiffness = 1) {
-    const auto built = HeightMapField::build({{{std::move(shape)}}}, Rendering::true_height, stiffness);
+    const auto built = HeightMapField::build({{{std::move(shape)}}}, Mode::true_height, stiffness);
     return std::holds_alternative<ParameterError>(built) ? std::get<ParameterError>(built).message() : "built";
   };
   EXPECT_EQ(error(height::Plane{1, 1, 1}), "built");
@@ -185,7 +184,7 @@ TEST(height_reference, refuses_numbers_outside_the_domain) {
   values[7] = NAN;
   EXPECT_EQ(error(grid(height::Interpolant::bilinear, height::Edge::tile, values)),
             "size of a value is nan mm; expected 9.313226e-10 to 10000 mm");
-  EXPECT_TRUE(std::holds_alternative<ParameterError>(HeightMapField::build({}, Rendering::true_height, 1))) << "no parts";
+  EXPECT_TRUE(std::holds_alternative<ParameterError>(HeightMapField::build({}, Mode::true_height, 1))) << "no parts";
 }
 
 // A level surface that z lies on, beside numbers that are 0 or nearly so.
@@ -194,7 +193,7 @@ TEST(height_reference, tells_what_cancels_from_what_all_but_cancels) {
       height::Grid{2, 2, 0.3F, height::Edge::clamp, height::Interpolant::bilinear, {0.3F, 0.3F, 0.3F, 0.3F}});
   const auto rounded = [&](const height::Gaussian& hill, bool negated) {
     const HeightMap map{{{level}, {hill, negated}}};
-    const auto law = std::get<HeightMapField>(HeightMapField::build(map, Rendering::true_height, 1));
+    const auto law = std::get<HeightMapField>(HeightMapField::build(map, Mode::true_height, 1));
     return law.round_to_binary32({0.1F, 10, 0.3F}).status;
   };
   EXPECT_EQ(rounded({0, 0, 0, 1}, false), Status::free) << "a hill that is none";

@@ -16,14 +16,14 @@ namespace {
 using Along = Slice::Along;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
-using height::Rendering;
+using height::Mode;
 using Path = std::vector<Vector3f>;
 
-constexpr std::array kActive{Rendering::true_height, Rendering::force_shaded};
+constexpr std::array kActive{Mode::true_height, Mode::force_shaded};
 constexpr std::array kSlices{Slice{Along::x, 1.3F, -7, 6}, Slice{Along::y, 0.7F, -5, 6}};
 
-HeightMapField build(const HeightMap& map, Rendering rendering, float K) {
-  return std::get<HeightMapField>(HeightMapField::build(map, rendering, K));
+HeightMapField build(const HeightMap& map, Mode mode, float K) {
+  return std::get<HeightMapField>(HeightMapField::build(map, mode, K));
 }
 
 double along(const Slice& slice, const Vector3f& corner) {
@@ -37,12 +37,12 @@ bool is_simple(const Slice& slice, const Path& path) {
 }
 
 // Over the corners and some places between them, by the second program's heights.
-double deepest(const HeightExample& example, Rendering rendering, const Path& path) {
+double deepest(const HeightExample& example, Mode mode, const Path& path) {
   double most = -1e9;
   for (std::size_t i = 1; i < path.size(); ++i)
     for (int k = 0; k <= 8; ++k) {
       const Vector3d from = path[i - 1].cast<double>(), at = from + k / 8.0 * (path[i].cast<double>() - from);
-      most = std::max(most, (rendering == Rendering::true_height ? example.U(at.x(), at.y()) : 0) - at.z());
+      most = std::max(most, (mode == Mode::true_height ? example.U(at.x(), at.y()) : 0) - at.z());
     }
   return most;
 }
@@ -51,12 +51,12 @@ TEST(height_witness, is_a_simple_loop_no_deeper_than_asked_that_generates_99_per
   double worst = 1;
   std::size_t longest = 0;
   for (const HeightExample& example : height_examples())
-    for (const Rendering rendering : kActive)
+    for (const Mode mode : kActive)
       for (const Slice& slice : kSlices)
         for (const float depth : {0.05F, 0.5F, 20.0F}) {
           const std::string what =
               std::string(example.name) + ' ' + std::to_string(depth) + (slice.along == Along::x ? " x" : " y");
-          const HeightMapField law = build(example.map, rendering, 0.5F);
+          const HeightMapField law = build(example.map, mode, 0.5F);
           ASSERT_FALSE(slice_error(law, slice, depth)) << what;
           const SliceBound bound = loop_bound(law, slice, depth);
           const Path loop = witness(law, slice, depth);
@@ -73,7 +73,7 @@ TEST(height_witness, is_a_simple_loop_no_deeper_than_asked_that_generates_99_per
                         along(slice, corner) <= static_cast<double>(slice.to))
                 << what;
           }
-          EXPECT_LE(deepest(example, rendering, loop), static_cast<double>(depth) + 1e-12) << what;
+          EXPECT_LE(deepest(example, mode, loop), static_cast<double>(depth) + 1e-12) << what;
           const Interval generated = work(law, loop);
           EXPECT_LE(generated.low, bound.most().high) << what;
           EXPECT_GE(generated.low, 0.99 * bound.most().high) << what;
@@ -88,7 +88,7 @@ TEST(height_witness, goes_round_kinks_closer_than_a_binary32_step) {
   const HeightMap map{
       {{height::CylinderCap{0, 0.5F, std::nextafter(1.0F, 0.0F)}}, {height::Polygons{{{-0.5F, 0}, {0, 0.25F}, {0.5F, 0}}}}}};
   const Slice slice{Along::x, 0.25F, -1, 1};
-  const HeightMapField law = build(map, Rendering::force_shaded, 1);
+  const HeightMapField law = build(map, Mode::force_shaded, 1);
   const Path loop = witness(law, slice, 0.5F);
   EXPECT_TRUE(is_simple(slice, loop));
   EXPECT_GE(work(law, loop).low, 0.99 * loop_bound(law, slice, 0.5F).most().high);
@@ -96,18 +96,17 @@ TEST(height_witness, goes_round_kinks_closer_than_a_binary32_step) {
 
 TEST(height_witness, of_a_field_with_a_potential_is_none) {
   for (const HeightExample& example : height_examples())
-    EXPECT_TRUE(witness(build(example.map, Rendering::conservative, 1), {}, 2).empty());
+    EXPECT_TRUE(witness(build(example.map, Mode::conservative, 1), {}, 2).empty());
 }
 
 // Walked at no more than 2·10^-4 mm a step, the hand gets the work of the force at the middle of each.
 TEST(height_witness, walked_on_the_fast_path_generates_the_same) {
   constexpr double kStep = 2e-4, K = 0.5, D = 0.5;
   for (const HeightExample& example : height_examples())
-    for (const Rendering rendering : kActive)
+    for (const Mode mode : kActive)
       for (const Slice& slice : kSlices) {
-        const HeightMapField law = build(example.map, rendering, static_cast<float>(K));
-        const auto fast =
-            std::get<fast::HeightMapField>(fast::HeightMapField::build(example.map, rendering, static_cast<float>(K)));
+        const HeightMapField law = build(example.map, mode, static_cast<float>(K));
+        const auto fast = std::get<fast::HeightMapField>(fast::HeightMapField::build(example.map, mode, static_cast<float>(K)));
         const Path loop = witness(law, slice, static_cast<float>(D));
         if (loop.empty()) continue;
         double generated = 0, length = 0;

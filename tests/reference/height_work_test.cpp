@@ -14,13 +14,13 @@ namespace {
 
 using Eigen::Vector3d;
 using Eigen::Vector3f;
-using height::Rendering;
+using height::Mode;
 using Path = std::vector<Vector3f>;
 
 constexpr float kStiffness = 0.5F;
 
-HeightMapField build(const HeightMap& map, Rendering rendering) {
-  return std::get<HeightMapField>(HeightMapField::build(map, rendering, kStiffness));
+HeightMapField build(const HeightMap& map, Mode mode) {
+  return std::get<HeightMapField>(HeightMapField::build(map, mode, kStiffness));
 }
 
 double low(const Interval& value) {
@@ -43,8 +43,8 @@ TEST(height_work, equals_the_force_summed_along_the_path) {
   constexpr int kSteps = 1000;
   double worst = 0;
   for (const HeightExample& example : height_examples())
-    for (const auto& [rendering, name] : height::kRenderings) {
-      const HeightMapField law = build(example.map, rendering);
+    for (const auto& [mode, name] : height::kModes) {
+      const HeightMapField law = build(example.map, mode);
       for (int i = 0; i < 3; ++i) {
         const Path path = random_path(random);
         const Interval exact = work(law, path);
@@ -74,7 +74,7 @@ TEST(height_work, around_a_closed_path_is_nothing_for_the_conservative_rendering
   for (const HeightExample& example : height_examples()) {
     Path path = random_path(random);
     path.push_back(path.front());
-    const Interval around = work(build(example.map, Rendering::conservative), path);
+    const Interval around = work(build(example.map, Mode::conservative), path);
     EXPECT_LE(around.low, 0) << example.name;
     EXPECT_GE(around.high, 0) << example.name;
     EXPECT_LT(width(around), 1e-60) << example.name;
@@ -82,15 +82,15 @@ TEST(height_work, around_a_closed_path_is_nothing_for_the_conservative_rendering
 }
 
 TEST(height_work, of_true_heights_is_the_potentials_difference_where_there_is_one) {
-  const HeightMapField law = build({{{height::Plane{0.75F, 1, 0}}}}, Rendering::true_height);
+  const HeightMapField law = build({{{height::Plane{0.75F, 1, 0}}}}, Mode::true_height);
   const double n = std::sqrt(1 + 0.5625 + 1);
   EXPECT_NEAR(low(work(law, {{0, 0, 1}, {1, 2, 0.75F}})), -0.25 / n * 4, 1e-12) << "from outside to 2 mm below 2.75 mm";
 }
 
 TEST(height_work, does_not_depend_on_where_a_straight_path_is_cut) {
   for (const HeightExample& example : height_examples())
-    for (const auto& [rendering, name] : height::kRenderings) {
-      const HeightMapField law = build(example.map, rendering);
+    for (const auto& [mode, name] : height::kModes) {
+      const HeightMapField law = build(example.map, mode);
       const Path whole{{-6, -2, -0.5F}, {6, 4, 0.25F}}, cut{{-6, -2, -0.5F}, {-2, 0, -0.25F}, {2, 2, 0}, {6, 4, 0.25F}};
       const Interval a = work(law, whole), b = work(law, cut);
       EXPECT_NEAR(low(a), low(b), 1e-9) << example.name << ' ' << name;
@@ -101,18 +101,18 @@ TEST(height_work, does_not_depend_on_where_a_straight_path_is_cut) {
 TEST(height_work, there_and_back_is_nothing) {
   // The ends lie on cell lines, knots, rims and the apex.
   for (const HeightExample& example : height_examples())
-    for (const auto& [rendering, name] : height::kRenderings)
+    for (const auto& [mode, name] : height::kModes)
       for (const auto& [from, to] : {std::pair{Vector3f(0.375F, 2, -0.5F), Vector3f(-5, 2, -0.25F)},
                                      {{3, 1.125F, -0.5F}, {-1, -1.125F, 0.25F}},
                                      {{5, -0.5F, -0.5F}, {-3, -0.5F, -0.5F}}}) {
-        const Interval generated = work(build(example.map, rendering), {from, to, from});
+        const Interval generated = work(build(example.map, mode), {from, to, from});
         EXPECT_LT(std::fabs(low(generated)), 1e-9) << example.name << ' ' << name;
       }
 }
 
 TEST(height_work, straight_up_on_a_kink_is_that_of_the_side_with_larger_x) {
   const auto share = [](const HeightMap& map, float x, float y) {
-    return low(work(build(map, Rendering::force_shaded), {{x, y, -1}, {x, y, 0}})) / (0.5 * static_cast<double>(kStiffness));
+    return low(work(build(map, Mode::force_shaded), {{x, y, -1}, {x, y, 0}})) / (0.5 * static_cast<double>(kStiffness));
   };
   const HeightMap ridge{{{height::CylinderCap{0, 5, 8}}}}, cone{{{height::Cone{0, 0, 3, 4}}}};
   EXPECT_NEAR(share(ridge, -4, 0), 0.6, 1e-12);
@@ -132,8 +132,8 @@ TEST(height_work, along_a_kink_is_that_of_the_side_with_larger_x_then_y) {
   };
   // At a depth of 1, down by 1/4 along it: K·∫depth/n.
   const double generated = -static_cast<double>(kStiffness) * (0.25 + 0.03125) * 0.8;
-  EXPECT_NEAR(low(work(build(fold(false), Rendering::force_shaded), {{0, -0.5F, -1}, {0, 0.5F, -1.25F}})), generated, 1e-12);
-  EXPECT_NEAR(low(work(build(fold(true), Rendering::force_shaded), {{-0.5F, 0, -1}, {0.5F, 0, -1.25F}})), generated, 1e-12);
+  EXPECT_NEAR(low(work(build(fold(false), Mode::force_shaded), {{0, -0.5F, -1}, {0, 0.5F, -1.25F}})), generated, 1e-12);
+  EXPECT_NEAR(low(work(build(fold(true), Mode::force_shaded), {{-0.5F, 0, -1}, {0.5F, 0, -1.25F}})), generated, 1e-12);
 }
 
 TEST(series, holds_the_taylor_coefficients_of_what_was_computed) {

@@ -68,8 +68,8 @@ class ExactSession final : public properties::ReferenceSession {
  private:
   enum class Side { free, held };
 
-  // Of the two binary32 numbers around it the nearer one; of two equally near ones the even one. Below the normal range Boost's
-  // own conversion rounds twice.
+  // The nearer one of the two binary32 numbers around it; the even one where both are equally near. Below the normal range
+  // Boost's own conversion rounds twice.
   static float rounded(const cpp_bin_float_50& exact) {
     float near = exact.convert_to<float>();
     for (const float other : {std::nextafter(near, -INFINITY), std::nextafter(near, INFINITY)}) {

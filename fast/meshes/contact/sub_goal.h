@@ -63,7 +63,7 @@ struct SubGoal {
                                                        const std::array<float, 3>& p) noexcept {
     using meshes::scaled;
     const Arrival here{spot, Rest::at_spot};
-    const meshes::RestNumbers<N> numbers(mesh, here, p.data(), p.data());
+    const meshes::RestNumbers<N> numbers(mesh, here, HandAndGoal(p));
     const meshes::Way3<N> up = numbers.way();
     const Vector3<N> n = numbers.normal(mesh.face(face_of(spot.half)));
     const HalfEdge h = spot.half;

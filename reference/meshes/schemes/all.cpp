@@ -16,7 +16,7 @@ std::variant<std::unique_ptr<const Scheme>, ParameterError> scheme_of(const Mesh
     case mesh::Shading::vertex_scheme: return std::make_unique<const VertexScheme>(surface, rendering.normals);
     case mesh::Shading::edge_scheme: return std::make_unique<const EdgeScheme>(surface);
     case mesh::Shading::texture_scheme: {
-      auto map = HeightMapField::build({rendering.texture.map.parts}, height::Rendering::force_shaded, 1);
+      auto map = HeightMapField::build({rendering.texture.map.parts}, height::Mode::force_shaded, 1);
       if (const auto* error = std::get_if<ParameterError>(&map)) return *error;
       return std::make_unique<const TextureScheme>(surface, rendering.normals, rendering.texture.corners,
                                                    std::get<HeightMapField>(std::move(map)));

@@ -15,7 +15,7 @@ using namespace stand_in_hd;
 
 namespace {
 
-// Of numbers that the type does not have, the nearest.
+// The nearest of the type's numbers, for one that it does not have.
 template <typename T>
 T to(double value) {
   if constexpr (std::is_floating_point_v<T>) {

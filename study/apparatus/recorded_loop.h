@@ -11,36 +11,38 @@
 #include <string>
 #include <thread>
 
-#include "apps/experiment_bumps.h"
 #include "device/stage.h"
 #include "device/triple_buffer.h"
 #include "forceshade/servo_loop.h"
 #include "recorder/parts.h"
+#include "study/apparatus/bumps.h"
+#include "study/experiments/session.h"
 
-namespace forceshade::apps {
+namespace forceshade::apparatus {
 
-struct ApparatusPlan {
-  std::string device;                               // as the command line names it
+struct LoopPlan {
+  std::string device;                               // its name, for the record
   std::filesystem::path folder;                     // of this run's ticks; it does not exist yet
   std::map<std::string, std::string> certificates;  // digests by certificate_name(); empty: uncertified
   Eigen::Vector3f origin{0, 0, 0};                  // mm, of the scene in the device's frame
-  recorder::Metadata metadata = {};                 // of each part, beside what the apparatus adds
+  recorder::Metadata metadata = {};                 // of each part, beside what the loop adds
   device::ServoOptions servo = {};                  // its placement stays as it is: the stage places the bumps
 };
 
 // Two kinds of file are in the folder. NUMBER-PLACE.fsr are the parts of the run, one for each trial and one for each time
 // between trials; together they hold every tick once. stimuli.jsonl has a line for each stimulus that the stage was offered,
 // written before the offer: what `shown` in the ticks means.
-class Apparatus {
+class RecordedLoop {
  public:
-  // Makes the folder. Bumps and device live longer. Throws BadInput or RecordingError.
-  Apparatus(device::Device& device, Bumps& bumps, ApparatusPlan plan);
+  // Makes the folder. Device, bumps and stop live longer; stop ends the loop, whatever the calling thread does. Throws BadInput
+  // or RecordingError.
+  RecordedLoop(device::Device& device, Bumps& bumps, LoopPlan plan, const std::atomic<bool>& stop);
   // Stops where stop() was not called.
-  ~Apparatus();
-  Apparatus(const Apparatus&) = delete;
-  Apparatus& operator=(const Apparatus&) = delete;
+  ~RecordedLoop();
+  RecordedLoop(const RecordedLoop&) = delete;
+  RecordedLoop& operator=(const RecordedLoop&) = delete;
 
-  // The loop begins, in its own thread. A signal that ends the work ends it, whatever the calling thread does.
+  // The loop begins, in its own thread.
   void start();
 
   // What the session shows now is offered to the loop, and a trial that began gets its part. Call after every press, and often
@@ -71,6 +73,7 @@ class Apparatus {
     };
     void push(const device::Sample& sample) noexcept override;
     device::TripleBuffer<Tick> mailbox;
+    const std::atomic<bool>* asked = nullptr;
     std::atomic<bool>* stop = nullptr;
   };
   void begin_part(const experiments::Session& session);
@@ -78,7 +81,7 @@ class Apparatus {
 
   device::Device& device_;
   Bumps& bumps_;
-  ApparatusPlan plan_;
+  LoopPlan plan_;
   device::Stage stage_;
   recorder::Parts parts_;
   Latest latest_;
@@ -95,4 +98,4 @@ class Apparatus {
   std::string place_;  // of the part: "block-1-trial-7-1", "between"
 };
 
-}  // namespace forceshade::apps
+}  // namespace forceshade::apparatus

@@ -1,45 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/experiment_bumps.h"
+#include "study/apparatus/bumps.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "apps/command.h"
-#include "apps/subject_option.h"
 #include "files/csv.h"
-#include "forceshade/properties.h"
+#include "forceshade/bad_input.h"
+#include "rendering/subjects/file.h"
 
-namespace forceshade::apps {
+namespace forceshade::apparatus {
 namespace {
 
 using experiments::Bump;
 using experiments::kMillimetresPerMil;
 using experiments::StimulusKind;
+using files::BadInput;
 
 // The protocol's stiffness is that of all that a session renders.
-std::shared_ptr<const properties::Subject> subject_of_file(const std::string& file, float stiffness) {
-  const Description described = read_with_progress(subjects::options_of_file(file));
+Description of_file(const std::string& file, float stiffness, const Bumps::Read& read) {
+  Description described = read(subjects::options_of_file(file));
   if (const float its = described.stiffness(); its != stiffness)
     throw BadInput(file + ": stiffness: expected that of the protocol, " + files::shortest(stiffness) + " N/mm, got " +
                    files::shortest(its) + " N/mm");
-  return properties::subject_of(described);
-}
-
-std::shared_ptr<const properties::Subject> subject_of(const experiments::Protocol& protocol, const Bump& bump) {
-  const experiments::Stimulus& stimulus = protocol.stimulus(bump.stimulus);
-  if (stimulus.kind == StimulusKind::law) return properties::law_subject(stimulus.law, protocol.parameters(bump.radius));
-  const auto variant = std::ranges::find(stimulus.variants, bump.radius, &experiments::Variant::radius);
-  if (variant == stimulus.variants.end()) throw BadInput(words_of(bump) + ": the protocol has no such shape");
-  const std::string file = variant->file;
-  if (stimulus.kind == StimulusKind::subject) return subject_of_file(file, protocol.stiffness);
-  subjects::Options options{{"stiffness", files::shortest(protocol.stiffness)}};
-  if (stimulus.kind == StimulusKind::mesh) {
-    options.add({"mesh", file});
-    options.add({"unit", variant->unit});
-  } else {
-    options.add({"height-map", file});
-  }
-  return properties::subject_of(read_with_progress(options));
+  return described;
 }
 
 }  // namespace
@@ -48,14 +31,36 @@ std::string words_of(const Bump& bump) {
   return bump.radius == 0 ? bump.stimulus : bump.stimulus + ", " + std::to_string(bump.radius) + " mil";
 }
 
+Description Bumps::description(const Bump& bump) const {
+  const experiments::Stimulus& stimulus = protocol_.stimulus(bump.stimulus);
+  if (stimulus.kind == StimulusKind::law)
+    return {std::string(name_of(stimulus.law)), DescribedLaw{stimulus.law, protocol_.parameters(bump.radius)}};
+  const auto variant = std::ranges::find(stimulus.variants, bump.radius, &experiments::Variant::radius);
+  if (variant == stimulus.variants.end()) throw BadInput(words_of(bump) + ": the protocol has no such shape");
+  const std::string file = variant->file;
+  if (stimulus.kind == StimulusKind::subject) return of_file(file, protocol_.stiffness, read_);
+  subjects::Options options{{"stiffness", files::shortest(protocol_.stiffness)}};
+  if (stimulus.kind == StimulusKind::mesh) {
+    options.add({"mesh", file});
+    options.add({"unit", variant->unit});
+  } else {
+    options.add({"height-map", file});
+  }
+  return read_(options);
+}
+
 Bumps::Kept& Bumps::kept(const Bump& bump) {
   Kept& kept = kept_[{bump.stimulus, bump.radius}];
-  if (!kept.subject) kept.subject = subject_of(protocol_, bump);
+  if (!kept.rendering) {
+    auto built = rendering_of(description(bump));
+    if (const auto* error = std::get_if<ParameterError>(&built)) throw BadInput(words_of(bump) + ": " + error->message());
+    kept.rendering = std::get<Rendering>(std::move(built));
+  }
   return kept;
 }
 
-const properties::Subject& Bumps::of(const Bump& bump) {
-  return *kept(bump).subject;
+const Rendering& Bumps::of(const Bump& bump) {
+  return *kept(bump).rendering;
 }
 
 Eigen::Vector3f Bumps::place_of(const Bump& bump, const Eigen::Vector3f& origin) {
@@ -64,8 +69,8 @@ Eigen::Vector3f Bumps::place_of(const Bump& bump, const Eigen::Vector3f& origin)
 
 double Bumps::height(const Bump& bump, double x) {
   Kept& its = kept(bump);
-  if (its.subject->identity().kind == kMeshKind) return 0;
-  if (!its.looked_at) its.looked_at = its.subject->renderer().open();
+  if (its.rendering->identity.kind == kMeshKind) return 0;
+  if (!its.looked_at) its.looked_at = its.rendering->renderer.open();
   // The highest place with a force, to a hundredth of a millimetre; a height map is at most as high as its domain.
   const auto is_inside = [&](double z) {
     return its.looked_at->step({static_cast<float>(x), 0, static_cast<float>(z)}).status == Status::contact;
@@ -79,4 +84,4 @@ double Bumps::height(const Bump& bump, double x) {
   return 0.5 * (inside + outside);
 }
 
-}  // namespace forceshade::apps
+}  // namespace forceshade::apparatus

@@ -8,7 +8,7 @@
 
 #include "study/experiments/bids.h"
 
-namespace forceshade::apps {
+namespace forceshade::apparatus {
 
 // The recordings of a run's folder, in the order of the run.
 std::vector<std::filesystem::path> parts_of(const std::filesystem::path& run);
@@ -17,4 +17,4 @@ std::vector<std::filesystem::path> parts_of(const std::filesystem::path& run);
 // Times are those of the trial log: this machine's clock, or the device's where the run was not paced. Reads a part at a time.
 std::optional<experiments::Motion> motion_of(const std::filesystem::path& session, int run);
 
-}  // namespace forceshade::apps
+}  // namespace forceshade::apparatus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/session_motion.h"
+#include "study/apparatus/motion.h"
 
 #include <algorithm>
 #include <iterator>
@@ -11,7 +11,7 @@
 #include "recorder/settings.h"
 #include "study/experiments/session_folder.h"
 
-namespace forceshade::apps {
+namespace forceshade::apparatus {
 namespace {
 
 namespace fs = std::filesystem;
@@ -82,4 +82,4 @@ std::optional<experiments::Motion> motion_of(const fs::path& session, int run) {
   return motion;
 }
 
-}  // namespace forceshade::apps
+}  // namespace forceshade::apparatus

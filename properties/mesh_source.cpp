@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "properties/mesh_generators.h"
+#include "properties/mesh_source.h"
 
 #include <algorithm>
 #include <bit>
@@ -10,12 +10,11 @@
 #include <utility>
 
 #include "properties/binary32.h"
-#include "properties/positions.h"
+#include "properties/mesh_points.h"
 
 namespace forceshade::properties {
 namespace {
 
-using Point = std::array<double, 3>;
 using Point2 = std::array<double, 2>;
 
 // mm: what most coordinates are multiples of. With sizes up to 64 mm, products of two are exact in binary64.
@@ -25,32 +24,10 @@ double twice_area(const Point2& a, const Point2& b, const Point2& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-Point difference(const Point& a, const Point& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Point scaled_to(const Point& a, double length) {
-  const double factor = length / std::max(std::sqrt(dot(a, a)), std::numeric_limits<double>::min());
-  return {a[0] * factor, a[1] * factor, a[2] * factor};
-}
-
-Point wide(const mesh::Vertex& v) {
-  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-}
-
 // As a mesh may have it: exactly a binary32 of the domain, and not one that is read as 0.
 bool is_coordinate(double value) {
   const auto narrow = static_cast<float>(value);
   return static_cast<double>(narrow) == value && reference::in_domain(narrow) && reference::quantised(narrow) == narrow;
-}
-
-float in_domain(double value) {
-  return static_cast<float>(kept_in_domain(value));
 }
 
 }  // namespace
@@ -374,208 +351,6 @@ RandomMesh MeshSource::of_family(std::size_t family) {
   const bool is_usual = bits() % 8 != 0;
   const mesh::Sides sides = made.is_closed == is_usual ? mesh::Sides::front : mesh::Sides::both;
   return {family, placed(std::move(made)), sides};
-}
-
-mesh::CornerNormals MeshSource::normals_of(const mesh::TriangleMesh& mesh) {
-  std::vector<Point> flat, smooth(mesh.vertices.size());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Point A = wide(mesh.vertices[a]),
-                n = cross(difference(wide(mesh.vertices[b]), A), difference(wide(mesh.vertices[c]), A));
-    flat.push_back(scaled_to(n, 1));
-    for (const std::uint32_t v : {a, b, c})
-      for (std::size_t axis = 0; axis < 3; ++axis) smooth[v][axis] += flat.back()[axis];
-  }
-  const std::uint64_t crease = bits() % 3 == 0 ? 0 : 2 + bits() % 8, stray = bits() % 2 == 0 ? 0 : 16;
-  const auto narrow = [&](const Point& normal) {
-    const Point unit =
-        scaled_to(stray != 0 && bits() % stray == 0 ? Point{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)} : normal, 1);
-    return mesh::Normal{static_cast<float>(unit[0]), static_cast<float>(unit[1]), static_cast<float>(unit[2])};
-  };
-  std::vector<mesh::Normal> shared;
-  for (const Point& normal : smooth) shared.push_back(narrow(normal));
-  mesh::CornerNormals normals;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const mesh::Normal own = narrow(flat[i]);
-    const auto corner = [&](std::size_t k) { return crease != 0 && bits() % crease == 0 ? own : shared[mesh.triangles[i][k]]; };
-    const mesh::Normal first = corner(0), second = corner(1), third = corner(2);
-    normals.push_back({first, second, third});
-  }
-  return normals;
-}
-
-mesh::CornerTextures MeshSource::textures_of(const mesh::TriangleMesh& mesh) {
-  const auto kept = [](double value, double most) {
-    const auto rounded = static_cast<float>(std::clamp(value, -most, most));
-    return std::fabs(rounded) < 0x1p-30F ? 0.0F : rounded;
-  };
-  double size = 0;
-  for (const mesh::Triangle& triangle : mesh.triangles)
-    for (const std::uint32_t v : triangle) {
-      const Point off = difference(wide(mesh.vertices[v]), wide(mesh.vertices[mesh.triangles[0][0]]));
-      size = std::max(size, std::sqrt(dot(off, off)));
-    }
-  // Along axes every other time, so that coordinates have few bits and the map's edges and kinks are met.
-  const bool is_along_axes = bits() % 2 == 0;
-  const double per_mm = is_along_axes ? std::exp2(std::round(std::log2(10 / size))) : uniform(1, 20) / size;
-  const std::size_t first = bits() % 3;
-  const auto direction = [&](std::size_t axis) {
-    Point along{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
-    if (is_along_axes) {
-      along = {};
-      along[(first + axis) % 3] = 1;
-    }
-    for (double& component : along) component *= per_mm;
-    return along;
-  };
-  const std::array<Point, 2> along{direction(0), direction(1)};
-  const std::uint64_t seam = bits() % 3 == 0 ? 0 : 4 + bits() % 16;
-  const Point origin = wide(mesh.vertices[mesh.triangles[0][0]]);
-  const auto corner = [&](std::uint32_t vertex) {
-    mesh::CornerTexture its;
-    const bool is_own = seam != 0 && bits() % seam == 0;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      const double step = is_own ? std::round(uniform(-4, 4)) : 0;
-      its.point[axis] = kept(dot(along[axis], difference(wide(mesh.vertices[vertex]), origin)) + step, 1e4);
-      for (std::size_t i = 0; i < 3; ++i) {
-        const double component = is_own ? uniform(-1, 1) : along[axis][i];
-        (axis == 0 ? its.gradient_x : its.gradient_y)[i] = kept(component, 1e3);
-      }
-    }
-    return its;
-  };
-  mesh::CornerTextures textures;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const mesh::CornerTexture first_corner = corner(a), second = corner(b), third = corner(c);
-    textures.push_back({first_corner, second, third});
-  }
-  return textures;
-}
-
-MeshPath::MeshPath(const mesh::TriangleMesh& mesh, std::uint64_t seed) : Draws(seed), mesh_(mesh), size_(0) {
-  for (const mesh::Triangle& triangle : mesh_.triangles)
-    for (const std::uint32_t v : triangle) {
-      const Point off = difference(wide(mesh_.vertices[v]), wide(mesh_.vertices[mesh_.triangles[0][0]]));
-      size_ = std::max(size_, std::sqrt(dot(off, off)));
-    }
-}
-
-MeshPath::Point MeshPath::corner(std::size_t triangle, std::size_t i) const {
-  return wide(mesh_.vertices[mesh_.triangles[triangle][i]]);
-}
-
-MeshPath::Point MeshPath::normal(std::size_t triangle) const {
-  const Point a = corner(triangle, 0);
-  return scaled_to(cross(difference(corner(triangle, 1), a), difference(corner(triangle, 2), a)), 1);
-}
-
-MeshPath::Point MeshPath::vertex() {
-  return corner(any_triangle(), bits() % 3);
-}
-
-// A corner, a point of a side, or any point; at binary fractions as often as not, so that it may be exact.
-MeshPath::Point MeshPath::surface_point(std::size_t triangle) {
-  const auto fraction = [&](double most) {
-    return bits() % 2 == 0 ? uniform(0, most) : most * static_cast<double>(bits() % 9) / 8;
-  };
-  const double beta = bits() % 4 == 0 ? 0 : fraction(1), gamma = bits() % 4 == 0 ? 0 : fraction(1 - beta);
-  const Point a = corner(triangle, 0), b = corner(triangle, 1), c = corner(triangle, 2);
-  Point point{};
-  for (std::size_t axis = 0; axis < 3; ++axis) point[axis] = a[axis] + beta * (b[axis] - a[axis]) + gamma * (c[axis] - a[axis]);
-  return point;
-}
-
-void MeshPath::begin_stretch() {
-  kind_ = static_cast<PathKind>(bits() % kPathKinds.size());
-  left_ = 1 + static_cast<int>(bits() % 40);
-  reach_ = std::pow(10, uniform(-9, 3));
-  if (bits() % 2 == 0) reach_ = size_ * std::pow(10, uniform(-6, 0));
-  const std::size_t triangle = any_triangle();
-  const Point towards = normal(triangle), on_surface = surface_point(triangle);
-  const double depth = size_ * std::pow(10, uniform(-6, 0)) * (bits() % 4 == 0 ? 1 : -1);
-  switch (kind_) {
-    case PathKind::walk: break;  // from where it is
-    case PathKind::stroke: {
-      const Point other = surface_point(any_triangle());
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        at_[axis] = on_surface[axis] + depth * towards[axis];
-        step_[axis] = (other[axis] + depth * towards[axis] - at_[axis]) / left_;
-      }
-      break;
-    }
-    case PathKind::press:
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        at_[axis] = on_surface[axis] - depth * towards[axis];
-        step_[axis] = 2 * depth * towards[axis] / left_;
-      }
-      break;
-    case PathKind::graze:  // to and fro, down to less than a grid step of the surface apart
-      reach_ = size_ * std::pow(10, uniform(-10, -6));
-      at_ = on_surface;
-      step_ = towards;
-      break;
-    case PathKind::axis_parallel: {
-      const std::size_t axis = bits() % 3;
-      at_ = bits() % 2 == 0 ? vertex() : on_surface;
-      step_ = {};
-      step_[axis] = (bits() % 2 == 0 ? 1 : -1) * (bits() % 2 == 0 ? size_ : reach_);
-      for (double& length : step_) length = std::ldexp(std::round(std::ldexp(length, 8)), -8);
-      at_[axis] -= left_ / 2 * step_[axis];
-      break;
-    }
-    case PathKind::on_surface:
-    case PathKind::beside_vertex:
-    case PathKind::jump:
-    case PathKind::few_bits: break;
-    case PathKind::domain_end:
-    case PathKind::invalid: left_ = 1 + left_ / 16;
-  }
-}
-
-MeshPath::Point MeshPath::advanced() {
-  switch (kind_) {
-    case PathKind::walk:
-      return {at_[0] + uniform(-reach_, reach_), at_[1] + uniform(-reach_, reach_), at_[2] + uniform(-reach_, reach_)};
-    case PathKind::graze: return at_;
-    case PathKind::on_surface: return surface_point(any_triangle());
-    case PathKind::beside_vertex: {
-      Point point = vertex();
-      for (double& x : point) x = static_cast<double>(neighbour(static_cast<float>(x), small_step()));
-      return point;
-    }
-    case PathKind::jump: {
-      Point point = vertex();
-      for (double& x : point) x += uniform(-size_, size_);
-      return point;
-    }
-    case PathKind::few_bits: {
-      Point point = vertex();
-      for (double& x : point) x = std::round(x) + static_cast<double>(few_bits(size_));
-      return point;
-    }
-    case PathKind::domain_end: {
-      Point point = vertex();
-      point[bits() % 3] = static_cast<double>(domain_end());
-      return point;
-    }
-    default: return {at_[0] + step_[0], at_[1] + step_[1], at_[2] + step_[2]};
-  }
-}
-
-std::array<float, 3> MeshPath::next() {
-  if (left_ == 0) begin_stretch();
-  --left_;
-  if (bits() % 8 != 0) at_ = advanced();
-  if (kind_ == PathKind::graze) {
-    const double off = uniform(-reach_, reach_);
-    return {in_domain(at_[0] + off * step_[0]), in_domain(at_[1] + off * step_[1]), in_domain(at_[2] + off * step_[2])};
-  }
-  std::array<float, 3> position{in_domain(at_[0]), in_domain(at_[1]), in_domain(at_[2])};
-  if (kind_ == PathKind::invalid) {
-    constexpr std::array<float, 4> kInvalid{std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
-                                            -std::numeric_limits<float>::infinity(), 10000.001F};
-    position[bits() % 3] = kInvalid[bits() % kInvalid.size()];
-  }
-  return position;
 }
 
 }  // namespace forceshade::properties

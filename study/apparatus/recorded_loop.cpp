@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/experiment_apparatus.h"
+#include "study/apparatus/recorded_loop.h"
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "apps/command.h"
-#include "apps/experiment_certificates.h"
-#include "apps/signals.h"
 #include "device/run/summary.h"
 #include "device/run/words.h"
+#include "forceshade/bad_input.h"
+#include "study/apparatus/certificates.h"
 #include "study/experiments/stimulus_list.h"
 
-namespace forceshade::apps {
+namespace forceshade::apparatus {
 namespace {
 
 namespace fs = std::filesystem;
 using experiments::Bump;
+using files::BadInput;
 
 // 16 s at 1 kHz: a part lasts a minute and a half, and one is begun while another is closed.
 constexpr std::size_t kRing = std::size_t{1} << 14;
@@ -28,7 +28,7 @@ std::string numbered(int number, const std::string& place) {
   return digits + place + ".fsr";
 }
 
-recorder::Metadata known_before(const ApparatusPlan& plan, const device::Capabilities& capabilities) {
+recorder::Metadata known_before(const LoopPlan& plan, const device::Capabilities& capabilities) {
   recorder::Metadata metadata = plan.metadata;
   metadata.insert({{"stimuli", "stimuli.jsonl"}, {"certified", plan.certificates.empty() ? "no" : "yes"}});
   metadata.merge(run::metadata_of_run(plan.device, capabilities, plan.servo));
@@ -37,13 +37,14 @@ recorder::Metadata known_before(const ApparatusPlan& plan, const device::Capabil
 
 }  // namespace
 
-void Apparatus::Latest::push(const device::Sample& sample) noexcept {
+void RecordedLoop::Latest::push(const device::Sample& sample) noexcept {
   mailbox.publish({sample, true});
-  if (interrupted()) *stop = true;
+  if (*asked) *stop = true;
 }
 
-Apparatus::Apparatus(device::Device& device, Bumps& bumps, ApparatusPlan plan)
+RecordedLoop::RecordedLoop(device::Device& device, Bumps& bumps, LoopPlan plan, const std::atomic<bool>& stop)
     : device_(device), bumps_(bumps), plan_(std::move(plan)), parts_({.ring = kRing, .waits = !plan_.servo.paced}) {
+  latest_.asked = &stop;
   latest_.stop = &stop_;
   std::error_code error;
   if (!fs::create_directory(plan_.folder, error))
@@ -56,12 +57,12 @@ Apparatus::Apparatus(device::Device& device, Bumps& bumps, ApparatusPlan plan)
   plan_.servo.sinks.push_back(&latest_);
 }
 
-Apparatus::~Apparatus() {
+RecordedLoop::~RecordedLoop() {
   stop_ = true;
   if (loop_.joinable()) loop_.join();
 }
 
-void Apparatus::start() {
+void RecordedLoop::start() {
   loop_ = std::thread([this] {
     try {
       result_ = device::run_servo_loop(device_, stage_, plan_.servo, stop_);
@@ -72,7 +73,7 @@ void Apparatus::start() {
   });
 }
 
-void Apparatus::follow(const experiments::Session& session) {
+void RecordedLoop::follow(const experiments::Session& session) {
   // Answers to what was not recorded are worth little, and the disk may take no answer either.
   if (parts_.failing()) throw recorder::RecordingError(plan_.folder.string() + ": the disk refuses the ticks; is it full?");
   begin_part(session);
@@ -80,7 +81,7 @@ void Apparatus::follow(const experiments::Session& session) {
   stage_.collect();
 }
 
-void Apparatus::begin_part(const experiments::Session& session) {
+void RecordedLoop::begin_part(const experiments::Session& session) {
   const auto current = session.current();
   std::string place = "between";
   recorder::Metadata metadata = plan_.metadata;
@@ -102,7 +103,7 @@ void Apparatus::begin_part(const experiments::Session& session) {
   place_ = place;
 }
 
-void Apparatus::offer(const experiments::Scene& scene) {
+void RecordedLoop::offer(const experiments::Scene& scene) {
   auto stimulus = std::make_unique<device::Stimulus>();
   stimulus->number = ++number_;
   stimulus->seam = plan_.origin.x();
@@ -110,14 +111,14 @@ void Apparatus::offer(const experiments::Scene& scene) {
   const auto place = [&](const std::optional<Bump>& bump, std::optional<device::Placed>& placed,
                          std::optional<experiments::ListedBump>& side) {
     if (!bump) return;
-    const properties::Subject& subject = bumps_.of(*bump);
-    placed = device::Placed{subject.renderer().open(), Bumps::place_of(*bump, plan_.origin)};
-    const std::string name = certificate_name(subject.identity());
+    const Rendering& rendering = bumps_.of(*bump);
+    placed = device::Placed{rendering.renderer.open(), Bumps::place_of(*bump, plan_.origin)};
+    const std::string name = certificate_name(rendering.identity);
     const auto digest = plan_.certificates.find(name);
     side = {bump->stimulus,
             bump->radius,
             {placed->origin.x(), placed->origin.y(), placed->origin.z()},
-            run::summary_of(subject.identity()).dump(),
+            run::summary_of(rendering.identity).dump(),
             name,
             digest == plan_.certificates.end() ? "none" : digest->second};
     if (!plan_.certificates.empty() && digest == plan_.certificates.end())
@@ -132,34 +133,34 @@ void Apparatus::offer(const experiments::Scene& scene) {
   scenes_[number_] = scene;
 }
 
-experiments::Scene Apparatus::felt(const device::Sample& tick) {
+experiments::Scene RecordedLoop::felt(const device::Sample& tick) {
   const auto found = scenes_.find(static_cast<std::uint32_t>(tick.shown & 0xFFFF'FFFF));
   if (found == scenes_.end()) return {};
   scenes_.erase(scenes_.begin(), found);
   return found->second;
 }
 
-std::optional<device::Sample> Apparatus::latest() {
+std::optional<device::Sample> RecordedLoop::latest() {
   const Latest::Tick& tick = latest_.mailbox.latest();
   return tick.is_there ? std::optional(tick.sample) : std::nullopt;
 }
 
-double Apparatus::seconds() {
+double RecordedLoop::seconds() {
   const auto sample = latest();
   if (!sample) return 0;
   return plan_.servo.paced ? static_cast<double>(sample->wall_ns) / 1e9 : sample->device_time;
 }
 
-device::ServoResult Apparatus::stop() {
+device::ServoResult RecordedLoop::stop() {
   stop_ = true;
   return stop_at_the_end();
 }
 
-device::ServoResult Apparatus::stop_at_the_end() {
+device::ServoResult RecordedLoop::stop_at_the_end() {
   if (loop_.joinable()) loop_.join();
   parts_.end(thrown_ ? "not begun" : std::string(name_of(result_.end_reason)));
   if (thrown_) std::rethrow_exception(thrown_);
   return std::move(result_);
 }
 
-}  // namespace forceshade::apps
+}  // namespace forceshade::apparatus

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "device/kinds.h"
+
+#include <algorithm>
+#include <array>
+
+#include "device/null.h"
+#include "device/phantom/phantom.h"
+#include "device/simulated/simulated.h"
+
+namespace forceshade::device {
+namespace {
+
+constexpr std::array kKinds{
+    Kind{"null", "", "at rest, feels nothing",
+         [](const std::string&, Attendant&, Forces) -> std::unique_ptr<Device> { return std::make_unique<Null>(); }},
+    Kind{"replay", ":FILE.csv", "a recorded hand (columns t_s, x_mm, y_mm, z_mm), whatever the force",
+         [](const std::string& file, Attendant&, Forces) -> std::unique_ptr<Device> {
+           return std::make_unique<Replay>(Replay::load(file));
+         }},
+    Kind{"simulated", "[:MODEL[:FILE.csv]]", "a simulated PHANToM in a simulated hand that strokes, or means to go as recorded",
+         [](const std::string& rest, Attendant& attendant, Forces) { return open_simulated(rest, attendant); }},
+    Kind{"phantom", "[:NAME]", "a real PHANToM (Premium, Omni, Touch) through the vendor's driver", open_phantom},
+};
+
+// Whether a device may have this name, which begins with the kind's.
+bool is_well_formed(const Kind& kind, std::string_view name) {
+  const bool has_rest = name.size() > kind.name.size() + 1;
+  return has_rest ? !kind.rest.empty() : name == kind.name && !kind.rest.starts_with(':');
+}
+
+}  // namespace
+
+std::span<const Kind> kinds() {
+  return kKinds;
+}
+
+std::unique_ptr<Device> open_device(const std::string& name, Attendant& attendant, Forces forces) {
+  const std::string first = name.substr(0, name.find(':'));
+  std::string known;
+  for (const Kind& kind : kKinds) {
+    if (kind.name == first && is_well_formed(kind, name))
+      return kind.open(name.substr(std::min(name.size(), first.size() + 1)), attendant, forces);
+    known += (known.empty() ? "" : &kind == &kKinds.back() ? " or " : ", ") + kind.form();
+  }
+  throw UnknownDevice("unknown device \"" + name + "\": expected " + known);
+}
+
+std::unique_ptr<Device> open_device(const std::string& name) {
+  static Attendant nobody;
+  return open_device(name, nobody);
+}
+
+}  // namespace forceshade::device

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The kinds of device that there are: open_device(), its error message, `device list`, the help of --device and the completion
+// take them from this one list. A new kind is its own files and its entry in kinds.cpp.
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "forceshade/device.h"
+
+namespace forceshade::device {
+
+struct Kind {
+  std::string_view name;  // what a device's name begins with: "replay"
+  // What follows, as users write it: ":FILE.csv", or "[:NAME]" where it may be left out; empty where nothing does.
+  std::string_view rest;
+  std::string_view what;  // "a recorded hand, whatever the force"
+  // rest: what follows the colon; empty where nothing does.
+  std::unique_ptr<Device> (*open)(const std::string& rest, Attendant& attendant, Forces forces);
+
+  std::string form() const { return std::string(name) + std::string(rest); }
+};
+
+std::span<const Kind> kinds();
+
+}  // namespace forceshade::device

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What an experiment renders: each bump of a protocol as it is described and as it is driven.
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "forceshade/description.h"
+#include "forceshade/renderer.h"
+#include "rendering/subjects/options.h"
+#include "study/experiments/protocol.h"
+
+namespace forceshade::apparatus {
+
+// "bump-1p-shaded, 640 mil"
+std::string words_of(const experiments::Bump& bump);
+
+class Bumps {
+ public:
+  using Read = std::function<Description(const subjects::Options& options)>;
+
+  // read: subjects::read_one(), or one that shows how far the check of a mesh is.
+  explicit Bumps(experiments::Protocol protocol, Read read) : protocol_(std::move(protocol)), read_(std::move(read)) {}
+
+  // What this stimulus and radius is, wherever it stands. Throws BadInput, heights::Error or mesh::Error for what cannot be
+  // rendered. The protocol's height maps and meshes are read as `drive` reads them without further options.
+  Description description(const experiments::Bump& bump) const;
+
+  // The same as it is driven; kept for the next call.
+  const Rendering& of(const experiments::Bump& bump);
+
+  // mm, where its middle stands in the device's frame if the scene's origin is there.
+  static Eigen::Vector3f place_of(const experiments::Bump& bump, const Eigen::Vector3f& origin);
+
+  // mm, of the surface where the force begins, at so many mm from its middle; for the eye alone. A mesh is taken for flat.
+  double height(const experiments::Bump& bump, double x);
+
+  const experiments::Protocol& protocol() const { return protocol_; }
+
+ private:
+  struct Kept {
+    std::optional<Rendering> rendering;
+    std::unique_ptr<fast::Session> looked_at;  // by height()
+  };
+  Kept& kept(const experiments::Bump& bump);
+
+  experiments::Protocol protocol_;
+  Read read_;
+  std::map<std::pair<std::string, experiments::Mil>, Kept> kept_;
+};
+
+}  // namespace forceshade::apparatus

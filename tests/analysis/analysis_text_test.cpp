@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An analysis as text and as CSV.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "study/analysis/analysis.h"
+#include "tests/analysis/small_analysis.h"
+#include "tests/support/has.h"
+
+namespace forceshade::analysis {
+namespace {
+
+using forceshade::tests::has;
+
+TEST(analysis_text, has_the_tables_in_the_thesiss_layout) {
+  const std::string text = to_text(small_analysis());
+  for (const char* part : {"Table 6.3: Flat, shaded, no vision\n  participant  trials  slope", "\n  overall      120     ",
+                           "thesis       300     0.43", "Table 7.1: overall rows", "Table 6.9: answers, all participants",
+                           "99 1 0 0", "θ-critical", "95 % BCa intervals (Efron 1987)"})
+    EXPECT_TRUE(has(text, part)) << part << "\nin\n" << text;
+  const std::string csv = to_csv(small_analysis());
+  EXPECT_TRUE(csv.starts_with(
+      "table,stimulus,vision,radius_mil,participant,trials,column,value,low,high,thesis\n6.3,bump-1p-shaded,no,,P1,"));
+  const std::string first = csv.substr(0, csv.find("\n6.3,bump-1p-shaded,no,,P1,60,mean_sd_percent,"));
+  EXPECT_TRUE(first.ends_with(",")) << first;  // the thesis's number stands beside overall rows alone
+  EXPECT_TRUE(has(csv, ",0.43\n6.3,bump-1p-shaded,no,,overall,120,mean_sd_percent,")) << csv;
+  EXPECT_TRUE(has(csv, "\n6.9,bump-1p,,600,overall,48,percent_1,")) << csv;
+  const auto lines = std::ranges::count(csv, '\n');
+  EXPECT_EQ(lines, 1 + 2 * 3 * 4 + 3 * 21 * 4);
+}
+
+TEST(analysis_text, in_csv_has_both_ends_of_an_interval_and_nothing_for_what_is_not_defined) {
+  Analysis analysis;
+  MatchingRow row{"A", 9, {}, {}, {}};
+  row.columns[0] = {0.5, {0.25, 0.75}};
+  row.columns[2] = {7, {}};
+  analysis.matching.push_back({"own", true, {row}});
+  const std::string csv = to_csv(analysis);
+  EXPECT_TRUE(has(csv, "\n,own,yes,,A,9,slope,0.5,0.25,0.75,\n")) << csv;
+  EXPECT_TRUE(has(csv, "\n,own,yes,,A,9,mean_sd_percent,,,,\n")) << csv;
+  EXPECT_TRUE(has(csv, "\n,own,yes,,A,9,mean_satisfaction,7,,,\n")) << csv;
+}
+
+// Tables and fits have numbers of resamples of their own: p of n refits is a multiple of 1 / (1 + n).
+TEST(analysis_text, is_of_as_many_refits_as_it_says) {
+  const Analysis analysis = small_analysis();
+  ASSERT_FALSE(analysis.psychometric.empty());
+  for (const PsychometricEstimate& one : analysis.psychometric)
+    EXPECT_NEAR(one.p_bootstrap * 11, std::round(one.p_bootstrap * 11), 1e-9) << one.participant;
+  EXPECT_TRUE(has(to_text(analysis), "of 100 resamples"));
+  EXPECT_TRUE(has(to_text(analysis), "10 refits"));
+}
+
+// Every number of a psychometric fit another one, so that none can be in another's column.
+TEST(analysis_text, has_each_number_of_a_psychometric_fit_in_its_column) {
+  Analysis analysis;
+  analysis.psychometric.push_back({.participant = "P1",
+                                   .points = {},
+                                   .fit = {{21.5, 4.25, 0.06, 0.07}, -100, 8.5, false},
+                                   .threshold = {18.5, 24.5},
+                                   .scale = {3.25, 5.75},
+                                   .guess = {0.01, 0.11},
+                                   .lapse = {0.02, 0.13},
+                                   .p_bootstrap = 0.125,
+                                   .p_chi_square = 0.375});
+  std::string text = to_text(analysis);
+  const auto without_runs_of_spaces = [](const std::string& words) {
+    std::string all;
+    for (const char c : words)
+      if (c != ' ' || all.empty() || all.back() != ' ') all += c;
+    return all;
+  };
+  text = without_runs_of_spaces(text);
+  EXPECT_TRUE(has(text, "deviance p, bootstrap p, chi-square")) << text;
+  EXPECT_TRUE(has(text, "P1 21.5 (18.5 to 24.5) 4.2 (3.2 to 5.8) 0.06 (0.01 to 0.11) 0.07 (0.02 to 0.13) 8.5 0.125 0.375"))
+      << text;
+}
+
+TEST(analysis_text, is_this_text_as_a_whole) {
+  EXPECT_EQ(to_text(made_analysis()),
+            "Table 6.2: Circular cylinder, with vision\n"
+            "  participant  trials  slope                mean SD (%)         mean SI           mean steps\n"
+            "  P1           9       0.91 (0.81 to 1.01)  10.3 (9.1 to 11.2)  7.7 (6.6 to 8.8)  20.4 (18.3 to 22.5)\n"
+            "  overall      18      0.90 (0.80 to 0.96)  12.5                8.0 (7.0 to 9.0)  30.6 (28.5 to 32.7)\n"
+            "  thesis       300     0.94                 12.9                8.3               29\n"
+            "\n"
+            "Table: own é, no vision\n"
+            "  participant  trials  slope  mean SD (%)  mean SI  mean steps\n"
+            "  overall      4       -      -            6.0      3.5\n"
+            "\n"
+            "Table 7.1: overall rows\n"
+            "  bump                       trials  slope                mean SD (%)  mean SI           mean steps\n"
+            "  Circular cylinder, vision  18      0.90 (0.80 to 0.96)  12.5         8.0 (7.0 to 9.0)  30.6 (28.5 to 32.7)\n"
+            "  own é, no vision           4       -                    -            6.0               3.5\n"
+            "\n"
+            "Table 6.9: answers, all participants\n"
+            "  bump               radius (mil)  trials  1 (%)       2 (%)         3 (%)          4 (%)  thesis\n"
+            "  Circular cylinder  600           24      4 (1 to 9)  12 (5 to 20)  21 (11 to 32)  63     0 7 19 75\n"
+            "  own                650.5         8       25          26            24             25     -\n"
+            "\n"
+            "Answer 4 against the angle that each polygon subtends\n"
+            "  participant  θ-critical (°)       scale (°)         guess                lapse                deviance  p, "
+            "bootstrap  p, chi-square  \n"
+            "  P1           21.5 (18.5 to 24.5)  4.2 (3.2 to 5.8)  0.06 (0.01 to 0.11)  0.07 (0.02 to 0.13)  8.5       0.125   "
+            "      0.375          \n"
+            "  overall      31.5                 5.2               0.16                 0.17                 9.5       -       "
+            "      0.625          at a limit of its range\n"
+            "\n"
+            "90 % BCa intervals (Efron 1987) of 123 resamples, seed 45; units: trials within participant and radius, so the "
+            "intervals are about these participants; psychometric fits: maximum likelihood, 67 refits\n");
+}
+
+TEST(analysis_text, says_which_method_was_used) {
+  AnalysisOptions options;
+  options.resampling = {8, 9, 0.99, Unit::participants};
+  EXPECT_EQ(method_of(options),
+            "99 % BCa intervals (Efron 1987) of 9 resamples, seed 8; units in overall rows: participants, so those intervals "
+            "are about people like them; psychometric fits: maximum likelihood, 1000 refits");
+}
+
+TEST(analysis_text, in_csv_is_this_text_as_a_whole) {
+  Analysis analysis = made_analysis();
+  analysis.matching[1].stimulus = "own, \"é\"";
+  analysis.classification.resize(3);
+  EXPECT_EQ(to_csv(analysis),
+            "table,stimulus,vision,radius_mil,participant,trials,column,value,low,high,thesis\n"
+            "6.2,bump-cylinder,yes,,P1,9,slope,0.912,0.811,1.013,\n"
+            "6.2,bump-cylinder,yes,,P1,9,mean_sd_percent,10.26,9.1,11.2,\n"
+            "6.2,bump-cylinder,yes,,P1,9,mean_satisfaction,7.7,6.6,8.8,\n"
+            "6.2,bump-cylinder,yes,,P1,9,mean_steps,20.4,18.3,22.5,\n"
+            "6.2,bump-cylinder,yes,,overall,18,slope,0.9,0.8,0.96,0.94\n"
+            "6.2,bump-cylinder,yes,,overall,18,mean_sd_percent,12.5,,,12.9\n"
+            "6.2,bump-cylinder,yes,,overall,18,mean_satisfaction,8,7,9,8.3\n"
+            "6.2,bump-cylinder,yes,,overall,18,mean_steps,30.6,28.5,32.7,29\n"
+            ",\"own, \"\"é\"\"\",no,,overall,4,slope,,,,\n"
+            ",\"own, \"\"é\"\"\",no,,overall,4,mean_sd_percent,,,,\n"
+            ",\"own, \"\"é\"\"\",no,,overall,4,mean_satisfaction,6,,,\n"
+            ",\"own, \"\"é\"\"\",no,,overall,4,mean_steps,3.5,,,\n"
+            "6.9,bump-cylinder,,600,overall,24,percent_1,4,1,9,0\n"
+            "6.9,bump-cylinder,,600,overall,24,percent_2,12,5,20,7\n"
+            "6.9,bump-cylinder,,600,overall,24,percent_3,21,11,32,19\n"
+            "6.9,bump-cylinder,,600,overall,24,percent_4,63,,,75\n"
+            ",own,,650.5,overall,8,percent_1,25,,,\n"
+            ",own,,650.5,overall,8,percent_2,26,,,\n"
+            ",own,,650.5,overall,8,percent_3,24,,,\n"
+            ",own,,650.5,overall,8,percent_4,25,,,\n"
+            "6.9,bump-cylinder,,600,P1,12,percent_1,3,,,\n"
+            "6.9,bump-cylinder,,600,P1,12,percent_2,13,,,\n"
+            "6.9,bump-cylinder,,600,P1,12,percent_3,22,,,\n"
+            "6.9,bump-cylinder,,600,P1,12,percent_4,62,,,\n");
+}
+
+}  // namespace
+}  // namespace forceshade::analysis

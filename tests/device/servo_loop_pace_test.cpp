@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The servo loop and its thread: processor, privileges, pace, deadlines and rounding mode.
+
+#include <gtest/gtest.h>
+#include <pthread.h>
+#include <sched.h>
+
+#include <cfenv>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "forceshade/device.h"
+#include "forceshade/servo_loop.h"
+#include "tests/device/servo_loop_fixture.h"
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace forceshade::device {
+namespace {
+
+TEST(servo_loop, leaves_the_thread_as_it_was) {
+  const auto scheduling = [] {
+    sched_param parameters{};
+    int policy = 0;
+    EXPECT_EQ(pthread_getschedparam(pthread_self(), &policy, &parameters), 0);
+    return std::pair{policy, parameters.sched_priority};
+  };
+  const auto before = scheduling();
+  Endless device;
+  const Kept run(device, wall(), {.max_seconds = 0.005});
+  EXPECT_EQ(scheduling(), before);
+  // The last processor it may run on, unless told.
+  cpu_set_t cpus;
+  ASSERT_EQ(sched_getaffinity(0, sizeof cpus, &cpus), 0);
+  int last = CPU_SETSIZE - 1;
+  while (!CPU_ISSET(last, &cpus)) --last;
+  EXPECT_EQ(run.privileges.cpu, last);
+}
+
+TEST(servo_loop, asks_for_no_privileges_unless_it_is_paced) {
+  Endless device;
+  const Kept run(device, wall(), {.max_seconds = 0.005, .paced = false, .cpu = 0});
+  EXPECT_FALSE(run.privileges.scheduling || run.privileges.memory_locked || run.privileges.cpu);
+}
+
+TEST(servo_loop, runs_on_the_processor_it_is_told) {
+  struct Where final : Still {
+    ReadResult at(std::size_t) noexcept override {
+      cpu = sched_getcpu();
+      return here();
+    }
+    int cpu = -1;
+  } device;
+  cpu_set_t before, after;
+  ASSERT_EQ(sched_getaffinity(0, sizeof before, &before), 0);
+  for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
+    if (!CPU_ISSET(cpu, &before)) continue;
+    const Kept run(device, wall(), {.max_seconds = 0.005, .cpu = cpu});
+    EXPECT_EQ(run.privileges.cpu, cpu);
+    EXPECT_EQ(device.cpu, cpu);
+  }
+  EXPECT_EQ(Kept(device, wall(), {.max_seconds = 0.005, .cpu = CPU_SETSIZE}).privileges.cpu, std::nullopt);
+  ASSERT_EQ(sched_getaffinity(0, sizeof after, &after), 0);
+  EXPECT_TRUE(CPU_EQUAL(&before, &after));
+}
+
+// r: a reading, s: a step, l: a look ahead, f: waiting for a frame.
+TEST(servo_loop, looks_ahead_before_it_reads_or_waits_for_a_frame_and_only_when_paced) {
+  struct Logged final : Still {
+    Logged(std::string& its, bool has_frames) : log(its), paces(has_frames) {}
+    Capabilities capabilities() const noexcept override {
+      Capabilities result;
+      result.paces = paces;
+      return result;
+    }
+    std::int64_t wait_for_frame(std::int64_t deadline) noexcept override {
+      log += 'f';
+      return deadline;
+    }
+    ReadResult at(std::size_t) noexcept override {
+      log += 'r';
+      return here();
+    }
+    std::string& log;
+    bool paces;
+  };
+  struct LoggedSession final : fast::Session {
+    explicit LoggedSession(std::string& its) : log(its) {}
+    fast::Evaluation step(const Eigen::Vector3f&) noexcept override {
+      log += 's';
+      return {};
+    }
+    void look_ahead() noexcept override { log += 'l'; }
+    std::string& log;
+  };
+  const auto log_of = [](bool has_frames, bool paced) {
+    std::string log;
+    Logged device(log, has_frames);
+    LoggedSession session(log);
+    run_servo_loop(device, session, {.max_seconds = 0.003, .paced = paced}, kNeverStop);
+    return log;
+  };
+  EXPECT_EQ(log_of(false, true), "lrslrslrs");
+  EXPECT_EQ(log_of(true, true), "lfrslfrslfrslf");
+  EXPECT_EQ(log_of(false, false), "rsrsrs");
+}
+
+// Sleeping until an absolute time never ends early, so this holds on a machine under any load.
+TEST(servo_loop, never_reads_before_the_tick_is_due) {
+  Endless device;
+  const Kept result(device, wall(), {.rate_hz = 2000, .max_seconds = 0.02});
+  ASSERT_EQ(result.ticks, 40U);
+  for (const Sample& sample : result.samples) EXPECT_GE(sample.wall_ns, static_cast<std::int64_t>(sample.tick) * 500'000);
+  EXPECT_LE(result.achieved_rate_hz, 2000);
+}
+
+TEST(servo_loop, counts_a_deadline_missed_and_whose_fault_it_was) {
+  struct Slow final : Still {
+    ReadResult at(std::size_t) noexcept override { return here(); }
+    std::optional<Fault> on_command() noexcept override {
+      if (commands.size() == 2) std::this_thread::sleep_for(std::chrono::milliseconds(25));
+      return std::nullopt;
+    }
+  };
+  Slow paced;
+  const Kept late(paced, wall(), {.rate_hz = 100, .max_seconds = 0.05});
+  EXPECT_GE(late.missed_deadlines, 2U);
+  EXPECT_EQ(late.overruns, 0U);
+  EXPECT_GE(late.wakeup_us.max, 5000);
+  struct Busy final : Still {
+    ReadResult at(std::size_t) noexcept override { return here(); }
+    std::optional<Fault> on_command() noexcept override {
+      const std::clock_t begin = std::clock();
+      while (commands.size() == 2 && std::clock() - begin < 25 * CLOCKS_PER_SEC / 1000) {
+      }
+      return std::nullopt;
+    }
+  } busy;
+  EXPECT_EQ(Kept(busy, wall(), {.rate_hz = 100, .max_seconds = 0.05}).overruns, 1U);
+  Slow unhurried;
+  EXPECT_EQ(run_servo_loop(unhurried, wall(), {.max_seconds = 0.05, .paced = false}, kNeverStop).missed_deadlines, 0U);
+}
+
+TEST(servo_loop, refuses_a_rate_duration_or_watchdog_timeout_out_of_range) {
+  Endless device;
+  const double nan = std::nan("");
+  for (const double rate : {0.0, -1000.0, 99.9, 10000.1, nan})
+    EXPECT_THROW(run_servo_loop(device, wall(), {.rate_hz = rate}, kNeverStop), std::invalid_argument) << rate;
+  for (const double seconds : {0.0, -1.0, nan, HUGE_VAL})
+    EXPECT_THROW(run_servo_loop(device, wall(), {.max_seconds = seconds}, kNeverStop), std::invalid_argument) << seconds;
+  for (const double timeout : {0.0, -1.0, nan, 10.1, HUGE_VAL})
+    EXPECT_THROW(run_servo_loop(device, wall(), {.watchdog_timeout = timeout}, kNeverStop), std::invalid_argument) << timeout;
+  EXPECT_TRUE(device.commands.empty());
+}
+
+TEST(servo_loop, ends_when_the_rounding_mode_changes_under_it) {
+  struct Careless final : Still {
+    ReadResult at(std::size_t reading) noexcept override {
+      if (reading == 3) std::fesetround(FE_UPWARD);
+      return here();
+    }
+  } device;
+  const auto law = wall();
+  const Kept run(device, law, unpaced());
+  std::fesetround(FE_TONEAREST);
+  EXPECT_EQ(run.end_reason, EndReason::device_fault);
+  EXPECT_STREQ(run.fault, "rounding other than to nearest");
+  EXPECT_EQ(run.ticks, 3U);
+  expect_ends_at_zero_force(run);
+}
+
+TEST(servo_loop, refuses_a_rounding_mode_that_is_not_to_nearest) {
+  Endless device;
+  const auto law = wall();
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    EXPECT_THROW(run_servo_loop(device, law, unpaced(), kNeverStop), FloatingPointModeError) << mode;
+    std::fesetround(FE_TONEAREST);
+  }
+  EXPECT_TRUE(device.commands.empty());
+}
+
+#if defined(__SSE2__)
+TEST(servo_loop, refuses_flushed_subnormals_and_a_rounding_mode_that_only_sse_has) {
+  Endless device;
+  const auto law = wall();
+  const unsigned mode = _mm_getcsr();
+  for (const unsigned bit : {0x8000U, 0x0040U, 0x2000U, 0x4000U}) {
+    _mm_setcsr(mode | bit);
+    EXPECT_THROW(run_servo_loop(device, law, unpaced(), kNeverStop), FloatingPointModeError) << bit;
+    _mm_setcsr(mode);
+  }
+  EXPECT_TRUE(device.commands.empty());
+}
+#endif
+
+}  // namespace
+}  // namespace forceshade::device

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files and folders that appear whole or not at all, on disks, pipes and devices.
+
+#include "files/output_file.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <functional>
+#include <thread>
+
+#include "files/output_folder.h"
+#include "tests/support/temporary_directory.h"
+
+namespace forceshade::files {
+namespace {
+
+using tests::TemporaryDirectory;
+
+TEST(output_file, appears_whole_at_commit) {
+  const TemporaryDirectory directory;
+  directory.write("out.csv", "before");
+  OutputFile file(directory.file("out.csv"));
+  file.stream() << "after";
+  file.stream().flush();
+  EXPECT_EQ(directory.read("out.csv"), "before");
+  EXPECT_EQ(directory.entries(), 2);
+  file.commit();
+  EXPECT_EQ(directory.read("out.csv"), "after");
+  EXPECT_EQ(directory.entries(), 1);
+}
+
+TEST(output_file, leaves_nothing_without_commit) {
+  const TemporaryDirectory directory;
+  { OutputFile(directory.file("out.csv")).stream() << "half a row"; }
+  EXPECT_EQ(directory.entries(), 0);
+}
+
+TEST(output_file, keeps_every_byte_of_a_large_file) {
+  const TemporaryDirectory directory;
+  std::string expected;
+  OutputFile file(directory.file("out.csv"));
+  for (int i = 0; i < 100000; ++i) {
+    file.stream() << i << '\n';
+    expected += std::to_string(i) + '\n';
+  }
+  file.commit();
+  EXPECT_EQ(directory.read("out.csv"), expected);
+}
+
+TEST(output_file, follows_a_symbolic_link) {
+  const TemporaryDirectory directory;
+  directory.write("target.csv", "before");
+  std::filesystem::create_symlink("target.csv", directory.file("link.csv"));
+  OutputFile file(directory.file("link.csv"));
+  file.stream() << "after";
+  file.commit();
+  EXPECT_TRUE(std::filesystem::is_symlink(directory.file("link.csv")));
+  EXPECT_EQ(directory.read("target.csv"), "after");
+}
+
+TEST(output_file, tells_why_it_cannot_be_opened) {
+  const TemporaryDirectory directory;
+  try {
+    const OutputFile file(directory.file("absent/out.csv"));
+    FAIL();
+  } catch (const OutputError& error) {
+    EXPECT_EQ(error.what(), directory.file("absent/out.csv") + ": cannot open for writing: No such file or directory");
+  }
+  try {
+    const OutputFile file(directory.path());
+    FAIL();
+  } catch (const OutputError& error) {
+    EXPECT_EQ(error.what(), directory.path() + ": cannot open for writing: Is a directory");
+  }
+}
+
+TEST(output_file, writes_to_a_device_and_leaves_it_in_place) {
+  OutputFile file("/dev/null");
+  file.stream() << "nothing";
+  file.commit();
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST(output_file, tells_that_the_disk_is_full) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
+  OutputFile at_commit("/dev/full");
+  at_commit.stream() << "little";
+  OutputFile while_writing("/dev/full");
+  const auto fill = [&] {
+    for (;;) while_writing.stream() << "much more than a buffer holds";
+  };
+  for (const std::function<void()>& write : {std::function<void()>([&] { at_commit.commit(); }), std::function<void()>(fill)}) {
+    try {
+      write();
+      FAIL();
+    } catch (const OutputError& error) {
+      EXPECT_STREQ(error.what(), "/dev/full: cannot write: No space left on device");
+    }
+  }
+}
+
+// A file-size limit stands for a disk that fills up: the partial file is there, and must go.
+TEST(output_file, leaves_nothing_when_the_disk_fills_up) {
+  const TemporaryDirectory directory;
+  rlimit old{};
+  getrlimit(RLIMIT_FSIZE, &old);
+  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{.rlim_cur = 100000, .rlim_max = old.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  const auto fill = [&] {
+    OutputFile file(directory.file("out.csv"));
+    for (int i = 0; i < 100000; ++i) file.stream() << i << '\n';
+    file.commit();
+  };
+  EXPECT_THROW(fill(), OutputError);
+  setrlimit(RLIMIT_FSIZE, &old);
+  std::signal(SIGXFSZ, old_handler);
+  EXPECT_EQ(directory.entries(), 0);
+}
+
+// What a program reads from the other end of a pipe while `write` runs.
+std::string read_from_pipe(const std::function<void(int)>& write) {
+  std::array<int, 2> ends{};
+  if (::pipe(ends.data()) != 0) return "no pipe";
+  write(ends[1]);
+  ::close(ends[1]);
+  std::string text(64, '\0');
+  text.resize(static_cast<std::size_t>(std::max<ssize_t>(::read(ends[0], text.data(), text.size()), 0)));
+  ::close(ends[0]);
+  return text;
+}
+
+TEST(output_file, writes_to_an_open_descriptor) {
+  for (const std::string& folder :
+       {std::string("/dev/fd/"), std::string("/proc/self/fd/"), "/proc/" + std::to_string(::getpid()) + "/fd/"})
+    EXPECT_EQ(read_from_pipe([&](int end) {
+                const std::string path = folder + std::to_string(end);
+                EXPECT_TRUE(is_written_directly(path)) << path;
+                EXPECT_FALSE(is_standard_output(path)) << path;
+                OutputFile file(path);
+                file.stream() << "a row";
+                file.commit();
+              }),
+              "a row")
+        << folder;
+}
+
+// As `>> log` of a shell: what is there stays, and no other file takes its place.
+TEST(output_file, goes_on_where_an_open_regular_file_is) {
+  const TemporaryDirectory directory;
+  directory.write("log", "before ");
+  const int log = ::open(directory.file("log").c_str(), O_WRONLY | O_APPEND);
+  OutputFile file("/dev/fd/" + std::to_string(log));
+  file.stream() << "after";
+  file.commit();
+  ::close(log);
+  EXPECT_EQ(directory.read("log"), "before after");
+  EXPECT_EQ(directory.entries(), 1);
+}
+
+TEST(output_file, does_not_write_to_a_descriptor_that_is_only_read) {
+  const TemporaryDirectory directory;
+  directory.write("in", "");
+  const int in = ::open(directory.file("in").c_str(), O_RDONLY);
+  const std::string path = "/dev/fd/" + std::to_string(in);
+  try {
+    const OutputFile file(path);
+    FAIL();
+  } catch (const OutputError& error) {
+    EXPECT_EQ(error.what(), path + ": cannot open for writing: Bad file descriptor");
+  }
+  ::close(in);
+}
+
+TEST(output_file, waits_for_room_in_a_pipe_that_does_not_block) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe2(ends.data(), O_NONBLOCK), 0);
+  const std::string sent(1 << 20, 'x');
+  std::string got;
+  std::thread reader([&] {
+    std::array<char, 4096> bytes{};
+    for (ssize_t n = 1; n != 0;) {
+      n = ::read(ends[0], bytes.data(), bytes.size());
+      if (n > 0) got.append(bytes.data(), static_cast<std::size_t>(n));
+      if (n < 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  });
+  {
+    OutputFile file("/dev/fd/" + std::to_string(ends[1]));
+    file.stream() << sent;
+    file.commit();
+  }
+  ::close(ends[1]);
+  reader.join();
+  ::close(ends[0]);
+  EXPECT_EQ(got, sent);
+}
+
+TEST(output_file, tells_standard_output_from_other_names) {
+  EXPECT_TRUE(is_standard_output("-"));
+  EXPECT_TRUE(is_standard_output("/dev/stdout"));
+  EXPECT_TRUE(is_standard_output("/dev/fd/1"));
+  EXPECT_FALSE(is_standard_output("/dev/stderr"));
+  EXPECT_TRUE(is_written_directly("/dev/stderr"));
+  EXPECT_TRUE(is_written_directly("/dev/null"));
+  const TemporaryDirectory directory;
+  directory.write("file", "");
+  ASSERT_EQ(::mkfifo(directory.file("pipe").c_str(), 0600), 0);
+  EXPECT_TRUE(is_written_directly(directory.file("pipe")));
+  for (const char* name : {"file", "absent", "."}) EXPECT_FALSE(is_written_directly(directory.file(name))) << name;
+}
+
+TEST(output_folder, appears_whole_at_commit) {
+  const TemporaryDirectory directory;
+  OutputFolder folder(directory.file("made/plots/"));
+  folder.write("a.svg", "a");
+  std::filesystem::create_directory(folder.so_far() / "inner");
+  OutputFile inner(folder.so_far() / "inner/b.svg");
+  inner.stream() << "b";
+  inner.commit();
+  EXPECT_FALSE(std::filesystem::exists(directory.file("made/plots")));
+  folder.commit();
+  EXPECT_EQ(directory.read("made/plots/a.svg"), "a");
+  EXPECT_EQ(directory.read("made/plots/inner/b.svg"), "b");
+  EXPECT_EQ(std::ranges::distance(std::filesystem::directory_iterator(directory.file("made"))), 1);
+}
+
+TEST(output_folder, leaves_nothing_without_commit) {
+  const TemporaryDirectory directory;
+  std::filesystem::create_directory(directory.file("there"));
+  for (const char* name : {"new", "there"}) {
+    const OutputFolder folder(directory.file(name));
+    folder.write("a.svg", "a");
+  }
+  EXPECT_EQ(directory.entries(), 1);
+  EXPECT_TRUE(std::filesystem::is_empty(directory.file("there")));
+}
+
+TEST(output_folder, keeps_the_other_files_of_a_folder_that_is_there) {
+  const TemporaryDirectory directory;
+  std::filesystem::create_directory(directory.file("there"));
+  directory.write("there/mine.txt", "mine");
+  directory.write("there/a.svg", "old");
+  OutputFolder folder(directory.file("there"));
+  folder.write("a.svg", "new");
+  folder.write("b.svg", "b");
+  EXPECT_EQ(directory.read("there/a.svg"), "old");
+  folder.commit();
+  EXPECT_EQ(directory.read("there/a.svg"), "new");
+  EXPECT_EQ(directory.read("there/b.svg"), "b");
+  EXPECT_EQ(directory.read("there/mine.txt"), "mine");
+  EXPECT_EQ(std::ranges::distance(std::filesystem::directory_iterator(directory.file("there"))), 3);
+}
+
+TEST(output_folder, replaces_no_folder_and_no_link_of_that_name) {
+  const TemporaryDirectory directory;
+  std::filesystem::create_directories(directory.file("there/b.svg"));
+  directory.write("there/b.svg/mine.txt", "mine");
+  OutputFolder folder(directory.file("there"));
+  folder.write("a.svg", "a");
+  folder.write("b.svg", "b");
+  EXPECT_THROW(folder.commit(), OutputError);
+  EXPECT_EQ(directory.read("there/b.svg/mine.txt"), "mine");
+  EXPECT_FALSE(std::filesystem::exists(directory.file("there/a.svg")));
+}
+
+// A file on which another one is mounted cannot be renamed: the second of three fails after the first was put in place.
+TEST(output_folder, undoes_what_it_put_in_place_when_a_later_file_fails) {
+  const TemporaryDirectory directory;
+  std::filesystem::create_directory(directory.file("there"));
+  for (const char* name : {"there/a.svg", "there/c.svg", "other"}) directory.write(name, "old");
+  if (::mount(directory.file("other").c_str(), directory.file("there/c.svg").c_str(), nullptr, MS_BIND, nullptr) != 0)
+    GTEST_SKIP() << "this process may not mount";
+  {
+    OutputFolder folder(directory.file("there"));
+    for (const char* name : {"a.svg", "b.svg", "c.svg"}) folder.write(name, "new");
+    try {
+      folder.commit();
+      ADD_FAILURE() << "a mount point was replaced";
+    } catch (const OutputError& error) {
+      EXPECT_EQ(error.what(), directory.file("there/c.svg") + ": cannot put in place: Device or resource busy");
+    }
+  }
+  EXPECT_EQ(::umount(directory.file("there/c.svg").c_str()), 0);
+  EXPECT_EQ(directory.read("there/a.svg"), "old");
+  EXPECT_EQ(directory.read("there/c.svg"), "old");
+  EXPECT_EQ(std::ranges::distance(std::filesystem::directory_iterator(directory.file("there"))), 2);
+}
+
+// A file system of 64 kB, which is full after the second file.
+TEST(output_folder, leaves_nothing_on_a_disk_that_fills_up_and_names_the_file) {
+  const TemporaryDirectory directory;
+  std::filesystem::create_directory(directory.file("disk"));
+  if (::mount("none", directory.file("disk").c_str(), "tmpfs", 0, "size=64k") != 0)
+    GTEST_SKIP() << "this process may not mount";
+  for (const char* there : {"", "there"}) {
+    const std::string path = directory.file("disk/plots");
+    if (*there != '\0') std::filesystem::create_directory(path);
+    try {
+      OutputFolder folder(path);
+      for (const char* name : {"a.svg", "b.svg", "c.svg"}) folder.write(name, std::string(30000, 'x'));
+      folder.commit();
+      ADD_FAILURE() << "it held more than it is large";
+    } catch (const OutputError& error) {
+      EXPECT_EQ(error.what(), path + "/c.svg: cannot write: No space left on device");
+    }
+    EXPECT_EQ(std::filesystem::exists(path), *there != '\0');
+    EXPECT_TRUE(*there == '\0' || std::filesystem::is_empty(path));
+    EXPECT_EQ(std::ranges::distance(std::filesystem::directory_iterator(directory.file("disk"))), *there == '\0' ? 0 : 1);
+  }
+  // The folder may be the mount point itself: a file cannot be renamed from one file system into another.
+  OutputFolder whole_disk(directory.file("disk"));
+  whole_disk.write("a.svg", "a");
+  EXPECT_NO_THROW(whole_disk.commit());
+  EXPECT_EQ(directory.read("disk/a.svg"), "a");
+  EXPECT_EQ(::umount(directory.file("disk").c_str()), 0);
+}
+
+TEST(output_folder, has_a_name_in_messages_under_which_it_will_appear) {
+  EXPECT_EQ(final_name("out/plots.partial-0123abcd/a.svg"), "out/plots/a.svg");
+  EXPECT_EQ(final_name("plots/.partial-0123abcd/inner/a.svg"), "plots/inner/a.svg");
+  EXPECT_EQ(final_name("a.svg.partial-0123abcd"), "a.svg");
+  for (const char* plain : {"a.partial-012.svg", "x.partial-0123abcde/a", "partial-0123abcd/a"})
+    EXPECT_EQ(final_name(plain), plain);
+}
+
+}  // namespace
+}  // namespace forceshade::files

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The god-object on random paths on random meshes, and its states as exact points.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "forceshade/reference.h"
+#include "properties/mesh_path.h"
+#include "properties/mesh_source.h"
+#include "reference/meshes/descent.h"
+#include "tests/meshes/god_object_paths.h"
+#include "tests/meshes/rendering.h"
+
+namespace forceshade::tests {
+
+using Position = std::array<float, 3>;
+
+inline reference::GodObject built(const mesh::TriangleMesh& mesh, const mesh::CornerNormals& normals, mesh::Sides sides,
+                                  float stiffness) {
+  return built(reference::GodObject::build(shaded(mesh, normals, sides, stiffness)));
+}
+
+// A random mesh with its god-object, shaded.
+struct Scene {
+  Scene(const properties::RandomMesh& random, mesh::CornerNormals corner_normals)
+      : made(random),
+        normals(std::move(corner_normals)),
+        god_object(built(made.mesh, normals, made.sides, kStiffness)),
+        surface(made.mesh),
+        crossings(surface) {}
+
+  reference::meshes::Ground ground() const { return {surface, crossings, made.sides, mesh::SelfIntersections::refused}; }
+
+  static constexpr float kStiffness = 0.7F;
+  properties::RandomMesh made;
+  mesh::CornerNormals normals;
+  reference::GodObject god_object;
+  reference::meshes::Surface surface;
+  reference::meshes::Crossings crossings;
+};
+
+struct Step {
+  mesh::GodObject before;
+  Position position;
+  mesh::Tick tick;
+};
+
+inline bool is_touching(const mesh::GodObject& state) {
+  return state.place == mesh::Place::vertex || state.place == mesh::Place::edge || state.place == mesh::Place::triangle;
+}
+
+inline reference::meshes::GridPoint point_of(const reference::meshes::Surface& surface, const mesh::GodObject& state) {
+  const std::size_t index =
+      state.place == mesh::Place::edge ? surface.edge_between(state.index[0], state.index[1]) : state.index[0];
+  return {{state.place, index}, state.parameter};
+}
+
+inline reference::meshes::Vector place_of(const reference::meshes::Surface& surface, const mesh::GodObject& state) {
+  return is_touching(state) ? surface.position(point_of(surface, state)) : reference::meshes::exact_point(state.position);
+}
+
+inline reference::meshes::Integer squared_distance(const reference::meshes::Surface& surface, const mesh::GodObject& state,
+                                                   const Position& position) {
+  const reference::meshes::Vector off = place_of(surface, state) - reference::meshes::exact_point(position);
+  return dot(off, off);
+}
+
+// Calls check(scene, step, counts) for each tick of a random path on each of random meshes, every family as often, and prints
+// the counts. A name that stands in `expected` must have been counted.
+using Counts = std::map<std::string, int>;
+template <class Check>
+void on_random_paths(std::uint64_t seed, int meshes, int ticks, const std::vector<std::string>& expected, Check check) {
+  properties::MeshSource source(seed);
+  Counts counts;
+  for (int i = 0; i < meshes && !testing::Test::HasFailure(); ++i) {
+    const properties::RandomMesh made = source.next();
+    const Scene scene(made, source.normals_of(made.mesh));
+    properties::MeshPath path(made.mesh, seed + static_cast<std::uint64_t>(i));
+    mesh::GodObject state;
+    for (int k = 0; k < ticks && !testing::Test::HasFailure(); ++k) {
+      const Position position = path.next();
+      const Step step{state, position, scene.god_object.step(state, position)};
+      SCOPED_TRACE("mesh " + std::to_string(i) + ", " + std::string(properties::kMeshFamilies[made.family]) + ", tick " +
+                   std::to_string(k) + ": from " + feature_text(state) + " to " + show(step.tick));
+      ++counts[std::string(mesh::kTickStatusNames[static_cast<std::size_t>(step.tick.status)])];
+      if (is_touching(step.tick.after))
+        ++counts[std::string(mesh::kPlaceNames[static_cast<std::size_t>(step.tick.after.place)])];
+      if (step.tick.after.side == mesh::Side::back) ++counts["back"];
+      check(scene, step, counts);
+      state = step.tick.after;
+    }
+  }
+  for (const auto& [name, count] : counts) std::printf("  %8d %s\n", count, name.c_str());
+  for (const char* always : {"free", "touching", "invalid", "vertex", "edge", "triangle", "back"})
+    EXPECT_GT(counts[always], 0) << always;
+  for (const std::string& name : expected) EXPECT_GT(counts[name], 0) << name;
+}
+
+}  // namespace forceshade::tests

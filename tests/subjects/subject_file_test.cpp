@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Subject files as a program reads them: what each key means, what holds unless said, and what is refused at which line.
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+
+#include "forceshade/bad_input.h"
+#include "forceshade/subjects.h"
+#include "tests/support/temporary_directory.h"
+
+namespace forceshade::subjects {
+namespace {
+
+const Parameters& parameters_of(const Description& description) {
+  return std::get<DescribedLaw>(description.what).parameters;
+}
+
+std::string refusal_of(const std::string& text) {
+  try {
+    read_text(text, "its.toml");
+  } catch (const files::BadInput& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(subject_file, names_a_law_with_its_parameters_in_their_units) {
+  const Description bump =
+      read_text("law = \"bump-2p\"\nradius = \"600mil\"\nwidth = 30\nstiffness = \"250N/m\"\n", "its.toml");
+  EXPECT_EQ(bump.name, "bump-2p");
+  EXPECT_EQ(std::get<DescribedLaw>(bump.what).law, LawId::bump_2p);
+  EXPECT_EQ(parameters_of(bump).radius, 15.24F);
+  EXPECT_EQ(parameters_of(bump).width, 30.0F);
+  EXPECT_EQ(parameters_of(bump).stiffness, 0.25F);
+  EXPECT_EQ(bump.stiffness(), 0.25F);
+}
+
+TEST(subject_file, has_the_thesis_bump_where_it_does_not_say) {
+  const Description bump = read_text("law = \"bump-cylinder\"\n", "its.toml");
+  EXPECT_EQ(parameters_of(bump).radius, 15.24F);
+  EXPECT_EQ(parameters_of(bump).width, 25.4F);
+  EXPECT_EQ(parameters_of(bump).stiffness, 0.5F);
+}
+
+TEST(subject_file, names_a_height_map_and_a_mesh_that_lie_beside_it) {
+  const tests::TemporaryDirectory folder;
+  folder.write("map.toml",
+               "render = \"height-map-shaded\"\n[[part]]\nshape = \"grating\"\nheight_mm = 0.1\nwave_x_rad_per_mm = 3.0\n");
+  folder.write("tetrahedron.off", "OFF\n4 4 0\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  folder.write("of-map.toml", "height-map = \"map.toml\"\nstiffness = 0.75\n");
+  folder.write("of-mesh.toml",
+               "mesh = \"tetrahedron.off\"\nunit = \"m\"\nsides = \"both\"\nshading = \"edge\"\ncontact = \"sub-goal\"\n"
+               "crease = \"90deg\"\nstiffness = 0.25\n");
+  const Description map = read_file(folder.file("of-map.toml"));
+  EXPECT_EQ(map.name, "map.toml");
+  EXPECT_EQ(std::get<DescribedHeightMap>(map.what).stiffness, 0.75F);
+  const Description mesh = read_file(folder.file("of-mesh.toml"));
+  EXPECT_EQ(mesh.name, "tetrahedron.off");
+  const auto& rendering = std::get<MeshRendering>(mesh.what);
+  EXPECT_EQ(rendering.stiffness, 0.25F);
+  EXPECT_EQ(rendering.mesh().vertices.size(), 4U);
+  EXPECT_EQ(rendering.mesh().vertices[1][0], 9000.0F) << "m are 1000 mm";
+}
+
+TEST(subject_file, is_refused_with_its_line_and_what_was_expected) {
+  const auto expect = [](const std::string& text, const std::string& words) {
+    const std::string refused = refusal_of(text);
+    EXPECT_NE(refused.find(words), std::string::npos) << "got: " << refused << "\nexpected: " << words;
+  };
+  expect("", "its.toml: has none of the keys law, height-map and mesh");
+  expect("law = \"bump-2p\"\nradus = 3\n", "its.toml: line 2: unknown key radus");
+  expect("law = \"bmp-2p\"\n", "its.toml: line 1: law: expected");
+  expect("law = \"bump-2p\"\nradius = true\n",
+         "its.toml: line 2: radius: expected a text in quotes, a number or a list of texts");
+  expect("law = \"wall\"\n\nstiffness = -1\n", "its.toml: line 3: stiffness");
+  expect("law = \"wall\"\nmesh = \"a.off\"\n", "mesh");
+  expect("law = [\"wall\", \"bump-2p\"]\n", "its.toml: line 1: law: expected");
+  expect("law = \"wall\"\nunit = \"mm\"\n", "its.toml: line 2: unit");
+  expect("law = = 3\n", "its.toml: line 1");
+  EXPECT_THROW(read_file("no-such-file.toml"), files::BadInput);
+}
+
+}  // namespace
+}  // namespace forceshade::subjects
