@@ -132,6 +132,16 @@ struct Pressed {
   std::string words;  // why it was not driven, or stopped
 };
 
+// Ends a run that has been in contact for long enough to be pressed home. The hand moves with the driver's frames, of which a
+// busy machine makes fewer than the loop makes ticks, so that a run of a fixed length may end before the contact.
+struct UntilPressed final : SampleSink {
+  void push(const Sample& sample) noexcept override {
+    if (sample.status == static_cast<std::uint8_t>(Status::contact) && ++contacts == 200) stop = true;
+  }
+  int contacts = 0;
+  std::atomic<bool> stop = false;
+};
+
 // A hand presses 2 mm into a wall that answers with 16 N.
 Pressed pressed(const Orders& orders, Listener& listener) {
   tell(orders);
@@ -140,7 +150,9 @@ Pressed pressed(const Orders& orders, Listener& listener) {
   try {
     const auto law = std::get<fast::Law>(fast::Law::build(LawId::wall, {.stiffness = 8}));
     Phantom device("", {.watchdog_timeout = 20s, .start = 4s, .rate_tolerance = 1}, listener);
-    const ServoResult run = run_servo_loop(device, law, {.max_seconds = 1.1, .watchdog_timeout = 10}, std::atomic<bool>(false));
+    UntilPressed until;
+    const ServoResult run =
+        run_servo_loop(device, law, {.max_seconds = 20, .watchdog_timeout = 10, .sinks = {&until}}, until.stop);
     outcome.words = run.end_reason == EndReason::tripped ? std::string(name_of(run.trip->rule)) : run.fault;
   } catch (const DeviceError& error) {
     outcome.words = error.what();
