@@ -9,12 +9,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "bindings/c/errors.h"
 #include "bindings/c/strided.h"
 #include "bindings/c/subject.h"
 #include "forceshade/meshes.h"
 #include "rendering/heights/coefficients.h"
+#include "rendering/subjects/options.h"
 
 namespace forceshade::c {
 namespace {
@@ -83,7 +85,8 @@ forceshade_result new_height_map(const forceshade_height_map& map, forceshade_su
   if (grid.interpolant == height::Interpolant::cubic_spline)
     heights::make_coefficients(grid.values, grid.columns, grid.rows, grid.edge);
   HeightMap all;
-  all.parts.push_back({std::make_shared<const height::Grid>(std::move(grid))});
+  height::Part& part = all.parts.emplace_back();
+  part.shape = std::make_shared<const height::Grid>(std::move(grid));
   return add_subject({"samples", DescribedHeightMap{std::move(all), height::kModes[*mode].mode, map.stiffness}}, made);
 }
 
@@ -95,11 +98,13 @@ forceshade_result new_mesh(const forceshade_mesh& its, forceshade_subject* made)
   for (std::size_t i = 0; i < its.vertex_count; ++i) std::copy_n(its.vertices + 3 * i, 3, triangles.vertices[i].begin());
   triangles.triangles.resize(its.triangle_count);
   for (std::size_t i = 0; i < its.triangle_count; ++i) std::copy_n(its.triangles + 3 * i, 3, triangles.triangles[i].begin());
-  constexpr std::array<std::string_view, 3> kSchemes{"none", "vertex", "edge"};
+  // All but textures, which have no form here.
+  std::vector<std::string_view> schemes(mesh::kShadingNames.begin(), mesh::kShadingNames.end());
+  std::erase(schemes, name_of(mesh::Shading::texture_scheme));
   const auto contact = choice("contact", its.contact, mesh::kContactNames, 0);
   if (!contact) return FORCESHADE_BAD_VALUE;
   const auto rule = static_cast<mesh::Contact>(*contact);
-  const auto shading = choice("shading", its.shading, kSchemes, has_corner_normals(rule) ? 0 : 1);
+  const auto shading = choice("shading", its.shading, schemes, has_corner_normals(rule) ? 0 : 1);
   const auto sides = choice("sides", its.sides, mesh::kSidesNames, 0);
   if (!shading || !sides) return FORCESHADE_BAD_VALUE;
   if (!(its.crease >= 0 && its.crease <= 180))
@@ -131,10 +136,8 @@ forceshade_result forceshade_law_new(const char* law, const forceshade_law* para
       return wrong_size("forceshade_law", parameters->size, sizeof(forceshade_law));
     const auto id = forceshade::law_named(law);
     if (!id)
-      return fail(FORCESHADE_BAD_VALUE,
-                  "law: expected wall, cylinder, bump-cylinder, bump-1p, bump-2p, bump-3p, bump-1p-shaded, "
-                  "bump-2p-shaded or bump-3p-shaded, got \"" +
-                      std::string(law).substr(0, 64) + '"');
+      return fail(FORCESHADE_BAD_VALUE, "law: expected " + forceshade::subjects::expected_law(forceshade::subjects::Laws::one) +
+                                            ", got \"" + std::string(law).substr(0, 64) + '"');
     return add_subject({law, forceshade::DescribedLaw{*id, {parameters->radius, parameters->width, parameters->stiffness}}},
                        made);
   });

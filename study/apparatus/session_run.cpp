@@ -65,7 +65,8 @@ Outcome run_session(RecordedSession& recorded, Bumps& bumps, device::Device& dev
                      .servo = plan.servo},
                     stop);
   Session& session = recorded.session();
-  Outcome outcome{.run = recorded.run()};
+  Outcome outcome;
+  outcome.run = recorded.run();
   bool was_stopped = false;
   try {
     go_through(session, loop, front, stop);

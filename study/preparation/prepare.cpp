@@ -24,7 +24,8 @@ bool prepare(const fs::path& protocol, const fs::path& folder, const Preparation
 bool prepare(const Bumps& bumps, const fs::path& folder, const PreparationOptions& options, const std::atomic<bool>& stop) {
   const std::vector<experiments::Bump> all = bumps.protocol().bumps();
   bool held = true;
-  Prepared one{.of = all.size()};
+  Prepared one;
+  one.of = all.size();
   for (const experiments::Bump& bump : all) {
     const std::shared_ptr<const properties::Subject> subject = properties::subject_of(bumps.description(bump));
     const fs::path file = folder / certificate_name(subject->identity());
