@@ -7,7 +7,6 @@
 #include "device/null.h"
 #include "device/phantom/phantom.h"
 #include "device/simulated/simulated.h"
-#include "device/stub.h"
 
 namespace forceshade::device {
 namespace {
@@ -21,8 +20,6 @@ constexpr std::array kKinds{
          }},
     Kind{"simulated", "[:MODEL[:FILE.csv]]", "a simulated PHANToM in a simulated hand that strokes, or means to go as recorded",
          [](const std::string& rest, Attendant& attendant, Forces) { return open_simulated(rest, attendant); }},
-    Kind{"stub", "", "at rest above the origin, feels nothing",
-         [](const std::string&, Attendant&, Forces) -> std::unique_ptr<Device> { return std::make_unique<Stub>(); }},
     Kind{"phantom", "[:NAME]", "a real PHANToM (Premium, Omni, Touch) through the vendor's driver", open_phantom},
 };
 

@@ -57,7 +57,7 @@ TEST(device_list, names_the_devices_that_are_set_up_and_the_folder_that_was_read
   EXPECT_EQ(listed["problem"], "");
   EXPECT_EQ(listed["names"], (json{"\x1b[2J", "Left arm"}));
   EXPECT_EQ(listed["models"].size(), 3U);
-  EXPECT_EQ(listed["kinds"].size(), 5U);
+  EXPECT_EQ(listed["kinds"].size(), 4U);
   expect_holds(run_command(here, words_of("device list")).out, {"  \"phantom:Left arm\"\n", "phantom:\\x1b[2J"});
 }
 

@@ -208,7 +208,7 @@ TEST(open_device, lists_the_kinds_it_knows) {
       FAIL() << name;
     } catch (const UnknownDevice& error) {
       EXPECT_EQ(error.what(), "unknown device \"" + name +
-                                  "\": expected null, replay:FILE.csv, simulated[:MODEL[:FILE.csv]], stub or phantom[:NAME]");
+                                  "\": expected null, replay:FILE.csv, simulated[:MODEL[:FILE.csv]] or phantom[:NAME]");
     }
   }
 }
