@@ -116,11 +116,8 @@ int code_of(const apparatus::Outcome& outcome, const experiments::RecordedSessio
 int run_session(const experiments::Protocol& protocol, const SessionOptions& options, const OpenFront& open_front,
                 const OpenSession& open_session) {
   apparatus::Bumps bumps(protocol, read_with_progress);
-  apparatus::RunPlan plan{.device = options.device,
-                          .certificates = {},
-                          .origin = options.origin,
-                          .servo = options.servo,
-                          .tell = tell_experimenter};
+  apparatus::LoopPlan plan{
+      .device = options.device, .folder = {}, .certificates = {}, .origin = options.origin, .servo = options.servo};
   if (!options.certificates.empty())
     plan.certificates = apparatus::certificates_of(bumps, options.certificates);
   else
@@ -138,7 +135,7 @@ int run_session(const experiments::Protocol& protocol, const SessionOptions& opt
   apparatus::Outcome outcome;
   try {
     WatchedFront watched(*front, std::isfinite(peak) ? peak : 5);
-    outcome = apparatus::run_session(recorded, bumps, *device, watched, plan, interrupted());
+    outcome = apparatus::run_session(recorded, bumps, *device, watched, std::move(plan), tell_experimenter, interrupted());
   } catch (...) {
     if (!recorded.session().is_over()) tell_experimenter(words_of_resume(recorded));
     throw;

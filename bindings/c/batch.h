@@ -22,7 +22,7 @@ inline forceshade_status status_of(const fast::Evaluation& answer) noexcept {
   return static_cast<forceshade_status>(answer.status);
 }
 
-// An answer where the caller wants it.
+// Writes an answer to where the caller has room for it.
 inline forceshade_result give(const fast::Evaluation& answer, float* force, forceshade_status* status) noexcept {
   // One by one, as they were just stored: a wider load would have to wait until these stores have reached the cache, 3 ns.
   const volatile float* const components = answer.force.data();
@@ -47,9 +47,7 @@ using Block = std::array<Eigen::Vector3f, kBlock>;
 template <class Answer>
 std::size_t for_each_block(const forceshade_batch& batch, const Answer& answer) noexcept {
   if (batch.count > 0 && is_without_gaps(batch)) {
-    static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
-    return answer(std::span(reinterpret_cast<const Eigen::Vector3f*>(batch.positions), batch.count),
-                  std::span(reinterpret_cast<Eigen::Vector3f*>(batch.forces), batch.count),
+    return answer(std::span(as_vectors(batch.positions), batch.count), std::span(as_vectors(batch.forces), batch.count),
                   std::span(batch.statuses, batch.statuses == nullptr ? 0 : batch.count));
   }
   Block positions, forces;

@@ -16,21 +16,18 @@ forceshade_result needs_a_session() noexcept {
               "the force of a mesh depends on the path; expected forceshade_session_open() and its steps");
 }
 
-bool is_in_domain(const Eigen::Vector3f& position) noexcept {
-  return fast::in_domain(position.x()) && fast::in_domain(position.y()) && fast::in_domain(position.z());
-}
-
 // A batch gives no statuses. Where it gives a force there is contact; where it gives none, a single call says why.
 template <class Field>
 void add_statuses(const Field& field, std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> forces,
                   std::span<forceshade_status> statuses) noexcept {
   for (std::size_t i = 0; i < statuses.size(); ++i) {
-    if (!is_in_domain(positions[i]))
+    const Eigen::Vector3f& position = positions[i];
+    if (!fast::in_domain({position.x(), position.y(), position.z()}))
       statuses[i] = FORCESHADE_INVALID;
     else if ((forces[i].array() != 0).any())
       statuses[i] = FORCESHADE_CONTACT;
     else
-      statuses[i] = status_of(field.evaluate(positions[i]));
+      statuses[i] = status_of(field.evaluate(position));
   }
 }
 
@@ -73,9 +70,9 @@ forceshade_result forceshade_force(forceshade_subject subject, const float* posi
   if (its == nullptr) return FORCESHADE_BAD_HANDLE;
   if (position == nullptr || force == nullptr) return fail(FORCESHADE_NULL_POINTER, "position or force is NULL");
   if (const auto* law = std::get_if<fast::Law>(&its->field)) [[likely]]
-    return give(law->evaluate(as_vector(position)), force, status);
+    return give(law->evaluate(*as_vectors(position)), force, status);
   if (const auto* map = std::get_if<fast::HeightMapField>(&its->field))
-    return give(map->evaluate(as_vector(position)), force, status);
+    return give(map->evaluate(*as_vectors(position)), force, status);
   return needs_a_session();
 }
 

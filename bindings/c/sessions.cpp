@@ -71,6 +71,14 @@ class Entered {
   Table<Session>::Slot* slot_;
 };
 
+// OK, or what is wrong with the struct, which has been said.
+forceshade_result check(const forceshade_state* state) noexcept {
+  if (state == nullptr) return fail(FORCESHADE_NULL_POINTER, "state is NULL");
+  if (state->size < sizeof(forceshade_state))
+    return fail(FORCESHADE_BAD_SIZE, "state->size: expected sizeof(forceshade_state)");
+  return FORCESHADE_OK;
+}
+
 // Whether a state can be one of any mesh; the session looks whether it is one of its own.
 bool is_state(const forceshade_state& state) noexcept {
   return state.place <= FORCESHADE_IN_TRIANGLE && state.side <= 1;
@@ -110,7 +118,7 @@ forceshade_result forceshade_session_step(forceshade_session session, const floa
   if (position == nullptr || force == nullptr) return fail(FORCESHADE_NULL_POINTER, "position or force is NULL");
   const Entered entered(session);
   if (!entered) return entered.result;
-  return give(entered->step(as_vector(position)), force, status);
+  return give(entered->step(*as_vectors(position)), force, status);
 }
 
 forceshade_result forceshade_session_steps(forceshade_session session, const forceshade_batch* batch, size_t* invalid) {
@@ -139,9 +147,7 @@ forceshade_result forceshade_session_reset(forceshade_session session) {
 }
 
 forceshade_result forceshade_session_state(forceshade_session session, forceshade_state* state) {
-  if (state == nullptr) return fail(FORCESHADE_NULL_POINTER, "state is NULL");
-  if (state->size < sizeof(forceshade_state))
-    return fail(FORCESHADE_BAD_SIZE, "state->size: expected sizeof(forceshade_state)");
+  if (const forceshade_result wrong = check(state); wrong != FORCESHADE_OK) return wrong;
   const Entered entered(session);
   if (!entered) return entered.result;
   const mesh::GodObject& its = entered->state();
@@ -154,9 +160,7 @@ forceshade_result forceshade_session_state(forceshade_session session, forceshad
 }
 
 forceshade_result forceshade_session_resume(forceshade_session session, const forceshade_state* state) {
-  if (state == nullptr) return fail(FORCESHADE_NULL_POINTER, "state is NULL");
-  if (state->size < sizeof(forceshade_state))
-    return fail(FORCESHADE_BAD_SIZE, "state->size: expected sizeof(forceshade_state)");
+  if (const forceshade_result wrong = check(state); wrong != FORCESHADE_OK) return wrong;
   const Entered entered(session);
   if (!entered) return entered.result;
   if (!is_state(*state)) return fail(FORCESHADE_BAD_VALUE, "state->place or state->side: expected one that a session gives");

@@ -19,10 +19,13 @@ T* at(T* first, std::size_t i, std::ptrdiff_t stride, std::size_t j = 0, std::pt
   return first + offset / static_cast<std::ptrdiff_t>(sizeof(T));
 }
 
-// Three floats that lie one after the other.
-inline const Eigen::Vector3f& as_vector(const float* three) noexcept {
-  static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float) && alignof(Eigen::Vector3f) == alignof(float));
-  return *reinterpret_cast<const Eigen::Vector3f*>(three);
+// Floats that lie one after the other, as vectors of three.
+static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float) && alignof(Eigen::Vector3f) == alignof(float));
+inline const Eigen::Vector3f* as_vectors(const float* floats) noexcept {
+  return reinterpret_cast<const Eigen::Vector3f*>(floats);
+}
+inline Eigen::Vector3f* as_vectors(float* floats) noexcept {
+  return reinterpret_cast<Eigen::Vector3f*>(floats);
 }
 
 }  // namespace forceshade::c

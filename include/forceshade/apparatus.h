@@ -67,7 +67,7 @@ struct SessionPlan {
   Eigen::Vector3f origin{0, 0, 0};          // mm: the middle of the scene in the device's workspace
   device::ServoOptions servo = {};          // its placement stays as it is
 
-  // Told what the experimenter should read meanwhile: what was repaired in the log, or failed beside what is thrown.
+  // Called with words for the experimenter: what was repaired in the log, or failed beside what is thrown.
   std::function<void(const std::string& words)> tell = [](const std::string&) {};
 };
 

@@ -6,7 +6,8 @@
 
 #include "files/csv.h"
 #include "forceshade/bad_input.h"
-#include "rendering/subjects/file.h"
+#include "forceshade/checks.h"
+#include "rendering/subjects/read.h"
 
 namespace forceshade::apparatus {
 namespace {
@@ -82,6 +83,12 @@ double Bumps::height(const Bump& bump, double x) {
     (is_inside(middle) ? inside : outside) = middle;
   }
   return 0.5 * (inside + outside);
+}
+
+Bumps::Read read_until(const std::atomic<bool>& stop) {
+  return [monitor = Monitor([](double) {}, stop)](const subjects::Options& options) {
+    return subjects::read_one(options, monitor);
+  };
 }
 
 }  // namespace forceshade::apparatus

@@ -2,6 +2,7 @@
 #pragma once
 // What an experiment renders: each bump of a protocol as it is described and as it is driven.
 
+#include <atomic>
 #include <functional>
 #include <map>
 #include <memory>
@@ -23,7 +24,7 @@ class Bumps {
  public:
   using Read = std::function<Description(const subjects::Options& options)>;
 
-  // read: subjects::read_one(), or one that shows how far the check of a mesh is.
+  // read: read_until(), or one that shows how far the check of a mesh is.
   explicit Bumps(experiments::Protocol protocol, Read read) : protocol_(std::move(protocol)), read_(std::move(read)) {}
 
   // What this stimulus and radius is, wherever it stands. Throws BadInput, heights::Error or mesh::Error for what cannot be
@@ -52,5 +53,8 @@ class Bumps {
   Read read_;
   std::map<std::pair<std::string, experiments::Mil>, Kept> kept_;
 };
+
+// Reads a subject, and throws Interrupted once stop, which lives longer, is set.
+Bumps::Read read_until(const std::atomic<bool>& stop);
 
 }  // namespace forceshade::apparatus

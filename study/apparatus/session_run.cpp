@@ -2,12 +2,10 @@
 #include "study/apparatus/session_run.h"
 
 #include <exception>
+#include <utility>
 #include <vector>
 
-#include "forceshade/checks.h"
-#include "rendering/subjects/read.h"
 #include "study/apparatus/certificates.h"
-#include "study/apparatus/recorded_loop.h"
 
 namespace forceshade::apparatus {
 namespace {
@@ -37,13 +35,13 @@ void go_through(Session& session, RecordedLoop& loop, Front& front, const std::a
   }
 }
 
-// On a full disk more than one thing fails: what fails later is told, and what failed first is thrown.
+// On a full disk more than one thing fails: the first is thrown, and the experimenter reads of the others.
 template <class Work>
-void tell_what_fails(const RunPlan& plan, const Work& work) {
+void tell_what_fails(const Tell& tell, const Work& work) {
   try {
     work();
   } catch (const std::exception& also) {
-    plan.tell(also.what());
+    tell(also.what());
   }
 }
 
@@ -54,16 +52,11 @@ RecordedSession opened(const SessionPlan& plan) {
 
 }  // namespace
 
-Outcome run_session(RecordedSession& recorded, Bumps& bumps, device::Device& device, Front& front, const RunPlan& plan,
-                    const std::atomic<bool>& stop) {
-  RecordedLoop loop(device, bumps,
-                    {.device = plan.device,
-                     .folder = recorded.ticks(),
-                     .certificates = plan.certificates,
-                     .origin = plan.origin,
-                     .metadata = {{"participant", recorded.participant()}, {"run", std::to_string(recorded.run())}},
-                     .servo = plan.servo},
-                    stop);
+Outcome run_session(RecordedSession& recorded, Bumps& bumps, device::Device& device, Front& front, LoopPlan plan,
+                    const Tell& tell, const std::atomic<bool>& stop) {
+  plan.folder = recorded.ticks();
+  plan.metadata = {{"participant", recorded.participant()}, {"run", std::to_string(recorded.run())}};
+  RecordedLoop loop(device, bumps, std::move(plan), stop);
   Session& session = recorded.session();
   Outcome outcome;
   outcome.run = recorded.run();
@@ -74,8 +67,8 @@ Outcome run_session(RecordedSession& recorded, Bumps& bumps, device::Device& dev
     outcome.result = loop.stop();
   } catch (...) {
     // Zero force first, then the log.
-    if (!was_stopped) tell_what_fails(plan, [&] { loop.stop(); });
-    tell_what_fails(plan, [&] { session.close(loop.seconds()); });
+    if (!was_stopped) tell_what_fails(tell, [&] { loop.stop(); });
+    tell_what_fails(tell, [&] { session.close(loop.seconds()); });
     throw;
   }
   session.close(loop.seconds());
@@ -84,15 +77,14 @@ Outcome run_session(RecordedSession& recorded, Bumps& bumps, device::Device& dev
 }
 
 Outcome run_session(const SessionPlan& plan, device::Device& device, Front& front, const std::atomic<bool>& stop) {
-  const Monitor monitor([](double) {}, stop);
   Bumps bumps(
       plan.protocol.empty() ? experiments::read_session(plan.session).protocol : experiments::read_protocol(plan.protocol),
-      [&](const auto& words) { return subjects::read_one(words, monitor); });
-  RunPlan run{.device = plan.device, .certificates = {}, .origin = plan.origin, .servo = plan.servo, .tell = plan.tell};
-  if (!plan.certificates.empty()) run.certificates = certificates_of(bumps, plan.certificates);
+      read_until(stop));
+  LoopPlan loop{.device = plan.device, .folder = {}, .certificates = {}, .origin = plan.origin, .servo = plan.servo};
+  if (!plan.certificates.empty()) loop.certificates = certificates_of(bumps, plan.certificates);
   RecordedSession recorded = opened(plan);
   if (!recorded.note().empty()) plan.tell(recorded.note());
-  return run_session(recorded, bumps, device, front, run, stop);
+  return run_session(recorded, bumps, device, front, std::move(loop), plan.tell, stop);
 }
 
 }  // namespace forceshade::apparatus

@@ -4,24 +4,20 @@
 
 #include <atomic>
 #include <functional>
-#include <map>
 #include <string>
 
 #include "forceshade/apparatus.h"
 #include "study/apparatus/bumps.h"
+#include "study/apparatus/recorded_loop.h"
 #include "study/experiments/session_folder.h"
 
 namespace forceshade::apparatus {
 
-struct RunPlan {
-  std::string device;                               // its name, for the record
-  std::map<std::string, std::string> certificates;  // certificates_of(); empty: uncertified
-  Eigen::Vector3f origin{0, 0, 0};                  // mm
-  device::ServoOptions servo = {};
-  std::function<void(const std::string& words)> tell;  // what failed beside what is thrown
-};
+// Called with words for the experimenter.
+using Tell = std::function<void(const std::string& words)>;
 
-Outcome run_session(experiments::RecordedSession& recorded, Bumps& bumps, device::Device& device, Front& front,
-                    const RunPlan& plan, const std::atomic<bool>& stop);
+// plan: without folder and metadata, which follow from the session. tell: what failed beside what is thrown.
+Outcome run_session(experiments::RecordedSession& recorded, Bumps& bumps, device::Device& device, Front& front, LoopPlan plan,
+                    const Tell& tell, const std::atomic<bool>& stop);
 
 }  // namespace forceshade::apparatus

@@ -10,7 +10,6 @@
 #include "device/simulated/steering.h"
 #include "forceshade/checks.h"
 #include "forceshade/device.h"
-#include "rendering/subjects/read.h"
 #include "study/apparatus/recorded_loop.h"
 #include "study/experiments/random.h"
 #include "study/experiments/session_folder.h"
@@ -94,8 +93,7 @@ std::size_t run_virtual_session(const VirtualPlan& plan, int number, const std::
   RecordedSession recorded = RecordedSession::start(plan.out / id, plan.protocol, id, seed, {}, experiments::Sync::never);
   Session& session = recorded.session();
   const experiments::Protocol& protocol = session.protocol();
-  const Monitor monitor([](double) {}, stop);
-  Bumps bumps(protocol, [&](const auto& words) { return subjects::read_one(words, monitor); });
+  Bumps bumps(protocol, read_until(stop));
   experiments::VirtualParticipant participant(protocol, experiments::fitted_observer(), experiments::feel_of_laws(protocol),
                                               seed + 1);
   SteeringOnly steered;

@@ -6,7 +6,6 @@
 #include "forceshade/checks.h"
 #include "forceshade/properties.h"
 #include "forceshade/run.h"
-#include "rendering/subjects/read.h"
 #include "study/apparatus/certificates.h"
 
 namespace forceshade::apparatus {
@@ -15,10 +14,7 @@ namespace fs = std::filesystem;
 
 bool prepare(const fs::path& protocol, const fs::path& folder, const PreparationOptions& options,
              const std::atomic<bool>& stop) {
-  const Monitor monitor([](double) {}, stop);
-  const Bumps bumps(experiments::read_protocol(protocol),
-                    [&](const auto& words) { return subjects::read_one(words, monitor); });
-  return prepare(bumps, folder, options, stop);
+  return prepare(Bumps(experiments::read_protocol(protocol), read_until(stop)), folder, options, stop);
 }
 
 bool prepare(const Bumps& bumps, const fs::path& folder, const PreparationOptions& options, const std::atomic<bool>& stop) {

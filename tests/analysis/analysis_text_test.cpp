@@ -58,15 +58,7 @@ TEST(analysis_text, is_of_as_many_refits_as_it_says) {
 // Every number of a psychometric fit another one, so that none can be in another's column.
 TEST(analysis_text, has_each_number_of_a_psychometric_fit_in_its_column) {
   Analysis analysis;
-  analysis.psychometric.push_back({.participant = "P1",
-                                   .points = {},
-                                   .fit = {{21.5, 4.25, 0.06, 0.07}, -100, 8.5, false},
-                                   .threshold = {18.5, 24.5},
-                                   .scale = {3.25, 5.75},
-                                   .guess = {0.01, 0.11},
-                                   .lapse = {0.02, 0.13},
-                                   .p_bootstrap = 0.125,
-                                   .p_chi_square = 0.375});
+  analysis.psychometric.push_back(estimate_of_p1());
   std::string text = to_text(analysis);
   const auto without_runs_of_spaces = [](const std::string& words) {
     std::string all;

@@ -10,6 +10,19 @@
 
 namespace forceshade::analysis {
 
+// A fit of which every number is another one.
+inline PsychometricEstimate estimate_of_p1() {
+  return {.participant = "P1",
+          .points = {{0, 1, 3}, {10, 2, 4}},
+          .fit = {{21.5, 4.25, 0.06, 0.07}, -100, 8.5, false},
+          .threshold = {18.5, 24.5},
+          .scale = {3.25, 5.75},
+          .guess = {0.01, 0.11},
+          .lapse = {0.02, 0.13},
+          .p_bootstrap = 0.125,
+          .p_chi_square = 0.375};
+}
+
 inline Analysis small_analysis() {
   experiments::Results results;
   Random random(1, "page");
@@ -39,15 +52,7 @@ inline Analysis made_analysis() {
                              {"P1", "bump-cylinder", 600, 12, {{{3, {}}, {13, {}}, {22, {}}, {62, {}}}}},
                              {"P1", "own", 650.5, 6, {{{1, {}}, {2, {}}, {3, {}}, {94, {}}}}},
                              {"P2", "own", 650.5, 2, {{{5, {}}, {6, {}}, {7, {}}, {82, {}}}}}};
-  analysis.psychometric = {{.participant = "P1",
-                            .points = {{0, 1, 3}, {10, 2, 4}},
-                            .fit = {{21.5, 4.25, 0.06, 0.07}, -100, 8.5, false},
-                            .threshold = {18.5, 24.5},
-                            .scale = {3.25, 5.75},
-                            .guess = {0.01, 0.11},
-                            .lapse = {0.02, 0.13},
-                            .p_bootstrap = 0.125,
-                            .p_chi_square = 0.375},
+  analysis.psychometric = {estimate_of_p1(),
                            {.participant = kOverall,
                             .points = {{0, 1, 30}, {10, 2, 41}},
                             .fit = {{31.5, 5.25, 0.16, 0.17}, -100, 9.5, true},

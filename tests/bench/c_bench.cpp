@@ -45,56 +45,41 @@ void take(const fast::Evaluation& answer, float* force, Status& status) {
   status = answer.status;
 }
 
-void one_in_cpp(benchmark::State& state, LawId id) {
-  const fast::Law law = law_of(id);
+// call(position, force, status) on one position of a stroke after the other.
+template <class Status, class Call>
+void time_calls(benchmark::State& state, const Call& call) {
   const auto at = stroke(kInCache);
   std::size_t i = 0;
   float force[3];
   Status status{};
   for (auto _ : state) {
-    take(law.evaluate(at[i++ % kInCache]), force, status);
+    call(at[i++ % kInCache], force, status);
     benchmark::DoNotOptimize(force);
     benchmark::DoNotOptimize(status);
   }
+}
+
+void one_in_cpp(benchmark::State& state, LawId id) {
+  const fast::Law law = law_of(id);
+  time_calls<Status>(state, [&](const auto& at, float* force, auto& status) { take(law.evaluate(at), force, status); });
 }
 
 void one_in_c(benchmark::State& state, LawId id) {
   const forceshade_subject subject = subject_of(id);
-  const auto at = stroke(kInCache);
-  std::size_t i = 0;
-  float force[3];
-  forceshade_status status = 0;
-  for (auto _ : state) {
-    forceshade_force(subject, at[i++ % kInCache].data(), force, &status);
-    benchmark::DoNotOptimize(force);
-  }
+  time_calls<forceshade_status>(
+      state, [&](const auto& at, float* force, auto& status) { forceshade_force(subject, at.data(), force, &status); });
 }
 
 void step_in_cpp(benchmark::State& state, LawId id) {
   const auto session = fast::session_of(law_of(id));
-  const auto at = stroke(kInCache);
-  std::size_t i = 0;
-  float force[3];
-  Status status{};
-  for (auto _ : state) {
-    take(session->step(at[i++ % kInCache]), force, status);
-    benchmark::DoNotOptimize(force);
-    benchmark::DoNotOptimize(status);
-  }
+  time_calls<Status>(state, [&](const auto& at, float* force, auto& status) { take(session->step(at), force, status); });
 }
 
 void step_in_c(benchmark::State& state, LawId id) {
   forceshade_session session{};
   forceshade_session_open(subject_of(id), &session);
-  const auto at = stroke(kInCache);
-  std::size_t i = 0;
-  float force[3];
-  forceshade_status status = 0;
-  for (auto _ : state) {
-    forceshade_session_step(session, at[i++ % kInCache].data(), force, &status);
-    benchmark::DoNotOptimize(force);
-    benchmark::DoNotOptimize(status);
-  }
+  time_calls<forceshade_status>(
+      state, [&](const auto& at, float* force, auto& status) { forceshade_session_step(session, at.data(), force, &status); });
   forceshade_session_close(session);
 }
 

@@ -17,6 +17,7 @@
 #include "study/experiments/session.h"
 #include "study/experiments/session_folder.h"
 #include "study/experiments/session_results.h"
+#include "tests/experiments/small_protocols.h"
 #include "tests/support/temporary_directory.h"
 
 namespace {
@@ -43,29 +44,7 @@ namespace fs = std::filesystem;
 
 // One block of twelve trials after seven for practice, a break after four.
 std::string twelve_trials(const std::string& resume) {
-  return R"(experiment = "matching"
-name = "m"
-language = ")" FORCESHADE_SOURCE_DIR R"(/examples/experiments/english.toml"
-width_mil = 1000
-stiffness_N_per_mm = 0.5
-spacing_mil = 1500
-practice_trials = 7
-trials_before_break = 4
-resume = ")" +
-         resume + R"("
-block_order = "as-listed"
-reference = { law = "bump-cylinder" }
-stimuli = [{ law = "bump-1p-shaded" }]
-vision = [true]
-reference_radii_mil = [1000]
-large_initial_radius_mil = 1400
-small_initial_radius_mil = 600
-repetitions = 4
-radius_step_mil = 100
-least_radius_mil = 550
-largest_radius_mil = 1450
-bigger = "higher"
-)";
+  return small_matching(resume, {.vision = "true", .practice_trials = 7, .repetitions = 4});
 }
 
 struct Lab : tests::TemporaryDirectory {

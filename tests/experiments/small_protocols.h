@@ -9,26 +9,34 @@
 
 namespace forceshade::experiments {
 
-// Two blocks of six trials: one reference radius, three initial radii, two repetitions.
-inline std::string small_matching(const std::string& resume) {
+struct SmallMatching {
+  std::string vision = "true, false";
+  int practice_trials = 1, repetitions = 2;
+};
+
+// A block for each of vision: one reference radius, three initial radii and the repetitions, so two blocks of six trials.
+inline std::string small_matching(const std::string& resume, const SmallMatching& its = {}) {
   return R"(experiment = "matching"
 name = "m"
 language = ")" FORCESHADE_SOURCE_DIR R"(/examples/experiments/english.toml"
 width_mil = 1000
 stiffness_N_per_mm = 0.5
 spacing_mil = 1500
-practice_trials = 1
+practice_trials = )" +
+         std::to_string(its.practice_trials) + R"(
 trials_before_break = 4
 resume = ")" +
          resume + R"("
 block_order = "as-listed"
 reference = { law = "bump-cylinder" }
 stimuli = [{ law = "bump-1p-shaded" }]
-vision = [true, false]
+vision = [)" +
+         its.vision + R"(]
 reference_radii_mil = [1000]
 large_initial_radius_mil = 1400
 small_initial_radius_mil = 600
-repetitions = 2
+repetitions = )" +
+         std::to_string(its.repetitions) + R"(
 radius_step_mil = 100
 least_radius_mil = 550
 largest_radius_mil = 1450
