@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "device/simulated/simulated.h"
 #include "forceshade/apparatus.h"
 #include "forceshade/bad_input.h"
 #include "forceshade/recording.h"
@@ -68,9 +69,13 @@ class SessionRun : public testing::Test {
             .device = kDevice,
             .servo = {.paced = false}};
   }
+  // One tap, and then the hand stays in the air, where every exchange of bumps is possible (device/stage.h): the front may be
+  // as slow as it is, while the loop, which is not paced, runs ahead.
   Outcome run(const SessionPlan& its, Front& front) const {
-    const auto device = device::open_device(kDevice);
-    return run_session(its, *device, front, stop);
+    const device::Intention tap({{0, {20, 0, 10}}, {0.5, {20, 0, -1}}, {1, {20, 0, 10}}},
+                                device::Intention::Between::minimum_jerk);
+    device::Simulated device(device::premium_1_5(), device::Operator{device::Grip{}, tap, device::Tremor(1, 0.03), false});
+    return run_session(its, device, front, stop);
   }
 
   static constexpr const char* kDevice = "simulated:premium-1.5";
