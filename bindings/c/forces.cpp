@@ -5,8 +5,8 @@
 #include <string>
 
 #include "bindings/c/batch.h"
+#include "bindings/c/statuses.h"
 #include "bindings/c/subject.h"
-#include "fast/domain.h"
 
 namespace forceshade::c {
 namespace {
@@ -14,21 +14,6 @@ namespace {
 forceshade_result needs_a_session() noexcept {
   return fail(FORCESHADE_WRONG_KIND,
               "the force of a mesh depends on the path; expected forceshade_session_open() and its steps");
-}
-
-// A batch gives no statuses. Where it gives a force there is contact; where it gives none, a single call says why.
-template <class Field>
-void add_statuses(const Field& field, std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> forces,
-                  std::span<forceshade_status> statuses) noexcept {
-  for (std::size_t i = 0; i < statuses.size(); ++i) {
-    const Eigen::Vector3f& position = positions[i];
-    if (!fast::in_domain({position.x(), position.y(), position.z()}))
-      statuses[i] = FORCESHADE_INVALID;
-    else if ((forces[i].array() != 0).any())
-      statuses[i] = FORCESHADE_CONTACT;
-    else
-      statuses[i] = status_of(field.evaluate(position));
-  }
 }
 
 bool is_aligned(const void* pointer) noexcept {

@@ -1,39 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sessions of the C interface: one path each, for one thread at a time.
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
 #include "bindings/c/batch.h"
+#include "bindings/c/session.h"
 #include "bindings/c/subject.h"
 
 namespace forceshade::c {
 namespace {
-
-class Session {
- public:
-  explicit Session(const Renderer& renderer)
-      : session_(renderer.open()), ticks_(dynamic_cast<fast::TickSession*>(session_.get())) {}
-
-  fast::Evaluation step(const Eigen::Vector3f& position) noexcept {
-    if (ticks_ == nullptr) return session_->step(position);
-    const mesh::Tick tick = ticks_->tick({position.x(), position.y(), position.z()});
-    state_ = tick.after;
-    return fast::evaluation_of(tick, ticks_->stage());
-  }
-
-  bool remembers() const noexcept { return ticks_ != nullptr; }
-  const mesh::GodObject& state() const noexcept { return state_; }
-  void resume(const mesh::GodObject& state) noexcept {
-    state_ = state;
-    if (ticks_ != nullptr) ticks_->resume(state);
-  }
-
- private:
-  std::unique_ptr<fast::Session> session_;
-  fast::TickSession* ticks_;  // the same, where it is a god-object's
-  mesh::GodObject state_;
-};
 
 constinit Lasting<Session> sessions;
 

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A session whose state goes out and in.
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "forceshade/fast.h"
+#include "forceshade/mesh.h"
+#include "forceshade/renderer.h"
+
+namespace forceshade::c {
+
+// For one thread at a time.
+class Session {
+ public:
+  explicit Session(const Renderer& renderer)
+      : session_(renderer.open()), ticks_(dynamic_cast<fast::TickSession*>(session_.get())) {}
+
+  fast::Evaluation step(const Eigen::Vector3f& position) noexcept {
+    if (ticks_ == nullptr) return session_->step(position);
+    const mesh::Tick tick = ticks_->tick({position.x(), position.y(), position.z()});
+    state_ = tick.after;
+    return fast::evaluation_of(tick, ticks_->stage());
+  }
+
+  bool remembers() const noexcept { return ticks_ != nullptr; }
+  const mesh::GodObject& state() const noexcept { return state_; }
+  void resume(const mesh::GodObject& state) noexcept {
+    state_ = state;
+    if (ticks_ != nullptr) ticks_->resume(state);
+  }
+
+ private:
+  std::unique_ptr<fast::Session> session_;
+  fast::TickSession* ticks_;  // the same, where it is a god-object's
+  mesh::GodObject state_;
+};
+
+}  // namespace forceshade::c

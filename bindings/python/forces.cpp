@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Forces of laws and height maps: of one position, and of arrays.
+
+#include <memory>
+
+#include "bindings/c/statuses.h"
+#include "bindings/python/arrays.h"
+#include "bindings/python/errors.h"
+#include "bindings/python/subject.h"
+
+namespace forceshade::python {
+namespace {
+
+constexpr const char* kNeedsSession =
+    "the force of a mesh depends on the path; expected a session of it, forceshade.Session(mesh), and its step() or steps()";
+
+PyObject* force_of_one(PyObject* self, PyObject* const* arguments, Py_ssize_t count, PyObject* names) {
+  float position[3];
+  if (!read_position(arguments, count, names, position)) return nullptr;
+  const Subject* subject = nullptr;
+  try {
+    subject = py::handle(self).cast<const Subject*>();
+  } catch (const std::exception&) {
+  }
+  if (subject == nullptr) {
+    PyErr_SetString(PyExc_TypeError, "force() needs a subject whose __init__ has run");
+    return nullptr;
+  }
+  if (const auto* law = std::get_if<fast::Law>(&subject->field)) {
+    const fast::Evaluation answer = law->evaluate(*c::as_vectors(position));
+    return tuple_of(answer.force.data());
+  }
+  if (const auto* map = std::get_if<fast::HeightMapField>(&subject->field)) {
+    const fast::Evaluation answer = map->evaluate(*c::as_vectors(position));
+    return tuple_of(answer.force.data());
+  }
+  PyErr_SetString(py::module_::import("forceshade._forceshade").attr("Error").ptr(), kNeedsSession);
+  return nullptr;
+}
+
+PyMethodDef force_method{"force", reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(&force_of_one)),
+                         METH_FASTCALL | METH_KEYWORDS,
+                         "force($self, x, y, z, /, *, rounding=None)\n--\n\n"
+                         "The force (N) at one position (mm), as a tuple of three floats.\n\n"
+                         "x, y, z: numbers that binary32 holds, or any with rounding=\"nearest\". For many positions, forces()\n"
+                         "takes an array. A position that is not a number, or beyond 10 000 mm, gives no force.\n"};
+
+// Returns how many positions were invalid.
+std::size_t forces_of_many(const Subject& subject, const Floats& positions, Floats& forces, std::optional<Bytes> statuses) {
+  if (!subject.renderer.batch) throw Error(kNeedsSession);
+  expect_arithmetic();
+  const Batches batches(positions, forces, statuses ? &*statuses : nullptr);
+  const py::gil_scoped_release released;
+  const fast::InstructionSet set = fast::best_instruction_set();
+  std::size_t invalid = 0;
+  batches.for_each([&](const forceshade_batch& batch) {
+    invalid += c::for_each_block(batch, [&](auto at, auto to, auto said) noexcept {
+      const std::size_t found = subject.renderer.batch(at, to, set).invalid;
+      if (const auto* law = std::get_if<fast::Law>(&subject.field))
+        c::add_statuses(*law, at, to, said);
+      else if (const auto* map = std::get_if<fast::HeightMapField>(&subject.field))
+        c::add_statuses(*map, at, to, said);
+      return found;
+    });
+  });
+  return invalid;
+}
+
+}  // namespace
+
+void expect_arithmetic() {
+  if (const char* fault = fast::arithmetic_fault())
+    throw Error(std::string("found ") + fault + " on this thread; expected the arithmetic of IEEE 754, rounded to nearest");
+}
+
+void add_forces(py::module_&, py::class_<Subject, std::shared_ptr<Subject>>& subject) {
+  add_method(subject, force_method);
+  subject.def("_forces", &forces_of_many, py::arg().noconvert(), py::arg().noconvert(), py::arg().noconvert() = py::none());
+}
+
+}  // namespace forceshade::python

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The extension module forceshade._forceshade. Its functions are called by the package around it, which has read the arguments;
+// what users see is documented there.
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+
+#include "bindings/python/errors.h"
+#include "bindings/python/subject.h"
+#include "forceshade/bad_input.h"
+#include "forceshade/checks.h"
+#include "forceshade/recording.h"
+
+namespace py = pybind11;
+using namespace forceshade;
+
+PYBIND11_MODULE(_forceshade, module) {
+  module.doc() = "The compiled part of forceshade.";
+  static py::exception<python::Error> error(module, "Error");
+  error.attr("__module__") = "forceshade";
+  error.attr("__doc__") =
+      "What forceshade refuses and is no wrong value or type: a file, the arithmetic of this thread, a session that another "
+      "thread is in, a question that a subject of this kind cannot answer.";
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const python::Error& refused) {
+      error(refused.what());
+    } catch (const files::BadInput& refused) {
+      error(refused.what());
+    } catch (const recorder::RecordingError& refused) {
+      error(refused.what());
+    }
+  });
+  module.attr("version") = FORCESHADE_VERSION;
+  module.def("library_digest", [] { return fast::library_digest(); });
+  module.def("instruction_set", [] { return std::string(fast::name_of(fast::best_instruction_set())); });
+  python::add_subjects(module);
+  python::add_sessions(module);
+  python::add_exact(module);
+  python::add_recordings(module);
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers of Python as binary32, without rounding them unasked.
+
+#include <cmath>
+#include <cstring>
+
+#include "bindings/python/subject.h"
+
+namespace py = pybind11;
+
+namespace forceshade::python {
+namespace {
+
+bool fail(PyObject* kind, const char* name, const char* unit, const char* expected, PyObject* got) noexcept {
+  PyErr_Format(kind, "%s: expected %s%s, got %R", name, expected, unit, got);
+  return false;
+}
+
+// A binary64 number as binary32. One beyond the range is infinite, as rounding has it.
+bool narrowed(double number, const char* name, bool is_rounded, float& read) noexcept {
+  read = static_cast<float>(number);
+  if (is_rounded || static_cast<double>(read) == number || std::isnan(number)) return true;
+  PyObject* const shown = PyFloat_FromDouble(number);
+  if (shown == nullptr) return false;
+  PyErr_Format(PyExc_ValueError,
+               "%s is %R, which binary32 does not hold; expected a number that it holds, such as numpy.float32(%R), or "
+               "rounding=\"nearest\"",
+               name, shown, shown);
+  Py_DECREF(shown);
+  return false;
+}
+
+}  // namespace
+
+bool read_float(PyObject* number, const char* name, const char* unit, bool is_rounded, float& read) noexcept {
+  if (PyFloat_Check(number)) return narrowed(PyFloat_AS_DOUBLE(number), name, is_rounded, read);
+  if (PyBool_Check(number) || PyUnicode_Check(number) || PyComplex_Check(number))
+    return fail(PyExc_TypeError, name, unit, "a number in ", number);
+  if (PyLong_Check(number)) {
+    int beyond = 0;
+    const long long integer = PyLong_AsLongLongAndOverflow(number, &beyond);
+    if (beyond == 0 && integer == -1 && PyErr_Occurred() != nullptr) return false;
+    // Beyond 2^24 only some are binary32 numbers, and all are beyond what a coordinate can be.
+    constexpr long long kMost = 1LL << 53;
+    if (beyond != 0 || integer > kMost || integer < -kMost)
+      return fail(PyExc_ValueError, name, unit, "-2^53 to 2^53 ", number);
+    return narrowed(static_cast<double>(integer), name, is_rounded, read);
+  }
+  const double value = PyFloat_AsDouble(number);
+  if (value == -1 && PyErr_Occurred() != nullptr) {
+    if (PyErr_ExceptionMatches(PyExc_TypeError) == 0) return false;
+    PyErr_Clear();
+    return fail(PyExc_TypeError, name, unit, "a number in ", number);
+  }
+  return narrowed(value, name, is_rounded, read);
+}
+
+bool read_position(PyObject* const* arguments, Py_ssize_t count, PyObject* names, float (&position)[3]) noexcept {
+  bool is_rounded = false;
+  const Py_ssize_t named = names == nullptr ? 0 : PyTuple_GET_SIZE(names);
+  if (count != 3 || named > 1) {
+    PyErr_Format(PyExc_TypeError,
+                 "expected three numbers x, y, z in mm, and at most rounding=\"nearest\" behind them; got %zd arguments%s",
+                 count + named, count == 1 ? "; forces() takes arrays of positions" : "");
+    return false;
+  }
+  if (named == 1) {
+    const char* const name = PyUnicode_AsUTF8(PyTuple_GET_ITEM(names, 0));
+    if (name == nullptr) return false;
+    if (std::strcmp(name, "rounding") != 0) {
+      PyErr_Format(PyExc_TypeError, "expected the keyword rounding, got %s", name);
+      return false;
+    }
+    PyObject* const rounding = arguments[count];
+    const bool is_text = PyUnicode_Check(rounding);
+    if (rounding != Py_None && (!is_text || PyUnicode_CompareWithASCIIString(rounding, "nearest") != 0)) {
+      PyErr_Format(is_text ? PyExc_ValueError : PyExc_TypeError, "rounding: expected \"nearest\" or None, got %R", rounding);
+      return false;
+    }
+    is_rounded = rounding != Py_None;
+  }
+  constexpr const char* kNames[]{"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis)
+    if (!read_float(arguments[axis], kNames[axis], "mm", is_rounded, position[axis])) return false;
+  return true;
+}
+
+PyObject* tuple_of(const float* force) noexcept {
+  PyObject* const tuple = PyTuple_New(3);
+  if (tuple == nullptr) return nullptr;
+  for (int axis = 0; axis < 3; ++axis) {
+    PyObject* const component = PyFloat_FromDouble(static_cast<double>(force[axis]));
+    if (component == nullptr) {
+      Py_DECREF(tuple);
+      return nullptr;
+    }
+    PyTuple_SET_ITEM(tuple, axis, component);
+  }
+  return tuple;
+}
+
+void add_method(py::handle type, PyMethodDef& method) {
+  auto* const of = reinterpret_cast<PyTypeObject*>(type.ptr());
+  const auto descriptor = py::reinterpret_steal<py::object>(PyDescr_NewMethod(of, &method));
+  if (!descriptor) throw py::error_already_set();
+  type.attr(method.ml_name) = descriptor;
+}
+
+}  // namespace forceshade::python

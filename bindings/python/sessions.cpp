@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sessions: one path of the hand each, for one thread at a time.
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <memory>
+#include <tuple>
+#include <utility>
+
+#include <pybind11/stl.h>
+
+#include "bindings/c/batch.h"
+#include "bindings/c/session.h"
+#include "bindings/python/arrays.h"
+#include "bindings/python/errors.h"
+#include "bindings/python/subject.h"
+
+namespace forceshade::python {
+namespace {
+
+struct Session {
+  explicit Session(std::shared_ptr<const Subject> of) : subject(std::move(of)), path(subject->renderer) {}
+
+  std::shared_ptr<const Subject> subject;
+  c::Session path;
+  forceshade_status status = FORCESHADE_FREE;  // of the last step
+  std::atomic<bool> is_busy = false;
+};
+
+constexpr const char* kBusy = "another thread is in this session; expected one thread at a time, or a session for each";
+
+// This thread alone is in the session, as long as this lives.
+class Entered {
+ public:
+  explicit Entered(Session& session) noexcept
+      : session_(session.is_busy.exchange(true, std::memory_order_acquire) ? nullptr : &session) {}
+  ~Entered() {
+    if (session_ != nullptr) session_->is_busy.store(false, std::memory_order_release);
+  }
+  Entered(const Entered&) = delete;
+  Entered& operator=(const Entered&) = delete;
+
+  explicit operator bool() const noexcept { return session_ != nullptr; }
+  const Entered& or_throw() const {
+    if (session_ == nullptr) throw Error(kBusy);
+    return *this;
+  }
+
+ private:
+  Session* session_;
+};
+
+PyObject* step(PyObject* self, PyObject* const* arguments, Py_ssize_t count, PyObject* names) {
+  float position[3];
+  if (!read_position(arguments, count, names, position)) return nullptr;
+  Session* session = nullptr;
+  try {
+    session = py::handle(self).cast<Session*>();
+  } catch (const std::exception&) {
+  }
+  if (session == nullptr) {
+    PyErr_SetString(PyExc_TypeError, "step() needs a session whose __init__ has run");
+    return nullptr;
+  }
+  const Entered entered(*session);
+  if (!entered) {
+    PyErr_SetString(py::module_::import("forceshade._forceshade").attr("Error").ptr(), kBusy);
+    return nullptr;
+  }
+  const fast::Evaluation answer = session->path.step(*c::as_vectors(position));
+  session->status = c::status_of(answer);
+  return tuple_of(answer.force.data());
+}
+
+PyMethodDef step_method{"step", reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(&step)),
+                        METH_FASTCALL | METH_KEYWORDS,
+                        "step($self, x, y, z, /, *, rounding=None)\n--\n\n"
+                        "The force (N) at the next position of the path (mm), as a tuple of three floats.\n\n"
+                        "x, y, z: numbers that binary32 holds, or any with rounding=\"nearest\". `status` then says what the\n"
+                        "position was. Raises forceshade.Error while another thread is in this session.\n"};
+
+std::size_t steps(Session& session, const Floats& positions, Floats& forces, std::optional<Bytes> statuses) {
+  const Entered entered(session);
+  entered.or_throw();
+  expect_arithmetic();
+  const Batches batches(positions, forces, statuses ? &*statuses : nullptr);
+  const py::gil_scoped_release released;
+  std::size_t invalid = 0;
+  batches.for_each([&](const forceshade_batch& batch) {
+    invalid += c::for_each_block(batch, [&](auto at, auto to, auto said) noexcept {
+      std::size_t found = 0;
+      for (std::size_t i = 0; i < at.size(); ++i) {
+        const fast::Evaluation answer = session.path.step(at[i]);
+        to[i] = answer.force;
+        session.status = c::status_of(answer);
+        found += session.status == FORCESHADE_INVALID ? 1 : 0;
+        if (!said.empty()) said[i] = session.status;
+      }
+      return found;
+    });
+  });
+  return invalid;
+}
+
+using State = std::tuple<int, int, std::array<float, 3>, std::array<std::uint32_t, 2>, std::array<std::uint32_t, 2>>;
+
+State state_of(Session& session) {
+  const Entered entered(session);
+  entered.or_throw();
+  const mesh::GodObject& its = session.path.state();
+  return {static_cast<int>(its.place), static_cast<int>(its.side), its.position, its.index, its.parameter};
+}
+
+void resume(Session& session, const State& from) {
+  const Entered entered(session);
+  entered.or_throw();
+  const auto& [place, side, position, index, parameter] = from;
+  if (place < 0 || place >= static_cast<int>(mesh::kPlaceNames.size()) || side < 0 || side > 1)
+    throw py::value_error("state: expected one that a session gave");
+  if (!session.path.remembers() && place != 0)
+    throw Error("the state is that of a mesh's session; a law or a height map remembers nothing");
+  session.path.resume({static_cast<mesh::Place>(place), static_cast<mesh::Side>(side), position, index, parameter});
+  session.status = FORCESHADE_FREE;
+}
+
+}  // namespace
+
+void add_sessions(py::module_& module) {
+  py::class_<Session> session(module, "Session");
+  session.def(py::init([](std::shared_ptr<Subject> subject) {
+    expect_arithmetic();
+    return std::make_unique<Session>(std::move(subject));
+  }));
+  add_method(session, step_method);
+  session.def("_steps", &steps, py::arg().noconvert(), py::arg().noconvert(), py::arg().noconvert() = py::none());
+  session.def_property_readonly("_status", [](const Session& its) { return static_cast<int>(its.status); });
+  session.def("_state", &state_of);
+  session.def("_resume", &resume);
+}
+
+}  // namespace forceshade::python

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What is rendered, as Python has it: its description, from which the exact side is built too, and what renders it.
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+#include <variant>
+
+#include "forceshade/description.h"
+#include "forceshade/fast.h"
+#include "forceshade/identity.h"
+#include "forceshade/renderer.h"
+
+namespace forceshade::python {
+
+using Field = std::variant<fast::Law, fast::HeightMapField, fast::GodObject>;
+
+// Does not change, so that threads share it. field answers one position without a detour; renderer has the batch call and opens
+// sessions.
+struct Subject {
+  explicit Subject(Description what);
+
+  Description description;
+  Identity identity;
+  Field field;
+  Renderer renderer;
+};
+
+// Throws Error: what this thread's arithmetic does otherwise than the proofs need. A library that switches on flush to zero,
+// as some that are compiled with -ffast-math do when they are imported, is the usual cause.
+void expect_arithmetic();
+
+// A number that binary32 holds, or is to be rounded to. name: "x"; unit: "mm". Null and a Python error where it is none.
+bool read_float(PyObject* number, const char* name, const char* unit, bool is_rounded, float& read) noexcept;
+
+// Adds a method `name` to the type, for calls that take less time than pybind11 needs to look at the arguments.
+void add_method(pybind11::handle type, PyMethodDef& method);
+
+// Three coordinates and whether they may be rounded, of a call (x, y, z, *, rounding=None). False and a Python error where
+// they are none.
+bool read_position(PyObject* const* arguments, Py_ssize_t count, PyObject* names, float (&position)[3]) noexcept;
+
+// (x, y, z) of floats.
+PyObject* tuple_of(const float* force) noexcept;
+
+// What each file adds to the module.
+void add_subjects(pybind11::module_& module);
+void add_forces(pybind11::module_& module, pybind11::class_<Subject, std::shared_ptr<Subject>>& subject);
+void add_sessions(pybind11::module_& module);
+void add_exact(pybind11::module_& module);
+void add_recordings(pybind11::module_& module);
+
+}  // namespace forceshade::python

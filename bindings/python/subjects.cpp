@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Subjects: from numbers, arrays and files.
+
+#include "forceshade/subjects.h"
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bindings/python/arrays.h"
+#include "bindings/python/errors.h"
+#include "bindings/python/subject.h"
+#include "files/quantity.h"
+#include "forceshade/heights.h"
+#include "forceshade/meshes.h"
+#include "rendering/heights/coefficients.h"
+#include "rendering/subjects/options.h"
+#include "rendering/subjects/read.h"
+
+namespace forceshade::python {
+namespace {
+
+constexpr py::ssize_t kMostAlong = 1 << 15, kMostSamples = 1 << 26;
+
+template <class Built>
+Built built(std::variant<Built, ParameterError> made) {
+  if (const auto* error = std::get_if<ParameterError>(&made)) {
+    if (error->arithmetic_fault != nullptr) throw Error(error->message());
+    throw py::value_error(error->message());
+  }
+  return std::get<Built>(std::move(made));
+}
+
+Field field_of(const Description& description) {
+  if (const auto* law = std::get_if<DescribedLaw>(&description.what)) return built(fast::Law::build(law->law, law->parameters));
+  if (const auto* map = std::get_if<DescribedHeightMap>(&description.what))
+    return built(fast::HeightMapField::build(map->map, map->mode, map->stiffness));
+  return built(fast::GodObject::build(std::get<MeshRendering>(description.what)));
+}
+
+Identity identity_of(const Description& description) {
+  if (const auto* law = std::get_if<DescribedLaw>(&description.what))
+    return forceshade::identity_of(law->law, law->parameters);
+  if (const auto* map = std::get_if<DescribedHeightMap>(&description.what))
+    return forceshade::identity_of(description.name, map->map, map->mode, map->stiffness);
+  return forceshade::identity_of(description.name, std::get<MeshRendering>(description.what));
+}
+
+// A monitor that ends a long check with the exception of a signal handler: KeyboardInterrupt, after Ctrl-C.
+Monitor interruptible() {
+  static const std::atomic<bool> never = false;
+  return Monitor(
+      [next = std::chrono::steady_clock::now()](double) mutable {
+        const auto now = std::chrono::steady_clock::now();
+        if (now < next) return;
+        next = now + std::chrono::milliseconds(100);
+        const py::gil_scoped_acquire held;
+        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      },
+      never);
+}
+
+// The index of a word among the names.
+template <class Names>
+std::size_t choice(const char* what, const std::string& word, const Names& names) {
+  std::string expected;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == word) return i;
+    expected += (i == 0 ? "\"" : i + 1 == names.size() ? " or \"" : ", \"") + std::string(names[i]) + '"';
+  }
+  throw py::value_error(std::string(what) + ": expected " + expected + ", got \"" + word.substr(0, 64) + '"');
+}
+
+Description law_of(const std::string& name, float radius, float width, float stiffness) {
+  const auto id = law_named(name);
+  if (!id)
+    throw py::value_error("law: expected " + subjects::expected_law(subjects::Laws::one) + ", got \"" + name.substr(0, 64) +
+                          '"');
+  return {name, DescribedLaw{*id, {radius, width, stiffness}}};
+}
+
+// heights: (rows, columns), from the smallest y and x.
+Description map_of_samples(const Floats& heights, float pitch, const std::string& interpolant, const std::string& edge,
+                           const std::string& render, float stiffness) {
+  constexpr std::array<std::string_view, 2> kInterpolants{"bilinear", "cubic-spline"}, kEdges{"clamp", "tile"};
+  std::array<std::string_view, height::kModes.size()> modes;
+  for (std::size_t i = 0; i < modes.size(); ++i) modes[i] = height::kModes[i].name;
+  const auto samples = heights.unchecked<2>();
+  const py::ssize_t rows = samples.shape(0), columns = samples.shape(1);
+  if (std::min(rows, columns) < 2 || std::max(rows, columns) > kMostAlong || rows * columns > kMostSamples)
+    throw py::value_error("heights have the shape (" + std::to_string(rows) + ", " + std::to_string(columns) +
+                          "); expected 2 to 32768 rows and columns, and 67108864 samples at most");
+  height::Grid grid;
+  grid.columns = static_cast<std::uint32_t>(columns);
+  grid.rows = static_cast<std::uint32_t>(rows);
+  grid.pitch = pitch;
+  grid.interpolant = static_cast<height::Interpolant>(choice("interpolant", interpolant, kInterpolants));
+  grid.edge = static_cast<height::Edge>(choice("edge", edge, kEdges));
+  const height::Mode mode = height::kModes[choice("render", render, modes)].mode;
+  grid.values.reserve(static_cast<std::size_t>(rows * columns));
+  for (py::ssize_t row = 0; row < rows; ++row)
+    for (py::ssize_t column = 0; column < columns; ++column) {
+      const float value = samples(row, column);
+      if (!(std::fabs(value) <= 1e4F))
+        throw py::value_error("heights[" + std::to_string(row) + ", " + std::to_string(column) + "] is " +
+                              std::to_string(value) + "; expected -10000 to 10000 mm");
+      grid.values.push_back(value);
+    }
+  const py::gil_scoped_release released;
+  if (grid.interpolant == height::Interpolant::cubic_spline)
+    heights::make_coefficients(grid.values, grid.columns, grid.rows, grid.edge);
+  HeightMap map;
+  map.parts.emplace_back().shape = std::make_shared<const height::Grid>(std::move(grid));
+  return {"samples", DescribedHeightMap{std::move(map), mode, stiffness}};
+}
+
+// A picture or an array file.
+Description map_of_picture(const std::string& file, float pitch, float scale, const std::string& interpolant,
+                           const std::string& edge, const std::string& render, float stiffness) {
+  constexpr std::array<std::string_view, 2> kInterpolants{"bilinear", "cubic-spline"}, kEdges{"clamp", "tile"};
+  std::array<std::string_view, height::kModes.size()> modes;
+  for (std::size_t i = 0; i < modes.size(); ++i) modes[i] = height::kModes[i].name;
+  const heights::Source source{
+      .file = file,
+      .pitch = pitch,
+      .scale = scale,
+      .edge = static_cast<height::Edge>(choice("edge", edge, kEdges)),
+      .interpolant = static_cast<height::Interpolant>(choice("interpolant", interpolant, kInterpolants))};
+  const height::Mode mode = height::kModes[choice("render", render, modes)].mode;
+  const py::gil_scoped_release released;
+  HeightMap map;
+  map.parts.emplace_back().shape = heights::load(source);
+  return {source.file.filename().string(), DescribedHeightMap{std::move(map), mode, stiffness}};
+}
+
+Description mesh_of_arrays(const Floats& vertices, const py::array_t<std::uint32_t>& triangles,
+                           const std::optional<std::string>& sides, const std::optional<std::string>& shading,
+                           const std::string& contact, double crease, bool self_intersecting, float stiffness) {
+  const auto points = vertices.unchecked<2>();
+  const auto faces = triangles.unchecked<2>();
+  if (points.shape(1) != 3 || faces.shape(1) != 3) throw py::value_error("expected vertices (n, 3) and triangles (m, 3)");
+  mesh::TriangleMesh all;
+  all.vertices.resize(static_cast<std::size_t>(points.shape(0)));
+  for (std::size_t i = 0; i < all.vertices.size(); ++i)
+    for (std::size_t axis = 0; axis < 3; ++axis) all.vertices[i][axis] = points(i, axis);
+  all.triangles.resize(static_cast<std::size_t>(faces.shape(0)));
+  for (std::size_t i = 0; i < all.triangles.size(); ++i)
+    for (std::size_t corner = 0; corner < 3; ++corner) all.triangles[i][corner] = faces(i, corner);
+  const auto rule = static_cast<mesh::Contact>(choice("contact", contact, mesh::kContactNames));
+  // All but textures, which need corners: a mesh file has them.
+  std::vector<std::string_view> schemes(mesh::kShadingNames.begin(), mesh::kShadingNames.end());
+  std::erase(schemes, name_of(mesh::Shading::texture_scheme));
+  const std::size_t scheme = shading ? choice("shading", *shading, schemes) : has_corner_normals(rule) ? 0 : 1;
+  const std::size_t blocked = sides ? choice("sides", *sides, mesh::kSidesNames) : 0;
+  if (!(crease >= 0 && crease <= 180))
+    throw py::value_error("crease is " + std::to_string(crease) + "; expected 0 to 180 degrees");
+  const py::gil_scoped_release released;
+  const auto checked =
+      mesh::check(std::move(all), self_intersecting ? mesh::SelfIntersections::allowed : mesh::SelfIntersections::refused,
+                  interruptible());
+  if (const auto* findings = std::get_if<mesh::Findings>(&checked))
+    throw py::value_error("the mesh cannot be rendered: " + findings->words());
+  const auto& good = std::get<mesh::CheckedMesh>(checked);
+  MeshRendering rendering{.checked = good,
+                          .sides = static_cast<mesh::Sides>(blocked),
+                          .shading = static_cast<mesh::Shading>(scheme),
+                          .stiffness = stiffness,
+                          .contact = rule};
+  if (!sides) rendering.sides = facts_of(good).is_closed() ? mesh::Sides::front : mesh::Sides::both;
+  if (rendering.has_corner_normals()) rendering.normals = mesh::corner_normals(good, crease).normals;
+  return {"triangles", std::move(rendering)};
+}
+
+Description of_file(const std::string& file) {
+  const py::gil_scoped_release released;
+  return subjects::read_file(file, interruptible());
+}
+
+// The options of the command line, in words.
+Description of_options(const std::vector<std::pair<std::string, std::string>>& options) {
+  subjects::Options all;
+  for (const auto& [key, value] : options) all.add({key, value, key});
+  const py::gil_scoped_release released;
+  return subjects::read_one(all, interruptible());
+}
+
+// Throws files::BadInput, as a ValueError.
+template <class Parse>
+auto parsed(const Parse& parse, const std::string& name, const std::string& text) {
+  try {
+    return parse(name, text);
+  } catch (const files::BadInput& error) {
+    throw py::value_error(error.what());
+  }
+}
+
+// What of an identity is a number is a float, what is a word a string.
+py::dict parameters_of(const Identity& identity) {
+  py::dict all;
+  for (const auto& [key, value] : identity.parameters) {
+    const py::str name(key);
+    if (const auto* number = std::get_if<float>(&value))
+      all[name] = static_cast<double>(*number);
+    else
+      all[name] = std::get<std::string>(value);
+  }
+  return all;
+}
+
+}  // namespace
+
+Subject::Subject(Description what)
+    : description(std::move(what)),
+      identity(identity_of(description)),
+      field(field_of(description)),
+      renderer(std::visit([](const auto& its) { return renderer_of(its); }, field)) {}
+
+void add_subjects(py::module_& module) {
+  py::class_<Description>(module, "Description").def_property_readonly("kind", [](const Description& description) {
+    constexpr std::array kKinds{"law", "height map", "mesh"};
+    return kKinds[description.what.index()];
+  });
+  module.def("law_of", &law_of);
+  module.def("map_of_samples", &map_of_samples);
+  module.def("map_of_picture", &map_of_picture);
+  module.def("mesh_of_arrays", &mesh_of_arrays);
+  module.def("of_file", &of_file);
+  module.def("of_options", &of_options);
+  module.def("length", [](const std::string& name, const std::string& text) { return parsed(files::parse_length, name, text); });
+  module.def("stiffness",
+             [](const std::string& name, const std::string& text) { return parsed(files::parse_stiffness, name, text); });
+  module.def("angle", [](const std::string& name, const std::string& text) { return parsed(files::parse_angle, name, text); });
+
+  py::class_<Subject, std::shared_ptr<Subject>> subject(module, "Subject");
+  subject.def(py::init<Description>());
+  subject.def_property_readonly("_kind", [](const Subject& its) { return its.identity.kind; });
+  subject.def_property_readonly("_name", [](const Subject& its) { return its.identity.name; });
+  subject.def_property_readonly("_digest", [](const Subject& its) { return its.identity.digest; });
+  subject.def_property_readonly("_words", [](const Subject& its) { return parameters_in_words(its.identity); });
+  subject.def_property_readonly("_parameters", [](const Subject& its) { return parameters_of(its.identity); });
+  add_forces(module, subject);
+}
+
+}  // namespace forceshade::python
