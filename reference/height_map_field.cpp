@@ -3,12 +3,15 @@
 #include <array>
 #include <cmath>
 #include <mutex>
+#include <optional>
+#include <string>
 
 #include "forceshade/reference.h"
 #include "reference/estimates.h"
 #include "reference/heights/domain.h"
 #include "reference/heights/sum.h"
 #include "reference/laws/slow_geometry.h"
+#include "reference/numbers/decimal.h"
 #include "reference/numbers/tie.h"
 #include "reference/position.h"
 
@@ -44,13 +47,14 @@ Components<N> force(const HeightMapField& law, const LocalHeight<N>& at) {
 
 // The sign of a component of the force less `tie`, exactly. With F = K·gap·s/n and n = √(1 + U_x² + U_y²), F and tie are
 // compared by their signs first, then by their squares.
-int sign_of_excess(const HeightMapField& law, const LocalHeight<ExponentialSum>& at, std::size_t axis, double tie) {
+int sign_of_excess(const HeightMapField& law, const LocalHeight<ExponentialSum>& at, std::size_t axis,
+                   const ExponentialSum& tie) {
   const ExponentialSum slopes[] = {-at.Ux, -at.Uy, 1.0};
   const ExponentialSum push = ExponentialSum(static_cast<double>(law.stiffness())) * at.gap * slopes[axis];
   if (law.mode() == Mode::conservative) return (push - tie).sign();
-  const int sign = push.sign(), sign_of_tie = (tie > 0) - (tie < 0);
+  const int sign = push.sign(), sign_of_tie = tie.sign();
   if (sign != sign_of_tie || sign == 0) return sign - sign_of_tie;
-  return sign * (push * push - ExponentialSum(tie) * tie * (at.Ux * at.Ux + at.Uy * at.Uy + 1.0)).sign();
+  return sign * (push * push - tie * tie * (at.Ux * at.Ux + at.Uy * at.Uy + 1.0)).sign();
 }
 
 float nearest_tie(const Components<Ball64>& force, const Eigen::Vector3f& rounded) {
@@ -105,6 +109,16 @@ Rounded round_by_enclosures(const HeightMapField& law, const Point2& at, double 
             nearest_tie({filter_of(components[0]), filter_of(components[1]), filter_of(components[2])}, answer)};
   }
   return round_exactly(law, at, z);
+}
+
+// Whether the hand is inside the surface.
+bool is_inside(const HeightMapField& law, const Point2& at, double z) {
+  for (const unsigned bits : {128U, 768U}) {
+    set_precision(bits);
+    const Enclosure gap = local<Enclosure>(law, at, z).gap;
+    if (lower(gap) > 0 || upper(gap) <= 0) return lower(gap) > 0;
+  }
+  return local<ExponentialSum>(law, at, z).gap.sign() > 0;
 }
 
 constexpr double kLeastSlope = 0x1p-30;
@@ -162,6 +176,34 @@ Rounded HeightMapField::round_to_binary32(const Eigen::Vector3f& position) const
   } catch (const Undecided&) {
     return round_by_enclosures(*this, at, z);
   }
+}
+
+DecimalMapForce HeightMapField::decimal(const Eigen::Vector3f& position, unsigned digits) const {
+  if (!in_domain(position)) return {"0", "0", "0", Status::invalid};
+  const Point2 at{quantised(position.x()), quantised(position.y())};
+  const double z = quantised(position.z());
+  const std::lock_guard lock(exact_arithmetic);
+  mpfr_set_emin(mpfr_get_emin_min());
+  if (!is_inside(*this, at, z)) return {"0", "0", "0", Status::free};
+  std::optional<LocalHeight<ExponentialSum>> exact;  // made where it is needed: sums of exponentials are slow
+  const auto component = [&](std::size_t axis) {
+    return correctly_rounded(
+        digits, [&] { return force(*this, local<Enclosure>(*this, at, z))[axis]; },
+        [&](const CORE::BigRat& q) {
+          if (!exact) exact = local<ExponentialSum>(*this, at, z);
+          return sign_of_excess(*this, *exact, axis, ExponentialSum(ExponentialSum::Rational(q.get_mp())));
+        });
+  };
+  return {component(0), component(1), component(2), Status::contact};
+}
+
+int HeightMapField::compare(const Eigen::Vector3f& position, std::size_t axis, const std::string& rational) const {
+  const ExponentialSum other{ExponentialSum::Rational(rational)};
+  if (!in_domain(position)) return -other.sign();
+  const std::lock_guard lock(exact_arithmetic);
+  mpfr_set_emin(mpfr_get_emin_min());
+  const auto exact = local<ExponentialSum>(*this, {quantised(position.x()), quantised(position.y())}, quantised(position.z()));
+  return exact.gap.sign() > 0 ? sign_of_excess(*this, exact, axis, other) : -other.sign();
 }
 
 std::array<float, 2> HeightMapField::slopes(float x, float y) const {

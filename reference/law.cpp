@@ -190,6 +190,16 @@ DecimalForce Law::decimal(const Eigen::Vector3f& position, unsigned digits) cons
           Status::contact};
 }
 
+int Law::compare(const Eigen::Vector3f& position, std::size_t axis, const std::string& rational) const {
+  const std::lock_guard lock(exact_arithmetic);
+  const Exact other{CORE::BigRat(rational)};
+  if (!in_domain(position)) return (Exact(0) - other).sign();
+  const SlowForce force(id_, parameters_, Point(position));
+  if (force.facet() == Facet::none) return (Exact(0) - other).sign();
+  const Force<Exact> exact = force.exact();
+  return ((axis == 0 ? exact.x : exact.z) - other).sign();
+}
+
 Law::Estimate Law::estimate(const Eigen::Vector3f& position) const {
   const Point point(position);
   try {

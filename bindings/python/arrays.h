@@ -3,8 +3,10 @@
 // Arrays of NumPy as the batches of the C interface, which lie wherever the arrays lie.
 
 #include <pybind11/numpy.h>
+#include <pybind11/stl.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 

@@ -42,8 +42,7 @@ bool read_float(PyObject* number, const char* name, const char* unit, bool is_ro
     if (beyond == 0 && integer == -1 && PyErr_Occurred() != nullptr) return false;
     // Beyond 2^24 only some are binary32 numbers, and all are beyond what a coordinate can be.
     constexpr long long kMost = 1LL << 53;
-    if (beyond != 0 || integer > kMost || integer < -kMost)
-      return fail(PyExc_ValueError, name, unit, "-2^53 to 2^53 ", number);
+    if (beyond != 0 || integer > kMost || integer < -kMost) return fail(PyExc_ValueError, name, unit, "-2^53 to 2^53 ", number);
     return narrowed(static_cast<double>(integer), name, is_rounded, read);
   }
   const double value = PyFloat_AsDouble(number);

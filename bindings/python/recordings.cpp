@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Recordings, as structured arrays.
 
-#include <pybind11/stl.h>
-
 #include <cstring>
 #include <span>
 
@@ -32,7 +30,7 @@ py::tuple read(const std::string& path) {
   const py::dtype layout = py::dtype::from_args(columns);
   py::array samples(layout, static_cast<py::ssize_t>(bytes.size() / sizeof(device::Sample)));
   std::memcpy(samples.mutable_data(), bytes.data(), bytes.size());
-  return py::make_tuple(samples, recording.metadata(), problems, recording.has_all_columns());
+  return py::make_tuple(samples, recording.metadata(), problems);
 }
 
 }  // namespace

@@ -8,8 +8,6 @@
 #include <tuple>
 #include <utility>
 
-#include <pybind11/stl.h>
-
 #include "bindings/c/batch.h"
 #include "bindings/c/session.h"
 #include "bindings/python/arrays.h"

@@ -3,8 +3,6 @@
 
 #include "forceshade/subjects.h"
 
-#include <pybind11/stl.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -46,8 +44,7 @@ Field field_of(const Description& description) {
 }
 
 Identity identity_of(const Description& description) {
-  if (const auto* law = std::get_if<DescribedLaw>(&description.what))
-    return forceshade::identity_of(law->law, law->parameters);
+  if (const auto* law = std::get_if<DescribedLaw>(&description.what)) return forceshade::identity_of(law->law, law->parameters);
   if (const auto* map = std::get_if<DescribedHeightMap>(&description.what))
     return forceshade::identity_of(description.name, map->map, map->mode, map->stiffness);
   return forceshade::identity_of(description.name, std::get<MeshRendering>(description.what));
@@ -162,9 +159,8 @@ Description mesh_of_arrays(const Floats& vertices, const py::array_t<std::uint32
   if (!(crease >= 0 && crease <= 180))
     throw py::value_error("crease is " + std::to_string(crease) + "; expected 0 to 180 degrees");
   const py::gil_scoped_release released;
-  const auto checked =
-      mesh::check(std::move(all), self_intersecting ? mesh::SelfIntersections::allowed : mesh::SelfIntersections::refused,
-                  interruptible());
+  const auto checked = mesh::check(
+      std::move(all), self_intersecting ? mesh::SelfIntersections::allowed : mesh::SelfIntersections::refused, interruptible());
   if (const auto* findings = std::get_if<mesh::Findings>(&checked))
     throw py::value_error("the mesh cannot be rendered: " + findings->words());
   const auto& good = std::get<mesh::CheckedMesh>(checked);
@@ -227,13 +223,19 @@ void add_subjects(py::module_& module) {
     constexpr std::array kKinds{"law", "height map", "mesh"};
     return kKinds[description.what.index()];
   });
+  module.def("laws", [] {
+    py::list names;
+    for (const LawName& law : kLaws) names.append(std::string(law.name));
+    return names;
+  });
   module.def("law_of", &law_of);
   module.def("map_of_samples", &map_of_samples);
   module.def("map_of_picture", &map_of_picture);
   module.def("mesh_of_arrays", &mesh_of_arrays);
   module.def("of_file", &of_file);
   module.def("of_options", &of_options);
-  module.def("length", [](const std::string& name, const std::string& text) { return parsed(files::parse_length, name, text); });
+  module.def("length",
+             [](const std::string& name, const std::string& text) { return parsed(files::parse_length, name, text); });
   module.def("stiffness",
              [](const std::string& name, const std::string& text) { return parsed(files::parse_stiffness, name, text); });
   module.def("angle", [](const std::string& name, const std::string& text) { return parsed(files::parse_angle, name, text); });

@@ -50,6 +50,11 @@ struct DecimalForce {
   Status status;
 };
 
+struct DecimalMapForce {
+  std::string x, y, z;  // N
+  Status status;
+};
+
 struct DecimalGeometry {
   std::string d, h, w_prime, h_prime;  // mm
   std::string theta;                   // rad
@@ -77,6 +82,9 @@ class Law {
   // Each component correctly rounded to `digits` significant decimal digits, positional notation.
   DecimalForce decimal(const Eigen::Vector3f& position, unsigned digits) const;
 
+  // The sign of F_x (axis 0) or F_z (axis 2) less a rational number, "-3/4" or "2", exactly. The force is 0 outside the domain.
+  int compare(const Eigen::Vector3f& position, std::size_t axis, const std::string& rational) const;
+
   // For this program's own properties: reference/estimates.h.
   struct Estimate;
   Estimate estimate(const Eigen::Vector3f& position) const;
@@ -102,6 +110,10 @@ class HeightMapField {
 
   // The same as Law::round_to_binary32: every answer is decided. What enclosures of 768 bits leave open, exact sums decide.
   Rounded round_to_binary32(const Eigen::Vector3f& position) const;
+
+  // As of Law; axis 0 to 2. Below 10^-5000 the digits are in scientific notation, 1.25e-6000.
+  DecimalMapForce decimal(const Eigen::Vector3f& position, unsigned digits) const;
+  int compare(const Eigen::Vector3f& position, std::size_t axis, const std::string& rational) const;
 
   // U_x and U_y at a place of the plane within the domain, mm: each the binary32 nearest to the exact one, ties to even, and 0
   // below 2^-30 in size.

@@ -24,8 +24,14 @@ Decimal rounded(const Multiprecision& value, unsigned digits, mpfr_rnd_t directi
   return result;
 }
 
+constexpr long kMostZeros = -5000;
+
 std::string positional(const Decimal& value) {
   if (value.digits.empty()) return "0";
+  // The tail of a Gaussian has more zeros than there is memory.
+  if (value.exponent < kMostZeros)
+    return (value.negative ? "-" : "") + value.digits.substr(0, 1) + "." + value.digits.substr(1) + "e" +
+           std::to_string(value.exponent - 1);
   const auto count = static_cast<long>(value.digits.size());
   std::string text = value.digits;
   if (value.exponent <= 0) {

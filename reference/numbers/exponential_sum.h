@@ -24,6 +24,7 @@ class ExponentialSum {
   using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 
   ExponentialSum(double exact = 0) : ExponentialSum(Rational(exact)) {}
+  explicit ExponentialSum(const Rational& value) { add({value}); }
 
   ExponentialSum operator-() const;
   friend ExponentialSum operator+(const ExponentialSum& a, const ExponentialSum& b);
@@ -50,7 +51,6 @@ class ExponentialSum {
     bool is_sine = false;           // then the angle is not 0
   };
 
-  explicit ExponentialSum(const Rational& value) { add({value}); }
   // Collects like terms.
   void add(Term term);
   Rational as_rational() const;

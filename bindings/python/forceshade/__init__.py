@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Haptic force laws, height maps and triangle meshes: each force is the binary32 number nearest to the exact one.
+
+>>> import forceshade
+>>> bump = forceshade.Law("bump-2p", radius=15.24, width=25.4, stiffness=0.5)    # mm, mm, N/mm
+>>> bump.force(3, 0, -0.5)                                                       # N, at x, y, z in mm
+(1.3490643501281738, 0.0, 2.5137453079223633)
+>>> bump.forces([[3, 0, -0.5], [0, 0, 5]])
+array([[1.3490644 , 0.        , 2.5137453 ],
+       [0.42932048, 0.        , 0.7999636 ]], dtype=float32)
+
+Frame and units: x points right, y into the page, z up. Lengths are in mm, forces in N, stiffnesses in N/mm. A coordinate below
+2^-30 mm in size is read as 0; one beyond 10 000 mm, or NaN, makes its position invalid, which gives no force.
+
+Numbers: what goes in is binary32 (numpy.float32) and is never rounded unasked. An array of another type is refused, unless
+rounding="nearest" is given; Python's numbers and lists are taken where binary32 holds each of them.
+
+Threads: subjects do not change and may be shared. A session is for one thread at a time. Arrays are worked on without the GIL.
+
+Errors: ValueError, TypeError, OSError, or forceshade.Error; each says what was expected and what was got.
+
+Source: Morgenbesser and Srinivasan (1996), "Force shading for haptic shape perception". No force is computed in this package: it
+calls the same libraries as the command forceshade.
+"""
+
+import numpy as _numpy
+
+if int(_numpy.__version__.split(".")[0]) >= 2:
+    raise ImportError(
+        f"this forceshade was built for NumPy 1, and NumPy {_numpy.__version__} is installed; "
+        "expected a NumPy before 2, such as Debian's python3-numpy, or: pip install 'numpy<2'"
+    )
+
+from ._exact import ExactForce, Geometry, geometry
+from ._forceshade import Error, library_digest
+from ._forceshade import version as __version__
+from ._recordings import Recording, read_recording
+from ._sessions import Place, Session, State
+from ._subjects import ANSWER, HeightMap, Identity, Law, Mesh, Status, Subject, laws, read_subject
+
+__all__ = [
+    "ANSWER",
+    "Error",
+    "ExactForce",
+    "Geometry",
+    "HeightMap",
+    "Identity",
+    "Law",
+    "Mesh",
+    "Place",
+    "Recording",
+    "Session",
+    "State",
+    "Status",
+    "Subject",
+    "__version__",
+    "geometry",
+    "laws",
+    "library_digest",
+    "read_recording",
+    "read_subject",
+]

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Arrays as the compiled module takes them: binary32, where they lie."""
+
+from __future__ import annotations
+
+from typing import Any, Literal, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+Floats = npt.NDArray[np.float32]
+Bytes = npt.NDArray[np.uint8]
+Rounding = Optional[Literal["nearest"]]
+
+
+def expect_rounding(rounding: Rounding) -> bool:
+    """Whether numbers may be rounded."""
+    if rounding is None:
+        return False
+    if not isinstance(rounding, str):
+        raise TypeError(f'rounding: expected "nearest" or None, got {rounding!r}')
+    if rounding != "nearest":
+        raise ValueError(f'rounding: expected "nearest" or None, got {rounding!r}')
+    return True
+
+
+def _narrowed(array: npt.NDArray[Any]) -> Floats:
+    with np.errstate(over="ignore", invalid="ignore"):
+        return array.astype(np.float32)
+
+
+def _first_changed(array: npt.NDArray[Any], narrow: Floats) -> tuple[int, ...] | None:
+    """The place of the first number that binary32 does not hold."""
+    is_same = (narrow.astype(np.float64) == array) | (array != array)
+    if array.dtype.kind in "iu":  # beyond 2^53, binary64 does not hold them all either
+        is_same &= (array <= 2**53) & (array >= -(2**53))
+    if bool(is_same.all()):
+        return None
+    return tuple(int(i) for i in np.argwhere(~is_same)[0])
+
+
+def as_floats(values: object, name: str, rounding: Rounding) -> Floats:
+    """The values as binary32, the same memory where it can be. `name` is plural: "positions"."""
+    may_round = expect_rounding(rounding)
+    if isinstance(values, np.ma.MaskedArray):
+        raise TypeError(f"{name} are a masked array; expected one without a mask, such as {name}.compressed()")
+    is_of_python = isinstance(values, (list, tuple, int, float))
+    try:
+        array = np.asarray(values)
+    except ValueError:
+        raise ValueError(f"{name} are lists of different lengths; expected an array of numbers") from None
+    kind, dtype = array.dtype.kind, array.dtype
+    if kind not in "iuf":
+        what = "objects, such as lists of different lengths" if kind == "O" else f"of type {dtype}"
+        raise TypeError(f"{name} are {what}; expected numbers of type float32")
+    if kind == "f" and dtype.itemsize <= 4:
+        if dtype == np.float32 and array.flags.aligned and dtype.isnative:
+            return array
+        return array.astype(np.float32)  # each of them is held
+    narrow = _narrowed(array)
+    if may_round:
+        return narrow
+    if kind == "f" and not is_of_python:
+        raise TypeError(
+            f"{name} are of type {dtype}, and a force is that of a binary32 position; "
+            f'expected float32: {name}.astype(numpy.float32), or rounding="nearest"'
+        )
+    changed = _first_changed(array, narrow)
+    if changed is not None:
+        place = f"[{', '.join(map(str, changed))}]" if changed else ""
+        raise ValueError(
+            f"{name}{place} is {array[changed]!r}, which binary32 does not hold; "
+            f'expected float32 numbers: numpy.float32({name}), or rounding="nearest"'
+        )
+    return narrow
+
+
+def as_positions(positions: object, rounding: Rounding) -> Floats:
+    """An array (..., 3)."""
+    array = as_floats(positions, "positions", rounding)
+    if array.ndim == 0 or array.shape[-1] != 3:
+        raise ValueError(f"positions have the shape {array.shape}; expected (..., 3): x, y, z in mm")
+    return array
+
+
+def _is_at_the_same_place(a: npt.NDArray[Any], b: npt.NDArray[Any]) -> bool:
+    where, there = a.__array_interface__["data"][0], b.__array_interface__["data"][0]
+    return bool(where == there) and a.strides == b.strides and a.shape == b.shape
+
+
+def _shares(a: npt.NDArray[Any], b: npt.NDArray[Any]) -> bool:
+    try:
+        return np.shares_memory(a, b, max_work=100_000)
+    except Exception:  # numpy.TooHardError, whose place changes from version to version
+        return True
+
+
+def _expect_writable(array: object, name: str, dtype: type, shape: tuple[int, ...]) -> None:
+    if not isinstance(array, np.ndarray):
+        raise TypeError(f"{name}: expected a NumPy array, got {type(array).__name__}")
+    if array.dtype != dtype or not array.dtype.isnative:
+        raise TypeError(f"{name} is of type {array.dtype}; expected {np.dtype(dtype)}")
+    if array.shape != shape:
+        raise ValueError(f"{name} has the shape {array.shape}; expected {shape}")
+    if not array.flags.writeable:
+        raise ValueError(f"{name} is read-only; expected an array that can be written")
+    if not array.flags.aligned:
+        raise ValueError(f"{name} is not aligned; expected numbers that lie at multiples of their size")
+    if any(stride == 0 and length > 1 for stride, length in zip(array.strides, array.shape)):
+        raise ValueError(f"{name} has several elements in one place; expected one for each")
+
+
+def output(out: object, positions: Floats) -> Floats:
+    """Where the forces go: `out`, which has been looked at, or a new array."""
+    if out is None:
+        return np.empty(positions.shape, np.float32)
+    _expect_writable(out, "out", np.float32, positions.shape)
+    assert isinstance(out, np.ndarray)
+    if not _is_at_the_same_place(out, positions) and _shares(out, positions):
+        raise ValueError("out and positions overlap; expected the very same array, or memory of its own")
+    return out
+
+
+def statuses(status: object, positions: Floats, forces: Floats) -> Bytes | None:
+    """Where the statuses go."""
+    if status is None:
+        return None
+    _expect_writable(status, "status", np.uint8, positions.shape[:-1])
+    assert isinstance(status, np.ndarray)
+    if _shares(status, positions) or _shares(status, forces):
+        raise ValueError("status overlaps the positions or out; expected memory of its own")
+    return status

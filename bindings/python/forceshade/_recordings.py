@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Recordings of runs."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from . import _forceshade
+
+if TYPE_CHECKING:
+    from ._subjects import File
+
+
+class Recording(NamedTuple):
+    """What read_recording() gives."""
+
+    samples: Any
+    """A structured array with a row for each tick, or a pandas.DataFrame: the columns of docs/recording.md, in mm, N, mJ, ns."""
+    metadata: dict[str, str]
+    """What was rendered, with which device and settings."""
+    problems: list[str]
+    """What keeps it from being a whole run as it was written, a sentence each; empty if it is whole."""
+
+
+def read_recording(file: File, *, frame: bool = False) -> Recording:
+    """The recording of a run, which forceshade drive --record writes.
+
+    frame: whether its samples are a pandas.DataFrame, which needs pandas; else they are a structured NumPy array.
+
+    Raises OSError where the file cannot be opened, Error where it is no recording or a part of it is damaged, and ImportError
+    where pandas is asked for and not there. A run that was cut off is read as far as it goes; `problems` says so.
+    """
+    from ._subjects import _path_of
+
+    samples, metadata, problems = _forceshade.read_recording(_path_of(file))
+    if frame:
+        try:
+            import pandas  # type: ignore[import]
+        except ImportError:
+            raise ImportError("frame=True needs pandas; expected it to be installed, such as Debian's python3-pandas") from None
+        return Recording(pandas.DataFrame(samples), metadata, problems)
+    return Recording(samples, metadata, problems)

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Sessions: one path of the hand each."""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import astuple, dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arrays, _forceshade
+from ._arrays import Floats, Rounding
+from ._subjects import ANSWER, Status, Subject
+
+
+class Place(enum.IntEnum):
+    """Where a god-object is."""
+
+    NOWHERE = 0
+    """No valid position has come yet."""
+    IN_THE_OPEN = 1
+    AT_VERTEX = 2
+    ON_EDGE = 3
+    IN_TRIANGLE = 4
+
+
+@dataclass(frozen=True)
+class State:
+    """All that a session remembers of its path: the god-object of a mesh, exact and the same on every machine.
+
+    A law or a height map remembers nothing, which is Place.NOWHERE. What a place does not use is 0.
+    """
+
+    place: Place = Place.NOWHERE
+    side: int = 0
+    """Of the surface: 0 front, 1 back."""
+    position: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    """mm; in the open."""
+    index: tuple[int, int] = (0, 0)
+    """Vertex v: (v, 0). Edge from a to b: (a, b), a < b. Triangle i: (i, 0)."""
+    parameter: tuple[int, int] = (0, 0)
+    """In units of 2^-24. Edge: a + m (b - a): (m, 0). Triangle: a + k (b - a) + l (c - a): (k, l)."""
+
+
+class Session(_forceshade.Session):
+    """One path of the hand through a subject: each force follows from the positions so far.
+
+    For one thread at a time: a second one that uses it meanwhile gets forceshade.Error.
+
+    >>> import forceshade
+    >>> session = Session(forceshade.Law("wall", stiffness=0.5))
+    >>> session.step(0, 0, -2), session.status.name
+    ((0.0, 0.0, 1.0), 'CONTACT')
+    """
+
+    def __init__(self, subject: Subject) -> None:
+        if not isinstance(subject, Subject):
+            raise TypeError(f"expected a Law, HeightMap or Mesh, got {type(subject).__name__}")
+        super().__init__(subject)
+        self._subject = subject
+
+    @property
+    def subject(self) -> Subject:
+        """What it renders."""
+        return self._subject
+
+    @property
+    def status(self) -> Status:
+        """What the last position was."""
+        return Status(self._status)
+
+    def steps(
+        self,
+        positions: npt.ArrayLike,
+        *,
+        out: Floats | None = None,
+        status: npt.NDArray[np.uint8] | None = None,
+        rounding: Rounding = None,
+    ) -> Floats:
+        """The forces (N) at the next positions of the path (mm), one after the other; arguments as of Subject.forces()."""
+        at = _arrays.as_positions(positions, rounding)
+        to = _arrays.output(out, at)
+        self._steps(at, to, _arrays.statuses(status, at, to))
+        return to
+
+    def answers(self, positions: npt.ArrayLike, *, rounding: Rounding = None) -> npt.NDArray[np.void]:
+        """The same steps, with the statuses: a structured array of type ANSWER."""
+        at = _arrays.as_positions(positions, rounding)
+        made = np.empty(at.shape[:-1], ANSWER)
+        self._steps(at, made["force"], made["status"])
+        return made
+
+    def reset(self) -> None:
+        """Goes back to the beginning of a path."""
+        self.resume(State())
+
+    @property
+    def state(self) -> State:
+        """What it remembers after the last step."""
+        place, side, position, index, parameter = self._state()
+        return State(Place(place), side, tuple(position), tuple(index), tuple(parameter))  # type: ignore[arg-type]
+
+    def resume(self, state: State) -> None:
+        """Goes on from a state of the same subject. A state that is none of this mesh counts as that of a beginning."""
+        if not isinstance(state, State):
+            raise TypeError(f"expected the state of a session, got {type(state).__name__}")
+        place, side, position, index, parameter = astuple(state)
+        try:
+            self._resume((int(place), int(side), list(position), list(index), list(parameter)))
+        except TypeError:
+            raise TypeError(f"state: expected one that a session gave, got {state}") from None

@@ -1,0 +1,420 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is rendered: laws, height maps and meshes."""
+
+from __future__ import annotations
+
+import enum
+import numbers
+import os
+from typing import Any, NamedTuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arrays, _exact, _forceshade
+from ._arrays import Floats, Rounding
+
+Quantity = Union[float, str]
+File = Union[str, "os.PathLike[str]"]
+
+
+class Status(enum.IntEnum):
+    """What a position is."""
+
+    FREE = 0
+    """Outside: no force."""
+    CONTACT = 1
+    """Inside."""
+    INVALID = 2
+    """A coordinate is NaN or beyond 10 000 mm: no force."""
+    UNFINISHED = 3
+    """A contact whose god-object used up the moves of one tick; the next tick goes on from there. On meshes alone."""
+
+
+ANSWER = np.dtype([("force", np.float32, (3,)), ("status", np.uint8)], align=True)
+"""The type of what answers() gives: `force` in N, and `status`, a number of Status."""
+
+
+class Identity(NamedTuple):
+    """What a subject is, as certificates and recordings have it."""
+
+    kind: str
+    """"law", "height map" or "mesh"."""
+    name: str
+    """Of the law, or of the file; "samples" or "triangles" where there was no file."""
+    parameters: dict[str, float | str]
+    """By their keys, which end in their units: "stiffness_N_per_mm"."""
+    digest: str
+    """SHA-256 of what name and parameters leave out, in hexadecimal digits; empty for a law."""
+
+
+def _text_of(value: object, name: str, what: str) -> str:
+    if isinstance(value, str):
+        return value
+    if isinstance(value, bool) or not isinstance(value, (numbers.Real, np.number)):
+        raise TypeError(f"{name}: expected a number or a text such as {what}, got {value!r}")
+    return repr(float(value))
+
+
+def _length(value: Quantity, name: str) -> float:
+    """In mm: the binary32 number nearest to what stands there, as the command reads it."""
+    return _forceshade.length(name, _text_of(value, name, '"600mil"'))
+
+
+def _stiffness(value: Quantity) -> float:
+    return _forceshade.stiffness("stiffness", _text_of(value, "stiffness", '"500N/m"'))
+
+
+def _word(value: object, name: str) -> str:
+    if not isinstance(value, str):
+        raise TypeError(f"{name}: expected a word, got {value!r}")
+    return value
+
+
+def _path_of(file: object) -> str:
+    """Its name, where it can be opened; else the system's OSError."""
+    path = os.fsdecode(os.fspath(file))  # type: ignore[call-overload]
+    with open(path, "rb"):
+        return path
+
+
+def _short(number: float) -> str:
+    return str(np.float32(number))
+
+
+class Subject(_forceshade.Subject):
+    """A law, a height map or a mesh: Law, HeightMap and Mesh make one. It does not change; threads may share it."""
+
+    _reference_of: _forceshade.Reference | None = None
+
+    @property
+    def identity(self) -> Identity:
+        """Kind, name, parameters and digest, as certificates and recordings have them."""
+        return Identity(self._kind, self._name, self._parameters, self._digest)
+
+    @property
+    def digest(self) -> str:
+        """SHA-256 of all numbers of a height map or mesh, in hexadecimal digits; empty for a law."""
+        return self._digest
+
+    @property
+    def stiffness(self) -> float:
+        """K, N/mm."""
+        return float(self._parameters["stiffness_N_per_mm"])
+
+    def forces(
+        self,
+        positions: npt.ArrayLike,
+        *,
+        out: Floats | None = None,
+        status: npt.NDArray[np.uint8] | None = None,
+        rounding: Rounding = None,
+    ) -> Floats:
+        """The forces (N) at positions (mm), each the binary32 number nearest to the exact one.
+
+        positions: float32 of the shape (..., 3), wherever it lies in memory: nothing is copied. Lists are taken where binary32
+        holds every number. rounding="nearest" rounds numbers of other types first.
+        out: a float32 array of the same shape, into which the forces go; it may be `positions` itself.
+        status: a uint8 array of the shape of the positions without the last axis, into which a number of Status goes for each.
+
+        Returns out, or a new array. Raises TypeError for a wrong type, ValueError for a wrong shape or a number that binary32
+        does not hold, and Error for a mesh, whose forces depend on the path.
+
+        >>> import numpy, forceshade
+        >>> wall = forceshade.Law("wall", stiffness=0.5)
+        >>> wall.forces(numpy.array([[0, 0, -2], [0, 0, 1]], numpy.float32))
+        array([[0., 0., 1.],
+               [0., 0., 0.]], dtype=float32)
+        """
+        at = _arrays.as_positions(positions, rounding)
+        to = _arrays.output(out, at)
+        self._forces(at, to, _arrays.statuses(status, at, to))
+        return to
+
+    def answers(self, positions: npt.ArrayLike, *, rounding: Rounding = None) -> npt.NDArray[np.void]:
+        """The forces with their statuses: a structured array of type ANSWER, of the shape of the positions without the last axis.
+
+        >>> import forceshade
+        >>> answers = forceshade.Law("wall", stiffness=0.5).answers([[0, 0, -2], [0, 0, 1], [0, 0, 20000]])
+        >>> [forceshade.Status(status).name for status in answers["status"]]
+        ['CONTACT', 'FREE', 'INVALID']
+        """
+        at = _arrays.as_positions(positions, rounding)
+        made = np.empty(at.shape[:-1], ANSWER)
+        self._forces(at, made["force"], made["status"])
+        return made
+
+    def reference(self, x: float, y: float, z: float, *, digits: int = 50, rounding: Rounding = None) -> _exact.ExactForce:
+        """The exact force (N) at one position (mm) by its definition, which shares nothing with what force() computes; slow.
+
+        Each component is a fractions.Fraction where it is a rational number (of a denominator up to 10^40), else a text of
+        `digits` correctly rounded significant decimal digits (1 to 10 000).
+
+        >>> import forceshade
+        >>> exact = forceshade.Law("bump-2p", radius=15.24, width=25.4, stiffness=0.5).reference(3, 0, -0.5, digits=30)
+        >>> exact.x, exact.y
+        ('1.34906431533465554429044623806', Fraction(0, 1))
+        """
+        return _exact.force_of(self._reference(), x, y, z, digits, rounding)
+
+    def reference_forces(self, positions: npt.ArrayLike, *, rounding: Rounding = None) -> npt.NDArray[np.void]:
+        """The exact forces, rounded once to binary32, with their statuses, as answers() gives them; some 100 000 a second.
+
+        The positions of a mesh are a path in their order, from its beginning.
+        """
+        at = _arrays.as_positions(positions, rounding)
+        made = np.empty(at.shape[:-1], ANSWER)
+        self._reference().rounded(at, made["force"], made["status"])
+        return made
+
+    def _reference(self) -> _forceshade.Reference:
+        if self._reference_of is None:
+            self._reference_of = _forceshade.Reference(self)
+        return self._reference_of
+
+
+class Law(Subject):
+    """One of the nine force laws of Morgenbesser and Srinivasan (1996): forceshade.laws() has their names.
+
+    radius: R, mm, in [0.1, 10 000]. width: w, mm, the chord of the bump on the plane, in [0.001, 2 R]. stiffness: K, N/mm, in
+    [0.001, 1000]. The wall takes the stiffness alone. A number stands for the nearest binary32 number, as on the command line,
+    and a text may have a unit: "600mil", "500N/m".
+
+    Raises ValueError for an unknown law, a wrong unit, and a number outside its range; TypeError where one is missing.
+
+    >>> Law("bump-1p", radius="600mil", width="1in", stiffness="500N/m")
+    Law('bump-1p', radius=15.24, width=25.4, stiffness=0.5)
+    """
+
+    def __init__(
+        self, name: str, *, radius: Quantity | None = None, width: Quantity | None = None, stiffness: Quantity
+    ) -> None:
+        name = _word(name, "law")
+        is_wall = name == "wall"
+        for value, key in ((radius, "radius"), (width, "width")):
+            if is_wall and value is not None:
+                raise TypeError(f"the wall has no {key}; expected its stiffness alone")
+            if not is_wall and value is None and name in laws():
+                raise TypeError(f"{name} needs its {key} in mm; expected Law({name!r}, radius=..., width=..., stiffness=...)")
+        super().__init__(
+            _forceshade.law_of(
+                name,
+                1.0 if radius is None else _length(radius, "radius"),
+                1.0 if width is None else _length(width, "width"),
+                _stiffness(stiffness),
+            )
+        )
+
+    @property
+    def name(self) -> str:
+        """ "bump-2p" and the like."""
+        return self._name
+
+    @property
+    def radius(self) -> float | None:
+        """R, mm; None for the wall."""
+        value = self._parameters.get("radius_mm")
+        return None if value is None else float(value)
+
+    @property
+    def width(self) -> float | None:
+        """w, mm; None for the wall."""
+        value = self._parameters.get("width_mm")
+        return None if value is None else float(value)
+
+    def geometry(self, *, digits: int = 50) -> _exact.Geometry:
+        """d, h, w', h' and theta of the bump, as forceshade.geometry() gives them."""
+        if self.radius is None or self.width is None:
+            raise _forceshade.Error("the wall has no geometry; expected a law with a bump")
+        return _exact.geometry(radius=self.radius, width=self.width, digits=digits)
+
+    def __repr__(self) -> str:
+        numbers_of = {"radius": self.radius, "width": self.width, "stiffness": self.stiffness}
+        words = (f"{key}={_short(value)}" for key, value in numbers_of.items() if value is not None)
+        return f"Law({self.name!r}, {', '.join(words)})"
+
+
+class HeightMap(Subject):
+    """A height map U(x, y).
+
+    heights: an array (rows, columns) of heights in mm, within ±10 000 mm: float32, 2 to 32 768 rows and columns, and 2^26
+    samples at most. Rows run along y from the smallest, columns along x, `pitch` mm apart, and the middle is the origin. (A
+    picture has the largest y in its first row: heights[::-1].)
+    Or a file: a TOML file (docs/height-maps.md), which says all but the stiffness; or a greyscale PNG, TIFF or PFM picture or
+    an NPY array, whose first row has the largest y, with its pitch and its `scale`: the height of white, or of 1, in mm.
+    stiffness: K, N/mm, in [0.001, 1000].
+    interpolant: "cubic-spline", which goes through the heights, or "bilinear". edge: beyond the samples, "clamp" or "tile".
+    render: "height-map" (at the surface's own depth), "height-map-shaded" (at the plane's), or "height-map-conservative".
+    rounding: "nearest" takes heights of other types than float32.
+
+    Raises ValueError for what is outside its range, TypeError for a wrong type, OSError and Error for a file that cannot be
+    read.
+
+    >>> import numpy
+    >>> x = numpy.linspace(-1, 1, 65)
+    >>> waves = HeightMap(numpy.cos(6 * x) + 0 * x[:, None], pitch=0.5, stiffness=0.3, rounding="nearest")
+    >>> waves.force(0, 0, 0.25)[2] > 0
+    True
+    """
+
+    def __init__(
+        self,
+        heights: npt.ArrayLike | File,
+        *,
+        stiffness: Quantity,
+        pitch: Quantity | None = None,
+        scale: Quantity | None = None,
+        interpolant: str | None = None,
+        edge: str | None = None,
+        render: str | None = None,
+        rounding: Rounding = None,
+    ) -> None:
+        given = {"pitch": pitch, "scale": scale, "interpolant": interpolant, "edge": edge, "render": render}
+        interpolant, edge, render = (
+            usual if given[key] is None else _word(given[key], key)
+            for key, usual in (("interpolant", "cubic-spline"), ("edge", "clamp"), ("render", "height-map"))
+        )
+        if isinstance(heights, (str, os.PathLike)):
+            path = _path_of(heights)
+            if pitch is None and scale is None:
+                for key, value in given.items():
+                    if value is not None:
+                        raise TypeError(f"{path} says {key} itself; expected the stiffness alone, or a picture's pitch and scale")
+                text = _text_of(stiffness, "stiffness", '"500N/m"')
+                description = _forceshade.of_options([("height-map", path), ("stiffness", text)])
+            elif pitch is None or scale is None:
+                raise TypeError("a picture needs pitch and scale, both in mm")
+            else:
+                description = _forceshade.map_of_picture(
+                    path, _length(pitch, "pitch"), _length(scale, "scale"), interpolant, edge, render, _stiffness(stiffness)
+                )
+        else:
+            if pitch is None:
+                raise TypeError("heights need their pitch, mm between samples")
+            if scale is not None:
+                raise TypeError("scale is that of a picture; heights are in mm")
+            samples = _arrays.as_floats(heights, "heights", rounding)
+            if samples.ndim != 2:
+                raise ValueError(f"heights have the shape {samples.shape}; expected (rows, columns)")
+            description = _forceshade.map_of_samples(samples, _length(pitch, "pitch"), interpolant, edge, render, _stiffness(stiffness))
+        super().__init__(description)
+
+    def __repr__(self) -> str:
+        return f"<HeightMap {self._name}: {self._words}>"
+
+
+def _indices(triangles: npt.ArrayLike, count: int) -> npt.NDArray[np.uint32]:
+    array: npt.NDArray[Any] = np.asarray(triangles)
+    if array.dtype.kind not in "iu":
+        raise TypeError(f"triangles are of type {array.dtype}; expected integers, the numbers of vertices from 0")
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ValueError(f"triangles have the shape {array.shape}; expected (m, 3)")
+    is_none = (array < 0) | (array >= count)
+    if is_none.any():
+        row, column = (int(i) for i in np.argwhere(is_none)[0])
+        raise ValueError(f"triangles[{row}, {column}] is {array[row, column]}; expected the number of a vertex, 0 to {count - 1}")
+    return array.astype(np.uint32)
+
+
+class Mesh(Subject):
+    """A triangle mesh, felt through a god-object. Its force depends on the path: a Session follows one.
+
+    vertices: float32 (n, 3), mm. triangles: integers (m, 3), numbers of vertices from 0; (b - a) x (c - a) points to the front.
+    Or a file instead of both, OFF, OBJ, PLY or STL, with its `unit`: "mm", "m" or "in"; its shading may be "texture:FILE.toml",
+    with the length `texture_scale` of one unit of its coordinates.
+    stiffness: K, N/mm, in [0.001, 1000]. sides: which block, "front" or "both"; "front" for a closed mesh and "both" for
+    another, unless said. shading: "vertex" (usual), "edge" or "none" (usual with sub-goal). contact: "direct" or "sub-goal".
+    crease: degrees, 0 to 180 (no creases), for the normals. self_intersecting: whether triangles without a common vertex may
+    cross.
+
+    The mesh is checked exactly, which takes a second for some hundred thousand triangles. Raises ValueError with the numbers
+    of faces and vertices for what is no mesh, OSError and Error for a file.
+
+    >>> corners, faces = [[0, 0, 0], [9, 0, 0], [0, 9, 0], [0, 0, 9]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
+    >>> session = Session(Mesh(corners, faces, stiffness=0.5, shading="none"))
+    >>> session.step(2, 2, -1), session.step(2, 2, 1)
+    ((0.0, 0.0, 0.0), (0.0, 0.0, -0.5))
+    """
+
+    def __init__(
+        self,
+        vertices: npt.ArrayLike | File,
+        triangles: npt.ArrayLike | None = None,
+        *,
+        stiffness: Quantity,
+        unit: str | None = None,
+        sides: str | None = None,
+        shading: str | None = None,
+        contact: str | None = None,
+        crease: Quantity | None = None,
+        texture_scale: Quantity | None = None,
+        self_intersecting: bool = False,
+        rounding: Rounding = None,
+    ) -> None:
+        options = {"sides": sides, "shading": shading, "contact": contact}
+        for key, value in options.items():
+            if value is not None:
+                _word(value, key)
+        if isinstance(vertices, (str, os.PathLike)):
+            if triangles is not None:
+                raise TypeError("a file has its own triangles; expected Mesh(file, ...)")
+            if unit is None:
+                raise TypeError('a mesh file does not say its unit; expected unit="mm", "m" or "in"')
+            options = {"mesh": _path_of(vertices), "unit": _word(unit, "unit"), **options}
+            options["stiffness"] = _text_of(stiffness, "stiffness", '"500N/m"')
+            if crease is not None:
+                options["crease"] = _text_of(crease, "crease", '"30deg"')
+            if texture_scale is not None:
+                options["texture-scale"] = _text_of(texture_scale, "texture_scale", '"10mm"')
+            if self_intersecting:
+                options["self-intersecting"] = "true"
+            description = _forceshade.of_options([(key, value) for key, value in options.items() if value is not None])
+        else:
+            if triangles is None:
+                raise TypeError("vertices need their triangles; expected Mesh(vertices, triangles, ...) or Mesh(file, ...)")
+            if unit is not None or texture_scale is not None:
+                raise TypeError("unit and texture_scale are those of a file; vertices are in mm")
+            points = _arrays.as_floats(vertices, "vertices", rounding)
+            if points.ndim != 2 or points.shape[1] != 3:
+                raise ValueError(f"vertices have the shape {points.shape}; expected (n, 3): x, y, z in mm")
+            angle = 180.0 if crease is None else _forceshade.angle("crease", _text_of(crease, "crease", '"30deg"'))
+            description = _forceshade.mesh_of_arrays(
+                points,
+                _indices(triangles, len(points)),
+                sides,
+                shading,
+                "direct" if contact is None else contact,
+                angle,
+                bool(self_intersecting),
+                _stiffness(stiffness),
+            )
+        super().__init__(description)
+
+    def __repr__(self) -> str:
+        return f"<Mesh {self._name}: {self._words}>"
+
+
+def read_subject(file: File) -> Law | HeightMap | Mesh:
+    """The law, height map or mesh of a subject file (docs/subjects.md). Files that it names lie beside it.
+
+    Raises OSError where it cannot be opened, and Error with file and line where it is refused.
+    """
+    description = _forceshade.of_file(_path_of(file))
+    made: Law | HeightMap | Mesh
+    if description.kind == "law":
+        made = Law.__new__(Law)
+    elif description.kind == "mesh":
+        made = Mesh.__new__(Mesh)
+    else:
+        made = HeightMap.__new__(HeightMap)
+    _forceshade.Subject.__init__(made, description)
+    return made
+
+
+def laws() -> list[str]:
+    """The names of the laws.
+
+    >>> laws()[:2]
+    ['wall', 'cylinder']
+    """
+    return _forceshade.laws()
