@@ -17,11 +17,7 @@ constexpr const char* kNeedsSession =
 PyObject* force_of_one(PyObject* self, PyObject* const* arguments, Py_ssize_t count, PyObject* names) {
   float position[3];
   if (!read_position(arguments, count, names, position)) return nullptr;
-  const Subject* subject = nullptr;
-  try {
-    subject = py::handle(self).cast<const Subject*>();
-  } catch (const std::exception&) {
-  }
+  const auto* const subject = object_of<Subject>(self);
   if (subject == nullptr) {
     PyErr_SetString(PyExc_TypeError, "force() needs a subject whose __init__ has run");
     return nullptr;

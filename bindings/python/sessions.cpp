@@ -52,11 +52,7 @@ class Entered {
 PyObject* step(PyObject* self, PyObject* const* arguments, Py_ssize_t count, PyObject* names) {
   float position[3];
   if (!read_position(arguments, count, names, position)) return nullptr;
-  Session* session = nullptr;
-  try {
-    session = py::handle(self).cast<Session*>();
-  } catch (const std::exception&) {
-  }
+  auto* const session = object_of<Session>(self);
   if (session == nullptr) {
     PyErr_SetString(PyExc_TypeError, "step() needs a session whose __init__ has run");
     return nullptr;

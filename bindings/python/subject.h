@@ -37,6 +37,14 @@ bool read_float(PyObject* number, const char* name, const char* unit, bool is_ro
 // Adds a method `name` to the type, for calls that take less time than pybind11 needs to look at the arguments.
 void add_method(pybind11::handle type, PyMethodDef& method);
 
+// What an instance of the type holds; null where its __init__ has not run, which pybind11's own cast would answer with memory
+// that nothing has been made in.
+template <class T>
+T* object_of(PyObject* self) noexcept {
+  const pybind11::detail::value_and_holder held = reinterpret_cast<pybind11::detail::instance*>(self)->get_value_and_holder();
+  return held.holder_constructed() ? held.value_ptr<T>() : nullptr;
+}
+
 // Three coordinates and whether they may be rounded, of a call (x, y, z, *, rounding=None). False and a Python error where
 // they are none.
 bool read_position(PyObject* const* arguments, Py_ssize_t count, PyObject* names, float (&position)[3]) noexcept;

@@ -60,6 +60,9 @@ class Session(_forceshade.Session):
         super().__init__(subject)
         self._subject = subject
 
+    def __reduce__(self) -> str:
+        raise TypeError("a Session cannot be pickled or copied; expected a new one, and resume() with the state of this one")
+
     @property
     def subject(self) -> Subject:
         """What it renders."""

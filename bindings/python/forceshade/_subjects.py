@@ -167,6 +167,15 @@ class Subject(_forceshade.Subject):
         self._reference().rounded(at, made["force"], made["status"])
         return made
 
+    def __copy__(self) -> Subject:
+        return self  # it does not change
+
+    def __deepcopy__(self, memo: object) -> Subject:
+        return self
+
+    def __reduce__(self) -> str:
+        raise TypeError(f"a {type(self).__name__} cannot be pickled; expected it to be made again in the other process")
+
     def _reference(self) -> _forceshade.Reference:
         if self._reference_of is None:
             self._reference_of = _forceshade.Reference(self)

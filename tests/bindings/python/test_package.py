@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Sessions, files, identities, and the examples of the documentation."""
+
+import doctest
+import importlib
+import json
+import subprocess
+import threading
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from conftest import ROOT, command, positions, same_bits
+
+import forceshade
+
+
+@pytest.mark.parametrize("name", ["", "._subjects", "._sessions", "._exact", "._recordings"])
+def test_the_examples_of_the_docstrings_run(name):
+    module = importlib.import_module("forceshade" + name)
+    names = {key: getattr(forceshade, key) for key in forceshade.__all__}
+    assert doctest.testmod(module, extraglobs=names).failed == 0
+
+
+def test_everything_public_is_documented():
+    for key in forceshade.__all__:
+        thing = getattr(forceshade, key)
+        if isinstance(thing, type):
+            assert thing.__doc__, key
+            for name, member in vars(thing).items():
+                assert name.startswith("_") or not callable(member) or member.__doc__, (key, name)
+    assert forceshade.Law.force.__doc__.startswith("The force (N) at one position (mm)")
+
+
+def test_identities(bump, wall, tetrahedron):
+    assert bump.identity.kind == "law" and bump.identity.name == "bump-2p" and bump.digest == ""
+    assert bump.identity.parameters["stiffness_N_per_mm"] == 0.5
+    assert wall.radius is None and bump.radius == float(np.float32(15.24)) and wall.stiffness == 0.5
+    assert tetrahedron.identity.kind == "mesh" and len(tetrahedron.digest) == 64
+    assert len(forceshade.library_digest()) == 64
+
+
+def test_sessions_remember_their_path(tetrahedron):
+    path = np.random.default_rng(3).uniform(-1, 4, (500, 3)).astype(np.float32)
+    whole = forceshade.Session(tetrahedron)
+    expected = whole.steps(path)
+    first, second = forceshade.Session(tetrahedron), forceshade.Session(tetrahedron)
+    assert first.state.place == forceshade.Place.NOWHERE
+    one = [first.step(*position) for position in path[:200]]
+    state = first.state
+    second.resume(state)
+    assert second.state == state
+    assert same_bits(one, expected[:200]) and same_bits(second.steps(path[200:]), expected[200:])
+    assert second.state == whole.state and second.status == whole.status
+    whole.reset()
+    assert whole.state == forceshade.State()
+    assert same_bits(whole.answers(path)["force"], expected)
+    assert whole.subject is tetrahedron
+
+
+def test_threads_share_a_subject(bump):
+    at = positions(50_000)
+    expected, found = bump.forces(at), [None] * 4
+
+    def answer(index):
+        found[index] = bump.forces(at)
+
+    threads = [threading.Thread(target=answer, args=(index,)) for index in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all(same_bits(forces, expected) for forces in found)
+
+
+def test_files_are_read(tmp_path):
+    (tmp_path / "bump.toml").write_text('law = "bump-1p"\nradius = "600mil"\nwidth = "1in"\nstiffness = "500N/m"\n')
+    law = forceshade.read_subject(tmp_path / "bump.toml")
+    assert isinstance(law, forceshade.Law) and repr(law) == "Law('bump-1p', radius=15.24, width=25.4, stiffness=0.5)"
+    map_ = forceshade.HeightMap(ROOT / "examples/leather.toml", stiffness=0.5)
+    picture = forceshade.HeightMap(
+        str(ROOT / "examples/leather.png"), pitch=0.15, scale=0.4, edge="tile", render="height-map-shaded", stiffness=0.5
+    )
+    assert map_.identity.name == "leather.toml" and map_.digest == picture.digest
+    at = positions(500)
+    assert same_bits(map_.forces(at), picture.forces(at))
+    heights = np.random.default_rng(2).uniform(-1, 1, (20, 30)).astype(np.float32)
+    np.save(tmp_path / "heights.npy", heights)
+    of_file = forceshade.HeightMap(tmp_path / "heights.npy", pitch=1, scale=1, stiffness=0.5)
+    assert of_file.digest == forceshade.HeightMap(heights[::-1], pitch=1, stiffness=0.5).digest
+    mesh = forceshade.Mesh(ROOT / "tests/golden/god_object/cube.off", unit="mm", stiffness=0.5, contact="sub-goal")
+    assert mesh.identity.parameters["contact"] == "sub-goal"
+
+
+def test_exact_forces_are_fractions_where_they_are_rational(wall, bump):
+    third = forceshade.Law("wall", stiffness=np.float32(1 / 3))
+    exact = third.reference(0, 0, -3)
+    assert exact.z == 3 * Fraction(float(np.float32(1 / 3))) and exact.x == 0 and exact.status == forceshade.Status.CONTACT
+    assert wall.reference(0, 0, 1) == (0, 0, 0, forceshade.Status.FREE)
+    assert wall.reference(20000, 0, 1).status == forceshade.Status.INVALID
+    assert isinstance(bump.reference(3, 0, -0.5).z, str)
+    assert len(bump.reference(3, 0, -0.5, digits=300).z.replace(".", "")) >= 300
+    plane = forceshade.HeightMap(np.zeros((3, 3), np.float32), pitch=1, stiffness=0.5).reference(0, 0, -1)
+    assert plane[:3] == (0, 0, Fraction(1, 2))
+    ramp = np.tile(np.array([0, 0.75, 1.5], np.float32), (3, 1))  # a slope of 3/4: a normal of (-3/5, 0, 4/5)
+    exact = forceshade.HeightMap(ramp, pitch=1, interpolant="bilinear", stiffness=1).reference(0.5, 0, 0.125)
+    assert exact[:3] == (Fraction(-3, 5), 0, Fraction(4, 5))
+
+
+def test_a_gaussian_beyond_all_decimals_is_no_fraction(tmp_path):
+    (tmp_path / "map.toml").write_text(
+        'render = "height-map"\n[[part]]\nshape = "gaussian"\nheight_mm = 1\nsigma_mm = 1\n[[part]]\nshape = "plane"\nheight_mm = 1\n'
+    )
+    exact = forceshade.HeightMap(tmp_path / "map.toml", stiffness=0.5).reference(1000, 0, 0.5, digits=10)
+    assert exact.x.startswith("1.") and exact.x.endswith("e-217145") and exact.y == 0
+
+
+def test_recordings_are_read(tmp_path):
+    path = tmp_path / "run.fsr"
+    ran = subprocess.run(
+        [command(), "drive", "--law", "wall", "--device", "simulated", "--seconds", "0.2", "--uncertified", "--record", path],
+        capture_output=True,
+        text=True,
+    )
+    assert path.exists(), ran.stderr
+    recording = forceshade.read_recording(path)
+    samples = recording.samples
+    assert len(samples) >= 200 and samples["tick"][0] == 0 and "law" in json.dumps(recording.metadata)
+    subprocess.run([command(), "recording", "export", path, "--out", tmp_path / "run.npy"], check=True, capture_output=True)
+    assert samples.tobytes() == np.load(tmp_path / "run.npy").tobytes()
+    # The forces of the run, computed again.
+    ticks = samples[samples["status"] != 3]
+    at = np.stack([ticks["x_mm"], ticks["y_mm"], ticks["z_mm"]], axis=-1)
+    forces = np.stack([ticks["law_fx_N"], ticks["law_fy_N"], ticks["law_fz_N"]], axis=-1)
+    assert same_bits(forceshade.Law("wall", stiffness=0.5).forces(at), forces)
+    pandas = pytest.importorskip("pandas", reason="pandas is not installed")
+    frame = forceshade.read_recording(path, frame=True).samples
+    assert isinstance(frame, pandas.DataFrame) and len(frame) == len(samples)
+    with open(path, "r+b") as file:
+        file.truncate(6000)
+    with pytest.raises(forceshade.Error, match="run.fsr"):
+        forceshade.read_recording(path)
+
+
+def test_forces_are_those_of_the_command(bump, tmp_path):
+    at = positions(300)[1:]
+    at = at[np.isfinite(at).all(axis=1)]
+    text = "x_mm,y_mm,z_mm\n" + "".join(",".join(str(c) for c in row) + "\n" for row in at)
+    (tmp_path / "at.csv").write_text(text)
+    ran = subprocess.run(
+        [command(), "force", "--law", "bump-2p", "--points", tmp_path / "at.csv"], capture_output=True, text=True
+    )
+    assert ran.returncode == 0, ran.stderr
+    lines = ran.stdout.strip().splitlines()
+    header, rows = lines[0].split(","), [line.split(",") for line in lines[1:]]
+    columns = [header.index(name) for name in ("fx_N", "fy_N", "fz_N")]
+    forces = [[np.float32(row[column]) for column in columns] for row in rows]
+    assert same_bits(forces, bump.forces(at))
