@@ -108,6 +108,7 @@ std::vector<Sort> sorts() {
   rules.exceptions = {{"include/forceshade.h", in_words}};
   schemes.exceptions = {
       {"bindings/c/subjects.cpp", "only textures, which have no form in C; the edge there is that of a height map"},
+      {"bindings/python/subjects.cpp", "only textures, which have no form as arrays; the edge there is that of a height map"},
       {"include/forceshade.h", in_words},
       {"tests/bench/mesh_bench.cpp", "the schemes that are timed"},
       {"properties/mesh_subject.cpp", "what only one scheme has: a turn that is bounded, a texture to draw"},

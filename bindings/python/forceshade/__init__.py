@@ -36,7 +36,8 @@ from ._forceshade import Error, library_digest
 from ._forceshade import version as __version__
 from ._recordings import Recording, read_recording
 from ._sessions import Place, Session, State
-from ._subjects import ANSWER, HeightMap, Identity, Law, Mesh, Status, Subject, laws, read_subject
+from ._subject import ANSWER, Identity, Status, Subject
+from ._subjects import HeightMap, Law, Mesh, laws, read_subject
 
 __all__ = [
     "ANSWER",

@@ -12,7 +12,7 @@ from . import _arrays, _forceshade
 from ._arrays import Rounding
 
 if TYPE_CHECKING:
-    from ._subjects import Quantity, Status
+    from ._subject import Quantity, Status
 
 Exact = Union[Fraction, str]
 
@@ -60,7 +60,7 @@ def force_of(
     reference: _forceshade.Reference, x: float, y: float, z: float, digits: int, rounding: Rounding
 ) -> ExactForce:
     """Subject.reference()."""
-    from ._subjects import Status
+    from ._subject import Status
 
     count = _digits(digits)
     point = _arrays.as_floats([x, y, z], "position", rounding)
@@ -100,6 +100,6 @@ def geometry(*, radius: Quantity, width: Quantity, digits: int = 50) -> Geometry
     >>> geometry(radius=15.24, width=25.4, digits=20).h
     '6.8157729301346436345'
     """
-    from ._subjects import _length
+    from ._subject import length_of
 
-    return Geometry(*_forceshade.geometry(_length(radius, "radius"), _length(width, "width"), _digits(digits)))
+    return Geometry(*_forceshade.geometry(length_of(radius, "radius"), length_of(width, "width"), _digits(digits)))

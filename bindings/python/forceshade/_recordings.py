@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from . import _forceshade
 
 if TYPE_CHECKING:
-    from ._subjects import File
+    from ._subject import File
 
 
 class Recording(NamedTuple):
@@ -30,9 +30,9 @@ def read_recording(file: File, *, frame: bool = False) -> Recording:
     Raises OSError where the file cannot be opened, Error where it is no recording or a part of it is damaged, and ImportError
     where pandas is asked for and not there. A run that was cut off is read as far as it goes; `problems` says so.
     """
-    from ._subjects import _path_of
+    from ._subject import path_of
 
-    samples, metadata, problems = _forceshade.read_recording(_path_of(file))
+    samples, metadata, problems = _forceshade.read_recording(path_of(file))
     if frame:
         try:
             import pandas  # type: ignore[import]

@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from . import _arrays, _forceshade
 from ._arrays import Floats, Rounding
-from ._subjects import ANSWER, Status, Subject
+from ._subject import ANSWER, Status, Subject
 
 
 class Place(enum.IntEnum):

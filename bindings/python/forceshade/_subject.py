@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What every subject has, whatever it renders."""
+
+from __future__ import annotations
+
+import enum
+import numbers
+import os
+from typing import NamedTuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arrays, _exact, _forceshade
+from ._arrays import Floats, Rounding
+
+Quantity = Union[float, str]
+File = Union[str, "os.PathLike[str]"]
+
+
+class Status(enum.IntEnum):
+    """What a position is."""
+
+    FREE = 0
+    """Outside: no force."""
+    CONTACT = 1
+    """Inside."""
+    INVALID = 2
+    """A coordinate is NaN or beyond 10 000 mm: no force."""
+    UNFINISHED = 3
+    """A contact whose god-object used up the moves of one tick; the next tick goes on from there. On meshes alone."""
+
+
+ANSWER = np.dtype([("force", np.float32, (3,)), ("status", np.uint8)], align=True)
+"""The type of what answers() gives: `force` in N, and `status`, a number of Status."""
+
+
+class Identity(NamedTuple):
+    """What a subject is, as certificates and recordings have it."""
+
+    kind: str
+    """"law", "height map" or "mesh"."""
+    name: str
+    """Of the law, or of the file; "samples" or "triangles" where there was no file."""
+    parameters: dict[str, float | str]
+    """By their keys, which end in their units: "stiffness_N_per_mm"."""
+    digest: str
+    """SHA-256 of what name and parameters leave out, in hexadecimal digits; empty for a law."""
+
+
+def text_of(value: object, name: str, what: str) -> str:
+    if isinstance(value, str):
+        return value
+    if isinstance(value, bool) or not isinstance(value, (numbers.Real, np.number)):
+        raise TypeError(f"{name}: expected a number or a text such as {what}, got {value!r}")
+    return repr(float(value))
+
+
+def length_of(value: Quantity, name: str) -> float:
+    """In mm: the binary32 number nearest to what stands there, as the command reads it."""
+    return _forceshade.length(name, text_of(value, name, '"600mil"'))
+
+
+def stiffness_of(value: Quantity) -> float:
+    return _forceshade.stiffness("stiffness", text_of(value, "stiffness", '"500N/m"'))
+
+
+def word_of(value: object, name: str) -> str:
+    if not isinstance(value, str):
+        raise TypeError(f"{name}: expected a word, got {value!r}")
+    return value
+
+
+def path_of(file: object) -> str:
+    """Its name, where it can be opened; else the system's OSError."""
+    path = os.fsdecode(os.fspath(file))  # type: ignore[call-overload]
+    with open(path, "rb"):
+        return path
+
+
+class Subject(_forceshade.Subject):
+    """A law, a height map or a mesh: Law, HeightMap and Mesh make one. It does not change; threads may share it."""
+
+    _reference_of: _forceshade.Reference | None = None
+
+    @property
+    def identity(self) -> Identity:
+        """Kind, name, parameters and digest, as certificates and recordings have them."""
+        return Identity(self._kind, self._name, self._parameters, self._digest)
+
+    @property
+    def digest(self) -> str:
+        """SHA-256 of all numbers of a height map or mesh, in hexadecimal digits; empty for a law."""
+        return self._digest
+
+    @property
+    def stiffness(self) -> float:
+        """K, N/mm."""
+        return float(self._parameters["stiffness_N_per_mm"])
+
+    def forces(
+        self,
+        positions: npt.ArrayLike,
+        *,
+        out: Floats | None = None,
+        status: npt.NDArray[np.uint8] | None = None,
+        rounding: Rounding = None,
+    ) -> Floats:
+        """The forces (N) at positions (mm), each the binary32 number nearest to the exact one.
+
+        positions: float32 of the shape (..., 3), wherever it lies in memory: nothing is copied. Lists are taken where binary32
+        holds every number. rounding="nearest" rounds numbers of other types first.
+        out: a float32 array of the same shape, into which the forces go; it may be `positions` itself.
+        status: a uint8 array of the shape of the positions without the last axis, into which a number of Status goes for each.
+
+        Returns out, or a new array. Raises TypeError for a wrong type, ValueError for a wrong shape or a number that binary32
+        does not hold, and Error for a mesh, whose forces depend on the path.
+
+        >>> import numpy, forceshade
+        >>> wall = forceshade.Law("wall", stiffness=0.5)
+        >>> wall.forces(numpy.array([[0, 0, -2], [0, 0, 1]], numpy.float32))
+        array([[0., 0., 1.],
+               [0., 0., 0.]], dtype=float32)
+        """
+        at = _arrays.as_positions(positions, rounding)
+        to = _arrays.output(out, at)
+        self._forces(at, to, _arrays.statuses(status, at, to))
+        return to
+
+    def answers(self, positions: npt.ArrayLike, *, rounding: Rounding = None) -> npt.NDArray[np.void]:
+        """The forces with their statuses: a structured array of type ANSWER, of the shape of the positions without the last axis.
+
+        >>> import forceshade
+        >>> answers = forceshade.Law("wall", stiffness=0.5).answers([[0, 0, -2], [0, 0, 1], [0, 0, 20000]])
+        >>> [forceshade.Status(status).name for status in answers["status"]]
+        ['CONTACT', 'FREE', 'INVALID']
+        """
+        at = _arrays.as_positions(positions, rounding)
+        made = np.empty(at.shape[:-1], ANSWER)
+        self._forces(at, made["force"], made["status"])
+        return made
+
+    def reference(self, x: float, y: float, z: float, *, digits: int = 50, rounding: Rounding = None) -> _exact.ExactForce:
+        """The exact force (N) at one position (mm) by its definition, which shares nothing with what force() computes; slow.
+
+        Each component is a fractions.Fraction where it is a rational number (of a denominator up to 10^40), else a text of
+        `digits` correctly rounded significant decimal digits (1 to 10 000).
+
+        >>> import forceshade
+        >>> exact = forceshade.Law("bump-2p", radius=15.24, width=25.4, stiffness=0.5).reference(3, 0, -0.5, digits=30)
+        >>> exact.x, exact.y
+        ('1.34906431533465554429044623806', Fraction(0, 1))
+        """
+        return _exact.force_of(self._reference(), x, y, z, digits, rounding)
+
+    def reference_forces(self, positions: npt.ArrayLike, *, rounding: Rounding = None) -> npt.NDArray[np.void]:
+        """The exact forces, rounded once to binary32, with their statuses, as answers() gives them; some 100 000 a second.
+
+        The positions of a mesh are a path in their order, from its beginning.
+        """
+        at = _arrays.as_positions(positions, rounding)
+        made = np.empty(at.shape[:-1], ANSWER)
+        self._reference().rounded(at, made["force"], made["status"])
+        return made
+
+    def __copy__(self) -> Subject:
+        return self  # it does not change
+
+    def __deepcopy__(self, memo: object) -> Subject:
+        return self
+
+    def __reduce__(self) -> str:
+        raise TypeError(f"a {type(self).__name__} cannot be pickled; expected it to be made again in the other process")
+
+    def _reference(self) -> _forceshade.Reference:
+        if self._reference_of is None:
+            self._reference_of = _forceshade.Reference(self)
+        return self._reference_of
