@@ -4,6 +4,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <stdexcept>
 #include <string>
 
 #include "bindings/python/errors.h"
@@ -27,6 +28,8 @@ PYBIND11_MODULE(_forceshade, module) {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const python::Error& refused) {
       error(refused.what());
+    } catch (const std::domain_error& undecided) {
+      error(undecided.what());
     } catch (const files::BadInput& refused) {
       error(refused.what());
     } catch (const recorder::RecordingError& refused) {

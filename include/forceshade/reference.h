@@ -111,7 +111,8 @@ class HeightMapField {
   // The same as Law::round_to_binary32: every answer is decided. What enclosures of 768 bits leave open, exact sums decide.
   Rounded round_to_binary32(const Eigen::Vector3f& position) const;
 
-  // As of Law; axis 0 to 2. Below 10^-5000 the digits are in scientific notation, 1.25e-6000.
+  // As of Law; axis 0 to 2. Below 10^-5000 the digits are in scientific notation, 1.25e-6000. Throws
+  // std::domain_error where the terms of a sum cancel in more than a million digits.
   DecimalMapForce decimal(const Eigen::Vector3f& position, unsigned digits) const;
   int compare(const Eigen::Vector3f& position, std::size_t axis, const std::string& rational) const;
 

@@ -3,6 +3,8 @@
 
 #include <mpfr.h>
 
+#include <stdexcept>
+
 namespace forceshade::reference {
 namespace {
 
@@ -25,6 +27,7 @@ Decimal rounded(const Multiprecision& value, unsigned digits, mpfr_rnd_t directi
 }
 
 constexpr long kMostZeros = -5000;
+constexpr unsigned kMostBits = 1U << 22U;
 
 std::string positional(const Decimal& value) {
   if (value.digits.empty()) return "0";
@@ -55,14 +58,18 @@ CORE::BigRat power_of_ten(long exponent) {
 std::string correctly_rounded(unsigned digits, const std::function<Enclosure()>& enclose,
                               const std::function<int(const CORE::BigRat&)>& compare) {
   const unsigned first = digits * 10 / 3 + 64;
-  for (unsigned bits = first; bits <= 8 * first; bits *= 2) {
+  for (unsigned bits = first;; bits *= 2) {
+    if (bits > kMostBits) throw std::domain_error("the digits cannot be told: more than a million of them cancel");
     set_precision(bits);
     const Enclosure value = enclose();
     const Decimal low = rounded(lower(value), digits, MPFR_RNDN);
     const Decimal high = rounded(upper(value), digits, MPFR_RNDN);
     if (low == high) return positional(low);
+    if (bits < 8 * first) continue;
+    if (compare(0) == 0) return "0";
+    // What cancels may need more bits: only a tie of two neighbours is left where both ends are between them.
+    if (rounded(lower(value), digits, MPFR_RNDZ) == rounded(upper(value), digits, MPFR_RNDZ)) break;
   }
-  if (compare(0) == 0) return "0";
   // Between two neighbouring decimals, the smaller in size by truncation: which is nearer?
   const Enclosure value = enclose();
   const Multiprecision middle = (lower(value) + upper(value)) / 2;

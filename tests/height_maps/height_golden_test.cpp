@@ -53,6 +53,26 @@ bool has_these_digits(const N& force, const std::string& text) {
   return off <= 0.5000001 * std::pow(10, std::floor(std::log10(size)) - 39) || off <= 0.5000001e-39 * size;
 }
 
+// Digits and the power of ten of the first, of either notation: "-0.00125" and "-1.25e-3" are the same.
+std::string canonical(const std::string& text) {
+  const std::size_t e = text.find('e');
+  int power = e == std::string::npos ? 0 : std::stoi(text.substr(e + 1));
+  std::string digits;
+  bool is_past_point = false;
+  for (const char c : text.substr(0, e)) {
+    if (c == '.') is_past_point = true;
+    if (c < '0' || c > '9') continue;
+    if (digits.empty() && c == '0') {
+      power -= is_past_point;
+      continue;
+    }
+    digits += c;
+    power += !is_past_point;
+  }
+  while (digits.ends_with('0')) digits.pop_back();
+  return digits.empty() ? "0" : (text.starts_with('-') ? "-." : ".") + digits + "e" + std::to_string(power);
+}
+
 TEST(height_golden, forces_are_met_to_every_bit_and_digit) {
   const auto maps = tests::height_maps_in(kGolden + "height_maps.csv");
   const std::string path = kGolden + "height_forces.csv";
@@ -93,6 +113,11 @@ TEST(height_golden, forces_are_met_to_every_bit_and_digit) {
       for (float& coordinate : quantised) coordinate = fast::quantised(coordinate);
       const tests::Balls balls({"", map, 0, {}});
       const auto force = balls.at<N>(quantised, named->mode, static_cast<double>(K)).force;
+      const reference::DecimalMapForce digits = reference.decimal(position, 40);
+      EXPECT_EQ(digits.status, status) << where();
+      const std::array written{digits.x, digits.y, digits.z};
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        EXPECT_EQ(canonical(written[axis]), canonical(rows.text(6 + axis))) << where();
       for (std::size_t axis = 0; axis < 3; ++axis)
         EXPECT_TRUE(has_these_digits(force[axis], rows.text(6 + axis))) << where() << ": " << rows.text(6 + axis);
     }

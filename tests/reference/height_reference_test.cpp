@@ -37,6 +37,34 @@ TEST(height_reference, tilts_the_force_of_a_plane) {
   EXPECT_EQ(force(law(plane, Mode::true_height, true), {4, 7, -10}), Vector3f(3, 0, 4));
 }
 
+TEST(height_reference, compares_a_force_with_rational_numbers) {
+  const HeightMapField slope = law(height::Plane{0.75F, 0, 2});
+  EXPECT_EQ(slope.compare({4, 7, 0.5F}, 0, "-27/10"), 0);  // 4.5 (-3/5, 0, 4/5)
+  EXPECT_EQ(slope.compare({4, 7, 0.5F}, 1, "0"), 0);
+  EXPECT_EQ(slope.compare({4, 7, 0.5F}, 2, "18/5"), 0);
+  EXPECT_EQ(slope.compare({4, 7, 0.5F}, 2, "18000000000000000000000001/5000000000000000000000000"), -1);
+  EXPECT_EQ(slope.compare({4, 7, 0.5F}, 2, "17999999999999999999999999/5000000000000000000000000"), 1);
+  EXPECT_EQ(slope.compare({4, 7, 5}, 2, "1"), -1) << "free";
+  EXPECT_EQ(slope.compare({4, 20000, 0}, 2, "-1"), 1) << "invalid";
+}
+
+TEST(height_reference, writes_digits_of_what_has_more_zeros_than_there_is_memory) {
+  HeightMap map{{{height::Gaussian{0, 0, 1, 1}}, {height::Plane{0, 0, 1}}}};
+  const auto tail = std::get<HeightMapField>(HeightMapField::build(map, Mode::true_height, 1));
+  // exp(-1000^2/2) = 10^-217147.24, of a slope a thousand times that and a gap of half a millimetre.
+  const reference::DecimalMapForce digits = tail.decimal({1000, 0, 0.5F}, 5);
+  EXPECT_EQ(digits.status, Status::contact);
+  EXPECT_EQ(digits.x.substr(digits.x.find('e')), "e-217145");
+  EXPECT_EQ(digits.y, "0");
+  EXPECT_EQ(tail.decimal({1000, 0, 2}, 5).status, Status::free);
+  // The plane's height there, and a tail above it.
+  const reference::DecimalMapForce above = tail.decimal({100, 0, 1}, 5);  // exp(-100^2/2) = 10^-2171.47
+  EXPECT_EQ(above.status, Status::contact);
+  EXPECT_EQ(above.z.substr(0, 2174), "0." + std::string(2171, '0') + "3");
+  EXPECT_EQ(above.y, "0");
+  EXPECT_EQ(tail.decimal({20000, 0, 1}, 5).status, Status::invalid);
+}
+
 TEST(height_reference, is_free_on_the_surface_and_invalid_outside_the_domain) {
   const HeightMapField plane = law(height::Plane{0.75F, 0, 2});
   EXPECT_EQ(plane.round_to_binary32({4, 7, 5}).status, Status::free);

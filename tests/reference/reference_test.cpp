@@ -70,6 +70,18 @@ TEST(reference, knows_a_component_that_is_exactly_zero) {
     }
 }
 
+TEST(reference, compares_a_force_with_rational_numbers) {
+  const Law wall = build(LawId::wall, {0, 0, 0.75F});
+  EXPECT_EQ(wall.compare({1, 2, -3}, 2, "9/4"), 0);
+  EXPECT_EQ(wall.compare({1, 2, -3}, 0, "0"), 0);
+  EXPECT_EQ(wall.compare({1, 2, -3}, 2, "9000000000000000000000001/4000000000000000000000000"), -1);
+  EXPECT_EQ(wall.compare({1, 2, 3}, 2, "-1"), 1) << "free";
+  EXPECT_EQ(wall.compare({20000, 2, -3}, 2, "1"), -1) << "invalid";
+  const Law bump = build(LawId::bump_cylinder, {5, 8, 1});
+  EXPECT_EQ(bump.compare({0.375F, 0, -3.5F}, 2, "0"), 0) << "it cancels";
+  EXPECT_EQ(bump.compare({0.375F, 0, -3.5F}, 0, "0"), 1);
+}
+
 TEST(reference, says_how_it_came_to_be_sure) {
   const Law law = build(LawId::bump_1p_shaded, {5, 8, 1.5F});
   EXPECT_EQ(law.round_to_binary32({1, 0, -1}).method, Method::filter);
