@@ -23,11 +23,11 @@ BUILD = pathlib.Path(os.environ.get("FORCESHADE_BUILD", SOURCES / "build" / "rel
 class CMakeModule(build_ext):
     def build_extension(self, ext):
         if not (SOURCES / "CMakeLists.txt").exists():
-            sys.exit(f"expected the sources of forceshade in {SOURCES}: this package is compiled in the folder bindings/python of them")
+            sys.exit(f"expected the sources of forceshade in {SOURCES}: the package is compiled in bindings/python of them")
         if not (BUILD / "CMakeCache.txt").exists():
             subprocess.run(
-                ["cmake", "-S", SOURCES, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O3"]
-                + ["-DBUILD_TESTING=OFF", f"-DPython3_EXECUTABLE={sys.executable}"],
+                ["cmake", "-S", SOURCES, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"]
+                + ["-DCMAKE_CXX_FLAGS_RELEASE=-O3", "-DBUILD_TESTING=OFF", f"-DPython3_EXECUTABLE={sys.executable}"],
                 check=True,
             )
         subprocess.run(["cmake", "--build", BUILD, "--target", "forceshade_python"], check=True)

@@ -19,8 +19,8 @@ Threads: subjects do not change and may be shared. A session is for one thread a
 
 Errors: ValueError, TypeError, OSError, or forceshade.Error; each says what was expected and what was got.
 
-Source: Morgenbesser and Srinivasan (1996), "Force shading for haptic shape perception". No force is computed in this package: it
-calls the same libraries as the command forceshade.
+Source: Morgenbesser and Srinivasan (1996), "Force shading for haptic shape perception". No force is computed in this package:
+it calls the same libraries as the command forceshade.
 """
 
 import numpy as _numpy

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import operator
 from fractions import Fraction
-from typing import TYPE_CHECKING, NamedTuple, Union
+from typing import TYPE_CHECKING, NamedTuple, SupportsFloat, Union
 
 
 from . import _arrays, _forceshade
@@ -57,7 +57,7 @@ def _digits(digits: int) -> int:
 
 
 def force_of(
-    reference: _forceshade.Reference, x: float, y: float, z: float, digits: int, rounding: Rounding
+    reference: _forceshade.Reference, x: SupportsFloat, y: SupportsFloat, z: SupportsFloat, digits: int, rounding: Rounding
 ) -> ExactForce:
     """Subject.reference()."""
     from ._subject import Status

@@ -15,7 +15,7 @@ class Recording(NamedTuple):
     """What read_recording() gives."""
 
     samples: Any
-    """A structured array with a row for each tick, or a pandas.DataFrame: the columns of docs/recording.md, in mm, N, mJ, ns."""
+    """A structured array with a row for each tick, or a pandas.DataFrame: the columns of docs/recording.md; mm, N, mJ, ns."""
     metadata: dict[str, str]
     """What was rendered, with which device and settings."""
     problems: list[str]

@@ -6,7 +6,7 @@ from __future__ import annotations
 import enum
 import numbers
 import os
-from typing import NamedTuple, Union
+from typing import NamedTuple, SupportsFloat, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -14,7 +14,7 @@ import numpy.typing as npt
 from . import _arrays, _exact, _forceshade
 from ._arrays import Floats, Rounding
 
-Quantity = Union[float, str]
+Quantity = Union[SupportsFloat, str]
 File = Union[str, "os.PathLike[str]"]
 
 
@@ -128,7 +128,7 @@ class Subject(_forceshade.Subject):
         return to
 
     def answers(self, positions: npt.ArrayLike, *, rounding: Rounding = None) -> npt.NDArray[np.void]:
-        """The forces with their statuses: a structured array of type ANSWER, of the shape of the positions without the last axis.
+        """The forces with their statuses: a structured array of type ANSWER, of the positions' shape without the last axis.
 
         >>> import forceshade
         >>> answers = forceshade.Law("wall", stiffness=0.5).answers([[0, 0, -2], [0, 0, 1], [0, 0, 20000]])
@@ -140,7 +140,9 @@ class Subject(_forceshade.Subject):
         self._forces(at, made["force"], made["status"])
         return made
 
-    def reference(self, x: float, y: float, z: float, *, digits: int = 50, rounding: Rounding = None) -> _exact.ExactForce:
+    def reference(
+        self, x: SupportsFloat, y: SupportsFloat, z: SupportsFloat, *, digits: int = 50, rounding: Rounding = None
+    ) -> _exact.ExactForce:
         """The exact force (N) at one position (mm) by its definition, which shares nothing with what force() computes; slow.
 
         Each component is a fractions.Fraction where it is a rational number (of a denominator up to 10^40), else a text of

@@ -124,15 +124,14 @@ class HeightMap(Subject):
             if pitch is None and scale is None:
                 for key, value in given.items():
                     if value is not None:
-                        raise TypeError(f"{path} says {key} itself; expected the stiffness alone, or a picture's pitch and scale")
+                        raise TypeError(f"{path} says {key} itself; expected the stiffness alone, or pitch and scale too")
                 text = text_of(stiffness, "stiffness", '"500N/m"')
                 description = _forceshade.of_options([("height-map", path), ("stiffness", text)])
             elif pitch is None or scale is None:
                 raise TypeError("a picture needs pitch and scale, both in mm")
             else:
-                description = _forceshade.map_of_picture(
-                    path, length_of(pitch, "pitch"), length_of(scale, "scale"), interpolant, edge, render, stiffness_of(stiffness)
-                )
+                mm = length_of(pitch, "pitch"), length_of(scale, "scale")
+                description = _forceshade.map_of_picture(path, *mm, interpolant, edge, render, stiffness_of(stiffness))
         else:
             if pitch is None:
                 raise TypeError("heights need their pitch, mm between samples")
@@ -141,7 +140,9 @@ class HeightMap(Subject):
             samples = _arrays.as_floats(heights, "heights", rounding)
             if samples.ndim != 2:
                 raise ValueError(f"heights have the shape {samples.shape}; expected (rows, columns)")
-            description = _forceshade.map_of_samples(samples, length_of(pitch, "pitch"), interpolant, edge, render, stiffness_of(stiffness))
+            description = _forceshade.map_of_samples(
+                samples, length_of(pitch, "pitch"), interpolant, edge, render, stiffness_of(stiffness)
+            )
         super().__init__(description)
 
     def __repr__(self) -> str:
@@ -157,7 +158,8 @@ def _indices(triangles: npt.ArrayLike, count: int) -> npt.NDArray[np.uint32]:
     is_none = (array < 0) | (array >= count)
     if is_none.any():
         row, column = (int(i) for i in np.argwhere(is_none)[0])
-        raise ValueError(f"triangles[{row}, {column}] is {array[row, column]}; expected the number of a vertex, 0 to {count - 1}")
+        which = f"triangles[{row}, {column}]"
+        raise ValueError(f"{which} is {array[row, column]}; expected the number of a vertex, 0 to {count - 1}")
     return array.astype(np.uint32)
 
 

@@ -20,7 +20,8 @@ for path in found:
     nbformat.validate(notebook)
     for cell in notebook.cells:
         assert not cell.get("outputs"), f"{path.name}: expected a notebook without results; they are made when it is run"
-    nbclient.NotebookClient(notebook, timeout=300, kernel_name="python3", resources={"metadata": {"path": path.parent}}).execute()
+    where = {"metadata": {"path": path.parent}}
+    nbclient.NotebookClient(notebook, timeout=300, kernel_name="python3", resources=where).execute()
     last = [cell for cell in notebook.cells if cell.cell_type == "code"][-1]
     assert any("image/png" in output.get("data", {}) for output in last.outputs), f"{path.name}: expected a picture at its end"
     print(path.name, "runs")

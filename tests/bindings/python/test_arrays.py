@@ -53,6 +53,12 @@ def test_every_shape_is_taken(bump):
     assert same_bits(bump.forces(np.broadcast_to(at[1], (7, 3))), np.broadcast_to(expected[1], (7, 3)))
 
 
+def test_one_record_is_taken_whatever_its_length(bump):
+    record = np.zeros(1, np.dtype({"names": ["position"], "formats": [(np.float32, 3)], "offsets": [4], "itemsize": 17}))
+    record["position"] = [3, 0, -0.5]
+    assert same_bits(bump.forces(record["position"])[0], bump.force(3, 0, -0.5))
+
+
 def test_nothing_is_copied(bump):
     at = positions(200_000)
     out, status = np.empty_like(at), np.empty(len(at), np.uint8)

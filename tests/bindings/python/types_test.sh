@@ -11,7 +11,7 @@ import numpy as np
 import forceshade
 
 law: forceshade.Law = forceshade.Law("wall", stiffness=0.5)
-force: tuple[float, float, float] = law.force(0, 0, -1)
+force: tuple[float, float, float] = law.force(0, np.float32(0.1), -1.5)
 forces = law.forces(np.zeros((5, 3), np.float32), out=np.empty((5, 3), np.float32))
 status: forceshade.Status = forceshade.Session(law).status
 END
