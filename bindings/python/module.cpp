@@ -43,4 +43,5 @@ PYBIND11_MODULE(_forceshade, module) {
   python::add_sessions(module);
   python::add_exact(module);
   python::add_recordings(module);
+  python::add_checks(module);
 }

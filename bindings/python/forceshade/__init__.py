@@ -31,6 +31,7 @@ if int(_numpy.__version__.split(".")[0]) >= 2:
         "expected a NumPy before 2, such as Debian's python3-numpy, or: pip install 'numpy<2'"
     )
 
+from ._checks import Certificate, PropertyResult, certify, properties
 from ._exact import ExactForce, Geometry, geometry
 from ._forceshade import Error, library_digest
 from ._forceshade import version as __version__
@@ -41,6 +42,7 @@ from ._subjects import HeightMap, Law, Mesh, laws, read_subject
 
 __all__ = [
     "ANSWER",
+    "Certificate",
     "Error",
     "ExactForce",
     "Geometry",
@@ -49,15 +51,18 @@ __all__ = [
     "Law",
     "Mesh",
     "Place",
+    "PropertyResult",
     "Recording",
     "Session",
     "State",
     "Status",
     "Subject",
     "__version__",
+    "certify",
     "geometry",
     "laws",
     "library_digest",
+    "properties",
     "read_recording",
     "read_subject",
 ]

@@ -15,7 +15,7 @@ from conftest import ROOT, command, positions, same_bits
 import forceshade
 
 
-@pytest.mark.parametrize("name", ["", "._subject", "._subjects", "._sessions", "._exact", "._recordings"])
+@pytest.mark.parametrize("name", ["", "._subject", "._checks", "._subjects", "._sessions", "._exact", "._recordings"])
 def test_the_examples_of_the_docstrings_run(name):
     module = importlib.import_module("forceshade" + name)
     names = {key: getattr(forceshade, key) for key in forceshade.__all__}

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Properties and certificates.
+
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <utility>
+
+#include "bindings/python/arrays.h"
+#include "bindings/python/errors.h"
+#include "bindings/python/subject.h"
+#include "files/output_file.h"
+#include "forceshade/certificate.h"
+#include "forceshade/certify.h"
+#include "forceshade/properties.h"
+
+namespace forceshade::python {
+namespace {
+
+// One computation at a time: the generators keep state.
+std::mutex one_at_a_time;
+
+// What work(stop) gives, which a thread of its own does, while this one looks for signals: Ctrl-C ends it soon.
+template <class Work>
+auto interruptible(const Work& work) {
+  std::atomic<bool> stop = false;
+  std::unique_ptr<py::error_already_set> interrupted;
+  {
+    const py::gil_scoped_release released;
+    auto done = std::async(std::launch::async, [&] {
+      const std::lock_guard lock(one_at_a_time);
+      return work(stop);
+    });
+    while (done.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
+      const py::gil_scoped_acquire held;
+      if (interrupted || PyErr_CheckSignals() == 0) continue;
+      interrupted = std::make_unique<py::error_already_set>();
+      stop = true;
+    }
+    if (!interrupted) return done.get();
+    try {
+      done.get();
+    } catch (const std::exception&) {  // of what was stopped
+    }
+  }
+  throw *interrupted;
+}
+
+py::dict dict_of(const properties::PropertyResult& result) {
+  py::dict all;
+  all["name"] = result.name;
+  all["cases"] = result.cases;
+  all["held"] = result.held;
+  all["counterexample"] = result.counterexample;
+  return all;
+}
+
+py::list properties_of(const Subject& subject, int cases, std::uint64_t seed) {
+  expect_arithmetic();
+  const std::unique_ptr<properties::Subject> checked = properties::subject_of(subject.description);
+  const auto results = interruptible([&](const std::atomic<bool>& stop) {
+    return properties::run_properties(*checked, cases, seed, nullptr, nullptr, &stop);
+  });
+  py::list all;
+  for (const properties::PropertyResult& result : results) all.append(dict_of(result));
+  return all;
+}
+
+// The JSON of the certificate, whether every check held, and how it stands: "sufficient", what it lacks, and the remedy.
+py::tuple certificate_of(const std::vector<const Subject*>& subjects, std::uint64_t points, int cases, std::uint64_t seed,
+                         unsigned threads) {
+  expect_arithmetic();
+  properties::CertifyOptions options{.subjects = {}, .points = points, .cases = cases, .seed = seed, .threads = threads};
+  for (const Subject* subject : subjects)
+    options.subjects.push_back(std::shared_ptr<properties::Subject>(properties::subject_of(subject->description)));
+  const auto certificate = interruptible([&](const std::atomic<bool>& stop) {
+    return properties::certify(
+        options, [](std::string_view, double) {}, stop);
+  });
+  if (!certificate) throw Error("the certificate was stopped before its end");
+  const properties::Assessment assessed = properties::assessed(*certificate);
+  return py::make_tuple(properties::to_json(*certificate), certificate->held(),
+                        std::string(properties::name_of(assessed.standing)), assessed.lacks, assessed.remedy);
+}
+
+void write(const std::string& path, const std::string& text) {
+  const py::gil_scoped_release released;
+  files::write_file(path, text);
+}
+
+}  // namespace
+
+void add_checks(py::module_& module) {
+  module.def("properties", &properties_of);
+  module.def("certify", &certificate_of);
+  module.def("points_of_kind", [](const std::string& kind) { return properties::points_of_kind(kind); });
+  module.attr("usual_cases") = properties::kCases;  // what a device is driven with
+  module.def("write_file", &write);
+}
+
+}  // namespace forceshade::python

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Properties of a renderer, and certificates."""
+
+from __future__ import annotations
+
+import json
+import operator
+import os
+from typing import Any, NamedTuple, Sequence
+
+from . import _forceshade
+from ._subject import File, Subject
+
+
+class PropertyResult(NamedTuple):
+    """What came of checking one property."""
+
+    name: str
+    """"equivalence", "continuity", "unit normals", "passivity", or that of a further property."""
+    cases: int
+    held: bool
+    counterexample: str
+    """The shrunk one, in words; empty where it held."""
+
+
+class Certificate(NamedTuple):
+    """What certify() found."""
+
+    held: bool
+    """Whether every check held."""
+    standing: str
+    """"sufficient", "insufficient" (every check held, but forceshade drive needs more evidence), or "failed"."""
+    lacks: str
+    """Where it is insufficient: what is missing, in words."""
+    remedy: str
+    """What gathers it: a command."""
+    contents: dict[str, Any]
+    """What its file holds: certificate/schema.md."""
+
+
+def _count(number: object, name: str, least: int, most: int) -> int:
+    try:
+        count = operator.index(number)  # type: ignore[arg-type]
+    except TypeError:
+        raise TypeError(f"{name}: expected an integer, got {number!r}") from None
+    if not least <= count <= most:
+        raise ValueError(f"{name} is {count}; expected {least} to {most}")
+    return count
+
+
+def _expect_subject(subject: object) -> Subject:
+    if not isinstance(subject, Subject):
+        raise TypeError(f"expected a Law, HeightMap or Mesh, got {type(subject).__name__}")
+    return subject
+
+
+def properties(subject: Subject, *, cases: int = _forceshade.usual_cases, seed: int = 0) -> list[PropertyResult]:
+    """Checks the properties of a renderer on generated cases: equivalence with the exact definition, continuity, unit normals,
+    passivity, and further ones of its kind, `cases` of each. The same seed gives the same cases.
+
+    Ctrl-C ends it. One computation runs at a time. Raises ValueError for fewer cases than one.
+
+    >>> import forceshade
+    >>> [result.held for result in properties(forceshade.Law("wall", stiffness=0.5), cases=20)]
+    [True, True, True, True]
+    """
+    checked = _expect_subject(subject)
+    results = _forceshade.properties(checked, _count(cases, "cases", 1, 2**31 - 1), _count(seed, "seed", 0, 2**64 - 1))
+    return [PropertyResult(**result) for result in results]
+
+
+def certify(
+    subjects: Subject | Sequence[Subject],
+    *,
+    points: int | None = None,
+    cases: int = _forceshade.usual_cases,
+    seed: int = 0,
+    threads: int | None = None,
+    out: File | None = None,
+    overwrite: bool = False,
+) -> Certificate:
+    """Checks renderers against the exact definition at many points, and their properties, as forceshade certify does.
+
+    points: of each subject, and a quarter as many with other parameters; as many as forceshade drive asks for, unless said.
+    threads: as many as this process may use processors, unless said. out: a file, into which the certificate goes as JSON; one
+    that is there already is replaced only with overwrite=True.
+
+    The certificate is bound to this package's compiled code: library_digest(). Ctrl-C ends it. Raises FileExistsError,
+    ValueError for a number out of its range, and TypeError.
+    """
+    all_of_them = [subjects] if isinstance(subjects, Subject) else [_expect_subject(subject) for subject in subjects]
+    if not all_of_them:
+        raise ValueError("expected one subject at least")
+    usual = max(_forceshade.points_of_kind(subject._kind) for subject in all_of_them)
+    path = None if out is None else os.fsdecode(os.fspath(out))
+    if path is not None and os.path.exists(path) and not overwrite:
+        raise FileExistsError(f"{path} is there already; expected another name, or overwrite=True")
+    text, held, standing, lacks, remedy = _forceshade.certify(
+        list(all_of_them),
+        _count(usual if points is None else points, "points", 1, 2**62),
+        _count(cases, "cases", 1, 2**31 - 1),
+        _count(seed, "seed", 0, 2**64 - 1),
+        _count(len(os.sched_getaffinity(0)) if threads is None else threads, "threads", 1, 1024),
+    )
+    if path is not None:
+        _forceshade.write_file(path, text)
+    return Certificate(held, standing, lacks, remedy, json.loads(text))

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Properties and certificates."""
+
+import json
+import os
+import signal
+import subprocess
+import threading
+import time
+
+import pytest
+from conftest import command
+from test_misuse import refused
+
+import forceshade
+
+
+def test_properties_hold_of_each_kind(bump, tetrahedron):
+    results = forceshade.properties(bump, cases=50, seed=3)
+    assert [result.name for result in results][:4] == ["equivalence", "continuity", "unit normals", "passivity"]
+    assert all(result.held and not result.counterexample for result in results)
+    assert all(result.held for result in forceshade.properties(tetrahedron, cases=5))
+
+
+def test_a_certificate_is_that_of_the_command(bump, tmp_path):
+    path = tmp_path / "certificate.json"
+    certificate = forceshade.certify(bump, points=2000, cases=20, seed=5, out=path)
+    assert certificate.held and certificate.standing == "insufficient" and "points" in certificate.lacks
+    assert json.loads(path.read_text()) == certificate.contents
+    assert certificate.contents["build"]["library_digest"] == forceshade.library_digest()
+    refused(FileExistsError, "is there already; expected another name, or overwrite=True", forceshade.certify, bump, out=path)
+    ran = subprocess.run(
+        [command(), "certify", "--law", "bump-2p", "--points", "2000", "--cases", "20", "--seed", "5", "--out", tmp_path / "c"],
+        capture_output=True,
+        text=True,
+    )
+    assert ran.returncode in (0, 1), ran.stderr
+    theirs = json.loads((tmp_path / "c" / "certificate.json").read_text())
+    mine = certificate.contents["subjects"][0]
+    for key, value in theirs["subjects"][0].items():
+        if key not in ("options", "subject_file"):
+            assert mine[key] == value, key
+
+
+def test_what_is_refused(bump, tmp_path):
+    refused(ValueError, "cases is 0; expected 1 to", forceshade.properties, bump, cases=0)
+    refused(TypeError, "seed: expected an integer, got 0.5", forceshade.properties, bump, seed=0.5)
+    refused(TypeError, "expected a Law, HeightMap or Mesh, got str", forceshade.properties, "wall")
+    refused(TypeError, "expected a Law, HeightMap or Mesh, got int", forceshade.certify, [bump, 3])
+    refused(ValueError, "expected one subject at least", forceshade.certify, [])
+    refused(ValueError, "threads is 0; expected 1 to 1024", forceshade.certify, bump, threads=0)
+
+
+def test_ctrl_c_ends_a_certificate(bump):
+    started = time.monotonic()
+    threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
+    with pytest.raises(KeyboardInterrupt):
+        forceshade.certify(bump, points=100_000_000)
+    assert time.monotonic() - started < 60
+    assert forceshade.certify(bump, points=100, cases=2).held  # and the next one goes on
+
+
+def test_one_certificate_at_a_time(bump):
+    held = []
+    threads = [threading.Thread(target=lambda: held.append(forceshade.certify(bump, points=500, cases=5).held)) for _ in range(3)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert held == [True] * 3
