@@ -116,7 +116,7 @@ def output(out: object, positions: Floats) -> Floats:
         return np.empty(positions.shape, np.float32)
     _expect_writable(out, "out", np.float32, positions.shape)
     assert isinstance(out, np.ndarray)
-    if not _is_at_the_same_place(out, positions) and _shares(out, positions):
+    if _shares(out, positions) and not _is_at_the_same_place(out, positions):
         raise ValueError("out and positions overlap; expected the very same array, or memory of its own")
     return out
 
