@@ -2,6 +2,7 @@
 """What is refused, and the sentence that says why."""
 
 import copy
+import ctypes
 import os
 import pathlib
 import pickle
@@ -183,6 +184,26 @@ def test_copies(bump):
     assert copy.copy(bump) is bump and copy.deepcopy([bump])[0] is bump
     refused(TypeError, "a Law cannot be pickled", pickle.dumps, bump)
     refused(TypeError, "a Session cannot be pickled or copied", copy.copy, forceshade.Session(bump))
+
+
+def test_a_thread_that_rounds_otherwise(bump):
+    session, libm = forceshade.Session(bump), ctypes.CDLL("libm.so.6")
+
+    def use():
+        libm.fesetround(0x800)  # upwards, on x86
+        for call in (bump.forces, bump.answers, session.steps):
+            refused(forceshade.Error, "expected the arithmetic of IEEE 754, rounded to nearest", call, [[0, 0, -1]])
+        refused(forceshade.Error, "expected the arithmetic of IEEE 754", forceshade.Session, bump)
+        refused(forceshade.Error, "expected the arithmetic of IEEE 754", forceshade.Law, "wall", stiffness=1)
+        refused(forceshade.Error, "expected the arithmetic of IEEE 754", forceshade.properties, bump, cases=1)
+        failed.clear()
+
+    failed = [True]
+    thread = threading.Thread(target=use)  # its own mode, which ends with it
+    thread.start()
+    thread.join()
+    assert not failed
+    assert bump.forces([[0, 0, -1]])[0, 2] > 0
 
 
 def test_sessions(bump, tetrahedron):
