@@ -36,21 +36,21 @@ std::unique_ptr<ReferenceSession> FieldSubject<Field, Claims>::open_reference() 
 }
 
 template <class Field, class Claims>
-std::vector<Eigen::Vector3f> FieldSubject<Field, Claims>::draw_path() const {
+std::vector<Eigen::Vector3f> FieldSubject<Field, Claims>::draw_path(Chooser& choose) const {
   // Two, in one session, since a renderer whose first answer is right may remember that position.
-  const auto drawn = [this] { return *position_of(target_of(rendered_.law, claims_)); };
+  const auto drawn = [&] { return choose(position_of(target_of(rendered_.law, claims_))); };
   const Eigen::Vector3f first = drawn();
   return {first, drawn()};
 }
 
 template <class Field, class Claims>
-Violation FieldSubject<Field, Claims>::check_unit_normals() const {
-  return unit_normals(rendered_, *position_of(target_of(rendered_.law, claims_)));
+Violation FieldSubject<Field, Claims>::check_unit_normals(Chooser& choose) const {
+  return unit_normals(rendered_, choose(position_of(target_of(rendered_.law, claims_))));
 }
 
 template <class Field, class Claims>
-Violation FieldSubject<Field, Claims>::check_passivity() const {
-  return passivity(rendered_, claims_, *polygon_of(target_of(rendered_.law, claims_)));
+Violation FieldSubject<Field, Claims>::check_passivity(Chooser& choose) const {
+  return passivity(rendered_, claims_, choose(polygon_of(target_of(rendered_.law, claims_))));
 }
 
 template class FieldSubject<reference::Law, LawClaims>;

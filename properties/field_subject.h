@@ -17,9 +17,9 @@ class FieldSubject : public Subject {
  public:
   const Rendering& rendering() const override { return rendering_; }
   std::unique_ptr<ReferenceSession> open_reference() const override;
-  std::vector<Eigen::Vector3f> draw_path() const override;
-  Violation check_unit_normals() const override;
-  Violation check_passivity() const override;
+  std::vector<Eigen::Vector3f> draw_path(Chooser& choose) const override;
+  Violation check_unit_normals(Chooser& choose) const override;
+  Violation check_passivity(Chooser& choose) const override;
 
  protected:
   FieldSubject(Rendering rendering, Field field)

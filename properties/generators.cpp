@@ -23,14 +23,14 @@ std::vector<float> simpler(float value) {
   return candidates;
 }
 
-rc::Seq<Eigen::Vector3f> simpler_positions(const Eigen::Vector3f& position) {
+std::vector<Eigen::Vector3f> simpler_positions(const Eigen::Vector3f& position) {
   std::vector<Eigen::Vector3f> candidates;
   for (const int i : {1, 0, 2})
     for (const float value : simpler(position[i])) {
       candidates.push_back(position);
       candidates.back()[i] = value;
     }
-  return rc::seq::fromContainer(std::move(candidates));
+  return candidates;
 }
 
 template <class Source>
@@ -42,13 +42,19 @@ Eigen::Vector3f valid_position(Source& source) {
 }
 
 template <class Corner>
-rc::Seq<std::vector<Corner>> with_fewer_corners(const std::vector<Corner>& polygon) {
-  std::vector<std::vector<Corner>> smaller;
-  for (std::size_t i = 0; polygon.size() > 3 && i < polygon.size(); ++i) {
-    smaller.push_back(polygon);
-    smaller.back().erase(smaller.back().begin() + static_cast<std::ptrdiff_t>(i));
+std::vector<std::vector<Corner>> with_fewer_corners(const std::vector<Corner>& polygon) {
+  return shorter(polygon, 3);
+}
+
+// The same pairs at simpler positions.
+template <class Pair>
+std::vector<Pair> at_simpler_positions(const Pair& pair) {
+  std::vector<Pair> pairs;
+  for (const Eigen::Vector3f& a : simpler_positions(pair.a)) {
+    pairs.push_back(pair);
+    pairs.back().a = a;
   }
-  return rc::seq::fromContainer(std::move(smaller));
+  return pairs;
 }
 
 }  // namespace
@@ -61,47 +67,37 @@ Eigen::Vector3f NearbyPair::b(const LawClaims& claims) const {
   return {neighbour(a.x(), x_steps), a.y(), neighbour(a.z(), z_steps)};
 }
 
-rc::Gen<Eigen::Vector3f> position_of(const reference::Law& law) {
-  return [law](const rc::Random& random, int) {
-    PositionSource source(law, rc::Random(random).next());
-    return rc::shrinkable::shrinkRecur(source.next().position, &simpler_positions);
-  };
+Generator<Eigen::Vector3f> position_of(const reference::Law& law) {
+  return {[law](std::uint64_t seed) { return PositionSource(law, seed).next().position; }, &simpler_positions};
 }
 
-rc::Gen<NearbyPair> pair_of(const reference::Law& law) {
-  return [law](const rc::Random& random, int) {
-    rc::Random r(random);
-    PositionSource source(law, r.next());
-    const std::uint64_t steps = r.next();
+Generator<NearbyPair> pair_of(const reference::Law& law) {
+  const auto draw = [law](std::uint64_t seed) {
+    Draws draws(seed);
+    PositionSource source(law, draws.bits());
+    const std::uint64_t steps = draws.bits();
     const LawClaims claims(law);
     const NearbyPair pair{valid_position(source), static_cast<int>(steps % 7) - 3, static_cast<int>(steps / 7 % 7) - 3,
                           claims.has_cylinder() && steps / 49 % 4 == 0};
-    return rc::shrinkable::shrinkRecur(pair, [](const NearbyPair& p) {
-      return rc::seq::map(simpler_positions(p.a), [p](const Eigen::Vector3f& a) {
-        NearbyPair simpler_pair = p;
-        simpler_pair.a = a;
-        return simpler_pair;
-      });
-    });
+    return pair;
   };
+  return {draw, &at_simpler_positions<NearbyPair>};
 }
 
 Eigen::Vector3f Neighbours::b() const {
   return {neighbour(a.x(), steps[0]), neighbour(a.y(), steps[1]), neighbour(a.z(), steps[2])};
 }
 
-rc::Gen<Eigen::Vector3f> position_of(const HeightTarget& map) {
-  return [map](const rc::Random& random, int) {
-    HeightPositionSource source(map.law, map.claims, rc::Random(random).next());
-    return rc::shrinkable::shrinkRecur(source.next().position, &simpler_positions);
-  };
+Generator<Eigen::Vector3f> position_of(const HeightTarget& map) {
+  return {[map](std::uint64_t seed) { return HeightPositionSource(map.law, map.claims, seed).next().position; },
+          &simpler_positions};
 }
 
-rc::Gen<Neighbours> neighbours_on(const HeightTarget& map) {
-  return [map](const rc::Random& random, int) {
-    rc::Random r(random);
-    HeightPositionSource source(map.law, map.claims, r.next());
-    const std::uint64_t steps = r.next();
+Generator<Neighbours> neighbours_on(const HeightTarget& map) {
+  const auto draw = [map](std::uint64_t seed) {
+    Draws draws(seed);
+    HeightPositionSource source(map.law, map.claims, draws.bits());
+    const std::uint64_t steps = draws.bits();
     Neighbours pair{valid_position(source), {}};
     if (steps % 2 == 0) {
       const std::array<float, 2> line = source.on_a_line();
@@ -113,64 +109,44 @@ rc::Gen<Neighbours> neighbours_on(const HeightTarget& map) {
       step = static_cast<int>(rest % 7) - 3;
       rest /= 7;
     }
-    return rc::shrinkable::shrinkRecur(pair, [](const Neighbours& p) {
-      return rc::seq::map(simpler_positions(p.a), [p](const Eigen::Vector3f& a) { return Neighbours{a, p.steps}; });
-    });
+    return pair;
   };
+  return {draw, &at_simpler_positions<Neighbours>};
 }
 
-rc::Gen<std::vector<Eigen::Vector3f>> polygon_of(const HeightTarget& map) {
-  return [map](const rc::Random& random, int) {
-    rc::Random r(random);
-    HeightPositionSource source(map.law, map.claims, r.next());
-    const auto uniform = [&r](double low, double high) {
-      return low + (high - low) * static_cast<double>(r.next() >> 11) * 0x1p-53;
-    };
-    const std::array<float, 2> middle = r.next() % 2 == 0 ? source.on_a_line() : source.anywhere();
-    const double size = map.claims.parts[r.next() % map.claims.parts.size()].reach * std::exp2(-uniform(0, 10));
-    std::vector<Eigen::Vector3f> polygon(3 + r.next() % 4);
+Generator<std::vector<Eigen::Vector3f>> polygon_of(const HeightTarget& map) {
+  const auto draw = [map](std::uint64_t seed) {
+    Draws draws(seed);
+    HeightPositionSource source(map.law, map.claims, draws.bits());
+    const std::array<float, 2> middle = draws.bits() % 2 == 0 ? source.on_a_line() : source.anywhere();
+    const double size = map.claims.parts[draws.bits() % map.claims.parts.size()].reach * std::exp2(-draws.uniform(0, 10));
+    std::vector<Eigen::Vector3f> polygon(3 + draws.bits() % 4);
     for (Eigen::Vector3f& corner : polygon) {
       const auto within = [](double coordinate) { return static_cast<float>(kept_in_domain(coordinate)); };
-      const float x = within(static_cast<double>(middle[0]) + uniform(-1, 1) * size);
-      const float y = within(static_cast<double>(middle[1]) + uniform(-1, 1) * size);
-      corner = {x, y, within(source.surface({x, y}) - uniform(-0.2, 1) * std::min(size, 5.0))};
+      const float x = within(static_cast<double>(middle[0]) + draws.uniform(-1, 1) * size);
+      const float y = within(static_cast<double>(middle[1]) + draws.uniform(-1, 1) * size);
+      corner = {x, y, within(source.surface({x, y}) - draws.uniform(-0.2, 1) * std::min(size, 5.0))};
     }
-    return rc::shrinkable::shrinkRecur(polygon, &with_fewer_corners<Eigen::Vector3f>);
+    return polygon;
   };
+  return {draw, &with_fewer_corners<Eigen::Vector3f>};
 }
 
-rc::Gen<std::vector<PathPoint>> polygon_of(const reference::Law& law) {
-  return [law](const rc::Random& random, int) {
-    rc::Random r(random);
+Generator<std::vector<PathPoint>> polygon_of(const reference::Law& law) {
+  const auto draw = [law](std::uint64_t seed) {
+    Draws draws(seed);
     const LawClaims claims(law);
-    const auto uniform = [&r](double low, double high) {
-      return low + (high - low) * static_cast<double>(r.next() >> 11) * 0x1p-53;
-    };
     const double width = claims.w > 0 ? static_cast<double>(claims.w) : 30;
     const double depth = claims.w > 0 ? static_cast<double>(claims.h) + width / 8 : 5;
-    std::vector<PathPoint> polygon(3 + r.next() % 6);
+    std::vector<PathPoint> polygon(3 + draws.bits() % 6);
     for (PathPoint& corner : polygon) {
-      const double x = uniform(-0.7, 0.7) * width;
-      const double z = static_cast<double>(claims.surface(static_cast<long double>(x))) - uniform(-0.2, 1) * depth;
+      const double x = draws.uniform(-0.7, 0.7) * width;
+      const double z = static_cast<double>(claims.surface(static_cast<long double>(x))) - draws.uniform(-0.2, 1) * depth;
       corner = {kept_in_domain(x), kept_in_domain(z)};  // outside there is no force
     }
-    return rc::shrinkable::shrinkRecur(polygon, &with_fewer_corners<PathPoint>);
+    return polygon;
   };
-}
-
-std::ostream& operator<<(std::ostream& out, const NearbyPair& pair) {
-  out << show(pair.a);
-  if (pair.across_axis) return out << ", and its mirror image in the axis";
-  return out << ", and " << pair.x_steps << " and " << pair.z_steps << " binary32 steps away in x and z";
-}
-
-std::ostream& operator<<(std::ostream& out, const Neighbours& pair) {
-  return out << show(pair.a) << ", and " << pair.steps[0] << ", " << pair.steps[1] << " and " << pair.steps[2]
-             << " binary32 steps away";
-}
-
-std::ostream& operator<<(std::ostream& out, const PathPoint& point) {
-  return out << '(' << point.x << ", " << point.z << ')';
+  return {draw, &with_fewer_corners<PathPoint>};
 }
 
 }  // namespace forceshade::properties

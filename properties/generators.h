@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// RapidCheck generators over PositionSource, with shrinking towards round numbers.
-
-#include <rapidcheck.h>
+// Generators of positions, pairs and closed paths. Simpler ones have rounder numbers or fewer corners.
 
 #include <array>
 #include <vector>
@@ -14,7 +12,7 @@
 namespace forceshade::properties {
 
 // A position of every kind that PositionSource has, the invalid ones included.
-rc::Gen<Eigen::Vector3f> position_of(const reference::Law& law);
+Generator<Eigen::Vector3f> position_of(const reference::Law& law);
 
 // A valid position and one a few binary32 steps away in x and z; or, for the cylinders, its mirror image in the axis.
 struct NearbyPair {
@@ -24,14 +22,14 @@ struct NearbyPair {
 
   Eigen::Vector3f b(const LawClaims& claims) const;
 };
-rc::Gen<NearbyPair> pair_of(const reference::Law& law);
+Generator<NearbyPair> pair_of(const reference::Law& law);
 
 // On a height map. The law and its claims must outlive the generator.
 struct HeightTarget {
   const reference::HeightMapField& law;
   const HeightMapClaims& claims;
 };
-rc::Gen<Eigen::Vector3f> position_of(const HeightTarget& map);
+Generator<Eigen::Vector3f> position_of(const HeightTarget& map);
 
 // A valid position, on a line or rim of the map as often as not, and one a few binary32 steps away.
 struct Neighbours {
@@ -40,17 +38,12 @@ struct Neighbours {
 
   Eigen::Vector3f b() const;
 };
-rc::Gen<Neighbours> neighbours_on(const HeightTarget& map);
+Generator<Neighbours> neighbours_on(const HeightTarget& map);
 
 // A closed polygon of 3 to 6 corners in and around the surface, as large as a part or much smaller.
-rc::Gen<std::vector<Eigen::Vector3f>> polygon_of(const HeightTarget& map);
+Generator<std::vector<Eigen::Vector3f>> polygon_of(const HeightTarget& map);
 
 // A closed polygon of 3 to 8 corners in and around the object, self-crossing or not.
-rc::Gen<std::vector<PathPoint>> polygon_of(const reference::Law& law);
-
-// The text of a case in RapidCheck's own messages.
-std::ostream& operator<<(std::ostream& out, const NearbyPair& pair);
-std::ostream& operator<<(std::ostream& out, const PathPoint& point);
-std::ostream& operator<<(std::ostream& out, const Neighbours& pair);
+Generator<std::vector<PathPoint>> polygon_of(const reference::Law& law);
 
 }  // namespace forceshade::properties

@@ -4,9 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "forceshade/identity.h"
 #include "properties/positions.h"
-#include "rendering/number_text.h"
 
 namespace forceshade::properties {
 namespace {
@@ -120,26 +118,19 @@ class Shapes {
   Draws draws_;
 };
 
-rc::Seq<AnyHeightMap> with_fewer_parts(const AnyHeightMap& any) {
-  std::vector<AnyHeightMap> smaller;
-  for (std::size_t i = 0; any.map.parts.size() > 1 && i < any.map.parts.size(); ++i) {
-    smaller.push_back(any);
-    smaller.back().map.parts.erase(smaller.back().map.parts.begin() + static_cast<std::ptrdiff_t>(i));
+std::vector<AnyHeightMap> with_fewer_parts(const AnyHeightMap& any) {
+  std::vector<AnyHeightMap> simpler;
+  for (const std::vector<height::Part>& parts : shorter(any.map.parts, 1)) {
+    simpler.push_back(any);
+    simpler.back().map.parts = parts;
   }
-  return rc::seq::fromContainer(std::move(smaller));
+  return simpler;
 }
 
 }  // namespace
 
-rc::Gen<AnyHeightMap> any_height_map() {
-  return [](const rc::Random& random, int) {
-    return rc::shrinkable::shrinkRecur(Shapes(rc::Random(random).next()).next(), &with_fewer_parts);
-  };
-}
-
-std::ostream& operator<<(std::ostream& out, const AnyHeightMap& any) {
-  for (const std::string& words : words_of(any.map)) out << words << "; ";
-  return out << name_of(any.mode) << ", stiffness " << shortest(any.stiffness);
+Generator<AnyHeightMap> any_height_map() {
+  return {[](std::uint64_t seed) { return Shapes(seed).next(); }, &with_fewer_parts};
 }
 
 }  // namespace forceshade::properties

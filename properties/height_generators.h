@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// RapidCheck's generator of height maps themselves.
-
-#include <rapidcheck.h>
+// The generator of height maps themselves.
 
 #include "properties/rendered.h"
 
@@ -15,9 +13,7 @@ struct AnyHeightMap {
 };
 
 // One to three parts of any kind, numbers by bit pattern within their domains or of a hand's size, grids of few samples. Every
-// one can be built. Shrinks to fewer parts.
-rc::Gen<AnyHeightMap> any_height_map();
-
-std::ostream& operator<<(std::ostream& out, const AnyHeightMap& any);
+// one can be built. Simpler ones have fewer parts.
+Generator<AnyHeightMap> any_height_map();
 
 }  // namespace forceshade::properties

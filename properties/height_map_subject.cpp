@@ -39,8 +39,8 @@ std::unique_ptr<Positions> HeightMapSubject::positions(std::uint64_t seed) const
   return std::make_unique<HeightPositionSource>(rendered_.law, claims_, seed);
 }
 
-Violation HeightMapSubject::check_continuity() const {
-  const Neighbours pair = *neighbours_on({rendered_.law, claims_});
+Violation HeightMapSubject::check_continuity(Chooser& choose) const {
+  const Neighbours pair = choose(neighbours_on({rendered_.law, claims_}));
   const Eigen::Vector3f b = pair.b();
   return is_valid(b) ? continuity(rendered_, claims_, pair.a, b) : std::nullopt;
 }
@@ -49,8 +49,8 @@ std::vector<FurtherProperty> HeightMapSubject::further_properties() const {
   const auto has_cells = [](const PartShape& part) { return part.columns.has_value(); };
   if (std::none_of(claims_.parts.begin(), claims_.parts.begin() + static_cast<std::ptrdiff_t>(claims_.map_parts), has_cells))
     return {};
-  return {{"cell lines", [this]() -> Violation {
-             Neighbours pair = *neighbours_on({rendered_.law, claims_});
+  return {{"cell lines", [this](Chooser& choose) -> Violation {
+             Neighbours pair = choose(neighbours_on({rendered_.law, claims_}));
              const double surface = static_cast<double>(rendered_.law.estimate({pair.a.x(), pair.a.y(), 0}).gap.mid());
              pair.a.z() = static_cast<float>(surface - 1);  // deep enough that both are in contact
              const Eigen::Vector3f b = pair.b();

@@ -18,7 +18,7 @@ class HeightMapSubject final : public FieldSubject<reference::HeightMapField, He
 
   std::vector<std::string> parts() const override { return words_of(rendered_.law.map()); }
   std::unique_ptr<Positions> positions(std::uint64_t seed) const override;
-  Violation check_continuity() const override;
+  Violation check_continuity(Chooser& choose) const override;
   // "cell lines", where the map has a grid: whether its gradient is continuous across them. A bilinear grid's is not, and a
   // certificate does not demand it.
   std::vector<FurtherProperty> further_properties() const override;

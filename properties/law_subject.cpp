@@ -32,8 +32,8 @@ std::unique_ptr<Positions> LawSubject::positions(std::uint64_t seed) const {
   return std::make_unique<PositionSource>(rendered_.law, seed);
 }
 
-Violation LawSubject::check_continuity() const {
-  const NearbyPair pair = *pair_of(rendered_.law);
+Violation LawSubject::check_continuity(Chooser& choose) const {
+  const NearbyPair pair = choose(pair_of(rendered_.law));
   const Eigen::Vector3f b = pair.b(claims_);
   return is_valid(b) ? continuity(rendered_, claims_, pair.a, b) : std::nullopt;
 }

@@ -16,7 +16,7 @@ class LawSubject final : public FieldSubject<reference::Law, LawClaims> {
   explicit LawSubject(const RenderedLaw& rendered);
 
   std::unique_ptr<Positions> positions(std::uint64_t seed) const override;
-  Violation check_continuity() const override;
+  Violation check_continuity(Chooser& choose) const override;
   std::vector<std::function<Violation()>> fixed_loops() const override;
   Expected expected() const override;
   std::vector<LoopEnergy> energies(const Monitor& monitor) const override;

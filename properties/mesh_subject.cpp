@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "properties/mesh_subject.h"
 
-#include <rapidcheck.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -89,11 +87,17 @@ class MeshPositions final : public Positions, private Draws {
 
 constexpr int kLongest = 80;  // positions of a path that is drawn
 
-std::vector<MeshPosition> drawn_path(const MeshRendering& rendering) {
-  MeshPath source(rendering.mesh(), *rc::gen::arbitrary<std::uint64_t>());
-  std::vector<MeshPosition> path(static_cast<std::size_t>(*rc::gen::inRange(2, kLongest)));
-  for (MeshPosition& position : path) position = source.next();
-  return path;
+// Short ones more often than long ones.
+Generator<std::vector<MeshPosition>> path_on(const MeshRendering& rendering) {
+  const auto draw = [&rendering](std::uint64_t seed) {
+    Draws draws(seed);
+    MeshPath source(rendering.mesh(), draws.bits());
+    const double longer = (kLongest - 2) * draws.uniform(0, 1) * draws.uniform(0, 1);
+    std::vector<MeshPosition> path(2 + static_cast<std::size_t>(longer));
+    for (MeshPosition& position : path) position = source.next();
+    return path;
+  };
+  return {draw, [](const std::vector<MeshPosition>& path) { return shorter(path, 1); }};
 }
 
 std::vector<Ticked> ticked(fast::TickSession& session, const std::vector<MeshPosition>& path) {
@@ -172,17 +176,17 @@ std::unique_ptr<Positions> MeshSubject::positions(std::uint64_t seed) const {
   return std::make_unique<MeshPositions>(mesh_, seed);
 }
 
-std::vector<Eigen::Vector3f> MeshSubject::draw_path() const {
+std::vector<Eigen::Vector3f> MeshSubject::draw_path(Chooser& choose) const {
   std::vector<Eigen::Vector3f> path;
-  for (const MeshPosition& p : drawn_path(*mesh_)) path.emplace_back(p[0], p[1], p[2]);
+  for (const MeshPosition& p : choose(path_on(*mesh_))) path.emplace_back(p[0], p[1], p[2]);
   return path;
 }
 
-Violation MeshSubject::check_continuity() const {
-  const auto path = drawn_path(*mesh_);
+Violation MeshSubject::check_continuity(Chooser& choose) const {
+  const auto path = choose(path_on(*mesh_));
   const auto session = open_(stiffness_), beside = open_(stiffness_);
-  const auto axis = static_cast<std::size_t>(*rc::gen::inRange(0, 3));
-  const float towards = *rc::gen::arbitrary<bool>() ? INFINITY : -INFINITY;
+  const auto axis = static_cast<std::size_t>(choose(integers(0, 2)));
+  const float towards = choose(integers(0, 1)) == 0 ? INFINITY : -INFINITY;
   mesh::GodObject state;
   for (const MeshPosition& position : path) {
     const Ticked here{position, session->tick(position)};
@@ -197,24 +201,24 @@ Violation MeshSubject::check_continuity() const {
   return std::nullopt;
 }
 
-Violation MeshSubject::check_unit_normals() const {
+Violation MeshSubject::check_unit_normals(Chooser& choose) const {
   const auto session = open_(stiffness_);
-  for (const Ticked& one : ticked(*session, drawn_path(*mesh_)))
+  for (const Ticked& one : ticked(*session, choose(path_on(*mesh_))))
     if (auto violation = force_is_as_long_as_the_spring(*mesh_, one)) return violation;
   return std::nullopt;
 }
 
-Violation MeshSubject::check_passivity() const {
-  auto path = drawn_path(*mesh_);
+Violation MeshSubject::check_passivity(Chooser& choose) const {
+  auto path = choose(path_on(*mesh_));
   std::erase_if(path, [](const MeshPosition& position) { return !is_valid(position); });
   const auto session = open_(stiffness_);
   return spring_gives_no_energy(*mesh_, ticked(*session, path));
 }
 
 std::vector<FurtherProperty> MeshSubject::further_properties() const {
-  const auto states = [this]() -> Violation {
-    const auto path = drawn_path(*mesh_);
-    const auto split = static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(path.size())));
+  const auto states = [this](Chooser& choose) -> Violation {
+    const auto path = choose(path_on(*mesh_));
+    const auto split = static_cast<std::size_t>(choose(integers(0, static_cast<int>(path.size()) - 1)));
     auto session = open_(stiffness_);
     mesh::GodObject state;
     for (std::size_t i = 0; i < path.size(); ++i) {
@@ -228,8 +232,8 @@ std::vector<FurtherProperty> MeshSubject::further_properties() const {
     }
     return std::nullopt;
   };
-  const auto repeats = [this]() -> Violation {
-    const auto path = drawn_path(*mesh_);
+  const auto repeats = [this](Chooser& choose) -> Violation {
+    const auto path = choose(path_on(*mesh_));
     const auto session = open_(stiffness_);
     for (std::size_t i = 0; i < path.size(); ++i) {
       mesh::Tick first = session->tick(path[i]);

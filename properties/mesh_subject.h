@@ -28,11 +28,11 @@ class MeshSubject final : public Subject {
   std::vector<std::string> parts() const override;
   std::unique_ptr<ReferenceSession> open_reference() const override;
   std::unique_ptr<Positions> positions(std::uint64_t seed) const override;
-  std::vector<Eigen::Vector3f> draw_path() const override;
+  std::vector<Eigen::Vector3f> draw_path(Chooser& choose) const override;
   // properties/mesh_properties.h says what each of them is on a mesh.
-  Violation check_continuity() const override;
-  Violation check_unit_normals() const override;
-  Violation check_passivity() const override;
+  Violation check_continuity(Chooser& choose) const override;
+  Violation check_unit_normals(Chooser& choose) const override;
+  Violation check_passivity(Chooser& choose) const override;
   // "states": the renderer's state, status, moves and force are the definition's, tick by tick, also with a path that goes on
   // from a state of it. "repeats": a position that is repeated changes neither state nor force once the tick is finished.
   std::vector<FurtherProperty> further_properties() const override;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <rapidcheck.h>
-
 #include <algorithm>
 #include <span>
 #include <stdexcept>
@@ -8,91 +6,19 @@
 #include "forceshade/properties.h"
 #include "properties/equivalence.h"
 #include "properties/second_answer.h"
+#include "properties/words_of_violation.h"
 #include "rendering/breakdown.h"
 
 namespace forceshade::properties {
 namespace {
 
-class Silent : public rc::detail::TestListener {
- public:
-  void onTestCaseFinished(const rc::detail::CaseDescription&) override {}
-  void onShrinkTried(const rc::detail::CaseDescription&, bool) override {}
-  void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
-};
-
-// What RapidCheck says of a failure, without the place in the source that it puts before.
-std::string without_place(const std::string& description) {
-  const std::size_t words = description.find("\n\n");
-  return words == std::string::npos ? description : description.substr(words + 2);
-}
-
-// The violation of a property that may throw. What RapidCheck throws is no violation and passes on.
-Violation words_of_violation(const std::function<Violation()>& property) {
-  try {
-    return property();
-  } catch (const rc::detail::CaseResult&) {
-    throw;
-  } catch (const rc::GenerationFailure&) {
-    throw;
-  } catch (const RendererThrew& error) {
-    return error.what();
-  } catch (...) {
-    return "an exception is thrown: " + current_exception_words();
-  }
-}
-
-}  // namespace
-
-PropertyResult run_property(const std::string& name, int cases, std::uint64_t seed,
-                            const std::function<Violation()>& property) {
-  rc::detail::TestParams params;
-  params.seed = seed;
-  params.maxSuccess = cases;
-  Silent silent;
-  // RapidCheck runs the smallest case that failed once more for its description, which says that nothing failed where the
-  // property then holds. So the words are kept here.
-  std::string failed;
-  bool has_failed_last = false;
-  const auto fail = [&](const std::string& words) {
-    failed = words;
-    has_failed_last = true;
-  };
-  // The form with a (here empty) map of cases to reproduce is the one that reads no environment variable.
-  const rc::detail::TestResult result = rc::detail::checkTestable(
-      [&] {
-        has_failed_last = false;
-        try {
-          if (const Violation violation = words_of_violation(property)) {
-            fail(*violation);
-            RC_FAIL(*violation);
-          }
-        } catch (const rc::detail::CaseResult& result) {
-          // RC_ASSERT of a property of one's own, or RC_PRE.
-          if (result.type == rc::detail::CaseResult::Type::Failure && !has_failed_last) fail(without_place(result.description));
-          throw;
-        }
-      },
-      rc::detail::TestMetadata{name, name}, params, silent, std::unordered_map<std::string, rc::detail::Reproduce>{});
-  rc::detail::SuccessResult success{};
-  if (result.match(success)) return {name, static_cast<std::uint64_t>(success.numSuccess), true, ""};
-  rc::detail::FailureResult failure;
-  if (!result.match(failure)) return {name, 0, false, "the generator gave up"};
-  if (failed.empty())
-    return {name, static_cast<std::uint64_t>(failure.numSuccess) + 1, false, without_place(failure.description)};
-  if (!has_failed_last)
-    failed += "; the same case held when it was tried again, so the answers depend on chance or on what was asked before";
-  return {name, static_cast<std::uint64_t>(failure.numSuccess) + 1, false, failed};
-}
-
-namespace {
-
 // run_property() with its progress. While a failure is shrunk, all is done.
 PropertyResult run_watched(const std::string& name, int cases, std::uint64_t seed, const OnCase& on_case,
-                           const std::function<Violation()>& property) {
+                           const Property& property) {
   double begun = 0;
-  return run_property(name, cases, seed, [&] {
+  return run_property(name, cases, seed, [&](Chooser& choose) {
     if (on_case) on_case(name, std::min(begun++ / cases, 1.0));
-    return property();
+    return property(choose);
   });
 }
 
@@ -155,23 +81,24 @@ std::vector<PropertyResult> run_properties(const Subject& subject, int cases, st
   if (cases < 1) throw std::invalid_argument("cases of a property: expected 1 or more, got " + std::to_string(cases));
   const auto is_stopped = [&] { return stop != nullptr && *stop; };
   std::vector<PropertyResult> results;
-  const auto run = [&](const std::string& name, const std::function<Violation()>& property) {
+  const auto run = [&](const std::string& name, const Property& property) {
     const auto all = static_cast<int>(cases_of(name, static_cast<std::uint64_t>(cases)));
-    results.push_back(run_watched(name, all, seed, on_case, [&] { return is_stopped() ? Violation("stopped") : property(); }));
+    results.push_back(run_watched(name, all, seed, on_case,
+                                  [&](Chooser& choose) { return is_stopped() ? Violation("stopped") : property(choose); }));
   };
   const auto say = [&] {
     if (on_case) on_case(results.back().name, 1);
     if (done) done(results.back());
   };
   Equivalence equivalence(subject);
-  run("equivalence", [&] { return equivalence.along(subject.draw_path()); });
+  run("equivalence", [&](Chooser& choose) { return equivalence.along(subject.draw_path(choose)); });
   if (equivalence.inconsistency()) results.back().counterexample = *equivalence.inconsistency();
   say();
-  run("continuity", [&] { return subject.check_continuity(); });
+  run("continuity", [&](Chooser& choose) { return subject.check_continuity(choose); });
   say();
-  run("unit normals", [&] { return subject.check_unit_normals(); });
+  run("unit normals", [&](Chooser& choose) { return subject.check_unit_normals(choose); });
   say();
-  run("passivity", [&] { return subject.check_passivity(); });
+  run("passivity", [&](Chooser& choose) { return subject.check_passivity(choose); });
   for (const auto& loop : subject.fixed_loops()) {
     PropertyResult& passive = results.back();
     if (!passive.held || is_stopped()) break;

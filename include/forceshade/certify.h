@@ -11,8 +11,7 @@
 // Errors: a failed check is a result, Certificate::held(); under a fast::arithmetic_fault() certify() throws
 // std::runtime_error. A certificate that is too little for driving is said to be by assessed() of certificate.h.
 //
-// Threads: certify() uses as many threads as its options say, and only one call runs at a time, for RapidCheck keeps state.
-// `stop` may be set by any thread or a signal handler.
+// Threads: certify() uses as many threads as its options say. `stop` may be set by any thread or a signal handler.
 //
 // Not promised: how long it takes; the seconds are in the certificate. The same seed gives the same points and cases.
 

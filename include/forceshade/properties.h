@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The properties that a haptic renderer must have, run with RapidCheck on this program's renderers or on anybody's. The
-// library is forceshade::properties, of the component properties, with the exact side.
+// The properties that a haptic renderer must have, run on generated cases of this program's renderers or of anybody's. A case
+// that fails is made as simple as it can be. The library is forceshade::properties, of the component properties, with the exact
+// side.
 //
 //   const auto my_wall = [](const Eigen::Vector3f& p) -> properties::Rendered {  // 0.5 N/mm at z = 0
 //     if (!(p.array().abs() <= 1e4F).all()) return {{0, 0, 0}, Status::invalid};
@@ -20,20 +21,24 @@
 // Errors: a property that does not hold is a result; what a renderer throws is a violation. Parameters outside their domain
 // throw std::invalid_argument.
 //
-// Threads: a subject is const and may be called from several threads, but for what draws a case. run_properties() and
-// run_property() run in one thread at a time, for RapidCheck keeps state.
+// Threads: a subject is const and may be called from several threads. A Chooser belongs to the call that got it.
+// run_properties() and run_property() may run in several threads at once.
 //
 // Not promised: that a property which held for the drawn cases holds for all. The same seed gives the same cases of one
 // version.
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <any>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "forceshade/checks.h"
@@ -86,10 +91,65 @@ class ReferenceSession {
   virtual reference::Rounded step(const Eigen::Vector3f& position) = 0;
 };
 
-// A property beside the four by which a subject is certified. `check` draws its case.
+// Where the cases of a property come from. draw: any case, the same for the same seed. simpler: cases that are simpler than
+// this one, the simplest first, and never one that leads back to it; it is called after the property has ended, and none is
+// simpler where it is empty.
+template <class Case>
+struct Generator {
+  std::function<Case(std::uint64_t seed)> draw;
+  std::function<std::vector<Case>(const Case&)> simpler = nullptr;
+};
+
+// What a property draws its case from, all at once or bit by bit: const int i = choose(integers(0, 2)). While a failure is made
+// simpler, the property gets simpler values here. What it draws may depend on what it has drawn before.
+class Chooser {
+ public:
+  virtual ~Chooser() = default;
+
+  template <class Case>
+  Case operator()(const Generator<Case>& generator) {
+    const auto simpler = [its = generator.simpler](const std::any& value) {
+      std::vector<std::any> values;
+      if (its)
+        for (Case& one : its(std::any_cast<const Case&>(value))) values.emplace_back(std::move(one));
+      return values;
+    };
+    const auto draw = [&generator](std::uint64_t seed) -> std::any { return generator.draw(seed); };
+    return std::any_cast<Case>(next({draw, simpler}));
+  }
+
+ private:
+  // generator: draw may be called during this call only, simpler also later. Returns what it drew, or something simpler.
+  virtual std::any next(const Generator<std::any>& generator) = 0;
+};
+
+// From low to high, both included. The simplest is 0, or the one that is nearest to it. Throws std::invalid_argument where
+// there is none.
+Generator<int> integers(int low, int high);
+
+// What is left of a list without some of its elements, at least so many: a path or a polygon that is simpler.
+template <class T>
+std::vector<std::vector<T>> shorter(const std::vector<T>& list, std::size_t least) {
+  std::vector<std::vector<T>> lists;
+  const auto without = [&](std::size_t from, std::size_t size) {
+    lists.push_back(list);
+    const auto first = lists.back().begin() + static_cast<std::ptrdiff_t>(from);
+    lists.back().erase(first, first + static_cast<std::ptrdiff_t>(size));
+  };
+  for (std::size_t size = list.size() - std::min(list.size(), least); size > 0; size /= 2) {
+    without(list.size() - size, size);
+    for (std::size_t from = 0; from + size < list.size(); from += size) without(from, size);
+  }
+  return lists;
+}
+
+// A property: it draws a case, and says what the case violates.
+using Property = std::function<Violation(Chooser& choose)>;
+
+// A property beside the four by which a subject is certified.
 struct FurtherProperty {
   std::string name;
-  std::function<Violation()> check;
+  Property check;
 };
 
 // What may be expected of the force: where it jumps, in words; whether its direction is a unit vector; whether no loop gives
@@ -108,8 +168,7 @@ struct DrawnSubject {
   std::string parameters;
 };
 
-// Everything is const and may be called from several threads at once, but for what draws a case: that uses RapidCheck's
-// operator*, so it is called inside a property and in one thread.
+// Everything is const and may be called from several threads at once.
 class Subject {
  public:
   virtual ~Subject() = default;
@@ -129,12 +188,12 @@ class Subject {
   virtual std::unique_ptr<Positions> positions(std::uint64_t seed) const = 0;
 
   // A path to compare along, for equivalence; two positions where the force depends on nothing but the position.
-  virtual std::vector<Eigen::Vector3f> draw_path() const = 0;
+  virtual std::vector<Eigen::Vector3f> draw_path(Chooser& choose) const = 0;
 
   // The properties, each on a case that it draws.
-  virtual Violation check_continuity() const = 0;
-  virtual Violation check_unit_normals() const = 0;
-  virtual Violation check_passivity() const = 0;
+  virtual Violation check_continuity(Chooser& choose) const = 0;
+  virtual Violation check_unit_normals(Chooser& choose) const = 0;
+  virtual Violation check_passivity(Chooser& choose) const = 0;
   // Closed paths that belong to passivity whatever is drawn.
   virtual std::vector<std::function<Violation()>> fixed_loops() const { return {}; }
   virtual std::vector<FurtherProperty> further_properties() const { return {}; }
@@ -192,13 +251,15 @@ using PropertyDone = std::function<void(const PropertyResult&)>;
 // a tenth of them, and on the subject's fixed loops), then the subject's further properties. The same seed gives the same
 // cases. Where a renderer is random, keeps state that its definition does not have, or throws, the words of equivalence say
 // that. Throws std::invalid_argument for fewer cases than one, which would hold of whatever is checked. Once `stop` is set,
-// nothing is checked any more, and what is returned says nothing. Not for two threads at once: RapidCheck is not.
+// nothing is checked any more, and what is returned says nothing.
 std::vector<PropertyResult> run_properties(const Subject& subject, int cases, std::uint64_t seed,
                                            const PropertyDone& done = nullptr, const OnCase& on_case = nullptr,
                                            const std::atomic<bool>* stop = nullptr);
 
-// One property of one's own: `property` draws its case with RapidCheck's operator* and says what is violated. What it throws is
-// a violation, too. Where a case that failed holds when it is tried again, the words say so.
-PropertyResult run_property(const std::string& name, int cases, std::uint64_t seed, const std::function<Violation()>& property);
+// One property of one's own. What it throws is a violation, too. The first case that fails is made simpler, one value that it
+// drew after the other, as long as it fails and kSimplerCases have not been tried. Where it holds when it is tried again, the
+// words say so.
+PropertyResult run_property(const std::string& name, int cases, std::uint64_t seed, const Property& property);
+inline constexpr int kSimplerCases = 5000;
 
 }  // namespace forceshade::properties

@@ -112,11 +112,9 @@ std::shared_ptr<const Subject> wrong_law(LawId law, bool in_spread, const Parame
 }
 
 std::shared_ptr<const Subject> wrong_map(const std::function<Renderer(Renderer)>& change) {
-  return std::make_shared<HeightMapSubject>("map.toml", HeightMap{{{height::Plane{0.25F, 0.125F, 1}}}},
-                                            height::Mode::true_height, 0.5F,
-                                            [=](const HeightMap& map, height::Mode mode, float stiffness) {
-                                              return change(fast_height_map(map, mode, stiffness));
-                                            });
+  return std::make_shared<HeightMapSubject>(
+      "map.toml", HeightMap{{{height::Plane{0.25F, 0.125F, 1}}}}, height::Mode::true_height, 0.5F,
+      [=](const HeightMap& map, height::Mode mode, float stiffness) { return change(fast_height_map(map, mode, stiffness)); });
 }
 
 TEST(wrong_in_one_thing, a_right_renderer_is_refused_for_its_few_points_alone) {
@@ -229,9 +227,9 @@ class WithOneFailure final : public tests::SubjectWrapper {
   WithOneFailure(std::shared_ptr<const Subject> its, std::string_view property, int at)
       : SubjectWrapper(its), its_(std::move(its)), property_(property), at_(at) {}
 
-  std::vector<Eigen::Vector3f> draw_path() const override {
+  std::vector<Eigen::Vector3f> draw_path(Chooser& choose) const override {
     is_wrong_ = property_ == "equivalence" && drawn_++ >= at_;
-    return its_->draw_path();
+    return its_->draw_path(choose);
   }
   const Rendering& rendering() const override {
     rendering_ = its_->rendering();
@@ -240,9 +238,9 @@ class WithOneFailure final : public tests::SubjectWrapper {
           with_wrong_steps(rendering_.renderer, {2, [](std::size_t, const fast::Evaluation&) { return true; }});
     return rendering_;
   }
-  Violation check_continuity() const override { return of("continuity", its_->check_continuity()); }
-  Violation check_unit_normals() const override { return of("unit normals", its_->check_unit_normals()); }
-  Violation check_passivity() const override { return of("passivity", its_->check_passivity()); }
+  Violation check_continuity(Chooser& choose) const override { return of("continuity", its_->check_continuity(choose)); }
+  Violation check_unit_normals(Chooser& choose) const override { return of("unit normals", its_->check_unit_normals(choose)); }
+  Violation check_passivity(Chooser& choose) const override { return of("passivity", its_->check_passivity(choose)); }
   std::vector<std::function<Violation()>> fixed_loops() const override {
     auto loops = its_->fixed_loops();
     if (property_ == "fixed loop") loops.at(at_ == 0 ? 0 : loops.size() - 1) = [] { return Violation("a loop gives energy"); };

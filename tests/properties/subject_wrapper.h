@@ -17,10 +17,12 @@ class SubjectWrapper : public properties::Subject {
   std::vector<std::string> parts() const override { return its_->parts(); }
   std::unique_ptr<properties::ReferenceSession> open_reference() const override { return its_->open_reference(); }
   std::unique_ptr<properties::Positions> positions(std::uint64_t seed) const override { return its_->positions(seed); }
-  std::vector<Eigen::Vector3f> draw_path() const override { return its_->draw_path(); }
-  properties::Violation check_continuity() const override { return its_->check_continuity(); }
-  properties::Violation check_unit_normals() const override { return its_->check_unit_normals(); }
-  properties::Violation check_passivity() const override { return its_->check_passivity(); }
+  std::vector<Eigen::Vector3f> draw_path(properties::Chooser& choose) const override { return its_->draw_path(choose); }
+  properties::Violation check_continuity(properties::Chooser& choose) const override { return its_->check_continuity(choose); }
+  properties::Violation check_unit_normals(properties::Chooser& choose) const override {
+    return its_->check_unit_normals(choose);
+  }
+  properties::Violation check_passivity(properties::Chooser& choose) const override { return its_->check_passivity(choose); }
   std::vector<std::function<properties::Violation()>> fixed_loops() const override { return its_->fixed_loops(); }
   std::vector<properties::FurtherProperty> further_properties() const override { return its_->further_properties(); }
   properties::Expected expected() const override { return its_->expected(); }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/subjects/sticky_wall.h"
 
-#include <rapidcheck.h>
-
 #include <bit>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
@@ -16,6 +14,7 @@ namespace {
 
 using boost::multiprecision::cpp_bin_float_50;
 using properties::Aim;
+using properties::integers;
 using properties::show;
 
 class FastSession final : public fast::Session {
@@ -120,9 +119,9 @@ struct Start {
   float z;
 };
 
-Start any_start(const StickyWallParameters& p) {
-  const auto part = static_cast<float>(*rc::gen::inRange(-1000, 1000));
-  const bool is_held = *rc::gen::arbitrary<bool>();
+Start any_start(const StickyWallParameters& p, properties::Chooser& choose) {
+  const auto part = static_cast<float>(choose(integers(-1000, 1000)));
+  const bool is_held = choose(integers(0, 1)) == 1;
   return {is_held, part / 1000 * p.release * (is_held ? 1.0F : 2.0F)};
 }
 
@@ -158,17 +157,21 @@ std::unique_ptr<properties::Positions> StickyWall::positions(std::uint64_t seed)
   return std::make_unique<Walk>(p_, seed);
 }
 
-std::vector<Eigen::Vector3f> StickyWall::draw_path() const {
-  Walk walk(p_, *rc::gen::arbitrary<std::uint64_t>());
-  std::vector<Eigen::Vector3f> path(static_cast<std::size_t>(*rc::gen::inRange(1, 30)));
-  for (Eigen::Vector3f& position : path) position = walk.next().position;
-  return path;
+std::vector<Eigen::Vector3f> StickyWall::draw_path(properties::Chooser& choose) const {
+  using Path = std::vector<Eigen::Vector3f>;
+  const auto draw = [this](std::uint64_t seed) {
+    Walk walk(p_, seed);
+    Path path(1 + seed % 29);
+    for (Eigen::Vector3f& position : path) position = walk.next().position;
+    return path;
+  };
+  return choose(properties::Generator<Path>{draw, [](const Path& path) { return properties::shorter(path, 1); }});
 }
 
 // From one binary32 to the next the force changes by K times the step, but for the release, where it falls from K·r to 0.
-properties::Violation StickyWall::check_continuity() const {
-  const Start start = any_start(p_);
-  const float next = std::nextafter(start.z, *rc::gen::arbitrary<bool>() ? INFINITY : -INFINITY);
+properties::Violation StickyWall::check_continuity(properties::Chooser& choose) const {
+  const Start start = any_start(p_, choose);
+  const float next = std::nextafter(start.z, choose(integers(0, 1)) == 0 ? INFINITY : -INFINITY);
   const auto session = opened_at(*this, start);
   const fast::Evaluation before = session->step({0, 0, start.z}), after = session->step({0, 0, next});
   const bool lets_go = before.status == Status::contact && after.status == Status::free;
@@ -186,8 +189,8 @@ properties::Violation StickyWall::check_continuity() const {
          show(static_cast<float>(change)) + " N";
 }
 
-properties::Violation StickyWall::check_unit_normals() const {
-  const Start start = any_start(p_);
+properties::Violation StickyWall::check_unit_normals(properties::Chooser& choose) const {
+  const Start start = any_start(p_, choose);
   const fast::Evaluation answer = opened_at(*this, start)->step({0, 0, start.z});
   const double length = static_cast<double>(p_.stiffness) * std::fabs(static_cast<double>(start.z));
   const double expected = answer.status == Status::contact ? length : 0;
@@ -197,8 +200,8 @@ properties::Violation StickyWall::check_unit_normals() const {
 
 // Along any path that begins and ends free and at the same height, the hand gets nothing but rounding, for the trapezoid of a
 // linear force is exact, and where the tip is caught or let go the force jumps to or from a side on which it acts against it.
-properties::Violation StickyWall::check_passivity() const {
-  const int count = *rc::gen::inRange(2, 30);
+properties::Violation StickyWall::check_passivity(properties::Chooser& choose) const {
+  const int count = choose(integers(2, 29));
   const auto session = renderer().open();
   double energy = 0, rounding = 0;
   float before = 2 * p_.release, force = session->step({0, 0, before}).force.z();
@@ -222,7 +225,7 @@ properties::Violation StickyWall::check_passivity() const {
     if (before > 0 && z < 0) go(0);
     go(z);
   };
-  for (int i = 0; i < count; ++i) to(static_cast<float>(*rc::gen::inRange(-2000, 2000)) / 1000 * p_.release);
+  for (int i = 0; i < count; ++i) to(static_cast<float>(choose(integers(-2000, 2000))) / 1000 * p_.release);
   to(2 * p_.release);
   if (energy <= rounding) return std::nullopt;
   return "a closed path of " + std::to_string(count) + " corners gives " + std::to_string(energy) + " mJ";

@@ -30,10 +30,10 @@ class StickyWall final : public properties::Subject {
   const Rendering& rendering() const override { return rendering_; }
   std::unique_ptr<properties::ReferenceSession> open_reference() const override;
   std::unique_ptr<properties::Positions> positions(std::uint64_t seed) const override;
-  std::vector<Eigen::Vector3f> draw_path() const override;
-  properties::Violation check_continuity() const override;
-  properties::Violation check_unit_normals() const override;
-  properties::Violation check_passivity() const override;
+  std::vector<Eigen::Vector3f> draw_path(properties::Chooser& choose) const override;
+  properties::Violation check_continuity(properties::Chooser& choose) const override;
+  properties::Violation check_unit_normals(properties::Chooser& choose) const override;
+  properties::Violation check_passivity(properties::Chooser& choose) const override;
   properties::Expected expected() const override { return {{"z = the release height, on the way up"}, true, false}; }
   // Each time round the hand loses K·r²/2, so no loop gives it any energy.
   std::vector<properties::LoopEnergy> energies(const Monitor&) const override;
