@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// forceshade properties: equivalence, continuity, unit normals and passivity of the fast path, with RapidCheck.
+// forceshade properties: equivalence, continuity, unit normals and passivity of the fast path, on generated cases.
 
 #include "forceshade/properties.h"
 

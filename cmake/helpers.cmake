@@ -18,7 +18,7 @@ function(forceshade_compile_quickly name)
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# Compiles the target's files eight at a time: CLI11, CGAL and RapidCheck are headers, and each translation unit compiles again
+# Compiles the target's files eight at a time: CLI11 and CGAL are headers, and each translation unit compiles again
 # what it uses of them. Names in the unnamed namespaces of one target's files must therefore differ.
 function(forceshade_unite name)
   set_target_properties(${name} PROPERTIES UNITY_BUILD ${FORCESHADE_UNITE} UNITY_BUILD_BATCH_SIZE 8)

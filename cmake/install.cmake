@@ -75,7 +75,7 @@ if(NOT FORCESHADE_FAST_ONLY)
              LIBRARIES "${run_libraries}")
   install_pc(forceshade-properties DESCRIPTION "Properties that a haptic renderer must have, and certificates of them"
              REQUIRES "forceshade-run"
-             LIBRARIES "-lforceshade_certify -lforceshade_properties -lforceshade_reference -lrapidcheck -lmpfi -lmpfr -lgmp")
+             LIBRARIES "-lforceshade_certify -lforceshade_properties -lforceshade_reference -lmpfi -lmpfr -lgmp")
   install_pc(forceshade-subjects DESCRIPTION "Laws, height maps and meshes from subject files"
              REQUIRES "forceshade-heights, forceshade-meshes" LIBRARIES "-lforceshade_subjects")
   install_pc(forceshade-study DESCRIPTION "Sessions of psychophysical experiments on a device"

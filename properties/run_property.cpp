@@ -81,7 +81,7 @@ Case simplest(const Property& property, std::uint64_t seed, Case failed) {
         if (!simpler.violation()) continue;
         failed = std::move(simpler);
         is_simpler = true;
-        if (i == failed.choices().size()) break;
+        if (i >= failed.choices().size()) break;  // it draws less when it is asked again
         count = failed.simpler_than(i);
         step = static_cast<std::size_t>(-1);
       }
@@ -105,13 +105,13 @@ Violation words_of_violation(const std::function<Violation()>& check) {
 Generator<int> integers(int low, int high) {
   if (low > high)
     throw std::invalid_argument("integers: expected a range, got " + std::to_string(low) + " to " + std::to_string(high));
-  const std::int64_t first = low, values = std::int64_t{high} - first + 1, simplest = std::clamp<std::int64_t>(0, first, high);
+  const std::int64_t first = low, values = std::int64_t{high} - first + 1, nearest = std::clamp<std::int64_t>(0, first, high);
   const auto draw = [=](std::uint64_t seed) {
     return static_cast<int>(first + static_cast<std::int64_t>(seed % static_cast<std::uint64_t>(values)));
   };
   const auto simpler = [=](const int& value) {
     std::vector<int> nearer;
-    for (std::int64_t away = value - simplest; away != 0; away /= 2) nearer.push_back(static_cast<int>(value - away));
+    for (std::int64_t away = value - nearest; away != 0; away /= 2) nearer.push_back(static_cast<int>(value - away));
     return nearer;
   };
   return {draw, simpler};

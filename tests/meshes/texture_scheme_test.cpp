@@ -3,7 +3,6 @@
 // promises.
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -54,7 +53,7 @@ std::size_t ticks_of_a_test(std::size_t usual) {
 }
 
 HeightMap random_map(std::uint64_t seed) {
-  return {properties::any_height_map()(rc::Random(seed), 40).value().map.parts};
+  return {properties::any_height_map().draw(seed).map.parts};
 }
 
 const char* name_of_stage(fast::Stage stage) {

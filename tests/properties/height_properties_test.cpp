@@ -155,8 +155,8 @@ TEST(height_properties, refuse_energy_from_a_map_that_should_have_a_potential) {
     HeightMapClaims claims(subject.law);
     claims.is_conservative = true;
     const HeightTarget target{subject.law, claims};
-    EXPECT_FALSE(run_property("passivity", kCases, kSeed, [&] { return passivity(subject, claims, *polygon_of(target)); }).held)
-        << name;
+    const auto gives_none = [&](Chooser& choose) { return passivity(subject, claims, choose(polygon_of(target))); };
+    EXPECT_FALSE(run_property("passivity", kCases, kSeed, gives_none).held) << name;
   }
 }
 
@@ -203,23 +203,38 @@ TEST(height_properties, are_checked_at_the_ends_of_the_domain_in_each_coordinate
   for (const int count : at_an_end) EXPECT_GT(count, 50);
 }
 
+TEST(height_properties, simpler_maps_have_fewer_parts_but_one) {
+  std::map<std::size_t, int> counts;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const AnyHeightMap any = any_height_map().draw(seed);
+    ++counts[any.map.parts.size()];
+    const std::vector<AnyHeightMap> simpler = any_height_map().simpler(any);
+    EXPECT_EQ(simpler.empty(), any.map.parts.size() == 1);
+    for (const AnyHeightMap& one : simpler) {
+      EXPECT_GE(one.map.parts.size(), 1U);
+      EXPECT_LT(one.map.parts.size(), any.map.parts.size());
+    }
+  }
+  EXPECT_EQ(counts.size(), 3U);
+}
+
 TEST(height_properties, hold_on_generated_maps) {
   std::array<int, 3> statuses{};
-  const PropertyResult result = run_property("any map", 500, kSeed, [&]() -> Violation {
-    const AnyHeightMap any = *any_height_map();
+  const PropertyResult result = run_property("any map", 500, kSeed, [&](Chooser& choose) -> Violation {
+    const AnyHeightMap any = choose(any_height_map());
     const auto subject = std::get<RenderedHeightMap>(fast_rendering(any.map, any.mode, any.stiffness));
     const HeightMapClaims claims(subject.law);
     const HeightTarget target{subject.law, claims};
     for (int i = 0; i < 8; ++i) {
-      const Eigen::Vector3f position = *position_of(target);
+      const Eigen::Vector3f position = choose(position_of(target));
       ++statuses[static_cast<std::size_t>(subject.force_at(position).status)];
       if (const Violation violation = equivalence(subject, position)) return violation;
       if (const Violation violation = unit_normals(subject, position)) return violation;
     }
-    const Neighbours pair = *neighbours_on(target);
+    const Neighbours pair = choose(neighbours_on(target));
     if ((pair.b().array().abs() <= 1e4F).all())
       if (const Violation violation = continuity(subject, claims, pair.a, pair.b())) return violation;
-    return passivity(subject, claims, *polygon_of(target));
+    return passivity(subject, claims, choose(polygon_of(target)));
   });
   EXPECT_TRUE(result.held) << result.counterexample;
   std::printf("  %llu maps; free %d, contact %d, invalid %d\n", static_cast<unsigned long long>(result.cases), statuses[0],

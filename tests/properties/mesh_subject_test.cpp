@@ -169,6 +169,26 @@ TEST(mesh_subject, finds_a_renderer_that_is_wrong) {
   EXPECT_TRUE(failed(stays_behind, mesh::Shading::none).contains("passivity"));
 }
 
+// Where one tick is wrong that needs no others, none is left before those that lead to it.
+TEST(mesh_subject, leaves_no_tick_of_a_path_that_the_failure_does_not_need) {
+  MeshSource source(11);
+  const MeshRendering rendering = rendering_of(source, 7, mesh::Shading::none);
+  const MeshSubject subject("star", rendering, [right = fast_god_object(rendering)](float stiffness) {
+    return std::make_unique<Changed>(right(stiffness), [](const mesh::Tick&, mesh::Tick now, const MeshPosition&) {
+      if (now.status == mesh::TickStatus::touching) ++now.moves;
+      return now;
+    });
+  });
+  for (const std::uint64_t seed : {1U, 2U, 3U})
+    for (const PropertyResult& result : run_properties(subject, 100, seed)) {
+      EXPECT_EQ(result.held, result.name != "states") << result.name;
+      if (!result.held) {
+        const std::string& words = result.counterexample;
+        EXPECT_TRUE(words.starts_with("tick 0 at ") || words.starts_with("tick 1 at ")) << words;
+      }
+    }
+}
+
 // A plane whose normals for |x| <= w/2 are those of a cylinder of radius R around the y axis: bump-1p-shaded as a mesh.
 MeshRendering shaded_plane(double R) {
   constexpr double kHalf = 12.7;

@@ -42,7 +42,8 @@ PropertyResult result_of(const RenderedLaw& subject, const std::string& property
   throw std::invalid_argument(property);
 }
 
-// How far each property is goes from 0 to 1 and never back, also while a failure is shrunk; results are as without a watcher.
+// How far each property is goes from 0 to 1 and never back, also while a failure is made simpler; results are as without a
+// watcher.
 TEST(properties, a_run_of_no_cases_holds_of_nothing_and_is_refused) {
   const LawSubject wall(LawId::wall, kBump);
   for (const int cases : {0, -5}) EXPECT_THROW(run_properties(wall, cases, kSeed), std::invalid_argument);
@@ -91,13 +92,37 @@ TEST(properties, neighbours_are_up_to_three_steps_away_in_either_direction) {
   for (int i = 0; i < 7000; ++i) ++steps[draws.small_step()];
   for (int step = -3; step <= 3; ++step) EXPECT_NEAR(steps[step], 1000, 150) << step;
   EXPECT_EQ(steps.size(), 7U);
-  const auto generator = pair_of(std::get<RenderedLaw>(fast_rendering(LawId::bump_2p, kBump)).law);
+  const Generator<NearbyPair> generator = pair_of(std::get<RenderedLaw>(fast_rendering(LawId::bump_2p, kBump)).law);
   std::map<std::pair<int, int>, int> pairs;
   for (std::uint64_t seed = 0; seed < 4900; ++seed) {
-    const NearbyPair pair = generator(rc::Random(seed), 100).value();
+    const NearbyPair pair = generator.draw(seed);
     ++pairs[{pair.x_steps, pair.z_steps}];
   }
   EXPECT_EQ(pairs.size(), 49U);
+}
+
+// Down to three corners, and one corner at a time too; a pair keeps its steps.
+TEST(properties, simpler_cases_have_fewer_corners_or_rounder_positions) {
+  const reference::Law law = std::get<RenderedLaw>(fast_rendering(LawId::bump_2p, kBump)).law;
+  std::map<std::size_t, int> sizes;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const auto polygons = polygon_of(law);
+    const std::vector<PathPoint> polygon = polygons.draw(seed);
+    ++sizes[polygon.size()];
+    std::map<std::size_t, std::size_t> simpler;
+    for (const auto& one : polygons.simpler(polygon)) ++simpler[one.size()];
+    EXPECT_EQ(simpler.empty(), polygon.size() == 3);
+    if (simpler.empty()) continue;
+    EXPECT_EQ(simpler.begin()->first, 3U);
+    EXPECT_EQ(simpler[polygon.size() - 1], polygon.size()) << "without each of the corners";
+    const NearbyPair pair = pair_of(law).draw(seed);
+    for (const NearbyPair& one : pair_of(law).simpler(pair)) {
+      EXPECT_NE(one.a, pair.a);
+      EXPECT_EQ(one.x_steps, pair.x_steps);
+      EXPECT_EQ(one.z_steps, pair.z_steps);
+    }
+  }
+  EXPECT_EQ(sizes.size(), 6U);
 }
 
 TEST(properties, equivalence_refuses_one_unit_in_the_last_place) {
@@ -132,7 +157,7 @@ TEST(properties, equivalence_refuses_a_negative_zero_and_a_silent_zero) {
                    .held);
 }
 
-TEST(properties, counterexamples_are_shrunk) {
+TEST(properties, counterexamples_are_simple) {
   // Wrong for every x above 1: the smallest such case has round numbers and no y.
   const PropertyResult result = result_of(changed(LawId::bump_1p,
                                                   [](const Eigen::Vector3f& position, Rendered answer) {
