@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Draws the cases of a property, and makes the first one that fails simpler.
 
+#include <algorithm>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "forceshade/properties.h"
 #include "properties/rendered.h"

@@ -111,7 +111,7 @@ class Chooser {
     const auto simpler = [its = generator.simpler](const std::any& value) {
       std::vector<std::any> values;
       if (its)
-        for (Case& one : its(std::any_cast<const Case&>(value))) values.emplace_back(std::move(one));
+        for (auto&& one : its(std::any_cast<const Case&>(value))) values.emplace_back(Case(std::move(one)));
       return values;
     };
     const auto draw = [&generator](std::uint64_t seed) -> std::any { return generator.draw(seed); };

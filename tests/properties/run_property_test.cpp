@@ -135,6 +135,14 @@ TEST(run_property, does_without_simpler_values) {
   EXPECT_EQ(simplest([&](Chooser& choose) { return Violation(std::to_string(choose(alone))); }), "7");
 }
 
+TEST(run_property, draws_values_of_any_type) {
+  const Generator<bool> truths{[](std::uint64_t seed) { return seed % 2 == 0; },
+                               [](const bool& value) { return std::vector<bool>(value ? 1 : 0, false); }};
+  const Generator<std::string> words{[](std::uint64_t) { return std::string("soft"); }};
+  EXPECT_EQ(simplest([&](Chooser& choose) { return Violation(choose(words) + (choose(truths) ? " true" : " false")); }),
+            "soft false");
+}
+
 TEST(run_property, makes_a_case_simple_that_throws) {
   EXPECT_EQ(simplest([](Chooser& choose) -> Violation {
               if (choose(integers(0, 1000)) > 30) throw std::runtime_error("too large");
