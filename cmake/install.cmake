@@ -1,5 +1,8 @@
 include(CMakePackageConfigHelpers)
 
+# Components are the packages of packages.cmake.
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME libforceshade-dev)
+
 # The public headers: no other header is installed. Those of fast and device need no more than Eigen.
 set(modules rendering files fast device)
 if(NOT FORCESHADE_FAST_ONLY)
@@ -14,17 +17,20 @@ endforeach()
 install(TARGETS forceshade_fast forceshade_files forceshade_device EXPORT forceshade_targets)
 set(export_sets forceshade_targets)
 if(NOT FORCESHADE_FAST_ONLY)
-  install(TARGETS forceshade)
+  install(TARGETS forceshade COMPONENT forceshade)
   # For every language: the shared library and its one header.
   set_target_properties(forceshade_c PROPERTIES EXPORT_NAME c)
-  install(TARGETS forceshade_c EXPORT forceshade_c_targets)
+  install(TARGETS forceshade_c EXPORT forceshade_c_targets LIBRARY COMPONENT libforceshade0 NAMELINK_COMPONENT libforceshade-dev)
   install(FILES include/forceshade.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-  install(DIRECTORY ${PROJECT_BINARY_DIR}/apps/documentation/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
-  install(FILES ${PROJECT_BINARY_DIR}/apps/documentation/forceshade
-          DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-  install(FILES ${PROJECT_BINARY_DIR}/apps/documentation/_forceshade DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
-  install(FILES ${PROJECT_BINARY_DIR}/apps/documentation/forceshade.fish
-          DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+  set(made ${PROJECT_BINARY_DIR}/apps/documentation)
+  install(DIRECTORY ${made}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT forceshade)
+  install(FILES ${made}/forceshade DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT forceshade)
+  install(FILES ${made}/_forceshade DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT forceshade)
+  install(FILES ${made}/forceshade.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT forceshade)
+  install(FILES cmake/forceshade.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT forceshade)
+  install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT forceshade)
+  install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT forceshade)
+  install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT forceshade)
   # What needs more than Eigen is a component of its own: find_package(forceshade COMPONENTS c heights meshes subjects
   # run properties study).
   # Each component's libraries, and the components that it links.
@@ -51,7 +57,7 @@ configure_package_config_file(cmake/forceshade-config.cmake.in forceshade-config
 write_basic_package_version_file(forceshade-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/forceshade-config.cmake ${PROJECT_BINARY_DIR}/forceshade-config-version.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/forceshade)
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
 
 # For pkg-config. All libraries are static, so what they need is not private; paths are relative to the .pc file, because the
 # prefix may change when the build is installed.

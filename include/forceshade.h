@@ -60,7 +60,8 @@ enum {
   FORCESHADE_BUSY = 7,           /* another thread is in this session */
   FORCESHADE_BAD_ARITHMETIC = 8, /* the calling thread's: forceshade_arithmetic_fault() */
   FORCESHADE_NO_MEMORY = 9,
-  FORCESHADE_FAILED = 10 /* anything else */
+  FORCESHADE_FAILED = 10,        /* anything else */
+  FORCESHADE_NOT_COVERED = 11    /* a certificate does not cover the subject */
 };
 
 /* What a position is. */
@@ -85,7 +86,8 @@ typedef struct forceshade_session {
 /* 0x00MMmmpp: major, minor, patch. */
 FORCESHADE_API uint32_t forceshade_version(void);
 
-/* 1 where the library has the feature, else 0, also for NULL: "laws", "height-maps", "meshes", "subject-files", "states"; and
+/* 1 where the library has the feature, else 0, also for NULL: "laws", "height-maps", "meshes", "subject-files",
+ * "certificates", "states"; and
  * "avx2", "avx512" where it will use these instructions on this processor. */
 FORCESHADE_API int32_t forceshade_has(const char* feature);
 
@@ -172,6 +174,12 @@ enum {
  * the length of the whole text without the zero. text may be NULL where size is 0. */
 FORCESHADE_API forceshade_result forceshade_subject_text(forceshade_subject subject, int32_t what, char* text, size_t size,
                                                          size_t* length);
+
+/* Whether a device may be driven with the subject: FORCESHADE_OK where the certificate, a file that `forceshade certify` wrote, is
+ * of this very library, covers the subject, and has enough evidence; FORCESHADE_NOT_COVERED with the reason where it does not;
+ * FORCESHADE_BAD_INPUT for a file that is no certificate. A library that was exchanged after certification has another digest,
+ * and is not covered (docs/certificate.md, "What drive refuses"). */
+FORCESHADE_API forceshade_result forceshade_certificate_covers(const char* file, forceshade_subject subject);
 
 /* ---- Forces ---- */
 

@@ -7,6 +7,7 @@
 #include <new>
 
 #include "forceshade/bad_input.h"
+#include "forceshade/certificate.h"
 
 namespace forceshade::c {
 namespace {
@@ -28,6 +29,8 @@ forceshade_result fail_with_exception() noexcept {
   try {
     throw;
   } catch (const files::BadInput& error) {
+    return fail(FORCESHADE_BAD_INPUT, error.what());
+  } catch (const properties::CertificateError& error) {
     return fail(FORCESHADE_BAD_INPUT, error.what());
   } catch (const std::bad_alloc&) {
     return fail(FORCESHADE_NO_MEMORY, "there is not enough memory");

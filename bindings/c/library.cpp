@@ -19,7 +19,7 @@ uint32_t forceshade_version(void) {
 int32_t forceshade_has(const char* feature) {
   if (feature == nullptr) return 0;
   const std::string_view name = feature;
-  for (const std::string_view always : {"laws", "height-maps", "meshes", "subject-files", "states"})
+  for (const std::string_view always : {"laws", "height-maps", "meshes", "subject-files", "certificates", "states"})
     if (name == always) return 1;
   const auto set = fast::instruction_set_named(name);
   return set && *set != fast::InstructionSet::scalar && fast::is_available(*set) ? 1 : 0;
@@ -31,7 +31,7 @@ const char* forceshade_message(void) {
 
 const char* forceshade_name_of_result(forceshade_result result) {
   constexpr std::array kNames{"OK",         "NULL_POINTER", "BAD_HANDLE",     "BAD_SIZE",  "BAD_VALUE", "BAD_INPUT",
-                              "WRONG_KIND", "BUSY",         "BAD_ARITHMETIC", "NO_MEMORY", "FAILED"};
+                              "WRONG_KIND", "BUSY",         "BAD_ARITHMETIC", "NO_MEMORY", "FAILED",    "NOT_COVERED"};
   const auto index = static_cast<std::size_t>(static_cast<std::uint32_t>(result));
   return index < kNames.size() ? kNames[index] : "";
 }

@@ -118,6 +118,7 @@ class CMisuse : public testing::Test {
             [=] { return forceshade_forces(subject, &none, nullptr); },
             [=] { return forceshade_session_open(subject, &session); },
             [=] { return forceshade_subject_text(subject, FORCESHADE_KIND, text.data(), text.size(), nullptr); },
+            [=] { return forceshade_certificate_covers("absent.json", subject); },
             [=] { return forceshade_subject_free(subject); }};
   }
   static std::vector<std::function<forceshade_result()>> every_use_of(forceshade_session session) {
@@ -231,6 +232,12 @@ TEST_F(CMisuse, of_every_kind_has_its_result_and_its_sentence) {
       {"text key", [&] { return forceshade_subject_parse("lav = 1\n", 8, "x.toml", &made); }, input, "line 1: unknown key lav"},
       {"text syntax", [&] { return forceshade_subject_parse("law = =\n", 8, "x.toml", &made); }, input, "x.toml: line 1"},
       {"text zeros", [&] { return forceshade_subject_parse("\0\0\0", 3, "x.toml", &made); }, input, "x.toml"},
+
+      {"certificate null", [&] { return forceshade_certificate_covers(nullptr, bump); }, null, "file is NULL"},
+      {"certificate absent", [&] { return forceshade_certificate_covers("no.json", bump); }, input, "no.json"},
+      {"certificate a folder", [&] { return forceshade_certificate_covers("/", bump); }, input, "/"},
+      {"certificate of no JSON", [&] { return forceshade_certificate_covers(FORCESHADE_SOURCE_DIR "/LICENSE", bump); }, input,
+       "LICENSE"},
 
       {"force position null", [&] { return forceshade_force(bump, nullptr, force.data(), nullptr); }, null, "NULL"},
       {"force null", [&] { return forceshade_force(bump, position.data(), nullptr, nullptr); }, null, "NULL"},

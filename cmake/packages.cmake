@@ -1,0 +1,43 @@
+# `cpack -G DEB` in the build folder makes Debian packages of what install.cmake installs, one for each component but `licence`,
+# which Debian has as the file copyright. scripts/package configures, builds and packs.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME forceshade)
+set(CPACK_PACKAGE_VENDOR "the forceshade authors")
+set(CPACK_PACKAGE_CONTACT "The forceshade authors <forceshade@example.org>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_COMPONENTS_ALL libforceshade0 libforceshade-dev forceshade)
+set(debian ${PROJECT_SOURCE_DIR}/cmake/debian)
+set(CPACK_PRE_BUILD_SCRIPTS ${debian}/finish.cmake)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+# forceshade_package(COMPONENT SECTION TEXT [DEPENDS]): names are those of the component, lines are those of the description.
+function(forceshade_package component section text)
+  string(TOUPPER ${component} key)
+  set(CPACK_DEBIAN_${key}_PACKAGE_NAME ${component} PARENT_SCOPE)
+  set(CPACK_DEBIAN_${key}_PACKAGE_SECTION ${section} PARENT_SCOPE)
+  set(CPACK_DEBIAN_${key}_DESCRIPTION "${about}\n${text}" PARENT_SCOPE)
+  set(CPACK_COMPONENT_${key}_DESCRIPTION "${about}\n${text}" PARENT_SCOPE)
+  if(ARGN)
+    list(JOIN ARGN ", " depends)
+    set(CPACK_DEBIAN_${key}_PACKAGE_DEPENDS "${depends}" PARENT_SCOPE)
+  endif()
+endfunction()
+set(about "forceshade computes the forces of haptic rendering: the force laws of\nMorgenbesser and Srinivasan (1995), height maps and triangle meshes. Each\ncomponent of each force is the exact force rounded to binary32.\n.")
+forceshade_package(libforceshade0 libs
+                   "This package has the shared library of the C interface.")
+forceshade_package(libforceshade-dev libdevel
+                   "This package has the headers and what a linker needs: the shared\nlibrary for C, and static libraries for C++20."
+                   "libforceshade0 (= ${PROJECT_VERSION})" libeigen3-dev libcsv-dev libpng-dev libtiff-dev libtomlplusplus-dev libssl-dev
+                   libsqlite3-dev libmpfi-dev libmpfr-dev libgmp-dev librapidcheck-dev)
+forceshade_package(forceshade science
+                   "This package has the command, which computes and certifies forces, drives\ndevices and runs experiments.")
+set(CPACK_DEBIAN_LIBFORCESHADE0_PACKAGE_CONTROL_EXTRA ${debian}/triggers ${debian}/shlibs)
+set(CPACK_DEBIAN_FORCESHADE_PACKAGE_RECOMMENDS gnuplot-nox)
+set(CPACK_DEBIAN_LIBFORCESHADE-DEV_PACKAGE_SHLIBDEPS OFF)
+include(CPack)
