@@ -5,15 +5,16 @@ command=$1 program=$2 library=$3
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 fail() { echo "$1"; cat "$scratch/said"; exit 1; }
-certify() {  # the radius, and the folder
-  "$command" certify --law bump-2p --radius "$1" --width 25.4mm --stiffness 0.5N/mm --out "$2" > "$scratch/said" || fail "no certificate was made"
+certify() {  # the radius, the points, and the folder
+  "$command" certify --law bump-2p --radius "$1" --width 25.4mm --stiffness 0.5N/mm --points "$2" --out "$3" > "$scratch/said" ||
+    fail "no certificate was made"
 }
 # The library that is loaded instead of the one in LD_LIBRARY_PATH would be that of the program's own run path.
 said_by() {  # the folder of the library, and the certificate
   LD_LIBRARY_PATH=$1 LD_PRELOAD=$1/libforceshade.so.0 "$program" "$2" > "$scratch/said" 2>&1
 }
 
-certify 15.24mm "$scratch/bump"
+certify 15.24mm 1000000 "$scratch/bump"
 mkdir "$scratch/same" "$scratch/other"
 cp "$library" "$scratch/same/libforceshade.so.0"
 said_by "$scratch/same" "$scratch/bump/certificate.json" || fail "the library itself is refused"
@@ -30,6 +31,6 @@ grep -q "the certificate is for another build of the renderer: expected digest $
 
 said_by "$scratch/same" "$scratch/absent.json" && fail "a certificate that is not there covers the bump"
 grep -q 'absent.json' "$scratch/said" || fail "expected the name of the file"
-certify 20mm "$scratch/wide"
+certify 20mm 5000 "$scratch/wide"
 said_by "$scratch/same" "$scratch/wide/certificate.json" && fail "a certificate of another radius covers the bump"
 grep -q 'with other parameters: expected .*15.24 mm.*; got .*20 mm' "$scratch/said" || fail "expected the parameters"
