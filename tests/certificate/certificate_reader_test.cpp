@@ -242,6 +242,7 @@ TEST(certificate_reader, names_the_key_the_value_and_what_was_expected) {
       {"/subjects/0/conservative", true, "subjects[0].energy_per_loop[0].bound_mJ is an array; expected [0, 0]"},
       {"/subjects/0/energy_per_loop/0/depth_mm", -0.5, "subjects[0].energy_per_loop[0].depth_mm is -0.5; expected more than 0"},
       {"/subjects/0/closest_call/x_mm", 0.1, "subjects[0].closest_call.x_mm is 0.1; expected a binary32 number"},
+      {"/subjects/0/closest_call/y_mm", 0.7, "subjects[0].closest_call.y_mm is 0.7; expected a binary32 number"},
       {"/subjects/0/closest_call/ulps_from_tie", 0.0, "subjects[0].closest_call.ulps_from_tie is 0.0; expected more than 0"},
       {"/subjects/0/closest_call/ulps_from_tie", 1.5, "expected more than 0 and at most 1"},
       {"/subjects/0/parameters/stiffness_N_per_mm", 0.1,

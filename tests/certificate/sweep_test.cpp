@@ -153,6 +153,12 @@ TEST(sweep, goes_on_where_it_was_stopped_with_any_number_of_threads) {
   EXPECT_EQ(text_of(continued(read_back, 100, 3)), text_of(at_once));
 }
 
+TEST(sweep, adds_the_time_that_it_takes_to_that_before) {
+  Sweeps part = part_of(small_plan(), 1, 256);
+  part.seconds = 1000;
+  EXPECT_GT(continued(part, 1, 1).seconds, 1000);
+}
+
 // What was found before it was stopped stays found, and what is found later is added.
 TEST(sweep, keeps_what_it_found_when_it_goes_on) {
   Sweeps part = part_of(small_plan(), 1, 256);

@@ -132,6 +132,26 @@ TEST_F(SessionRun, ends_when_its_front_is_closed_and_goes_on_with_the_next_trial
   EXPECT_THROW(run(again, next), std::runtime_error) << "a session that is over";
 }
 
+// Two trials of one bump: their parts differ in trial and repetition alone, and neither was tried again.
+TEST_F(SessionRun, says_of_each_part_which_trial_it_is_of) {
+  Patient patient;
+  EXPECT_TRUE(run(plan("classification.toml"), patient).is_over);
+  std::set<std::string> trials, repetitions, attempts;
+  for (const fs::path& part : parts_of(fs::path(folder.file("session")) / "ticks/run-1")) {
+    const recorder::Metadata metadata = recorder::Recording(part).metadata();
+    if (!metadata.contains("trial")) continue;
+    trials.insert(metadata.at("trial"));
+    repetitions.insert(metadata.at("repetition"));
+    attempts.insert(metadata.at("attempt"));
+    EXPECT_EQ(metadata.at("stimulus"), "bump-1p");
+    EXPECT_EQ(metadata.at("radius_mil"), "600");
+    EXPECT_EQ(metadata.at("practice"), "no");
+  }
+  EXPECT_EQ(trials, (std::set<std::string>{"1", "2"}));
+  EXPECT_EQ(repetitions, (std::set<std::string>{"1", "2"}));
+  EXPECT_EQ(attempts, std::set<std::string>{"1"});
+}
+
 TEST_F(SessionRun, ends_when_it_is_told_to_from_outside) {
   Patient patient;
   patient.is_open = [&](const Screen& screen) {

@@ -186,6 +186,19 @@ TEST(height_properties, find_where_the_gradient_of_a_bilinear_map_jumps_and_by_h
   std::printf("  %s\n", result.counterexample.c_str());
 }
 
+// Across a line of a flat spline, a Gaussian under it turns the gradient as much as it does elsewhere.
+TEST(height_properties, allow_a_gradient_to_turn_with_every_part) {
+  height::Grid flat{4, 4, 1, Edge::tile, Interpolant::cubic_spline, std::vector<float>(16, 0.0F)};
+  const auto grid = std::make_shared<const height::Grid>(std::move(flat));
+  const height::Gaussian hill{0, 0, 2, 0.5F};
+  const Eigen::Vector3f a(-0x1p-8F, 0.25F, -1), b(0x1p-8F, 0.25F, -1);
+  for (const HeightMap& map : {HeightMap{{{hill}, {grid}}}, HeightMap{{{grid}, {hill}}}}) {
+    const RenderedHeightMap subject = subject_of(map, Mode::true_height);
+    const auto found = gradient_across_cells(subject, HeightMapClaims(subject.law), a, b);
+    EXPECT_EQ(found, std::nullopt);
+  }
+}
+
 // Each property on a generated position, pair or path of a generated map.
 // The ends of the domain are among the positions, in each coordinate.
 TEST(height_properties, are_checked_at_the_ends_of_the_domain_in_each_coordinate) {

@@ -126,6 +126,14 @@ TEST(report, says_how_far_sweeps_went_and_what_they_swept) {
   EXPECT_FALSE(has(words_of(to_html(certificate, Pictures::none)), "No law was checked."));
 }
 
+// The fast path may give less energy than the exact law, or more.
+TEST(report, says_the_largest_difference_of_energies_on_either_side) {
+  Certificate certificate = tests::certificate_of_every_law();
+  certificate.subjects = {tests::result_of(certificate, LawId::bump_2p)};
+  for (LoopEnergy& loop : certificate.subjects.front().energy) loop.measured_mJ = loop.witness_mJ * (1 - 3e-6);
+  EXPECT_TRUE(has(words_of(to_html(certificate)), "they differ by at most 3 parts per million"));
+}
+
 // What the captions say of the figures, with numbers that are computed here in another way.
 TEST(report, says_in_captions_what_the_figures_show) {
   const std::string words = words_of(page());
