@@ -38,11 +38,13 @@ TEST(analysis_text, in_csv_has_both_ends_of_an_interval_and_nothing_for_what_is_
   MatchingRow row{"A", 9, {}, {}, {}};
   row.columns[0] = {0.5, {0.25, 0.75}};
   row.columns[2] = {7, {}};
+  row.columns[3] = {5, {5, 5}};  // everybody gave the same answer
   analysis.matching.push_back({"own", true, {row}});
   const std::string csv = to_csv(analysis);
   EXPECT_TRUE(has(csv, "\n,own,yes,,A,9,slope,0.5,0.25,0.75,\n")) << csv;
   EXPECT_TRUE(has(csv, "\n,own,yes,,A,9,mean_sd_percent,,,,\n")) << csv;
   EXPECT_TRUE(has(csv, "\n,own,yes,,A,9,mean_satisfaction,7,,,\n")) << csv;
+  EXPECT_TRUE(has(csv, ",5,5,5,\n")) << csv;
 }
 
 // Tables and fits have numbers of resamples of their own: p of n refits is a multiple of 1 / (1 + n).
