@@ -6,6 +6,9 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
+#include <string>
+#include <type_traits>
+#include <vector>
 
 #include "files/csv.h"
 #include "files/output_file.h"
@@ -195,35 +198,58 @@ TEST(recording, as_npy_counts_samples_and_not_ticks) {
   EXPECT_NE(directory.read("run.npy").find("'shape': (3,), }"), std::string::npos);
 }
 
-// The sizes of the columns before it give the place of each column's bytes.
-TEST(recording, names_its_columns_where_they_are) {
+// As NumPy writes the type of a member, or of the elements of one.
+template <class Member>
+std::string type_of(const Member&) {
+  if constexpr (requires { typename Member::value_type; }) {
+    return type_of(typename Member::value_type{});
+  } else {
+    const char kind = std::is_floating_point_v<Member> ? 'f' : std::is_signed_v<Member> ? 'i' : 'u';
+    return std::string(sizeof(Member) == 1 ? "|" : "<") + kind + std::to_string(sizeof(Member));
+  }
+}
+
+// The sizes of the columns before it give the place of each column's bytes. Of an array the first column is looked at.
+TEST(recording, names_its_columns_where_they_are_and_by_their_types) {
   Sample sample;
-  const auto* base = reinterpret_cast<const char*>(&sample);
-  const auto offset = [&](const auto& member) {
-    return static_cast<std::size_t>(reinterpret_cast<const char*>(&member) - base);
+  struct Expected {
+    std::string name;
+    std::size_t place;
+    std::string type;
   };
-  const std::vector<std::pair<std::string, std::size_t>> expected{{"tick", offset(sample.tick)},
-                                                                  {"wall_ns", offset(sample.wall_ns)},
-                                                                  {"device_t_s", offset(sample.device_time)},
-                                                                  {"encoder_1", offset(sample.encoder)},
-                                                                  {"energy_mJ", offset(sample.energy)},
-                                                                  {"compute_ns", offset(sample.compute_ns)},
-                                                                  {"wakeup_ns", offset(sample.wakeup_ns)},
-                                                                  {"x_mm", offset(sample.position)},
-                                                                  {"law_fx_N", offset(sample.law_force)},
-                                                                  {"fx_N", offset(sample.force)},
-                                                                  {"gimbal_1_rad", offset(sample.gimbal)},
-                                                                  {"buttons", offset(sample.buttons)},
-                                                                  {"status", offset(sample.status)},
-                                                                  {"late", offset(sample.late)},
-                                                                  {"limited", offset(sample.limited)},
-                                                                  {"altered", offset(sample.altered)},
-                                                                  {"tripped", offset(sample.tripped)}};
+  const auto* base = reinterpret_cast<const char*>(&sample);
+  const auto is = [&](const char* name, const auto& member) {
+    return Expected{name, static_cast<std::size_t>(reinterpret_cast<const char*>(&member) - base), type_of(member)};
+  };
+  const std::vector<Expected> expected{is("tick", sample.tick),
+                                       is("wall_ns", sample.wall_ns),
+                                       is("device_t_s", sample.device_time),
+                                       is("encoder_1", sample.encoder),
+                                       is("energy_mJ", sample.energy),
+                                       is("compute_ns", sample.compute_ns),
+                                       is("wakeup_ns", sample.wakeup_ns),
+                                       is("x_mm", sample.position),
+                                       is("law_fx_N", sample.law_force),
+                                       is("fx_N", sample.force),
+                                       is("gimbal_1_rad", sample.gimbal),
+                                       is("buttons", sample.buttons),
+                                       is("limited", sample.limited),
+                                       is("status", sample.status),
+                                       is("late", sample.late),
+                                       is("altered", sample.altered),
+                                       is("tripped", sample.tripped),
+                                       is("shown", sample.shown),
+                                       is("sent_work_mJ", sample.sent_work),
+                                       is("sent_acted_fx_N", sample.sent_acted),
+                                       is("sent_acting_fx_N", sample.sent_acting),
+                                       is("temperature", sample.temperature),
+                                       is("device_state", sample.device_state)};
   std::size_t at = 0, found = 0;
   for (const Column& column : kColumns) {
-    for (const auto& [name, place] : expected) {
+    for (const auto& [name, place, type] : expected) {
       if (name != column.name) continue;
       EXPECT_EQ(at, place) << name;
+      EXPECT_EQ(column.type, type) << name;
       ++found;
     }
     at += static_cast<std::size_t>(column.type[2] - '0');
