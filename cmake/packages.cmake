@@ -9,6 +9,9 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_COMPONENTS_ALL libforceshade0 libforceshade-dev forceshade)
+if(FORCESHADE_PYTHON_FOUND)
+  list(APPEND CPACK_COMPONENTS_ALL python3-forceshade)
+endif()
 set(debian ${PROJECT_SOURCE_DIR}/cmake/debian)
 set(CPACK_PRE_BUILD_SCRIPTS ${debian}/finish.cmake)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -34,9 +37,13 @@ forceshade_package(libforceshade0 libs
 forceshade_package(libforceshade-dev libdevel
                    "This package has the headers and what a linker needs: the shared\nlibrary for C, and static libraries for C++20."
                    "libforceshade0 (= ${PROJECT_VERSION})" libeigen3-dev libcsv-dev libpng-dev libtiff-dev libtomlplusplus-dev libssl-dev
-                   libsqlite3-dev libmpfi-dev libmpfr-dev libgmp-dev librapidcheck-dev)
+                   libsqlite3-dev libmpfi-dev libmpfr-dev libgmp-dev)
 forceshade_package(forceshade science
                    "This package has the command, which computes and certifies forces, drives\ndevices and runs experiments.")
+math(EXPR next "${Python3_VERSION_MINOR} + 1")
+forceshade_package(python3-forceshade python
+                   "This package is for Python: forces as NumPy arrays, sessions, exact forces as\nfractions or digits, properties and certificates."
+                   "python3 (>= 3.${Python3_VERSION_MINOR})" "python3 (<< 3.${next})" "python3-numpy (<< 1:2)")
 set(CPACK_DEBIAN_LIBFORCESHADE0_PACKAGE_CONTROL_EXTRA ${debian}/triggers ${debian}/shlibs)
 set(CPACK_DEBIAN_FORCESHADE_PACKAGE_RECOMMENDS gnuplot-nox)
 set(CPACK_DEBIAN_LIBFORCESHADE-DEV_PACKAGE_SHLIBDEPS OFF)
