@@ -34,7 +34,7 @@ works "$scratch/of_wheel"
 works "$scratch/of_sources"
 
 # What cmake --install puts below its prefix.
-cmake --install "$build" --component python --prefix "$scratch/prefix"
+cmake --install "$build" --component python3-forceshade --prefix "$scratch/prefix"
 PYTHONPATH=$(dirname "$(dirname "$(find "$scratch/prefix" -name 'py.typed')")")
 export PYTHONPATH
 cd "$scratch"
