@@ -148,6 +148,8 @@ TEST(check, of_device_nodes_says_which_group_to_join) {
   expect(check_nodes({keyboard, touch}), Grade::wrong, {"/dev/ttyACM0", "sudo adduser $USER dialout"});
   expect(check_nodes({{"/dev/hidraw1", false, "root", true}}), Grade::wrong, {"/dev/hidraw1", "udev rule"});
   expect(check_nodes({{"/dev/ttyACM0", true, "dialout", true}}), Grade::ok, {"/dev/ttyACM0 can be read and written"});
+  expect(check_nodes({{"/dev/ttyACM0", true, "dialout", true}, {"/dev/ttyACM1", false, "dialout", true}}), Grade::wrong,
+         {"/dev/ttyACM1", "sudo adduser $USER dialout"});
   expect(check_nodes({keyboard, {"/dev/fw1", false, "video", false}}), Grade::unknown,
          {"none is known", "adduser $USER video"});
   expect(check_nodes({}), Grade::unknown, {"/dev/ttyACM*"});
