@@ -77,7 +77,9 @@ Check check_kinematics(const Observed& seen, std::string_view model) {
     return {"kinematics", Grade::unknown, "the model \"" + std::string(model) + "\" is none whose kinematics are known here"};
   if (!seen.kinematics) return {"kinematics", Grade::unknown, "the device shows no joint angles"};
   const std::string words =
-      formatted("positions are at most %.3f mm from where the joint angles put the tip", seen.kinematics->error) +
+      (std::isfinite(seen.kinematics->error)
+           ? formatted("positions are at most %.3f mm from where the joint angles put the tip", seen.kinematics->error)
+           : std::string("a position or a joint angle is not a number")) +
       (seen.kinematics->left ? ", the turret's angle counted to the left" : "");
   if (seen.kinematics->error <= kKinematicTolerance) return {"kinematics", Grade::ok, words};
   return {"kinematics", Grade::wrong,

@@ -99,14 +99,14 @@ void press(const std::vector<Reading>& readings, Observed& seen) {
   }
 }
 
-// mm
+// mm; infinite where an angle or a position is no number
 double kinematic_error(const std::vector<Reading>& readings, const Arm& arm, double turret) {
   double most = 0;
   for (const Reading& reading : readings) {
     const auto& [a, b, c] = *reading.joints;
     const Eigen::Vector3d computed = turned_to_law(arm.forward(Joints(turret * a, b, c))) / kMillimetre;
     const double error = (reading.position.cast<double>() - computed).norm();
-    if (!(error <= most)) most = error;
+    most = std::isnan(error) ? HUGE_VAL : std::max(most, error);
   }
   return most;
 }

@@ -176,6 +176,15 @@ TEST(quiet_watch, compares_positions_with_our_kinematics_of_the_joint_angles) {
   expect(check("kinematics", with_joints(premium_1_5(), 1, 0)), Grade::wrong, "set up for this model");
   expect(check("kinematics", observed([](std::size_t k) { return Reading{.time = at(k)}; })), Grade::unknown,
          "no joint angles");
+  // One angle that is no number is found out, wherever it comes.
+  for (const std::size_t when : {std::size_t{0}, std::size_t{20}}) {
+    const Observed seen = observed([when](std::size_t k) {
+      const Joints q = angles(k);
+      const Eigen::Vector3d tip = turned_to_law(omni().arm.forward(q)) / kMillimetre;
+      return Reading{.position = tip.cast<float>(), .time = at(k), .joints = {{q[0], k == when ? std::nan("") : q[1], q[2]}}};
+    });
+    expect(check("kinematics", seen), Grade::wrong, "is not a number");
+  }
   expect(check("kinematics", with_joints(omni(), 1, 0), {.model = "Phantom Desktop"}), Grade::unknown, "\"Phantom Desktop\"");
 }
 
@@ -251,6 +260,10 @@ TEST(limited, lets_no_more_than_its_peak_pass) {
   EXPECT_EQ(limited.capabilities().peak_force, 0.5F);
   EXPECT_EQ(limited.capabilities().continuous_force, 0.25F);
   EXPECT_EQ(limited.capabilities().buttons, 2);
+  const Limited lower(std::make_unique<Scripted>(Capabilities{.peak_force = 8, .continuous_force = 2},
+                                                 [](std::size_t k) { return Reading{.time = at(k)}; }),
+                      0.5F);
+  EXPECT_EQ(lower.capabilities().continuous_force, 0.5F) << "no more than the peak for ever";
   EXPECT_EQ(limited.command({0.25F, 0, 0.375F}), std::nullopt);
   EXPECT_EQ(device.commanded, Eigen::Vector3f(0.25F, 0, 0.375F));
   limited.command({3, 0, 4});
