@@ -156,7 +156,8 @@ class Subject(_forceshade.Subject):
         return _exact.force_of(self._reference(), x, y, z, digits, rounding)
 
     def reference_forces(self, positions: npt.ArrayLike, *, rounding: Rounding = None) -> npt.NDArray[np.void]:
-        """The exact forces, rounded once to binary32, with their statuses, as answers() gives them; some 100 000 a second.
+        """The exact forces, rounded once to binary32, with their statuses, as answers() gives them; 100 000 a
+        second of a height map, a million of a law.
 
         The positions of a mesh are a path in their order, from its beginning.
         """
