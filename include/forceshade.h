@@ -121,7 +121,7 @@ FORCESHADE_API forceshade_result forceshade_law_new(const char* law, const force
 /* A height map of samples in a rectangular grid, whose middle is the origin. */
 typedef struct forceshade_height_map {
   size_t size;              /* sizeof(forceshade_height_map) */
-  const float* heights;     /* mm, within +-10^4; read while the map is made, and not kept */
+  const float* heights;     /* mm, within +-10^4, 0 below 2^-30; read while it is made, and not kept */
   uint32_t columns, rows;   /* along x and y; 2 to 2^15 each, 2^26 samples at most */
   ptrdiff_t column_stride;  /* bytes from a sample to the next one along x; a multiple of 4 */
   ptrdiff_t row_stride;     /* bytes from a sample to the next one along y, from the smallest y; a multiple of 4 */

@@ -66,7 +66,7 @@ forceshade_result read_grid(const forceshade_height_map& map, height::Grid& grid
       if (!(std::fabs(height) <= kLargestHeight))
         return fail(FORCESHADE_BAD_VALUE, "the height of column " + std::to_string(column) + ", row " + std::to_string(row) +
                                               " is " + std::to_string(height) + "; expected -10000 to 10000 mm");
-      grid.values.push_back(height);
+      grid.values.push_back(heights::without_tiny(height));
     }
   return FORCESHADE_OK;
 }
@@ -82,8 +82,10 @@ forceshade_result new_height_map(const forceshade_height_map& map, forceshade_su
   if (!interpolant || !edge || !mode) return FORCESHADE_BAD_VALUE;
   grid.interpolant = static_cast<height::Interpolant>(*interpolant);
   grid.edge = static_cast<height::Edge>(*edge);
-  if (grid.interpolant == height::Interpolant::cubic_spline)
+  if (grid.interpolant == height::Interpolant::cubic_spline) {
     heights::make_coefficients(grid.values, grid.columns, grid.rows, grid.edge);
+    std::ranges::transform(grid.values, grid.values.begin(), heights::without_tiny);
+  }
   HeightMap all;
   height::Part& part = all.parts.emplace_back();
   part.shape = std::make_shared<const height::Grid>(std::move(grid));

@@ -108,11 +108,13 @@ Description map_of_samples(const Floats& heights, float pitch, const std::string
       if (!(std::fabs(value) <= 1e4F))
         throw py::value_error("heights[" + std::to_string(row) + ", " + std::to_string(column) + "] is " +
                               std::to_string(value) + "; expected -10000 to 10000 mm");
-      grid.values.push_back(value);
+      grid.values.push_back(heights::without_tiny(value));
     }
   const py::gil_scoped_release released;
-  if (grid.interpolant == height::Interpolant::cubic_spline)
+  if (grid.interpolant == height::Interpolant::cubic_spline) {
     heights::make_coefficients(grid.values, grid.columns, grid.rows, grid.edge);
+    std::ranges::transform(grid.values, grid.values.begin(), heights::without_tiny);
+  }
   HeightMap map;
   map.parts.emplace_back().shape = std::make_shared<const height::Grid>(std::move(grid));
   return {"samples", DescribedHeightMap{std::move(map), mode, stiffness}};

@@ -82,9 +82,9 @@ class Law(Subject):
 class HeightMap(Subject):
     """A height map U(x, y).
 
-    heights: an array (rows, columns) of heights in mm, within ±10 000 mm: float32, 2 to 32 768 rows and columns, and 2^26
-    samples at most. Rows run along y from the smallest, columns along x, `pitch` mm apart, and the middle is the origin. (A
-    picture has the largest y in its first row: heights[::-1].)
+    heights: an array (rows, columns) of heights in mm, within ±10 000 mm, and 0 below 2^-30 mm in size: float32, 2 to 32 768
+    rows and columns, and 2^26 samples at most. Rows run along y from the smallest, columns along x, `pitch` mm apart, and the
+    middle is the origin. (A picture has the largest y in its first row: heights[::-1].)
     Or a file: a TOML file (docs/height-maps.md), which says all but the stiffness; or a greyscale PNG, TIFF or PFM picture or
     an NPY array, whose first row has the largest y, with its pitch and its `scale`: the height of white, or of 1, in mm.
     stiffness: K, N/mm, in [0.001, 1000].

@@ -103,6 +103,21 @@ def test_lists_and_numbers_of_python_are_taken_where_binary32_holds_them(bump):
     assert bump.answers([[float("nan"), 0, -1], [1e300, 0, 0]], rounding="nearest")["status"].tolist() == [2, 2]
 
 
+def test_heights_below_the_least_are_0(tmp_path):
+    heights = np.zeros((8, 8), np.float32)
+    heights[4, 4], tiny = 1, heights + np.float32(1e-22)
+    tiny[4, 4] = 1
+    for interpolant in ("bilinear", "cubic-spline"):
+        one = forceshade.HeightMap(heights, pitch=1, stiffness=0.5, interpolant=interpolant)
+        assert one.digest == forceshade.HeightMap(tiny, pitch=1, stiffness=0.5, interpolant=interpolant).digest
+    # Its coefficients become as small as one likes.
+    far = np.zeros((3, 64), np.float32)
+    far[:, 0] = 1
+    np.save(tmp_path / "far.npy", far)
+    of_file = forceshade.HeightMap(tmp_path / "far.npy", pitch=1, scale=1, stiffness=0.5)
+    assert of_file.digest == forceshade.HeightMap(far, pitch=1, stiffness=0.5).digest
+
+
 def test_heights_lie_anywhere():
     heights = np.random.default_rng(2).uniform(-1, 1, (20, 30)).astype(np.float32)
     apart = np.zeros((20, 60), np.float32)
