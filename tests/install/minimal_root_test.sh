@@ -18,6 +18,8 @@ cp /etc/resolv.conf "$scratch/root/etc/" 2> /dev/null || true
 inside() { chroot "$scratch/root" /bin/sh -ec "cd /work; export DEBIAN_FRONTEND=noninteractive; $1"; }
 inside 'apt-get update -qq; apt-get install -y -qq --no-install-recommends ./*.deb > said 2>&1 || { tail said; exit 1; }'
 inside 'forceshade certify --law all --out certificate > said || { cat said; exit 1; }; tail -1 said'
+[ ! -d "$scratch/root/usr/lib/python3/dist-packages/forceshade" ] ||
+  inside 'python3 -c "import forceshade; print(forceshade.Law(\"bump-2p\", radius=15.24, width=25.4, stiffness=0.5).force(3, 0, -0.5))"'
 inside 'apt-get install -y -qq --no-install-recommends g++ gcc cmake make pkgconf > said 2>&1 || { tail said; exit 1; }'
 inside 'cc -std=c11 c_program.c -o c_program $(pkg-config --cflags --libs forceshade-c); [ "$(./c_program)" = "2.51375 N, contact" ]'
 inside 'c++ -std=c++20 consumer.cpp -o consumer $(pkg-config --cflags --libs forceshade); ./consumer > said'

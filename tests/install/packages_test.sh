@@ -50,3 +50,12 @@ cp "$scratch/force.cpp" "$scratch/cmake"
 for made in in_c in_cpp cmake/build/force; do
   [ "$("$scratch/$made")" = "2.51375 N" ] || fail "$made gives another force"
 done
+site=$root/usr/lib/python3/dist-packages
+if [ -d "$site" ]; then
+  PYTHONPATH=$site PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -c 'import forceshade
+bump = forceshade.Law("bump-2p", radius=15.24, width=25.4, stiffness=0.5)
+print("%g N" % bump.force(3, 0, -0.5)[2])' > "$scratch/said" 2>&1 || fail "the package for Python is not loaded"
+  [ "$(cat "$scratch/said")" = "2.51375 N" ] || fail "Python gives another force"
+else
+  echo "this build has no package for Python"
+fi
