@@ -37,7 +37,7 @@ forceshade_package(libforceshade0 libs
 forceshade_package(libforceshade-dev libdevel
                    "This package has the headers and what a linker needs: the shared\nlibrary for C, and static libraries for C++20."
                    "libforceshade0 (= ${PROJECT_VERSION})" libeigen3-dev libcsv-dev libpng-dev libtiff-dev libtomlplusplus-dev libssl-dev
-                   libsqlite3-dev libmpfi-dev libmpfr-dev libgmp-dev libboost-dev)
+                   libsqlite3-dev libmpfi-dev libmpfr-dev libgmp-dev libboost-dev nlohmann-json3-dev)
 forceshade_package(forceshade science
                    "This package has the command, which computes and certifies forces, drives\ndevices and runs experiments.")
 math(EXPR next "${Python3_VERSION_MINOR} + 1")
