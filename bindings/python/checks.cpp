@@ -2,15 +2,12 @@
 // Properties and certificates.
 
 #include <atomic>
-#include <chrono>
-#include <future>
 #include <memory>
 #include <mutex>
-#include <stdexcept>
-#include <utility>
 
 #include "bindings/python/arrays.h"
 #include "bindings/python/errors.h"
+#include "bindings/python/interruptible.h"
 #include "bindings/python/subject.h"
 #include "files/output_file.h"
 #include "forceshade/certificate.h"
@@ -22,32 +19,6 @@ namespace {
 
 // One computation at a time: the generators keep state.
 std::mutex one_at_a_time;
-
-// What work(stop) gives, which a thread of its own does, while this one looks for signals: Ctrl-C ends it soon.
-template <class Work>
-auto interruptible(const Work& work) {
-  std::atomic<bool> stop = false;
-  std::unique_ptr<py::error_already_set> interrupted;
-  {
-    const py::gil_scoped_release released;
-    auto done = std::async(std::launch::async, [&] {
-      const std::lock_guard lock(one_at_a_time);
-      return work(stop);
-    });
-    while (done.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
-      const py::gil_scoped_acquire held;
-      if (interrupted || PyErr_CheckSignals() == 0) continue;
-      interrupted = std::make_unique<py::error_already_set>();
-      stop = true;
-    }
-    if (!interrupted) return done.get();
-    try {
-      done.get();
-    } catch (const std::exception&) {  // of what was stopped
-    }
-  }
-  throw *interrupted;
-}
 
 py::dict dict_of(const properties::PropertyResult& result) {
   py::dict all;
@@ -62,6 +33,7 @@ py::list properties_of(const Subject& subject, int cases, std::uint64_t seed) {
   expect_arithmetic();
   const std::unique_ptr<properties::Subject> checked = properties::subject_of(subject.description);
   const auto results = interruptible([&](const std::atomic<bool>& stop) {
+    const std::lock_guard lock(one_at_a_time);
     return properties::run_properties(*checked, cases, seed, nullptr, nullptr, &stop);
   });
   py::list all;
@@ -77,6 +49,7 @@ py::tuple certificate_of(const std::vector<const Subject*>& subjects, std::uint6
   for (const Subject* subject : subjects)
     options.subjects.push_back(std::shared_ptr<properties::Subject>(properties::subject_of(subject->description)));
   const auto certificate = interruptible([&](const std::atomic<bool>& stop) {
+    const std::lock_guard lock(one_at_a_time);
     return properties::certify(
         options, [](std::string_view, double) {}, stop);
   });

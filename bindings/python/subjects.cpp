@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -14,6 +13,7 @@
 
 #include "bindings/python/arrays.h"
 #include "bindings/python/errors.h"
+#include "bindings/python/interruptible.h"
 #include "bindings/python/subject.h"
 #include "files/quantity.h"
 #include "forceshade/heights.h"
@@ -48,20 +48,6 @@ Identity identity_of(const Description& description) {
   if (const auto* map = std::get_if<DescribedHeightMap>(&description.what))
     return forceshade::identity_of(description.name, map->map, map->mode, map->stiffness);
   return forceshade::identity_of(description.name, std::get<MeshRendering>(description.what));
-}
-
-// A monitor that ends a long check with the exception of a signal handler: KeyboardInterrupt, after Ctrl-C.
-Monitor interruptible() {
-  static const std::atomic<bool> never = false;
-  return Monitor(
-      [next = std::chrono::steady_clock::now()](double) mutable {
-        const auto now = std::chrono::steady_clock::now();
-        if (now < next) return;
-        next = now + std::chrono::milliseconds(100);
-        const py::gil_scoped_acquire held;
-        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      },
-      never);
 }
 
 // The index of a word among the names.
@@ -160,9 +146,10 @@ Description mesh_of_arrays(const Floats& vertices, const py::array_t<std::uint32
   const std::size_t blocked = sides ? choice("sides", *sides, mesh::kSidesNames) : 0;
   if (!(crease >= 0 && crease <= 180))
     throw py::value_error("crease is " + std::to_string(crease) + "; expected 0 to 180 degrees");
+  const auto allowed = self_intersecting ? mesh::SelfIntersections::allowed : mesh::SelfIntersections::refused;
+  const auto checked =
+      interruptible([&](const std::atomic<bool>& stop) { return mesh::check(std::move(all), allowed, Monitor({}, stop)); });
   const py::gil_scoped_release released;
-  const auto checked = mesh::check(
-      std::move(all), self_intersecting ? mesh::SelfIntersections::allowed : mesh::SelfIntersections::refused, interruptible());
   if (const auto* findings = std::get_if<mesh::Findings>(&checked))
     throw py::value_error("the mesh cannot be rendered: " + findings->words());
   const auto& good = std::get<mesh::CheckedMesh>(checked);
@@ -177,16 +164,14 @@ Description mesh_of_arrays(const Floats& vertices, const py::array_t<std::uint32
 }
 
 Description of_file(const std::string& file) {
-  const py::gil_scoped_release released;
-  return subjects::read_file(file, interruptible());
+  return interruptible([&](const std::atomic<bool>& stop) { return subjects::read_file(file, Monitor({}, stop)); });
 }
 
 // The options of the command line, in words.
 Description of_options(const std::vector<std::pair<std::string, std::string>>& options) {
   subjects::Options all;
   for (const auto& [key, value] : options) all.add({key, value, key});
-  const py::gil_scoped_release released;
-  return subjects::read_one(all, interruptible());
+  return interruptible([&](const std::atomic<bool>& stop) { return subjects::read_one(all, Monitor({}, stop)); });
 }
 
 // Throws files::BadInput, as a ValueError.

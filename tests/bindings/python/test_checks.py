@@ -8,6 +8,7 @@ import subprocess
 import threading
 import time
 
+import numpy as np
 import pytest
 from conftest import command
 from test_misuse import refused
@@ -68,3 +69,15 @@ def test_one_certificate_at_a_time(bump):
     for thread in threads:
         thread.join()
     assert held == [True] * 3
+
+
+def test_ctrl_c_ends_the_check_of_a_mesh():
+    n = 500
+    x, y = np.meshgrid(np.arange(n, dtype=np.float32), np.arange(n, dtype=np.float32))
+    vertices = np.stack([x, y, np.random.default_rng(1).random((n, n), np.float32)], axis=-1).reshape(-1, 3)
+    index = np.arange(n * n).reshape(n, n)
+    a, b, c, d = (part.ravel() for part in (index[:-1, :-1], index[:-1, 1:], index[1:, :-1], index[1:, 1:]))
+    triangles = np.concatenate([np.stack([a, b, d], axis=-1), np.stack([a, d, c], axis=-1)])
+    threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT)).start()
+    with pytest.raises(KeyboardInterrupt):
+        forceshade.Mesh(vertices, triangles, stiffness=0.5)
