@@ -10,8 +10,8 @@
 namespace forceshade::reference {
 
 // `enclose` evaluates at the precision in force; `compare(q)` is the sign of the value minus the rational q, and is called
-// only when no reasonable precision decides, which means zero or a tie. Ties go to the even digit. Throws std::domain_error where
-// more than four million bits cancel.
+// only when no reasonable precision decides, which means zero or a tie. Ties go to the even digit. Throws std::domain_error
+// where more than four million bits cancel.
 std::string correctly_rounded(unsigned digits, const std::function<Enclosure()>& enclose,
                               const std::function<int(const CORE::BigRat&)>& compare);
 
