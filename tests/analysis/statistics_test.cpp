@@ -323,20 +323,6 @@ TEST(bootstrap, keeps_the_design) {
   EXPECT_EQ(seen.size(), 27U * 4 + 5);
 }
 
-// Of two people who gave unlike numbers of answers: both, the one who always said 1, or the one who always said 2.
-TEST(bootstrap, divides_the_answers_of_a_resample_by_their_own_number) {
-  experiments::Results results;
-  for (int i = 0; i < 2; ++i) results.classification.push_back({"A", i + 1, "bump-1p", 600, i + 1, 1, 9});
-  for (int i = 0; i < 6; ++i) results.classification.push_back({"B", i + 1, "bump-1p", 600, i + 1, 2, 9});
-  const std::vector<ClassificationRow> rows = classification_rows(results, {1, 500, 0.95, Unit::participants});
-  const ClassificationRow& overall = rows.back();
-  ASSERT_EQ(overall.trials, 8U);
-  EXPECT_NEAR(overall.percents[0].value, 25, 1e-12);
-  EXPECT_NEAR(overall.percents[0].interval.low, 0, 1e-12);
-  EXPECT_NEAR(overall.percents[0].interval.high, 100, 1e-12);
-  EXPECT_NEAR(overall.percents[1].interval.high, 100, 1e-12);
-}
-
 TEST(bootstrap, takes_participants_as_units_for_the_overall_row_alone) {
   const experiments::Results results = by_hand();
   const Resampling trials{1, 500}, participants{1, 500, 0.95, Unit::participants};

@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using tests::ProtocolFolder;
 
-// Of 0.5 N/mm.
+// Its stiffness is 0.5 N/mm.
 std::string protocol_of_a_subject(const ProtocolFolder& folder, const std::string& file) {
   std::string text = folder.read("classification.toml");
   const std::string law = "{ law = \"bump-1p\" }", radii = "radii_mil = [600]";
@@ -35,7 +35,7 @@ std::string protocol_of_a_subject(const ProtocolFolder& folder, const std::strin
 
 TEST(apparatus, a_subject_of_another_stiffness_than_the_protocols_is_refused) {
   const ProtocolFolder folder;
-  folder.write("flat.toml", "[[part]]\nshape = \"plane\"\n");
+  folder.write("flat.toml", "render = \"height-map\"\n[[part]]\nshape = \"plane\"\n");
   const std::atomic<bool> stop = false;
   for (const std::string stiffness : {"0.25", "0.5", "0.75"}) {
     folder.write("thing.toml", "height-map = \"flat.toml\"\nstiffness = " + stiffness + "\n");

@@ -98,7 +98,7 @@ TEST(drawn_cases, paths_on_a_mesh_leave_the_domain_by_one_step) {
 // Another stiffness is drawn, rendered, and named.
 TEST(drawn_cases, a_height_map_is_spread_over_stiffnesses) {
   const HeightMap map{{{height::Plane{0, 0, 0}}}};
-  const HeightMapSubject subject("plane", map, height::Mode::true_height, 0.5F, nullptr);
+  const HeightMapSubject subject("plane", map, height::Mode::true_height, 0.5F);
   std::set<float> forces;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const DrawnSubject drawn = subject.with_drawn_parameters(seed);
