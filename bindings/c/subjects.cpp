@@ -14,6 +14,7 @@
 #include "bindings/c/errors.h"
 #include "bindings/c/strided.h"
 #include "bindings/c/subject.h"
+#include "bindings/c/text.h"
 #include "forceshade/meshes.h"
 #include "rendering/heights/coefficients.h"
 #include "rendering/subjects/options.h"
@@ -189,7 +190,7 @@ forceshade_result forceshade_subject_text(forceshade_subject subject, int32_t wh
   return guarded([&]() -> forceshade_result {
     const Subject* const its = subject_of(subject);
     if (its == nullptr) return FORCESHADE_BAD_HANDLE;
-    if (text == nullptr && size > 0) return null("text is NULL, and size is not 0");
+    if (const forceshade_result wrong = check_room(text, size); wrong != FORCESHADE_OK) return wrong;
     const auto words = [&]() -> std::optional<std::string> {
       switch (what) {
         case FORCESHADE_KIND: return its->identity.kind;
@@ -201,8 +202,7 @@ forceshade_result forceshade_subject_text(forceshade_subject subject, int32_t wh
     }();
     if (!words)
       return fail(FORCESHADE_BAD_VALUE, "what is " + std::to_string(what) + "; expected FORCESHADE_KIND to FORCESHADE_DIGEST");
-    if (size > 0) text[words->copy(text, size - 1)] = '\0';
-    if (length != nullptr) *length = words->size();
+    give(*words, text, size, length);
     return FORCESHADE_OK;
   });
 }
