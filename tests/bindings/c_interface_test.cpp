@@ -15,11 +15,16 @@
 #include "forceshade.h"
 #include "forceshade/fast.h"
 #include "forceshade/law.h"
+#include "tests/bindings/batches.h"
 #include "tests/support/allocations.h"
 #include "tests/support/temporary_directory.h"
 
 namespace forceshade {
 namespace {
+
+using tests::batch_of;
+using tests::bits_of;
+using tests::positions;
 
 constexpr Parameters kBump{15.24F, 25.4F, 0.5F};
 
@@ -28,38 +33,6 @@ forceshade_subject law_of(const std::string& name) {
   forceshade_subject made{};
   EXPECT_EQ(forceshade_law_new(name.c_str(), &parameters, &made), FORCESHADE_OK) << forceshade_message();
   return made;
-}
-
-std::array<std::uint32_t, 3> bits_of(const float* force) {
-  return {std::bit_cast<std::uint32_t>(force[0]), std::bit_cast<std::uint32_t>(force[1]),
-          std::bit_cast<std::uint32_t>(force[2])};
-}
-
-// Positions about the surface, and some of any bits at all.
-std::vector<float> positions(std::size_t count, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<float> across(-16, 16), up(-4, 4);
-  std::vector<float> all;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (random() % 8 != 0)
-      all.insert(all.end(), {across(random), across(random), up(random)});
-    else
-      for (int axis = 0; axis < 3; ++axis) all.push_back(std::bit_cast<float>(static_cast<std::uint32_t>(random())));
-  }
-  return all;
-}
-
-forceshade_batch batch_of(const std::vector<float>& at, std::vector<float>& forces, std::vector<forceshade_status>& statuses) {
-  return {.size = sizeof(forceshade_batch),
-          .count = at.size() / 3,
-          .positions = at.data(),
-          .position_stride = 12,
-          .position_component = 4,
-          .forces = forces.data(),
-          .force_stride = 12,
-          .force_component = 4,
-          .statuses = statuses.data(),
-          .status_stride = 1};
 }
 
 TEST(c_interface, gives_the_bits_and_the_status_of_each_law_for_one_position_many_and_a_path) {
