@@ -18,10 +18,13 @@ install(TARGETS forceshade_fast forceshade_files forceshade_device EXPORT forces
 set(export_sets forceshade_targets)
 if(NOT FORCESHADE_FAST_ONLY)
   install(TARGETS forceshade COMPONENT forceshade)
-  # For every language: the shared library and its one header.
+  # For every language: two shared libraries, each with its one header.
   set_target_properties(forceshade_c PROPERTIES EXPORT_NAME c)
   install(TARGETS forceshade_c EXPORT forceshade_c_targets LIBRARY COMPONENT libforceshade0 NAMELINK_COMPONENT libforceshade-dev)
-  install(FILES include/forceshade.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  set_target_properties(forceshade_reference_c PROPERTIES EXPORT_NAME reference-c)
+  install(TARGETS forceshade_reference_c EXPORT forceshade_reference-c_targets LIBRARY COMPONENT libforceshade-reference0
+          NAMELINK_COMPONENT libforceshade-dev)
+  install(FILES include/forceshade.h include/forceshade_reference.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
   set(made ${PROJECT_BINARY_DIR}/apps/documentation)
   install(DIRECTORY ${made}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT forceshade)
   install(FILES ${made}/forceshade DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT forceshade)
@@ -31,8 +34,8 @@ if(NOT FORCESHADE_FAST_ONLY)
   install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT forceshade)
   install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT forceshade)
   install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT forceshade)
-  # What needs more than Eigen is a component of its own: find_package(forceshade COMPONENTS c heights meshes subjects
-  # run properties study).
+  # What needs more than Eigen is a component of its own: find_package(forceshade COMPONENTS c reference-c heights meshes
+  # subjects run properties study).
   # Each component's libraries, and the components that it links.
   set(libraries_of_heights heights)
   set(libraries_of_meshes meshes)
@@ -40,7 +43,7 @@ if(NOT FORCESHADE_FAST_ONLY)
   set(libraries_of_run identity renderer certificate recorder run)
   set(libraries_of_properties reference properties certify)
   set(libraries_of_study experiments apparatus preparation)
-  list(APPEND export_sets forceshade_c_targets)
+  list(APPEND export_sets forceshade_c_targets forceshade_reference-c_targets)
   foreach(component IN ITEMS heights meshes subjects run properties study)
     foreach(library IN LISTS libraries_of_${component})
       set_target_properties(forceshade_${library} PROPERTIES EXPORT_NAME ${library})
@@ -72,6 +75,8 @@ install_pc(forceshade DESCRIPTION "${PROJECT_DESCRIPTION}" REQUIRES "eigen3 >= 3
            LIBRARIES "-lforceshade_device -lforceshade_fast -lforceshade_files -lcsv -ldl -pthread")
 if(NOT FORCESHADE_FAST_ONLY)
   install_pc(forceshade-c DESCRIPTION "${PROJECT_DESCRIPTION}, for C and other languages" LIBRARIES "-lforceshade")
+  install_pc(forceshade-reference DESCRIPTION "Exact forces, property tests and certificates, for C and other languages"
+             REQUIRES "forceshade-c" LIBRARIES "-lforceshade-reference")
   install_pc(forceshade-heights DESCRIPTION "Height maps from TOML, image and array files"
              REQUIRES "forceshade, libpng, libtiff-4, tomlplusplus" LIBRARIES "-lforceshade_heights")
   install_pc(forceshade-meshes DESCRIPTION "Triangle meshes from files, checked and repaired"

@@ -8,7 +8,7 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
-set(CPACK_COMPONENTS_ALL libforceshade0 libforceshade-dev forceshade)
+set(CPACK_COMPONENTS_ALL libforceshade0 libforceshade-reference0 libforceshade-dev forceshade)
 if(FORCESHADE_PYTHON_FOUND)
   list(APPEND CPACK_COMPONENTS_ALL python3-forceshade)
 endif()
@@ -34,17 +34,28 @@ endfunction()
 set(about "forceshade computes the forces of haptic rendering: the force laws of\nMorgenbesser and Srinivasan (1995), height maps and triangle meshes. Each\ncomponent of each force is the exact force rounded to binary32.\n.")
 forceshade_package(libforceshade0 libs
                    "This package has the shared library of the C interface.")
+# It refuses to certify a libforceshade0 of another build.
+forceshade_package(libforceshade-reference0 libs
+                   "This package has the shared library of the C interface of the exact side:\nforces in decimal digits, property tests and certificates."
+                   "libforceshade0 (= ${PROJECT_VERSION})")
 forceshade_package(libforceshade-dev libdevel
-                   "This package has the headers and what a linker needs: the shared\nlibrary for C, and static libraries for C++20."
-                   "libforceshade0 (= ${PROJECT_VERSION})" libeigen3-dev libcsv-dev libpng-dev libtiff-dev libtomlplusplus-dev libssl-dev
-                   libsqlite3-dev libmpfi-dev libmpfr-dev libgmp-dev libboost-dev nlohmann-json3-dev)
+                   "This package has the headers and what a linker needs: the shared\nlibraries for C, and static libraries for C++20."
+                   "libforceshade0 (= ${PROJECT_VERSION})" "libforceshade-reference0 (= ${PROJECT_VERSION})" libeigen3-dev
+                   libcsv-dev libpng-dev libtiff-dev libtomlplusplus-dev libssl-dev libsqlite3-dev libmpfi-dev libmpfr-dev libgmp-dev libboost-dev nlohmann-json3-dev)
 forceshade_package(forceshade science
                    "This package has the command, which computes and certifies forces, drives\ndevices and runs experiments.")
 math(EXPR next "${Python3_VERSION_MINOR} + 1")
 forceshade_package(python3-forceshade python
                    "This package is for Python: forces as NumPy arrays, sessions, exact forces as\nfractions or digits, properties and certificates."
                    "python3 (>= 3.${Python3_VERSION_MINOR})" "python3 (<< 3.${next})" "python3-numpy (<< 1:2)")
-set(CPACK_DEBIAN_LIBFORCESHADE0_PACKAGE_CONTROL_EXTRA ${debian}/triggers ${debian}/shlibs)
+foreach(library IN ITEMS libforceshade libforceshade-reference)
+  string(TOUPPER ${library} key)
+  set(shlibs ${PROJECT_BINARY_DIR}/debian/${library}/shlibs)
+  file(CONFIGURE OUTPUT ${shlibs} CONTENT "${library} 0 ${library}0 (>= ${PROJECT_VERSION})\n")
+  set(CPACK_DEBIAN_${key}0_PACKAGE_CONTROL_EXTRA ${debian}/triggers ${shlibs})
+endforeach()
+# Where dpkg-shlibdeps finds libforceshade.so.0 while the packages are made.
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/bindings/c)
 set(CPACK_DEBIAN_FORCESHADE_PACKAGE_RECOMMENDS gnuplot-nox)
 set(CPACK_DEBIAN_LIBFORCESHADE-DEV_PACKAGE_SHLIBDEPS OFF)
 include(CPack)

@@ -37,7 +37,7 @@ class Definition {
  public:
   static std::variant<Definition, ParameterError> build(const Description& description);
 
-  // Of a mesh. decimals() and compare() are for the others.
+  // As that of a mesh does. decimals() and compare() are for the others.
   bool depends_on_the_path() const { return std::holds_alternative<reference::GodObject>(what_); }
 
   // 1 <= digits <= kMostDigits.

@@ -73,6 +73,13 @@ cc -std=c11 -Wall -Wextra -Wpedantic -Werror "$source/../bindings/c_program.c" -
 cmake -S "$source/c" -B "$scratch/c" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_BUILD_TYPE=Release > "$scratch/configure.log"
 cmake --build "$scratch/c" > "$scratch/build.log" || { cat "$scratch/build.log"; exit 1; }
 "$scratch/c/c_program" > "$scratch/log" || { cat "$scratch/log"; exit 1; }
+# shellcheck disable=SC2046  # flags are words
+cc -std=c11 -Wall -Wextra -Wpedantic -Werror "$source/../bindings/reference_program.c" -o "$scratch/reference_program" \
+  $(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs forceshade-reference)
+for program in "env LD_LIBRARY_PATH=$(dirname "$pc") $scratch/reference_program" "$scratch/c/reference_program"; do
+  $program "$scratch/exact.json" > "$scratch/log" || { cat "$scratch/log"; fail "the program of the exact side fails"; }
+  grep -q '^1.3490643153346555443 0 2.5137452088061372488 N$' "$scratch/log" || { cat "$scratch/log"; fail "it gives another force"; }
+done
 
 echo "== shared object"
 # Every object of these libraries has to be position independent, not only those that the plugin calls.

@@ -35,15 +35,21 @@ zcat "$root/usr/share/man/man1/forceshade-certify.1.gz" | grep -q '^\.SH EXAMPLE
 lib=$(dirname "$(find "$root" -name libforceshade.so.0)")
 export PKG_CONFIG_PATH=$lib/pkgconfig LD_LIBRARY_PATH=$lib
 # The programs of docs/in-your-program.md.
-program() { awk -v fence="\`\`\`$1" '$0 == fence { on = 1; next } /^```/ { on = 0 } on' "$source/docs/in-your-program.md"; }
-program c > "$scratch/force.c"
-program cpp > "$scratch/force.cpp"
+program() {  # the language, and which of its programs
+  awk -v fence="\`\`\`$1" -v which="$2" '$0 == fence { on = ++found == which; next } /^```/ { on = 0 } on' "$source/docs/in-your-program.md"
+}
+program c 1 > "$scratch/force.c"
+program c 2 > "$scratch/exact.c"
+program cpp 1 > "$scratch/force.cpp"
 # shellcheck disable=SC2046  # flags are words
 cc -std=c11 -Wall -Wextra -Werror "$scratch/force.c" -o "$scratch/in_c" $(pkg-config --cflags --libs forceshade-c)
 # shellcheck disable=SC2046
+cc -std=c11 -Wall -Wextra -Werror "$scratch/exact.c" -o "$scratch/exact" $(pkg-config --cflags --libs forceshade-reference)
+[ "$("$scratch/exact")" = "1.3490643153346555443 0 2.5137452088061372488 N" ] || fail "the exact force is another"
+# shellcheck disable=SC2046
 c++ -std=c++20 -Wall -Wextra -Werror "$scratch/force.cpp" -o "$scratch/in_cpp" $(pkg-config --cflags --libs forceshade)
 mkdir "$scratch/cmake"
-{ echo 'cmake_minimum_required(VERSION 3.25)'; echo 'project(force LANGUAGES CXX)'; program cmake; } > "$scratch/cmake/CMakeLists.txt"
+{ echo 'cmake_minimum_required(VERSION 3.25)'; echo 'project(force LANGUAGES CXX)'; program cmake 1; } > "$scratch/cmake/CMakeLists.txt"
 cp "$scratch/force.cpp" "$scratch/cmake"
 { cmake -S "$scratch/cmake" -B "$scratch/cmake/build" -DCMAKE_PREFIX_PATH="$root/usr" && cmake --build "$scratch/cmake/build"; } \
   > "$scratch/said" 2>&1 || fail "the program is not built by CMake"
