@@ -10,6 +10,7 @@
 #include "bindings/python/errors.h"
 #include "bindings/python/subject.h"
 #include "bindings/reference/definition.h"
+#include "bindings/reference/rational.h"
 
 namespace forceshade::python {
 namespace {
@@ -39,7 +40,9 @@ class Reference {
   }
 
   int compare(const Position& position, std::size_t axis, const std::string& rational) const {
-    return definition_.compare(vector_of(position), axis, rational);
+    const auto number = exact::rational_of(rational);
+    if (!number) throw py::value_error("expected a rational number, got \"" + rational.substr(0, 64) + '"');
+    return definition_.compare(vector_of(position), axis, *number);
   }
 
   // The exact forces rounded once; those of a mesh along a path from its beginning.

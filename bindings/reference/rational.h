@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Rational numbers in words, before GMP reads them: it ends the process where a denominator is 0.
+// Rational numbers in words, before the exact numbers are made of them: these end the process where a denominator is 0.
 
 #include <optional>
 #include <string>

@@ -237,7 +237,7 @@ TEST(reference_interface, compares_a_component_with_rational_numbers_in_every_fo
   forceshade_reference_free(bump);
 }
 
-TEST(reference_interface, reads_rational_numbers_before_gmp_does) {
+TEST(reference_interface, checks_rational_numbers_before_exact_ones_are_made_of_them) {
   const std::map<std::string, std::string> read{
       {"3/4", "3/4"}, {"-3/4", "-3/4"}, {"007", "7/1"},    {"0.50", "050/100"},  {"1e3", "1000/1"},      {"-.5", "-5/10"},
       {"5.", "5/1"},  {"0/7", "0/7"},   {"2.5e1", "25/1"}, {"2.5e-1", "25/100"}, {"+0010/0020", "10/20"}};
