@@ -20,7 +20,8 @@
  * something. It shares frame, units, results, statuses and the batch with forceshade.h, which states them.
  *
  * Errors. As in forceshade.h; but the sentence is in forceshade_reference_message(). Nothing throws, aborts, prints, or changes
- * the floating-point environment. What a callback throws may not leave it, and it may not jump out.
+ * the floating-point environment; but GMP, which computes with the exact numbers, ends the process where memory runs out within
+ * it. What a callback throws may not leave it, and it may not jump out.
  *
  * Threads. Definitions do not change: any number of threads may use one, as long as none frees it meanwhile. All functions may
  * be called from any thread at any time; what takes exact numbers is computed by one thread at a time.
@@ -142,7 +143,7 @@ typedef int32_t (*forceshade_reference_progress)(void* user, double done);
  * forceshade_certificate_covers() reads it. FORCESHADE_OK where every check held; FORCESHADE_FAILED with the first counterexample
  * where one did not, although the certificate is written. standing, where it is not NULL, then gets one of the above; where no
  * certificate is written it is unchanged. progress may be NULL; where it stops, nothing is written, which is FORCESHADE_FAILED.
- * An entry of a folder of which "-" is the name is "./-"; nothing is written to standard output. */
+ * Nothing is written to standard output: "-" is FORCESHADE_BAD_VALUE. */
 FORCESHADE_API forceshade_result forceshade_reference_certify(forceshade_reference reference,
                                                               const forceshade_reference_plan* plan, const char* file,
                                                               forceshade_reference_progress progress, void* user,

@@ -198,6 +198,15 @@ TEST(reference_interface, rounds_a_height_map_and_a_path_on_a_mesh_as_the_calls_
     EXPECT_EQ(invalid, expected_invalid);
     EXPECT_GT(invalid, 0U);
     EXPECT_GT(contacts, 10U) << file;
+    if (const auto* map = std::get_if<DescribedHeightMap>(&description.what)) {
+      const auto field =
+          std::get<reference::HeightMapField>(reference::HeightMapField::build(map->map, map->mode, map->stiffness));
+      for (std::size_t i = 0; i < 30; ++i) {
+        const reference::DecimalMapForce digits = field.decimal({at[3 * i], at[3 * i + 1], at[3 * i + 2]}, 30);
+        EXPECT_EQ(decimals(reference, {at[3 * i], at[3 * i + 1], at[3 * i + 2]}, 30),
+                  digits.x + ' ' + digits.y + ' ' + digits.z);
+      }
+    }
     std::size_t first = 99, count = 99;
     ASSERT_EQ(forceshade_reference_differences(reference, &batch, &first, &count), FORCESHADE_OK);
     EXPECT_EQ(count, 0U) << "the path begins anew";
