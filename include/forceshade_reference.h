@@ -23,6 +23,10 @@
  * the floating-point environment; but GMP, which computes with the exact numbers, ends the process where memory runs out within
  * it. What a callback throws may not leave it, and it may not jump out.
  *
+ * Builds. Properties and certificates are checked of the copy of the renderer that this library holds. They say something of
+ * libforceshade.so.0, which a program drives devices with, where it was compiled of the same objects: the functions that check are
+ * FORCESHADE_FAILED where the digest of the one that is loaded, forceshade_library_digest(), is another.
+ *
  * Threads. Definitions do not change: any number of threads may use one, as long as none frees it meanwhile. All functions may
  * be called from any thread at any time; what takes exact numbers is computed by one thread at a time.
  *
@@ -102,10 +106,6 @@ FORCESHADE_API forceshade_result forceshade_reference_geometry(float radius, flo
                                                                size_t size, size_t* length);
 
 /* ---- Properties and certificates: of the renderer that forceshade.h calls ---- */
-
-/* The functions below check the copy of the renderer that this library holds. They say something of libforceshade.so.0, which a
- * program drives devices with, where it was compiled of the same objects: they are FORCESHADE_FAILED where the digest of the one
- * that is loaded, forceshade_library_digest(), is another. */
 
 /* A property is finished: its name, 1 where it held in all cases and else 0, how many there were, and the simplest case that was
  * found to violate it, "" where it held. The texts live as long as the call. What is not 0 stops what called. */
