@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Percentages of answers where participants gave unlike numbers of them.
+// Percentages of answers where participants gave unlike numbers of them, and intervals where all gave the same.
 
 #include <gtest/gtest.h>
 
@@ -24,6 +24,15 @@ TEST(percentages, of_a_resample_are_divided_by_its_own_number_of_answers) {
   EXPECT_NEAR(overall->percents[0].interval.low, 0, 1e-12);
   EXPECT_NEAR(overall->percents[0].interval.high, 100, 1e-12);
   EXPECT_NEAR(overall->percents[1].interval.high, 100, 1e-12);
+}
+
+// Where everybody gave the same answer, the interval is that answer, and there is one.
+TEST(interval, of_no_width_is_defined) {
+  EXPECT_TRUE((Interval{5, 5}).is_defined());
+  EXPECT_TRUE((Interval{5, 6}).is_defined());
+  EXPECT_FALSE((Interval{6, 5}).is_defined());
+  EXPECT_FALSE(Interval{}.is_defined());
+  EXPECT_TRUE((Interval{5, 5}).contains(5));
 }
 
 }  // namespace
