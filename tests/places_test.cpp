@@ -107,8 +107,6 @@ std::vector<Sort> sorts() {
                     paths = "the schemes of the stored paths";
   rules.exceptions = {{"include/forceshade.h", in_words}};
   schemes.exceptions = {
-      {"bindings/c/subjects.cpp", "only textures, which have no form in C; the edge there is that of a height map"},
-      {"bindings/python/subjects.cpp", "only textures, which have no form as arrays; the edge there is that of a height map"},
       {"include/forceshade.h", in_words},
       {"tests/bench/mesh_bench.cpp", "the schemes that are timed"},
       {"properties/mesh_subject.cpp", "what only one scheme has: a turn that is bounded, a texture to draw"},

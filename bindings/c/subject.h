@@ -2,23 +2,11 @@
 #pragma once
 // A subject behind a handle of the C interface.
 
-#include <variant>
-
+#include "bindings/c/described.h"
 #include "bindings/c/table.h"
 #include "forceshade.h"
-#include "forceshade/description.h"
-#include "forceshade/fast.h"
-#include "forceshade/identity.h"
-#include "forceshade/renderer.h"
 
 namespace forceshade::c {
-
-// field answers one position without a detour; renderer has the batch call and opens sessions.
-struct Subject {
-  Identity identity;
-  std::variant<fast::Law, fast::HeightMapField, fast::GodObject> field;
-  Renderer renderer;
-};
 
 extern constinit Lasting<Subject> subjects;
 

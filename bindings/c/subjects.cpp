@@ -11,20 +11,16 @@
 #include <string_view>
 #include <vector>
 
+#include "bindings/c/described.h"
 #include "bindings/c/errors.h"
 #include "bindings/c/strided.h"
 #include "bindings/c/subject.h"
 #include "bindings/c/text.h"
 #include "forceshade/meshes.h"
-#include "rendering/heights/coefficients.h"
 #include "rendering/subjects/options.h"
 
 namespace forceshade::c {
 namespace {
-
-constexpr std::uint32_t kMostAlong = 1U << 15U;
-constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 26U;
-constexpr float kLargestHeight = 1e4F;
 
 // The index of the word among the names; of `usual` where it is null. Nothing for another word, which is then said.
 template <class Names>
@@ -51,7 +47,7 @@ forceshade_result null(const char* what) noexcept {
 // The samples as a grid has them.
 forceshade_result read_grid(const forceshade_height_map& map, height::Grid& grid) {
   if (map.columns < 2 || map.rows < 2 || map.columns > kMostAlong || map.rows > kMostAlong ||
-      std::uint64_t{map.columns} * map.rows > kMostSamples)
+      std::int64_t{map.columns} * map.rows > kMostSamples)
     return fail(FORCESHADE_BAD_SIZE, "columns and rows are " + std::to_string(map.columns) + " and " +
                                          std::to_string(map.rows) + "; expected 2 to 32768 each, and 67108864 samples at most");
   if (!is_stride(map.column_stride) || !is_stride(map.row_stride))
@@ -67,30 +63,20 @@ forceshade_result read_grid(const forceshade_height_map& map, height::Grid& grid
       if (!(std::fabs(height) <= kLargestHeight))
         return fail(FORCESHADE_BAD_VALUE, "the height of column " + std::to_string(column) + ", row " + std::to_string(row) +
                                               " is " + std::to_string(height) + "; expected -10000 to 10000 mm");
-      grid.values.push_back(heights::without_tiny(height));
+      grid.values.push_back(height);
     }
   return FORCESHADE_OK;
 }
 
 forceshade_result new_height_map(const forceshade_height_map& map, forceshade_subject* made) {
-  constexpr std::array<std::string_view, 2> kInterpolants{"bilinear", "cubic-spline"}, kEdges{"clamp", "tile"};
-  std::array<std::string_view, height::kModes.size()> modes;
-  for (std::size_t i = 0; i < modes.size(); ++i) modes[i] = height::kModes[i].name;
   height::Grid grid;
   if (const forceshade_result read = read_grid(map, grid); read != FORCESHADE_OK) return read;
   const auto interpolant = choice("interpolant", map.interpolant, kInterpolants, 1);
-  const auto edge = choice("edge", map.edge, kEdges, 0), mode = choice("render", map.render, modes, 0);
+  const auto edge = choice("edge", map.edge, kEdges, 0), mode = choice("render", map.render, kModeNames, 0);
   if (!interpolant || !edge || !mode) return FORCESHADE_BAD_VALUE;
   grid.interpolant = static_cast<height::Interpolant>(*interpolant);
   grid.edge = static_cast<height::Edge>(*edge);
-  if (grid.interpolant == height::Interpolant::cubic_spline) {
-    heights::make_coefficients(grid.values, grid.columns, grid.rows, grid.edge);
-    std::ranges::transform(grid.values, grid.values.begin(), heights::without_tiny);
-  }
-  HeightMap all;
-  height::Part& part = all.parts.emplace_back();
-  part.shape = std::make_shared<const height::Grid>(std::move(grid));
-  return add_subject({"samples", DescribedHeightMap{std::move(all), height::kModes[*mode].mode, map.stiffness}}, made);
+  return add_subject(described(std::move(grid), height::kModes[*mode].mode, map.stiffness), made);
 }
 
 forceshade_result new_mesh(const forceshade_mesh& its, forceshade_subject* made) {
@@ -101,13 +87,10 @@ forceshade_result new_mesh(const forceshade_mesh& its, forceshade_subject* made)
   for (std::size_t i = 0; i < its.vertex_count; ++i) std::copy_n(its.vertices + 3 * i, 3, triangles.vertices[i].begin());
   triangles.triangles.resize(its.triangle_count);
   for (std::size_t i = 0; i < its.triangle_count; ++i) std::copy_n(its.triangles + 3 * i, 3, triangles.triangles[i].begin());
-  // All but textures, which have no form here.
-  std::vector<std::string_view> schemes(mesh::kShadingNames.begin(), mesh::kShadingNames.end());
-  std::erase(schemes, name_of(mesh::Shading::texture_scheme));
   const auto contact = choice("contact", its.contact, mesh::kContactNames, 0);
   if (!contact) return FORCESHADE_BAD_VALUE;
   const auto rule = static_cast<mesh::Contact>(*contact);
-  const auto shading = choice("shading", its.shading, schemes, has_corner_normals(rule) ? 0 : 1);
+  const auto shading = choice("shading", its.shading, shading_names(), has_corner_normals(rule) ? 0 : 1);
   const auto sides = choice("sides", its.sides, mesh::kSidesNames, 0);
   if (!shading || !sides) return FORCESHADE_BAD_VALUE;
   if (!(its.crease >= 0 && its.crease <= 180))
@@ -116,15 +99,10 @@ forceshade_result new_mesh(const forceshade_mesh& its, forceshade_subject* made)
       std::move(triangles), its.self_intersecting != 0 ? mesh::SelfIntersections::allowed : mesh::SelfIntersections::refused);
   if (const auto* findings = std::get_if<mesh::Findings>(&checked))
     return fail(FORCESHADE_BAD_VALUE, "the mesh cannot be rendered: " + findings->words());
-  const auto& good = std::get<mesh::CheckedMesh>(checked);
-  MeshRendering rendering{.checked = good,
-                          .sides = static_cast<mesh::Sides>(*sides),
-                          .shading = static_cast<mesh::Shading>(*shading),
-                          .stiffness = its.stiffness,
-                          .contact = rule};
-  if (its.sides == nullptr) rendering.sides = facts_of(good).is_closed() ? mesh::Sides::front : mesh::Sides::both;
-  if (rendering.has_corner_normals()) rendering.normals = mesh::corner_normals(good, its.crease).normals;
-  return add_subject({"triangles", std::move(rendering)}, made);
+  const auto said = its.sides == nullptr ? std::nullopt : std::optional(static_cast<mesh::Sides>(*sides));
+  return add_subject(described(std::get<mesh::CheckedMesh>(checked), said, static_cast<mesh::Shading>(*shading), rule,
+                               its.crease, its.stiffness),
+                     made);
 }
 
 }  // namespace

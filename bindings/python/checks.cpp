@@ -3,7 +3,6 @@
 
 #include <atomic>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,9 +19,6 @@
 namespace forceshade::python {
 namespace {
 
-// One computation at a time: the generators keep state.
-std::mutex one_at_a_time;
-
 py::dict dict_of(const properties::PropertyResult& result) {
   py::dict all;
   all["name"] = result.name;
@@ -36,7 +32,6 @@ py::list properties_of(const Subject& subject, int cases, std::uint64_t seed) {
   expect_arithmetic();
   const std::unique_ptr<properties::Subject> checked = properties::subject_of(subject.description);
   const auto results = interruptible([&](const std::atomic<bool>& stop) {
-    const std::lock_guard lock(one_at_a_time);
     return properties::run_properties(*checked, cases, seed, nullptr, nullptr, &stop);
   });
   py::list all;
@@ -52,7 +47,6 @@ py::tuple certificate_of(const std::vector<const Subject*>& subjects, std::uint6
   for (const Subject* subject : subjects)
     options.subjects.push_back(std::shared_ptr<properties::Subject>(properties::subject_of(subject->description)));
   const auto certificate = interruptible([&](const std::atomic<bool>& stop) {
-    const std::lock_guard lock(one_at_a_time);
     return properties::certify(
         options, [](std::string_view, double) {}, stop);
   });

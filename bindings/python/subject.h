@@ -5,26 +5,17 @@
 #include <pybind11/pybind11.h>
 
 #include <string>
-#include <variant>
 
+#include "bindings/c/described.h"
 #include "forceshade/description.h"
-#include "forceshade/fast.h"
-#include "forceshade/identity.h"
-#include "forceshade/renderer.h"
 
 namespace forceshade::python {
 
-using Field = std::variant<fast::Law, fast::HeightMapField, fast::GodObject>;
-
-// Does not change, so that threads share it. field answers one position without a detour; renderer has the batch call and opens
-// sessions.
-struct Subject {
+// Does not change, so that threads share it.
+struct Subject : c::Subject {
   explicit Subject(Description what);
 
-  Description description;
-  Identity identity;
-  Field field;
-  Renderer renderer;
+  Description description;  // of which the exact side is built, too
 };
 
 // Throws Error: what this thread's arithmetic does otherwise than the proofs need. A library that switches on flush to zero,

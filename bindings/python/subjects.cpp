@@ -18,14 +18,11 @@
 #include "files/quantity.h"
 #include "forceshade/heights.h"
 #include "forceshade/meshes.h"
-#include "rendering/heights/coefficients.h"
 #include "rendering/subjects/options.h"
 #include "rendering/subjects/read.h"
 
 namespace forceshade::python {
 namespace {
-
-constexpr py::ssize_t kMostAlong = 1 << 15, kMostSamples = 1 << 26;
 
 template <class Built>
 Built built(std::variant<Built, ParameterError> made) {
@@ -34,20 +31,6 @@ Built built(std::variant<Built, ParameterError> made) {
     throw py::value_error(error->message());
   }
   return std::get<Built>(std::move(made));
-}
-
-Field field_of(const Description& description) {
-  if (const auto* law = std::get_if<DescribedLaw>(&description.what)) return built(fast::Law::build(law->law, law->parameters));
-  if (const auto* map = std::get_if<DescribedHeightMap>(&description.what))
-    return built(fast::HeightMapField::build(map->map, map->mode, map->stiffness));
-  return built(fast::GodObject::build(std::get<MeshRendering>(description.what)));
-}
-
-Identity identity_of(const Description& description) {
-  if (const auto* law = std::get_if<DescribedLaw>(&description.what)) return forceshade::identity_of(law->law, law->parameters);
-  if (const auto* map = std::get_if<DescribedHeightMap>(&description.what))
-    return forceshade::identity_of(description.name, map->map, map->mode, map->stiffness);
-  return forceshade::identity_of(description.name, std::get<MeshRendering>(description.what));
 }
 
 // The index of a word among the names.
@@ -72,53 +55,41 @@ Description law_of(const std::string& name, float radius, float width, float sti
 // heights: (rows, columns), from the smallest y and x.
 Description map_of_samples(const Floats& heights, float pitch, const std::string& interpolant, const std::string& edge,
                            const std::string& render, float stiffness) {
-  constexpr std::array<std::string_view, 2> kInterpolants{"bilinear", "cubic-spline"}, kEdges{"clamp", "tile"};
-  std::array<std::string_view, height::kModes.size()> modes;
-  for (std::size_t i = 0; i < modes.size(); ++i) modes[i] = height::kModes[i].name;
   const auto samples = heights.unchecked<2>();
   const py::ssize_t rows = samples.shape(0), columns = samples.shape(1);
-  if (std::min(rows, columns) < 2 || std::max(rows, columns) > kMostAlong || rows * columns > kMostSamples)
+  if (std::min(rows, columns) < 2 || std::max(rows, columns) > c::kMostAlong || rows * columns > c::kMostSamples)
     throw py::value_error("heights have the shape (" + std::to_string(rows) + ", " + std::to_string(columns) +
                           "); expected 2 to 32768 rows and columns, and 67108864 samples at most");
   height::Grid grid;
   grid.columns = static_cast<std::uint32_t>(columns);
   grid.rows = static_cast<std::uint32_t>(rows);
   grid.pitch = pitch;
-  grid.interpolant = static_cast<height::Interpolant>(choice("interpolant", interpolant, kInterpolants));
-  grid.edge = static_cast<height::Edge>(choice("edge", edge, kEdges));
-  const height::Mode mode = height::kModes[choice("render", render, modes)].mode;
+  grid.interpolant = static_cast<height::Interpolant>(choice("interpolant", interpolant, c::kInterpolants));
+  grid.edge = static_cast<height::Edge>(choice("edge", edge, c::kEdges));
+  const height::Mode mode = height::kModes[choice("render", render, c::kModeNames)].mode;
   grid.values.reserve(static_cast<std::size_t>(rows * columns));
   for (py::ssize_t row = 0; row < rows; ++row)
     for (py::ssize_t column = 0; column < columns; ++column) {
       const float value = samples(row, column);
-      if (!(std::fabs(value) <= 1e4F))
+      if (!(std::fabs(value) <= c::kLargestHeight))
         throw py::value_error("heights[" + std::to_string(row) + ", " + std::to_string(column) + "] is " +
                               std::to_string(value) + "; expected -10000 to 10000 mm");
-      grid.values.push_back(heights::without_tiny(value));
+      grid.values.push_back(value);
     }
   const py::gil_scoped_release released;
-  if (grid.interpolant == height::Interpolant::cubic_spline) {
-    heights::make_coefficients(grid.values, grid.columns, grid.rows, grid.edge);
-    std::ranges::transform(grid.values, grid.values.begin(), heights::without_tiny);
-  }
-  HeightMap map;
-  map.parts.emplace_back().shape = std::make_shared<const height::Grid>(std::move(grid));
-  return {"samples", DescribedHeightMap{std::move(map), mode, stiffness}};
+  return c::described(std::move(grid), mode, stiffness);
 }
 
 // A picture or an array file.
 Description map_of_picture(const std::string& file, float pitch, float scale, const std::string& interpolant,
                            const std::string& edge, const std::string& render, float stiffness) {
-  constexpr std::array<std::string_view, 2> kInterpolants{"bilinear", "cubic-spline"}, kEdges{"clamp", "tile"};
-  std::array<std::string_view, height::kModes.size()> modes;
-  for (std::size_t i = 0; i < modes.size(); ++i) modes[i] = height::kModes[i].name;
   const heights::Source source{
       .file = file,
       .pitch = pitch,
       .scale = scale,
-      .edge = static_cast<height::Edge>(choice("edge", edge, kEdges)),
-      .interpolant = static_cast<height::Interpolant>(choice("interpolant", interpolant, kInterpolants))};
-  const height::Mode mode = height::kModes[choice("render", render, modes)].mode;
+      .edge = static_cast<height::Edge>(choice("edge", edge, c::kEdges)),
+      .interpolant = static_cast<height::Interpolant>(choice("interpolant", interpolant, c::kInterpolants))};
+  const height::Mode mode = height::kModes[choice("render", render, c::kModeNames)].mode;
   const py::gil_scoped_release released;
   HeightMap map;
   map.parts.emplace_back().shape = heights::load(source);
@@ -139,11 +110,9 @@ Description mesh_of_arrays(const Floats& vertices, const py::array_t<std::uint32
   for (std::size_t i = 0; i < all.triangles.size(); ++i)
     for (std::size_t corner = 0; corner < 3; ++corner) all.triangles[i][corner] = faces(i, corner);
   const auto rule = static_cast<mesh::Contact>(choice("contact", contact, mesh::kContactNames));
-  // All but textures, which need corners: a mesh file has them.
-  std::vector<std::string_view> schemes(mesh::kShadingNames.begin(), mesh::kShadingNames.end());
-  std::erase(schemes, name_of(mesh::Shading::texture_scheme));
-  const std::size_t scheme = shading ? choice("shading", *shading, schemes) : has_corner_normals(rule) ? 0 : 1;
-  const std::size_t blocked = sides ? choice("sides", *sides, mesh::kSidesNames) : 0;
+  const std::size_t scheme = shading ? choice("shading", *shading, c::shading_names()) : has_corner_normals(rule) ? 0 : 1;
+  const auto blocked =
+      sides ? std::optional(static_cast<mesh::Sides>(choice("sides", *sides, mesh::kSidesNames))) : std::nullopt;
   if (!(crease >= 0 && crease <= 180))
     throw py::value_error("crease is " + std::to_string(crease) + "; expected 0 to 180 degrees");
   const auto allowed = self_intersecting ? mesh::SelfIntersections::allowed : mesh::SelfIntersections::refused;
@@ -152,15 +121,8 @@ Description mesh_of_arrays(const Floats& vertices, const py::array_t<std::uint32
   const py::gil_scoped_release released;
   if (const auto* findings = std::get_if<mesh::Findings>(&checked))
     throw py::value_error("the mesh cannot be rendered: " + findings->words());
-  const auto& good = std::get<mesh::CheckedMesh>(checked);
-  MeshRendering rendering{.checked = good,
-                          .sides = static_cast<mesh::Sides>(blocked),
-                          .shading = static_cast<mesh::Shading>(scheme),
-                          .stiffness = stiffness,
-                          .contact = rule};
-  if (!sides) rendering.sides = facts_of(good).is_closed() ? mesh::Sides::front : mesh::Sides::both;
-  if (rendering.has_corner_normals()) rendering.normals = mesh::corner_normals(good, crease).normals;
-  return {"triangles", std::move(rendering)};
+  return c::described(std::get<mesh::CheckedMesh>(checked), blocked, static_cast<mesh::Shading>(scheme), rule, crease,
+                      stiffness);
 }
 
 Description of_file(const std::string& file) {
@@ -199,11 +161,7 @@ py::dict parameters_of(const Identity& identity) {
 
 }  // namespace
 
-Subject::Subject(Description what)
-    : description(std::move(what)),
-      identity(identity_of(description)),
-      field(field_of(description)),
-      renderer(std::visit([](const auto& its) { return renderer_of(its); }, field)) {}
+Subject::Subject(Description what) : c::Subject(built(c::build(what))), description(std::move(what)) {}
 
 void add_subjects(py::module_& module) {
   py::class_<Description>(module, "Description").def_property_readonly("kind", [](const Description& description) {

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "forceshade.h"
@@ -31,8 +32,7 @@ inline std::vector<float> positions(std::size_t count, unsigned seed) {
   return all;
 }
 
-inline forceshade_batch batch_of(const std::vector<float>& at, std::vector<float>& forces,
-                                 std::vector<forceshade_status>& statuses) {
+inline forceshade_batch batch_of(std::span<const float> at, std::span<float> forces, std::span<forceshade_status> statuses) {
   return {.size = sizeof(forceshade_batch),
           .count = at.size() / 3,
           .positions = at.data(),

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "forceshade.h"
+#include "tests/bindings/batches.h"
 
 namespace {
 
@@ -138,16 +139,7 @@ class CMisuse : public testing::Test {
   forceshade_mesh mesh = sized<forceshade_mesh>();
   std::array<float, 6> at{1, 2, 3, 4, 5, 6}, to{};
   std::array<forceshade_status, 2> statuses{};
-  forceshade_batch batch{.size = sizeof(forceshade_batch),
-                         .count = 2,
-                         .positions = at.data(),
-                         .position_stride = 12,
-                         .position_component = 4,
-                         .forces = to.data(),
-                         .force_stride = 12,
-                         .force_component = 4,
-                         .statuses = statuses.data(),
-                         .status_stride = 1};
+  forceshade_batch batch = forceshade::tests::batch_of(at, to, statuses);
   forceshade_subject bump{}, tetrahedron{}, freed{};
   forceshade_session of_bump{}, of_mesh{}, closed{};
 };

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "forceshade_reference.h"
+#include "tests/bindings/batches.h"
 #include "tests/bindings/references.h"
 #include "tests/support/temporary_directory.h"
 
@@ -117,16 +118,7 @@ class ReferenceMisuse : public testing::Test {
   std::array<float, 6> at{1, 2, -3, 4, 5, -6};
   mutable std::array<float, 6> to{};
   mutable std::array<forceshade_status, 2> statuses{};
-  forceshade_batch batch{.size = sizeof(forceshade_batch),
-                         .count = 2,
-                         .positions = at.data(),
-                         .position_stride = 12,
-                         .position_component = 4,
-                         .forces = to.data(),
-                         .force_stride = 12,
-                         .force_component = 4,
-                         .statuses = statuses.data(),
-                         .status_stride = 1};
+  forceshade_batch batch = tests::batch_of(at, to, statuses);
   forceshade_reference_plan plan{.size = sizeof(forceshade_reference_plan), .points = 10, .cases = 10, .seed = 1, .threads = 1};
   forceshade_reference bump{}, tetrahedron{}, freed{};
 };

@@ -58,7 +58,7 @@ def properties(subject: Subject, *, cases: int = _forceshade.usual_cases, seed: 
     """Checks the properties of a renderer on generated cases: equivalence with the exact definition, continuity, unit normals,
     passivity, and further ones of its kind, `cases` of each. The same seed gives the same cases.
 
-    Ctrl-C ends it. One computation runs at a time. Raises ValueError for fewer cases than one.
+    Ctrl-C ends it. Raises ValueError for fewer cases than one.
 
     >>> import forceshade
     >>> [result.held for result in properties(forceshade.Law("wall", stiffness=0.5), cases=20)]

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What every binding makes of the arrays that it has read, and of a description: no array is read here.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "forceshade/description.h"
+#include "forceshade/fast.h"
+#include "forceshade/identity.h"
+#include "forceshade/renderer.h"
+
+namespace forceshade::c {
+
+// The most samples of a grid along x or y and in all, and the largest height in mm.
+inline constexpr std::int64_t kMostAlong = 1 << 15, kMostSamples = 1 << 26;
+inline constexpr float kLargestHeight = 1e4F;
+
+// The words for enumerations, in their order.
+inline constexpr std::array<std::string_view, 2> kInterpolants{"bilinear", "cubic-spline"}, kEdges{"clamp", "tile"};
+inline constexpr auto kModeNames = [] {
+  std::array<std::string_view, height::kModes.size()> names;
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = height::kModes[i].name;
+  return names;
+}();
+// All but the scheme of textures, which a mesh of arrays has no corners for.
+std::vector<std::string_view> shading_names();
+
+// values: heights in mm, within kLargestHeight, from the smallest y and x.
+Description described(height::Grid samples, height::Mode mode, float stiffness);
+
+// sides: front for a closed mesh and both for another, where they are not said. crease: degrees, 0 to 180.
+Description described(const mesh::CheckedMesh& triangles, std::optional<mesh::Sides> sides, mesh::Shading shading,
+                      mesh::Contact contact, double crease, float stiffness);
+
+// What renders. field answers one position without a detour; renderer has the batch call and opens sessions.
+struct Subject {
+  Identity identity;
+  std::variant<fast::Law, fast::HeightMapField, fast::GodObject> field;
+  Renderer renderer;
+};
+
+std::variant<Subject, ParameterError> build(const Description& description);
+
+}  // namespace forceshade::c
