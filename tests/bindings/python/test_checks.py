@@ -43,6 +43,19 @@ def test_a_certificate_is_that_of_the_command(bump, tmp_path):
             assert mine[key] == value, key
 
 
+def test_a_certificate_of_python_drives_a_device_with_the_command_and_no_other_subject(wall, tmp_path):
+    path = tmp_path / "certificate.json"
+    assert forceshade.certify(wall, out=path).standing == "sufficient"
+
+    def drive(stiffness):
+        words = ["drive", "--law", "wall", "--stiffness", stiffness, "--device", "null", "--seconds", "0.05", "--certificate", path]
+        return subprocess.run([command(), *words], capture_output=True, text=True, cwd=tmp_path)
+
+    certified, other = drive("0.5N/mm"), drive("0.6N/mm")
+    assert certified.returncode == 0, certified.stderr
+    assert other.returncode != 0 and "certificate" in other.stderr, other.stderr
+
+
 def test_what_is_refused(bump, tmp_path):
     refused(ValueError, "cases is 0; expected 1 to", forceshade.properties, bump, cases=0)
     refused(TypeError, "seed: expected an integer, got 0.5", forceshade.properties, bump, seed=0.5)
