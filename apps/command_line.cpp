@@ -59,6 +59,21 @@ std::string fault_of_first_word(const CLI::App& app, const std::vector<std::stri
   return "unknown command \"" + first + "\"; expected one of:" + listed() + files::suggestion(first, names);
 }
 
+// Without --help where the word behind `mesh` or another group is none of its commands, so that this is what is said.
+std::vector<std::string> without_help_of_no_command(const CLI::App& app, std::vector<std::string> words) {
+  const CLI::App* command = &app;
+  for (const std::string& word : words) {
+    if (command->get_require_subcommand_min() == 0 || word.starts_with("-")) return words;
+    const auto below = command->get_subcommands([&](const CLI::App* each) { return each->get_name() == word; });
+    if (below.empty()) {
+      std::erase_if(words, [](const std::string& each) { return each == "--help" || each == "-h"; });
+      return words;
+    }
+    command = below.front();
+  }
+  return words;
+}
+
 bool takes_a_subject(const CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App* command = &app;
   for (const std::string& word : words) {
@@ -116,6 +131,7 @@ int run(const std::vector<std::string>& arguments) {
     std::cerr << "forceshade: " << files::printable(fault) << '\n';
     return kBadInput;
   }
+  line.words = without_help_of_no_command(app, std::move(line.words));
   try {
     if (takes_a_subject(app, line.words)) line = expand_subject_files(line.words);
     app.parse(std::vector<std::string>(line.words.rbegin(), line.words.rend()));  // CLI11 takes them from the back

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "apps/documentation.h"
 #include "files/quantity.h"
 #include "files/suggestion.h"
 
@@ -53,10 +54,11 @@ bool is_option(const std::string& word) {
   return word.starts_with("-");
 }
 
-// "check: "; empty for the program, which is named in front of every message.
+// "mesh check: "; empty for the program, which is named in front of every message.
 std::string named(const CLI::App& command) {
-  const bool is_program = command.get_parent() == nullptr && command.get_name() == "forceshade";
-  return is_program ? "" : command.get_name() + ": ";
+  const std::string program = "forceshade", name = full_name(command);
+  if (name == program) return "";
+  return (name.starts_with(program + ' ') ? name.substr(program.size() + 1) : name) + ": ";
 }
 
 // What was left over: an option that the command has not, or a word that it has no place for.

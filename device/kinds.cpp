@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "device/null.h"
 #include "device/phantom/phantom.h"
 #include "device/simulated/simulated.h"
+#include "files/suggestion.h"
 
 namespace forceshade::device {
 namespace {
@@ -38,12 +40,14 @@ std::span<const Kind> kinds() {
 std::unique_ptr<Device> open_device(const std::string& name, Attendant& attendant, Forces forces) {
   const std::string first = name.substr(0, name.find(':'));
   std::string known;
+  std::vector<std::string> names;
   for (const Kind& kind : kKinds) {
     if (kind.name == first && is_well_formed(kind, name))
       return kind.open(name.substr(std::min(name.size(), first.size() + 1)), attendant, forces);
     known += (known.empty() ? "" : &kind == &kKinds.back() ? " or " : ", ") + kind.form();
+    names.emplace_back(kind.name);
   }
-  throw UnknownDevice("unknown device \"" + name + "\": expected " + known);
+  throw UnknownDevice("unknown device \"" + name + "\": expected " + known + files::suggestion(first, names));
 }
 
 std::unique_ptr<Device> open_device(const std::string& name) {

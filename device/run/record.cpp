@@ -28,6 +28,12 @@ void remove_recording(const std::string& path) {
   for (const char* suffix : {"", "-wal", "-shm"}) fs::remove(path + suffix, ignored);
 }
 
+// What is said of the recording behind a table, said of the table, the file that was asked for.
+std::string said_of(const std::string& table, std::string words, const std::string& recording) {
+  const std::size_t at = words.find(recording);
+  return at == std::string::npos ? words : words.replace(at, recording.size(), table);
+}
+
 }  // namespace
 
 Record::Record(std::string path, recorder::Metadata metadata, bool paced, bool replaces) : path_(std::move(path)) {
@@ -37,10 +43,11 @@ Record::Record(std::string path, recorder::Metadata metadata, bool paced, bool r
     remove_recording(path_);
   try {
     recorder_.emplace(recording(), std::move(metadata), recorder::Recorder::Options{.waits = !paced});
-  } catch (...) {  // no destructor follows
+  } catch (const std::exception& failure) {  // no destructor follows
+    if (!is_table()) throw;
     std::error_code ignored;
-    if (is_table()) fs::remove_all(directory_, ignored);
-    throw;
+    fs::remove_all(directory_, ignored);
+    throw recorder::RecordingError(said_of(path_, failure.what(), recording()));
   }
 }
 
@@ -56,8 +63,9 @@ std::vector<std::string> Record::close(const std::string& end_reason) {
   std::vector<std::string> faults;
   const auto [written, lost, error] = recorder_->close(end_reason);
   if (lost > 0 || !error.empty())
-    faults.push_back((error.empty() ? recording() + ": the disk was too slow" : error) + "; recorded " +
-                     std::to_string(written) + " samples, lost " + std::to_string(lost));
+    faults.push_back(
+        said_of(path_, error.empty() ? recording() + ": the disk was too slow" : error, recording()) + "; recorded " +
+        std::to_string(written) + " samples, lost " + std::to_string(lost));
   if (!is_table()) return faults;
   try {
     recorder::Recording finished(recording());

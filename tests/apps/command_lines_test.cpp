@@ -105,7 +105,7 @@ TEST(command_lines, a_refusal_says_what_was_expected_and_what_was_got) {
       {"energy --nothing-like-it", {"energy: unknown option \"--nothing-like-it\""}, {"nearest"}},
       {"device chekc null", {"device: expected a command: list, check, try; got \"chekc\"; the nearest is check"}},
       {"record info run.fsr", {"unknown command \"record\"", "the nearest is recording"}},
-      {"recording info", {"info: expected file, got none"}},
+      {"recording info", {"recording info: expected file, got none"}},
       {"polygons --theta-critical 181", {"expected an angle from 0.000001 to 180 degrees, got \"181\""}},
       {"polygons --theta-critical 4rad", {"expected an angle from 0.000001 to 180 degrees, got \"4rad\""}},
       {"lawss", {"unknown command \"lawss\"; expected one of: laws"}},

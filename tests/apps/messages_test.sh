@@ -9,6 +9,12 @@ same "forceshade: expected a command: laws" "$("$forceshade" 2>&1 | cut -d, -f1 
 expect 2 "forceshade: mesh: expected a command: check" -- "$forceshade" mesh
 expect 2 'the nearest is force' -- "$forceshade" forse
 expect 2 'got "chek"; the nearest is check' -- "$forceshade" mesh chek a.off --unit mm
+for flag in --help -h; do expect 2 'got "chek"; the nearest is check' -- "$forceshade" mesh chek $flag; done
+expect 2 'got "chek"; the nearest is check' -- "$forceshade" help mesh chek
+expect 2 "forceshade: mesh check: expected --unit, got none" -- "$forceshade" mesh check -
+expect 2 'forceshade: mesh check: unknown option "--unti"; the nearest is --unit' -- "$forceshade" mesh check - --unti mm
+expect 2 'unknown device "simulatd"' -- "$forceshade" drive --law wall --uncertified --device simulatd
+expect 2 'the nearest is simulated' -- "$forceshade" drive --law wall --uncertified --device simulatd
 for version in --version -v version; do expect 0 "library digest" -- "$forceshade" $version; done
 for help in --help -h help; do expect 0 "Usage: forceshade COMMAND" -- "$forceshade" $help; done
 same "$("$forceshade" force --help)" "$("$forceshade" help force)"

@@ -201,14 +201,18 @@ TEST(open_device, opens_a_device_that_is_none) {
   EXPECT_EQ(device->readings_left(), std::nullopt);
 }
 
-TEST(open_device, lists_the_kinds_it_knows) {
-  for (const std::string name : {"", "replay", "replay:", "phantom:", "simulated:", "phantomx", "simulatedx", "null:1", ":"}) {
+TEST(open_device, lists_the_kinds_it_knows_and_names_the_nearest) {
+  const std::vector<std::pair<std::string, std::string>> names_and_nearest{
+      {"", ""}, {"replay", ""}, {"replay:", ""}, {"phantom:", ""}, {"simulated:", ""}, {"phantomx", "phantom"},
+      {"simulatd:omni", "simulated"}, {"replya:hand.csv", "replay"}, {"null:1", ""}, {":", ""}};
+  for (const auto& [name, nearest] : names_and_nearest) {
     try {
       open_device(name);
       FAIL() << name;
     } catch (const UnknownDevice& error) {
       EXPECT_EQ(error.what(), "unknown device \"" + name +
-                                  "\": expected null, replay:FILE.csv, simulated[:MODEL[:FILE.csv]] or phantom[:NAME]");
+                                  "\": expected null, replay:FILE.csv, simulated[:MODEL[:FILE.csv]] or phantom[:NAME]" +
+                                  (nearest.empty() ? "" : "; the nearest is " + nearest));
     }
   }
 }
