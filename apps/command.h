@@ -42,6 +42,8 @@ void add_plot(CLI::App& app, int& result);
 void add_figures(CLI::App& app, int& result);
 void add_properties(CLI::App& app, int& result);
 void add_certify(CLI::App& app, int& result);
+void add_positions(CLI::App& app, int& result);
+void add_compare(CLI::App& app, int& result);
 void add_drive(CLI::App& app, int& result);
 void add_recording(CLI::App& app, int& result);
 void add_device(CLI::App& app, int& result);

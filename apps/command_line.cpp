@@ -115,6 +115,8 @@ int run(const std::vector<std::string>& arguments) {
   add_figures(app, result);
   add_properties(app, result);
   add_certify(app, result);
+  add_positions(app, result);
+  add_compare(app, result);
   add_drive(app, result);
   add_recording(app, result);
   add_device(app, result);

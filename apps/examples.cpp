@@ -28,6 +28,10 @@ constexpr std::array kExamples{
     Example{"certify", "forceshade certify --law bump-2p,bump-3p --points 20000 --out short", "a short check of two laws"},
     Example{"certify merge", "forceshade certify merge part1/certificate.json part2/certificate.json --out whole",
             "the two halves of an exhaustive run, or two seeds, as one certificate"},
+    Example{"positions", "forceshade positions --law bump-2p --points 20000 --out positions.csv",
+            "where to ask another renderer of this bump for its forces"},
+    Example{"compare", "forceshade compare --law bump-2p --forces forces.csv --tolerance '4 ulp'",
+            "the forces that it gave there, beside the exact ones"},
     Example{"drive",
             "forceshade drive --law bump-2p --certificate certificate/certificate.json \\\n"
             "      --device simulated --seconds 5",

@@ -155,15 +155,21 @@ Error Reader::unexpected(std::size_t i, std::string_view expected) const {
                               std::string(expected) + ", got " + quoted(text(i)));
 }
 
-Reader::Reader(std::istream& in, std::string file, std::vector<std::string> columns)
+Reader::Reader(std::istream& in, std::string file, std::vector<std::string> columns, const std::vector<std::string>& optional)
     : in_(*in.rdbuf()), file_(std::move(file)), columns_(std::move(columns)), parser_(new csv_parser) {
   if (csv_init(parser_.get(), CSV_STRICT) != 0) throw std::bad_alloc();
   csv_set_term_func(parser_.get(), [](unsigned char c) -> int { return c == '\n'; });
 
   if (!read_row()) throw error(1, "expected a header row with columns " + listed(columns_) + ", got an empty file");
   header_.assign(fields_.begin(), fields_.begin() + static_cast<std::ptrdiff_t>(field_count_));
+  const std::size_t required = columns_.size();
+  columns_.insert(columns_.end(), optional.begin(), optional.end());
   for (const std::string& column : columns_) {
     const auto found = std::find(header_.begin(), header_.end(), column);
+    if (found == header_.end() && place_.size() >= required) {
+      place_.push_back(kNowhere);
+      continue;
+    }
     if (const std::string separator = separator_of(header_); found == header_.end() && !separator.empty())
       throw error(row_line_, "expected commas between the columns, and points in decimals, got " + separator + " in " +
                                  quoted(header_.front()));

@@ -30,9 +30,12 @@ class Reader {
  public:
   static constexpr std::size_t kLongestRow = std::size_t{1} << 20;
 
-  // Reads the header row. `file` is what messages call the stream. Index i below is an index into `columns`;
-  // the file may have them in any order, and others beside them.
-  Reader(std::istream& in, std::string file, std::vector<std::string> columns);
+  // Reads the header row. `file` is what messages call the stream. Index i below is an index into `columns` followed by
+  // `optional`; the file may have them in any order, and others beside them.
+  Reader(std::istream& in, std::string file, std::vector<std::string> columns, const std::vector<std::string>& optional = {});
+
+  // Whether the file has this column; only then may the functions below be called with it.
+  bool has(std::size_t i) const { return place_[i] != kNowhere; }
 
   // Goes to the next row; false after the last one. Throws Error, after which the reader is of no further use.
   bool next();
@@ -76,6 +79,7 @@ class Reader {
   std::vector<std::string> fields_;  // the first field_count_ belong to the current row, the rest keep their memory
   std::size_t field_count_ = 0;
   std::vector<std::string> header_;
+  static constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
   std::vector<std::size_t> place_;  // place_[i]: where in a row columns_[i] is
 };
 

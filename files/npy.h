@@ -5,14 +5,26 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
+#include <istream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace forceshade::files {
 
 // NPY 1.0 for a structured array of one dimension: the bytes of `rows` records follow it, without anything between them.
 // layout: the dtype of a record as Python writes it, [('x_mm', '<f4'), ...]; at most 65 000 bytes.
 std::string npy_header(std::string_view layout, std::uint64_t rows);
+
+struct NpyHead {
+  std::string type;  // as NumPy writes it: <f4, or the list of a record's fields, [('x_mm', '<f4'), ('y_mm', '<f4')]
+  bool is_by_column = false;
+  std::string shape_text;  // what stands between the brackets: "3, 4"
+  std::vector<std::uint64_t> shape;
+};
+
+// Reads the head of a file of version 1 to 3, so that its numbers follow. Throws BadInput, which begins with `file`.
+NpyHead read_npy_head(std::istream& in, const std::string& file);
 
 // Whether a file is meant to be an array, by how its name ends: .npy, in small or in capital letters.
 inline bool is_named_npy(std::string_view path) {

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// forceshade compare: the forces that any program gave, held against the exact definition.
+
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "apps/command.h"
+#include "apps/junit.h"
+#include "apps/options.h"
+#include "apps/output_options.h"
+#include "apps/signals.h"
+#include "apps/standard_streams.h"
+#include "apps/subject_option.h"
+#include "files/csv.h"
+#include "properties/conformance/case_file.h"
+#include "properties/conformance/judgement_text.h"
+
+namespace forceshade::apps {
+namespace {
+
+struct CompareOptions {
+  std::string forces, tolerance = "0 ulp", json, junit;
+};
+
+conformance::Tolerance tolerance_of(const std::string& text) {
+  const auto tolerance = conformance::tolerance_of(text);
+  if (!tolerance)
+    throw BadInput(
+        "--tolerance: expected a number with ulp (a whole one), N or %, such as \"4 ulp\", \"1e-6 N\" or \"0.1 %\", got \"" +
+        text + '"');
+  return *tolerance;
+}
+
+int run(const CompareOptions& options, const SubjectOption& option) {
+  if (!options.json.empty() && options.json == options.junit)
+    throw BadInput("--json and --junit: expected two files, got \"" + options.json + "\" for both");
+  const conformance::Tolerance tolerance = tolerance_of(options.tolerance);
+  expect_folder_of("--json", options.json);
+  expect_folder_of("--junit", options.junit);
+  watch_for_interrupt();
+  const Description description = option.description();
+  conformance::Judge judge(description, tolerance);
+  std::ifstream file;
+  if (options.forces != "-") file = files::open_input(options.forces);
+  conformance::read_cases(options.forces == "-" ? std::cin : file, options.forces == "-" ? "standard input" : options.forces,
+                          [&](const conformance::Case& its) {
+                            if (interrupted()) throw Interrupted("not all forces were compared, and nothing was written");
+                            judge.add(its);
+                          });
+  const Identity identity = properties::subject_of(description)->identity();
+  const std::string words = words_of(judge, identity, tolerance);
+  const bool held = judge.judgement().held();
+  if (!options.json.empty()) write_file(options.json, to_json(judge, identity, tolerance));
+  if (!options.junit.empty())
+    write_file(options.junit, to_junit("forceshade compare", {{"tolerance", conformance::words_of(tolerance)}},
+                                       {{identity.name, "forces", 0, held ? std::nullopt : std::optional(words), words}}));
+  if (options.json != "-" && options.junit != "-") {
+    std::fputs(words.c_str(), stdout);
+    flush_standard_output();
+  }
+  return held ? kHeld : kFailed;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, int& result) {
+  const auto options = std::make_shared<CompareOptions>();
+  CLI::App* command = app.add_subcommand("compare", "Hold the forces that any program gave against the exact definition");
+  const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one);
+  command
+      ->add_option(
+          "--forces", options->forces,
+          "CSV or NPY file with x_mm, y_mm, z_mm, fx_N, fy_N, fz_N, and reset and aim where positions wrote them; - is "
+          "CSV on standard input")
+      ->type_name("FILE")
+      ->required()
+      ->group(kEvidenceGroup);
+  command
+      ->add_option(
+          "--tolerance", options->tolerance,
+          "how far a force may be from the exact one: \"4 ulp\" in each component, \"1e-6 N\", \"0.1 %\"; correctly rounded "
+          "unless given")
+      ->type_name("TOLERANCE")
+      ->group(kEvidenceGroup);
+  add_json(*command, options->json, "what was found");
+  add_junit(*command, options->junit);
+  command->callback([options, subject, &result] { result = run(*options, *subject); });
+}
+
+}  // namespace forceshade::apps

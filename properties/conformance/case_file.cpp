@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "properties/conformance/case_file.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "files/csv.h"
+#include "files/npy.h"
+#include "forceshade/bad_input.h"
+
+namespace forceshade::conformance {
+namespace {
+
+using files::BadInput;
+
+static_assert(std::endian::native == std::endian::little, "numbers are read and written as they are in memory");
+
+const std::vector<std::string> kNumbers{"x_mm", "y_mm", "z_mm", "fx_N", "fy_N", "fz_N"};
+constexpr std::size_t kReset = 6, kAim = 7;  // after the numbers
+constexpr std::size_t kAimBytes = 12;
+constexpr const char* kLayout = "[('x_mm', '<f4'), ('y_mm', '<f4'), ('z_mm', '<f4'), ('reset', '|u1'), ('aim', '|S12')]";
+
+void put(Case& its, std::size_t i, float number) {
+  (i < 3 ? its.position : its.force)[static_cast<Eigen::Index>(i % 3)] = number;
+}
+
+std::uint64_t read_csv(std::istream& in, const std::string& file, const std::function<void(const Case&)>& each) {
+  files::Reader rows(in, file, kNumbers, {"reset", "aim"});
+  std::uint64_t count = 0;
+  for (; rows.next(); ++count) {
+    Case its;
+    for (std::size_t i = 0; i < kNumbers.size(); ++i) put(its, i, rows.binary32(i));
+    if (rows.has(kReset)) {
+      if (rows.text(kReset) != "0" && rows.text(kReset) != "1") throw rows.unexpected(kReset, "0 or 1");
+      its.is_reset = rows.text(kReset) == "1";
+    }
+    if (rows.has(kAim)) its.aim = rows.text(kAim);
+    its.place = file + ':' + std::to_string(rows.line());
+    each(its);
+  }
+  return count;
+}
+
+// A field of a record: where it lies, and its type without the character of the byte order.
+struct Field {
+  std::size_t offset = 0, bytes = 0;
+  std::string type;
+};
+
+struct Record {
+  std::map<std::string, Field> fields;
+  std::size_t bytes = 0;
+};
+
+// [('x_mm', '<f4'), ('reset', '|u1'), ...]: names and types in quotes, in turn. Nothing where it is something else.
+std::optional<Record> record_of(std::string_view list) {
+  std::vector<std::string> words;
+  for (std::size_t at = list.find('\''); at != std::string_view::npos; at = list.find('\'', at)) {
+    const std::size_t end = list.find('\'', at + 1);
+    if (end == std::string_view::npos) return std::nullopt;
+    words.emplace_back(list.substr(at + 1, end - at - 1));
+    at = end + 1;
+  }
+  Record record;
+  if (words.size() % 2 != 0) return std::nullopt;
+  for (std::size_t i = 0; i < words.size(); i += 2) {
+    const std::string& type = words[i + 1];
+    if (type.size() < 3 || type.find_first_not_of("0123456789", 2) != std::string::npos || type.size() > 6) return std::nullopt;
+    Field field{record.bytes, std::stoul(type.substr(2)), type};
+    if (type[1] == 'U') field.bytes *= 4;
+    record.bytes += field.bytes;
+    if (!record.fields.emplace(words[i], field).second) return std::nullopt;
+  }
+  return record;
+}
+
+// The record that a file has to have, or what is wrong with this one.
+Record expected_record(const files::NpyHead& head, const std::string& file) {
+  if (!head.type.starts_with('[')) {
+    if (head.type != "<f4" || head.shape.size() != 2 || head.shape[1] != 6 || head.is_by_column)
+      throw BadInput(
+          file + ": holds an array of type " + head.type + " and shape (" + head.shape_text +
+          "); expected records with the fields x_mm, y_mm, z_mm, fx_N, fy_N and fz_N, or numbers of type <f4 (float32), "
+          "row by row, of shape (n, 6)");
+    Record record;
+    for (const std::string& name : kNumbers) record.fields[name] = {4 * record.fields.size(), 4, "<f4"};
+    record.bytes = 24;
+    return record;
+  }
+  const auto record = record_of(head.type);
+  if (!record || head.shape.size() != 1)
+    throw BadInput(file + ": holds records " + head.type + " of shape (" + head.shape_text +
+                   "); expected one dimension, and fields that are numbers or texts");
+  for (const std::string& name : kNumbers) {
+    const auto found = record->fields.find(name);
+    if (found == record->fields.end())
+      throw BadInput(file + ": has no field " + name + "; expected x_mm, y_mm, z_mm, fx_N, fy_N and fz_N");
+    if (found->second.type != "<f4")
+      throw BadInput(file + ": field " + name + " is of type " + found->second.type + "; expected <f4 (float32)");
+  }
+  if (const auto reset = record->fields.find("reset");
+      reset != record->fields.end() && reset->second.type != "|u1" && reset->second.type != "|b1")
+    throw BadInput(file + ": field reset is of type " + reset->second.type + "; expected |u1 (uint8) or |b1 (bool)");
+  return *record;
+}
+
+// A text of bytes or of UTF-32, as NumPy keeps it, in which what is no ASCII is a question mark.
+std::string text_in(const char* bytes, const Field& field) {
+  std::string text;
+  const std::size_t step = field.type[1] == 'U' ? 4 : 1;
+  for (std::size_t i = 0; i < field.bytes && bytes[i] != 0; i += step)
+    text += bytes[i] > 0x1F && bytes[i] < 0x7F ? bytes[i] : '?';
+  return text;
+}
+
+std::uint64_t read_npy(std::istream& in, const std::string& file, const std::function<void(const Case&)>& each) {
+  const files::NpyHead head = files::read_npy_head(in, file);
+  const Record record = expected_record(head, file);
+  std::array<const Field*, 8> fields{};
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const auto found = record.fields.find(i < kNumbers.size() ? kNumbers[i] : i == kReset ? "reset" : "aim");
+    if (found != record.fields.end()) fields[i] = &found->second;
+  }
+  std::string bytes(record.bytes, '\0');
+  for (std::uint64_t row = 0; row < head.shape[0]; ++row) {
+    if (!in.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+      throw BadInput(file + ": is truncated: expected " + std::to_string(head.shape[0]) + " rows, got " + std::to_string(row));
+    Case its;
+    for (std::size_t i = 0; i < kNumbers.size(); ++i) {
+      float number = 0;
+      std::memcpy(&number, &bytes[fields[i]->offset], sizeof number);
+      put(its, i, number);
+    }
+    if (fields[kReset] != nullptr) its.is_reset = bytes[fields[kReset]->offset] != 0;
+    if (fields[kAim] != nullptr && (fields[kAim]->type[1] == 'S' || fields[kAim]->type[1] == 'U'))
+      its.aim = text_in(&bytes[fields[kAim]->offset], *fields[kAim]);
+    its.place = file + ", row " + std::to_string(row);
+    each(its);
+  }
+  if (in.peek() != std::char_traits<char>::eof()) throw BadInput(file + ": goes on after its last row");
+  return head.shape[0];
+}
+
+}  // namespace
+
+void write_positions(std::ostream& out, bool is_npy, const properties::Subject& subject, std::uint64_t count,
+                     std::uint64_t seed, const Monitor& monitor) {
+  out << (is_npy ? files::npy_header(kLayout, count) : "x_mm,y_mm,z_mm,reset,aim\n");
+  const auto positions = subject.positions(seed);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    if (i % kPathLength == 0) monitor.at(static_cast<double>(i) / static_cast<double>(count));
+    const properties::Aimed aimed = positions->next();
+    const bool is_reset = i % kPathLength == 0;
+    const std::string aim(properties::name_of(aimed.aim));
+    if (is_npy) {
+      std::array<char, kAimBytes> padded{};
+      aim.copy(padded.data(), padded.size());
+      out.write(reinterpret_cast<const char*>(aimed.position.data()), 3 * sizeof(float));
+      out.put(is_reset ? 1 : 0).write(padded.data(), padded.size());
+      continue;
+    }
+    for (const float coordinate : aimed.position) out << files::shortest(coordinate) << ',';
+    out << (is_reset ? 1 : 0) << ',' << aim << '\n';
+  }
+}
+
+void read_cases(std::istream& in, const std::string& file, const std::function<void(const Case&)>& each) {
+  if ((files::is_named_npy(file) ? read_npy : read_csv)(in, file, each) == 0)
+    throw BadInput(file + ": expected positions with forces, got none");
+}
+
+}  // namespace forceshade::conformance

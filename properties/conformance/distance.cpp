@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "properties/conformance/distance.h"
+
+#include <algorithm>
+#include <bit>
+#include <boost/multiprecision/mpfr.hpp>
+#include <cmath>
+
+#include "properties/binary32.h"
+
+namespace forceshade::conformance {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr unsigned kFewDigits = 40, kMostDigits = 1000;
+
+// Twice as many digits as the force has, and room for the squares of binary32 numbers beside them.
+using Real = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<2 * kMostDigits + 200>>;
+
+// Binary32 numbers in order, with both zeros at 0.
+std::int64_t index_of(float value) {
+  const auto size = static_cast<std::int64_t>(std::bit_cast<std::uint32_t>(std::fabs(value)));
+  return std::signbit(value) ? -size : size;
+}
+
+// The length of a vector whose components are no more than `off` (N) away from these; a few roundings of binary64 are included.
+Bounds length(const Eigen::Vector3d& components, const Eigen::Vector3d& off) {
+  constexpr double kSlack = 1e-15;
+  const double least = (components.cwiseAbs() - off).cwiseMax(0).stableNorm(),
+               most = (components.cwiseAbs() + off).stableNorm();
+  return {least * (1 - kSlack), most * (1 + kSlack)};
+}
+
+// What the rounding of the exact force may have changed.
+Eigen::Vector3d rounding_of(const reference::Rounded& rounded) {
+  if (rounded.status != Status::contact) return Eigen::Vector3d::Zero();
+  Eigen::Vector3d off;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) off[axis] = properties::half_spacing(rounded.force[axis]);
+  return off;
+}
+
+// -1 where a lies surely below b, 1 where it lies surely above, 0 where that is not known.
+int order(const Bounds& a, const Bounds& b) {
+  return a.high <= b.low ? -1 : a.low > b.high ? 1 : 0;
+}
+
+// The sign of |answer - exact|² less the square of the tolerance, from so many digits; 0 where they are too few to know it.
+int sign_of_excess(const Tolerance& tolerance, const Eigen::Vector3f& answer, const std::array<std::string, 3>& force,
+                   unsigned digits) {
+  Real difference = 0, size = 0, difference_off = 0, size_off = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Real exact(force[axis]), by = exact - Real(answer[static_cast<Eigen::Index>(axis)]);
+    const Real off = abs(exact) * pow(Real(10), -static_cast<int>(digits) + 1);
+    difference += by * by;
+    difference_off += (2 * abs(by) + off) * off;
+    size += exact * exact;
+    size_off += (2 * abs(exact) + off) * off;
+  }
+  const Real square = tolerance.unit == Unit::newton ? Real(tolerance.value) * tolerance.value
+                                                     : size * tolerance.value * tolerance.value / 10000;
+  const Real square_off = tolerance.unit == Unit::newton ? Real(0) : Real(size_off * tolerance.value * tolerance.value / 10000);
+  const Real excess = difference - square, off = (difference_off + square_off) * 2;
+  return excess > off ? 1 : excess < -off ? -1 : 0;
+}
+
+}  // namespace
+
+std::uint64_t ulps_between(float a, float b) {
+  return static_cast<std::uint64_t>(std::abs(index_of(a) - index_of(b)));
+}
+
+Distance distance(const Eigen::Vector3f& answer, const reference::Rounded& rounded) {
+  const Eigen::Vector3d off = rounding_of(rounded);
+  Distance found{0, {kInfinite, kInfinite}, length(rounded.force.cast<double>(), off)};
+  if (!answer.allFinite()) {
+    found.ulps = kNoNumber;
+    return found;
+  }
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    found.ulps = std::max(found.ulps, ulps_between(answer[axis], rounded.force[axis]));
+  found.newtons = length(answer.cast<double>() - rounded.force.cast<double>(), off);
+  return found;
+}
+
+bool is_within(const Tolerance& tolerance, const Eigen::Vector3f& answer, const reference::Rounded& rounded,
+               const Digits& digits) {
+  const Distance found = distance(answer, rounded);
+  if (found.ulps == kNoNumber) return false;
+  if (tolerance.unit == Unit::ulp) return static_cast<double>(found.ulps) <= tolerance.value;
+  if (rounded.status != Status::contact && tolerance.unit == Unit::percent) return found.ulps == 0;
+  if (!digits) {
+    const double most =
+        tolerance.unit == Unit::newton ? tolerance.value : tolerance.value / 100 * rounded.force.cast<double>().stableNorm();
+    return (answer.cast<double>() - rounded.force.cast<double>()).stableNorm() <= most;
+  }
+  constexpr double kDown = 1 - 1e-15, kUp = 1 + 1e-15;
+  const Bounds most = tolerance.unit == Unit::newton ? Bounds{tolerance.value, tolerance.value}
+                                                     : Bounds{tolerance.value / 100 * found.exact_newtons.low * kDown,
+                                                              tolerance.value / 100 * found.exact_newtons.high * kUp};
+  if (const int sure = order(found.newtons, most); sure != 0) return sure < 0;
+  for (unsigned count = kFewDigits; count <= kMostDigits; count *= 5)
+    if (const int sign = sign_of_excess(tolerance, answer, digits(count), count); sign != 0) return sign < 0;
+  return true;
+}
+
+}  // namespace forceshade::conformance

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "properties/conformance/judge.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "files/csv.h"
+#include "properties/built_or_throw.h"
+
+namespace forceshade::conformance {
+namespace {
+
+std::size_t bin_of_ulps(std::uint64_t ulps) {
+  return ulps == kNoNumber ? Judgement::kUlpBins - 1 : static_cast<std::size_t>(std::bit_width(ulps));
+}
+
+std::size_t bin_of_newtons(double distance) {
+  if (!(distance <= std::pow(10.0, Judgement::kMostPower))) return Judgement::kMostPower - Judgement::kLeastPower + 1;
+  if (distance <= std::pow(10.0, Judgement::kLeastPower)) return 0;
+  return static_cast<std::size_t>(static_cast<int>(std::ceil(std::log10(distance))) - Judgement::kLeastPower);
+}
+
+// How large an error is in each unit; percent of an exact zero counts as infinite.
+double size_of(const Distance& distance, Unit unit) {
+  switch (unit) {
+    case Unit::ulp: return static_cast<double>(distance.ulps);
+    case Unit::newton: return distance.newtons.high;
+    default: return distance.ulps == 0 ? 0 : 100 * distance.newtons.high / distance.exact_newtons.high;
+  }
+}
+
+// How many characters it takes to write a position: fewer are simpler.
+std::size_t length_of(const Eigen::Vector3f& position) {
+  std::size_t length = 0;
+  for (const float coordinate : position) length += files::shortest(coordinate).size();
+  return length;
+}
+
+}  // namespace
+
+Judge::Judge(const Description& description, const Tolerance& tolerance)
+    : tolerance_(tolerance), subject_(properties::subject_of(description)) {
+  using properties::built_or_throw;
+  using Three = std::array<std::string, 3>;
+  if (const auto* law = std::get_if<DescribedLaw>(&description.what))
+    decimal_ = [its = built_or_throw(reference::Law::build(law->law, law->parameters))](const auto& position, unsigned count) {
+      const reference::DecimalForce force = its.decimal(position, count);
+      return Three{force.x, "0", force.z};
+    };
+  else if (const auto* map = std::get_if<DescribedHeightMap>(&description.what))
+    decimal_ = [its = built_or_throw(reference::HeightMapField::build(map->map, map->mode, map->stiffness))](
+                   const auto& position, unsigned count) {
+      const reference::DecimalMapForce force = its.decimal(position, count);
+      return Three{force.x, force.y, force.z};
+    };
+}
+
+std::optional<std::array<std::string, 3>> Judge::digits(const Eigen::Vector3f& position, unsigned count) const {
+  return decimal_ ? std::optional(decimal_(position, count)) : std::nullopt;
+}
+
+void Judge::add(const Case& next) {
+  if (session_ == nullptr || next.is_reset) session_ = subject_->open_reference();
+  Judged judged{next, {}, {}};
+  try {
+    judged.exact = session_->step(next.position);
+  } catch (const std::domain_error&) {
+    ++judgement_.undecided;
+    return;
+  }
+  if (judged.exact.is_unfinished) {
+    ++judgement_.unfinished;
+    return;
+  }
+  judged.distance = distance(next.force, judged.exact);
+  const Digits digits = decimal_ ? Digits([&](unsigned count) { return decimal_(next.position, count); }) : Digits();
+  keep(judged, is_within(tolerance_, next.force, judged.exact, digits));
+}
+
+void Judge::keep(const Judged& judged, bool is_within) {
+  const bool is_wrong = judged.distance.ulps != 0;
+  for (Count* count : {&judgement_.all, &judgement_.by_aim[judged.its.aim]}) {
+    ++count->cases;
+    count->wrong += is_wrong;
+    count->beyond += !is_within;
+  }
+  ++judgement_.by_ulps[bin_of_ulps(judged.distance.ulps)];
+  ++judgement_.by_newtons[bin_of_newtons(is_wrong ? judged.distance.newtons.high : 0)];
+  if (is_wrong)
+    for (const Unit unit : {Unit::ulp, Unit::newton, Unit::percent}) {
+      std::optional<Judged>& worst = judgement_.worst[static_cast<std::size_t>(unit)];
+      if (!worst || size_of(judged.distance, unit) > size_of(worst->distance, unit)) worst = judged;
+    }
+  std::optional<Judged>& simplest = judgement_.simplest;
+  if (!is_within && (!simplest || length_of(judged.its.position) < length_of(simplest->its.position))) simplest = judged;
+}
+
+}  // namespace forceshade::conformance

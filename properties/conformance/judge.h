@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Answers of anybody's renderer, held against the exact definition of what it is said to render.
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "forceshade/description.h"
+#include "forceshade/properties.h"
+#include "properties/conformance/distance.h"
+#include "properties/conformance/tolerance.h"
+
+namespace forceshade::conformance {
+
+// A position, and what the renderer gave for it.
+struct Case {
+  Eigen::Vector3f position{0, 0, 0};  // mm
+  bool is_reset = false;              // a new path begins here, from no contact
+  Eigen::Vector3f force{0, 0, 0};     // N
+  std::string aim = {};               // what the position was aimed at; empty where that is not known
+  std::string place = {};             // where the case stands, for people: "mine.csv:12"
+};
+
+// A case with what the definition says of it.
+struct Judged {
+  Case its;
+  reference::Rounded exact;
+  Distance distance;
+};
+
+struct Count {
+  std::uint64_t cases = 0, wrong = 0, beyond = 0;  // wrong: not correctly rounded; beyond: the tolerance
+};
+
+struct Judgement {
+  Count all;
+  std::map<std::string, Count> by_aim;
+  // By the length of the binary number of units in the last place: 0, 1, 2 to 3, 4 to 7, and so on; the last one: no number.
+  static constexpr std::size_t kUlpBins = 35;
+  std::array<std::uint64_t, kUlpBins> by_ulps{};
+  // By the power of ten that the distance in N is below: 10^-45 or less, 10^-44, up to 10^5, beyond it or no number.
+  static constexpr int kLeastPower = -45, kMostPower = 5;
+  std::array<std::uint64_t, kMostPower - kLeastPower + 2> by_newtons{};
+  std::uint64_t undecided = 0;   // the definition does not decide there
+  std::uint64_t unfinished = 0;  // the definition's god-object used up the moves of the tick, and gives no force of rest
+  // The one with the largest distance of each unit, as in Unit; of the cases beyond the tolerance the simplest, whose
+  // position is the shortest to write.
+  std::array<std::optional<Judged>, 3> worst;
+  std::optional<Judged> simplest;
+
+  bool held() const { return all.cases > 0 && all.beyond == 0; }
+};
+
+class Judge {
+ public:
+  // Throws std::invalid_argument for what the exact side refuses to render.
+  Judge(const Description& description, const Tolerance& tolerance);
+
+  // The next case. Those of a path follow one another; the first one begins a path.
+  void add(const Case& next);
+
+  const Judgement& judgement() const { return judgement_; }
+
+  // The exact force there in so many digits; empty for a mesh, whose force depends on the path.
+  std::optional<std::array<std::string, 3>> digits(const Eigen::Vector3f& position, unsigned count) const;
+
+ private:
+  void keep(const Judged& judged, bool is_within);
+
+  Tolerance tolerance_;
+  std::shared_ptr<const properties::Subject> subject_;
+  std::function<std::array<std::string, 3>(const Eigen::Vector3f& position, unsigned count)> decimal_;
+  std::unique_ptr<properties::ReferenceSession> session_;
+  Judgement judgement_;
+};
+
+}  // namespace forceshade::conformance

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "properties/conformance/judgement_text.h"
+
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "properties/binary32.h"
+#include "rendering/identity/identity_json.h"
+
+namespace forceshade::conformance {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using properties::show;
+
+constexpr std::array<Unit, 3> kUnits{Unit::ulp, Unit::newton, Unit::percent};
+constexpr std::array<const char*, 3> kWorstNames{"worst_in_ulp", "worst_in_newton", "worst_in_percent"};
+
+std::string format(const char* layout, double value) {
+  std::array<char, 48> text{};
+  std::snprintf(text.data(), text.size(), layout, value);
+  return text.data();
+}
+
+std::string share(std::uint64_t part, std::uint64_t of) {
+  std::string text = std::to_string(part) + " of " + std::to_string(of);
+  if (of > 0) text += " (" + format("%.4g", 100 * static_cast<double>(part) / static_cast<double>(of)) + " %)";
+  return text;
+}
+
+// "0", "1", "2 to 3", "4 to 7", "no number".
+std::string ulps_in(std::size_t bin) {
+  if (bin == Judgement::kUlpBins - 1) return "no number";
+  if (bin < 2) return std::to_string(bin);
+  const std::uint64_t least = std::uint64_t{1} << (bin - 1);
+  return std::to_string(least) + " to " + std::to_string(2 * least - 1);
+}
+
+std::string error_words(const Distance& distance) {
+  if (distance.ulps == kNoNumber) return "is no finite force";
+  std::string words = std::to_string(distance.ulps) + " ulp, " + format("%.3g", distance.newtons.high) + " N";
+  if (distance.exact_newtons.high > 0)
+    words += ", " + format("%.3g", 100 * distance.newtons.high / distance.exact_newtons.high) + " % of the force";
+  return words;
+}
+
+// {0x1.8p+1f, 0x0p+0f, -0x1p-1f}, as C and C++ read it.
+std::string literal(const Eigen::Vector3f& v) {
+  std::string text;
+  for (const float component : v) {
+    std::string one = format("%a", static_cast<double>(component));
+    if (std::isfinite(component)) one += 'f';
+    if (std::isnan(component)) one = "NAN";
+    if (std::isinf(component)) one = component > 0 ? "INFINITY" : "-INFINITY";
+    text += (text.empty() ? "{" : ", ") + one;
+  }
+  return text + '}';
+}
+
+std::string place_of(const Judged& judged) {
+  std::string words = judged.its.place.empty() ? "" : judged.its.place + ": ";
+  return words + "at " + show(judged.its.position) + " mm the answer is " + show(judged.its.force) + " N; the exact force is " +
+         show(judged.exact.force) + " N";
+}
+
+Json json_of(const Eigen::Vector3f& v) {
+  Json numbers = Json::array();
+  for (const float component : v) numbers.push_back(format("%a", static_cast<double>(component)));
+  return numbers;
+}
+
+Json json_of(const Judge& judge, const Judged& judged) {
+  Json found{{"place", judged.its.place},
+             {"position_mm", json_of(judged.its.position)},
+             {"force_N", json_of(judged.its.force)},
+             {"rounded_exact_force_N", json_of(judged.exact.force)}};
+  if (const auto digits = judge.digits(judged.its.position, 30)) found["exact_force_N"] = *digits;
+  if (judged.distance.ulps == kNoNumber) return found;
+  found["ulp"] = judged.distance.ulps;
+  found["newton"] = judged.distance.newtons.high;
+  return found;
+}
+
+Json json_of(const Count& count) {
+  return {{"cases", count.cases}, {"wrong", count.wrong}, {"beyond_tolerance", count.beyond}};
+}
+
+}  // namespace
+
+std::string words_of(const Judge& judge, const Identity& identity, const Tolerance& tolerance) {
+  const Judgement& found = judge.judgement();
+  const std::uint64_t right = found.all.cases - found.all.wrong;
+  std::string words = identity.name + ": correctly rounded " + share(right, found.all.cases) + '\n';
+  if (found.undecided > 0)
+    words += "  not judged, because the definition was not decided: " + std::to_string(found.undecided) + '\n';
+  if (found.unfinished > 0)
+    words +=
+        "  not judged, because the definition's god-object did not come to rest: " + std::to_string(found.unfinished) + '\n';
+  if (found.all.wrong > 0) {
+    words += "  ulp from it:";
+    for (std::size_t bin = 0; bin < Judgement::kUlpBins; ++bin)
+      if (found.by_ulps[bin] > 0) words += ' ' + ulps_in(bin) + ": " + std::to_string(found.by_ulps[bin]) + ';';
+    words.back() = '\n';
+    for (const auto& [aim, count] : found.by_aim)
+      if (count.wrong > 0 && !aim.empty()) words += "  wrong, aimed at " + aim + ": " + share(count.wrong, count.cases) + '\n';
+    const Judged& worst = *found.worst[static_cast<std::size_t>(Unit::ulp)];
+    words += "  the largest error in ulp: " + error_words(worst.distance) + "\n    " + place_of(worst) + '\n';
+    const Judged& longest = *found.worst[static_cast<std::size_t>(Unit::newton)];
+    if (longest.distance.ulps != worst.distance.ulps)
+      words += "  the largest error in N: " + error_words(longest.distance) + "\n    " + place_of(longest) + '\n';
+  }
+  words += (found.held() ? "held: " : "FAILED: ") + share(found.all.cases - found.all.beyond, found.all.cases) +
+           " within the tolerance, " + words_of(tolerance) + '\n';
+  if (!found.simplest) return words;
+  words += "  the simplest beyond it, to paste into a test:\n    position_mm " + literal(found.simplest->its.position) +
+           "\n    force_N     " + literal(found.simplest->exact.force) + "  /* not " + literal(found.simplest->its.force) +
+           " */\n";
+  return words;
+}
+
+std::string to_json(const Judge& judge, const Identity& identity, const Tolerance& tolerance) {
+  const Judgement& found = judge.judgement();
+  Json json{{"schema", "forceshade judgement 1"},
+            {"held", found.held()},
+            {"tolerance", words_of(tolerance)},
+            {"kind", identity.kind},
+            {"name", identity.name},
+            {"digest", identity.digest},
+            {"parameters", parameters_json(identity)},
+            {"all", json_of(found.all)},
+            {"undecided", found.undecided},
+            {"unfinished", found.unfinished}};
+  for (const auto& [aim, count] : found.by_aim) json["by_aim"][aim.empty() ? "unknown" : aim] = json_of(count);
+  Json& ulps = json["by_ulp"] = Json::array();
+  for (std::size_t bin = 0; bin < Judgement::kUlpBins; ++bin)
+    if (found.by_ulps[bin] > 0) ulps.push_back({{"ulp", ulps_in(bin)}, {"cases", found.by_ulps[bin]}});
+  Json& newtons = json["by_newton"] = Json::array();
+  for (std::size_t bin = 0; bin < found.by_newtons.size(); ++bin)
+    if (found.by_newtons[bin] > 0) {
+      const int power = Judgement::kLeastPower + static_cast<int>(bin);
+      newtons.push_back({{"at_most", power > Judgement::kMostPower ? Json(nullptr) : Json("1e" + std::to_string(power))},
+                         {"cases", found.by_newtons[bin]}});
+    }
+  for (const Unit unit : kUnits)
+    if (const auto& worst = found.worst[static_cast<std::size_t>(unit)])
+      json[kWorstNames[static_cast<std::size_t>(unit)]] = json_of(judge, *worst);
+  if (found.simplest) json["simplest_beyond_tolerance"] = json_of(judge, *found.simplest);
+  return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace forceshade::conformance

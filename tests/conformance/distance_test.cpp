@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "properties/conformance/distance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace forceshade::conformance {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity(), kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kSmallest = std::numeric_limits<float>::denorm_min(), kLargest = std::numeric_limits<float>::max();
+
+reference::Rounded contact(const Eigen::Vector3f& force) {
+  reference::Rounded rounded;
+  rounded.force = force;
+  rounded.status = Status::contact;
+  return rounded;
+}
+
+TEST(ulps, count_the_binary32_numbers_from_one_to_the_other) {
+  EXPECT_EQ(ulps_between(1, 1), 0U);
+  EXPECT_EQ(ulps_between(0.0F, -0.0F), 0U);
+  EXPECT_EQ(ulps_between(1, std::nextafter(1.0F, 2.0F)), 1U);
+  EXPECT_EQ(ulps_between(1, std::nextafter(1.0F, 0.0F)), 1U);
+  EXPECT_EQ(ulps_between(kSmallest, -kSmallest), 2U);
+  EXPECT_EQ(ulps_between(1, 2), 1U << 23U);
+  EXPECT_EQ(ulps_between(kLargest, -kLargest), 2 * 0x7f7fffffULL);
+}
+
+TEST(distance, is_the_largest_in_ulp_and_the_length_in_newton) {
+  const reference::Rounded exact = contact({3, 0, 4});
+  const Distance found = distance({std::nextafter(3.0F, 4.0F), 0, 4.5F}, exact);
+  EXPECT_EQ(found.ulps, ulps_between(4, 4.5F));
+  EXPECT_LE(found.newtons.low, 0.5);
+  EXPECT_GE(found.newtons.high, 0.5);
+  EXPECT_NEAR(found.newtons.high, 0.5, 1e-6);
+  EXPECT_NEAR(found.exact_newtons.low, 5, 1e-6);
+  for (const float none : {kNan, kInfinity, -kInfinity}) EXPECT_EQ(distance({3, none, 4}, exact).ulps, kNoNumber);
+}
+
+// 0.5 N, exactly, as of a wall: the distance in N is a number of binary64, and that one is still within.
+TEST(is_within, decides_a_distance_that_equals_the_tolerance) {
+  const Eigen::Vector3f answer(0, 0, 0.5F + 0x1p-20F);
+  const reference::Rounded exact = contact({0, 0, 0.5F});
+  const Digits half = [](unsigned) { return std::array<std::string, 3>{"0", "0", "0.5"}; };
+  EXPECT_TRUE(is_within({Unit::newton, 0x1p-20}, answer, exact, half));
+  EXPECT_FALSE(is_within({Unit::newton, std::nextafter(0x1p-20, 0.0)}, answer, exact, half));
+  EXPECT_TRUE(is_within({Unit::percent, 100 * 0x1p-19}, answer, exact, half));
+  EXPECT_FALSE(is_within({Unit::percent, std::nextafter(100 * 0x1p-19, 0.0)}, answer, exact, half));
+  EXPECT_TRUE(is_within({Unit::ulp, 16}, answer, exact, half));
+  EXPECT_FALSE(is_within({Unit::ulp, 15}, answer, exact, half));
+}
+
+// What is nearest to the exact force is not the exact force: its own error counts in N.
+TEST(is_within, takes_the_exact_force_and_not_the_rounded_one) {
+  const auto law = std::get<reference::Law>(reference::Law::build(LawId::bump_2p, {15.24F, 25.4F, 0.5F}));
+  const Eigen::Vector3f position(3, 0, -0.5F);
+  const reference::Rounded exact = law.round_to_binary32(position);
+  const Digits digits = [&](unsigned count) {
+    const auto force = law.decimal(position, count);
+    return std::array<std::string, 3>{force.x, "0", force.z};
+  };
+  // Its distance, from digits beyond those of binary64's differences.
+  const auto off = [&](float rounded, const std::string& text) {
+    return std::strtold(text.c_str(), nullptr) - static_cast<long double>(rounded);
+  };
+  const auto texts = digits(30);
+  const long double size = std::hypot(off(exact.force.x(), texts[0]), off(exact.force.z(), texts[2]));
+  ASSERT_GT(size, 1e-10L);
+  EXPECT_FALSE(is_within({Unit::newton, static_cast<double>(size * (1 - 1e-8L))}, exact.force, exact, digits));
+  EXPECT_TRUE(is_within({Unit::newton, static_cast<double>(size * (1 + 1e-8L))}, exact.force, exact, digits));
+  EXPECT_FALSE(is_within({Unit::newton, 0}, exact.force, exact, digits));
+  const long double whole = std::hypot(std::strtold(texts[0].c_str(), nullptr), std::strtold(texts[2].c_str(), nullptr));
+  EXPECT_FALSE(is_within({Unit::percent, static_cast<double>(100 * size / whole * (1 - 1e-8L))}, exact.force, exact, digits));
+  EXPECT_TRUE(is_within({Unit::percent, static_cast<double>(100 * size / whole * (1 + 1e-8L))}, exact.force, exact, digits));
+}
+
+TEST(is_within, requires_zero_of_an_exact_zero_in_percent_and_a_number_in_all) {
+  const reference::Rounded none;
+  EXPECT_TRUE(is_within({Unit::percent, 50}, {0, -0.0F, 0}, none, {}));
+  EXPECT_FALSE(is_within({Unit::percent, 1e9}, {0, kSmallest, 0}, none, {}));
+  EXPECT_TRUE(is_within({Unit::newton, 1e-3}, {0, 1e-3F, 0}, none, {}) == (double{1e-3F} <= 1e-3));
+  for (const Unit unit : {Unit::ulp, Unit::newton, Unit::percent}) {
+    EXPECT_FALSE(is_within({unit, 0x1p32}, {0, kNan, 0}, none, {}));
+    EXPECT_FALSE(is_within({unit, 0x1p32}, {0, kInfinity, 0}, contact({0, kLargest, 0}), {}));
+  }
+}
+
+}  // namespace
+}  // namespace forceshade::conformance

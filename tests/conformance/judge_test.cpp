@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "properties/conformance/judge.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "forceshade/subjects.h"
+#include "properties/conformance/judgement_text.h"
+#include "tests/support/temporary_directory.h"
+
+namespace forceshade::conformance {
+namespace {
+
+const Description kBump{"bump-2p", DescribedLaw{LawId::bump_2p, {15.24F, 25.4F, 0.5F}}};
+
+// Positions of the subject with the answers of the fast path.
+std::vector<Case> answered(const Description& description, std::size_t count) {
+  const auto subject = properties::subject_of(description);
+  const auto positions = subject->positions(1);
+  const auto session = subject->renderer().open();
+  std::vector<Case> cases;
+  for (std::size_t i = 0; i < count; ++i) {
+    const properties::Aimed aimed = positions->next();
+    cases.push_back(
+        {aimed.position, i == 0, session->step(aimed.position).force, std::string(name_of(aimed.aim)), std::to_string(i)});
+  }
+  return cases;
+}
+
+Judgement judged(const Description& description, const std::vector<Case>& cases, const Tolerance& tolerance) {
+  Judge judge(description, tolerance);
+  for (const Case& each : cases) judge.add(each);
+  return judge.judgement();
+}
+
+// The first case in contact, whose answer is not near a power of two.
+std::size_t one_in_contact(const std::vector<Case>& cases) {
+  std::size_t i = 0;
+  while (!(std::fabs(cases[i].force.z()) > 1 && std::fabs(cases[i].force.z()) < 1.5F)) ++i;
+  return i;
+}
+
+TEST(judge, finds_nothing_wrong_with_the_fast_path) {
+  const Judgement found = judged(kBump, answered(kBump, 5000), {});
+  EXPECT_TRUE(found.held());
+  EXPECT_EQ(found.all.cases, 5000U);
+  EXPECT_EQ(found.all.wrong, 0U);
+  EXPECT_EQ(found.by_ulps[0], 5000U);
+  EXPECT_GT(found.by_aim.at("tie").cases, 50U);
+  EXPECT_FALSE(found.worst[0] || found.simplest);
+}
+
+TEST(judge, passes_one_number_off_at_one_ulp_and_not_at_none) {
+  std::vector<Case> cases = answered(kBump, 5000);
+  const std::size_t at = one_in_contact(cases);
+  cases[at].force.z() = std::nextafter(cases[at].force.z(), 10.0F);
+  const Judgement strict = judged(kBump, cases, {Unit::ulp, 0}), generous = judged(kBump, cases, {Unit::ulp, 1});
+  EXPECT_FALSE(strict.held());
+  EXPECT_EQ(strict.all.beyond, 1U);
+  EXPECT_TRUE(generous.held());
+  for (const Judgement& found : {strict, generous}) {
+    EXPECT_EQ(found.all.wrong, 1U);
+    EXPECT_EQ(found.by_aim.at(cases[at].aim).wrong, 1U);
+    EXPECT_EQ(found.by_ulps[1], 1U);
+    ASSERT_TRUE(found.worst[0]);
+    EXPECT_EQ(found.worst[0]->its.place, std::to_string(at));
+  }
+  EXPECT_EQ(strict.simplest->its.place, std::to_string(at));
+}
+
+TEST(judge, takes_both_zeros_for_one_number_and_what_is_none_for_wrong) {
+  std::vector<Case> cases = answered(kBump, 2000);
+  for (Case& each : cases)
+    for (float& component : each.force)
+      if (component == 0) component = -0.0F;
+  EXPECT_TRUE(judged(kBump, cases, {}).held());
+  const std::size_t at = one_in_contact(cases);
+  cases[at].force.y() = std::numeric_limits<float>::quiet_NaN();
+  const Judgement found = judged(kBump, cases, {Unit::newton, 1e30});
+  EXPECT_EQ(found.all.beyond, 1U);
+  EXPECT_EQ(found.by_ulps.back(), 1U);
+  EXPECT_EQ(found.by_newtons.back(), 1U);
+}
+
+TEST(judge, names_the_worst_in_each_unit_and_the_simplest) {
+  Judge judge(kBump, {});
+  judge.add({{2, 0, -1000}, true, {0, 0, 0}, "", "far"});        // some 500 N missing
+  judge.add({{3, 0, 12}, false, {0, 0, 0x1p-149F}, "", "air"});  // an exact zero
+  judge.add({{2.3456F, 0.1F, -1.234F}, false, {0, 0, 0}, "", "many bits"});
+  const Judgement& found = judge.judgement();
+  EXPECT_EQ(found.all.wrong, 3U);
+  EXPECT_EQ(found.worst[static_cast<std::size_t>(Unit::newton)]->its.place, "far");
+  EXPECT_EQ(found.worst[static_cast<std::size_t>(Unit::percent)]->its.place, "air");
+  EXPECT_EQ(found.simplest->its.place, "air");
+  const auto exact = judge.digits({3, 0, -0.5F}, 20);
+  ASSERT_TRUE(exact);
+  EXPECT_EQ((*exact)[2], "2.5137452088061372488");
+}
+
+TEST(judge, holds_of_no_case_at_all_is_nothing) {
+  EXPECT_FALSE(judged(kBump, {}, {}).held());
+}
+
+// A mesh remembers: the same positions along one path, and with the path begun again, are different questions.
+TEST(judge, begins_a_path_of_a_mesh_where_the_case_says_so) {
+  const tests::TemporaryDirectory folder;
+  folder.write("tetrahedron.off", "OFF\n4 4 0\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  const Description mesh = subjects::read_file(folder.write(
+      "tetrahedron.toml", "mesh = \"tetrahedron.off\"\nunit = \"mm\"\nshading = \"none\"\nstiffness = \"0.5N/mm\"\n"));
+  EXPECT_TRUE(judged(mesh, answered(mesh, 300), {}).held());
+  // From outside through a face: contact at the second position. Begun there, it is inside, and free.
+  const std::vector<Case> path{{{2, 2, -1}, true, {0, 0, 0}}, {{2, 2, 1}, false, {0, 0, -0.5F}}};
+  const std::vector<Case> two{{{2, 2, -1}, true, {0, 0, 0}}, {{2, 2, 1}, true, {0, 0, 0}}};
+  const std::vector<Case> neither{{{2, 2, -1}, true, {0, 0, 0}}, {{2, 2, 1}, true, {0, 0, -0.5F}}};
+  EXPECT_TRUE(judged(mesh, path, {}).held());
+  EXPECT_TRUE(judged(mesh, two, {}).held());
+  EXPECT_EQ(judged(mesh, neither, {}).all.wrong, 1U);
+  EXPECT_FALSE(Judge(mesh, {}).digits({2, 2, 1}, 20));
+}
+
+TEST(judgement, is_said_in_words_with_a_case_to_paste_and_as_json) {
+  Judge judge(kBump, {});
+  judge.add({{3, 0, -0.5F}, true, {1.3490643F, 0, 2.5137453F}, "surface", "mine.csv:2"});
+  judge.add({{3, 0, -0.5F}, false, {1.3490643F, 0, 2.513745F}, "surface", "mine.csv:3"});
+  const Identity identity = identity_of(LawId::bump_2p, {15.24F, 25.4F, 0.5F});
+  const std::string words = words_of(judge, identity, {}), json = to_json(judge, identity, {});
+  for (const char* part : {"bump-2p: correctly rounded 1 of 2 (50 %)", "wrong, aimed at surface: 1 of 2 (50 %)",
+                           "mine.csv:3: at x = ", "FAILED: 1 of 2 (50 %) within the tolerance, correctly rounded",
+                           "position_mm {0x1.8p+1f, 0x0p+0f, -0x1p-1f}"})
+    EXPECT_NE(words.find(part), std::string::npos) << part << "\n" << words;
+  for (const char* part :
+       {"\"schema\": \"forceshade judgement 1\"", "\"held\": false", "\"wrong\": 1", "\"2.51374520880613724883", "mine.csv:3"})
+    EXPECT_NE(json.find(part), std::string::npos) << part << "\n" << json;
+}
+
+}  // namespace
+}  // namespace forceshade::conformance
