@@ -60,6 +60,12 @@ struct Law::Inside {
   static std::variant<Built<Definition>...> any_of(LawList<Definition...>);
   decltype(any_of(Laws())) law;
 
+  // Law::evaluate of a law that One is the definition of.
+  template <class One>
+  static Evaluation evaluate(const Law& law, const Eigen::Vector3f& position) noexcept {
+    return fast::evaluate(*std::get_if<One>(&law.inside().law), law.parameters_, position);
+  }
+
   // Nothing where there is no such law.
   template <class... Definition>
   static std::optional<Inside> built(LawId id, const Parameters& parameters, LawList<Definition...>) noexcept {
@@ -74,7 +80,10 @@ struct Law::Inside {
 };
 
 // A definition is trivially copyable: a copy of its bytes is a copy of it.
-Law::Law(LawId id, const Parameters& parameters, const Inside& inside) noexcept : id_(id), parameters_(parameters) {
+Law::Law(LawId id, const Parameters& parameters, const Inside& inside) noexcept
+    : id_(id),
+      parameters_(parameters),
+      evaluate_(std::visit([]<class One>(const One&) { return &Inside::evaluate<One>; }, inside.law)) {
   static_assert(sizeof(Inside) <= sizeof inside_ && alignof(Inside) <= 8 && std::is_trivially_copyable_v<Inside>,
                 "the buffer in include/forceshade/fast.h has room for the largest law's definition");
   ::new (inside_.data()) Inside(inside);
@@ -89,10 +98,6 @@ std::variant<Law, ParameterError> Law::build(LawId id, const Parameters& p) noex
   if (const auto error = first_error(id, p)) return *error;
   if (const auto inside = Inside::built(id, p, Laws())) return Law(id, p, *inside);
   return ParameterError{"law", "", static_cast<float>(static_cast<int>(id)), 0, static_cast<float>(kLaws.size() - 1)};
-}
-
-Evaluation Law::evaluate(const Eigen::Vector3f& position) const noexcept {
-  return std::visit([&](const auto& law) { return fast::evaluate(law, parameters_, position); }, inside().law);
 }
 
 BatchResult Law::force(std::span<const float> x, std::span<const float> z, std::span<float> fx, std::span<float> fz,

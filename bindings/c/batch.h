@@ -18,8 +18,9 @@ namespace forceshade::c {
 forceshade_result check(const forceshade_batch* batch) noexcept;
 
 inline forceshade_status status_of(const fast::Evaluation& answer) noexcept {
-  if (answer.is_unfinished) return FORCESHADE_UNFINISHED;
-  return static_cast<forceshade_status>(answer.status);
+  // Without a branch, which would take a tenth of the time of a law's call. What is unfinished is a contact.
+  static_assert(FORCESHADE_UNFINISHED == FORCESHADE_CONTACT + 2);
+  return static_cast<forceshade_status>(static_cast<int>(answer.status) + 2 * static_cast<int>(answer.is_unfinished));
 }
 
 // Writes an answer to where the caller has room for it.

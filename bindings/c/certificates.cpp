@@ -12,7 +12,7 @@ forceshade_result forceshade_certificate_covers(const char* file, forceshade_sub
   return c::guarded([&]() -> forceshade_result {
     if (file == nullptr) return c::fail(FORCESHADE_NULL_POINTER, "file is NULL");
     const c::Subject* const its = c::subject_of(subject);
-    if (its == nullptr) return FORCESHADE_BAD_HANDLE;
+    if (its == nullptr) return c::bad_subject();
     const properties::Certificate certificate = properties::from_json(properties::read_certificate(file), file);
     const auto refused = refusal(certificate, properties::current_build(), its->identity);
     return refused ? c::fail(FORCESHADE_NOT_COVERED, std::string(file) + ": " + *refused) : FORCESHADE_OK;

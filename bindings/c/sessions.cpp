@@ -70,7 +70,7 @@ using namespace forceshade::c;
 forceshade_result forceshade_session_open(forceshade_subject subject, forceshade_session* made) {
   return guarded([&]() -> forceshade_result {
     const Subject* const its = subject_of(subject);
-    if (its == nullptr) return FORCESHADE_BAD_HANDLE;
+    if (its == nullptr) return bad_subject();
     if (made == nullptr) return fail(FORCESHADE_NULL_POINTER, "made is NULL");
     if (const char* fault = fast::arithmetic_fault())
       return fail(FORCESHADE_BAD_ARITHMETIC, std::string("found ") + fault + "; expected rounding to nearest, with subnormals");

@@ -9,9 +9,8 @@
 namespace forceshade::c {
 constinit Lasting<Subject> subjects;
 
-const Subject* no_subject() noexcept {
-  fail(FORCESHADE_BAD_HANDLE, "the subject is none: it was never made, or has been freed");
-  return nullptr;
+forceshade_result bad_subject() noexcept {
+  return fail(FORCESHADE_BAD_HANDLE, "the subject is none: it was never made, or has been freed");
 }
 
 forceshade_result add_subject(const Description& description, forceshade_subject* made) {

@@ -10,14 +10,11 @@ namespace forceshade::c {
 
 extern constinit Lasting<Subject> subjects;
 
-// Says BAD_HANDLE.
-const Subject* no_subject() noexcept;
-
-// Null for a handle that is none; then BAD_HANDLE has been said.
+// Null for a handle that is none, for which bad_subject() is the result.
 inline const Subject* subject_of(forceshade_subject handle) noexcept {
-  const Subject* const found = subjects.table.find(handle.handle);
-  return found != nullptr ? found : no_subject();
+  return subjects.table.find(handle.handle);
 }
+forceshade_result bad_subject() noexcept;
 
 // The handle of what is described, or the error.
 forceshade_result add_subject(const Description& description, forceshade_subject* made);

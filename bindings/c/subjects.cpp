@@ -159,15 +159,14 @@ forceshade_result forceshade_subject_parse(const char* text, size_t length, cons
 forceshade_result forceshade_subject_free(forceshade_subject subject) {
   return guarded([&]() -> forceshade_result {
     if (forceshade::c::subjects.table.take(subject.handle) != nullptr) return FORCESHADE_OK;
-    no_subject();
-    return FORCESHADE_BAD_HANDLE;
+    return bad_subject();
   });
 }
 
 forceshade_result forceshade_subject_text(forceshade_subject subject, int32_t what, char* text, size_t size, size_t* length) {
   return guarded([&]() -> forceshade_result {
     const Subject* const its = subject_of(subject);
-    if (its == nullptr) return FORCESHADE_BAD_HANDLE;
+    if (its == nullptr) return bad_subject();
     if (const forceshade_result wrong = check_room(text, size); wrong != FORCESHADE_OK) return wrong;
     const auto words = [&]() -> std::optional<std::string> {
       switch (what) {

@@ -20,8 +20,8 @@ class Table {
 
   struct alignas(32) Slot {
     std::atomic<T*> object = nullptr;
-    std::atomic<std::uint32_t> use = 0;  // the number of this use, or of the last one; 0: none yet
-    std::atomic<bool> is_busy = false;   // for who uses the object alone
+    std::atomic<std::uint64_t> handle = 0;  // that of the object, or of the last one; 0: none yet
+    std::atomic<bool> is_busy = false;      // for who uses the object alone
   };
 
   constexpr Table() = default;
@@ -39,22 +39,22 @@ class Table {
       freed_.pop_back();
     }
     Slot& slot = slots_[index];
-    const std::uint32_t use = slot.use.fetch_add(1, std::memory_order_release) + 1;
+    const std::uint64_t use = (slot.handle.load(std::memory_order_relaxed) >> 32U) + 1;
+    const std::uint64_t handle = use << 32U | index;
+    slot.handle.store(handle, std::memory_order_release);
     slot.object.store(object.release(), std::memory_order_release);
-    return std::uint64_t{use} << 32U | index;
+    return handle;
   }
 
   // Null for a handle that is none.
   T* find(std::uint64_t handle) const noexcept {
-    const auto index = static_cast<std::uint32_t>(handle);
-    if (index >= kSlots || slots_[index].use.load(std::memory_order_acquire) != handle >> 32U) [[unlikely]]
+    const Slot& its = slots_[handle % kSlots];
+    if (its.handle.load(std::memory_order_acquire) != handle) [[unlikely]]
       return nullptr;
-    return slots_[index].object.load(std::memory_order_acquire);
+    return its.object.load(std::memory_order_acquire);
   }
   // The slot of a handle that is one.
-  Slot* slot(std::uint64_t handle) noexcept {
-    return find(handle) == nullptr ? nullptr : &slots_[static_cast<std::uint32_t>(handle)];
-  }
+  Slot* slot(std::uint64_t handle) noexcept { return find(handle) == nullptr ? nullptr : &slots_[handle % kSlots]; }
 
   // The handle is none from then on. Null where it was none.
   std::unique_ptr<T> take(std::uint64_t handle) {
@@ -63,7 +63,7 @@ class Table {
     if (its == nullptr) return nullptr;
     std::unique_ptr<T> object(its->object.exchange(nullptr));
     // A slot whose uses can no longer be counted is not given out again.
-    if (its->use.load(std::memory_order_relaxed) != UINT32_MAX) freed_.push_back(static_cast<std::uint32_t>(handle));
+    if (handle >> 32U != UINT32_MAX) freed_.push_back(static_cast<std::uint32_t>(handle));
     return object;
   }
 

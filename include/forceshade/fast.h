@@ -76,7 +76,7 @@ class Law {
   LawId id() const noexcept { return id_; }
   const Parameters& parameters() const noexcept { return parameters_; }
 
-  Evaluation evaluate(const Eigen::Vector3f& position) const noexcept;
+  Evaluation evaluate(const Eigen::Vector3f& position) const noexcept { return evaluate_(*this, position); }
   Eigen::Vector3f force(const Eigen::Vector3f& position) const noexcept { return evaluate(position).force; }
 
   // fx[i], fz[i] = force at (x[i], 0, z[i]), bit for bit what evaluate() gives, whatever the instruction set.
@@ -92,6 +92,7 @@ class Law {
 
   LawId id_;
   Parameters parameters_;
+  Evaluation (*evaluate_)(const Law& law, const Eigen::Vector3f& position) noexcept;  // that of the law's definition
   alignas(8) std::array<std::byte, 232> inside_;  // what the parameters make of the law's definition: fast/law.cpp
 };
 
