@@ -133,4 +133,32 @@ BatchResult Law::force(std::span<const float> x, std::span<const float> z, std::
       inside().law);
 }
 
+BatchResult Law::force(std::span<const Eigen::Vector3f> positions, std::span<Eigen::Vector3f> forces,
+                       InstructionSet instructions) const noexcept {
+  static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float), "positions one after the other are rows of three floats");
+  return std::visit(
+      [&]<class Definition>(const Built<Definition>& law) {
+        const BlockTable* const table = blocks(instructions);
+        const BlockFunction<Definition> answer_block = block_function<Definition>(table);
+        const std::size_t count = std::min(positions.size(), forces.size());
+        alignas(64) float x[kBlock], z[kBlock], fx[kBlock], fz[kBlock];
+        BatchResult result;
+        for (std::size_t next = 0; next < count;) {
+          if (table != nullptr && count - next >= kBlock && table->take_rows_apart(positions[next].data(), x, z) &&
+              answer_block(law.definition, x, z, fx, fz)) {
+            table->put_rows_together(fx, fz, forces[next].data());
+            next += kBlock;
+            continue;
+          }
+          for (const std::size_t end = std::min(count, next + kBlock); next < end; ++next) {
+            const Evaluation one = fast::evaluate(law, parameters_, positions[next]);
+            forces[next] = one.force;
+            if (one.status == Status::invalid) ++result.invalid;
+          }
+        }
+        return result;
+      },
+      inside().law);
+}
+
 }  // namespace forceshade::fast

@@ -26,6 +26,10 @@ struct BlockOf {
 
 template <class... Definition>
 struct BlocksOf : BlockOf<Definition>... {
+  // Writes x and z of kBlock rows (x, y, z); false when at least one y is outside the domain.
+  bool (*take_rows_apart)(const float* rows, float* x, float* z);
+  // Writes kBlock rows (fx, 0, fz).
+  void (*put_rows_together)(const float* fx, const float* fz, float* rows);
   const char* (*arithmetic_fault_here)();
 };
 

@@ -47,7 +47,7 @@ const char* fault_here() {
 
 template <class... Definition>
 constexpr BlocksOf<Definition...> filled(LawList<Definition...>) {
-  return {BlockOf<Definition>{&answer_block<Definition>}..., &fault_here};
+  return {BlockOf<Definition>{&answer_block<Definition>}..., &take_rows_apart, &put_rows_together, &fault_here};
 }
 
 constexpr BlockTable kBlocks = filled(Laws());

@@ -85,6 +85,11 @@ class Law {
   BatchResult force(std::span<const float> x, std::span<const float> z, std::span<float> fx, std::span<float> fz,
                     InstructionSet instructions = best_instruction_set()) const noexcept;
 
+  // forces[i] = force at positions[i], in the same way; as many as the shorter span has. `forces` may begin where `positions`
+  // begins, and then takes their place; any other overlap is not allowed.
+  BatchResult force(std::span<const Eigen::Vector3f> positions, std::span<Eigen::Vector3f> forces,
+                    InstructionSet instructions = best_instruction_set()) const noexcept;
+
  private:
   struct Inside;
   Law(LawId id, const Parameters& parameters, const Inside& inside) noexcept;

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/renderer.h"
 
-#include <algorithm>
-#include <array>
 #include <exception>
 #include <limits>
 #include <utility>
-
-#include "fast/domain.h"
 
 namespace forceshade {
 namespace {
@@ -47,29 +43,8 @@ class AnsweringSession final : public fast::Session {
 
 Renderer renderer_of(const fast::Law& law) {
   return {[law] { return fast::session_of(law); },
-          // This batch call has no y: a position refused for its y alone is sent as one refused for its x.
           [law](std::span<const Eigen::Vector3f> positions, std::span<Eigen::Vector3f> forces, fast::InstructionSet set) {
-            constexpr std::size_t kBlock = 512;
-            std::array<float, kBlock> x, z;
-            fast::BatchResult all;
-            for (std::size_t begin = 0; begin < positions.size(); begin += kBlock) {
-              const std::size_t count = std::min(kBlock, positions.size() - begin);
-              // By their coordinates, which the compiler loads several at a time.
-              const float* const from = positions[begin].data();
-              for (std::size_t i = 0; i < count; ++i) {
-                x[i] = fast::in_domain(from[3 * i + 1]) ? from[3 * i] : std::numeric_limits<float>::quiet_NaN();
-                z[i] = from[3 * i + 2];
-              }
-              const std::span fx(x.data(), count), fz(z.data(), count);
-              all.invalid += law.force(fx, fz, fx, fz, set).invalid;
-              float* const to = forces[begin].data();
-              for (std::size_t i = 0; i < count; ++i) {
-                to[3 * i] = x[i];
-                to[3 * i + 1] = 0;
-                to[3 * i + 2] = z[i];
-              }
-            }
-            return all;
+            return law.force(positions, forces, set);
           }};
 }
 

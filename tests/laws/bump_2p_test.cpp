@@ -44,6 +44,7 @@ TEST(bump_2p, answers_one_odd_position_in_a_block_as_the_scalar_call_does) {
       for (const float plain : {-1.0F, 1.0F}) {
         tests::expect_batch_answers(LawId::bump_2p, {3.125F, 6, 1}, {plain, 0, odd}, place);
         tests::expect_batch_answers(LawId::bump_2p, {3.125F, 6, 1}, {odd, 0, plain}, place);
+        tests::expect_batch_answers(LawId::bump_2p, {3.125F, 6, 1}, {plain, odd, -1}, place);
       }
 }
 

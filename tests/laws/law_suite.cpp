@@ -176,12 +176,14 @@ void equals_scalar_at_every_simd_width(LawId law) {
     const fast::Law fast = build(law, p);
     properties::PositionSource source(std::get<reference::Law>(reference::Law::build(law, p)), kSeed);
     std::vector<float> x(kCount), z(kCount), fx(kCount), fz(kCount);
+    std::vector<Eigen::Vector3f> rows(kCount);
     for (std::size_t i = 0; i < kCount; ++i) {
       const Eigen::Vector3f position = source.next().position;
       // Every other half stays clear of what sends a whole block to the scalar call.
       const bool calm = i / 512 % 2 == 0;
       x[i] = calm ? static_cast<float>(i % 512) * 1e-3F * p.width : position.x();
       z[i] = calm ? 1e-4F * p.width * (100 - static_cast<float>(i % 511)) : position.z();  // over the plane and below
+      rows[i] = {x[i], calm ? 1e4F : position.y(), z[i]};
     }
     for (const fast::InstructionSet set : fast::kInstructionSets) {
       if (!fast::is_available(set)) continue;
@@ -211,6 +213,10 @@ void equals_scalar_at_every_simd_width(LawId law) {
       EXPECT_TRUE(std::ranges::equal(a, fz, same_bits) && std::ranges::equal(b, fx, same_bits))
           << fast::name_of(set) << ", one output in place";
     }
+    Tested by_rows = tested(law, p);
+    by_rows.batch = [fast](std::span<const Eigen::Vector3f> positions, std::span<Eigen::Vector3f> to,
+                           fast::InstructionSet set) { return fast.force(positions, to, set); };
+    expect_scalar_at_every_simd_width(by_rows, rows);
   }
 }
 
@@ -219,11 +225,15 @@ void expect_batch_answers(LawId law, const Parameters& p, const Eigen::Vector3f&
   std::vector<float> x(fast::kBlock, 0.3F), z(fast::kBlock, -0.7F);
   x[place] = position.x();
   z[place] = position.z();
+  std::vector<Eigen::Vector3f> rows(fast::kBlock, Eigen::Vector3f(0.3F, 0.1F, -0.7F)), forces(fast::kBlock);
+  rows[place] = position;
   for (const fast::InstructionSet set : fast::kInstructionSets) {
     if (!fast::is_available(set)) continue;
     std::vector<float> fx(fast::kBlock), fz(fast::kBlock);
     fast.force(x, z, fx, fz, set);
+    EXPECT_EQ(fast.force(rows, forces, set).invalid, fast.evaluate(position).status == Status::invalid ? 1U : 0U);
     for (std::size_t i = 0; i < fast::kBlock; ++i) {
+      ASSERT_EQ(forces[i], fast.force(rows[i])) << fast::name_of(set) << ", row " << i << " with " << show(position);
       const Eigen::Vector3f one = fast.force({x[i], 0, z[i]});
       ASSERT_TRUE(same_bits(fx[i], one.x()) && same_bits(fz[i], one.z()))
           << fast::name_of(set) << ", " << show(position) << " in place " << place << ", place " << i;
