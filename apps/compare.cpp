@@ -49,9 +49,9 @@ int run(const CompareOptions& options, const SubjectOption& option) {
                             judge.add(its);
                           });
   const Identity identity = properties::subject_of(description)->identity();
-  const std::string words = words_of(judge, identity, tolerance);
+  const std::string words = words_of(judge.judgement(), identity, tolerance);
   const bool held = judge.judgement().held();
-  if (!options.json.empty()) write_file(options.json, to_json(judge, identity, tolerance));
+  if (!options.json.empty()) write_file(options.json, to_json(judge.judgement(), identity, tolerance));
   if (!options.junit.empty())
     write_file(options.junit, to_junit("forceshade compare", {{"tolerance", conformance::words_of(tolerance)}},
                                        {{identity.name, "forces", 0, held ? std::nullopt : std::optional(words), words}}));

@@ -14,10 +14,20 @@ template <class Field>
 class ReferenceOfField final : public ReferenceSession {
  public:
   explicit ReferenceOfField(const Field& its) : field_(its) {}
-  reference::Rounded step(const Eigen::Vector3f& position) override { return field_.round_to_binary32(position); }
+  reference::Rounded step(const Eigen::Vector3f& position) override {
+    last_ = position;
+    return field_.round_to_binary32(position);
+  }
+  std::optional<std::array<std::string, 3>> decimal(unsigned digits) const override {
+    return components(field_.decimal(last_, digits));
+  }
 
  private:
+  static std::array<std::string, 3> components(const reference::DecimalForce& force) { return {force.x, "0", force.z}; }
+  static std::array<std::string, 3> components(const reference::DecimalMapForce& force) { return {force.x, force.y, force.z}; }
+
   const Field& field_;
+  Eigen::Vector3f last_{0, 0, 0};
 };
 
 // What the generators of cases take.

@@ -38,6 +38,10 @@ class ReferenceOfMesh final : public ReferenceSession {
     answer.is_unfinished = tick.status == mesh::TickStatus::unfinished;
     return answer;
   }
+  std::optional<std::array<std::string, 3>> decimal(unsigned digits) const override {
+    const reference::DecimalMapForce force = session_.decimal(digits);
+    return std::array{force.x, force.y, force.z};
+  }
 
  private:
   reference::GodObjectSession session_;

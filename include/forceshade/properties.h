@@ -30,6 +30,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <any>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -89,6 +90,10 @@ class ReferenceSession {
 
   // position: mm, the next one of the path. Throws std::domain_error where the definition cannot be decided.
   virtual reference::Rounded step(const Eigen::Vector3f& position) = 0;
+
+  // The components of the exact force (N) of the last step, each correctly rounded to so many significant decimal digits;
+  // nothing where the definition has no digits.
+  virtual std::optional<std::array<std::string, 3>> decimal(unsigned) const { return std::nullopt; }
 };
 
 // Where the cases of a property come from. draw: any case, the same for the same seed. simpler: cases that are simpler than

@@ -147,6 +147,10 @@ class GodObject {
   // is. 1 <= most_moves; with fewer than kMostMoves, more ticks are unfinished.
   mesh::Tick step(const mesh::GodObject& before, const std::array<float, 3>& position, unsigned most_moves = kMostMoves) const;
 
+  // The exact force of that step, each component correctly rounded to `digits` significant decimal digits, as of
+  // HeightMapField; that of an unfinished tick is of status contact.
+  DecimalMapForce decimal(const mesh::GodObject& before, const std::array<float, 3>& position, unsigned digits) const;
+
  private:
   struct Parts;
   explicit GodObject(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
@@ -162,14 +166,18 @@ class GodObjectSession {
 
   mesh::Tick step(const std::array<float, 3>& position) {
     const mesh::Tick tick = god_object_.step(state_, position);
+    last_ = {state_, position};
     state_ = tick.after;
     return tick;
   }
+  // The exact force of the last step; of a free position where there was none.
+  DecimalMapForce decimal(unsigned digits) const { return god_object_.decimal(last_.first, last_.second, digits); }
   const mesh::GodObject& state() const { return state_; }
 
  private:
   GodObject god_object_;
   mesh::GodObject state_;
+  std::pair<mesh::GodObject, std::array<float, 3>> last_;  // the state before the last step, and its position
 };
 
 }  // namespace forceshade::reference

@@ -63,6 +63,13 @@ int sign_of_excess(const Tolerance& tolerance, const Eigen::Vector3f& answer, co
   return excess > off ? 1 : excess < -off ? -1 : 0;
 }
 
+// With the rounded force in the place of the exact one.
+bool is_within_rounded(const Tolerance& tolerance, const Eigen::Vector3f& answer, const Eigen::Vector3f& rounded) {
+  const double most =
+      tolerance.unit == Unit::newton ? tolerance.value : tolerance.value / 100 * rounded.cast<double>().stableNorm();
+  return (answer.cast<double>() - rounded.cast<double>()).stableNorm() <= most;
+}
+
 }  // namespace
 
 std::uint64_t ulps_between(float a, float b) {
@@ -88,18 +95,16 @@ bool is_within(const Tolerance& tolerance, const Eigen::Vector3f& answer, const 
   if (found.ulps == kNoNumber) return false;
   if (tolerance.unit == Unit::ulp) return static_cast<double>(found.ulps) <= tolerance.value;
   if (rounded.status != Status::contact && tolerance.unit == Unit::percent) return found.ulps == 0;
-  if (!digits) {
-    const double most =
-        tolerance.unit == Unit::newton ? tolerance.value : tolerance.value / 100 * rounded.force.cast<double>().stableNorm();
-    return (answer.cast<double>() - rounded.force.cast<double>()).stableNorm() <= most;
-  }
   constexpr double kDown = 1 - 1e-15, kUp = 1 + 1e-15;
   const Bounds most = tolerance.unit == Unit::newton ? Bounds{tolerance.value, tolerance.value}
                                                      : Bounds{tolerance.value / 100 * found.exact_newtons.low * kDown,
                                                               tolerance.value / 100 * found.exact_newtons.high * kUp};
   if (const int sure = order(found.newtons, most); sure != 0) return sure < 0;
-  for (unsigned count = kFewDigits; count <= kMostDigits; count *= 5)
-    if (const int sign = sign_of_excess(tolerance, answer, digits(count), count); sign != 0) return sign < 0;
+  for (unsigned count = kFewDigits; count <= kMostDigits; count *= 5) {
+    const auto force = digits(count);
+    if (!force) return is_within_rounded(tolerance, answer, rounded.force);
+    if (const int sign = sign_of_excess(tolerance, answer, *force, count); sign != 0) return sign < 0;
+  }
   return true;
 }
 

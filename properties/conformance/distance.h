@@ -3,9 +3,11 @@
 // How far an answer is from the exact force.
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "forceshade/reference.h"
@@ -33,12 +35,13 @@ struct Distance {
 // rounded: what the exact force is, rounded once.
 Distance distance(const Eigen::Vector3f& answer, const reference::Rounded& rounded);
 
-// The exact force in so many significant decimal digits, each component correctly rounded.
-using Digits = std::function<std::array<std::string, 3>(unsigned digits)>;
+// The exact force in so many significant decimal digits, each component correctly rounded; nothing where the definition has
+// none.
+using Digits = std::function<std::optional<std::array<std::string, 3>>(unsigned digits)>;
 
 // Whether an answer is within the tolerance. Where the bounds of the distance do not say so, digits of the exact force do, up
-// to 1000 of them; a distance that agrees with the tolerance to all of these counts as within it. digits: empty where there are
-// none, and then what is correctly rounded stands for what is exact.
+// to 1000 of them; a distance that agrees with the tolerance to all of these counts as within it. Where there are none, what is
+// correctly rounded stands for what is exact.
 bool is_within(const Tolerance& tolerance, const Eigen::Vector3f& answer, const reference::Rounded& rounded,
                const Digits& digits);
 

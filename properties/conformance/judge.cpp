@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "files/csv.h"
-#include "properties/built_or_throw.h"
 
 namespace forceshade::conformance {
 namespace {
@@ -42,25 +41,7 @@ std::size_t length_of(const Eigen::Vector3f& position) {
 }  // namespace
 
 Judge::Judge(const Description& description, const Tolerance& tolerance)
-    : tolerance_(tolerance), subject_(properties::subject_of(description)) {
-  using properties::built_or_throw;
-  using Three = std::array<std::string, 3>;
-  if (const auto* law = std::get_if<DescribedLaw>(&description.what))
-    decimal_ = [its = built_or_throw(reference::Law::build(law->law, law->parameters))](const auto& position, unsigned count) {
-      const reference::DecimalForce force = its.decimal(position, count);
-      return Three{force.x, "0", force.z};
-    };
-  else if (const auto* map = std::get_if<DescribedHeightMap>(&description.what))
-    decimal_ = [its = built_or_throw(reference::HeightMapField::build(map->map, map->mode, map->stiffness))](
-                   const auto& position, unsigned count) {
-      const reference::DecimalMapForce force = its.decimal(position, count);
-      return Three{force.x, force.y, force.z};
-    };
-}
-
-std::optional<std::array<std::string, 3>> Judge::digits(const Eigen::Vector3f& position, unsigned count) const {
-  return decimal_ ? std::optional(decimal_(position, count)) : std::nullopt;
-}
+    : tolerance_(tolerance), subject_(properties::subject_of(description)) {}
 
 void Judge::add(const Case& next) {
   if (session_ == nullptr || next.is_reset) session_ = subject_->open_reference();
@@ -76,11 +57,15 @@ void Judge::add(const Case& next) {
     return;
   }
   judged.distance = distance(next.force, judged.exact);
-  const Digits digits = decimal_ ? Digits([&](unsigned count) { return decimal_(next.position, count); }) : Digits();
-  keep(judged, is_within(tolerance_, next.force, judged.exact, digits));
+  count(judged, is_within(tolerance_, next.force, judged.exact, [&](unsigned digits) { return session_->decimal(digits); }));
 }
 
-void Judge::keep(const Judged& judged, bool is_within) {
+void Judge::keep(Judged judged, std::optional<Judged>& where) const {
+  if (const auto digits = session_->decimal(kShownDigits)) judged.digits = *digits;
+  where = std::move(judged);
+}
+
+void Judge::count(const Judged& judged, bool is_within) {
   const bool is_wrong = judged.distance.ulps != 0;
   for (Count* count : {&judgement_.all, &judgement_.by_aim[judged.its.aim]}) {
     ++count->cases;
@@ -92,10 +77,10 @@ void Judge::keep(const Judged& judged, bool is_within) {
   if (is_wrong)
     for (const Unit unit : {Unit::ulp, Unit::newton, Unit::percent}) {
       std::optional<Judged>& worst = judgement_.worst[static_cast<std::size_t>(unit)];
-      if (!worst || size_of(judged.distance, unit) > size_of(worst->distance, unit)) worst = judged;
+      if (!worst || size_of(judged.distance, unit) > size_of(worst->distance, unit)) keep(judged, worst);
     }
   std::optional<Judged>& simplest = judgement_.simplest;
-  if (!is_within && (!simplest || length_of(judged.its.position) < length_of(simplest->its.position))) simplest = judged;
+  if (!is_within && (!simplest || length_of(judged.its.position) < length_of(simplest->its.position))) keep(judged, simplest);
 }
 
 }  // namespace forceshade::conformance

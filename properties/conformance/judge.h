@@ -31,7 +31,9 @@ struct Judged {
   Case its;
   reference::Rounded exact;
   Distance distance;
+  std::array<std::string, 3> digits = {};  // of the exact force, kShownDigits of them; empty where the definition has none
 };
+inline constexpr unsigned kShownDigits = 30;
 
 struct Count {
   std::uint64_t cases = 0, wrong = 0, beyond = 0;  // wrong: not correctly rounded; beyond: the tolerance
@@ -66,15 +68,13 @@ class Judge {
 
   const Judgement& judgement() const { return judgement_; }
 
-  // The exact force there in so many digits; empty for a mesh, whose force depends on the path.
-  std::optional<std::array<std::string, 3>> digits(const Eigen::Vector3f& position, unsigned count) const;
-
  private:
-  void keep(const Judged& judged, bool is_within);
+  void count(const Judged& judged, bool is_within);
+  // Puts it there, with the digits of its exact force.
+  void keep(Judged judged, std::optional<Judged>& where) const;
 
   Tolerance tolerance_;
   std::shared_ptr<const properties::Subject> subject_;
-  std::function<std::array<std::string, 3>(const Eigen::Vector3f& position, unsigned count)> decimal_;
   std::unique_ptr<properties::ReferenceSession> session_;
   Judgement judgement_;
 };

@@ -70,12 +70,12 @@ Json json_of(const Eigen::Vector3f& v) {
   return numbers;
 }
 
-Json json_of(const Judge& judge, const Judged& judged) {
+Json json_of(const Judged& judged) {
   Json found{{"place", judged.its.place},
              {"position_mm", json_of(judged.its.position)},
              {"force_N", json_of(judged.its.force)},
              {"rounded_exact_force_N", json_of(judged.exact.force)}};
-  if (const auto digits = judge.digits(judged.its.position, 30)) found["exact_force_N"] = *digits;
+  if (!judged.digits[0].empty()) found["exact_force_N"] = judged.digits;
   if (judged.distance.ulps == kNoNumber) return found;
   found["ulp"] = judged.distance.ulps;
   found["newton"] = judged.distance.newtons.high;
@@ -88,8 +88,7 @@ Json json_of(const Count& count) {
 
 }  // namespace
 
-std::string words_of(const Judge& judge, const Identity& identity, const Tolerance& tolerance) {
-  const Judgement& found = judge.judgement();
+std::string words_of(const Judgement& found, const Identity& identity, const Tolerance& tolerance) {
   const std::uint64_t right = found.all.cases - found.all.wrong;
   std::string words = identity.name + ": correctly rounded " + share(right, found.all.cases) + '\n';
   if (found.undecided > 0)
@@ -119,8 +118,7 @@ std::string words_of(const Judge& judge, const Identity& identity, const Toleran
   return words;
 }
 
-std::string to_json(const Judge& judge, const Identity& identity, const Tolerance& tolerance) {
-  const Judgement& found = judge.judgement();
+std::string to_json(const Judgement& found, const Identity& identity, const Tolerance& tolerance) {
   Json json{{"schema", "forceshade judgement 1"},
             {"held", found.held()},
             {"tolerance", words_of(tolerance)},
@@ -144,8 +142,8 @@ std::string to_json(const Judge& judge, const Identity& identity, const Toleranc
     }
   for (const Unit unit : kUnits)
     if (const auto& worst = found.worst[static_cast<std::size_t>(unit)])
-      json[kWorstNames[static_cast<std::size_t>(unit)]] = json_of(judge, *worst);
-  if (found.simplest) json["simplest_beyond_tolerance"] = json_of(judge, *found.simplest);
+      json[kWorstNames[static_cast<std::size_t>(unit)]] = json_of(*worst);
+  if (found.simplest) json["simplest_beyond_tolerance"] = json_of(*found.simplest);
   return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 

@@ -11,9 +11,9 @@ namespace forceshade::conformance {
 
 // Lines for a terminal, each ended: what was right, how large the errors are, the worst of them, and the verdict with a case
 // that one can paste into a test.
-std::string words_of(const Judge& judge, const Identity& identity, const Tolerance& tolerance);
+std::string words_of(const Judgement& found, const Identity& identity, const Tolerance& tolerance);
 
 // A key "held", the counts, and the worst cases with numbers in hexfloat.
-std::string to_json(const Judge& judge, const Identity& identity, const Tolerance& tolerance);
+std::string to_json(const Judgement& found, const Identity& identity, const Tolerance& tolerance);
 
 }  // namespace forceshade::conformance

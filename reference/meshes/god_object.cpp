@@ -23,6 +23,13 @@ struct GodObject::Parts {
                              : meshes::shaded_force(scheme->direction(rest), rest, stiffness);
   }
 
+  // In so many decimal digits.
+  DecimalMapForce decimal(const meshes::Rest& rest, unsigned digits) const {
+    const auto exact = meshes::exact_force(scheme == nullptr ? meshes::Direction() : scheme->direction(rest), rest, stiffness);
+    return {meshes::decimal(exact[0], digits), meshes::decimal(exact[1], digits), meshes::decimal(exact[2], digits),
+            Status::contact};
+  }
+
   const meshes::Surface surface;
   const meshes::Crossings crossings;
   const std::unique_ptr<const meshes::ContactRule> contact;
@@ -45,6 +52,15 @@ mesh::Tick GodObject::step(const mesh::GodObject& before, const std::array<float
   mesh::Tick tick{end.status, static_cast<std::uint16_t>(end.moves), {}, end.after};
   if (end.rest) tick.force = parts_->force(*end.rest);
   return tick;
+}
+
+DecimalMapForce GodObject::decimal(const mesh::GodObject& before, const std::array<float, 3>& position, unsigned digits) const {
+  DecimalMapForce none{"0", "0", "0", Status::invalid};
+  if (!in_domain(Eigen::Vector3f(position.data()))) return none;
+  const meshes::Descended end = parts_->contact->move(before, position, kMostMoves);
+  if (end.rest) return parts_->decimal(*end.rest, digits);
+  none.status = Status::free;
+  return none;
 }
 
 }  // namespace forceshade::reference

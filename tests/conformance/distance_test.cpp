@@ -13,6 +13,8 @@ namespace {
 constexpr float kInfinity = std::numeric_limits<float>::infinity(), kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kSmallest = std::numeric_limits<float>::denorm_min(), kLargest = std::numeric_limits<float>::max();
 
+const Digits kNone = [](unsigned) { return std::nullopt; };
+
 reference::Rounded contact(const Eigen::Vector3f& force) {
   reference::Rounded rounded;
   rounded.force = force;
@@ -45,7 +47,7 @@ TEST(distance, is_the_largest_in_ulp_and_the_length_in_newton) {
 TEST(is_within, decides_a_distance_that_equals_the_tolerance) {
   const Eigen::Vector3f answer(0, 0, 0.5F + 0x1p-20F);
   const reference::Rounded exact = contact({0, 0, 0.5F});
-  const Digits half = [](unsigned) { return std::array<std::string, 3>{"0", "0", "0.5"}; };
+  const Digits half = [](unsigned) { return std::optional<std::array<std::string, 3>>{{"0", "0", "0.5"}}; };
   EXPECT_TRUE(is_within({Unit::newton, 0x1p-20}, answer, exact, half));
   EXPECT_FALSE(is_within({Unit::newton, std::nextafter(0x1p-20, 0.0)}, answer, exact, half));
   EXPECT_TRUE(is_within({Unit::percent, 100 * 0x1p-19}, answer, exact, half));
@@ -61,13 +63,13 @@ TEST(is_within, takes_the_exact_force_and_not_the_rounded_one) {
   const reference::Rounded exact = law.round_to_binary32(position);
   const Digits digits = [&](unsigned count) {
     const auto force = law.decimal(position, count);
-    return std::array<std::string, 3>{force.x, "0", force.z};
+    return std::optional<std::array<std::string, 3>>{{force.x, "0", force.z}};
   };
   // Its distance, from digits beyond those of binary64's differences.
   const auto off = [&](float rounded, const std::string& text) {
     return std::strtold(text.c_str(), nullptr) - static_cast<long double>(rounded);
   };
-  const auto texts = digits(30);
+  const auto texts = *digits(30);
   const long double size = std::hypot(off(exact.force.x(), texts[0]), off(exact.force.z(), texts[2]));
   ASSERT_GT(size, 1e-10L);
   EXPECT_FALSE(is_within({Unit::newton, static_cast<double>(size * (1 - 1e-8L))}, exact.force, exact, digits));
@@ -80,12 +82,12 @@ TEST(is_within, takes_the_exact_force_and_not_the_rounded_one) {
 
 TEST(is_within, requires_zero_of_an_exact_zero_in_percent_and_a_number_in_all) {
   const reference::Rounded none;
-  EXPECT_TRUE(is_within({Unit::percent, 50}, {0, -0.0F, 0}, none, {}));
-  EXPECT_FALSE(is_within({Unit::percent, 1e9}, {0, kSmallest, 0}, none, {}));
-  EXPECT_TRUE(is_within({Unit::newton, 1e-3}, {0, 1e-3F, 0}, none, {}) == (double{1e-3F} <= 1e-3));
+  EXPECT_TRUE(is_within({Unit::percent, 50}, {0, -0.0F, 0}, none, kNone));
+  EXPECT_FALSE(is_within({Unit::percent, 1e9}, {0, kSmallest, 0}, none, kNone));
+  EXPECT_TRUE(is_within({Unit::newton, 1e-3}, {0, 1e-3F, 0}, none, kNone) == (double{1e-3F} <= 1e-3));
   for (const Unit unit : {Unit::ulp, Unit::newton, Unit::percent}) {
-    EXPECT_FALSE(is_within({unit, 0x1p32}, {0, kNan, 0}, none, {}));
-    EXPECT_FALSE(is_within({unit, 0x1p32}, {0, kInfinity, 0}, contact({0, kLargest, 0}), {}));
+    EXPECT_FALSE(is_within({unit, 0x1p32}, {0, kNan, 0}, none, kNone));
+    EXPECT_FALSE(is_within({unit, 0x1p32}, {0, kInfinity, 0}, contact({0, kLargest, 0}), kNone));
   }
 }
 

@@ -95,9 +95,7 @@ TEST(judge, names_the_worst_in_each_unit_and_the_simplest) {
   EXPECT_EQ(found.worst[static_cast<std::size_t>(Unit::newton)]->its.place, "far");
   EXPECT_EQ(found.worst[static_cast<std::size_t>(Unit::percent)]->its.place, "air");
   EXPECT_EQ(found.simplest->its.place, "air");
-  const auto exact = judge.digits({3, 0, -0.5F}, 20);
-  ASSERT_TRUE(exact);
-  EXPECT_EQ((*exact)[2], "2.5137452088061372488");
+  EXPECT_EQ(found.simplest->digits[2], "0");
 }
 
 TEST(judge, holds_of_no_case_at_all_is_nothing) {
@@ -118,7 +116,8 @@ TEST(judge, begins_a_path_of_a_mesh_where_the_case_says_so) {
   EXPECT_TRUE(judged(mesh, path, {}).held());
   EXPECT_TRUE(judged(mesh, two, {}).held());
   EXPECT_EQ(judged(mesh, neither, {}).all.wrong, 1U);
-  EXPECT_FALSE(Judge(mesh, {}).digits({2, 2, 1}, 20));
+  EXPECT_EQ(judged(mesh, {path[0], {{2, 2, 1.25F}, false, {0, 0, 0}}}, {}).worst[0]->digits[2],
+            "-0.62500000000000000000000000000");
 }
 
 TEST(judgement, is_said_in_words_with_a_case_to_paste_and_as_json) {
@@ -126,7 +125,7 @@ TEST(judgement, is_said_in_words_with_a_case_to_paste_and_as_json) {
   judge.add({{3, 0, -0.5F}, true, {1.3490643F, 0, 2.5137453F}, "surface", "mine.csv:2"});
   judge.add({{3, 0, -0.5F}, false, {1.3490643F, 0, 2.513745F}, "surface", "mine.csv:3"});
   const Identity identity = identity_of(LawId::bump_2p, {15.24F, 25.4F, 0.5F});
-  const std::string words = words_of(judge, identity, {}), json = to_json(judge, identity, {});
+  const std::string words = words_of(judge.judgement(), identity, {}), json = to_json(judge.judgement(), identity, {});
   for (const char* part : {"bump-2p: correctly rounded 1 of 2 (50 %)", "wrong, aimed at surface: 1 of 2 (50 %)",
                            "mine.csv:3: at x = ", "FAILED: 1 of 2 (50 %) within the tolerance, correctly rounded",
                            "position_mm {0x1.8p+1f, 0x0p+0f, -0x1p-1f}"})
