@@ -37,6 +37,25 @@ expect 0 "" -- "$forceshade" force "${mesh[@]}" --input path.csv --out given_pat
 expect 0 "held: " -- "$forceshade" compare "${mesh[@]}" --forces given_path.csv
 expect 1 "correctly rounded" -- "$forceshade" compare "${mesh[@]}" --shading none --forces given_path.csv
 
+# The vectors of examples/vectors/ are those of this build, fit their schema, and serve a test that needs nothing else.
+vectors=$examples/vectors
+mkdir made
+"$vectors/make" "$forceshade" made || exit 1
+for file in made/*.json; do cmp "$file" "$vectors/$(basename "$file")" || exit 1; done
+same 6 "$(ls made | wc -l)"
+if python3 -c "import jsonschema" 2> /dev/null; then
+  for file in made/*.json; do
+    python3 -c 'import json, jsonschema, sys
+jsonschema.Draft7Validator(json.load(open(sys.argv[1]))).validate(json.load(open(sys.argv[2])))' "$vectors/schema.json" "$file" || exit 1
+  done
+else
+  echo "not checked against the schema: python3-jsonschema is not there"
+fi
+expect 0 "0 wrong of 200" -- "$vectors/check.py" made/wall.json
+expect 1 "114 wrong of 200" -- "$vectors/check.py" made/bump-2p.json
+expect 0 '"id":5000' -- "$forceshade" vectors --law wall --points 5000
+expect 2 "--out: expected" -- "$forceshade" vectors --law wall --out vectors.csv
+
 # What cannot be judged.
 for tolerance in 4 "4 mN" "1.5 ulp" "-1 N" nan; do
   expect 2 "--tolerance: expected a number with ulp (a whole one), N or %" -- compare --forces mine.csv --tolerance "$tolerance"

@@ -117,7 +117,7 @@ TEST(judge, begins_a_path_of_a_mesh_where_the_case_says_so) {
   EXPECT_TRUE(judged(mesh, two, {}).held());
   EXPECT_EQ(judged(mesh, neither, {}).all.wrong, 1U);
   EXPECT_EQ(judged(mesh, {path[0], {{2, 2, 1.25F}, false, {0, 0, 0}}}, {}).worst[0]->digits[2],
-            "-0.62500000000000000000000000000");
+            "-0.625000000000000000000000000000");
 }
 
 TEST(judgement, is_said_in_words_with_a_case_to_paste_and_as_json) {

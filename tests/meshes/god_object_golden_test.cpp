@@ -16,6 +16,8 @@ namespace {
 using tests::GodObjectPath;
 using tests::PathTick;
 
+constexpr unsigned kDigits = 400;
+
 struct Counts {
   int paths = 0, ticks = 0, most_moves = 0;
   std::map<std::string, int> reached;
@@ -27,13 +29,25 @@ reference::GodObject god_object(const GodObjectPath& path, mesh::Shading shading
   return tests::built(reference::GodObject::build(rendering));
 }
 
+// So many digits that rounding them once more, as the standard library does, is rounding the exact force.
+void expect_decimals_of(const mesh::Tick& tick, const reference::DecimalMapForce& decimals, const std::string& place) {
+  const std::array<std::string, 3> texts{decimals.x, decimals.y, decimals.z};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    EXPECT_EQ(std::strtof(texts[axis].c_str(), nullptr), tick.force[axis]) << place << ": " << texts[axis];
+}
+
 void expect_same(const GodObjectPath& path, Counts& counts) {
   reference::GodObjectSession session(god_object(path, mesh::Shading::none));
   const reference::GodObject shaded = god_object(path, mesh::Shading::vertex_scheme);
   for (const PathTick& row : path.ticks) {
     mesh::Tick expected_shaded = row.tick;
     expected_shaded.force = row.shaded;
-    const mesh::Tick with_shading = shaded.step(session.state(), row.position), tick = session.step(row.position);
+    const mesh::GodObject before = session.state();
+    const mesh::Tick with_shading = shaded.step(before, row.position), tick = session.step(row.position);
+    if (counts.ticks % 8 == 0) {
+      expect_decimals_of(tick, session.decimal(kDigits), row.place);
+      expect_decimals_of(with_shading, shaded.decimal(before, row.position, kDigits), row.place);
+    }
     ASSERT_TRUE(tests::is_same(tick, row.tick))
         << row.place << ": " << tests::show(tick) << ", expected " << tests::show(row.tick);
     ASSERT_TRUE(tests::is_same(with_shading, expected_shaded))

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "properties/conformance/vectors.h"
+
+#include <array>
+#include <bit>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+
+#include "forceshade/identity.h"
+#include "rendering/breakdown.h"
+#include "rendering/identity/identity_json.h"
+
+namespace forceshade::conformance {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using properties::Aim;
+
+constexpr unsigned kVectorDigits = 40;
+
+template <class Numbers>
+Json hexfloats(const Numbers& numbers) {
+  Json all = Json::array();
+  for (const float number : numbers) {
+    std::array<char, 40> text{};
+    std::snprintf(text.data(), text.size(), "%a", static_cast<double>(number));
+    all.push_back(std::isnan(number) ? "nan" : text.data());
+  }
+  return all;
+}
+
+Json bits(const Eigen::Vector3f& numbers) {
+  Json all = Json::array();
+  for (const float number : numbers) {
+    std::array<char, 9> text{};
+    std::snprintf(text.data(), text.size(), "%08x", std::bit_cast<std::uint32_t>(number));
+    all.push_back(text.data());
+  }
+  return all;
+}
+
+Json json_of(const MeshRendering& rendering) {
+  Json json{{"vertices_mm", Json::array()}, {"triangles", rendering.mesh().triangles}};
+  for (const mesh::Vertex& vertex : rendering.mesh().vertices) json["vertices_mm"].push_back(hexfloats(vertex));
+  if (!rendering.has_corner_normals()) return json;
+  json["corner_normals"] = Json::array();
+  for (const auto& corners : rendering.normals) {
+    Json three = Json::array();
+    for (const auto& normal : corners) three.push_back(hexfloats(normal));
+    json["corner_normals"].push_back(std::move(three));
+  }
+  return json;
+}
+
+Json subject_json(const Description& description, const Identity& identity) {
+  Json json{{"kind", identity.kind}, {"name", identity.name}, {"parameters", parameters_json(identity)}};
+  if (const auto* map = std::get_if<DescribedHeightMap>(&description.what)) json["parts"] = words_of(map->map);
+  if (const auto* mesh = std::get_if<MeshRendering>(&description.what)) json["mesh"] = json_of(*mesh);
+  return json;
+}
+
+Json case_json(std::uint64_t id, const properties::Aimed& aimed, const reference::Rounded& exact,
+               const std::optional<std::array<std::string, 3>>& digits) {
+  Json json{{"id", id},
+            {"flag", std::string(name_of(aimed.aim))},
+            {"status", std::string(properties::kStatusNames[static_cast<std::size_t>(exact.status)])},
+            {"position_mm", hexfloats(aimed.position)},
+            {"force_N", hexfloats(exact.force)}};
+  if (digits) json["exact_force_N"] = *digits;
+  json["position_bits"] = bits(aimed.position);
+  json["force_bits"] = bits(exact.force);
+  return json;
+}
+
+// The head with the key "paths", in which each case is a line.
+std::string with_lines_of_cases(const Json& head, const Json& paths) {
+  std::string text = head.dump(1, ' ', true, Json::error_handler_t::replace);
+  text.erase(text.rfind('\n'));
+  text += ",\n \"paths\": [";
+  for (const Json& path : paths) {
+    text += &path == &paths.front() ? "\n  [" : ",\n  [";
+    for (const Json& each : path) text += (&each == &path.front() ? "\n   " : ",\n   ") + each.dump();
+    text += "\n  ]";
+  }
+  return text + "\n ]\n}\n";
+}
+
+}  // namespace
+
+Flag flag_of(Aim aim) {
+  switch (aim) {
+    case Aim::any_bits:
+      return {"Any bits: NaN, infinities, subnormal and huge numbers, which a renderer has to answer with no force."};
+    case Aim::volume: return {"Somewhere in or above the surface."};
+    case Aim::surface: return {"Within some units in the last place of the surface, where contact begins."};
+    case Aim::facet_line:
+      return {
+          "On or beside a line where two facets meet, or a vertex of a mesh: no force may come from the edge of a flat "
+          "surface.",
+          {"rapier#95", "bullet3#288", "bullet3#676"}};
+    case Aim::quantum: return {"Coordinates about 2^-30 mm, below which a coordinate counts as zero."};
+    case Aim::domain_end: return {"About 10000 mm, beyond which there is no force."};
+    case Aim::tie: return {"The exact force is as near as possible to the middle of two binary32 numbers."};
+    case Aim::axis: return {"On or beside the axis of the bump, or a position that moved along one axis alone."};
+    default: return {"Coordinates with few bits, at which exact ties are frequent."};
+  }
+}
+
+std::string vectors_of(const Description& description, std::uint64_t count, std::uint64_t seed, const Monitor& monitor) {
+  const auto subject = properties::subject_of(description);
+  const auto positions = subject->positions(seed);
+  auto session = subject->open_reference();
+  const bool remembers = std::holds_alternative<MeshRendering>(description.what);
+  std::set<Aim> seen;
+  Json paths = Json::array({Json::array()});
+  const auto begin_a_path = [&] {
+    if (!paths.back().empty()) paths.push_back(Json::array());
+    session = subject->open_reference();
+  };
+  for (std::uint64_t id = 1; id <= count; ++id) {
+    monitor.at(static_cast<double>(id) / static_cast<double>(count));
+    if (remembers && paths.back().size() >= kVectorPath) begin_a_path();
+    const properties::Aimed aimed = positions->next();
+    try {
+      const reference::Rounded exact = session->step(aimed.position);
+      if (exact.is_unfinished) {
+        begin_a_path();
+        continue;
+      }
+      paths.back().push_back(case_json(id, aimed, exact, session->decimal(kVectorDigits)));
+      seen.insert(aimed.aim);
+    } catch (const std::domain_error&) {
+      begin_a_path();
+    }
+  }
+  if (paths.back().empty()) paths.erase(paths.size() - 1);
+  Json flags = Json::object();
+  for (const Aim aim : seen) {
+    const Flag flag = flag_of(aim);
+    flags[std::string(name_of(aim))] = {{"meaning", flag.meaning}, {"threads", flag.threads}};
+  }
+  const Json head{{"schema", "forceshade vectors 1"},
+                  {"licence", "CC0-1.0"},
+                  {"subject", subject_json(description, subject->identity())},
+                  {"seed", seed},
+                  {"flags", flags}};
+  return with_lines_of_cases(head, paths);
+}
+
+}  // namespace forceshade::conformance
