@@ -38,8 +38,8 @@ PyMethodDef force_method{
     "force", reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(&force_of_one)), METH_FASTCALL | METH_KEYWORDS,
     "force($self, x, y, z, /, *, rounding=None)\n--\n\n"
     "The force (N) at one position (mm), as a tuple of three floats.\n\n"
-    "x, y, z: numbers that binary32 holds, or any with rounding=\"nearest\". For many positions, forces()\n"
-    "takes an array. A position that is not a number, or beyond 10 000 mm, gives no force.\n"};
+    "x, y, z: numbers that binary32 holds, or any with rounding=\"nearest\".\n\n"
+    "For many positions, forces() takes an array. A position that is not a number, or beyond 10 000 mm, gives no force.\n"};
 
 // Returns how many positions were invalid.
 std::size_t forces_of_many(const Subject& subject, const Floats& positions, Floats& forces, std::optional<Bytes> statuses) {

@@ -71,8 +71,8 @@ PyMethodDef step_method{"step", reinterpret_cast<PyCFunction>(reinterpret_cast<v
                         METH_FASTCALL | METH_KEYWORDS,
                         "step($self, x, y, z, /, *, rounding=None)\n--\n\n"
                         "The force (N) at the next position of the path (mm), as a tuple of three floats.\n\n"
-                        "x, y, z: numbers that binary32 holds, or any with rounding=\"nearest\". `status` then says what the\n"
-                        "position was. Raises forceshade.Error while another thread is in this session.\n"};
+                        "x, y, z: numbers that binary32 holds, or any with rounding=\"nearest\".\n\n"
+                        "`status` then says what the position was. Raises forceshade.Error while another thread is in this session.\n"};
 
 std::size_t steps(Session& session, const Floats& positions, Floats& forces, std::optional<Bytes> statuses) {
   const Entered entered(session);

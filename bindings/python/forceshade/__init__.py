@@ -34,11 +34,14 @@ if int(_numpy.__version__.split(".")[0]) >= 2:
 from ._checks import Certificate, PropertyResult, certify, properties
 from ._exact import ExactForce, Geometry, geometry
 from ._forceshade import Error, library_digest
-from ._forceshade import version as __version__
+from ._forceshade import version as _version
 from ._recordings import Recording, read_recording
 from ._sessions import Place, Session, State
 from ._subject import ANSWER, Identity, Status, Subject
 from ._subjects import HeightMap, Law, Mesh, laws, read_subject
+
+__version__: str = _version
+"""The version of the package, which is that of the libraries."""
 
 __all__ = [
     "ANSWER",

@@ -95,7 +95,9 @@ def _rational(reference: _forceshade.Reference, position: tuple[float, float, fl
 def geometry(*, radius: Quantity, width: Quantity, digits: int = 50) -> Geometry:
     """d, h, w', h' (mm) and theta (rad) of a bump, each in `digits` correctly rounded significant decimal digits (1 to 10 000).
 
-    radius: R, mm, in [0.1, 10 000]. width: w, mm, in [0.001, 2 R]. Raises ValueError outside.
+    radius: R, mm, in [0.1, 10 000]. width: w, mm, in [0.001, 2 R].
+
+    Raises ValueError outside.
 
     >>> geometry(radius=15.24, width=25.4, digits=20).h
     '6.8157729301346436345'

@@ -22,8 +22,10 @@ class Law(Subject):
     """One of the nine force laws of Morgenbesser and Srinivasan (1996): forceshade.laws() has their names.
 
     radius: R, mm, in [0.1, 10 000]. width: w, mm, the chord of the bump on the plane, in [0.001, 2 R]. stiffness: K, N/mm, in
-    [0.001, 1000]. The wall takes the stiffness alone. A number stands for the nearest binary32 number, as on the command line,
-    and a text may have a unit: "600mil", "500N/m".
+    [0.001, 1000].
+
+    The wall takes the stiffness alone. A number stands for the nearest binary32 number, as on the command line, and a text may
+    have a unit: "600mil", "500N/m".
 
     Raises ValueError for an unknown law, a wrong unit, and a number outside its range; TypeError where one is missing.
 
