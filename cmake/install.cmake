@@ -34,6 +34,9 @@ if(NOT FORCESHADE_FAST_ONLY)
   install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT forceshade)
   install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT forceshade)
   install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT forceshade)
+  # The site itself is built in the package's folder (cmake/debian/finish.cmake).
+  install(FILES cmake/debian/forceshade-doc.doc-base DESTINATION ${CMAKE_INSTALL_DATADIR}/doc-base RENAME forceshade-doc.forceshade
+          COMPONENT forceshade-doc EXCLUDE_FROM_ALL)
   # What needs more than Eigen is a component of its own: find_package(forceshade COMPONENTS c reference-c heights meshes
   # subjects run properties study).
   # Each component's libraries, and the components that it links.

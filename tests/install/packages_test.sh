@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # packages_test.sh BUILD SOURCE: the Debian packages of this build are accepted by lintian, where it is installed; unpacked, they
-# serve the command and programs in C and C++; they name no folder of this machine, and are the same bytes when made again.
+# serve the command and programs in C and C++, and have the site, where the tools for it are installed; they name no folder of this
+# machine, and are the same bytes when made again.
 set -eu
 build=$1 source=$2
 scratch=$(mktemp -d)
@@ -10,6 +11,7 @@ export SOURCE_DATE_EPOCH=1790000000
 for made in first second; do
   mkdir "$scratch/$made"
   (cd "$build" && cpack -G DEB -B "$scratch/$made" > "$scratch/said" 2>&1) || fail "cpack failed"
+  cp "$scratch/said" "$scratch/cpack_said"
   rm -rf "$scratch/$made/_CPack_Packages"
 done
 diff -r "$scratch/first" "$scratch/second" || fail "made again, the packages are other bytes"
@@ -28,6 +30,13 @@ for package in "$scratch"/first/*.deb; do
   [ -s "$root/usr/share/doc/$name/copyright" ] || fail "$name has no copyright file"
 done
 ! grep -rl -e "$source" -e "$build" "$root" > "$scratch/said" || fail "files name a folder of this machine"
+if grep -q '^no package forceshade-doc' "$scratch/cpack_said"; then
+  echo "doxygen or mkdocs-material is not there: no package of the site"
+else
+  [ "$(dpkg-deb -f "$scratch"/first/forceshade-doc_*.deb Architecture)" = all ] || fail "the site is of one architecture"
+  index=$(sed -n 's/^Index: //p' "$root/usr/share/doc-base/forceshade-doc.forceshade")
+  [ -s "$root$index" ] || fail "the site is not where doc-base looks for it"
+fi
 
 "$root/usr/bin/forceshade" certify --law bump-2p --radius 15.24mm --width 25.4mm --stiffness 0.5N/mm --out "$scratch/bump" > "$scratch/said" ||
   fail "the command does not certify"
