@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cstdint>
 #include <istream>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,8 +24,13 @@ struct NpyHead {
   std::vector<std::uint64_t> shape;
 };
 
-// Reads the head of a file of version 1 to 3, so that its numbers follow. Throws BadInput, which begins with `file`.
-NpyHead read_npy_head(std::istream& in, const std::string& file);
+// What is wrong with the head of a file, in words that go on after its name: "has no NPY header".
+struct NpyFault : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Reads the head of a file of version 1 to 3, so that its numbers follow. Throws NpyFault.
+NpyHead read_npy_head(std::istream& in);
 
 // Whether a file is meant to be an array, by how its name ends: .npy, in small or in capital letters.
 inline bool is_named_npy(std::string_view path) {

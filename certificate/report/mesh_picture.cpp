@@ -249,8 +249,9 @@ Picture mesh_picture(const mesh::TriangleMesh& mesh, std::span<const Ticked> pat
                        "'#5c7f9e', 0.9 '#dce7f1', 1 '#ffffff')\nset cbrange [-1:1]\n" +
                        foot(direction, path, pixel, left, drawn_bottom);
   script += heading_commands(heading, kWidth, height) + (path.empty() ? "unset key\n" : "");
-  script += "plot $pixels using (" + plotted(left) + "+($1+0.5)*" + plotted(image_pixel) + "):(" + plotted(bottom) +
-            "+($2+0.5)*" + plotted(image_pixel) + "):3 matrix with image notitle";
+  // The image has axes of its own, in its pixels: gnuplot takes seconds to compute a place for each.
+  script += range("x2", -0.5, 2 * columns - 0.5) + range("y2", (drawn_bottom - bottom) / image_pixel - 0.5, 2 * rows - 0.5) +
+            "plot $pixels matrix with image axes x2y2 notitle";
   if (!path.empty())
     script += line("device_hidden", kDevice, "1", " dt (2,3)", "") +
               line("god_object_hidden", kGodObject, "1", " dt (2,3)", "") + line("device", kDevice, "1.4", "", "device") +

@@ -48,6 +48,12 @@ std::uint64_t read_csv(std::istream& in, const std::string& file, const std::fun
   return count;
 }
 
+files::NpyHead head_of(std::istream& in, const std::string& file) try {
+  return files::read_npy_head(in);
+} catch (const files::NpyFault& fault) {
+  throw BadInput(file + ": " + fault.what());
+}
+
 // A field of a record: where it lies, and its type without the character of the byte order.
 struct Field {
   std::size_t offset = 0, bytes = 0;
@@ -121,7 +127,7 @@ std::string text_in(const char* bytes, const Field& field) {
 }
 
 std::uint64_t read_npy(std::istream& in, const std::string& file, const std::function<void(const Case&)>& each) {
-  const files::NpyHead head = files::read_npy_head(in, file);
+  const files::NpyHead head = head_of(in, file);
   const Record record = expected_record(head, file);
   std::array<const Field*, 8> fields{};
   for (std::size_t i = 0; i < fields.size(); ++i) {

@@ -55,12 +55,18 @@ const Type* type_named(std::string_view name) {
   return nullptr;
 }
 
+files::NpyHead head_of(std::ifstream& in, const std::filesystem::path& file) try {
+  return files::read_npy_head(in);
+} catch (const files::NpyFault& fault) {
+  throw Error(file, fault.what());
+}
+
 }  // namespace
 
 Samples read_npy(const Source& source) {
   const std::filesystem::path& file = source.file;
   std::ifstream in(file, std::ios::binary);
-  const files::NpyHead head = files::read_npy_head(in, file.string());
+  const files::NpyHead head = head_of(in, file);
   const Type* type = type_named(head.type);
   if (type == nullptr)
     throw Error(file, "holds numbers of type " + head.type +

@@ -6,10 +6,11 @@
 # Help, version, wrong usage.
 expect 0 "Usage: forceshade" -- "$forceshade" --help
 expect 0 "forceshade " -- "$forceshade" --version
-for command in laws geometry polygons force energy plot figures properties certify drive recording device mesh experiment analyze; do expect 0 "$command" -- "$forceshade" $command --help; done
-expect 2 "forceshade: expected a command: laws, geometry, polygons, force, energy, plot, figures, properties, certify, drive, recording, device, mesh, experiment, analyze" -- "$forceshade"
+commands="laws geometry polygons force energy plot figures properties certify positions compare vectors drive recording device mesh experiment analyze"
+for command in $commands; do expect 0 "$command" -- "$forceshade" $command --help; done
+expect 2 "forceshade: expected a command: ${commands// /, }" -- "$forceshade"
 expect 2 'laws: unknown option "--wrong"' -- "$forceshade" laws --wrong
-expect 2 "expected one of: laws geometry polygons force energy plot figures properties certify drive recording device mesh experiment analyze" -- "$forceshade" nonsense
+expect 2 "expected one of: $commands" -- "$forceshade" nonsense
 for word in revision compiler "instruction set" "library digest"; do expect 0 "$word " -- "$forceshade" --version; done
 expect 2 'got "bump-9p"' -- "$forceshade" properties --law bump-9p
 

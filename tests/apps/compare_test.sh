@@ -32,7 +32,7 @@ expect 1 "<failure" -- compare --forces off.csv --junit -
 # A mesh, along a path that begins again.
 expect 0 "" -- "$forceshade" mesh make icosphere --radius 20mm --out sphere.off
 mesh=(--mesh sphere.off --unit mm)
-expect 0 "" -- "$forceshade" positions "${mesh[@]}" --points 300 --out path.csv
+expect 0 "" -- "$forceshade" positions "${mesh[@]}" --points 60 --out path.csv
 expect 0 "" -- "$forceshade" force "${mesh[@]}" --input path.csv --out given_path.csv
 expect 0 "held: " -- "$forceshade" compare "${mesh[@]}" --forces given_path.csv
 expect 1 "correctly rounded" -- "$forceshade" compare "${mesh[@]}" --shading none --forces given_path.csv

@@ -195,7 +195,7 @@ expect 2 "full.fsr: disk I/O error; recorded" -- \
   small_disk "$forceshade" drive --law wall --uncertified --device simulated --free-run --seconds 20 --record full.fsr
 expect 1 "no end" -- recording verify full.fsr
 no_disk() { (trap '' XFSZ; ulimit -f 0; "$@"); }
-expect 2 "run.fsr: " -- no_disk "$forceshade" drive --law wall --uncertified --device null --seconds 0.1 --record unmade.csv
+expect 2 "forceshade: unmade.csv: " -- no_disk "$forceshade" drive --law wall --uncertified --device null --seconds 0.1 --record unmade.csv
 same "" "$(ls | grep unmade)"
 "$forceshade" drive --law wall --uncertified --device null --record killed.fsr 2> killed.txt &
 sleep 1; kill -KILL $!; wait $! 2> /dev/null
