@@ -44,6 +44,7 @@ void add_properties(CLI::App& app, int& result);
 void add_certify(CLI::App& app, int& result);
 void add_positions(CLI::App& app, int& result);
 void add_vectors(CLI::App& app, int& result);
+void add_conform(CLI::App& app, int& result);
 void add_compare(CLI::App& app, int& result);
 void add_drive(CLI::App& app, int& result);
 void add_recording(CLI::App& app, int& result);

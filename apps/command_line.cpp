@@ -117,6 +117,7 @@ int run(const std::vector<std::string>& arguments) {
   add_certify(app, result);
   add_positions(app, result);
   add_compare(app, result);
+  add_conform(app, result);
   add_vectors(app, result);
   add_drive(app, result);
   add_recording(app, result);

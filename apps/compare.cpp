@@ -12,6 +12,7 @@
 #include "apps/signals.h"
 #include "apps/standard_streams.h"
 #include "apps/subject_option.h"
+#include "apps/tolerance_option.h"
 #include "files/csv.h"
 #include "properties/conformance/case_file.h"
 #include "properties/conformance/judgement_text.h"
@@ -23,19 +24,10 @@ struct CompareOptions {
   std::string forces, tolerance = "0 ulp", json, junit;
 };
 
-conformance::Tolerance tolerance_of(const std::string& text) {
-  const auto tolerance = conformance::tolerance_of(text);
-  if (!tolerance)
-    throw BadInput(
-        "--tolerance: expected a number with ulp (a whole one), N or %, such as \"4 ulp\", \"1e-6 N\" or \"0.1 %\", got \"" +
-        text + '"');
-  return *tolerance;
-}
-
 int run(const CompareOptions& options, const SubjectOption& option) {
   if (!options.json.empty() && options.json == options.junit)
     throw BadInput("--json and --junit: expected two files, got \"" + options.json + "\" for both");
-  const conformance::Tolerance tolerance = tolerance_of(options.tolerance);
+  const conformance::Tolerance tolerance = parse_tolerance(options.tolerance);
   expect_folder_of("--json", options.json);
   expect_folder_of("--junit", options.junit);
   watch_for_interrupt();
@@ -51,7 +43,7 @@ int run(const CompareOptions& options, const SubjectOption& option) {
   const Identity identity = properties::subject_of(description)->identity();
   const std::string words = words_of(judge.judgement(), identity, tolerance);
   const bool held = judge.judgement().held();
-  if (!options.json.empty()) write_file(options.json, to_json(judge.judgement(), identity, tolerance));
+  if (!options.json.empty()) write_file(options.json, text_of(json_of(judge.judgement(), identity, tolerance)));
   if (!options.junit.empty())
     write_file(options.junit, to_junit("forceshade compare", {{"tolerance", conformance::words_of(tolerance)}},
                                        {{identity.name, "forces", 0, held ? std::nullopt : std::optional(words), words}}));
@@ -76,13 +68,7 @@ void add_compare(CLI::App& app, int& result) {
       ->type_name("FILE")
       ->required()
       ->group(kEvidenceGroup);
-  command
-      ->add_option(
-          "--tolerance", options->tolerance,
-          "how far a force may be from the exact one: \"4 ulp\" in each component, \"1e-6 N\", \"0.1 %\"; correctly rounded "
-          "unless given")
-      ->type_name("TOLERANCE")
-      ->group(kEvidenceGroup);
+  add_tolerance(*command, options->tolerance);
   add_json(*command, options->json, "what was found");
   add_junit(*command, options->junit);
   command->callback([options, subject, &result] { result = run(*options, *subject); });

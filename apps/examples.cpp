@@ -30,6 +30,8 @@ constexpr std::array kExamples{
             "the two halves of an exhaustive run, or two seeds, as one certificate"},
     Example{"positions", "forceshade positions --law bump-2p --points 20000 --out positions.csv",
             "where to ask another renderer of this bump for its forces"},
+    Example{"conform", "forceshade conform --law wall --command 'python3 examples/renderers/wall.py'",
+            "a wall in Python beside the exact one"},
     Example{"vectors", "forceshade vectors --law bump-2p --points 500 --out bump-2p.json",
             "positions with the exact forces, for the tests of another program"},
     Example{"compare", "forceshade compare --law bump-2p --forces forces.csv --tolerance '4 ulp'",

@@ -3,9 +3,9 @@
 
 #include <array>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "properties/binary32.h"
+#include "properties/conformance/scene.h"
 #include "rendering/identity/identity_json.h"
 
 namespace forceshade::conformance {
@@ -65,9 +65,7 @@ std::string place_of(const Judged& judged) {
 }
 
 Json json_of(const Eigen::Vector3f& v) {
-  Json numbers = Json::array();
-  for (const float component : v) numbers.push_back(format("%a", static_cast<double>(component)));
-  return numbers;
+  return hexfloats({v.data(), 3});
 }
 
 Json json_of(const Judged& judged) {
@@ -118,7 +116,7 @@ std::string words_of(const Judgement& found, const Identity& identity, const Tol
   return words;
 }
 
-std::string to_json(const Judgement& found, const Identity& identity, const Tolerance& tolerance) {
+Json json_of(const Judgement& found, const Identity& identity, const Tolerance& tolerance) {
   Json json{{"schema", "forceshade judgement 1"},
             {"held", found.held()},
             {"tolerance", words_of(tolerance)},
@@ -144,6 +142,52 @@ std::string to_json(const Judgement& found, const Identity& identity, const Tole
     if (const auto& worst = found.worst[static_cast<std::size_t>(unit)])
       json[kWorstNames[static_cast<std::size_t>(unit)]] = json_of(*worst);
   if (found.simplest) json["simplest_beyond_tolerance"] = json_of(*found.simplest);
+  return json;
+}
+
+std::string words_of(const Conformance& found, const Identity& identity, const Tolerance& tolerance) {
+  const std::string who = found.hello.name + (found.hello.version.empty() ? "" : ' ' + found.hello.version);
+  if (found.hello.refusal)
+    return "not applicable: " + who + " does not render " + identity.name + ": " + *found.hello.refusal + '\n';
+  std::string words;
+  if (found.judgement.all.cases > 0)
+    words = (who.empty() ? "" : who + " renders ") + words_of(found.judgement, identity, tolerance);
+  if (found.shortest_path.size() > 1) {
+    words += "  the shortest path to it, from no contact:\n";
+    for (const Eigen::Vector3f& position : found.shortest_path) words += "    " + literal(position) + '\n';
+  } else if (found.shortest_path.size() == 1) {
+    words += "  made simpler: position_mm " + literal(found.shortest_path[0]) + '\n';
+  }
+  for (const Invariant& invariant : found.invariants) {
+    words +=
+        (invariant.violation ? "FAILED: " : "held: ") + invariant.name + ", " + std::to_string(invariant.cases) + " cases\n";
+    if (invariant.violation) words += "  " + *invariant.violation + '\n';
+  }
+  if (found.failure) words += "FAILED: " + *found.failure + '\n';
+  return words;
+}
+
+Json json_of(const Conformance& found, const Identity& identity, const Tolerance& tolerance) {
+  Json json{
+      {"schema", "forceshade conformance 1"},
+      {"held", found.held()},
+      {"applicable", found.is_applicable()},
+      {"renderer",
+       {{"name", found.hello.name}, {"version", found.hello.version}, {"memory", found.hello.remembers ? "path" : "none"}}}};
+  if (found.hello.refusal) json["refusal"] = *found.hello.refusal;
+  if (found.failure) json["failure"] = *found.failure;
+  json["exact"] = json_of(found.judgement, identity, tolerance);
+  for (const Eigen::Vector3f& position : found.shortest_path) json["shortest_path_mm"].push_back(json_of(position));
+  json["invariants"] = Json::array();
+  for (const Invariant& invariant : found.invariants) {
+    Json one{{"name", invariant.name}, {"held", !invariant.violation}, {"cases", invariant.cases}};
+    if (invariant.violation) one["violation"] = *invariant.violation;
+    json["invariants"].push_back(std::move(one));
+  }
+  return json;
+}
+
+std::string text_of(const Json& json) {
   return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A judgement for people, and as JSON (docs/conformance.md).
+// A judgement, and a whole conformance run, for people and as JSON (docs/conformance.md).
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "forceshade/identity.h"
+#include "properties/conformance/conform.h"
 #include "properties/conformance/judge.h"
 
 namespace forceshade::conformance {
@@ -14,6 +16,13 @@ namespace forceshade::conformance {
 std::string words_of(const Judgement& found, const Identity& identity, const Tolerance& tolerance);
 
 // A key "held", the counts, and the worst cases with numbers in hexfloat.
-std::string to_json(const Judgement& found, const Identity& identity, const Tolerance& tolerance);
+nlohmann::ordered_json json_of(const Judgement& found, const Identity& identity, const Tolerance& tolerance);
+
+// The same of a conformance run: who was asked, the invariants beside the judgement, and what ended it before its end.
+std::string words_of(const Conformance& found, const Identity& identity, const Tolerance& tolerance);
+nlohmann::ordered_json json_of(const Conformance& found, const Identity& identity, const Tolerance& tolerance);
+
+// The text of a file.
+std::string text_of(const nlohmann::ordered_json& json);
 
 }  // namespace forceshade::conformance

@@ -8,9 +8,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "forceshade/identity.h"
+#include "properties/conformance/scene.h"
 #include "rendering/breakdown.h"
-#include "rendering/identity/identity_json.h"
 
 namespace forceshade::conformance {
 namespace {
@@ -19,17 +18,6 @@ using Json = nlohmann::ordered_json;
 using properties::Aim;
 
 constexpr unsigned kVectorDigits = 40;
-
-template <class Numbers>
-Json hexfloats(const Numbers& numbers) {
-  Json all = Json::array();
-  for (const float number : numbers) {
-    std::array<char, 40> text{};
-    std::snprintf(text.data(), text.size(), "%a", static_cast<double>(number));
-    all.push_back(std::isnan(number) ? "nan" : text.data());
-  }
-  return all;
-}
 
 Json bits(const Eigen::Vector3f& numbers) {
   Json all = Json::array();
@@ -41,33 +29,13 @@ Json bits(const Eigen::Vector3f& numbers) {
   return all;
 }
 
-Json json_of(const MeshRendering& rendering) {
-  Json json{{"vertices_mm", Json::array()}, {"triangles", rendering.mesh().triangles}};
-  for (const mesh::Vertex& vertex : rendering.mesh().vertices) json["vertices_mm"].push_back(hexfloats(vertex));
-  if (!rendering.has_corner_normals()) return json;
-  json["corner_normals"] = Json::array();
-  for (const auto& corners : rendering.normals) {
-    Json three = Json::array();
-    for (const auto& normal : corners) three.push_back(hexfloats(normal));
-    json["corner_normals"].push_back(std::move(three));
-  }
-  return json;
-}
-
-Json subject_json(const Description& description, const Identity& identity) {
-  Json json{{"kind", identity.kind}, {"name", identity.name}, {"parameters", parameters_json(identity)}};
-  if (const auto* map = std::get_if<DescribedHeightMap>(&description.what)) json["parts"] = words_of(map->map);
-  if (const auto* mesh = std::get_if<MeshRendering>(&description.what)) json["mesh"] = json_of(*mesh);
-  return json;
-}
-
 Json case_json(std::uint64_t id, const properties::Aimed& aimed, const reference::Rounded& exact,
                const std::optional<std::array<std::string, 3>>& digits) {
   Json json{{"id", id},
             {"flag", std::string(name_of(aimed.aim))},
             {"status", std::string(properties::kStatusNames[static_cast<std::size_t>(exact.status)])},
-            {"position_mm", hexfloats(aimed.position)},
-            {"force_N", hexfloats(exact.force)}};
+            {"position_mm", hexfloats({aimed.position.data(), 3})},
+            {"force_N", hexfloats({exact.force.data(), 3})}};
   if (digits) json["exact_force_N"] = *digits;
   json["position_bits"] = bits(aimed.position);
   json["force_bits"] = bits(exact.force);
@@ -143,7 +111,7 @@ std::string vectors_of(const Description& description, std::uint64_t count, std:
   }
   const Json head{{"schema", "forceshade vectors 1"},
                   {"licence", "CC0-1.0"},
-                  {"subject", subject_json(description, subject->identity())},
+                  {"subject", scene_of(description, subject->identity())},
                   {"seed", seed},
                   {"flags", flags}};
   return with_lines_of_cases(head, paths);

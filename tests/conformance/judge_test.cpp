@@ -125,7 +125,7 @@ TEST(judgement, is_said_in_words_with_a_case_to_paste_and_as_json) {
   judge.add({{3, 0, -0.5F}, true, {1.3490643F, 0, 2.5137453F}, "surface", "mine.csv:2"});
   judge.add({{3, 0, -0.5F}, false, {1.3490643F, 0, 2.513745F}, "surface", "mine.csv:3"});
   const Identity identity = identity_of(LawId::bump_2p, {15.24F, 25.4F, 0.5F});
-  const std::string words = words_of(judge.judgement(), identity, {}), json = to_json(judge.judgement(), identity, {});
+  const std::string words = words_of(judge.judgement(), identity, {}), json = text_of(json_of(judge.judgement(), identity, {}));
   for (const char* part : {"bump-2p: correctly rounded 1 of 2 (50 %)", "wrong, aimed at surface: 1 of 2 (50 %)",
                            "mine.csv:3: at x = ", "FAILED: 1 of 2 (50 %) within the tolerance, correctly rounded",
                            "position_mm {0x1.8p+1f, 0x0p+0f, -0x1p-1f}"})

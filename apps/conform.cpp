@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// forceshade conform: a renderer of anybody's, in a process of its own, held against the exact definition.
+
+#include "properties/conformance/conform.h"
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "apps/command.h"
+#include "apps/junit.h"
+#include "apps/options.h"
+#include "apps/output_options.h"
+#include "apps/progress_line.h"
+#include "apps/signals.h"
+#include "apps/standard_streams.h"
+#include "apps/subject_option.h"
+#include "apps/tolerance_option.h"
+#include "properties/conformance/judgement_text.h"
+#include "properties/conformance/process_door.h"
+#include "properties/conformance/scene.h"
+
+namespace forceshade::apps {
+namespace {
+
+struct ConformCommand {
+  std::string command, tolerance = "0 ulp", json, junit;
+  conformance::ConformOptions options = {};
+  double answer_seconds = 10;
+};
+
+std::vector<JunitCase> junit_cases(const conformance::Conformance& found, const Identity& identity, const std::string& words) {
+  std::vector<JunitCase> cases{
+      {identity.name, "forces", 0, found.judgement.held() ? std::nullopt : std::optional(words), words}};
+  for (const conformance::Invariant& invariant : found.invariants)
+    cases.push_back({identity.name, invariant.name, 0, invariant.violation, std::to_string(invariant.cases) + " cases"});
+  if (found.failure) cases.push_back({identity.name, "answers", 0, found.failure});
+  return cases;
+}
+
+int run(const ConformCommand& its, const SubjectOption& option) {
+  if (!its.json.empty() && its.json == its.junit)
+    throw BadInput("--json and --junit: expected two files, got \"" + its.json + "\" for both");
+  conformance::ConformOptions options = its.options;
+  options.tolerance = parse_tolerance(its.tolerance);
+  expect_folder_of("--json", its.json);
+  expect_folder_of("--junit", its.junit);
+  watch_for_interrupt();
+  const Description description = option.description();
+  const Identity identity = properties::subject_of(description)->identity();
+  conformance::ProcessLimits limits;
+  limits.answer = std::chrono::milliseconds(static_cast<int>(1000 * its.answer_seconds));
+  const conformance::OpenRenderer open =
+      conformance::process_door(its.command, conformance::scene_of(description, identity).dump(), limits);
+  std::optional<ProgressLine> line(identity.name);
+  const Monitor monitor([&](double done) { line->draw(done); }, interrupted());
+  const conformance::Conformance found = conformance::conform(description, open, options, monitor);
+  line.reset();
+  const std::string words = conformance::words_of(found, identity, options.tolerance);
+  if (!its.json.empty()) write_file(its.json, conformance::text_of(conformance::json_of(found, identity, options.tolerance)));
+  if (!its.junit.empty())
+    write_file(its.junit, to_junit("forceshade conform", {{"tolerance", conformance::words_of(options.tolerance)}},
+                                   junit_cases(found, identity, words)));
+  if (its.json != "-" && its.junit != "-") {
+    std::fputs(words.c_str(), stdout);
+    flush_standard_output();
+  }
+  return found.held() ? kHeld : kFailed;
+}
+
+}  // namespace
+
+void add_conform(CLI::App& app, int& result) {
+  const auto its = std::make_shared<ConformCommand>();
+  CLI::App* command =
+      app.add_subcommand("conform", "Hold a renderer of anybody's, in a process of its own, against the exact definition");
+  const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one);
+  command
+      ->add_option(
+          "--command", its->command,
+          "how the shell starts it; it speaks lines of JSON on its standard input and output (docs/conformance-protocol.md)")
+      ->type_name("COMMAND")
+      ->required()
+      ->group(kEvidenceGroup);
+  add_tolerance(*command, its->tolerance);
+  add_whole(*command, "--points", its->options.points, "how many positions to compare", {1, 1000000000});
+  add_whole(*command, "--seed", its->options.seed, "seed of the positions", kSeeds);
+  add_number(*command, "--answer-timeout",
+             "how long the renderer may take for an answer of up to 1024 forces, in seconds; 10 unless given", {0.01, 3600},
+             [its](double seconds) { its->answer_seconds = seconds; });
+  add_json(*command, its->json, "what was found");
+  add_junit(*command, its->junit);
+  command->callback([its, subject, &result] { result = run(*its, *subject); });
+}
+
+}  // namespace forceshade::apps

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// --tolerance: how far a force may be from the exact one.
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "properties/conformance/tolerance.h"
+
+namespace forceshade::apps {
+
+CLI::Option* add_tolerance(CLI::App& command, std::string& value);
+
+// Throws BadInput.
+conformance::Tolerance parse_tolerance(const std::string& text);
+
+}  // namespace forceshade::apps

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "properties/conformance/child_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "files/printable.h"
+
+namespace forceshade::conformance {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr const char* kToken = "FORCESHADE_RENDERER_UNDER_TEST";
+constexpr std::size_t kLastWords = 2000, kShown = 80;
+
+struct Pipe {
+  Pipe() {
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "cannot make a pipe");
+  }
+  ~Pipe() {
+    for (const int end : ends)
+      if (end >= 0) ::close(end);
+  }
+  int take(std::size_t end) { return std::exchange(ends[end], -1); }
+  std::array<int, 2> ends{-1, -1};
+};
+
+// The numbers of all processes.
+std::vector<pid_t> processes() {
+  std::vector<pid_t> all;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator("/proc", ignored))
+    if (const pid_t number = std::atoi(entry.path().filename().c_str()); number > 0) all.push_back(number);
+  return all;
+}
+
+bool has_token(pid_t process, const std::string& token) {
+  std::ifstream in("/proc/" + std::to_string(process) + "/environ", std::ios::binary);
+  std::string environment{std::istreambuf_iterator<char>(in), {}};
+  return environment.find(token) != std::string::npos;
+}
+
+rlim_t processes_of_this_user() {
+  return static_cast<rlim_t>(std::ranges::count_if(processes(), [](pid_t process) {
+    struct stat its {};
+    return ::stat(("/proc/" + std::to_string(process)).c_str(), &its) == 0 && its.st_uid == ::getuid();
+  }));
+}
+
+void limit(int what, rlim_t most) {
+  const rlimit both{most, most};
+  if (::setrlimit(static_cast<__rlimit_resource>(what), &both) != 0) ::_exit(126);
+}
+
+// Writing to a program that has gone is an error here and no signal.
+class NoBrokenPipe {
+ public:
+  NoBrokenPipe() {
+    sigemptyset(&set_);
+    sigaddset(&set_, SIGPIPE);
+    sigset_t pending;
+    sigpending(&pending);
+    was_pending_ = sigismember(&pending, SIGPIPE) == 1;
+    pthread_sigmask(SIG_BLOCK, &set_, &before_);
+  }
+  ~NoBrokenPipe() {
+    const timespec none{};
+    if (!was_pending_)
+      while (sigtimedwait(&set_, nullptr, &none) == SIGPIPE) {
+      }
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  NoBrokenPipe(const NoBrokenPipe&) = delete;
+  NoBrokenPipe& operator=(const NoBrokenPipe&) = delete;
+
+ private:
+  sigset_t set_{}, before_{};
+  bool was_pending_ = false;
+};
+
+std::string shown(std::string_view text) {
+  return '"' + files::printable(std::string(text.substr(0, kShown))) + (text.size() > kShown ? "...\"" : "\"");
+}
+
+std::string seconds(std::chrono::milliseconds time) {
+  const std::string text = std::to_string(static_cast<double>(time.count()) / 1000);
+  return text.substr(0, text.find_last_not_of("0.") + 1) + " s";
+}
+
+}  // namespace
+
+ChildProcess::ChildProcess(const std::string& command, const ProcessLimits& limits) : limits_(limits) {
+  std::random_device random;
+  token_ = std::string(kToken) + '=' + std::to_string(::getpid()) + '-' + std::to_string(random()) + std::to_string(random());
+  std::vector<char*> environment;
+  for (char** one = environ; *one != nullptr; ++one)
+    if (std::strncmp(*one, kToken, std::strlen(kToken)) != 0) environment.push_back(*one);
+  environment.push_back(token_.data());
+  environment.push_back(nullptr);
+  Pipe in, out, errors;
+  const rlim_t most_processes = processes_of_this_user() + limits.processes;
+  const std::array<const char*, 4> arguments{"/bin/sh", "-c", command.c_str(), nullptr};
+  process_ = ::fork();
+  if (process_ < 0) throw std::system_error(errno, std::generic_category(), "cannot start a process");
+  if (process_ == 0) {  // only what a signal handler may call, since other threads may hold locks
+    ::setsid();
+    for (const auto& [from, to] :
+         {std::pair{in.ends[0], STDIN_FILENO}, {out.ends[1], STDOUT_FILENO}, {errors.ends[1], STDERR_FILENO}})
+      if (::dup2(from, to) < 0) ::_exit(126);
+    limit(RLIMIT_CORE, 0);
+    limit(RLIMIT_CPU, limits.processor_seconds);
+    limit(RLIMIT_DATA, limits.memory);
+    limit(RLIMIT_FSIZE, rlim_t{limits.file_megabytes} << 20U);
+    limit(RLIMIT_NPROC, most_processes);
+    sigset_t none;
+    sigemptyset(&none);
+    ::sigprocmask(SIG_SETMASK, &none, nullptr);
+    for (const int number : {SIGPIPE, SIGINT, SIGTERM, SIGHUP}) ::signal(number, SIG_DFL);
+    ::execve("/bin/sh", const_cast<char* const*>(arguments.data()), environment.data());
+    ::_exit(127);
+  }
+  to_ = in.take(1);
+  from_ = out.take(0);
+  errors_ = errors.take(0);
+  for (const int end : {to_, from_, errors_}) ::fcntl(end, F_SETFL, ::fcntl(end, F_GETFL) | O_NONBLOCK);
+}
+
+ChildProcess::~ChildProcess() {
+  for (const int end : {to_, from_, errors_})
+    if (end >= 0) ::close(end);
+  if (process_ > 0) {
+    ::kill(process_, SIGKILL);  // it may have no session yet
+    ::kill(-process_, SIGKILL);
+  }
+  // What has left the session still has the token, unless it took its environment away, too. Those killed may have started
+  // others in the meantime.
+  for (bool found = true; found;) {
+    found = false;
+    for (const pid_t process : processes())
+      if (process != ::getpid() && has_token(process, token_)) found = ::kill(process, SIGKILL) == 0 || found;
+  }
+  if (process_ > 0) ::waitpid(process_, nullptr, 0);
+}
+
+// Writes what it can of `rest` and reads what there is, once.
+bool ChildProcess::transfer(std::string_view& rest, Clock::time_point until) {
+  std::array<pollfd, 3> ends{pollfd{from_, POLLIN, 0}, {errors_, POLLIN, 0}, {rest.empty() ? -1 : to_, POLLOUT, 0}};
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now()).count();
+  if (left <= 0) fail("did not answer within " + seconds(limits_.answer));
+  if (::poll(ends.data(), ends.size(), static_cast<int>(left)) < 0 && errno != EINTR) fail("could not be heard");
+  std::array<char, 1 << 16> block;
+  if (ends[1].revents != 0) {
+    if (const ssize_t size = ::read(errors_, block.data(), block.size()); size > 0) {
+      last_words_.append(block.data(), static_cast<std::size_t>(size));
+      if (last_words_.size() > kLastWords) last_words_.erase(0, last_words_.size() - kLastWords);
+    } else if (size == 0) {
+      ::close(std::exchange(errors_, -1));
+    }
+  }
+  if (ends[2].revents != 0) {
+    const NoBrokenPipe no_broken_pipe;
+    const ssize_t size = ::write(to_, rest.data(), rest.size());
+    if (size > 0) rest.remove_prefix(static_cast<std::size_t>(size));
+    if (size < 0 && errno == EPIPE) rest = {};  // how it ended is seen below
+  }
+  if (ends[0].revents == 0) return true;
+  const ssize_t size = ::read(from_, block.data(), block.size());
+  if (size > 0) said_.append(block.data(), static_cast<std::size_t>(size));
+  return size != 0;
+}
+
+std::string ChildProcess::ask(std::string_view line) {
+  if (!said_.empty()) fail("wrote without having been asked: " + shown(said_));
+  const std::string sent = std::string(line) + '\n';
+  std::string_view rest = sent;
+  const auto until = Clock::now() + limits_.answer;
+  std::size_t end = std::string::npos;
+  while (end == std::string::npos) {
+    const std::size_t looked_at = said_.size();
+    if (!transfer(rest, until)) fail(how_it_ended(until) + " without an answer");
+    end = said_.find('\n', looked_at);
+    if (std::min(end, said_.size()) > limits_.longest_line)
+      fail("wrote a line of more than " + std::to_string(limits_.longest_line) + " bytes: " + shown(said_));
+  }
+  if (!rest.empty()) fail("answered before it was asked: " + shown(said_));
+  std::string answer = said_.substr(0, end);
+  said_.erase(0, end + 1);
+  if (answer.ends_with('\r')) answer.pop_back();
+  return answer;
+}
+
+void ChildProcess::say_goodbye(std::string_view line) {
+  const std::string sent = std::string(line) + '\n';
+  std::string_view rest = sent;
+  const auto until = Clock::now() + limits_.answer;
+  while (!rest.empty()) {
+    if (!transfer(rest, until)) break;
+    if (!said_.empty()) fail("wrote after goodbye: " + shown(said_));
+  }
+  ::close(std::exchange(to_, -1));
+  while (transfer(rest, until))
+    if (!said_.empty()) fail("wrote after goodbye: " + shown(said_));
+  if (const std::string end = how_it_ended(until); end != "ended") fail(end);
+}
+
+// Its output is at its end. Waits for it.
+std::string ChildProcess::how_it_ended(Clock::time_point until) {
+  int status = 0;
+  pid_t found = 0;
+  while ((found = ::waitpid(process_, &status, WNOHANG)) == 0 && Clock::now() < until)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  if (found == 0) return "closed its output, and did not end";
+  process_ = -1;
+  if (WIFSIGNALED(status))
+    return "was killed by signal " + std::to_string(WTERMSIG(status)) + " (" + ::strsignal(WTERMSIG(status)) + ")";
+  if (WEXITSTATUS(status) == 127) return "could not be started: the shell knows no such command";
+  return WEXITSTATUS(status) == 0 ? "ended" : "ended with exit code " + std::to_string(WEXITSTATUS(status));
+}
+
+void ChildProcess::fail(const std::string& words) {
+  const std::size_t end = last_words_.find_last_not_of('\n');
+  const std::size_t begin = end == std::string::npos ? end : last_words_.rfind('\n', end);
+  const std::string last = end == std::string::npos ? "" : last_words_.substr(begin == std::string::npos ? 0 : begin + 1);
+  throw ProcessFailed("the renderer " + words +
+                      (last.empty() ? "" : "; it wrote last on standard error: " + shown(last.substr(0, last.find('\n')))));
+}
+
+}  // namespace forceshade::conformance

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A program that somebody else wrote, which answers lines with lines, in bounded time and memory whatever it does.
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace forceshade::conformance {
+
+// The program did not answer as it has to: what() says how it ended, that it took too long, or what it wrote instead.
+struct ProcessFailed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct ProcessLimits {
+  std::chrono::milliseconds answer{10'000};          // for one line
+  std::size_t longest_line = std::size_t{1} << 24U;  // bytes
+  std::size_t memory = std::size_t{2} << 30U;        // bytes that it may write to, of each of its processes
+  unsigned processes = 64;                           // that it may start beside those of its user; not of root's
+  unsigned processor_seconds = 600, file_megabytes = 64;
+};
+
+// In a session of its own, with pipes to its standard streams. One thread at a time.
+class ChildProcess {
+ public:
+  // command: a line for /bin/sh. Throws std::system_error where no process can be made.
+  ChildProcess(const std::string& command, const ProcessLimits& limits);
+  // Ends it, and all that it has started, also what has left its session.
+  ~ChildProcess();
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+
+  // Sends a line, which has no end of its own, and waits for one. Throws ProcessFailed; then no further call is of use.
+  std::string ask(std::string_view line);
+
+  // Sends a line that is not answered, closes the pipe, and waits until the program has ended, at most as long as for an
+  // answer. Throws ProcessFailed where it writes a line, does not end, or ends with another code than 0.
+  void say_goodbye(std::string_view line);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool transfer(std::string_view& rest, Clock::time_point until);  // false at the end of its output
+  [[noreturn]] void fail(const std::string& words);
+  std::string how_it_ended(Clock::time_point until);
+
+  ProcessLimits limits_;
+  std::string token_;  // in the environment of whatever it starts
+  pid_t process_ = -1;
+  int to_ = -1, from_ = -1, errors_ = -1;
+  std::string said_, last_words_;  // what it wrote and was not read; the end of what it wrote to standard error
+};
+
+}  // namespace forceshade::conformance

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A renderer that is a process and speaks lines of JSON (docs/conformance-protocol.md).
+
+#include <string>
+
+#include "properties/conformance/child_process.h"
+#include "properties/conformance/renderer_under_test.h"
+
+namespace forceshade::conformance {
+
+// scene: JSON of scene.h.
+OpenRenderer process_door(const std::string& command, const std::string& scene, const ProcessLimits& limits = {});
+
+}  // namespace forceshade::conformance

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "properties/conformance/scene.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "rendering/identity/identity_json.h"
+
+namespace forceshade::conformance {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const MeshRendering& rendering) {
+  Json json{{"vertices_mm", Json::array()}, {"triangles", rendering.mesh().triangles}};
+  for (const mesh::Vertex& vertex : rendering.mesh().vertices) json["vertices_mm"].push_back(hexfloats(vertex));
+  if (!rendering.has_corner_normals()) return json;
+  json["corner_normals"] = Json::array();
+  for (const auto& corners : rendering.normals) {
+    Json three = Json::array();
+    for (const auto& normal : corners) three.push_back(hexfloats(normal));
+    json["corner_normals"].push_back(std::move(three));
+  }
+  return json;
+}
+
+}  // namespace
+
+Json hexfloats(std::span<const float> numbers) {
+  Json all = Json::array();
+  for (const float number : numbers) {
+    std::array<char, 40> text{};
+    std::snprintf(text.data(), text.size(), "%a", static_cast<double>(number));
+    all.push_back(std::isnan(number) ? "nan" : text.data());
+  }
+  return all;
+}
+
+Json scene_of(const Description& description, const Identity& identity) {
+  Json json{{"kind", identity.kind}, {"name", identity.name}, {"parameters", parameters_json(identity)}};
+  if (const auto* map = std::get_if<DescribedHeightMap>(&description.what)) json["parts"] = words_of(map->map);
+  if (const auto* mesh = std::get_if<MeshRendering>(&description.what)) json["mesh"] = json_of(*mesh);
+  return json;
+}
+
+}  // namespace forceshade::conformance

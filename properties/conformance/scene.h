@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What is rendered, with all of its numbers, as JSON for programs that know nothing of this one (docs/conformance-protocol.md).
+
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "forceshade/description.h"
+#include "forceshade/identity.h"
+
+namespace forceshade::conformance {
+
+nlohmann::ordered_json scene_of(const Description& description, const Identity& identity);
+
+// As hexfloat, "nan", "inf" or "-inf".
+nlohmann::ordered_json hexfloats(std::span<const float> numbers);
+
+}  // namespace forceshade::conformance

@@ -1,0 +1,103 @@
+#!/usr/bin/env bash
+# conform_test.sh FORCESHADE: renderers of other programs through the door of processes: right ones, wrong ones, and such that do
+# anything else.
+. "$(dirname "$0")/expect.sh"
+renderers=$examples/renderers
+conform() { "$forceshade" conform --law wall --points 3000 --answer-timeout 5 "$@"; }
+
+# A right one, its files, and a scene that it does not render.
+expect 0 "a wall in Python 1 renders wall: correctly rounded 3000 of 3000 (100 %)" -- conform --command "$renderers/wall.py"
+expect 0 "held: a reset equals a fresh start, 500 cases" -- conform --command "$renderers/wall.py"
+expect 0 '"applicable": true' -- conform --command "$renderers/wall.py" --json
+expect 0 '<testcase' -- conform --command "$renderers/wall.py" --junit -
+expect 1 "not applicable: a wall in Python 1 does not render bump-2p: it renders the law wall alone" -- \
+  "$forceshade" conform --law bump-2p --command "$renderers/wall.py"
+if command -v node > /dev/null; then
+  expect 0 "a cylinder in JavaScript" -- "$forceshade" conform --law cylinder --points 3000 --tolerance "0.01 %" --command "$renderers/cylinder.js"
+else
+  echo "cylinder.js was not tried: node is not there"
+fi
+
+# Wrong in one thing: a line of wall.py is another one. mutated ORIGINAL REPLACEMENT: writes mutated.py.
+mutated() {
+  python3 - "$renderers/wall.py" "$1" "$2" << 'END' || exit 1
+import sys
+text = open(sys.argv[1]).read()
+assert text.count(sys.argv[2]) == 1, sys.argv[2]
+open("mutated.py", "w").write(text.replace(sys.argv[2], sys.argv[3]))
+END
+}
+finds() { expect 1 "$3" -- sh -c "'$forceshade' conform --law wall --points 3000 --command 'python3 mutated.py'"; }
+try() { mutated "$1" "$2"; finds "$@"; }
+try "stiffness * -z if" "stiffness * z if" "FAILED: "
+try "(0, 0, stiffness * -z" "(1e-9, 0, stiffness * -z" "FAILED: "
+try "(0, 0, stiffness * -z" "(0, stiffness * -z, 0" "FAILED: "
+try "stiffness * -z if" "stiffness * -z * 1.0000001 if" "FAILED: "
+try "stiffness * -z if" "stiffness * -z / 1000 if" "FAILED: "
+try "abs(coordinate) <= 10_000" "abs(coordinate) <= 20_000" "aimed at domain end"
+try "if not all(abs(coordinate) <= 10_000 for coordinate in (x, y, z)):" "if x != x:" "FAILED: any position gets a finite force"
+try "z <= -(2.0**-30)" "z <= 0.25" "made simpler: position_mm {0x0p+0f, 0x0p+0f, "
+try "z <= -(2.0**-30)" "z < 0" "aimed at quantum"
+mutated "        elif \"positions\" in asked:" "        elif \"positions\" in asked:
+            stiffness *= 1.5 if asked[\"positions\"][0][:1] == \"c\" else 1"
+finds "" "" "FAILED: the same path twice gives the same bits"
+mutated "import json" "import json, random"; cp mutated.py random.py
+sed -i 's/stiffness \* -z if/stiffness * -z * (1 + random.choice([0, 2e-7])) if/' random.py
+expect 1 "without having moved otherwise" -- conform --command "python3 random.py" --tolerance "1e-3 N"
+expect 1 "FAILED: a hand at rest feels a force at rest" -- conform --command "python3 random.py" --tolerance "1e-3 N"
+
+# What is no renderer at all. A program that greets and then does the rest of the words.
+hello='{"forceshade":"conform 1","name":"n","version":"1","memory":"none"}'
+greets() { printf '%s\n' "read line; echo '$hello'; $1" > greets.sh; }
+wrong() { expect 1 "$1" -- conform --command "$2"; }
+wrong "the renderer ended without an answer" "true"
+wrong "ended with exit code 3" "exit 3"
+wrong "the shell knows no such command" "no-such-program-anywhere"
+wrong "was killed by signal 11" 'kill -SEGV $$'
+wrong "; it wrote last on standard error: \"no licence\"" 'echo no licence >&2; exit 4'
+wrong "expected a JSON object in one line" "echo hello"
+wrong "expected a JSON object in one line" "echo '[1]'"
+wrong "expected a JSON object in one line" "printf '\\377\\376\\n'; cat"
+wrong "expected a JSON object in one line" "head -c 1000000 /dev/zero | tr '\\0' '['; echo; cat"
+wrong 'has no key "forceshade"' "echo '{}'; cat"
+wrong 'speaks "conform 9"; expected "conform 1"' "echo '${hello/conform 1/conform 9}'; cat"
+wrong 'has no key "memory"' "echo '${hello/,\"memory\":\"none\"/}'; cat"
+wrong 'memory "some"; expected "none" or "path"' "echo '${hello/none/some}'; cat"
+wrong 'has no text as "name"' "echo '${hello/\"n\"/7}'; cat"
+wrong "closed its output" "exec >&-; sleep 100"
+greets "exit 0"; wrong "ended without an answer" "sh greets.sh"
+greets "cat"; wrong 'answered without a list "forces"' "sh greets.sh"
+greets "echo x; sleep 100"; wrong "wrote" "sh greets.sh"
+greets "read line; echo '{\"forces\":[]}'; cat"; wrong "answered 1024 positions with 0 forces" "sh greets.sh"
+greets "read line; printf '{\"forces\":['; for i in \$(seq 1023); do printf 1,; done; echo '1]}'"; wrong "the renderer's force 0 is \"1\"" "sh greets.sh"
+greets "read line; printf '{\"forces\":['; for i in \$(seq 1023); do printf '\"zz\",'; done; echo '\"zz\"]}'"; wrong "24 hexadecimal digits" "sh greets.sh"
+mutated 'print(json.dumps(answer), flush=True)' 'print(json.dumps(answer) + "\\n" + json.dumps(answer), flush=True)'
+finds "" "" "wrote without having been asked"
+expect 1 "a line of more than 16777216 bytes" -- conform --command "yes | tr -d '\\n'"
+for late in "sleep 100" "cat > /dev/null" "trap '' TERM INT HUP; sleep 100"; do
+  expect 1 "did not answer within 0.3 s" -- "$forceshade" conform --law wall --command "$late" --answer-timeout 0.3
+done
+mutated "        print(json" "        import time; time.sleep(0.5 if \"positions\" in asked else 0)
+        print(json"
+expect 1 "did not answer within 0.3 s" -- "$forceshade" conform --law wall --command "python3 mutated.py" --answer-timeout 0.3
+wrong "" "python3 -c 'x = bytearray(10**11)'"
+mutated "        else:
+            return  # goodbye" "        else:
+            import time; time.sleep(100)"
+expect 1 "did not answer within 1 s" -- "$forceshade" conform --law wall --points 100 --command "python3 mutated.py" --answer-timeout 1
+mutated "            return  # goodbye" "            sys.exit(5)"
+finds "" "" "ended with exit code 5"
+
+# Whatever it has started is gone with it.
+mark=forceshade_left_over_$$
+expect 1 "" -- conform --command "for i in 1 2 3; do setsid sh -c 'exec -a $mark sleep 1000' & done; sleep 0.2; exit 1"
+expect 1 "" -- conform --command "setsid setsid bash -c 'exec -a $mark sleep 1000' > /dev/null 2>&1 & sleep 0.2; kill -9 \$\$"
+same "" "$(pgrep -f $mark || true)"
+
+# What cannot be tried.
+expect 2 "--command" -- "$forceshade" conform --law wall
+expect 2 "--tolerance: expected" -- conform --command true --tolerance 4
+expect 2 "--answer-timeout" -- conform --command true --answer-timeout 0
+expect 2 "expected two files" -- conform --command true --json a --junit a
+expect 130 "interrupted" -- timeout --preserve-status -s INT 1 "$forceshade" conform --law wall --points 100000000 --command "$renderers/wall.py"
+same "" "$(pgrep -f "$renderers/wall.py" || true)"
