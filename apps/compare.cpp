@@ -43,7 +43,8 @@ int run(const CompareOptions& options, const SubjectOption& option) {
   const Identity identity = properties::subject_of(description)->identity();
   const std::string words = words_of(judge.judgement(), identity, tolerance);
   const bool held = judge.judgement().held();
-  if (!options.json.empty()) write_file(options.json, text_of(json_of(judge.judgement(), identity, tolerance)));
+  if (!options.json.empty())
+    write_file(options.json, conformance::text_of(conformance::json_of(judge.judgement(), identity, tolerance)));
   if (!options.junit.empty())
     write_file(options.junit, to_junit("forceshade compare", {{"tolerance", conformance::words_of(tolerance)}},
                                        {{identity.name, "forces", 0, held ? std::nullopt : std::optional(words), words}}));

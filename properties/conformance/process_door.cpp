@@ -14,7 +14,7 @@
 namespace forceshade::conformance {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 constexpr const char* kProtocol = "conform 1";
 constexpr std::size_t kHexDigits = 24;  // of three binary32 numbers
