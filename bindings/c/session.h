@@ -4,20 +4,25 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
+#include <variant>
 
+#include "bindings/c/described.h"
 #include "forceshade/fast.h"
 #include "forceshade/mesh.h"
-#include "forceshade/renderer.h"
 
 namespace forceshade::c {
 
 // For one thread at a time.
 class Session {
  public:
-  explicit Session(const Renderer& renderer)
-      : session_(renderer.open()), ticks_(dynamic_cast<fast::TickSession*>(session_.get())) {}
+  explicit Session(const Subject& subject)
+      : session_(subject.renderer.open()), ticks_(dynamic_cast<fast::TickSession*>(session_.get())) {
+    if (const auto* law = std::get_if<fast::Law>(&subject.field)) law_ = *law;
+  }
 
   fast::Evaluation step(const Eigen::Vector3f& position) noexcept {
+    if (law_) return law_->evaluate(position);  // which is what its session does, in two calls
     if (ticks_ == nullptr) return session_->step(position);
     const mesh::Tick tick = ticks_->tick({position.x(), position.y(), position.z()});
     state_ = tick.after;
@@ -32,6 +37,7 @@ class Session {
   }
 
  private:
+  std::optional<fast::Law> law_;
   std::unique_ptr<fast::Session> session_;
   fast::TickSession* ticks_;  // the same, where it is a god-object's
   mesh::GodObject state_;

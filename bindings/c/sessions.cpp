@@ -18,34 +18,40 @@ constinit Lasting<Session> sessions;
 // `result` and the message say which.
 class Entered {
  public:
-  explicit Entered(forceshade_session handle) noexcept : slot_(sessions.table.slot(handle.handle)) {
-    if (slot_ != nullptr && slot_->is_busy.exchange(true, std::memory_order_acquire)) {
-      slot_ = nullptr;
+  explicit Entered(forceshade_session handle) noexcept : slot_(sessions.table.slot_of(handle.handle)) {
+    if (slot_.handle.load(std::memory_order_acquire) != handle.handle) [[unlikely]] {
+      result = no_session();
+      return;
+    }
+    if (slot_.is_busy.exchange(true, std::memory_order_acquire)) [[unlikely]] {
       result = fail(FORCESHADE_BUSY, "another thread is in this session, which is for one at a time");
       return;
     }
-    // It may have been closed before this thread was in it.
-    if (slot_ != nullptr && sessions.table.find(handle.handle) != nullptr) return;
-    leave();
-    result = fail(FORCESHADE_BAD_HANDLE, "the session is none: it was never opened, or has been closed");
+    session_ = sessions.table.find(handle.handle);  // it may have been closed before this thread was in it
+    if (session_ != nullptr) [[likely]]
+      return;
+    slot_.is_busy.store(false, std::memory_order_release);
+    result = no_session();
   }
-  ~Entered() { leave(); }
+  ~Entered() {
+    if (session_ != nullptr) slot_.is_busy.store(false, std::memory_order_release);
+  }
   Entered(const Entered&) = delete;
   Entered& operator=(const Entered&) = delete;
 
-  explicit operator bool() const noexcept { return slot_ != nullptr; }
-  Session& operator*() const noexcept { return *slot_->object.load(std::memory_order_acquire); }
-  Session* operator->() const noexcept { return &**this; }
+  explicit operator bool() const noexcept { return session_ != nullptr; }
+  Session& operator*() const noexcept { return *session_; }
+  Session* operator->() const noexcept { return session_; }
 
   forceshade_result result = FORCESHADE_OK;
 
  private:
-  void leave() noexcept {
-    if (slot_ != nullptr) slot_->is_busy.store(false, std::memory_order_release);
-    slot_ = nullptr;
+  static forceshade_result no_session() noexcept {
+    return fail(FORCESHADE_BAD_HANDLE, "the session is none: it was never opened, or has been closed");
   }
 
-  Table<Session>::Slot* slot_;
+  Table<Session>::Slot& slot_;
+  Session* session_ = nullptr;
 };
 
 // OK, or what is wrong with the struct, which has been said.
@@ -74,7 +80,7 @@ forceshade_result forceshade_session_open(forceshade_subject subject, forceshade
     if (made == nullptr) return fail(FORCESHADE_NULL_POINTER, "made is NULL");
     if (const char* fault = fast::arithmetic_fault())
       return fail(FORCESHADE_BAD_ARITHMETIC, std::string("found ") + fault + "; expected rounding to nearest, with subnormals");
-    const std::uint64_t handle = sessions.table.add(std::make_unique<c::Session>(its->renderer));
+    const std::uint64_t handle = sessions.table.add(std::make_unique<c::Session>(*its));
     if (handle == 0) return fail(FORCESHADE_NO_MEMORY, "there are too many sessions; expected some to be closed");
     made->handle = handle;
     return FORCESHADE_OK;

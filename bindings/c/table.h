@@ -53,15 +53,14 @@ class Table {
       return nullptr;
     return its.object.load(std::memory_order_acquire);
   }
-  // The slot of a handle that is one.
-  Slot* slot(std::uint64_t handle) noexcept { return find(handle) == nullptr ? nullptr : &slots_[handle % kSlots]; }
+  // The slot in which the handle is, if it is one.
+  Slot& slot_of(std::uint64_t handle) noexcept { return slots_[handle % kSlots]; }
 
   // The handle is none from then on. Null where it was none.
   std::unique_ptr<T> take(std::uint64_t handle) {
     const std::lock_guard lock(mutex_);
-    Slot* const its = slot(handle);
-    if (its == nullptr) return nullptr;
-    std::unique_ptr<T> object(its->object.exchange(nullptr));
+    if (find(handle) == nullptr) return nullptr;
+    std::unique_ptr<T> object(slot_of(handle).object.exchange(nullptr));
     // A slot whose uses can no longer be counted is not given out again.
     if (handle >> 32U != UINT32_MAX) freed_.push_back(static_cast<std::uint32_t>(handle));
     return object;

@@ -18,7 +18,7 @@ namespace forceshade::python {
 namespace {
 
 struct Session {
-  explicit Session(std::shared_ptr<const Subject> of) : subject(std::move(of)), path(subject->renderer) {}
+  explicit Session(std::shared_ptr<const Subject> of) : subject(std::move(of)), path(*subject) {}
 
   std::shared_ptr<const Subject> subject;
   c::Session path;
@@ -67,12 +67,12 @@ PyObject* step(PyObject* self, PyObject* const* arguments, Py_ssize_t count, PyO
   return tuple_of(answer.force.data());
 }
 
-PyMethodDef step_method{"step", reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(&step)),
-                        METH_FASTCALL | METH_KEYWORDS,
-                        "step($self, x, y, z, /, *, rounding=None)\n--\n\n"
-                        "The force (N) at the next position of the path (mm), as a tuple of three floats.\n\n"
-                        "x, y, z: numbers that binary32 holds, or any with rounding=\"nearest\".\n\n"
-                        "`status` then says what the position was. Raises forceshade.Error while another thread is in this session.\n"};
+PyMethodDef step_method{
+    "step", reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(&step)), METH_FASTCALL | METH_KEYWORDS,
+    "step($self, x, y, z, /, *, rounding=None)\n--\n\n"
+    "The force (N) at the next position of the path (mm), as a tuple of three floats.\n\n"
+    "x, y, z: numbers that binary32 holds, or any with rounding=\"nearest\".\n\n"
+    "`status` then says what the position was. Raises forceshade.Error while another thread is in this session.\n"};
 
 std::size_t steps(Session& session, const Floats& positions, Floats& forces, std::optional<Bytes> statuses) {
   const Entered entered(session);
