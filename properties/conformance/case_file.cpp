@@ -104,12 +104,12 @@ Record expected_record(const files::NpyHead& head, const std::string& file) {
   if (!record || head.shape.size() != 1)
     throw BadInput(file + ": holds records " + head.type + " of shape (" + head.shape_text +
                    "); expected one dimension, and fields that are numbers or texts");
+  const auto fault = [&](const std::string& words) { return BadInput(file + ": " + words); };
   for (const std::string& name : kNumbers) {
     const auto found = record->fields.find(name);
-    if (found == record->fields.end())
-      throw BadInput(file + ": has no field " + name + "; expected x_mm, y_mm, z_mm, fx_N, fy_N and fz_N");
+    if (found == record->fields.end()) throw fault("has no field " + name + "; expected x_mm, y_mm, z_mm, fx_N, fy_N and fz_N");
     if (found->second.type != "<f4")
-      throw BadInput(file + ": field " + name + " is of type " + found->second.type + "; expected <f4 (float32)");
+      throw fault("field " + name + " is of type " + found->second.type + "; expected <f4 (float32)");
   }
   if (const auto reset = record->fields.find("reset");
       reset != record->fields.end() && reset->second.type != "|u1" && reset->second.type != "|b1")
