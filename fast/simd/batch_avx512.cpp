@@ -4,7 +4,7 @@
 #include "fast/simd/batch.h"
 #include "fast/simd/pack_avx512.h"
 #include "fast/simd/pack_pair.h"
-#include "fast/simd/rows.h"
+#include "fast/simd/position_rows_avx2.h"
 
 namespace forceshade::fast {
 
