@@ -81,6 +81,8 @@ TEST(case_file, is_an_array_of_records_or_of_six_numbers) {
   EXPECT_EQ(one[0].force, Eigen::Vector3f(1, 2, 3));
   EXPECT_EQ(one[0].position, Eigen::Vector3f(4, 5, 6));
   EXPECT_EQ(one[0].aim, "tie");
+  const std::string as_byte = std::string(layout).replace(layout.find("|b1"), 3, "|u1");
+  EXPECT_TRUE(cases_of(files::npy_header(as_byte, 1) + record, "mine.npy").at(0).is_reset);
 }
 
 TEST(case_file, is_refused_with_what_was_expected) {
