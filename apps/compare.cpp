@@ -25,14 +25,11 @@ struct CompareOptions {
 };
 
 int run(const CompareOptions& options, const SubjectOption& option) {
-  if (!options.json.empty() && options.json == options.junit)
-    throw BadInput("--json and --junit: expected two files, got \"" + options.json + "\" for both");
   const conformance::Tolerance tolerance = parse_tolerance(options.tolerance);
-  expect_folder_of("--json", options.json);
-  expect_folder_of("--junit", options.junit);
+  expect_room_for_results(options.json, options.junit);
   watch_for_interrupt();
-  const Description description = option.description();
-  conformance::Judge judge(description, tolerance);
+  const auto subject = option.subject();
+  conformance::Judge judge(subject, tolerance);
   std::ifstream file;
   if (options.forces != "-") file = files::open_input(options.forces);
   conformance::read_cases(options.forces == "-" ? std::cin : file, options.forces == "-" ? "standard input" : options.forces,
@@ -40,7 +37,7 @@ int run(const CompareOptions& options, const SubjectOption& option) {
                             if (interrupted()) throw Interrupted("not all forces were compared, and nothing was written");
                             judge.add(its);
                           });
-  const Identity identity = properties::subject_of(description)->identity();
+  const Identity& identity = subject->identity();
   const std::string words = words_of(judge.judgement(), identity, tolerance);
   const bool held = judge.judgement().held();
   if (!options.json.empty())

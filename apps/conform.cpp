@@ -39,22 +39,20 @@ std::vector<JunitCase> junit_cases(const conformance::Conformance& found, const 
 }
 
 int run(const ConformCommand& its, const SubjectOption& option) {
-  if (!its.json.empty() && its.json == its.junit)
-    throw BadInput("--json and --junit: expected two files, got \"" + its.json + "\" for both");
   conformance::ConformOptions options = its.options;
   options.tolerance = parse_tolerance(its.tolerance);
-  expect_folder_of("--json", its.json);
-  expect_folder_of("--junit", its.junit);
+  expect_room_for_results(its.json, its.junit);
   watch_for_interrupt();
   const Description description = option.description();
-  const Identity identity = properties::subject_of(description)->identity();
+  const std::shared_ptr<const properties::Subject> subject = properties::subject_of(description);
+  const Identity& identity = subject->identity();
   conformance::ProcessLimits limits;
   limits.answer = std::chrono::milliseconds(static_cast<int>(1000 * its.answer_seconds));
   const conformance::OpenRenderer open =
       conformance::process_door(its.command, conformance::scene_of(description, identity).dump(), limits);
   std::optional<ProgressLine> line(identity.name);
   const Monitor monitor([&](double done) { line->draw(done); }, interrupted());
-  const conformance::Conformance found = conformance::conform(description, open, options, monitor);
+  const conformance::Conformance found = conformance::conform(subject, open, options, monitor);
   line.reset();
   const std::string words = conformance::words_of(found, identity, options.tolerance);
   if (!its.json.empty()) write_file(its.json, conformance::text_of(conformance::json_of(found, identity, options.tolerance)));

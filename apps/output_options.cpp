@@ -53,6 +53,12 @@ std::string shorten_standard_output(std::string& path) {
 
 }  // namespace
 
+void expect_room_for_results(const std::string& json, const std::string& junit) {
+  if (!json.empty() && json == junit) throw BadInput("--json and --junit: expected two files, got \"" + json + "\" for both");
+  expect_folder_of("--json", json);
+  expect_folder_of("--junit", junit);
+}
+
 bool overwrites(const CLI::App& command) {
   return command.count(kOverwrite) > 0;
 }

@@ -30,6 +30,10 @@ void expect_new(const CLI::App& command, const std::string& option, const std::s
 // written to. So a long run does not have to end before this is reported. An empty path is an option that was not given.
 void expect_folder_of(const std::string& option, const std::string& path);
 
+// The values of --json and --junit of a command: two files, each with a folder that can be written to, before a long run.
+// Throws BadInput.
+void expect_room_for_results(const std::string& json, const std::string& junit);
+
 // Whether --overwrite was given.
 bool overwrites(const CLI::App& command);
 

@@ -111,10 +111,7 @@ class Checks {
 };
 
 int run(const PropertiesOptions& options, const SubjectOption& option) {
-  if (!options.json.empty() && options.json == options.junit)
-    throw BadInput("--json and --junit: expected two files, got \"" + options.json + "\" for both");
-  expect_folder_of("--json", options.json);
-  expect_folder_of("--junit", options.junit);
+  expect_room_for_results(options.json, options.junit);
   const auto subjects = option.subjects();
   Checks checks(options);
   if (checks.is_printed()) std::printf("seed %llu\n", static_cast<unsigned long long>(options.seed));

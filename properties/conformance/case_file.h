@@ -14,9 +14,6 @@
 
 namespace forceshade::conformance {
 
-// How many positions a path has.
-inline constexpr std::uint64_t kPathLength = 4096;
-
 // Writes so many positions of the subject, in paths. is_npy: a structured array of x_mm, y_mm and z_mm as binary32, reset as an
 // unsigned byte and aim as 12 bytes of text. Throws Interrupted.
 void write_positions(std::ostream& out, bool is_npy, const properties::Subject& subject, std::uint64_t count,

@@ -96,16 +96,16 @@ class NoBrokenPipe {
   bool was_pending_ = false;
 };
 
-std::string shown(std::string_view text) {
-  return '"' + files::printable(std::string(text.substr(0, kShown))) + (text.size() > kShown ? "...\"" : "\"");
-}
-
 std::string seconds(std::chrono::milliseconds time) {
   const std::string text = std::to_string(static_cast<double>(time.count()) / 1000);
   return text.substr(0, text.find_last_not_of("0.") + 1) + " s";
 }
 
 }  // namespace
+
+std::string shown(std::string_view text) {
+  return '"' + files::printable(std::string(text.substr(0, kShown))) + (text.size() > kShown ? "...\"" : "\"");
+}
 
 ChildProcess::ChildProcess(const std::string& command, const ProcessLimits& limits) : limits_(limits) {
   std::random_device random;

@@ -17,6 +17,9 @@ struct ProcessFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// What it wrote, for a message: the beginning, printable and in quotes.
+std::string shown(std::string_view text);
+
 struct ProcessLimits {
   std::chrono::milliseconds answer{10'000};          // for one line
   std::size_t longest_line = std::size_t{1} << 24U;  // bytes

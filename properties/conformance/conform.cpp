@@ -18,7 +18,6 @@ using Path = std::vector<Eigen::Vector3f>;
 using properties::show;
 
 constexpr std::size_t kBatch = 1024;         // positions that are asked at once
-constexpr std::uint64_t kPath = 4096;        // of a path of a renderer with memory
 constexpr std::size_t kInvariantPath = 500;  // positions of the path on which invariants are looked at
 constexpr int kMostTries = 2000;             // of simpler paths
 constexpr int kRest = 100;                   // ticks at one position
@@ -40,12 +39,9 @@ Path forces_along(RendererUnderTest& renderer, const Path& path) {
 
 class Run {
  public:
-  Run(const Description& description, const OpenRenderer& open, const ConformOptions& options, const Monitor& monitor)
-      : description_(description),
-        open_(open),
-        options_(options),
-        monitor_(monitor),
-        subject_(properties::subject_of(description)) {}
+  Run(const std::shared_ptr<const properties::Subject>& subject, const OpenRenderer& open, const ConformOptions& options,
+      const Monitor& monitor)
+      : open_(open), options_(options), monitor_(monitor), subject_(subject) {}
 
   Conformance run() {
     try {
@@ -66,12 +62,12 @@ class Run {
 
  private:
   void compare() {
-    Judge judge(description_, options_.tolerance);
+    Judge judge(subject_, options_.tolerance);
     const auto positions = subject_->positions(options_.seed);
     for (std::uint64_t done = 0; done < options_.points;) {
       monitor_.at(0.9 * static_cast<double>(done) / static_cast<double>(options_.points));
-      const std::uint64_t of_this_path = std::min(kPath - done % kPath, options_.points - done);
-      const bool is_reset = done % kPath == 0;
+      const std::uint64_t of_this_path = std::min(kPathLength - done % kPathLength, options_.points - done);
+      const bool is_reset = done % kPathLength == 0;
       Path batch;
       std::vector<properties::Aim> aims;
       for (std::uint64_t i = 0; i < std::min<std::uint64_t>(kBatch, of_this_path); ++i) {
@@ -98,7 +94,7 @@ class Run {
     if (tries_ == kMostTries) return false;
     ++tries_;
     const Path forces = forces_along(*renderer_, path);
-    Judge judge(description_, options_.tolerance);
+    Judge judge(subject_, options_.tolerance);
     for (std::size_t i = 0; i + 1 < path.size(); ++i) judge.add({path[i], i == 0, forces[i]});
     const std::uint64_t before = judge.judgement().all.beyond;
     judge.add({path.back(), path.size() == 1, forces.back()});
@@ -225,11 +221,10 @@ class Run {
     return files::shortest(difference.cast<double>().norm()) + " N";
   }
 
-  const Description& description_;
   const OpenRenderer& open_;
   const ConformOptions& options_;
   const Monitor& monitor_;
-  const std::unique_ptr<properties::Subject> subject_;
+  const std::shared_ptr<const properties::Subject> subject_;
   std::unique_ptr<RendererUnderTest> renderer_;
   Path path_, failing_path_;  // since the last reset; the first that led to an answer beyond the tolerance
   int tries_ = 0;
@@ -243,9 +238,9 @@ bool Conformance::held() const {
          std::ranges::none_of(invariants, [](const Invariant& each) { return each.violation.has_value(); });
 }
 
-Conformance conform(const Description& description, const OpenRenderer& open, const ConformOptions& options,
-                    const Monitor& monitor) {
-  return Run(description, open, options, monitor).run();
+Conformance conform(const std::shared_ptr<const properties::Subject>& subject, const OpenRenderer& open,
+                    const ConformOptions& options, const Monitor& monitor) {
+  return Run(subject, open, options, monitor).run();
 }
 
 }  // namespace forceshade::conformance

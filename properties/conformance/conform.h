@@ -4,12 +4,13 @@
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "forceshade/checks.h"
-#include "forceshade/description.h"
+#include "forceshade/properties.h"
 #include "properties/conformance/judge.h"
 #include "properties/conformance/renderer_under_test.h"
 
@@ -41,8 +42,8 @@ struct Conformance {
 };
 
 // Asks the renderer for its forces at positions of the subject, in paths, and looks at each answer; then for the invariants. A
-// renderer that fails ends the run. Throws Interrupted, and std::invalid_argument for what the exact side refuses.
-Conformance conform(const Description& description, const OpenRenderer& open, const ConformOptions& options,
-                    const Monitor& monitor = {});
+// renderer that fails ends the run. Throws Interrupted.
+Conformance conform(const std::shared_ptr<const properties::Subject>& subject, const OpenRenderer& open,
+                    const ConformOptions& options, const Monitor& monitor = {});
 
 }  // namespace forceshade::conformance

@@ -40,9 +40,6 @@ std::size_t length_of(const Eigen::Vector3f& position) {
 
 }  // namespace
 
-Judge::Judge(const Description& description, const Tolerance& tolerance)
-    : tolerance_(tolerance), subject_(properties::subject_of(description)) {}
-
 void Judge::add(const Case& next) {
   if (session_ == nullptr || next.is_reset) session_ = subject_->open_reference();
   Judged judged{next, {}, {}};

@@ -9,13 +9,16 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
-#include "forceshade/description.h"
 #include "forceshade/properties.h"
 #include "properties/conformance/distance.h"
 #include "properties/conformance/tolerance.h"
 
 namespace forceshade::conformance {
+
+// How many positions a path has.
+inline constexpr std::uint64_t kPathLength = 4096;
 
 // A position, and what the renderer gave for it.
 struct Case {
@@ -60,8 +63,8 @@ struct Judgement {
 
 class Judge {
  public:
-  // Throws std::invalid_argument for what the exact side refuses to render.
-  Judge(const Description& description, const Tolerance& tolerance);
+  Judge(std::shared_ptr<const properties::Subject> subject, const Tolerance& tolerance)
+      : tolerance_(tolerance), subject_(std::move(subject)) {}
 
   // The next case. Those of a path follow one another; the first one begins a path.
   void add(const Case& next);

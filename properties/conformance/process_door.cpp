@@ -9,8 +9,6 @@
 #include <system_error>
 #include <utility>
 
-#include "files/printable.h"
-
 namespace forceshade::conformance {
 namespace {
 
@@ -18,10 +16,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kProtocol = "conform 1";
 constexpr std::size_t kHexDigits = 24;  // of three binary32 numbers
-
-std::string shown(const std::string& text) {
-  return '"' + files::printable(text.substr(0, 80)) + (text.size() > 80 ? "...\"" : "\"");
-}
 
 // The eight hexadecimal digits of each component, one after the other.
 void append(std::string& line, const Eigen::Vector3f& numbers) {

@@ -31,7 +31,7 @@ std::vector<Case> answered(const Description& description, std::size_t count) {
 }
 
 Judgement judged(const Description& description, const std::vector<Case>& cases, const Tolerance& tolerance) {
-  Judge judge(description, tolerance);
+  Judge judge(properties::subject_of(description), tolerance);
   for (const Case& each : cases) judge.add(each);
   return judge.judgement();
 }
@@ -86,7 +86,7 @@ TEST(judge, takes_both_zeros_for_one_number_and_what_is_none_for_wrong) {
 }
 
 TEST(judge, names_the_worst_in_each_unit_and_the_simplest) {
-  Judge judge(kBump, {});
+  Judge judge(properties::subject_of(kBump), {});
   judge.add({{2, 0, -1000}, true, {0, 0, 0}, "", "far"});        // some 500 N missing
   judge.add({{3, 0, 12}, false, {0, 0, 0x1p-149F}, "", "air"});  // an exact zero
   judge.add({{2.3456F, 0.1F, -1.234F}, false, {0, 0, 0}, "", "many bits"});
@@ -121,7 +121,7 @@ TEST(judge, begins_a_path_of_a_mesh_where_the_case_says_so) {
 }
 
 TEST(judgement, is_said_in_words_with_a_case_to_paste_and_as_json) {
-  Judge judge(kBump, {});
+  Judge judge(properties::subject_of(kBump), {});
   judge.add({{3, 0, -0.5F}, true, {1.3490643F, 0, 2.5137453F}, "surface", "mine.csv:2"});
   judge.add({{3, 0, -0.5F}, false, {1.3490643F, 0, 2.513745F}, "surface", "mine.csv:3"});
   const Identity identity = identity_of(LawId::bump_2p, {15.24F, 25.4F, 0.5F});
