@@ -16,9 +16,8 @@
 #include "apps/standard_streams.h"
 #include "apps/subject_option.h"
 #include "apps/tolerance_option.h"
+#include "properties/conformance/doors/process_door.h"
 #include "properties/conformance/judgement_text.h"
-#include "properties/conformance/process_door.h"
-#include "properties/conformance/scene.h"
 
 namespace forceshade::apps {
 namespace {
@@ -29,12 +28,15 @@ struct ConformCommand {
   double answer_seconds = 10;
 };
 
-std::vector<JunitCase> junit_cases(const conformance::Conformance& found, const Identity& identity, const std::string& words) {
-  std::vector<JunitCase> cases{
-      {identity.name, "forces", 0, found.judgement.held() ? std::nullopt : std::optional(words), words}};
+std::vector<JunitCase> junit_cases(const conformance::Conformance& found, const std::string& words) {
+  const std::string& name = found.identity.name;
+  std::vector<JunitCase> cases;
+  if (found.hello.claims_definition || !found.is_applicable())
+    cases.push_back({name, "forces", 0, found.judgement.held() ? std::nullopt : std::optional(words), words});
   for (const conformance::Invariant& invariant : found.invariants)
-    cases.push_back({identity.name, invariant.name, 0, invariant.violation, std::to_string(invariant.cases) + " cases"});
-  if (found.failure) cases.push_back({identity.name, "answers", 0, found.failure});
+    if (!invariant.not_applicable)
+      cases.push_back({name, invariant.name, 0, invariant.violation, std::to_string(invariant.cases) + " cases"});
+  if (found.failure) cases.push_back({name, "answers", 0, found.failure});
   return cases;
 }
 
@@ -44,21 +46,18 @@ int run(const ConformCommand& its, const SubjectOption& option) {
   expect_room_for_results(its.json, its.junit);
   watch_for_interrupt();
   const Description description = option.description();
-  const std::shared_ptr<const properties::Subject> subject = properties::subject_of(description);
-  const Identity& identity = subject->identity();
   conformance::ProcessLimits limits;
   limits.answer = std::chrono::milliseconds(static_cast<int>(1000 * its.answer_seconds));
-  const conformance::OpenRenderer open =
-      conformance::process_door(its.command, conformance::scene_of(description, identity).dump(), limits);
-  std::optional<ProgressLine> line(identity.name);
+  std::optional<ProgressLine> line(description.name);
   const Monitor monitor([&](double done) { line->draw(done); }, interrupted());
-  const conformance::Conformance found = conformance::conform(subject, open, options, monitor);
+  const conformance::Conformance found =
+      conformance::conform(description, conformance::process_door(its.command, limits), options, monitor);
   line.reset();
-  const std::string words = conformance::words_of(found, identity, options.tolerance);
-  if (!its.json.empty()) write_file(its.json, conformance::text_of(conformance::json_of(found, identity, options.tolerance)));
+  const std::string words = conformance::words_of(found, options.tolerance);
+  if (!its.json.empty()) write_file(its.json, conformance::text_of(conformance::json_of(found, options.tolerance)));
   if (!its.junit.empty())
     write_file(its.junit, to_junit("forceshade conform", {{"tolerance", conformance::words_of(options.tolerance)}},
-                                   junit_cases(found, identity, words)));
+                                   junit_cases(found, words)));
   if (its.json != "-" && its.junit != "-") {
     std::fputs(words.c_str(), stdout);
     flush_standard_output();

@@ -20,12 +20,16 @@ function cylinder({radius_mm: R, width_mm: w, stiffness_N_per_mm: K}) {
 
 function answer(asked) {
   if (asked.scene) {
-    const about = {forceshade: 'conform 1', name: 'a cylinder in JavaScript', version: '1', memory: 'none'};
+    const about = {
+      forceshade: 'conform 1', kind: 'renderer', name: 'a cylinder in JavaScript', version: '1', memory: 'none', answers: 'force',
+      claims: 'definition', length_unit: 'mm', force_unit: 'N', frame: ['x', 'y', 'z'], domain_mm: 10000, rate_Hz: null,
+      loop_energy_mJ: 0,
+    };
     if (asked.scene.name !== 'cylinder') return {...about, accepts: false, reason: 'it renders the law cylinder alone'};
     force = cylinder(asked.scene.parameters);
     return about;
   }
-  return {forces: asked.positions.map((at) => force(number(at.slice(0, 8)), number(at.slice(8, 16)), number(at.slice(16))).map(hex).join(''))};
+  return {answers: asked.positions.map((at) => force(number(at.slice(0, 8)), number(at.slice(8, 16)), number(at.slice(16))).map(hex).join(''))};
 }
 
 require('readline').createInterface({input: process.stdin}).on('line', (line) => {

@@ -13,7 +13,21 @@ def force(x, y, z, stiffness):
 
 
 def hello(scene):
-    about = {"forceshade": "conform 1", "name": "a wall in Python", "version": "1", "memory": "none"}
+    about = {
+        "forceshade": "conform 1",
+        "kind": "renderer",
+        "name": "a wall in Python",
+        "version": "1",
+        "memory": "none",
+        "answers": "force",
+        "claims": "definition",
+        "length_unit": "mm",
+        "force_unit": "N",
+        "frame": ["x", "y", "z"],
+        "domain_mm": 10000,
+        "rate_Hz": None,
+        "loop_energy_mJ": 0,
+    }
     if scene["kind"] != "law" or scene["name"] != "wall":
         about |= {"accepts": False, "reason": "it renders the law wall alone"}
     return about
@@ -28,7 +42,7 @@ def main():
             stiffness = asked["scene"]["parameters"].get("stiffness_N_per_mm", 0)
         elif "positions" in asked:
             forces = (force(*struct.unpack(">3f", bytes.fromhex(at)), stiffness) for at in asked["positions"])
-            answer = {"forces": [struct.pack(">3f", *one).hex() for one in forces]}
+            answer = {"answers": [struct.pack(">3f", *one).hex() for one in forces]}
         else:
             return  # goodbye
         print(json.dumps(answer), flush=True)

@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "forceshade/checks.h"
-#include "forceshade/properties.h"
+#include "forceshade/description.h"
+#include "forceshade/identity.h"
+#include "properties/conformance/invariants/invariant.h"
 #include "properties/conformance/judge.h"
 #include "properties/conformance/renderer_under_test.h"
 
@@ -21,16 +23,10 @@ struct ConformOptions {
   Tolerance tolerance = {};
 };
 
-// One invariant: what needs no definition.
-struct Invariant {
-  std::string name;
-  std::uint64_t cases = 0;
-  std::optional<std::string> violation = {};  // the first case, with what a hand would feel
-};
-
 struct Conformance {
+  Identity identity = {};  // of the scene
   Hello hello;
-  Judgement judgement;
+  Judgement judgement;  // without cases where the renderer does not claim the definition
   // The shortest path, in mm, at whose end the answer was found to be beyond the tolerance; one position of a renderer without
   // memory. Its simplest case is the judgement's.
   std::vector<Eigen::Vector3f> shortest_path;
@@ -38,12 +34,13 @@ struct Conformance {
   std::optional<std::string> failure = {};  // that ended the run
 
   bool is_applicable() const { return !hello.refusal; }
-  bool held() const;
+  bool held() const;  // all that is applicable
 };
 
-// Asks the renderer for its forces at positions of the subject, in paths, and looks at each answer; then for the invariants. A
-// renderer that fails ends the run. Throws Interrupted.
-Conformance conform(const std::shared_ptr<const properties::Subject>& subject, const OpenRenderer& open,
-                    const ConformOptions& options, const Monitor& monitor = {});
+// Requests the renderer's forces at positions of the subject, in paths, and judges each answer where the renderer claims the
+// definition; then looks at the invariants. A renderer that fails ends the run. Throws Interrupted, and BadInput for a
+// tolerance that has no meaning for its units.
+Conformance conform(const Description& description, const OpenRenderer& open, const ConformOptions& options,
+                    const Monitor& monitor = {});
 
 }  // namespace forceshade::conformance

@@ -145,45 +145,56 @@ Json json_of(const Judgement& found, const Identity& identity, const Tolerance& 
   return json;
 }
 
-std::string words_of(const Conformance& found, const Identity& identity, const Tolerance& tolerance) {
+std::string words_of(const Invariant& invariant) {
+  if (invariant.violation)
+    return "FAILED: " + invariant.name + ", " + std::to_string(invariant.cases) + " cases\n  " + *invariant.violation + '\n';
+  if (invariant.not_applicable) return "not applicable: " + invariant.name + ": " + *invariant.not_applicable + '\n';
+  return "held: " + invariant.name + ", " + std::to_string(invariant.cases) + " cases\n";
+}
+
+Json json_of(const Invariant& invariant) {
+  Json one{{"name", invariant.name}, {"applicable", !invariant.not_applicable}};
+  if (invariant.not_applicable) {
+    one["reason"] = *invariant.not_applicable;
+    return one;
+  }
+  one["held"] = !invariant.violation;
+  one["cases"] = invariant.cases;
+  if (invariant.violation) one["violation"] = *invariant.violation;
+  return one;
+}
+
+std::string words_of(const Conformance& found, const Tolerance& tolerance) {
   const std::string who = found.hello.name + (found.hello.version.empty() ? "" : ' ' + found.hello.version);
   if (found.hello.refusal)
-    return "not applicable: " + who + " does not render " + identity.name + ": " + *found.hello.refusal + '\n';
+    return "not applicable: " + who + " does not render " + found.identity.name + ": " + *found.hello.refusal + '\n';
   std::string words;
   if (found.judgement.all.cases > 0)
-    words = (who.empty() ? "" : who + " renders ") + words_of(found.judgement, identity, tolerance);
+    words = (who.empty() ? "" : who + " renders ") + words_of(found.judgement, found.identity, tolerance);
+  else if (!found.hello.claims_definition)
+    words = who + " renders " + found.identity.name + " and does not claim the definition, with which it was not compared\n";
   if (found.shortest_path.size() > 1) {
     words += "  the shortest path to it, from no contact:\n";
     for (const Eigen::Vector3f& position : found.shortest_path) words += "    " + literal(position) + '\n';
   } else if (found.shortest_path.size() == 1) {
     words += "  made simpler: position_mm " + literal(found.shortest_path[0]) + '\n';
   }
-  for (const Invariant& invariant : found.invariants) {
-    words +=
-        (invariant.violation ? "FAILED: " : "held: ") + invariant.name + ", " + std::to_string(invariant.cases) + " cases\n";
-    if (invariant.violation) words += "  " + *invariant.violation + '\n';
-  }
+  for (const Invariant& invariant : found.invariants) words += words_of(invariant);
   if (found.failure) words += "FAILED: " + *found.failure + '\n';
   return words;
 }
 
-Json json_of(const Conformance& found, const Identity& identity, const Tolerance& tolerance) {
-  Json json{
-      {"schema", "forceshade conformance 1"},
-      {"held", found.held()},
-      {"applicable", found.is_applicable()},
-      {"renderer",
-       {{"name", found.hello.name}, {"version", found.hello.version}, {"memory", found.hello.remembers ? "path" : "none"}}}};
+Json json_of(const Conformance& found, const Tolerance& tolerance) {
+  Json json{{"schema", "forceshade conformance 1"},
+            {"held", found.held()},
+            {"applicable", found.is_applicable()},
+            {"renderer", {{"name", found.hello.name}, {"version", found.hello.version}, {"declares", found.hello.declared}}}};
   if (found.hello.refusal) json["refusal"] = *found.hello.refusal;
   if (found.failure) json["failure"] = *found.failure;
-  json["exact"] = json_of(found.judgement, identity, tolerance);
+  json["exact"] = json_of(found.judgement, found.identity, tolerance);
   for (const Eigen::Vector3f& position : found.shortest_path) json["shortest_path_mm"].push_back(json_of(position));
   json["invariants"] = Json::array();
-  for (const Invariant& invariant : found.invariants) {
-    Json one{{"name", invariant.name}, {"held", !invariant.violation}, {"cases", invariant.cases}};
-    if (invariant.violation) one["violation"] = *invariant.violation;
-    json["invariants"].push_back(std::move(one));
-  }
+  for (const Invariant& invariant : found.invariants) json["invariants"].push_back(json_of(invariant));
   return json;
 }
 

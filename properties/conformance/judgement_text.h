@@ -19,8 +19,11 @@ std::string words_of(const Judgement& found, const Identity& identity, const Tol
 nlohmann::ordered_json json_of(const Judgement& found, const Identity& identity, const Tolerance& tolerance);
 
 // The same of a conformance run: who was asked, the invariants beside the judgement, and what ended it before its end.
-std::string words_of(const Conformance& found, const Identity& identity, const Tolerance& tolerance);
-nlohmann::ordered_json json_of(const Conformance& found, const Identity& identity, const Tolerance& tolerance);
+std::string words_of(const Conformance& found, const Tolerance& tolerance);
+nlohmann::ordered_json json_of(const Conformance& found, const Tolerance& tolerance);
+
+std::string words_of(const Invariant& invariant);
+nlohmann::ordered_json json_of(const Invariant& invariant);
 
 // The text of a file.
 std::string text_of(const nlohmann::ordered_json& json);

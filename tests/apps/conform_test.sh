@@ -18,6 +18,42 @@ else
   echo "cylinder.js was not tried: node is not there"
 fi
 
+# In its own units and frame: metres, millinewtons, impulses, closest points.
+in_its_units() {  # NAME ORIGINAL REPLACEMENT...: of wall.py
+  local name=$1; shift
+  python3 - "$renderers/wall.py" "$name" "$@" << 'END' || exit 1
+import sys
+text = open(sys.argv[1]).read()
+for old, new in zip(sys.argv[3::2], sys.argv[4::2]):
+    assert text.count(old) == 1, old
+    text = text.replace(old, new)
+open(sys.argv[2], "w").write(text)
+END
+}
+in_its_units metres.py '"mm"' '"m"' "force(*struct" "metres(*struct" "def hello" "def metres(x, y, z, stiffness):
+    return force(1000 * x, 1000 * y, 1000 * z, stiffness)
+
+
+def hello"
+in_its_units upside.py '["x", "y", "z"]' '["y", "-z", "x"]' "force(*struct" "upside(*struct" "def hello" "def upside(y, z, x, stiffness):
+    return (0, -force(x, y, -z, stiffness)[2], 0)
+
+
+def hello"
+in_its_units milli.py '"N"' '"mN"' "(0, 0, stiffness *" "(0, 0, 1000 * stiffness *"
+in_its_units impulse.py '"answers": "force"' '"answers": "impulse"' '"rate_Hz": None' '"rate_Hz": 1000' "(0, 0, stiffness *" "(0, 0, 0.001 * stiffness *"
+in_its_units closest.py '"answers": "force"' '"answers": "closest point"' "return (0, 0, stiffness * -z if z <= -(2.0**-30) else 0)" \
+  "return (x, y, 0 if z <= -(2.0**-30) else z)" "return (0, 0, 0)" "return (x, y, z)"
+for its in upside metres; do expect 0 "correctly rounded 3000 of 3000" -- conform --command "python3 $its.py"; done
+for its in milli impulse closest; do
+  expect 2 "expected at least 1 ulp, or N or %" -- conform --command "python3 $its.py"
+done
+for its in milli impulse; do expect 0 "within the tolerance, 1 ulp" -- conform --command "python3 $its.py" --tolerance "1 ulp"; done
+in_its_units near.py '"domain_mm": 10000' '"domain_mm": 20' "<= 10_000" "<= 20"
+expect 0 "correctly rounded 3000 of 3000" -- conform --command "python3 near.py"
+in_its_units shy.py '"claims": "definition"' '"claims": "invariants"' "stiffness * -z if" "0.7 * stiffness * -z if"
+expect 0 "does not claim the definition, with which it was not compared" -- conform --command "python3 shy.py"
+
 # Wrong in one thing: a line of examples/renderers/wall.py is another one. mutated ORIGINAL REPLACEMENT: writes it.
 mutated() {
   python3 - "$renderers/wall.py" "$1" "$2" << 'END' || exit 1
@@ -52,7 +88,8 @@ expect 1 "without having moved otherwise" -- conform --command "python3 noisy.py
 expect 1 "FAILED: a hand at rest feels a force at rest" -- conform --command "python3 noisy.py" --tolerance "1e-3 N"
 
 # What is no renderer at all. A program that greets and then does the rest of the words.
-hello='{"forceshade":"conform 1","name":"n","version":"1","memory":"none"}'
+hello='{"forceshade":"conform 1","kind":"renderer","name":"n","version":"1","memory":"none","answers":"force","claims":"definition"'
+hello=$hello',"length_unit":"mm","force_unit":"N","frame":["x","y","z"],"domain_mm":10000,"rate_Hz":null,"loop_energy_mJ":0}'
 greets() { printf '%s\n' "read line; echo '$hello'; $1" > greets.sh; }
 wrong() { expect 1 "$1" -- conform --command "$2"; }
 wrong "the renderer ended without an answer" "true"
@@ -66,16 +103,25 @@ wrong "expected a JSON object in one line" "printf '\\377\\376\\n'; cat"
 wrong "expected a JSON object in one line" "head -c 1000000 /dev/zero | tr '\\0' '['; echo; cat"
 wrong 'has no key "forceshade"' "echo '{}'; cat"
 wrong 'speaks "conform 9"; expected "conform 1"' "echo '${hello/conform 1/conform 9}'; cat"
-wrong 'has no key "memory"' "echo '${hello/,\"memory\":\"none\"/}'; cat"
+# Nothing is guessed: each key without which it has a meaning that nobody declared, and a wrong value of each.
+for key in kind name version memory answers claims length_unit force_unit frame domain_mm rate_Hz loop_energy_mJ; do
+  wrong "has no key \"$key\"; expected " "echo '${hello/\"$key\"/\"other\"}'; cat"
+done
 wrong 'memory "some"; expected "none" or "path"' "echo '${hello/none/some}'; cat"
-wrong 'has no text as "name"' "echo '${hello/\"n\"/7}'; cat"
+wrong 'answers "work"; expected "force", "impulse" or "closest point"' "echo '${hello/\"force\"/\"work\"}'; cat"
+wrong 'length_unit "inch"; expected "mm" or "m"' "echo '${hello/\"mm\"/\"inch\"}'; cat"
+wrong 'frame ["x","y","y"]; expected a list like' "echo '${hello/\"z\"/\"y\"}'; cat"
+wrong 'domain_mm 0; expected a number from 1 to 10000' "echo '${hello/10000/0}'; cat"
+wrong 'rate_Hz -1; expected a number from 1 to 1e6, or null' "echo '${hello/null/-1}'; cat"
+wrong 'rate_Hz null; expected a number where it answers with an impulse' "echo '${hello/\"force\"/\"impulse\"}'; cat"
+wrong "has name 7; expected a text" "echo '${hello/\"n\"/7}'; cat"
 wrong "closed its output" "exec >&-; sleep 100"
 greets "exit 0"; wrong "ended without an answer" "sh greets.sh"
-greets "cat"; wrong 'answered without a list "forces"' "sh greets.sh"
+greets "cat"; wrong 'answered without a list "answers"' "sh greets.sh"
 greets "echo x; sleep 100"; wrong "wrote" "sh greets.sh"
-greets "read line; echo '{\"forces\":[]}'; cat"; wrong "answered 1024 positions with 0 forces" "sh greets.sh"
-greets "read line; printf '{\"forces\":['; for i in \$(seq 1023); do printf 1,; done; echo '1]}'"; wrong "the renderer's force 0 is \"1\"" "sh greets.sh"
-greets "read line; printf '{\"forces\":['; for i in \$(seq 1023); do printf '\"zz\",'; done; echo '\"zz\"]}'"; wrong "24 hexadecimal digits" "sh greets.sh"
+greets "read line; echo '{\"answers\":[]}'; cat"; wrong "answered 1024 positions with 0 answers" "sh greets.sh"
+greets "read line; printf '{\"answers\":['; for i in \$(seq 1023); do printf 1,; done; echo '1]}'"; wrong "the renderer's answer 0 is \"1\"" "sh greets.sh"
+greets "read line; printf '{\"answers\":['; for i in \$(seq 1023); do printf '\"zz\",'; done; echo '\"zz\"]}'"; wrong "24 hexadecimal digits" "sh greets.sh"
 mutated 'print(json.dumps(answer), flush=True)' 'print(json.dumps(answer) + "\n" + json.dumps(answer), flush=True)'
 finds "" "" "wrote without having been asked"
 expect 1 "a line of more than 16777216 bytes" -- conform --command "yes | tr -d '\\n'"

@@ -4,12 +4,12 @@
 
 #include <string>
 
-#include "properties/conformance/child_process.h"
+#include "properties/conformance/doors/child_process.h"
 #include "properties/conformance/renderer_under_test.h"
 
 namespace forceshade::conformance {
 
-// scene: JSON of scene.h.
-OpenRenderer process_door(const std::string& command, const std::string& scene, const ProcessLimits& limits = {});
+// command: a line for /bin/sh.
+OpenRenderer process_door(const std::string& command, const ProcessLimits& limits = {});
 
 }  // namespace forceshade::conformance

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "properties/conformance/process_door.h"
+#include "properties/conformance/doors/process_door.h"
 
 #include <array>
 #include <bit>
@@ -39,21 +39,11 @@ std::optional<Eigen::Vector3f> numbers_of(const std::string& text) {
 
 class ProcessRenderer final : public RendererUnderTest {
  public:
-  ProcessRenderer(const std::string& command, const std::string& scene, const ProcessLimits& limits) try
-      : process_(command, limits) {
-    const Json said = ask(std::string(R"({"forceshade":")") + kProtocol + R"(","scene":)" + scene + '}');
-    if (text_in(said, "forceshade") != kProtocol)
-      throw RendererFailed("the renderer speaks " + shown(text_in(said, "forceshade")) + "; expected \"" + kProtocol + '"');
-    hello_.name = text_in(said, "name");
-    hello_.version = text_in(said, "version");
-    if (const auto accepts = said.find("accepts"); accepts != said.end() && *accepts == false) {
-      hello_.refusal = text_in(said, "reason");
-      return;
-    }
-    const std::string memory = text_in(said, "memory");
-    if (memory != "none" && memory != "path")
-      throw RendererFailed("the renderer's hello has memory " + shown(memory) + "; expected \"none\" or \"path\"");
-    hello_.remembers = memory == "path";
+  ProcessRenderer(const std::string& command, const Json& scene, const ProcessLimits& limits) try : process_(command, limits) {
+    const Json said = ask(Json{{"forceshade", kProtocol}, {"scene", scene}}.dump());
+    if (const std::string protocol = text_in(said, "forceshade"); protocol != kProtocol)
+      throw RendererFailed("the renderer speaks " + shown(protocol) + "; expected \"" + kProtocol + '"');
+    hello_ = hello_of(said, scene);
   } catch (const std::system_error& error) {
     throw RendererFailed(std::string("the renderer's process could not be made: ") + error.what());
   } catch (const ProcessFailed& failure) {
@@ -62,7 +52,7 @@ class ProcessRenderer final : public RendererUnderTest {
 
   const Hello& hello() const override { return hello_; }
 
-  std::vector<Eigen::Vector3f> forces(std::span<const Eigen::Vector3f> positions, bool is_reset) override {
+  std::vector<Eigen::Vector3f> answers(std::span<const Eigen::Vector3f> positions, bool is_reset) override {
     std::string line = is_reset ? R"({"reset":true,"positions":[)" : R"({"positions":[)";
     for (const Eigen::Vector3f& position : positions) {
       line += '"';
@@ -71,23 +61,23 @@ class ProcessRenderer final : public RendererUnderTest {
     }
     line.back() = ']';
     const Json said = ask(line + '}');
-    const auto all = said.find("forces");
+    const auto all = said.find("answers");
     if (all == said.end() || !all->is_array())
-      throw RendererFailed("the renderer answered without a list \"forces\": " +
+      throw RendererFailed("the renderer answered without a list \"answers\": " +
                            shown(said.dump(-1, ' ', true, Json::error_handler_t::replace)));
     if (all->size() != positions.size())
       throw RendererFailed("the renderer answered " + std::to_string(positions.size()) + " positions with " +
-                           std::to_string(all->size()) + " forces");
-    std::vector<Eigen::Vector3f> forces;
+                           std::to_string(all->size()) + " answers");
+    std::vector<Eigen::Vector3f> answers;
     for (const Json& one : *all) {
-      const auto force = one.is_string() ? numbers_of(one.get_ref<const std::string&>()) : std::nullopt;
-      if (!force)
-        throw RendererFailed("the renderer's force " + std::to_string(forces.size()) + " is " +
+      const auto answer = one.is_string() ? numbers_of(one.get_ref<const std::string&>()) : std::nullopt;
+      if (!answer)
+        throw RendererFailed("the renderer's answer " + std::to_string(answers.size()) + " is " +
                              shown(one.dump(-1, ' ', true, Json::error_handler_t::replace)) +
                              "; expected a text of 24 hexadecimal digits, those of three binary32 numbers");
-      forces.push_back(*force);
+      answers.push_back(*answer);
     }
-    return forces;
+    return answers;
   }
 
   void say_goodbye() override {
@@ -111,21 +101,14 @@ class ProcessRenderer final : public RendererUnderTest {
     return said;
   }
 
-  static std::string text_in(const Json& said, const char* key) {
-    const auto found = said.find(key);
-    if (found == said.end()) throw RendererFailed(std::string("the renderer's hello has no key \"") + key + '"');
-    if (!found->is_string()) throw RendererFailed(std::string("the renderer's hello has no text as \"") + key + '"');
-    return found->get<std::string>();
-  }
-
   ChildProcess process_;
   Hello hello_;
 };
 
 }  // namespace
 
-OpenRenderer process_door(const std::string& command, const std::string& scene, const ProcessLimits& limits) {
-  return [=] { return std::make_unique<ProcessRenderer>(command, scene, limits); };
+OpenRenderer process_door(const std::string& command, const ProcessLimits& limits) {
+  return [=](const Json& scene) { return std::make_unique<ProcessRenderer>(command, scene, limits); };
 }
 
 }  // namespace forceshade::conformance

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "properties/conformance/child_process.h"
+#include "properties/conformance/doors/child_process.h"
 
 #include <fcntl.h>
 #include <poll.h>

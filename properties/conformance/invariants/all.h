@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The invariants of a renderer. Each opens what it needs, and throws RendererFailed or Interrupted.
+
+#include <array>
+
+#include "properties/conformance/invariants/invariant.h"
+#include "properties/conformance/invariants/trial.h"
+
+namespace forceshade::conformance {
+
+// repetition.cpp
+Invariant same_path_twice(const Trial& trial);
+Invariant reset_equals_fresh_start(const Trial& trial);
+Invariant rest_is_still(const Trial& trial);
+
+// odd_positions.cpp
+Invariant any_position_gets_a_finite_force(const Trial& trial);
+Invariant odd_position_leaves_nothing_behind(const Trial& trial);
+Invariant no_position_no_force(const Trial& trial);
+
+// contact.cpp
+Invariant no_force_in_the_air(const Trial& trial);
+Invariant first_force_opposes(const Trial& trial);
+Invariant loops_give_no_energy(const Trial& trial);
+
+// other_scenes.cpp
+Invariant flat_however_triangulated(const Trial& trial);
+Invariant renumbered_scene(const Trial& trial);
+Invariant turned_scene(const Trial& trial);
+Invariant mirrored_scene(const Trial& trial);
+
+inline constexpr std::array kInvariants{&same_path_twice,
+                                        &reset_equals_fresh_start,
+                                        &rest_is_still,
+                                        &any_position_gets_a_finite_force,
+                                        &odd_position_leaves_nothing_behind,
+                                        &no_position_no_force,
+                                        &no_force_in_the_air,
+                                        &first_force_opposes,
+                                        &loops_give_no_energy,
+                                        &flat_however_triangulated,
+                                        &renumbered_scene,
+                                        &turned_scene,
+                                        &mirrored_scene};
+
+}  // namespace forceshade::conformance

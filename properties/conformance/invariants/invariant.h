@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What needs no definition: one thing that must hold of every renderer, with what a hand would feel where it does not.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace forceshade::conformance {
+
+struct Invariant {
+  std::string name;
+  std::uint64_t cases = 0;
+  std::optional<std::string> violation = {};       // the first case, with what a hand would feel
+  std::optional<std::string> not_applicable = {};  // why it was not looked at, which does not count as held
+
+  // Keeps the first.
+  void violated(const std::string& words) {
+    if (!violation) violation = words;
+  }
+};
+
+}  // namespace forceshade::conformance

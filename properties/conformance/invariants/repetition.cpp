@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What was requested once more gets the same answer.
+
+#include "properties/binary32.h"
+#include "properties/conformance/invariants/all.h"
+
+namespace forceshade::conformance {
+namespace {
+
+using properties::show;
+
+constexpr std::size_t kPathSize = 500;
+constexpr int kTicksAtRest = 100;
+
+Invariant compared(const std::string& name, const Path& path, const Path& one, const Path& other, const std::string& when) {
+  Invariant invariant{name, path.size()};
+  for (std::size_t i = 0; i < path.size(); ++i)
+    if (!same_bits(one[i], other[i]))
+      invariant.violated("at " + show(path[i]) + " mm, position " + std::to_string(i) + " of the path: " + show(one[i]) +
+                         " N, and " + when + ' ' + show(other[i]) + " N: a hand would feel " + newtons(one[i] - other[i]) +
+                         " without having moved otherwise");
+  return invariant;
+}
+
+}  // namespace
+
+Invariant same_path_twice(const Trial& trial) {
+  const Path path = drawn_path(trial, kPathSize, trial.seed + 1);
+  const Path first = trial.renderer.forces_along(path);
+  return compared("the same path twice gives the same bits", path, first, trial.renderer.forces_along(path), "the second time");
+}
+
+Invariant reset_equals_fresh_start(const Trial& trial) {
+  const Path path = drawn_path(trial, kPathSize, trial.seed + 1);
+  SceneRenderer fresh = trial.open(trial.description);
+  const Path first = fresh.forces_along(path);
+  fresh.say_goodbye();
+  return compared("a reset equals a fresh start", path, trial.renderer.forces_along(path), first, "opened anew");
+}
+
+// At which a god-object may still move in the second tick.
+Invariant rest_is_still(const Trial& trial) {
+  Invariant invariant{"a hand at rest feels a force at rest"};
+  Path places = drawn_path(trial, 20, trial.seed + 1);
+  for (const Approach& approach : approaches(trial, 10)) places.push_back(approach.contact);
+  for (const Eigen::Vector3f& position : places) {
+    const Path forces = trial.renderer.forces_along(Path(kTicksAtRest, position));
+    ++invariant.cases;
+    for (std::size_t tick = 2; tick < forces.size(); ++tick)
+      if (!same_bits(forces[tick], forces[1]))
+        invariant.violated("at " + show(position) + " mm, tick " + std::to_string(tick) + ": " + show(forces[1]) +
+                           " N became " + show(forces[tick]) + " N: a hand at rest would feel " +
+                           newtons(forces[tick] - forces[1]));
+  }
+  return invariant;
+}
+
+}  // namespace forceshade::conformance

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A renderer on a scene, and the paths on which its invariants are looked at.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "forceshade/checks.h"
+#include "forceshade/description.h"
+#include "forceshade/properties.h"
+#include "properties/conformance/scene_renderer.h"
+
+namespace forceshade::conformance {
+
+using Path = std::vector<Eigen::Vector3f>;  // mm, from no contact
+
+struct Trial {
+  const Description& description;
+  const properties::Subject& subject;                     // of the description
+  std::function<SceneRenderer(const Description&)> open;  // opens the renderer anew, on this scene
+  SceneRenderer& renderer;                                // opened on the description
+  std::uint64_t seed = 1;
+  const Monitor& monitor;
+
+  bool is_mesh() const { return std::holds_alternative<MeshRendering>(description.what); }
+};
+
+// Positions of the stream by which the subject is certified, in the renderer's domain.
+Path drawn_path(const Trial& trial, std::size_t size, std::uint64_t seed);
+
+// Straight down from the air: the exact side is free at its beginning and above it, and touches at its end.
+struct Approach {
+  Eigen::Vector3f air, contact;
+
+  Path line(const SceneRenderer& renderer, int steps) const;  // both ends included
+};
+std::vector<Approach> approaches(const Trial& trial, std::size_t most);
+
+// Whether a hand could notice the difference of two forces (N): 0.1 % of the larger one, and more than 0.1 mN, which is less
+// than a fingertip notices.
+bool differ(const Eigen::Vector3f& one, const Eigen::Vector3f& other);
+
+bool same_bits(const Eigen::Vector3f& one, const Eigen::Vector3f& other);
+
+// "0.25 N", the length of a force.
+std::string newtons(const Eigen::Vector3f& force);
+
+}  // namespace forceshade::conformance
