@@ -45,4 +45,5 @@ PYBIND11_MODULE(_forceshade, module) {
   python::add_exact(module);
   python::add_recordings(module);
   python::add_checks(module);
+  python::add_conform(module);
 }

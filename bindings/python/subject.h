@@ -49,6 +49,7 @@ void add_forces(pybind11::module_& module, pybind11::class_<Subject, std::shared
 void add_sessions(pybind11::module_& module);
 void add_exact(pybind11::module_& module);
 void add_checks(pybind11::module_& module);
+void add_conform(pybind11::module_& module);
 void add_recordings(pybind11::module_& module);
 
 }  // namespace forceshade::python

@@ -12,7 +12,8 @@
 namespace forceshade::conformance {
 namespace {
 
-constexpr int kMostTries = 2000;  // of simpler paths
+constexpr int kMostTries = 2000;               // of simpler paths
+constexpr std::size_t kMostTouched = 200'000;  // triangles
 
 class Run {
  public:
@@ -85,7 +86,25 @@ class Run {
       }
       done += batch.size();
     }
+    touch_each_triangle(judge);
     found_.judgement = judge.judgement();
+  }
+
+  // From the front of each triangle of a mesh to behind it, so that one that is wrong is found among many.
+  void touch_each_triangle(Judge& judge) {
+    const auto* mesh = std::get_if<MeshRendering>(&description_.what);
+    if (mesh == nullptr) return;
+    const std::size_t count = mesh->mesh().triangles.size(), stride = (count + kMostTouched - 1) / kMostTouched;
+    for (std::size_t triangle = 0; triangle < count; triangle += stride) {
+      if (triangle % 256 == 0) monitor_.at(0.9);
+      const Path path = through_triangle(mesh->mesh(), triangle, *renderer_);
+      if (!std::ranges::all_of(path, [this](const Eigen::Vector3f& one) { return renderer_->is_in_domain(one); })) continue;
+      const Path forces = renderer_->forces(path, true);
+      const std::uint64_t before = judge.judgement().all.beyond;
+      for (std::size_t i = 0; i < path.size(); ++i)
+        judge.add({path[i], i == 0, forces[i], "each triangle", "triangle " + std::to_string(triangle)});
+      if (judge.judgement().all.beyond > before && failing_path_.empty()) failing_path_ = path;
+    }
   }
 
   // Whether the last answer of the path, begun anew, is beyond the tolerance; of a path whose last position is judged.

@@ -81,8 +81,8 @@ std::optional<std::string> refusal_of_mesh(const Json& said, const Json& scene) 
     const Json& parameters = scene.at("parameters");
     const std::string has = parameters.contains(key) ? parameters.at(key).get<std::string>() : usual;
     if (std::ranges::find(value, Json(has)) == value.end())
-      return "its " + std::string(key) + " are " + value.dump(-1, ' ', true, Json::error_handler_t::replace) + " and not \"" +
-             has + '"';
+      return "it declares " + std::string(key) + ' ' + value.dump(-1, ' ', true, Json::error_handler_t::replace) +
+             " and not \"" + has + '"';
   }
   return std::nullopt;
 }

@@ -32,6 +32,7 @@ if int(_numpy.__version__.split(".")[0]) >= 2:
     )
 
 from ._checks import Certificate, PropertyResult, certify, properties
+from ._conform import Conformance, OpenedRenderer, RendererOfScenes, conform
 from ._exact import ExactForce, Geometry, geometry
 from ._forceshade import Error, library_digest
 from ._forceshade import version as _version
@@ -47,21 +48,25 @@ __all__ = [
     "ANSWER",
     "Certificate",
     "Error",
+    "Conformance",
     "ExactForce",
     "Geometry",
     "HeightMap",
     "Identity",
     "Law",
     "Mesh",
+    "OpenedRenderer",
     "Place",
     "PropertyResult",
     "Recording",
+    "RendererOfScenes",
     "Session",
     "State",
     "Status",
     "Subject",
     "__version__",
     "certify",
+    "conform",
     "geometry",
     "laws",
     "library_digest",

@@ -1,4 +1,4 @@
-from typing import Any, Optional, Sequence, SupportsFloat
+from typing import Any, Callable, Optional, Sequence, SupportsFloat
 
 import numpy as np
 import numpy.typing as npt
@@ -90,5 +90,13 @@ def properties(subject: Subject, cases: int, seed: int, /) -> list[dict[str, Any
 def certify(
     subjects: Sequence[Subject], points: int, cases: int, seed: int, threads: int, /
 ) -> tuple[str, bool, str, str, str]: ...
+def conform(
+    subject: Subject,
+    open_it: Callable[[str], tuple[str, Callable[[npt.NDArray[np.float32], bool], npt.NDArray[np.float32]]]],
+    points: int,
+    seed: int,
+    tolerance: str,
+    /,
+) -> tuple[bool, bool, str, str]: ...
 def points_of_kind(kind: str, /) -> int: ...
 def write_file(path: str, text: str, /) -> None: ...

@@ -13,7 +13,7 @@ namespace {
 
 using properties::show;
 
-constexpr int kApproachSteps = 60;           // of a straight way into contact
+constexpr int kApproachSteps = 60;   // of a straight way into contact
 constexpr int kLoopSteps = 500;      // of one side of a loop
 constexpr double kLeastWork = 1e-3;  // mJ: what rounding gives
 

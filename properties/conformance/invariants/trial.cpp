@@ -43,15 +43,27 @@ std::optional<Approach> from_above(const Trial& trial, const Eigen::Vector3f& co
   return std::nullopt;
 }
 
+Eigen::Vector3d vector_of(const mesh::Vertex& vertex) {
+  return Eigen::Vector3f(vertex.data()).cast<double>();
+}
+
+struct Facing {
+  Eigen::Vector3d middle, normal;  // mm; of length 1
+};
+
+Facing facing(const mesh::TriangleMesh& mesh, const mesh::Triangle& triangle) {
+  const Eigen::Vector3d a = vector_of(mesh.vertices[triangle[0]]), b = vector_of(mesh.vertices[triangle[1]]),
+                        c = vector_of(mesh.vertices[triangle[2]]);
+  return {(a + b + c) / 3, (b - a).cross(c - a).normalized()};
+}
+
 // Along a triangle's normal, from outside the box around the mesh to a point behind the triangle.
 std::optional<Approach> from_outside(const Trial& trial, const mesh::TriangleMesh& mesh, const mesh::Triangle& triangle) {
-  const auto vertex = [&](std::size_t i) { return Eigen::Vector3f(mesh.vertices[i].data()).cast<double>().eval(); };
-  const Eigen::Vector3d a = vertex(triangle[0]), b = vertex(triangle[1]), c = vertex(triangle[2]);
-  const Eigen::Vector3d normal = (b - a).cross(c - a).normalized(), middle = (a + b + c) / 3;
-  Eigen::Vector3d low = a, high = a;
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    low = low.cwiseMin(vertex(i));
-    high = high.cwiseMax(vertex(i));
+  const auto [middle, normal] = facing(mesh, triangle);
+  Eigen::Vector3d low = middle, high = middle;
+  for (const mesh::Vertex& vertex : mesh.vertices) {
+    low = low.cwiseMin(vector_of(vertex));
+    high = high.cwiseMax(vector_of(vertex));
   }
   double far = 1e300;  // to where the normal leaves the box
   for (Eigen::Index axis = 0; axis < 3; ++axis)
@@ -102,6 +114,11 @@ std::vector<Approach> approaches(const Trial& trial, std::size_t most) {
     if (approach) all.push_back(*approach);
   }
   return all;
+}
+
+Path through_triangle(const mesh::TriangleMesh& mesh, std::size_t triangle, const SceneRenderer& renderer) {
+  const auto [middle, normal] = facing(mesh, mesh.triangles[triangle]);
+  return {renderer.writable((middle + normal).cast<float>()), renderer.writable((middle - 0.5 * normal).cast<float>())};
 }
 
 bool differ(const Eigen::Vector3f& one, const Eigen::Vector3f& other) {

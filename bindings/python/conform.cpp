@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A renderer that is written in Python, held against the exact definition: the door of callables.
+
+#include "properties/conformance/conform.h"
+
+#include <atomic>
+#include <string>
+#include <utility>
+
+#include "bindings/python/arrays.h"
+#include "bindings/python/interruptible.h"
+#include "bindings/python/subject.h"
+#include "files/printable.h"
+#include "properties/conformance/judgement_text.h"
+
+namespace forceshade::python {
+namespace {
+
+using conformance::RendererFailed;
+using Json = nlohmann::ordered_json;
+
+// What Python raises in it becomes words, while the GIL is held.
+template <class Call>
+auto words_for_errors(const Call& call) {
+  const py::gil_scoped_acquire held;
+  try {
+    return call();
+  } catch (const py::error_already_set& error) {
+    throw RendererFailed("the renderer raised " + error.type().attr("__name__").cast<std::string>() + ": " +
+                         files::printable(py::str(error.value()).cast<std::string>()));
+  }
+}
+
+// A function of Python's, which is given up while the GIL is held.
+struct Function {
+  py::object its;
+
+  Function() = default;
+  Function(const Function&) = delete;
+  Function& operator=(const Function&) = delete;
+  ~Function() {
+    const py::gil_scoped_acquire held;
+    its = py::object();
+  }
+};
+
+// open_it(scene) -> (hello, answers); answers(positions, is_reset) -> float32 array of the same shape (n, 3).
+class PythonRenderer final : public conformance::RendererUnderTest {
+ public:
+  PythonRenderer(const py::object& open_it, const Json& scene) {
+    const std::string hello = words_for_errors([&] {
+      const py::tuple opened = open_it(scene.dump());
+      answers_.its = opened[1];
+      return opened[0].cast<std::string>();
+    });
+    hello_ = conformance::hello_of(Json::parse(hello), scene);
+  }
+
+  const conformance::Hello& hello() const override { return hello_; }
+
+  std::vector<Eigen::Vector3f> answers(std::span<const Eigen::Vector3f> positions, bool is_reset) override {
+    return words_for_errors([&] {
+      const auto count = static_cast<py::ssize_t>(positions.size());
+      Floats asked({count, py::ssize_t{3}});
+      std::copy_n(positions.front().data(), 3 * positions.size(), asked.mutable_data());
+      const auto given = py::array_t<float, py::array::c_style>::ensure(answers_.its(asked, is_reset));
+      if (!given) throw py::error_already_set();
+      std::vector<Eigen::Vector3f> answers(positions.size());
+      std::copy_n(given.data(), 3 * answers.size(), answers.front().data());
+      return answers;
+    });
+  }
+
+  void say_goodbye() override {}
+
+ private:
+  conformance::Hello hello_;
+  Function answers_;
+};
+
+// Whether all held, the words, and the JSON.
+py::tuple conformance_of(const Subject& subject, const py::object& open_it, std::uint64_t points, std::uint64_t seed,
+                         const std::string& tolerance_text) {
+  expect_arithmetic();
+  const auto tolerance = conformance::tolerance_of(tolerance_text);
+  if (!tolerance)
+    throw py::value_error("tolerance: expected \"4 ulp\", \"1e-6 N\" or \"0.1 %\", got \"" + tolerance_text + '"');
+  const auto found = interruptible([&](const std::atomic<bool>& stop) {
+    return conformance::conform(
+        subject.description, [&](const Json& scene) { return std::make_unique<PythonRenderer>(open_it, scene); },
+        {.points = points, .seed = seed, .tolerance = *tolerance}, Monitor([](double) {}, stop));
+  });
+  return py::make_tuple(found.held(), found.is_applicable(), conformance::words_of(found, *tolerance),
+                        conformance::text_of(conformance::json_of(found, *tolerance)));
+}
+
+}  // namespace
+
+void add_conform(py::module_& module) {
+  module.def("conform", &conformance_of);
+}
+
+}  // namespace forceshade::python

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""forceshade.conform: renderers in Python, right ones and wrong ones."""
+
+import doctest
+
+import forceshade
+import forceshade._conform
+import numpy as np
+import pytest
+
+DECLARES = {
+    "memory": "none",
+    "answers": "force",
+    "claims": "definition",
+    "length_unit": "mm",
+    "force_unit": "N",
+    "frame": ["x", "y", "z"],
+    "domain_mm": 10000,
+    "rate_Hz": None,
+    "loop_energy_mJ": 0,
+}
+WALL = forceshade.Law("wall", stiffness=0.75)
+TETRAHEDRON = forceshade.Mesh(
+    np.array([[0, 0, 0], [90, 0, 0], [0, 90, 0], [0, 0, 90]], dtype=np.float32),
+    np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]),
+    stiffness=0.5,
+    shading="none",
+)
+
+
+def wall(positions):
+    forces = np.zeros_like(positions)
+    touches = (abs(positions) <= 10000).all(axis=1) & (positions[:, 2] <= -(2.0**-30))
+    forces[touches, 2] = -0.75 * positions[touches, 2]
+    return forces
+
+
+def one_wall(x, y, z):
+    is_there = all(abs(coordinate) <= 10000 for coordinate in (x, y, z)) and z <= -(2.0**-30)
+    return (0, 0, -0.75 * z if is_there else 0)
+
+
+def conformed(renderer, subject=WALL, declares=DECLARES, **options):
+    return forceshade.conform(renderer, subject, declares=declares, points=2000, **options)
+
+
+class Ticks:
+    """The package's own renderer of meshes, opened on a scene."""
+
+    def __init__(self, scene):
+        mesh, its = scene["mesh"], scene["parameters"]
+        vertices = [[float.fromhex(number) for number in vertex] for vertex in mesh["vertices_mm"]]
+        self._mesh = forceshade.Mesh(
+            np.array(vertices, dtype=np.float32),
+            np.array(mesh["triangles"]),
+            stiffness=its["stiffness_N_per_mm"],
+            sides=its["sides"],
+            shading="none",
+        )
+
+    def answers(self, positions, reset):
+        if reset:
+            self._session = forceshade.Session(self._mesh)
+        return self._session.steps(positions)
+
+
+class OwnMeshes:
+    def open(self, scene):
+        return Ticks(scene)
+
+
+MESHES = {**DECLARES, "memory": "path", "loop_energy_mJ": None, "sides": ["front"], "shading": ["none"], "proxy_radius_mm": 0}
+
+
+def test_the_examples_of_the_docstrings():
+    assert doctest.testmod(forceshade._conform).failed == 0
+
+
+@pytest.mark.parametrize("renderer, options", [(wall, {}), (one_wall, {"vectorised": False})])
+def test_a_right_function_holds(renderer, options):
+    found = conformed(renderer, **options)
+    assert found and found.held and found.applicable
+    assert found.contents["exact"]["all"] == {"cases": 2000, "wrong": 0, "beyond_tolerance": 0}
+
+
+def test_a_right_renderer_of_scenes_holds_on_all_that_concerns_meshes():
+    found = conformed(OwnMeshes(), TETRAHEDRON, MESHES)
+    assert found
+    applicable = [one["name"] for one in found.contents["invariants"] if one["applicable"]]
+    assert "a flat plate feels flat however it is triangulated" in applicable
+    assert "a quarter turn of the scene about z turns the force" in applicable
+
+
+def test_one_number_off_is_found_and_within_one_ulp():
+    off = lambda positions: np.nextafter(wall(positions), np.float32(np.inf), where=wall(positions) > 0, out=wall(positions))
+    assert not conformed(off)
+    assert "to paste into a test" in str(conformed(off))
+    assert conformed(off, tolerance="1 ulp")
+
+
+def test_a_function_renders_one_scene():
+    found = conformed(wall, TETRAHEDRON, {**MESHES, "memory": "none"})
+    assert not found.held
+    reasons = [one.get("reason", "") for one in found.contents["invariants"]]
+    assert any("a function renders one scene" in reason for reason in reasons)
+
+
+@pytest.mark.parametrize(
+    "renderer, words",
+    [
+        (lambda positions: wall(positions).astype(float), "expected answers as float32, got float64"),
+        (lambda positions: wall(positions)[:-1], "expected answers of the shape (1024, 3), got (1023, 3)"),
+        (lambda positions: 1 / 0, "the renderer raised ZeroDivisionError: division by zero"),
+        (lambda positions: None, "expected answers as float32, got object"),
+        (lambda positions: wall(np.nan_to_num(positions)) * np.float32(np.nan), "any position gets a finite force"),
+    ],
+)
+def test_what_a_wrong_function_does_is_part_of_the_result(renderer, words):
+    found = conformed(renderer)
+    assert not found and words in found.words
+
+
+def test_what_is_not_declared_is_not_guessed():
+    for key in DECLARES:
+        rest = {other: value for other, value in DECLARES.items() if other != key}
+        assert f'has no key "{key}"; expected' in conformed(wall, declares=rest).words
+
+
+def test_a_scene_that_it_does_not_render_never_holds():
+    class Shy:
+        def open(self, scene):
+            raise NotImplementedError("it renders nothing")
+
+    found = conformed(Shy())
+    assert not found.held and not found.applicable and "it renders nothing" in found.words
+
+
+def test_misuse():
+    with pytest.raises(ValueError, match='got "3"'):
+        conformed(wall, tolerance="3")
+    with pytest.raises(TypeError, match="expected a function"):
+        conformed(3)
+    with pytest.raises(TypeError, match="expected a Law"):
+        conformed(wall, subject="wall")
+    with pytest.raises(ValueError, match="points is 0"):
+        forceshade.conform(wall, WALL, declares=DECLARES, points=0)
