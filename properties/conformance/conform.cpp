@@ -90,7 +90,8 @@ class Run {
     found_.judgement = judge.judgement();
   }
 
-  // From the front of each triangle of a mesh to behind it, so that one that is wrong is found among many.
+  // From the front of each triangle of a mesh to behind it, so that one that is wrong is found among many. The real-time path
+  // chooses what the exact side, which looks at every triangle in each tick, has to judge.
   void touch_each_triangle(Judge& judge) {
     const auto* mesh = std::get_if<MeshRendering>(&description_.what);
     if (mesh == nullptr) return;
@@ -100,6 +101,11 @@ class Run {
       const Path path = through_triangle(mesh->mesh(), triangle, *renderer_);
       if (!std::ranges::all_of(path, [this](const Eigen::Vector3f& one) { return renderer_->is_in_domain(one); })) continue;
       const Path forces = renderer_->forces(path, true);
+      const auto session = subject_->renderer().open();
+      if (std::ranges::equal(path, forces, [&session](const Eigen::Vector3f& position, const Eigen::Vector3f& force) {
+            return session->step(position).force == force;
+          }))
+        continue;
       const std::uint64_t before = judge.judgement().all.beyond;
       for (std::size_t i = 0; i < path.size(); ++i)
         judge.add({path[i], i == 0, forces[i], "each triangle", "triangle " + std::to_string(triangle)});

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "forceshade/mesh.h"
 #include "properties/conformance/doors/child_process.h"
 
 namespace forceshade::conformance {
@@ -28,11 +29,17 @@ const Json& value_in(const Json& said, const std::string& key, const std::string
   throw RendererFailed("the renderer's hello has " + key + ' ' + shown_json(value) + "; expected " + expected);
 }
 
-// Which of these words it is; the words are a list for a message, too.
-std::size_t word_in(const Json& said, const std::string& key, const std::vector<std::string>& words) {
-  std::string expected;
+// "a", "b" or "c".
+std::string one_of(const std::vector<std::string>& words) {
+  std::string list;
   for (std::size_t i = 0; i < words.size(); ++i)
-    expected += (i == 0 ? "\"" : i + 1 < words.size() ? ", \"" : " or \"") + words[i] + '"';
+    list += (i == 0 ? "\"" : i + 1 < words.size() ? ", \"" : " or \"") + words[i] + '"';
+  return list;
+}
+
+// Which of these words it is.
+std::size_t word_in(const Json& said, const std::string& key, const std::vector<std::string>& words) {
+  const std::string expected = one_of(words);
   const Json& value = value_in(said, key, expected);
   const auto found = std::ranges::find_if(words, [&](const std::string& word) { return value == word; });
   if (found == words.end()) refuse(key, value, expected);
@@ -70,19 +77,19 @@ std::array<Axis, 3> frame_in(const Json& said) {
   return frame;
 }
 
-// Of a mesh: whether what the scene has is among what it declares.
+// Whether what a scene with a mesh has is among what it declares.
 std::optional<std::string> refusal_of_mesh(const Json& said, const Json& scene) {
-  for (const auto& [key, usual, expected] :
-       {std::tuple("sides", "front", R"(a list of those of "front" and "both" that it renders)"),
-        {"shading", "none", R"(a list of those of "none", "vertex", "edge" and "texture" that it renders)"}}) {
+  const Json& parameters = scene.at("parameters");
+  for (const auto& [key, names] :
+       {std::pair("sides", std::vector<std::string>(mesh::kSidesNames.begin(), mesh::kSidesNames.end())),
+        {"shading", {mesh::kShadingNames.begin(), mesh::kShadingNames.end()}}}) {
+    const std::string expected = "a list of what it renders of " + one_of(names);
     const Json& value = value_in(said, key, expected);
     if (!value.is_array() || !std::ranges::all_of(value, [](const Json& one) { return one.is_string(); }))
       refuse(key, value, expected);
-    const Json& parameters = scene.at("parameters");
-    const std::string has = parameters.contains(key) ? parameters.at(key).get<std::string>() : usual;
-    if (std::ranges::find(value, Json(has)) == value.end())
-      return "it declares " + std::string(key) + ' ' + value.dump(-1, ' ', true, Json::error_handler_t::replace) +
-             " and not \"" + has + '"';
+    if (std::ranges::find(value, parameters.at(key)) == value.end())
+      return "it declares " + std::string(key) + ' ' + value.dump(-1, ' ', true, Json::error_handler_t::replace) + " and not " +
+             parameters.at(key).dump();
   }
   return std::nullopt;
 }

@@ -7,7 +7,7 @@ conform() { "$forceshade" conform --law wall --points 3000 --answer-timeout 5 "$
 
 # A right one, its files, and a scene that it does not render.
 expect 0 "a wall in Python 1 renders wall: correctly rounded 3000 of 3000 (100 %)" -- conform --command "$renderers/wall.py"
-expect 0 "held: a reset equals a fresh start, 500 cases" -- conform --command "$renderers/wall.py"
+expect 0 "held: a reset equals a fresh start, 1500 cases" -- conform --command "$renderers/wall.py"
 expect 0 '"applicable": true' -- conform --command "$renderers/wall.py" --json
 expect 0 '<testcase' -- conform --command "$renderers/wall.py" --junit -
 expect 1 "not applicable: a wall in Python 1 does not render bump-2p: it renders the law wall alone" -- \

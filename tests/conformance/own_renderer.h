@@ -18,8 +18,8 @@ using Json = nlohmann::ordered_json;
 
 // Changes a force that was right; is_first: of its path.
 using Spoil = std::function<void(const Eigen::Vector3f& position, Eigen::Vector3f& force, bool is_first)>;
-// For each opening, on this scene; may change the hello.
-using Spoiler = std::function<Spoil(const Json& scene, Json& hello)>;
+// For each opening: what is rendered may be changed, and the hello.
+using Spoiler = std::function<Spoil(Description& scene, Json& hello)>;
 
 inline std::array<float, 3> numbers_of(const Json& texts) {
   std::array<float, 3> numbers{};
@@ -43,10 +43,8 @@ inline MeshRendering mesh_in(const Json& scene, MeshRendering rendering) {
 
 class OwnRenderer final : public RendererUnderTest {
  public:
-  OwnRenderer(const Description& description, const Json& scene, const Spoiler& spoiler) {
-    Description its = description;
-    if (const auto* mesh = std::get_if<MeshRendering>(&description.what)) its.what = mesh_in(scene, *mesh);
-    subject_ = properties::subject_of(its);
+  OwnRenderer(Description its, const Json& scene, const Spoiler& spoiler) {
+    if (auto* mesh = std::get_if<MeshRendering>(&its.what)) *mesh = mesh_in(scene, *mesh);
     Json hello{{"kind", "renderer"},
                {"name", "own"},
                {"version", "1"},
@@ -59,10 +57,11 @@ class OwnRenderer final : public RendererUnderTest {
                {"domain_mm", 10000},
                {"rate_Hz", nullptr},
                {"loop_energy_mJ", nullptr},
-               {"sides", {"front", "both"}},
-               {"shading", {"none", "vertex", "edge", "texture"}},
+               {"sides", mesh::kSidesNames},
+               {"shading", mesh::kShadingNames},
                {"proxy_radius_mm", 0}};
-    if (spoiler) spoil_ = spoiler(scene, hello);
+    if (spoiler) spoil_ = spoiler(its, hello);
+    subject_ = properties::subject_of(its);
     hello_ = hello_of(hello, scene);
   }
 

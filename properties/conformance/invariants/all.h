@@ -21,11 +21,13 @@ Invariant no_position_no_force(const Trial& trial);
 
 // contact.cpp
 Invariant no_force_in_the_air(const Trial& trial);
+Invariant contact_pushes_back(const Trial& trial);
 Invariant first_force_opposes(const Trial& trial);
 Invariant loops_give_no_energy(const Trial& trial);
 
 // other_scenes.cpp
 Invariant flat_however_triangulated(const Trial& trial);
+Invariant no_jump_through_a_plate(const Trial& trial);
 Invariant renumbered_scene(const Trial& trial);
 Invariant turned_scene(const Trial& trial);
 Invariant mirrored_scene(const Trial& trial);
@@ -37,9 +39,11 @@ inline constexpr std::array kInvariants{&same_path_twice,
                                         &odd_position_leaves_nothing_behind,
                                         &no_position_no_force,
                                         &no_force_in_the_air,
+                                        &contact_pushes_back,
                                         &first_force_opposes,
                                         &loops_give_no_energy,
                                         &flat_however_triangulated,
+                                        &no_jump_through_a_plate,
                                         &renumbered_scene,
                                         &turned_scene,
                                         &mirrored_scene};

@@ -13,9 +13,10 @@ namespace {
 
 using properties::show;
 
-constexpr int kApproachSteps = 60;   // of a straight way into contact
-constexpr int kLoopSteps = 500;      // of one side of a loop
-constexpr double kLeastWork = 1e-3;  // mJ: what rounding gives
+constexpr int kApproachSteps = 60;    // of a straight way into contact
+constexpr int kLoopSteps = 500;       // of one side of a loop
+constexpr float kLeastForce = 1e-3F;  // N: of a contact that can be felt
+constexpr double kLeastWork = 1e-3;   // mJ: what rounding gives
 
 // From the air into contact, along it, out, and back through the air; the renderer's writable positions.
 Path loop(const SceneRenderer& renderer, const Approach& here, const Eigen::Vector3f& along, int steps) {
@@ -56,6 +57,27 @@ Invariant no_force_in_the_air(const Trial& trial) {
                            show(forces[i]) + " N: a hand would feel " + newtons(forces[i]) + " from nothing");
     }
   }
+  return invariant;
+}
+
+// Along a straight way, and in one jump.
+Invariant contact_pushes_back(const Trial& trial) {
+  Invariant invariant{"contact gives a force"};
+  const std::vector<Approach> all = approaches(trial, 20);
+  for (const Approach& approach : all) {
+    const auto exact = trial.subject.open_reference();
+    exact->step(approach.air);
+    if (exact->step(approach.contact).force.norm() < kLeastForce) continue;
+    for (const int steps : {kApproachSteps, 1}) {
+      const Path forces = trial.renderer.forces_along(approach.line(trial.renderer, steps));
+      ++invariant.cases;
+      if (!differ(forces.back(), {0, 0, 0}))
+        invariant.violated("from " + show(approach.air) + " to " + show(approach.contact) + " mm in " + std::to_string(steps) +
+                           (steps == 1 ? " step" : " steps") + " the force is " + show(forces.back()) +
+                           " N: a hand would go through the surface");
+    }
+  }
+  if (invariant.cases == 0) invariant.not_applicable = "no position in contact was found";
   return invariant;
 }
 

@@ -15,16 +15,17 @@ using properties::show;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr double kLongest = 0.010;  // s: for which the last force may be held
 
-// Each odd number in each coordinate of a position.
+// Each odd number in each coordinate of a position, beside the z axis and on it.
 Path odd_positions() {
   constexpr float kInfinite = std::numeric_limits<float>::infinity();
   Path all;
   for (const float number : {kNan, kInfinite, -kInfinite, 1e26F, -1e26F, std::numeric_limits<float>::denorm_min(),
                              std::numeric_limits<float>::max()})
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      all.emplace_back(1, 1, -0.5F);
-      all.back()[axis] = number;
-    }
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      for (const float beside : {1.0F, 0.0F}) {
+        all.emplace_back(beside, beside, -0.5F);
+        all.back()[axis] = number;
+      }
   return all;
 }
 

@@ -134,41 +134,64 @@ Description plate(const Description& description, int cells) {
   return {"plate of " + std::to_string(cells) + " x " + std::to_string(cells) + " cells", rendering};
 }
 
-}  // namespace
-
-Invariant flat_however_triangulated(const Trial& trial) {
-  Invariant invariant{"a flat plate feels flat however it is triangulated"};
-  if (!trial.is_mesh()) {
-    invariant.not_applicable = "the scene has no triangles";
-    return invariant;
-  }
-  if (std::get<MeshRendering>(trial.description.what).shading == mesh::Shading::texture_scheme) {
-    invariant.not_applicable = "a textured plate is not flat";
-    return invariant;
-  }
-  Path path;
-  for (int i = 0; i <= 800; ++i) {
-    const float share = static_cast<float>(i) / 800;
-    path.push_back(trial.renderer.writable({-15 + 28 * share, -11 + 23 * share, i == 0 ? 2 : -0.5F}));
-  }
-  const Eigen::Vector3f expected(0, 0, 0.5F * trial.description.stiffness());
+// What a plate feels like along a path; is_last_only: only at its end.
+void feel_plates(const Trial& trial, Invariant& invariant, const std::vector<Path>& paths, bool is_last_only,
+                 const std::string& what) {
   for (const int cells : {1, 2, 8, 16}) {
     const Description scene = plate(trial.description, cells);
     SceneRenderer renderer = trial.open(scene);
     if (renderer.hello().refusal) {
       invariant.not_applicable = "it does not render a plate: " + *renderer.hello().refusal;
-      return invariant;
+      return;
     }
-    const Path forces = renderer.forces_along(path);
+    for (const Path& path : paths) {
+      const Path forces = renderer.forces_along(path);
+      for (std::size_t i = is_last_only ? path.size() - 1 : 1; i < path.size(); ++i) {
+        const Eigen::Vector3f expected(0, 0, -path[i].z() * trial.description.stiffness());
+        ++invariant.cases;
+        if (differ(forces[i], expected))
+          invariant.violated("on a " + scene.name + ", at " + show(path[i]) + " mm, the force is " + show(forces[i]) +
+                             " N and not " + show(expected) + " N: a hand would feel " + newtons(forces[i] - expected) + what);
+      }
+    }
     renderer.say_goodbye();
-    for (std::size_t i = 1; i < path.size(); ++i) {
-      ++invariant.cases;
-      if (differ(forces[i], expected))
-        invariant.violated("on a " + scene.name + ", at " + show(path[i]) + " mm, the force is " + show(forces[i]) +
-                           " N and not " + show(expected) + " N: a hand would feel " + newtons(forces[i] - expected) +
-                           " at an edge that is not there");
-    }
   }
+}
+
+// Why no plate is felt.
+std::optional<std::string> without_plates(const Trial& trial) {
+  if (!trial.is_mesh()) return "the scene has no triangles";
+  if (std::get<MeshRendering>(trial.description.what).shading == mesh::Shading::texture_scheme)
+    return "a textured plate is not flat";
+  return std::nullopt;
+}
+
+}  // namespace
+
+Invariant flat_however_triangulated(const Trial& trial) {
+  Invariant invariant{"a flat plate feels flat however it is triangulated", 0, {}, without_plates(trial)};
+  if (invariant.not_applicable) return invariant;
+  Path path;
+  for (int i = 0; i <= 800; ++i) {
+    const float share = static_cast<float>(i) / 800;
+    path.push_back(trial.renderer.writable({-15 + 28 * share, -11 + 23 * share, i == 0 ? 2 : -0.5F}));
+  }
+  feel_plates(trial, invariant, {path}, false, " at an edge that is not there");
+  return invariant;
+}
+
+Invariant no_jump_through_a_plate(const Trial& trial) {
+  Invariant invariant{"no jump goes through a plate", 0, {}, without_plates(trial)};
+  if (!invariant.not_applicable && !trial.renderer.hello().remembers)
+    invariant.not_applicable = "without memory no side of a plate is known";
+  if (invariant.not_applicable) return invariant;
+  std::vector<Path> jumps;
+  for (int i = 0; i < 20; ++i) {
+    const auto at = static_cast<float>(i);
+    const Eigen::Vector3f over(-15 + 1.375F * at, 11 - 1.125F * at, 3);
+    jumps.push_back({trial.renderer.writable(over), trial.renderer.writable(over - Eigen::Vector3f(0, 0, 4 + at))});
+  }
+  feel_plates(trial, invariant, jumps, true, " less on the other side of it");
   return invariant;
 }
 
