@@ -60,19 +60,33 @@ std::string with_lines_of_cases(const Json& head, const Json& paths) {
 Flag flag_of(Aim aim) {
   switch (aim) {
     case Aim::any_bits:
-      return {"Any bits: NaN, infinities, subnormal and huge numbers, which a renderer has to answer with no force."};
-    case Aim::volume: return {"Somewhere in or above the surface."};
-    case Aim::surface: return {"Within some units in the last place of the surface, where contact begins."};
+      return {"Any bits: NaN, infinities, subnormal and huge numbers, which a renderer has to answer with no force.",
+              {"jrouwe/JoltPhysics#1340", "jrouwe/JoltPhysics#1564", "tommy-xr/shock2quest#507"}};
+    case Aim::volume:
+      return {"Somewhere in or above the surface.", {"google-deepmind/mujoco#2206", "libnifalcon/libnifalcon#3"}};
+    case Aim::surface:
+      return {"Within some units in the last place of the surface, where contact begins.",
+              {"flexible-collision-library/fcl#375", "flexible-collision-library/fcl#495", "RobotLocomotion/drake#10747"}};
     case Aim::facet_line:
       return {
           "On or beside a line where two facets meet, or a vertex of a mesh: no force may come from the edge of a flat "
           "surface.",
-          {"rapier#95", "bullet3#288", "bullet3#676"}};
-    case Aim::quantum: return {"Coordinates about 2^-30 mm, below which a coordinate counts as zero."};
-    case Aim::domain_end: return {"About 10000 mm, beyond which there is no force."};
-    case Aim::tie: return {"The exact force is as near as possible to the middle of two binary32 numbers."};
-    case Aim::axis: return {"On or beside the axis of the bump, or a position that moved along one axis alone."};
-    default: return {"Coordinates with few bits, at which exact ties are frequent."};
+          {"dimforge/rapier#95", "bulletphysics/bullet3#288", "bulletphysics/bullet3#676", "raisimTech/raisimLib#161"}};
+    case Aim::quantum:
+      return {"Coordinates about 2^-30 mm, below which a coordinate counts as zero.",
+              {"implicit-invocation/jbump#4", "CesiumGS/cesium-unreal#1465"}};
+    case Aim::domain_end:
+      return {"About 10000 mm, beyond which there is no force.",
+              {"dimforge/parry#407", "godotengine/godot#79592", "schteppe/cannon.js#127"}};
+    case Aim::tie:
+      return {"The exact force is as near as possible to the middle of two binary32 numbers.",
+              {"microsoft/STL#2366", "fastfloat/fast_float#300"}};
+    case Aim::axis:
+      return {"On or beside the axis of the bump, or a position that moved along one axis alone.",
+              {"jrouwe/JoltPhysics#227", "DanielChappuis/reactphysics3d#32"}};
+    default:
+      return {"Coordinates with few bits, at which exact ties are frequent.",
+              {"gkjohnson/three-mesh-bvh#169", "mikedh/trimesh#73"}};
   }
 }
 

@@ -23,7 +23,7 @@ inline constexpr std::uint64_t kVectorPath = 64;
 // Interrupted.
 std::string vectors_of(const Description& description, std::uint64_t count, std::uint64_t seed, const Monitor& monitor = {});
 
-// What a flag means, and threads of other projects about what it finds there: "JoltPhysics#1155".
+// What a flag means, and threads on GitHub in which defects at such cases were reported: "dimforge/rapier#95".
 struct Flag {
   std::string_view meaning;
   std::vector<std::string_view> threads = {};
