@@ -19,7 +19,7 @@ else
 fi
 
 # In its own units and frame: metres, millinewtons, impulses, closest points.
-in_its_units() {  # NAME ORIGINAL REPLACEMENT...: of wall.py
+in_its_units() {  # NAME ORIGINAL REPLACEMENT...: of examples/renderers/wall.py
   local name=$1; shift
   python3 - "$renderers/wall.py" "$name" "$@" << 'END' || exit 1
 import sys
