@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "apps/command.h"
-#include "certificate/report/report.h"
+#include "apps/page.h"
 #include "files/output_folder.h"
 #include "files/printable.h"
 #include "forceshade/certificate.h"
@@ -12,15 +12,6 @@
 
 namespace forceshade::apps {
 namespace {
-
-std::string page(const properties::Certificate& certificate) {
-  try {
-    return to_html(certificate);
-  } catch (const properties::PlotError& error) {
-    std::fprintf(stderr, "forceshade: certificate.html has no pictures: %s\n", error.what());
-    return to_html(certificate, properties::Pictures::none);
-  }
-}
 
 void print(const std::string& name, const properties::Findings& law) {
   std::printf("%-15s %s  %llu points, %llu mismatches", name.c_str(), law.held() ? "held  " : "FAILED",
@@ -62,7 +53,8 @@ std::vector<std::string> certificate_files() {
 int write_certificate(const properties::Certificate& certificate, const std::filesystem::path& directory) {
   files::OutputFolder folder(directory);
   folder.write("certificate.json", to_json(certificate));
-  folder.write("certificate.html", page(certificate));
+  folder.write("certificate.html",
+               page_of("certificate.html", [&](properties::Pictures shown) { return to_html(certificate, shown); }));
   folder.commit();
   for (const properties::SubjectResult& subject : certificate.subjects) print(subject.name(), subject);
   const properties::Assessment assessment = assessed(certificate);

@@ -8,22 +8,26 @@
 #include <optional>
 
 #include "apps/command.h"
+#include "apps/conform_compare.h"
 #include "apps/junit.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
+#include "apps/page.h"
 #include "apps/progress_line.h"
 #include "apps/signals.h"
 #include "apps/standard_streams.h"
 #include "apps/subject_option.h"
 #include "apps/tolerance_option.h"
+#include "forceshade/certificate.h"
 #include "properties/conformance/doors/process_door.h"
 #include "properties/conformance/judgement_text.h"
+#include "properties/conformance/report/page.h"
 
 namespace forceshade::apps {
 namespace {
 
 struct ConformCommand {
-  std::string command, tolerance = "0 ulp", json, junit;
+  std::string command, tolerance = "0 ulp", out, json, junit;
   conformance::ConformOptions options = {};
   double answer_seconds = 10;
 };
@@ -40,10 +44,11 @@ std::vector<JunitCase> junit_cases(const conformance::Conformance& found, const 
   return cases;
 }
 
-int run(const ConformCommand& its, const SubjectOption& option) {
+int run(const ConformCommand& its, const SubjectOption& option, const std::string& repeated) {
   conformance::ConformOptions options = its.options;
   options.tolerance = parse_tolerance(its.tolerance);
   expect_room_for_results(its.json, its.junit);
+  expect_folder_of("--out", its.out);
   watch_for_interrupt();
   const Description description = option.description();
   conformance::ProcessLimits limits;
@@ -54,11 +59,16 @@ int run(const ConformCommand& its, const SubjectOption& option) {
       conformance::conform(description, conformance::process_door(its.command, limits), options, monitor);
   line.reset();
   const std::string words = conformance::words_of(found, options.tolerance);
-  if (!its.json.empty()) write_file(its.json, conformance::text_of(conformance::json_of(found, options.tolerance)));
+  const conformance::Circumstances circumstances{options, properties::current_build().version, repeated};
+  if (!its.json.empty()) write_file(its.json, conformance::text_of(conformance::json_of(found, circumstances)));
+  if (!its.out.empty())
+    write_file(its.out, page_of(its.out, [&](properties::Pictures shown) {
+                 return conformance::to_html(found, description, circumstances, shown);
+               }));
   if (!its.junit.empty())
     write_file(its.junit, to_junit("forceshade conform", {{"tolerance", conformance::words_of(options.tolerance)}},
                                    junit_cases(found, words)));
-  if (its.json != "-" && its.junit != "-") {
+  if (its.json != "-" && its.junit != "-" && its.out != "-") {
     std::fputs(words.c_str(), stdout);
     flush_standard_output();
   }
@@ -72,12 +82,12 @@ void add_conform(CLI::App& app, int& result) {
   CLI::App* command =
       app.add_subcommand("conform", "Hold a renderer of anybody's, in a process of its own, against the exact definition");
   const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one);
+  command->option_defaults()->group(kEvidenceGroup);
   command
       ->add_option(
           "--command", its->command,
           "how the shell starts it; it speaks lines of JSON on its standard input and output (docs/conformance-protocol.md)")
       ->type_name("COMMAND")
-      ->required()
       ->group(kEvidenceGroup);
   add_tolerance(*command, its->tolerance);
   add_whole(*command, "--points", its->options.points, "how many positions to compare", {1, 1000000000});
@@ -85,9 +95,24 @@ void add_conform(CLI::App& app, int& result) {
   add_number(*command, "--answer-timeout",
              "how long the renderer may take for an answer of up to 1024 forces, in seconds; 10 unless given", {0.01, 3600},
              [its](double seconds) { its->answer_seconds = seconds; });
+  command
+      ->add_flag("--timing", its->options.is_timed,
+                 "measure the time of an answer to one position: half, 99.9 % and the slowest; it decides nothing")
+      ->group(kEvidenceGroup);
+  add_number(*command, "--max-answer-time", "measure it, and fail where the slowest answer took more, in seconds", {1e-9, 3600},
+             [its](double seconds) {
+               its->options.is_timed = true;
+               its->options.most_seconds = seconds;
+             });
+  add_output(*command, "--out", its->out, "a page of what was found, with pictures", {".html"});
   add_json(*command, its->json, "what was found");
   add_junit(*command, its->junit);
-  command->callback([its, subject, &result] { result = run(*its, *subject); });
+  add_conform_compare(*command, result);
+  command->callback([its, subject, command, &result] {
+    if (command->got_subcommand("compare")) return;
+    if (its->command.empty()) throw CLI::RequiredError("--command");
+    result = run(*its, *subject, repeated(*command));
+  });
 }
 
 }  // namespace forceshade::apps

@@ -157,9 +157,7 @@ void add_merge(CLI::App& certify, int& result) {
   const auto out = std::make_shared<OutFolder>(*command, kCertificateFolder);
   out->require();
   command->callback([options, out, &certify, &result] {
-    for (const CLI::Option* option : certify.get_options())
-      if (!option->empty())
-        throw BadInput(option->get_name() + ": expected after 'certify merge' or not at all, got before it");
+    refuse_options_before(certify, "certify merge");
     std::vector<properties::CertificateFile> files;
     for (const std::string& name : options->files)
       files.push_back({name, properties::from_json(properties::read_certificate(name), name)});

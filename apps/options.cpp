@@ -10,6 +10,7 @@
 #include "apps/documentation.h"
 #include "files/quantity.h"
 #include "files/suggestion.h"
+#include "rendering/subjects/file.h"
 
 namespace forceshade::apps {
 namespace {
@@ -185,6 +186,27 @@ void refuse_empty_values(CLI::App& command) {
   for (CLI::Option* option : command.get_options([](const CLI::Option* o) { return o->get_expected_max() > 0; }))
     option->check([](const std::string& text) { return text.empty() ? "expected a value, got an empty one" : ""; });
   for (CLI::App* subcommand : command.get_subcommands([](const CLI::App*) { return true; })) refuse_empty_values(*subcommand);
+}
+
+void refuse_options_before(const CLI::App& command, const std::string& subcommand) {
+  for (const CLI::Option* option : command.get_options())
+    if (!option->empty())
+      throw files::BadInput(option->get_name() + ": expected after '" + subcommand + "' or not at all, got before it");
+}
+
+std::string repeated(const CLI::App& command) {
+  std::string line = full_name(command);
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string& group = option->get_group();
+    if (group != kSubjectGroup && group != kEvidenceGroup) continue;
+    std::vector<std::string> values = option->results();
+    if (values.empty() && group == kEvidenceGroup && !option->get_default_str().empty()) values = {option->get_default_str()};
+    if (values.empty()) continue;
+    line += ' ' + option->get_name();
+    if (option->get_expected_max() > 0)
+      for (const std::string& value : values) line += ' ' + subjects::quoted_for_shell(value);
+  }
+  return line;
 }
 
 std::string reason_of(const CLI::App& app, const CLI::Error& error) {

@@ -66,6 +66,12 @@ CLI::Validator one_of(std::vector<std::string> words);
 // Every option of the command and of its subcommands then refuses an empty value, and one that is given twice says so.
 void refuse_empty_values(CLI::App& command);
 
+// Throws BadInput where an option of a command stands before its subcommand.
+void refuse_options_before(const CLI::App& command, const std::string& subcommand);
+
+// The command as it is typed to do the same again: its subject and evidence, what was given and what holds unless it is.
+std::string repeated(const CLI::App& command);
+
 // What is said on standard error about a command line that cannot be read; it may begin with an option's name.
 std::string failure_message(const CLI::App& app, const CLI::Error& error);
 

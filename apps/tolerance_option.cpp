@@ -13,7 +13,8 @@ CLI::Option* add_tolerance(CLI::App& command, std::string& value) {
           "how far a force may be from the exact one: \"4 ulp\" in each component, \"1e-6 N\", \"0.1 %\"; correctly rounded "
           "unless given")
       ->type_name("TOLERANCE")
-      ->group(kEvidenceGroup);
+      ->group(kEvidenceGroup)
+      ->default_str(value);
 }
 
 conformance::Tolerance parse_tolerance(const std::string& text) {

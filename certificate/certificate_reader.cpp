@@ -3,10 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <fstream>
 #include <functional>
-#include <system_error>
 #include <utility>
 
 #include "certificate/certificate_text.h"
@@ -360,17 +357,11 @@ Certificate from_json(const std::string& text, const std::string& file) {
 }
 
 std::string read_certificate(const std::string& file) {
-  const auto refuse = [&](const std::string& why) { throw CertificateError(file + ": cannot be read: " + why); };
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  std::string text;
-  std::array<char, 1 << 16> block;
-  while (text.size() <= kLargestJson && (stream.read(block.data(), block.size()), stream.gcount() > 0))
-    text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
-  if (!stream.eof() && !stream) refuse(std::generic_category().message(errno));
-  if (text.empty()) refuse(errno != 0 ? std::generic_category().message(errno) : "it is empty; expected a certificate");
-  if (text.size() > kLargestJson) refuse("it is larger than " + std::to_string(kLargestJson) + " bytes");
-  return text;
+  try {
+    return text_of_json_file(file, "a certificate");
+  } catch (const JsonError& error) {
+    throw CertificateError(file + ": " + error.what());
+  }
 }
 
 }  // namespace forceshade::properties

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "certificate/json_fields.h"
 
+#include <array>
+#include <cerrno>
 #include <cmath>
+#include <fstream>
+#include <system_error>
 
 #include "files/json_fault.h"
 #include "files/printable.h"
@@ -39,6 +43,20 @@ nlohmann::json json_from(std::string_view text) {
   } catch (const nlohmann::json::exception&) {
     throw JsonError("expected numbers that binary64 can hold, got a larger one");
   }
+}
+
+std::string text_of_json_file(const std::string& file, const std::string& expected) {
+  const auto refuse = [](const std::string& why) { throw JsonError("cannot be read: " + why); };
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  std::string text;
+  std::array<char, 1 << 16> block;
+  while (text.size() <= kLargestJson && (stream.read(block.data(), block.size()), stream.gcount() > 0))
+    text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+  if (!stream.eof() && !stream) refuse(std::generic_category().message(errno));
+  if (text.empty()) refuse(errno != 0 ? std::generic_category().message(errno) : "it is empty; expected " + expected);
+  if (text.size() > kLargestJson) refuse("it is larger than " + std::to_string(kLargestJson) + " bytes");
+  return text;
 }
 
 Fields::Fields(const nlohmann::json& object, std::string path) : json_(&object), path_(std::move(path)) {

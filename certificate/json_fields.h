@@ -26,6 +26,9 @@ inline constexpr int kDeepestJson = 16;                 // levels of objects and
 // Throws JsonError where the text is no JSON, is larger or deeper than that, or has a key twice in one object.
 nlohmann::json json_from(std::string_view text);
 
+// The bytes of a file, at most so many. expected: "a certificate", for a file that is empty. Throws JsonError.
+std::string text_of_json_file(const std::string& file, const std::string& expected);
+
 // The members of one object, each read once by its key. The getters throw JsonError where a member is missing or is not what
 // its getter gives.
 class Fields {

@@ -9,6 +9,7 @@
 
 #include "forceshade/properties.h"
 #include "properties/rendered.h"
+#include "properties/split_mix.h"
 #include "properties/words_of_violation.h"
 
 namespace forceshade::properties {
@@ -20,14 +21,6 @@ struct Choice {
   std::uint64_t seed;
   std::vector<std::size_t> steps;
 };
-
-// The n-th of a sequence of seeds: SplitMix64 (Steele, Lea and Flood 2014).
-std::uint64_t seed_of(std::uint64_t sequence, std::uint64_t n) {
-  std::uint64_t z = sequence + (n + 1) * 0x9e3779b97f4a7c15;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-  return z ^ (z >> 31);
-}
 
 // A property on one case: on these choices, and on new ones where it draws more.
 class Case final : private Chooser {
@@ -49,7 +42,7 @@ class Case final : private Chooser {
 
   std::any next(const Generator<std::any>& generator) override {
     const std::size_t i = drawn_.size();
-    if (i == choices_.size()) choices_.push_back({seed_of(seed_, i), {}});
+    if (i == choices_.size()) choices_.push_back({split_mix(seed_, i), {}});
     std::any value = generator.draw(choices_[i].seed);
     std::vector<std::size_t>& steps = choices_[i].steps;
     for (std::size_t step = 0; step < steps.size(); ++step) {
@@ -123,7 +116,7 @@ Generator<int> integers(int low, int high) {
 
 PropertyResult run_property(const std::string& name, int cases, std::uint64_t seed, const Property& property) {
   for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(std::max(cases, 0)); ++i) {
-    const std::uint64_t its = seed_of(seed, i);
+    const std::uint64_t its = split_mix(seed, i);
     Case one(property, its, {});
     if (!one.violation()) continue;
     const Case failed = simplest(property, its, std::move(one));

@@ -11,6 +11,7 @@
 #include "bindings/python/interruptible.h"
 #include "bindings/python/subject.h"
 #include "files/printable.h"
+#include "forceshade/certificate.h"
 #include "properties/conformance/judgement_text.h"
 
 namespace forceshade::python {
@@ -85,13 +86,15 @@ py::tuple conformance_of(const Subject& subject, const py::object& open_it, std:
   const auto tolerance = conformance::tolerance_of(tolerance_text);
   if (!tolerance)
     throw py::value_error("tolerance: expected \"4 ulp\", \"1e-6 N\" or \"0.1 %\", got \"" + tolerance_text + '"');
+  const conformance::Circumstances circumstances{
+      {.points = points, .seed = seed, .tolerance = *tolerance}, properties::current_build().version, ""};
   const auto found = interruptible([&](const std::atomic<bool>& stop) {
     return conformance::conform(
         subject.description, [&](const Json& scene) { return std::make_unique<PythonRenderer>(open_it, scene); },
-        {.points = points, .seed = seed, .tolerance = *tolerance}, Monitor([](double) {}, stop));
+        circumstances.options, Monitor([](double) {}, stop));
   });
   return py::make_tuple(found.held(), found.is_applicable(), conformance::words_of(found, *tolerance),
-                        conformance::text_of(conformance::json_of(found, *tolerance)));
+                        conformance::text_of(conformance::json_of(found, circumstances)));
 }
 
 }  // namespace

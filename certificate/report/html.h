@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "rendering/number_text.h"
 
@@ -41,6 +43,27 @@ inline std::string grouped(std::uint64_t count) {
     result += plain[i];
   }
   return result;
+}
+
+// "1 case", "2 000 cases".
+inline std::string plural(std::uint64_t count, const std::string& word) {
+  return grouped(count) + ' ' + word + (count == 1 ? "" : "s");
+}
+
+// A number of what should not be there: coloured unless it is 0.
+inline std::string faulty(std::uint64_t count) {
+  return count == 0 ? "0" : "<span class=\"no\">" + grouped(count) + "</span>";
+}
+
+inline std::string held_or_failed(bool held) {
+  return held ? "<span class=\"yes\">held</span>" : "<span class=\"no\">failed</span>";
+}
+
+// A section with a table of names and values; both are HTML.
+inline std::string facts(const std::string& heading, const std::vector<std::pair<std::string, std::string>>& rows) {
+  std::string html = "<section>\n<h2>" + heading + "</h2>\n<table class=\"facts\">\n";
+  for (const auto& [name, value] : rows) html += "<tr><th scope=\"row\">" + name + "</th><td>" + value + "</td></tr>\n";
+  return html + "</table>\n</section>\n";
 }
 
 // The same as digits(), with a power of ten that reads as one: "3.1 × 10<sup>−9</sup>".

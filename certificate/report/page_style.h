@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How the pages of all reports look.
+// How the pages of all reports look, and the document around them.
+
+#include <string>
+
+#include "certificate/report/html.h"
 
 namespace forceshade::properties {
 
@@ -104,5 +108,13 @@ figcaption { font-size: 14.5px; line-height: 1.5; color: var(--quiet); max-width
   .verdict { font-size: 48pt; margin: 6pt 0 8pt; }
 }
 )css";
+
+// A page that needs no file and no network. title: as text; body: HTML; style: what this page adds to that of all.
+inline std::string document(const std::string& title, const std::string& body, const std::string& style = "") {
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+         escaped(title) + "</title>\n<style>" + kPageStyle + style + "</style>\n</head>\n<body>\n<main>\n" + body +
+         "</main>\n</body>\n</html>\n";
+}
 
 }  // namespace forceshade::properties

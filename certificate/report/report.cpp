@@ -40,10 +40,6 @@ std::string points_per_law(const Certificate& certificate) {
   return words;
 }
 
-std::string plural(std::uint64_t count, const std::string& word) {
-  return grouped(count) + ' ' + word + (count == 1 ? "" : "s");
-}
-
 // "continuity of bump-2p, passivity of bump-3p".
 std::string failed_properties(const Certificate& certificate) {
   std::string list;
@@ -132,8 +128,7 @@ std::string property_cell(const char* name, const Findings& law) {
   const auto property =
       std::find_if(law.properties.begin(), law.properties.end(), [&](const PropertyResult& p) { return p.name == name; });
   if (property == law.properties.end()) return cell(name, "not checked");
-  return cell(name, std::string(property->held ? "<span class=\"yes\">held</span>" : "<span class=\"no\">failed</span>") +
-                        "<small>" + plural(property->cases, "case") + "</small>");
+  return cell(name, held_or_failed(property->held) + "<small>" + plural(property->cases, "case") + "</small>");
 }
 
 // A radius, a width and a stiffness by the thesis's letters.
@@ -162,10 +157,6 @@ std::string closest_call_of(const Findings& law, bool has_y) {
          "</small>";
 }
 
-std::string mismatches(std::uint64_t count) {
-  return count == 0 ? "0" : "<span class=\"no\">" + grouped(count) + "</span>";
-}
-
 std::string small(bool is_there, const std::string& words) {
   return is_there ? "<small>" + words + "</small>" : "";
 }
@@ -182,8 +173,8 @@ std::string summary_row(const SubjectResult& law) {
   return "<tr><th scope=\"row\">" + escaped(law.name()) + "</th>" + cell("standing", standing) +
          cell("parameters", parameters_of(law)) +
          cell("points", grouped(law.points) + small(law.spread.points > 0, "and " + grouped(law.spread.points)), "number") +
-         cell("mismatches",
-              mismatches(law.mismatches) + small(law.spread.points > 0, "and " + mismatches(law.spread.mismatches)), "number") +
+         cell("mismatches", faulty(law.mismatches) + small(law.spread.points > 0, "and " + faulty(law.spread.mismatches)),
+              "number") +
          stages + properties + cell("closest call", closest_call_of(law, law.identity.kind != kLawKind)) + "</tr>\n";
 }
 
@@ -273,7 +264,7 @@ std::string sweeps_table(const Sweeps& sweeps) {
     html += "<tr><th scope=\"row\">" + std::string(name_of(total.law)) + "</th>" +
             cell("swept", kSwept[static_cast<std::size_t>(total.kind)]) + cell("radii, mm", radii.empty() ? "any" : radii) +
             cell("sweeps", grouped(total.sweeps), "number") + cell("inputs", grouped(total.inputs), "number") +
-            cell("mismatches", mismatches(total.mismatches), "number") + "</tr>\n";
+            cell("mismatches", faulty(total.mismatches), "number") + "</tr>\n";
   }
   return html +
          "</tbody>\n</table>\n<p class=\"note\">Every binary32 of one coordinate, numbers below the quantum included (on lines "
@@ -322,23 +313,20 @@ std::string compared_sets(const Certificate& certificate) {
 
 std::string build_table(const Certificate& certificate) {
   const Build& build = certificate.build;
-  const std::array<std::pair<const char*, std::string>, 11> rows{{
-      {"version", escaped(build.version)},
-      {"revision", "<code>" + escaped(build.revision) + "</code>"},
-      {"compiler", escaped(build.compiler)},
-      {"flags", "<code>" + escaped(build.flags) + "</code>"},
-      {"instruction set", escaped(build.instruction_set) + " is the widest of the machine"},
-      {"compared at the points", compared_sets(certificate)},
-      {"library digest", "<code>" + escaped(build.library_digest) + "</code>"},
-      {"processor", escaped(certificate.processor)},
-      {"date", escaped(certificate.date)},
-      {"seed", "<code>" + in_words(certificate.seeds()) + "</code>"},
-      {"time taken", html_number(certificate.seconds, 3) + "\u202Fs"},
-  }};
-  std::string html = "<section>\n<h2>The build that was checked</h2>\n<table class=\"facts\">\n";
-  for (const auto& [name, value] : rows)
-    html += std::string("<tr><th scope=\"row\">") + name + "</th><td>" + value + "</td></tr>\n";
-  return html + "</table>\n</section>\n";
+  return facts("The build that was checked",
+               {
+                   {"version", escaped(build.version)},
+                   {"revision", "<code>" + escaped(build.revision) + "</code>"},
+                   {"compiler", escaped(build.compiler)},
+                   {"flags", "<code>" + escaped(build.flags) + "</code>"},
+                   {"instruction set", escaped(build.instruction_set) + " is the widest of the machine"},
+                   {"compared at the points", compared_sets(certificate)},
+                   {"library digest", "<code>" + escaped(build.library_digest) + "</code>"},
+                   {"processor", escaped(certificate.processor)},
+                   {"date", escaped(certificate.date)},
+                   {"seed", "<code>" + in_words(certificate.seeds()) + "</code>"},
+                   {"time taken", html_number(certificate.seconds, 3) + "\u202Fs"},
+               });
 }
 
 constexpr const char* kLimits = R"html(<section>
@@ -362,14 +350,12 @@ rounded correctly: it can give energy to the hand, and only a controller in the 
 
 std::string to_html(const Certificate& certificate, Pictures shown) {
   const std::string pictures = shown == Pictures::none ? "" : figures(certificate);
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>forceshade certificate: " +
-         std::string(name_of(assessed(certificate).standing)) + "</title>\n<style>" + kPageStyle +
-         "</style>\n</head>\n<body>\n<main>\n" + header(certificate) +
-         (!certificate.subjects.empty() ? summary(certificate) : "") + digests_table(certificate) + subject_files(certificate) +
-         matrix(certificate) + sweeps_table(certificate.sweeps) + counterexamples(certificate) +
-         (pictures.empty() ? "" : "<section>\n<h2>Figures</h2>\n" + pictures + "</section>\n") + build_table(certificate) +
-         kLimits + "</main>\n</body>\n</html>\n";
+  return document("forceshade certificate: " + std::string(name_of(assessed(certificate).standing)),
+                  header(certificate) + (!certificate.subjects.empty() ? summary(certificate) : "") +
+                      digests_table(certificate) + subject_files(certificate) + matrix(certificate) +
+                      sweeps_table(certificate.sweeps) + counterexamples(certificate) +
+                      (pictures.empty() ? "" : "<section>\n<h2>Figures</h2>\n" + pictures + "</section>\n") +
+                      build_table(certificate) + kLimits);
 }
 
 }  // namespace forceshade::properties

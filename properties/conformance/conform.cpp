@@ -5,15 +5,18 @@
 #include <cmath>
 #include <utility>
 
+#include "files/csv.h"
 #include "forceshade/bad_input.h"
 #include "properties/conformance/invariants/all.h"
 #include "properties/conformance/scene.h"
+#include "properties/conformance/timing.h"
 
 namespace forceshade::conformance {
 namespace {
 
 constexpr int kMostTries = 2000;               // of simpler paths
 constexpr std::size_t kMostTouched = 200'000;  // triangles
+constexpr std::size_t kTimedPath = 500;        // positions
 
 class Run {
  public:
@@ -80,9 +83,9 @@ class Run {
       const Path forces = renderer_->forces(batch, is_reset);
       for (std::size_t i = 0; i < batch.size(); ++i) {
         path_.push_back(batch[i]);
-        const std::uint64_t before = judge.judgement().all.beyond;
-        judge.add({batch[i], is_reset && i == 0, forces[i], std::string(aims[i]), "position " + std::to_string(done + i)});
-        if (judge.judgement().all.beyond > before && failing_path_.empty()) failing_path_ = path_;
+        const auto beyond =
+            judge.add({batch[i], is_reset && i == 0, forces[i], std::string(aims[i]), "position " + std::to_string(done + i)});
+        if (beyond && failing_path_.empty()) failing_path_ = path_;
       }
       done += batch.size();
     }
@@ -106,10 +109,11 @@ class Run {
             return session->step(position).force == force;
           }))
         continue;
-      const std::uint64_t before = judge.judgement().all.beyond;
-      for (std::size_t i = 0; i < path.size(); ++i)
-        judge.add({path[i], i == 0, forces[i], "each triangle", "triangle " + std::to_string(triangle)});
-      if (judge.judgement().all.beyond > before && failing_path_.empty()) failing_path_ = path;
+      for (std::size_t i = 0; i < path.size(); ++i) {
+        const auto beyond = judge.add({path[i], i == 0, forces[i], "each triangle", "triangle " + std::to_string(triangle)});
+        if (beyond && failing_path_.empty())
+          failing_path_.assign(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+      }
     }
   }
 
@@ -120,9 +124,9 @@ class Run {
     const Path forces = renderer_->forces_along(path);
     Judge judge(subject_, options_.tolerance);
     for (std::size_t i = 0; i + 1 < path.size(); ++i) judge.add({path[i], i == 0, forces[i]});
-    const std::uint64_t before = judge.judgement().all.beyond;
-    judge.add({path.back(), path.size() == 1, forces.back()});
-    return judge.judgement().all.beyond > before;
+    const auto beyond = judge.add({path.back(), path.size() == 1, forces.back()});
+    if (beyond) found_.counterexample = beyond;
+    return beyond.has_value();
   }
 
   // Fewer positions first, then ones that are shorter to write.
@@ -176,6 +180,17 @@ class Run {
       monitor_.at(0.95);
       found_.invariants.push_back(invariant(trial));
     }
+    if (options_.is_timed) take_times(trial);
+  }
+
+  void take_times(const Trial& trial) {
+    found_.timing = time_answers(*renderer_, drawn_path(trial, kTimedPath, options_.seed + 2));
+    if (!options_.most_seconds) return;
+    Invariant invariant{"an answer takes at most " + files::shortest(*options_.most_seconds) + " s", found_.timing->answers};
+    if (found_.timing->worst > *options_.most_seconds)
+      invariant.violated("the slowest took " + files::shortest(found_.timing->worst) +
+                         " s: a device in a loop at that rate gets a late force, or the last one again");
+    found_.invariants.push_back(std::move(invariant));
   }
 
   const Description& description_;

@@ -15,12 +15,15 @@
 #include "properties/conformance/invariants/invariant.h"
 #include "properties/conformance/judge.h"
 #include "properties/conformance/renderer_under_test.h"
+#include "properties/conformance/timing.h"
 
 namespace forceshade::conformance {
 
 struct ConformOptions {
   std::uint64_t points = 20000, seed = 1;
   Tolerance tolerance = {};
+  bool is_timed = false;                    // the time of an answer is measured
+  std::optional<double> most_seconds = {};  // that one may take; then a slower one fails
 };
 
 struct Conformance {
@@ -28,9 +31,11 @@ struct Conformance {
   Hello hello;
   Judgement judgement;  // without cases where the renderer does not claim the definition
   // The shortest path, in mm, at whose end the answer was found to be beyond the tolerance; one position of a renderer without
-  // memory. Its simplest case is the judgement's.
+  // memory.
   std::vector<Eigen::Vector3f> shortest_path;
+  std::optional<Judged> counterexample = {};  // what was answered there
   std::vector<Invariant> invariants;
+  std::optional<Timing> timing = {};        // where it was requested
   std::optional<std::string> failure = {};  // that ended the run
 
   bool is_applicable() const { return !hello.refusal; }

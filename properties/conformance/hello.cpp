@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "files/printable.h"
 #include "forceshade/mesh.h"
 #include "properties/conformance/doors/child_process.h"
 
@@ -12,6 +13,8 @@ namespace forceshade::conformance {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLongestText = 1000;  // bytes
 
 std::string shown_json(const Json& value) {
   if (value.is_string()) return shown(value.get_ref<const std::string&>());
@@ -104,8 +107,8 @@ bool Hello::has_own_units() const {
 
 std::string text_in(const Json& said, const std::string& key, const std::string& expected) {
   const Json& value = value_in(said, key, expected);
-  if (!value.is_string()) refuse(key, value, expected);
-  return value.get<std::string>();
+  if (!value.is_string() || value.get_ref<const std::string&>().size() > kLongestText) refuse(key, value, expected);
+  return files::printable(value.get<std::string>());
 }
 
 Hello hello_of(const Json& said, const Json& scene) {

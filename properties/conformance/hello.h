@@ -45,7 +45,7 @@ struct Hello {
 // The hello of a renderer that is opened on this scene (scene.h). Throws RendererFailed, with the key and what was expected.
 Hello hello_of(const nlohmann::ordered_json& said, const nlohmann::ordered_json& scene);
 
-// The text behind a key of the hello. Throws RendererFailed.
+// The text behind a key of the hello, as a terminal may show it. Throws RendererFailed where it is no text or a long one.
 std::string text_in(const nlohmann::ordered_json& said, const std::string& key, const std::string& expected = "a text");
 
 }  // namespace forceshade::conformance

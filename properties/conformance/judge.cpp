@@ -40,21 +40,24 @@ std::size_t length_of(const Eigen::Vector3f& position) {
 
 }  // namespace
 
-void Judge::add(const Case& next) {
+std::optional<Judged> Judge::add(const Case& next) {
   if (session_ == nullptr || next.is_reset) session_ = subject_->open_reference();
   Judged judged{next, {}, {}};
   try {
     judged.exact = session_->step(next.position);
   } catch (const std::domain_error&) {
     ++judgement_.undecided;
-    return;
+    return std::nullopt;
   }
   if (judged.exact.is_unfinished) {
     ++judgement_.unfinished;
-    return;
+    return std::nullopt;
   }
   judged.distance = distance(next.force, judged.exact);
-  count(judged, is_within(tolerance_, next.force, judged.exact, [&](unsigned digits) { return session_->decimal(digits); }));
+  const bool is_right =
+      is_within(tolerance_, next.force, judged.exact, [&](unsigned digits) { return session_->decimal(digits); });
+  count(judged, is_right);
+  return is_right ? std::nullopt : std::optional(std::move(judged));
 }
 
 void Judge::keep(Judged judged, std::optional<Judged>& where) const {
@@ -69,6 +72,7 @@ void Judge::count(const Judged& judged, bool is_within) {
     count->wrong += is_wrong;
     count->beyond += !is_within;
   }
+  (is_wrong ? judgement_.wrong : judgement_.right).add(judgement_.all.cases, {judged.its.position, judged.distance.ulps});
   ++judgement_.by_ulps[bin_of_ulps(judged.distance.ulps)];
   ++judgement_.by_newtons[bin_of_newtons(is_wrong ? judged.distance.newtons.high : 0)];
   if (is_wrong)

@@ -13,6 +13,7 @@
 
 #include "forceshade/properties.h"
 #include "properties/conformance/distance.h"
+#include "properties/conformance/sample.h"
 #include "properties/conformance/tolerance.h"
 
 namespace forceshade::conformance {
@@ -42,6 +43,12 @@ struct Count {
   std::uint64_t cases = 0, wrong = 0, beyond = 0;  // wrong: not correctly rounded; beyond: the tolerance
 };
 
+// What is kept of a case for a picture.
+struct Place {
+  Eigen::Vector3f position{0, 0, 0};  // mm
+  std::uint64_t ulps = 0;             // as in Distance
+};
+
 struct Judgement {
   Count all;
   std::map<std::string, Count> by_aim;
@@ -57,6 +64,7 @@ struct Judgement {
   // position is the shortest to write.
   std::array<std::optional<Judged>, 3> worst;
   std::optional<Judged> simplest;
+  Sample<Place> right, wrong;  // of the cases that are correctly rounded, and of those that are not
 
   bool held() const { return all.cases > 0 && all.beyond == 0; }
 };
@@ -66,8 +74,9 @@ class Judge {
   Judge(std::shared_ptr<const properties::Subject> subject, const Tolerance& tolerance)
       : tolerance_(tolerance), subject_(std::move(subject)) {}
 
-  // The next case. Those of a path follow one another; the first one begins a path.
-  void add(const Case& next);
+  // The next case. Those of a path follow one another; the first one begins a path. Gives it back where it is beyond the
+  // tolerance, without digits.
+  std::optional<Judged> add(const Case& next);
 
   const Judgement& judgement() const { return judgement_; }
 

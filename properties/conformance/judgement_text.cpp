@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "properties/binary32.h"
+#include "properties/conformance/counterexample.h"
 #include "properties/conformance/scene.h"
 #include "rendering/identity/identity_json.h"
 
@@ -43,19 +44,6 @@ std::string error_words(const Distance& distance) {
   if (distance.exact_newtons.high > 0)
     words += ", " + format("%.3g", 100 * distance.newtons.high / distance.exact_newtons.high) + " % of the force";
   return words;
-}
-
-// {0x1.8p+1f, 0x0p+0f, -0x1p-1f}, as C and C++ read it.
-std::string literal(const Eigen::Vector3f& v) {
-  std::string text;
-  for (const float component : v) {
-    std::string one = format("%a", static_cast<double>(component));
-    if (std::isfinite(component)) one += 'f';
-    if (std::isnan(component)) one = "NAN";
-    if (std::isinf(component)) one = component > 0 ? "INFINITY" : "-INFINITY";
-    text += (text.empty() ? "{" : ", ") + one;
-  }
-  return text + '}';
 }
 
 std::string place_of(const Judged& judged) {
@@ -173,28 +161,38 @@ std::string words_of(const Conformance& found, const Tolerance& tolerance) {
     words = (who.empty() ? "" : who + " renders ") + words_of(found.judgement, found.identity, tolerance);
   else if (!found.hello.claims_definition)
     words = who + " renders " + found.identity.name + " and does not claim the definition, with which it was not compared\n";
-  if (found.shortest_path.size() > 1) {
-    words += "  the shortest path to it, from no contact:\n";
-    for (const Eigen::Vector3f& position : found.shortest_path) words += "    " + literal(position) + '\n';
-  } else if (found.shortest_path.size() == 1) {
-    words += "  made simpler: position_mm " + literal(found.shortest_path[0]) + '\n';
-  }
+  if (found.counterexample)
+    words +=
+        "  made simpler, as a test to paste:\n" + test_to_paste(found.identity, found.shortest_path, *found.counterexample);
   for (const Invariant& invariant : found.invariants) words += words_of(invariant);
+  if (found.timing)
+    words += "time of an answer: half within " + words_of_time(found.timing->p50) + ", 99.9 % within " +
+             words_of_time(found.timing->p999) + ", the slowest " + words_of_time(found.timing->worst) + ", " +
+             std::to_string(found.timing->answers) + " answers to one position each\n";
   if (found.failure) words += "FAILED: " + *found.failure + '\n';
   return words;
 }
 
-Json json_of(const Conformance& found, const Tolerance& tolerance) {
-  Json json{{"schema", "forceshade conformance 1"},
+Json json_of(const Conformance& found, const Circumstances& circumstances) {
+  const ConformOptions& options = circumstances.options;
+  Json json{{"schema", kConformanceSchema},
+            {"forceshade", circumstances.version},
+            {"command", circumstances.command},
+            {"seed", options.seed},
+            {"points", options.points},
             {"held", found.held()},
             {"applicable", found.is_applicable()},
             {"renderer", {{"name", found.hello.name}, {"version", found.hello.version}, {"declares", found.hello.declared}}}};
   if (found.hello.refusal) json["refusal"] = *found.hello.refusal;
   if (found.failure) json["failure"] = *found.failure;
-  json["exact"] = json_of(found.judgement, found.identity, tolerance);
+  json["exact"] = json_of(found.judgement, found.identity, options.tolerance);
   for (const Eigen::Vector3f& position : found.shortest_path) json["shortest_path_mm"].push_back(json_of(position));
+  if (found.counterexample) json["counterexample"] = json_of(*found.counterexample);
   json["invariants"] = Json::array();
   for (const Invariant& invariant : found.invariants) json["invariants"].push_back(json_of(invariant));
+  if (const auto& timing = found.timing)
+    json["timing"] = {
+        {"answers", timing->answers}, {"p50_s", timing->p50}, {"p99_9_s", timing->p999}, {"worst_s", timing->worst}};
   return json;
 }
 

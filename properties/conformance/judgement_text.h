@@ -18,9 +18,18 @@ std::string words_of(const Judgement& found, const Identity& identity, const Tol
 // A key "held", the counts, and the worst cases with numbers in hexfloat.
 nlohmann::ordered_json json_of(const Judgement& found, const Identity& identity, const Tolerance& tolerance);
 
-// The same of a conformance run: who was asked, the invariants beside the judgement, and what ended it before its end.
+// What a report of a conformance run says beside what was found.
+struct Circumstances {
+  ConformOptions options;
+  std::string version;  // of this program
+  std::string command;  // repeats the run; empty where it is not known
+};
+
+// The same of a conformance run: who was asked, the invariants beside the judgement, and what ended it before its end. The
+// JSON is that of docs/conformance-schema.json.
+inline constexpr const char* kConformanceSchema = "forceshade conformance 1";
 std::string words_of(const Conformance& found, const Tolerance& tolerance);
-nlohmann::ordered_json json_of(const Conformance& found, const Tolerance& tolerance);
+nlohmann::ordered_json json_of(const Conformance& found, const Circumstances& circumstances);
 
 std::string words_of(const Invariant& invariant);
 nlohmann::ordered_json json_of(const Invariant& invariant);

@@ -112,15 +112,6 @@ std::string written_stiffness(const Options& options) {
   return files::shortest(stiffness_of(options)) + "N/mm";
 }
 
-// As one word of a command line.
-std::string quoted_for_shell(const std::string& word) {
-  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:=,+-@%";
-  if (word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + "'";
-}
-
 }  // namespace
 
 Options options_of_file(const fs::path& file) {
@@ -153,6 +144,14 @@ std::string written_for_shell(const Options& options) {
   for (const auto& [key, value] : entries)
     if (!value.empty()) words += (words.empty() ? "--" : " --") + key + (value == "true" ? "" : ' ' + quoted_for_shell(value));
   return words;
+}
+
+std::string quoted_for_shell(const std::string& word) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:=,+-@%";
+  if (word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
 }
 
 }  // namespace forceshade::subjects

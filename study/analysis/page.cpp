@@ -197,18 +197,15 @@ std::vector<properties::Picture> pictures(const Analysis& analysis, const Profil
 std::string to_html(const Analysis& analysis, const std::vector<properties::Picture>& pictures,
                     const std::vector<std::string>& drawn) {
   const std::size_t people = participants_of(analysis.results).size();
-  return std::string(
-             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-             "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>forceshade analysis</title>\n"
-             "<style>") +
-         properties::kPageStyle + kTables +
-         "</style>\n</head>\n<body>\n<main>\n<header>\n<h1>forceshade: analysis of the experiments</h1>\n" +
-         "<p class=\"statement\">" + std::to_string(people) + (people == 1 ? " participant, " : " participants, ") +
-         properties::grouped(analysis.results.matching.size()) + " matching and " +
-         properties::grouped(analysis.results.classification.size()) + " classification trials.</p>\n<p class=\"statement\">" +
-         escaped(method_of(analysis.options)) + ".</p>\n</header>\n" + matching_html(analysis.matching) +
-         classification_html(analysis.classification) + psychometric_html(analysis.psychometric) +
-         figures_html(pictures, drawn) + "</main>\n</body>\n</html>\n";
+  return properties::document(
+      "forceshade analysis",
+      "<header>\n<h1>forceshade: analysis of the experiments</h1>\n<p class=\"statement\">" +
+          properties::plural(people, "participant") + ", " + properties::grouped(analysis.results.matching.size()) +
+          " matching and " + properties::grouped(analysis.results.classification.size()) +
+          " classification trials.</p>\n<p class=\"statement\">" + escaped(method_of(analysis.options)) + ".</p>\n</header>\n" +
+          matching_html(analysis.matching) + classification_html(analysis.classification) +
+          psychometric_html(analysis.psychometric) + figures_html(pictures, drawn),
+      kTables);
 }
 
 }  // namespace forceshade::analysis

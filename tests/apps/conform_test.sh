@@ -72,7 +72,7 @@ try "stiffness * -z if" "stiffness * -z * 1.0000001 if" "FAILED: "
 try "stiffness * -z if" "stiffness * -z / 1000 if" "FAILED: "
 try "abs(coordinate) <= 10_000" "abs(coordinate) <= 20_000" "aimed at domain end"
 try "if not all(abs(coordinate) <= 10_000 for coordinate in (x, y, z)):" "if x != x:" "FAILED: any position gets a finite force"
-try "z <= -(2.0**-30)" "z <= 0.25" "made simpler: position_mm {0x0p+0f, 0x0p+0f, "
+try "z <= -(2.0**-30)" "z <= 0.25" "  made simpler, as a test to paste:"
 try "z <= -(2.0**-30)" "z < 0" "aimed at quantum"
 drifts() {  # the stiffness grows at every line of positions for which this holds
   mutated '        elif "positions" in asked:' "        elif \"positions\" in asked:

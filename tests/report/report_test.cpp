@@ -7,36 +7,22 @@
 
 #include <cstdlib>
 #include <optional>
-#include <regex>
-#include <set>
 #include <string>
-#include <vector>
 
 #include "certificate/report/gnuplot.h"
 #include "forceshade/identity.h"
 #include "tests/report/page_of_every_law.h"
 #include "tests/support/has.h"
+#include "tests/support/html.h"
 
 namespace forceshade::properties {
 namespace {
 
 using tests::certificate_of_every_law;
+using tests::count;
 using tests::has;
 using tests::page;
 using tests::result_of;
-
-std::size_t count(const std::string& text, const std::string& wanted) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(wanted); at != std::string::npos; at = text.find(wanted, at + 1)) ++found;
-  return found;
-}
-
-std::vector<std::string> matches(const std::string& text, const char* pattern) {
-  const std::regex regex(pattern);
-  std::vector<std::string> found;
-  for (std::sregex_iterator match(text.begin(), text.end(), regex), end; match != end; ++match) found.push_back((*match)[1]);
-  return found;
-}
 
 // The PATH as it was, whatever the test does.
 class WithPath {
@@ -63,13 +49,7 @@ std::string error_of(const Certificate& certificate) {
 }
 
 TEST(report, needs_nothing_from_elsewhere) {
-  EXPECT_FALSE(has(page(), "<script"));
-  EXPECT_FALSE(has(page(), "<link"));
-  EXPECT_FALSE(has(page(), "@import"));
-  const auto addresses = matches(page(), R"re((?:src|href|action)\s*=\s*["']([^"']{1,5}))re");
-  EXPECT_FALSE(addresses.empty());
-  for (const std::string& address : addresses) EXPECT_TRUE(address[0] == '#' || address == "data:") << address;
-  for (const std::string& address : matches(page(), R"re(url\(["']?([^)]))re")) EXPECT_EQ(address, "#");
+  tests::expect_needs_nothing_from_elsewhere(page());
 }
 
 TEST(report, stays_below_three_megabytes) {
@@ -87,12 +67,7 @@ TEST(report, has_a_picture_for_every_panel_of_every_figure) {
 }
 
 TEST(report, uses_every_id_once_and_refers_to_none_that_is_missing) {
-  const auto ids = matches(page(), R"re(\sid=["']([^"']+))re");
-  const std::set<std::string> distinct(ids.begin(), ids.end());
-  EXPECT_GT(ids.size(), 100U);
-  EXPECT_EQ(ids.size(), distinct.size());
-  for (const std::string& used : matches(page(), R"re((?:href=["']#|url\(#)([^"')]+))re"))
-    EXPECT_TRUE(distinct.contains(used)) << used;
+  tests::expect_every_id_once_and_none_missing(page(), 100);
 }
 
 TEST(report, says_what_was_found_at_how_many_points) {

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// forceshade conform compare: two runs of one renderer side by side.
+
+#include "apps/conform_compare.h"
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "apps/command.h"
+#include "apps/options.h"
+#include "apps/output_options.h"
+#include "apps/standard_streams.h"
+#include "properties/conformance/judgement_text.h"
+#include "properties/conformance/report/comparison.h"
+
+namespace forceshade::apps {
+namespace {
+
+struct RunsToCompare {
+  std::string before, after, json;
+};
+
+int run(const RunsToCompare& its) {
+  expect_folder_of("--json", its.json);
+  const conformance::Comparison found = conformance::compare_files(its.before, its.after);
+  if (!its.json.empty()) write_file(its.json, conformance::text_of(conformance::json_of(found)));
+  if (its.json != "-") {
+    std::fputs(conformance::words_of(found).c_str(), stdout);
+    flush_standard_output();
+  }
+  return found.is_worse() ? kFailed : kHeld;
+}
+
+}  // namespace
+
+void add_conform_compare(CLI::App& conform, int& result) {
+  const auto its = std::make_shared<RunsToCompare>();
+  CLI::App* command =
+      conform.add_subcommand("compare", "Show what got worse and what got better between two runs of one renderer");
+  command->add_option("before", its->before, "what 'forceshade conform --json' wrote of one version")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("after", its->after, "of another version, with the same subject, seed, number of positions and tolerance")
+      ->type_name("FILE")
+      ->required();
+  add_json(*command, its->json, "what got worse and what got better");
+  command->callback([its, &conform, &result] {
+    refuse_options_before(conform, "conform compare");
+    result = run(*its);
+  });
+}
+
+}  // namespace forceshade::apps

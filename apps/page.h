@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A page that a command writes.
+
+#include <cstdio>
+#include <string>
+
+#include "certificate/report/report.h"
+#include "files/printable.h"
+
+namespace forceshade::apps {
+
+// What to_html(Pictures) gives: without pictures, and with a warning that names the file, where gnuplot does not draw them.
+template <class ToHtml>
+std::string page_of(const std::string& file, const ToHtml& to_html) {
+  try {
+    return to_html(properties::Pictures::all);
+  } catch (const properties::PlotError& error) {
+    std::fprintf(stderr, "forceshade: %s has no pictures: %s\n", files::printable(file).c_str(), error.what());
+    return to_html(properties::Pictures::none);
+  }
+}
+
+}  // namespace forceshade::apps

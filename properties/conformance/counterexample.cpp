@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "properties/conformance/counterexample.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "files/printable.h"
+
+namespace forceshade::conformance {
+namespace {
+
+std::string literal(float number) {
+  if (std::isnan(number)) return "NAN";
+  if (std::isinf(number)) return number > 0 ? "INFINITY" : "-INFINITY";
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%af", static_cast<double>(number));
+  return text.data();
+}
+
+}  // namespace
+
+std::string literal(const Eigen::Vector3f& numbers) {
+  return '{' + literal(numbers.x()) + ", " + literal(numbers.y()) + ", " + literal(numbers.z()) + '}';
+}
+
+std::string test_to_paste(const Identity& identity, std::span<const Eigen::Vector3f> path, const Judged& at_its_end) {
+  std::string text =
+      "// " + files::printable(identity.name + ": " + parameters_in_words(identity)) + "\nconst float path_mm[][3] = {";
+  for (std::size_t i = 0; i < path.size(); ++i) text += (i == 0 ? "" : ",\n                             ") + literal(path[i]);
+  text += "};  // from no contact\nconst float force_N[3] = " + literal(at_its_end.exact.force) + ";  // at its end, not " +
+          literal(at_its_end.its.force) + '\n';
+  return text;
+}
+
+}  // namespace forceshade::conformance

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A conformance run as one self-contained HTML page, in the manner of a certificate's.
+
+#include <string>
+
+#include "certificate/report/report.h"
+#include "forceshade/description.h"
+#include "properties/conformance/judgement_text.h"
+
+namespace forceshade::conformance {
+
+// What a renderer says of itself is text and stays text. Needs no file or network once written. With pictures, throws PlotError
+// when gnuplot does not draw.
+std::string to_html(const Conformance& found, const Description& subject, const Circumstances& circumstances,
+                    properties::Pictures shown = properties::Pictures::all);
+
+}  // namespace forceshade::conformance

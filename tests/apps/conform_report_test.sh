@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# conform_report_test.sh FORCESHADE: what a conformance run writes, and two of them side by side.
+. "$(dirname "$0")/expect.sh"
+schema=$examples/../docs/conformance-schema.json
+renderer() {  # FILE VERSION FORCE: the wall in Python with another force
+  sed "s/\"version\": \"1\"/\"version\": \"$2\"/; s/stiffness \* -z if/$3 if/" "$examples/renderers/wall.py" > "$1"
+}
+renderer right.py 1 "stiffness * -z"
+renderer off.py 2 "stiffness * -z * 1.0000001"
+conform() { "$forceshade" conform --law wall --points 1000 "$@"; }
+
+# The page, which is there whole, with pictures or, without gnuplot, with a warning; and the command that it names.
+expect 1 "FAILED: " -- conform --command "python3 off.py" --out page.html --json off.json
+expect 1 "</html>" -- conform --command "python3 off.py" --out -
+grep -q "<svg role=\"img\"" page.html || { echo "no pictures"; exit 1; }
+grep -q ">Failed</p>" page.html || exit 1
+expect 2 "page.html" -- conform --command "python3 off.py" --out page.html
+expect 2 "--out: expected a name that ends in .html" -- conform --command "python3 off.py" --out page.png
+expect 2 "--out: expected a file in a folder that can be written to" -- conform --command "python3 off.py" --out no/page.html
+mkdir path
+printf '#!/bin/sh\necho no fonts >&2\nexit 1\n' > path/gnuplot
+chmod +x path/gnuplot
+expect 1 "bare.html has no pictures: " -- env PATH="$PWD/path:$PATH" "$forceshade" conform --law wall --points 1000 --command "python3 off.py" --out bare.html
+grep -q "A test to paste" bare.html || exit 1
+again=$(python3 -c 'import json; print(json.load(open("off.json"))["command"])')
+same "forceshade conform --law wall --command 'python3 off.py' --tolerance '0 ulp' --points 1000 --seed 1" "$again"
+expect 1 "" -- sh -c "${again/forceshade/"$forceshade"} --json again.json"
+cmp off.json again.json || exit 1
+
+# The JSON of whatever can come of a run fits the schema.
+expect 0 "" -- conform --command "python3 right.py" --json right.json
+expect 0 "time of an answer: half within " -- conform --command "python3 right.py" --timing --json timed.json
+expect 0 "held: an answer takes at most 60 s, 4000 cases" -- conform --command "python3 right.py" --max-answer-time 60
+expect 1 "FAILED: an answer takes at most 1e-09 s" -- conform --command "python3 right.py" --max-answer-time 1e-9
+expect 2 "--max-answer-time: expected a number" -- conform --command "python3 right.py" --max-answer-time 0
+expect 1 "" -- conform --command "exit 3" --json ended.json
+expect 1 "" -- "$forceshade" conform --law bump-2p --points 1000 --command "python3 right.py" --json refused.json
+if python3 -c "import jsonschema" 2> /dev/null; then
+  for file in off right timed ended refused; do
+    python3 -c 'import json, jsonschema, sys
+jsonschema.Draft7Validator.check_schema(json.load(open(sys.argv[1])))
+jsonschema.Draft7Validator(json.load(open(sys.argv[1]))).validate(json.load(open(sys.argv[2])))' "$schema" $file.json || exit 1
+  done
+  python3 -c 'import json, jsonschema, sys
+run = json.load(open(sys.argv[2]))
+for key in run:
+    assert not jsonschema.Draft7Validator(json.load(open(sys.argv[1]))).is_valid(run | {key: []} if key != "invariants" else run | {key: {}}), key' "$schema" timed.json || exit 1
+else
+  echo "not checked against the schema: python3-jsonschema is not there"
+fi
+
+# Side by side.
+compare() { "$forceshade" conform compare "$@"; }
+expect 0 "not worse: 0 got worse, 0 got better" -- compare right.json right.json
+expect 1 "worse: answers that are not correctly rounded: 0 became " -- compare right.json off.json
+expect 1 '"direction": "worse"' -- compare right.json off.json --json
+expect 0 "better: the largest error in ulp: " -- compare off.json right.json
+expect 0 "changed: the time of an answer: none became half within " -- compare right.json timed.json
+expect 1 "worse: the run: judged became ended early: " -- compare right.json ended.json
+expect 2 "refused.json: expected a run as that of right.json, whose name is wall, got bump-2p" -- compare right.json refused.json
+expect 2 "nowhere.json: cannot be read: No such file" -- compare right.json nowhere.json
+expect 2 "page.html: expected what 'forceshade conform --json' writes: expected JSON, got" -- compare page.html right.json
+head -c 2000 right.json > half.json
+expect 2 "half.json: expected what 'forceshade conform --json' writes: line " -- compare half.json right.json
+expect 2 "larger than 16777216 bytes" -- compare right.json /dev/zero
+expect 2 "after" -- compare right.json
+expect 2 "--law: expected after 'conform compare' or not at all, got before it" -- "$forceshade" conform --law wall compare right.json right.json
+expect 2 "--command" -- "$forceshade" conform --law wall
+same "" "$(ls | grep partial || true)"
