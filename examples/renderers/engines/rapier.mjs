@@ -1,0 +1,47 @@
+// Rapier on the protocol of `forceshade conform --simulator`: node rapier.mjs VERSION [--fix-internal-edges], VERSION one of
+// 0.11, 0.14, 0.19, 0.21.
+import {option, simulate, version, xyz} from './simulator.mjs';
+
+const name = `rapier-${process.argv[2]}`;
+const {default: RAPIER} = await import(name);
+await RAPIER.init();
+const fix = option('--fix-internal-edges');
+
+function open({units_per_metre, rate_Hz, gravity, friction, ground, sphere}) {
+  const {ColliderDesc, CoefficientCombineRule, RigidBodyDesc, TriMeshFlags, World} = RAPIER;
+  const vector = ([x, y, z]) => ({x, y, z});
+  const world = new World(vector(gravity));
+  world.timestep = 1 / rate_Hz;
+  if ('lengthUnit' in world) world.lengthUnit = units_per_metre;
+  const floor = ground.box ? ColliderDesc.cuboid(...ground.box.half).setTranslation(...ground.box.centre)
+    : ColliderDesc.trimesh(new Float32Array(ground.vertices.flat()), new Uint32Array(ground.triangles.flat()),
+                           fix ? TriMeshFlags.FIX_INTERNAL_EDGES : undefined);
+  const body = world.createRigidBody(RigidBodyDesc.dynamic().setTranslation(...sphere.position).setLinvel(...sphere.velocity)
+    .setCanSleep(false));
+  if (!sphere.turns) body.lockRotations(true, true);
+  const [fixed, ball] = [world.createCollider(floor), world.createCollider(ColliderDesc.ball(sphere.radius).setMass(sphere.mass_kg), body)];
+  for (const collider of [fixed, ball]) {
+    collider.setFriction(friction);
+    collider.setRestitution(0);
+    collider.setFrictionCombineRule(CoefficientCombineRule.Min);
+  }
+  return {
+    free: () => world.free(),
+    step(force) {
+      body.resetForces(true);
+      body.addForce(vector(force), true);
+      world.step();
+      const contacts = [];
+      world.contactPair(ball, fixed, (manifold, flipped) => {
+        const normal = xyz(manifold.normal()).map((n) => flipped ? n : -n);
+        for (let k = 0; k < manifold.numContacts(); ++k) contacts.push([...normal, manifold.contactImpulse(k)]);
+      });
+      return {position: xyz(body.translation()), velocity: xyz(body.linvel()), contacts};
+    },
+  };
+}
+
+await simulate({name: `Rapier${fix ? ' with FIX_INTERNAL_EDGES' : ''}`, version: version(name), reports: 'impulse', constraint: 'soft',
+  binary: 32, sides: fix ? 'one' : 'two', smallest_radius_m: 0.001, speed_cap_m_per_s: null,
+  settings: 'the integration parameters that a World begins with, lengthUnit where the version has it; sleeping not allowed'},
+open);
