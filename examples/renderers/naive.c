@@ -11,7 +11,7 @@
 static const char* const kHello =
     "{\"forceshade\":\"conform 1\",\"kind\":\"renderer\",\"name\":\"a bump in naive C\",\"version\":\"1\",\"memory\":\"none\","
     "\"answers\":\"force\",\"claims\":\"definition\",\"length_unit\":\"mm\",\"force_unit\":\"N\",\"frame\":[\"x\",\"y\",\"z\"],"
-    "\"domain_mm\":10000,\"rate_Hz\":null";
+    "\"domain_mm\":10000,\"rate_Hz\":null,\"loop_energy_mJ\":null";
 
 struct Bump {
   float stiffness, half_width, height, slope;
@@ -50,7 +50,7 @@ static float number(const char* digits) {
 
 static void answer(const struct Bump* bump, const char* positions) {
   const char* separator = "";
-  printf("{\"forces\":[");
+  printf("{\"answers\":[");
   for (const char* at = strchr(positions, '['); (at = strchr(at, '"')) != NULL && at[1] != '\0' && strspn(at + 1, "0123456789abcdef") == 24;
        at += 26) {
     const float position[3] = {number(at + 1), number(at + 9), number(at + 17)};

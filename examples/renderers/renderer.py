@@ -7,7 +7,7 @@ import numpy as np
 
 CAPABILITIES = {
     "forceshade": "conform 1", "kind": "renderer", "version": "1", "answers": "force", "length_unit": "mm", "force_unit": "N",
-    "frame": ["x", "y", "z"], "domain_mm": 10_000, "rate_Hz": None,
+    "frame": ["x", "y", "z"], "domain_mm": 10_000, "rate_Hz": None, "loop_energy_mJ": None,
 }
 
 
@@ -28,7 +28,7 @@ def render(about, open_scene):
         elif "positions" in asked:
             positions = np.frombuffer(bytes.fromhex("".join(asked["positions"])), ">f4").astype(np.float32).reshape(-1, 3)
             digits = np.asarray(forces(positions, asked.get("reset", False)), ">f4").tobytes().hex()
-            answer = {"forces": [digits[at : at + 24] for at in range(0, len(digits), 24)]}
+            answer = {"answers": [digits[at : at + 24] for at in range(0, len(digits), 24)]}
         else:
             return  # goodbye
         print(json.dumps(answer), flush=True)

@@ -55,7 +55,7 @@ function open({rate_Hz, gravity, friction, ground, sphere}) {
   };
 }
 
-await simulate({name: 'ammo.js', version: version('ammojs-typed'), reports: 'impulse', constraint: 'soft', binary: 32, sides: 'two',
+await simulate({name: 'ammo.js', version: `ammojs-typed ${version('ammojs-typed')}`, reports: 'impulse', constraint: 'soft', binary: 32, sides: 'two',
   smallest_radius_m: 0.02, speed_cap_m_per_s: null,
   settings: 'the default configuration and btSequentialImpulseConstraintSolver; a step of the world for each step of the scene; deactivation off'},
 open);

@@ -75,7 +75,7 @@ function open({units_per_metre, rate_Hz, gravity, friction, ground, sphere}) {
   };
 }
 
-await simulate({name: `Jolt${fix ? ' with enhanced internal edge removal' : ''}`, version: version('jolt-physics'), reports: 'nothing',
+await simulate({name: `Jolt${fix ? ' with enhanced internal edge removal' : ''}`, version: `jolt-physics ${version('jolt-physics')}`, reports: 'nothing',
   constraint: 'hard', binary: 32, sides: 'one', smallest_radius_m: 0.05, speed_cap_m_per_s: 500,
   settings: 'the PhysicsSettings that a system begins with, one collision step a step; damping 0, sleeping not allowed, the speed cap of 500 m/s in units of the scene'},
 open);

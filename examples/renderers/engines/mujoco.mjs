@@ -1,7 +1,7 @@
 // MuJoCo (package mujoco-js) on the protocol of `forceshade conform --simulator`. A ground of triangles is a rigid flex, since a mesh
 // would be replaced by its convex hull.
 import load from 'mujoco-js';
-import {simulate} from './simulator.mjs';
+import {simulate, version} from './simulator.mjs';
 
 const mujoco = await load();
 const flexRadius_m = 1e-6;  // a flex of triangles has to be thicker than 0
@@ -48,7 +48,7 @@ function open({units_per_metre, rate_Hz, gravity, friction, ground, sphere}) {
   };
 }
 
-await simulate({name: 'MuJoCo', version: mujoco.mj_versionString(), reports: 'force', constraint: 'soft', binary: 64, sides: 'two',
+await simulate({name: 'MuJoCo', version: `${mujoco.mj_versionString()} (mujoco-js ${version('mujoco-js')})`, reports: 'force', constraint: 'soft', binary: 64, sides: 'two',
   smallest_radius_m: 0.001, speed_cap_m_per_s: null,
   settings: 'the solver, solref and solimp that a model begins with, and the integrator implicitfast, which its manual recommends'},
 open);

@@ -84,7 +84,7 @@ function open({units_per_metre, rate_Hz, gravity, friction, ground, sphere}) {
   };
 }
 
-await simulate({name: 'PhysX', version: version('physx-js-webidl'), reports: 'impulse', constraint: 'hard', binary: 32, sides: 'one',
+await simulate({name: 'PhysX', version: `${[24, 16, 8].map((bits) => px.PHYSICS_VERSION >> bits & 255).join('.')} (physx-js-webidl ${version('physx-js-webidl')})`, reports: 'impulse', constraint: 'hard', binary: 32, sides: 'one',
   smallest_radius_m: 0.02, speed_cap_m_per_s: null,
   settings: 'the scene and contact offsets that PhysX begins with, PxTolerancesScale of the unit of the scene; damping 0, sleeping off'},
 open);

@@ -1,14 +1,16 @@
-// Rapier on the protocol of `forceshade conform --simulator`: node rapier.mjs VERSION [--fix-internal-edges], VERSION one of
-// 0.11, 0.14, 0.19, 0.21.
+// Rapier on the protocol of `forceshade conform --simulator`: node rapier.mjs VERSION [--fix-internal-edges]
+// [--force-events], VERSION one of 0.11, 0.14, 0.19, 0.21. It reports the impulse of each contact of a manifold, or what the events of
+// contact forces say.
 import {option, simulate, version, xyz} from './simulator.mjs';
 
 const name = `rapier-${process.argv[2]}`;
 const {default: RAPIER} = await import(name);
 await RAPIER.init();
-const fix = option('--fix-internal-edges');
+const [fix, events] = [option('--fix-internal-edges'), option('--force-events')];
+const settings = [fix && 'FIX_INTERNAL_EDGES', events && 'force events'].filter((set) => set);
 
 function open({units_per_metre, rate_Hz, gravity, friction, ground, sphere}) {
-  const {ColliderDesc, CoefficientCombineRule, RigidBodyDesc, TriMeshFlags, World} = RAPIER;
+  const {ActiveEvents, ColliderDesc, CoefficientCombineRule, EventQueue, RigidBodyDesc, TriMeshFlags, World} = RAPIER;
   const vector = ([x, y, z]) => ({x, y, z});
   const world = new World(vector(gravity));
   world.timestep = 1 / rate_Hz;
@@ -25,14 +27,18 @@ function open({units_per_metre, rate_Hz, gravity, friction, ground, sphere}) {
     collider.setRestitution(0);
     collider.setFrictionCombineRule(CoefficientCombineRule.Min);
   }
+  ball.setActiveEvents(ActiveEvents.CONTACT_FORCE_EVENTS);
+  ball.setContactForceEventThreshold(0);
+  const queue = new EventQueue(true);
   return {
-    free: () => world.free(),
+    free: () => (queue.free(), world.free()),
     step(force) {
       body.resetForces(true);
       body.addForce(vector(force), true);
-      world.step();
+      world.step(queue);
       const contacts = [];
-      world.contactPair(ball, fixed, (manifold, flipped) => {
+      if (events) queue.drainContactForceEvents((event) => contacts.push([...xyz(event.maxForceDirection()), event.totalForceMagnitude()]));
+      else world.contactPair(ball, fixed, (manifold, flipped) => {
         const normal = xyz(manifold.normal()).map((n) => flipped ? n : -n);
         for (let k = 0; k < manifold.numContacts(); ++k) contacts.push([...normal, manifold.contactImpulse(k)]);
       });
@@ -41,7 +47,7 @@ function open({units_per_metre, rate_Hz, gravity, friction, ground, sphere}) {
   };
 }
 
-await simulate({name: `Rapier${fix ? ' with FIX_INTERNAL_EDGES' : ''}`, version: version(name), reports: 'impulse', constraint: 'soft',
+await simulate({name: ['Rapier', ...settings].join(', '), version: version(name), reports: events ? 'force' : 'impulse', constraint: 'soft',
   binary: 32, sides: fix ? 'one' : 'two', smallest_radius_m: 0.001, speed_cap_m_per_s: null,
   settings: 'the integration parameters that a World begins with, lengthUnit where the version has it; sleeping not allowed'},
 open);
