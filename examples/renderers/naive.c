@@ -51,8 +51,8 @@ static float number(const char* digits) {
 static void answer(const struct Bump* bump, const char* positions) {
   const char* separator = "";
   printf("{\"answers\":[");
-  for (const char* at = strchr(positions, '['); (at = strchr(at, '"')) != NULL && at[1] != '\0' && strspn(at + 1, "0123456789abcdef") == 24;
-       at += 26) {
+  for (const char* at = strchr(positions, '[');
+       (at = strchr(at, '"')) != NULL && at[1] != '\0' && strspn(at + 1, "0123456789abcdef") == 24; at += 26) {
     const float position[3] = {number(at + 1), number(at + 9), number(at + 17)};
     float found[3];
     force(bump, position, found);

@@ -19,6 +19,12 @@ float rounded_to_metres(float millimetres) {
   return static_cast<float>(1000.0 * static_cast<double>(metres));
 }
 
+// The position itself as the closest point is no contact, also where it is infinite or not a number.
+Eigen::Vector3d pull(const Eigen::Vector3d& position, const Eigen::Vector3d& point, double stiffness) {
+  const auto is_itself = point.array() == position.array() || (point.array().isNaN() && position.array().isNaN());
+  return is_itself.select(Eigen::Array3d::Zero(), (stiffness * (point - position)).array());
+}
+
 }  // namespace
 
 SceneRenderer::SceneRenderer(std::unique_ptr<RendererUnderTest> renderer, float stiffness)
@@ -53,7 +59,7 @@ Eigen::Vector3f SceneRenderer::force_of(const Eigen::Vector3f& answer, const Eig
   }
   switch (hello().answer) {
     case Answer::impulse: turned *= hello().newtons * *hello().rate; break;
-    case Answer::closest_point: turned = stiffness_ * (turned * hello().millimetres - position.cast<double>()); break;
+    case Answer::closest_point: turned = pull(position.cast<double>(), turned * hello().millimetres, stiffness_); break;
     default: turned *= hello().newtons;
   }
   return turned.cast<float>();

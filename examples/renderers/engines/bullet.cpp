@@ -1,76 +1,67 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bullet on the protocol of `forceshade conform --simulator`: bullet [--fix-internal-edges], which uses Bullet's internal edge utility.
+// Bullet on the protocol of `forceshade conform --simulator`; --fix-internal-edges is for its internal edge utility.
 #include <BulletCollision/CollisionDispatch/btInternalEdgeUtility.h>
 #include <btBulletDynamicsCommon.h>
-
-#include <cstring>
 
 #include "simulator.h"
 
 namespace {
 
-using simulator::json;
 using simulator::Motion;
+using simulator::Scene;
 using simulator::Vector;
 
 bool fix_internal_edges = false;
 
-btScalar scalar(const json& value) { return btScalar(simulator::number(value)); }
-btVector3 vector(const Vector& v) { return {btScalar(v[0]), btScalar(v[1]), btScalar(v[2])}; }
-btVector3 vector(const json& value) { return vector(simulator::vector(value)); }
-Vector array(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
-
-bool adjust_contact(btManifoldPoint& point, const btCollisionObjectWrapper* first, int, int, const btCollisionObjectWrapper* second,
-                    int part, int index) {
-  btAdjustInternalEdgeContacts(point, second, first, part, index);
+bool adjust_contact(btManifoldPoint& point, const btCollisionObjectWrapper* sphere, int, int,
+                    const btCollisionObjectWrapper* mesh, int part, int index) {
+  btAdjustInternalEdgeContacts(point, mesh, sphere, part, index);
   return true;
 }
 
-struct World {
+struct World {  // the last member, which goes first, refers to the others
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
   btSequentialImpulseConstraintSolver solver;
-  btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
   btTriangleMesh triangles;
   btTriangleInfoMap edges;
   std::unique_ptr<btCollisionShape> floor_shape;
-  std::unique_ptr<btSphereShape> sphere_shape;
+  btSphereShape sphere_shape;
   std::unique_ptr<btRigidBody> floor, ball;
   btScalar step_s;
+  btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
 
-  explicit World(const json& scene) : step_s(1 / scalar(scene.at("rate_Hz"))) {
-    const json &ground = scene.at("ground"), &sphere = scene.at("sphere");
-    btVector3 centre(0, 0, 0), inertia(0, 0, 0);
-    if (ground.contains("box")) {
-      floor_shape = std::make_unique<btBoxShape>(vector(ground["box"].at("half")));
-      centre = vector(ground["box"].at("centre"));
+  static btVector3 vector(const Vector& v) { return {btScalar(v[0]), btScalar(v[1]), btScalar(v[2])}; }
+  static Vector array(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+
+  explicit World(const Scene& scene) : sphere_shape(btScalar(scene.radius)), step_s(btScalar(1 / scene.rate_Hz)) {
+    if (scene.is_box) {
+      floor_shape = std::make_unique<btBoxShape>(vector(scene.half));
     } else {
-      for (const json& at : ground.at("vertices")) triangles.findOrAddVertex(vector(at), false);
-      for (const json& corners : ground.at("triangles")) triangles.addTriangleIndices(corners[0], corners[1], corners[2]);
+      for (const Vector& at : scene.vertices) triangles.findOrAddVertex(vector(at), false);
+      for (const auto& [a, b, c] : scene.triangles) triangles.addTriangleIndices(a, b, c);
       auto mesh = std::make_unique<btBvhTriangleMeshShape>(&triangles, true);
       if (fix_internal_edges) btGenerateInternalEdgeInfo(mesh.get(), &edges);
       floor_shape = std::move(mesh);
     }
     floor = std::make_unique<btRigidBody>(0, nullptr, floor_shape.get());
-    floor->setWorldTransform(btTransform(btQuaternion::getIdentity(), centre));
+    floor->setWorldTransform(btTransform(btQuaternion::getIdentity(), vector(scene.centre)));
     floor->setFriction(1);  // Bullet multiplies the two bodies' friction
-    if (fix_internal_edges) floor->setCollisionFlags(floor->getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
-    sphere_shape = std::make_unique<btSphereShape>(scalar(sphere.at("radius")));
-    sphere_shape->calculateLocalInertia(scalar(sphere.at("mass_kg")), inertia);
-    ball = std::make_unique<btRigidBody>(scalar(sphere.at("mass_kg")), nullptr, sphere_shape.get(), inertia);
-    ball->setWorldTransform(btTransform(btQuaternion::getIdentity(), vector(sphere.at("position"))));
-    ball->setLinearVelocity(vector(sphere.at("velocity")));
-    ball->setFriction(scalar(scene.at("friction")));
+    if (fix_internal_edges)
+      floor->setCollisionFlags(floor->getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+    const auto mass = btScalar(scene.mass_kg);
+    btVector3 inertia(0, 0, 0);
+    sphere_shape.calculateLocalInertia(mass, inertia);
+    ball = std::make_unique<btRigidBody>(mass, nullptr, &sphere_shape, inertia);
+    ball->setWorldTransform(btTransform(btQuaternion::getIdentity(), vector(scene.position)));
+    ball->setLinearVelocity(vector(scene.velocity));
+    ball->setFriction(btScalar(scene.friction));
     ball->setActivationState(DISABLE_DEACTIVATION);
-    if (!sphere.at("turns").get<bool>()) ball->setAngularFactor(0);
-    world.setGravity(vector(scene.at("gravity")));
+    if (!scene.turns) ball->setAngularFactor(0);
+    world.setGravity(vector(scene.gravity));
     world.addRigidBody(floor.get());
     world.addRigidBody(ball.get());
-  }
-  ~World() {
-    world.removeRigidBody(ball.get());
-    world.removeRigidBody(floor.get());
   }
 
   Motion step(const Vector& force) {
@@ -92,14 +83,15 @@ struct World {
 }  // namespace
 
 int main(int count, char** arguments) {
-  fix_internal_edges = count > 1 && std::strcmp(arguments[1], "--fix-internal-edges") == 0;
+  fix_internal_edges = count > 1 && std::string(arguments[1]) == "--fix-internal-edges";
   if (fix_internal_edges) gContactAddedCallback = adjust_contact;
   const int version = btGetVersion();
-  return simulator::simulate<World>({
-      {"name", fix_internal_edges ? "Bullet with its internal edge utility" : "Bullet"},
-      {"version", std::to_string(version / 100) + "." + std::to_string(version % 100)},
-      {"reports", "impulse"}, {"constraint", "soft"}, {"binary", 8 * sizeof(btScalar)}, {"sides", "two"}, {"smallest_radius_m", 0.02},
-      {"speed_cap_m_per_s", nullptr},
-      {"settings", "the default configuration and btSequentialImpulseConstraintSolver; one step of the world for each of the scene; "
-                   "deactivation off"}});
+  return simulator::simulate<World>({.name = fix_internal_edges ? "Bullet with its internal edge utility" : "Bullet",
+                                     .version = std::to_string(version / 100) + "." + std::to_string(version % 100),
+                                     .reports = "impulse",
+                                     .constraint = "soft",
+                                     .binary = 8 * sizeof(btScalar),
+                                     .sides = "two",
+                                     .smallest_radius_m = 0.02,
+                                     .settings = "btSequentialImpulseConstraintSolver, one step each; deactivation off"});
 }

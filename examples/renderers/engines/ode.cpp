@@ -6,11 +6,13 @@
 
 namespace {
 
-using simulator::json;
 using simulator::Motion;
+using simulator::Scene;
 using simulator::Vector;
 
-Vector array(const dReal* v) { return {v[0], v[1], v[2]}; }
+Vector array(const dReal* v) {
+  return {v[0], v[1], v[2]};
+}
 
 struct World {
   static constexpr int kMostContacts = 64;
@@ -24,35 +26,27 @@ struct World {
   dGeomID floor, sphere;
   dReal friction, step_s;
 
-  explicit World(const json& scene) {
-    const json &ground = scene.at("ground"), &moving = scene.at("sphere");
-    const Vector gravity = simulator::vector(scene.at("gravity")), position = simulator::vector(moving.at("position")),
-                 velocity = simulator::vector(moving.at("velocity"));
-    friction = simulator::number(scene.at("friction"));
-    step_s = 1 / simulator::number(scene.at("rate_Hz"));
-    dWorldSetGravity(world, gravity[0], gravity[1], gravity[2]);
-    if (ground.contains("box")) {
-      const Vector half = simulator::vector(ground["box"].at("half")), centre = simulator::vector(ground["box"].at("centre"));
-      floor = dCreateBox(space, 2 * half[0], 2 * half[1], 2 * half[2]);
-      dGeomSetPosition(floor, centre[0], centre[1], centre[2]);
+  explicit World(const Scene& scene) : friction(scene.friction), step_s(1 / scene.rate_Hz) {
+    dWorldSetGravity(world, scene.gravity[0], scene.gravity[1], scene.gravity[2]);
+    if (scene.is_box) {
+      floor = dCreateBox(space, 2 * scene.half[0], 2 * scene.half[1], 2 * scene.half[2]);
+      dGeomSetPosition(floor, scene.centre[0], scene.centre[1], scene.centre[2]);
     } else {
-      for (const json& at : ground.at("vertices"))
-        for (const dReal coordinate : simulator::vector(at)) vertices.push_back(coordinate);
-      for (const json& corners : ground.at("triangles")) triangles.insert(triangles.end(), {corners[0], corners[1], corners[2]});
-      dGeomTriMeshDataBuildDouble(mesh, vertices.data(), 3 * sizeof(dReal), int(vertices.size() / 3), triangles.data(),
+      for (const Vector& at : scene.vertices) vertices.insert(vertices.end(), at.begin(), at.end());
+      for (const auto& corners : scene.triangles) triangles.insert(triangles.end(), corners.begin(), corners.end());
+      dGeomTriMeshDataBuildDouble(mesh, vertices.data(), 3 * sizeof(dReal), int(scene.vertices.size()), triangles.data(),
                                   int(triangles.size()), 3 * sizeof(dTriIndex));
       floor = dCreateTriMesh(space, mesh, nullptr, nullptr, nullptr);
     }
-    const dReal radius = simulator::number(moving.at("radius")), mass_kg = simulator::number(moving.at("mass_kg"));
-    sphere = dCreateSphere(space, radius);
+    sphere = dCreateSphere(space, scene.radius);
     dGeomSetBody(sphere, ball);
     dMass mass;
-    dMassSetSphereTotal(&mass, mass_kg, radius);
-    if (!moving.at("turns").get<bool>())
+    dMassSetSphereTotal(&mass, scene.mass_kg, scene.radius);
+    if (!scene.turns)
       for (const int diagonal : {0, 5, 10}) mass.I[diagonal] *= 1e12;
     dBodySetMass(ball, &mass);
-    dBodySetPosition(ball, position[0], position[1], position[2]);
-    dBodySetLinearVel(ball, velocity[0], velocity[1], velocity[2]);
+    dBodySetPosition(ball, scene.position[0], scene.position[1], scene.position[2]);
+    dBodySetLinearVel(ball, scene.velocity[0], scene.velocity[1], scene.velocity[2]);
   }
   ~World() {
     dJointGroupDestroy(joints);
@@ -65,7 +59,8 @@ struct World {
     dJointGroupEmpty(joints);
     std::array<dContact, kMostContacts> contacts{};
     std::array<dJointFeedback, kMostContacts> felt{};
-    const int count = dCollide(sphere, floor, kMostContacts, &contacts[0].geom, sizeof(dContact));  // normals point to the sphere
+    const int count =
+        dCollide(sphere, floor, kMostContacts, &contacts[0].geom, sizeof(dContact));  // normals point to the sphere
     for (std::size_t k = 0; k < std::size_t(count); ++k) {
       contacts[k].surface.mode = dContactApprox1;
       contacts[k].surface.mu = friction;
@@ -86,9 +81,15 @@ struct World {
 
 int main() {
   dInitODE2(0);
-  return simulator::simulate<World>({
-      {"name", "ODE"}, {"version", ODE_VERSION}, {"reports", "force"}, {"constraint", "hard"}, {"binary", 8 * sizeof(dReal)},
-      {"sides", "two"}, {"smallest_radius_m", 0.001}, {"speed_cap_m_per_s", nullptr},
-      {"settings", "dWorldStep, which its manual calls the accurate one, with the ERP and CFM that a world begins with; contacts with the "
-                   "friction pyramid of dContactApprox1"}});
+  return simulator::simulate<World>(
+      {.name = "ODE",
+       .version = ODE_VERSION,
+       .reports = "force",
+       .constraint = "hard",
+       .binary = 8 * sizeof(dReal),
+       .sides = "one",
+       .smallest_radius_m = 0.001,
+       .settings =
+           "dWorldStep, which its manual calls the accurate one, with the ERP and CFM that a world begins with; contacts "
+           "with the friction pyramid of dContactApprox1"});
 }
