@@ -18,7 +18,7 @@ using nlohmann::json;
 using Vector = std::array<double, 3>;
 
 struct Scene {
-  double rate_Hz, friction, radius, mass_kg;
+  double units_per_metre, rate_Hz, friction, radius, mass_kg;
   Vector gravity, position, velocity;
   bool turns, is_box;
   Vector half, centre;           // of a box
@@ -54,7 +54,8 @@ inline Vector vector(const json& value) {
 
 inline Scene scene_of(const json& text) {
   const json &ground = text.at("ground"), &sphere = text.at("sphere");
-  Scene scene{number(text.at("rate_Hz")),
+  Scene scene{number(text.at("units_per_metre")),
+              number(text.at("rate_Hz")),
               number(text.at("friction")),
               number(sphere.at("radius")),
               number(sphere.at("mass_kg")),
