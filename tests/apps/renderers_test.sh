@@ -2,7 +2,8 @@
 # renderers_test.sh FORCESHADE: the examples of renderers that are wrong in known ways, and what conform finds of each. Exit code 77,
 # which CTest takes for skipped, where what they need is lacking.
 skip() { echo "skipped: $1"; exit 77; }
-command -v python3 > /dev/null && python3 -c 'import numpy' 2> /dev/null || skip "no python3 with NumPy in PATH"
+for python in python3 /usr/bin/python3 none; do "$python" -c 'import numpy' 2> /dev/null && break; done
+[ "$python" != none ] || skip "no python3 with NumPy"
 command -v cc > /dev/null || skip "no cc in PATH"
 . "$(dirname "$0")/expect.sh"
 renderers=$examples/renderers
@@ -16,13 +17,13 @@ cc -O2 -o naive "$renderers/naive.c" -lm || exit 1
 finds "correctly rounded 7516 of 20000" --law bump-2p -- ./naive
 finds "FAILED: any position gets a finite force" --law bump-2p -- ./naive
 finds "not applicable: a bump in naive C 1 does not render wall" --law wall -- ./naive
-numpy="python3 $renderers/naive_numpy.py"
+numpy="$python $renderers/naive_numpy.py"
 finds "FAILED: without a position there is no force after 10 ms" --law bump-3p-shaded -- "$numpy"
 
 # The errata of docs/errata.md: its section, the law, what is found, and that nothing else is.
 printed() {
   local section=$1 law=$2 aim=$3 failures=$4 output
-  output=$("$forceshade" conform --law "$law" --tolerance "1e-5 N" --command "python3 $renderers/thesis_as_printed.py $section")
+  output=$("$forceshade" conform --law "$law" --tolerance "1e-5 N" --command "$python $renderers/thesis_as_printed.py $section")
   checks=$((checks + 1))
   same "$failures" "$(echo "$output" | sed -n 's/^FAILED: \([a-z][^,:]*\).*/\1/p' | paste -sd '|')"
   case "$output" in *"wrong, $aim"*"FAILED: "*" within the tolerance"*) ;; *) echo "FAILED: $section: $output"; exit 1 ;; esac
@@ -40,12 +41,12 @@ printf 'OFF\n6 4 0\n-9000 -9000 -2000\n-9000 9000 -2000\n0 -9000 0\n0 9000 0\n90
 printf '3 0 2 1\n3 2 3 1\n3 2 4 3\n3 4 5 3\n' >> roof.off
 within() {
   "$forceshade" conform --mesh roof.off --unit mm --sides front --shading edge --points 2000 --tolerance "1e-3 N" \
-    --command "python3 $renderers/edge_scheme_as_printed.py $1" | sed -n 's/^FAILED: \([0-9]*\) of .*/\1/p'
+    --command "$python $renderers/edge_scheme_as_printed.py $1" | sed -n 's/^FAILED: \([0-9]*\) of .*/\1/p'
 }
 as_printed=$(within ""); normalised=$(within --normalised)
 checks=$((checks + 1))
 [ "$as_printed" -lt "$normalised" ] || { echo "FAILED: $as_printed right as printed, $normalised with a normal of length 1"; exit 1; }
 
 expect 0 "held: a flat plate feels flat however it is triangulated" -- "$forceshade" conform --mesh "$examples/vectors/tetrahedron.off" \
-  --unit mm --shading none --points 1000 --command "python3 $renderers/god_object_epsilon.py"
+  --unit mm --shading none --points 1000 --command "$python $renderers/god_object_epsilon.py"
 echo "$checks checks; of the edge scheme $as_printed are right as printed, $normalised with a normal of length 1"

@@ -27,7 +27,7 @@ function open({rate_Hz, gravity, friction, ground, sphere}) {
   };
 }
 
-await simulate({name: 'cannon-es', version: version('cannon-es'), reports: 'force', constraint: 'soft', binary: 64, sides: 'one',
+await simulate({name: 'cannon-es', version: version('cannon-es'), reports: 'force', constraint: 'soft', binary: 64, sides: 'two',
   smallest_radius_m: 0.001, speed_cap_m_per_s: null,
   settings: 'the GSSolver and the stiffness 1e7 and relaxation 3 of contacts that a World begins with; damping 0, sleeping not allowed'},
 open);
