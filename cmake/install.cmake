@@ -33,7 +33,7 @@ if(NOT FORCESHADE_FAST_ONLY)
   install(FILES cmake/forceshade.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT forceshade)
   install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT forceshade)
   install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT forceshade)
-  install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT forceshade)
+  install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT forceshade PATTERN node_modules EXCLUDE)
   # The site itself is built in the package's folder (cmake/debian/finish.cmake).
   install(FILES cmake/debian/forceshade-doc.doc-base DESTINATION ${CMAKE_INSTALL_DATADIR}/doc-base RENAME forceshade-doc.forceshade
           COMPONENT forceshade-doc EXCLUDE_FROM_ALL)
