@@ -37,7 +37,10 @@ function open({units_per_metre, rate_Hz, gravity, friction, ground, sphere}) {
       body.addForce(vector(force), true);
       world.step(queue);
       const contacts = [];
-      if (events) queue.drainContactForceEvents((event) => contacts.push([...xyz(event.maxForceDirection()), event.totalForceMagnitude()]));
+      if (events) queue.drainContactForceEvents((event) => {
+        const total = xyz(event.totalForce()), size = Math.hypot(...total);
+        if (size > 0) contacts.push([...total.map((component) => component / size), size]);
+      });
       else world.contactPair(ball, fixed, (manifold, flipped) => {
         const normal = xyz(manifold.normal()).map((n) => flipped ? n : -n);
         for (let k = 0; k < manifold.numContacts(); ++k) contacts.push([...normal, manifold.contactImpulse(k)]);
