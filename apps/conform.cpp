@@ -22,25 +22,43 @@
 #include "properties/conformance/doors/process_door.h"
 #include "properties/conformance/judgement_text.h"
 #include "properties/conformance/report/page.h"
+#include "properties/conformance/simulators/conform_simulator.h"
+#include "properties/conformance/simulators/simulator_process.h"
 
 namespace forceshade::apps {
 namespace {
 
 struct ConformCommand {
-  std::string command, tolerance = "0 ulp", out, json, junit;
+  std::string command, simulator, tolerance = "0 ulp", out, json, junit;
   conformance::ConformOptions options = {};
   double answer_seconds = 10;
+
+  conformance::ProcessLimits limits() const {
+    conformance::ProcessLimits limits;
+    limits.answer = std::chrono::milliseconds(static_cast<int>(1000 * answer_seconds));
+    return limits;
+  }
 };
+
+void add_cases(std::vector<JunitCase>& cases, const std::string& suite, const std::vector<conformance::Invariant>& invariants,
+               const std::optional<std::string>& failure) {
+  for (const conformance::Invariant& each : invariants)
+    if (!each.not_applicable) cases.push_back({suite, each.name, 0, each.violation, conformance::words_of(each)});
+  if (failure) cases.push_back({suite, "answers", 0, failure});
+}
+
+void show(const ConformCommand& its, const std::string& words) {
+  if (its.json == "-" || its.junit == "-" || its.out == "-") return;
+  std::fputs(words.c_str(), stdout);
+  flush_standard_output();
+}
 
 std::vector<JunitCase> junit_cases(const conformance::Conformance& found, const std::string& words) {
   const std::string& name = found.identity.name;
   std::vector<JunitCase> cases;
   if (found.hello.claims_definition || !found.is_applicable())
     cases.push_back({name, "forces", 0, found.judgement.held() ? std::nullopt : std::optional(words), words});
-  for (const conformance::Invariant& invariant : found.invariants)
-    if (!invariant.not_applicable)
-      cases.push_back({name, invariant.name, 0, invariant.violation, std::to_string(invariant.cases) + " cases"});
-  if (found.failure) cases.push_back({name, "answers", 0, found.failure});
+  add_cases(cases, name, found.invariants, found.failure);
   return cases;
 }
 
@@ -51,12 +69,10 @@ int run(const ConformCommand& its, const SubjectOption& option, const std::strin
   expect_folder_of("--out", its.out);
   watch_for_interrupt();
   const Description description = option.description();
-  conformance::ProcessLimits limits;
-  limits.answer = std::chrono::milliseconds(static_cast<int>(1000 * its.answer_seconds));
   std::optional<ProgressLine> line(description.name);
   const Monitor monitor([&](double done) { line->draw(done); }, interrupted());
   const conformance::Conformance found =
-      conformance::conform(description, conformance::process_door(its.command, limits), options, monitor);
+      conformance::conform(description, conformance::process_door(its.command, its.limits()), options, monitor);
   line.reset();
   const std::string words = conformance::words_of(found, options.tolerance);
   const conformance::Circumstances circumstances{options, properties::current_build().version, repeated};
@@ -68,10 +84,26 @@ int run(const ConformCommand& its, const SubjectOption& option, const std::strin
   if (!its.junit.empty())
     write_file(its.junit, to_junit("forceshade conform", {{"tolerance", conformance::words_of(options.tolerance)}},
                                    junit_cases(found, words)));
-  if (its.json != "-" && its.junit != "-" && its.out != "-") {
-    std::fputs(words.c_str(), stdout);
-    flush_standard_output();
+  show(its, words);
+  return found.held() ? kHeld : kFailed;
+}
+
+int run_simulator(const ConformCommand& its) {
+  namespace simulators = conformance::simulators;
+  expect_room_for_results(its.json, its.junit);
+  watch_for_interrupt();
+  std::optional<ProgressLine> line("simulator");
+  const Monitor monitor([&](double done) { line->draw(done); }, interrupted());
+  const simulators::SimulatorConformance found =
+      simulators::conform_simulator(simulators::simulator_process(its.simulator, its.limits()), monitor);
+  line.reset();
+  if (!its.json.empty()) write_file(its.json, conformance::text_of(simulators::json_of(found)));
+  if (!its.junit.empty()) {
+    std::vector<JunitCase> cases;
+    add_cases(cases, found.simulator.name, found.invariants, found.failure);
+    write_file(its.junit, to_junit("forceshade conform", {{"settings", found.simulator.settings}}, cases));
   }
+  show(its, simulators::words_of(found));
   return found.held() ? kHeld : kFailed;
 }
 
@@ -89,12 +121,18 @@ void add_conform(CLI::App& app, int& result) {
           "how the shell starts it; it speaks lines of JSON on its standard input and output (docs/conformance-protocol.md)")
       ->type_name("COMMAND")
       ->group(kEvidenceGroup);
+  command
+      ->add_option("--simulator", its->simulator,
+                   "instead of a subject and --command: how the shell starts a simulator, which answers forces with motion")
+      ->type_name("COMMAND")
+      ->excludes("--command")
+      ->group(kEvidenceGroup);
   add_tolerance(*command, its->tolerance);
   add_whole(*command, "--points", its->options.points, "how many positions to compare", {1, 1000000000});
   add_whole(*command, "--seed", its->options.seed, "seed of the positions", kSeeds);
   add_number(*command, "--answer-timeout",
-             "how long the renderer may take for an answer of up to 1024 forces, in seconds; 10 unless given", {0.01, 3600},
-             [its](double seconds) { its->answer_seconds = seconds; });
+             "how long the program may take for an answer to up to 1024 positions or forces, in seconds; 10 unless given",
+             {0.01, 3600}, [its](double seconds) { its->answer_seconds = seconds; });
   command
       ->add_flag("--timing", its->options.is_timed,
                  "measure the time of an answer to one position: half, 99.9 % and the slowest; it decides nothing")
@@ -104,14 +142,14 @@ void add_conform(CLI::App& app, int& result) {
                its->options.is_timed = true;
                its->options.most_seconds = seconds;
              });
-  add_output(*command, "--out", its->out, "a page of what was found, with pictures", {".html"});
+  add_output(*command, "--out", its->out, "a page of what was found, with pictures", {".html"})->excludes("--simulator");
   add_json(*command, its->json, "what was found");
   add_junit(*command, its->junit);
   add_conform_compare(*command, result);
   command->callback([its, subject, command, &result] {
     if (command->got_subcommand("compare")) return;
-    if (its->command.empty()) throw CLI::RequiredError("--command");
-    result = run(*its, *subject, repeated(*command));
+    if (its->simulator.empty() && its->command.empty()) throw CLI::RequiredError("--command or --simulator");
+    result = its->simulator.empty() ? run(*its, *subject, repeated(*command)) : run_simulator(*its);
   });
 }
 

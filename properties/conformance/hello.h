@@ -6,16 +6,12 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace forceshade::conformance {
+#include "properties/conformance/hello_reader.h"
 
-// The renderer did not answer as it has to. What was requested is part of the words where one position is to blame.
-struct RendererFailed : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+namespace forceshade::conformance {
 
 // closest_point: the point to which the force pulls, the position itself where there is no contact.
 enum class Answer { force, impulse, closest_point };
@@ -44,8 +40,5 @@ struct Hello {
 
 // The hello of a renderer that is opened on this scene (scene.h). Throws RendererFailed, with the key and what was expected.
 Hello hello_of(const nlohmann::ordered_json& said, const nlohmann::ordered_json& scene);
-
-// The text behind a key of the hello, as a terminal may show it. Throws RendererFailed where it is no text or a long one.
-std::string text_in(const nlohmann::ordered_json& said, const std::string& key, const std::string& expected = "a text");
 
 }  // namespace forceshade::conformance

@@ -137,7 +137,8 @@ std::string words_of(const Invariant& invariant) {
   if (invariant.violation)
     return "FAILED: " + invariant.name + ", " + std::to_string(invariant.cases) + " cases\n  " + *invariant.violation + '\n';
   if (invariant.not_applicable) return "not applicable: " + invariant.name + ": " + *invariant.not_applicable + '\n';
-  return "held: " + invariant.name + ", " + std::to_string(invariant.cases) + " cases\n";
+  return "held: " + invariant.name + ", " + std::to_string(invariant.cases) + " cases\n" +
+         (invariant.largest ? "  " + *invariant.largest + '\n' : "");
 }
 
 Json json_of(const Invariant& invariant) {
@@ -149,6 +150,7 @@ Json json_of(const Invariant& invariant) {
   one["held"] = !invariant.violation;
   one["cases"] = invariant.cases;
   if (invariant.violation) one["violation"] = *invariant.violation;
+  if (invariant.largest) one["largest"] = *invariant.largest;
   return one;
 }
 

@@ -55,14 +55,7 @@ in_its_units shy.py '"claims": "definition"' '"claims": "invariants"' "stiffness
 expect 0 "does not claim the definition, with which it was not compared" -- conform --command "python3 shy.py"
 
 # Wrong in one thing: a line of examples/renderers/wall.py is another one. mutated ORIGINAL REPLACEMENT: writes it.
-mutated() {
-  python3 - "$renderers/wall.py" "$1" "$2" << 'END' || exit 1
-import sys
-text = open(sys.argv[1]).read()
-assert text.count(sys.argv[2]) == 1, sys.argv[2]
-open("mutated.py", "w").write(text.replace(sys.argv[2], sys.argv[3]))
-END
-}
+mutated() { changed "$renderers/wall.py" "$@"; }
 finds() { expect 1 "$3" -- sh -c "'$forceshade' conform --law wall --points 3000 --command 'python3 mutated.py'"; }
 try() { mutated "$1" "$2"; finds "$@"; }
 try "stiffness * -z if" "stiffness * z if" "FAILED: "
@@ -119,7 +112,7 @@ wrong "closed its output" "exec >&-; sleep 100"
 greets "exit 0"; wrong "ended without an answer" "sh greets.sh"
 greets "cat"; wrong 'answered without a list "answers"' "sh greets.sh"
 greets "echo x; sleep 100"; wrong "wrote" "sh greets.sh"
-greets "read line; echo '{\"answers\":[]}'; cat"; wrong "answered 1024 positions with 0 answers" "sh greets.sh"
+greets "read line; echo '{\"answers\":[]}'; cat"; wrong "answered 1024 positions with 0 entries" "sh greets.sh"
 greets "read line; printf '{\"answers\":['; for i in \$(seq 1023); do printf 1,; done; echo '1]}'"; wrong "the renderer's answer 0 is \"1\"" "sh greets.sh"
 greets "read line; printf '{\"answers\":['; for i in \$(seq 1023); do printf '\"zz\",'; done; echo '\"zz\"]}'"; wrong "24 hexadecimal digits" "sh greets.sh"
 mutated 'print(json.dumps(answer), flush=True)' 'print(json.dumps(answer) + "\n" + json.dumps(answer), flush=True)'

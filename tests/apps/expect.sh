@@ -20,3 +20,12 @@ same() {
   checks=$((checks + 1))
   [ "$1" = "$2" ] || { echo "FAILED: expected: $1"; echo "got: $2"; exit 1; }
 }
+# changed PROGRAM ORIGINAL REPLACEMENT: writes mutated.py, which is the program with these words in the place of those.
+changed() {
+  python3 - "$@" << 'END' || exit 1
+import sys
+text = open(sys.argv[1]).read()
+assert text.count(sys.argv[2]) == 1, sys.argv[2]
+open("mutated.py", "w").write(text.replace(sys.argv[2], sys.argv[3]))
+END
+}

@@ -107,7 +107,8 @@ std::string shown(std::string_view text) {
   return '"' + files::printable(std::string(text.substr(0, kShown))) + (text.size() > kShown ? "...\"" : "\"");
 }
 
-ChildProcess::ChildProcess(const std::string& command, const ProcessLimits& limits) : limits_(limits) {
+ChildProcess::ChildProcess(const std::string& command, const ProcessLimits& limits, const char* whose)
+    : limits_(limits), whose_(whose) {
   std::random_device random;
   token_ = std::string(kToken) + '=' + std::to_string(::getpid()) + '-' + std::to_string(random()) + std::to_string(random());
   std::vector<char*> environment;
@@ -239,7 +240,7 @@ void ChildProcess::fail(const std::string& words) {
   const std::size_t end = last_words_.find_last_not_of('\n');
   const std::size_t begin = end == std::string::npos ? end : last_words_.rfind('\n', end);
   const std::string last = end == std::string::npos ? "" : last_words_.substr(begin == std::string::npos ? 0 : begin + 1);
-  throw ProcessFailed("the renderer " + words +
+  throw ProcessFailed(std::string("the ") + whose_ + ' ' + words +
                       (last.empty() ? "" : "; it wrote last on standard error: " + shown(last.substr(0, last.find('\n')))));
 }
 

@@ -31,8 +31,9 @@ struct ProcessLimits {
 // In a session of its own, with pipes to its standard streams. One thread at a time.
 class ChildProcess {
  public:
-  // command: a line for /bin/sh. Throws std::system_error where no process can be made.
-  ChildProcess(const std::string& command, const ProcessLimits& limits);
+  // command: a line for /bin/sh. whose: what messages call it; it has to outlive this. Throws std::system_error where no
+  // process can be made.
+  ChildProcess(const std::string& command, const ProcessLimits& limits, const char* whose);
   // Ends it, and all that it has started, also what has left its session.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
@@ -53,6 +54,7 @@ class ChildProcess {
   std::string how_it_ended(Clock::time_point until);
 
   ProcessLimits limits_;
+  const char* whose_;
   std::string token_;  // in the environment of whatever it starts
   pid_t process_ = -1;
   int to_ = -1, from_ = -1, errors_ = -1;

@@ -6,15 +6,15 @@
 #include <charconv>
 #include <cstdint>
 #include <nlohmann/json.hpp>
-#include <system_error>
 #include <utility>
+
+#include "properties/conformance/doors/dialogue.h"
 
 namespace forceshade::conformance {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kProtocol = "conform 1";
 constexpr std::size_t kHexDigits = 24;  // of three binary32 numbers
 
 // The eight hexadecimal digits of each component, one after the other.
@@ -39,16 +39,8 @@ std::optional<Eigen::Vector3f> numbers_of(const std::string& text) {
 
 class ProcessRenderer final : public RendererUnderTest {
  public:
-  ProcessRenderer(const std::string& command, const Json& scene, const ProcessLimits& limits) try : process_(command, limits) {
-    const Json said = ask(Json{{"forceshade", kProtocol}, {"scene", scene}}.dump());
-    if (const std::string protocol = text_in(said, "forceshade"); protocol != kProtocol)
-      throw RendererFailed("the renderer speaks " + shown(protocol) + "; expected \"" + kProtocol + '"');
-    hello_ = hello_of(said, scene);
-  } catch (const std::system_error& error) {
-    throw RendererFailed(std::string("the renderer's process could not be made: ") + error.what());
-  } catch (const ProcessFailed& failure) {
-    throw RendererFailed(failure.what());
-  }
+  ProcessRenderer(const std::string& command, const Json& scene, const ProcessLimits& limits)
+      : dialogue_(command, limits, "renderer"), hello_(hello_of(dialogue_.open(scene), scene)) {}
 
   const Hello& hello() const override { return hello_; }
 
@@ -60,48 +52,23 @@ class ProcessRenderer final : public RendererUnderTest {
       line += "\",";
     }
     line.back() = ']';
-    const Json said = ask(line + '}');
-    const auto all = said.find("answers");
-    if (all == said.end() || !all->is_array())
-      throw RendererFailed("the renderer answered without a list \"answers\": " +
-                           shown(said.dump(-1, ' ', true, Json::error_handler_t::replace)));
-    if (all->size() != positions.size())
-      throw RendererFailed("the renderer answered " + std::to_string(positions.size()) + " positions with " +
-                           std::to_string(all->size()) + " answers");
+    const Json said = dialogue_.ask(line + '}');
+    const Json& all = dialogue_.list_in(said, "answers", positions.size(), "positions");
     std::vector<Eigen::Vector3f> answers;
-    for (const Json& one : *all) {
+    for (const Json& one : all) {
       const auto answer = one.is_string() ? numbers_of(one.get_ref<const std::string&>()) : std::nullopt;
       if (!answer)
-        throw RendererFailed("the renderer's answer " + std::to_string(answers.size()) + " is " +
-                             shown(one.dump(-1, ' ', true, Json::error_handler_t::replace)) +
+        throw RendererFailed("the renderer's answer " + std::to_string(answers.size()) + " is " + shown_json(one) +
                              "; expected a text of 24 hexadecimal digits, those of three binary32 numbers");
       answers.push_back(*answer);
     }
     return answers;
   }
 
-  void say_goodbye() override {
-    try {
-      process_.say_goodbye(R"({"goodbye":true})");
-    } catch (const ProcessFailed& failure) {
-      throw RendererFailed(failure.what());
-    }
-  }
+  void say_goodbye() override { dialogue_.say_goodbye(); }
 
  private:
-  Json ask(const std::string& line) {
-    std::string answer;
-    try {
-      answer = process_.ask(line);
-    } catch (const ProcessFailed& failure) {
-      throw RendererFailed(failure.what());
-    }
-    Json said = Json::parse(answer, nullptr, false);
-    if (!said.is_object()) throw RendererFailed("the renderer wrote " + shown(answer) + "; expected a JSON object in one line");
-    return said;
-  }
-
-  ChildProcess process_;
+  Dialogue dialogue_;
   Hello hello_;
 };
 

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "properties/conformance/doors/dialogue.h"
+
+#include <system_error>
+
+#include "properties/conformance/hello_reader.h"
+
+namespace forceshade::conformance {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr const char* kProtocol = "conform 1";
+
+}  // namespace
+
+Dialogue::Dialogue(const std::string& command, const ProcessLimits& limits, const char* whose) try
+    : whose_(whose), process_(command, limits, whose) {
+} catch (const std::system_error& error) {
+  throw RendererFailed(std::string("the ") + whose + "'s process could not be made: " + error.what());
+}
+
+Json Dialogue::open(const Json& scene) {
+  Json said = ask(Json{{"forceshade", kProtocol}, {"scene", scene}}.dump());
+  const HelloReader hello(said, whose_);
+  if (const std::string protocol = hello.text("forceshade"); protocol != kProtocol)
+    throw RendererFailed(std::string("the ") + whose_ + " speaks " + shown(protocol) + "; expected \"" + kProtocol + '"');
+  return said;
+}
+
+Json Dialogue::ask(const std::string& line) {
+  std::string answer;
+  try {
+    answer = process_.ask(line);
+  } catch (const ProcessFailed& failure) {
+    throw RendererFailed(failure.what());
+  }
+  Json said = Json::parse(answer, nullptr, false);
+  if (!said.is_object())
+    throw RendererFailed(std::string("the ") + whose_ + " wrote " + shown(answer) + "; expected a JSON object in one line");
+  return said;
+}
+
+void Dialogue::say_goodbye() {
+  try {
+    process_.say_goodbye(R"({"goodbye":true})");
+  } catch (const ProcessFailed& failure) {
+    throw RendererFailed(failure.what());
+  }
+}
+
+const Json& Dialogue::list_in(const Json& answer, const char* key, std::size_t size, const char* asked) const {
+  const auto all = answer.find(key);
+  if (all == answer.end() || !all->is_array())
+    throw RendererFailed(std::string("the ") + whose_ + " answered without a list \"" + key + "\": " + shown_json(answer));
+  if (all->size() != size)
+    throw RendererFailed(std::string("the ") + whose_ + " answered " + std::to_string(size) + ' ' + asked + " with " +
+                         std::to_string(all->size()) + " entries of \"" + key + '"');
+  return *all;
+}
+
+}  // namespace forceshade::conformance

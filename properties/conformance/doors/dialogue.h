@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Lines of JSON with a child process: those that docs/conformance-protocol.md has for renderers and for simulators.
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "properties/conformance/doors/child_process.h"
+
+namespace forceshade::conformance {
+
+// All of it throws RendererFailed; then no further call is of use.
+class Dialogue {
+ public:
+  // whose: "renderer", for messages; it has to outlive this.
+  Dialogue(const std::string& command, const ProcessLimits& limits, const char* whose);
+
+  // The hello on this scene, in this version of the protocol.
+  nlohmann::ordered_json open(const nlohmann::ordered_json& scene);
+
+  nlohmann::ordered_json ask(const std::string& line);  // a line, which is answered with an object
+  void say_goodbye();
+
+  // The list behind the key of an answer, with an entry for each of what it was asked: "positions".
+  const nlohmann::ordered_json& list_in(const nlohmann::ordered_json& answer, const char* key, std::size_t size,
+                                        const char* asked) const;
+
+ private:
+  const char* whose_;
+  ChildProcess process_;
+};
+
+}  // namespace forceshade::conformance

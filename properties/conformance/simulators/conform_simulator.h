@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A simulator of anybody's, held against all of its invariants.
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "forceshade/checks.h"
+#include "properties/conformance/invariants/invariant.h"
+#include "properties/conformance/simulators/simulator_under_test.h"
+
+namespace forceshade::conformance::simulators {
+
+struct SimulatorConformance {
+  SimulatorCapabilities simulator;
+  std::vector<Invariant> invariants = {};
+  std::optional<std::string> failure = {};  // that ended the check
+
+  bool held() const;  // every invariant that is applicable, and there was one
+};
+
+// Throws Interrupted.
+SimulatorConformance conform_simulator(const OpenSimulator& open, const Monitor& monitor = {});
+
+// Lines for a terminal, each ended; and the same for programs (docs/conformance.md).
+std::string words_of(const SimulatorConformance& found);
+nlohmann::ordered_json json_of(const SimulatorConformance& found);
+
+}  // namespace forceshade::conformance::simulators

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Invariants of a simulator that compare two runs, and those of hostile input.
+
+#include <vector>
+
+#include "properties/conformance/simulators/finding.h"
+#include "properties/conformance/simulators/run.h"
+
+namespace forceshade::conformance::simulators {
+
+struct RunInvariant {
+  const char* name;
+  Courses courses;
+  void (*look)(Bench& bench, const Course& course, Finding& finding);  // throws RendererFailed
+};
+
+std::vector<RunInvariant> comparisons();
+
+// Here a simulator may also refuse in words, and one that fails violates the invariant and does not end the check.
+std::vector<RunInvariant> hostile_inputs();
+
+}  // namespace forceshade::conformance::simulators

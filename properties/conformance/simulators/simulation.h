@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The scene of a simulation: a sphere above a ground that does not move. Lengths in m, masses in kg, z up.
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace forceshade::conformance::simulators {
+
+struct GroundMesh {
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise seen from outside
+};
+
+struct GroundBox {
+  Eigen::Vector3d half{0, 0, 0}, centre{0, 0, 0};
+};
+
+struct Simulation {
+  std::string name;
+  double units_per_metre = 1;  // of the numbers that a simulator is given, and answers
+  double rate = 240;           // steps in a second
+  Eigen::Vector3d gravity{0, 0, -9.81};
+  std::variant<GroundMesh, GroundBox> ground = GroundBox{};
+  double radius = 0.1, mass = 1;
+  Eigen::Vector3d position{0, 0, 0}, velocity{0, 0, 0};  // of the sphere's centre
+
+  double step() const { return 1 / rate; }
+};
+
+// As in docs/conformance-protocol.md. A coordinate that is no number is null.
+nlohmann::ordered_json json_of(const Simulation& scene);
+nlohmann::ordered_json json_of(const Eigen::Vector3d& v);
+
+// A turn or mirror whose entries are 0, 1 and -1. A mirrored mesh is wound the other way, so that its outside stays there.
+Simulation transformed(Simulation scene, const Eigen::Matrix3d& by);
+
+// Other numbers of triangles and vertices, and each triangle begins at another of its corners.
+Simulation renumbered(Simulation scene);
+
+}  // namespace forceshade::conformance::simulators
