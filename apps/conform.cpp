@@ -121,12 +121,10 @@ void add_conform(CLI::App& app, int& result) {
           "how the shell starts it; it speaks lines of JSON on its standard input and output (docs/conformance-protocol.md)")
       ->type_name("COMMAND")
       ->group(kEvidenceGroup);
-  command
-      ->add_option("--simulator", its->simulator,
-                   "instead of a subject and --command: how the shell starts a simulator, which answers forces with motion")
-      ->type_name("COMMAND")
-      ->excludes("--command")
-      ->group(kEvidenceGroup);
+  CLI::Option* simulator = command->add_option(
+      "--simulator", its->simulator,
+      "instead of a subject and --command: how the shell starts a simulator, which answers forces with motion");
+  simulator->type_name("COMMAND")->group(kEvidenceGroup);
   add_tolerance(*command, its->tolerance);
   add_whole(*command, "--points", its->options.points, "how many positions to compare", {1, 1000000000});
   add_whole(*command, "--seed", its->options.seed, "seed of the positions", kSeeds);
@@ -142,9 +140,12 @@ void add_conform(CLI::App& app, int& result) {
                its->options.is_timed = true;
                its->options.most_seconds = seconds;
              });
-  add_output(*command, "--out", its->out, "a page of what was found, with pictures", {".html"})->excludes("--simulator");
+  add_output(*command, "--out", its->out, "a page of what was found, with pictures", {".html"});
   add_json(*command, its->json, "what was found");
   add_junit(*command, its->junit);
+  for (const char* of_renderers : {"--law", "--height-map", "--mesh", "--subject", "--command", "--tolerance", "--points",
+                                   "--seed", "--timing", "--max-answer-time", "--out"})
+    simulator->excludes(command->get_option(of_renderers));
   add_conform_compare(*command, result);
   command->callback([its, subject, command, &result] {
     if (command->got_subcommand("compare")) return;

@@ -129,3 +129,4 @@ expect 1 "the simulator did not answer within 0.3 s" -- "$forceshade" conform --
 expect 1 "expected a JSON object in one line" -- conform --simulator "echo 1e999; cat"
 expect 2 "--command or --simulator" -- conform
 expect 2 "--simulator" -- conform --command true --simulator true
+expect 2 "--simulator" -- conform --law wall --simulator true
