@@ -122,7 +122,7 @@ refuses '"contacts": contacts' '"contacts": [[0, 0, 1]]' "expected a list of fou
 refuses '"contacts": contacts' '"contacts": {}' "expected a list of contacts"
 refuses 'for force in asked["applied"]]}' 'for force in asked["applied"][1:]]}' 'answered 240 forces with 239 entries of "motion"'
 refuses '{"motion": [world' '{"moved": [world' 'answered without a list "motion"'
-refuses "self.position = add(position, pushed)" "self.position = [None] * 3" 'every answer is a finite number'
+refuses '"position": self.position' '"position": [None] * 3' 'FAILED: every answer is a finite number'
 refuses "            return  # goodbye" "            sys.exit(5)" "the simulator ended with exit code 5"
 expect 1 "the simulator ended without an answer" -- conform --simulator true
 expect 1 "the simulator did not answer within 0.3 s" -- "$forceshade" conform --simulator "sleep 100" --answer-timeout 0.3

@@ -53,8 +53,10 @@ bool SimulatorConformance::held() const {
 
 std::string words_of(const SimulatorConformance& found) {
   const SimulatorCapabilities& its = found.simulator;
-  std::string words = its.name + (its.version.empty() ? "" : ' ' + its.version) + ", a simulator" +
-                      (its.settings.empty() ? "" : ": " + its.settings) + '\n';
+  std::string words;
+  if (!its.name.empty())
+    words = its.name + (its.version.empty() ? "" : ' ' + its.version) + ", a simulator" +
+            (its.settings.empty() ? "" : ": " + its.settings) + '\n';
   for (const Invariant& invariant : found.invariants) words += words_of(invariant);
   if (found.failure) words += "FAILED: " + *found.failure + '\n';
   return words;
