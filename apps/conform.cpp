@@ -9,6 +9,7 @@
 
 #include "apps/command.h"
 #include "apps/conform_compare.h"
+#include "apps/conform_recording.h"
 #include "apps/junit.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
@@ -29,7 +30,7 @@ namespace forceshade::apps {
 namespace {
 
 struct ConformCommand {
-  std::string command, simulator, tolerance = "0 ulp", out, json, junit;
+  std::string command, simulator, tolerance, out, json, junit;
   conformance::ConformOptions options = {};
   double answer_seconds = 10;
 
@@ -64,7 +65,7 @@ std::vector<JunitCase> junit_cases(const conformance::Conformance& found, const 
 
 int run(const ConformCommand& its, const SubjectOption& option, const std::string& repeated) {
   conformance::ConformOptions options = its.options;
-  options.tolerance = parse_tolerance(its.tolerance);
+  if (!its.tolerance.empty()) options.tolerance = parse_tolerance(its.tolerance);
   expect_room_for_results(its.json, its.junit);
   expect_folder_of("--out", its.out);
   watch_for_interrupt();
@@ -111,8 +112,8 @@ int run_simulator(const ConformCommand& its) {
 
 void add_conform(CLI::App& app, int& result) {
   const auto its = std::make_shared<ConformCommand>();
-  CLI::App* command =
-      app.add_subcommand("conform", "Hold a renderer of anybody's, in a process of its own, against the exact definition");
+  CLI::App* command = app.add_subcommand(
+      "conform", "Hold a renderer of anybody's, in a process of its own or by a recording, against the exact definition");
   const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one);
   command->option_defaults()->group(kEvidenceGroup);
   command
@@ -125,6 +126,7 @@ void add_conform(CLI::App& app, int& result) {
       "--simulator", its->simulator,
       "instead of a subject and --command: how the shell starts a simulator, which answers forces with motion");
   simulator->type_name("COMMAND")->group(kEvidenceGroup);
+  const auto recording = std::make_shared<RecordingOption>(*command);
   add_tolerance(*command, its->tolerance);
   add_whole(*command, "--points", its->options.points, "how many positions to compare", {1, 1000000000});
   add_whole(*command, "--seed", its->options.seed, "seed of the positions", kSeeds);
@@ -143,14 +145,19 @@ void add_conform(CLI::App& app, int& result) {
   add_output(*command, "--out", its->out, "a page of what was found, with pictures", {".html"});
   add_json(*command, its->json, "what was found");
   add_junit(*command, its->junit);
-  for (const char* of_renderers : {"--law", "--height-map", "--mesh", "--subject", "--command", "--tolerance", "--points",
-                                   "--seed", "--timing", "--max-answer-time", "--out"})
+  for (const char* of_renderers : {"--law", "--height-map", "--mesh", "--subject", "--command", "--recording", "--tolerance",
+                                   "--points", "--seed", "--timing", "--max-answer-time", "--out"})
     simulator->excludes(command->get_option(of_renderers));
+  command->get_option("--command")->excludes(command->get_option("--recording"));
   add_conform_compare(*command, result);
-  command->callback([its, subject, command, &result] {
+  command->callback([its, subject, recording, command, &result] {
     if (command->got_subcommand("compare")) return;
-    if (its->simulator.empty() && its->command.empty()) throw CLI::RequiredError("--command or --simulator");
-    result = its->simulator.empty() ? run(*its, *subject, repeated(*command)) : run_simulator(*its);
+    if (its->command.empty() && its->simulator.empty() && !recording->is_given())
+      throw CLI::RequiredError("--command, --simulator or --recording");
+    if (recording->is_given())
+      result = recording->run(*subject, its->tolerance, its->json, its->junit);
+    else
+      result = its->simulator.empty() ? run(*its, *subject, repeated(*command)) : run_simulator(*its);
   });
 }
 

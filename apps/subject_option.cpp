@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/subject_option.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "apps/options.h"
@@ -81,11 +82,17 @@ SubjectOption::SubjectOption(CLI::App& command, subjects::Laws laws, Kinds kinds
   command.option_defaults()->group(group);
 }
 
+bool SubjectOption::is_given() const {
+  return std::ranges::any_of(options_, [](const auto& each) {
+    return (each.first == "law" || each.first == "height-map" || each.first == "mesh") && !each.second->empty();
+  });
+}
+
 subjects::Options SubjectOption::options() const {
   subjects::Options given;
   for (const auto& [key, option] : options_)
     if (!option->empty()) given.add({key, subjects::is_flag(key) ? "true" : values_.at(key)});
-  if (given.has("law") || given.has("height-map") || given.has("mesh")) return given;
+  if (is_given()) return given;
   if (laws_ == subjects::Laws::one)
     throw CLI::RequiredError(options_.contains("mesh") ? "--law, --height-map or --mesh" : "--law or --height-map");
   given.add({"law", "all"});

@@ -23,6 +23,9 @@ class SubjectOption {
   // --law is needed where one is expected, and "all" unless said where several are.
   SubjectOption(CLI::App& command, subjects::Laws laws, Kinds kinds = Kinds::all);
 
+  // Whether a law, a height map or a mesh was.
+  bool is_given() const;
+
   // Those that were given. Throws CLI::RequiredError where none is.
   subjects::Options options() const;
 

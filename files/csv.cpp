@@ -106,6 +106,18 @@ bool has_decimal_comma(std::string text) {
   return parse<double>(text).has_value();
 }
 
+// Commas in the place of blanks; false where the line is a remark.
+bool divide_at_blanks(std::string& line) {
+  std::string divided;
+  for (std::size_t at = line.find_first_not_of(" \t"); at < line.size();) {
+    const std::size_t end = std::min(line.find_first_of(" \t", at), line.size());
+    divided += (divided.empty() ? "" : ",") + line.substr(at, end - at);
+    at = line.find_first_not_of(" \t", end);
+  }
+  line = std::move(divided);
+  return !line.starts_with('#') && !line.starts_with('%');
+}
+
 template <class T>
 std::string shortest_decimal(T value) {
   std::array<char, 32> buffer{};
@@ -155,13 +167,14 @@ Error Reader::unexpected(std::size_t i, std::string_view expected) const {
                               std::string(expected) + ", got " + quoted(text(i)));
 }
 
-Reader::Reader(std::istream& in, std::string file, std::vector<std::string> columns, const std::vector<std::string>& optional)
-    : in_(*in.rdbuf()), file_(std::move(file)), columns_(std::move(columns)), parser_(new csv_parser) {
+Reader::Reader(std::istream& in, std::string file, std::vector<std::string> columns, const std::vector<std::string>& optional,
+               Layout layout)
+    : in_(*in.rdbuf()), file_(std::move(file)), columns_(std::move(columns)), parser_(new csv_parser), layout_(layout) {
   if (csv_init(parser_.get(), CSV_STRICT) != 0) throw std::bad_alloc();
   csv_set_term_func(parser_.get(), [](unsigned char c) -> int { return c == '\n'; });
 
-  if (!read_row()) throw error(1, "expected a header row with columns " + listed(columns_) + ", got an empty file");
-  header_.assign(fields_.begin(), fields_.begin() + static_cast<std::ptrdiff_t>(field_count_));
+  name_columns("expected " + std::string(layout == Layout::csv ? "a header row with" : "rows with the") + " columns " +
+               listed(columns_));
   const std::size_t required = columns_.size();
   columns_.insert(columns_.end(), optional.begin(), optional.end());
   for (const std::string& column : columns_) {
@@ -184,8 +197,16 @@ Reader::Reader(std::istream& in, std::string file, std::vector<std::string> colu
   }
 }
 
+void Reader::name_columns(std::string_view words) {
+  if (!read_row()) throw error(1, std::string(words) + ", got an empty file");
+  header_.assign(fields_.begin(), fields_.begin() + static_cast<std::ptrdiff_t>(field_count_));
+  if (layout_ == Layout::csv) return;
+  for (std::size_t i = 0; i < header_.size(); ++i) header_[i] = std::to_string(i + 1);
+  is_row_read_ = true;
+}
+
 bool Reader::next() {
-  if (!read_row()) return false;
+  if (!std::exchange(is_row_read_, false) && !read_row()) return false;
   const std::string expected = "expected " + std::to_string(header_.size()) + " fields, got " + std::to_string(field_count_);
   if (field_count_ < header_.size())
     throw error(row_line_,
@@ -238,6 +259,7 @@ bool Reader::read_row() {
       if (line_text_.find_first_not_of(" \t") == std::string::npos) continue;
       row_line_ = line_;
     }
+    if (layout_ == Layout::without_header && !divide_at_blanks(line_text_)) continue;
     line_text_ += '\n';
     row_size += line_text_.size();
     if (row_size > kLongestRow + 1)

@@ -30,9 +30,14 @@ class Reader {
  public:
   static constexpr std::size_t kLongestRow = std::size_t{1} << 20;
 
+  // without_header: no row of names, and blanks between the numbers: the columns are called 1, 2 and so on, and lines that
+  // begin with # or % are skipped.
+  enum class Layout { csv, without_header };
+
   // Reads the header row. `file` is what messages call the stream. Index i below is an index into `columns` followed by
   // `optional`; the file may have them in any order, and others beside them.
-  Reader(std::istream& in, std::string file, std::vector<std::string> columns, const std::vector<std::string>& optional = {});
+  Reader(std::istream& in, std::string file, std::vector<std::string> columns, const std::vector<std::string>& optional = {},
+         Layout layout = Layout::csv);
 
   // Whether the file has this column; only then may the functions below be called with it.
   bool has(std::size_t i) const { return place_[i] != kNowhere; }
@@ -63,6 +68,7 @@ class Reader {
 
   bool read_line();
   bool read_row();
+  void name_columns(std::string_view words);
   Error error(std::size_t line, std::string_view words) const;
   Error no_text(unsigned char byte, std::size_t at, std::string_view words) const;
   template <class T>
@@ -76,6 +82,8 @@ class Reader {
   std::size_t line_ = 0;
   std::size_t row_line_ = 0;
   bool row_complete_ = false;
+  Layout layout_;
+  bool is_row_read_ = false;         // the next one already
   std::vector<std::string> fields_;  // the first field_count_ belong to the current row, the rest keep their memory
   std::size_t field_count_ = 0;
   std::vector<std::string> header_;

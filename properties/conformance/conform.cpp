@@ -19,6 +19,10 @@ constexpr std::size_t kMostTouched = 200'000;  // triangles
 constexpr int kMostJudgedTriangles = 500;      // of those whose force is not this program's own
 constexpr std::size_t kTimedPath = 500;        // positions
 
+bool is_beyond(const std::optional<Judged>& judged) {
+  return judged && !judged->is_within;
+}
+
 class Run {
  public:
   Run(const Description& description, const OpenRenderer& open, const ConformOptions& options, const Monitor& monitor)
@@ -84,9 +88,9 @@ class Run {
       const Path forces = renderer_->forces(batch, is_reset);
       for (std::size_t i = 0; i < batch.size(); ++i) {
         path_.push_back(batch[i]);
-        const auto beyond =
+        const auto judged =
             judge.add({batch[i], is_reset && i == 0, forces[i], std::string(aims[i]), "position " + std::to_string(done + i)});
-        if (beyond && failing_path_.empty()) failing_path_ = path_;
+        if (is_beyond(judged) && failing_path_.empty()) failing_path_ = path_;
       }
       done += batch.size();
     }
@@ -113,8 +117,8 @@ class Run {
         continue;
       ++judged;
       for (std::size_t i = 0; i < path.size(); ++i) {
-        const auto beyond = judge.add({path[i], i == 0, forces[i], "each triangle", "triangle " + std::to_string(triangle)});
-        if (beyond && failing_path_.empty())
+        const auto judged = judge.add({path[i], i == 0, forces[i], "each triangle", "triangle " + std::to_string(triangle)});
+        if (is_beyond(judged) && failing_path_.empty())
           failing_path_.assign(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(i) + 1);
       }
     }
@@ -127,9 +131,9 @@ class Run {
     const Path forces = renderer_->forces_along(path);
     Judge judge(subject_, options_.tolerance);
     for (std::size_t i = 0; i + 1 < path.size(); ++i) judge.add({path[i], i == 0, forces[i]});
-    const auto beyond = judge.add({path.back(), path.size() == 1, forces.back()});
-    if (beyond) found_.counterexample = beyond;
-    return beyond.has_value();
+    const auto judged = judge.add({path.back(), path.size() == 1, forces.back()});
+    if (is_beyond(judged)) found_.counterexample = judged;
+    return is_beyond(judged);
   }
 
   // Fewer positions first, then ones that are shorter to write.

@@ -42,7 +42,7 @@ std::size_t length_of(const Eigen::Vector3f& position) {
 
 std::optional<Judged> Judge::add(const Case& next) {
   if (session_ == nullptr || next.is_reset) session_ = subject_->open_reference();
-  Judged judged{next, {}, {}};
+  Judged judged{.its = next, .exact = {}, .distance = {}};
   try {
     judged.exact = session_->step(next.position);
   } catch (const std::domain_error&) {
@@ -54,10 +54,10 @@ std::optional<Judged> Judge::add(const Case& next) {
     return std::nullopt;
   }
   judged.distance = distance(next.force, judged.exact);
-  const bool is_right =
+  judged.is_within =
       is_within(tolerance_, next.force, judged.exact, [&](unsigned digits) { return session_->decimal(digits); });
-  count(judged, is_right);
-  return is_right ? std::nullopt : std::optional(std::move(judged));
+  count(judged);
+  return judged;
 }
 
 void Judge::keep(Judged judged, std::optional<Judged>& where) const {
@@ -65,12 +65,12 @@ void Judge::keep(Judged judged, std::optional<Judged>& where) const {
   where = std::move(judged);
 }
 
-void Judge::count(const Judged& judged, bool is_within) {
+void Judge::count(const Judged& judged) {
   const bool is_wrong = judged.distance.ulps != 0;
   for (Count* count : {&judgement_.all, &judgement_.by_aim[judged.its.aim]}) {
     ++count->cases;
     count->wrong += is_wrong;
-    count->beyond += !is_within;
+    count->beyond += !judged.is_within;
   }
   (is_wrong ? judgement_.wrong : judgement_.right).add(judgement_.all.cases, {judged.its.position, judged.distance.ulps});
   ++judgement_.by_ulps[bin_of_ulps(judged.distance.ulps)];
@@ -81,7 +81,8 @@ void Judge::count(const Judged& judged, bool is_within) {
       if (!worst || size_of(judged.distance, unit) > size_of(worst->distance, unit)) keep(judged, worst);
     }
   std::optional<Judged>& simplest = judgement_.simplest;
-  if (!is_within && (!simplest || length_of(judged.its.position) < length_of(simplest->its.position))) keep(judged, simplest);
+  if (!judged.is_within && (!simplest || length_of(judged.its.position) < length_of(simplest->its.position)))
+    keep(judged, simplest);
 }
 
 }  // namespace forceshade::conformance

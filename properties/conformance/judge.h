@@ -35,6 +35,7 @@ struct Judged {
   Case its;
   reference::Rounded exact;
   Distance distance;
+  bool is_within = true;                   // the tolerance
   std::array<std::string, 3> digits = {};  // of the exact force, kShownDigits of them; empty where the definition has none
 };
 inline constexpr unsigned kShownDigits = 30;
@@ -74,14 +75,14 @@ class Judge {
   Judge(std::shared_ptr<const properties::Subject> subject, const Tolerance& tolerance)
       : tolerance_(tolerance), subject_(std::move(subject)) {}
 
-  // The next case. Those of a path follow one another; the first one begins a path. Gives it back where it is beyond the
-  // tolerance, without digits.
+  // The next case, and what the definition says of it; nothing where it was not judged. Those of a path follow one another; the
+  // first one begins a path.
   std::optional<Judged> add(const Case& next);
 
   const Judgement& judgement() const { return judgement_; }
 
  private:
-  void count(const Judged& judged, bool is_within);
+  void count(const Judged& judged);
   // Puts it there, with the digits of its exact force.
   void keep(Judged judged, std::optional<Judged>& where) const;
 

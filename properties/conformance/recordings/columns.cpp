@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "properties/conformance/recordings/columns.h"
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+
+#include "files/quantity.h"
+#include "forceshade/bad_input.h"
+
+namespace forceshade::conformance {
+namespace {
+
+using files::BadInput;
+
+struct FileUnit {
+  std::string_view name;
+  double size;  // in s, mm or N
+};
+constexpr std::array kTimes{FileUnit{"s", 1}, FileUnit{"ms", 1e-3}, FileUnit{"us", 1e-6}};
+constexpr std::array kLengths{FileUnit{"mm", 1}, FileUnit{"cm", 10}, FileUnit{"m", 1000}, FileUnit{"in", 25.4}};
+constexpr std::array kForces{FileUnit{"N", 1}, FileUnit{"mN", 1e-3}};
+
+// The unit of these columns: as the option has it, or as the end of each name does.
+double unit_of(std::span<const std::string> names, std::span<const FileUnit> units, const std::string& given,
+               const std::string& option) {
+  std::string choices;
+  for (const FileUnit& unit : units) choices += (choices.empty() ? "" : ", ") + std::string(unit.name);
+  const auto find = [&](std::string_view name) { return std::ranges::find(units, name, &FileUnit::name); };
+  if (!given.empty() && find(given) == units.end())
+    throw BadInput(option + ": expected one of " + choices + ", got \"" + given + '"');
+  std::string_view unit = given;
+  for (const std::string& name : names) {
+    const std::string_view ending = std::string_view(name).substr(std::min(name.rfind('_') + 1, name.size()));
+    if (name.find('_') == std::string::npos || find(ending) == units.end()) {
+      if (given.empty())
+        throw BadInput(option + ": expected one of " + choices + ", because the column " + name + " does not end in its unit");
+      continue;
+    }
+    if (unit.empty()) unit = ending;
+    if (unit != ending)
+      throw BadInput(option + ": the column " + name + " ends in " + std::string(ending) + "; expected the unit " +
+                     std::string(unit));
+  }
+  return find(unit)->size;
+}
+
+bool is_whole(const std::string& text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+}  // namespace
+
+bool Columns::are_numbered() const {
+  return std::ranges::all_of(names, is_whole);
+}
+
+Columns columns_of(const std::string& text, const Units& units) {
+  Columns columns;
+  if (!text.empty()) {
+    columns.names.fill("");
+    const std::string expected = "; expected t=NAME,x=NAME,y=NAME,z=NAME,fx=NAME,fy=NAME,fz=NAME";
+    for (const std::string& part : files::at_commas(text)) {
+      const std::size_t sign = part.find('=');
+      const auto* const what = std::ranges::find(Columns::kWhat, part.substr(0, sign));
+      if (sign == std::string::npos || sign + 1 == part.size() || what == Columns::kWhat.end())
+        throw BadInput("--columns: got \"" + part + '"' + expected);
+      std::string& name = columns.names[static_cast<std::size_t>(what - Columns::kWhat.begin())];
+      if (!name.empty()) throw BadInput("--columns: " + std::string(*what) + " is given twice" + expected);
+      name = part.substr(sign + 1);
+    }
+    for (std::size_t i = 0; i < columns.names.size(); ++i)
+      if (columns.names[i].empty()) throw BadInput("--columns: has no " + std::string(Columns::kWhat[i]) + expected);
+  }
+  const std::span<const std::string> names(columns.names);
+  columns.seconds = unit_of(names.first(1), kTimes, units.time, "--time-unit");
+  columns.millimetres = unit_of(names.subspan(1, 3), kLengths, units.length, "--length-unit");
+  columns.newtons = unit_of(names.last(3), kForces, units.force, "--force-unit");
+  return columns;
+}
+
+Eigen::Matrix3d turn_of_frame(const std::string& text) {
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();
+  const std::vector<std::string> axes = files::at_commas(text);
+  for (std::size_t i = 0; i < axes.size() && axes.size() == 3; ++i) {
+    const bool is_minus = axes[i].starts_with('-');
+    const std::string letter = axes[i].substr(is_minus ? 1 : 0);
+    if (letter.size() == 1 && letter[0] >= 'x' && letter[0] <= 'z')
+      turn(letter[0] - 'x', static_cast<Eigen::Index>(i)) = is_minus ? -1 : 1;
+  }
+  if ((turn * turn.transpose() - Eigen::Matrix3d::Identity()).norm() != 0)
+    throw BadInput("--frame: expected three different ones of x, y, z, -x, -y and -z, such as x,z,-y, got \"" + text + '"');
+  return turn;
+}
+
+}  // namespace forceshade::conformance

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Which columns of a recording hold what, in which units and along which axes.
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+
+namespace forceshade::conformance {
+
+// Where a recording has its numbers. `forceshade recording export` writes these names.
+struct Columns {
+  static constexpr std::array<const char*, 7> kWhat{"t", "x", "y", "z", "fx", "fy", "fz"};
+  std::array<std::string, 7> names{"t_s", "x_mm", "y_mm", "z_mm", "fx_N", "fy_N", "fz_N"};
+  double seconds = 1, millimetres = 1, newtons = 1;  // one of the file's unit
+
+  // Whether the columns are called by their numbers, since the file has no header.
+  bool are_numbered() const;
+};
+
+// Units as they were given; empty where they were not.
+struct Units {
+  std::string time, length, force;
+};
+
+// text: "t=time_s,x=px,y=py,z=pz,fx=f1,fy=f2,fz=f3", or nothing, for the names of `forceshade recording export`. A column's
+// name may end in its unit: px_m. Throws BadInput, also for a unit that is not known.
+Columns columns_of(const std::string& text, const Units& units);
+
+// What turns the recording's axes into those of the scene: "x,z,-y" says that its first axis is the scene's x, its second the
+// scene's z, its third the scene's -y. Throws BadInput.
+Eigen::Matrix3d turn_of_frame(const std::string& text);
+
+}  // namespace forceshade::conformance

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "properties/conformance/recordings/recording.h"
+
+#include <cmath>
+
+#include "files/csv.h"
+#include "forceshade/bad_input.h"
+
+namespace forceshade::conformance {
+
+std::string Measurements::place(std::size_t sample) const {
+  return file + ':' + std::to_string(samples[sample].line);
+}
+
+Measurements read_measurements(std::istream& in, const std::string& file, const Columns& columns) {
+  using Layout = files::Reader::Layout;
+  files::Reader reader(in, file, {columns.names.begin(), columns.names.end()}, {"status"},
+                       columns.are_numbered() ? Layout::without_header : Layout::csv);
+  constexpr std::size_t kStatus = 7;
+  Measurements measured{file, {}};
+  while (reader.next()) {
+    if (reader.has(kStatus) && reader.text(kStatus) == "end") continue;
+    const auto finite = [&](std::size_t i) {
+      const double number = reader.binary64(i);
+      if (!std::isfinite(number)) throw reader.unexpected(i, "a finite number");
+      return number;
+    };
+    Measured next;
+    next.time = finite(0) * columns.seconds;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      next.position[axis] = finite(static_cast<std::size_t>(1 + axis)) * columns.millimetres;
+      next.force[axis] = reader.binary64(static_cast<std::size_t>(4 + axis)) * columns.newtons;
+    }
+    next.line = reader.line();
+    measured.samples.push_back(next);
+  }
+  if (measured.samples.size() < 2)
+    throw files::BadInput(file + ": expected two samples at least, got " + std::to_string(measured.samples.size()));
+  return measured;
+}
+
+Measurements placed(const Measurements& measured, const Placement& placement) {
+  Measurements there = measured;
+  for (Measured& each : there.samples) {
+    each.position = placement.turn * each.position + placement.shift;
+    each.force = placement.turn * each.force;
+  }
+  return there;
+}
+
+}  // namespace forceshade::conformance

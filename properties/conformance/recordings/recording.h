@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What another system did: times, positions of the hand and the forces on it, as somebody measured them.
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <istream>
+#include <string>
+#include <vector>
+
+#include "properties/conformance/recordings/columns.h"
+
+namespace forceshade::conformance {
+
+struct Measured {
+  double time = 0;                  // s
+  Eigen::Vector3d position, force;  // mm, N; the force may be no number
+  std::size_t line = 0;             // of the file
+};
+
+struct Measurements {
+  std::string file;  // what messages call it
+  std::vector<Measured> samples;
+
+  // "theirs.csv:12".
+  std::string place(std::size_t sample) const;
+};
+
+// A row that has "end" in a column "status", as `forceshade recording export` writes it, is the end of a run and no sample.
+// Throws files::Error, which names the file, the line, the value and what was expected, and BadInput for a file of fewer than
+// two samples.
+Measurements read_measurements(std::istream& in, const std::string& file, const Columns& columns);
+
+// Where a recording lies in the scene of the subject: there, p is at turn·p + shift, and a force F is turn·F.
+struct Placement {
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();  // mm
+};
+
+Measurements placed(const Measurements& measured, const Placement& placement);
+
+}  // namespace forceshade::conformance

@@ -1,0 +1,138 @@
+#!/usr/bin/env bash
+# conform_recording_test.sh FORCESHADE: recordings of other systems: a clean one, such with one fault each, and files that are none.
+. "$(dirname "$0")/expect.sh"
+clean=$examples/recordings/another_system.csv
+columns=(--columns t=time_s,x=px,y=py,z=pz,fx=fx,fy=fy,fz=fz --length-unit m --force-unit mN)
+judge() { "$forceshade" conform --law bump-2p --recording "$1" "${columns[@]}" --fit --tolerance "${tolerance:-1e-5 N}" "${@:2}"; }
+alone() { "$forceshade" conform --recording "$1" "${columns[@]}" "${@:2}"; }
+
+# The clean one: what is fitted is what it was made with, within the stated error.
+judge "$clean" --json clean.json > clean.txt || { echo "FAILED: the clean recording: $(cat clean.json)"; exit 1; }
+python3 - << 'END' || exit 1
+import json, math
+found = json.load(open("clean.json"))
+fit = found["fit"]
+assert found["held"] and fit["contacts"] == 889 and fit["left_out"] == 0, fit
+assert abs(fit["stiffness_N_per_mm"] - 0.5) < fit["stiffness_error_N_per_mm"] < 1e-5, fit
+assert fit["undetermined"] == ["a shift along y"], fit  # the bump is a cylinder along y
+# The scene's z in the axes of the recording: turned by 35 degrees about (1, 2, 2)/3.
+axis, angle = (1 / 3, 2 / 3, 2 / 3), math.radians(35)
+c, s = math.cos(angle), math.sin(angle)
+up = [axis[1] * s + (1 - c) * axis[2] * axis[0], -axis[0] * s + (1 - c) * axis[2] * axis[1], c + (1 - c) * axis[2] ** 2]
+off = math.degrees(math.dist(up, fit["turn"][2]))
+assert off < fit["turn_error_degrees"] < 0.01, (off, fit)
+# The scene's origin lies at (40, -25, 110) mm.
+height = sum(a * b for a, b in zip(fit["turn"][2], (40, -25, 110))) + fit["shift_mm"][2]
+assert abs(height) < fit["shift_error_mm"] + 200 * math.radians(fit["turn_error_degrees"]), (height, fit)
+assert found["difference_N"]["most"] < 1e-6, found["difference_N"]
+END
+expect 0 "not applicable: no attraction: without a subject" -- alone "$clean" --energy 0.01
+expect 0 '<testcase' -- judge "$clean" --junit -
+
+# One fault each. fault NAME CODE: CODE changes `rows`, the numbers of the rows.
+fault() {
+  python3 - "$clean" "$2" > "$1.csv" << 'END' || exit 1
+import math, random, sys
+lines = open(sys.argv[1]).read().split()
+rows = [[float(number) for number in line.split(",")] for line in lines[1:]]
+random.seed(1)
+free = [i for i in range(20, len(rows) - 20) if not any(rows[i][4:])]
+touching = [i for i in range(20, len(rows) - 20) if math.hypot(*rows[i][4:]) > 300]
+exec(sys.argv[2])
+print(lines[0])
+for row in rows:
+    print(",".join(f"{number:.9g}" for number in row))
+END
+}
+# finds NAME WORDS: the check that these words name fails, and of the invariants no other one but those of energy.
+finds() {
+  expect 1 "$2" -- judge "$1.csv"
+  same "" "$(judge "$1.csv" | grep '^FAILED: .* cases$' | grep -vF -e "$2" -e "gives the hand energy" -e "the hand gets no energy")"
+}
+fault stale 'i = 300; rows[i][1:] = rows[i - 1][1:]'
+finds stale "FAILED: no sample is repeated while the hand moves"
+expect 1 "stale.csv:302: the position stays for 2 ms" -- judge stale.csv
+fault frozen 'for i in range(300, 315): rows[i][1:] = rows[299][1:]'
+finds frozen "FAILED: no force is held longer than 10 ms without a new position"
+fault gap 'for row in rows[300:]: row[0] += 0.05'
+finds gap "FAILED: no force is held longer than 10 ms without a new position"
+fault backwards 'rows[300][0] -= 0.004'
+finds backwards "FAILED: time increases"
+fault equal 'rows[300][0] = rows[299][0]'
+finds equal "FAILED: time increases"
+expect 1 "equal.csv:302: the time is 3.699 s; expected one after that of the sample before, 3.699 s" -- judge equal.csv
+fault sign 'for i in touching[:20]: rows[i][4:] = [-f for f in rows[i][4:]]'
+finds sign "FAILED: no attraction"
+fault nothing 'for i in free[:20]: rows[i][4:] = [0, 0, 50]'
+finds nothing "FAILED: no force out of contact"
+fault infinite 'rows[300][4] = math.inf'
+finds infinite "FAILED: every force is finite"
+fault noisy_rest 'i = touching[50]
+for k in range(1, 5): rows[i + k][1:4] = rows[i][1:4]; rows[i + k][4:] = rows[i][4:]
+rows[i + 3][4] += 20
+rows[i + 4:] = [r for r in rows[i + 4:]]'
+expect 1 "FAILED: a hand at rest feels a force at rest" -- judge noisy_rest.csv
+# A wall that is pressed ten times, and its force FACTOR times as large where the hand goes out.
+press() {
+  python3 -c 'import math, sys
+print("t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N")
+for i in range(2000):
+    phase = 2 * math.pi * i / 200 + 0.003
+    z = 1 - 2 * math.sin(phase) ** 2
+    out = math.sin(2 * phase) < 0
+    print(f"{i / 1000},0,0,{z:.9g},0,0,{max(0, -0.5 * z) * (float(sys.argv[1]) if out else 1):.9g}")' "$1"
+}
+press 1 > conservative.csv
+press 1.02 > energy.csv
+wall() { "$forceshade" conform --law wall --recording "$@"; }
+expect 0 "held: all in all the hand gets no energy" -- wall conservative.csv --tolerance "5 %"
+expect 0 "held: no closed loop gives the hand energy" -- "$forceshade" conform --recording conservative.csv
+expect 1 "FAILED: no closed loop gives the hand energy" -- wall energy.csv --tolerance "5 %"
+expect 1 "FAILED: all in all the hand gets no energy" -- wall energy.csv --tolerance "5 %"
+same 2 "$(wall energy.csv --tolerance "5 %" | grep -c '^FAILED')"
+expect 1 "FAILED: all in all the hand gets no energy" -- "$forceshade" conform --recording energy.csv
+expect 0 "held: all in all" -- wall energy.csv --tolerance "5 %" --energy 1
+# Noise that is declared: held, and the stiffness within its error.
+fault noise 'for row in rows: row[4:] = [f + random.gauss(0, 3) for f in row[4:]]'
+tolerance="0.02 N" judge noise.csv --noise 0.02 --json noise.json > noise.txt || { echo "FAILED: noise: $(cat noise.json)"; exit 1; }
+python3 -c 'import json
+fit = json.load(open("noise.json"))["fit"]
+assert abs(fit["stiffness_N_per_mm"] - 0.5) < fit["stiffness_error_N_per_mm"] < 0.005, fit
+assert 0.004 < fit["rms_N"] < 0.006, fit' || exit 1
+tolerance="0.003 N" expect 1 "within the tolerance, 0.003 N" -- judge noise.csv --noise 0.02
+# Axes that are declared, and ones that are not these; a recording of this program, of a device that is replayed.
+printf '%s\n' t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N 0,3,0.5,0,0,0,0 0.001,3,-0.5,0,0,0.25,0 0.002,3,-1,0,0,0.5,0 0.003,3,0.5,0,0,0,0 > turned.csv
+expect 0 "wall: correctly rounded 4 of 4" -- wall turned.csv --frame x,z,-y
+expect 1 "FAILED: 0 of 4" -- wall turned.csv --frame x,-z,y
+sed -n '2,$s/,/   /gp' turned.csv > turned.traj
+expect 0 "wall: correctly rounded 4 of 4" -- wall turned.traj --frame x,z,-y --columns t=1,x=2,y=3,z=4,fx=5,fy=6,fz=7 \
+  --time-unit s --length-unit mm --force-unit N
+expect 2 "turned.traj:1: no column 8" -- wall turned.traj --columns t=1,x=2,y=3,z=4,fx=5,fy=6,fz=8 --time-unit s --length-unit mm --force-unit N
+
+# No fit.
+python3 -c 'print("t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N")
+for i in range(50): print(f"{i / 1000},{i / 10},{i % 7},-1,0,0,0.5")' > level.csv
+expect 1 "these samples determine neither of the stiffness and" -- wall level.csv --fit --tolerance "1 %"
+head -3 level.csv > two.csv
+expect 1 "expected 7 samples in contact at least, with a force of more than 0 N, got 2, the first one at two.csv:2" -- wall two.csv --fit --tolerance "1 %"
+python3 -c 'print("t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N")
+for i in range(60): print(f"{i / 1000},{i % 11},{i % 7},{-i % 13},0,0,{-0.5 * (i % 13)}")' > pulls.csv
+expect 1 "there is no fit" -- wall pulls.csv --fit --tolerance "1 %"
+
+# What cannot be read.
+expect 2 "pz_m: expected columns" -- "$forceshade" conform --recording "$clean" --columns t=time_s,x=px,y=py,z=pz_m,fx=fx,fy=fy,fz=fz --length-unit m --force-unit mN
+expect 2 '--columns: has no fz' -- "$forceshade" conform --recording "$clean" --columns t=time_s,x=px,y=py,z=pz,fx=fx,fy=fy
+expect 2 '--length-unit: expected one of mm, cm, m, in, because the column px does not end in its unit' -- \
+  "$forceshade" conform --recording "$clean" "${columns[@]:0:2}"
+expect 2 '--length-unit: the column x_mm ends in mm; expected the unit m' -- wall turned.csv --length-unit m
+expect 2 '--frame: expected three different ones' -- wall turned.csv --frame x,y,y
+expect 2 "--fit: expected --law" -- alone "$clean" --fit --tolerance "1 %"
+expect 2 "--tolerance: expected one in N or %" -- wall turned.csv --fit
+expect 2 "expected two samples at least, got 1" -- wall <(head -2 turned.csv)
+expect 2 "expected a header row with columns t_s, x_mm" -- wall /dev/null
+sed '3s/-0.5/deep/' turned.csv > text.csv
+expect 2 'text.csv:3: column 3 (y_mm): expected a number, got "deep"' -- wall text.csv
+sed '3s/-0.5/nan/' turned.csv > nan.csv
+expect 2 'nan.csv:3: column 3 (y_mm): expected a finite number, got "nan"' -- wall nan.csv
+expect 2 "expected without --recording, got both" -- wall turned.csv --command true
+expect 2 "--noise" -- wall turned.csv --noise -1
