@@ -12,6 +12,7 @@
 #include "apps/command.h"
 #include "apps/documentation.h"
 #include "apps/options.h"
+#include "apps/render_object.h"
 #include "apps/standard_streams.h"
 #include "apps/subject_file.h"
 #include "certificate/build.h"
@@ -20,6 +21,7 @@
 #include "files/suggestion.h"
 #include "forceshade/checks.h"
 #include "forceshade/device.h"
+#include "properties/conformance/doors/object_door.h"
 
 namespace forceshade::apps {
 namespace {
@@ -165,6 +167,7 @@ int run(const std::vector<std::string>& arguments) {
 
 int run_command_line(const std::vector<std::string>& arguments) {
   open_standard_streams();
+  if (arguments.size() == 2 && arguments[0] == conformance::kRenderObject) return render_object(arguments[1]);
   const int result = run(arguments);
   remove_unused_directories();
   try {

@@ -19,7 +19,9 @@
 #include "apps/standard_streams.h"
 #include "apps/subject_option.h"
 #include "apps/tolerance_option.h"
+#include "files/csv.h"
 #include "forceshade/certificate.h"
+#include "properties/conformance/doors/object_door.h"
 #include "properties/conformance/doors/process_door.h"
 #include "properties/conformance/judgement_text.h"
 #include "properties/conformance/report/page.h"
@@ -30,7 +32,7 @@ namespace forceshade::apps {
 namespace {
 
 struct ConformCommand {
-  std::string command, simulator, tolerance, out, json, junit;
+  std::string command, object, simulator, tolerance, out, json, junit;
   conformance::ConformOptions options = {};
   double answer_seconds = 10;
 
@@ -64,6 +66,7 @@ std::vector<JunitCase> junit_cases(const conformance::Conformance& found, const 
 }
 
 int run(const ConformCommand& its, const SubjectOption& option, const std::string& repeated) {
+  if (!its.object.empty()) files::open_input(its.object);
   conformance::ConformOptions options = its.options;
   if (!its.tolerance.empty()) options.tolerance = parse_tolerance(its.tolerance);
   expect_room_for_results(its.json, its.junit);
@@ -72,8 +75,9 @@ int run(const ConformCommand& its, const SubjectOption& option, const std::strin
   const Description description = option.description();
   std::optional<ProgressLine> line(description.name);
   const Monitor monitor([&](double done) { line->draw(done); }, interrupted());
-  const conformance::Conformance found =
-      conformance::conform(description, conformance::process_door(its.command, its.limits()), options, monitor);
+  const conformance::OpenRenderer open = its.object.empty() ? conformance::process_door(its.command, its.limits())
+                                                            : conformance::object_door(its.object, its.limits());
+  const conformance::Conformance found = conformance::conform(description, open, options, monitor);
   line.reset();
   const std::string words = conformance::words_of(found, options.tolerance);
   const conformance::Circumstances circumstances{options, properties::current_build().version, repeated};
@@ -116,15 +120,20 @@ void add_conform(CLI::App& app, int& result) {
       "conform", "Hold a renderer of anybody's, in a process of its own or by a recording, against the exact definition");
   const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one);
   command->option_defaults()->group(kEvidenceGroup);
+  CLI::Option* process = command
+                             ->add_option("--command", its->command,
+                                          "how the shell starts it; it speaks lines of JSON on its standard input and output "
+                                          "(docs/conformance-protocol.md)")
+                             ->type_name("COMMAND")
+                             ->group(kEvidenceGroup);
   command
-      ->add_option(
-          "--command", its->command,
-          "how the shell starts it; it speaks lines of JSON on its standard input and output (docs/conformance-protocol.md)")
-      ->type_name("COMMAND")
+      ->add_option("--object", its->object, "a shared object with the one function of forceshade.h, in the place of a process")
+      ->type_name("FILE")
+      ->excludes(process)
       ->group(kEvidenceGroup);
   CLI::Option* simulator = command->add_option(
       "--simulator", its->simulator,
-      "instead of a subject and --command: how the shell starts a simulator, which answers forces with motion");
+      "instead of a subject and its renderer: how the shell starts a simulator, which answers forces with motion");
   simulator->type_name("COMMAND")->group(kEvidenceGroup);
   const auto recording = std::make_shared<RecordingOption>(*command);
   add_tolerance(*command, its->tolerance);
@@ -145,15 +154,15 @@ void add_conform(CLI::App& app, int& result) {
   add_output(*command, "--out", its->out, "a page of what was found, with pictures", {".html"});
   add_json(*command, its->json, "what was found");
   add_junit(*command, its->junit);
-  for (const char* of_renderers : {"--law", "--height-map", "--mesh", "--subject", "--command", "--recording", "--tolerance",
-                                   "--points", "--seed", "--timing", "--max-answer-time", "--out"})
+  for (const char* of_renderers : {"--law", "--height-map", "--mesh", "--subject", "--command", "--object", "--recording",
+                                   "--tolerance", "--points", "--seed", "--timing", "--max-answer-time", "--out"})
     simulator->excludes(command->get_option(of_renderers));
-  command->get_option("--command")->excludes(command->get_option("--recording"));
+  for (const char* door : {"--command", "--object"}) command->get_option(door)->excludes(command->get_option("--recording"));
   add_conform_compare(*command, result);
   command->callback([its, subject, recording, command, &result] {
     if (command->got_subcommand("compare")) return;
-    if (its->command.empty() && its->simulator.empty() && !recording->is_given())
-      throw CLI::RequiredError("--command, --simulator or --recording");
+    if (its->command.empty() && its->object.empty() && its->simulator.empty() && !recording->is_given())
+      throw CLI::RequiredError("--command, --object, --simulator or --recording");
     if (recording->is_given())
       result = recording->run(*subject, its->tolerance, its->json, its->junit);
     else

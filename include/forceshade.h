@@ -248,6 +248,35 @@ FORCESHADE_API forceshade_result forceshade_session_state(forceshade_session ses
 /* Goes on from a state of the same subject. A state that is none of this mesh counts as FORCESHADE_NOWHERE. */
 FORCESHADE_API forceshade_result forceshade_session_resume(forceshade_session session, const forceshade_state* state);
 
+/* ---- A renderer of one's own, which `forceshade conform --object FILE.so` holds against the exact forces ---- */
+
+/* What a shared object exports for it; a program that only calls forceshade has no use for this part, and the object links
+ * nothing of it (examples/renderers/wall.c). The object is loaded in a process of its own, and its functions are called by one
+ * thread, each after the one before has returned. No member may be NULL. */
+typedef struct forceshade_renderer {
+  size_t size; /* sizeof(forceshade_renderer) */
+
+  /* Opens it on a scene: JSON, ended by a zero, as in docs/conformance-protocol.md. Returns 0, and writes to `state` what the
+   * other functions get, and to `hello` the JSON of the same page's hello, ended by a zero: what it is and can do, and
+   * "accepts":false where it does not render this scene. Anything but 0 fails, and `hello` may then be a sentence why. The text
+   * has to stay until close() returns; both are NULL before. */
+  int32_t (*open)(const char* scene, void** state, const char** hello);
+
+  /* What it gives for the next `count` positions of the path (1 to 1024 of them, any bits), three floats for each position and
+   * each answer: in the units and frame of its hello. is_reset: 1 where a new path begins with them, from no contact, and else 0.
+   * Returns 0; anything else fails. Answers that it does not write are NaN. */
+  int32_t (*answer)(void* state, const float* positions, float* answers, size_t count, int32_t is_reset);
+
+  /* Called once after an open() that returned 0. */
+  void (*close)(void* state);
+} forceshade_renderer;
+
+/* The type of the one function that the object exports, whose name is forceshade_renderer_entry. The table stays as long as the
+ * object is loaded.
+ *
+ *   FORCESHADE_API const forceshade_renderer* forceshade_renderer_entry(void) { return &table; } */
+typedef const forceshade_renderer* forceshade_renderer_function(void);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 #include <optional>
+#include <type_traits>
 
 #include "forceshade/reference.h"
 #include "reference/enclosure.h"
@@ -29,12 +30,18 @@ Law::Estimate filtered(LawId id, const BumpGeometry<Ball64>& geometry, const Poi
   });
 }
 
+FlatTop flat_top_of(LawId id) {
+  return with_law(id, [](auto law) {
+    return std::is_same_v<typename decltype(law)::Surface, ThreePolygons> ? FlatTop::needed : FlatTop::not_needed;
+  });
+}
+
 // The exact facet and force at one point. Not for more than one thread at a time; holds CORE numbers, so it is made and
 // destroyed under the lock.
 class SlowForce {
  public:
   SlowForce(LawId id, const Parameters& p, const Point& point)
-      : id_(id), parameters_(p), point_(point), geometry_(exact_geometry(p)) {
+      : id_(id), parameters_(p), point_(point), top_(flat_top_of(id)), geometry_(exact_geometry(p, top_)) {
     facet_ = with_law(id, [&](auto law) { return law.template facet<Exact>(geometry_, Exact(point.x), Exact(point.z)); });
   }
 
@@ -43,7 +50,8 @@ class SlowForce {
   // At the precision in force.
   Force<Enclosure> enclose() const {
     return with_law(id_, [&](auto law) {
-      return law.template force<Enclosure>(facet_, enclosing_geometry(parameters_), Enclosure(point_.x), Enclosure(point_.z));
+      return law.template force<Enclosure>(facet_, enclosing_geometry(parameters_, top_), Enclosure(point_.x),
+                                           Enclosure(point_.z));
     });
   }
 
@@ -56,6 +64,7 @@ class SlowForce {
   LawId id_;
   Parameters parameters_;
   Point point_;
+  FlatTop top_;
   BumpGeometry<Exact> geometry_;
   Facet facet_;
 };

@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <future>
+#include <span>
+#include <thread>
 #include <utility>
 
 #include "files/csv.h"
@@ -18,10 +22,6 @@ constexpr int kMostTries = 2000;               // of simpler paths
 constexpr std::size_t kMostTouched = 200'000;  // triangles
 constexpr int kMostJudgedTriangles = 500;      // of those whose force is not this program's own
 constexpr std::size_t kTimedPath = 500;        // positions
-
-bool is_beyond(const std::optional<Judged>& judged) {
-  return judged && !judged->is_within;
-}
 
 class Run {
  public:
@@ -69,43 +69,46 @@ class Run {
   }
 
   void compare() {
-    Judge judge(subject_, options_.tolerance);
     const auto positions = subject_->positions(options_.seed);
     for (std::uint64_t done = 0; done < options_.points;) {
-      monitor_.at(0.9 * static_cast<double>(done) / static_cast<double>(options_.points));
-      const std::uint64_t of_this_path = std::min(kPathLength - done % kPathLength, options_.points - done);
-      const bool is_reset = done % kPathLength == 0;
-      Path batch;
-      std::vector<std::string_view> aims;
-      while (batch.size() < std::min<std::uint64_t>(SceneRenderer::kBatch, of_this_path)) {
-        const properties::Aimed aimed = positions->next();
-        const Eigen::Vector3f position = renderer_->writable(aimed.position);
-        if (!renderer_->is_in_domain(position)) continue;
-        batch.push_back(position);
-        aims.push_back(name_of(same_bits(position, aimed.position) ? aimed.aim : properties::Aim::volume));
+      std::vector<Case> cases;
+      cases.reserve(kPathLength);
+      while (cases.size() < kPathLength && done < options_.points) {
+        monitor_.at(0.9 * static_cast<double>(done) / static_cast<double>(options_.points));
+        const std::uint64_t room = std::min(kPathLength - cases.size(), options_.points - done);
+        answer_more(*positions, std::min<std::uint64_t>(SceneRenderer::kBatch, room), cases, done);
       }
-      if (is_reset) path_.clear();
-      const Path forces = renderer_->forces(batch, is_reset);
-      for (std::size_t i = 0; i < batch.size(); ++i) {
-        path_.push_back(batch[i]);
-        const auto judged =
-            judge.add({batch[i], is_reset && i == 0, forces[i], std::string(aims[i]), "position " + std::to_string(done + i)});
-        if (is_beyond(judged) && failing_path_.empty()) failing_path_ = path_;
-      }
-      done += batch.size();
+      judge_meanwhile(std::move(cases));
     }
-    touch_each_triangle(judge);
-    found_.judgement = judge.judgement();
+    touch_each_triangle();
+    while (!pending_.empty()) take_first();
+  }
+
+  // The next positions of a path, with the renderer's answers.
+  void answer_more(properties::Positions& positions, std::uint64_t count, std::vector<Case>& cases, std::uint64_t& done) {
+    const std::size_t first = cases.size();
+    Path batch;
+    while (batch.size() < count) {
+      const properties::Aimed aimed = positions.next();
+      const Eigen::Vector3f position = renderer_->writable(aimed.position);
+      if (!renderer_->is_in_domain(position)) continue;
+      batch.push_back(position);
+      const properties::Aim aim = same_bits(position, aimed.position) ? aimed.aim : properties::Aim::volume;
+      cases.push_back({position, cases.empty(), {}, std::string(name_of(aim)), "position " + std::to_string(done++)});
+    }
+    const Path forces = renderer_->forces(batch, first == 0);
+    for (std::size_t i = 0; i < forces.size(); ++i) cases[first + i].force = forces[i];
   }
 
   // From the front of each triangle of a mesh to behind it, so that one that is wrong is found among many. The real-time path
   // chooses what the exact side, which looks at every triangle in each tick, has to judge.
-  void touch_each_triangle(Judge& judge) {
+  void touch_each_triangle() {
     const auto* mesh = std::get_if<MeshRendering>(&description_.what);
     if (mesh == nullptr) return;
     const std::size_t count = mesh->mesh().triangles.size(), stride = (count + kMostTouched - 1) / kMostTouched;
-    int judged = 0;
-    for (std::size_t triangle = 0; triangle < count && judged < kMostJudgedTriangles; triangle += stride) {
+    std::vector<Case> cases;
+    int judged_triangles = 0;
+    for (std::size_t triangle = 0; triangle < count && judged_triangles < kMostJudgedTriangles; triangle += stride) {
       if (triangle % 256 == 0) monitor_.at(0.9);
       const Path path = through_triangle(mesh->mesh(), triangle, *renderer_);
       if (!std::ranges::all_of(path, [this](const Eigen::Vector3f& one) { return renderer_->is_in_domain(one); })) continue;
@@ -115,13 +118,45 @@ class Run {
             return session->step(position).force == force;
           }))
         continue;
-      ++judged;
-      for (std::size_t i = 0; i < path.size(); ++i) {
-        const auto judged = judge.add({path[i], i == 0, forces[i], "each triangle", "triangle " + std::to_string(triangle)});
-        if (is_beyond(judged) && failing_path_.empty())
-          failing_path_.assign(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-      }
+      ++judged_triangles;
+      for (std::size_t i = 0; i < path.size(); ++i)
+        cases.push_back({path[i], i == 0, forces[i], "each triangle", "triangle " + std::to_string(triangle)});
+      if (cases.size() >= kPathLength) judge_meanwhile(std::exchange(cases, {}));
     }
+    judge_meanwhile(std::move(cases));
+  }
+
+  struct JudgedPaths {
+    Judgement judgement;
+    Path failing;  // to the first answer that is beyond the tolerance
+  };
+
+  // Whole paths. Several threads may be in it.
+  JudgedPaths judged(const std::vector<Case>& cases, std::uint64_t before) const {
+    Judge judge(subject_, options_.tolerance, before);
+    JudgedPaths paths;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      if (cases[i].is_reset) begin = i;
+      if (!judge.add(cases[i]) || !paths.failing.empty()) continue;
+      for (const Case& its : std::span(cases).subspan(begin, i + 1 - begin)) paths.failing.push_back(its.position);
+    }
+    paths.judgement = judge.judgement();
+    return paths;
+  }
+
+  // While the renderer answers further ones. What is found is put together in the order of the calls.
+  void judge_meanwhile(std::vector<Case> cases) {
+    if (pending_.size() >= std::max(1U, std::thread::hardware_concurrency())) take_first();
+    const std::uint64_t before = std::exchange(given_to_judges_, given_to_judges_ + cases.size());
+    pending_.push_back(std::async(std::launch::async, [this, its = std::move(cases), before] { return judged(its, before); }));
+  }
+
+  void take_first() {
+    const JudgedPaths paths = pending_.front().get();
+    pending_.pop_front();
+    found_.judgement.append(paths.judgement);
+    if (failing_path_.empty()) failing_path_ = paths.failing;
   }
 
   // Whether the last answer of the path, begun anew, is beyond the tolerance; of a path whose last position is judged.
@@ -131,9 +166,9 @@ class Run {
     const Path forces = renderer_->forces_along(path);
     Judge judge(subject_, options_.tolerance);
     for (std::size_t i = 0; i + 1 < path.size(); ++i) judge.add({path[i], i == 0, forces[i]});
-    const auto judged = judge.add({path.back(), path.size() == 1, forces.back()});
-    if (is_beyond(judged)) found_.counterexample = judged;
-    return is_beyond(judged);
+    const auto beyond = judge.add({path.back(), path.size() == 1, forces.back()});
+    if (beyond) found_.counterexample = beyond;
+    return beyond.has_value();
   }
 
   // Fewer positions first, then ones that are shorter to write.
@@ -206,9 +241,11 @@ class Run {
   const Monitor& monitor_;
   const std::shared_ptr<const properties::Subject> subject_;
   std::unique_ptr<SceneRenderer> renderer_;
-  Path path_, failing_path_;  // since the last reset; the first that led to an answer beyond the tolerance
+  Path failing_path_;  // the first that led to an answer beyond the tolerance
   int tries_ = 0;
   Conformance found_;
+  std::uint64_t given_to_judges_ = 0;             // cases
+  std::deque<std::future<JudgedPaths>> pending_;  // in the order of the paths; the last member, so that none outlives the rest
 };
 
 }  // namespace

@@ -38,51 +38,87 @@ std::size_t length_of(const Eigen::Vector3f& position) {
   return length;
 }
 
+bool is_worse(const Judged& one, const std::optional<Judged>& than, Unit unit) {
+  return !than || size_of(one.distance, unit) > size_of(than->distance, unit);
+}
+
+bool is_simpler(const Judged& one, const std::optional<Judged>& than) {
+  return !than || length_of(one.its.position) < length_of(than->its.position);
+}
+
 }  // namespace
 
+void Judgement::append(const Judgement& later) {
+  const auto add = [](Count& to, const Count& more) {
+    to.cases += more.cases;
+    to.wrong += more.wrong;
+    to.beyond += more.beyond;
+  };
+  add(all, later.all);
+  for (const auto& [aim, count] : later.by_aim) add(by_aim[aim], count);
+  for (std::size_t i = 0; i < by_ulps.size(); ++i) by_ulps[i] += later.by_ulps[i];
+  for (std::size_t i = 0; i < by_newtons.size(); ++i) by_newtons[i] += later.by_newtons[i];
+  right.append(later.right);
+  wrong.append(later.wrong);
+  undecided += later.undecided;
+  unfinished += later.unfinished;
+  for (std::size_t i = 0; i < worst.size(); ++i)
+    if (later.worst[i] && is_worse(*later.worst[i], worst[i], static_cast<Unit>(i))) worst[i] = later.worst[i];
+  if (later.simplest && is_simpler(*later.simplest, simplest)) simplest = later.simplest;
+}
+
 std::optional<Judged> Judge::add(const Case& next) {
+  ++number_;
   if (session_ == nullptr || next.is_reset) session_ = subject_->open_reference();
-  Judged judged{.its = next, .exact = {}, .distance = {}};
+  exact_ = std::nullopt;
+  reference::Rounded exact;
   try {
-    judged.exact = session_->step(next.position);
+    exact = session_->step(next.position);
   } catch (const std::domain_error&) {
     ++judgement_.undecided;
     return std::nullopt;
   }
-  if (judged.exact.is_unfinished) {
+  if (exact.is_unfinished) {
     ++judgement_.unfinished;
     return std::nullopt;
   }
-  judged.distance = distance(next.force, judged.exact);
-  judged.is_within =
-      is_within(tolerance_, next.force, judged.exact, [&](unsigned digits) { return session_->decimal(digits); });
-  count(judged);
-  return judged;
+  exact_ = exact;
+  if (tolerance_.unit == Unit::ulp && next.force == exact.force) {  // nearly all answers of a good renderer: no distance
+    count(next, {}, true);
+    return std::nullopt;
+  }
+  const Distance its = distance(next.force, exact);
+  const bool within = is_within(tolerance_, next.force, exact, [&](unsigned digits) { return session_->decimal(digits); });
+  count(next, its, within);
+  Judged judged{next, exact, its};
+  if (its.ulps != 0 || !within) keep(judged, within);
+  return within ? std::nullopt : std::optional(std::move(judged));
+}
+
+void Judge::count(const Case& its, const Distance& distance, bool is_within) {
+  const bool is_wrong = distance.ulps != 0;
+  for (Count* count : {&judgement_.all, &judgement_.by_aim[its.aim]}) {
+    ++count->cases;
+    count->wrong += is_wrong;
+    count->beyond += !is_within;
+  }
+  (is_wrong ? judgement_.wrong : judgement_.right).add(number_, {its.position, distance.ulps});
+  ++judgement_.by_ulps[bin_of_ulps(distance.ulps)];
+  ++judgement_.by_newtons[bin_of_newtons(is_wrong ? distance.newtons.high : 0)];
+}
+
+void Judge::keep(const Judged& judged, bool is_within) {
+  if (judged.distance.ulps != 0)
+    for (const Unit unit : {Unit::ulp, Unit::newton, Unit::percent}) {
+      std::optional<Judged>& worst = judgement_.worst[static_cast<std::size_t>(unit)];
+      if (is_worse(judged, worst, unit)) keep(judged, worst);
+    }
+  if (!is_within && is_simpler(judged, judgement_.simplest)) keep(judged, judgement_.simplest);
 }
 
 void Judge::keep(Judged judged, std::optional<Judged>& where) const {
   if (const auto digits = session_->decimal(kShownDigits)) judged.digits = *digits;
   where = std::move(judged);
-}
-
-void Judge::count(const Judged& judged) {
-  const bool is_wrong = judged.distance.ulps != 0;
-  for (Count* count : {&judgement_.all, &judgement_.by_aim[judged.its.aim]}) {
-    ++count->cases;
-    count->wrong += is_wrong;
-    count->beyond += !judged.is_within;
-  }
-  (is_wrong ? judgement_.wrong : judgement_.right).add(judgement_.all.cases, {judged.its.position, judged.distance.ulps});
-  ++judgement_.by_ulps[bin_of_ulps(judged.distance.ulps)];
-  ++judgement_.by_newtons[bin_of_newtons(is_wrong ? judged.distance.newtons.high : 0)];
-  if (is_wrong)
-    for (const Unit unit : {Unit::ulp, Unit::newton, Unit::percent}) {
-      std::optional<Judged>& worst = judgement_.worst[static_cast<std::size_t>(unit)];
-      if (!worst || size_of(judged.distance, unit) > size_of(worst->distance, unit)) keep(judged, worst);
-    }
-  std::optional<Judged>& simplest = judgement_.simplest;
-  if (!judged.is_within && (!simplest || length_of(judged.its.position) < length_of(simplest->its.position)))
-    keep(judged, simplest);
 }
 
 }  // namespace forceshade::conformance

@@ -35,7 +35,6 @@ struct Judged {
   Case its;
   reference::Rounded exact;
   Distance distance;
-  bool is_within = true;                   // the tolerance
   std::array<std::string, 3> digits = {};  // of the exact force, kShownDigits of them; empty where the definition has none
 };
 inline constexpr unsigned kShownDigits = 30;
@@ -68,27 +67,38 @@ struct Judgement {
   Sample<Place> right, wrong;  // of the cases that are correctly rounded, and of those that are not
 
   bool held() const { return all.cases > 0 && all.beyond == 0; }
+
+  // Goes on with that of the cases behind these.
+  void append(const Judgement& later);
 };
 
 class Judge {
  public:
-  Judge(std::shared_ptr<const properties::Subject> subject, const Tolerance& tolerance)
-      : tolerance_(tolerance), subject_(std::move(subject)) {}
+  // before: how many cases others judge that come before these.
+  Judge(std::shared_ptr<const properties::Subject> subject, const Tolerance& tolerance, std::uint64_t before = 0)
+      : tolerance_(tolerance), subject_(std::move(subject)), number_(before) {}
 
-  // The next case, and what the definition says of it; nothing where it was not judged. Those of a path follow one another; the
-  // first one begins a path.
+  // The next case. Those of a path follow one another; the first one begins a path. Gives it back where it is beyond the
+  // tolerance, without digits.
   std::optional<Judged> add(const Case& next);
+
+  // What the definition says of the last case; nothing where it was not judged.
+  const std::optional<reference::Rounded>& exact() const { return exact_; }
 
   const Judgement& judgement() const { return judgement_; }
 
  private:
-  void count(const Judged& judged);
+  void count(const Case& its, const Distance& distance, bool is_within);
+  // If it is the worst or the simplest until now.
+  void keep(const Judged& judged, bool is_within);
   // Puts it there, with the digits of its exact force.
   void keep(Judged judged, std::optional<Judged>& where) const;
 
   Tolerance tolerance_;
   std::shared_ptr<const properties::Subject> subject_;
   std::unique_ptr<properties::ReferenceSession> session_;
+  std::optional<reference::Rounded> exact_;
+  std::uint64_t number_;  // of the last case
   Judgement judgement_;
 };
 

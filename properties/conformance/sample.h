@@ -20,14 +20,13 @@ class Sample {
 
   void add(std::uint64_t number, const T& value) {
     ++seen_;
-    const std::uint64_t key = properties::split_mix(0, number);
-    if (kept_.size() == kMost) {
-      if (key >= kept_.front().key) return;
-      std::ranges::pop_heap(kept_, {}, &Kept::key);
-      kept_.pop_back();
-    }
-    kept_.push_back({key, value});
-    std::ranges::push_heap(kept_, {}, &Kept::key);
+    keep(properties::split_mix(0, number), value);
+  }
+
+  // What another one has seen, too; no number is in both.
+  void append(const Sample& other) {
+    seen_ += other.seen_;
+    for (const Kept& one : other.kept_) keep(one.key, one.value);
   }
 
   std::uint64_t seen() const { return seen_; }
@@ -45,6 +44,16 @@ class Sample {
     std::uint64_t key;
     T value;
   };
+
+  void keep(std::uint64_t key, const T& value) {
+    if (kept_.size() == kMost) {
+      if (key >= kept_.front().key) return;
+      std::ranges::pop_heap(kept_, {}, &Kept::key);
+      kept_.pop_back();
+    }
+    kept_.push_back({key, value});
+    std::ranges::push_heap(kept_, {}, &Kept::key);
+  }
 
   std::vector<Kept> kept_;  // a heap, the last in the order at its front
   std::uint64_t seen_ = 0;

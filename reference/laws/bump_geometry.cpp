@@ -58,7 +58,7 @@ Enclosure enclosing_theta(const Parameters& p) {
   return Enclosure(2) / 3 * asin(w / (2 * R));
 }
 
-BumpGeometry<Enclosure> enclosing_geometry(const Parameters& p) {
+BumpGeometry<Enclosure> enclosing_geometry(const Parameters& p, FlatTop top) {
   BumpGeometry<Enclosure> g;
   g.R = Enclosure(p.radius);
   g.w = Enclosure(p.width);
@@ -66,13 +66,14 @@ BumpGeometry<Enclosure> enclosing_geometry(const Parameters& p) {
   const Enclosure half = g.w / 2;
   g.d = sqrt((g.R - half) * (g.R + half));
   g.h = g.R - g.d;
+  if (top == FlatTop::not_needed) return g;
   const Enclosure theta = enclosing_theta(p), sine = sin(theta), cosine = cos(theta);
   g.w_prime = 2 * (half * cosine - g.d * sine);
   g.h_prime = half * sine + g.d * cosine - g.d;
   return g;
 }
 
-BumpGeometry<Exact> exact_geometry(const Parameters& p) {
+BumpGeometry<Exact> exact_geometry(const Parameters& p, FlatTop top) {
   BumpGeometry<Exact> g;
   g.R = Exact(static_cast<double>(p.radius));
   g.w = Exact(static_cast<double>(p.width));
@@ -80,6 +81,7 @@ BumpGeometry<Exact> exact_geometry(const Parameters& p) {
   const Exact half = g.w / Exact(2);
   g.d = sqrt((g.R - half) * (g.R + half));
   g.h = g.R - g.d;
+  if (top == FlatTop::not_needed) return g;
   const Exact t = sine_of_third(p);
   g.w_prime = Exact(2) * g.R * t;
   g.h_prime = g.w_prime * (Exact(2) * t * sqrt((Exact(1) - t) * (Exact(1) + t)));  // w′ sin θ

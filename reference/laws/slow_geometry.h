@@ -7,12 +7,15 @@
 
 namespace forceshade::reference {
 
+// Whether w′ and h′ are computed, which takes the longest, or left at 0 for a law whose surface has no flat top.
+enum class FlatTop { needed, not_needed };
+
 // The geometry from the printed formulas, θ = (2/3) arcsin(w/2R), at the precision last set by set_precision().
-BumpGeometry<Enclosure> enclosing_geometry(const Parameters& parameters);
+BumpGeometry<Enclosure> enclosing_geometry(const Parameters& parameters, FlatTop top = FlatTop::needed);
 Enclosure enclosing_theta(const Parameters& parameters);
 
 // The geometry from t = sin(α/3): the root of 4t³ - 3t + w/2R in (0, ½], isolated by CGAL's algebraic kernel.
-BumpGeometry<Exact> exact_geometry(const Parameters& parameters);
+BumpGeometry<Exact> exact_geometry(const Parameters& parameters, FlatTop top = FlatTop::needed);
 
 // Rounded outwards.
 Ball64 filter_of(const Enclosure& value);

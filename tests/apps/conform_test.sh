@@ -113,7 +113,7 @@ greets "exit 0"; wrong "ended without an answer" "sh greets.sh"
 greets "cat"; wrong 'answered without a list "answers"' "sh greets.sh"
 greets "echo x; sleep 100"; wrong "wrote" "sh greets.sh"
 greets "read line; echo '{\"answers\":[]}'; cat"; wrong "answered 1024 positions with 0 entries" "sh greets.sh"
-greets "read line; printf '{\"answers\":['; for i in \$(seq 1023); do printf 1,; done; echo '1]}'"; wrong "the renderer's answer 0 is \"1\"" "sh greets.sh"
+greets "read line; printf '{\"answers\":['; for i in \$(seq 1023); do printf 1,; done; echo '1]}'"; wrong "the renderer's answer 0 is 1;" "sh greets.sh"
 greets "read line; printf '{\"answers\":['; for i in \$(seq 1023); do printf '\"zz\",'; done; echo '\"zz\"]}'"; wrong "24 hexadecimal digits" "sh greets.sh"
 mutated 'print(json.dumps(answer), flush=True)' 'print(json.dumps(answer) + "\n" + json.dumps(answer), flush=True)'
 finds "" "" "wrote without having been asked"

@@ -30,8 +30,9 @@ std::vector<Case> answered(const Description& description, std::size_t count) {
   return cases;
 }
 
-Judgement judged(const Description& description, const std::vector<Case>& cases, const Tolerance& tolerance) {
-  Judge judge(properties::subject_of(description), tolerance);
+Judgement judged(const Description& description, const std::vector<Case>& cases, const Tolerance& tolerance,
+                 std::uint64_t before = 0) {
+  Judge judge(properties::subject_of(description), tolerance, before);
   for (const Case& each : cases) judge.add(each);
   return judge.judgement();
 }
@@ -96,6 +97,19 @@ TEST(judge, names_the_worst_in_each_unit_and_the_simplest) {
   EXPECT_EQ(found.worst[static_cast<std::size_t>(Unit::percent)]->its.place, "air");
   EXPECT_EQ(found.simplest->its.place, "air");
   EXPECT_EQ(found.simplest->digits[2], "0");
+}
+
+TEST(judgement, of_parts_put_together_is_that_of_all_cases) {
+  std::vector<Case> cases = answered(kBump, 3000);
+  for (std::size_t i = 0; i < cases.size(); i += 7) cases[i].force *= 1 + 0x1p-23F * static_cast<float>(i % 11 * i);
+  Judgement parts;
+  for (const auto& [begin, end] : {std::pair{0, 1000}, {1000, 1001}, {1001, 1001}, {1001, 3000}})
+    parts.append(
+        judged(kBump, {cases.begin() + begin, cases.begin() + end}, {Unit::ulp, 2}, static_cast<std::uint64_t>(begin)));
+  const Identity identity = identity_of(LawId::bump_2p, {15.24F, 25.4F, 0.5F});
+  const Judgement whole = judged(kBump, cases, {Unit::ulp, 2});
+  EXPECT_GT(whole.all.beyond, 100U);
+  EXPECT_EQ(text_of(json_of(parts, identity, {Unit::ulp, 2})), text_of(json_of(whole, identity, {Unit::ulp, 2})));
 }
 
 TEST(judge, holds_of_no_case_at_all_is_nothing) {

@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr const char* kToken = "FORCESHADE_RENDERER_UNDER_TEST";
-constexpr std::size_t kLastWords = 2000, kShown = 80;
+constexpr std::size_t kLastWords = 2000;
 
 struct Pipe {
   Pipe() {
@@ -103,8 +103,8 @@ std::string seconds(std::chrono::milliseconds time) {
 
 }  // namespace
 
-std::string shown(std::string_view text) {
-  return '"' + files::printable(std::string(text.substr(0, kShown))) + (text.size() > kShown ? "...\"" : "\"");
+std::string shown(std::string_view text, std::size_t length) {
+  return '"' + files::printable(std::string(text.substr(0, length))) + (text.size() > length ? "...\"" : "\"");
 }
 
 ChildProcess::ChildProcess(const std::string& command, const ProcessLimits& limits, const char* whose)

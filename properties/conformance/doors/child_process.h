@@ -18,7 +18,7 @@ struct ProcessFailed : std::runtime_error {
 };
 
 // What it wrote, for a message: the beginning, printable and in quotes.
-std::string shown(std::string_view text);
+std::string shown(std::string_view text, std::size_t length = 80);
 
 struct ProcessLimits {
   std::chrono::milliseconds answer{10'000};          // for one line

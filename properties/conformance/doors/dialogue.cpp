@@ -10,6 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 constexpr const char* kProtocol = "conform 1";
+constexpr std::size_t kReason = 500;  // characters of one
 
 }  // namespace
 
@@ -27,17 +28,21 @@ Json Dialogue::open(const Json& scene) {
   return said;
 }
 
-Json Dialogue::ask(const std::string& line) {
-  std::string answer;
+std::string Dialogue::say(const std::string& line) {
   try {
-    answer = process_.ask(line);
+    return process_.ask(line);
   } catch (const ProcessFailed& failure) {
     throw RendererFailed(failure.what());
   }
-  Json said = Json::parse(answer, nullptr, false);
-  if (!said.is_object())
-    throw RendererFailed(std::string("the ") + whose_ + " wrote " + shown(answer) + "; expected a JSON object in one line");
-  return said;
+}
+
+Json Dialogue::object_in(const std::string& said) const {
+  Json object = Json::parse(said, nullptr, false);
+  if (!object.is_object())
+    throw RendererFailed(std::string("the ") + whose_ + " wrote " + shown(said) + "; expected a JSON object in one line");
+  if (const auto why = object.find("failure"); why != object.end() && why->is_string())
+    throw RendererFailed(std::string("the ") + whose_ + " failed: " + shown(why->get<std::string>(), kReason));
+  return object;
 }
 
 void Dialogue::say_goodbye() {

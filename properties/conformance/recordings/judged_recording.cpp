@@ -80,8 +80,9 @@ class Judging {
     for (std::size_t i = 0; i < there.samples.size(); ++i) {
       monitor_.at(0.2 + 0.8 * static_cast<double>(i) / static_cast<double>(there.samples.size()));
       const Measured& sample = there.samples[i];
-      const auto judged = judge.add({sample.position.cast<float>(), i == 0, sample.force.cast<float>(), "", there.place(i)});
-      exact.push_back(judged ? std::optional<Eigen::Vector3d>(judged->exact.force.cast<double>()) : std::nullopt);
+      judge.add({sample.position.cast<float>(), i == 0, sample.force.cast<float>(), "", there.place(i)});
+      const auto& judged = judge.exact();
+      exact.push_back(judged ? std::optional<Eigen::Vector3d>(judged->force.cast<double>()) : std::nullopt);
       if (!judged || !sample.force.allFinite()) continue;
       differences.push_back((sample.force - *exact.back()).norm());
       if (const double size = exact.back()->norm(); size > 0) percents.push_back(100 * differences.back() / size);

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/render_object.h"
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "forceshade.h"
+#include "properties/conformance/doors/lines.h"
+
+namespace forceshade::apps {
+namespace {
+
+constexpr const char* kEntry = "forceshade_renderer_entry";
+
+// What the object did wrong, in words for the verdict.
+struct ObjectFailed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// The standard streams as they were; what the object reads and prints itself is something else.
+class Lines {
+ public:
+  Lines() : in_(::fdopen(kept(STDIN_FILENO), "r")), out_(kept(STDOUT_FILENO)) {
+    ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
+    ::dup2(STDERR_FILENO, STDOUT_FILENO);
+  }
+
+  std::optional<std::string_view> read() {
+    const ssize_t length = ::getline(&line_, &room_, in_);
+    if (length <= 0) return std::nullopt;
+    return std::string_view(line_, static_cast<std::size_t>(length - (line_[length - 1] == '\n' ? 1 : 0)));
+  }
+
+  void write(std::string line) const {
+    line += '\n';
+    for (std::string_view rest = line; !rest.empty();) {
+      const ssize_t size = ::write(out_, rest.data(), rest.size());
+      if (size <= 0) return;  // nobody listens any more
+      rest.remove_prefix(static_cast<std::size_t>(size));
+    }
+  }
+
+ private:
+  // What the object starts does not get it.
+  static int kept(int stream) { return ::fcntl(stream, F_DUPFD_CLOEXEC, STDERR_FILENO + 1); }
+
+  std::FILE* in_;
+  int out_;
+  char* line_ = nullptr;
+  std::size_t room_ = 0;
+};
+
+const forceshade_renderer& table_of(const std::string& file) {
+  void* const object = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (object == nullptr) throw ObjectFailed(std::string("it cannot be loaded: ") + ::dlerror());
+  auto* const entry = reinterpret_cast<forceshade_renderer_function*>(::dlsym(object, kEntry));
+  if (entry == nullptr) throw ObjectFailed(std::string("it exports no function ") + kEntry);
+  const forceshade_renderer* const table = entry();
+  if (table == nullptr) throw ObjectFailed(std::string(kEntry) + "() returned no table");
+  if (table->size < sizeof(forceshade_renderer))
+    throw ObjectFailed("its table says that it has " + std::to_string(table->size) + " bytes; expected " +
+                       std::to_string(sizeof(forceshade_renderer)) + " or more");
+  const auto expect = [](bool is_there, const char* name) {
+    if (!is_there) throw ObjectFailed(std::string("its table has no function ") + name);
+  };
+  expect(table->open != nullptr, "open");
+  expect(table->answer != nullptr, "answer");
+  expect(table->close != nullptr, "close");
+  return *table;
+}
+
+class Renderer {
+ public:
+  Renderer(const forceshade_renderer& table, std::string_view scene) : table_(table) {
+    const char* hello = nullptr;
+    if (const std::int32_t code = table_.open(std::string(scene).c_str(), &state_, &hello); code != 0)
+      throw ObjectFailed("its open() returned " + std::to_string(code) + (hello == nullptr ? "" : std::string(": ") + hello));
+    if (hello == nullptr) throw ObjectFailed("its open() returned 0 and no hello");
+    hello_ = hello;
+    for (char& c : hello_)  // a line has no other end, and a text of JSON no line's end
+      if (c == '\n' || c == '\r') c = ' ';
+  }
+  ~Renderer() { table_.close(state_); }
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  const std::string& hello() const { return hello_; }
+
+  std::vector<Eigen::Vector3f> answers(const std::vector<Eigen::Vector3f>& positions, bool is_reset) {
+    std::vector<Eigen::Vector3f> answers(positions.size(), Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
+    const std::int32_t code =
+        table_.answer(state_, positions.data()->data(), answers.data()->data(), positions.size(), is_reset ? 1 : 0);
+    if (code != 0) throw ObjectFailed("its answer() returned " + std::to_string(code));
+    return answers;
+  }
+
+ private:
+  const forceshade_renderer& table_;
+  void* state_ = nullptr;
+  std::string hello_;
+};
+
+void answer(const std::string& file, Lines& lines) {
+  const auto first = lines.read();
+  if (!first) return;
+  if (!first->starts_with(conformance::kScene)) throw ObjectFailed("its process expects the scene of conform 1 first");
+  const std::string_view scene = first->substr(conformance::kScene.size());
+  Renderer renderer(table_of(file), scene.substr(0, scene.size() - 1));
+  lines.write(renderer.hello());
+  while (const auto line = lines.read()) {
+    const bool is_reset = line->starts_with(conformance::kNewPath);
+    const auto positions = conformance::numbers_in(*line, is_reset ? conformance::kNewPath : conformance::kPositions);
+    if (!positions) return;  // goodbye
+    lines.write(conformance::line_of(conformance::kAnswers, renderer.answers(*positions, is_reset)));
+  }
+}
+
+}  // namespace
+
+int render_object(const std::string& file) {
+  Lines lines;
+  const auto fail = [&](const std::string& words) {
+    lines.write(nlohmann::json{{"failure", words}}.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
+    return 1;
+  };
+  try {
+    answer(file, lines);
+    return 0;
+  } catch (const ObjectFailed& failure) {
+    return fail(failure.what());
+  } catch (const std::exception& error) {
+    return fail(std::string("it threw an exception: ") + error.what());
+  } catch (...) {
+    return fail("it threw something");
+  }
+}
+
+}  // namespace forceshade::apps

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The lines of docs/conformance-protocol.md that carry numbers.
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace forceshade::conformance {
+
+// How lines begin; what follows is a scene or a list of numbers, and the end of the object.
+inline constexpr std::string_view kScene = R"({"forceshade":"conform 1","scene":)", kNewPath = R"({"reset":true,"positions":)",
+                                  kPositions = R"({"positions":)", kAnswers = R"({"answers":)";
+
+// The whole line without its end: the beginning, a list of texts of 24 hexadecimal digits, and the end of the object.
+std::string line_of(std::string_view beginning, std::span<const Eigen::Vector3f> numbers);
+
+// What such a line has, which may have spaces around each text; nothing where it is any other one.
+std::optional<std::vector<Eigen::Vector3f>> numbers_in(std::string_view line, std::string_view beginning);
+
+// Three numbers of 24 hexadecimal digits; nothing where they are none.
+std::optional<Eigen::Vector3f> numbers_of(std::string_view text);
+
+}  // namespace forceshade::conformance

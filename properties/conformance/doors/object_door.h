@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A renderer that is a shared object with the one function of include/forceshade.h. It is loaded in a process of its own, so
+// that it has the limits of a renderer that is a process, and each of its faults is a verdict.
+
+#include <string>
+
+#include "properties/conformance/doors/child_process.h"
+#include "properties/conformance/renderer_under_test.h"
+
+namespace forceshade::conformance {
+
+// The word by which this program becomes that process: it is called with it and the file (apps/render_object.cpp).
+inline constexpr const char* kRenderObject = "render-object";
+
+// For the program that runs render_object().
+OpenRenderer object_door(const std::string& file, const ProcessLimits& limits = {});
+
+}  // namespace forceshade::conformance
