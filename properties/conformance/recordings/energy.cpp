@@ -75,7 +75,7 @@ class Energy {
            (exact_.empty() || (exact_[i] && exact_[i]->isZero(0)));
   }
 
-  // Of a step with a force that is not finite, nothing is known.
+  // Nothing is known of a step with a force that is not finite.
   double measured_work(std::size_t from, std::size_t to) const {
     const double work = trapezoid(samples_[from].force, samples_[to].force, samples_[to].position - samples_[from].position);
     return std::isfinite(work) ? work : 0;
@@ -105,7 +105,7 @@ class Energy {
       const double closing = measured_work(to, from);
       work += closing;
       exact += !exact_.empty() && exact_[from] && exact_[to] ? trapezoid(*exact_[to], *exact_[from], back) : closing;
-      // Of a force that lies between those at the ends.
+      // The work of a force that lies between those at the ends.
       if (exact_.empty()) rule += (samples_[from].force - samples_[to].force).norm() * back.norm() / 2;
     }
     const double off =
