@@ -98,5 +98,5 @@ def test_every_door_finds_the_same(wrong_in, tmp_path):
         assert without_places(found["exact"]) == without_places(process["exact"])
     for found in others:
         for same in ("held", "applicable", "shortest_path_mm", "counterexample", "invariants"):
-            assert found[same] == process[same], same
+            assert found.get(same) == process.get(same), same
     assert any(not one.get("held", True) for one in process["invariants"]) == (wrong_in == "the surface")
