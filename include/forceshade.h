@@ -274,7 +274,7 @@ typedef struct forceshade_renderer {
 /* The type of the one function that the object exports, whose name is forceshade_renderer_entry. The table stays as long as the
  * object is loaded.
  *
- *   FORCESHADE_API const forceshade_renderer* forceshade_renderer_entry(void) { return &table; } */
+ *   FORCESHADE_API const forceshade_renderer* forceshade_renderer_entry(void) { return its_table; } */
 typedef const forceshade_renderer* forceshade_renderer_function(void);
 
 #ifdef __cplusplus
