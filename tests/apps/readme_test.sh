@@ -3,6 +3,7 @@
 # seconds, the nine laws become one where a certificate is made, and a picture's one law has energies in closed form; properties have fewer
 # cases, and loops do not wait for the clock.
 set -u
+. "$(dirname "$0")/page.sh"
 forceshade=$(realpath "$1") source=$(realpath "$2")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -11,8 +12,8 @@ mkdir -p build/release/apps
 ln -s "$forceshade" build/release/apps/forceshade
 for folder in examples recordings; do ln -s "$source/$folder" $folder; done
 
-# The blocks of shell commands, without those of the scripts, which build and test everything; and a line that ends in \ joined.
-sed -n '/^```sh$/,/^```$/ { /^```/d; p }' "$source/README.md" | grep -v '^scripts/\|^export ' | sed -e ':a' -e '/\\$/ { N; s/\\\n *//; ba' -e '}' |
+# The blocks of shell commands, without those of the scripts, which build and test everything.
+page_blocks sh < "$source/README.md" | grep -v '^scripts/\|^export ' |
   sed -e '/ certify --law /s/ --law all / --law bump-1p-shaded /' -e '/ drive /s/$/ --free-run/' -e 's/ --cases 10000 / --cases 300 /' -e '/ plot --law /s/ bump-2p-shaded / bump-2p /' > commands
 setting=$(grep '^export PATH=' "$source/README.md") && eval "$setting" || { echo "FAILED: the README sets no PATH"; exit 1; }
 count=$(grep -c '\(^\|| \)forceshade ' commands)
