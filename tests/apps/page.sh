@@ -26,7 +26,8 @@ type_page() {
       *.said)
         while IFS= read -r line; do
           lines=$((lines + 1))
-          case $'\n'$said in *$'\n'"${line%...}"*) ;; *) echo "FAILED: $1: expected \"$line\", got: $said"; return 1 ;; esac
+          line=${line%...}
+          case $'\n'$said in *$'\n'"$line"*) ;; *) echo "FAILED: $1: expected \"$line\", got: $said"; return 1 ;; esac
         done < "$part" ;;
       *)
         [ -s "$part.name" ] || { echo "FAILED: $1: a block of ${piece#*.} has no name before it"; return 1; }
