@@ -62,7 +62,8 @@ std::optional<double> HelloReader::number_or_null(const std::string& key, double
 
 std::optional<std::string> HelloReader::refusal() const {
   const auto accepts = hello_.find("accepts");
-  if (accepts == hello_.end() || *accepts != false) return std::nullopt;
+  if (accepts != hello_.end() && !accepts->is_boolean()) refuse("accepts", *accepts, "true or false");
+  if (accepts == hello_.end() || *accepts == true) return std::nullopt;
   return text("reason");
 }
 

@@ -5,30 +5,23 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdlib>
+#include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <random>
 #include <system_error>
-#include <thread>
 #include <utility>
-#include <vector>
 
 #include "files/printable.h"
+#include "properties/conformance/doors/keeper.h"
 
 namespace forceshade::conformance {
 namespace {
 
-namespace fs = std::filesystem;
-constexpr const char* kToken = "FORCESHADE_RENDERER_UNDER_TEST";
 constexpr std::size_t kLastWords = 2000;
 
 struct Pipe {
@@ -42,28 +35,6 @@ struct Pipe {
   int take(std::size_t end) { return std::exchange(ends[end], -1); }
   std::array<int, 2> ends{-1, -1};
 };
-
-// The numbers of all processes.
-std::vector<pid_t> processes() {
-  std::vector<pid_t> all;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator("/proc", ignored))
-    if (const pid_t number = std::atoi(entry.path().filename().c_str()); number > 0) all.push_back(number);
-  return all;
-}
-
-bool has_token(pid_t process, const std::string& token) {
-  std::ifstream in("/proc/" + std::to_string(process) + "/environ", std::ios::binary);
-  std::string environment{std::istreambuf_iterator<char>(in), {}};
-  return environment.find(token) != std::string::npos;
-}
-
-rlim_t processes_of_this_user() {
-  return static_cast<rlim_t>(std::ranges::count_if(processes(), [](pid_t process) {
-    struct stat its {};
-    return ::stat(("/proc/" + std::to_string(process)).c_str(), &its) == 0 && its.st_uid == ::getuid();
-  }));
-}
 
 void limit(int what, rlim_t most) {
   const rlimit both{most, most};
@@ -109,19 +80,10 @@ std::string shown(std::string_view text, std::size_t length) {
 
 ChildProcess::ChildProcess(const std::string& command, const ProcessLimits& limits, const char* whose)
     : limits_(limits), whose_(whose) {
-  std::random_device random;
-  token_ = std::string(kToken) + '=' + std::to_string(::getpid()) + '-' + std::to_string(random()) + std::to_string(random());
-  std::vector<char*> environment;
-  for (char** one = environ; *one != nullptr; ++one)
-    if (std::strncmp(*one, kToken, std::strlen(kToken)) != 0) environment.push_back(*one);
-  environment.push_back(token_.data());
-  environment.push_back(nullptr);
-  Pipe in, out, errors;
-  const rlim_t most_processes = processes_of_this_user() + limits.processes;
+  Pipe in, out, errors, control, reports;
+  const rlim_t most_threads = threads_of_this_user() + limits.threads;
   const std::array<const char*, 4> arguments{"/bin/sh", "-c", command.c_str(), nullptr};
-  process_ = ::fork();
-  if (process_ < 0) throw std::system_error(errno, std::generic_category(), "cannot start a process");
-  if (process_ == 0) {  // only what a signal handler may call, since other threads may hold locks
+  const auto become_program = [&] {  // only what a signal handler may call, since other threads may hold locks
     ::setsid();
     for (const auto& [from, to] :
          {std::pair{in.ends[0], STDIN_FILENO}, {out.ends[1], STDOUT_FILENO}, {errors.ends[1], STDERR_FILENO}})
@@ -130,14 +92,21 @@ ChildProcess::ChildProcess(const std::string& command, const ProcessLimits& limi
     limit(RLIMIT_CPU, limits.processor_seconds);
     limit(RLIMIT_DATA, limits.memory);
     limit(RLIMIT_FSIZE, rlim_t{limits.file_megabytes} << 20U);
-    limit(RLIMIT_NPROC, most_processes);
+    limit(RLIMIT_NPROC, most_threads);
     sigset_t none;
     sigemptyset(&none);
     ::sigprocmask(SIG_SETMASK, &none, nullptr);
     for (const int number : {SIGPIPE, SIGINT, SIGTERM, SIGHUP}) ::signal(number, SIG_DFL);
-    ::execve("/bin/sh", const_cast<char* const*>(arguments.data()), environment.data());
-    ::_exit(127);
+    ::execve("/bin/sh", const_cast<char* const*>(arguments.data()), environ);
+  };
+  keeper_ = ::fork();
+  if (keeper_ < 0) throw std::system_error(errno, std::generic_category(), "cannot start a process");
+  if (keeper_ == 0) {
+    ::close(control.take(1));
+    keep(become_program, control.ends[0], reports.ends[1], limits.threads);
   }
+  control_ = control.take(1);
+  reports_ = reports.take(0);
   to_ = in.take(1);
   from_ = out.take(0);
   errors_ = errors.take(0);
@@ -145,20 +114,9 @@ ChildProcess::ChildProcess(const std::string& command, const ProcessLimits& limi
 }
 
 ChildProcess::~ChildProcess() {
-  for (const int end : {to_, from_, errors_})
+  for (const int end : {to_, from_, errors_, control_, reports_})
     if (end >= 0) ::close(end);
-  if (process_ > 0) {
-    ::kill(process_, SIGKILL);  // it may have no session yet
-    ::kill(-process_, SIGKILL);
-  }
-  // What has left the session still has the token, unless it took its environment away, too. Those killed may have started
-  // others in the meantime.
-  for (bool found = true; found;) {
-    found = false;
-    for (const pid_t process : processes())
-      if (process != ::getpid() && has_token(process, token_)) found = ::kill(process, SIGKILL) == 0 || found;
-  }
-  if (process_ > 0) ::waitpid(process_, nullptr, 0);
+  ::waitpid(keeper_, nullptr, 0);
 }
 
 // Writes what it can of `rest` and reads what there is, once.
@@ -224,12 +182,12 @@ void ChildProcess::say_goodbye(std::string_view line) {
 
 // Its output is at its end. Waits for it.
 std::string ChildProcess::how_it_ended(Clock::time_point until) {
+  pollfd reports{reports_, POLLIN, 0};
+  const auto left = std::max<std::int64_t>(0, std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now()).count());
+  if (::poll(&reports, 1, static_cast<int>(left)) <= 0) return "closed its output, and did not end";
   int status = 0;
-  pid_t found = 0;
-  while ((found = ::waitpid(process_, &status, WNOHANG)) == 0 && Clock::now() < until)
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  if (found == 0) return "closed its output, and did not end";
-  process_ = -1;
+  if (::read(reports_, &status, sizeof status) != sizeof status) return "ended the process that watches it";
+  if (status == kTooMany) return "had more than " + std::to_string(limits_.threads) + " processes and threads, and ended";
   if (WIFSIGNALED(status))
     return "was killed by signal " + std::to_string(WTERMSIG(status)) + " (" + ::strsignal(WTERMSIG(status)) + ")";
   if (WEXITSTATUS(status) == 127) return "could not be started: the shell knows no such command";

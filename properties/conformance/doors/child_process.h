@@ -24,7 +24,7 @@ struct ProcessLimits {
   std::chrono::milliseconds answer{10'000};          // for one line
   std::size_t longest_line = std::size_t{1} << 24U;  // bytes
   std::size_t memory = std::size_t{2} << 30U;        // bytes that it may write to, of each of its processes
-  unsigned processes = 64;                           // that it may start beside those of its user; not of root's
+  unsigned long threads = 512;                       // of all its processes together
   unsigned processor_seconds = 600, file_megabytes = 64;
 };
 
@@ -55,9 +55,8 @@ class ChildProcess {
 
   ProcessLimits limits_;
   const char* whose_;
-  std::string token_;  // in the environment of whatever it starts
-  pid_t process_ = -1;
-  int to_ = -1, from_ = -1, errors_ = -1;
+  pid_t keeper_ = -1;  // its parent (keeper.h)
+  int to_ = -1, from_ = -1, errors_ = -1, control_ = -1, reports_ = -1;
   std::string said_, last_words_;  // what it wrote and was not read; the end of what it wrote to standard error
 };
 

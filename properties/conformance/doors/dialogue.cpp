@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "properties/conformance/doors/dialogue.h"
 
+#include <optional>
+#include <set>
+#include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "properties/conformance/hello_reader.h"
 
@@ -11,6 +16,24 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr const char* kProtocol = "conform 1";
 constexpr std::size_t kReason = 500;  // characters of one
+
+// What the text means, discarded where it is no JSON, and a key that one of its objects has twice, of which a reader would have
+// to guess one.
+std::pair<Json, std::optional<std::string>> parsed(const std::string& text) {
+  std::optional<std::string> twice;
+  std::vector<std::set<std::string>> objects;
+  Json json = Json::parse(
+      text,
+      [&](int, Json::parse_event_t event, const Json& value) {
+        if (event == Json::parse_event_t::object_start) objects.emplace_back();
+        if (event == Json::parse_event_t::object_end) objects.pop_back();
+        if (event == Json::parse_event_t::key && !objects.back().insert(value.get<std::string>()).second)
+          twice = value.get<std::string>();
+        return true;
+      },
+      false);
+  return {std::move(json), std::move(twice)};
+}
 
 }  // namespace
 
@@ -37,12 +60,13 @@ std::string Dialogue::say(const std::string& line) {
 }
 
 Json Dialogue::object_in(const std::string& said) const {
-  Json object = Json::parse(said, nullptr, false);
+  auto [object, twice] = parsed(said);
   if (!object.is_object())
     throw RendererFailed(std::string("the ") + whose_ + " wrote " + shown(said) + "; expected a JSON object in one line");
+  if (twice) throw RendererFailed(std::string("the ") + whose_ + " wrote a line that has the key " + shown(*twice) + " twice");
   if (const auto why = object.find("failure"); why != object.end() && why->is_string())
     throw RendererFailed(std::string("the ") + whose_ + " failed: " + shown(why->get<std::string>(), kReason));
-  return object;
+  return std::move(object);
 }
 
 void Dialogue::say_goodbye() {

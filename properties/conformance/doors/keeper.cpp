@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "properties/conformance/doors/keeper.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/signalfd.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace forceshade::conformance {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr int kBetweenCounts = 200;         // ms
+constexpr int kMostPasses = 5'000;          // each of a millisecond or more, until what was killed has gone
+constexpr std::size_t kBeforeThreads = 15;  // fields of /proc/PID/stat between the parent and the number of threads
+
+struct Process {
+  pid_t id = 0, parent = 0;
+  unsigned long threads = 0;
+};
+
+// Those that run, of all users.
+std::vector<Process> processes() {
+  std::vector<Process> all;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator("/proc", ignored)) {
+    Process process{std::atoi(entry.path().filename().c_str()), 0, 0};
+    if (process.id <= 0) continue;
+    std::ifstream in(entry.path() / "stat");
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    const std::size_t name_ends = text.rfind(')');  // a name may have brackets and spaces
+    if (name_ends == std::string::npos) continue;   // it has ended
+    std::istringstream fields(text.substr(name_ends + 1));
+    std::string state, other;
+    fields >> state >> process.parent;
+    for (std::size_t i = 0; i < kBeforeThreads; ++i) fields >> other;
+    if (fields >> process.threads && state != "Z" && state != "X") all.push_back(process);
+  }
+  return all;
+}
+
+std::vector<Process> descendants() {
+  std::vector<Process> rest = processes(), found;
+  std::set<pid_t> family{::getpid()};
+  for (bool is_more = true; is_more;) {
+    const auto others =
+        std::partition(rest.begin(), rest.end(), [&](const Process& one) { return !family.contains(one.parent); });
+    is_more = others != rest.end();
+    for (auto one = others; one != rest.end(); ++one) family.insert(one->id);
+    found.insert(found.end(), others, rest.end());
+    rest.erase(others, rest.end());
+  }
+  return found;
+}
+
+unsigned long threads_of(const std::vector<Process>& these) {
+  unsigned long sum = 0;
+  for (const Process& one : these) sum += one.threads;
+  return sum;
+}
+
+// All are stopped first, since what is stopped starts nothing in the meantime.
+void end_descendants() {
+  std::set<pid_t> stopped;
+  for (bool is_more = true; is_more;) {
+    is_more = false;
+    for (const Process& one : descendants())
+      if (stopped.insert(one.id).second) {
+        ::kill(one.id, SIGSTOP);
+        is_more = true;
+      }
+  }
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    while (::waitpid(-1, nullptr, WNOHANG) > 0) {
+    }
+    const auto left = descendants();
+    if (left.empty()) return;
+    for (const Process& one : left) ::kill(one.id, SIGKILL);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+}  // namespace
+
+unsigned long threads_of_this_user() {
+  auto all = processes();
+  std::erase_if(all, [](const Process& process) {
+    struct stat its {};
+    return ::stat(("/proc/" + std::to_string(process.id)).c_str(), &its) != 0 || its.st_uid != ::getuid();
+  });
+  return threads_of(all);
+}
+
+void keep(const std::function<void()>& become_program, int control, int reports, unsigned long most) {
+  ::setsid();
+  ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+  sigset_t all, children;
+  sigfillset(&all);
+  ::sigprocmask(SIG_SETMASK, &all, nullptr);
+  ::signal(SIGCHLD, SIG_DFL);
+  sigemptyset(&children);
+  sigaddset(&children, SIGCHLD);
+  const pid_t program = ::fork();
+  if (program == 0) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // where it ends its keeper
+    become_program();
+    ::_exit(127);
+  }
+  // No end of any other pipe stays open here.
+  const std::array<int, 3> kept{::fcntl(control, F_DUPFD, 3), ::fcntl(reports, F_DUPFD, 3),
+                                ::signalfd(-1, &children, SFD_NONBLOCK)};
+  for (int i = 0; i < 3; ++i) ::dup2(kept[static_cast<std::size_t>(i)], i);
+  ::close_range(3, ~0U, 0);
+  std::array<pollfd, 2> ends{pollfd{0, POLLIN, 0}, pollfd{2, POLLIN, 0}};
+  bool is_alone = program < 0;
+  while (ends[0].revents == 0) {
+    if (is_alone) {
+      ::poll(ends.data(), 1, -1);
+      continue;
+    }
+    ::poll(ends.data(), ends.size(), kBetweenCounts);
+    signalfd_siginfo information;
+    while (::read(2, &information, sizeof information) > 0) {
+    }
+    int status = 0;
+    pid_t ended = 0;
+    while ((ended = ::waitpid(-1, &status, WNOHANG)) > 0)
+      if (ended == program && ::write(1, &status, sizeof status) < 0) ::_exit(0);
+    is_alone = ended < 0 && errno == ECHILD;
+    if (is_alone || threads_of(descendants()) <= most) continue;
+    ::write(1, &kTooMany, sizeof kTooMany);
+    break;
+  }
+  if (!is_alone) end_descendants();
+  ::_exit(0);
+}
+
+}  // namespace forceshade::conformance
