@@ -124,7 +124,7 @@ greets("an answer", 'has no key "forceshade"', {"answers": []})
 greets("what it got", "expected", b'{"forceshade":"conform 1","scene":{}}\n')
 greets("16 million brackets", NO_OBJECT, b"[" * 16_000_000 + b"\n")
 greets("16 million objects", NO_OBJECT, b'{"":' * 4_000_000 + b"\n")
-greets("8 million numbers", 'expected "conform 1"', raw("forceshade", b"[" + b"1," * 8_000_000 + b"1]"))
+greets("8 million numbers", NO_OBJECT, raw("forceshade", b"[" + b"1," * 8_000_000 + b"1]"))
 changed("a verdict as its name", "n\\nheld", name="n\nheld: 256 of 256 (100 %)", accepts=False, reason="\nheld")
 
 

@@ -17,22 +17,31 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kProtocol = "conform 1";
 constexpr std::size_t kReason = 500;  // characters of one
 
-// What the text means, discarded where it is no JSON, and a key that one of its objects has twice, of which a reader would have
-// to guess one.
+// A line of 16 MiB could else become gigabytes.
+constexpr std::size_t kMostValues = 1'000'000;
+constexpr int kDeepest = 100;
+
+// What the text means, discarded where it is no JSON or too much of it; and a key that one of its objects has twice, of which a
+// reader would have to guess one.
 std::pair<Json, std::optional<std::string>> parsed(const std::string& text) {
+  struct TooMuch {};
+  std::size_t values = 0;
   std::optional<std::string> twice;
   std::vector<std::set<std::string>> objects;
-  Json json = Json::parse(
-      text,
-      [&](int, Json::parse_event_t event, const Json& value) {
-        if (event == Json::parse_event_t::object_start) objects.emplace_back();
-        if (event == Json::parse_event_t::object_end) objects.pop_back();
-        if (event == Json::parse_event_t::key && !objects.back().insert(value.get<std::string>()).second)
-          twice = value.get<std::string>();
-        return true;
-      },
-      false);
-  return {std::move(json), std::move(twice)};
+  const auto note = [&](int depth, Json::parse_event_t event, const Json& value) {
+    if (depth > kDeepest || ++values > kMostValues) throw TooMuch();
+    if (event == Json::parse_event_t::object_start) objects.emplace_back();
+    if (event == Json::parse_event_t::object_end) objects.pop_back();
+    if (event == Json::parse_event_t::key && !objects.back().insert(value.get<std::string>()).second)
+      twice = value.get<std::string>();
+    return true;
+  };
+  try {
+    Json json = Json::parse(text, note, false);
+    return {std::move(json), std::move(twice)};
+  } catch (const TooMuch&) {
+    return {Json(Json::value_t::discarded), std::nullopt};
+  }
 }
 
 }  // namespace
