@@ -16,7 +16,6 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <set>
 #include <sstream>
 #include <string>
@@ -45,7 +44,8 @@ std::vector<Process> processes() {
     Process process{std::atoi(entry.path().filename().c_str()), 0, 0};
     if (process.id <= 0) continue;
     std::ifstream in(entry.path() / "stat");
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    std::string text;
+    std::getline(in, text, '\0');                   // no iterator, which throws where the process has ended since
     const std::size_t name_ends = text.rfind(')');  // a name may have brackets and spaces
     if (name_ends == std::string::npos) continue;   // it has ended
     std::istringstream fields(text.substr(name_ends + 1));
