@@ -16,6 +16,8 @@ struct Course {
   Eigen::Vector3d push{0, 0, 0};  // N
   std::size_t steps = 240;
 
+  bool operator==(const Course&) const = default;
+
   Eigen::Vector3d normal() const;                                              // of the ground's first part
   Eigen::Vector3d force() const { return scene.mass * scene.gravity + push; }  // N, all that does not come from the ground
   double load() const { return -normal().dot(force()); }                       // N, what a flat ground pushes with

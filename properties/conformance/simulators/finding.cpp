@@ -10,6 +10,7 @@ namespace forceshade::conformance::simulators {
 namespace {
 
 constexpr double kMillimetres = 1000;  // in a metre
+constexpr int kDigits = 4;
 
 double in_units_of_allowed(const Felt& felt) {
   if (felt.value == 0) return 0;
@@ -17,12 +18,24 @@ double in_units_of_allowed(const Felt& felt) {
   return std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio;
 }
 
+std::string in_digits(int digits, double value, const char* unit) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*g %s", digits, value, unit);
+  return text.data();
+}
+
 }  // namespace
 
 std::string measured(double value, const char* unit) {
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), "%.4g %s", value, unit);
-  return text.data();
+  return in_digits(kDigits, value, unit);
+}
+
+std::string measured_instead_of(double truth, double value, const char* unit) {
+  int digits = kDigits;
+  while (value != truth && digits < std::numeric_limits<double>::max_digits10 &&
+         in_digits(digits, value, unit) == in_digits(digits, truth, unit))
+    ++digits;
+  return in_digits(digits, value, unit) + " instead of " + in_digits(digits, truth, unit);
 }
 
 Felt felt_newtons(double newtons, double allowed, const std::string& how) {

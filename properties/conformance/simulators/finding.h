@@ -18,6 +18,8 @@ struct Felt {
 
 // "0.31 N", in four significant digits.
 std::string measured(double value, const char* unit);
+// "0.99 N instead of 1 N", in as many digits as show that they differ.
+std::string measured_instead_of(double truth, double value, const char* unit);
 Felt felt_newtons(double newtons, double allowed, const std::string& how);
 Felt felt_millimetres(double metres, double allowed, const std::string& how);
 

@@ -89,8 +89,8 @@ void huge_force(Bench& bench, const Course& course, Finding& finding) {
   } else {
     const double truth = std::min(kHuge / course.scene.mass * course.scene.step(), run.simulator.speed_cap.value_or(kInfinite)),
                  is = run.states[kHostileStep].velocity.norm();
-    finding.look({std::abs(is - truth), kShare * truth, measured(is, "m/s instead of ") + measured(truth, "m/s")},
-                 course.scene.name, kHostileStep);
+    finding.look({std::abs(is - truth), kShare * truth, measured_instead_of(truth, is, "m/s")}, course.scene.name,
+                 kHostileStep);
   }
   look_at_rest(bench, course, runs.after_reset, finding);
 }

@@ -27,13 +27,13 @@ Felt speed_on_a_plane(const Run& run, std::size_t k) {
   const Eigen::Vector3d is = course.along_ground(run.states[k].velocity);
   const double gained = course.scene.mass / 2 * (is.squaredNorm() - truth.squaredNorm());
   return {(is - truth).norm(), kShare * std::max(kLeastSpeed, truth.norm()),
-          measured(is.norm(), "m/s instead of ") + measured(truth.norm(), "m/s") +
+          measured((is - truth).norm(), "m/s off: ") + measured_instead_of(truth.norm(), is.norm(), "m/s") +
               (gained < 0 ? ", a loss of " : ", a gain of ") + measured(kMillijoules * std::abs(gained), "mJ")};
 }
 
 Felt force_of_a_plane(const Run& run, std::size_t k) {
   const double load = run.course.load(), is = run.course.normal().dot(run.shown_force(k));
-  return {std::abs(is - load), kShare * load, measured(is, "N instead of ") + measured(load, "N")};
+  return {std::abs(is - load), kShare * load, measured_instead_of(load, is, "N")};
 }
 
 Felt sideways(const Run& run, std::size_t k) {
@@ -69,7 +69,7 @@ Felt moved_at_rest(const Run& run, std::size_t k) {
 
 Felt static_force(const Run& run, std::size_t k) {
   const double load = run.course.load(), is = run.course.normal().dot(run.reported_force(k));
-  return {std::abs(is - load), kShare * load, "it reports " + measured(is, "N instead of ") + measured(load, "N")};
+  return {std::abs(is - load), kShare * load, "it reports " + measured_instead_of(load, is, "N")};
 }
 
 Felt report_and_motion(const Run& run, std::size_t k) {

@@ -68,9 +68,8 @@ double Run::clearance(std::size_t k) const {
 }
 
 const Run& Bench::run(const Course& course) {
-  const std::string key = json_of(course.scene).dump() + json_of(course.push).dump();
-  const auto found = runs_.find(key);
-  return found != runs_.end() ? found->second : runs_.emplace(key, run_anew(course)).first->second;
+  const auto found = std::ranges::find(runs_, course, &Run::course);
+  return found != runs_.end() ? *found : runs_.emplace_back(run_anew(course));
 }
 
 Run Bench::run_anew(const Course& course) const {

@@ -3,7 +3,7 @@
 // What a simulator answered on a course, and what follows from it.
 
 #include <cstddef>
-#include <map>
+#include <list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,7 +49,7 @@ class Bench {
 
  private:
   const OpenSimulator& open_;
-  std::map<std::string, Run> runs_;  // by scene and force
+  std::list<Run> runs_;  // references to them stay valid
 };
 
 }  // namespace forceshade::conformance::simulators

@@ -15,10 +15,14 @@ namespace forceshade::conformance::simulators {
 struct GroundMesh {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise seen from outside
+
+  bool operator==(const GroundMesh&) const = default;
 };
 
 struct GroundBox {
   Eigen::Vector3d half{0, 0, 0}, centre{0, 0, 0};
+
+  bool operator==(const GroundBox&) const = default;
 };
 
 struct Simulation {
@@ -31,6 +35,7 @@ struct Simulation {
   Eigen::Vector3d position{0, 0, 0}, velocity{0, 0, 0};  // of the sphere's centre
 
   double step() const { return 1 / rate; }
+  bool operator==(const Simulation&) const = default;
 };
 
 // As in docs/conformance-protocol.md. A coordinate that is no number is null.
