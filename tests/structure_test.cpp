@@ -336,6 +336,20 @@ TEST(structure, no_comment_begins_with_the_tail_of_a_noun) {
     }
 }
 
+// number_7_ is part of the name of the test of row 7, or of a comment above its line of a shell test.
+TEST(structure, each_row_of_the_planted_defects_has_a_test_of_its_number) {
+  std::string tests;
+  for (const char* file : {"tests/conformance/planted_defects_test.cpp", "tests/conformance/planted_simulator_defects_test.cpp",
+                           "tests/apps/conform_test.sh"})
+    tests += text_of(kRoot / file);
+  const std::string page = text_of(kRoot / "docs/planted-defects.md");
+  const std::regex row("\n\\| (\\d+) \\|");
+  int rows = 0;
+  for (std::sregex_iterator it(page.begin(), page.end(), row), end; it != end; ++it, ++rows)
+    EXPECT_NE(tests.find("number_" + (*it)[1].str() + '_'), std::string::npos) << "row " << (*it)[1];
+  EXPECT_EQ(rows, 30);
+}
+
 TEST(structure, the_real_time_side_uses_no_library_of_the_exact_one) {
   for (const char* folder : {"fast", "device", "rendering/heights"})
     expect_no_include(folder, {"CGAL", "boost", "mpfr", "gmp"});

@@ -59,8 +59,10 @@ class Triangles:
         return add(add(a, ab, vb / (va + vb + vc)), ac, vc / (va + vb + vc))
 
     def push(self, centre, radius):
-        ways = [add(centre, self.nearest(centre, *three), -1) for three, box in self.corners
-                if all(low - radius < x < high + radius for x, (low, high) in zip(centre, box))]
+        x, y, z = centre
+        ways = [add(centre, self.nearest(centre, *three), -1) for three, (xs, ys, zs) in self.corners
+                if xs[0] - radius < x < xs[1] + radius and ys[0] - radius < y < ys[1] + radius
+                and zs[0] - radius < z < zs[1] + radius]
         if not ways:
             return None
         squared, way = min((dot(way, way), way) for way in ways)

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "properties/conformance/simulators/conform_simulator.h"
+#include "properties/conformance/simulators/finding.h"
 #include "tests/conformance/own_simulator.h"
 
 namespace forceshade::conformance::simulators {
@@ -19,7 +20,8 @@ namespace {
 
 using Names = std::set<std::string>;
 
-const std::string kSpeed = "a flat floor keeps the speed, however it is triangulated",
+const std::string kFinite = "every answer is a finite number",
+                  kSpeed = "a flat floor keeps the speed, however it is triangulated",
                   kLoad = "a flat floor pushes with what lies on it, however it is triangulated",
                   kGhost = "a flat floor has no ghost forces at inner edges",
                   kNormals = "the normals that are reported on a flat floor are its own",
@@ -228,6 +230,49 @@ TEST(planted_simulator_defect, a_degenerate_triangle_takes_the_floor_away) {
                             if (const auto& last = mesh->triangles.back(); last[0] == last[1]) world.ground = {};
                           }}),
             Names{kTriangle});
+}
+
+TEST(planted_simulator_defect, a_vertex_that_is_no_number_ends_it) {
+  EXPECT_EQ(failures({.opened =
+                          [](World& world) {
+                            if (world.refusal) throw RendererFailed("it ended");
+                          }}),
+            Names{kVertex});
+}
+
+TEST(planted_simulator_defect, the_first_contact_has_a_force_that_is_no_number) {
+  EXPECT_EQ(failures({.stepped =
+                          [](World& world, const Step& step) {
+                            if (touches(world) && step.before.contacts.empty())
+                              world.now.contacts[0].force = std::numeric_limits<double>::quiet_NaN();
+                          }}),
+            (Names{kFinite, kTouching, kReport}));
+}
+
+TEST(simulators, one_that_refuses_every_scene_has_held_nothing) {
+  const SimulatorConformance its =
+      conform_simulator(own_simulator({.opened = [](World& world) { world.refusal = "no licence"; }}));
+  EXPECT_FALSE(its.failure);
+  EXPECT_FALSE(its.held());
+  EXPECT_EQ(its.invariants.size(), 23U);
+  for (const Invariant& invariant : its.invariants) EXPECT_EQ(invariant.not_applicable, "no licence") << invariant.name;
+}
+
+TEST(simulators, one_that_ends_where_nothing_is_hostile_ends_the_check) {
+  const SimulatorConformance its = conform_simulator(own_simulator({.opened = [](World& world) {
+    if (world.ground.is_flat()) return;
+    throw RendererFailed("it ended");
+  }}));
+  EXPECT_EQ(its.failure, "it ended");
+  EXPECT_FALSE(its.held());
+}
+
+TEST(simulators, two_numbers_are_printed_in_as_many_digits_as_show_that_they_differ) {
+  EXPECT_EQ(measured_instead_of(1, 0.97, "N"), "0.97 N instead of 1 N");
+  EXPECT_EQ(measured_instead_of(1, 1.0002318, "m/s"), "1.00023 m/s instead of 1 m/s");
+  EXPECT_EQ(measured_instead_of(1, 1, "N"), "1 N instead of 1 N");
+  EXPECT_EQ(measured_instead_of(0, 2, "N"), "2 N instead of 0 N");
+  EXPECT_EQ(measured_instead_of(1, std::nextafter(1, 2), "N"), "1.0000000000000002 N instead of 1 N");
 }
 
 }  // namespace

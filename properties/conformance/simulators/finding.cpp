@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "properties/conformance/simulators/finding.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -31,10 +32,10 @@ std::string measured(double value, const char* unit) {
 }
 
 std::string measured_instead_of(double truth, double value, const char* unit) {
-  int digits = kDigits;
-  while (value != truth && digits < std::numeric_limits<double>::max_digits10 &&
-         in_digits(digits, value, unit) == in_digits(digits, truth, unit))
-    ++digits;
+  const double ratio = std::abs(truth / (value - truth));
+  const int digits = std::isnormal(ratio) ? std::clamp(static_cast<int>(std::ceil(std::log10(ratio))) + 2, kDigits,
+                                                       std::numeric_limits<double>::max_digits10)
+                                          : kDigits;
   return in_digits(digits, value, unit) + " instead of " + in_digits(digits, truth, unit);
 }
 
