@@ -20,7 +20,7 @@ same() {
   checks=$((checks + 1))
   [ "$1" = "$2" ] || { echo "FAILED: expected: $1"; echo "got: $2"; exit 1; }
 }
-# changed PROGRAM ORIGINAL REPLACEMENT: writes mutated.py, which is the program with these words in the place of those.
+# changed PROGRAM ORIGINAL REPLACEMENT: writes the mutated program, with these words in the place of those.
 changed() {
   python3 - "$@" << 'END' || exit 1
 import sys

@@ -9,7 +9,7 @@ expect 0 "an exact simulator 1, a simulator: it has none" -- conform --simulator
 same "0 true 23" "$(grep -c '"held": false' found.json) $(sed -n 's/^  "held": \(.*\),/\1/p' found.json) $(grep -c '<testcase' found.xml)"
 
 # Wrong in one thing, and what it declares is another thing too. tests/conformance/planted_simulator_defects_test.cpp has the others.
-# fails INVARIANTS: mutated.py does in these, and in no others.
+# fails INVARIANTS WORDS: the mutated program does in these, and in no others, and the words are printed.
 fails() {
   expect 1 "$2" -- conform --simulator "python3 -S mutated.py" --json found.json --overwrite
   same "$1" "$(python3 -c 'import json; [print(i["name"]) for i in json.load(open("found.json"))["invariants"] if not i.get("held", True)]')"
