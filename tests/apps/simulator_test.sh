@@ -47,6 +47,6 @@ refuses "            return  # goodbye" "            sys.exit(5)" "the simulator
 expect 1 "the simulator ended without an answer" -- conform --simulator true
 expect 1 "the simulator did not answer within 0.3 s" -- "$forceshade" conform --simulator "sleep 100" --answer-timeout 0.3
 expect 1 "expected a JSON object in one line" -- conform --simulator "echo 1e999; cat"
-expect 2 "--command or --simulator" -- conform
+expect 2 "expected --command, --object, --simulator or --recording, got none" -- conform
 expect 2 "--simulator" -- conform --command true --simulator true
 expect 2 "--simulator" -- conform --law wall --simulator true
