@@ -16,7 +16,7 @@ export async function simulate(about, open) {
   const begin = () => (world?.free(), world = open(scene));
   for await (const line of createInterface({input: process.stdin})) {
     const asked = JSON.parse(line, (_, value) => value ?? NaN);
-    if (asked.goodbye) process.exit(0);
+    if (asked.goodbye) break;
     let answer;
     if (asked.scene) {
       scene = asked.scene;
