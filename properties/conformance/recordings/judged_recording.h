@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A recording of another system, judged: fitted where that is asked for, held against the exact forces of a subject where there
+// A recording of another system, judged: fitted on demand, held against the exact forces of a subject where there
 // is one, and looked at for what needs no definition.
 
 #include <optional>
