@@ -45,10 +45,7 @@ int run(const CompareOptions& options, const SubjectOption& option) {
   if (!options.junit.empty())
     write_file(options.junit, to_junit("forceshade compare", {{"tolerance", conformance::words_of(tolerance)}},
                                        {{identity.name, "forces", 0, held ? std::nullopt : std::optional(words), words}}));
-  if (options.json != "-" && options.junit != "-") {
-    std::fputs(words.c_str(), stdout);
-    flush_standard_output();
-  }
+  print_beside({options.json, options.junit}, words);
   return held ? kHeld : kFailed;
 }
 

@@ -3,7 +3,6 @@
 
 #include "properties/conformance/conform.h"
 
-#include <cstdio>
 #include <memory>
 #include <optional>
 
@@ -50,12 +49,6 @@ void add_cases(std::vector<JunitCase>& cases, const std::string& suite, const st
   if (failure) cases.push_back({suite, "answers", 0, failure});
 }
 
-void show(const ConformCommand& its, const std::string& words) {
-  if (its.json == "-" || its.junit == "-" || its.out == "-") return;
-  std::fputs(words.c_str(), stdout);
-  flush_standard_output();
-}
-
 std::vector<JunitCase> junit_cases(const conformance::Conformance& found, const std::string& words) {
   const std::string& name = found.identity.name;
   std::vector<JunitCase> cases;
@@ -89,7 +82,7 @@ int run(const ConformCommand& its, const SubjectOption& option, const std::strin
   if (!its.junit.empty())
     write_file(its.junit, to_junit("forceshade conform", {{"tolerance", conformance::words_of(options.tolerance)}},
                                    junit_cases(found, words)));
-  show(its, words);
+  print_beside({its.json, its.junit, its.out}, words);
   return found.held() ? kHeld : kFailed;
 }
 
@@ -108,7 +101,7 @@ int run_simulator(const ConformCommand& its) {
     add_cases(cases, found.simulator.name, found.invariants, found.failure);
     write_file(its.junit, to_junit("forceshade conform", {{"settings", found.simulator.settings}}, cases));
   }
-  show(its, simulators::words_of(found));
+  print_beside({its.json, its.junit}, simulators::words_of(found));
   return found.held() ? kHeld : kFailed;
 }
 

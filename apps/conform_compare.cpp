@@ -3,7 +3,6 @@
 
 #include "apps/conform_compare.h"
 
-#include <cstdio>
 #include <memory>
 #include <string>
 
@@ -25,10 +24,7 @@ int run(const RunsToCompare& its) {
   expect_folder_of("--json", its.json);
   const conformance::Comparison found = conformance::compare_files(its.before, its.after);
   if (!its.json.empty()) write_file(its.json, conformance::text_of(conformance::json_of(found)));
-  if (its.json != "-") {
-    std::fputs(conformance::words_of(found).c_str(), stdout);
-    flush_standard_output();
-  }
+  print_beside({its.json}, conformance::words_of(found));
   return found.is_worse() ? kFailed : kHeld;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/conform_recording.h"
 
-#include <cstdio>
 #include <optional>
 #include <vector>
 
@@ -89,10 +88,7 @@ int RecordingOption::run(const SubjectOption& subject, const std::string& tolera
   if (!junit.empty())
     write_file(junit, to_junit("forceshade conform", {{"tolerance", conformance::words_of(options.tolerance)}},
                                junit_cases(found, words)));
-  if (json != "-" && junit != "-") {
-    std::fputs(words.c_str(), stdout);
-    flush_standard_output();
-  }
+  print_beside({json, junit}, words);
   return found.held() ? kHeld : kFailed;
 }
 

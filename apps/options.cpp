@@ -9,6 +9,7 @@
 
 #include "apps/documentation.h"
 #include "files/quantity.h"
+#include "files/shell.h"
 #include "files/suggestion.h"
 #include "rendering/subjects/file.h"
 
@@ -204,7 +205,7 @@ std::string repeated(const CLI::App& command) {
     if (values.empty()) continue;
     line += ' ' + option->get_name();
     if (option->get_expected_max() > 0)
-      for (const std::string& value : values) line += ' ' + subjects::quoted_for_shell(value);
+      for (const std::string& value : values) line += ' ' + files::quoted_for_shell(value);
   }
   return line;
 }

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -32,6 +33,12 @@ void flush_standard_output() {
   const int reason = errno;
   throw files::OutputError("standard output: cannot write: " +
                            (reason != 0 ? std::generic_category().message(reason) : "an earlier write failed"));
+}
+
+void print_beside(std::initializer_list<std::string_view> outputs, const std::string& words) {
+  if (std::ranges::find(outputs, "-") != outputs.end()) return;
+  std::fputs(words.c_str(), stdout);
+  flush_standard_output();
 }
 
 }  // namespace forceshade::apps

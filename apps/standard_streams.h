@@ -2,6 +2,10 @@
 #pragma once
 // Standard input, output and error of the command.
 
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
 namespace forceshade::apps {
 
 // Where one of the three is closed, a file that is opened later would get its number and what is printed. Afterwards all three
@@ -11,5 +15,8 @@ void open_standard_streams();
 // What was printed and std::cout reach standard output. Throws files::OutputError if they do not, or if an earlier write
 // failed.
 void flush_standard_output();
+
+// Prints and flushes it, unless one of these outputs of the command is "-", which is standard output itself.
+void print_beside(std::initializer_list<std::string_view> outputs, const std::string& words);
 
 }  // namespace forceshade::apps

@@ -53,9 +53,7 @@ class Run {
 
  private:
   SceneRenderer opened_on(const Description& description) const {
-    const bool is_this = &description == &description_;
-    const Identity identity = is_this ? subject_->identity() : properties::subject_of(description)->identity();
-    return {open_(scene_of(description, identity)), description.stiffness()};
+    return {open_(scene_of(description)), description.stiffness()};
   }
 
   // Answers in other units are rounded once more when they are made forces in N.
@@ -216,8 +214,9 @@ class Run {
   }
 
   void look_at_invariants() {
-    const Trial trial{description_, *subject_,     [this](const Description& other) { return opened_on(other); },
-                      *renderer_,   options_.seed, monitor_};
+    Trial trial{description_, *subject_,     [this](const Description& other) { return opened_on(other); },
+                *renderer_,   options_.seed, monitor_};
+    trial.approaches = approaches_to(trial);
     for (const auto& invariant : kInvariants) {
       monitor_.at(0.95);
       found_.invariants.push_back(invariant(trial));

@@ -2,9 +2,7 @@
 #pragma once
 // A renderer of anybody's, held against the exact definition and against what needs no definition.
 
-#include <chrono>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "forceshade/identity.h"
 #include "rendering/identity/identity_json.h"
 
 namespace forceshade::conformance {
@@ -25,6 +26,13 @@ Json json_of(const MeshRendering& rendering) {
   return json;
 }
 
+Identity identity_in(const Description& description) {
+  if (const auto* law = std::get_if<DescribedLaw>(&description.what)) return identity_of(law->law, law->parameters);
+  if (const auto* map = std::get_if<DescribedHeightMap>(&description.what))
+    return identity_of(description.name, map->map, map->mode, map->stiffness);
+  return identity_of(description.name, std::get<MeshRendering>(description.what));
+}
+
 }  // namespace
 
 Json hexfloats(std::span<const float> numbers) {
@@ -37,7 +45,8 @@ Json hexfloats(std::span<const float> numbers) {
   return all;
 }
 
-Json scene_of(const Description& description, const Identity& identity) {
+Json scene_of(const Description& description) {
+  const Identity identity = identity_in(description);
   Json json{{"kind", identity.kind}, {"name", identity.name}, {"parameters", parameters_json(identity)}};
   if (const auto* map = std::get_if<DescribedHeightMap>(&description.what)) json["parts"] = words_of(map->map);
   if (const auto* mesh = std::get_if<MeshRendering>(&description.what)) json["mesh"] = json_of(*mesh);

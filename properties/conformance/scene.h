@@ -6,11 +6,10 @@
 #include <span>
 
 #include "forceshade/description.h"
-#include "forceshade/identity.h"
 
 namespace forceshade::conformance {
 
-nlohmann::ordered_json scene_of(const Description& description, const Identity& identity);
+nlohmann::ordered_json scene_of(const Description& description);
 
 // As hexfloat, "nan", "inf" or "-inf".
 nlohmann::ordered_json hexfloats(std::span<const float> numbers);

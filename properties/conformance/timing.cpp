@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
+#include "properties/conformance/quantile.h"
 #include "rendering/number_text.h"
 
 namespace forceshade::conformance {
@@ -26,11 +26,7 @@ std::string words_of_time(double seconds) {
 
 Timing timing_of(std::vector<double> seconds) {
   if (seconds.empty()) return {};
-  std::ranges::sort(seconds);
-  const auto not_slower = [&](double share) {
-    return seconds[static_cast<std::size_t>(std::ceil(share * static_cast<double>(seconds.size()))) - 1];
-  };
-  return {seconds.size(), not_slower(0.5), not_slower(0.999), seconds.back()};
+  return {seconds.size(), quantile(seconds, 0.5), quantile(seconds, 0.999), std::ranges::max(seconds)};
 }
 
 Timing time_answers(SceneRenderer& renderer, std::span<const Eigen::Vector3f> path) {

@@ -125,7 +125,7 @@ std::string vectors_of(const Description& description, std::uint64_t count, std:
   }
   const Json head{{"schema", "forceshade vectors 1"},
                   {"licence", "CC0-1.0"},
-                  {"subject", scene_of(description, subject->identity())},
+                  {"subject", scene_of(description)},
                   {"seed", seed},
                   {"flags", flags}};
   return with_lines_of_cases(head, paths);

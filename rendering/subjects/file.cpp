@@ -7,6 +7,7 @@
 
 #include "files/csv.h"
 #include "files/printable.h"
+#include "files/shell.h"
 #include "files/suggestion.h"
 #include "rendering/heights/toml_file.h"
 #include "rendering/subjects/mesh.h"
@@ -142,16 +143,9 @@ std::string written_for_shell(const Options& options) {
   entries.emplace_back("stiffness", written_stiffness(options));
   std::string words;
   for (const auto& [key, value] : entries)
-    if (!value.empty()) words += (words.empty() ? "--" : " --") + key + (value == "true" ? "" : ' ' + quoted_for_shell(value));
+    if (!value.empty())
+      words += (words.empty() ? "--" : " --") + key + (value == "true" ? "" : ' ' + files::quoted_for_shell(value));
   return words;
-}
-
-std::string quoted_for_shell(const std::string& word) {
-  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:=,+-@%";
-  if (word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + "'";
 }
 
 }  // namespace forceshade::subjects

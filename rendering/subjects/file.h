@@ -25,7 +25,4 @@ std::vector<std::string> written_files(const Options& options);
 // The options of a mesh or height map as a shell reads them, every one that holds, files with their folders; empty for laws.
 std::string written_for_shell(const Options& options);
 
-// As one word of a command line.
-std::string quoted_for_shell(const std::string& word);
-
 }  // namespace forceshade::subjects

@@ -45,7 +45,7 @@ double work(const Path& path, const Path& forces) {
 
 Invariant no_force_in_the_air(const Trial& trial) {
   Invariant invariant{"no force out of contact"};
-  const std::vector<Approach> all = approaches(trial, 20);
+  const std::span<const Approach> all = trial.approaches;
   if (all.empty()) invariant.not_applicable = "no position out of contact was found";
   for (const Approach& approach : all) {
     const Path path{approach.air, approach.contact, approach.air, approach.air};  // also after a contact
@@ -63,7 +63,7 @@ Invariant no_force_in_the_air(const Trial& trial) {
 // Along a straight way, and in one jump.
 Invariant contact_pushes_back(const Trial& trial) {
   Invariant invariant{"contact gives a force"};
-  const std::vector<Approach> all = approaches(trial, 20);
+  const std::span<const Approach> all = trial.approaches;
   for (const Approach& approach : all) {
     const auto exact = trial.subject.open_reference();
     exact->step(approach.air);
@@ -88,7 +88,7 @@ Invariant first_force_opposes(const Trial& trial) {
     invariant.not_applicable = "a shaded force on a mesh may be turned by up to a right angle";
     return invariant;
   }
-  const std::vector<Approach> all = approaches(trial, 20);
+  const std::span<const Approach> all = trial.approaches;
   if (all.empty()) invariant.not_applicable = "no position in contact was found";
   for (const Approach& approach : all) {
     const Path path = approach.line(trial.renderer, kApproachSteps), forces = trial.renderer.forces_along(path);
@@ -112,7 +112,7 @@ Invariant loops_give_no_energy(const Trial& trial) {
     invariant.not_applicable = "the renderer declares that it may be any";
     return invariant;
   }
-  const std::vector<Approach> all = approaches(trial, 5);
+  const std::span<const Approach> all = trial.first_approaches(5);
   if (all.empty()) invariant.not_applicable = "no position in contact was found";
   for (const Approach& approach : all)
     for (const float along : {3.0F, -3.0F}) {

@@ -46,7 +46,7 @@ Invariant any_position_gets_a_finite_force(const Trial& trial) {
 // From the air into contact, with an odd position before, gives the force that comes without it.
 Invariant odd_position_leaves_nothing_behind(const Trial& trial) {
   Invariant invariant{"an odd position leaves nothing behind"};
-  const std::vector<Approach> all = approaches(trial, 3);
+  const std::span<const Approach> all = trial.first_approaches(3);
   if (all.empty()) invariant.not_applicable = "no position in contact was found";
   for (const Approach& approach : all) {
     const Eigen::Vector3f expected = trial.renderer.forces_along(approach.line(trial.renderer, 4)).back();
@@ -69,7 +69,7 @@ Invariant no_position_no_force(const Trial& trial) {
   Invariant invariant{"without a position there is no force after 10 ms"};
   const auto& hello = trial.renderer.hello();
   const auto held = hello.remembers && hello.rate ? static_cast<std::size_t>(std::ceil(kLongest * *hello.rate)) : 0;
-  const std::vector<Approach> all = approaches(trial, 5);
+  const std::span<const Approach> all = trial.first_approaches(5);
   if (all.empty()) invariant.not_applicable = "no position in contact was found";
   for (const Approach& approach : all) {
     Path path{approach.air, approach.contact};

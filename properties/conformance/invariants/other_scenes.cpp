@@ -16,7 +16,6 @@ namespace {
 using properties::show;
 using Turn = std::function<Eigen::Vector3f(const Eigen::Vector3f&)>;  // of the scene; also of positions and forces
 
-constexpr std::size_t kStrokes = 20;
 constexpr int kStrokeSteps = 40;
 
 mesh::CheckedMesh checked(mesh::TriangleMesh mesh, mesh::SelfIntersections self_intersections) {
@@ -71,7 +70,7 @@ Description renumbered(const Description& description) {
 // Into contact, and then aslant along it.
 std::vector<Path> strokes(const Trial& trial) {
   std::vector<Path> all;
-  for (const Approach& approach : approaches(trial, kStrokes)) {
+  for (const Approach& approach : trial.approaches) {
     all.push_back(approach.line(trial.renderer, kStrokeSteps));
     for (int i = 1; i <= kStrokeSteps; ++i)
       all.back().push_back(

@@ -43,7 +43,7 @@ Invariant rest_is_still(const Trial& trial) {
   Invariant invariant{"a hand at rest feels a force at rest"};
   std::vector<Path> ways;
   for (const Eigen::Vector3f& position : drawn_path(trial, 20, trial.seed + 1)) ways.push_back({position});
-  for (const Approach& approach : approaches(trial, 10)) ways.push_back(approach.line(trial.renderer, 20));
+  for (const Approach& approach : trial.first_approaches(10)) ways.push_back(approach.line(trial.renderer, 20));
   for (Path way : ways) {
     const Eigen::Vector3f position = way.back();
     const std::size_t first = way.size() + kSettling;
@@ -52,7 +52,7 @@ Invariant rest_is_still(const Trial& trial) {
     ++invariant.cases;
     for (std::size_t tick = first; tick < forces.size(); ++tick)
       if (!same_bits(forces[tick], forces[first]))
-        invariant.violated("at " + show(position) + " mm, tick " + std::to_string(tick - first + 1) +
+        invariant.violated("at " + show(position) + " mm, tick " + std::to_string(tick - first + kSettling + 1) +
                            " of a rest: " + show(forces[first]) + " N became " + show(forces[tick]) +
                            " N: a hand at rest would feel " + newtons(forces[tick] - forces[first]));
   }

@@ -14,8 +14,9 @@ namespace {
 using properties::Aim;
 
 constexpr float kAbove = 2, kBelow = 1;  // mm
-constexpr int kMostDrawn = 4000;         // positions in which to look for some in contact
-constexpr float kHighest = 5000;         // mm: no approach begins higher
+constexpr std::size_t kMostApproaches = 20;
+constexpr int kMostDrawn = 4000;  // positions in which to look for some in contact
+constexpr float kHighest = 5000;  // mm: no approach begins higher
 
 // The status of the exact side at the last position of a path.
 Status exact_status(const Trial& trial, const Path& path) {
@@ -96,11 +97,11 @@ Path Approach::line(const SceneRenderer& renderer, int steps) const {
   return path;
 }
 
-std::vector<Approach> approaches(const Trial& trial, std::size_t most) {
+std::vector<Approach> approaches_to(const Trial& trial) {
   std::vector<Approach> all;
   const auto positions = trial.subject.positions(trial.seed + 2);
   const auto* mesh = std::get_if<MeshRendering>(&trial.description.what);
-  for (int drawn = 0; drawn < kMostDrawn && all.size() < most; ++drawn) {
+  for (int drawn = 0; drawn < kMostDrawn && all.size() < kMostApproaches; ++drawn) {
     if (drawn % 64 == 0) trial.monitor.at(0.92);
     const properties::Aimed aimed = positions->next();
     std::optional<Approach> approach;

@@ -3,6 +3,7 @@
 // A renderer on a scene, and the paths on which its invariants are looked at.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -18,6 +19,12 @@ namespace forceshade::conformance {
 
 using Path = std::vector<Eigen::Vector3f>;  // mm, from no contact
 
+// Straight down from the air: the exact side is free at its beginning and above it, and touches at its end.
+struct Approach {
+  Eigen::Vector3f air, contact;
+
+  Path line(const SceneRenderer& renderer, int steps) const;  // both ends included
+};
 struct Trial {
   const Description& description;
   const properties::Subject& subject;                     // of the description
@@ -25,20 +32,19 @@ struct Trial {
   SceneRenderer& renderer;                                // opened on the description
   std::uint64_t seed = 1;
   const Monitor& monitor;
+  std::vector<Approach> approaches = {};  // of approaches_to(); empty where none was found
 
+  std::span<const Approach> first_approaches(std::size_t most) const {
+    return std::span(approaches).first(std::min(most, approaches.size()));
+  }
   bool is_mesh() const { return std::holds_alternative<MeshRendering>(description.what); }
 };
 
 // Positions of the stream by which the subject is certified, in the renderer's domain.
 Path drawn_path(const Trial& trial, std::size_t size, std::uint64_t seed);
 
-// Straight down from the air: the exact side is free at its beginning and above it, and touches at its end.
-struct Approach {
-  Eigen::Vector3f air, contact;
-
-  Path line(const SceneRenderer& renderer, int steps) const;  // both ends included
-};
-std::vector<Approach> approaches(const Trial& trial, std::size_t most);
+// As many as the invariants look at.
+std::vector<Approach> approaches_to(const Trial& trial);
 
 // From 1 mm before the middle of a triangle to half a millimetre behind it.
 Path through_triangle(const mesh::TriangleMesh& mesh, std::size_t triangle, const SceneRenderer& renderer);

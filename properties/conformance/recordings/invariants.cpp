@@ -7,6 +7,7 @@
 #include <string>
 
 #include "files/csv.h"
+#include "properties/conformance/quantile.h"
 #include "properties/conformance/recordings/words.h"
 
 namespace forceshade::conformance {

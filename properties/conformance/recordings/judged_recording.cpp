@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "properties/binary32.h"
+#include "properties/conformance/quantile.h"
 #include "properties/conformance/recordings/words.h"
 
 namespace forceshade::conformance {
