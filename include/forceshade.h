@@ -237,6 +237,7 @@ typedef struct forceshade_state {
   size_t size;           /* sizeof(forceshade_state) */
   uint8_t place;         /* one of the above */
   uint8_t side;          /* of the surface: 0 front, 1 back */
+  uint8_t slipping;      /* 1 where friction has let it slip and does not hold it yet, else 0 */
   float position[3];     /* mm; in the open */
   uint32_t index[2];     /* vertex: {v}; edge: {a, b}, a < b; triangle: {i} */
   uint32_t parameter[2]; /* in units of 2^-24. Edge: a + m (b - a): {m}. Triangle: a + k (b - a) + l (c - a): {k, l} */

@@ -15,9 +15,37 @@ inline std::optional<ParameterError> error_of_stiffness(float stiffness) {
   return ParameterError{"stiffness", "N/mm", stiffness, 0.001F, 1000};
 }
 
-// Why it cannot be rendered, but for what the texture's height map says of itself: the stiffness; normals that are not one for
-// each corner, with components in [-2, 2], where the shading or the contact rule uses them; the same of a texture, with points
-// within 10^4 mm and gradients of 0 or of 2^-30 to 1000 mm/mm.
+// Why a mesh of so many triangles cannot have these materials. friction: whether the contact rule uses their coefficients.
+inline std::optional<ParameterError> error_of_materials(const mesh::Materials& materials, std::size_t triangles,
+                                                        bool friction) {
+  constexpr float kLeast = 0x1p-10F, kMost = 0x1p10F;
+  for (const mesh::Material& material : materials.list) {
+    if (material.stiffness)
+      if (const auto error = error_of_stiffness(*material.stiffness)) return error;
+    for (const float coefficient : {material.static_friction, material.dynamic_friction})
+      if (!(coefficient == 0 || coefficient == HUGE_VALF || (coefficient >= kLeast && coefficient <= kMost)))
+        return ParameterError{"coefficient of friction, if not 0 or infinite,", "", coefficient, kLeast, kMost};
+    if (material.dynamic_friction > material.static_friction)
+      return ParameterError{"dynamic coefficient of friction", "", material.dynamic_friction, 0, material.static_friction};
+    if (material.static_friction > 0 && !friction)
+      return ParameterError{"static coefficient of friction by another contact rule than friction", "",
+                            material.static_friction, 0, 0};
+  }
+  const std::size_t assigned = materials.of_triangle.size();
+  if (assigned != 0 && assigned != triangles) {
+    const auto expected = static_cast<float>(triangles);
+    return ParameterError{"number of triangles with a material", "", static_cast<float>(assigned), expected, expected};
+  }
+  for (const std::uint32_t index : materials.of_triangle)
+    if (index >= materials.list.size())
+      return ParameterError{"number of a material", "", static_cast<float>(index), 0,
+                            static_cast<float>(materials.list.size()) - 1};
+  return std::nullopt;
+}
+
+// Why it cannot be rendered, but for what the texture's height map says of itself: the stiffness; the materials, and friction
+// where the mesh may cross itself; normals that are not one for each corner, with components in [-2, 2], where the shading or
+// the contact rule uses them; the same of a texture, with points within 10^4 mm and gradients of 0 or of 2^-30 to 1000 mm/mm.
 inline std::optional<ParameterError> first_error(const MeshRendering& rendering) {
   const auto outside = [](const char* name, const char* unit, float value, float most) -> std::optional<ParameterError> {
     if (std::fabs(value) <= most) return std::nullopt;
@@ -30,6 +58,13 @@ inline std::optional<ParameterError> first_error(const MeshRendering& rendering)
     return ParameterError{name, "", static_cast<float>(count), expected, expected};
   };
   if (const auto error = error_of_stiffness(rendering.stiffness)) return error;
+  const bool has_friction = rendering.contact == mesh::Contact::friction;
+  if (const auto error = error_of_materials(rendering.materials, triangles, has_friction)) return error;
+  if (has_friction && rendering.checked.self_intersections() == mesh::SelfIntersections::allowed)
+    for (const mesh::Material& material : rendering.materials.list)
+      if (material.static_friction > 0)
+        return ParameterError{"static coefficient of friction of a mesh that may cross itself", "", material.static_friction, 0,
+                              0};
   if (!rendering.has_corner_normals()) return std::nullopt;
   if (const auto error = other_count("number of triangles with normals", rendering.normals.size())) return error;
   for (const auto& corners : rendering.normals)

@@ -136,6 +136,7 @@ forceshade_result forceshade_session_state(forceshade_session session, forceshad
   const mesh::GodObject& its = entered->state();
   state->place = static_cast<std::uint8_t>(its.place);
   state->side = static_cast<std::uint8_t>(its.side);
+  state->slipping = its.is_slipping ? 1 : 0;
   std::copy(its.position.begin(), its.position.end(), state->position);
   std::copy(its.index.begin(), its.index.end(), state->index);
   std::copy(its.parameter.begin(), its.parameter.end(), state->parameter);
@@ -149,7 +150,9 @@ forceshade_result forceshade_session_resume(forceshade_session session, const fo
   if (!is_state(*state)) return fail(FORCESHADE_BAD_VALUE, "state->place or state->side: expected one that a session gives");
   if (!entered->remembers() && state->place != FORCESHADE_NOWHERE)
     return fail(FORCESHADE_WRONG_KIND, "the state is that of a god-object; a law or a height map remembers nothing");
-  mesh::GodObject its{.place = static_cast<mesh::Place>(state->place), .side = static_cast<mesh::Side>(state->side)};
+  mesh::GodObject its{.place = static_cast<mesh::Place>(state->place),
+                      .side = static_cast<mesh::Side>(state->side),
+                      .is_slipping = state->slipping == 1};
   std::copy_n(state->position, 3, its.position.begin());
   std::copy_n(state->index, 2, its.index.begin());
   std::copy_n(state->parameter, 2, its.parameter.begin());

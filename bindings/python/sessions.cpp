@@ -97,24 +97,24 @@ std::size_t steps(Session& session, const Floats& positions, Floats& forces, std
   return invalid;
 }
 
-using State = std::tuple<int, int, std::array<float, 3>, std::array<std::uint32_t, 2>, std::array<std::uint32_t, 2>>;
+using State = std::tuple<int, int, bool, std::array<float, 3>, std::array<std::uint32_t, 2>, std::array<std::uint32_t, 2>>;
 
 State state_of(Session& session) {
   const Entered entered(session);
   entered.or_throw();
   const mesh::GodObject& its = session.path.state();
-  return {static_cast<int>(its.place), static_cast<int>(its.side), its.position, its.index, its.parameter};
+  return {static_cast<int>(its.place), static_cast<int>(its.side), its.is_slipping, its.position, its.index, its.parameter};
 }
 
 void resume(Session& session, const State& from) {
   const Entered entered(session);
   entered.or_throw();
-  const auto& [place, side, position, index, parameter] = from;
+  const auto& [place, side, is_slipping, position, index, parameter] = from;
   if (place < 0 || place >= static_cast<int>(mesh::kPlaceNames.size()) || side < 0 || side > 1)
     throw py::value_error("state: expected one that a session gave");
   if (!session.path.remembers() && place != 0)
     throw Error("the state is that of a mesh's session; a law or a height map remembers nothing");
-  session.path.resume({static_cast<mesh::Place>(place), static_cast<mesh::Side>(side), position, index, parameter});
+  session.path.resume({static_cast<mesh::Place>(place), static_cast<mesh::Side>(side), is_slipping, position, index, parameter});
   session.status = FORCESHADE_FREE;
 }
 

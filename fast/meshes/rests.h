@@ -25,6 +25,7 @@ struct Arrival {
   int moves = 0;
   bool is_finished = true;
   Plane plane{};  // of the rest's triangle: in_triangle alone
+  bool is_slipping = false;  // mesh::GodObject's: by the contact rule friction alone
   int tries = 0;  // that the tick's detours and landings have taken: where sheets may cross
 };
 

@@ -58,7 +58,7 @@ double lower_bound_of_square(const Face& face, const Vector3<double>& at) noexce
     seek_ball();
   else
     is_seeking_ = false;
-  tick.after = object_of(*mesh_, at_.spot);
+  tick.after = state();
   return tick;
 }
 

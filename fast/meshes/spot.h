@@ -51,6 +51,10 @@ inline FeatureKey key_of(const Mesh& mesh, const Spot& spot) noexcept {
   return key_of(mesh, spot.place, spot.half);
 }
 
+inline bool is_touching(const Spot& spot) noexcept {
+  return spot.place != mesh::Place::nowhere && spot.place != mesh::Place::free;
+}
+
 // The weights of the corners of `face`, which the spot belongs to.
 inline std::array<std::uint32_t, 3> weights_in(const Mesh& mesh, const Spot& spot, std::uint32_t face) noexcept {
   std::array<std::uint32_t, 3> weights{};

@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -56,6 +57,23 @@ using CornerTextures = std::vector<std::array<CornerTexture, 3>>;
 struct Texture {
   CornerTextures corners;
   HeightMap map;  // `surface` is not used: the depth is that of the mesh
+};
+
+// What the surface of a triangle is like to a hand: Coulomb friction and stiffness (docs/friction.md).
+struct Material {
+  std::optional<float> stiffness = {};  // N/mm, in [10^-3, 10^3]; the rendering's own where it is none
+  float static_friction = 0;            // 0, infinity, or 2^-10 to 2^10; at least the dynamic one
+  float dynamic_friction = 0;           // the same
+
+  bool operator==(const Material&) const = default;
+};
+
+// Which material each triangle has. Without a list, all have the rendering's stiffness and no friction.
+struct Materials {
+  std::vector<Material> list;
+  std::vector<std::uint32_t> of_triangle;  // indices into the list; empty: all triangles have the first of it
+
+  bool operator==(const Materials&) const = default;
 };
 
 // The directions in which a triangle blocks motion: against its normal, or against and along it.
@@ -114,10 +132,11 @@ constexpr bool has_corner_normals(Shading shading) {
   return shading == Shading::vertex_scheme || shading == Shading::texture_scheme;
 }
 
-// The one list of the contact rules: which point the god-object goes for in a tick. sub_goal uses corner normals.
-enum class Contact { direct, sub_goal };
+// The one list of the contact rules: which point the god-object goes for in a tick, and whether friction may stop it before.
+// sub_goal uses corner normals. friction goes for the position and uses the coefficients of the materials.
+enum class Contact { direct, sub_goal, friction };
 
-inline constexpr std::array<std::string_view, 2> kContactNames{"direct", "sub-goal"};
+inline constexpr std::array<std::string_view, 3> kContactNames{"direct", "sub-goal", "friction"};
 inline constexpr Contact kUsualContact = {};  // where no other is named
 
 constexpr std::string_view name_of(Contact contact) {
@@ -138,6 +157,7 @@ inline constexpr std::array<std::string_view, 2> kSideNames{"front", "back"};
 struct GodObject {
   Place place = Place::nowhere;
   Side side = Side::front;               // of the surface; front where it is free
+  bool is_slipping = false;              // with friction: it slipped, and has not come to hold since
   std::array<float, 3> position{};       // free: mm, as quantised
   std::array<std::uint32_t, 2> index{};  // vertex v: {v}; edge: {a, b}, a < b; triangle i: {i}
   std::array<std::uint32_t, 2>
@@ -172,6 +192,7 @@ struct MeshRendering {
   float stiffness = 0;         // K, N/mm, in [10^-3, 10^3]
   mesh::Texture texture = {};  // of the texture scheme
   mesh::Contact contact = mesh::kUsualContact;
+  mesh::Materials materials = {};
 
   const mesh::TriangleMesh& mesh() const { return checked.mesh(); }
   bool has_corner_normals() const { return mesh::has_corner_normals(shading) || mesh::has_corner_normals(contact); }

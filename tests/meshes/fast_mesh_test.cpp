@@ -69,25 +69,25 @@ TEST(fast_mesh, turns_states_into_its_own_numbers_and_back) {
     const Mesh mesh = built(made.mesh);
     for (std::uint32_t t = 0; t < made.mesh.triangles.size(); ++t) {
       const mesh::Triangle& corners = made.mesh.triangles[t];
-      mesh::GodObject object{mesh::Place::triangle, mesh::Side::back, {}, {t, 0}, {5, 7}};
+      mesh::GodObject object{mesh::Place::triangle, mesh::Side::back, false, {}, {t, 0}, {5, 7}};
       ASSERT_EQ(object_of(mesh, spot_of(mesh, object)), object);
-      object = {mesh::Place::vertex, mesh::Side::front, {}, {corners[0], 0}, {}};
+      object = {mesh::Place::vertex, mesh::Side::front, false, {}, {corners[0], 0}, {}};
       ASSERT_EQ(object_of(mesh, spot_of(mesh, object)), object);
       for (std::size_t c = 0; c < 3; ++c) {
         const auto [a, b] = std::minmax(corners[c], corners[(c + 1) % 3]);
-        object = {mesh::Place::edge, mesh::Side::front, {}, {a, b}, {3, 0}};
+        object = {mesh::Place::edge, mesh::Side::front, false, {}, {a, b}, {3, 0}};
         ASSERT_EQ(object_of(mesh, spot_of(mesh, object)), object);
         ++edges;
       }
     }
     const auto count = static_cast<std::uint32_t>(made.mesh.vertices.size());
     for (const mesh::GodObject& wrong :
-         {mesh::GodObject{mesh::Place::vertex, mesh::Side::front, {}, {count, 0}, {}},
-          mesh::GodObject{mesh::Place::triangle, mesh::Side::front, {}, {mesh.faces(), 0}, {1, 1}},
-          mesh::GodObject{mesh::Place::triangle, mesh::Side::front, {}, {0, 0}, {kGrid - 1, 1}},
-          mesh::GodObject{mesh::Place::triangle, mesh::Side::front, {}, {0, 0}, {0, 1}},
-          mesh::GodObject{mesh::Place::edge, mesh::Side::front, {}, {0, count}, {1, 0}},
-          mesh::GodObject{mesh::Place::edge, mesh::Side::front, {}, {0, 1}, {kGrid, 0}}})
+         {mesh::GodObject{mesh::Place::vertex, mesh::Side::front, false, {}, {count, 0}, {}},
+          mesh::GodObject{mesh::Place::triangle, mesh::Side::front, false, {}, {mesh.faces(), 0}, {1, 1}},
+          mesh::GodObject{mesh::Place::triangle, mesh::Side::front, false, {}, {0, 0}, {kGrid - 1, 1}},
+          mesh::GodObject{mesh::Place::triangle, mesh::Side::front, false, {}, {0, 0}, {0, 1}},
+          mesh::GodObject{mesh::Place::edge, mesh::Side::front, false, {}, {0, count}, {1, 0}},
+          mesh::GodObject{mesh::Place::edge, mesh::Side::front, false, {}, {0, 1}, {kGrid, 0}}})
       ASSERT_EQ(spot_of(mesh, wrong).place, mesh::Place::nowhere);
   }
   EXPECT_GT(edges, 1000U);

@@ -104,7 +104,7 @@ TEST(pictures, of_a_mesh_hold_their_words_whole_and_divide_the_path_into_seen_an
   const mesh::TriangleMesh wall{{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   const auto touching = [](float z, std::uint32_t k, std::uint32_t l) {
     mesh::Tick tick{mesh::TickStatus::touching, 1, {0, 0, -z}, {}};
-    tick.after = {mesh::Place::triangle, mesh::Side::front, {}, {0}, {k, l}};
+    tick.after = {mesh::Place::triangle, mesh::Side::front, false, {}, {0}, {k, l}};
     return Ticked{{0, -1, z}, tick};
   };
   const auto free = [](const MeshPosition& position) {

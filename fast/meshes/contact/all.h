@@ -3,6 +3,7 @@
 // The one list of the contact rules of this side, the usual one first.
 
 #include "fast/meshes/contact/direct.h"
+#include "fast/meshes/contact/friction.h"
 #include "fast/meshes/contact/sub_goal.h"
 
 namespace forceshade::fast {
@@ -12,7 +13,7 @@ struct ContactList {
   static constexpr std::size_t kCount = 1 + sizeof...(Others);
   using Usual = First;  // its goal is the hand's position
 };
-using ContactRules = ContactList<Direct, SubGoal>;
+using ContactRules = ContactList<Direct, SubGoal, Frictional>;
 static_assert(ContactRules::kCount == mesh::kContactNames.size() && ContactRules::Usual::kContact == mesh::kUsualContact);
 
 template <class Stages, class First, class... Others>
