@@ -75,48 +75,6 @@ class Flight {
   };
   Fraction left_at_landing() const noexcept { return remaining(landing_); }
 
-  // Where it lands in a triangle: the point of the grid beside it that is nearest to p.
-  Spot rounded_in_triangle() const noexcept {
-    const std::array<Cell, 3> cells = this->cells();
-    const std::uint32_t k = cells[1].floor, l = cells[2].floor;
-    struct Corner {
-      std::uint32_t k, l;
-    };
-    // In the order in which equally near ones count.
-    std::array<Corner, 3> corners{};
-    std::size_t count = 0;
-    const auto add = [&](std::uint32_t up, std::uint32_t across) { corners[count++] = {k + up, l + across}; };
-    if (cells[1].is_whole && cells[2].is_whole) {
-      add(0, 0);
-    } else if (cells[0].is_whole) {
-      add(0, 1);
-      add(1, 0);
-    } else if (cells[1].is_whole) {
-      add(0, 0);
-      add(0, 1);
-    } else if (cells[2].is_whole) {
-      add(0, 0);
-      add(1, 0);
-    } else if (cells[0].floor + k + l == kGrid - 1) {
-      add(0, 0);
-      add(0, 1);
-      add(1, 0);
-    } else {
-      add(0, 1);
-      add(1, 0);
-      add(1, 1);
-    }
-    const Face& f = mesh_.face(landing_.face);
-    const auto distance = [&](const Corner& c) {
-      const Point point{{f.corner[0].data(), f.corner[1].data(), f.corner[2].data()}, {kGrid - c.k - c.l, c.k, c.l}, 3};
-      return square(exact_offset_from(point, p_));
-    };
-    std::size_t nearest = 0;
-    for (std::size_t i = 1; i < count; ++i)
-      if (distance(corners[i]).compare(distance(corners[nearest])) < 0) nearest = i;
-    return spot_in_triangle(mesh_, landing_.face, corners[nearest].k, corners[nearest].l, landing_.side);
-  }
-
   // Where it lands on an edge: the cell of the edge's half in landing().face, as the weight of the half's end.
   Cell cell_on_edge() const noexcept {
     stages_.note(Stage::wide);

@@ -108,6 +108,17 @@ class Headings {
                       other == kRim ? Beside{} : Beside{side(face_of(other)), inward(other)});
   }
 
+  // At a point inside an edge: the steepest way; nothing where none leads nearer.
+  Slide on_edge(HalfEdge h) const noexcept {
+    const HalfEdge other = mesh_.twin(h);
+    const Slide first{Slide::Along::triangle, h, false}, second{Slide::Along::triangle, other, false};
+    const bool into_first = inward(h) > 0, into_second = other != kRim && inward(other) > 0;
+    if (into_first && into_second) return is_better(second, first) ? second : first;
+    if (into_first || into_second) return into_first ? first : second;
+    const int sign = along({Slide::Along::edge, h, false});
+    return sign == 0 ? Slide{} : Slide{Slide::Along::edge, h, sign < 0};
+  }
+
   // At a vertex: with Along::nothing, the surface does not lead nearer. d is not 0.
   Heading at_vertex(std::uint32_t vertex) const noexcept {
     Slide best;

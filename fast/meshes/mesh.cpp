@@ -102,6 +102,13 @@ std::variant<Mesh, ParameterError> Mesh::build(const MeshRendering& rendering) {
   };
   if (rendering.has_corner_normals()) in_order(result.normals_, rendering.normals);
   if (is_textured) in_order(result.textures_, rendering.texture.corners);
+  result.stiffness_ = rendering.stiffness;
+  result.materials_ = rendering.materials.list;
+  if (!rendering.materials.of_triangle.empty()) in_order(result.material_of_face_, rendering.materials.of_triangle);
+  for (const mesh::Material& material : result.materials_) {
+    result.has_friction_ = result.has_friction_ || material.static_friction > 0;
+    result.has_stiffness_ = result.has_stiffness_ || material.stiffness.has_value();
+  }
   result.tree_ = BoxTree(result.faces_);
   return result;
 }
@@ -162,7 +169,8 @@ void Mesh::find_bends() {
 std::size_t Mesh::bytes() const noexcept {
   return faces_.capacity() * sizeof(Face) + first_around_.capacity() * sizeof(HalfEdge) +
          face_of_file_.capacity() * sizeof(std::uint32_t) + normals_.capacity() * sizeof(normals_[0]) +
-         textures_.capacity() * sizeof(textures_[0]) + tree_.bytes();
+         textures_.capacity() * sizeof(textures_[0]) + materials_.capacity() * sizeof(mesh::Material) +
+         material_of_face_.capacity() * sizeof(std::uint32_t) + tree_.bytes();
 }
 
 }  // namespace forceshade::fast

@@ -3,6 +3,7 @@
 // A triangle mesh as the real-time path reads it: one cache line for each triangle, in an order in which neighbours are near
 // each other, and a tree of boxes over runs of them.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -56,6 +57,13 @@ inline HalfEdge previous(HalfEdge h) noexcept {
   return 3 * face_of(h) + before(corner_of(h));
 }
 
+// Of Coulomb friction, in a triangle or along an edge.
+struct Coefficients {
+  float static_friction = 0, dynamic_friction = 0;
+
+  bool is_rough() const noexcept { return static_friction > 0; }
+};
+
 // Immutable once it is built, safe to share between threads.
 class Mesh {
  public:
@@ -94,6 +102,21 @@ class Mesh {
   bool has_sheets() const noexcept { return has_sheets_; }  // which may cross
   const BoxTree& tree() const noexcept { return tree_; }
   float largest_coordinate() const noexcept { return largest_coordinate_; }
+  bool has_friction() const noexcept { return has_friction_; }
+  Coefficients friction_in_triangle(std::uint32_t f) const noexcept {
+    const mesh::Material& material = material_of(f);
+    return {material.static_friction, material.dynamic_friction};
+  }
+  // The larger ones of the edge's triangles.
+  Coefficients friction_on_edge(HalfEdge h) const noexcept {
+    const Coefficients a = friction_in_triangle(face_of(h));
+    if (twin(h) == kRim) return a;
+    const Coefficients b = friction_in_triangle(face_of(twin(h)));
+    return {std::max(a.static_friction, b.static_friction), std::max(a.dynamic_friction, b.dynamic_friction)};
+  }
+  // Whether materials have a stiffness of their own; then that of a face, N/mm.
+  bool has_stiffness() const noexcept { return has_stiffness_; }
+  float stiffness_in_triangle(std::uint32_t f) const noexcept { return material_of(f).stiffness.value_or(stiffness_); }
   // The normals of the three corners of face f; empty where the mesh has none.
   const std::array<mesh::Normal, 3>* normals(std::uint32_t f) const noexcept {
     return normals_.empty() ? nullptr : &normals_[f];
@@ -107,6 +130,10 @@ class Mesh {
   std::size_t bytes() const noexcept;
 
  private:
+  // Where there is a material.
+  const mesh::Material& material_of(std::uint32_t f) const noexcept {
+    return materials_[material_of_face_.empty() ? 0 : material_of_face_[f]];
+  }
   void join();
   void find_bends();
 
@@ -119,6 +146,10 @@ class Mesh {
   BoxTree tree_;
   mesh::Sides sides_ = mesh::Sides::front;
   bool has_sheets_ = false;
+  bool has_friction_ = false, has_stiffness_ = false;
+  float stiffness_ = 0;  // N/mm, of materials that have none
+  std::vector<mesh::Material> materials_;
+  std::vector<std::uint32_t> material_of_face_;
   float largest_coordinate_ = 0;
 };
 

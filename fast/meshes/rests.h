@@ -25,7 +25,9 @@ struct Arrival {
   int moves = 0;
   bool is_finished = true;
   Plane plane{};  // of the rest's triangle: in_triangle alone
-  bool is_slipping = false;  // mesh::GodObject's: by the contact rule friction alone
+  // By the contact rule friction alone: mesh::GodObject's; and the rough way along which the hand pulls at a rest at the spot.
+  bool is_slipping = false;
+  Slide pull{};
   int tries = 0;  // that the tick's detours and landings have taken: where sheets may cross
 };
 
@@ -126,6 +128,53 @@ class Rests {
     return spot_on_edge(mesh_, h, rounded_on_edge(h, cell, foot), side);
   }
 
+  // The point of a triangle with these cells: the corner of its part of the grid that is nearest to p.
+  Spot rounded_in_triangle(std::uint32_t f, const std::array<Cell, 3>& cells, mesh::Side side) const noexcept {
+    const std::uint32_t k = cells[1].floor, l = cells[2].floor;
+    std::array<GridCorner, 3> corners{};  // in the order in which equally near ones count
+    std::size_t count = 0;
+    const auto add = [&](std::uint32_t up, std::uint32_t across) { corners[count++] = {k + up, l + across}; };
+    if (cells[1].is_whole && cells[2].is_whole) {
+      add(0, 0);
+    } else if (cells[0].is_whole) {
+      add(0, 1);
+      add(1, 0);
+    } else if (cells[1].is_whole) {
+      add(0, 0);
+      add(0, 1);
+    } else if (cells[2].is_whole) {
+      add(0, 0);
+      add(1, 0);
+    } else if (cells[0].floor + k + l == kGrid - 1) {
+      add(0, 0);
+      add(0, 1);
+      add(1, 0);
+    } else {
+      add(0, 1);
+      add(1, 0);
+      add(1, 1);
+    }
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < count; ++i)
+      if (is_nearer_corner(mesh_.face(f), corners[i], corners[nearest])) nearest = i;
+    return spot_in_triangle(mesh_, f, corners[nearest].k, corners[nearest].l, side);
+  }
+
+  // p, which lies on the surface at the hit, as the end of a move that is no rest.
+  [[gnu::noinline]] Spot rounded_position(const Hit& hit) const noexcept {
+    stages_.note(Stage::wide);
+    const HalfEdge h = 3 * hit.face + hit.corner;
+    if (hit.part == Hit::Part::corner) return spot_at_vertex(mesh_, h, hit.side);
+    if (hit.part == Hit::Part::edge) {
+      const ExactFoot foot = exact_foot(h);
+      return rounded_landing(h, exact_cell(foot.along, foot.length), hit.side);
+    }
+    const ExactWeights weights(mesh_.face(hit.face), p_.data());
+    std::array<Cell, 3> cells{};
+    for (std::size_t i = 0; i < 3; ++i) cells[i] = exact_cell(weights.corner[i], weights.all);
+    return rounded_in_triangle(hit.face, cells, hit.side);
+  }
+
   // ---- How p lies to the state.
 
   bool is_at_position() const noexcept {
@@ -149,6 +198,32 @@ class Rests {
     return static_cast<double>(largest);
   }
 
+ private:
+  struct GridCorner {
+    std::uint32_t k, l;
+  };
+  // With U = 2^24(p - b) and d the way from b to a in units of the grid, |p - a|² - |p - b|² is 2^-48 (d² - 2 d·U).
+  bool is_nearer_corner(const Face& f, const GridCorner& a, const GridCorner& b) const noexcept {
+    const auto point = [&](const GridCorner& c) -> Point {
+      return {{f.corner[0].data(), f.corner[1].data(), f.corner[2].data()}, {kGrid - c.k - c.l, c.k, c.l}, 3};
+    };
+    const Point to = point(a), from = point(b);
+    const Offset U = offset_from(from, p_.data(), largest());
+    // The corner whose weight is larger in a, and that whose weight is larger in b: a step of the grid is along a side.
+    std::size_t up = 0, down = 0;
+    for (std::size_t i = 1; i < 3; ++i) {
+      if (to.weight[i] > from.weight[i]) up = i;
+      if (to.weight[i] < from.weight[i]) down = i;
+    }
+    const Vector3<double> d = difference(f.corner[up].data(), f.corner[down].data());
+    const double size = size_of(d);
+    const DoubleWithError along{dot(d, U.U), kAlong.error * size * U.size}, length{dot(d, d), kLength.error * size * size};
+    return sign_of(length - shifted<1>(along), stages_, [&] {
+             return square(exact_offset_from(to, p_.data())).compare(square(exact_offset_from(from, p_.data())));
+           }) < 0;
+  }
+
+ public:
   const Mesh& mesh_;
   Spot& spot_;
   const std::array<float, 3>& p_;

@@ -54,7 +54,8 @@ class MeshSession final : public TickSession {
   }
   void resume(const mesh::GodObject& state) noexcept override {
     at_.spot = spot_of(*mesh_, state);
-    at_.is_slipping = state.is_slipping && contact_ == mesh::Contact::friction && is_touching(at_.spot);
+    at_.is_slipping =
+        state.is_slipping && contact_ == mesh::Contact::friction && mesh_->has_friction() && is_touching(at_.spot);
     square_ = 0;
     is_seeking_ = false;
   }

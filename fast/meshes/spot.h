@@ -2,6 +2,8 @@
 #pragma once
 // Where the god-object is, by the mesh's own numbering: what include/forceshade/mesh.h states by the file's.
 
+#include <algorithm>
+
 #include "fast/meshes/decide.h"
 #include "forceshade/mesh.h"
 
@@ -84,6 +86,20 @@ inline Point point_of(const Mesh& mesh, const Spot& spot) noexcept {
               3};
     default: return Point::at(spot.position.data());
   }
+}
+
+// N/mm, where the materials have one: of an edge or a vertex, the largest of its triangles.
+inline float stiffness_at(const Mesh& mesh, const Spot& spot) noexcept {
+  float largest = mesh.stiffness_in_triangle(face_of(spot.half));
+  const auto include = [&](HalfEdge h) {
+    if (h != kRim) largest = std::max(largest, mesh.stiffness_in_triangle(face_of(h)));
+  };
+  if (spot.place == mesh::Place::edge) include(mesh.twin(spot.half));
+  if (spot.place != mesh::Place::vertex) return largest;
+  const HalfEdge start = mesh.first_around(mesh.start(spot.half));
+  for (HalfEdge h = mesh.around(start); h != kRim && h != start; h = mesh.around(h)) include(h);
+  include(start);
+  return largest;
 }
 
 // Whether the triangle holds the spot.

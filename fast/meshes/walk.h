@@ -6,20 +6,20 @@
 
 #include "fast/meshes/glide.h"
 #include "fast/meshes/sheets.h"
+#include "fast/meshes/slips.h"
 
 namespace forceshade::fast {
 
-// kHasSheets: whether ways are tested against the whole mesh, whose sheets may cross.
-template <class Stages, bool kHasSheets = false>
-class Walk : Rests<Stages> {
+// kHasSheets: whether ways are tested against the whole mesh, whose sheets may cross. kHasFriction: whether slides may be held.
+template <class Stages, bool kHasSheets = false, bool kHasFriction = false>
+class Walk : Slips<Stages> {
  public:
-  static constexpr int kMostMoves = 256;
   static constexpr int kMostTries = 256;  // with these, no further detour or landing of the tick begins
 
   // Moves `at`, from where its spot is, towards p: the hand's position, or what a contact rule puts in its place. p: mm, in
   // the domain and quantised. Both have to outlive the walk.
   FORCESHADE_INLINE Walk(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, const Stages& stages = {}) noexcept
-      : Rests<Stages>(mesh, at.spot, p, stages), at_(at) {}
+      : Slips<Stages>(mesh, at, p, stages) {}
 
   FORCESHADE_INLINE void run() noexcept {
     // A god-object that went through triangles in the last tick goes on through their neighbours, two or more of them.
@@ -29,7 +29,8 @@ class Walk : Rests<Stages> {
     at_.moves = 0;
     if constexpr (kHasSheets) at_.tries = 0;
     at_.is_finished = true;
-    if (spot_.place == mesh::Place::nowhere) return start();
+    at_.pull = {};
+    if (spot_.place == mesh::Place::nowhere && start() == Step::rest) return;
     Step step;
     do step = spot_.place == mesh::Place::triangle ? move_in_triangle() : move();
     while (step == Step::onward);
@@ -39,15 +40,19 @@ class Walk : Rests<Stages> {
   }
 
  private:
+  using Slips<Stages>::at_, Slips<Stages>::kMostMoves;
+  using Slips<Stages>::slip_in, Slips<Stages>::slip_along, Slips<Stages>::stay, Slips<Stages>::exhausted,
+      Slips<Stages>::steepest;
   using Rests<Stages>::mesh_, Rests<Stages>::spot_, Rests<Stages>::p_, Rests<Stages>::stages_;
   using Rests<Stages>::put, Rests<Stages>::spot_at_position, Rests<Stages>::rest_on_edge, Rests<Stages>::rest_in_triangle;
   using Rests<Stages>::is_nearest_already, Rests<Stages>::rounded_on_edge, Rests<Stages>::is_nearer,
       Rests<Stages>::rounded_landing;
   using Rests<Stages>::is_at_position, Rests<Stages>::exact_foot, Rests<Stages>::is_position;
+  using Rests<Stages>::rounded_in_triangle, Rests<Stages>::rounded_position;
 
-  enum class Step { onward, rest, exhausted };
-
+  // Friction does not hold it there, so that it slips no more.
   FORCESHADE_INLINE Step rest(Rest how) noexcept {
+    if constexpr (kHasFriction) at_.is_slipping = false;
     at_.rest = how;
     return Step::rest;
   }
@@ -68,6 +73,7 @@ class Walk : Rests<Stages> {
   FORCESHADE_INLINE Step slid_onward(const Spot& to, std::uint32_t f) noexcept {
     if constexpr (kHasSheets)
       if (const auto other = diverted(to, f)) return *other;
+    if constexpr (kHasFriction) at_.is_slipping = true;
     return onward(to);
   }
   // Where another sheet is in the way; none where it is clear. The move is counted already.
@@ -98,7 +104,7 @@ class Walk : Rests<Stages> {
     return rest(Rest::none);
   }
 
-  [[gnu::noinline]] void start() noexcept {
+  [[gnu::noinline]] Step start() noexcept {
     Hit hit;  // the first of the features that are there
     const Vector3<double> place{static_cast<double>(p_[0]), static_cast<double>(p_[1]), static_cast<double>(p_[2])};
     mesh_.tree().along(place, place, [&](std::uint32_t f) {
@@ -107,10 +113,9 @@ class Walk : Rests<Stages> {
       if (found.part == Hit::Part::none) return;
       if (hit.part == Hit::Part::none || key_of(mesh_, found) < key_of(mesh_, hit)) hit = found;
     });
-    if (hit.part == Hit::Part::none)
-      be_free();
-    else
-      rest(Rest::at_goal, spot_at_position(hit));
+    if (hit.part == Hit::Part::none) return be_free();
+    if (is_rough(hit)) return onward(rounded_position(hit));
+    return rest(Rest::at_goal, spot_at_position(hit));
   }
 
   // ---- Moves.
@@ -206,6 +211,19 @@ class Walk : Rests<Stages> {
     return slide_in(f, Facing(mesh_.face(f), p_.data(), stages_));
   }
 
+  // Whether a move that ends there is no rest. At a vertex it makes no difference: that is a point of the grid.
+  FORCESHADE_INLINE bool is_rough(HalfEdge h) const noexcept {
+    if constexpr (kHasFriction) return mesh_.friction_on_edge(h).is_rough();
+    return false;
+  }
+  FORCESHADE_INLINE bool is_rough(const Hit& hit) const noexcept {
+    if constexpr (kHasFriction) {
+      if (hit.part == Hit::Part::triangle) return mesh_.friction_in_triangle(hit.face).is_rough();
+      return hit.part == Hit::Part::edge && is_rough(3 * hit.face + hit.corner);
+    }
+    return false;
+  }
+
   // Whether the god-object may leave the surface that way.
   bool is_own(Aim aim) const noexcept {
     return aim == Aim::open || aim == (spot_.side == mesh::Side::front ? Aim::front : Aim::back);
@@ -227,10 +245,13 @@ class Walk : Rests<Stages> {
       if (onward == 0) return rest(Rest::at_spot);
       is_towards_start = onward < 0;
     }
+    const bool is_foot_inside = is_towards_start ? beyond(0) > 0 : beyond(kGrid) < 0;
+    if constexpr (kHasFriction)
+      if (const Coefficients of = mesh_.friction_on_edge(h); of.is_rough())
+        if (const auto step = slip_along(way, foot, is_towards_start, is_foot_inside, of)) return *step;
     if (at_.moves == kMostMoves) return Step::exhausted;
     ++at_.moves;
-    if (is_towards_start ? beyond(0) > 0 : beyond(kGrid) < 0)
-      return slid(Rest::on_edge, rest_on_edge(h, spot_.side), first_beside(h));
+    if (is_foot_inside) return slid(Rest::on_edge, rest_on_edge(h, spot_.side), first_beside(h));
     const HalfEdge end = is_towards_start ? h : next(h);
     const Spot vertex = spot_at_vertex(mesh_, end, spot_.side);
     if (is_position(mesh_.start_point(end))) return slid(Rest::at_goal, vertex, first_beside(h));
@@ -248,6 +269,9 @@ class Walk : Rests<Stages> {
     std::array<int, 3> inside;
     for (std::size_t i = 0; i < 3; ++i)
       inside[i] = sign_of(weights.corner[i], stages_, [&] { return ExactWeights(mesh_.face(f), p_.data()).corner[i].sign(); });
+    if constexpr (kHasFriction)
+      if (const Coefficients of = mesh_.friction_in_triangle(f); of.is_rough())
+        if (const auto step = slip_in(f, facing.numbers, facing.weights, inside, of)) return *step;
     if (inside[0] <= 0 || inside[1] <= 0 || inside[2] <= 0) return slide_out(f, facing, inside);
     const Spot to = rest_in_triangle(f, weights, spot_.side);
     if (spot_.place == mesh::Place::triangle && to.weight[0] == spot_.weight[0] && to.weight[1] == spot_.weight[1] &&
@@ -284,10 +308,10 @@ class Walk : Rests<Stages> {
       if (first < 0) i = j;
     }
     const HalfEdge edge = 3 * f + after(i);
-    if (facing.side == 0 && inside[i] == 0) return slid(Rest::at_goal, rest_on_edge(edge, spot_.side), f);
+    if (facing.side == 0 && inside[i] == 0 && !is_rough(edge)) return slid(Rest::at_goal, rest_on_edge(edge, spot_.side), f);
     const std::uint32_t j = before(i);  // the edge's end
     const DoubleWithError along = num(j), whole = times(G[i], weights.all) - shifted<24>(weights.corner[i]);
-    if constexpr (!kHasSheets)  // whose slides have to be tested one by one
+    if constexpr (!kHasSheets && !kHasFriction)  // whose slides have to be tested one by one
       if (inside[i] < 0 && facing.side == (spot_.side == mesh::Side::front ? -1 : 1) && at_.moves >= glide_from_ &&
           glide<Stages>(*this, at_, edge, along, whole, static_cast<double>(G[i]), weights.all, kMostMoves, glide_from_))
         return Step::rest;
@@ -302,21 +326,29 @@ class Walk : Rests<Stages> {
                                       foot.length.value + foot.length.error)) ||
         is_nearer(to))
       return slid_onward(to, f);
-    return refuse();
+    return refuse({Slide::Along::triangle, 3 * f, false});
   }
   FORCESHADE_INLINE static DoubleWithError times(std::uint32_t weight, const DoubleWithError& a) noexcept {
     return fast::times(static_cast<double>(weight), a);
   }
   static FixedInteger<25> integer(std::uint32_t weight) noexcept { return FixedInteger<25>(static_cast<std::int64_t>(weight)); }
 
-  // The move is counted already.
-  Step refuse() noexcept {
+  // A rest at the spot instead of a move, which is counted already. way: the steepest.
+  Step refuse(const Slide& way) noexcept {
     --at_.moves;
+    if constexpr (kHasFriction) return stay(way);
     return rest(Rest::at_spot);
   }
-
+  Step refuse_flight() noexcept {
+    if constexpr (kHasFriction) return refuse(steepest());
+    return refuse(Slide{});
+  }
   [[gnu::noinline]] Step fly() noexcept {
-    if (at_.moves == kMostMoves) return Step::exhausted;
+    if (at_.moves == kMostMoves) {
+      if constexpr (kHasFriction)
+        if (is_touching(spot_)) return exhausted(steepest());
+      return Step::exhausted;
+    }
     ++at_.moves;
     const Point g = point_of(mesh_, spot_);
     double largest = this->largest();
@@ -329,6 +361,7 @@ class Walk : Rests<Stages> {
     const Hit& landing = flight.landing();
     if (landing.part == Hit::Part::none) {
       if (flight.end().part == Hit::Part::none) return be_free();
+      if (is_rough(flight.end())) return arrive(rounded_position(flight.end()));
       const Spot to = spot_at_position(flight.end());
       if constexpr (kHasSheets) {
         const Sheets<Stages> sheets(mesh_, p_.data(), stages_);
@@ -342,8 +375,9 @@ class Walk : Rests<Stages> {
     const HalfEdge h = 3 * landing.face + landing.corner;
     const Spot to = landing.part == Hit::Part::corner ? spot_at_vertex(mesh_, h, landing.side)
                     : landing.part == Hit::Part::edge ? rounded_landing(h, flight.cell_on_edge(), landing.side)
-                                                      : flight.rounded_in_triangle();
-    if (spot_.place != mesh::Place::free && !is_nearer(to)) return refuse();
+                                                      : rounded_in_triangle(landing.face, flight.cells(), landing.side);
+    if constexpr (!kHasSheets) return arrive(to);
+    if (spot_.place != mesh::Place::free && !is_nearer(to)) return refuse_flight();
     if constexpr (kHasSheets) {
       const Sheets<Stages> sheets(mesh_, p_.data(), stages_);
       const auto left = flight.left_at_landing();
@@ -353,8 +387,11 @@ class Walk : Rests<Stages> {
     }
     return onward(to);
   }
+  FORCESHADE_INLINE Step arrive(const Spot& to) noexcept {
+    if (spot_.place != mesh::Place::free && !is_nearer(to)) return refuse_flight();
+    return onward(to);
+  }
   const Spot* spot_if_touching() const noexcept { return spot_.place == mesh::Place::free ? nullptr : &spot_; }
-  Arrival& at_;
   // The edge that the last slide went out through, and how p lies to the triangle that it left: that depends on p alone.
   struct {
     HalfEdge half = kRim;

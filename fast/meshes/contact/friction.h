@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The god-object goes for the hand's position; friction may hold it, or stop it before (docs/friction.md).
+
+#include "fast/meshes/contact/direct.h"
+
+namespace forceshade::fast {
+
+struct Frictional {
+  static constexpr mesh::Contact kContact = mesh::Contact::friction;
+
+  template <class Stages>
+  static Goal move(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, const Stages& stages) noexcept {
+    if (!mesh.has_friction()) return Direct::move(mesh, at, p, stages);
+    Walk<Stages, false, true>(mesh, at, p, stages).run();
+    return {};
+  }
+};
+
+}  // namespace forceshade::fast

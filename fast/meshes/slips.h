@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Slides that friction may hold, and what a rest keeps of them: rules 2a, 2b and 4a of docs/friction.md.
+
+#include <optional>
+
+#include "fast/meshes/friction.h"
+
+namespace forceshade::fast {
+
+// What a move leads to: another one, a rest, or the end of the tick's moves.
+enum class Step { onward, rest, exhausted };
+
+template <class Stages>
+class Slips : protected Rests<Stages> {
+ public:
+  static constexpr int kMostMoves = 256;
+
+ protected:
+  // Moves `at`; all of it has to outlive this.
+  FORCESHADE_INLINE Slips(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, const Stages& stages) noexcept
+      : Rests<Stages>(mesh, at.spot, p, stages), at_(at) {}
+
+  // A slide in a rough triangle, or along a rough edge; none where it goes on to the border or to the end.
+  std::optional<Step> slip_in(std::uint32_t f, const FaceNumbers& numbers, const Weights& weights,
+                              const std::array<int, 3>& inside, const Coefficients& of) noexcept {
+    const Slide way{Slide::Along::triangle, 3 * f, false};
+    const Point g = point_of(mesh_, spot_);
+    const Load load = load_in_triangle(numbers, offset_from(g, p_.data(), largest()));
+    const auto exact_load = [&] { return exact_load_in_triangle(mesh_.face(f), exact_offset_from(g, p_.data())); };
+    const Friction friction(load, of, stages_, exact_load);
+    if (friction.holds(at_.is_slipping)) return held(way, friction);
+    if (at_.moves == kMostMoves) return exhausted(way);
+    const std::uint32_t left = friction.share_left();
+    const std::array<std::uint32_t, 3> G = weights_in(mesh_, spot_, f);
+    const auto exact_weight = [&](const ExactWeights& exact, std::size_t i) {
+      return exact_weight_after(left, G[i], exact.corner[i], exact.all);
+    };
+    const GridParameters parameters(weights.all);
+    std::array<Cell, 3> cells{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const DoubleWithError weight = weight_after(left, G[i], weights.corner[i], weights.all);
+      if (inside[i] <= 0 &&
+          sign_of(weight, stages_, [&] { return exact_weight(ExactWeights(mesh_.face(f), p_.data()), i).sign(); }) <= 0)
+        return std::nullopt;
+      cells[i] = parameters.cell(weight, stages_, [&] {
+        const ExactWeights exact(mesh_.face(f), p_.data());
+        return exact_cell(exact_weight(exact, i), exact.all.template shifted<48>());
+      });
+    }
+    return slipped(rounded_in_triangle(f, cells, spot_.side), way, friction);
+  }
+  std::optional<Step> slip_along(const Slide& way, const Foot& foot, bool is_towards_start, bool is_foot_inside,
+                                 const Coefficients& of) noexcept {
+    const HalfEdge h = way.half;
+    const float *const start = mesh_.start_point(h), *const end = mesh_.start_point(next(h));
+    const Point g = point_of(mesh_, spot_);
+    const Load load = load_on_edge(difference(end, start), offset_from(g, p_.data(), largest()));
+    const auto exact_load = [&] { return exact_load_on_edge(exact_difference(end, start), exact_offset_from(g, p_.data())); };
+    const Friction friction(load, of, stages_, exact_load);
+    if (friction.holds(at_.is_slipping)) return held(way, friction);
+    if (at_.moves == kMostMoves) return exhausted(way);
+    const std::uint32_t left = friction.share_left();
+    const std::uint32_t G = spot_.place == mesh::Place::edge ? spot_.weight[0] : is_towards_start ? kGrid : 0;
+    const DoubleWithError along = weight_after(left, G, foot.along, foot.length);
+    const auto exact_along = [&](const ExactFoot& exact) { return exact_weight_after(left, G, exact.along, exact.length); };
+    if (!is_foot_inside) {
+      const int ahead = sign_of(is_towards_start ? along : foot.length - along, stages_, [&] {
+        const ExactFoot exact = exact_foot(h);
+        const auto from_start = exact_along(exact);
+        return is_towards_start ? from_start.sign() : exact.length.template shifted<48>().compare(from_start);
+      });
+      if (ahead <= 0) return std::nullopt;
+    }
+    const Cell cell = GridParameters(foot.length).cell(along, stages_, [&] {
+      const ExactFoot exact = exact_foot(h);
+      return exact_cell(exact_along(exact), exact.length.template shifted<48>());
+    });
+    return slipped(spot_on_edge(mesh_, h, rounded_on_edge(h, cell, foot), spot_.side), way, friction);
+  }
+  // A rest at the spot that is not for friction's sake. way: the steepest, along which the hand pulls.
+  Step stay(const Slide& way) noexcept {
+    const Slide pull = rough(way);
+    return pull.along == Slide::Along::nothing ? rest_at_spot({}, false) : held_at_spot(pull);
+  }
+  Step exhausted(const Slide& way) noexcept {
+    at_.pull = rough(way);
+    return Step::exhausted;
+  }
+
+  // The steepest way from a touching spot; nothing where the surface does not lead nearer.
+  [[gnu::noinline]] Slide steepest() const noexcept {
+    const HalfEdge h = spot_.half;
+    if (spot_.place == mesh::Place::triangle) return {Slide::Along::triangle, h, false};
+    const Point g = point_of(mesh_, spot_);
+    const Offset U = offset_from(g, p_.data(), largest());
+    const Direction direction{U.U, U.size, &g, p_.data(), false};
+    const Headings<Stages> headings(mesh_, direction, stages_);
+    if (spot_.place == mesh::Place::vertex) return headings.at_vertex(mesh_.start(h)).way;
+    return headings.on_edge(h);
+  }
+
+ private:
+  Step rest_at_spot(const Slide& pull, bool is_slipping) noexcept {
+    at_.rest = Rest::at_spot;
+    at_.pull = pull;
+    at_.is_slipping = is_slipping;
+    return Step::rest;
+  }
+  Slide rough(const Slide& way) const noexcept {
+    const bool is_rough = way.along == Slide::Along::triangle
+                              ? mesh_.friction_in_triangle(face_of(way.half)).is_rough()
+                              : way.along == Slide::Along::edge && mesh_.friction_on_edge(way.half).is_rough();
+    return is_rough ? way : Slide{};
+  }
+  [[gnu::noinline]] Step held_at_spot(const Slide& way) noexcept {
+    const Point g = point_of(mesh_, spot_);
+    const Offset U = offset_from(g, p_.data(), largest());
+    const auto exact_U = [&] { return exact_offset_from(g, p_.data()); };
+    if (way.along == Slide::Along::triangle) {
+      const Face& face = mesh_.face(face_of(way.half));
+      const auto exact = [&] { return exact_load_in_triangle(face, exact_U()); };
+      const Load load = load_in_triangle(FaceNumbers(face), U);
+      return held(way, Friction(load, mesh_.friction_in_triangle(face_of(way.half)), stages_, exact));
+    }
+    const float *const start = mesh_.start_point(way.half), *const end = mesh_.start_point(next(way.half));
+    const auto exact = [&] { return exact_load_on_edge(exact_difference(end, start), exact_U()); };
+    const Load load = load_on_edge(difference(end, start), U);
+    return held(way, Friction(load, mesh_.friction_on_edge(way.half), stages_, exact));
+  }
+  template <class Friction>
+  Step slipped(const Spot& to, const Slide& way, const Friction& friction) noexcept {
+    if (!is_nearer(to)) return held(way, friction);
+    ++at_.moves;
+    at_.is_slipping = true;
+    put(to);
+    return Step::onward;
+  }
+  template <class Friction>
+  Step held(const Slide& way, const Friction& friction) noexcept {
+    const bool slips_on = at_.is_slipping && friction.slips_on();
+    return rest_at_spot(way, slips_on);
+  }
+
+ protected:
+  using Rests<Stages>::mesh_, Rests<Stages>::spot_, Rests<Stages>::p_, Rests<Stages>::stages_;
+  using Rests<Stages>::put, Rests<Stages>::is_nearer, Rests<Stages>::rounded_in_triangle, Rests<Stages>::rounded_on_edge,
+      Rests<Stages>::exact_foot, Rests<Stages>::largest;
+
+  Arrival& at_;
+};
+
+}  // namespace forceshade::fast
