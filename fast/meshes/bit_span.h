@@ -3,6 +3,8 @@
 // How many bits an exact number can take: the number on which the compiler runs the longest expressions of the shaded force,
 // once, to prove that the last stage's numbers hold them.
 
+#include <algorithm>
+
 #include "fast/meshes/vector3.h"
 
 namespace forceshade::fast {
@@ -107,10 +109,28 @@ inline constexpr ShadedCase kShadedCases[]{
     {kWayAtSpot, kGridSpan, by_edges(kWeightSpan)},
     {kWayAtSpot, kGridSpan, across_edge(kWayAtSpot, kWeightSpan)},
 };
+
+// Where friction takes a part of the force: what presses, at the point of the grid, and its directions; and r - q less the
+// fraction 1/(2^24 length), which is added to the root.
+inline constexpr ShadedCase kPulledCases[]{
+    {kFootInTriangle, square(kFaceNormalSpan), interpolated(kWeightSpan)},
+    {kFootInTriangle, square(kFaceNormalSpan), by_edges(kWeightSpan)},
+    {kFootInTriangle, square(kFaceNormalSpan), across_edge(kFootInTriangle, kWeightSpan)},
+    {kFootOnEdge, square(kEdgeSpan), interpolated(kWeightSpan)},
+    {kFootOnEdge, square(kEdgeSpan), across_edge(kFootOnEdge, kWeightSpan)},
+};
+constexpr int bits_of_pulled_force(const ShadedCase& of) noexcept {
+  const BitSpan pull = of.length * kWayAtSpot.x - kGridSpan * of.way.x, root = kStiffnessSpan * of.direction.x;
+  const BitSpan rest = kTieSpan * (kGridSpan * of.length) - kStiffnessSpan * pull;
+  return bits_to_compare(kGridSpan * kGridSpan * (root * root * square(of.way)), rest * rest * square(of.direction));
+}
+
 constexpr int most_bits_of_shaded_force() noexcept {
   int most = 0;
   for (const ShadedCase& one : kShadedCases)
     if (most_bits(one) > most) most = most_bits(one);
+  for (const ShadedCase& one : kPulledCases)
+    if (const int bits = std::max(bits_of_side(one), bits_of_pulled_force(one)); bits > most) most = bits;
   return most;
 }
 

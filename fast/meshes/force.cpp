@@ -79,11 +79,16 @@ template <class N, bool kIsFromIntegers = false>
 std::optional<Force3> shaded_force(const Mesh& mesh, const Arrival& arrival, const HandAndGoal& ends, double K,
                                    mesh::Shading scheme, Stage& last) noexcept {
   const RestNumbers<N, kIsFromIntegers> numbers(mesh, arrival, ends);
-  const Way3<N> way = numbers.way();
+  const bool is_pulled = numbers.is_pulled();
+  const Way3<N> way = is_pulled ? numbers.way_of_pressure() : numbers.way();
   const ShadingDirection<N> shading = shading_direction(scheme, numbers, way, last);
   if (shading.outcome == ShadingOutcome::unknown) return std::nullopt;
   if (shading.outcome == ShadingOutcome::none) return exact_unshaded(mesh, arrival, ends, K, true, last);
-  if (const auto force = along(way, shading.direction, K)) return force;
+  if (is_pulled) {
+    if (const auto force = along_and(way, shading.direction, numbers.way_of_pull(), K)) return force;
+  } else if (const auto force = along(way, shading.direction, K)) {
+    return force;
+  }
   // On flat parts the shading direction often is the way's own, and ties are as common as without shading.
   if constexpr (kIsFromIntegers) {
     const auto aside = cross(way.vector, shading.direction);

@@ -71,18 +71,52 @@ class RestNumbers {
 
   // Mesh, arrival, hand and goal have to outlive this.
   RestNumbers(const Mesh& mesh, const Arrival& arrival, const HandAndGoal& ends) noexcept
-      : mesh_(mesh), spot_(arrival.spot), rest_(arrival.rest), ends_(ends), goal_point_(point<N>(ends.goal())) {}
+      : mesh_(mesh),
+        spot_(arrival.spot),
+        rest_(arrival.rest),
+        pull_(arrival.pull),
+        ends_(ends),
+        goal_point_(point<N>(ends.goal())) {}
 
   const Mesh& mesh() const noexcept { return mesh_; }
   const Spot& spot() const noexcept { return spot_; }
   Rest rest() const noexcept { return rest_; }
-  // Whether the way is a foot's: at a right angle to the triangle or edge.
-  bool is_at_foot() const noexcept { return rest_ != Rest::at_spot && ends_.are_one(); }
+  // Whether the way, or what of it presses, is a foot's: at a right angle to the triangle or edge.
+  bool is_at_foot() const noexcept { return (rest_ != Rest::at_spot || is_pulled()) && ends_.are_one(); }
+  // Whether friction takes a part of the force: then q is p's nearest point of the plane or line along which the hand pulls.
+  bool is_pulled() const noexcept { return rest_ == Rest::at_spot && pull_.along != Slide::Along::nothing; }
 
   Way3<N> way() const noexcept {
     if (ends_.are_one() || rest_ == Rest::at_spot) [[likely]]
       return way_from_goal();
     return way_past_goal();
+  }
+
+  // q - p, at a right angle to the pull.
+  Way3<N> way_of_pressure() const noexcept {
+    return pull_.along == Slide::Along::triangle ? to_triangle(mesh_.face(face_of(pull_.half))) : to_edge(pull_.half);
+  }
+  // r - q, along the pull.
+  Way3<N> way_of_pull() const noexcept {
+    if constexpr (kIsFromIntegers) {
+      const ExactOffset U = exact_offset_from(point_of(mesh_, spot_), ends_.hand());
+      const auto less = [&](const auto& pressure, const auto& length, double unit) -> Way3<N> {
+        const auto one = [&](const auto& a, const auto& b) { return -(a * length) - b.template shifted<24>(); };
+        const auto exact =
+            Vector3<decltype(one(U.x, pressure.x))>{one(U.x, pressure.x), one(U.y, pressure.y), one(U.z, pressure.z)};
+        return {near(exact, unit), near(length.template shifted<24>(), unit / kUnit)};
+      };
+      if (pull_.along == Slide::Along::triangle) {
+        const Face& f = mesh_.face(face_of(pull_.half));
+        const auto n = ExactFace(f).n;
+        const auto across = -dot(n, exact_difference(ends_.goal(), f.corner[0].data()));
+        return less(Vector3<decltype(across * n.x)>{across * n.x, across * n.y, across * n.z}, square(n), kUnit4 * kUnit);
+      }
+      const ExactDifference e = exact_edge(pull_.half), w = exact_difference(ends_.goal(), mesh_.start_point(pull_.half));
+      return less(cross(e, cross(e, w)), square(e), kUnit3);
+    }
+    const Way3<N> all = way_from_goal(), pressure = way_of_pressure();
+    return {scaled(pressure.length, all.vector) - scaled(all.length, pressure.vector), all.length * pressure.length};
   }
 
   Vector3<N> normal(const Face& f) const noexcept {
@@ -91,7 +125,7 @@ class RestNumbers {
     return cross(point<N>(f.corner[1].data()) - a, point<N>(f.corner[2].data()) - a);
   }
   Vector3<N> start() const noexcept { return point<N>(mesh_.start_point(spot_.half)); }
-  Vector3<N> edge() const noexcept { return point<N>(mesh_.start_point(next(spot_.half))) - start(); }
+  Vector3<N> edge() const noexcept { return edge(spot_.half); }
 
   // Up to a common factor.
   std::array<N, 3> weights_in_triangle() const noexcept {
@@ -119,29 +153,32 @@ class RestNumbers {
   }
 
  private:
+  // From the goal to its nearest point of a triangle's plane, and of an edge's line.
+  FORCESHADE_INLINE Way3<N> to_triangle(const Face& f) const noexcept {
+    const Vector3<N> n = normal(f);
+    if constexpr (kIsFromIntegers) {
+      const auto exact = ExactFace(f).n;
+      return {scaled(-near(dot(exact, exact_difference(ends_.goal(), f.corner[0].data())), kUnit3), n),
+              near(square(exact), kUnit4)};
+    } else {
+      return {scaled(-dot(n, goal_point_ - point<N>(f.corner[0].data())), n), square(n)};
+    }
+  }
+  FORCESHADE_INLINE Way3<N> to_edge(HalfEdge h) const noexcept {
+    if constexpr (kIsFromIntegers) {
+      const ExactDifference e = exact_edge(h), w = exact_difference(ends_.goal(), mesh_.start_point(h));
+      return {near(cross(e, cross(e, w)), kUnit3), near(square(e), kUnit2)};
+    } else {
+      const Vector3<N> e = edge(h), w = goal_point_ - point<N>(mesh_.start_point(h));
+      return {cross(e, cross(e, w)), square(e)};
+    }
+  }
+
   // r less the goal; at the spot, r less p.
   FORCESHADE_INLINE Way3<N> way_from_goal() const noexcept {
     switch (rest_) {
-      case Rest::in_triangle: {
-        const Face& f = mesh_.face(face_of(spot_.half));
-        const Vector3<N> n = normal(f);
-        if constexpr (kIsFromIntegers) {
-          const auto exact = ExactFace(f).n;
-          return {scaled(-near(dot(exact, exact_difference(ends_.goal(), f.corner[0].data())), kUnit3), n),
-                  near(square(exact), kUnit4)};
-        } else {
-          return {scaled(-dot(n, goal_point_ - point<N>(f.corner[0].data())), n), square(n)};
-        }
-      }
-      case Rest::on_edge: {
-        if constexpr (kIsFromIntegers) {
-          const ExactDifference e = exact_edge(), w = exact_difference(ends_.goal(), mesh_.start_point(spot_.half));
-          return {near(cross(e, cross(e, w)), kUnit3), near(square(e), kUnit2)};
-        } else {
-          const Vector3<N> e = edge(), w = goal_point_ - start();
-          return {cross(e, cross(e, w)), square(e)};
-        }
-      }
+      case Rest::in_triangle: return to_triangle(mesh_.face(face_of(spot_.half)));
+      case Rest::on_edge: return to_edge(spot_.half);
       case Rest::at_goal: return {{}, N::exactly(1)};
       default: {
         const Point g = point_of(mesh_, spot_);
@@ -165,13 +202,15 @@ class RestNumbers {
     return {sum(from_goal.vector, scaled(from_goal.length, past())), from_goal.length};
   }
 
-  ExactDifference exact_edge() const noexcept {
-    return exact_difference(mesh_.start_point(next(spot_.half)), mesh_.start_point(spot_.half));
+  Vector3<N> edge(HalfEdge h) const noexcept { return point<N>(mesh_.start_point(next(h))) - point<N>(mesh_.start_point(h)); }
+  ExactDifference exact_edge(HalfEdge h) const noexcept {
+    return exact_difference(mesh_.start_point(next(h)), mesh_.start_point(h));
   }
 
   const Mesh& mesh_;
   const Spot& spot_;
   Rest rest_;
+  const Slide& pull_;
   HandAndGoal ends_;
   Vector3<N> goal_point_;
 };

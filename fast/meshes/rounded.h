@@ -80,4 +80,51 @@ inline std::optional<Force3> along(const Way3<Shaded>& way, const Vector3<Shaded
       direction);
 }
 
+// The same plus K times `pull`, whose length is 2^24 that of `way`.
+inline std::optional<Force3> along_and(const Way3<DoubleWithError>& way, const Vector3<DoubleWithError>& direction,
+                                       const Way3<DoubleWithError>& pull, double K) noexcept {
+  const DoubleWithError square_of_way = square(way.vector), square_of_direction = square(direction);
+  if (!(square_of_direction.value > 0x1p-600 && square_of_way.value > 0x1p-600)) return std::nullopt;
+  const DoubleWithError stiffness = DoubleWithError::exactly(K),
+                        factor = stiffness * square_root(square_of_way / square_of_direction) / way.length,
+                        of_pull = stiffness / pull.length;
+  const auto one = [&](const DoubleWithError& to, const DoubleWithError& by) {
+    return round_to_binary32(factor * to + of_pull * by);
+  };
+  const auto x = one(direction.x, pull.vector.x), y = one(direction.y, pull.vector.y), z = one(direction.z, pull.vector.z);
+  if (!x || !y || !z) return std::nullopt;
+  return Force3{*x, *y, *z};
+}
+inline std::optional<Force3> along_and(const Way3<Shaded>& way, const Vector3<Shaded>& direction, const Way3<Shaded>& pull,
+                                       double K) noexcept {
+  using Short = BigFloatBall<4>;
+  const Shaded square_of_way = square(way.vector), square_of_direction = square(direction), stiffness = Shaded::exactly(K);
+  const Short short_stiffness = Short::exactly(K), of_pull = short_stiffness / Short(pull.length),
+              factor = short_stiffness * square_root(Short(square_of_way) / Short(square_of_direction)) / Short(way.length);
+  // F times pull.length is ±√(2^48 K² to² way²/direction²) + K by: where a tie stands for F, the root is compared with the
+  // rest.
+  const auto one = [&](const Shaded& to, const Shaded& by) -> std::optional<float> {
+    const Shaded root = stiffness * to;
+    const Sign side = proved_sign(root);
+    if (side == Sign::unknown) return std::nullopt;
+    const Shaded of_root = Shaded::exactly(0x1p48) * (root * root * square_of_way);
+    const auto opposite = [](Sign sign) {
+      return sign == Sign::positive ? Sign::negative : sign == Sign::negative ? Sign::positive : sign;
+    };
+    const auto beside = [&](double tie) {
+      const Shaded rest = Shaded::exactly(tie) * pull.length - stiffness * by;
+      const Sign of_rest = proved_sign(rest);
+      if (of_rest == Sign::unknown) return Sign::unknown;
+      if (of_rest == Sign::zero) return side;
+      if (side != of_rest) return opposite(of_rest);
+      const Sign farther = proved_sign(of_root - rest * rest * square_of_direction);
+      return side == Sign::positive ? farther : opposite(farther);
+    };
+    return round_to_binary32(approximately(factor * Short(to) + of_pull * Short(by)), beside);
+  };
+  const auto x = one(direction.x, pull.vector.x), y = one(direction.y, pull.vector.y), z = one(direction.z, pull.vector.z);
+  if (!x || !y || !z) return std::nullopt;
+  return Force3{*x, *y, *z};
+}
+
 }  // namespace forceshade::fast::meshes
