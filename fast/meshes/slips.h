@@ -24,60 +24,14 @@ class Slips : protected Rests<Stages> {
   // A slide in a rough triangle, or along a rough edge; none where it goes on to the border or to the end.
   std::optional<Step> slip_in(std::uint32_t f, const FaceNumbers& numbers, const Weights& weights,
                               const std::array<int, 3>& inside, const Coefficients& of) noexcept {
-    const Slide way{Slide::Along::triangle, 3 * f, false};
-    const Point g = point_of(mesh_, spot_);
-    const Load load = load_in_triangle(numbers, offset_from(g, p_.data(), largest()));
-    const auto exact_load = [&] { return exact_load_in_triangle(mesh_.face(f), exact_offset_from(g, p_.data())); };
-    const Friction friction(load, of, stages_, exact_load);
-    if (friction.holds(at_.is_slipping)) return held(way, friction);
-    if (at_.moves == kMostMoves) return exhausted(way);
-    const std::uint32_t left = friction.share_left();
-    const std::array<std::uint32_t, 3> G = weights_in(mesh_, spot_, f);
-    const auto exact_weight = [&](const ExactWeights& exact, std::size_t i) {
-      return exact_weight_after(left, G[i], exact.corner[i], exact.all);
-    };
-    const GridParameters parameters(weights.all);
-    std::array<Cell, 3> cells{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const DoubleWithError weight = weight_after(left, G[i], weights.corner[i], weights.all);
-      if (inside[i] <= 0 &&
-          sign_of(weight, stages_, [&] { return exact_weight(ExactWeights(mesh_.face(f), p_.data()), i).sign(); }) <= 0)
-        return std::nullopt;
-      cells[i] = parameters.cell(weight, stages_, [&] {
-        const ExactWeights exact(mesh_.face(f), p_.data());
-        return exact_cell(exact_weight(exact, i), exact.all.template shifted<48>());
-      });
-    }
-    return slipped(rounded_in_triangle(f, cells, spot_.side), way, friction);
+    return by_friction_in(f, numbers, of, [&](const auto& friction) { return slip_by(friction, f, weights, inside); });
   }
   std::optional<Step> slip_along(const Slide& way, const Foot& foot, bool is_towards_start, bool is_foot_inside,
                                  const Coefficients& of) noexcept {
-    const HalfEdge h = way.half;
-    const float *const start = mesh_.start_point(h), *const end = mesh_.start_point(next(h));
-    const Point g = point_of(mesh_, spot_);
-    const Load load = load_on_edge(difference(end, start), offset_from(g, p_.data(), largest()));
-    const auto exact_load = [&] { return exact_load_on_edge(exact_difference(end, start), exact_offset_from(g, p_.data())); };
-    const Friction friction(load, of, stages_, exact_load);
-    if (friction.holds(at_.is_slipping)) return held(way, friction);
-    if (at_.moves == kMostMoves) return exhausted(way);
-    const std::uint32_t left = friction.share_left();
-    const std::uint32_t G = spot_.place == mesh::Place::edge ? spot_.weight[0] : is_towards_start ? kGrid : 0;
-    const DoubleWithError along = weight_after(left, G, foot.along, foot.length);
-    const auto exact_along = [&](const ExactFoot& exact) { return exact_weight_after(left, G, exact.along, exact.length); };
-    if (!is_foot_inside) {
-      const int ahead = sign_of(is_towards_start ? along : foot.length - along, stages_, [&] {
-        const ExactFoot exact = exact_foot(h);
-        const auto from_start = exact_along(exact);
-        return is_towards_start ? from_start.sign() : exact.length.template shifted<48>().compare(from_start);
-      });
-      if (ahead <= 0) return std::nullopt;
-    }
-    const Cell cell = GridParameters(foot.length).cell(along, stages_, [&] {
-      const ExactFoot exact = exact_foot(h);
-      return exact_cell(exact_along(exact), exact.length.template shifted<48>());
-    });
-    return slipped(spot_on_edge(mesh_, h, rounded_on_edge(h, cell, foot), spot_.side), way, friction);
+    return by_friction_along(
+        way.half, of, [&](const auto& friction) { return slip_by(friction, way, foot, is_towards_start, is_foot_inside); });
   }
+
   // A rest at the spot that is not for friction's sake. way: the steepest, along which the hand pulls.
   Step stay(const Slide& way) noexcept {
     const Slide pull = rough(way);
@@ -101,6 +55,55 @@ class Slips : protected Rests<Stages> {
   }
 
  private:
+  template <class Friction>
+  FORCESHADE_INLINE std::optional<Step> slip_by(const Friction& friction, std::uint32_t f, const Weights& weights,
+                                                const std::array<int, 3>& inside) noexcept {
+    const Slide way{Slide::Along::triangle, 3 * f, false};
+    if (friction.holds(at_.is_slipping)) return held(way, friction);
+    if (at_.moves == kMostMoves) return exhausted(way);
+    const std::uint32_t left = friction.share_left();
+    const std::array<std::uint32_t, 3> G = weights_in(mesh_, spot_, f);
+    const auto exact_weight = [&](const ExactWeights& exact, std::size_t i) {
+      return exact_weight_after(left, G[i], exact.corner[i], exact.all);
+    };
+    const GridParameters parameters(weights.all);
+    std::array<Cell, 3> cells{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const DoubleWithError weight = weight_after(left, G[i], weights.corner[i], weights.all);
+      if (inside[i] <= 0 &&
+          sign_of(weight, stages_, [&] { return exact_weight(ExactWeights(mesh_.face(f), p_.data()), i).sign(); }) <= 0)
+        return std::nullopt;
+      cells[i] = parameters.cell(weight, stages_, [&] {
+        const ExactWeights exact(mesh_.face(f), p_.data());
+        return exact_cell(exact_weight(exact, i), exact.all.template shifted<48>());
+      });
+    }
+    return slipped(rounded_in_triangle(f, cells, spot_.side), way, friction);
+  }
+  template <class Friction>
+  FORCESHADE_INLINE std::optional<Step> slip_by(const Friction& friction, const Slide& way, const Foot& foot,
+                                                bool is_towards_start, bool is_foot_inside) noexcept {
+    const HalfEdge h = way.half;
+    if (friction.holds(at_.is_slipping)) return held(way, friction);
+    if (at_.moves == kMostMoves) return exhausted(way);
+    const std::uint32_t left = friction.share_left();
+    const std::uint32_t G = spot_.place == mesh::Place::edge ? spot_.weight[0] : is_towards_start ? kGrid : 0;
+    const DoubleWithError along = weight_after(left, G, foot.along, foot.length);
+    const auto exact_along = [&](const ExactFoot& exact) { return exact_weight_after(left, G, exact.along, exact.length); };
+    if (!is_foot_inside) {
+      const int ahead = sign_of(is_towards_start ? along : foot.length - along, stages_, [&] {
+        const ExactFoot exact = exact_foot(h);
+        const auto from_start = exact_along(exact);
+        return is_towards_start ? from_start.sign() : exact.length.template shifted<48>().compare(from_start);
+      });
+      if (ahead <= 0) return std::nullopt;
+    }
+    const Cell cell = GridParameters(foot.length).cell(along, stages_, [&] {
+      const ExactFoot exact = exact_foot(h);
+      return exact_cell(exact_along(exact), exact.length.template shifted<48>());
+    });
+    return slipped(spot_on_edge(mesh_, h, rounded_on_edge(h, cell, foot), spot_.side), way, friction);
+  }
   Step rest_at_spot(const Slide& pull, bool is_slipping) noexcept {
     at_.rest = Rest::at_spot;
     at_.pull = pull;
@@ -114,19 +117,27 @@ class Slips : protected Rests<Stages> {
     return is_rough ? way : Slide{};
   }
   [[gnu::noinline]] Step held_at_spot(const Slide& way) noexcept {
+    const auto hold = [&](const auto& friction) { return held(way, friction); };
+    if (way.along == Slide::Along::edge) return by_friction_along(way.half, mesh_.friction_on_edge(way.half), hold);
+    const std::uint32_t f = face_of(way.half);
+    return by_friction_in(f, FaceNumbers(mesh_.face(f)), mesh_.friction_in_triangle(f), hold);
+  }
+  // then(): gets what friction decides from the spot, in the triangle or along the edge.
+  template <class Then>
+  FORCESHADE_INLINE auto by_friction_in(std::uint32_t f, const FaceNumbers& numbers, const Coefficients& of,
+                                        const Then& then) noexcept {
     const Point g = point_of(mesh_, spot_);
-    const Offset U = offset_from(g, p_.data(), largest());
-    const auto exact_U = [&] { return exact_offset_from(g, p_.data()); };
-    if (way.along == Slide::Along::triangle) {
-      const Face& face = mesh_.face(face_of(way.half));
-      const auto exact = [&] { return exact_load_in_triangle(face, exact_U()); };
-      const Load load = load_in_triangle(FaceNumbers(face), U);
-      return held(way, Friction(load, mesh_.friction_in_triangle(face_of(way.half)), stages_, exact));
-    }
-    const float *const start = mesh_.start_point(way.half), *const end = mesh_.start_point(next(way.half));
-    const auto exact = [&] { return exact_load_on_edge(exact_difference(end, start), exact_U()); };
-    const Load load = load_on_edge(difference(end, start), U);
-    return held(way, Friction(load, mesh_.friction_on_edge(way.half), stages_, exact));
+    const Load load = load_in_triangle(numbers, offset_from(g, p_.data(), largest()));
+    const auto exact = [&] { return exact_load_in_triangle(mesh_.face(f), exact_offset_from(g, p_.data())); };
+    return then(Friction(load, of, stages_, exact));
+  }
+  template <class Then>
+  FORCESHADE_INLINE auto by_friction_along(HalfEdge h, const Coefficients& of, const Then& then) noexcept {
+    const float *const start = mesh_.start_point(h), *const end = mesh_.start_point(next(h));
+    const Point g = point_of(mesh_, spot_);
+    const Load load = load_on_edge(difference(end, start), offset_from(g, p_.data(), largest()));
+    const auto exact = [&] { return exact_load_on_edge(exact_difference(end, start), exact_offset_from(g, p_.data())); };
+    return then(Friction(load, of, stages_, exact));
   }
   template <class Friction>
   Step slipped(const Spot& to, const Slide& way, const Friction& friction) noexcept {
