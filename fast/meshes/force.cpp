@@ -157,6 +157,32 @@ FORCESHADE_INLINE std::optional<Force3> quick_force(const Face& f, const Plane& 
   return force;
 }
 
+// The same of a rest that friction holds. to_hand: 2^24(p - r), as offset_from() computes it: each component to 2^-53 of its
+// size and 2^-63; as it is a multiple of 2^-53, one that is computed as 0 is 0.
+FORCESHADE_INLINE std::optional<Force3> quick_force_at_spot(const Offset& to_hand, double K) noexcept {
+  bool is_sure = true;
+  const auto component = [&](double U) -> float {
+    if (U == 0) return 0;
+    const double value = -0x1p-24 * K * U, reach = 0x1p-24 * K * (0x1p-51 * __builtin_fabs(U) + 0x1p-62);
+    const auto low = static_cast<float>(value - reach), high = static_cast<float>(value + reach);
+    is_sure = is_sure && low == high;
+    return low + 0.0F;
+  };
+  const Force3 force{component(to_hand.U.x), component(to_hand.U.y), component(to_hand.U.z)};
+  if (!is_sure) return std::nullopt;
+  return force;
+}
+
+// The unshaded force in binary64, by the shortest way for each kind of rest.
+FORCESHADE_INLINE std::optional<Force3> force_in_binary64(const Mesh& mesh, const Arrival& arrival, const HandAndGoal& ends,
+                                                          double K) noexcept {
+  if (ends.are_one()) {
+    if (arrival.rest == Rest::in_triangle) return quick_force(mesh.face(face_of(arrival.spot.half)), arrival.plane, K);
+    if (arrival.rest == Rest::at_spot && arrival.to_hand.size > 0) return quick_force_at_spot(arrival.to_hand, K);
+  }
+  return unshaded_force(mesh, arrival, ends, K);
+}
+
 }  // namespace
 
 std::optional<std::array<float, 3>> mesh_force(const Mesh& mesh, const Arrival& arrival, const HandAndGoal& ends,
@@ -169,9 +195,7 @@ std::optional<std::array<float, 3>> mesh_force(const Mesh& mesh, const Arrival& 
   const auto K = static_cast<double>(stiffness);
   if (shading == mesh::Shading::none) {
     if (is_filtered)
-      if (const auto force = arrival.rest == Rest::in_triangle && ends.are_one()
-                                 ? quick_force(mesh.face(face_of(arrival.spot.half)), arrival.plane, K)
-                                 : unshaded_force(mesh, arrival, ends, K)) [[likely]]
+      if (const auto force = force_in_binary64(mesh, arrival, ends, K)) [[likely]]
         return *force;
     return exact_unshaded(mesh, arrival, ends, K, is_filtered, by.last);
   }

@@ -71,6 +71,14 @@ class Friction {
   // Whether what slips goes on to do so, though it rests: t > μd z/2.
   FORCESHADE_INLINE bool slips_on() const noexcept { return order(2 * kGrid, of_.dynamic_friction) > 0; }
 
+  // Whether a slip that leaves this share of the way comes nearer to p for sure, by more than the rounding of its end can take
+  // away: a third of the square of the longest side of the grid's part (docs/friction.md). all: what the load is multiplied by;
+  // longest: the square of the longest side of the triangle, or of the edge, or more.
+  FORCESHADE_INLINE bool surely_brings_nearer(std::uint32_t left, double all, double longest) const noexcept {
+    const double gone = 0x1p-24 * static_cast<double>(kGrid - left);
+    return stages_.sure(3 * gone * (load_.pull.value - load_.pull.error) > (1 + 0x1p-20) * longest * all);
+  }
+
   // Where it is not held: how much of the way to p's nearest point it stays behind, in units of 2^-24, which is less than 2^24:
   // the most with which (share t)² <= (μd z)².
   FORCESHADE_INLINE std::uint32_t share_left() const noexcept {
@@ -91,7 +99,7 @@ class Friction {
   FORCESHADE_INLINE int order(std::uint32_t share, float coefficient) const noexcept {
     if (coefficient == HUGE_VALF) {
       const int pressed = sign_of(load_.pressure, stages_, [&] { return exact_().pressure.sign(); });
-      return pressed > 0 ? -1 : 1;
+      return pressed > 0 ? -1 : sign_of(load_.pull, stages_, [&] { return exact_().pull.sign(); });
     }
     const double pull = 0x1p-24 * static_cast<double>(share), pressure = static_cast<double>(coefficient);
     return sign_of(times(pull * pull, load_.pull) - times(pressure * pressure, load_.pressure), stages_,

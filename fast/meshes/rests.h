@@ -28,7 +28,8 @@ struct Arrival {
   // By the contact rule friction alone: mesh::GodObject's; and the rough way along which the hand pulls at a rest at the spot.
   bool is_slipping = false;
   Slide pull{};
-  int tries = 0;  // that the tick's detours and landings have taken: where sheets may cross
+  Offset to_hand{};  // 2^24(p - g) there, where it is at hand
+  int tries = 0;     // that the tick's detours and landings have taken: where sheets may cross
 };
 
 // The points that the state can hold, as they lie to p.
@@ -129,7 +130,8 @@ class Rests {
   }
 
   // The point of a triangle with these cells: the corner of its part of the grid that is nearest to p.
-  Spot rounded_in_triangle(std::uint32_t f, const std::array<Cell, 3>& cells, mesh::Side side) const noexcept {
+  FORCESHADE_INLINE Spot rounded_in_triangle(std::uint32_t f, const std::array<Cell, 3>& cells,
+                                             mesh::Side side) const noexcept {
     const std::uint32_t k = cells[1].floor, l = cells[2].floor;
     std::array<GridCorner, 3> corners{};  // in the order in which equally near ones count
     std::size_t count = 0;
@@ -154,10 +156,8 @@ class Rests {
       add(1, 0);
       add(1, 1);
     }
-    std::size_t nearest = 0;
-    for (std::size_t i = 1; i < count; ++i)
-      if (is_nearer_corner(mesh_.face(f), corners[i], corners[nearest])) nearest = i;
-    return spot_in_triangle(mesh_, f, corners[nearest].k, corners[nearest].l, side);
+    const GridCorner nearest = nearest_corner(mesh_.face(f), corners, count);
+    return spot_in_triangle(mesh_, f, nearest.k, nearest.l, side);
   }
 
   // p, which lies on the surface at the hit, as the end of a move that is no rest.
@@ -202,25 +202,42 @@ class Rests {
   struct GridCorner {
     std::uint32_t k, l;
   };
-  // With U = 2^24(p - b) and d the way from b to a in units of the grid, |p - a|² - |p - b|² is 2^-48 (d² - 2 d·U).
-  bool is_nearer_corner(const Face& f, const GridCorner& a, const GridCorner& b) const noexcept {
+  // The first of those that are nearest to p. With U = 2^24(p - a), a being the last corner, and d the way from a to another
+  // one in units of the grid, that one's squared distance is larger than a's by 2^-48 (d² - 2 d·U).
+  FORCESHADE_INLINE GridCorner nearest_corner(const Face& f, const std::array<GridCorner, 3>& corners,
+                                              std::size_t count) const noexcept {
     const auto point = [&](const GridCorner& c) -> Point {
       return {{f.corner[0].data(), f.corner[1].data(), f.corner[2].data()}, {kGrid - c.k - c.l, c.k, c.l}, 3};
     };
-    const Point to = point(a), from = point(b);
-    const Offset U = offset_from(from, p_.data(), largest());
-    // The corner whose weight is larger in a, and that whose weight is larger in b: a step of the grid is along a side.
-    std::size_t up = 0, down = 0;
-    for (std::size_t i = 1; i < 3; ++i) {
-      if (to.weight[i] > from.weight[i]) up = i;
-      if (to.weight[i] < from.weight[i]) down = i;
+    const Point last = point(corners[count - 1]);
+    const Offset U = offset_from(last, p_.data(), largest());
+    const auto excess = [&](std::size_t i) -> DoubleWithError {
+      if (i == count - 1) return {};
+      // A step of the grid is along a side: to the corner whose weight it raises, from the one whose weight it lowers.
+      const Point to = point(corners[i]);
+      std::size_t up = 0, down = 0;
+      for (std::size_t c = 1; c < 3; ++c) {
+        if (to.weight[c] > last.weight[c]) up = c;
+        if (to.weight[c] < last.weight[c]) down = c;
+      }
+      const Vector3<double> d = difference(f.corner[up].data(), f.corner[down].data());
+      const double size = size_of(d);
+      const DoubleWithError along{dot(d, U.U), kAlong.error * size * U.size}, length{dot(d, d), kLength.error * size * size};
+      return length - shifted<1>(along);
+    };
+    std::size_t nearest = 0;
+    DoubleWithError least = excess(0);
+    for (std::size_t i = 1; i < count; ++i) {
+      const DoubleWithError other = excess(i);
+      const int sign = sign_of(other - least, stages_, [&] {
+        const Point a = point(corners[i]), b = point(corners[nearest]);
+        return square(exact_offset_from(a, p_.data())).compare(square(exact_offset_from(b, p_.data())));
+      });
+      if (sign >= 0) continue;
+      nearest = i;
+      least = other;
     }
-    const Vector3<double> d = difference(f.corner[up].data(), f.corner[down].data());
-    const double size = size_of(d);
-    const DoubleWithError along{dot(d, U.U), kAlong.error * size * U.size}, length{dot(d, d), kLength.error * size * size};
-    return sign_of(length - shifted<1>(along), stages_, [&] {
-             return square(exact_offset_from(to, p_.data())).compare(square(exact_offset_from(from, p_.data())));
-           }) < 0;
+    return corners[nearest];
   }
 
  public:

@@ -17,7 +17,7 @@ class MeshSession final : public TickSession {
   // stiffness: N/mm, in [10^-3, 10^3]. The mesh has what the shading and the contact rule use.
   MeshSession(std::shared_ptr<const Mesh> mesh, float stiffness, mesh::Shading shading,
               mesh::Contact contact = mesh::kUsualContact) noexcept
-      : mesh_(std::move(mesh)), stiffness_(stiffness), shading_(shading), contact_(contact) {}
+      : mesh_(std::move(mesh)), stiffness_(stiffness), shading_(shading), contact_(contact_in(*mesh_, contact)) {}
 
   mesh::Tick tick(const std::array<float, 3>& position) noexcept override {
     stage_ = Stage::binary64;
@@ -54,8 +54,7 @@ class MeshSession final : public TickSession {
   }
   void resume(const mesh::GodObject& state) noexcept override {
     at_.spot = spot_of(*mesh_, state);
-    at_.is_slipping =
-        state.is_slipping && contact_ == mesh::Contact::friction && mesh_->has_friction() && is_touching(at_.spot);
+    at_.is_slipping = state.is_slipping && contact_ == mesh::Contact::friction && is_touching(at_.spot);
     square_ = 0;
     is_seeking_ = false;
   }

@@ -21,10 +21,15 @@ class Slips : protected Rests<Stages> {
   FORCESHADE_INLINE Slips(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, const Stages& stages) noexcept
       : Rests<Stages>(mesh, at.spot, p, stages), at_(at) {}
 
-  // A slide in a rough triangle, or along a rough edge; none where it goes on to the border or to the end.
-  std::optional<Step> slip_in(std::uint32_t f, const FaceNumbers& numbers, const Weights& weights,
-                              const std::array<int, 3>& inside, const Coefficients& of) noexcept {
-    return by_friction_in(f, numbers, of, [&](const auto& friction) { return slip_by(friction, f, weights, inside); });
+  // A slide in a rough triangle, or along a rough edge; none where it goes on to the border or to the end. In a triangle, all
+  // that follow while the god-object stays in it.
+  FORCESHADE_INLINE std::optional<Step> slip_in(std::uint32_t f, const FaceNumbers& numbers, const Weights& weights,
+                                                const std::array<int, 3>& inside, const Coefficients& of) noexcept {
+    for (;;) {
+      const auto step =
+          by_friction_in(f, numbers, of, [&](const auto& friction) { return slip_by(friction, f, numbers, weights, inside); });
+      if (!step || *step != Step::onward || spot_.place != mesh::Place::triangle) return step;
+    }
   }
   std::optional<Step> slip_along(const Slide& way, const Foot& foot, bool is_towards_start, bool is_foot_inside,
                                  const Coefficients& of) noexcept {
@@ -35,10 +40,13 @@ class Slips : protected Rests<Stages> {
   // A rest at the spot that is not for friction's sake. way: the steepest, along which the hand pulls.
   Step stay(const Slide& way) noexcept {
     const Slide pull = rough(way);
-    return pull.along == Slide::Along::nothing ? rest_at_spot({}, false) : held_at_spot(pull);
+    if (pull.along != Slide::Along::nothing) return held_at_spot(pull);
+    at_.to_hand = {};
+    return rest_at_spot({}, false);
   }
   Step exhausted(const Slide& way) noexcept {
     at_.pull = rough(way);
+    at_.to_hand = {};
     return Step::exhausted;
   }
 
@@ -56,8 +64,8 @@ class Slips : protected Rests<Stages> {
 
  private:
   template <class Friction>
-  FORCESHADE_INLINE std::optional<Step> slip_by(const Friction& friction, std::uint32_t f, const Weights& weights,
-                                                const std::array<int, 3>& inside) noexcept {
+  FORCESHADE_INLINE std::optional<Step> slip_by(const Friction& friction, std::uint32_t f, const FaceNumbers& numbers,
+                                                const Weights& weights, const std::array<int, 3>& inside) noexcept {
     const Slide way{Slide::Along::triangle, 3 * f, false};
     if (friction.holds(at_.is_slipping)) return held(way, friction);
     if (at_.moves == kMostMoves) return exhausted(way);
@@ -78,7 +86,9 @@ class Slips : protected Rests<Stages> {
         return exact_cell(exact_weight(exact, i), exact.all.template shifted<48>());
       });
     }
-    return slipped(rounded_in_triangle(f, cells, spot_.side), way, friction);
+    const double longest = 3 * (numbers.s1 + numbers.s2) * (numbers.s1 + numbers.s2);
+    const bool is_nearer = friction.surely_brings_nearer(left, weights.all.value + weights.all.error, longest);
+    return slipped(rounded_in_triangle(f, cells, spot_.side), is_nearer, way, friction);
   }
   template <class Friction>
   FORCESHADE_INLINE std::optional<Step> slip_by(const Friction& friction, const Slide& way, const Foot& foot,
@@ -102,9 +112,11 @@ class Slips : protected Rests<Stages> {
       const ExactFoot exact = exact_foot(h);
       return exact_cell(exact_along(exact), exact.length.template shifted<48>());
     });
-    return slipped(spot_on_edge(mesh_, h, rounded_on_edge(h, cell, foot), spot_.side), way, friction);
+    const double length = foot.length.value + foot.length.error;
+    return slipped(spot_on_edge(mesh_, h, rounded_on_edge(h, cell, foot), spot_.side),
+                   friction.surely_brings_nearer(left, length, length), way, friction);
   }
-  Step rest_at_spot(const Slide& pull, bool is_slipping) noexcept {
+  FORCESHADE_INLINE Step rest_at_spot(const Slide& pull, bool is_slipping) noexcept {
     at_.rest = Rest::at_spot;
     at_.pull = pull;
     at_.is_slipping = is_slipping;
@@ -127,7 +139,8 @@ class Slips : protected Rests<Stages> {
   FORCESHADE_INLINE auto by_friction_in(std::uint32_t f, const FaceNumbers& numbers, const Coefficients& of,
                                         const Then& then) noexcept {
     const Point g = point_of(mesh_, spot_);
-    const Load load = load_in_triangle(numbers, offset_from(g, p_.data(), largest()));
+    at_.to_hand = offset_from(g, p_.data(), largest());
+    const Load load = load_in_triangle(numbers, at_.to_hand);
     const auto exact = [&] { return exact_load_in_triangle(mesh_.face(f), exact_offset_from(g, p_.data())); };
     return then(Friction(load, of, stages_, exact));
   }
@@ -135,20 +148,21 @@ class Slips : protected Rests<Stages> {
   FORCESHADE_INLINE auto by_friction_along(HalfEdge h, const Coefficients& of, const Then& then) noexcept {
     const float *const start = mesh_.start_point(h), *const end = mesh_.start_point(next(h));
     const Point g = point_of(mesh_, spot_);
-    const Load load = load_on_edge(difference(end, start), offset_from(g, p_.data(), largest()));
+    at_.to_hand = offset_from(g, p_.data(), largest());
+    const Load load = load_on_edge(difference(end, start), at_.to_hand);
     const auto exact = [&] { return exact_load_on_edge(exact_difference(end, start), exact_offset_from(g, p_.data())); };
     return then(Friction(load, of, stages_, exact));
   }
   template <class Friction>
-  Step slipped(const Spot& to, const Slide& way, const Friction& friction) noexcept {
-    if (!is_nearer(to)) return held(way, friction);
+  FORCESHADE_INLINE Step slipped(const Spot& to, bool is_surely_nearer, const Slide& way, const Friction& friction) noexcept {
+    if (!is_surely_nearer && !is_nearer(to)) return held(way, friction);
     ++at_.moves;
     at_.is_slipping = true;
     put(to);
     return Step::onward;
   }
   template <class Friction>
-  Step held(const Slide& way, const Friction& friction) noexcept {
+  FORCESHADE_INLINE Step held(const Slide& way, const Friction& friction) noexcept {
     const bool slips_on = at_.is_slipping && friction.slips_on();
     return rest_at_spot(way, slips_on);
   }

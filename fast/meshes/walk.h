@@ -29,7 +29,10 @@ class Walk : Slips<Stages> {
     at_.moves = 0;
     if constexpr (kHasSheets) at_.tries = 0;
     at_.is_finished = true;
-    at_.pull = {};
+    if constexpr (kHasFriction) {
+      at_.pull = {};
+      at_.to_hand = {};
+    }
     if (spot_.place == mesh::Place::nowhere && start() == Step::rest) return;
     Step step;
     do step = spot_.place == mesh::Place::triangle ? move_in_triangle() : move();
@@ -52,7 +55,10 @@ class Walk : Slips<Stages> {
 
   // Friction does not hold it there, so that it slips no more.
   FORCESHADE_INLINE Step rest(Rest how) noexcept {
-    if constexpr (kHasFriction) at_.is_slipping = false;
+    if constexpr (kHasFriction) {
+      at_.is_slipping = false;
+      at_.to_hand = {};
+    }
     at_.rest = how;
     return Step::rest;
   }

@@ -41,10 +41,11 @@ constexpr auto kStiffness = static_cast<float>(kMeshStiffness);
 struct Rendering {
   std::shared_ptr<const fast::Mesh> mesh;
   mesh::Shading shading = mesh::Shading::none;
+  mesh::Contact contact = mesh::kUsualContact;
 
   // At the beginning of the path in contact.
   fast::MeshSession session(const MeshWorkload& workload) const {
-    fast::MeshSession session(mesh, kStiffness, shading);
+    fast::MeshSession session(mesh, kStiffness, shading, contact);
     for (const auto& p : workload.approach) session.tick(p);
     return session;
   }
@@ -253,6 +254,40 @@ void run_shaded(const MeshWorkload& workload, bool is_seen_from_above, const Sca
   run_naive(workload, scale, normals);
 }
 
+// Contact with Coulomb friction, beside the same without, in the same passes.
+void run_friction(const MeshWorkload& workload, MeshRendering rendering, const Scale& scale) {
+  struct Case {
+    const char* name;
+    Rendering rendering;
+    Times times = kNone;
+    std::size_t slipping = 0;
+  };
+  std::vector<Case> cases;
+  const auto add = [&](const char* name, mesh::Contact contact, float static_friction, float dynamic_friction) {
+    rendering.contact = contact;
+    rendering.materials.list = {{{}, static_friction, dynamic_friction}};
+    auto mesh = std::make_shared<const fast::Mesh>(value_of(fast::Mesh::build(rendering), workload));
+    cases.push_back({name, {std::move(mesh), mesh::Shading::none, contact}});
+  };
+  add("without friction", mesh::Contact::direct, 0, 0);
+  add("friction, 0", mesh::Contact::friction, 0, 0);
+  add("friction, 0.3", mesh::Contact::friction, 0.3F, 0.3F);
+  add("friction, 0.6 and 0.3", mesh::Contact::friction, 0.6F, 0.3F);
+  add("friction, infinite", mesh::Contact::friction, HUGE_VALF, HUGE_VALF);
+  std::vector<double> times;
+  for (int pass = 0; pass < kPasses; ++pass)
+    for (Case& one : cases) {
+      fast::MeshSession session = one.rendering.session(workload);
+      one.times = least(one.times, measure(workload.contact, scale, times, [&](const auto& p) { keep(session.tick(p)); }));
+    }
+  for (Case& one : cases) {
+    fast::MeshSession session = one.rendering.session(workload);
+    for (const auto& p : workload.contact) one.slipping += session.tick(p).after.is_slipping;
+    print(one.name, one.times);
+    std::printf("  %-28s slips in %zu of %zu ticks\n", "", one.slipping, workload.contact.size());
+  }
+}
+
 void run(const MeshWorkload& workload, const Scale& scale) {
   double seconds = HUGE_VAL;
   Rendering rendering;
@@ -267,6 +302,7 @@ void run(const MeshWorkload& workload, const Scale& scale) {
   std::printf("%s: %.0f triangles, built in %.3f s, %.1f bytes a triangle\n", workload.name.c_str(), triangles, seconds,
               static_cast<double>(rendering.mesh->bytes()) / triangles);
   run_exact(workload, rendering, scale);
+  run_friction(workload, unshaded, scale);
   run_naive(workload, scale);
 }
 

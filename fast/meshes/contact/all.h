@@ -16,6 +16,11 @@ struct ContactList {
 using ContactRules = ContactList<Direct, SubGoal, Frictional>;
 static_assert(ContactRules::kCount == mesh::kContactNames.size() && ContactRules::Usual::kContact == mesh::kUsualContact);
 
+// The rule that a rule is on this mesh: where nothing is rough, friction is the usual one.
+inline mesh::Contact contact_in(const Mesh& mesh, mesh::Contact contact) noexcept {
+  return contact == mesh::Contact::friction && !mesh.has_friction() ? mesh::kUsualContact : contact;
+}
+
 template <class Stages, class First, class... Others>
 Goal move_by(mesh::Contact contact, const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, const Stages& stages,
              ContactList<First, Others...>) noexcept {

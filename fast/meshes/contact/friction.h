@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The god-object goes for the hand's position; friction may hold it, or stop it before (docs/friction.md).
+// The god-object goes for the hand's position; friction may hold it, or stop it before (docs/friction.md). The mesh has some,
+// and its sheets do not cross.
 
 #include "fast/meshes/contact/direct.h"
 
@@ -11,7 +12,6 @@ struct Frictional {
 
   template <class Stages>
   static Goal move(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, const Stages& stages) noexcept {
-    if (!mesh.has_friction()) return Direct::move(mesh, at, p, stages);
     Walk<Stages, false, true>(mesh, at, p, stages).run();
     return {};
   }
