@@ -41,21 +41,25 @@ class Tick {
         crossings_(ground.crossings),
         sides_(ground.sides),
         has_sheets_(ground.self_intersections == mesh::SelfIntersections::allowed),
+        materials_(ground.materials),
         p_(exact_point(goal)),
         hand_(exact_point(position)),
         sheets_(surface_, crossings_, sides_, p_) {
     for (std::size_t axis = 0; axis < 3; ++axis) quantised_[axis] = p_[axis].is_zero() ? 0.0F : goal[axis];
   }
 
-  Descended start() {
+  Descended start(unsigned most_moves) {
     const auto point = crossings_.at(p_);
-    return point ? rests_at_foot({point->feature, Side::front}) : is_free();
+    if (!point) return is_free();
+    const End end = unless_rough(Rested{point->feature, Side::front});
+    if (const auto* rested = std::get_if<Rested>(&end)) return rests_at_foot(*rested);
+    return from_surface(grid_point_of(end), Side::front, most_moves);
   }
 
   Descended from_free(const std::array<float, 3>& position, unsigned most_moves) {
     const Vector g = exact_point(position);
     if (g == p_) return is_free();
-    const End end = fly(g);
+    const End end = unless_rough(fly(g));
     if (std::holds_alternative<Freed>(end)) {
       ++moves_;
       return is_free();
@@ -74,6 +78,13 @@ class Tick {
     return from_surface(rounded_towards(surface_, stopped.x, p_), stopped.side, most_moves);
   }
 
+  Descended from_surface(const mesh::GodObject& before, unsigned most_moves) {
+    const std::size_t index =
+        before.place == Place::edge ? surface_.edge_between(before.index[0], before.index[1]) : before.index[0];
+    is_slipping_ = before.is_slipping && materials_.are_rough_somewhere();
+    return from_surface({{before.place, index}, before.parameter}, before.side, most_moves);
+  }
+
   Descended from_surface(GridPoint at, Side side, unsigned most_moves) {
     for (;;) {
       side = stored(side, at.feature);
@@ -82,9 +93,9 @@ class Tick {
       if (is_zero(u)) return rests_at(at, side, TickStatus::touching);
       const Directions ways = directions(surface_, at.feature, u);
       const bool is_flight = ways.way == DirectionKind::open || (ways.way != DirectionKind::on && side_of(ways.way) == side);
-      if (!is_flight && !ways.is_nearer) return rests_at(at, side, TickStatus::touching);
+      if (!is_flight && (!ways.is_nearer || sticks(ways.along, u))) return rests_at(at, side, TickStatus::touching);
       if (moves_ == most_moves) return rests_at(at, side, TickStatus::unfinished);
-      const End end = is_flight ? fly(g) : slide(g, ways.along, side);
+      const End end = unless_rough(is_flight ? fly(g) : slide(g, ways.along, side));
       if (std::holds_alternative<Freed>(end)) {
         ++moves_;
         return is_free();
@@ -113,6 +124,7 @@ class Tick {
         }
       }
       ++moves_;
+      if (!is_flight) is_slipping_ = materials_.are_rough_somewhere();
       if (rested != nullptr) return rests_at_foot(*rested);
       at = next.at;
       side = next.side;
@@ -133,9 +145,17 @@ class Tick {
     return Freed{};
   }
 
-  // Rule 2.
+  // Rule 2a.
+  bool sticks(const Feature& along, const Vector& u) const {
+    const mesh::Material its = materials_.of(along);
+    return is_within(load_on(surface_, along, u), is_slipping_ ? its.dynamic_friction : its.static_friction);
+  }
+
+  // Rules 2 and 2b.
   End slide(const Vector& g, const Feature& along, Side side) const {
-    if (is_inside(foot(surface_, along, p_))) return Rested{along, side};
+    const Integer of_way = share(load_on(surface_, along, p_ - g), materials_.of(along).dynamic_friction);
+    const SurfacePoint x = part_of_way(foot(surface_, along, g), foot(surface_, along, p_), of_way);
+    if (is_inside(x)) return of_way == kGrid ? End(Rested{along, side}) : Stopped{x, side};
     return along.place == Place::edge ? slide_to_end(g, along.index, side) : slide_to_side(g, along.index, side);
   }
 
@@ -146,8 +166,8 @@ class Tick {
     return Stopped{{end, {}}, side};
   }
 
-  // The foot of p is outside or on the border: the way there meets a side first where g's height over that side, divided by
-  // what a whole way would take from it, is least.
+  // The end of the slide is outside or on the border: the way there meets a side first where g's height over that side, divided
+  // by what a whole way would take from it, is least.
   End slide_to_side(const Vector& g, std::size_t index, Side side) const {
     const Triangle& triangle = surface_.triangles()[index];
     const Vector u = p_ - g;
@@ -165,6 +185,13 @@ class Tick {
         on_side(surface_, index, i, {dot(g - corner(i), e) * s.under + s.over * dot(u, e), s.under * dot(e, e)});
     if (s.over == s.under && dot(triangle.normal, u).is_zero()) return Rested{x.feature, side};
     return Stopped{x, side};
+  }
+
+  // Rule 2c.
+  End unless_rough(const End& end) const {
+    const auto* rested = std::get_if<Rested>(&end);
+    if (rested == nullptr || !materials_.is_rough(rested->feature)) return end;
+    return Stopped{foot(surface_, rested->feature, p_), rested->side};
   }
 
   // The triangle slid in; along an edge, the one of its triangles that comes first.
@@ -213,11 +240,31 @@ class Tick {
     return {TickStatus::unfinished, moves_, after, {}};
   }
 
-  Descended rests_at(const GridPoint& at, Side side, TickStatus status) const {
-    return {status, moves_, state(at, side), Rest{exactly(at), surface_.position(at) - hand_, 1, side}};
+  Descended rests_at(const GridPoint& at, Side side, TickStatus status) {
+    Rest rest{exactly(at), surface_.position(at) - hand_, 1, side};
+    const auto along = rough_way(at);
+    const Load load = along ? load_on(surface_, *along, p_ - surface_.position(at)) : Load{};
+    if (along) {
+      rest.D_over = -load.pressure;
+      rest.tangential_over = -load.pull;
+      rest.D_under = load.under;
+    }
+    // Rule 4a.
+    const bool slips_on = along && !is_within(load, materials_.of(*along).dynamic_friction, 2);
+    if (status != TickStatus::unfinished && !slips_on) is_slipping_ = false;
+    return {status, moves_, state(at, side), std::move(rest)};
   }
 
-  Descended rests_at_foot(const Rested& rested) const {
+  // That of v, where u·v > 0 and it is rough.
+  std::optional<Feature> rough_way(const GridPoint& at) const {
+    const Vector u = p_ - surface_.position(at);
+    if (!materials_.are_rough_somewhere() || is_zero(u)) return std::nullopt;
+    const Directions ways = directions(surface_, at.feature, u);
+    return ways.is_nearer && materials_.is_rough(ways.along) ? std::optional(ways.along) : std::nullopt;
+  }
+
+  Descended rests_at_foot(const Rested& rested) {
+    is_slipping_ = false;
     const Side side = stored(rested.side, rested.feature);
     Rest rest{foot(surface_, rested.feature, p_), {}, 1, side};
     const std::size_t index = rested.feature.index;
@@ -242,6 +289,7 @@ class Tick {
     mesh::GodObject after;
     after.place = at.feature.place;
     after.side = side;
+    after.is_slipping = is_slipping_;
     after.parameter = at.parameter;
     if (at.feature.place == Place::edge)
       after.index = surface_.edges()[at.feature.index].vertices;
@@ -254,11 +302,13 @@ class Tick {
   const Crossings& crossings_;
   const Sides sides_;
   const bool has_sheets_;
+  const SurfaceMaterials& materials_;
   const Vector p_, hand_;
   const Sheets sheets_;
   std::array<float, 3> quantised_{};
   unsigned moves_ = 0;
   unsigned tries_ = 0;  // of its detours and landings
+  bool is_slipping_ = false;
 };
 
 }  // namespace
@@ -266,11 +316,9 @@ class Tick {
 Descended descend(const Ground& ground, const mesh::GodObject& before, const std::array<float, 3>& goal,
                   const std::array<float, 3>& position, unsigned most_moves) {
   Tick tick(ground, goal, position);
-  if (before.place == Place::nowhere) return tick.start();
+  if (before.place == Place::nowhere) return tick.start(most_moves);
   if (before.place == Place::free) return tick.from_free(before.position, most_moves);
-  const std::size_t index =
-      before.place == Place::edge ? ground.surface.edge_between(before.index[0], before.index[1]) : before.index[0];
-  return tick.from_surface({{before.place, index}, before.parameter}, before.side, most_moves);
+  return tick.from_surface(before, most_moves);
 }
 
 }  // namespace forceshade::reference::meshes

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "reference/meshes/friction.h"
 #include "reference/meshes/sheets.h"
 
 namespace forceshade::reference::meshes {
@@ -14,14 +15,17 @@ struct Ground {
   const Crossings& crossings;
   mesh::Sides sides;
   mesh::SelfIntersections self_intersections;  // whether ways are tested against the whole surface
+  const SurfaceMaterials& materials;           // rough ones only where they are not
 };
 
-// Where the god-object rests: r, exactly, and D = r - p, p being the hand's position.
+// Where the god-object rests: r, exactly, and D = r - p, p being the hand's position. D = D_n + D_t, where D_t is along the
+// surface, and 0 where friction does not hold the god-object.
 struct Rest {
   SurfacePoint r;
-  Vector D_over;  // D = D_over / D_under, in units of 2^-77 mm
+  Vector D_over;  // D_n = D_over / D_under, in units of 2^-77 mm
   Integer D_under;
   mesh::Side side;
+  Vector tangential_over = {};  // D_t times D_under
 };
 
 struct Descended {

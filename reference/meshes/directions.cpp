@@ -73,10 +73,7 @@ Directions directions(const Surface& surface, const Feature& feature, const Vect
   if (feature.place == Place::edge)
     for (const Vector& away : {surface.edges()[feature.index].along, -surface.edges()[feature.index].along})
       offer_edge(largest, surface, feature.index, away, u);
-  const std::vector<std::size_t> inside{feature.index};
-  for (const std::size_t i : feature.place == Place::vertex ? surface.fan(feature.index).triangles
-                             : feature.place == Place::edge ? surface.edges()[feature.index].triangles
-                                                            : inside) {
+  for (const std::size_t i : surface.triangles_at(feature)) {
     const Triangle& triangle = surface.triangles()[i];
     if (!projection_is_inside(triangle, feature, u)) continue;
     const Integer height = dot(triangle.normal, u);

@@ -15,25 +15,19 @@ struct GodObject::Parts {
   explicit Parts(const MeshRendering& rendering)
       : surface(rendering.mesh()),
         crossings(surface),
-        contact(meshes::contact_of(rendering, {surface, crossings, rendering.sides, rendering.checked.self_intersections()})),
-        stiffness(rendering.stiffness) {}
+        materials(surface, rendering.materials, rendering.stiffness),
+        contact(meshes::contact_of(rendering,
+                                   {surface, crossings, rendering.sides, rendering.checked.self_intersections(), materials})) {}
 
-  std::array<float, 3> force(const meshes::Rest& rest) const {
-    return scheme == nullptr ? meshes::unshaded_force(rest, stiffness)
-                             : meshes::shaded_force(scheme->direction(rest), rest, stiffness);
-  }
-
-  // In so many decimal digits.
-  DecimalMapForce decimal(const meshes::Rest& rest, unsigned digits) const {
-    const auto exact = meshes::exact_force(scheme == nullptr ? meshes::Direction() : scheme->direction(rest), rest, stiffness);
-    return {meshes::decimal(exact[0], digits), meshes::decimal(exact[1], digits), meshes::decimal(exact[2], digits),
-            Status::contact};
+  std::array<meshes::RootSum, 3> force(const meshes::Rest& rest) const {
+    const float stiffness = materials.of(rest.r.feature).stiffness.value();
+    return meshes::exact_force(scheme == nullptr ? meshes::Direction() : scheme->direction(rest), rest, stiffness);
   }
 
   const meshes::Surface surface;
   const meshes::Crossings crossings;
+  const meshes::SurfaceMaterials materials;
   const std::unique_ptr<const meshes::ContactRule> contact;
-  const float stiffness;
   std::unique_ptr<const meshes::Scheme> scheme;  // null: the force is not shaded
 };
 
@@ -50,7 +44,9 @@ mesh::Tick GodObject::step(const mesh::GodObject& before, const std::array<float
   if (!in_domain(Eigen::Vector3f(position.data()))) return {mesh::TickStatus::invalid, 0, {}, before};
   const meshes::Descended end = parts_->contact->move(before, position, most_moves);
   mesh::Tick tick{end.status, static_cast<std::uint16_t>(end.moves), {}, end.after};
-  if (end.rest) tick.force = parts_->force(*end.rest);
+  if (end.rest)
+    std::ranges::transform(parts_->force(*end.rest), tick.force.begin(),
+                           [](const meshes::RootSum& component) { return meshes::nearest_binary32(component); });
   return tick;
 }
 
@@ -58,9 +54,12 @@ DecimalMapForce GodObject::decimal(const mesh::GodObject& before, const std::arr
   DecimalMapForce none{"0", "0", "0", Status::invalid};
   if (!in_domain(Eigen::Vector3f(position.data()))) return none;
   const meshes::Descended end = parts_->contact->move(before, position, kMostMoves);
-  if (end.rest) return parts_->decimal(*end.rest, digits);
-  none.status = Status::free;
-  return none;
+  if (!end.rest) {
+    none.status = Status::free;
+    return none;
+  }
+  const auto [x, y, z] = parts_->force(*end.rest);
+  return {meshes::decimal(x, digits), meshes::decimal(y, digits), meshes::decimal(z, digits), Status::contact};
 }
 
 }  // namespace forceshade::reference

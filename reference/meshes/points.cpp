@@ -88,6 +88,15 @@ bool is_inside(const SurfacePoint& point) {
   return first.over > 0 && second.over > 0 && sum(first, second) < Fraction{1, 1};
 }
 
+SurfacePoint part_of_way(const SurfacePoint& from, const SurfacePoint& to, const Integer& share) {
+  SurfacePoint point = to;
+  for (std::size_t i = 0; i < 2; ++i) {
+    Fraction& parameter = point.parameter[i];  // over the same denominator as that of `from`
+    parameter = {(kGrid - share) * from.parameter[i].over + share * parameter.over, kGrid * parameter.under};
+  }
+  return point;
+}
+
 SurfacePoint on_side(const Surface& surface, std::size_t triangle, std::size_t side, const Fraction& t) {
   const mesh::Triangle& corners = surface.triangles()[triangle].vertices;
   const std::uint32_t from = corners[side], to = corners[(side + 1) % 3];

@@ -20,6 +20,9 @@ SurfacePoint foot(const Surface& surface, const Feature& feature, const Vector& 
 // Whether it is inside its feature, its border excluded.
 bool is_inside(const SurfacePoint& point);
 
+// from + λ (to - from), with 2^24 λ, both points of the plane of one triangle or the line of one edge as foot() gives them.
+SurfacePoint part_of_way(const SurfacePoint& from, const SurfacePoint& to, const Integer& share);
+
 // A point of a triangle's side, t from the side's first corner to its second, both included.
 SurfacePoint on_side(const Surface& surface, std::size_t triangle, std::size_t side, const Fraction& t);
 

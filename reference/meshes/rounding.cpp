@@ -14,62 +14,54 @@ Integer shifted(const Integer& value, int places) {
   return places < 0 ? Integer(value >> static_cast<unsigned>(-places)) : Integer(value << static_cast<unsigned>(places));
 }
 
-// Rounds a positive number of which it is known that 2^(top - 1) < number < 2^(top + 1). count_units(unit) is the largest
-// integer k with k · 2^unit <= number; past_half(k, unit) the sign of number - (k + 1/2) 2^unit.
-template <class CountUnits, class PastHalf>
-float round_positive(int top, CountUnits count_units, PastHalf past_half) {
-  int unit = std::max(top - kDigits - 1, kLeastUnit);
-  Integer units = count_units(unit);
-  for (; units >= Integer(1) << kDigits; units = count_units(unit)) ++unit;
-  const int sign = past_half(units, unit);
-  if (sign > 0 || (sign == 0 && units % 2 == 1)) ++units;
-  return std::ldexp(static_cast<float>(units.convert_to<std::int64_t>()), unit);  // exact: at most 24 bits
+// value · 2^places, with exponent 0.
+RootSum scaled(RootSum value, int places) {
+  const int up = std::max(value.exponent + places, 0), down = std::max(-value.exponent - places, 0);
+  return {shifted(value.whole, up), value.root_is_negative, shifted(value.square, 2 * up), shifted(value.under, down), 0};
 }
 
-int bits(const Integer& positive) {
-  return static_cast<int>(msb(positive)) + 1;
+// The largest integer that is not above a value of exponent 0 that is not negative.
+Integer whole_part(const RootSum& value) {
+  const Integer root = sqrt(value.square);
+  const bool is_exact = root * root == value.square;
+  return (value.root_is_negative ? value.whole - root - (is_exact ? 0 : 1) : value.whole + root) / value.under;
 }
 
 }  // namespace
 
-float nearest_binary32(const Fraction& value, int exponent) {
-  if (value.over.is_zero()) return 0;
-  const Integer over = abs(value.over);
-  // Both sides of a comparison with k 2^unit, times 2^-min(unit, exponent).
-  const auto sides = [&](const Integer& k, int unit) {
-    const int least = std::min(unit, exponent);
-    return std::pair(shifted(over, exponent - least), Integer(shifted(value.under, unit - least) * k));
-  };
-  const float size = round_positive(
-      bits(over) - bits(value.under) + exponent,
-      [&](int unit) {
-        const auto [number, one] = sides(1, unit);
-        return Integer(number / one);
-      },
-      [&](const Integer& k, int unit) {
-        const auto [number, halves] = sides(2 * k + 1, unit - 1);
-        return number.compare(halves);
-      });
-  return value.over < 0 && size != 0 ? -size : size;
+int compared(const RootSum& value, const Integer& over, const Integer& under) {
+  const RootSum whole = scaled(value, 0);
+  const Integer rest = whole.whole * under - over * whole.under, square = whole.square * under * under;
+  const int sign = rest.sign(), root_sign = square.is_zero() ? 0 : value.root_is_negative ? -1 : 1;
+  if (sign * root_sign >= 0) return sign != 0 ? sign : root_sign;
+  return sign * Integer(rest * rest).compare(square);
 }
 
+float nearest_binary32(const RootSum& value) {
+  const int sign = compared(value, 0, 1);
+  if (sign == 0) return 0;
+  RootSum size = value;
+  if (sign < 0) {
+    size.whole = -size.whole;
+    size.root_is_negative = !size.root_is_negative;
+  }
+  Integer units = whole_part(scaled(size, -kLeastUnit));
+  const int bits = units.is_zero() ? 0 : static_cast<int>(msb(units)) + 1;
+  const int unit = std::max(bits - kDigits, 0);  // 2^unit of the smallest number
+  units >>= static_cast<unsigned>(unit);
+  const int past_half = compared(scaled(size, -kLeastUnit - unit), 2 * units + 1, 2);
+  if (past_half > 0 || (past_half == 0 && units % 2 == 1)) ++units;
+  const float nearest = std::ldexp(static_cast<float>(units.convert_to<std::int64_t>()), unit + kLeastUnit);  // exact
+  return sign < 0 && nearest != 0 ? -nearest : nearest;
+}
+
+float nearest_binary32(const Fraction& value, int exponent) {
+  return nearest_binary32(RootSum{.whole = value.over, .under = value.under, .exponent = exponent});
+}
+
+// √(over / under) = √(over under) / under
 float nearest_binary32_root(const Fraction& value, int exponent) {
-  if (value.over.is_zero()) return 0;
-  // The squares of a comparison with k 2^unit: value 4^exponent and k² 4^unit.
-  const auto squares = [&](const Integer& k, int unit) {
-    const int least = std::min(unit, exponent);
-    return std::pair(shifted(value.over, 2 * (exponent - least)), Integer(shifted(value.under, 2 * (unit - least)) * k * k));
-  };
-  const int log = bits(value.over) - bits(value.under);  // 2^(log - 1) < value < 2^(log + 1)
-  return round_positive((log >= 0 ? log / 2 : (log - 1) / 2) + exponent,
-                        [&](int unit) {
-                          const auto [number, one] = squares(1, unit);
-                          return Integer(sqrt(Integer(number / one)));
-                        },
-                        [&](const Integer& k, int unit) {
-                          const auto [number, halves] = squares(2 * k + 1, unit - 1);
-                          return number.compare(halves);
-                        });
+  return nearest_binary32(RootSum{.square = value.over * value.under, .under = value.under, .exponent = exponent});
 }
 
 Integer integer_of(float value, int scale) {

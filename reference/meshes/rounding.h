@@ -1,13 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Fractions and square roots of fractions, rounded to the nearest binary32.
+// Fractions, square roots of fractions and their sums, rounded to the nearest binary32.
 
 #include "reference/meshes/integers.h"
 
 namespace forceshade::reference::meshes {
 
-// value · 2^exponent, correctly rounded: to nearest, ties to even, subnormal numbers included, a zero +0. Its size must be
-// below 2^128 - 2^103, where binary32 overflows.
+// (whole + root) / under · 2^exponent, with a root that is ±√square; square >= 0, under > 0.
+struct RootSum {
+  Integer whole = 0;
+  bool root_is_negative = false;
+  Integer square = 0;
+  Integer under = 1;
+  int exponent = 0;
+};
+
+// The sign of the value less over / under; under > 0.
+int compared(const RootSum& value, const Integer& over, const Integer& under);
+
+// Correctly rounded: to nearest, ties to even, subnormal numbers included, a zero +0. The size of the value must be below
+// 2^128 - 2^103, where binary32 overflows.
+float nearest_binary32(const RootSum& value);
+
+// value · 2^exponent, in the same way.
 float nearest_binary32(const Fraction& value, int exponent);
 
 // √value · 2^exponent, in the same way; value >= 0.

@@ -45,9 +45,7 @@ Integer Sheets::distance(const GridPoint& c) const {
 }
 
 std::vector<std::size_t> Sheets::triangles_at(const Feature& feature) const {
-  std::vector<std::size_t> all{feature.index};
-  if (feature.place == Place::edge) all = surface_.edges()[feature.index].triangles;
-  if (feature.place == Place::vertex) all = surface_.fan(feature.index).triangles;
+  std::vector<std::size_t> all = surface_.triangles_at(feature);
   if (all.size() > kMostTriangles) all.resize(kMostTriangles);
   return all;
 }

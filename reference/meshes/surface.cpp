@@ -76,6 +76,12 @@ bool Surface::is_at_rim(const Feature& feature) const {
   return feature.place == mesh::Place::edge && edges_[feature.index].triangles.size() == 1;
 }
 
+std::vector<std::size_t> Surface::triangles_at(const Feature& feature) const {
+  if (feature.place == mesh::Place::vertex) return fans_[feature.index].triangles;
+  if (feature.place == mesh::Place::edge) return edges_[feature.index].triangles;
+  return {feature.index};
+}
+
 Vector Surface::position(const GridPoint& point) const {
   // The sides are multiples of 2^24 units, so that the division is exact.
   const auto part = [](std::uint32_t count, const Vector& side) {

@@ -72,6 +72,7 @@ class Surface {
   const Fan& fan(std::size_t vertex) const { return fans_[vertex]; }
 
   bool is_at_rim(const Feature& feature) const;
+  std::vector<std::size_t> triangles_at(const Feature& feature) const;  // in order
   Vector position(const GridPoint& point) const;
 
   // The number of the edge with these vertices, which must be those of one.

@@ -59,6 +59,19 @@ mesh::CornerNormals read_normals(const std::string& path, std::size_t triangles)
   return normals;
 }
 
+mesh::Materials read_materials(const std::string& path, std::size_t triangles) {
+  std::ifstream in = files::open_input(path);
+  files::Reader rows(in, path, {"triangle", "static", "dynamic"});
+  mesh::Materials materials;
+  for (std::uint32_t i = 0; rows.next(); ++i) {
+    if (rows.text(0) != std::to_string(i)) throw rows.unexpected(0, "the triangles in order");
+    materials.list.push_back({.static_friction = rows.binary32(1), .dynamic_friction = rows.binary32(2)});
+    materials.of_triangle.push_back(i);
+  }
+  if (materials.list.size() != triangles) throw std::runtime_error(path + ": expected a material for each triangle");
+  return materials;
+}
+
 // The state that the columns `feature` and `side` describe; where it is free, it has no position yet.
 mesh::GodObject read_state(const files::Reader& rows, std::size_t feature, std::size_t side) {
   mesh::GodObject state;
@@ -87,33 +100,41 @@ mesh::GodObject read_state(const files::Reader& rows, std::size_t feature, std::
   return state;
 }
 
-}  // namespace
-
-std::vector<std::string> god_object_paths_in(const std::string& folder) {
+// Every NAME for which both files are there.
+std::vector<std::string> names_in(const std::string& folder, const std::string& extension, const std::string& other) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (const auto& path = entry.path();
-        path.extension() == ".off" && std::filesystem::exists(path.parent_path() / path.stem() += ".csv"))
-      names.push_back(path.stem());
+    if (const std::string file = entry.path().filename(); file.ends_with(extension))
+      if (const std::string name = file.substr(0, file.size() - extension.size());
+          std::filesystem::exists(folder + "/" + name + other))
+        names.push_back(name);
   std::ranges::sort(names);
   return names;
 }
 
-GodObjectPath read_god_object_path(const std::string& folder, const std::string& name) {
+// All but the ticks and the materials.
+GodObjectPath read_mesh(const std::string& folder, const std::string& name) {
   GodObjectPath path;
   path.name = name;
   const std::string stem = folder + "/" + name;
   path.mesh = mesh::load(stem + ".off", mesh::Unit::mm);
   path.normals = read_normals(stem + ".normals.csv", path.mesh.triangles.size());
   path.sides = sides_of(folder, name, path.mesh);
-  std::ifstream in = files::open_input(stem + ".csv");
-  files::Reader rows(
-      in, name + ".csv",
-      {"x_mm", "y_mm", "z_mm", "status", "feature", "side", "moves", "fx_N", "fy_N", "fz_N", "sx_N", "sy_N", "sz_N"});
+  return path;
+}
+
+// The rows have the bit where the path has materials.
+void read_ticks(GodObjectPath& path, const std::string& file) {
+  std::ifstream in = files::open_input(file);
+  std::vector<std::string> columns{"x_mm", "y_mm", "z_mm", "status", "feature", "side", "moves",
+                                   "fx_N", "fy_N", "fz_N", "sx_N",   "sy_N",    "sz_N"};
+  const bool has_friction = !path.materials.list.empty();
+  if (has_friction) columns.push_back("slipping");
+  files::Reader rows(in, path.name + ".csv", columns);
   mesh::GodObject before;
   while (rows.next()) {
     PathTick row;
-    row.place = name + ".csv:" + std::to_string(rows.line());
+    row.place = path.name + ".csv:" + std::to_string(rows.line());
     for (std::size_t axis = 0; axis < 3; ++axis) {
       row.position[axis] = rows.binary32(axis);
       row.tick.force[axis] = rows.binary32(7 + axis);
@@ -122,8 +143,10 @@ GodObjectPath read_god_object_path(const std::string& folder, const std::string&
     row.tick.status = named<mesh::TickStatus>(rows, 3, mesh::kTickStatusNames, "a status");
     row.tick.moves = static_cast<std::uint16_t>(rows.binary32(6));
     row.tick.after = read_state(rows, 4, 5);
+    if (has_friction) row.tick.after.is_slipping = named<bool>(rows, 13, std::array<std::string_view, 2>{"0", "1"}, "0 or 1");
     if (row.tick.status == mesh::TickStatus::invalid) {
       if (feature_text(before) != rows.text(4)) throw rows.unexpected(4, "the state before an invalid position");
+      if (before.is_slipping != row.tick.after.is_slipping) throw rows.unexpected(13, "the bit before an invalid position");
       row.tick.after = before;
     } else if ((row.tick.after.place == mesh::Place::free) != (row.tick.status == mesh::TickStatus::free)) {
       throw rows.unexpected(4, "- where and only where the status is free");
@@ -136,7 +159,29 @@ GodObjectPath read_god_object_path(const std::string& folder, const std::string&
     before = row.tick.after;
     path.ticks.push_back(std::move(row));
   }
-  if (path.ticks.empty()) throw std::runtime_error(stem + ".csv: expected rows below the header");
+  if (path.ticks.empty()) throw std::runtime_error(file + ": expected rows below the header");
+}
+
+}  // namespace
+
+std::vector<std::string> god_object_paths_in(const std::string& folder) {
+  return names_in(folder, ".off", ".csv");
+}
+
+GodObjectPath read_god_object_path(const std::string& folder, const std::string& name) {
+  GodObjectPath path = read_mesh(folder, name);
+  read_ticks(path, folder + "/" + name + ".csv");
+  return path;
+}
+
+std::vector<std::string> friction_paths_in(const std::string& folder) {
+  return names_in(folder, ".materials.csv", ".csv");
+}
+
+GodObjectPath read_friction_path(const std::string& meshes, const std::string& folder, const std::string& name) {
+  GodObjectPath path = read_mesh(meshes, name);
+  path.materials = read_materials(folder + "/" + name + ".materials.csv", path.mesh.triangles.size());
+  read_ticks(path, folder + "/" + name + ".csv");
   return path;
 }
 
@@ -157,6 +202,7 @@ std::string feature_text(const mesh::GodObject& state) {
 std::string show(const mesh::Tick& tick) {
   std::string text(mesh::kTickStatusNames[static_cast<std::size_t>(tick.status)]);
   text += ", " + feature_text(tick.after) + ", " + std::string(mesh::kSideNames[static_cast<std::size_t>(tick.after.side)]);
+  if (tick.after.is_slipping) text += ", slipping";
   text += ", " + std::to_string(tick.moves) + " moves, (";
   for (const float component : tick.force) text += files::shortest(component) + " ";
   text.back() = ')';

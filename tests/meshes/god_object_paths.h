@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Paths of a god-object that another program has computed, in a folder: NAME.off, NAME.normals.csv and NAME.csv for each mesh.
-// meshes.csv, where there is one, has the sides that block motion. tests/golden/README.md describes the columns.
+// meshes.csv, where there is one, has the sides that block motion. tests/golden/README.md describes the columns. Paths with
+// friction are in a folder of their own: NAME.csv and NAME.materials.csv for a mesh of the other folder.
 
 #include <array>
 #include <string>
@@ -23,6 +24,7 @@ struct GodObjectPath {
   std::string name;
   mesh::TriangleMesh mesh;
   mesh::CornerNormals normals;
+  mesh::Materials materials;  // one for each triangle, or none
   mesh::Sides sides = mesh::Sides::front;
   float stiffness = 0.3F;       // N/mm, of every path
   std::vector<PathTick> ticks;  // in order; the first one starts from no state
@@ -37,7 +39,11 @@ GodObjectPath read_god_object_path(const std::string& folder, const std::string&
 // As the column `feature` has it: "v i", "e i j m", "t i k l", or "-" where it is free or nowhere.
 std::string feature_text(const mesh::GodObject& state);
 
-// For messages: status, feature, side, moves and force.
+// The same for paths with friction, whose meshes and normals are in the folder `meshes`.
+std::vector<std::string> friction_paths_in(const std::string& folder);
+GodObjectPath read_friction_path(const std::string& meshes, const std::string& folder, const std::string& name);
+
+// For messages: status, feature, side, whether it slips, moves and force.
 std::string show(const mesh::Tick& tick);
 
 // Equal in every column: states by value, forces by their bits.

@@ -35,9 +35,12 @@ struct Scene {
         normals(std::move(corner_normals)),
         god_object(built(made.mesh, normals, made.sides, kStiffness)),
         surface(made.mesh),
-        crossings(surface) {}
+        crossings(surface),
+        materials(surface, {}, kStiffness) {}
 
-  reference::meshes::Ground ground() const { return {surface, crossings, made.sides, mesh::SelfIntersections::refused}; }
+  reference::meshes::Ground ground() const {
+    return {surface, crossings, made.sides, mesh::SelfIntersections::refused, materials};
+  }
 
   static constexpr float kStiffness = 0.7F;
   properties::RandomMesh made;
@@ -45,6 +48,7 @@ struct Scene {
   reference::GodObject god_object;
   reference::meshes::Surface surface;
   reference::meshes::Crossings crossings;
+  reference::meshes::SurfaceMaterials materials;
 };
 
 struct Step {

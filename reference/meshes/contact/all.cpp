@@ -10,7 +10,9 @@ namespace forceshade::reference::meshes {
 
 std::unique_ptr<const ContactRule> contact_of(const MeshRendering& rendering, const Ground& ground) {
   switch (rendering.contact) {
-    case mesh::Contact::direct: return std::make_unique<const Direct>(ground);
+    case mesh::Contact::direct:
+    case mesh::Contact::friction:  // what friction does, the ground's materials say
+      return std::make_unique<const Direct>(ground);
     case mesh::Contact::sub_goal: return std::make_unique<const SubGoal>(ground, rendering.normals);
   }
   throw std::logic_error("a contact rule that the exact side's list lacks");
