@@ -48,6 +48,8 @@ class MeshSource : private Draws {
   // A map laid along two directions, some 20 mm of it over the mesh; some corners have a point or a gradient of their own, so
   // that there are seams.
   mesh::CornerTextures textures_of(const mesh::TriangleMesh& mesh);
+  // One material for all triangles, or some by face: smooth, from 2^-10 to 2^10, and infinite; without a stiffness.
+  mesh::Materials materials_of(const mesh::TriangleMesh& mesh);
 
  private:
   using Point = std::array<double, 3>;
@@ -64,6 +66,7 @@ class MeshSource : private Draws {
   };
 
   int whole(int low, int high);  // both included
+  mesh::Material material();
   double on_lattice(double value) const;
 
   Planar grid(double width_of_cell, double depth_of_cell, bool has_slivers);

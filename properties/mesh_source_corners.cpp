@@ -35,6 +35,29 @@ mesh::CornerNormals MeshSource::normals_of(const mesh::TriangleMesh& mesh) {
   return normals;
 }
 
+mesh::Material MeshSource::material() {
+  mesh::Material its;
+  const int kind = whole(0, 7);
+  if (kind == 0) return its;
+  its.static_friction = kind == 1   ? HUGE_VALF
+                        : kind == 2 ? static_cast<float>(std::exp2(uniform(-10, 10)))
+                                    : static_cast<float>(uniform(0.05, 2));
+  const int slip = whole(0, 4);
+  const auto smaller =
+      static_cast<float>(kind == 1 ? uniform(0.05, 2) : uniform(0, 1) * static_cast<double>(its.static_friction));
+  its.dynamic_friction = slip == 0 ? its.static_friction : slip == 1 || smaller < 0x1p-10F ? 0 : smaller;
+  return its;
+}
+
+mesh::Materials MeshSource::materials_of(const mesh::TriangleMesh& mesh) {
+  mesh::Materials materials;
+  for (int i = whole(1, 6); i > 0; i -= 2) materials.list.push_back(material());
+  if (materials.list.size() > 1)
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+      materials.of_triangle.push_back(static_cast<std::uint32_t>(bits() % materials.list.size()));
+  return materials;
+}
+
 mesh::CornerTextures MeshSource::textures_of(const mesh::TriangleMesh& mesh) {
   const auto kept = [](double value, double most) {
     const auto rounded = static_cast<float>(std::clamp(value, -most, most));

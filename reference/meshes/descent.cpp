@@ -242,16 +242,13 @@ class Tick {
 
   Descended rests_at(const GridPoint& at, Side side, TickStatus status) {
     Rest rest{exactly(at), surface_.position(at) - hand_, 1, side};
-    const auto along = rough_way(at);
-    const Load load = along ? load_on(surface_, *along, p_ - surface_.position(at)) : Load{};
-    if (along) {
-      rest.D_over = -load.pressure;
-      rest.tangential_over = -load.pull;
-      rest.D_under = load.under;
+    bool may_slip_on = false;  // rule 4a
+    if (const auto along = rough_way(at)) {
+      const Load load = load_on(surface_, *along, p_ - surface_.position(at));
+      rest = {exactly(at), -load.pressure, load.under, side, -load.pull};
+      may_slip_on = !is_within(load, materials_.of(*along).dynamic_friction, 2);
     }
-    // Rule 4a.
-    const bool slips_on = along && !is_within(load, materials_.of(*along).dynamic_friction, 2);
-    if (status != TickStatus::unfinished && !slips_on) is_slipping_ = false;
+    if (status != TickStatus::unfinished) is_slipping_ = is_slipping_ && may_slip_on;
     return {status, moves_, state(at, side), std::move(rest)};
   }
 

@@ -34,7 +34,9 @@ using reference::meshes::Integer;
 using reference::meshes::Surface;
 using reference::meshes::Vector;
 using tests::Counts;
+using tests::Friction;
 using tests::is_touching;
+using tests::kEachFriction;
 using tests::on_random_paths;
 using tests::place_of;
 using tests::Position;
@@ -44,14 +46,18 @@ using tests::squared_distance;
 using tests::Step;
 
 TEST(god_object_consequences, resting_is_idempotent) {
-  on_random_paths(1, 220, 200, {"rested again"}, [](const Scene& scene, const Step& step, Counts& counts) {
-    if (step.tick.status == TickStatus::unfinished || step.tick.status == TickStatus::invalid) return;
-    const mesh::Tick again = scene.god_object.step(step.tick.after, step.position);
-    EXPECT_EQ(again.status, step.tick.status) << show(again);
-    EXPECT_EQ(again.after, step.tick.after) << show(again);
-    EXPECT_EQ(again.force, step.tick.force) << show(again);
-    ++counts["rested again"];
-  });
+  for (const Friction friction : kEachFriction)
+    on_random_paths(
+        1, 220, 200, {"rested again"},
+        [](const Scene& scene, const Step& step, Counts& counts) {
+          if (step.tick.status == TickStatus::unfinished || step.tick.status == TickStatus::invalid) return;
+          const mesh::Tick again = scene.god_object.step(step.tick.after, step.position);
+          EXPECT_EQ(again.status, step.tick.status) << show(again);
+          EXPECT_EQ(again.after, step.tick.after) << show(again);
+          EXPECT_EQ(again.force, step.tick.force) << show(again);
+          ++counts["rested again"];
+        },
+        friction);
 }
 
 TEST(god_object_consequences, an_invalid_position_changes_nothing_and_gives_no_force) {
@@ -65,31 +71,34 @@ TEST(god_object_consequences, an_invalid_position_changes_nothing_and_gives_no_f
 
 // One move a tick: so every point at which the surface is left or met again is a state.
 TEST(god_object_consequences, fewer_moves_a_tick_lead_to_the_same_state_and_from_point_to_point_the_distance_falls) {
-  on_random_paths(
-      3, 220, 150, {"several moves", "landed farther off"}, [](const Scene& scene, const Step& step, Counts& counts) {
-        if (step.tick.status == TickStatus::invalid || step.tick.status == TickStatus::unfinished) return;
-        mesh::GodObject state = step.before;
-        unsigned moves = 0;
-        for (int ticks = 0; ticks <= 300; ++ticks) {
-          const mesh::Tick one = scene.god_object.step(state, step.position, 1);
-          moves += one.moves;
-          if (one.status != TickStatus::unfinished) {
-            EXPECT_EQ(one.after, step.tick.after) << show(one);
-            EXPECT_EQ(one.force, step.tick.force) << show(one);
-            EXPECT_EQ(moves, step.tick.moves);
-            counts["several moves"] += moves > 1;
-            return;
+  for (const Friction friction : kEachFriction)
+    on_random_paths(
+        3, 220, 150, {"several moves", "landed farther off"},
+        [](const Scene& scene, const Step& step, Counts& counts) {
+          if (step.tick.status == TickStatus::invalid || step.tick.status == TickStatus::unfinished) return;
+          mesh::GodObject state = step.before;
+          unsigned moves = 0;
+          for (int ticks = 0; ticks <= 300; ++ticks) {
+            const mesh::Tick one = scene.god_object.step(state, step.position, 1);
+            moves += one.moves;
+            if (one.status != TickStatus::unfinished) {
+              EXPECT_EQ(one.after, step.tick.after) << show(one);
+              EXPECT_EQ(one.force, step.tick.force) << show(one);
+              EXPECT_EQ(moves, step.tick.moves);
+              counts["several moves"] += moves > 1;
+              return;
+            }
+            const bool is_nearer = squared_distance(scene.surface, one.after, step.position) <
+                                   squared_distance(scene.surface, state, step.position);
+            if (is_touching(state))
+              ASSERT_TRUE(is_nearer) << show(one);
+            else
+              counts["landed farther off"] += !is_nearer;
+            state = one.after;
           }
-          const bool is_nearer =
-              squared_distance(scene.surface, one.after, step.position) < squared_distance(scene.surface, state, step.position);
-          if (is_touching(state))
-            ASSERT_TRUE(is_nearer) << show(one);
-          else
-            counts["landed farther off"] += !is_nearer;
-          state = one.after;
-        }
-        FAIL() << "not at rest after 300 single moves";
-      });
+          FAIL() << "not at rest after 300 single moves";
+        },
+        friction);
 }
 
 // Crossings of a ray, counted with CGAL's predicates: nothing in common with either side.
@@ -142,28 +151,34 @@ class Inside {
 TEST(god_object_consequences, it_never_gets_into_a_closed_mesh_nor_out_of_one_that_blocks_both_sides) {
   bool is_out = false, is_in = false;  // it was free outside, or inside, and has had to stay there
   std::optional<Inside> is_inside;
-  const std::vector<std::string> expected{"kept out", "kept in", "left from behind"};
-  on_random_paths(7, 330, 200, expected, [&](const Scene& scene, const Step& step, Counts& counts) {
-    constexpr std::array<std::string_view, 4> kClosed{"bipyramid", "slab", "star", "torus"};
-    if (std::ranges::find(kClosed, properties::kMeshFamilies[scene.made.family]) == kClosed.end()) return;
-    if (step.before.place == Place::nowhere) {
-      is_out = is_in = false;
-      is_inside.emplace(scene.made.mesh);
-    }
-    const bool blocks_both = scene.made.sides == Sides::both;
-    if (step.tick.status == TickStatus::free) {
-      const bool is_now_inside = (*is_inside)(step.tick.after.position);
-      EXPECT_FALSE(is_out && is_now_inside) << "it was outside";
-      EXPECT_FALSE(blocks_both && is_in && !is_now_inside) << "it was inside";
-      counts["left from behind"] += is_in && !is_now_inside;
-      counts["kept out"] += is_out;
-      counts["kept in"] += blocks_both && is_in;
-      is_out = !is_now_inside;
-      is_in = is_now_inside;
-    } else if (is_touching(step.tick.after) && (is_out || is_in) && blocks_both) {
-      EXPECT_EQ(step.tick.after.side, is_out ? Side::front : Side::back);
-    }
-  });
+  for (const Friction friction : kEachFriction) {
+    std::vector<std::string> expected{"kept out", "left from behind"};
+    if (friction == Friction::none) expected.emplace_back("kept in");
+    on_random_paths(
+        7, 330, 200, expected,
+        [&](const Scene& scene, const Step& step, Counts& counts) {
+          constexpr std::array<std::string_view, 4> kClosed{"bipyramid", "slab", "star", "torus"};
+          if (std::ranges::find(kClosed, properties::kMeshFamilies[scene.made.family]) == kClosed.end()) return;
+          if (step.before.place == Place::nowhere) {
+            is_out = is_in = false;
+            is_inside.emplace(scene.made.mesh);
+          }
+          const bool blocks_both = scene.made.sides == Sides::both;
+          if (step.tick.status == TickStatus::free) {
+            const bool is_now_inside = (*is_inside)(step.tick.after.position);
+            EXPECT_FALSE(is_out && is_now_inside) << "it was outside";
+            EXPECT_FALSE(blocks_both && is_in && !is_now_inside) << "it was inside";
+            counts["left from behind"] += is_in && !is_now_inside;
+            counts["kept out"] += is_out;
+            counts["kept in"] += blocks_both && is_in;
+            is_out = !is_now_inside;
+            is_in = is_now_inside;
+          } else if (is_touching(step.tick.after) && (is_out || is_in) && blocks_both) {
+            EXPECT_EQ(step.tick.after.side, is_out ? Side::front : Side::back);
+          }
+        },
+        friction);
+  }
 }
 
 // The squared distance of p from a closed triangle.
@@ -186,12 +201,6 @@ Fraction squared_distance(const Surface& surface, std::size_t index, const Vecto
     if (!least || distance < *least) least = distance;
   }
   return *least;
-}
-
-std::vector<std::size_t> triangles_at(const Surface& surface, const Feature& feature) {
-  if (feature.place == Place::vertex) return surface.fan(feature.index).triangles;
-  if (feature.place == Place::edge) return surface.edges()[feature.index].triangles;
-  return {feature.index};
 }
 
 TEST(god_object_consequences, every_rest_but_a_refusal_is_a_local_minimum_and_off_p_never_at_the_rim_or_on_a_wide_edge) {
@@ -217,7 +226,7 @@ TEST(god_object_consequences, every_rest_but_a_refusal_is_a_local_minimum_and_of
       }
     }
     const Fraction distance{dot(rest.D_over, rest.D_over), rest.D_under * rest.D_under};
-    for (const std::size_t i : triangles_at(scene.surface, feature))
+    for (const std::size_t i : scene.surface.triangles_at(feature))
       EXPECT_EQ(squared_distance(scene.surface, i, p), distance) << "triangle " << i;
     ++counts["nearest of its triangles"];
     for (std::size_t i = 0; i < scene.surface.triangles().size(); ++i)
@@ -235,7 +244,8 @@ TEST(god_object_consequences, every_rest_but_a_refusal_is_a_local_minimum_and_of
   });
 }
 
-// docs/energy.md, Meshes: the account of an unshaded tick, in exact numbers and without slack. All times 1/K.
+// docs/energy.md, Meshes: the account of an unshaded tick, in exact numbers and without slack. All times 1/K. Where friction
+// holds the god-object, nothing is rounded.
 TEST(god_object_consequences, a_tick_gives_no_more_than_the_account_with_the_rounding_of_its_state) {
   using Rational = boost::multiprecision::mpq_rational;
   using Offset = std::array<Rational, 3>;
@@ -250,24 +260,30 @@ TEST(god_object_consequences, a_tick_gives_no_more_than_the_account_with_the_rou
     Offset D;
   };
   std::optional<Ended> last;
-  on_random_paths(10, 440, 200, {"moved on", "rounded", "beyond the account of r alone"},
-                  [&](const Scene& scene, const Step& step, Counts& counts) {
-                    const std::optional<Ended> before = std::exchange(last, std::nullopt);
-                    if (step.tick.status != TickStatus::touching) return;
-                    const auto end = descend(scene.ground(), step.before, step.position, step.position, 256);
-                    const auto& rest = end.rest.value();
-                    const Vector p = reference::meshes::exact_point(step.position);
-                    last = Ended{step.tick.after, p, over(rest.D_over, rest.D_under)};
-                    if (!before || before->state != step.before || !is_touching(step.before)) return;
-                    const Offset moved = over(p - before->p, 1), g = over(place_of(scene.surface, step.before) - before->p, 1);
-                    const Offset rounding = difference(g, before->D);  // g - r
-                    const Rational account = dot_of(before->D, before->D) - dot_of(last->D, last->D) + dot_of(moved, moved);
-                    const Rational given = 2 * dot_of(before->D, moved);
-                    EXPECT_LE(given, account + 2 * dot_of(rounding, difference(before->D, moved)) + dot_of(rounding, rounding));
-                    ++counts["moved on"];
-                    counts["rounded"] += dot_of(rounding, rounding) > 0;
-                    counts["beyond the account of r alone"] += given > account;
-                  });
+  for (const Friction friction : kEachFriction) {
+    std::vector<std::string> expected{"moved on", "rounded"};
+    if (friction == Friction::none) expected.emplace_back("beyond the account of r alone");
+    on_random_paths(
+        10, 440, 200, expected,
+        [&](const Scene& scene, const Step& step, Counts& counts) {
+          const std::optional<Ended> before = std::exchange(last, std::nullopt);
+          if (step.tick.status != TickStatus::touching) return;
+          const auto end = descend(scene.ground(), step.before, step.position, step.position, 256);
+          const auto& rest = end.rest.value();
+          const Vector p = reference::meshes::exact_point(step.position);
+          last = Ended{step.tick.after, p, over(rest.D_over + rest.tangential_over, rest.D_under)};
+          if (!before || before->state != step.before || !is_touching(step.before)) return;
+          const Offset moved = over(p - before->p, 1), g = over(place_of(scene.surface, step.before) - before->p, 1);
+          const Offset rounding = difference(g, before->D);  // g - r
+          const Rational account = dot_of(before->D, before->D) - dot_of(last->D, last->D) + dot_of(moved, moved);
+          const Rational given = 2 * dot_of(before->D, moved);
+          EXPECT_LE(given, account + 2 * dot_of(rounding, difference(before->D, moved)) + dot_of(rounding, rounding));
+          ++counts["moved on"];
+          counts["rounded"] += dot_of(rounding, rounding) > 0;
+          counts["beyond the account of r alone"] += given > account;
+        },
+        friction);
+  }
 }
 
 TEST(god_object_consequences, shading_turns_the_force_and_keeps_its_size) {

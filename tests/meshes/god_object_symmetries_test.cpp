@@ -28,8 +28,10 @@ using reference::meshes::Surface;
 using reference::meshes::Vector;
 using tests::built;
 using tests::Counts;
+using tests::Friction;
 using tests::is_same;
 using tests::is_touching;
+using tests::kEachFriction;
 using tests::on_random_paths;
 using tests::place_of;
 using tests::point_of;
@@ -57,33 +59,37 @@ TEST(god_object_consequences, a_size_times_a_power_of_two_changes_no_state) {
   const Surface* last = nullptr;
   int places = 0;
   std::optional<GodObject> other;
-  on_random_paths(
-      4, 220, 150, {"scaled", "of another size and touching"}, [&](const Scene& scene, const Step& step, Counts& counts) {
-        if (last != &scene.surface || step.before.place == Place::nowhere) {
-          last = &scene.surface;
-          do {
-            places = static_cast<int>(random() % 33) - 16;
-          } while (!std::ranges::all_of(scene.made.mesh.vertices, [&](const Position& v) { return can_be_scaled(v, places); }));
-          mesh::TriangleMesh larger = scene.made.mesh;
-          for (mesh::Vertex& vertex : larger.vertices) vertex = scaled(vertex, places);
-          other = built(larger, scene.normals, scene.made.sides, Scene::kStiffness);
-        }
-        const bool is_free = step.before.place == Place::free;
-        if (!can_be_scaled(step.position, places) || (is_free && !can_be_scaled(step.before.position, places))) return;
-        mesh::GodObject before = step.before;
-        before.position = scaled(before.position, places);
-        mesh::Tick tick = other->step(before, scaled(step.position, places));
-        for (float& coordinate : tick.after.position) coordinate = std::ldexp(coordinate, -places);
-        EXPECT_EQ(tick.status, step.tick.status) << show(tick);
-        EXPECT_EQ(tick.moves, step.tick.moves) << show(tick);
-        EXPECT_EQ(tick.after, step.tick.after) << show(tick);
-        for (std::size_t axis = 0; axis < 3; ++axis)  // below 2^-126 a component has fewer digits
-          if (std::fabs(step.tick.force[axis]) >= 0x1p-100F) {
-            EXPECT_EQ(tick.force[axis], std::ldexp(step.tick.force[axis], places)) << show(tick);
+  for (const Friction friction : kEachFriction)
+    on_random_paths(
+        4, 220, 150, {"scaled", "of another size and touching"},
+        [&](const Scene& scene, const Step& step, Counts& counts) {
+          if (last != &scene.surface || step.before.place == Place::nowhere) {
+            last = &scene.surface;
+            do {
+              places = static_cast<int>(random() % 33) - 16;
+            } while (
+                !std::ranges::all_of(scene.made.mesh.vertices, [&](const Position& v) { return can_be_scaled(v, places); }));
+            mesh::TriangleMesh larger = scene.made.mesh;
+            for (mesh::Vertex& vertex : larger.vertices) vertex = scaled(vertex, places);
+            other = built(larger, scene.normals, scene.made.sides, Scene::kStiffness, scene.given);
           }
-        ++counts["scaled"];
-        counts["of another size and touching"] += places != 0 && is_touching(tick.after);
-      });
+          const bool is_free = step.before.place == Place::free;
+          if (!can_be_scaled(step.position, places) || (is_free && !can_be_scaled(step.before.position, places))) return;
+          mesh::GodObject before = step.before;
+          before.position = scaled(before.position, places);
+          mesh::Tick tick = other->step(before, scaled(step.position, places));
+          for (float& coordinate : tick.after.position) coordinate = std::ldexp(coordinate, -places);
+          EXPECT_EQ(tick.status, step.tick.status) << show(tick);
+          EXPECT_EQ(tick.moves, step.tick.moves) << show(tick);
+          EXPECT_EQ(tick.after, step.tick.after) << show(tick);
+          for (std::size_t axis = 0; axis < 3; ++axis)  // below 2^-126 a component has fewer digits
+            if (std::fabs(step.tick.force[axis]) >= 0x1p-100F) {
+              EXPECT_EQ(tick.force[axis], std::ldexp(step.tick.force[axis], places)) << show(tick);
+            }
+          ++counts["scaled"];
+          counts["of another size and touching"] += places != 0 && is_touching(tick.after);
+        },
+        friction);
 }
 
 // What a renumbering may change: ties, and at rest in a triangle the last grid step.
@@ -107,8 +113,11 @@ class Renumbered {
         normals[new_triangle_[i]][(k + turns_[i]) % 3] = scene.normals[i][k];
       }
     }
+    mesh::Materials materials = scene.given;
+    for (std::size_t i = 0; i < materials.of_triangle.size(); ++i)
+      materials.of_triangle[new_triangle_[i]] = scene.given.of_triangle[i];
     surface_.emplace(mesh_);
-    god_object_ = built(mesh_, normals, scene.made.sides, Scene::kStiffness);
+    god_object_ = built(mesh_, normals, scene.made.sides, Scene::kStiffness, materials);
   }
 
   const GodObject& god_object() const { return *god_object_; }
@@ -155,32 +164,36 @@ bool is_a_grid_step_apart(const mesh::GodObject& a, const mesh::GodObject& b) {
 TEST(god_object_consequences, renumbering_changes_only_ties_and_the_last_grid_step) {
   std::optional<Renumbered> other;
   const std::vector<std::string> expected{"same", "a tie of directions", "the last grid step"};
-  on_random_paths(5, 220, 150, expected, [&](const Scene& scene, const Step& step, Counts& counts) {
-    if (step.before.place == Place::nowhere) other.emplace(scene, 77);
-    // Move by move, so that a tie is seen where it is.
-    const mesh::Tick one = scene.god_object.step(step.before, step.position, 1);
-    const mesh::Tick renumbered = other->god_object().step(other->state(step.before), step.position, 1);
-    mesh::Tick as_expected = one;
-    as_expected.after = other->state(one.after);
-    if (is_same(renumbered, as_expected)) {
-      ++counts["same"];
-      return;
-    }
-    const Vector u = reference::meshes::exact_point(step.position) - place_of(scene.surface, step.before);
-    if (is_touching(step.before) && directions(scene.surface, point_of(scene.surface, step.before).feature, u).is_tied) {
-      ++counts["a tie of directions"];
-      return;
-    }
-    const bool is_rest = one.status == TickStatus::touching && renumbered.status == TickStatus::touching;
-    if (is_rest && one.force == renumbered.force && is_a_grid_step_apart(as_expected.after, renumbered.after)) {
-      ++counts["the last grid step"];
-      return;
-    }
-    ++counts["a tie of rounding"];
-    EXPECT_EQ(squared_distance(scene.surface, one.after, step.position),
-              squared_distance(other->surface(), renumbered.after, step.position))
-        << show(renumbered) << ", expected " << show(as_expected);
-  });
+  for (const Friction friction : kEachFriction)
+    on_random_paths(
+        5, 220, 150, expected,
+        [&](const Scene& scene, const Step& step, Counts& counts) {
+          if (step.before.place == Place::nowhere) other.emplace(scene, 77);
+          // Move by move, so that a tie is seen where it is.
+          const mesh::Tick one = scene.god_object.step(step.before, step.position, 1);
+          const mesh::Tick renumbered = other->god_object().step(other->state(step.before), step.position, 1);
+          mesh::Tick as_expected = one;
+          as_expected.after = other->state(one.after);
+          if (is_same(renumbered, as_expected)) {
+            ++counts["same"];
+            return;
+          }
+          const Vector u = reference::meshes::exact_point(step.position) - place_of(scene.surface, step.before);
+          if (is_touching(step.before) && directions(scene.surface, point_of(scene.surface, step.before).feature, u).is_tied) {
+            ++counts["a tie of directions"];
+            return;
+          }
+          const bool is_rest = one.status == TickStatus::touching && renumbered.status == TickStatus::touching;
+          if (is_rest && one.force == renumbered.force && is_a_grid_step_apart(as_expected.after, renumbered.after)) {
+            ++counts["the last grid step"];
+            return;
+          }
+          ++counts["a tie of rounding"];
+          EXPECT_EQ(squared_distance(scene.surface, one.after, step.position),
+                    squared_distance(other->surface(), renumbered.after, step.position))
+              << show(renumbered) << ", expected " << show(as_expected);
+        },
+        friction);
 }
 
 TEST(god_object_consequences, turning_every_triangle_over_swaps_the_sides_off_the_rim) {
@@ -191,44 +204,48 @@ TEST(god_object_consequences, turning_every_triangle_over_swaps_the_sides_off_th
       state.side = state.side == Side::front ? Side::back : Side::front;
     return state;
   };
-  on_random_paths(6, 220, 150, {"turned", "a tie"}, [&](const Scene& scene, const Step& step, Counts& counts) {
-    if (scene.made.sides != Sides::both) return;
-    if (step.before.place == Place::nowhere) {
-      mesh::TriangleMesh mesh = scene.made.mesh;
-      mesh::CornerNormals normals = scene.normals;
-      for (auto& [a, b, c] : mesh.triangles) std::swap(b, c);
-      for (auto& corners : normals) {
-        std::swap(corners[1], corners[2]);
-        for (mesh::Normal& normal : corners) normal = {-normal[0], -normal[1], -normal[2]};
-      }
-      other = built(mesh, normals, Sides::both, Scene::kStiffness);
-      return;  // the start stores front
-    }
-    // At the rim both store front: so a slide from there may not turn over, and shading from there does not.
-    const mesh::Tick one = scene.god_object.step(step.before, step.position, 1);
-    const auto is_at_rim = [&](const mesh::GodObject& state) {
-      return is_touching(state) && scene.surface.is_at_rim(point_of(scene.surface, state).feature);
-    };
-    if (is_at_rim(step.before) || is_at_rim(one.after)) {
-      ++counts["at the rim"];
-      return;
-    }
-    const mesh::Tick turned = other->step(turned_over(step.before, scene.surface), step.position, 1);
-    mesh::Tick as_expected = one;
-    as_expected.after = turned_over(one.after, scene.surface);
-    ++counts["turned"];
-    if (is_same(turned, as_expected)) return;
-    // k and l have changed places, so that a tie between them goes the other way.
-    ++counts["a tie"];
-    EXPECT_EQ(turned.status, one.status);
-    EXPECT_EQ(turned.moves, one.moves);
-    EXPECT_EQ(turned.after.side, as_expected.after.side) << show(turned) << ", expected " << show(as_expected);
-    const bool is_rest = one.status == TickStatus::touching && turned.force == one.force;
-    EXPECT_TRUE((is_rest && is_a_grid_step_apart(as_expected.after, turned.after)) ||
-                squared_distance(scene.surface, one.after, step.position) ==
-                    squared_distance(scene.surface, turned_over(turned.after, scene.surface), step.position))
-        << show(turned) << ", expected " << show(as_expected);
-  });
+  for (const Friction friction : kEachFriction)
+    on_random_paths(
+        6, 220, 150, {"turned", "a tie"},
+        [&](const Scene& scene, const Step& step, Counts& counts) {
+          if (scene.made.sides != Sides::both) return;
+          if (step.before.place == Place::nowhere) {
+            mesh::TriangleMesh mesh = scene.made.mesh;
+            mesh::CornerNormals normals = scene.normals;
+            for (auto& [a, b, c] : mesh.triangles) std::swap(b, c);
+            for (auto& corners : normals) {
+              std::swap(corners[1], corners[2]);
+              for (mesh::Normal& normal : corners) normal = {-normal[0], -normal[1], -normal[2]};
+            }
+            other = built(mesh, normals, Sides::both, Scene::kStiffness, scene.given);
+            return;  // the start stores front
+          }
+          // At the rim both store front: so a slide from there may not turn over, and shading from there does not.
+          const mesh::Tick one = scene.god_object.step(step.before, step.position, 1);
+          const auto is_at_rim = [&](const mesh::GodObject& state) {
+            return is_touching(state) && scene.surface.is_at_rim(point_of(scene.surface, state).feature);
+          };
+          if (is_at_rim(step.before) || is_at_rim(one.after)) {
+            ++counts["at the rim"];
+            return;
+          }
+          const mesh::Tick turned = other->step(turned_over(step.before, scene.surface), step.position, 1);
+          mesh::Tick as_expected = one;
+          as_expected.after = turned_over(one.after, scene.surface);
+          ++counts["turned"];
+          if (is_same(turned, as_expected)) return;
+          // k and l have changed places, so that a tie between them goes the other way.
+          ++counts["a tie"];
+          EXPECT_EQ(turned.status, one.status);
+          EXPECT_EQ(turned.moves, one.moves);
+          EXPECT_EQ(turned.after.side, as_expected.after.side) << show(turned) << ", expected " << show(as_expected);
+          const bool is_rest = one.status == TickStatus::touching && turned.force == one.force;
+          EXPECT_TRUE((is_rest && is_a_grid_step_apart(as_expected.after, turned.after)) ||
+                      squared_distance(scene.surface, one.after, step.position) ==
+                          squared_distance(scene.surface, turned_over(turned.after, scene.surface), step.position))
+              << show(turned) << ", expected " << show(as_expected);
+        },
+        friction);
 }
 
 }  // namespace

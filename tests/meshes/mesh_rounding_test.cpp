@@ -71,6 +71,37 @@ TEST(mesh_rounding, roots_on_a_tie_go_to_even_and_beside_it_to_their_side) {
   }
 }
 
+// Where the square is that of an integer, the sum is a fraction; one more or less takes it off a tie. The root takes away
+// nearly all of the rest, little of it, or more than it.
+TEST(mesh_rounding, a_fraction_plus_a_root_rounds_as_their_sum) {
+  std::mt19937_64 random(4);
+  int to_even = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const auto value = std::bit_cast<float>(0x00000001U + static_cast<std::uint32_t>(random() % 0x6fffffffU));
+    const float above = std::nextafter(value, HUGE_VALF);
+    const Integer tie = integer_of(value, 149) + integer_of(above, 149);  // times 2^150
+    const Integer sign = random() % 2 == 0 ? 1 : -1, under = 1 + random() % 1000;
+    const Integer root = Integer(1 + random()) << static_cast<unsigned>(random() % 300);
+    const bool is_negative = random() % 2 == 0;
+    const RootSum on_tie{(sign * tie) * under + (is_negative ? root : Integer(-root)), is_negative, root * root, under, -150};
+    const auto beside = [&](int off) {
+      RootSum sum = on_tie;
+      sum.square += off;
+      return static_cast<float>(sign.convert_to<int>()) * nearest_binary32(sum);
+    };
+    const float even = bits(value) % 2 == 0 ? value : above;
+    const bool grows = is_negative == (sign < 0);  // in size, with the root
+    ASSERT_EQ(beside(0), even) << std::hexfloat << value;
+    ASSERT_EQ(beside(1), grows ? above : value) << std::hexfloat << value;
+    ASSERT_EQ(beside(-1), grows ? value : above) << std::hexfloat << value;
+    ASSERT_EQ(compared(on_tie, sign * tie, Integer(1) << 150U), 0);
+    to_even += beside(0) != beside(1);
+  }
+  EXPECT_GT(to_even, 0);
+  EXPECT_EQ(bits(nearest_binary32(RootSum{7, true, 49, 3, -10})), 0U);
+  EXPECT_EQ(bits(nearest_binary32(RootSum{7, true, 50, 3, -400})), 0U);
+}
+
 TEST(mesh_rounding, integers_of_binary32_are_exact) {
   for (const float value : {0.0F, 1.0F, -1.0F, 0.75F, -1000.0F, 0x1.fffffep-30F, -0x1p-53F, 3.0F})
     EXPECT_EQ(integer_of(value, 77), Integer(static_cast<std::int64_t>(std::ldexp(value, 53))) << 24);

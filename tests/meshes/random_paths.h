@@ -23,20 +23,25 @@ namespace forceshade::tests {
 
 using Position = std::array<float, 3>;
 
+// By the contact rule friction.
 inline reference::GodObject built(const mesh::TriangleMesh& mesh, const mesh::CornerNormals& normals, mesh::Sides sides,
-                                  float stiffness) {
-  return built(reference::GodObject::build(shaded(mesh, normals, sides, stiffness)));
+                                  float stiffness, const mesh::Materials& materials = {}) {
+  MeshRendering rendering = shaded(mesh, normals, sides, stiffness);
+  rendering.contact = mesh::Contact::friction;
+  rendering.materials = materials;
+  return built(reference::GodObject::build(rendering));
 }
 
-// A random mesh with its god-object, shaded.
+// A random mesh with its god-object, shaded. Without materials it has no friction.
 struct Scene {
-  Scene(const properties::RandomMesh& random, mesh::CornerNormals corner_normals)
+  Scene(const properties::RandomMesh& random, mesh::CornerNormals corner_normals, mesh::Materials of_mesh)
       : made(random),
         normals(std::move(corner_normals)),
-        god_object(built(made.mesh, normals, made.sides, kStiffness)),
+        given(std::move(of_mesh)),
+        god_object(built(made.mesh, normals, made.sides, kStiffness, given)),
         surface(made.mesh),
         crossings(surface),
-        materials(surface, {}, kStiffness) {}
+        materials(surface, given, kStiffness) {}
 
   reference::meshes::Ground ground() const {
     return {surface, crossings, made.sides, mesh::SelfIntersections::refused, materials};
@@ -45,6 +50,7 @@ struct Scene {
   static constexpr float kStiffness = 0.7F;
   properties::RandomMesh made;
   mesh::CornerNormals normals;
+  mesh::Materials given;
   reference::GodObject god_object;
   reference::meshes::Surface surface;
   reference::meshes::Crossings crossings;
@@ -78,15 +84,21 @@ inline reference::meshes::Integer squared_distance(const reference::meshes::Surf
 }
 
 // Calls check(scene, step, counts) for each tick of a random path on each of random meshes, every family as often, and prints
-// the counts. A name that stands in `expected` must have been counted.
+// the counts. A name that stands in `expected` must have been counted. With friction there are a third of the meshes.
 using Counts = std::map<std::string, int>;
+enum class Friction { none, random };
+inline constexpr std::array<Friction, 2> kEachFriction{Friction::none, Friction::random};
 template <class Check>
-void on_random_paths(std::uint64_t seed, int meshes, int ticks, const std::vector<std::string>& expected, Check check) {
+void on_random_paths(std::uint64_t seed, int meshes, int ticks, const std::vector<std::string>& expected, Check check,
+                     Friction friction = Friction::none) {
   properties::MeshSource source(seed);
   Counts counts;
+  if (friction == Friction::random) meshes /= 3;
   for (int i = 0; i < meshes && !testing::Test::HasFailure(); ++i) {
     const properties::RandomMesh made = source.next();
-    const Scene scene(made, source.normals_of(made.mesh));
+    mesh::CornerNormals normals = source.normals_of(made.mesh);
+    const Scene scene(made, std::move(normals),
+                      friction == Friction::none ? mesh::Materials() : source.materials_of(made.mesh));
     properties::MeshPath path(made.mesh, seed + static_cast<std::uint64_t>(i));
     mesh::GodObject state;
     for (int k = 0; k < ticks && !testing::Test::HasFailure(); ++k) {
@@ -98,6 +110,7 @@ void on_random_paths(std::uint64_t seed, int meshes, int ticks, const std::vecto
       if (is_touching(step.tick.after))
         ++counts[std::string(mesh::kPlaceNames[static_cast<std::size_t>(step.tick.after.place)])];
       if (step.tick.after.side == mesh::Side::back) ++counts["back"];
+      if (step.tick.after.is_slipping) ++counts["slipping"];
       check(scene, step, counts);
       state = step.tick.after;
     }
@@ -106,6 +119,7 @@ void on_random_paths(std::uint64_t seed, int meshes, int ticks, const std::vecto
   for (const char* always : {"free", "touching", "invalid", "vertex", "edge", "triangle", "back"})
     EXPECT_GT(counts[always], 0) << always;
   for (const std::string& name : expected) EXPECT_GT(counts[name], 0) << name;
+  EXPECT_EQ(counts["slipping"] > 0, friction == Friction::random);
 }
 
 }  // namespace forceshade::tests
