@@ -111,7 +111,6 @@ std::vector<Sort> sorts() {
       {"tests/bench/mesh_bench.cpp", "the schemes that are timed"},
       {"properties/mesh_subject.cpp", "what only one scheme has: a turn that is bounded, a texture to draw"},
       {"tests/fast/same_bits_meshes.h", "the schemes of the stored hashes"},
-      {"tests/meshes/god_object_golden_test.cpp", paths},
       {"tests/meshes/god_object_test.cpp", some},
       {"tests/meshes/mesh_contract_test.cpp", some},
       {"tests/meshes/random_paths.h", "the places of a state, two of which are called as schemes are"},

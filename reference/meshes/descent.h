@@ -15,7 +15,7 @@ struct Ground {
   const Crossings& crossings;
   mesh::Sides sides;
   mesh::SelfIntersections self_intersections;  // whether ways are tested against the whole surface
-  const SurfaceMaterials& materials;           // rough ones only where they are not
+  const SurfaceMaterials& materials;           // where ways are tested, none is rough
 };
 
 // Where the god-object rests: r, exactly, and D = r - p, p being the hand's position. D = D_n + D_t, where D_t is along the

@@ -8,7 +8,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <ranges>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "forceshade/reference.h"
@@ -17,14 +19,19 @@
 
 namespace forceshade::tests {
 
-// What paths have reached. expect_all() prints it.
+// What paths have reached.
 struct Reached {
-  void expect_all(const std::vector<std::string>& names) {
+  // Every place, both sides and these.
+  void expect_all(const std::vector<std::string>& others) {
     std::printf("  %d paths, %d ticks, at most %d moves in one\n", paths, ticks, most_moves);
-    for (const std::string& name : names) {
-      std::printf("  %7d %s\n", of[name], name.c_str());
-      EXPECT_GT(of[name], 0) << name;
-    }
+    const auto expect = [&](std::string_view name) {
+      const int count = of[std::string(name)];
+      std::printf("  %7d %s\n", count, std::string(name).c_str());
+      EXPECT_GT(count, 0) << name;
+    };
+    std::ranges::for_each(std::views::drop(mesh::kPlaceNames, 2), expect);
+    std::ranges::for_each(mesh::kSideNames, expect);
+    std::ranges::for_each(others, expect);
   }
 
   int paths = 0, ticks = 0, most_moves = 0;
