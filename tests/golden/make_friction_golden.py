@@ -207,7 +207,8 @@ class RoughMesh(Mesh):
             else:
                 share, new_side = self.share(u, way), side
                 x = self.slide_by(place, p, way, share)
-                is_end = share == 1 and self.point(x) in (p, plus(g, self.to_foot(u, way)))
+                is_inside = x[0] == 'et'[way.kind]
+                is_end = is_inside and share == 1 or self.point(x) == p
             own_way = None if flies else way
             if is_end and not self.is_rough(x):
                 note('flies to a smooth rest' if flies else 'slides to a smooth rest', own_way, share, x)
@@ -221,7 +222,7 @@ class RoughMesh(Mesh):
                 return stays()
             note(('lands' if was_free else 'flies along') if flies else 'slides', own_way, share, x, landed)
             self.reached['ends at p on a rough place'] += flies and is_end
-            self.reached['slides less than to a border'] += not flies and 0 < share < 1 and x[0] == 'te'[1 - way.kind]
+            self.reached['slides less than to a border'] += not flies and share < 1 and is_inside
             self.reached['slips over an edge'] += slipping and not flies and place[0] == 'e' and way.kind == 1
             place, g = landed, there
             side = 'front' if self.is_at_rim(place) else new_side
