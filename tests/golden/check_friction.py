@@ -5,8 +5,9 @@
 Usage: check_friction.py [ticks] [seed] [mesh ...]    (the default is 4000 ticks in all; exits with 1 if a tick is wrong)
        check_friction.py --scaled directory [mesh ...]
            computes the paths of a directory like friction/ with all lengths times 1/8 and expects the same states
-       check_friction.py --sphere [triangles]
-           strokes a sphere, and prints by how much the force changes from tick to tick
+       check_friction.py --sphere
+           strokes spheres of a radius of 50 mm, 1.5 mm deep, with μs = μd = 0.3 and without friction, and prints the largest
+           change of the force in a tick, as a part of the force, shaded and unshaded
 
 The ticks and their moves are those of make_friction_golden.py; what is checked is computed from the points of these moves. All
 comparisons are exact. Per tick:
@@ -28,9 +29,9 @@ from collections import Counter
 from fractions import Fraction
 from pathlib import Path
 
-from make_friction_golden import (GRID, LEAST, NOWHERE, UNIT, RoughPaths, Way, Mesh, dot, follow, from_text, holds,
-                                  in_units, listed, minus, plus, read_path, read_rough_path, rough_mesh, scenes, times)
-from make_golden import Draw
+from make_friction_golden import (GRID, LEAST, NOWHERE, UNIT, Mesh, RoughMesh, RoughPaths, Way, bounded, cross, dot, follow,
+                                  from_text, holds, in_units, listed, minus, plus, read_path, read_rough_path, rough_mesh, scenes, times)
+from make_golden import Draw, single
 
 MATERIALS = [(0.0, 0.0), (math.inf, math.inf), (math.inf, 1.0), (1024.0, LEAST), (1024.0, 1024.0), (LEAST, 0.0), (LEAST, LEAST),
              (0.75, 0.0), (0.3, 0.2), (0.5, 0.25), (0.7, 0.7), (2.0, 0.5), (1.0, 1.0), (0.1, 0.05)]
@@ -227,8 +228,62 @@ def check_scaled(directory, only):
     return different
 
 
+# ---------------------------------------------------------------- a sphere
+
+def sphere(times_divided, radius):
+    """An icosphere; the corner normals are the directions of its vertices."""
+    golden = (1 + math.sqrt(5)) / 2
+    corners = [(s, t * golden, 0) for s in (-1, 1) for t in (-1, 1)]
+    points = [tuple(c[k - i] for k in range(3)) for i in range(3) for c in corners]
+    near = [[b for b in range(12) if b != a and squared(minus(points[a], points[b])) < 5] for a in range(12)]
+    triangles = [(a, b, c) for a in range(12) for b in near[a] for c in near[a] if a < b < c and c in near[b]]
+    triangles = [t if dot(points[t[0]], cross(points[t[1]], points[t[2]])) > 0 else (t[0], t[2], t[1]) for t in triangles]
+    for _ in range(times_divided):
+        middles = {}
+
+        def middle(a, b):
+            if (key := (min(a, b), max(a, b))) not in middles:
+                middles[key] = len(points)
+                points.append(times(0.5, plus(points[a], points[b])))
+            return middles[key]
+        triangles = [small for a, b, c in triangles for ab, bc, ca in [(middle(a, b), middle(b, c), middle(c, a))]
+                     for small in ((a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca))]
+        points = [times(1 / math.sqrt(squared(point)), point) for point in points]
+    normals = [tuple(Fraction(single(c)) for c in point) for point in points]
+    vertices = [tuple(single(radius * c) for c in point) for point in points]
+    return vertices, triangles, [[normals[v] for v in t] for t in triangles]
+
+
+def largest_turn(mesh):
+    """The largest angle between the normals of two neighbours."""
+    units = [times(1 / math.sqrt(float(squared(n))), tuple(map(float, n))) for n in mesh.normals]
+    return max(2 * math.asin(math.sqrt(squared(minus(units[i], units[j]))) / 2) for i, j in mesh.edges.values())
+
+
+def stroke_sphere():
+    for divided in (2, 3, 4):
+        vertices, triangles, normals = sphere(divided, 50)
+        for stride in (0.2, 0.05, 0.0125):
+            found = []
+            for material in ((0.0, 0.0), (0.3, 0.3)):
+                exact = tuple(map(Fraction, map(single, material)))
+                mesh = RoughMesh(vertices, triangles, 'front', normals, [exact] * len(triangles))
+                angles = [i * stride / 48.5 for i in range(int(12 / stride))]
+                hand = [(48.5 * math.sin(a) + 3, 48.5 * math.cos(a) * 0.8, 48.5 * math.cos(a) * 0.6) for a in angles]
+                hand = [bounded(times(48.5 / math.sqrt(squared(h)), h)) for h in hand]
+                rows = list(follow(mesh, [bounded(times(1.1, hand[0])), *hand]))[1 + len(hand) // 10:]
+                for first in (8, 11):
+                    forces = [tuple(map(float, row[first:first + 3])) for row in rows]
+                    found.append(max(math.sqrt(squared(minus(a, b)) / squared(a)) for a, b in zip(forces, forces[1:])))
+            print(f'{len(triangles)} triangles, {stride} mm a tick, turn {largest_turn(mesh):.3f}: without friction '
+                  f'{found[0]:.4f} unshaded, {found[1]:.4f} shaded; with friction {found[2]:.4f} unshaded, '
+                  f'{found[3]:.4f} shaded', flush=True)
+
+
 if __name__ == '__main__':
     if sys.argv[1:2] == ['--scaled']:
         sys.exit(1 if check_scaled(Path(sys.argv[2]), sys.argv[3:]) else 0)
+    if sys.argv[1:2] == ['--sphere']:
+        sys.exit(stroke_sphere())
     sys.exit(1 if check(int(sys.argv[1]) if len(sys.argv) > 1 else 4000, sys.argv[2] if len(sys.argv) > 2 else 'friction',
                         sys.argv[3:]) else 0)
