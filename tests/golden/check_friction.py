@@ -5,9 +5,9 @@
 Usage: check_friction.py [ticks] [seed] [mesh ...]    (the default is 4000 ticks in all; exits with 1 if a tick is wrong)
        check_friction.py --scaled directory [mesh ...]
            computes the paths of a directory like friction/ with all lengths times 1/8 and expects the same states
-       check_friction.py --sphere
-           strokes spheres of a radius of 50 mm, 1.5 mm deep, with μs = μd = 0.3 and without friction, and prints the largest
-           change of the force in a tick, as a part of the force, shaded and unshaded
+       check_friction.py --strokes
+           strokes a ridge, a valley and spheres of a radius of 50 mm, 1.5 mm deep, with μs = μd = 0.3 and without friction, and
+           prints the largest change of the force in a tick, as a part of the force
 
 The ticks and their moves are those of make_friction_golden.py; what is checked is computed from the points of these moves. All
 comparisons are exact. Per tick:
@@ -254,36 +254,59 @@ def sphere(times_divided, radius):
     return vertices, triangles, [[normals[v] for v in t] for t in triangles]
 
 
+def roof(turn):
+    """Two planes that meet at x = 0: a ridge that turns by the angle, or a valley where it is negative. The normals turn steadily."""
+    vertices = [(x, y, -max(x, 0) * math.tan(turn)) for y in (-40, 40) for x in (-40, 0, 40)]
+    directions = [(math.sin(part * turn), 0, math.cos(part * turn)) for part in (0, 0.5, 1)] * 2
+    triangles = [(0, 1, 4), (0, 4, 3), (1, 2, 5), (1, 5, 4)]
+    normals = [tuple(Fraction(single(c)) for c in direction) for direction in directions]
+    return [tuple(map(single, map(float, v))) for v in vertices], triangles, [[normals[v] for v in t] for t in triangles]
+
+
+def changes(mesh, hand):
+    """The largest change of the force from tick to tick, as a part of the force: unshaded, shaded."""
+    rows = list(follow(mesh, hand))[1 + len(hand) // 5:]
+    forces = [[tuple(map(float, row[first:first + 3])) for row in rows] for first in (8, 11)]
+    return [max(math.sqrt(squared(minus(a, b)) / squared(a)) for a, b in zip(one, one[1:])) for one in forces]
+
+
+def stroked(surface, sides, material, hand):
+    vertices, triangles, normals = surface
+    exact = tuple(map(Fraction, map(single, material)))
+    mesh = RoughMesh(vertices, triangles, sides, normals, [exact] * len(triangles))
+    return mesh, changes(mesh, list(map(bounded, hand)))
+
+
 def largest_turn(mesh):
     """The largest angle between the normals of two neighbours."""
     units = [times(1 / math.sqrt(float(squared(n))), tuple(map(float, n))) for n in mesh.normals]
-    return max(2 * math.asin(math.sqrt(squared(minus(units[i], units[j]))) / 2) for i, j in mesh.edges.values())
+    pairs = [own for own in mesh.edges.values() if len(own) == 2]
+    return max(2 * math.asin(math.sqrt(squared(minus(units[i], units[j]))) / 2) for i, j in pairs)
 
 
-def stroke_sphere():
-    for divided in (2, 3, 4):
-        vertices, triangles, normals = sphere(divided, 50)
-        for stride in (0.2, 0.05, 0.0125):
-            found = []
-            for material in ((0.0, 0.0), (0.3, 0.3)):
-                exact = tuple(map(Fraction, map(single, material)))
-                mesh = RoughMesh(vertices, triangles, 'front', normals, [exact] * len(triangles))
-                angles = [i * stride / 48.5 for i in range(int(12 / stride))]
-                hand = [(48.5 * math.sin(a) + 3, 48.5 * math.cos(a) * 0.8, 48.5 * math.cos(a) * 0.6) for a in angles]
-                hand = [bounded(times(48.5 / math.sqrt(squared(h)), h)) for h in hand]
-                rows = list(follow(mesh, [bounded(times(1.1, hand[0])), *hand]))[1 + len(hand) // 10:]
-                for first in (8, 11):
-                    forces = [tuple(map(float, row[first:first + 3])) for row in rows]
-                    found.append(max(math.sqrt(squared(minus(a, b)) / squared(a)) for a, b in zip(forces, forces[1:])))
-            print(f'{len(triangles)} triangles, {stride} mm a tick, turn {largest_turn(mesh):.3f}: without friction '
-                  f'{found[0]:.4f} unshaded, {found[1]:.4f} shaded; with friction {found[2]:.4f} unshaded, '
-                  f'{found[3]:.4f} shaded', flush=True)
+def stroke():
+    around = []
+    for step in range(240):
+        a = step * 0.05 / 48.5
+        position = 48.5 * math.sin(a) + 3, 48.5 * math.cos(a) * 0.8, 48.5 * math.cos(a) * 0.6
+        around.append(times(48.5 / math.sqrt(squared(position)), position))
+    across = [(-1 + i * 0.025, 0.3, -1.5) for i in range(100)]
+    for name, surface, sides, hand in [
+            ('a ridge', roof(0.1), 'both', [(-1, 0.3, 1), *across]), ('a valley', roof(-0.1), 'both', [(-1, 0.3, 1), *across]),
+            ('320 triangles', sphere(2, 50), 'front', [times(1.1, around[0]), *around[::4]]),
+            ('320 triangles', sphere(2, 50), 'front', [times(1.1, around[0]), *around]),
+            ('1280 triangles', sphere(3, 50), 'front', [times(1.1, around[0]), *around[::4]]),
+            ('1280 triangles', sphere(3, 50), 'front', [times(1.1, around[0]), *around])]:
+        for material in ((0.0, 0.0), (0.3, 0.3)):
+            mesh, (plain, shaded) = stroked(surface, sides, material, hand)
+            print(f'{name}, turn {largest_turn(mesh):.3f}, {math.dist(hand[2], hand[3]):.3f} mm a tick, μ {material[0]}: {plain:.4f} unshaded, '
+                  f'{shaded:.4f} shaded', flush=True)
 
 
 if __name__ == '__main__':
     if sys.argv[1:2] == ['--scaled']:
         sys.exit(1 if check_scaled(Path(sys.argv[2]), sys.argv[3:]) else 0)
-    if sys.argv[1:2] == ['--sphere']:
-        sys.exit(stroke_sphere())
+    if sys.argv[1:2] == ['--strokes']:
+        sys.exit(stroke())
     sys.exit(1 if check(int(sys.argv[1]) if len(sys.argv) > 1 else 4000, sys.argv[2] if len(sys.argv) > 2 else 'friction',
                         sys.argv[3:]) else 0)
