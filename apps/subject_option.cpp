@@ -64,9 +64,16 @@ SubjectOption::SubjectOption(CLI::App& command, subjects::Laws laws, Kinds kinds
     add_usual(
         "contact", choice(mesh::kContactNames),
         "of a mesh: in a contact the god-object goes for the position (direct), or for that as a plane would hold it which is "
-        "turned to the interpolated normal (sub-goal); then --shading is none unless given",
+        "turned to the interpolated normal (sub-goal); then --shading is none unless given; or it sticks and slips (friction), "
+        "which holds beside coefficients of friction unless said",
         name_of(mesh::kUsualContact).data())
         ->needs(mesh);
+    CLI::Option* friction =
+        add("friction", "MU|STATIC,DYNAMIC", "of a mesh: coefficients of friction, each 0, inf or from 2^-10 to 1024")
+            ->needs(mesh);
+    add("materials", "FILE", "of a mesh: a TOML file with the friction and stiffness of groups and faces (docs/meshes.md)")
+        ->needs(mesh)
+        ->excludes(friction);
     add("texture-scale", "LENGTH",
         "of a textured mesh: the length of one unit of the texture coordinates in its file, which no format says")
         ->needs(mesh);

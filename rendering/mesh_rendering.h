@@ -2,6 +2,7 @@
 #pragma once
 // Why a god-object on a mesh cannot be built: the domain of a MeshRendering, for both sides.
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -15,16 +16,25 @@ inline std::optional<ParameterError> error_of_stiffness(float stiffness) {
   return ParameterError{"stiffness", "N/mm", stiffness, 0.001F, 1000};
 }
 
+inline constexpr float kLeastFriction = 0x1p-10F, kMostFriction = 0x1p10F;  // of those that are neither 0 nor infinite
+
+inline bool is_friction(float coefficient) {
+  return coefficient == 0 || coefficient == HUGE_VALF || (coefficient >= kLeastFriction && coefficient <= kMostFriction);
+}
+
+inline bool has_friction(const mesh::Materials& materials) {
+  return std::ranges::any_of(materials.list, [](const mesh::Material& one) { return one.static_friction > 0; });
+}
+
 // Why a mesh of so many triangles cannot have these materials. friction: whether the contact rule uses their coefficients.
 inline std::optional<ParameterError> error_of_materials(const mesh::Materials& materials, std::size_t triangles,
                                                         bool friction) {
-  constexpr float kLeast = 0x1p-10F, kMost = 0x1p10F;
   for (const mesh::Material& material : materials.list) {
     if (material.stiffness)
       if (const auto error = error_of_stiffness(*material.stiffness)) return error;
     for (const float coefficient : {material.static_friction, material.dynamic_friction})
-      if (!(coefficient == 0 || coefficient == HUGE_VALF || (coefficient >= kLeast && coefficient <= kMost)))
-        return ParameterError{"coefficient of friction, if not 0 or infinite,", "", coefficient, kLeast, kMost};
+      if (!is_friction(coefficient))
+        return ParameterError{"coefficient of friction, if not 0 or infinite,", "", coefficient, kLeastFriction, kMostFriction};
     if (material.dynamic_friction > material.static_friction)
       return ParameterError{"dynamic coefficient of friction", "", material.dynamic_friction, 0, material.static_friction};
     if (material.static_friction > 0 && !friction)

@@ -48,13 +48,23 @@ inline constexpr std::array<std::string_view, 3> kUnitNames{"mm", "m", "in"};
 
 using TexturePoint = std::array<float, 2>;
 
-// A mesh with what else a file says of its corners.
+// The names that a file gives its faces, one to each or none.
+struct FaceNames {
+  static constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
+  std::vector<std::string> names;          // each once, in the order in which faces first have it
+  std::vector<std::uint32_t> of_triangle;  // the place of its name in the list, or kNone; empty where no face has a name
+};
+
+// A mesh with what else a file says of its corners and faces.
 struct LoadedMesh {
   TriangleMesh mesh;
   CornerNormals normals;                             // empty, or one for each corner of each triangle; as the file has them
   std::vector<std::array<TexturePoint, 3>> texture;  // the same
   std::vector<std::uint64_t> lines;                  // of each triangle's face, from 1; empty for a binary file
   std::vector<std::string> notes;                    // what the triangles are not word by word in the file: one sentence each
+  FaceNames materials;                               // usemtl of an OBJ file, material or material_index of a PLY file
+  FaceNames groups;                                  // g of an OBJ file
 };
 
 // The triangles in the order of the file; a face with more corners a, b, c, d, ... is the triangles (a, b, c), (a, c, d), ... A

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "files/csv.h"
 #include "files/file_kind.h"
 #include "files/printable.h"
 #include "rendering/heights/nesting.h"
@@ -99,6 +100,20 @@ std::string words_of_value(const toml::node& node) {
       words << "a list or table";
   });
   return words.str();
+}
+
+std::string words_of_scalars(const toml::node& node) {
+  if (const auto text = node.value_exact<std::string>()) return *text;
+  if (const auto whole = node.value_exact<std::int64_t>()) return std::to_string(*whole);
+  if (const auto number = node.value_exact<double>()) return files::shortest(*number);
+  std::string all;
+  if (const toml::array* list = node.as_array())
+    for (const toml::node& each : *list) {
+      const std::string one = each.is_array() ? "" : words_of_scalars(each);
+      if (one.empty()) return "";
+      all += (all.empty() ? "" : ",") + one;
+    }
+  return all;
 }
 
 std::vector<std::string> keys_beside(const toml::table& table, const std::set<std::string, std::less<>>& read) {

@@ -31,6 +31,9 @@ std::variant<toml::table, TomlFault> parse_toml(const std::string& text, const s
 // The node's value as it may stand behind "got".
 std::string words_of_value(const toml::node& node);
 
+// A text, a number, or a list of these with commas between them, as a command line has it; empty for anything else.
+std::string words_of_scalars(const toml::node& node);
+
 // The keys of a table that have not been read, for a terminal: where a key is missing, it may be among them misspelt.
 std::vector<std::string> keys_beside(const toml::table& table, const std::set<std::string, std::less<>>& read);
 

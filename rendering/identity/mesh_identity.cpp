@@ -1,8 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "forceshade/identity.h"
 #include "rendering/identity/digest.h"
+#include "rendering/mesh_rendering.h"
+#include "rendering/number_text.h"
 
 namespace forceshade {
+namespace {
+
+// "0.4, 0.3", the static and the dynamic coefficient; "up to 0.6" of several materials.
+std::string words_of_friction(const std::vector<mesh::Material>& materials) {
+  if (materials.size() == 1)
+    return shortest(materials.front().static_friction) + ", " + shortest(materials.front().dynamic_friction);
+  return "up to " + shortest(std::ranges::max(materials, {}, &mesh::Material::static_friction).static_friction);
+}
+
+void add_materials(const mesh::Materials& materials, Digest& digest) {
+  digest.line("materials " + std::to_string(materials.list.size()));
+  for (const mesh::Material& one : materials.list) {
+    digest.line(one.stiffness ? "with a stiffness" : "without a stiffness");
+    digest.number(one.stiffness.value_or(0));
+    digest.number(one.static_friction);
+    digest.number(one.dynamic_friction);
+  }
+  digest.line("triangles with a material " + std::to_string(materials.of_triangle.size()));
+  for (const std::uint32_t material : materials.of_triangle) digest.whole(material);
+}
+
+}  // namespace
 
 Identity identity_of(const std::string& name, const MeshRendering& rendering) {
   Digest digest;
@@ -32,6 +58,9 @@ Identity identity_of(const std::string& name, const MeshRendering& rendering) {
   if (has_sheets) digest.line("self-intersections allowed");
   const bool has_own_contact = rendering.contact != mesh::kUsualContact;
   if (has_own_contact) digest.line("contact " + std::string(name_of(rendering.contact)));
+  const std::vector<mesh::Material>& materials = rendering.materials.list;
+  const bool has_materials = std::ranges::any_of(materials, [](const mesh::Material& one) { return one != mesh::Material{}; });
+  if (has_materials) add_materials(rendering.materials, digest);
   Identity identity{kMeshKind,
                     name,
                     {{"sides", std::string(name_of(rendering.sides))},
@@ -40,6 +69,11 @@ Identity identity_of(const std::string& name, const MeshRendering& rendering) {
                     digest.hex()};
   if (has_sheets) identity.parameters.push_back({"self_intersections", std::string("allowed")});
   if (has_own_contact) identity.parameters.push_back({"contact", std::string(name_of(rendering.contact))});
+  if (has_friction(rendering.materials)) identity.parameters.push_back({"friction", words_of_friction(materials)});
+  const bool has_own_stiffness =
+      std::ranges::any_of(materials, [](const mesh::Material& one) { return one.stiffness.has_value(); });
+  if (has_own_stiffness || (has_materials && materials.size() > 1))
+    identity.parameters.push_back({"materials", std::to_string(materials.size())});
   return identity;
 }
 

@@ -26,6 +26,13 @@ std::string_view Words::next() {
   return word;
 }
 
+std::string_view Words::rest() const {
+  std::string_view rest = rest_;
+  while (!rest.empty() && is_space(rest.front())) rest.remove_prefix(1);
+  while (!rest.empty() && is_space(rest.back())) rest.remove_suffix(1);
+  return rest;
+}
+
 std::uint64_t size_of(const std::filesystem::path& file) {
   std::error_code error;
   const auto kind = std::filesystem::status(file, error).type();

@@ -21,6 +21,9 @@ class Words {
   // Empty where there is none left.
   std::string_view next();
 
+  // What is left, without white space around it.
+  std::string_view rest() const;
+
  private:
   std::string_view rest_;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // OBJ, of Wavefront: lines v x y z, vt u v, vn x y z, and f with the number of each in its list, from 1, or from the end below
-// 0.
+// 0. usemtl and g name the faces after them.
 
 #include <algorithm>
 #include <array>
@@ -11,10 +11,9 @@
 namespace forceshade::mesh {
 namespace {
 
-// What makes no faces: names, groups, materials, points, lines, how it is to be drawn.
-constexpr std::array<std::string_view, 16> kWithoutFaces{"o",      "g",        "s",          "usemtl",   "mtllib", "usemap",
-                                                         "maplib", "p",        "l",          "mg",       "bevel",  "lod",
-                                                         "vp",     "c_interp", "shadow_obj", "trace_obj"};
+// What makes no faces: names, points, lines, how it is to be drawn.
+constexpr std::array<std::string_view, 14> kWithoutFaces{
+    "o", "s", "mtllib", "usemap", "maplib", "p", "l", "mg", "bevel", "lod", "vp", "c_interp", "shadow_obj", "trace_obj"};
 
 // The place that a number of a face's corner has in its list, which holds `count` so far.
 std::optional<std::uint32_t> place_of(std::string_view number, std::size_t count) {
@@ -76,6 +75,10 @@ class Reader {
       builder_.texture.push_back({u, v.empty() ? 0.0F : component_of(lines_, v)});
     } else if (keyword == "f") {
       read_face(words);
+    } else if (keyword == "usemtl") {
+      builder_.materials.begin(words.rest());
+    } else if (keyword == "g") {
+      builder_.groups.begin(words.rest());
     } else if (std::find(kWithoutFaces.begin(), kWithoutFaces.end(), keyword) == kWithoutFaces.end()) {
       throw lines_.unexpected("v, vt, vn, f or a keyword without faces, such as o, g, s, l, usemtl", keyword);
     }

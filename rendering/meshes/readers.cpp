@@ -9,6 +9,28 @@
 
 namespace forceshade::mesh {
 
+void Naming::begin(std::string_view name) {
+  if (name == name_) return;
+  name_ = name;
+  place_ = FaceNames::kNone;
+}
+
+void Naming::add(std::size_t before) {
+  if (name_.empty()) return;
+  if (place_ == FaceNames::kNone) {
+    const auto [at, is_new] = places_.emplace(name_, static_cast<std::uint32_t>(named_.names.size()));
+    if (is_new) named_.names.push_back(name_);
+    place_ = at->second;
+  }
+  named_.of_triangle.resize(before, FaceNames::kNone);
+  named_.of_triangle.push_back(place_);
+}
+
+FaceNames Naming::take(std::size_t triangles) {
+  if (!named_.names.empty()) named_.of_triangle.resize(triangles, FaceNames::kNone);
+  return std::move(named_);
+}
+
 void Builder::add_face(std::span<const Corner> corners, std::uint64_t line) {
   ++faces_;
   if (corners.size() > 3) ++split_faces_;
@@ -22,6 +44,7 @@ void Builder::add_face(std::span<const Corner> corners, std::uint64_t line) {
   }
   for (std::size_t i = 2; i < corners.size(); ++i) {
     const std::array<Corner, 3> triangle{corners[0], corners[i - 1], corners[i]};
+    for (Naming* names : {&materials, &groups}) names->add(loaded_.mesh.triangles.size());
     loaded_.mesh.triangles.push_back({triangle[0].vertex, triangle[1].vertex, triangle[2].vertex});
     if (line > 0) loaded_.lines.push_back(line);
     if (!without_normal_)
@@ -51,6 +74,8 @@ LoadedMesh Builder::take(const std::filesystem::path& file) {
   forget(loaded_.normals, normals, without_normal_, "normals");
   forget(loaded_.texture, texture, without_texture_, "points of the texture");
   loaded_.mesh.vertices = std::move(vertices);
+  loaded_.materials = materials.take(loaded_.mesh.triangles.size());
+  loaded_.groups = groups.take(loaded_.mesh.triangles.size());
   return std::move(loaded_);
 }
 

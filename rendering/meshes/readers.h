@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "forceshade/meshes.h"
@@ -32,12 +34,29 @@ struct Corner {
 // takes time that grows with the square: 0.9 s for as many as this.
 inline constexpr std::size_t kMostCorners = 4096;
 
+// Gives triangles their names of one kind. It takes no memory as long as none has one.
+class Naming {
+ public:
+  // Of the triangles that are added from now on; empty for none.
+  void begin(std::string_view name);
+  // The next triangle, in front of which there are so many.
+  void add(std::size_t before);
+  FaceNames take(std::size_t triangles);
+
+ private:
+  FaceNames named_;
+  std::unordered_map<std::string, std::uint32_t> places_;
+  std::string name_;
+  std::uint32_t place_ = FaceNames::kNone;  // of name_, once a triangle has it
+};
+
 // Makes a mesh of the vertices and faces of a file.
 class Builder {
  public:
   std::vector<Vertex> vertices;
   std::vector<Normal> normals;
   std::vector<TexturePoint> texture;
+  Naming materials, groups;
 
   // Adds a face of 3 corners or more, whose places are in the lists. A face of more than kMostCorners makes take() throw.
   // line: of the file, from 1; 0 where the file is binary.

@@ -26,36 +26,21 @@ std::string beside(const fs::path& file, const std::string& name) {
   return (file.parent_path() / name).string();
 }
 
-// A text, a number, or a list of texts with commas between them; empty for anything else.
-std::string words_of_node(const toml::node& node) {
-  if (const auto text = node.value_exact<std::string>()) return *text;
-  if (const auto whole = node.value_exact<std::int64_t>()) return std::to_string(*whole);
-  if (const auto number = node.value_exact<double>()) return files::shortest(*number);
-  std::string all;
-  if (const toml::array* list = node.as_array())
-    for (const toml::node& each : *list) {
-      const auto text = each.value_exact<std::string>();
-      if (!text) return "";
-      all += (all.empty() ? "" : ",") + *text;
-    }
-  return all;
-}
-
 Option option_of(const std::string& key, const toml::node& node, const fs::path& file) {
   const std::string place = file.string() + ": line " + std::to_string(node.source().begin.line);
   const std::vector<std::string> keys = names_of_keys();
   if (std::ranges::find(keys, key) == keys.end())
     throw BadInput(place + ": unknown key " + key + "; expected keys of a subject" + files::suggestion(key, keys));
-  Option option{key, words_of_node(node), place + ": " + key};
+  Option option{key, heights::words_of_scalars(node), place + ": " + key};
   if (is_flag(key)) {
     const auto flag = node.value_exact<bool>();
     option.value = !flag ? "" : *flag ? "true" : "false";
   }
   if (option.value.empty())
     throw BadInput(option.name + ": expected " +
-                   (is_flag(key) ? "true or false" : "a text in quotes, a number or a list of texts") + ", got " +
+                   (is_flag(key) ? "true or false" : "a text in quotes, a number or a list of these") + ", got " +
                    heights::words_of_value(node));
-  if (key == "mesh" || key == "height-map") option.value = beside(file, option.value);
+  if (key == "mesh" || key == "height-map" || key == "materials") option.value = beside(file, option.value);
   if (key == "shading" && is_texture(option.value))
     option.value = std::string(kTexturePrefix) + beside(file, option.value.substr(kTexturePrefix.size()));
   return option;

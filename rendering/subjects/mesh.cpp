@@ -12,6 +12,7 @@
 #include "forceshade/meshes.h"
 #include "rendering/meshes/texture.h"
 #include "rendering/subjects/height_map.h"
+#include "rendering/subjects/materials.h"
 #include "rendering/subjects/words.h"
 
 namespace forceshade::subjects {
@@ -49,9 +50,25 @@ double crease_degrees(const Options& options) {
   throw BadInput(name + ": expected an angle from 0 to 180 degrees, got \"" + text + '"');
 }
 
+std::string words_of_friction(const Options& options) {
+  const mesh::Material material = parse_friction(options.name("friction"), options.value("friction"));
+  return files::shortest(material.static_friction) + ',' + files::shortest(material.dynamic_friction);
+}
+
 std::optional<float> texture_scale(const Options& options) {
   if (!options.has("texture-scale")) return std::nullopt;
   return files::parse_length(options.name("texture-scale"), options.value("texture-scale"));
+}
+
+// The rule of contact: the one that is named, or friction where a material has some.
+mesh::Contact contact_beside(const mesh::Materials& materials, const Options& options) {
+  const auto named = value_named<mesh::Contact>(contact_of(options), mesh::kContactNames);
+  if (!has_friction(materials) || named == mesh::Contact::friction) return named;
+  const std::string& source = options.has("friction") ? options.name("friction") : options.name("materials");
+  if (options.has("contact"))
+    throw BadInput(options.name("contact") + ": expected friction, or no coefficient above 0 of " + source + ", got \"" +
+                   options.value("contact") + '"');
+  return mesh::Contact::friction;
 }
 
 mesh::CheckedMesh checked(const Options& options, mesh::LoadedMesh& loaded, const Monitor& monitor) {
@@ -114,13 +131,19 @@ MeshRendering read_mesh(const Options& options, float stiffness, const Monitor& 
   const double crease = crease_degrees(options);
   const bool has_scale = texture_scale(options).has_value();
   mesh::LoadedMesh loaded = mesh::load_with_corners(options.value("mesh"), unit_named(options.value("unit")));
+  mesh::Materials materials = read_materials(options, loaded);
+  const mesh::Contact contact = contact_beside(materials, options);
+  if (options.is_true("self-intersecting") && has_friction(materials))
+    throw BadInput(options.name("self-intersecting") +
+                   ": expected without friction, which is not defined where faces cross, got both");
   MeshRendering rendering{checked(options, loaded, monitor)};
   rendering.stiffness = stiffness;
   const bool is_closed = !options.has("sides") && mesh::facts_of(rendering.checked).is_closed();
   const std::string sides = options.has("sides") ? options.value("sides") : is_closed ? "front" : "both";
   rendering.sides = value_named<mesh::Sides>(sides, mesh::kSidesNames);
   rendering.shading = shading_named(shading_of(options));
-  rendering.contact = value_named<mesh::Contact>(contact_of(options), mesh::kContactNames);
+  rendering.contact = contact;
+  rendering.materials = std::move(materials);
   if (rendering.has_corner_normals()) rendering.normals = mesh::corner_normals(rendering.checked, crease).normals;
   if (is_texture(shading_of(options)))
     read_texture(options, loaded.texture, rendering);
@@ -139,6 +162,8 @@ std::vector<std::pair<std::string, std::string>> written_mesh(const Options& opt
           {"shading",
            is_texture(shading) ? std::string(kTexturePrefix) + file_name(shading.substr(kTexturePrefix.size())) : shading},
           {"contact", contact == name_of(mesh::kUsualContact) ? "" : contact},
+          {"friction", options.has("friction") ? words_of_friction(options) : ""},
+          {"materials", file_name(options.value("materials"))},
           {"texture-scale", scale ? files::shortest(*scale) + "mm" : ""},
           {"self-intersecting", options.is_true("self-intersecting") ? "true" : ""},
           {"crease", files::shortest(crease_degrees(options)) + "deg"}};

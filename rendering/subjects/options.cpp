@@ -112,6 +112,8 @@ void expect_consistent(const Options& options, Laws laws) {
   }
   for (const Key& key : kKeys)
     if (options.has(key.name)) expect_companions(options, key);
+  if (options.has("friction") && options.has("materials"))
+    throw BadInput(options.name("friction") + ": expected without --materials, got both");
   if (std::ranges::none_of(kKinds, [&](std::string_view kind) { return options.has(kind); }))
     throw BadInput("expected one of the options --law, --height-map and --mesh, got none");
 }

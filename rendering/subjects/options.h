@@ -25,7 +25,7 @@ struct Key {
   bool is_flag = false;       // it is true or false, and on a command line has no value
 };
 // In the order in which an option of each is looked at.
-inline constexpr std::array<Key, 13> kKeys{{{"law", ""},
+inline constexpr std::array<Key, 15> kKeys{{{"law", ""},
                                             {"radius", "law"},
                                             {"width", "law"},
                                             {"stiffness", ""},
@@ -35,6 +35,8 @@ inline constexpr std::array<Key, 13> kKeys{{{"law", ""},
                                             {"sides", "mesh"},
                                             {"shading", "mesh"},
                                             {"contact", "mesh"},
+                                            {"friction", "mesh"},
+                                            {"materials", "mesh"},
                                             {"texture-scale", "mesh"},
                                             {"self-intersecting", "mesh", true},
                                             {"crease", "mesh"}}};

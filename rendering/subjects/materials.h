@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The materials of a mesh, from --friction or from a file of --materials (docs/meshes.md, "Materials and friction").
+
+#include <string>
+
+#include "forceshade/meshes.h"
+#include "rendering/subjects/options.h"
+
+namespace forceshade::subjects {
+
+// Of the whole mesh: "0.3", "0.4,0.3" (static, dynamic) or "inf". name: what a message calls it. Throws BadInput.
+mesh::Material parse_friction(const std::string& name, const std::string& text);
+
+// Those that the options give a mesh; without a list where they give none, or such as change nothing. Throws BadInput with
+// file, line, value and what was expected.
+mesh::Materials read_materials(const Options& options, const mesh::LoadedMesh& loaded);
+
+}  // namespace forceshade::subjects
