@@ -138,6 +138,31 @@ int check(const MeshFileOptions& options) {
   return kFailed;
 }
 
+// How many faces have each name, in their order.
+std::vector<std::pair<std::string, std::uint64_t>> faces_with_names(const mesh::FaceNames& names) {
+  std::vector<std::pair<std::string, std::uint64_t>> counted;
+  for (const std::string& name : names.names) counted.emplace_back(name, 0);
+  for (const std::uint32_t place : names.of_triangle)
+    if (place != mesh::FaceNames::kNone) ++counted[place].second;
+  return counted;
+}
+
+Json json_of(const mesh::FaceNames& names) {
+  Json json = Json::object();
+  for (const auto& [name, faces] : faces_with_names(names)) json[name] = faces;
+  return json;
+}
+
+// "rubber (8 faces), steel (4 faces)", of many only the first.
+std::string words_of(const mesh::FaceNames& names) {
+  constexpr std::size_t kListed = 20;
+  std::string words;
+  const auto counted = faces_with_names(names);
+  for (std::size_t i = 0; i < counted.size() && i < kListed; ++i)
+    words += (i == 0 ? "" : ", ") + counted[i].first + " (" + std::to_string(counted[i].second) + " faces)";
+  return counted.empty() ? "none" : counted.size() > kListed ? words + ", ..." : words;
+}
+
 std::string shortest(double number) {
   return files::shortest(static_cast<float>(number));
 }
@@ -172,6 +197,8 @@ int info(const MeshFileOptions& options) {
                        {"volume_mm3", facts.volume},
                        {"normals", has_normals},
                        {"texture", has_texture},
+                       {"materials", json_of(loaded.materials)},
+                       {"groups", json_of(loaded.groups)},
                        {"notes", notes}});
   if (options.json == "-") return kHeld;
   const auto row = [](const char* name, const std::string& value) { std::printf("%-16s %s\n", name, value.c_str()); };
@@ -189,6 +216,8 @@ int info(const MeshFileOptions& options) {
     row("volume", shortest(std::fabs(facts.volume)) + " mm^3; the fronts are " + (facts.volume > 0 ? "outside" : "inside"));
   row("normals", has_normals ? "in the file" : "none");
   row("texture", has_texture ? "in the file" : "none");
+  for (const auto& [name, names] : {std::pair("materials", &loaded.materials), {"groups", &loaded.groups}})
+    row(name, files::printable(words_of(*names)));
   print(notes);
   return kHeld;
 }
@@ -197,6 +226,8 @@ int repair(const MeshFileOptions& options) {
   mesh::LoadedMesh loaded = load(options);
   std::vector<std::string> done = loaded.notes;
   if (!loaded.normals.empty() || !loaded.texture.empty()) done.emplace_back("normals and texture are left out");
+  if (!loaded.materials.names.empty() || !loaded.groups.names.empty())
+    done.emplace_back("the names of materials and groups are left out");
   mesh::Repaired repaired = mesh::repair(std::move(loaded.mesh));
   done.insert(done.end(), repaired.done.begin(), repaired.done.end());
   write_mesh(options.out, repaired.mesh);

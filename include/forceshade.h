@@ -134,6 +134,14 @@ typedef struct forceshade_height_map {
 
 FORCESHADE_API forceshade_result forceshade_height_map_new(const forceshade_height_map* map, forceshade_subject* made);
 
+/* What the surface of a triangle is like to a hand (docs/meshes.md, "Materials and friction"). */
+typedef struct forceshade_material {
+  size_t size;            /* sizeof(forceshade_material) */
+  float stiffness;        /* K, N/mm, in [10^-3, 10^3]; 0 is that of the mesh */
+  float static_friction;  /* a coefficient: 0, infinity, or 2^-10 to 2^10; at least the dynamic one */
+  float dynamic_friction;
+} forceshade_material;
+
 /* A triangle mesh. It is checked exactly when it is made (docs/meshes.md, "What is checked"), which takes a second for some
  * hundred thousand triangles, and refused with FORCESHADE_BAD_VALUE and the numbers of faces and vertices. */
 typedef struct forceshade_mesh {
@@ -144,10 +152,14 @@ typedef struct forceshade_mesh {
   size_t triangle_count;
   const char* sides;         /* which block: "front" or "both"; NULL is "front" for a closed mesh and "both" for another */
   const char* shading;       /* "none", "vertex" or "edge"; NULL is "vertex", and "none" with "sub-goal" */
-  const char* contact;       /* "direct" or "sub-goal"; NULL is "direct" */
+  const char* contact;       /* "direct", "sub-goal" or "friction"; NULL is "friction" where a material has some, else "direct" */
   double crease;             /* degrees, 0 to 180, for normals of the vertex scheme and of sub-goals; 180 has no creases */
   float stiffness;           /* K, N/mm, in [10^-3, 10^3] */
   int32_t self_intersecting; /* 0, or 1 where triangles that have no vertex in common may cross */
+  /* Here ends the struct of a program that was built before there were materials; its mesh has none. */
+  const forceshade_material* materials; /* read while the mesh is made; not NULL where there are some */
+  size_t material_count;                /* 0: no friction, and the stiffness of the mesh */
+  const uint32_t* material_of_triangle; /* the number of its material, from 0, for each; NULL: all have the first */
 } forceshade_mesh;
 
 FORCESHADE_API forceshade_result forceshade_mesh_new(const forceshade_mesh* mesh, forceshade_subject* made);

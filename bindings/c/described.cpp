@@ -38,10 +38,14 @@ Description described(height::Grid samples, height::Mode mode, float stiffness) 
 }
 
 Description described(const mesh::CheckedMesh& triangles, std::optional<mesh::Sides> sides, mesh::Shading shading,
-                      mesh::Contact contact, double crease, float stiffness) {
+                      mesh::Contact contact, double crease, float stiffness, mesh::Materials materials) {
   const auto usual = [&] { return facts_of(triangles).is_closed() ? mesh::Sides::front : mesh::Sides::both; };
-  MeshRendering rendering{
-      .checked = triangles, .sides = sides ? *sides : usual(), .shading = shading, .stiffness = stiffness, .contact = contact};
+  MeshRendering rendering{.checked = triangles,
+                          .sides = sides ? *sides : usual(),
+                          .shading = shading,
+                          .stiffness = stiffness,
+                          .contact = contact,
+                          .materials = std::move(materials)};
   if (rendering.has_corner_normals()) rendering.normals = mesh::corner_normals(triangles, crease).normals;
   return {"triangles", std::move(rendering)};
 }

@@ -35,7 +35,7 @@ Description described(height::Grid samples, height::Mode mode, float stiffness);
 
 // sides: front for a closed mesh and both for another, where they are not said. crease: degrees, 0 to 180.
 Description described(const mesh::CheckedMesh& triangles, std::optional<mesh::Sides> sides, mesh::Shading shading,
-                      mesh::Contact contact, double crease, float stiffness);
+                      mesh::Contact contact, double crease, float stiffness, mesh::Materials materials = {});
 
 // What renders. field answers one position without a detour; renderer has the batch call and opens sessions.
 struct Subject {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +19,7 @@
 #include "bindings/c/subject.h"
 #include "bindings/c/text.h"
 #include "forceshade/meshes.h"
+#include "rendering/mesh_rendering.h"
 #include "rendering/subjects/options.h"
 
 namespace forceshade::c {
@@ -79,6 +82,33 @@ forceshade_result new_height_map(const forceshade_height_map& map, forceshade_su
   return add_subject(described(std::move(grid), height::kModes[*mode].mode, map.stiffness), made);
 }
 
+// Where a program was built before a mesh had materials, its struct ends here.
+constexpr std::size_t kWithoutMaterials = offsetof(forceshade_mesh, materials);
+
+// The struct of the program, as far as it goes; what it does not have is 0.
+forceshade_mesh known_of(const forceshade_mesh& given) {
+  forceshade_mesh known{};
+  std::memcpy(&known, &given, std::min(given.size, sizeof known));
+  return known;
+}
+
+forceshade_result read_materials(const forceshade_mesh& its, mesh::Materials& all) {
+  if (its.material_count == 0) return FORCESHADE_OK;
+  if (its.materials == nullptr) return null("mesh->materials is NULL");
+  const std::size_t size = its.materials->size;  // of each, in a program that was built with a newer header, too
+  if (size < sizeof(forceshade_material)) return wrong_size("forceshade_material", size, sizeof(forceshade_material));
+  for (std::size_t i = 0; i < its.material_count; ++i) {
+    forceshade_material one;
+    std::memcpy(&one, reinterpret_cast<const char*>(its.materials) + i * size, sizeof one);
+    if (one.size != size) return wrong_size("forceshade_material", one.size, size);
+    all.list.push_back(
+        {one.stiffness == 0 ? std::nullopt : std::optional(one.stiffness), one.static_friction, one.dynamic_friction});
+  }
+  if (its.material_of_triangle != nullptr)
+    all.of_triangle.assign(its.material_of_triangle, its.material_of_triangle + its.triangle_count);
+  return FORCESHADE_OK;
+}
+
 forceshade_result new_mesh(const forceshade_mesh& its, forceshade_subject* made) {
   mesh::TriangleMesh triangles;
   if (its.vertex_count > UINT32_MAX || its.triangle_count > UINT32_MAX)
@@ -87,7 +117,10 @@ forceshade_result new_mesh(const forceshade_mesh& its, forceshade_subject* made)
   for (std::size_t i = 0; i < its.vertex_count; ++i) std::copy_n(its.vertices + 3 * i, 3, triangles.vertices[i].begin());
   triangles.triangles.resize(its.triangle_count);
   for (std::size_t i = 0; i < its.triangle_count; ++i) std::copy_n(its.triangles + 3 * i, 3, triangles.triangles[i].begin());
-  const auto contact = choice("contact", its.contact, mesh::kContactNames, 0);
+  mesh::Materials materials;
+  if (const forceshade_result read = read_materials(its, materials); read != FORCESHADE_OK) return read;
+  const mesh::Contact usual = has_friction(materials) ? mesh::Contact::friction : mesh::kUsualContact;
+  const auto contact = choice("contact", its.contact, mesh::kContactNames, static_cast<std::size_t>(usual));
   if (!contact) return FORCESHADE_BAD_VALUE;
   const auto rule = static_cast<mesh::Contact>(*contact);
   const auto shading = choice("shading", its.shading, shading_names(), has_corner_normals(rule) ? 0 : 1);
@@ -101,7 +134,7 @@ forceshade_result new_mesh(const forceshade_mesh& its, forceshade_subject* made)
     return fail(FORCESHADE_BAD_VALUE, "the mesh cannot be rendered: " + findings->words());
   const auto said = its.sides == nullptr ? std::nullopt : std::optional(static_cast<mesh::Sides>(*sides));
   return add_subject(described(std::get<mesh::CheckedMesh>(checked), said, static_cast<mesh::Shading>(*shading), rule,
-                               its.crease, its.stiffness),
+                               its.crease, its.stiffness, std::move(materials)),
                      made);
 }
 
@@ -136,9 +169,11 @@ forceshade_result forceshade_height_map_new(const forceshade_height_map* map, fo
 forceshade_result forceshade_mesh_new(const forceshade_mesh* mesh, forceshade_subject* made) {
   return guarded([&] {
     if (mesh == nullptr || made == nullptr) return null("mesh or made is NULL");
-    if (mesh->size < sizeof(forceshade_mesh)) return wrong_size("forceshade_mesh", mesh->size, sizeof(forceshade_mesh));
-    if (mesh->vertices == nullptr || mesh->triangles == nullptr) return null("mesh->vertices or mesh->triangles is NULL");
-    return new_mesh(*mesh, made);
+    if (mesh->size != kWithoutMaterials && mesh->size < sizeof(forceshade_mesh))
+      return wrong_size("forceshade_mesh", mesh->size, sizeof(forceshade_mesh));
+    const forceshade_mesh known = known_of(*mesh);
+    if (known.vertices == nullptr || known.triangles == nullptr) return null("mesh->vertices or mesh->triangles is NULL");
+    return new_mesh(known, made);
   });
 }
 

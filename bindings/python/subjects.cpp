@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cmath>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,8 @@
 #include "files/quantity.h"
 #include "forceshade/heights.h"
 #include "forceshade/meshes.h"
+#include "rendering/mesh_rendering.h"
+#include "rendering/subjects/materials.h"
 #include "rendering/subjects/options.h"
 #include "rendering/subjects/read.h"
 
@@ -98,7 +101,9 @@ Description map_of_picture(const std::string& file, float pitch, float scale, co
 
 Description mesh_of_arrays(const Floats& vertices, const py::array_t<std::uint32_t>& triangles,
                            const std::optional<std::string>& sides, const std::optional<std::string>& shading,
-                           const std::string& contact, double crease, bool self_intersecting, float stiffness) {
+                           const std::optional<std::string>& contact, double crease, bool self_intersecting, float stiffness,
+                           const std::vector<std::tuple<std::optional<float>, float, float>>& materials,
+                           const std::vector<std::uint32_t>& material_of_triangle) {
   const auto points = vertices.unchecked<2>();
   const auto faces = triangles.unchecked<2>();
   if (points.shape(1) != 3 || faces.shape(1) != 3) throw py::value_error("expected vertices (n, 3) and triangles (m, 3)");
@@ -109,7 +114,11 @@ Description mesh_of_arrays(const Floats& vertices, const py::array_t<std::uint32
   all.triangles.resize(static_cast<std::size_t>(faces.shape(0)));
   for (std::size_t i = 0; i < all.triangles.size(); ++i)
     for (std::size_t corner = 0; corner < 3; ++corner) all.triangles[i][corner] = faces(i, corner);
-  const auto rule = static_cast<mesh::Contact>(choice("contact", contact, mesh::kContactNames));
+  mesh::Materials surface{{}, material_of_triangle};
+  for (const auto& [its_stiffness, static_friction, dynamic_friction] : materials)
+    surface.list.push_back({its_stiffness, static_friction, dynamic_friction});
+  const mesh::Contact usual = has_friction(surface) ? mesh::Contact::friction : mesh::kUsualContact;
+  const auto rule = contact ? static_cast<mesh::Contact>(choice("contact", *contact, mesh::kContactNames)) : usual;
   const std::size_t scheme = shading ? choice("shading", *shading, c::shading_names()) : has_corner_normals(rule) ? 0 : 1;
   const auto blocked =
       sides ? std::optional(static_cast<mesh::Sides>(choice("sides", *sides, mesh::kSidesNames))) : std::nullopt;
@@ -122,7 +131,7 @@ Description mesh_of_arrays(const Floats& vertices, const py::array_t<std::uint32
   if (const auto* findings = std::get_if<mesh::Findings>(&checked))
     throw py::value_error("the mesh cannot be rendered: " + findings->words());
   return c::described(std::get<mesh::CheckedMesh>(checked), blocked, static_cast<mesh::Shading>(scheme), rule, crease,
-                      stiffness);
+                      stiffness, std::move(surface));
 }
 
 Description of_file(const std::string& file) {
@@ -179,6 +188,10 @@ void add_subjects(py::module_& module) {
   module.def("mesh_of_arrays", &mesh_of_arrays);
   module.def("of_file", &of_file);
   module.def("of_options", &of_options);
+  module.def("friction", [](const std::string& name, const std::string& text) {
+    const mesh::Material made = parsed(subjects::parse_friction, name, text);
+    return std::pair(made.static_friction, made.dynamic_friction);
+  });
   module.def("length",
              [](const std::string& name, const std::string& text) { return parsed(files::parse_length, name, text); });
   module.def("stiffness",

@@ -31,6 +31,43 @@ std::array<Axis, 3> frame_in(const HelloReader& its) {
   return frame;
 }
 
+// The value of the key, a list of words.
+const Json& list_in(const HelloReader& its, const std::string& key, const std::string& expected) {
+  const Json& value = its.value(key, expected);
+  if (!value.is_array() || !std::ranges::all_of(value, [](const Json& one) { return one.is_string(); }))
+    its.refuse(key, value, expected);
+  return value;
+}
+
+std::string undeclared(const std::string& key, const Json& declared, const Json& needed) {
+  return "it declares " + key + ' ' + declared.dump(-1, ' ', true, Json::error_handler_t::replace) + " and not " +
+         needed.dump();
+}
+
+// What a scene's materials have: of the words of the key "materials".
+std::vector<std::string> words_of_materials(const Json& scene) {
+  std::vector<std::string> words;
+  if (!scene.contains("mesh") || !scene.at("mesh").contains("materials")) return words;
+  const Json& materials = scene.at("mesh").at("materials");
+  if (std::ranges::any_of(materials, [](const Json& one) { return one.at("static_friction") != "0x0p+0"; }))
+    words.emplace_back("friction");
+  if (std::ranges::any_of(materials, [](const Json& one) { return !one.at("stiffness_N_per_mm").is_null(); }))
+    words.emplace_back("stiffness");
+  return words;
+}
+
+// The key may be absent, as it was before there were materials: then it renders none.
+std::optional<std::string> refusal_of_materials(const HelloReader& its, const Json& said, const Json& scene) {
+  const Json none = Json::array();
+  const Json& declared =
+      said.contains("materials")
+          ? list_in(its, "materials", "a list of what it renders of a scene's materials: \"friction\", \"stiffness\"")
+          : none;
+  for (const std::string& word : words_of_materials(scene))
+    if (std::ranges::find(declared, word) == declared.end()) return undeclared("materials", declared, word);
+  return std::nullopt;
+}
+
 // Whether what a scene with a mesh has is among what it declares.
 std::optional<std::string> refusal_of_mesh(const HelloReader& its, const Json& scene) {
   const Json& parameters = scene.at("parameters");
@@ -38,12 +75,8 @@ std::optional<std::string> refusal_of_mesh(const HelloReader& its, const Json& s
        {std::pair("sides", std::vector<std::string>(mesh::kSidesNames.begin(), mesh::kSidesNames.end())),
         {"shading", {mesh::kShadingNames.begin(), mesh::kShadingNames.end()}}}) {
     const std::string expected = "a list of what it renders of " + one_of(names);
-    const Json& value = its.value(key, expected);
-    if (!value.is_array() || !std::ranges::all_of(value, [](const Json& one) { return one.is_string(); }))
-      its.refuse(key, value, expected);
-    if (std::ranges::find(value, parameters.at(key)) == value.end())
-      return "it declares " + std::string(key) + ' ' + value.dump(-1, ' ', true, Json::error_handler_t::replace) + " and not " +
-             parameters.at(key).dump();
+    const Json& value = list_in(its, key, expected);
+    if (std::ranges::find(value, parameters.at(key)) == value.end()) return undeclared(key, value, parameters.at(key));
   }
   return std::nullopt;
 }
@@ -81,11 +114,13 @@ Hello hello_of(const Json& said, const Json& scene) {
     its.refuse("rate_Hz", nullptr, "a number where it answers with an impulse, which is a force times the length of a tick");
   if (scene.at("kind") == "mesh") {
     hello.refusal = refusal_of_mesh(its, scene);
+    if (!hello.refusal) hello.refusal = refusal_of_materials(its, said, scene);
     const double radius = its.number("proxy_radius_mm", 0, 10'000, "the radius of its god-object or proxy, 0 of a point");
     if (radius > 0 && hello.claims_definition)
       its.refuse("claims", said.at("claims"),
                  R"("invariants" where proxy_radius_mm is not 0, since the definition's god-object is a point)");
     keys.insert(keys.end(), {"sides", "shading", "proxy_radius_mm"});
+    if (said.contains("materials")) keys.emplace_back("materials");
   }
   for (const std::string& key : keys) hello.declared[key] = said.at(key);
   return hello;

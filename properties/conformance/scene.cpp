@@ -13,9 +13,22 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// A stiffness is null where it is that of the scene.
+void add_materials(const mesh::Materials& materials, Json& json) {
+  json["materials"] = Json::array();
+  for (const mesh::Material& one : materials.list) {
+    const Json numbers = hexfloats(std::array{one.stiffness.value_or(0), one.static_friction, one.dynamic_friction});
+    json["materials"].push_back({{"stiffness_N_per_mm", one.stiffness ? numbers[0] : Json()},
+                                 {"static_friction", numbers[1]},
+                                 {"dynamic_friction", numbers[2]}});
+  }
+  json["material_of_triangle"] = materials.of_triangle;
+}
+
 Json json_of(const MeshRendering& rendering) {
   Json json{{"vertices_mm", Json::array()}, {"triangles", rendering.mesh().triangles}};
   for (const mesh::Vertex& vertex : rendering.mesh().vertices) json["vertices_mm"].push_back(hexfloats(vertex));
+  if (!rendering.materials.list.empty()) add_materials(rendering.materials, json);
   if (!rendering.has_corner_normals()) return json;
   json["corner_normals"] = Json::array();
   for (const auto& corners : rendering.normals) {

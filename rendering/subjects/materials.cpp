@@ -16,7 +16,7 @@
 namespace forceshade::subjects {
 namespace {
 
-constexpr std::size_t kLargestFile = 4 << 20;
+constexpr std::size_t kLargestMaterials = 4 << 20;
 
 // The binary32 number nearest to the text.
 float coefficient_of(const std::string& name, std::string_view word, const std::string& text) {
@@ -36,7 +36,7 @@ class Reader {
   Reader(std::string file, const mesh::LoadedMesh& loaded) : file_(std::move(file)), loaded_(loaded) {}
 
   mesh::Materials read() {
-    auto parsed = heights::parse_toml_file(file_, kLargestFile);
+    auto parsed = heights::parse_toml_file(file_, kLargestMaterials);
     if (const auto* fault = std::get_if<heights::TomlFault>(&parsed))
       throw BadInput(file_ + ": " + (fault->line == 0 ? "" : "line " + std::to_string(fault->line) + ": ") + fault->reason);
     const auto& root = std::get<toml::table>(parsed);

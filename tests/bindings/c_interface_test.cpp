@@ -179,7 +179,10 @@ forceshade_subject tetrahedron(const char* shading) {
                              .contact = nullptr,
                              .crease = 180,
                              .stiffness = 0.5F,
-                             .self_intersecting = 0};
+                             .self_intersecting = 0,
+                             .materials = nullptr,
+                             .material_count = 0,
+                             .material_of_triangle = nullptr};
   forceshade_subject made{};
   EXPECT_EQ(forceshade_mesh_new(&mesh, &made), FORCESHADE_OK) << forceshade_message();
   return made;

@@ -207,7 +207,7 @@ TEST_F(CMisuse, of_every_kind_has_its_result_and_its_sentence) {
       {"mesh sides", new_mesh([](auto& its) { its.sides = "back"; }), value, "sides: expected front or both, got \"back\""},
       {"mesh shading", new_mesh([](auto& its) { its.shading = "smooth"; }), value, "shading: expected none, vertex or edge"},
       {"mesh texture", new_mesh([](auto& its) { its.shading = "texture"; }), value, "shading: expected"},
-      {"mesh contact", new_mesh([](auto& its) { its.contact = "x"; }), value, "contact: expected direct or sub-goal"},
+      {"mesh contact", new_mesh([](auto& its) { its.contact = "x"; }), value, "contact: expected direct, sub-goal or"},
       {"mesh crease", new_mesh([](auto& its) { its.crease = 181; }), value, "crease is 181"},
       {"mesh crease NaN", new_mesh([](auto& its) { its.crease = std::nan(""); }), value, "crease is nan"},
       {"mesh stiffness", new_mesh([](auto& its) { its.stiffness = kNan; }), value, "stiffness is nan"},

@@ -174,6 +174,47 @@ TEST(mesh_files, of_ply_may_have_normals_and_a_texture) {
   EXPECT_EQ(of_corners.mesh.texture, kFlat);
 }
 
+TEST(mesh_files, of_obj_and_ply_may_name_their_faces) {
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n", quad = "f 1 2 3 4\n", three = "f 1 2 3\n";
+  using Names = std::vector<std::string>;
+  using Places = std::vector<std::uint32_t>;
+  constexpr std::uint32_t kNone = FaceNames::kNone;
+  const LoadedMesh its = of_text("a.obj", corners + three + "usemtl never\nusemtl  red paint \ng a b # c\n" + quad +
+                                              "usemtl blue\ng\n" + three + "usemtl red paint\n" + three + "usemtl\n" + three)
+                             .mesh;
+  EXPECT_EQ(its.materials.names, (Names{"red paint", "blue"}));
+  EXPECT_EQ(its.materials.of_triangle, (Places{kNone, 0, 0, 1, 0, kNone})) << "a face of 4 corners is two triangles";
+  EXPECT_EQ(its.groups.names, Names{"a b"});
+  EXPECT_EQ(its.groups.of_triangle, (Places{kNone, 0, 0, kNone, kNone, kNone}));
+  const LoadedMesh unnamed = of_text("a.obj", corners + "usemtl red\nusemtl\n" + quad).mesh;
+  EXPECT_TRUE(unnamed.materials.names.empty() && unnamed.materials.of_triangle.capacity() == 0);
+
+  const auto ply = [](const std::string& property, const std::string& first, const std::string& second) {
+    return of_text(
+        "a.ply",
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n"
+        "property list uchar int vertex_indices\nproperty " +
+            property + "\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 " + first + "\n3 0 2 3 " + second + '\n');
+  };
+  for (const char* property : {"int material", "short material_index"}) {
+    const Loaded got = ply(property, "7", "-1");
+    expect_square_alone(got, property);
+    EXPECT_EQ(got.mesh.materials.names, (Names{"7", "-1"}));
+    EXPECT_EQ(got.mesh.materials.of_triangle, (Places{0, 1}));
+  }
+  EXPECT_TRUE(ply("float material", "7", "1").mesh.materials.names.empty());
+  EXPECT_TRUE(ply("int material", "7", "1.5").refusal.ends_with("expected the whole number of a material, got \"1.5\""));
+  EXPECT_NE(ply("int material\nproperty int material_index", "7 1", "7 1").refusal.find("another name of the same"),
+            std::string::npos);
+  std::string binary =
+      "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face "
+      "1\n"
+      "property uint material\nproperty list uchar uchar vertex_indices\nend_header\n";
+  for (const float x : {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 1.0F, 1.0F, 0.0F}) binary += bytes_of(x, std::endian::big);
+  binary += bytes_of(std::uint32_t{4000000000}, std::endian::big) + std::string("\3\0\1\2", 4);
+  EXPECT_EQ(of_text("a.ply", binary).mesh.materials.names, Names{"4000000000"});
+}
+
 std::string binary_stl(const std::string& head, const std::vector<Vertex>& corners) {
   std::string text = head;
   text.resize(80, ' ');

@@ -73,7 +73,7 @@ TEST(subject_file, is_refused_with_its_line_and_what_was_expected) {
   expect("law = \"bump-2p\"\nradus = 3\n", "its.toml: line 2: unknown key radus");
   expect("law = \"bmp-2p\"\n", "its.toml: line 1: law: expected");
   expect("law = \"bump-2p\"\nradius = true\n",
-         "its.toml: line 2: radius: expected a text in quotes, a number or a list of texts");
+         "its.toml: line 2: radius: expected a text in quotes, a number or a list of these");
   expect("law = \"wall\"\n\nstiffness = -1\n", "its.toml: line 3: stiffness");
   expect("law = \"wall\"\nmesh = \"a.off\"\n", "mesh");
   expect("law = [\"wall\", \"bump-2p\"]\n", "its.toml: line 1: law: expected");

@@ -41,6 +41,8 @@ class State:
     """Vertex v: (v, 0). Edge from a to b: (a, b), a < b. Triangle i: (i, 0)."""
     parameter: tuple[int, int] = (0, 0)
     """In units of 2^-24. Edge: a + m (b - a): (m, 0). Triangle: a + k (b - a) + l (c - a): (k, l)."""
+    slipping: bool = False
+    """Friction has let it slip, and does not hold it yet."""
 
 
 class Session(_forceshade.Session):
@@ -101,15 +103,15 @@ class Session(_forceshade.Session):
     @property
     def state(self) -> State:
         """What it remembers after the last step."""
-        place, side, position, index, parameter = self._state()
-        return State(Place(place), side, tuple(position), tuple(index), tuple(parameter))  # type: ignore[arg-type]
+        place, side, slipping, position, index, parameter = self._state()
+        return State(Place(place), side, tuple(position), tuple(index), tuple(parameter), slipping)  # type: ignore[arg-type]
 
     def resume(self, state: State) -> None:
         """Goes on from a state of the same subject. A state that is none of this mesh counts as that of a beginning."""
         if not isinstance(state, State):
             raise TypeError(f"expected the state of a session, got {type(state).__name__}")
-        place, side, position, index, parameter = astuple(state)
+        place, side, position, index, parameter, slipping = astuple(state)
         try:
-            self._resume((int(place), int(side), list(position), list(index), list(parameter)))
+            self._resume((int(place), int(side), bool(slipping), list(position), list(index), list(parameter)))
         except TypeError:
             raise TypeError(f"state: expected one that a session gave, got {state}") from None

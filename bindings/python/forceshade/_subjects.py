@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import os
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import Any, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -12,6 +13,9 @@ import numpy.typing as npt
 from . import _arrays, _exact, _forceshade
 from ._arrays import Rounding
 from ._subject import File, Quantity, Subject, length_of, path_of, stiffness_of, text_of, word_of
+
+Friction = Union[float, tuple[float, float]]  # a coefficient, or a static and a dynamic one
+Materials = tuple[Sequence[Mapping[str, Any]], npt.ArrayLike]  # a list, and the number in it of each triangle
 
 
 def _short(number: float) -> str:
@@ -165,6 +169,35 @@ def _indices(triangles: npt.ArrayLike, count: int) -> npt.NDArray[np.uint32]:
     return array.astype(np.uint32)
 
 
+def _words_of_friction(friction: Friction) -> str:
+    parts = friction if isinstance(friction, (tuple, list)) else (friction,)
+    return ",".join(str(part) for part in parts)
+
+
+def _materials(
+    friction: Friction | None, materials: File | Materials | None
+) -> tuple[list[tuple[float | None, float, float]], list[int]]:
+    """A list of (stiffness, static, dynamic), and the number in it of each triangle; no numbers where all have the first."""
+    if isinstance(materials, (str, os.PathLike)):
+        raise TypeError("a file of materials is for a mesh file; expected a pair (list, numbers) for arrays")
+    listed: Sequence[Mapping[str, Any]] = [] if friction is None else [{"friction": friction}]
+    numbers: list[int] = []
+    if materials is not None:
+        listed, given = materials
+        array = np.asarray(given)
+        if array.ndim != 1 or array.dtype.kind not in "iu" or (array < 0).any() or (array >= len(listed)).any():
+            raise ValueError(f"materials: expected for each triangle the number of its material, 0 to {len(listed) - 1}")
+        numbers = array.tolist()
+    made = []
+    for i, material in enumerate(listed):
+        if unknown := set(material) - {"friction", "stiffness"}:
+            raise ValueError(f"materials[{i}] has {sorted(unknown)}; expected friction, stiffness or neither")
+        own = material.get("stiffness")
+        static, dynamic = _forceshade.friction("friction", _words_of_friction(material.get("friction", 0)))
+        made.append((None if own is None else stiffness_of(own), static, dynamic))
+    return made, numbers
+
+
 class Mesh(Subject):
     """A triangle mesh, felt through a god-object. Its force depends on the path: a Session follows one.
 
@@ -172,7 +205,11 @@ class Mesh(Subject):
     Or a file instead of both, OFF, OBJ, PLY or STL, with its `unit`: "mm", "m" or "in"; its shading may be "texture:FILE.toml",
     with the length `texture_scale` of one unit of its coordinates.
     stiffness: K, N/mm, in [0.001, 1000]. sides: which block, "front" or "both"; "front" for a closed mesh and "both" for
-    another, unless said. shading: "vertex" (usual), "edge" or "none" (usual with sub-goal). contact: "direct" or "sub-goal".
+    another, unless said. shading: "vertex" (usual), "edge" or "none" (usual with sub-goal). contact: "direct", "sub-goal" or
+    "friction", which is usual where a coefficient of friction is above 0.
+    friction: a coefficient of friction, or a pair (static, dynamic), for the whole mesh: 0, inf, or 2**-10 to 1024.
+    materials: instead, of a mesh file, a TOML file; of arrays a pair (list, numbers): a list of dictionaries with "friction",
+    "stiffness" or neither, and for each triangle the number of its material (docs/meshes.md, "Materials and friction").
     crease: degrees, 0 to 180 (no creases), for the normals. self_intersecting: whether triangles without a common vertex may
     cross.
 
@@ -198,8 +235,12 @@ class Mesh(Subject):
         crease: Quantity | None = None,
         texture_scale: Quantity | None = None,
         self_intersecting: bool = False,
+        friction: Friction | None = None,
+        materials: File | Materials | None = None,
         rounding: Rounding = None,
     ) -> None:
+        if friction is not None and materials is not None:
+            raise TypeError("friction is that of the whole mesh; expected friction or materials, got both")
         options = {"sides": sides, "shading": shading, "contact": contact}
         for key, value in options.items():
             if value is not None:
@@ -217,6 +258,12 @@ class Mesh(Subject):
                 options["texture-scale"] = text_of(texture_scale, "texture_scale", '"10mm"')
             if self_intersecting:
                 options["self-intersecting"] = "true"
+            if friction is not None:
+                options["friction"] = _words_of_friction(friction)
+            if materials is not None:
+                if not isinstance(materials, (str, os.PathLike)):
+                    raise TypeError("the materials of a mesh file are a TOML file; expected its path")
+                options["materials"] = path_of(materials)
             description = _forceshade.of_options([(key, value) for key, value in options.items() if value is not None])
         else:
             if triangles is None:
@@ -232,10 +279,11 @@ class Mesh(Subject):
                 _indices(triangles, len(points)),
                 sides,
                 shading,
-                "direct" if contact is None else contact,
+                contact,
                 angle,
                 bool(self_intersecting),
                 stiffness_of(stiffness),
+                *_materials(friction, materials),
             )
         super().__init__(description)
 

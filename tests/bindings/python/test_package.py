@@ -92,6 +92,36 @@ def test_files_are_read(tmp_path):
     assert mesh.identity.parameters["contact"] == "sub-goal"
 
 
+def test_meshes_may_have_friction_and_materials(tmp_path):
+    cube = ROOT / "tests/golden/god_object/cube.off"
+    corners, faces = [[0, 0, 0], [9, 0, 0], [0, 9, 0], [0, 0, 9]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
+    (tmp_path / "soft.toml").write_text('[[material]]\nname = "soft"\nstiffness = 0.25\nfaces = ["0-1"]\n')
+    of_file = forceshade.Mesh(cube, unit="mm", stiffness=0.5, friction=(0.4, 0.3))
+    assert of_file.identity.parameters["friction"] == "0.4, 0.3" and of_file.identity.parameters["contact"] == "friction"
+    assert forceshade.Mesh(cube, unit="mm", stiffness=0.5, materials=tmp_path / "soft.toml").identity.parameters["materials"] == "2"
+    of_arrays = forceshade.Mesh(corners, faces, stiffness=0.5, friction=0.5)
+    assert of_arrays.identity.parameters["friction"] == "0.5, 0.5"
+    listed = ([{}, {"friction": (float("inf"), 1), "stiffness": "2N/mm"}], [0, 1, 0, 1])
+    two = forceshade.Mesh(corners, faces, stiffness=0.5, materials=listed)
+    assert two.identity.parameters["friction"] == "up to inf" and two.identity.parameters["materials"] == "2"
+    session = forceshade.Session(of_arrays)
+    assert session.state.slipping is False
+    for at in ((3, 3, -1), (3, 3, 1), (3.25, 3, 1), (5, 3, 1)):
+        session.step(*at)
+    again = forceshade.Session(of_arrays)
+    again.resume(session.state)
+    assert again.state == session.state and again.step(5.5, 3, 1) == session.step(5.5, 3, 1)
+    for wrong in (-1, (0.2, 0.3), "rough", 1e-4):
+        with pytest.raises(ValueError, match="friction: expected"):
+            forceshade.Mesh(corners, faces, stiffness=0.5, friction=wrong)
+    with pytest.raises(ValueError, match="0 to 1"):
+        forceshade.Mesh(corners, faces, stiffness=0.5, materials=(listed[0], [0, 1, 2, 1]))
+    with pytest.raises(ValueError, match="another contact rule"):
+        forceshade.Mesh(corners, faces, stiffness=0.5, friction=1, contact="direct")
+    with pytest.raises(TypeError, match="got both"):
+        forceshade.Mesh(corners, faces, stiffness=0.5, friction=1, materials=listed)
+
+
 def test_exact_forces_are_fractions_where_they_are_rational(wall, bump):
     third = forceshade.Law("wall", stiffness=np.float32(1 / 3))
     exact = third.reference(0, 0, -3)

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A scene with materials is for renderers that say that they render them; every other scene is as it was before there were any.
+
+#include "properties/conformance/hello.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+#include "forceshade/meshes.h"
+#include "properties/conformance/scene.h"
+
+namespace forceshade::conformance {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json scene_with(mesh::Materials materials, mesh::Contact contact) {
+  const auto checked =
+      mesh::check({{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 9}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
+  return scene_of({"its.off", MeshRendering{.checked = std::get<mesh::CheckedMesh>(checked),
+                                            .stiffness = 0.5F,
+                                            .contact = contact,
+                                            .materials = std::move(materials)}});
+}
+
+Hello hello_on(const Json& scene, const Json& materials) {
+  Json said = Json::parse(R"({"kind": "renderer", "name": "own", "version": "1", "memory": "path", "answers": "force",
+    "claims": "definition", "length_unit": "mm", "force_unit": "N", "frame": ["x", "y", "z"], "domain_mm": 10000,
+    "rate_Hz": null, "loop_energy_mJ": null, "sides": ["front"], "shading": ["none"], "proxy_radius_mm": 0})");
+  if (!materials.is_null()) said["materials"] = materials;
+  return hello_of(said, scene);
+}
+
+TEST(hello, of_a_renderer_that_says_nothing_of_materials_is_for_scenes_without) {
+  const Json plain = scene_with({}, mesh::Contact::direct);
+  EXPECT_FALSE(plain.at("mesh").contains("materials"));
+  EXPECT_FALSE(plain.at("parameters").contains("friction"));
+  EXPECT_EQ(hello_on(plain, nullptr).refusal, std::nullopt);
+  EXPECT_FALSE(hello_on(plain, nullptr).declared.contains("materials"));
+  const Json smooth = scene_with({{{}}, {}}, mesh::Contact::direct);
+  EXPECT_EQ(hello_on(smooth, nullptr).refusal, std::nullopt) << "a material that changes nothing";
+}
+
+TEST(hello, is_not_applicable_to_a_scene_with_materials_that_it_does_not_declare) {
+  const Json rough = scene_with({{{{}, 0.5F, 0.25F}}, {}}, mesh::Contact::friction);
+  EXPECT_EQ(rough.at("parameters").at("friction"), "0.5, 0.25");
+  EXPECT_EQ(rough.at("mesh").at("materials").dump(),
+            R"([{"stiffness_N_per_mm":null,"static_friction":"0x1p-1","dynamic_friction":"0x1p-2"}])");
+  EXPECT_EQ(hello_on(rough, nullptr).refusal, R"(it declares materials [] and not "friction")");
+  EXPECT_EQ(hello_on(rough, {"stiffness"}).refusal, R"(it declares materials ["stiffness"] and not "friction")");
+  EXPECT_EQ(hello_on(rough, {"friction"}).refusal, std::nullopt);
+  EXPECT_EQ(hello_on(rough, {"friction"}).declared.at("materials"), Json{"friction"});
+  const Json stiff = scene_with({{{}, {2.0F, 0, 0}}, {0, 1, 0, 1}}, mesh::Contact::direct);
+  EXPECT_EQ(stiff.at("mesh").at("materials")[1].at("stiffness_N_per_mm"), "0x1p+1");
+  EXPECT_EQ(stiff.at("mesh").at("material_of_triangle").dump(), "[0,1,0,1]");
+  EXPECT_EQ(hello_on(stiff, {"friction"}).refusal, R"(it declares materials ["friction"] and not "stiffness")");
+  EXPECT_EQ(hello_on(stiff, {"friction", "stiffness"}).refusal, std::nullopt);
+}
+
+TEST(hello, says_in_a_list_what_it_renders_of_materials) {
+  const Json plain = scene_with({}, mesh::Contact::direct);
+  for (const Json& wrong : {Json(true), Json("friction"), Json::array({1})})
+    EXPECT_THROW(hello_on(plain, wrong), RendererFailed);
+}
+
+}  // namespace
+}  // namespace forceshade::conformance
