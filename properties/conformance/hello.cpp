@@ -40,8 +40,7 @@ const Json& list_in(const HelloReader& its, const std::string& key, const std::s
 }
 
 std::string undeclared(const std::string& key, const Json& declared, const Json& needed) {
-  return "it declares " + key + ' ' + declared.dump(-1, ' ', true, Json::error_handler_t::replace) + " and not " +
-         needed.dump();
+  return "it declares " + key + ' ' + shown_json(declared) + " and not " + needed.dump();
 }
 
 // What a scene's materials have: of the words of the key "materials".

@@ -8,6 +8,7 @@
 
 #include "properties/conformance/invariants/all.h"
 #include "properties/conformance/judgement_text.h"
+#include "properties/conformance/scene.h"
 #include "rendering/meshes/make.h"
 #include "tests/conformance/own_renderer.h"
 
@@ -47,6 +48,18 @@ TEST(conform, holds_of_the_own_renderer_on_every_kind_of_scene) {
     names.merge(looked_at(its));
   }
   EXPECT_EQ(names.size(), kInvariants.size() - 1);  // all but that of energy, which the own renderer does not declare
+}
+
+TEST(conform, a_proxy_of_any_radius_does_not_claim_the_definition) {
+  const Description scene = ball(mesh::Sides::front, mesh::Shading::none);
+  const auto open = [&](double radius) {
+    own_renderer(scene, [=](Description&, Json& hello) {
+      hello["proxy_radius_mm"] = radius;
+      return Spoil();
+    })(scene_of(scene));
+  };
+  EXPECT_NO_THROW(open(0));
+  EXPECT_THROW(open(1e-3), RendererFailed);
 }
 
 }  // namespace

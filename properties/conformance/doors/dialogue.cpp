@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "properties/conformance/doors/dialogue.h"
 
-#include <optional>
-#include <set>
 #include <string>
 #include <system_error>
-#include <utility>
-#include <vector>
 
+#include "properties/conformance/doors/answer.h"
 #include "properties/conformance/hello_reader.h"
 
 namespace forceshade::conformance {
@@ -15,34 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 constexpr const char* kProtocol = "conform 1";
-constexpr std::size_t kReason = 500;  // characters of one
-
-// A line of 16 MiB could else become gigabytes.
-constexpr std::size_t kMostValues = 1'000'000;
-constexpr int kDeepest = 100;
-
-// What the text means, discarded where it is no JSON or too much of it; and a key that one of its objects has twice, of which a
-// reader would have to guess one.
-std::pair<Json, std::optional<std::string>> parsed(const std::string& text) {
-  struct TooMuch {};
-  std::size_t values = 0;
-  std::optional<std::string> twice;
-  std::vector<std::set<std::string>> objects;
-  const auto note = [&](int depth, Json::parse_event_t event, const Json& value) {
-    if (depth > kDeepest || ++values > kMostValues) throw TooMuch();
-    if (event == Json::parse_event_t::object_start) objects.emplace_back();
-    if (event == Json::parse_event_t::object_end) objects.pop_back();
-    if (event == Json::parse_event_t::key && !objects.back().insert(value.get<std::string>()).second)
-      twice = value.get<std::string>();
-    return true;
-  };
-  try {
-    Json json = Json::parse(text, note, false);
-    return {std::move(json), std::move(twice)};
-  } catch (const TooMuch&) {
-    return {Json(Json::value_t::discarded), std::nullopt};
-  }
-}
 
 }  // namespace
 
@@ -60,6 +29,10 @@ Json Dialogue::open(const Json& scene) {
   return said;
 }
 
+Json Dialogue::ask(const std::string& line) {
+  return object_in(say(line), whose_);
+}
+
 std::string Dialogue::say(const std::string& line) {
   try {
     return process_.ask(line);
@@ -68,32 +41,12 @@ std::string Dialogue::say(const std::string& line) {
   }
 }
 
-Json Dialogue::object_in(const std::string& said) const {
-  auto [object, twice] = parsed(said);
-  if (!object.is_object())
-    throw RendererFailed(std::string("the ") + whose_ + " wrote " + shown(said) + "; expected a JSON object in one line");
-  if (twice) throw RendererFailed(std::string("the ") + whose_ + " wrote a line that has the key " + shown(*twice) + " twice");
-  if (const auto why = object.find("failure"); why != object.end() && why->is_string())
-    throw RendererFailed(std::string("the ") + whose_ + " failed: " + shown(why->get<std::string>(), kReason));
-  return std::move(object);
-}
-
 void Dialogue::say_goodbye() {
   try {
     process_.say_goodbye(R"({"goodbye":true})");
   } catch (const ProcessFailed& failure) {
     throw RendererFailed(failure.what());
   }
-}
-
-const Json& Dialogue::list_in(const Json& answer, const char* key, std::size_t size, const char* asked) const {
-  const auto all = answer.find(key);
-  if (all == answer.end() || !all->is_array())
-    throw RendererFailed(std::string("the ") + whose_ + " answered without a list \"" + key + "\": " + shown_json(answer));
-  if (all->size() != size)
-    throw RendererFailed(std::string("the ") + whose_ + " answered " + std::to_string(size) + ' ' + asked + " with " +
-                         std::to_string(all->size()) + " entries of \"" + key + '"');
-  return *all;
 }
 
 }  // namespace forceshade::conformance

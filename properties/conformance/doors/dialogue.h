@@ -18,14 +18,9 @@ class Dialogue {
   // The hello on this scene, in this version of the protocol.
   nlohmann::ordered_json open(const nlohmann::ordered_json& scene);
 
-  std::string say(const std::string& line);  // the line that answers it
-  nlohmann::ordered_json object_in(const std::string& said) const;
-  nlohmann::ordered_json ask(const std::string& line) { return object_in(say(line)); }
+  std::string say(const std::string& line);             // the line that answers it
+  nlohmann::ordered_json ask(const std::string& line);  // the object in it
   void say_goodbye();
-
-  // The list behind the key of an answer, with an entry for each of what it was asked: "positions".
-  const nlohmann::ordered_json& list_in(const nlohmann::ordered_json& answer, const char* key, std::size_t size,
-                                        const char* asked) const;
 
  private:
   const char* whose_;

@@ -2,7 +2,9 @@
 #pragma once
 // A renderer that is a process and speaks lines of JSON (docs/conformance-protocol.md).
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "properties/conformance/doors/child_process.h"
 #include "properties/conformance/renderer_under_test.h"
@@ -11,5 +13,8 @@ namespace forceshade::conformance {
 
 // command: a line for /bin/sh.
 OpenRenderer process_door(const std::string& command, const ProcessLimits& limits = {});
+
+// The answers to so many positions in a line that a renderer wrote. Throws RendererFailed.
+std::vector<Eigen::Vector3f> answers_in(const std::string& said, std::size_t count);
 
 }  // namespace forceshade::conformance

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "properties/conformance/doors/answer.h"
 #include "properties/conformance/doors/dialogue.h"
 
 namespace forceshade::conformance::simulators {
@@ -14,6 +15,67 @@ using Json = nlohmann::ordered_json;
 using Reports = SimulatorCapabilities::Reports;
 
 constexpr const char* kWhose = "simulator";
+
+bool is_list_of_numbers(const Json& list, std::size_t size) {
+  return list.is_array() && list.size() == size &&
+         std::ranges::all_of(list, [](const Json& one) { return one.is_number() || one.is_null(); });
+}
+
+// null stands for what is no finite number.
+double number_of(const Json& json) {
+  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+State state_of(const Json& step, std::size_t k, SimulatorCapabilities::Reports reports, const Simulation& scene) {
+  const double units = scene.units_per_metre;
+  const Json none;
+  const auto list = [&](const char* key, std::size_t size, const char* expected) -> const Json& {
+    const Json& found = step.is_object() && step.contains(key) ? step.at(key) : none;
+    if (!(size > 0 ? is_list_of_numbers(found, size) : found.is_array()))
+      throw RendererFailed("the simulator's " + std::string(key) + " of step " + std::to_string(k) + " is " +
+                           shown_json(found) + "; expected " + expected);
+    return found;
+  };
+  const auto vector = [&](const Json& numbers) {
+    return Eigen::Vector3d(number_of(numbers[0]), number_of(numbers[1]), number_of(numbers[2]));
+  };
+  State state{vector(list("position", 3, "a list of three numbers")) / units,
+              vector(list("velocity", 3, "a list of three numbers")) / units};
+  for (const Json& contact : list("contacts", 0, "a list of contacts")) {
+    if (!is_list_of_numbers(contact, 4))
+      throw RendererFailed("the simulator's contact in step " + std::to_string(k) + " is " + shown_json(contact) +
+                           "; expected a list of four numbers, a normal and its force or impulse");
+    if (reports == Reports::nothing) continue;
+    state.contacts.push_back({vector(contact), number_of(contact[3]) / units * (reports == Reports::impulse ? scene.rate : 1)});
+  }
+  return state;
+}
+
+class ProcessSimulator final : public SimulatorUnderTest {
+ public:
+  ProcessSimulator(const std::string& command, const Simulation& scene, const ProcessLimits& limits)
+      : scene_(scene), dialogue_(command, limits, kWhose), its_(capabilities_of(dialogue_.open(json_of(scene)))) {}
+
+  const SimulatorCapabilities& capabilities() const override { return its_; }
+
+  Motion apply(std::span<const Eigen::Vector3d> forces, bool is_reset) override {
+    Json asked;
+    if (is_reset) asked["reset"] = true;
+    asked["applied"] = Json::array();
+    for (const Eigen::Vector3d& force : forces)
+      asked["applied"].push_back(json_of(Eigen::Vector3d(scene_.units_per_metre * force)));
+    return motion_in(dialogue_.ask(asked.dump()), its_.reports, scene_, forces.size());
+  }
+
+  void say_goodbye() override { dialogue_.say_goodbye(); }
+
+ private:
+  Simulation scene_;
+  Dialogue dialogue_;
+  SimulatorCapabilities its_;
+};
+
+}  // namespace
 
 SimulatorCapabilities capabilities_of(const Json& hello) {
   constexpr double kMost = std::numeric_limits<double>::max();
@@ -38,73 +100,13 @@ SimulatorCapabilities capabilities_of(const Json& hello) {
   return its;
 }
 
-bool is_list_of_numbers(const Json& list, std::size_t size) {
-  return list.is_array() && list.size() == size &&
-         std::ranges::all_of(list, [](const Json& one) { return one.is_number() || one.is_null(); });
+Motion motion_in(const Json& said, SimulatorCapabilities::Reports reports, const Simulation& scene, std::size_t count) {
+  if (const auto refusal = HelloReader(said, kWhose).refusal()) return {{}, refusal};
+  Motion motion;
+  for (const Json& step : list_in(said, "motion", count, "forces", kWhose))
+    motion.states.push_back(state_of(step, motion.states.size(), reports, scene));
+  return motion;
 }
-
-// null stands for what is no finite number.
-double number_of(const Json& json) {
-  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
-}
-
-class ProcessSimulator final : public SimulatorUnderTest {
- public:
-  ProcessSimulator(const std::string& command, const Simulation& scene, const ProcessLimits& limits)
-      : units_(scene.units_per_metre),
-        rate_(scene.rate),
-        dialogue_(command, limits, kWhose),
-        its_(capabilities_of(dialogue_.open(json_of(scene)))) {}
-
-  const SimulatorCapabilities& capabilities() const override { return its_; }
-
-  Motion apply(std::span<const Eigen::Vector3d> forces, bool is_reset) override {
-    Json asked;
-    if (is_reset) asked["reset"] = true;
-    asked["applied"] = Json::array();
-    for (const Eigen::Vector3d& force : forces) asked["applied"].push_back(json_of(Eigen::Vector3d(units_ * force)));
-    const Json said = dialogue_.ask(asked.dump());
-    if (const auto refusal = HelloReader(said, kWhose).refusal()) return {{}, refusal};
-    const Json& all = dialogue_.list_in(said, "motion", forces.size(), "forces");
-    Motion motion;
-    for (const Json& step : all) motion.states.push_back(state_of(step, motion.states.size()));
-    return motion;
-  }
-
-  void say_goodbye() override { dialogue_.say_goodbye(); }
-
- private:
-  State state_of(const Json& step, std::size_t k) const {
-    const Json none;
-    const auto list = [&](const char* key, std::size_t size, const char* expected) -> const Json& {
-      const Json& found = step.is_object() && step.contains(key) ? step.at(key) : none;
-      if (!(size > 0 ? is_list_of_numbers(found, size) : found.is_array()))
-        throw RendererFailed("the simulator's " + std::string(key) + " of step " + std::to_string(k) + " is " +
-                             shown_json(found) + "; expected " + expected);
-      return found;
-    };
-    const auto vector = [&](const Json& numbers) {
-      return Eigen::Vector3d(number_of(numbers[0]), number_of(numbers[1]), number_of(numbers[2]));
-    };
-    State state{vector(list("position", 3, "a list of three numbers")) / units_,
-                vector(list("velocity", 3, "a list of three numbers")) / units_};
-    for (const Json& contact : list("contacts", 0, "a list of contacts")) {
-      if (!is_list_of_numbers(contact, 4))
-        throw RendererFailed("the simulator's contact in step " + std::to_string(k) + " is " + shown_json(contact) +
-                             "; expected a list of four numbers, a normal and its force or impulse");
-      if (its_.reports == Reports::nothing) continue;
-      state.contacts.push_back(
-          {vector(contact), number_of(contact[3]) / units_ * (its_.reports == Reports::impulse ? rate_ : 1)});
-    }
-    return state;
-  }
-
-  double units_, rate_;
-  Dialogue dialogue_;
-  SimulatorCapabilities its_;
-};
-
-}  // namespace
 
 OpenSimulator simulator_process(const std::string& command, const ProcessLimits& limits) {
   return [=](const Simulation& scene) { return std::make_unique<ProcessSimulator>(command, scene, limits); };

@@ -2,6 +2,7 @@
 #pragma once
 // A simulator that is a process and speaks lines of JSON (docs/conformance-protocol.md, "Simulators").
 
+#include <cstddef>
 #include <string>
 
 #include "properties/conformance/doors/child_process.h"
@@ -10,5 +11,10 @@
 namespace forceshade::conformance::simulators {
 
 OpenSimulator simulator_process(const std::string& command, const ProcessLimits& limits = {});
+
+// What a simulator wrote: of itself, and in answer to so many forces. Both throw RendererFailed.
+SimulatorCapabilities capabilities_of(const nlohmann::ordered_json& hello);
+Motion motion_in(const nlohmann::ordered_json& said, SimulatorCapabilities::Reports reports, const Simulation& scene,
+                 std::size_t count);
 
 }  // namespace forceshade::conformance::simulators
