@@ -127,9 +127,14 @@ class Looking {
 
   void free() {
     begin_beside_exact("no force out of contact");
+    double largest = -1;
     for (std::size_t i = 0; i < exact_.size(); ++i) {
       if (!exact_[i] || !exact_[i]->isZero(0)) continue;
       ++found_.back().cases;
+      if (const double size = samples_[i].force.norm(); size > largest) {
+        largest = size;
+        found_.back().largest = newtons(size) + " at " + measured_.place(i) + ", " + allowance();
+      }
       if (has_force(i))
         violated(i, "at " + shown(samples_[i].position) + " mm, out of contact, the force is " + shown(samples_[i].force) +
                         " N, " + allowance() + ": a hand feels " + newtons(samples_[i].force.norm()) + " of nothing");
