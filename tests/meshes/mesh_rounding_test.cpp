@@ -100,6 +100,8 @@ TEST(mesh_rounding, a_fraction_plus_a_root_rounds_as_their_sum) {
   EXPECT_GT(to_even, 0);
   EXPECT_EQ(bits(nearest_binary32(RootSum{7, true, 49, 3, -10})), 0U);
   EXPECT_EQ(bits(nearest_binary32(RootSum{7, true, 50, 3, -400})), 0U);
+  EXPECT_EQ(bits(nearest_binary32(RootSum{3, true, 8, 1, -149})), 0U) << "0.17 of the smallest number";
+  EXPECT_EQ(bits(nearest_binary32(RootSum{3, true, 5, 1, -149})), 1U) << "0.76 of it";
 }
 
 TEST(mesh_rounding, integers_of_binary32_are_exact) {
