@@ -19,6 +19,7 @@ comparisons are exact. Per tick:
     only by a slide;
   - the same position again: no move, the same state, force and bit; so after an unfinished tick, once it is finished;
   - the same tick by one move at a time ends in the same state;
+  - side: over a closed mesh with one side, what was in front of it is not free behind it;
   - energy: F·Δp <= (F² - F'²)/2K + K Δp²/2 from a rough rest, with K h²/6 more from free, and with the terms of docs/energy.md
     from a smooth rest, where the number of ticks that break the first form is printed.
 """
@@ -30,7 +31,9 @@ from fractions import Fraction
 from pathlib import Path
 
 from make_friction_golden import (GRID, LEAST, NOWHERE, UNIT, Mesh, RoughMesh, RoughPaths, Way, bounded, cross, dot, follow,
-                                  from_text, holds, in_units, listed, minus, plus, read_path, read_rough_path, rough_mesh, scenes, times)
+                                  from_text, holds, in_units, listed, minus, plus, read_path, read_rough_path, rough_mesh,
+                                  scenes, times)
+from check_god_object import Surface
 from make_golden import Draw, single
 
 MATERIALS = [(0.0, 0.0), (math.inf, math.inf), (math.inf, 1.0), (1024.0, LEAST), (1024.0, 1024.0), (LEAST, 0.0), (LEAST, LEAST),
@@ -160,7 +163,8 @@ class Checker:
         self.expect('the same by single moves', at == state and count == moves)
 
     def check_path(self, positions):
-        mesh, state, drawn = self.mesh, NOWHERE, None
+        mesh, state, drawn, was_in_front = self.mesh, NOWHERE, None, False
+        surface = Surface(mesh.w, mesh.triangles, mesh.sides)
         for position in positions:
             if not all(abs(c) <= 1e4 for c in position):
                 continue
@@ -175,6 +179,11 @@ class Checker:
                 self.check_rest(before, state, p, rest, slid, is_refused)
             elif status == 'free':
                 self.expect('the bit is clear when free', not state.slipping)
+            if not mesh.rim and mesh.sides == 'front':
+                is_behind = status == 'free' and surface.is_behind(p)
+                if was_in_front:
+                    self.expect('not free behind the surface', not is_behind)
+                was_in_front = not is_behind
             if state.slipping:
                 self.expect('the bit is set by a slide', before.slipping or slid)
             if drawn:
@@ -255,7 +264,7 @@ def sphere(times_divided, radius):
 
 
 def roof(turn):
-    """Two planes that meet at x = 0: a ridge that turns by the angle, or a valley where it is negative. The normals turn steadily."""
+    """Two planes that meet at x = 0: a ridge that turns by the angle, or a valley where it is negative. Normals turn steadily."""
     vertices = [(x, y, -max(x, 0) * math.tan(turn)) for y in (-40, 40) for x in (-40, 0, 40)]
     directions = [(math.sin(part * turn), 0, math.cos(part * turn)) for part in (0, 0.5, 1)] * 2
     triangles = [(0, 1, 4), (0, 4, 3), (1, 2, 5), (1, 5, 4)]
@@ -299,8 +308,8 @@ def stroke():
             ('1280 triangles', sphere(3, 50), 'front', [times(1.1, around[0]), *around])]:
         for material in ((0.0, 0.0), (0.3, 0.3)):
             mesh, (plain, shaded) = stroked(surface, sides, material, hand)
-            print(f'{name}, turn {largest_turn(mesh):.3f}, {math.dist(hand[2], hand[3]):.3f} mm a tick, μ {material[0]}: {plain:.4f} unshaded, '
-                  f'{shaded:.4f} shaded', flush=True)
+            print(f'{name}, turn {largest_turn(mesh):.3f}, {math.dist(hand[2], hand[3]):.3f} mm a tick, μ {material[0]}: '
+                  f'{plain:.4f} unshaded, {shaded:.4f} shaded', flush=True)
 
 
 if __name__ == '__main__':

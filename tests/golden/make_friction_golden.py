@@ -154,8 +154,8 @@ class RoughMesh(Mesh):
         return self.reduced(('t', way.which, *weights[1:]), 1)
 
     def tick(self, state, p):
-        """Returns (state, status, moves, the resting place in Fractions). `steps` is what happened: (kind, place, side, g, slipping,
-        way or None, λ or None, end or None, rounded end or None)."""
+        """Returns (state, status, moves, the resting place in Fractions). `steps` is what happened: (kind, place, side, g,
+        slipping, way or None, λ or None, end or None, rounded end or None)."""
         place, side, g, slipping = state
         moves, self.steps = 0, []
 
@@ -362,8 +362,8 @@ PLANS = {
     'far': ([(math.inf, LEAST)], None),
     'ribbon': ([(LEAST, 0)], None),
 }
-KINDS = ['starts on a rough place', 'lands', 'flies along', 'ends at p on a rough place', 'sticks', 'sticks while slipping', 'slides',
-         'slides less than to a border', 'refused slide', 'refused flight', 'slides to a smooth rest', 'flies to a smooth rest',
+KINDS = ['starts on a rough place', 'lands', 'flies along', 'ends at p on a rough place', 'sticks', 'sticks while slipping',
+         'slides', 'slides less than to a border', 'refused slide', 'refused flight', 'slides to a smooth rest', 'flies to a smooth rest',
          'the bit set by a tick', 'the bit kept by a tick', 'the bit cleared at a rest', 'the bit cleared by a flight',
          'slips over an edge', 'shaded with a drag', 'v front', 'v back', 'e front', 'e back', 't front', 't back', 'free',
          'unfinished', 'invalid', 'shaded on a crease']
