@@ -44,14 +44,14 @@ std::string undeclared(const std::string& key, const Json& declared, const Json&
 }
 
 // What a scene's materials have: of the words of the key "materials".
-std::vector<std::string> words_of_materials(const Json& scene) {
-  std::vector<std::string> words;
+Json words_of_materials(const Json& scene) {
+  Json words = Json::array();
   if (!scene.contains("mesh") || !scene.at("mesh").contains("materials")) return words;
   const Json& materials = scene.at("mesh").at("materials");
   if (std::ranges::any_of(materials, [](const Json& one) { return one.at("static_friction") != "0x0p+0"; }))
-    words.emplace_back("friction");
+    words.push_back("friction");
   if (std::ranges::any_of(materials, [](const Json& one) { return !one.at("stiffness_N_per_mm").is_null(); }))
-    words.emplace_back("stiffness");
+    words.push_back("stiffness");
   return words;
 }
 
@@ -62,7 +62,7 @@ std::optional<std::string> refusal_of_materials(const HelloReader& its, const Js
       said.contains("materials")
           ? list_in(its, "materials", "a list of what it renders of a scene's materials: \"friction\", \"stiffness\"")
           : none;
-  for (const std::string& word : words_of_materials(scene))
+  for (const Json& word : words_of_materials(scene))
     if (std::ranges::find(declared, word) == declared.end()) return undeclared("materials", declared, word);
   return std::nullopt;
 }

@@ -32,6 +32,31 @@ straight=$("$forceshade" force $mesh --crease 45 --input beside.csv | tail -n 1)
 same "15,3,19,0,0,0.5,contact" "$straight"
 [ "$tilted" != "$straight" ] || { echo "FAILED: --crease changes nothing"; exit 1; }
 
+# Friction holds the god-object where it landed, and lets it slip to where the pull is a quarter of the pressure. A material of
+# some faces has its own stiffness. Subject files have the same keys.
+printf 'x_mm,y_mm,z_mm\n5,10,30\n5,10,19\n5.125,10,19\n7,10,19\n' > stroke.csv
+rough=$("$forceshade" force $mesh --shading none --friction 0.5,0.25 --input stroke.csv)
+same "5.125,10,19,-0.0625,0,0.5,contact" "$(sed -n 4p <<< "$rough")"
+case $(sed -n 5p <<< "$rough") in 7,10,19,-0.12*,0.5,contact) ;; *) echo "FAILED: slips otherwise: $rough"; exit 1 ;; esac
+same "7,10,19,0,0,0.5,contact" "$("$forceshade" force $mesh --shading none --friction 0 --input stroke.csv | tail -n 1)"
+same "$("$forceshade" force $mesh --input stroke.csv)" "$("$forceshade" force $mesh --contact friction --input stroke.csv)"
+printf '[[material]]\nname = "hard"\nstiffness = "2N/mm"\nfaces = ["0-11"]\n' > hard.toml
+printf 'mesh = "cube.off"\nunit = "mm"\nshading = "none"\nmaterials = "hard.toml"\n' > hard_cube.toml
+same "7,10,19,0,0,2,contact" "$("$forceshade" force --subject hard_cube.toml --input stroke.csv | tail -n 1)"
+expect 2 "--friction: expected one coefficient of friction" -- "$forceshade" force $mesh --friction=-1 --input stroke.csv
+expect 2 "expected a dynamic coefficient of at most the static one" -- "$forceshade" force $mesh --friction 0.2,0.3 --input stroke.csv
+expect 2 "--contact: expected friction, or no coefficient above 0 of --friction, got \"sub-goal\"" -- \
+  "$forceshade" force $mesh --friction 0.3 --contact sub-goal --input stroke.csv
+expect 2 "--materials excludes --friction" -- "$forceshade" force $mesh --friction 0.3 --materials hard.toml --input stroke.csv
+printf 'friction = [0.2, 0.3]\nmesh = "cube.off"\nunit = "mm"\n' > falling.toml
+expect 2 "falling.toml: line 1: friction: expected a dynamic" -- "$forceshade" force --subject falling.toml --input stroke.csv
+printf 'v 0 0 0\nv 9 0 0\nv 0 9 0\nusemtl rubber\ng tyre\nf 1 2 3\n' > named.obj
+"$forceshade" mesh info named.obj --unit mm > named.txt
+grep -q "^materials  *rubber (1 faces)$" named.txt && grep -q "^groups  *tyre (1 faces)$" named.txt || { cat named.txt; exit 1; }
+printf '[[material]]\nname = "a"\ngroups = ["tire"]\n' > tire.toml
+expect 2 "tire.toml: line 3: groups: expected a group or material of the mesh's file (rubber, tyre), got \"tire\"; the nearest is tyre" -- \
+  "$forceshade" force --mesh named.obj --unit mm --materials tire.toml --input stroke.csv
+
 # plot: the mesh alone, and a path on it.
 expect 0 "drawn/cube-mesh.svg" -- "$forceshade" plot $mesh --out drawn
 ! grep -q "god-object" drawn/cube-mesh.svg || { echo "FAILED: a path is drawn where none is given"; exit 1; }
