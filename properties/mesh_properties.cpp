@@ -41,6 +41,33 @@ bool is_on_surface(const mesh::Tick& tick) {
   return tick.status == mesh::TickStatus::touching || tick.status == mesh::TickStatus::unfinished;
 }
 
+// N/mm: K where the god-object is.
+double stiffness_at(const MeshRendering& rendering, const mesh::GodObject& state) {
+  const mesh::Materials& materials = rendering.materials;
+  const auto of = [&](std::size_t triangle) {
+    const mesh::Material& its = materials.list[materials.of_triangle.empty() ? 0 : materials.of_triangle[triangle]];
+    return its.stiffness.value_or(rendering.stiffness);
+  };
+  if (materials.list.empty() || state.place == mesh::Place::nowhere || state.place == mesh::Place::free)
+    return static_cast<double>(rendering.stiffness);
+  if (state.place == mesh::Place::triangle) return static_cast<double>(of(state.index[0]));
+  // The largest of the triangles at the vertex or edge.
+  float largest = 0;
+  const auto& triangles = rendering.mesh().triangles;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto has = [&](std::uint32_t v) { return std::ranges::find(triangles[i], v) != triangles[i].end(); };
+    if (has(state.index[0]) && (state.place == mesh::Place::vertex || has(state.index[1]))) largest = std::max(largest, of(i));
+  }
+  return static_cast<double>(largest);
+}
+
+// Whether a part of the force may be friction's, at a right angle to what is turned to the shading direction, so that the force
+// is not as long as the spring's.
+bool is_drag_beside_shading(const MeshRendering& rendering) {
+  return rendering.contact == mesh::Contact::friction && rendering.shading != mesh::Shading::none &&
+         std::ranges::any_of(rendering.materials.list, [](const mesh::Material& its) { return its.static_friction > 0; });
+}
+
 // What a shaded force is turned by, as a chord, at the end of this tick; 0 where it is not shaded. D: from the position to
 // the god-object, mm, known to `slack`. A rest that was refused, or is not inside a triangle, has D along no normal in
 // particular.
@@ -112,14 +139,17 @@ double grid_reach(const mesh::TriangleMesh& mesh, const mesh::GodObject& state) 
 
 Violation force_is_as_long_as_the_spring(const MeshRendering& rendering, const Ticked& ticked) {
   const mesh::Tick& tick = ticked.tick;
-  const double size = force_of(tick).norm(), K = static_cast<double>(rendering.stiffness);
+  const double size = force_of(tick).norm(), K = stiffness_at(rendering, tick.after);
   if (!is_on_surface(tick)) {
     if (size == 0) return std::nullopt;
     return at(ticked.position) + "the god-object is not on the surface, and the force is " + words(size) + " N";
   }
   const double length = (point_of(rendering.mesh(), tick.after) - read(ticked.position)).norm();
   const double allowed = K * (grid_reach(rendering.mesh(), tick.after) + kSum) + rounding_of(tick);
-  if (std::fabs(size - K * length) <= allowed) return std::nullopt;
+  // The two parts of a spring that is S long are S cos and S sin of an angle, so that together they are no longer than S√2.
+  if (is_drag_beside_shading(rendering) ? size <= std::numbers::sqrt2 * (K * length + allowed)
+                                        : std::fabs(size - K * length) <= allowed)
+    return std::nullopt;
   return at(ticked.position) + "the force is " + words(size) + " N; the spring is " + words(length) + " mm long, so " +
          words(K * length) + " N were expected";
 }
@@ -128,10 +158,12 @@ Violation force_follows_the_spring(const MeshRendering& rendering, const Ticked&
   const mesh::GodObject &a = one.tick.after, &b = other.tick.after;
   if (!is_on_surface(one.tick) || !is_on_surface(other.tick)) return std::nullopt;
   if (a.place != b.place || a.index != b.index || a.side != b.side) return std::nullopt;
+  // What friction takes is drawn from the normal of the triangle in which the hand pulls, and at an edge that may change.
+  if (is_drag_beside_shading(rendering)) return std::nullopt;
   const double moved = (read(other.position) - read(one.position)).norm() +
                        (point_of(rendering.mesh(), b) - point_of(rendering.mesh(), a)).norm() +
                        2 * grid_reach(rendering.mesh(), a) + 2 * kSum;
-  const double allowed = static_cast<double>(rendering.stiffness) * moved + rounding_of(one.tick) + rounding_of(other.tick);
+  const double allowed = stiffness_at(rendering, a) * moved + rounding_of(one.tick) + rounding_of(other.tick);
   const Eigen::Vector3d F = force_of(one.tick), G = force_of(other.tick);
   const double change = rendering.shading == mesh::Shading::none ? (G - F).norm() : std::fabs(G.norm() - F.norm());
   if (change <= allowed) return std::nullopt;
@@ -155,7 +187,6 @@ double largest_turn(const MeshRendering& rendering, std::uint32_t triangle) {
 }
 
 Violation spring_gives_no_energy(const MeshRendering& rendering, std::span<const Ticked> path) {
-  const double K = static_cast<double>(rendering.stiffness);
   for (std::size_t i = 1; i < path.size(); ++i) {
     const Ticked &before = path[i - 1], &now = path[i];
     const Eigen::Vector3d p = read(before.position), q = read(now.position), step = q - p;
@@ -167,13 +198,18 @@ Violation spring_gives_no_energy(const MeshRendering& rendering, std::span<const
       return at(now.position) + "the god-object went from " + words((r - q).norm()) + " mm off the position to " +
              words((s - q).norm()) + " mm off it";
     const Eigen::Vector3d F = force_of(before.tick), G = force_of(now.tick);
+    const double K = stiffness_at(rendering, before.tick.after), L = stiffness_at(rendering, now.tick.after);
+    // How long the springs are, mm: of forces, but where friction has a part in them.
+    const bool has_drag = is_drag_beside_shading(rendering);
+    const double D = has_drag && is_on_surface(before.tick) ? (r - p).norm() : F.norm() / K,
+                 E = has_drag && is_on_surface(now.tick) ? (s - q).norm() : G.norm() / L;
     const double given = F.dot(step);
     const double turned = is_on_surface(before.tick) ? most_turn(rendering, before.tick, r - p, slack) : 0;
-    const double stored = (F.squaredNorm() - G.squaredNorm() / (growth * growth)) / (2 * K) + 0.5 * K * step.squaredNorm() +
-                          turned * F.norm() * step.norm();
+    const double stored = 0.5 * K * (D * D - E * E / (growth * growth) + step.squaredNorm()) + turned * K * D * step.norm();
     // Where the springs' ends are off by the slack, and the forces by their roundings.
-    const double off = (turned > 0 ? 3 : 1) * K * slack + rounding_of(before.tick) + rounding_of(now.tick);
-    const double allowed = off * (step.norm() + (F.norm() + G.norm() + off) / K);
+    const double larger = std::max(K, L),
+                 off = (turned > 0 ? 3 : 1) * larger * slack + rounding_of(before.tick) + rounding_of(now.tick) * larger / L;
+    const double allowed = off * (step.norm() + D + E + off / K);
     if (given > stored + allowed)
       return at(now.position) + "a tick gave " + words(given) + " mJ; at most " + words(stored) + " mJ were expected";
   }

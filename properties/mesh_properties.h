@@ -24,12 +24,14 @@ Eigen::Vector3d point_of(const mesh::TriangleMesh& mesh, const mesh::GodObject& 
 // The most that the point of the state is away from the point that gave the force: two steps of the grid, mm.
 double grid_reach(const mesh::TriangleMesh& mesh, const mesh::GodObject& state);
 
-// The force is as long as the stiffness times the distance from the position to the god-object, shaded or not; zero where it is
-// free or the position is invalid; finite always.
+// The force is as long as the stiffness times the distance from the position to the god-object, shaded or not; where friction
+// takes a part of a shaded one, no longer than that times the root of 2; zero where it is free or the position is invalid;
+// finite always.
 Violation force_is_as_long_as_the_spring(const MeshRendering& rendering, const Ticked& ticked);
 
 // Two positions reached from the same state that lead to the same feature and side: the length of the force changes by no more
-// than the stiffness times what position and god-object move; unshaded, so does the force.
+// than the stiffness times what position and god-object move; unshaded, so does the force. Nothing is said of a
+// shaded one of which friction takes a part.
 Violation force_follows_the_spring(const MeshRendering& rendering, const Ticked& one, const Ticked& other);
 
 // The most by which the vertex scheme turns the force of a rest inside this triangle, as a chord: |N/|N| - n/|n|| is at most
@@ -41,8 +43,9 @@ double largest_turn(const MeshRendering& rendering, std::uint32_t triangle);
 // one is at most what it would be had it not moved. So an unshaded force gives no more energy than sampling does: over one tick
 // F·(p' - p) <= (F² - F'²)/2K + K/2 |p' - p|², which is checked of the forces, too. A shaded force is as long as the spring's
 // and gives at most t |F| |p' - p| more, where t is largest_turn() at a rest inside a triangle, else the root of 2
-// (docs/energy.md). By the contact rule sub-goal, after a rest inside a triangle, that distance may be 1 + 2t times as long,
-// and F' counts for F'/(1 + 2t).
+// (docs/energy.md). Where materials have a stiffness of their own, F is
+// that of the place before and F' counts by the length of its spring. By the contact rule sub-goal, after a rest inside a
+// triangle, that distance may be 1 + 2t times as long, and F' counts for F'/(1 + 2t).
 Violation spring_gives_no_energy(const MeshRendering& rendering, std::span<const Ticked> path);
 
 }  // namespace forceshade::properties

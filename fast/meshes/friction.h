@@ -22,12 +22,12 @@ FORCESHADE_INLINE DoubleWithError square_of(const Vector3<double>& a, double err
   return x * x + y * y + z * z;
 }
 
-// Of a slide in the triangle: times n². U: 2^24(p - g), of this size.
+// In a triangle: times n². U: 2^24(p - g).
 FORCESHADE_INLINE Load load_in_triangle(const FaceNumbers& face, const Offset& U) noexcept {
   const DoubleWithError across{dot(face.n, U.U), kAcross.error * face.area * U.size};
   return {square_of(cross(face.n, U.U), kPulled.error * face.area * U.size), across * across};
 }
-// Of a slide along an edge e: times e².
+// Along an edge e: times e².
 FORCESHADE_INLINE Load load_on_edge(const Vector3<double>& e, const Offset& U) noexcept {
   const double size = size_of(e);
   const DoubleWithError along{dot(e, U.U), kAlong.error * size * U.size};

@@ -57,7 +57,7 @@ inline HalfEdge previous(HalfEdge h) noexcept {
   return 3 * face_of(h) + before(corner_of(h));
 }
 
-// Of Coulomb friction, in a triangle or along an edge.
+// The coefficients of Coulomb friction in a triangle or along an edge.
 struct Coefficients {
   float static_friction = 0, dynamic_friction = 0;
 

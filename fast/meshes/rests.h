@@ -32,6 +32,19 @@ struct Arrival {
   int tries = 0;     // that the tick's detours and landings have taken: where sheets may cross
 };
 
+// Between what a god-object remembers and the file's numbering. A state is one of the contact rule.
+inline Arrival arrival_of(const Mesh& mesh, const mesh::GodObject& state, mesh::Contact contact) noexcept {
+  Arrival at;
+  at.spot = spot_of(mesh, state);
+  at.is_slipping = state.is_slipping && contact == mesh::Contact::friction && is_touching(at.spot);
+  return at;
+}
+inline mesh::GodObject object_of(const Mesh& mesh, const Arrival& at) noexcept {
+  mesh::GodObject state = object_of(mesh, at.spot);
+  state.is_slipping = at.is_slipping;
+  return state;
+}
+
 // The points that the state can hold, as they lie to p.
 template <class Stages>
 class Rests {

@@ -47,14 +47,9 @@ class MeshSession final : public TickSession {
   // The fault of session.cpp, as arithmetic_fault_here() of fast/numbers/arithmetic.h. Under a fault no mesh is built.
   static const char* arithmetic_fault() noexcept;
 
-  mesh::GodObject state() const noexcept {
-    mesh::GodObject state = object_of(*mesh_, at_.spot);
-    state.is_slipping = at_.is_slipping;
-    return state;
-  }
+  mesh::GodObject state() const noexcept { return object_of(*mesh_, at_); }
   void resume(const mesh::GodObject& state) noexcept override {
-    at_.spot = spot_of(*mesh_, state);
-    at_.is_slipping = state.is_slipping && contact_ == mesh::Contact::friction && is_touching(at_.spot);
+    at_ = arrival_of(*mesh_, state, contact_);
     square_ = 0;
     is_seeking_ = false;
   }

@@ -21,13 +21,27 @@ class Slips : protected Rests<Stages> {
   FORCESHADE_INLINE Slips(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, const Stages& stages) noexcept
       : Rests<Stages>(mesh, at.spot, p, stages), at_(at) {}
 
+  // How p lies to a triangle.
+  struct Facing {
+    FaceNumbers numbers;
+    Vector3<double> w;  // p less the first corner
+    int side;           // of n·w
+    Weights weights;
+
+    FORCESHADE_INLINE Facing(const Face& face, const float* p, const Stages& stages) noexcept
+        : numbers(face),
+          w(difference(p, face.corner[0].data())),
+          side(side_of(numbers, face, p, w, stages)),
+          weights(numbers, w) {}
+  };
+
   // A slide in a rough triangle, or along a rough edge; none where it goes on to the border or to the end. In a triangle, all
   // that follow while the god-object stays in it.
-  FORCESHADE_INLINE std::optional<Step> slip_in(std::uint32_t f, const FaceNumbers& numbers, const Weights& weights,
-                                                const std::array<int, 3>& inside, const Coefficients& of) noexcept {
+  FORCESHADE_INLINE std::optional<Step> slip_in(std::uint32_t f, const Facing& facing, const std::array<int, 3>& inside,
+                                                const Coefficients& of) noexcept {
     for (;;) {
       const auto step =
-          by_friction_in(f, numbers, of, [&](const auto& friction) { return slip_by(friction, f, numbers, weights, inside); });
+          by_friction_in(f, facing.numbers, of, [&](const auto& friction) { return slip_by(friction, f, facing, inside); });
       if (!step || *step != Step::onward || spot_.place != mesh::Place::triangle) return step;
     }
   }
@@ -64,12 +78,13 @@ class Slips : protected Rests<Stages> {
 
  private:
   template <class Friction>
-  FORCESHADE_INLINE std::optional<Step> slip_by(const Friction& friction, std::uint32_t f, const FaceNumbers& numbers,
-                                                const Weights& weights, const std::array<int, 3>& inside) noexcept {
+  FORCESHADE_INLINE std::optional<Step> slip_by(const Friction& friction, std::uint32_t f, const Facing& facing,
+                                                const std::array<int, 3>& inside) noexcept {
     const Slide way{Slide::Along::triangle, 3 * f, false};
     if (friction.holds(at_.is_slipping)) return held(way, friction);
     if (at_.moves == kMostMoves) return exhausted(way);
     const std::uint32_t left = friction.share_left();
+    const Weights& weights = facing.weights;
     const std::array<std::uint32_t, 3> G = weights_in(mesh_, spot_, f);
     const auto exact_weight = [&](const ExactWeights& exact, std::size_t i) {
       return exact_weight_after(left, G[i], exact.corner[i], exact.all);
@@ -86,7 +101,7 @@ class Slips : protected Rests<Stages> {
         return exact_cell(exact_weight(exact, i), exact.all.template shifted<48>());
       });
     }
-    const double longest = 3 * (numbers.s1 + numbers.s2) * (numbers.s1 + numbers.s2);
+    const double longest = 3 * (facing.numbers.s1 + facing.numbers.s2) * (facing.numbers.s1 + facing.numbers.s2);
     const bool is_nearer = friction.surely_brings_nearer(left, weights.all.value + weights.all.error, longest);
     return slipped(rounded_in_triangle(f, cells, spot_.side), is_nearer, way, friction);
   }

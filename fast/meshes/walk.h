@@ -43,6 +43,7 @@ class Walk : Slips<Stages> {
   }
 
  private:
+  using typename Slips<Stages>::Facing;
   using Slips<Stages>::at_, Slips<Stages>::kMostMoves;
   using Slips<Stages>::slip_in, Slips<Stages>::slip_along, Slips<Stages>::stay, Slips<Stages>::exhausted,
       Slips<Stages>::steepest;
@@ -126,19 +127,6 @@ class Walk : Slips<Stages> {
 
   // ---- Moves.
 
-  // How p lies to a triangle.
-  struct Facing {
-    FaceNumbers numbers;
-    Vector3<double> w;  // p less the first corner
-    int side;           // of n·w
-    Weights weights;
-
-    FORCESHADE_INLINE Facing(const Face& face, const float* p, const Stages& stages) noexcept
-        : numbers(face),
-          w(difference(p, face.corner[0].data())),
-          side(side_of(numbers, face, p, w, stages)),
-          weights(numbers, w) {}
-  };
   // On which side of the edge h the foot of p lies: see Headings::inward().
   FORCESHADE_INLINE int inward(const Facing& facing, HalfEdge h) const noexcept {
     const std::uint32_t opposite = before(corner_of(h));
@@ -277,7 +265,7 @@ class Walk : Slips<Stages> {
       inside[i] = sign_of(weights.corner[i], stages_, [&] { return ExactWeights(mesh_.face(f), p_.data()).corner[i].sign(); });
     if constexpr (kHasFriction)
       if (const Coefficients of = mesh_.friction_in_triangle(f); of.is_rough())
-        if (const auto step = slip_in(f, facing.numbers, facing.weights, inside, of)) return *step;
+        if (const auto step = slip_in(f, facing, inside, of)) return *step;
     if (inside[0] <= 0 || inside[1] <= 0 || inside[2] <= 0) return slide_out(f, facing, inside);
     const Spot to = rest_in_triangle(f, weights, spot_.side);
     if (spot_.place == mesh::Place::triangle && to.weight[0] == spot_.weight[0] && to.weight[1] == spot_.weight[1] &&

@@ -29,10 +29,11 @@ void arrive(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, float 
 template <class Stages = FilteredStages>
 mesh::Tick step(const Mesh& mesh, const mesh::GodObject& before, const std::array<float, 3>& position, float stiffness,
                 mesh::Shading shading, const Stages& stages = {}, mesh::Contact contact = mesh::kUsualContact) noexcept {
-  Arrival at{spot_of(mesh, before), Rest::none, 0, true};
+  const mesh::Contact its = contact_in(mesh, contact);
+  Arrival at = arrival_of(mesh, before, its);
   mesh::Tick tick;
-  if (in_domain(position)) advance(mesh, at, quantised(position), stiffness, shading, stages, tick, contact);
-  tick.after = object_of(mesh, at.spot);
+  if (in_domain(position)) advance(mesh, at, quantised(position), stiffness, shading, stages, tick, its);
+  tick.after = object_of(mesh, at);
   return tick;
 }
 

@@ -6,17 +6,8 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <cstdio>
-#include <map>
 
-#include "fast/meshes/session.h"
-#include "forceshade/reference.h"
-#include "properties/mesh_path.h"
-#include "properties/mesh_source.h"
-#include "tests/meshes/god_object_paths.h"
-#include "tests/meshes/rendering.h"
-#include "tests/meshes/steps.h"
-#include "tests/support/allocations.h"
+#include "tests/meshes/both_sides.h"
 
 namespace forceshade {
 namespace {
@@ -31,17 +22,7 @@ MeshRendering by_sub_goal(MeshRendering rendering, mesh::Shading shading) {
   return rendering;
 }
 
-struct Counts {
-  std::map<std::string, std::size_t> reached;
-
-  std::size_t& operator[](const std::string& name) { return reached[name]; }
-  void expect_all(const std::vector<const char*>& names) {
-    for (const char* name : names) {
-      std::printf("  %9zu %s\n", reached[name], name);
-      EXPECT_GT(reached[name], 0U) << name;
-    }
-  }
-};
+using Counts = tests::Occasions;
 
 TEST(sub_goal, both_sides_meet_every_column_of_the_paths_of_the_python_program) {
   const std::string folder = FORCESHADE_SOURCE_DIR "/tests/golden/sub_goal_god_object";
@@ -67,45 +48,21 @@ TEST(sub_goal, both_sides_meet_every_column_of_the_paths_of_the_python_program) 
   counts.expect_all({"ticks", "at free", "at vertex", "at edge", "at triangle"});
 }
 
-// Every family of meshes, three shadings on top of the rule, in binary64 first and in exact numbers alone.
 TEST(sub_goal, is_the_reference_in_every_bit_on_random_meshes_and_paths) {
-  constexpr std::uint64_t kShadings = mesh::kShadingNames.size() - 1;  // all but the last, which needs a texture
-  constexpr std::uint64_t kMeshes = 66;
-  constexpr std::size_t kTicksOfAMesh = 250;
   Counts counts;
-  properties::MeshSource source(41);
-  for (std::uint64_t seed = 0; seed < kMeshes; ++seed) {
-    const properties::RandomMesh made = source.next();
-    const auto shading = static_cast<mesh::Shading>(seed % kShadings);
-    const MeshRendering rendering =
-        by_sub_goal(tests::shaded(made.mesh, source.normals_of(made.mesh), made.sides, kStiffness), shading);
-    const auto built = std::make_shared<const fast::Mesh>(tests::fast_mesh(rendering));
-    reference::GodObjectSession definition(tests::built(reference::GodObject::build(rendering)));
-    fast::MeshSession session(built, kStiffness, shading, rendering.contact);
-    properties::MeshPath path(made.mesh, seed);
-    mesh::GodObject state;
-    for (std::size_t i = 0; i < kTicksOfAMesh; ++i) {
-      const Position p = path.next();
-      const mesh::Tick expected = definition.step(p);
-      const std::size_t allocated = tests::allocations();
-      const mesh::Tick in_session = session.tick(p);
-      ASSERT_EQ(tests::allocations(), allocated);
-      const mesh::Tick exact = fast::step(*built, state, p, kStiffness, shading, fast::ExactStages(), rendering.contact);
-      for (const mesh::Tick& found : {in_session, exact})
-        ASSERT_TRUE(tests::is_same(found, expected))
-            << "mesh " << seed << ", " << properties::kMeshFamilies[made.family] << ", tick " << i << ": expected "
-            << tests::show(expected) << ", found " << tests::show(found);
-      const bool was_inside = state.place == mesh::Place::triangle;
-      const mesh::Tick direct = fast::step(*built, state, p, kStiffness, shading);
-      counts["a rest that the rule moves"] += was_inside && !(direct.after == expected.after);
-      counts["a rest that it leaves"] += was_inside && direct.after == expected.after;
-      counts["from behind"] += was_inside && state.side == mesh::Side::back && !(direct.after == expected.after);
-      counts["decided in binary64"] += session.stage() == fast::Stage::binary64;
-      counts["decided in wide numbers"] += session.stage() == fast::Stage::wide;
-      ++counts[std::string(mesh::kTickStatusNames[static_cast<std::size_t>(expected.status)])];
-      state = expected.after;
-    }
-  }
+  tests::expect_reference(
+      66, 250, counts,
+      [](properties::MeshSource& source, const properties::RandomMesh& made, mesh::Shading shading) {
+        return by_sub_goal(tests::shaded(made.mesh, source.normals_of(made.mesh), made.sides, kStiffness), shading);
+      },
+      [&](const tests::ComparedTick& tick) {
+        const bool was_inside = tick.before.place == mesh::Place::triangle;
+        const mesh::Tick direct = fast::step(tick.mesh, tick.before, tick.position, kStiffness, tick.shading);
+        const bool is_same = direct.after == tick.expected.after;
+        counts["a rest that the rule moves"] += was_inside && !is_same;
+        counts["a rest that it leaves"] += was_inside && is_same;
+        counts["from behind"] += was_inside && tick.before.side == mesh::Side::back && !is_same;
+      });
   counts.expect_all({"a rest that the rule moves", "a rest that it leaves", "from behind", "decided in binary64",
                      "decided in wide numbers", "free", "touching", "invalid"});
 }

@@ -29,6 +29,7 @@ MeshRendering rendering_of(MeshSource& source, std::size_t family, mesh::Shading
   RandomMesh random = source.of_family(family);
   MeshRendering rendering{tests::checked(std::move(random.mesh)), {}, random.sides, shading, 0.3F};
   rendering.contact = contact;
+  if (contact == mesh::Contact::friction) rendering.materials = source.materials_of(rendering.mesh());
   if (rendering.has_corner_normals()) rendering.normals = source.normals_of(rendering.mesh());
   if (shading == mesh::Shading::texture_scheme)
     rendering.texture = {source.textures_of(rendering.mesh()),
@@ -47,9 +48,10 @@ void expect_every_property(mesh::Shading shading, mesh::Contact contact) {
 }
 
 TEST(mesh_subject, has_every_property_on_every_family_of_meshes) {
-  for (const mesh::Shading shading :
-       {mesh::Shading::none, mesh::Shading::vertex_scheme, mesh::Shading::edge_scheme, mesh::Shading::texture_scheme})
-    expect_every_property(shading, mesh::Contact::direct);
+  for (const mesh::Contact contact : {mesh::Contact::direct, mesh::Contact::friction})
+    for (const mesh::Shading shading :
+         {mesh::Shading::none, mesh::Shading::vertex_scheme, mesh::Shading::edge_scheme, mesh::Shading::texture_scheme})
+      expect_every_property(shading, contact);
   for (const mesh::Shading shading : {mesh::Shading::none, mesh::Shading::vertex_scheme, mesh::Shading::texture_scheme})
     expect_every_property(shading, mesh::Contact::sub_goal);
 }

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Friction in real time: the paths of the Python program, the reference on random meshes with random materials, and the usual
+// rule where nothing is rough.
+
+#include <cmath>
+
+#include "tests/meshes/both_sides.h"
+
+namespace forceshade {
+namespace {
+
+constexpr float kStiffness = 0.3F;  // N/mm
+
+MeshRendering with_friction(MeshRendering rendering, mesh::Materials materials, mesh::Shading shading) {
+  rendering.shading = shading;
+  rendering.contact = mesh::Contact::friction;
+  rendering.materials = std::move(materials);
+  return rendering;
+}
+
+TEST(friction, the_real_time_path_meets_every_column_of_the_paths_of_the_python_program) {
+  const std::string golden = FORCESHADE_SOURCE_DIR "/tests/golden/";
+  tests::Occasions occasions;
+  for (const std::string& name : tests::friction_paths_in(golden + "friction")) {
+    const tests::GodObjectPath path = tests::read_friction_path(golden + "god_object", golden + "friction", name);
+    for (const mesh::Shading shading : {mesh::Shading::none, mesh::Shading::vertex_scheme}) {
+      const MeshRendering rendering =
+          with_friction(tests::shaded(path.mesh, path.normals, path.sides, path.stiffness), path.materials, shading);
+      const auto session = tests::built(fast::GodObject::build(rendering)).open();
+      for (const tests::PathTick& row : path.ticks) {
+        mesh::Tick expected = row.tick;
+        if (shading != mesh::Shading::none) expected.force = row.shaded;
+        const mesh::Tick found = session->tick(row.position);
+        ASSERT_TRUE(tests::is_same(found, expected))
+            << row.place << ": " << tests::show(found) << ", expected " << tests::show(expected);
+        ++occasions["ticks"];
+        occasions["slipping"] += expected.after.is_slipping;
+      }
+    }
+  }
+  occasions.expect_all({"ticks", "slipping"});
+}
+
+TEST(friction, is_the_reference_in_every_bit_on_random_meshes_with_random_materials) {
+  tests::Occasions occasions;
+  tests::expect_reference(
+      132, 250, occasions,
+      [](properties::MeshSource& source, const properties::RandomMesh& made, mesh::Shading shading) {
+        return with_friction(tests::shaded(made.mesh, source.normals_of(made.mesh), made.sides, kStiffness),
+                             source.materials_of(made.mesh), shading);
+      },
+      [&](const tests::ComparedTick& tick) {
+        const bool was_touching = fast::is_touching(fast::spot_of(tick.mesh, tick.before));
+        const mesh::Tick direct = fast::step(tick.mesh, tick.before, tick.position, kStiffness, tick.shading);
+        occasions["friction keeps it back"] += was_touching && !(direct.after == tick.expected.after);
+        occasions["held"] += was_touching && tick.expected.moves == 0 && direct.moves > 0;
+        occasions["slipping"] += tick.expected.after.is_slipping;
+        occasions["slips no more"] += tick.before.is_slipping && !tick.expected.after.is_slipping;
+      });
+  occasions.expect_all({"friction keeps it back", "held", "slipping", "slips no more", "decided in binary64",
+                        "decided in wide numbers", "free", "touching", "invalid"});
+}
+
+TEST(friction, is_the_usual_rule_where_nothing_is_rough) {
+  properties::MeshSource source(5);
+  std::size_t touching = 0;
+  for (std::uint64_t seed = 0; seed < 22; ++seed) {
+    const properties::RandomMesh made = source.next();
+    MeshRendering rendering = tests::shaded(made.mesh, source.normals_of(made.mesh), made.sides, kStiffness);
+    const auto usual = tests::built(fast::GodObject::build(rendering)).open();
+    const auto smooth =
+        tests::built(fast::GodObject::build(with_friction(rendering, {{{}, {}}, {}}, rendering.shading))).open();
+    properties::MeshPath path(made.mesh, seed);
+    for (int i = 0; i < 200; ++i) {
+      const std::array<float, 3> p = path.next();
+      const mesh::Tick expected = usual->tick(p), found = smooth->tick(p);
+      ASSERT_TRUE(tests::is_same(found, expected)) << tests::show(found) << ", expected " << tests::show(expected);
+      touching += expected.status == mesh::TickStatus::touching;
+    }
+  }
+  EXPECT_GT(touching, 0U);
+}
+
+TEST(friction, is_refused_where_it_is_not_defined) {
+  MeshRendering rendering = tests::shaded({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}},
+                                          {{{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}}}, mesh::Sides::both, kStiffness);
+  const auto message = [&](mesh::Material material, mesh::Contact contact = mesh::Contact::friction) {
+    rendering.contact = contact;
+    rendering.materials = {{material}, {}};
+    const auto built = fast::GodObject::build(rendering);
+    const auto* error = std::get_if<ParameterError>(&built);
+    return error == nullptr ? std::string() : error->message();
+  };
+  EXPECT_EQ(message({{}, 0.3F, 0.3F}), "");
+  EXPECT_EQ(message({{}, HUGE_VALF, 0}), "");
+  EXPECT_NE(message({{}, 0.3F, 0.4F}), "") << "dynamic above static";
+  EXPECT_NE(message({{}, -0.3F, -0.4F}), "");
+  EXPECT_NE(message({{}, 0x1p-11F, 0}), "");
+  EXPECT_NE(message({{}, NAN, 0}), "");
+  EXPECT_NE(message({{}, 0.3F, 0.3F}, mesh::Contact::direct), "");
+  EXPECT_NE(message({{}, 0.3F, 0.3F}, mesh::Contact::sub_goal), "");
+  EXPECT_NE(message({1e6F, 0, 0}), "") << "stiffness";
+  EXPECT_EQ(message({2.0F, 0, 0}, mesh::Contact::direct), "");
+}
+
+}  // namespace
+}  // namespace forceshade
