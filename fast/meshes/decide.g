@@ -24,6 +24,9 @@ my_plus rel= cz * dx; my_minus rel= cx * dz; my rel= my_plus - my_minus;
 MY = CZ * DX - CX * DZ;
 mz_plus rel= cx * dy; mz_minus rel= cy * dx; mz rel= mz_plus - mz_minus;
 MZ = CX * DY - CY * DX;
+# p = n x d: a component.
+px_plus rel= ny * dz; px_minus rel= nz * dy; px rel= px_plus - px_minus;
+PX = NY * DZ - NZ * DY;
 # Products of two vectors.
 short_x rel= ax * bx; short_y rel= ay * by; short_z rel= az * bz; short_xy rel= short_x + short_y; short rel= short_xy + short_z;
 SHORT = (AX * BX + AY * BY) + AZ * BZ;
@@ -71,6 +74,17 @@ THIRD = ALL - (SECOND + OTHER);
 /\ |cx| <= 1 /\ |cy| <= 1 /\ |cz| <= 1 /\ |cx - CX| <= 1b-53 /\ |cy - CY| <= 1b-53 /\ |cz - CZ| <= 1b-53
 /\ |dx| <= 1 /\ |dy| <= 1 /\ |dz| <= 1 /\ |dx - DX| <= 1b-52 /\ |dy - DY| <= 1b-52 /\ |dz - DZ| <= 1b-52
 -> inside - INSIDE in ? }
+# A difference times an offset, and a normal times an offset, as vectors: how far a hand is off an edge, and how strongly it pulls
+# along a triangle (fast/meshes/friction.h).
+#! piece pressed
+{ |cx| <= 1 /\ |cy| <= 1 /\ |cz| <= 1 /\ |cx - CX| <= 1b-53 /\ |cy - CY| <= 1b-53 /\ |cz - CZ| <= 1b-53
+/\ |dx| <= 1 /\ |dy| <= 1 /\ |dz| <= 1 /\ |dx - DX| <= 1b-52 /\ |dy - DY| <= 1b-52 /\ |dz - DZ| <= 1b-52
+-> mx - MX in ? }
+#! piece pulled
+{ |ax| <= 1 /\ |ay| <= 1 /\ |az| <= 1 /\ |ax - AX| <= 1b-53 /\ |ay - AY| <= 1b-53 /\ |az - AZ| <= 1b-53
+/\ |bx| <= 1 /\ |by| <= 1 /\ |bz| <= 1 /\ |bx - BX| <= 1b-53 /\ |by - BY| <= 1b-53 /\ |bz - BZ| <= 1b-53
+/\ |dx| <= 1 /\ |dy| <= 1 /\ |dz| <= 1 /\ |dx - DX| <= 1b-52 /\ |dy - DY| <= 1b-52 /\ |dz - DZ| <= 1b-52
+-> px - PX in ? }
 # Two normals.
 #! piece area
 { |ax| <= 1 /\ |ay| <= 1 /\ |az| <= 1 /\ |ax - AX| <= 1b-53 /\ |ay - AY| <= 1b-53 /\ |az - AZ| <= 1b-53

@@ -11,6 +11,7 @@ Usage: make_god_object_golden.py [directory]       (the default is god_object/ b
        make_god_object_golden.py --single-moves directory output [mesh ...]
            writes the directory's paths as ticks of one move each, with each position repeated until the god-object has followed,
            so that check_god_object.py sees every move; each last row must be as in the directory, but for its number of moves
+The contact rule friction has a program of its own, make_friction_golden.py.
 
 All decisions are signs of integers or of rationals; there is no tree, no tolerance and no floating-point number in a decision.
 The methods are chosen to differ from the formulas of docs/god-object.md:

@@ -14,6 +14,7 @@
 #include <string>
 
 #include "fast/meshes/bit_span.h"
+#include "fast/meshes/friction.h"
 
 namespace forceshade::fast {
 namespace {
@@ -60,6 +61,8 @@ TEST(decide, has_the_bounds_that_counting_by_hand_gives) {
   expect_units(kLength, 3, (1 + 1 + 1) * 3 + 2 + 3);
   expect_units(kOffsetLength, 3, (2 + 2 + 1) * 3 + 2 + 3);
   expect_units(kPasses, 6, (beside + 2 + 2) * 3 + 4 + 6);
+  expect_units(kPressed, 2, beside);
+  expect_units(kPulled, 4, (n + 2 * 2 + 2) * 2 + 4);
 }
 
 // A span of numbers that binary64 holds without rounding. The ends of each span are met, so that none is too wide either.
@@ -73,7 +76,9 @@ TEST(decide, has_bounds_that_the_proofs_of_gappa_imply) {
                                                     {"length", kLength},
                                                     {"offset_length", kOffsetLength},
                                                     {"passes", kPasses},
-                                                    {"third", kThird}};
+                                                    {"third", kThird},
+                                                    {"pressed", kPressed},
+                                                    {"pulled", kPulled}};
   std::ifstream file(FORCESHADE_SOURCE_DIR "/fast/meshes/decide.gappa-expected");
   std::size_t found = 0;
   for (std::string line; std::getline(file, line);) {
