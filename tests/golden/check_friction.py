@@ -229,9 +229,9 @@ def check_scaled(directory, only):
             continue
         mesh, rows = read_rough_path(directory, name, sides)
         small = type(mesh)([times(0.125, v) for v in mesh.vertices], mesh.triangles, sides, mesh.corner_normals, mesh.materials)
-        positions = [times(0.125, tuple(map(from_text, row[:3]))) for row in rows]
+        positions = [times(1.0 if row[3] == 'invalid' else 0.125, tuple(map(from_text, row[:3]))) for row in rows]
         own = list(follow(small, positions))
-        wrong = [(row, one) for row, one in zip(rows, own) if row[3] != 'invalid' and row[3:8] != one[3:8]]
+        wrong = [(row, one) for row, one in zip(rows, own) if row[3:8] != one[3:8]]
         print(f'{name}: {len(rows)} ticks, {len(wrong)} other states', flush=True)
         different += len(wrong)
     return different
