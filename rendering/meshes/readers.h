@@ -37,7 +37,7 @@ inline constexpr std::size_t kMostCorners = 4096;
 // Gives triangles their names of one kind. It takes no memory as long as none has one.
 class Naming {
  public:
-  // Of the triangles that are added from now on; empty for none.
+  // The name of the triangles that are added from now on; empty for none.
   void begin(std::string_view name);
   // The next triangle, in front of which there are so many.
   void add(std::size_t before);

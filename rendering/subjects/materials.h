@@ -9,7 +9,7 @@
 
 namespace forceshade::subjects {
 
-// Of the whole mesh: "0.3", "0.4,0.3" (static, dynamic) or "inf". name: what a message calls it. Throws BadInput.
+// The one of a whole mesh: "0.3", "0.4,0.3" (static, dynamic) or "inf". name: what a message calls it. Throws BadInput.
 mesh::Material parse_friction(const std::string& name, const std::string& text);
 
 // Those that the options give a mesh; without a list where they give none, or such as change nothing. Throws BadInput with

@@ -47,7 +47,7 @@ expect 2 "--friction: expected one coefficient of friction" -- "$forceshade" for
 expect 2 "expected a dynamic coefficient of at most the static one" -- "$forceshade" force $mesh --friction 0.2,0.3 --input stroke.csv
 expect 2 "--contact: expected friction, or no coefficient above 0 of --friction, got \"sub-goal\"" -- \
   "$forceshade" force $mesh --friction 0.3 --contact sub-goal --input stroke.csv
-expect 2 "--materials excludes --friction" -- "$forceshade" force $mesh --friction 0.3 --materials hard.toml --input stroke.csv
+expect 2 "--friction: expected without --materials, got both" -- "$forceshade" force $mesh --friction 0.3 --materials hard.toml --input stroke.csv
 printf 'friction = [0.2, 0.3]\nmesh = "cube.off"\nunit = "mm"\n' > falling.toml
 expect 2 "falling.toml: line 1: friction: expected a dynamic" -- "$forceshade" force --subject falling.toml --input stroke.csv
 printf 'v 0 0 0\nv 9 0 0\nv 0 9 0\nusemtl rubber\ng tyre\nf 1 2 3\n' > named.obj
