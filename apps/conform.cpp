@@ -86,22 +86,28 @@ int run(const ConformCommand& its, const SubjectOption& option, const std::strin
   return found.held() ? kHeld : kFailed;
 }
 
-int run_simulator(const ConformCommand& its) {
+int run_simulator(const ConformCommand& its, const std::string& repeated) {
   namespace simulators = conformance::simulators;
   expect_room_for_results(its.json, its.junit);
+  expect_folder_of("--out", its.out);
   watch_for_interrupt();
   std::optional<ProgressLine> line("simulator");
   const Monitor monitor([&](double done) { line->draw(done); }, interrupted());
   const simulators::SimulatorConformance found =
       simulators::conform_simulator(simulators::simulator_process(its.simulator, its.limits()), monitor);
   line.reset();
-  if (!its.json.empty()) write_file(its.json, conformance::text_of(simulators::json_of(found)));
+  const std::string version = properties::current_build().version;
+  if (!its.json.empty()) write_file(its.json, conformance::text_of(simulators::json_of(found, version, repeated)));
+  if (!its.out.empty())
+    write_file(its.out, page_of(its.out, [&](properties::Pictures shown) {
+                 return conformance::to_html(found, version, repeated, shown);
+               }));
   if (!its.junit.empty()) {
     std::vector<JunitCase> cases;
     add_cases(cases, found.simulator.name, found.invariants, found.failure);
     write_file(its.junit, to_junit("forceshade conform", {{"settings", found.simulator.settings}}, cases));
   }
-  print_beside({its.json, its.junit}, simulators::words_of(found));
+  print_beside({its.json, its.junit, its.out}, simulators::words_of(found));
   return found.held() ? kHeld : kFailed;
 }
 
@@ -148,7 +154,7 @@ void add_conform(CLI::App& app, int& result) {
   add_json(*command, its->json, "what was found");
   add_junit(*command, its->junit);
   for (const char* of_renderers : {"--law", "--height-map", "--mesh", "--subject", "--command", "--object", "--recording",
-                                   "--tolerance", "--points", "--seed", "--timing", "--max-answer-time", "--out"})
+                                   "--tolerance", "--points", "--seed", "--timing", "--max-answer-time"})
     simulator->excludes(command->get_option(of_renderers));
   for (const char* door : {"--command", "--object"}) command->get_option(door)->excludes(command->get_option("--recording"));
   add_conform_compare(*command, result);
@@ -159,7 +165,7 @@ void add_conform(CLI::App& app, int& result) {
     if (recording->is_given())
       result = recording->run(*subject, its->tolerance, its->json, its->junit);
     else
-      result = its->simulator.empty() ? run(*its, *subject, repeated(*command)) : run_simulator(*its);
+      result = its->simulator.empty() ? run(*its, *subject, repeated(*command)) : run_simulator(*its, repeated(*command));
   });
 }
 

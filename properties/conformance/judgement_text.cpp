@@ -151,6 +151,7 @@ Json json_of(const Invariant& invariant) {
   one["cases"] = invariant.cases;
   if (invariant.violation) one["violation"] = *invariant.violation;
   if (invariant.largest) one["largest"] = *invariant.largest;
+  if (invariant.share_of_allowed) one["share_of_allowed"] = *invariant.share_of_allowed;
   return one;
 }
 

@@ -12,6 +12,7 @@
 #include "certificate/json_fields.h"
 #include "files/printable.h"
 #include "properties/conformance/judgement_text.h"
+#include "properties/conformance/simulators/conform_simulator.h"
 #include "rendering/number_text.h"
 
 namespace forceshade::conformance {
@@ -38,7 +39,7 @@ struct Report {
 constexpr const char kHeld[] = "held", kFailed[] = "FAILED", kNotTried[] = "not tried";
 
 std::string shown(double value) {
-  if (std::isinf(value)) return "no finite force";
+  if (std::isinf(value)) return "no finite number";
   return value == std::floor(value) && value < 0x1p53 ? std::to_string(static_cast<std::uint64_t>(value)) : digits(value, 6);
 }
 
@@ -81,9 +82,25 @@ void read_invariants(Report& report, Fields& fields) {
     const std::string name = one.text("name");
     Report::Invariant its{kNotTried, ""};
     if (one.flag("applicable")) its.result = one.flag("held") ? kHeld : kFailed;
+    if (one.has("share_of_allowed"))
+      report.errors["the largest deviation over the allowed one, " + name] =
+          one.any("share_of_allowed").is_null() ? HUGE_VAL : one.number("share_of_allowed");
     if (one.has("violation")) its.violation = one.text("violation", true);
     if (!report.invariants.emplace(name, its).second) throw JsonError("the invariant \"" + name + "\" stands twice in it");
   }
+}
+
+// What is in a report of a renderer only.
+void read_renderer(Report& report, Fields& fields) {
+  report.run.emplace_back("seed", std::to_string(fields.count("seed")));
+  report.run.emplace_back("points", std::to_string(fields.count("points")));
+  read_exact(report, fields.object("exact"));
+  if (!fields.flag("applicable")) report.outcome = "not applicable";
+  if (!fields.has("timing")) return;
+  Fields timing = fields.object("timing");
+  for (const auto& [key, words] :
+       {std::pair("p50_s", "half within "), {"p99_9_s", ", 99.9 % within "}, {"worst_s", ", the slowest "}})
+    report.timing += words + words_of_time(timing.number(key));
 }
 
 Report report_from(std::string_view text, const std::string& file) {
@@ -91,24 +108,18 @@ Report report_from(std::string_view text, const std::string& file) {
     const nlohmann::json json = properties::json_from(text);
     Fields fields(json, "");
     const std::string schema = fields.text("schema");
-    fields.expect("schema", schema == kConformanceSchema, std::string("\"") + kConformanceSchema + '"');
+    const bool is_simulator = schema == simulators::kSimulatorSchema;
+    fields.expect("schema", is_simulator || schema == kConformanceSchema,
+                  std::string("\"") + kConformanceSchema + "\" or \"" + simulators::kSimulatorSchema + '"');
     Report report;
-    Fields renderer = fields.object("renderer");
-    report.who = files::printable(renderer.text("name", true) + ' ' + renderer.text("version", true) + " (" + file + ')');
-    report.declared = fields.any("renderer").dump(-1, ' ', true);
+    Fields who = fields.object(is_simulator ? "simulator" : "renderer");
+    report.who = files::printable(who.text("name", true) + ' ' + who.text("version", true) + " (" + file + ')');
+    report.declared = (is_simulator ? fields.any("capabilities") : fields.any("renderer")).dump(-1, ' ', true);
     report.forceshade = fields.text("forceshade");
-    report.run = {{"seed", std::to_string(fields.count("seed"))}, {"points", std::to_string(fields.count("points"))}};
-    read_exact(report, fields.object("exact"));
-    report.outcome = "judged";
-    if (fields.has("failure")) report.outcome = "ended early: " + fields.text("failure", true);
-    if (!fields.flag("applicable")) report.outcome = "not applicable";
+    report.run = {{"schema", schema}};
+    report.outcome = fields.has("failure") ? "ended early: " + fields.text("failure", true) : "judged";
+    if (!is_simulator) read_renderer(report, fields);
     read_invariants(report, fields);
-    if (fields.has("timing")) {
-      Fields timing = fields.object("timing");
-      for (const auto& [key, words] :
-           {std::pair("p50_s", "half within "), {"p99_9_s", ", 99.9 % within "}, {"worst_s", ", the slowest "}})
-        report.timing += words + words_of_time(timing.number(key));
-    }
     return report;
   } catch (const JsonError& error) {
     throw BadInput(file + ": expected what 'forceshade conform --json' writes: " + error.what());

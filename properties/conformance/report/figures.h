@@ -3,13 +3,18 @@
 // The pictures of a conformance run: how large the errors are, and where.
 
 #include <string>
+#include <vector>
 
 #include "forceshade/description.h"
+#include "properties/conformance/invariants/invariant.h"
 #include "properties/conformance/judge.h"
 
 namespace forceshade::conformance {
 
 // One <figure> after another; empty where nothing was judged. Throws PlotError.
 std::string figures(const Judgement& found, const Description& subject);
+
+// The largest deviation of each invariant that measured one, over the allowed one; empty where none did. Throws PlotError.
+std::string deviations_figure(const std::vector<Invariant>& invariants);
 
 }  // namespace forceshade::conformance

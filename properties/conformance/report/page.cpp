@@ -47,6 +47,18 @@ bool is_failed(const Invariant& invariant) {
   return invariant.violation.has_value();
 }
 
+std::string statement_of_invariants(const std::vector<Invariant>& invariants) {
+  if (invariants.empty()) return "";
+  const auto failed = std::ranges::count_if(invariants, &is_failed);
+  return statement(failed == 0 ? "No violation of an invariant was found."
+                               : grouped(static_cast<std::uint64_t>(failed)) + " of " + plural(invariants.size(), "invariant") +
+                                     (failed == 1 ? " does" : " do") + " not hold.");
+}
+
+std::string statement_of_failure(const std::optional<std::string>& failure) {
+  return failure ? statement("The run ended before its end: " + shown(*failure)) : "";
+}
+
 std::string statements(const Conformance& found, const Circumstances& circumstances) {
   if (found.hello.refusal) return statement("It does not render this scene: " + shown(*found.hello.refusal));
   std::string html;
@@ -61,14 +73,7 @@ std::string statements(const Conformance& found, const Circumstances& circumstan
   } else if (!found.hello.claims_definition) {
     html = statement("It does not claim the exact definition, and was not compared with it.");
   }
-  const auto failed = std::ranges::count_if(found.invariants, &is_failed);
-  if (!found.invariants.empty())
-    html += statement(failed == 0
-                          ? "No violation of an invariant was found."
-                          : grouped(static_cast<std::uint64_t>(failed)) + " of " +
-                                plural(found.invariants.size(), "invariant") + (failed == 1 ? " does" : " do") + " not hold.");
-  if (found.failure) html += statement("The run ended before its end: " + shown(*found.failure));
-  return html;
+  return html + statement_of_invariants(found.invariants) + statement_of_failure(found.failure);
 }
 
 std::string header(const Conformance& found, const Circumstances& circumstances) {
@@ -106,7 +111,13 @@ std::string aims_table(const Judgement& found) {
   return table("Against the exact force", {"aimed at", "answers", "not correctly rounded", "beyond the tolerance"}, rows, note);
 }
 
-constexpr const char* kFelt = "the first violation, and what a hand would feel";
+constexpr const char* kFelt = "the violation or the largest deviation, and what a hand would feel";
+
+// In words: why it was not tried, or what was found.
+std::string found_of(const Invariant& invariant) {
+  if (invariant.not_applicable) return *invariant.not_applicable;
+  return invariant.violation.value_or(invariant.largest.value_or(""));
+}
 
 std::string invariants_table(const std::vector<Invariant>& invariants) {
   if (invariants.empty()) return "";
@@ -115,8 +126,8 @@ std::string invariants_table(const std::vector<Invariant>& invariants) {
     const bool is_tried = !invariant.not_applicable;
     rows += "<tr><th scope=\"row\">" + shown(invariant.name) + "</th>" +
             cell("result", is_tried ? held_or_failed(!is_failed(invariant)) : "not applicable") +
-            cell("cases", is_tried ? grouped(invariant.cases) : "") +
-            cell(kFelt, shown(is_tried ? invariant.violation.value_or("") : *invariant.not_applicable), "felt") + "</tr>\n";
+            cell("cases", is_tried ? grouped(invariant.cases) : "") + cell(kFelt, shown(found_of(invariant)), "felt") +
+            "</tr>\n";
   }
   return table("Invariants", {"invariant", "result", "cases", kFelt}, rows,
                "What must hold of a renderer whatever it renders. No definition is needed to look at it.");
@@ -175,10 +186,9 @@ std::string timing(const std::optional<Timing>& its) {
                                                               "answer and with the way through the door"}});
 }
 
-std::string capabilities(const Conformance& found) {
-  std::vector<std::pair<std::string, std::string>> rows{{"name", shown(found.hello.name)},
-                                                        {"version", shown(found.hello.version)}};
-  for (const auto& [key, value] : found.hello.declared.items())
+std::string capabilities(const std::string& name, const std::string& version, const nlohmann::ordered_json& declared) {
+  std::vector<std::pair<std::string, std::string>> rows{{"name", shown(name)}, {"version", shown(version)}};
+  for (const auto& [key, value] : declared.items())
     rows.emplace_back(shown(key), shown(value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', true)));
   return facts("What it declares", rows);
 }
@@ -221,12 +231,30 @@ wrong here, and may be right by its own; the invariants do not depend on the def
 std::string to_html(const Conformance& found, const Description& subject, const Circumstances& circumstances,
                     properties::Pictures shown_pictures) {
   const std::string pictures = shown_pictures == properties::Pictures::none ? "" : figures(found.judgement, subject);
-  return properties::document("forceshade conform: " + files::printable(found.hello.name + " renders " + found.identity.name),
-                              header(found, circumstances) + aims_table(found.judgement) + worst_table(found.judgement) +
-                                  counterexample(found) +
+  return properties::document(
+      "forceshade conform: " + files::printable(found.hello.name + " renders " + found.identity.name),
+      header(found, circumstances) + aims_table(found.judgement) + worst_table(found.judgement) + counterexample(found) +
+          (pictures.empty() ? "" : "<section>\n<h2>Figures</h2>\n" + pictures + "</section>\n") +
+          invariants_table(found.invariants) + capabilities(found.hello.name, found.hello.version, found.hello.declared) +
+          timing(found.timing) + run_table(found.identity, circumstances) + kLimits,
+      kStyle);
+}
+
+std::string to_html(const simulators::SimulatorConformance& found, const std::string& version, const std::string& command,
+                    properties::Pictures shown_pictures) {
+  const std::string& name = found.simulator.name;
+  const std::string pictures = shown_pictures == properties::Pictures::none ? "" : deviations_figure(found.invariants);
+  std::vector<std::pair<std::string, std::string>> run{{"forceshade", shown(version)}};
+  if (!command.empty()) run.emplace_back("the command that repeats it", code(command));
+  return properties::document("forceshade conform: " + files::printable(name),
+                              std::string("<header class=\"") + (found.held() ? "held" : "failed") + "\">\n<h1>" +
+                                  (name.empty() ? "The simulator" : shown(name + ' ' + found.simulator.version)) +
+                                  " as a simulator</h1>\n<p class=\"verdict\">" + (found.held() ? "Held" : "Failed") +
+                                  "</p>\n" + statement_of_invariants(found.invariants) + statement_of_failure(found.failure) +
+                                  "</header>\n" +
                                   (pictures.empty() ? "" : "<section>\n<h2>Figures</h2>\n" + pictures + "</section>\n") +
-                                  invariants_table(found.invariants) + capabilities(found) + timing(found.timing) +
-                                  run_table(found.identity, circumstances) + kLimits,
+                                  invariants_table(found.invariants) +
+                                  capabilities(name, found.simulator.version, found.simulator.declared) + facts("The run", run),
                               kStyle);
 }
 

@@ -7,12 +7,17 @@
 #include "certificate/report/report.h"
 #include "forceshade/description.h"
 #include "properties/conformance/judgement_text.h"
+#include "properties/conformance/simulators/conform_simulator.h"
 
 namespace forceshade::conformance {
 
 // What a renderer says of itself is text and stays text. Needs no file or network once written. With pictures, throws PlotError
 // when gnuplot does not draw.
 std::string to_html(const Conformance& found, const Description& subject, const Circumstances& circumstances,
+                    properties::Pictures shown = properties::Pictures::all);
+
+// The same of a simulator. version: of this program; command: repeats the run, empty where it is not known.
+std::string to_html(const simulators::SimulatorConformance& found, const std::string& version, const std::string& command,
                     properties::Pictures shown = properties::Pictures::all);
 
 }  // namespace forceshade::conformance

@@ -62,8 +62,10 @@ std::string words_of(const SimulatorConformance& found) {
   return words;
 }
 
-nlohmann::ordered_json json_of(const SimulatorConformance& found) {
-  nlohmann::ordered_json json{{"schema", "forceshade conformance of a simulator 1"},
+nlohmann::ordered_json json_of(const SimulatorConformance& found, const std::string& version, const std::string& command) {
+  nlohmann::ordered_json json{{"schema", kSimulatorSchema},
+                              {"forceshade", version},
+                              {"command", command},
                               {"held", found.held()},
                               {"simulator", {{"name", found.simulator.name}, {"version", found.simulator.version}}},
                               {"capabilities", found.simulator.declared},

@@ -24,8 +24,11 @@ struct SimulatorConformance {
 // Throws Interrupted.
 SimulatorConformance conform_simulator(const OpenSimulator& open, const Monitor& monitor = {});
 
-// Lines for a terminal, each ended; and the same for programs (docs/conformance.md).
+// Lines for a terminal, each ended; and the same for programs.
 std::string words_of(const SimulatorConformance& found);
-nlohmann::ordered_json json_of(const SimulatorConformance& found);
+// The JSON is that of docs/conformance-schema.json. version: of this program; command: repeats the run, empty where it is not
+// known.
+inline constexpr const char* kSimulatorSchema = "forceshade conformance of a simulator 1";
+nlohmann::ordered_json json_of(const SimulatorConformance& found, const std::string& version, const std::string& command);
 
 }  // namespace forceshade::conformance::simulators

@@ -59,6 +59,7 @@ Invariant Finding::invariant() const {
   Invariant found = its_;
   const std::string also = skipped_ == 0 ? "" : "; not applicable to " + std::to_string(skipped_) + " cases, since " + reason_;
   if (largest_ > 1) found.violated(largest_words_ + also);
+  if (largest_ >= 0) found.share_of_allowed = largest_;
   if (found.cases == 0)
     found.not_applicable = reason_;
   else
