@@ -39,7 +39,7 @@ struct Report {
 constexpr const char kHeld[] = "held", kFailed[] = "FAILED", kNotTried[] = "not tried";
 
 std::string shown(double value) {
-  if (std::isinf(value)) return "no finite number";
+  if (std::isinf(value)) return "no finite force";
   return value == std::floor(value) && value < 0x1p53 ? std::to_string(static_cast<std::uint64_t>(value)) : digits(value, 6);
 }
 
