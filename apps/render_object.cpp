@@ -14,8 +14,10 @@
 #include <string_view>
 #include <vector>
 
+#include "apps/counted_allocations.h"
 #include "forceshade.h"
 #include "properties/conformance/doors/lines.h"
+#include "properties/conformance/doors/object_door.h"
 
 namespace forceshade::apps {
 namespace {
@@ -98,8 +100,10 @@ class Renderer {
 
   std::vector<Eigen::Vector3f> answers(const std::vector<Eigen::Vector3f>& positions, bool is_reset) {
     std::vector<Eigen::Vector3f> answers(positions.size(), Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
+    count_allocations(true);
     const std::int32_t code =
         table_.answer(state_, positions.data()->data(), answers.data()->data(), positions.size(), is_reset ? 1 : 0);
+    count_allocations(false);
     if (code != 0) throw ObjectFailed("its answer() returned " + std::to_string(code));
     return answers;
   }
@@ -110,6 +114,13 @@ class Renderer {
   std::string hello_;
 };
 
+// So far, in all answers.
+std::string line_of_allocations() {
+  nlohmann::json line = nlohmann::json::object();
+  if (const auto found = counted_allocations()) line = {{"calls", found->calls}, {"bytes", found->bytes}};
+  return line.dump();
+}
+
 void answer(const std::string& file, Lines& lines) {
   const auto first = lines.read();
   if (!first) return;
@@ -118,6 +129,10 @@ void answer(const std::string& file, Lines& lines) {
   Renderer renderer(table_of(file), scene.substr(0, scene.size() - 1));
   lines.write(renderer.hello());
   while (const auto line = lines.read()) {
+    if (*line == conformance::kAllocations) {
+      lines.write(line_of_allocations());
+      continue;
+    }
     const bool is_reset = line->starts_with(conformance::kNewPath);
     const auto positions = conformance::numbers_in(*line, is_reset ? conformance::kNewPath : conformance::kPositions);
     if (!positions) return;  // goodbye

@@ -6,12 +6,17 @@
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "properties/conformance/hello.h"
 
 namespace forceshade::conformance {
+
+struct Allocations {
+  double calls = 0, bytes = 0;
+};
 
 // One thread at a time.
 class RendererUnderTest {
@@ -23,6 +28,9 @@ class RendererUnderTest {
   // What it gives for the next positions of the path, one for each, all in its own units; is_reset: a new path begins with
   // them, from no contact. Throws RendererFailed; then no further call is of use.
   virtual std::vector<Eigen::Vector3f> answers(std::span<const Eigen::Vector3f> positions, bool is_reset) = 0;
+
+  // How often and how much it has allocated in its answers so far; nothing where that is not counted. Throws RendererFailed.
+  virtual std::optional<Allocations> allocations() { return std::nullopt; }
 
   // Nothing will be requested any more. Throws RendererFailed.
   virtual void say_goodbye() = 0;

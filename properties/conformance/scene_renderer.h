@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,7 @@ class SceneRenderer {
   std::vector<Eigen::Vector3f> forces_along(std::span<const Eigen::Vector3f> path);
   static constexpr std::size_t kBatch = 1024;
 
+  std::optional<Allocations> allocations() { return renderer_->allocations(); }
   void say_goodbye() { renderer_->say_goodbye(); }
 
  private:

@@ -15,7 +15,7 @@ OpenRenderer object_door(const std::string& file, const ProcessLimits& limits) {
   // libraries.
   const std::string program = "/proc/" + std::to_string(::getpid()) + "/exe";
   return process_door("exec " + program + ' ' + kRenderObject + ' ' + files::quoted_for_shell(std::filesystem::absolute(file)),
-                      limits);
+                      limits, std::string(kAllocations));
 }
 
 }  // namespace forceshade::conformance

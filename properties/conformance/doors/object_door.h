@@ -4,6 +4,7 @@
 // that it has the limits of a renderer that is a process, and each of its faults is a verdict.
 
 #include <string>
+#include <string_view>
 
 #include "properties/conformance/doors/child_process.h"
 #include "properties/conformance/renderer_under_test.h"
@@ -12,6 +13,10 @@ namespace forceshade::conformance {
 
 // The word by which this program becomes that process: it is called with it and the file (apps/render_object.cpp).
 inline constexpr const char* kRenderObject = "render-object";
+
+// That process is told this line to say how often and how much the object allocated in its answers so far:
+// {"calls":2,"bytes":96}, or {} where it does not know.
+inline constexpr std::string_view kAllocations = R"({"allocations":true})";
 
 // For the program that runs render_object().
 OpenRenderer object_door(const std::string& file, const ProcessLimits& limits = {});

@@ -17,8 +17,11 @@ constexpr const char* kWhose = "renderer";
 
 class ProcessRenderer final : public RendererUnderTest {
  public:
-  ProcessRenderer(const std::string& command, const Json& scene, const ProcessLimits& limits)
-      : dialogue_(command, limits, kWhose), hello_(hello_of(dialogue_.open(scene), scene)) {}
+  ProcessRenderer(const std::string& command, const Json& scene, const ProcessLimits& limits,
+                  const std::string& allocations_line)
+      : allocations_line_(allocations_line),
+        dialogue_(command, limits, kWhose),
+        hello_(hello_of(dialogue_.open(scene), scene)) {}
 
   const Hello& hello() const override { return hello_; }
 
@@ -26,9 +29,23 @@ class ProcessRenderer final : public RendererUnderTest {
     return answers_in(dialogue_.say(line_of(is_reset ? kNewPath : kPositions, positions)), positions.size());
   }
 
+  std::optional<Allocations> allocations() override {
+    if (allocations_line_.empty()) return std::nullopt;
+    const Json said = dialogue_.ask(allocations_line_);
+    if (said.empty()) return std::nullopt;
+    const auto number = [&](const char* key) {
+      const auto found = said.find(key);
+      if (found == said.end() || !found->is_number_unsigned())
+        throw RendererFailed("the renderer said " + shown_json(said) + " of its allocations; expected numbers of them");
+      return found->get<double>();
+    };
+    return Allocations{number("calls"), number("bytes")};
+  }
+
   void say_goodbye() override { dialogue_.say_goodbye(); }
 
  private:
+  std::string allocations_line_;
   Dialogue dialogue_;
   Hello hello_;
 };
@@ -50,8 +67,8 @@ std::vector<Eigen::Vector3f> answers_in(const std::string& said, std::size_t cou
   return answers;
 }
 
-OpenRenderer process_door(const std::string& command, const ProcessLimits& limits) {
-  return [=](const Json& scene) { return std::make_unique<ProcessRenderer>(command, scene, limits); };
+OpenRenderer process_door(const std::string& command, const ProcessLimits& limits, const std::string& allocations_line) {
+  return [=](const Json& scene) { return std::make_unique<ProcessRenderer>(command, scene, limits, allocations_line); };
 }
 
 }  // namespace forceshade::conformance

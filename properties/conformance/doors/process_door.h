@@ -11,8 +11,10 @@
 
 namespace forceshade::conformance {
 
-// command: a line for /bin/sh.
-OpenRenderer process_door(const std::string& command, const ProcessLimits& limits = {});
+// command: a line for /bin/sh. allocations_line: what it is told to say what it allocated (object_door.h); empty where it does
+// not count that.
+OpenRenderer process_door(const std::string& command, const ProcessLimits& limits = {},
+                          const std::string& allocations_line = "");
 
 // The answers to so many positions in a line that a renderer wrote. Throws RendererFailed.
 std::vector<Eigen::Vector3f> answers_in(const std::string& said, std::size_t count);

@@ -31,12 +31,17 @@ struct Report {
   std::map<std::string, double> errors;                  // the larger, the worse
   struct Invariant {
     std::string result, violation;
+    std::optional<double> share;  // the largest deviation over the allowed one
   };
   std::map<std::string, Invariant> invariants;
-  std::string declared, forceshade, timing;
+  std::string declared, forceshade, timing, allocations;
 };
 
 constexpr const char kHeld[] = "held", kFailed[] = "FAILED", kNotTried[] = "not tried";
+
+// By what factor a deviation has to differ so that it is said: of a violation, and of what is held. A share of what is allowed
+// that is smaller than kLeastShare is often rounding alone.
+constexpr double kOtherViolation = 1.01, kOtherDeviation = 2, kLeastShare = 0.01;
 
 std::string shown(double value) {
   if (std::isinf(value)) return "no finite force";
@@ -80,11 +85,10 @@ void read_exact(Report& report, Fields exact) {
 void read_invariants(Report& report, Fields& fields) {
   for (Fields& one : fields.objects("invariants")) {
     const std::string name = one.text("name");
-    Report::Invariant its{kNotTried, ""};
+    Report::Invariant its{kNotTried, "", {}};
     if (one.flag("applicable")) its.result = one.flag("held") ? kHeld : kFailed;
     if (one.has("share_of_allowed"))
-      report.errors["the largest deviation over the allowed one, " + name] =
-          one.any("share_of_allowed").is_null() ? HUGE_VAL : one.number("share_of_allowed");
+      its.share = one.any("share_of_allowed").is_null() ? HUGE_VAL : one.number("share_of_allowed");
     if (one.has("violation")) its.violation = one.text("violation", true);
     if (!report.invariants.emplace(name, its).second) throw JsonError("the invariant \"" + name + "\" stands twice in it");
   }
@@ -101,6 +105,8 @@ void read_renderer(Report& report, Fields& fields) {
   for (const auto& [key, words] :
        {std::pair("p50_s", "half within "), {"p99_9_s", ", 99.9 % within "}, {"worst_s", ", the slowest "}})
     report.timing += words + words_of_time(timing.number(key));
+  if (timing.has("allocations_per_answer"))
+    report.allocations = words_of(Allocations{timing.number("allocations_per_answer"), timing.number("bytes_per_answer")});
 }
 
 Report report_from(std::string_view text, const std::string& file) {
@@ -144,6 +150,7 @@ class Comparer {
     note("what it declares", a_.declared, b_.declared);
     note("the version of forceshade", a_.forceshade, b_.forceshade);
     note("the time of an answer", a_.timing, b_.timing);
+    note("what an answer allocates", a_.allocations, b_.allocations);
     std::ranges::stable_sort(changes_, {}, &Change::direction);
     return std::move(changes_);
   }
@@ -180,7 +187,7 @@ class Comparer {
 
   // What was not tried says as little as what is not there.
   void compare_invariants() {
-    const Report::Invariant none{kNotTried, ""};
+    const Report::Invariant none{kNotTried, "", {}};
     const auto of = [&](const Report& report, const std::string& name) {
       const auto found = report.invariants.find(name);
       return found == report.invariants.end() ? none : found->second;
@@ -189,11 +196,29 @@ class Comparer {
     all.insert(b_.invariants.begin(), b_.invariants.end());
     for (const auto& [name, unused] : all) {
       const Report::Invariant before = of(a_, name), after = of(b_, name);
-      if (before.result == after.result) continue;
+      if (before.result == after.result) {
+        compare_deviations(name, before, after);
+        continue;
+      }
       const bool is_worse = after.result == kFailed || before.result == kHeld;
       add(is_worse, name, before.result, after.result, is_worse ? after.violation : before.violation);
     }
   }
+
+  // Of an invariant with the same result in both. What is held is allowed, however much of it is used.
+  void compare_deviations(const std::string& name, const Report::Invariant& before, const Report::Invariant& after) {
+    if (!before.share || !after.share) return;
+    const auto [least, most] = std::minmax(*before.share, *after.share);
+    const bool is_held = after.result == kHeld;
+    if (most < kLeastShare || most <= least * (is_held ? kOtherDeviation : kOtherViolation)) return;
+    const std::string what = "the largest deviation over the allowed one, " + name;
+    if (is_held)
+      note(what, shown_share(*before.share), shown_share(*after.share));
+    else
+      add(*after.share > *before.share, what, shown_share(*before.share), shown_share(*after.share), after.violation);
+  }
+
+  static std::string shown_share(double share) { return std::isinf(share) ? "no finite number" : digits(share, 3); }
 
   const Report &a_, &b_;
   std::vector<Change> changes_;

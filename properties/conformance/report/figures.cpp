@@ -126,20 +126,25 @@ std::string deviations_figure(const std::vector<Invariant>& invariants) {
   int row = 0;
   for (const Invariant& each : invariants) {
     if (each.not_applicable || !each.share_of_allowed) continue;
-    names += (row == 0 ? "\"" : ", \"") + each.name + "\" " + std::to_string(-row);
-    points += plotted(std::clamp(*each.share_of_allowed, kLeast, kMost)) + ' ' + std::to_string(-row) + ' ' +
+    const std::string height = std::to_string(-row++);
+    names += "set label " + properties::quoted(each.name) + " noenhanced at graph 0, first " + height +
+             " offset 0, 0.65 textcolor rgb '#333333'\n";
+    points += plotted(std::clamp(*each.share_of_allowed, kLeast, kMost)) + ' ' + height + ' ' +
               (each.violation ? "0xa31621" : "0x4f6d8f") + '\n';
-    ++row;
   }
   if (row == 0) return "";
+  const int height = 60 + 34 * row;
   const std::string svg = properties::svg_plot(
-      {860, 60 + 22 * row, "deviations", "The largest deviation of each invariant over the allowed one"},
-      "$points << EOD\n" + points + "EOD\n" + properties::kPlain + properties::margins(0.56, 0.97, 0.98, 0.2) +
-          "set logscale x\nset format x '10^{%T}'\nset xtics 100\n" + properties::range("x", kLeast / 2, 2 * kMost) +
-          properties::range("y", 0.6 - row, 0.6) + "set ytics (" + names +
-          ") noenhanced\nset xlabel \"largest deviation / allowed one\" textcolor rgb '#333333'\n" +
+      {480, height, "deviations", "The largest deviation of each invariant over the allowed one"},
+      "$points << EOD\n" + points + "EOD\n" + properties::kPlain + properties::margins(0.03, 0.97, 1, 50.0 / height) +
+          "set border 1\nset logscale x\nset format x '10^{%T}'\nset xtics 100\nunset ytics\n" +
+          properties::range("x", kLeast / 2, 2 * kMost) + properties::range("y", 0.4 - row, 0.9) + names +
+          "set xlabel \"largest deviation / allowed one\" textcolor rgb '#333333'\n"
           "set arrow from 1, graph 0 to 1, graph 1 nohead lc rgb '#333333' dt 2\n"
-          "plot $points using 1:2:3 with points pt 7 ps 0.7 lc rgb variable\n");
+          "plot for [i=0:" +
+          std::to_string(row - 1) +
+          "] -i with lines lc rgb '#dddddd', "
+          "$points using 1:2:3 with points pt 7 ps 0.7 lc rgb variable\n");
   return figure(1, "one", "How much of what is allowed is used", "", {{"each invariant that was measured", svg}},
                 "The dashed line is what is allowed; a point to its right is a violation. Smaller shares than 10⁻⁶ are drawn "
                 "there, and larger ones than 10⁶, or answers that are no numbers, at 10⁶.");
