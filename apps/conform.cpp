@@ -143,7 +143,9 @@ void add_conform(CLI::App& app, int& result) {
              {0.01, 3600}, [its](double seconds) { its->answer_seconds = seconds; });
   command
       ->add_flag("--timing", its->options.is_timed,
-                 "measure the time of an answer to one position: half, 99.9 % and the slowest; it decides nothing")
+                 "measure the time of an answer to one position: half, 99.9 % and the slowest; count what a shared object "
+                 "allocates in it; "
+                 "it decides nothing")
       ->group(kEvidenceGroup);
   add_number(*command, "--max-answer-time", "measure it, and fail where the slowest answer took more, in seconds", {1e-9, 3600},
              [its](double seconds) {

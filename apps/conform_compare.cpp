@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// forceshade conform compare: two runs of one renderer side by side.
+// forceshade conform compare: two runs of one renderer or simulator side by side.
 
 #include "apps/conform_compare.h"
 
@@ -32,12 +32,14 @@ int run(const RunsToCompare& its) {
 
 void add_conform_compare(CLI::App& conform, int& result) {
   const auto its = std::make_shared<RunsToCompare>();
-  CLI::App* command =
-      conform.add_subcommand("compare", "Show what got worse and what got better between two runs of one renderer");
+  CLI::App* command = conform.add_subcommand(
+      "compare", "Show what got worse and what got better between two runs of one renderer or simulator");
   command->add_option("before", its->before, "what 'forceshade conform --json' wrote of one version")
       ->type_name("FILE")
       ->required();
-  command->add_option("after", its->after, "of another version, with the same subject, seed, number of positions and tolerance")
+  command
+      ->add_option("after", its->after,
+                   "of another version, with the same subject, seed, number of positions and tolerance if it is a renderer")
       ->type_name("FILE")
       ->required();
   add_json(*command, its->json, "what got worse and what got better");

@@ -20,6 +20,18 @@ same() {
   checks=$((checks + 1))
   [ "$1" = "$2" ] || { echo "FAILED: expected: $1"; echo "got: $2"; exit 1; }
 }
+# fits SCHEMA FILE...: JSON that is as the schema says, where there is a program that can say so.
+fits() {
+  checks=$((checks + 1))
+  python3 -c "import jsonschema" 2> /dev/null || { echo "not checked against the schema: python3-jsonschema is not there"; return; }
+  python3 - "$@" << 'END' || exit 1
+import json, jsonschema, sys
+schema, *files = [json.load(open(file)) for file in sys.argv[1:]]
+jsonschema.Draft7Validator.check_schema(schema)
+for file in files:
+    jsonschema.Draft7Validator(schema).validate(file)
+END
+}
 # changed PROGRAM ORIGINAL REPLACEMENT: writes the mutated program, with these words in the place of those.
 changed() {
   python3 - "$@" << 'END' || exit 1

@@ -84,6 +84,18 @@ expect 1 "did not answer within 0.3 s" -- "$forceshade" conform --law wall --obj
 mark=forceshade_left_by_object_$$
 wrong "ended with exit code 1" -DANSWER="for (int i = 0; i < 3; ++i) if (fork() == 0) { setsid(); execlp(\"bash\", \"bash\", \"-c\", \"exec -a $mark sleep 1000\", (char*)0); } usleep(100000); _exit(1)"
 same "" "$(pgrep -f $mark || true)"
+# What it allocates in an answer, however, is counted with its time, and nothing else; in C++ too.
+allocates() {  # PER ANSWER, OBJECT
+  expect 0 "allocations in an answer, on average: $1 times, " -- conform --object "$2" --timing --json timed.json --overwrite
+  fits "$examples/../docs/conformance-schema.json" timed.json
+  same "$1" "$(python3 -c 'import json; print("%g" % json.load(open("timed.json"))["timing"]["allocations_per_answer"])')"
+}
+allocates 0 wall.so
+object -DOPEN='free(malloc(5))' -DANSWER='void* volatile a = malloc(40); void* volatile b = calloc(3, 8); free(a); free(b)'
+allocates 2 tried.so
+expect 0 "on average: 2 times, 64 bytes" -- conform --object tried.so --timing
+object -DANSWER='void* a = realloc(NULL, 1); a = realloc(a, 2); free(a); posix_memalign(&a, 64, 64); free(a); free(aligned_alloc(64, 64)); free(strdup("x"))'
+allocates 5 tried.so
 cat > throws.cpp << 'END'
 #include <stdexcept>
 #include "forceshade.h"

@@ -5,19 +5,26 @@
 exact=$(realpath "$(dirname "$0")/exact_simulator.py")
 conform() { "$forceshade" conform --answer-timeout 20 "$@"; }
 
-expect 0 "an exact simulator 1, a simulator: it has none" -- conform --simulator "python3 -S $exact" --json found.json --junit found.xml
-same "0 true 23" "$(grep -c '"held": false' found.json) $(sed -n 's/^  "held": \(.*\),/\1/p' found.json) $(grep -c '<testcase' found.xml)"
+expect 0 "an exact simulator 1, a simulator: it has none" -- conform --simulator "python3 -S $exact" --json held.json --junit found.xml --out page.html
+same "0 true 23" "$(grep -c '"held": false' held.json) $(sed -n 's/^  "held": \(.*\),/\1/p' held.json) $(grep -c '<testcase' found.xml)"
+same "1 1 1" "$(grep -c '<svg role="img"' page.html) $(grep -c '>Held</p>' page.html) $(grep -c '</html>' page.html)"
 
 # Wrong in one thing, and what it declares is another thing too. tests/conformance/planted_simulator_defects_test.cpp has the others.
 # fails INVARIANTS WORDS: the mutated program does in these, and in no others, and the words are printed.
 fails() {
   expect 1 "$2" -- conform --simulator "python3 -S mutated.py" --json found.json --overwrite
+  fits "$examples/../docs/conformance-schema.json" held.json found.json
   same "$1" "$(python3 -c 'import json; [print(i["name"]) for i in json.load(open("found.json"))["invariants"] if not i.get("held", True)]')"
 }
 changed "$exact" '"smallest_radius_m": 0' '"smallest_radius_m": 0.05'
 changed mutated.py '"reports": "force"' '"reports": "impulse"'  # and it is a force
 fails "the static force is the same at any rate
 what is reported agrees with the motion" "not applicable to 11 cases, since its smallest radius is 0.05 m"
+compare() { "$forceshade" conform compare "$@"; }
+expect 1 "worse: the static force is the same at any rate: held became FAILED" -- compare held.json found.json
+expect 1 "WORSE: 2 got worse, 0 got better" -- compare held.json found.json
+expect 0 "better: what is reported agrees with the motion: FAILED became held" -- compare found.json held.json
+expect 0 "not worse: 0 got worse, 0 got better" -- compare found.json found.json
 free="        free = add(add(self.velocity, self.scene[\"gravity\"], dt), applied, dt / mass)"
 changed "$exact" "$free" "$free
         free = [max(-400, min(400, x)) for x in free]  # a cap in units of the scene"

@@ -9,6 +9,7 @@
 
 #include "properties/conformance/judgement_text.h"
 #include "properties/conformance/report/comparison.h"
+#include "properties/conformance/simulators/conform_simulator.h"
 #include "tests/support/has.h"
 
 namespace forceshade::conformance {
@@ -127,6 +128,33 @@ TEST(comparison, decides_nothing_by_times_versions_and_what_is_declared) {
   EXPECT_EQ(json.at("changes").size(), 2U);
 }
 
+// A simulator that used so much of what one invariant allows.
+Json simulator_with(double share) {
+  Invariant invariant{"at rest", 20};
+  if (share > 1) invariant.violated("0.3 N");
+  invariant.share_of_allowed = share;
+  simulators::SimulatorConformance found;
+  found.simulator.name = "mine";
+  found.invariants = {invariant};
+  return simulators::json_of(found, "0.1.0", "forceshade conform");
+}
+
+TEST(comparison, decides_by_how_large_a_violation_is_and_not_by_how_much_is_used_of_what_is_allowed) {
+  const auto lines = [](double before, double after) {
+    return lines_of(compared(simulator_with(before), simulator_with(after)));
+  };
+  const std::string what = ": the largest deviation over the allowed one, at rest: ";
+  EXPECT_EQ(lines(0.9, 1.1), Lines{"worse: at rest: held became FAILED"});
+  EXPECT_EQ(lines(1.1, 0.9), Lines{"better: at rest: FAILED became held"});
+  EXPECT_EQ(lines(2, 3), Lines{"worse" + what + "2 became 3"});
+  EXPECT_EQ(lines(3, 2), Lines{"better" + what + "3 became 2"});
+  EXPECT_EQ(lines(3, HUGE_VAL), Lines{"worse" + what + "3 became no finite number"});
+  EXPECT_EQ(lines(0.1, 0.9), Lines{"changed" + what + "0.1 became 0.9"});
+  EXPECT_EQ(lines(0, 0.02), Lines{"changed" + what + "0 became 0.02"});
+  for (const auto& [before, after] : {std::pair(2.0, 2.01), {HUGE_VAL, HUGE_VAL}, {0.5, 0.9}, {1e-9, 0.009}, {0.0, 0.0}})
+    EXPECT_EQ(lines(before, after), Lines{}) << before << ' ' << after;
+}
+
 std::string fault_of(const std::string& before, const std::string& after) {
   try {
     compare(before, "a.json", after, "b.json");
@@ -134,6 +162,12 @@ std::string fault_of(const std::string& before, const std::string& after) {
     return fault.what();
   }
   return "no fault";
+}
+
+TEST(comparison, refuses_a_simulator_beside_a_renderer) {
+  EXPECT_EQ(fault_of(simulator_with(0).dump(), report_of(run_of(1)).dump()),
+            "b.json: expected a run as that of a.json, whose schema is forceshade conformance of a simulator 1, got forceshade "
+            "conformance 1");
 }
 
 TEST(comparison, refuses_runs_of_another_subject_seed_or_tolerance) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Two conformance runs of one renderer side by side: what got worse, what got better.
+// Two conformance runs of one renderer or simulator side by side: what got worse, what got better.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -29,8 +29,9 @@ struct Comparison {
   bool is_worse() const;
 };
 
-// Both texts are those of a conformance run's JSON. Their subject, seed, number of positions and tolerance are the same.
-// before, after: what messages call the files. Throws BadInput, with the file, the key, the value and what was expected.
+// Both texts are those of a conformance run's JSON. Their subject, seed, number of positions and tolerance, which runs of
+// renderers have, are the same. before, after: what messages call the files. Throws BadInput, with the file, the key, the value
+// and what was expected.
 Comparison compare(std::string_view before_text, const std::string& before, std::string_view after_text,
                    const std::string& after);
 
