@@ -128,7 +128,7 @@ std::string deviations_figure(const std::vector<Invariant>& invariants) {
     if (each.not_applicable || !each.share_of_allowed) continue;
     const std::string height = std::to_string(-row++);
     names += "set label " + properties::quoted(each.name) + " noenhanced at graph 0, first " + height +
-             " offset 0, 0.65 textcolor rgb '#333333'\n";
+             " front boxed offset 0, 0.65 textcolor rgb '#333333'\n";
     points += plotted(std::clamp(*each.share_of_allowed, kLeast, kMost)) + ' ' + height + ' ' +
               (each.violation ? "0xa31621" : "0x4f6d8f") + '\n';
   }
@@ -137,16 +137,17 @@ std::string deviations_figure(const std::vector<Invariant>& invariants) {
   const std::string svg = properties::svg_plot(
       {480, height, "deviations", "The largest deviation of each invariant over the allowed one"},
       "$points << EOD\n" + points + "EOD\n" + properties::kPlain + properties::margins(0.03, 0.97, 1, 50.0 / height) +
-          "set border 1\nset logscale x\nset format x '10^{%T}'\nset xtics 100\nunset ytics\n" +
+          "set style textbox opaque noborder margins 0.3, 0\nset border 1\nset logscale x\nset format x '10^{%T}'\nset xtics "
+          "100\nunset ytics\n" +
           properties::range("x", kLeast / 2, 2 * kMost) + properties::range("y", 0.4 - row, 0.9) + names +
-          "set xlabel \"largest deviation / allowed one\" textcolor rgb '#333333'\n"
+          "set xlabel \"largest deviation / allowed one\" offset 0, 0.6 textcolor rgb '#333333'\n"
           "set arrow from 1, graph 0 to 1, graph 1 nohead lc rgb '#333333' dt 2\n"
           "plot for [i=0:" +
           std::to_string(row - 1) +
           "] -i with lines lc rgb '#dddddd', "
           "$points using 1:2:3 with points pt 7 ps 0.7 lc rgb variable\n");
   return figure(1, "one", "How much of what is allowed is used", "", {{"each invariant that was measured", svg}},
-                "The dashed line is what is allowed; a point to its right is a violation. Smaller shares than 10⁻⁶ are drawn "
+                "The dashed line is what is allowed; violated invariants are red. Smaller shares than 10⁻⁶ are drawn "
                 "there, and larger ones than 10⁶, or answers that are no numbers, at 10⁶.");
 }
 
