@@ -6,9 +6,11 @@ renderers=$examples/renderers
 conform() { "$forceshade" conform --law wall --points 3000 --answer-timeout 5 "$@"; }
 
 # A right one, its files, and a scene that it does not render.
-expect 0 "a wall in Python 1 renders wall: correctly rounded 3000 of 3000 (100 %)" -- conform --command "$renderers/wall.py"
-expect 0 "held: a reset equals a fresh start, 1500 cases" -- conform --command "$renderers/wall.py"
-expect 0 '"applicable": true' -- conform --command "$renderers/wall.py" --json
+expect 0 "a wall in Python 1 renders wall: correctly rounded 3000 of 3000 (100 %)
+held: 3000 of 3000 (100 %) within the tolerance, correctly rounded
+held: the same path twice gives the same bits, 1500 cases
+held: a reset equals a fresh start, 1500 cases" -- conform --command "$renderers/wall.py" --json wall.json
+expect 0 '"applicable": true' -- cat wall.json
 expect 0 '<testcase' -- conform --command "$renderers/wall.py" --junit -
 expect 1 "not applicable: a wall in Python 1 does not render bump-2p: it renders the law wall alone" -- \
   "$forceshade" conform --law bump-2p --command "$renderers/wall.py"
@@ -108,7 +110,7 @@ wrong 'domain_mm 0; expected a number from 1 to 10000' "echo '${hello/10000/0}';
 wrong 'rate_Hz -1; expected a number from 1 to 1e6, or null' "echo '${hello/null/-1}'; cat"
 wrong 'rate_Hz null; expected a number where it answers with an impulse' "echo '${hello/\"force\"/\"impulse\"}'; cat"
 wrong "has name 7; expected a text" "echo '${hello/\"n\"/7}'; cat"
-wrong "closed its output" "exec >&-; sleep 100"
+expect 1 "closed its output" -- "$forceshade" conform --law wall --command "exec >&-; sleep 100" --answer-timeout 1
 greets "exit 0"; wrong "ended without an answer" "sh greets.sh"
 greets "cat"; wrong 'answered without a list "answers"' "sh greets.sh"
 greets "echo x; sleep 100"; wrong "wrote" "sh greets.sh"
