@@ -51,12 +51,12 @@ class Door:
         add(name, Case(words, run, play, **options))
 
     def says(self, name, words, said, **options):
-        """It greets so, whatever it is asked, and then repeats what it hears. said: bytes, or what makes many of them."""
+        """It greets so, whatever it is asked, and then repeats what it hears, but goodbye. said: bytes, or what makes many of them."""
 
         def run(mark, folder):
             with open(os.path.join(folder, "said"), "wb") as file:
                 file.write(said() if callable(said) else said)
-            return self.arguments + patience(words) + [self.option, "read line; cat said; exec cat"]
+            return self.arguments + patience(words) + [self.option, "read line; cat said; exec sed -u /goodbye/d"]
 
         add(f"{self.kind} {name}", Case(words, run, **options))
 
@@ -95,9 +95,13 @@ def answering(hello, answer, at_goodbye=lambda: None):
             write(said if isinstance(said, bytes) else text(said))
 
 
-def add_lines(door):
+def add_lines(door, slow=False):
     """Lines that are no hello, whatever the protocol."""
     right_hello = text(door.hello)
+
+    def greets(name, words, said):
+        door.greets(name, words, said, slow=slow)
+
     for name, said in {
         "empty line": b"\n", "spaces": b"   \n", "a NUL": b"\0\n", "UTF-16": right_hello.decode().encode("utf-16"),
         "UTF-32": right_hello.decode().encode("utf-32"), "not UTF-8": door.raw("name", b'"\xff\xfe"'), "half a surrogate": door.raw("name", b'"\\ud800"'),
@@ -108,12 +112,12 @@ def add_lines(door):
         "YAML": b"forceshade: conform 1\n", "HTML": b"<html>\n", "random bytes": bytes(range(128, 256)) * 40 + b"\n",
         "a carriage return alone": right_hello[:-1].replace(b", ", b",\r", 1)[:40] + b"\n", "over several lines": json.dumps(door.hello, indent=1).encode() + b"\n",
     }.items():  # fmt: skip
-        door.greets(name, NO_OBJECT, said)
-    door.greets("a BOM before", NO_LIST, b"\xef\xbb\xbf" + right_hello)  # which JSON allows: it goes on, with an echo
-    door.greets("16 million brackets", NO_OBJECT, lambda: b"[" * 16_000_000 + b"\n")
-    door.greets("16 million objects", NO_OBJECT, lambda: b'{"":' * 4_000_000 + b"\n")
-    door.greets("8 million numbers", NO_OBJECT, lambda: door.raw("forceshade", b"[" + b"1," * 8_000_000 + b"1]"))
-    door.greets("twice", UNASKED, right_hello * 2)
-    door.greets("an empty object", 'has no key "forceshade"', {})
-    door.greets("an answer", 'has no key "forceshade"', {"answers": []})
-    door.greets("what it got", "expected", b'{"forceshade":"conform 1","scene":{}}\n')
+        greets(name, NO_OBJECT, said)
+    greets("a BOM before", NO_LIST, b"\xef\xbb\xbf" + right_hello)  # which JSON allows: it goes on, with an echo
+    greets("16 million brackets", NO_OBJECT, lambda: b"[" * 16_000_000 + b"\n")
+    greets("16 million objects", NO_OBJECT, lambda: b'{"":' * 4_000_000 + b"\n")
+    greets("8 million numbers", NO_OBJECT, lambda: door.raw("forceshade", b"[" + b"1," * 8_000_000 + b"1]"))
+    greets("twice", UNASKED, right_hello * 2)
+    greets("an empty object", 'has no key "forceshade"', {})
+    greets("an answer", 'has no key "forceshade"', {"answers": []})
+    greets("what it got", "expected", b'{"forceshade":"conform 1","scene":{}}\n')

@@ -11,7 +11,8 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 
 from hostile_programs import CASES
-from hostile_renderers import DOOR
+import hostile_renderers
+import hostile_simulators
 
 MOST_SECONDS, MOST_KB, AT_A_TIME, WAITING_AT_A_TIME = 60, 300_000, 2, 10
 
