@@ -5,10 +5,17 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <cstdio>
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cerrno>
+#include <cfenv>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -29,24 +36,41 @@ struct ObjectFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// Reads or writes, whatever signals the object has asked for.
+template <class Call>
+ssize_t undisturbed(Call call) {
+  ssize_t size = 0;
+  do size = call();
+  while (size < 0 && errno == EINTR);
+  return size;
+}
+
 // The standard streams as they were; what the object reads and prints itself is something else.
 class Lines {
  public:
-  Lines() : in_(::fdopen(kept(STDIN_FILENO), "r")), out_(kept(STDOUT_FILENO)) {
+  Lines() : in_(kept(STDIN_FILENO)), out_(kept(STDOUT_FILENO)) {
     ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
     ::dup2(STDERR_FILENO, STDOUT_FILENO);
   }
 
-  std::optional<std::string_view> read() {
-    const ssize_t length = ::getline(&line_, &room_, in_);
-    if (length <= 0) return std::nullopt;
-    return std::string_view(line_, static_cast<std::size_t>(length - (line_[length - 1] == '\n' ? 1 : 0)));
+  std::optional<std::string> read() {
+    std::size_t end = 0, looked_at = 0;
+    while ((end = read_.find('\n', looked_at)) == std::string::npos) {
+      looked_at = read_.size();
+      std::array<char, 65536> more{};
+      const ssize_t size = undisturbed([&] { return ::read(in_, more.data(), more.size()); });
+      if (size <= 0) return std::nullopt;
+      read_.append(more.data(), static_cast<std::size_t>(size));
+    }
+    std::string line = read_.substr(0, end);
+    read_.erase(0, end + 1);
+    return line;
   }
 
   void write(std::string line) const {
     line += '\n';
     for (std::string_view rest = line; !rest.empty();) {
-      const ssize_t size = ::write(out_, rest.data(), rest.size());
+      const ssize_t size = undisturbed([&] { return ::write(out_, rest.data(), rest.size()); });
       if (size <= 0) return;  // nobody listens any more
       rest.remove_prefix(static_cast<std::size_t>(size));
     }
@@ -56,10 +80,8 @@ class Lines {
   // What the object starts does not get it.
   static int kept(int stream) { return ::fcntl(stream, F_DUPFD_CLOEXEC, STDERR_FILENO + 1); }
 
-  std::FILE* in_;
-  int out_;
-  char* line_ = nullptr;
-  std::size_t room_ = 0;
+  int in_, out_;
+  std::string read_;
 };
 
 const forceshade_renderer& table_of(const std::string& file) {
@@ -81,6 +103,15 @@ const forceshade_renderer& table_of(const std::string& file) {
   return *table;
 }
 
+// Before and after the answers that an object may write to lie as many that it may not.
+constexpr std::ptrdiff_t kGuard = 64;
+constexpr float kUnwritten = std::numeric_limits<float>::quiet_NaN();
+
+bool is_unwritten(const Eigen::Vector3f& answer) {
+  return std::ranges::all_of(
+      answer, [](float number) { return std::bit_cast<std::uint32_t>(number) == std::bit_cast<std::uint32_t>(kUnwritten); });
+}
+
 class Renderer {
  public:
   Renderer(const forceshade_renderer& table, std::string_view scene) : table_(table) {
@@ -92,20 +123,23 @@ class Renderer {
     for (char& c : hello_)  // a line has no other end, and a text of JSON no line's end
       if (c == '\n' || c == '\r') c = ' ';
   }
-  ~Renderer() { table_.close(state_); }
+  ~Renderer() noexcept(false) { table_.close(state_); }  // it may throw what it likes
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
   const std::string& hello() const { return hello_; }
 
   std::vector<Eigen::Vector3f> answers(const std::vector<Eigen::Vector3f>& positions, bool is_reset) {
-    std::vector<Eigen::Vector3f> answers(positions.size(), Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
+    const std::size_t count = positions.size();
+    std::vector<Eigen::Vector3f> answers(kGuard + count + kGuard, Eigen::Vector3f::Constant(kUnwritten));
     count_allocations(true);
-    const std::int32_t code =
-        table_.answer(state_, positions.data()->data(), answers.data()->data(), positions.size(), is_reset ? 1 : 0);
+    const std::int32_t code = table_.answer(state_, positions.data()->data(), answers[kGuard].data(), count, is_reset ? 1 : 0);
     count_allocations(false);
     if (code != 0) throw ObjectFailed("its answer() returned " + std::to_string(code));
-    return answers;
+    const std::span<const Eigen::Vector3f> all(answers);
+    for (const auto& guard : {all.first(kGuard), all.last(kGuard)})
+      if (!std::ranges::all_of(guard, is_unwritten)) throw ObjectFailed("its answer() wrote outside of its answers");
+    return {answers.begin() + kGuard, answers.end() - kGuard};
   }
 
  private:
@@ -125,7 +159,7 @@ void answer(const std::string& file, Lines& lines) {
   const auto first = lines.read();
   if (!first) return;
   if (!first->starts_with(conformance::kScene)) throw ObjectFailed("its process expects the scene of conform 1 first");
-  const std::string_view scene = first->substr(conformance::kScene.size());
+  const std::string_view scene = std::string_view(*first).substr(conformance::kScene.size());
   Renderer renderer(table_of(file), scene.substr(0, scene.size() - 1));
   lines.write(renderer.hello());
   while (const auto line = lines.read()) {
@@ -140,9 +174,7 @@ void answer(const std::string& file, Lines& lines) {
   }
 }
 
-}  // namespace
-
-int render_object(const std::string& file) {
+int exit_code_of(const std::string& file) {
   Lines lines;
   const auto fail = [&](const std::string& words) {
     lines.write(nlohmann::json{{"failure", words}}.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
@@ -150,7 +182,7 @@ int render_object(const std::string& file) {
   };
   try {
     answer(file, lines);
-    return 0;
+    return conformance::kObjectEndedWell;
   } catch (const ObjectFailed& failure) {
     return fail(failure.what());
   } catch (const std::exception& error) {
@@ -158,6 +190,14 @@ int render_object(const std::string& file) {
   } catch (...) {
     return fail("it threw something");
   }
+}
+
+}  // namespace
+
+int render_object(const std::string& file) {
+  const int code = exit_code_of(file);
+  std::fesetenv(FE_DFL_ENV);  // the object may have left another one, with which libraries of this program do not end
+  return code;
 }
 
 }  // namespace forceshade::apps

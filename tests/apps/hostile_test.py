@@ -12,6 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 from hostile_programs import CASES
 import hostile_renderers
+import hostile_objects  # noqa: F401
 import hostile_simulators
 
 MOST_SECONDS, MOST_KB, AT_A_TIME, WAITING_AT_A_TIME = 60, 300_000, 2, 10

@@ -16,6 +16,7 @@
 #include <system_error>
 #include <utility>
 
+#include "files/csv.h"
 #include "files/printable.h"
 #include "properties/conformance/doors/keeper.h"
 
@@ -68,8 +69,7 @@ class NoBrokenPipe {
 };
 
 std::string seconds(std::chrono::milliseconds time) {
-  const std::string text = std::to_string(static_cast<double>(time.count()) / 1000);
-  return text.substr(0, text.find_last_not_of("0.") + 1) + " s";
+  return files::shortest(static_cast<double>(time.count()) / 1000) + " s";
 }
 
 }  // namespace
@@ -191,7 +191,8 @@ std::string ChildProcess::how_it_ended(Clock::time_point until) {
   if (WIFSIGNALED(status))
     return "was killed by signal " + std::to_string(WTERMSIG(status)) + " (" + ::strsignal(WTERMSIG(status)) + ")";
   if (WEXITSTATUS(status) == 127) return "could not be started: the shell knows no such command";
-  return WEXITSTATUS(status) == 0 ? "ended" : "ended with exit code " + std::to_string(WEXITSTATUS(status));
+  if (WEXITSTATUS(status) == limits_.ended_well) return "ended";
+  return WEXITSTATUS(status) == 0 ? "ended too early" : "ended with exit code " + std::to_string(WEXITSTATUS(status));
 }
 
 void ChildProcess::fail(const std::string& words) {

@@ -26,6 +26,7 @@ struct ProcessLimits {
   std::size_t memory = std::size_t{2} << 30U;        // bytes that it may write to, of each of its processes
   unsigned long threads = 512;                       // of all its processes together
   unsigned processor_seconds = 600, file_megabytes = 64;
+  int ended_well = 0;  // its exit code after goodbye
 };
 
 // In a session of its own, with pipes to its standard streams. One thread at a time.
@@ -43,7 +44,7 @@ class ChildProcess {
   std::string ask(std::string_view line);
 
   // Sends a line that is not answered, closes the pipe, and waits until the program has ended, at most as long as for an
-  // answer. Throws ProcessFailed where it writes a line, does not end, or ends with another code than 0.
+  // answer. Throws ProcessFailed where it writes a line, does not end, or ends with another code than that of the limits.
   void say_goodbye(std::string_view line);
 
  private:

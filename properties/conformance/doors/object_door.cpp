@@ -14,8 +14,10 @@ OpenRenderer object_door(const std::string& file, const ProcessLimits& limits) {
   // This very program, also where its file was replaced since. A name without a slash would be looked for among the system's
   // libraries.
   const std::string program = "/proc/" + std::to_string(::getpid()) + "/exe";
+  ProcessLimits its = limits;
+  its.ended_well = kObjectEndedWell;
   return process_door("exec " + program + ' ' + kRenderObject + ' ' + files::quoted_for_shell(std::filesystem::absolute(file)),
-                      limits, std::string(kAllocations));
+                      its, std::string(kAllocations));
 }
 
 }  // namespace forceshade::conformance

@@ -17,6 +17,8 @@ inline constexpr const char* kRenderObject = "render-object";
 // That process is told this line to say how often and how much the object allocated in its answers so far:
 // {"calls":2,"bytes":96}, or {} where it does not know.
 inline constexpr std::string_view kAllocations = R"({"allocations":true})";
+// The exit code of that process after goodbye and close(): none that an object gives that ends it itself.
+inline constexpr int kObjectEndedWell = 83;
 
 // For the program that runs render_object().
 OpenRenderer object_door(const std::string& file, const ProcessLimits& limits = {});
