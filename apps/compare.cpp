@@ -31,7 +31,7 @@ int run(const CompareOptions& options, const SubjectOption& option) {
   const auto subject = option.subject();
   conformance::Judge judge(subject, tolerance);
   std::ifstream file;
-  if (options.forces != "-") file = files::open_input(options.forces);
+  if (options.forces != "-") file = files::open_file(options.forces);
   conformance::read_cases(options.forces == "-" ? std::cin : file, options.forces == "-" ? "standard input" : options.forces,
                           [&](const conformance::Case& its) {
                             if (interrupted()) throw Interrupted("not all forces were compared, and nothing was written");

@@ -74,7 +74,7 @@ int RecordingOption::run(const SubjectOption& subject, const std::string& tolera
   if (!frame_.empty()) options.turn = conformance::turn_of_frame(frame_);
   expect_room_for_results(json, junit);
   watch_for_interrupt();
-  std::ifstream file = files::open_input(file_);
+  std::ifstream file = files::open_file(file_);
   const conformance::Measurements measured =
       conformance::read_measurements(file, file_, conformance::columns_of(columns_, units_));
   std::optional<Description> description;

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "files/file_kind.h"
 #include "files/json_fault.h"
 #include "files/printable.h"
 
@@ -47,6 +48,7 @@ nlohmann::json json_from(std::string_view text) {
 
 std::string text_of_json_file(const std::string& file, const std::string& expected) {
   const auto refuse = [](const std::string& why) { throw JsonError("cannot be read: " + why); };
+  if (files::is_named_pipe(file)) refuse("it is a named pipe; expected " + expected);
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   std::string text;

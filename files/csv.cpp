@@ -133,6 +133,12 @@ std::ifstream open_input(const std::string& path) {
   return in;
 }
 
+std::ifstream open_file(const std::string& path) {
+  if (is_folder(path)) throw Error(path + ": cannot open: Is a directory");
+  if (is_named_pipe(path)) throw Error(path + ": cannot open: it is a named pipe; expected a file");
+  return open_input(path);
+}
+
 void Reader::FreeParser::operator()(csv_parser* parser) const noexcept {
   csv_free(parser);
   delete parser;

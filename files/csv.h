@@ -23,6 +23,10 @@ struct Error : std::runtime_error {
 // Throws Error with the system's reason when the file cannot be opened. A directory opens and fails at the first read.
 std::ifstream open_input(const std::string& path);
 
+// The same of a file, or of what a shell makes a pipe for: neither a folder, nor a pipe that has a name, at which this would
+// wait for somebody who writes to it.
+std::ifstream open_file(const std::string& path);
+
 // UTF-8 with or without a byte order mark, lines ended by LF or CRLF, blank lines skipped, spaces around a field dropped,
 // quotes as in RFC 4180, every row as long as the header. A row of more than kLongestRow bytes is an error, so that
 // neither a binary file nor a forgotten quote fills the memory.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <filesystem>
+#include <system_error>
 
 namespace forceshade::files {
 namespace {
@@ -89,6 +91,16 @@ std::string kind_of_file(std::string_view bytes) {
   for (const std::string& kind : {binary_kind(bytes), text_kind(bytes)})
     if (!kind.empty()) return kind;
   return "a text";
+}
+
+bool is_folder(const std::string& path) {
+  std::error_code none;
+  return std::filesystem::is_directory(path, none);
+}
+
+bool is_named_pipe(const std::string& path) {
+  std::error_code none;
+  return std::filesystem::is_fifo(path, none) && !std::filesystem::canonical(path, none).empty();  // an unnamed one has no path
 }
 
 }  // namespace forceshade::files

@@ -21,4 +21,7 @@ std::string text_kind(std::string_view text);
 // Any of these, "a text" where nothing more is known.
 std::string kind_of_file(std::string_view bytes);
 
+bool is_folder(const std::string& path);
+bool is_named_pipe(const std::string& path);  // not what a shell makes for <(...)
+
 }  // namespace forceshade::files

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # object_test.sh FORCESHADE: renderers that are shared objects: the example, and files that are none. hostile_objects.py has the others.
 . "$(dirname "$0")/expect.sh"
-renderers=$examples/renderers
+renderers=$examples/renderers include=$examples/../include
 conform() { "$forceshade" conform --law wall --points 3000 --answer-timeout 5 "$@"; }
 
 # The example, built as its page says, gives what the example in Python gives through another door.

@@ -126,6 +126,10 @@ Report report_from(std::string_view text, const std::string& file) {
     report.outcome = fields.has("failure") ? "ended early: " + fields.text("failure", true) : "judged";
     if (!is_simulator) read_renderer(report, fields);
     read_invariants(report, fields);
+    const bool has_failed = report.outcome != "judged" || std::ranges::any_of(report.invariants, [](const auto& each) {
+                              return each.second.result == kFailed;
+                            });
+    fields.expect("held", !(fields.flag("held") && has_failed), "false where the run ended early or an invariant failed");
     return report;
   } catch (const JsonError& error) {
     throw BadInput(file + ": expected what 'forceshade conform --json' writes: " + error.what());
