@@ -64,9 +64,10 @@ NO_FILES = {  # words of the verdicts on CSV and JSON
 NAMED = ("directory", "No such file", "symbolic links", "it is a named pipe")  # what is said of them whatever they hold
 for name, (made, csv, other) in NO_FILES.items():
     file_case("forces", name, csv, "given.csv", made, COMPARE)
-    file_case("recording", name, csv, "given.csv", made, RECORDING)
+    is_read = csv not in NAMED  # by what reads forces, too
+    file_case("recording", name, csv, "given.csv", made, RECORDING, slow=is_read)
     file_case("run", name, other, "given.json", made, RUNS + ["given.json"])
-    file_case("forces", f"{name}, of NumPy", csv if csv in NAMED else "NPY header", "given.npy", made, COMPARE)
+    file_case("forces", f"{name}, of NumPy", csv if csv in NAMED else "NPY header", "given.npy", made, COMPARE, slow=is_read)
 for kind, file, arguments, words in (("forces", "given.csv", COMPARE, "line"), ("recording", "given.csv", RECORDING, "line"), ("run", "given.json", RUNS + ["given.json"], "larger than")):
     file_case(kind, "a line of 1 GB", words, file, long_line, arguments, slow=True)
 
