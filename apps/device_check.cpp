@@ -14,7 +14,7 @@
 #include "apps/output_options.h"
 #include "apps/signals.h"
 #include "device/check.h"
-#include "device/phantom/hdapi_library.h"
+#include "device/kinds.h"
 #include "files/csv.h"
 #include "files/printable.h"
 #include "forceshade/checks.h"
@@ -32,10 +32,6 @@ struct DeviceCheckOptions {
   double seconds = 5;
   bool in_reset_pose = false;
 };
-
-bool is_phantom(const std::string& name) {
-  return name == "phantom" || name.starts_with("phantom:");
-}
 
 class Checks {
  public:
@@ -63,13 +59,6 @@ class Checks {
   bool printed_;
   std::vector<Check> all_;
 };
-
-void check_without_opening(const std::string& name, Checks& checks) {
-  checks.add(device::check_library(device::hdapi::names_to_try()));
-  const std::size_t colon = name.find(':');
-  checks.add(check_name(device::driver_folder(), colon == std::string::npos ? "" : name.substr(colon + 1)));
-  checks.add(check_nodes(device::device_nodes()));
-}
 
 // What opening it says in several lines is one line here.
 std::string on_one_line(const std::string& text) {
@@ -117,7 +106,7 @@ int run(const DeviceCheckOptions& options) {
   const auto prepares = attendant(options.in_reset_pose);
   Checks checks(options.json != "-");
   device::Observed seen;
-  if (is_phantom(options.device)) check_without_opening(options.device, checks);
+  checks.add(device::checks_before_opening(options.device));
   check_open(options, *prepares, checks, seen);
   const std::size_t wrong = checks.count(Grade::wrong), unknown = checks.count(Grade::unknown);
   if (!options.json.empty())

@@ -97,6 +97,8 @@ RunOutcome run_on(device::Device& device, const Rendering& what, RunPlan plan) {
     if (const device::Placement& placement = plan.run.servo.placement; !(placement == device::Placement{}))
       std::printf("placement         origin at %s mm, x, y, z along %s of the device\n", run::origin_words(placement).c_str(),
                   run::axes_words(placement).c_str());
+    if (!capabilities.forces.empty())
+      std::printf("forces            %s\n", files::printable(std::string(capabilities.forces)).c_str());
     print(result);
     print_last_ticks(outcome.last_ticks);
   }

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "device/phantom/hdapi_library.h"
 #include "device/phantom/shared_objects.h"
 #include "device/simulated/model.h"
 
@@ -172,6 +173,13 @@ Check check_nodes(const std::vector<DeviceNode>& nodes) {
   if (vendors.empty()) return {what, Grade::unknown, "none is known to be the vendor's; " + described(nodes)};
   const bool all = std::all_of(vendors.begin(), vendors.end(), [](const DeviceNode& node) { return node.accessible; });
   return {what, all ? Grade::ok : Grade::wrong, described(vendors)};
+}
+
+std::vector<Check> phantom_checks(const std::string& name) {
+  std::vector<Check> checks = check_library(hdapi::names_to_try());
+  checks.push_back(check_name(driver_folder(), name));
+  checks.push_back(check_nodes(device_nodes()));
+  return checks;
 }
 
 Check check_identity(const Capabilities& capabilities) {

@@ -32,6 +32,9 @@ Check check_name(const DriverFolder& folder, const std::string& name);
 
 Check check_nodes(const std::vector<DeviceNode>& nodes);
 
+// The four of these: of a PHANToM of this name before it is opened.
+std::vector<Check> phantom_checks(const std::string& name);
+
 // Model, serial number, driver and firmware.
 Check check_identity(const Capabilities& capabilities);
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace forceshade::device {
 
@@ -52,5 +53,9 @@ class FrameTimes {
   std::int64_t last_ = 0;
   double longest_ = 0;  // s
 };
+
+// What the user can expect of a device's frames: numbers, and a grade.
+std::string words_of(const FrameTimes::Window& seen);
+const char* grade_of(const FrameTimes::Window& seen) noexcept;
 
 }  // namespace forceshade::device

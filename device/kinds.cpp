@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "device/haply/open_haply.h"
 #include "device/null.h"
 #include "device/phantom/phantom.h"
 #include "device/simulated/simulated.h"
@@ -22,7 +23,9 @@ constexpr std::array kKinds{
          }},
     Kind{"simulated", "[:MODEL[:FILE.csv]]", "a simulated PHANToM in a simulated hand that strokes, or means to go as recorded",
          [](const std::string& rest, Attendant& attendant, Forces) { return open_simulated(rest, attendant); }},
-    Kind{"phantom", "[:NAME]", "a real PHANToM (Premium, Omni, Touch) through the vendor's driver", open_phantom},
+    Kind{"phantom", "[:NAME]", "a real PHANToM (Premium, Omni, Touch) through the vendor's driver", open_phantom,
+         phantom_checks},
+    Kind{"haply", "[:ID]", "a Haply Inverse3 through Haply's Inverse Service", open_haply, haply_checks},
 };
 
 // Whether a device may have this name, which begins with the kind's.
@@ -31,19 +34,32 @@ bool is_well_formed(const Kind& kind, std::string_view name) {
   return has_rest ? !kind.rest.empty() : name == kind.name && !kind.rest.starts_with(':');
 }
 
+std::string kind_of(const std::string& name) {
+  return name.substr(0, name.find(':'));
+}
+
+std::string rest_of(const std::string& name) {
+  return name.substr(std::min(name.size(), kind_of(name).size() + 1));
+}
+
 }  // namespace
 
 std::span<const Kind> kinds() {
   return kKinds;
 }
 
+std::vector<Check> checks_before_opening(const std::string& name) {
+  for (const Kind& kind : kKinds)
+    if (kind.name == kind_of(name) && kind.checks) return kind.checks(rest_of(name));
+  return {};
+}
+
 std::unique_ptr<Device> open_device(const std::string& name, Attendant& attendant, Forces forces) {
-  const std::string first = name.substr(0, name.find(':'));
+  const std::string first = kind_of(name);
   std::string known;
   std::vector<std::string> names;
   for (const Kind& kind : kKinds) {
-    if (kind.name == first && is_well_formed(kind, name))
-      return kind.open(name.substr(std::min(name.size(), first.size() + 1)), attendant, forces);
+    if (kind.name == first && is_well_formed(kind, name)) return kind.open(rest_of(name), attendant, forces);
     known += (known.empty() ? "" : &kind == &kKinds.back() ? " or " : ", ") + kind.form();
     names.emplace_back(kind.name);
   }

@@ -7,7 +7,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "device/check.h"
 #include "forceshade/device.h"
 
 namespace forceshade::device {
@@ -20,9 +22,15 @@ struct Kind {
   // rest: what follows the colon; empty where nothing does.
   std::unique_ptr<Device> (*open)(const std::string& rest, Attendant& attendant, Forces forces);
 
+  // What can be said of such a device before it is opened, for `device check`; null: nothing.
+  std::vector<Check> (*checks)(const std::string& rest) = nullptr;
+
   std::string form() const { return std::string(name) + std::string(rest); }
 };
 
 std::span<const Kind> kinds();
+
+// Those of the kind of this device, "phantom:Left arm" for instance; none where there is no such kind.
+std::vector<Check> checks_before_opening(const std::string& name);
 
 }  // namespace forceshade::device

@@ -37,4 +37,14 @@ RealTime::~RealTime() {
   if (granted_.scheduling) pthread_setschedparam(pthread_self(), old_policy_, &old_parameters_);
 }
 
+std::optional<int> processor_before_last() noexcept {
+  cpu_set_t allowed;
+  if (::sched_getaffinity(0, sizeof allowed, &allowed) != 0) return std::nullopt;
+  const std::optional<int> last = last_of(allowed);
+  if (!last) return std::nullopt;
+  CPU_CLR(*last, &allowed);
+  const std::optional<int> before = last_of(allowed);
+  return before ? before : last;
+}
+
 }  // namespace forceshade::device

@@ -15,6 +15,8 @@ class RealTime {
  public:
   // Above the interrupt threads of a real-time kernel (50), below its watchdogs (99).
   static constexpr int kPriority = 80;
+  // Of a device's frames beside the servo loop: each takes some µs, and one that is late holds an old force.
+  static constexpr int kFramesPriority = kPriority + 5;
 
   // Pins to this processor; without one, to the last that the thread may run on, since the first serves most interrupts.
   explicit RealTime(std::optional<int> cpu, int priority = kPriority) noexcept;
@@ -30,5 +32,8 @@ class RealTime {
   cpu_set_t old_cpus_{};
   Privileges granted_;
 };
+
+// For a device's frames: another processor than the servo loop's, which is the last, where there are two.
+std::optional<int> processor_before_last() noexcept;
 
 }  // namespace forceshade::device

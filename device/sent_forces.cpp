@@ -16,13 +16,21 @@ void SentForces::arrived(const Eigen::Vector3d& position) noexcept {
     last_position_.reset();
 }
 
-Eigen::Vector3d SentForces::send(const Eigen::Vector3d& force) noexcept {
+// Shortened so that it brings the work, in mJ, to no more than is allowed within a step.
+Eigen::Vector3d SentForces::within(const Eigen::Vector3d& force, double work) const noexcept {
   // Room for rounding: of a device that sends in binary32, and of the sums.
   constexpr double kRoom = 0x1p-20;
-  acting_ = force;
-  const double reach = force.norm() * allowance_.longest_step * (1 + kRoom), left = std::max(0.0, allowance_.work - work_);
-  if (reach > left) acting_ *= left / reach;
+  const double reach = force.norm() * allowance_.longest_step * (1 + kRoom), left = std::max(0.0, allowance_.work - work);
+  return reach > left ? Eigen::Vector3d(force * (left / reach)) : force;
+}
+
+Eigen::Vector3d SentForces::send(const Eigen::Vector3d& force) noexcept {
+  acting_ = within(force, work_);
   return acting_;
+}
+
+Eigen::Vector3d SentForces::send_ahead(const Eigen::Vector3d& force) const noexcept {
+  return within(force, work_ + acting_.norm() * allowance_.longest_step);
 }
 
 }  // namespace forceshade::device

@@ -19,12 +19,19 @@ class SentForces {
   // The frame is to send this force, in N. What it may send, shortened as the allowance says; that force then acts.
   Eigen::Vector3d send(const Eigen::Vector3d& force) noexcept;
 
+  // As send(), for a frame that sends its force before its position is known: the step there is taken for the worst one, the
+  // longest along the force that acts now. The force acts once acts() is called, after arrived().
+  Eigen::Vector3d send_ahead(const Eigen::Vector3d& force) const noexcept;
+  void acts(const Eigen::Vector3d& force) noexcept { acting_ = force; }
+
   void allow(const Allowance& allowance) noexcept { allowance_ = allowance; }
 
   // The forces as of the last arrival: `acting` is zero until send() is called.
   Sent report() const noexcept { return {acted_.cast<float>(), acting_.cast<float>(), work_}; }
 
  private:
+  Eigen::Vector3d within(const Eigen::Vector3d& force, double work) const noexcept;
+
   Allowance allowance_;
   std::optional<Eigen::Vector3d> last_position_;
   Eigen::Vector3d acted_{0, 0, 0}, acting_{0, 0, 0};

@@ -12,13 +12,12 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <deque>
-#include <mutex>
 #include <new>
 #include <system_error>
 #include <thread>
 
 #include "device/futex.h"
+#include "device/lasting_words.h"
 #include "device/phantom/hdapi_words.h"
 #include "device/phantom/phantom_end.h"
 #include "device/phantom/phantom_host.h"
@@ -36,14 +35,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr milliseconds kListen{50}, kPoll{1};
 constexpr milliseconds kEnding{1500};  // for the process to end by itself
-
-// Words of a fault live as long as the program, so that a result can be reported after its device is gone.
-std::array<char, 4096>* room_for_words() {
-  static std::mutex mutex;
-  static std::deque<std::array<char, 4096>> rooms;
-  const std::lock_guard lock(mutex);
-  return &rooms.emplace_back();
-}
 
 Attendant& nobody() {
   static Attendant it;

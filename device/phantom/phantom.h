@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 
+#include "device/lasting_words.h"
 #include "device/phantom/phantom_shared.h"
 #include "forceshade/device.h"
 
@@ -75,7 +76,7 @@ class Phantom final : public Device {
   pid_t process_ = -1;
   PhantomDescription description_;
   Capabilities capabilities_;
-  std::array<char, 4096>* room_;  // for the words of a fault, which outlive this
+  LastingWords* room_;  // for the words of a fault
   bool started_ = false, failed_ = false;
   std::int64_t first_ = 0, read_ = 0;  // ns: of the first sample, and of the last that was read
   Allowance allowance_;

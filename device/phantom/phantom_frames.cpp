@@ -78,15 +78,15 @@ void PhantomFrames::frame() noexcept {
     watch_rate();
   }
 
-  const PhantomOrder& order = shared_.orders.latest();
+  const ForceOrder& order = shared_.orders.latest();
   const std::int64_t age = sample_.time - order.time;
   if (!order.force.isZero(0) && age > settings_.watchdog_timeout.count()) note({hdapi::kStalled});
   const auto stopping = [&] { return closing_ || sample_.troubled; };
   const bool obeys = sample_.phase == Phase::ready && sample_.forces_on && !stopping();
   sent_.allow(order.allowance);
   sent_.arrived(sample_.position);
-  const Eigen::Vector3d force =
-      sent_.send(obeys ? Eigen::Vector3d(order.force * share_of_force(age)) : Eigen::Vector3d(0, 0, 0));
+  const Eigen::Vector3d force = sent_.send(
+      obeys ? Eigen::Vector3d(order.force * share_of_force(age, settings_.watchdog_timeout)) : Eigen::Vector3d(0, 0, 0));
   sample_.sent = sent_.report();
   hd_.hdSetDoublev(hdapi::kForce, force.data());
   went_well("setting the force");
@@ -103,11 +103,6 @@ void PhantomFrames::frame() noexcept {
   } else if (sample_.phase == Phase::settling && window && is_good()) {
     switch_on();
   }
-}
-
-double PhantomFrames::share_of_force(std::int64_t age) const noexcept {
-  const auto whole = static_cast<double>(settings_.watchdog_timeout.count()), held = whole / 8;
-  return std::clamp((whole - static_cast<double>(age)) / (whole - held), 0.0, 1.0);
 }
 
 void PhantomFrames::measure() noexcept {

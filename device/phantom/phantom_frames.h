@@ -60,7 +60,6 @@ class PhantomFrames {
   void watch_rate() noexcept;
   bool is_good() const noexcept;
   void switch_on() noexcept;
-  double share_of_force(std::int64_t age) const noexcept;
   bool went_well(const char* step) noexcept;
   bool went_well(const char* step, const hdapi::HDErrorInfo& error) noexcept;
   bool known_and_well(const char* step, bool& known) noexcept;

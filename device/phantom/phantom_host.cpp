@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "device/phantom/phantom_host.h"
 
-#include <sched.h>
-
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -33,20 +31,6 @@ constexpr int kMeasured = 2;  // Hz: a window of frames is half a second
 struct Refused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-
-// The driver's thread answers every frame within some µs, and a frame that is late holds an old force: it comes before the
-// servo loop, and on another processor where there is one. The loop takes the last, so this takes the one before.
-std::optional<int> processor_of_driver() {
-  cpu_set_t allowed;
-  if (::sched_getaffinity(0, sizeof allowed, &allowed) != 0) return std::nullopt;
-  std::optional<int> last, before;
-  for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu)
-    if (CPU_ISSET(cpu, &allowed)) {
-      before = last;
-      last = cpu;
-    }
-  return before ? before : last;
-}
 
 class Host {
  public:
@@ -234,7 +218,7 @@ void Host::start(double rate) {
   expect_success("scheduling the frames");
 
   // The driver's thread inherits this one's priority and processor.
-  real_time_.emplace(processor_of_driver(), RealTime::kPriority + 5);
+  real_time_.emplace(processor_before_last(), RealTime::kFramesPriority);
   // It may run although an error is reported: it is stopped either way.
   scheduler_ = true;
   last_words_.say_unless_taken_back(hdapi::kNoStart, options_.start);
@@ -243,18 +227,6 @@ void Host::start(double rate) {
   last_words_.take_back();
   expect_success("starting the driver's scheduler");
   wait_until_ready();
-}
-
-// What the user can expect of the device's frames.
-const char* grade_of(const FrameTimes::Window& seen) noexcept {
-  return seen.late <= 0.001 ? "good" : seen.late <= 0.02 ? "fair" : "poor: forces are held too long now and then";
-}
-
-std::string words_of(const FrameTimes::Window& seen) {
-  std::array<char, 160> words{};
-  std::snprintf(words.data(), words.size(), "%.1f frames a second, %.2f %% of them late, longest gap %.2f ms", seen.rate,
-                100 * seen.late, 1000 * seen.longest_gap);
-  return words.data();
 }
 
 std::string why_not_ready(const PhantomSample& sample, double rate) {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "device/force_order.h"
 #include "device/frame_times.h"
 #include "device/triple_buffer.h"
 #include "forceshade/device.h"
@@ -36,15 +37,9 @@ struct PhantomSample {
   std::optional<FrameTimes::Window> times = std::nullopt;  // of the last whole window
 };
 
-struct PhantomOrder {
-  Eigen::Vector3d force{0, 0, 0};
-  std::int64_t time = 0;  // CLOCK_MONOTONIC, ns
-  Allowance allowance;
-};
-
 struct PhantomShared {
   TripleBuffer<PhantomSample> samples;
-  TripleBuffer<PhantomOrder> orders;
+  TripleBuffer<ForceOrder> orders;
   std::atomic<std::uint32_t> frames = 0;  // published; a futex
   std::array<char, 512> trouble{};        // written once, before the sample that is troubled
 };

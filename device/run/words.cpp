@@ -27,7 +27,8 @@ std::vector<std::pair<std::string, std::string>> words_of(const device::Capabili
   for (const auto& [what, words] : {std::pair<const char*, std::string_view>{"model", capabilities.model},
                                     {"serial", capabilities.serial},
                                     {"driver", capabilities.driver},
-                                    {"firmware", capabilities.firmware}})
+                                    {"firmware", capabilities.firmware},
+                                    {"forces", capabilities.forces}})
     if (!words.empty()) known.emplace_back(what, words);
   return known;
 }

@@ -74,8 +74,10 @@ using ReadResult = std::variant<Reading, EndOfData, Fault>;
 struct Capabilities {
   static constexpr float kNone = std::numeric_limits<float>::infinity();
 
-  std::string_view model = "unknown";  // as long as the device lives, like the next three
+  std::string_view model = "unknown";  // as long as the device lives, like the next four
   std::string_view serial = {}, driver = {}, firmware = {};
+  // What becomes of a commanded force, of a device whose driver alters it; empty where it is what the hand is given.
+  std::string_view forces = {};
   Eigen::Vector3f workspace_low = Eigen::Vector3f::Constant(-kNone), workspace_high = Eigen::Vector3f::Constant(kNone);  // mm
   float resolution = 0;  // mm, as a data sheet has it
   // N, as a data sheet has them. Without a peak it gives no force that a hand could feel: nobody needs to be kept from it.

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "device/haply/haply_messages.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "files/csv.h"
+#include "files/printable.h"
+
+namespace forceshade::device::haply {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double kMillimetre = 1e-3;       // m
+constexpr double kReach = 2, kMost = 1e3;  // m, N: beyond these a number has another unit, or is nonsense
+constexpr std::size_t kShown = 80;
+
+std::string shown(std::string_view text) {
+  return '"' + files::printable(std::string(text.substr(0, kShown))) + (text.size() > kShown ? "...\"" : "\"");
+}
+
+Json parsed(std::string_view text) {
+  Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded()) throw Unexpected("the Inverse Service: expected JSON, got " + shown(text));
+  return json;
+}
+
+// Null where it is not there.
+const Json& at(const Json& json, const char* key) {
+  static const Json kNothing;
+  return json.is_object() && json.contains(key) ? json[key] : kNothing;
+}
+
+std::string text_at(const Json& json, const char* key) {
+  const Json& value = at(json, key);
+  return value.is_string() ? value.get<std::string>() : value.is_number_integer() ? value.dump() : "";
+}
+
+std::optional<double> number_at(const Json& json, const char* key) {
+  const Json& value = at(json, key);
+  return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
+}
+
+std::optional<bool> flag_at(const Json& json, const char* key) {
+  const Json& value = at(json, key);
+  return value.is_boolean() ? std::optional(value.get<bool>()) : std::nullopt;
+}
+
+// None where the key is not there.
+std::optional<Eigen::Vector3d> vector_at(const Json& json, const char* key, double most) {
+  const Json& value = at(json, key);
+  if (value.is_null()) return std::nullopt;
+  Eigen::Vector3d vector;
+  for (const auto& [axis, name] : {std::pair{0, "x"}, {1, "y"}, {2, "z"}}) {
+    const std::optional<double> number = number_at(value, name);
+    if (!number || !(std::fabs(*number) <= most))
+      throw Unexpected(std::string("the Inverse Service: ") + key + ": expected x, y and z of at most " +
+                       files::shortest(most) + ", got " + shown(value.dump(-1, ' ', true, Json::error_handler_t::replace)));
+    vector[axis] = *number;
+  }
+  return vector;
+}
+
+Inverse3 arm_of(const Json& json) {
+  const Json &config = at(json, "config"), &info = at(config, "device_info"), &state = at(json, "state"),
+             &status = at(json, "status"), &filters = at(config, "filters");
+  Inverse3 arm;
+  arm.id = text_at(json, "device_id");
+  arm.type = text_at(config, "type");
+  arm.serial = text_at(info, "uuid");
+  if (arm.id.empty()) throw Unexpected("the Inverse Service: expected a device_id of each Inverse3, got none");
+  if (arm.serial.empty()) arm.serial = text_at(config, "extended_device_id");
+  arm.firmware = text_at(config, "extended_firmware_version");
+  arm.handedness = text_at(config, "handedness");
+  const Json& basis = at(config, "basis");
+  arm.basis = basis.is_string() ? basis.get<std::string>() : text_at(basis, "permutation");
+  arm.gravity_compensation = flag_at(at(config, "gravity_compensation"), "enabled");
+  arm.gate_gain = number_at(at(filters, "force_gate"), "gain");
+  arm.damping = number_at(at(filters, "damping"), "scalar");
+  arm.position = vector_at(state, "cursor_position", kReach);
+  if (arm.position) *arm.position /= kMillimetre;
+  arm.force = vector_at(state, "current_cursor_force", kMost);
+  // Some clients know a number instead, of which 2 and more is calibrated.
+  arm.calibrated = flag_at(status, "calibrated").value_or(number_at(status, "calibration_state").value_or(0) >= 2);
+  arm.in_use = flag_at(status, "in_use").value_or(false);
+  arm.powered = flag_at(status, "power_supply").value_or(true);
+  arm.ready = flag_at(status, "ready").value_or(true);
+  return arm;
+}
+
+// A grip with a wire has one button, one without has three.
+std::uint16_t buttons_of(const Json& state) {
+  if (flag_at(state, "awake") == false) return 0;
+  unsigned buttons = flag_at(state, "button").value_or(false) ? 1U : 0U;
+  const Json& several = at(state, "buttons");
+  for (const auto& [bit, name] : {std::pair{0U, "a"}, {1U, "b"}, {2U, "c"}})
+    if (flag_at(several, name).value_or(false)) buttons |= 1U << bit;
+  return static_cast<std::uint16_t>(buttons);
+}
+
+// The names of the arms, for a choice.
+std::string names_of(const Message& message) {
+  std::string names;
+  for (const Inverse3& arm : message.arms) names += (names.empty() ? "" : ", ") + arm.id;
+  return files::printable(names);
+}
+
+}  // namespace
+
+Version version_of(const std::string& answer) {
+  const Json json = Json::parse(answer, nullptr, false);
+  const Json& data = at(json, "data");
+  const std::string text = data.is_null() ? answer : data.dump(-1, ' ', true, Json::error_handler_t::replace);
+  static const std::regex number(R"((\d{1,4})\.(\d{1,4})(\.\d{1,6})?)");
+  std::smatch found;
+  if (!std::regex_search(text, found, number))
+    throw Unexpected("the Inverse Service's version: expected a number as 3.5.1, got " + shown(answer));
+  Version version{.major = std::stoi(found[1]), .minor = std::stoi(found[2]), .text = found[0]};
+  if (version.major != 3 || version.minor < 1)
+    throw Unexpected("the Inverse Service's version: expected 3.1 or later, below 4, got " + version.text);
+  return version;
+}
+
+std::optional<std::size_t> sessions_in(const std::string& answer) {
+  const Json json = Json::parse(answer, nullptr, false);
+  const Json& list = json.is_array() ? json : at(json, "data");
+  return list.is_array() ? std::optional(list.size()) : std::nullopt;
+}
+
+Message message_of(std::string_view text) {
+  const Json json = parsed(text);
+  if (!json.is_object()) throw Unexpected("the Inverse Service: expected a JSON object, got " + shown(text));
+  Message message;
+  for (const Json& arm : at(json, "inverse3")) message.arms.push_back(arm_of(arm));
+  for (const char* kind : {"verse_grip", "wireless_verse_grip", "custom_verse_grip"})
+    for (const Json& grip : at(json, kind)) {
+      if (!message.has_grip) message.buttons = buttons_of(at(grip, "state"));
+      message.has_grip = true;
+    }
+  return message;
+}
+
+const Inverse3& chosen(const Message& message, const std::string& name) {
+  if (message.arms.empty()) throw Unexpected("no Inverse3 is connected to the Inverse Service: check its cable and its power");
+  if (name.empty() && message.arms.size() == 1) return message.arms.front();
+  if (name.empty())
+    throw Unexpected("several Inverse3 are connected (" + names_of(message) + "): expected --device haply:ID with one of them");
+  for (const Inverse3& arm : message.arms)
+    if (name == arm.id || name == arm.serial) return arm;
+  throw Unexpected("the Inverse3 " + files::printable(name) + " is not connected; the Inverse Service lists " +
+                   names_of(message));
+}
+
+std::string configuration(const Version& version) {
+  Json configure{{"profile", {{"name", "forceshade:run"}}}};
+  if (version.is_new()) configure["basis"] = {{"permutation", "XYZ"}};
+  return Json{{"session", {{"configure", configure}, {"force_render_full_state", Json::object()}}}}.dump();
+}
+
+std::string full_state() {
+  return R"({"session":{"force_render_full_state":{}}})";
+}
+
+Frames::Frames(const Version& version, const std::string& id) {
+  const std::string head = R"({"inverse3":[{"device_id":)" + Json(id).dump() + R"(,"commands":{)";
+  begin_ = head + R"("set_cursor_force":{")" + (version.is_new() ? "vector" : "values") + R"(":{"x":)";
+  probe_ = head + R"("probe_position":{}}}]})";
+}
+
+std::string Frames::with_force(const Eigen::Vector3d& force) const {
+  return begin_ + files::shortest(force.x()) + ",\"y\":" + files::shortest(force.y()) + ",\"z\":" + files::shortest(force.z()) +
+         "}}}}]}";
+}
+
+}  // namespace forceshade::device::haply

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What the Inverse Service says and is said, as JSON text: nothing here opens a socket. Its lengths are in m; those of these
+// structures are in mm. Its axes are the laws': x right, y away from the user, z up.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace forceshade::device::haply {
+
+// What the service sent is not what it should be. what() says what was expected.
+struct Unexpected : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct Version {
+  int major = 0, minor = 0;
+  std::string text;  // "3.5.1"
+
+  // Since 3.5 a force is written as `vector`, before as `values`, and only since then the basis is configured with the session.
+  bool is_new() const noexcept { return minor >= 5; }
+};
+
+// From the answer to GET /version. Throws Unexpected where there is none, and for versions that are not spoken here: expected
+// is 3.1 or later, below 4.
+Version version_of(const std::string& answer);
+
+// How many sessions the answer to GET /sessions lists, if it is such a list.
+std::optional<std::size_t> sessions_in(const std::string& answer);
+
+// An Inverse3 in a message of the service. What the message leaves out is empty.
+struct Inverse3 {
+  // Of its configuration, which only the first message and a full state have.
+  std::string id, type, serial, firmware, handedness, basis;
+  std::optional<bool> gravity_compensation;
+  std::optional<double> gate_gain, damping;
+  // Of its state.
+  std::optional<Eigen::Vector3d> position;  // mm
+  std::optional<Eigen::Vector3d> force;     // N: that the service says it applies
+  bool calibrated = false, in_use = false;
+  bool powered = true, ready = true;
+};
+
+struct Message {
+  std::vector<Inverse3> arms;
+  std::uint16_t buttons = 0;  // of the first grip that the message lists; none of one that sleeps
+  bool has_grip = false;
+};
+
+// Throws Unexpected for what is no message of the service, and for a number that is not finite or beyond all reach.
+Message message_of(std::string_view text);
+
+// Of the only arm, or of that whose id or serial number this is. Throws Unexpected where none is to be chosen.
+const Inverse3& chosen(const Message& message, const std::string& name);
+
+// The first message of a session: who this is, and the basis of the laws; answered with a full state.
+std::string configuration(const Version& version);
+// Has the configuration of all devices told again.
+std::string full_state();
+
+// A frame: a force in N, or, for a run without forces, no command but to measure.
+class Frames {
+ public:
+  Frames(const Version& version, const std::string& id);
+
+  std::string with_force(const Eigen::Vector3d& force) const;
+  const std::string& without_force() const noexcept { return probe_; }
+
+ private:
+  std::string begin_, probe_;
+};
+
+}  // namespace forceshade::device::haply

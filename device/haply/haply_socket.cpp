@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "device/haply/haply_socket.h"
+
+#include <boost/asio/connect.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+#include <charconv>
+#include <optional>
+#include <stdexcept>
+
+namespace forceshade::device::haply {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+using asio::ip::tcp;
+using boost::system::error_code;
+using Clock = std::chrono::steady_clock;
+using Done = std::optional<error_code>;
+
+constexpr std::size_t kLongestMessage = 1 << 20;
+constexpr int kMostUnasked = 100;  // in a row
+constexpr std::chrono::milliseconds kToEnd{100};
+
+void set(Done& done, const error_code& error) {
+  done = error;
+}
+
+// Runs what was begun until it is done or the time is up. Whether it is done.
+bool run_until(asio::io_context& io, const Done& done, Clock::time_point deadline) {
+  io.restart();
+  while (!done && Clock::now() < deadline) {
+    if (io.stopped()) io.restart();
+    io.run_one_until(deadline);
+  }
+  return done.has_value();
+}
+
+// Throws where the step failed or took too long.
+void expect_done(asio::io_context& io, const Done& done, Clock::time_point deadline, const std::string& step) {
+  if (!run_until(io, done, deadline)) throw std::runtime_error(step + ": no answer in time");
+  if (*done) throw std::runtime_error(step + ": " + done->message());
+}
+
+void connect(asio::io_context& io, tcp::socket& socket, const Address& address, Clock::time_point deadline) {
+  error_code error;
+  tcp::resolver resolver(io);
+  const auto ends = resolver.resolve(address.host, std::to_string(address.port), error);
+  if (error) throw std::runtime_error("finding " + address.words() + ": " + error.message());
+  Done done;
+  asio::async_connect(socket, ends, [&](const error_code& e, const tcp::endpoint&) { set(done, e); });
+  try {
+    expect_done(io, done, deadline, "connecting to " + address.words());
+  } catch (const std::runtime_error&) {
+    socket.close(error);
+    if (!done) run_until(io, done, Clock::time_point::max());  // which ends what was begun, since the socket is closed
+    throw;
+  }
+  socket.set_option(tcp::no_delay(true), error);
+}
+
+}  // namespace
+
+Address address_of(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  Address address;
+  if (colon != std::string::npos) {
+    address.host = text.substr(0, colon);
+    if (address.host.starts_with('[') && address.host.ends_with(']')) address.host = address.host.substr(1, colon - 2);
+    const char *begin = text.data() + colon + 1, *end = text.data() + text.size();
+    const auto [last, error] = std::from_chars(begin, end, address.port);
+    if (error != std::errc() || last != end) address.port = 0;
+  }
+  if (address.host.empty() || address.port < 1 || address.port > 65535)
+    throw std::invalid_argument("expected HOST:PORT, for instance localhost:10001, got \"" + text + '"');
+  return address;
+}
+
+struct Socket::Implementation {
+  asio::io_context io{1};
+  beast::websocket::stream<tcp::socket> stream{io};
+  beast::flat_buffer buffer;
+  Done read, written{error_code()}, ended;
+  bool is_reading = false, is_closing = false;
+  std::string sent, why;
+  std::size_t unasked = 0;
+
+  void begin_reading() {
+    if (is_reading) return;
+    buffer.consume(buffer.size());
+    read.reset();
+    is_reading = true;
+    stream.async_read(buffer, [this](const error_code& error, std::size_t) { set(read, error); });
+  }
+
+  Answer closed(const error_code& error) {
+    if (why.empty()) {
+      why = error.message();
+      if (error == beast::websocket::error::closed && !stream.reason().reason.empty())
+        why += std::string(": ") + stream.reason().reason.c_str();
+    }
+    return {Answer::Kind::closed, {}};
+  }
+
+  Answer received(Clock::time_point deadline) {
+    begin_reading();
+    if (!run_until(io, read, deadline)) return {Answer::Kind::late, {}};
+    is_reading = false;
+    if (*read) return closed(*read);
+    return {Answer::Kind::message, {static_cast<const char*>(buffer.data().data()), buffer.size()}};
+  }
+};
+
+Socket::Socket(const Address& address, Time timeout) : it_(std::make_unique<Implementation>()) {
+  const Clock::time_point deadline = Clock::now() + timeout;
+  connect(it_->io, it_->stream.next_layer(), address, deadline);
+  it_->stream.read_message_max(kLongestMessage);
+  it_->stream.text(true);
+  Done done;
+  it_->stream.async_handshake(address.words(), "/", [&](const error_code& error) { set(done, error); });
+  try {
+    expect_done(it_->io, done, deadline, "opening a WebSocket at " + address.words());
+  } catch (const std::runtime_error&) {
+    error_code ignored;
+    it_->stream.next_layer().close(ignored);
+    if (!done) run_until(it_->io, done, Clock::time_point::max());
+    throw;
+  }
+}
+
+Socket::~Socket() {
+  close(kToEnd);
+  // What was begun ends here, so that nothing is written to what is gone.
+  error_code ignored;
+  it_->stream.next_layer().close(ignored);
+  it_->io.restart();
+  it_->io.run_for(kToEnd);
+}
+
+Answer Socket::receive(Time timeout) {
+  return it_->received(Clock::now() + timeout);
+}
+
+Answer Socket::ask(std::string_view text, Time timeout) {
+  const Clock::time_point now = Clock::now(), deadline = now + timeout;
+  for (int i = 0; i < kMostUnasked; ++i) {
+    it_->begin_reading();
+    it_->io.restart();
+    it_->io.poll();
+    if (!it_->read) break;
+    it_->is_reading = false;
+    if (*it_->read) return it_->closed(*it_->read);
+    ++it_->unasked;
+  }
+  if (!it_->written) return {Answer::Kind::late, {}};  // nobody takes what was sent before
+  it_->sent = text;
+  it_->written.reset();
+  it_->stream.async_write(asio::buffer(it_->sent), [this](const error_code& error, std::size_t) { set(it_->written, error); });
+  if (!run_until(it_->io, it_->written, deadline)) return {Answer::Kind::late, {}};
+  if (*it_->written) return it_->closed(*it_->written);
+  return it_->received(deadline);
+}
+
+void Socket::close(Time timeout) noexcept {
+  try {
+    if (it_->is_closing || !it_->stream.is_open()) return;
+    it_->is_closing = true;
+    const Clock::time_point deadline = Clock::now() + timeout;
+    it_->stream.async_close(beast::websocket::close_code::normal, [this](const error_code& error) { set(it_->ended, error); });
+    run_until(it_->io, it_->ended, deadline);
+  } catch (const std::exception&) {
+  }
+}
+
+const std::string& Socket::why() const noexcept {
+  return it_->why;
+}
+
+std::size_t Socket::unasked() const noexcept {
+  return it_->unasked;
+}
+
+std::string http_get(const Address& address, const std::string& target, Socket::Time timeout) {
+  namespace http = beast::http;
+  const Clock::time_point deadline = Clock::now() + timeout;
+  asio::io_context io{1};
+  tcp::socket socket(io);
+  connect(io, socket, address, deadline);
+  http::request<http::empty_body> request{http::verb::get, target, 11};
+  request.set(http::field::host, address.words());
+  request.set(http::field::connection, "close");
+  Done written, read;
+  beast::flat_buffer buffer(kLongestMessage);
+  http::response<http::string_body> response;
+  const auto step = [&](const Done& done) {
+    if (run_until(io, done, deadline) && !*done) return;
+    const std::string why = done ? done->message() : "no answer in time";
+    error_code ignored;
+    socket.close(ignored);
+    if (!done) run_until(io, done, Clock::time_point::max());
+    throw std::runtime_error("GET " + target + " at " + address.words() + ": " + why);
+  };
+  http::async_write(socket, request, [&](const error_code& error, std::size_t) { set(written, error); });
+  step(written);
+  http::async_read(socket, buffer, response, [&](const error_code& error, std::size_t) { set(read, error); });
+  step(read);
+  if (response.result() != http::status::ok)
+    throw std::runtime_error("GET " + target + " at " + address.words() + ": status " + std::to_string(response.result_int()));
+  return response.body();
+}
+
+}  // namespace forceshade::device::haply

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""drive_test.py STAND-IN FORCESHADE recording|events|assumptions: the command over the stand-in, which finds no fault of it; what
+it says of everything that goes wrong; and its exit codes."""
+
+import concurrent.futures
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+from stand_in import Checks, StandIn, skip_without_websockets
+
+skip_without_websockets()
+checks = Checks()
+program, forceshade, mode = sys.argv[1:4]
+# What it says on a machine that is too busy for a run, after which a run is tried again.
+BUSY = ("too irregular", "has not answered for", "no frame of the Inverse3 came in time", "stopped the run: watchdog")
+
+
+class Run:
+    """drive with these options over a stand-in with those; again where the machine was too busy for it."""
+
+    def __init__(self, options, stand_in, expected="", folder=None):
+        with tempfile.TemporaryDirectory() as own:
+            for _ in range(6):
+                self.once(options, stand_in, folder or own)
+                busy = [words for words in BUSY if words in self.err]
+                if not busy or any(words in expected for words in busy):
+                    return
+
+    def once(self, options, stand_in, folder):
+        with StandIn(program, *stand_in) as service:
+            command = [forceshade, "drive", "--device", "haply", "--law", "wall", "--stiffness", "0.5", "--watchdog-timeout", "1"]
+            if "--certificate" not in options:
+                command.append("--uncertified")
+            run = subprocess.run(command + list(options), cwd=folder, text=True, capture_output=True, timeout=60,
+                                 env={**os.environ, "FORCESHADE_HAPLY_SERVICE": service.address})
+            self.code, self.out, self.err = run.returncode, run.stdout, run.stderr
+            self.faults, self.session = None, None
+            if "freeze" in " ".join(stand_in) or "die" in " ".join(stand_in):
+                return
+            service.process.terminate()
+            _, report = service.verdict()
+            self.faults, self.session = report["faults"], (report["sessions"] or [None])[0]
+
+    def expect(self, what, code, *words, faults=()):
+        text = self.out + self.err
+        checks.expect(self.code == code, f"{what}: exit code {self.code}, expected {code}: {text}")
+        for one in words:
+            checks.expect(one in text, f"{what}: \"{one}\" is not in: {text}")
+        if self.faults is not None:
+            checks.expect(set(self.faults) == set(faults), f"{what}: the stand-in found {self.faults}")
+
+
+def at_once(run, names):
+    """A few at a time: each keeps a third of a processor busy."""
+    with concurrent.futures.ThreadPoolExecutor(3) as pool:
+        return dict(zip(names, pool.map(run, names)))
+
+
+def recording():
+    with tempfile.TemporaryDirectory() as folder:
+        certify = [forceshade, "certify", "--law", "wall", "--stiffness", "0.5", "--out", "certificate"]
+        subprocess.run(certify, cwd=folder, check=True, stdout=subprocess.DEVNULL)
+        run = Run(["--certificate", "certificate/certificate.json", "--seconds", "2", "--record", "run.fsr", "--json", "summary",
+                   "--overwrite"], [], folder=folder)
+        run.expect("a certified run", 0, "forces            as commanded; the Inverse Service filters and rations them")
+        checks.expect(run.session["largest_force_N"] > 0.1, f"no contact: {run.session}")
+        with open(folder + "/summary") as file:
+            summary = json.load(file)
+        checks.expect("which no certificate covers" in summary["device"]["forces"], f"summary: {summary['device']}")
+        checks.expect(summary["device"]["serial"] == "stand-in-0001" and summary["paced_by"] == "device", "summary")
+        verify = subprocess.run([forceshade, "recording", "verify", "run.fsr"], cwd=folder, text=True, capture_output=True)
+        checks.expect(verify.returncode == 0, f"recording verify: {verify.stdout}{verify.stderr}")
+        print(verify.stdout, end="")
+
+
+def events():
+    closed, silent = "the Inverse Service has closed the connection", "the Inverse Service has not answered for 25 ms"
+    in_contact = {
+        "unplug": "the Inverse3 is no longer connected",
+        "garbage": "the Inverse Service: expected JSON, got \"{",
+        "nan": "the Inverse Service: expected JSON",
+        "wrong-unit": "cursor_position: expected x, y and z of at most 2",
+        "no-position": "a state without a position",
+        "uncalibrated": "the supervisor stopped the run: uncalibrated",
+        "jump": "the supervisor stopped the run: jump",
+        "lose": silent, "late": silent, "freeze": silent, "close": closed, "reset": closed, "die": closed,
+    }
+    runs = at_once(lambda event: Run(["--seconds", "4"], ["--event", event + "@contact"], in_contact[event]), in_contact)
+    for event, run in runs.items():
+        run.expect(event, 3, in_contact[event])
+    Run(["--seconds", "1"], ["--event", "unasked@900"]).expect("unasked", 0, "1 messages came unasked")
+    off = Run(["--seconds", "1.6"], ["--event", "power-off@300"])
+    off.expect("power-off", 0)
+    checks.expect(off.session["largest_force_N"] == 0, f"power-off: {off.session}")
+    released = Run(["--seconds", "1.6", "--dead-man", "0"], ["--pressed", "--event", "press@300"])
+    released.expect("a button that is not held down", 0)
+    checks.expect(released.session["largest_force_N"] == 0, f"press: {released.session}")
+
+
+def assumptions():
+    other = ["values-key=both", "http=before", "envelope=asked", "force-reported=no", "basis-reported=no", "control-mode=force",
+             "grip=wireless", "ping=0.05", "clamp=0.1", "ration=0.3", "in-flight=drop", "unknown-command=close", "malformed=close",
+             "not-finite=close", "idle-after=30", "after-close=hold"]
+    words = [word for one in other for word in ("--assume", one)]
+    Run(["--seconds", "1"], words).expect("every assumption the other way", 0)
+    Run(["--seconds", "1"], ["--version", "3.4.2", "--assume", "grip=none", "--type", "minverse"]).expect("version 3.4", 0)
+    refused = {name: (stand_in, expected) for name, stand_in, expected in (
+            ("in-use", ["--assume", "in-use=any"], "another program uses the Inverse3 049D"),
+            ("http=none", ["--assume", "http=none"], "no Inverse Service answers at 127.0.0.1:"),
+            ("version 2", ["--version", "2.2.0"], "expected 3.1 or later, below 4, got 2.2.0"),
+            ("version 4", ["--version", "4.0.1"], "expected 3.1 or later, below 4, got 4.0.1"),
+            ("top-rate", ["--assume", "top-rate=300"], "too irregular to send forces"),
+            ("no device", ["--event", "unplug@1"], "no Inverse3 is connected"))}
+    for name, run in at_once(lambda name: Run(["--seconds", "0.2"], *refused[name]), refused).items():
+        run.expect(name, 3, refused[name][1])
+    nobody = subprocess.run([forceshade, "drive", "--device", "haply", "--law", "wall", "--uncertified"], text=True, capture_output=True,
+                            env={**os.environ, "FORCESHADE_HAPLY_SERVICE": "127.0.0.1:1"}, timeout=60)
+    checks.expect(nobody.returncode == 3 and "no Inverse Service answers at 127.0.0.1:1" in nobody.stderr, f"nobody: {nobody.stderr}")
+    wrong = subprocess.run([forceshade, "drive", "--device", "haply", "--law", "wall", "--uncertified"], text=True, capture_output=True,
+                           env={**os.environ, "FORCESHADE_HAPLY_SERVICE": "nowhere"}, timeout=60)
+    checks.expect(wrong.returncode == 3 and "expected HOST:PORT" in wrong.stderr, f"nowhere: {wrong.stderr}")
+
+
+if __name__ == "__main__":
+    least = {"recording": (recording, 7), "events": (events, 35), "assumptions": (assumptions, 18)}
+    least[mode][0]()
+    sys.exit(checks.exit_code(least[mode][1]))

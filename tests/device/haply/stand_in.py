@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The stand-in for Haply's Inverse Service as a process of a test's."""
+
+import importlib.util
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+
+def skip_without_websockets():
+    if importlib.util.find_spec("websockets") is None:
+        print("skipped: the Python package websockets is not there (Debian package python3-websockets)")
+        sys.exit(77)
+
+
+class StandIn:
+    def __init__(self, program, *words, sessions=1):
+        self.folder = tempfile.TemporaryDirectory()
+        self.log_file, report = os.path.join(self.folder.name, "log"), os.path.join(self.folder.name, "report")
+        self.report_file = report
+        command = [sys.executable, program, "haply", "--port", "0", "--sessions", str(sessions), "--report", report, "--log", self.log_file]
+        self.process = subprocess.Popen(command + list(words), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        line = self.process.stdout.readline()
+        if not line.startswith("listening on "):
+            raise RuntimeError("the stand-in did not start: " + line + self.process.communicate()[1])
+        self.address = line.split()[-1]
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.communicate()
+        self.folder.cleanup()
+
+    def log(self):
+        with open(self.log_file) as file:
+            return [json.loads(line) for line in file if line.endswith("\n")]
+
+    def verdict(self):
+        """Once it has ended: its exit code and its report."""
+        self.process.communicate(timeout=30)
+        with open(self.report_file) as file:
+            return self.process.returncode, json.load(file)
+
+
+class Checks:
+    """Counts what was not as expected, and says it."""
+
+    def __init__(self):
+        self.wrong, self.made = 0, 0
+
+    def expect(self, holds, words):
+        self.made += 1
+        if not holds:
+            self.wrong += 1
+            print("WRONG:", words, flush=True)
+
+    def exit_code(self, least):
+        """The last line of a test: it fails, too, where fewer checks were made than it has."""
+        print(f"{self.made} checks, {self.wrong} wrong")
+        return 1 if self.wrong or self.made < least else 0

@@ -1,0 +1,270 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""stand_in_test.py STAND-IN: every fault of a client is recorded under its name, a client without one is not blamed, and every
+assumption can be seen in both of its ways."""
+
+import asyncio
+import json
+import sys
+
+from stand_in import Checks, StandIn, skip_without_websockets
+
+skip_without_websockets()
+import websockets  # noqa: E402
+from websockets.legacy.client import connect  # noqa: E402
+
+checks = Checks()
+program = sys.argv[1]
+ZERO = {"x": 0, "y": 0, "z": 0}
+ONE = {"x": 0, "y": 0, "z": 1.0}
+
+
+def force(vector, key="vector", device="049D"):
+    return json.dumps({"inverse3": [{"device_id": device, "commands": {"set_cursor_force": {key: vector}}}]})
+
+
+class Client:
+    def __init__(self, socket):
+        self.socket, self.inventory = socket, None
+
+    async def ask(self, text, timeout=2.0):
+        """The answer, or None."""
+        await self.socket.send(text)
+        try:
+            return json.loads(await asyncio.wait_for(self.socket.recv(), timeout))
+        except (asyncio.TimeoutError, websockets.exceptions.ConnectionClosed):
+            return None
+
+
+async def session(address, act):
+    async with connect("ws://" + address, compression=None, ping_interval=None) as socket:
+        client = Client(socket)
+        client.inventory = json.loads(await socket.recv())
+        return await act(client)
+
+
+def run(act, *words):
+    """What the act returned, and the faults."""
+    with StandIn(program, *words) as stand_in:
+        result = asyncio.run(session(stand_in.address, act))
+        code, report = stand_in.verdict()
+        checks.expect(code == (1 if report["faults"] else 0), f"exit code {code} with {report['faults']}")
+        return result, report["faults"]
+
+
+async def press(client, *forces):
+    await client.ask(force(ZERO))
+    for one in forces:
+        await client.ask(one)
+    await client.ask(force(ZERO))
+
+
+def misdeed(text):
+    return lambda client: press(client, text)
+
+
+async def configures_twice(client):
+    for _ in range(2):
+        await client.ask(json.dumps({"session": {"configure": {"profile": {"name": "co.x.y:scene"}}}}))
+
+
+async def forces_at_once(client):
+    await client.ask(force(ONE))
+    await client.ask(force(ZERO))
+
+
+async def pauses(client):
+    await client.ask(force(ZERO))
+    await client.ask(force(ONE))
+    await asyncio.sleep(0.05)
+    await client.ask(force(ZERO))
+
+
+async def leaves_under_force(client):
+    await client.ask(force(ZERO))
+    await client.ask(force(ONE))
+
+
+async def breaks_off(client):
+    await client.ask(force(ZERO))
+    client.socket.transport.abort()
+
+
+async def hurries(client):
+    await client.ask(force(ZERO))
+    await at_once(client, 20, force(ONE))
+    for _ in range(20):
+        await client.socket.recv()
+    await client.ask(force(ZERO))
+
+
+async def at_once(client, times, text):
+    """So many frames in one write, since a stand-in with real-time priority answers before a second one."""
+    size = bytes([0x80 | len(text)]) if len(text) < 126 else bytes([0xFE]) + len(text).to_bytes(2, "big")
+    client.socket.transport.write((b"\x81" + size + b"\x00\x00\x00\x00" + text.encode()) * times)
+
+
+async def goes_on_after_the_end(client):
+    await client.ask(force(ZERO))
+    client.socket.transport.write(b"\x88\x82\x00\x00\x00\x00\x03\xe8" + b"\x81\x82\x00\x00\x00\x00{}")
+    await asyncio.sleep(0.1)
+
+
+async def sends_no_mask(client):
+    await client.ask(force(ZERO))
+    client.socket.transport.write(b"\x81\x02{}")
+    await asyncio.sleep(0.1)
+
+
+MISDEEDS = {
+    "binary": misdeed(b"{}"),
+    "malformed": misdeed("force, please"),
+    "not-finite": misdeed(force(ONE).replace("1.0", "NaN")),
+    "unknown-key": misdeed(force(ONE).replace("set_cursor_force", "set_cursor_farce")),
+    "unknown-device": misdeed(force(ONE, device="0000")),
+    "wrong-key": misdeed(force(ONE, "values")),
+    "no-vector": misdeed(force({"x": 0, "y": 0})),
+    "absurd-force": misdeed(force({"x": 0, "y": 0, "z": 1000.0})),
+    "force-first": forces_at_once,
+    "in-flight": hurries,
+    "gap": pauses,
+    "configured-again": configures_twice,
+    "force-at-end": leaves_under_force,
+    "abrupt-end": breaks_off,
+    "after-close": goes_on_after_the_end,
+    "protocol": sends_no_mask,
+}
+WITH_WORDS = {
+    "uncalibrated-force": (misdeed(force(ONE)), ["--event", "uncalibrated@1"]),
+    "unpowered-force": (misdeed(force(ONE)), ["--event", "power-off@1"]),
+}
+
+
+async def waits_for_the_inventory(client):
+    await press(client, force(ONE))
+
+
+def second_source():
+    async def two(address):
+        async def under_force(client):
+            await client.ask(force(ZERO))
+            await client.ask(force(ONE))
+
+            async def other(second):
+                await press(second, force(ONE))
+            await session(address, other)
+            await client.ask(force(ZERO))
+        await session(address, under_force)
+    with StandIn(program, "--longest-gap", "10000", sessions=2) as stand_in:
+        asyncio.run(two(stand_in.address))
+        checks.expect(set(stand_in.verdict()[1]["faults"]) == {"second-source"}, "second-source")
+
+
+def early():
+    async def hasty(address):
+        async with connect("ws://" + address, compression=None) as socket:
+            await socket.send(force(ZERO))
+            await socket.recv()
+            await socket.recv()
+    with StandIn(program, "--inventory-after", "200") as stand_in:
+        asyncio.run(hasty(stand_in.address))
+        checks.expect(set(stand_in.verdict()[1]["faults"]) == {"early"}, "early")
+
+
+def every_fault_is_seen():
+    _, faults = run(waits_for_the_inventory)
+    checks.expect(not faults, f"a good client was blamed for {faults}")
+    for name, act in MISDEEDS.items():
+        _, faults = run(act)
+        checks.expect(set(faults) == {name}, f"{name}: got {faults}")
+    for name, (act, words) in WITH_WORDS.items():
+        _, faults = run(act, *words)
+        checks.expect(set(faults) == {name}, f"{name}: got {faults}")
+    second_source()
+    early()
+    listed = set(MISDEEDS) | set(WITH_WORDS) | {"second-source", "early"}
+    sys.path.insert(0, program.rsplit("/", 1)[0])
+    from haply import judge
+    checks.expect(listed == set(judge.FAULTS), f"faults without a test: {set(judge.FAULTS) - listed}")
+
+
+def arm(answer):
+    return answer["inverse3"][0]
+
+
+async def pushes(client):
+    await client.ask(force(ZERO))
+    answer = await client.ask(force({"x": 0, "y": 0, "z": 4.0}))
+    await client.ask(force(ZERO))
+    return answer
+
+
+async def says(client, text):
+    await client.ask(force(ZERO))
+    answer = await client.ask(text, 0.3)
+    return "closed" if client.socket.closed else "silent" if answer is None else "answer"
+
+
+async def idles(client):
+    """The force a moment after the last message."""
+    await client.ask(force(ZERO))
+    await client.ask(force(ONE))
+    await asyncio.sleep(0.06)
+    answer = await client.ask(json.dumps({"inverse3": [{"device_id": "049D", "commands": {"probe_position": {}}}]}))
+    await client.ask(force(ZERO))
+    return arm(answer)["state"]["current_cursor_force"]["z"]
+
+
+async def drops(client):
+    await client.ask(force(ZERO))
+    await at_once(client, 10, force(ZERO))
+    count = 0
+    try:
+        while True:
+            await asyncio.wait_for(client.socket.recv(), 0.3)
+            count += 1
+    except asyncio.TimeoutError:
+        return count
+
+
+async def state(client):
+    return client.inventory
+
+
+def seen(act, *assumptions):
+    words = []
+    for one in assumptions:
+        words += ["--assume", one]
+    return run(act, *words)[0]
+
+
+def every_assumption_has_two_ways():
+    z = lambda answer: arm(answer)["state"]["current_cursor_force"]["z"]
+    checks.expect(z(seen(pushes)) == 4 and z(seen(pushes, "clamp=3")) == 3, "clamp")
+    checks.expect(z(seen(pushes, "ration=0.5")) == 2, "ration")
+    checks.expect(seen(idles) == 1 and seen(idles, "idle-after=30") == 0, "idle-after")
+    nan = force(ONE).replace("1.0", "NaN")
+    for name, text, ways in (("not-finite", nan, {"refuse": "answer", "close": "closed"}),
+                             ("malformed", "?", {"answer": "answer", "silent": "silent", "close": "closed"}),
+                             ("unknown-command", force(ONE, device="0"), {"answer": "answer", "silent": "silent", "close": "closed"})):
+        for way, expected in ways.items():
+            got = seen(lambda client: says(client, text), f"{name}={way}")
+            checks.expect(got == expected, f"{name}={way}: {got}")
+    _, faults = run(misdeed(force(ONE, "values")), "--assume", "values-key=both")
+    checks.expect(not faults, f"values-key=both: {faults}")
+    checks.expect(seen(drops, "in-flight=queue") == 10 and seen(drops, "in-flight=drop") < 10, "in-flight")
+    checks.expect(arm(seen(state))["config"]["basis"] == {"permutation": "XYZ"} and
+                  "basis" not in arm(seen(state, "basis-reported=no"))["config"], "basis-reported")
+    checks.expect("current_cursor_force" not in arm(seen(state, "force-reported=no"))["state"], "force-reported")
+    checks.expect(arm(seen(state, "control-mode=force"))["state"]["control_mode"] == "force", "control-mode")
+    checks.expect(arm(seen(state, "in-use=any"))["status"]["in_use"] and not arm(seen(state))["status"]["in_use"], "in-use")
+    grips = [(len(m["verse_grip"]), len(m["wireless_verse_grip"])) for m in
+             (seen(state), seen(state, "grip=wireless"), seen(state, "grip=none"))]
+    checks.expect(grips == [(1, 0), (0, 1), (0, 0)], f"grip {grips}")
+
+
+if __name__ == "__main__":
+    if sys.argv[2] == "faults":
+        every_fault_is_seen()
+        sys.exit(checks.exit_code(40))
+    every_assumption_has_two_ways()
+    sys.exit(checks.exit_code(20))
