@@ -25,6 +25,9 @@ if(NOT FORCESHADE_FAST_ONLY)
   install(TARGETS forceshade_reference_c EXPORT forceshade_reference-c_targets LIBRARY COMPONENT libforceshade-reference0
           NAMELINK_COMPONENT libforceshade-dev)
   install(FILES include/forceshade.h include/forceshade_reference.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(PROGRAMS device/stand_ins/forceshade-standin DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT forceshade)
+  install(DIRECTORY device/stand_ins/haply DESTINATION ${CMAKE_INSTALL_DATADIR}/forceshade/stand_ins COMPONENT forceshade
+          PATTERN __pycache__ EXCLUDE)
   set(made ${PROJECT_BINARY_DIR}/apps/documentation)
   install(DIRECTORY ${made}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT forceshade)
   install(FILES ${made}/forceshade DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT forceshade)

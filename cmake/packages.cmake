@@ -65,5 +65,6 @@ set(CPACK_DEBIAN_FORCESHADE_PACKAGE_RECOMMENDS gnuplot-nox)
 foreach(package IN ITEMS FORCESHADE LIBFORCESHADE-DEV PYTHON3-FORCESHADE)
   set(CPACK_DEBIAN_${package}_PACKAGE_SUGGESTS forceshade-doc)
 endforeach()
+set(CPACK_DEBIAN_FORCESHADE_PACKAGE_SUGGESTS "forceshade-doc, python3-websockets")  # the latter for forceshade-standin
 set(CPACK_DEBIAN_LIBFORCESHADE-DEV_PACKAGE_SHLIBDEPS OFF)
 include(CPack)

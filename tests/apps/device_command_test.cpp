@@ -45,7 +45,7 @@ TEST(device_list, names_the_devices_that_are_set_up_and_the_folder_that_was_read
   const CommandRun none = run_command(here, words_of("device list"));
   EXPECT_EQ(none.code, 0);
   expect_holds(none.out,
-               {"replay:FILE.csv", "simulated[:MODEL", "phantom[:NAME]", "premium-1.5 premium-1.0 omni",
+               {"replay:FILE.csv", "simulated[:MODEL", "phantom[:NAME]", "haply[:ID]", "premium-1.5 premium-1.0 omni",
                 "No device is set up for the vendor's driver: " + here.file("config") + ": No such file or directory"});
   std::filesystem::create_directory(here.file("config"));
   expect_holds(run_command(here, words_of("device list")).out, {here.file("config") + " is empty"});
@@ -57,7 +57,7 @@ TEST(device_list, names_the_devices_that_are_set_up_and_the_folder_that_was_read
   EXPECT_EQ(listed["problem"], "");
   EXPECT_EQ(listed["names"], (json{"\x1b[2J", "Left arm"}));
   EXPECT_EQ(listed["models"].size(), 3U);
-  EXPECT_EQ(listed["kinds"].size(), 4U);
+  EXPECT_EQ(listed["kinds"].size(), 5U);
   expect_holds(run_command(here, words_of("device list")).out, {"  \"phantom:Left arm\"\n", "phantom:\\x1b[2J"});
 }
 

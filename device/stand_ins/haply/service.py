@@ -82,6 +82,16 @@ class Service:
             share *= float(clamp) / size
         self.arm.force = tuple(share * c for c in total) if self.powered and not self.unplugged else (0.0, 0.0, 0.0)
 
+    async def watch_for_idle(self):
+        """The device idles by itself, whether or not another message ever comes."""
+        idle = self.assumed("idle-after")
+        while idle != "never":
+            await asyncio.sleep(0.005)
+            for session in self.sessions:
+                if judge.length(session.force) > 0 and now() - session.last > float(idle) * 1e6 and not session.is_idle:
+                    session.is_idle = True
+                    self.note("idle", session=session.number)
+
     def happen(self, event):
         if event == "unplug":
             self.unplugged, self.unplugged_at = True, self.sessions[-1].messages
@@ -191,7 +201,9 @@ class Service:
             if self.assumed("http") == "before":
                 before = await serve(self.serve_client, host, port - 1, create_protocol=protocol(True), **options)
             print(f"listening on {host}:{port}", flush=True)
+            watch = loop.create_task(self.watch_for_idle())
             await self.over
+            watch.cancel()
             if before:
                 before.close()
 

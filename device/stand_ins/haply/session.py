@@ -22,7 +22,7 @@ class Session:
         self.service, self.socket, self.number = service, socket, number
         self.messages = 0
         self.configured = False
-        self.was_in_contact = self.is_unanswered = False
+        self.was_in_contact = self.is_unanswered = self.is_idle = False
         self.ended_here = False  # by an event or an assumption, which is no fault of the client
         self.told = (True, True)  # calibrated and powered, as of the last answer
         self.is_early = False  # the next message came before the answer to the last one
@@ -65,8 +65,10 @@ class Session:
         # Who was not answered may wait.
         if gap > service.options.longest_gap and length(self.force) > SMALL and not self.is_unanswered:
             self.fault("gap", f"{gap:.1f} ms")
-        self.is_unanswered = True
+        self.is_unanswered, self.is_idle = True, False
         self.last = begin
+        if self.messages == 600:
+            service.note("settled", session=self.number)
         service.advance(begin)
         events = service.options.events.get(self.messages, [])
         if self.report["contact_messages"] >= 100 and not self.was_in_contact:

@@ -182,6 +182,7 @@ def every_fault_is_seen():
     second_source()
     early()
     listed = set(MISDEEDS) | set(WITH_WORDS) | {"second-source", "early"}
+    sys.dont_write_bytecode = True
     sys.path.insert(0, program.rsplit("/", 1)[0])
     from haply import judge
     checks.expect(listed == set(judge.FAULTS), f"faults without a test: {set(judge.FAULTS) - listed}")
