@@ -55,7 +55,8 @@ TEST(sent_forces, are_shortened_to_what_is_left_over_the_longest_step) {
 }
 
 // Commands that come late, or never, or twice; a hand that runs along the force or anywhere, a step at most in each frame.
-TEST(sent_forces, give_no_more_than_is_allowed_whatever_is_commanded_when) {
+// ahead: each force is sent before the position of its frame is known.
+void expect_no_more_than_is_allowed(bool ahead) {
   std::mt19937 random(1);
   const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
   double nearest = HUGE_VAL;
@@ -71,9 +72,11 @@ TEST(sent_forces, give_no_more_than_is_allowed_whatever_is_commanded_when) {
       const Vector step = allowance.longest_step * uniform(-0.2, 0.999999) * way;
       position += step;
       work += acting.dot(step);
-      sent.arrived(position);
       if (uniform(0, 1) < 0.7) command = uniform(0, 20) * any;
-      acting = sent.send(command);
+      const Vector sent_ahead = sent.send_ahead(command);
+      sent.arrived(position);
+      acting = ahead ? sent_ahead : sent.send(command);
+      sent.acts(acting);
       ASSERT_LE(acting.norm(), command.norm());
       ASSERT_LE(work, allowance.work + 1e-9);
       ASSERT_NEAR(sent.report().work, work, 1e-9);
@@ -81,6 +84,11 @@ TEST(sent_forces, give_no_more_than_is_allowed_whatever_is_commanded_when) {
     }
   }
   EXPECT_LT(nearest, 0.01) << "the bound was reached";
+}
+
+TEST(sent_forces, give_no_more_than_is_allowed_whatever_is_commanded_when) {
+  expect_no_more_than_is_allowed(false);
+  expect_no_more_than_is_allowed(true);
 }
 
 }  // namespace

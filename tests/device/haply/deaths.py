@@ -88,7 +88,7 @@ def main():
     print(f"| death | {' | '.join(phases)} |\n|---|{'---|' * len(phases)}")
     for number in ENDS_IN_ORDER:
         row(f"client: {number.name}", "client", number,
-            lambda phase, late, end, force: end in (0, 130) and force == 0)
+            lambda phase, late, end, force: force == 0 and end in ((0,) if phase != "connected" else (0, 3, 130)))
     for number in KILLS:
         row(f"client: {number.name}", "client", number, lambda phase, late, end, force: end == -number)
     row("client: SIGSTOP", "client", signal.SIGSTOP, lambda phase, late, end, words: end == "stopped")
