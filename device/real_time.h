@@ -15,7 +15,7 @@ class RealTime {
  public:
   // Above the interrupt threads of a real-time kernel (50), below its watchdogs (99).
   static constexpr int kPriority = 80;
-  // Of a device's frames beside the servo loop: each takes some µs, and one that is late holds an old force.
+  // A device's frames come before the servo loop: each takes some µs, and one that is late holds an old force.
   static constexpr int kFramesPriority = kPriority + 5;
 
   // Pins to this processor; without one, to the last that the thread may run on, since the first serves most interrupts.

@@ -356,8 +356,14 @@ TEST(structure, each_row_of_the_planted_defects_has_a_test_of_its_number) {
 }
 
 TEST(structure, the_real_time_side_uses_no_library_of_the_exact_one) {
-  for (const char* folder : {"fast", "device", "rendering/heights"})
-    expect_no_include(folder, {"CGAL", "boost", "mpfr", "gmp"});
+  for (const char* folder : {"fast", "device", "rendering/heights"}) expect_no_include(folder, {"CGAL", "mpfr", "gmp"});
+  for (const char* folder : {"fast", "rendering/heights"}) expect_no_include(folder, {"boost"});
+}
+
+TEST(structure, devices_take_only_the_sockets_of_boost) {
+  for (const std::string& include : includes_of(kRoot / "device"))
+    EXPECT_TRUE(!include.starts_with("boost") || include.starts_with("boost/asio/") || include.starts_with("boost/beast/"))
+        << include;
 }
 
 TEST(structure, the_recorder_takes_only_the_ring_of_boost) {

@@ -170,7 +170,7 @@ void Haply::describe(const Inverse3& arm, bool has_grip) {
 
 Fault Haply::failed_with(const std::string& words) noexcept {
   failed_ = true;
-  if (words.data() != room_->data()) std::snprintf(room_->data(), room_->size(), "%s", words.c_str());
+  std::snprintf(room_->data(), room_->size(), "%s", words.c_str());
   return fault();
 }
 

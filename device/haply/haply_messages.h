@@ -35,11 +35,11 @@ std::optional<std::size_t> sessions_in(const std::string& answer);
 
 // An Inverse3 in a message of the service. What the message leaves out is empty.
 struct Inverse3 {
-  // Of its configuration, which only the first message and a full state have.
+  // Its configuration, which only the first message and a full state have.
   std::string id, type, serial, firmware, handedness, basis;
   std::optional<bool> gravity_compensation;
   std::optional<double> gate_gain, damping;
-  // Of its state.
+  // Its state.
   std::optional<Eigen::Vector3d> position;  // mm
   std::optional<Eigen::Vector3d> force;     // N: that the service says it applies
   bool calibrated = false, in_use = false;
@@ -55,7 +55,7 @@ struct Message {
 // Throws Unexpected for what is no message of the service, and for a number that is not finite or beyond all reach.
 Message message_of(std::string_view text);
 
-// Of the only arm, or of that whose id or serial number this is. Throws Unexpected where none is to be chosen.
+// The only arm, or that whose id or serial number this is. Throws Unexpected where none is to be chosen.
 const Inverse3& chosen(const Message& message, const std::string& name);
 
 // The first message of a session: who this is, and the basis of the laws; answered with a full state.

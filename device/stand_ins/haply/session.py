@@ -67,8 +67,8 @@ class Session:
             self.fault("gap", f"{gap:.1f} ms")
         self.is_unanswered, self.is_idle = True, False
         self.last = begin
-        if self.messages == 600:
-            service.note("settled", session=self.number)
+        if self.messages == 300:
+            service.note("settling", session=self.number)
         service.advance(begin)
         events = service.options.events.get(self.messages, [])
         if self.report["contact_messages"] >= 100 and not self.was_in_contact:

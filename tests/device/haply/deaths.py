@@ -14,7 +14,7 @@ from stand_in import Checks, StandIn, skip_without_websockets
 skip_without_websockets()
 checks = Checks()
 program, forceshade = sys.argv[1:3]
-PHASES = {"connected": "inventory", "free": "settled", "in contact": "contact"}
+PHASES = {"connected": "inventory", "settling": "settling", "in contact": "contact"}
 phases = sys.argv[3:] or list(PHASES)
 ENDS_IN_ORDER = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 KILLS = (signal.SIGKILL, signal.SIGSEGV, signal.SIGABRT)
@@ -88,7 +88,7 @@ def main():
     print(f"| death | {' | '.join(phases)} |\n|---|{'---|' * len(phases)}")
     for number in ENDS_IN_ORDER:
         row(f"client: {number.name}", "client", number,
-            lambda phase, late, end, force: force == 0 and end in ((0,) if phase != "connected" else (0, 3, 130)))
+            lambda phase, late, end, force: force == 0 and end in ((0,) if phase == "in contact" else (0, 3, 130)))
     for number in KILLS:
         row(f"client: {number.name}", "client", number, lambda phase, late, end, force: end == -number)
     row("client: SIGSTOP", "client", signal.SIGSTOP, lambda phase, late, end, words: end == "stopped")
