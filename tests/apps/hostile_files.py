@@ -207,7 +207,7 @@ for key in ("schema", "held", "applicable", "invariants", "exact", "renderer", "
     for value in (None, 7, [], {}, [7]):
         if (key, value) not in (("invariants", []), ("seed", 7)):
             run_case(f"with {key} {value}", key, with_value(key, value))
-for value in ("forceshade conformance 2", "forceshade judgement 1", "forceshade conformance of a simulator 1", ""):
+for value in ("forceshade conformance 2", "forceshade judgement 1", "forceshade conformance of a hand 1", ""):
     run_case(f"of schema {value!r}", "schema", with_value("schema", value))
 for invariants in ([{}], [{"name": 7}], [[]], {"name": "a"}):
     run_case(f"with invariants {json.dumps(invariants)}", "expected", with_value("invariants", invariants))

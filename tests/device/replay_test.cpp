@@ -208,9 +208,10 @@ TEST(open_device, lists_the_kinds_it_knows_and_names_the_nearest) {
       open_device(name);
       FAIL() << name;
     } catch (const UnknownDevice& error) {
-      EXPECT_EQ(error.what(), "unknown device \"" + name +
-                                  "\": expected null, replay:FILE.csv, simulated[:MODEL[:FILE.csv]] or phantom[:NAME]" +
-                                  (nearest.empty() ? "" : "; the nearest is " + nearest));
+      EXPECT_EQ(error.what(),
+                "unknown device \"" + name +
+                    "\": expected null, replay:FILE.csv, simulated[:MODEL[:FILE.csv]], phantom[:NAME] or haply[:ID]" +
+                    (nearest.empty() ? "" : "; the nearest is " + nearest));
     }
   }
 }

@@ -138,6 +138,8 @@ void mesh_decisions(ComparedScript& script, bool is_fused) {
   for (const char* piece : {"along", "length", "offset_length"}) run.expect(piece, fast::dot(a, b));
   for (const char* piece : {"across", "passes"}) run.expect(piece, fast::dot(n, c));
   for (const char* piece : {"inside", "area"}) run.expect(piece, fast::dot(fast::cross(c, d), n));
+  run.expect("pressed", fast::cross(c, d).x);
+  run.expect("pulled", fast::cross(n, d).x);
   const auto expect = [&](const Recorded& found, const Recorded& ay, const Recorded& az, const Recorded& by,
                           const Recorded& bz) {
     run.bind("ay", ay);

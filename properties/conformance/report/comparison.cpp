@@ -209,7 +209,7 @@ class Comparer {
     }
   }
 
-  // Of an invariant with the same result in both. What is held is allowed, however much of it is used.
+  // For an invariant with the same result in both. What is held is allowed, however much of it is used.
   void compare_deviations(const std::string& name, const Report::Invariant& before, const Report::Invariant& after) {
     if (!before.share || !after.share) return;
     const auto [least, most] = std::minmax(*before.share, *after.share);
