@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "files/npy.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <map>
@@ -11,11 +12,13 @@ namespace forceshade::files {
 namespace {
 
 constexpr std::size_t kLongestHeader = 1 << 16;
+constexpr std::array<unsigned char, 6> kMagic{0x93, 'N', 'U', 'M', 'P', 'Y'};
 
 std::string read_header(std::istream& in) {
   std::array<unsigned char, 12> head{};
   in.read(reinterpret_cast<char*>(head.data()), 10);
-  if (in && (head[6] < 1 || head[6] > 3 || head[7] != 0))
+  if (!in || !std::equal(kMagic.begin(), kMagic.end(), head.begin())) throw NpyFault("has no NPY header");
+  if (head[6] < 1 || head[6] > 3 || head[7] != 0)
     throw NpyFault("is of NPY version " + std::to_string(head[6]) + '.' + std::to_string(head[7]) +
                    "; expected 1.0, 2.0 or 3.0");
   std::size_t length = head[8] + 256U * head[9];

@@ -68,7 +68,7 @@ for name, (made, csv, other) in NO_FILES.items():
     file_case("recording", name, csv, "given.csv", made, RECORDING, slow=is_read)
     file_case("run", name, other, "given.json", made, RUNS + ["given.json"])
     file_case("forces", f"{name}, of NumPy", csv if csv in NAMED else "NPY header", "given.npy", made, COMPARE, slow=is_read)
-for kind, file, arguments, words in (("forces", "given.csv", COMPARE, "line"), ("recording", "given.csv", RECORDING, "line"), ("run", "given.json", RUNS + ["given.json"], "larger than")):
+for kind, file, arguments, words in (("forces", "given.csv", COMPARE, "bytes in a row"), ("recording", "given.csv", RECORDING, "bytes in a row"), ("run", "given.json", RUNS + ["given.json"], "larger than")):
     file_case(kind, "a line of 1 GB", words, file, long_line, arguments, slow=True)
 
 # CSV. Rows that are right: the wall's stiffness is 1.5 N/mm.
