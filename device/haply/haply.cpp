@@ -8,7 +8,6 @@
 #include <optional>
 #include <thread>
 
-#include "device/futex.h"
 #include "device/haply/open_haply.h"
 #include "device/monotonic.h"
 #include "device/shortened.h"
@@ -226,10 +225,7 @@ std::optional<std::string> Haply::why_not_ready() {
 
 std::int64_t Haply::wait_for_frame(std::int64_t deadline) noexcept {
   if (!frames_) return deadline;
-  // The count first: a frame between the two is then not waited for.
-  const std::uint32_t frames = frames_->frames.load(std::memory_order_acquire);
-  if (frames_->samples.latest().time == read_) wait_for_change(frames_->frames, frames, deadline);
-  return frames_->samples.latest().time;
+  return frames_->samples.wait_for_another(read_, deadline);
 }
 
 ReadResult Haply::read() noexcept {

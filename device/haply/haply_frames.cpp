@@ -10,7 +10,6 @@
 #include <csignal>
 #include <cstdio>
 
-#include "device/futex.h"
 #include "device/monotonic.h"
 #include "device/real_time.h"
 #include "files/csv.h"
@@ -127,8 +126,6 @@ void FrameThread::send_zero() noexcept {
 
 void FrameThread::publish() noexcept {
   samples.publish(sample_);
-  frames.fetch_add(1, std::memory_order_release);
-  wake(frames);
 }
 
 void FrameThread::note(const std::string& words) noexcept {

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "device/force_order.h"
+#include "device/frame_samples.h"
 #include "device/frame_times.h"
 #include "device/haply/haply_messages.h"
 #include "device/haply/haply_socket.h"
@@ -67,9 +68,8 @@ class FrameThread {
   // After end().
   const FrameCount& count() const noexcept { return count_; }
 
-  TripleBuffer<FrameSample> samples;
+  FrameSamples<FrameSample> samples;
   TripleBuffer<ForceOrder> orders;
-  std::atomic<std::uint32_t> frames = 0;  // published; a futex
 
  private:
   void run() noexcept;

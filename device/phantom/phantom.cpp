@@ -16,7 +16,6 @@
 #include <system_error>
 #include <thread>
 
-#include "device/futex.h"
 #include "device/lasting_words.h"
 #include "device/phantom/hdapi_words.h"
 #include "device/phantom/phantom_end.h"
@@ -190,11 +189,7 @@ Fault Phantom::fault() noexcept {
 }
 
 std::int64_t Phantom::wait_for_frame(std::int64_t deadline) noexcept {
-  // The count first: a frame between the two is then not waited for. One that was read, though it began after the last wait,
-  // is not begun with again.
-  const std::uint32_t frames = shared_->frames.load(std::memory_order_acquire);
-  if (shared_->samples.latest().time == read_) wait_for_change(shared_->frames, frames, deadline);
-  return shared_->samples.latest().time;
+  return shared_->samples.wait_for_another(read_, deadline);
 }
 
 ReadResult Phantom::read() noexcept {

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <limits>
 
-#include "device/futex.h"
 #include "device/monotonic.h"
 
 namespace forceshade::device {
@@ -31,8 +30,6 @@ unsigned PhantomFrames::tick(void* self) noexcept {
   frames.frame();
   frames.samples.publish(frames.sample_);
   frames.shared_.samples.publish(frames.sample_);
-  frames.shared_.frames.fetch_add(1, std::memory_order_release);
-  wake(frames.shared_.frames);
   if (frames.sample_.phase == Phase::closed) frames.closed_ = true;
   return hdapi::kCallbackContinue;  // also after trouble: zero is to be sent on
 }

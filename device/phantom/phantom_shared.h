@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "device/force_order.h"
+#include "device/frame_samples.h"
 #include "device/frame_times.h"
 #include "device/triple_buffer.h"
 #include "forceshade/device.h"
@@ -38,10 +39,9 @@ struct PhantomSample {
 };
 
 struct PhantomShared {
-  TripleBuffer<PhantomSample> samples;
+  FrameSamples<PhantomSample> samples;
   TripleBuffer<ForceOrder> orders;
-  std::atomic<std::uint32_t> frames = 0;  // published; a futex
-  std::array<char, 512> trouble{};        // written once, before the sample that is troubled
+  std::array<char, 512> trouble{};  // written once, before the sample that is troubled
 };
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free, "shared between processes");
 
