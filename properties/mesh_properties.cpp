@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "properties/binary32.h"
+#include "rendering/mesh_rendering.h"
 
 namespace forceshade::properties {
 namespace {
@@ -43,12 +44,10 @@ bool is_on_surface(const mesh::Tick& tick) {
 
 // N/mm: K where the god-object is.
 double stiffness_at(const MeshRendering& rendering, const mesh::GodObject& state) {
-  const mesh::Materials& materials = rendering.materials;
   const auto of = [&](std::size_t triangle) {
-    const mesh::Material& its = materials.list[materials.of_triangle.empty() ? 0 : materials.of_triangle[triangle]];
-    return its.stiffness.value_or(rendering.stiffness);
+    return material_of(rendering.materials, triangle).stiffness.value_or(rendering.stiffness);
   };
-  if (materials.list.empty() || state.place == mesh::Place::nowhere || state.place == mesh::Place::free)
+  if (!has_own_stiffness(rendering.materials) || state.place == mesh::Place::nowhere || state.place == mesh::Place::free)
     return static_cast<double>(rendering.stiffness);
   if (state.place == mesh::Place::triangle) return static_cast<double>(of(state.index[0]));
   // The largest of the triangles at the vertex or edge.
@@ -65,7 +64,7 @@ double stiffness_at(const MeshRendering& rendering, const mesh::GodObject& state
 // is not as long as the spring's.
 bool is_drag_beside_shading(const MeshRendering& rendering) {
   return rendering.contact == mesh::Contact::friction && rendering.shading != mesh::Shading::none &&
-         std::ranges::any_of(rendering.materials.list, [](const mesh::Material& its) { return its.static_friction > 0; });
+         has_friction(rendering.materials);
 }
 
 // What a shaded force is turned by, as a chord, at the end of this tick; 0 where it is not shaded. D: from the position to

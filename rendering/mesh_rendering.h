@@ -26,6 +26,16 @@ inline bool has_friction(const mesh::Materials& materials) {
   return std::ranges::any_of(materials.list, [](const mesh::Material& one) { return one.static_friction > 0; });
 }
 
+inline bool has_own_stiffness(const mesh::Materials& materials) {
+  return std::ranges::any_of(materials.list, [](const mesh::Material& one) { return one.stiffness.has_value(); });
+}
+
+// That of a triangle.
+inline mesh::Material material_of(const mesh::Materials& materials, std::size_t triangle) {
+  if (materials.list.empty()) return {};
+  return materials.list[materials.of_triangle.empty() ? 0 : materials.of_triangle[triangle]];
+}
+
 // Why a mesh of so many triangles cannot have these materials. friction: whether the contact rule uses their coefficients.
 inline std::optional<ParameterError> error_of_materials(const mesh::Materials& materials, std::size_t triangles,
                                                         bool friction) {
@@ -68,9 +78,9 @@ inline std::optional<ParameterError> first_error(const MeshRendering& rendering)
     return ParameterError{name, "", static_cast<float>(count), expected, expected};
   };
   if (const auto error = error_of_stiffness(rendering.stiffness)) return error;
-  const bool has_friction = rendering.contact == mesh::Contact::friction;
-  if (const auto error = error_of_materials(rendering.materials, triangles, has_friction)) return error;
-  if (has_friction && rendering.checked.self_intersections() == mesh::SelfIntersections::allowed)
+  const bool is_frictional = rendering.contact == mesh::Contact::friction;
+  if (const auto error = error_of_materials(rendering.materials, triangles, is_frictional)) return error;
+  if (is_frictional && rendering.checked.self_intersections() == mesh::SelfIntersections::allowed)
     for (const mesh::Material& material : rendering.materials.list)
       if (material.static_friction > 0)
         return ParameterError{"static coefficient of friction of a mesh that may cross itself", "", material.static_friction, 0,

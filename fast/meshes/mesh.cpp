@@ -105,10 +105,8 @@ std::variant<Mesh, ParameterError> Mesh::build(const MeshRendering& rendering) {
   result.stiffness_ = rendering.stiffness;
   result.materials_ = rendering.materials.list;
   if (!rendering.materials.of_triangle.empty()) in_order(result.material_of_face_, rendering.materials.of_triangle);
-  for (const mesh::Material& material : result.materials_) {
-    result.has_friction_ = result.has_friction_ || material.static_friction > 0;
-    result.has_stiffness_ = result.has_stiffness_ || material.stiffness.has_value();
-  }
+  result.has_friction_ = forceshade::has_friction(rendering.materials);
+  result.has_stiffness_ = has_own_stiffness(rendering.materials);
   result.tree_ = BoxTree(result.faces_);
   return result;
 }

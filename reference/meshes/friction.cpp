@@ -5,14 +5,14 @@
 #include <cmath>
 
 #include "reference/meshes/rounding.h"
+#include "rendering/mesh_rendering.h"
 
 namespace forceshade::reference::meshes {
 
 SurfaceMaterials::SurfaceMaterials(const Surface& surface, const mesh::Materials& materials, float stiffness)
     : surface_(surface) {
   for (std::size_t i = 0; i < surface.triangles().size(); ++i) {
-    mesh::Material its;
-    if (!materials.list.empty()) its = materials.list[materials.of_triangle.empty() ? 0 : materials.of_triangle[i]];
+    mesh::Material its = material_of(materials, i);
     its.stiffness = its.stiffness.value_or(stiffness);
     are_rough_somewhere_ |= its.static_friction > 0;
     of_triangle_.push_back(its);

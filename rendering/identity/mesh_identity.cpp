@@ -70,9 +70,7 @@ Identity identity_of(const std::string& name, const MeshRendering& rendering) {
   if (has_sheets) identity.parameters.push_back({"self_intersections", std::string("allowed")});
   if (has_own_contact) identity.parameters.push_back({"contact", std::string(name_of(rendering.contact))});
   if (has_friction(rendering.materials)) identity.parameters.push_back({"friction", words_of_friction(materials)});
-  const bool has_own_stiffness =
-      std::ranges::any_of(materials, [](const mesh::Material& one) { return one.stiffness.has_value(); });
-  if (has_own_stiffness || (has_materials && materials.size() > 1))
+  if (has_own_stiffness(rendering.materials) || (has_materials && materials.size() > 1))
     identity.parameters.push_back({"materials", std::to_string(materials.size())});
   return identity;
 }
