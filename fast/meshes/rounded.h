@@ -41,9 +41,10 @@ inline std::optional<float> nearest_length(const Vector3<N>& n) noexcept {
   return nearest_root(square(n), N::exactly(1));
 }
 
+// rounded(): gets the same component of each vector.
 template <class Rounded>
-std::optional<Force3> each(const Rounded& rounded, const auto& vector) noexcept {
-  const std::optional<float> x = rounded(vector.x), y = rounded(vector.y), z = rounded(vector.z);
+std::optional<Force3> each(const Rounded& rounded, const auto&... vectors) noexcept {
+  const std::optional<float> x = rounded(vectors.x...), y = rounded(vectors.y...), z = rounded(vectors.z...);
   if (!x || !y || !z) return std::nullopt;
   return Force3{*x, *y, *z};
 }
@@ -88,12 +89,9 @@ inline std::optional<Force3> along_and(const Way3<DoubleWithError>& way, const V
   const DoubleWithError stiffness = DoubleWithError::exactly(K),
                         factor = stiffness * square_root(square_of_way / square_of_direction) / way.length,
                         of_pull = stiffness / pull.length;
-  const auto one = [&](const DoubleWithError& to, const DoubleWithError& by) {
-    return round_to_binary32(factor * to + of_pull * by);
-  };
-  const auto x = one(direction.x, pull.vector.x), y = one(direction.y, pull.vector.y), z = one(direction.z, pull.vector.z);
-  if (!x || !y || !z) return std::nullopt;
-  return Force3{*x, *y, *z};
+  return each(
+      [&](const DoubleWithError& to, const DoubleWithError& by) { return round_to_binary32(factor * to + of_pull * by); },
+      direction, pull.vector);
 }
 inline std::optional<Force3> along_and(const Way3<Shaded>& way, const Vector3<Shaded>& direction, const Way3<Shaded>& pull,
                                        double K) noexcept {
@@ -122,9 +120,7 @@ inline std::optional<Force3> along_and(const Way3<Shaded>& way, const Vector3<Sh
     };
     return round_to_binary32(approximately(factor * Short(to) + of_pull * Short(by)), beside);
   };
-  const auto x = one(direction.x, pull.vector.x), y = one(direction.y, pull.vector.y), z = one(direction.z, pull.vector.z);
-  if (!x || !y || !z) return std::nullopt;
-  return Force3{*x, *y, *z};
+  return each(one, direction, pull.vector);
 }
 
 }  // namespace forceshade::fast::meshes
