@@ -36,7 +36,7 @@ struct ObjectFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Reads or writes, whatever signals the object has asked for.
+// Reads or writes, whatever signals the object has set up.
 template <class Call>
 ssize_t undisturbed(Call call) {
   ssize_t size = 0;

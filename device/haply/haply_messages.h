@@ -60,7 +60,7 @@ const Inverse3& chosen(const Message& message, const std::string& name);
 
 // The first message of a session: who this is, and the basis of the laws; answered with a full state.
 std::string configuration(const Version& version);
-// Has the configuration of all devices told again.
+// After it the service sends the configuration of all devices again.
 std::string full_state();
 
 // A frame: a force in N, or, for a run without forces, no command but to measure.
