@@ -26,6 +26,7 @@ if(NOT FORCESHADE_FAST_ONLY)
           NAMELINK_COMPONENT libforceshade-dev)
   install(FILES include/forceshade.h include/forceshade_reference.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
   install(PROGRAMS device/stand_ins/forceshade-standin DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT forceshade)
+  install(FILES device/stand_ins/forceshade-standin.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT forceshade)
   install(DIRECTORY device/stand_ins/haply DESTINATION ${CMAKE_INSTALL_DATADIR}/forceshade/stand_ins COMPONENT forceshade
           PATTERN __pycache__ EXCLUDE)
   set(made ${PROJECT_BINARY_DIR}/apps/documentation)
