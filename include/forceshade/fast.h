@@ -33,10 +33,12 @@
 #include <span>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "forceshade/height_map.h"
 #include "forceshade/law.h"
 #include "forceshade/mesh.h"
+#include "forceshade/scene.h"
 #include "forceshade/session.h"
 
 namespace forceshade::fast {
@@ -206,6 +208,34 @@ class GodObject {
   float stiffness_;
   mesh::Shading shading_;
   mesh::Contact contact_;
+};
+
+// One path of the hand through a scene.
+class SceneSession {
+ public:
+  // At the beginning of a path. objects: 1 to scene::kMostObjects. Allocates. Throws std::invalid_argument for another number.
+  explicit SceneSession(const std::vector<GodObject>& objects);
+
+  // position: mm, in the world; poses: one for each object, in their order; another number of them is an invalid tick. Without
+  // allocation, lock or exception.
+  scene::Tick tick(const std::array<float, 3>& position, std::span<const scene::Pose> poses) noexcept;
+
+  std::size_t size() const noexcept { return objects_.size(); }
+  // What the last tick did to an object: its force and state are in the object's axes.
+  const mesh::Tick& of(std::size_t object) const noexcept { return objects_[object].tick; }
+  // As TickSession: the last stage of all its decisions; and a state of this object.
+  Stage stage() const noexcept { return stage_; }
+  void resume(std::size_t object, const mesh::GodObject& state) noexcept;
+
+ private:
+  struct Object {
+    std::unique_ptr<TickSession> session;
+    mesh::Tick tick;
+  };
+  void advance(Object& object, const scene::Pose& pose, const std::array<float, 3>& p) noexcept;
+
+  std::vector<Object> objects_;
+  Stage stage_ = Stage::binary64;
 };
 
 }  // namespace forceshade::fast

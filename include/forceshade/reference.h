@@ -24,13 +24,16 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "forceshade/height_map.h"
 #include "forceshade/law.h"
 #include "forceshade/mesh.h"
+#include "forceshade/scene.h"
 
 namespace forceshade::reference {
 
@@ -178,6 +181,27 @@ class GodObjectSession {
   GodObject god_object_;
   mesh::GodObject state_;
   std::pair<mesh::GodObject, std::array<float, 3>> last_;  // the state before the last step, and its position
+};
+
+// Where an object sees a position of the world, mm: each coordinate of Rᵀ(p - translation) rounded once to binary32, ties to
+// even; 0 below 2^-30 mm in size. Nothing where the pose or the position is invalid.
+std::optional<std::array<float, 3>> seen_from(const scene::Pose& pose, const std::array<float, 3>& position);
+
+// Several objects, placed anew in every step (docs/scenes.md).
+class SceneSession {
+ public:
+  // objects: 1 to scene::kMostObjects. Throws std::invalid_argument for another number.
+  explicit SceneSession(const std::vector<GodObject>& objects);
+
+  // poses: one for each object, in their order; another number of them is an invalid step.
+  scene::Tick step(const std::array<float, 3>& position, std::span<const scene::Pose> poses);
+
+  // What the last step did to an object: its force and state are in the object's axes.
+  const mesh::Tick& of(std::size_t object) const { return ticks_[object]; }
+
+ private:
+  std::vector<GodObjectSession> objects_;
+  std::vector<mesh::Tick> ticks_;
 };
 
 }  // namespace forceshade::reference

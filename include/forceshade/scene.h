@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Several objects, each a mesh with its own god-object, of which each may be placed anew in every tick: numbers only. What they
+// mean: docs/scenes.md.
+//
+//   const scene::Pose quarter_turn{.translation = {0, 0, 40}, .rotation = {1, 0, 0, 1}};  // about z, 40 mm up
+//   const fast::Scene scene({ground, wheel});                                            // two fast::GodObject
+//   const auto session = scene.open();
+//   const scene::Tick tick = session->tick({3, 0, 39}, std::array{scene::Pose(), quarter_turn});
+//
+// Lengths are in mm, forces in N, both in the world's axes, those of docs/laws.md.
+
+#include <array>
+#include <cstddef>
+
+#include "forceshade/mesh.h"
+
+namespace forceshade::scene {
+
+// The most objects of a scene: the exact sum of so many turned forces has room in the numbers of the real-time path.
+inline constexpr std::size_t kMostObjects = 32;
+
+// Where an object is: its point a is at R a + translation in the world, with the exact rotation R = A/(w² + x² + y² + z²) of
+// the quaternion, A₁₁ = w² + x² - y² - z², A₁₂ = 2(xy - wz), ..., which need not have length 1.
+struct Pose {
+  std::array<float, 3> translation{};         // mm, each within 10^4; one below 2^-30 in size is read as 0
+  std::array<float, 4> rotation{1, 0, 0, 0};  // w, x, y, z: each 0 or of a size from 2^-30 to 2, and not all 0
+
+  bool operator==(const Pose&) const = default;
+};
+
+// What one position of the hand does: the sum of the objects' forces, correctly rounded.
+struct Tick {
+  // invalid: the position, or the pose of an object, or where an object sees the hand, is invalid; then no force. unfinished:
+  // an object's god-object used up its moves. touching: one touches.
+  mesh::TickStatus status = mesh::TickStatus::invalid;
+  std::array<float, 3> force{};  // N; zeros are +0
+};
+
+}  // namespace forceshade::scene
