@@ -12,66 +12,59 @@ namespace {
 
 constexpr std::array<float, 3> kNotSeen{NAN, NAN, NAN};
 
-// noted: becomes `wide` where exact numbers decide.
-std::array<float, 3> seen(const scene::Pose& pose, const std::array<float, 3>& p, Stage& noted) noexcept {
+// p: in the domain and quantised. stage: becomes `wide` where exact numbers decide.
+std::array<float, 3> seen(const scene::Pose& pose, const std::array<float, 3>& p, Stage& stage) noexcept {
   if (!is_valid(pose)) return kNotSeen;
   const std::array<float, 3> translation = quantised(pose.translation);
   if (is_unturned(pose) && translation == std::array<float, 3>{}) return p;
   if (const auto decided = seen_from<DoubleWithError>(pose, p, translation)) [[likely]]
     return *decided;
-  noted = Stage::wide;
+  stage = Stage::wide;
   return seen_from<meshes::Shaded>(pose, p, translation).value_or(kNotSeen);
 }
 
-// The status of a scene of which some objects have `so_far`, and another one has `status`.
-mesh::TickStatus joined(mesh::TickStatus so_far, mesh::TickStatus status) noexcept {
-  return std::max(so_far, status);
+// Of several statuses the largest is that of the scene.
+static_assert(Status::free < Status::contact && Status::contact < Status::invalid);
+
+// answer: all but its force.
+void add_forces(std::span<const PlacedForce> forces, Evaluation& answer) noexcept {
+  auto sum = filtered_sum(forces);
+  if (!sum) [[unlikely]] {
+    answer.stage = Stage::wide;
+    sum = exact_sum(forces);
+  }
+  if (sum)
+    answer.force = Eigen::Vector3f(sum->data());
+  else
+    answer.status = Status::invalid;
 }
-static_assert(mesh::TickStatus::free < mesh::TickStatus::touching &&
-              mesh::TickStatus::touching < mesh::TickStatus::unfinished &&
-              mesh::TickStatus::unfinished < mesh::TickStatus::invalid);
 
 }  // namespace
 
-SceneSession::SceneSession(const std::vector<GodObject>& objects) {
-  if (objects.empty() || objects.size() > scene::kMostObjects)
+SceneSession::SceneSession(std::vector<std::unique_ptr<Session>> objects)
+    : objects_(std::move(objects)), answers_(objects_.size()) {
+  if (objects_.empty() || objects_.size() > scene::kMostObjects)
     throw std::invalid_argument("the objects of a scene: expected 1 to " + std::to_string(scene::kMostObjects) + ", got " +
-                                std::to_string(objects.size()));
-  for (const GodObject& object : objects) objects_.push_back({object.open(), {}});
+                                std::to_string(objects_.size()));
 }
 
-void SceneSession::advance(Object& object, const scene::Pose& pose, const std::array<float, 3>& p) noexcept {
-  object.tick = object.session->tick(seen(pose, p, stage_));
-  stage_ = std::max(stage_, object.session->stage());
-}
-
-scene::Tick SceneSession::tick(const std::array<float, 3>& position, std::span<const scene::Pose> poses) noexcept {
-  stage_ = Stage::binary64;
-  const bool is_valid = in_domain(position) && poses.size() == objects_.size();
-  const std::array<float, 3> p = is_valid ? quantised(position) : kNotSeen;
-  scene::Tick tick{mesh::TickStatus::free, {}};
+Evaluation SceneSession::step(const Eigen::Vector3f& position, std::span<const scene::Pose> poses) noexcept {
+  const std::array<float, 3> world{position.x(), position.y(), position.z()};
+  const bool is_seen = in_domain(world) && poses.size() == objects_.size();
+  const std::array<float, 3> p = quantised(world);
+  Evaluation answer;
   std::array<PlacedForce, scene::kMostObjects> forces;
   std::size_t count = 0;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
-    Object& object = objects_[i];
-    advance(object, is_valid ? poses[i] : scene::Pose(), p);
-    tick.status = joined(tick.status, object.tick.status);
-    if (object.tick.force != std::array<float, 3>{}) forces[count++] = {&poses[i], object.tick.force};
+    const std::array<float, 3> its = is_seen ? seen(poses[i], p, answer.stage) : kNotSeen;
+    const Evaluation& one = answers_[i] = objects_[i]->step(Eigen::Vector3f(its.data()));
+    answer.status = std::max(answer.status, one.status);
+    answer.stage = std::max(answer.stage, one.stage);
+    answer.is_unfinished |= one.is_unfinished;
+    if (one.status == Status::contact) forces[count++] = {&poses[i], {one.force.x(), one.force.y(), one.force.z()}};
   }
-  if (tick.status == mesh::TickStatus::invalid || count == 0) return tick;
-  const std::span<const PlacedForce> all(forces.data(), count);
-  auto sum = filtered_sum(all);
-  if (!sum) [[unlikely]] {
-    stage_ = Stage::wide;
-    sum = exact_sum(all);
-  }
-  tick.force = sum.value_or(std::array<float, 3>{});
-  if (!sum) tick.status = mesh::TickStatus::invalid;
-  return tick;
-}
-
-void SceneSession::resume(std::size_t object, const mesh::GodObject& state) noexcept {
-  objects_[object].session->resume(state);
+  if (answer.status == Status::contact) add_forces(std::span(forces).first(count), answer);
+  return answer;
 }
 
 }  // namespace forceshade::fast

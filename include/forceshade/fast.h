@@ -210,32 +210,25 @@ class GodObject {
   mesh::Contact contact_;
 };
 
-// One path of the hand through a scene.
+// One path of the hand through objects that are placed anew in every step (docs/scenes.md): the force is the sum of theirs,
+// turned into the world's axes, each component correctly rounded.
 class SceneSession {
  public:
-  // At the beginning of a path. objects: 1 to scene::kMostObjects. Allocates. Throws std::invalid_argument for another number.
-  explicit SceneSession(const std::vector<GodObject>& objects);
+  // Each object at the beginning of its path: 1 to scene::kMostObjects. Throws std::invalid_argument for another number.
+  explicit SceneSession(std::vector<std::unique_ptr<Session>> objects);
 
-  // position: mm, in the world; poses: one for each object, in their order; another number of them is an invalid tick. Without
-  // allocation, lock or exception.
-  scene::Tick tick(const std::array<float, 3>& position, std::span<const scene::Pose> poses) noexcept;
+  // position: mm, in the world; poses: one for each object, in their order. Invalid, without a force: a position, a pose, or
+  // where an object sees the hand, that is outside the domain; and another number of poses. Without allocation, lock or
+  // exception.
+  Evaluation step(const Eigen::Vector3f& position, std::span<const scene::Pose> poses) noexcept;
 
   std::size_t size() const noexcept { return objects_.size(); }
-  // What the last tick did to an object: its force and state are in the object's axes.
-  const mesh::Tick& of(std::size_t object) const noexcept { return objects_[object].tick; }
-  // As TickSession: the last stage of all its decisions; and a state of this object.
-  Stage stage() const noexcept { return stage_; }
-  void resume(std::size_t object, const mesh::GodObject& state) noexcept;
+  // An object's answer to the last step, in its own axes.
+  const Evaluation& of(std::size_t object) const noexcept { return answers_[object]; }
 
  private:
-  struct Object {
-    std::unique_ptr<TickSession> session;
-    mesh::Tick tick;
-  };
-  void advance(Object& object, const scene::Pose& pose, const std::array<float, 3>& p) noexcept;
-
-  std::vector<Object> objects_;
-  Stage stage_ = Stage::binary64;
+  std::vector<std::unique_ptr<Session>> objects_;
+  std::vector<Evaluation> answers_;
 };
 
 }  // namespace forceshade::fast

@@ -22,6 +22,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -185,23 +186,23 @@ class GodObjectSession {
 
 // Where an object sees a position of the world, mm: each coordinate of Rᵀ(p - translation) rounded once to binary32, ties to
 // even; 0 below 2^-30 mm in size. Nothing where the pose or the position is invalid.
-std::optional<std::array<float, 3>> seen_from(const scene::Pose& pose, const std::array<float, 3>& position);
+std::optional<Eigen::Vector3f> seen_from(const scene::Pose& pose, const Eigen::Vector3f& position);
 
-// Several objects, placed anew in every step (docs/scenes.md).
+// Objects that are placed anew in every step (docs/scenes.md): the sum of their forces, which are binary32 numbers, is exact
+// and is rounded once.
 class SceneSession {
  public:
+  // What answers an object's next position, in its axes: Law::round_to_binary32() or a GodObjectSession, for instance.
+  using Object = std::function<Rounded(const Eigen::Vector3f& position)>;
+
   // objects: 1 to scene::kMostObjects. Throws std::invalid_argument for another number.
-  explicit SceneSession(const std::vector<GodObject>& objects);
+  explicit SceneSession(std::vector<Object> objects);
 
   // poses: one for each object, in their order; another number of them is an invalid step.
-  scene::Tick step(const std::array<float, 3>& position, std::span<const scene::Pose> poses);
-
-  // What the last step did to an object: its force and state are in the object's axes.
-  const mesh::Tick& of(std::size_t object) const { return ticks_[object]; }
+  Rounded step(const Eigen::Vector3f& position, std::span<const scene::Pose> poses);
 
  private:
-  std::vector<GodObjectSession> objects_;
-  std::vector<mesh::Tick> ticks_;
+  std::vector<Object> objects_;
 };
 
 }  // namespace forceshade::reference

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Several objects, each a mesh with its own god-object, of which each may be placed anew in every tick: numbers only. What they
-// mean: docs/scenes.md.
+// Objects that are placed anew in every tick: numbers only. What they mean: docs/scenes.md.
 //
 //   const scene::Pose quarter_turn{.translation = {0, 0, 40}, .rotation = {1, 0, 0, 1}};  // about z, 40 mm up
-//   const fast::Scene scene({ground, wheel});                                            // two fast::GodObject
-//   const auto session = scene.open();
-//   const scene::Tick tick = session->tick({3, 0, 39}, std::array{scene::Pose(), quarter_turn});
+//   std::vector<std::unique_ptr<fast::Session>> objects;  // of laws, height maps and meshes
+//   objects.push_back(ground.open());
+//   objects.push_back(wheel.open());
+//   fast::SceneSession session(std::move(objects));
+//   const Eigen::Vector3f force = session.step({3, 0, 39}, std::array{scene::Pose(), quarter_turn}).force;
 //
 // Lengths are in mm, forces in N, both in the world's axes, those of docs/laws.md.
 
 #include <array>
 #include <cstddef>
-
-#include "forceshade/mesh.h"
 
 namespace forceshade::scene {
 
@@ -27,14 +26,6 @@ struct Pose {
   std::array<float, 4> rotation{1, 0, 0, 0};  // w, x, y, z: each 0 or of a size from 2^-30 to 2, and not all 0
 
   bool operator==(const Pose&) const = default;
-};
-
-// What one position of the hand does: the sum of the objects' forces, correctly rounded.
-struct Tick {
-  // invalid: the position, or the pose of an object, or where an object sees the hand, is invalid; then no force. unfinished:
-  // an object's god-object used up its moves. touching: one touches.
-  mesh::TickStatus status = mesh::TickStatus::invalid;
-  std::array<float, 3> force{};  // N; zeros are +0
 };
 
 }  // namespace forceshade::scene

@@ -34,54 +34,58 @@ std::optional<Rotation> rotation_of(const scene::Pose& pose) {
   return rotation;
 }
 
-Vector integers_of(const std::array<float, 3>& a) {
+Vector integers_of(const Eigen::Vector3f& a) {
   return {
-      {meshes::integer_of(a[0], kFloatScale), meshes::integer_of(a[1], kFloatScale), meshes::integer_of(a[2], kFloatScale)}};
+      {meshes::integer_of(a.x(), kFloatScale), meshes::integer_of(a.y(), kFloatScale), meshes::integer_of(a.z(), kFloatScale)}};
 }
-std::array<float, 3> as_read(const std::array<float, 3>& a) {
-  return {quantised(a[0]), quantised(a[1]), quantised(a[2])};
+Eigen::Vector3f as_read(const Eigen::Vector3f& a) {
+  return {quantised(a.x()), quantised(a.y()), quantised(a.z())};
 }
+
+// Of several statuses the largest is that of the scene.
+static_assert(Status::free < Status::contact && Status::contact < Status::invalid);
 
 }  // namespace
 
-std::optional<std::array<float, 3>> seen_from(const scene::Pose& pose, const std::array<float, 3>& position) {
+std::optional<Eigen::Vector3f> seen_from(const scene::Pose& pose, const Eigen::Vector3f& position) {
   const std::optional<Rotation> rotation = rotation_of(pose);
-  if (!rotation || !in_domain(Eigen::Vector3f(position.data()))) return std::nullopt;
-  const Vector away = integers_of(as_read(position)) - integers_of(as_read(pose.translation));
-  std::array<float, 3> seen{};
+  if (!rotation || !in_domain(position)) return std::nullopt;
+  const Vector away = integers_of(as_read(position)) - integers_of(as_read(Eigen::Vector3f(pose.translation.data())));
+  Eigen::Vector3f seen;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Vector column{{rotation->rows[0][axis], rotation->rows[1][axis], rotation->rows[2][axis]}};
-    seen[axis] = meshes::nearest_binary32(Fraction{dot(column, away), rotation->length}, -kFloatScale);
+    seen(static_cast<Eigen::Index>(axis)) =
+        meshes::nearest_binary32(Fraction{dot(column, away), rotation->length}, -kFloatScale);
   }
   return as_read(seen);
 }
 
-SceneSession::SceneSession(const std::vector<GodObject>& objects) : ticks_(objects.size()) {
-  if (objects.empty() || objects.size() > scene::kMostObjects)
+SceneSession::SceneSession(std::vector<Object> objects) : objects_(std::move(objects)) {
+  if (objects_.empty() || objects_.size() > scene::kMostObjects)
     throw std::invalid_argument("the objects of a scene: expected 1 to " + std::to_string(scene::kMostObjects) + ", got " +
-                                std::to_string(objects.size()));
-  for (const GodObject& object : objects) objects_.emplace_back(object);
+                                std::to_string(objects_.size()));
 }
 
-scene::Tick SceneSession::step(const std::array<float, 3>& position, std::span<const scene::Pose> poses) {
-  constexpr std::array<float, 3> kNotSeen{NAN, NAN, NAN};
-  scene::Tick tick{mesh::TickStatus::free, {}};
+Rounded SceneSession::step(const Eigen::Vector3f& position, std::span<const scene::Pose> poses) {
+  const Eigen::Vector3f not_seen = Eigen::Vector3f::Constant(NAN);
+  const bool is_seen = poses.size() == objects_.size();
+  Rounded answer;
   std::array<Fraction, 3> sum;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
-    const bool has_pose = poses.size() == objects_.size();
-    ticks_[i] = objects_[i].step(has_pose ? seen_from(poses[i], position).value_or(kNotSeen) : kNotSeen);
-    tick.status = std::max(tick.status, ticks_[i].status);
-    if (ticks_[i].status == mesh::TickStatus::invalid || ticks_[i].status == mesh::TickStatus::free) continue;
-    const Rotation rotation = *rotation_of(poses[i]);
-    const Vector force = integers_of(ticks_[i].force);
+    const Rounded its = objects_[i](is_seen ? seen_from(poses[i], position).value_or(not_seen) : not_seen);
+    answer.status = std::max(answer.status, its.status);
+    answer.is_unfinished |= its.is_unfinished;
+    if (its.status != Status::contact) continue;
+    const Rotation rotation = rotation_of(poses[i]).value();
+    const Vector force = integers_of(its.force);
     for (std::size_t axis = 0; axis < 3; ++axis)
       sum[axis] = {sum[axis].over * rotation.length + dot(rotation.rows[axis], force) * sum[axis].under,
                    sum[axis].under * rotation.length};
   }
-  if (tick.status == mesh::TickStatus::invalid) return tick;
-  std::ranges::transform(sum, tick.force.begin(),
-                         [](const Fraction& component) { return meshes::nearest_binary32(component, -kFloatScale); });
-  return tick;
+  if (answer.status != Status::contact) return answer;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    answer.force(static_cast<Eigen::Index>(axis)) = meshes::nearest_binary32(sum[axis], -kFloatScale);
+  return answer;
 }
 
 }  // namespace forceshade::reference
