@@ -80,6 +80,9 @@ typedef struct forceshade_subject {
 typedef struct forceshade_session {
   uint64_t handle;
 } forceshade_session;
+typedef struct forceshade_scene {
+  uint64_t handle;
+} forceshade_scene;
 
 /* ---- The library ---- */
 
@@ -87,8 +90,8 @@ typedef struct forceshade_session {
 FORCESHADE_API uint32_t forceshade_version(void);
 
 /* 1 where the library has the feature, else 0, also for NULL: "laws", "height-maps", "meshes", "subject-files",
- * "certificates", "states"; and
- * "avx2", "avx512" where it will use these instructions on this processor. */
+ * "certificates", "states", "scenes"; and "avx2", "avx512" where it will use these instructions on this
+ * processor. */
 FORCESHADE_API int32_t forceshade_has(const char* feature);
 
 /* The sentence of this thread's last error; "" before the first. Never NULL. It stays until this thread's next error. */
@@ -260,6 +263,29 @@ FORCESHADE_API forceshade_result forceshade_session_state(forceshade_session ses
 
 /* Goes on from a state of the same subject. A state that is none of this mesh counts as FORCESHADE_NOWHERE. */
 FORCESHADE_API forceshade_result forceshade_session_resume(forceshade_session session, const forceshade_state* state);
+
+/* ---- Scenes: one path of the hand through objects that move ---- */
+
+/* Where an object is: its point a is at R a + translation in the world, R the exact rotation of the quaternion (docs/scenes.md). */
+typedef struct forceshade_pose {
+  float translation[3]; /* mm, within +-10^4; 0 below 2^-30 */
+  float rotation[4];    /* w, x, y, z, of any length: each 0 or of a size from 2^-30 to 2, and not all 0 */
+} forceshade_pose;
+
+/* Objects at the beginning of a path: 1 to 32 laws, height maps and meshes, of which one may come several times. The subjects may
+ * be freed before the scene is closed. */
+FORCESHADE_API forceshade_result forceshade_scene_open(const forceshade_subject* objects, size_t count, forceshade_scene* made);
+FORCESHADE_API forceshade_result forceshade_scene_close(forceshade_scene scene);
+
+/* The next position of the hand (mm, three floats, in the world), with one pose for each object, and the force there (N, three
+ * floats): the exact sum of the objects' forces, turned into the world's axes, rounded once. status may be NULL; it is
+ * FORCESHADE_INVALID, and the force 0, where the position, a pose, or where an object sees the hand, is outside the domain. */
+FORCESHADE_API forceshade_result forceshade_scene_step(forceshade_scene scene, const float* position, const forceshade_pose* poses,
+                                                       size_t count, float* force, forceshade_status* status);
+
+/* The force of one object in the last step, in its own axes. status may be NULL. */
+FORCESHADE_API forceshade_result forceshade_scene_object(forceshade_scene scene, size_t object, float* force,
+                                                         forceshade_status* status);
 
 /* ---- A renderer of one's own, which `forceshade conform --object FILE.so` holds against the exact forces ---- */
 

@@ -19,7 +19,7 @@ uint32_t forceshade_version(void) {
 int32_t forceshade_has(const char* feature) {
   if (feature == nullptr) return 0;
   const std::string_view name = feature;
-  for (const std::string_view always : {"laws", "height-maps", "meshes", "subject-files", "certificates", "states"})
+  for (const std::string_view always : {"laws", "height-maps", "meshes", "subject-files", "certificates", "states", "scenes"})
     if (name == always) return 1;
   const auto set = fast::instruction_set_named(name);
   return set && *set != fast::InstructionSet::scalar && fast::is_available(*set) ? 1 : 0;

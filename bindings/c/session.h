@@ -16,6 +16,10 @@ namespace forceshade::c {
 // For one thread at a time.
 class Session {
  public:
+  static constexpr const char* kBusy = "another thread is in this session, which is for one at a time";
+  static constexpr const char* kNone = "the session is none: it was never opened, or has been closed";
+  static constexpr const char* kTooMany = "there are too many sessions; expected some to be closed";
+
   explicit Session(const Subject& subject)
       : session_(subject.renderer.open()), ticks_(dynamic_cast<fast::TickSession*>(session_.get())) {
     if (const auto* law = std::get_if<fast::Law>(&subject.field)) law_ = *law;

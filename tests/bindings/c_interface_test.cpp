@@ -293,7 +293,7 @@ TEST(c_interface, says_what_the_library_is) {
   EXPECT_EQ(forceshade_version(), static_cast<std::uint32_t>(FORCESHADE_VERSION_MINOR) << 8U);
   EXPECT_STREQ(forceshade_library_digest(), fast::library_digest()) << "the same objects, in a shared library";
   EXPECT_EQ(forceshade_arithmetic_fault(), nullptr);
-  for (const char* feature : {"laws", "height-maps", "meshes", "subject-files", "certificates", "states"})
+  for (const char* feature : {"laws", "height-maps", "meshes", "subject-files", "certificates", "states", "scenes"})
     EXPECT_EQ(forceshade_has(feature), 1);
   EXPECT_EQ(forceshade_has("teapots"), 0);
   EXPECT_EQ(forceshade_has(nullptr), 0);

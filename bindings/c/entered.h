@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What is opened, is for one thread at a time, and is closed: sessions and scenes. T says what it is in kBusy and kNone, the
+// sentences for a call while another thread is in it, and for a handle that is none, and in kTooMany.
+
+#include <string>
+
+#include "bindings/c/errors.h"
+#include "bindings/c/table.h"
+#include "forceshade/fast.h"
+
+namespace forceshade::c {
+
+// OK, with the handle of what make() gives, or what is wrong, which has been said.
+template <class T, class Make>
+forceshade_result open(Table<T>& table, const Make& make, std::uint64_t& handle) {
+  if (const char* fault = fast::arithmetic_fault())
+    return fail(FORCESHADE_BAD_ARITHMETIC, std::string("found ") + fault + "; expected rounding to nearest, with subnormals");
+  const std::uint64_t added = table.add(make());
+  if (added == 0) return fail(FORCESHADE_NO_MEMORY, T::kTooMany);
+  handle = added;
+  return FORCESHADE_OK;
+}
+
+// What this thread alone is in, as long as this lives. Null where it is none or another thread is in it; then `result` and the
+// message say which.
+template <class T>
+class Entered {
+ public:
+  Entered(Table<T>& table, std::uint64_t handle) noexcept : slot_(table.slot_of(handle)) {
+    if (slot_.handle.load(std::memory_order_acquire) != handle) [[unlikely]] {
+      result = fail(FORCESHADE_BAD_HANDLE, T::kNone);
+      return;
+    }
+    if (slot_.is_busy.exchange(true, std::memory_order_acquire)) [[unlikely]] {
+      result = fail(FORCESHADE_BUSY, T::kBusy);
+      return;
+    }
+    object_ = table.find(handle);  // it may have been closed before this thread was in it
+    if (object_ != nullptr) [[likely]]
+      return;
+    slot_.is_busy.store(false, std::memory_order_release);
+    result = fail(FORCESHADE_BAD_HANDLE, T::kNone);
+  }
+  ~Entered() {
+    if (object_ != nullptr) slot_.is_busy.store(false, std::memory_order_release);
+  }
+  Entered(const Entered&) = delete;
+  Entered& operator=(const Entered&) = delete;
+
+  explicit operator bool() const noexcept { return object_ != nullptr; }
+  T& operator*() const noexcept { return *object_; }
+  T* operator->() const noexcept { return object_; }
+
+  forceshade_result result = FORCESHADE_OK;
+
+ private:
+  typename Table<T>::Slot& slot_;
+  T* object_ = nullptr;
+};
+
+}  // namespace forceshade::c

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Scenes of the C interface: one path of the hand each, through objects that move, for one thread at a time.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bindings/c/batch.h"
+#include "bindings/c/entered.h"
+#include "bindings/c/subject.h"
+
+namespace forceshade::c {
+namespace {
+
+struct Scene : fast::SceneSession {
+  static constexpr const char* kBusy = "another thread is in this scene, which is for one at a time";
+  static constexpr const char* kNone = "the scene is none: it was never opened, or has been closed";
+  static constexpr const char* kTooMany = "there are too many scenes; expected some to be closed";
+
+  using fast::SceneSession::SceneSession;
+};
+
+constinit Lasting<Scene> scenes;
+
+static_assert(sizeof(forceshade_pose) == sizeof(scene::Pose) && alignof(forceshade_pose) == alignof(scene::Pose) &&
+              offsetof(forceshade_pose, rotation) == offsetof(scene::Pose, rotation));
+
+forceshade_result wrong_count(const char* name, const std::string& expected, std::size_t count) {
+  return fail(FORCESHADE_BAD_VALUE, std::string(name) + ": expected " + expected + ", got " + std::to_string(count));
+}
+
+}  // namespace
+}  // namespace forceshade::c
+
+using namespace forceshade;
+using namespace forceshade::c;
+
+forceshade_result forceshade_scene_open(const forceshade_subject* objects, size_t count, forceshade_scene* made) {
+  return guarded([&]() -> forceshade_result {
+    if (objects == nullptr || made == nullptr) return fail(FORCESHADE_NULL_POINTER, "objects or made is NULL");
+    if (count == 0 || count > scene::kMostObjects)
+      return wrong_count("count", "1 to " + std::to_string(scene::kMostObjects) + " objects", count);
+    std::vector<std::unique_ptr<fast::Session>> sessions;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Subject* const its = subject_of(objects[i]);
+      if (its == nullptr) return bad_subject();
+      sessions.push_back(its->renderer.open());
+    }
+    return open(
+        scenes.table, [&] { return std::make_unique<Scene>(std::move(sessions)); }, made->handle);
+  });
+}
+
+forceshade_result forceshade_scene_close(forceshade_scene scene) {
+  return guarded([&]() -> forceshade_result {
+    const Entered entered(scenes.table, scene.handle);
+    if (!entered) return entered.result;
+    scenes.table.take(scene.handle);
+    return FORCESHADE_OK;
+  });
+}
+
+forceshade_result forceshade_scene_step(forceshade_scene scene, const float* position, const forceshade_pose* poses,
+                                        size_t count, float* force, forceshade_status* status) {
+  if (position == nullptr || poses == nullptr || force == nullptr)
+    return fail(FORCESHADE_NULL_POINTER, "position, poses or force is NULL");
+  const Entered entered(scenes.table, scene.handle);
+  if (!entered) return entered.result;
+  if (count != entered->size()) return fail(FORCESHADE_BAD_VALUE, "count: expected one pose for each object of the scene");
+  return give(entered->step(*as_vectors(position), {reinterpret_cast<const scene::Pose*>(poses), count}), force, status);
+}
+
+forceshade_result forceshade_scene_object(forceshade_scene scene, size_t object, float* force, forceshade_status* status) {
+  if (force == nullptr) return fail(FORCESHADE_NULL_POINTER, "force is NULL");
+  const Entered entered(scenes.table, scene.handle);
+  if (!entered) return entered.result;
+  if (object >= entered->size()) return fail(FORCESHADE_BAD_VALUE, "object: expected the number of one, from 0");
+  return give(entered->of(object), force, status);
+}
