@@ -37,11 +37,13 @@ PYBIND11_MODULE(_forceshade, module) {
     }
   });
   module.attr("version") = FORCESHADE_VERSION;
-  module.def("library_digest", [] { return fast::library_digest(); },
-             "SHA-256 of the compiled code that computes forces, in hexadecimal digits, as certificates have it.");
+  module.def(
+      "library_digest", [] { return fast::library_digest(); },
+      "SHA-256 of the compiled code that computes forces, in hexadecimal digits, as certificates have it.");
   module.def("instruction_set", [] { return std::string(fast::name_of(fast::best_instruction_set())); });
   python::add_subjects(module);
   python::add_sessions(module);
+  python::add_scenes(module);
   python::add_exact(module);
   python::add_recordings(module);
   python::add_checks(module);

@@ -11,6 +11,7 @@
 #include "bindings/c/batch.h"
 #include "bindings/c/session.h"
 #include "bindings/python/arrays.h"
+#include "bindings/python/entered.h"
 #include "bindings/python/errors.h"
 #include "bindings/python/subject.h"
 
@@ -18,35 +19,15 @@ namespace forceshade::python {
 namespace {
 
 struct Session {
+  static constexpr const char* kBusy =
+      "another thread is in this session; expected one thread at a time, or a session for each";
+
   explicit Session(std::shared_ptr<const Subject> of) : subject(std::move(of)), path(*subject) {}
 
   std::shared_ptr<const Subject> subject;
   c::Session path;
   forceshade_status status = FORCESHADE_FREE;  // of the last step
   std::atomic<bool> is_busy = false;
-};
-
-constexpr const char* kBusy = "another thread is in this session; expected one thread at a time, or a session for each";
-
-// This thread alone is in the session, as long as this lives.
-class Entered {
- public:
-  explicit Entered(Session& session) noexcept
-      : session_(session.is_busy.exchange(true, std::memory_order_acquire) ? nullptr : &session) {}
-  ~Entered() {
-    if (session_ != nullptr) session_->is_busy.store(false, std::memory_order_release);
-  }
-  Entered(const Entered&) = delete;
-  Entered& operator=(const Entered&) = delete;
-
-  explicit operator bool() const noexcept { return session_ != nullptr; }
-  const Entered& or_throw() const {
-    if (session_ == nullptr) throw Error(kBusy);
-    return *this;
-  }
-
- private:
-  Session* session_;
 };
 
 PyObject* step(PyObject* self, PyObject* const* arguments, Py_ssize_t count, PyObject* names) {
@@ -59,7 +40,7 @@ PyObject* step(PyObject* self, PyObject* const* arguments, Py_ssize_t count, PyO
   }
   const Entered entered(*session);
   if (!entered) {
-    PyErr_SetString(py::module_::import("forceshade._forceshade").attr("Error").ptr(), kBusy);
+    PyErr_SetString(py::module_::import("forceshade._forceshade").attr("Error").ptr(), Session::kBusy);
     return nullptr;
   }
   const fast::Evaluation answer = session->path.step(*c::as_vectors(position));
@@ -114,7 +95,8 @@ void resume(Session& session, const State& from) {
     throw py::value_error("state: expected one that a session gave");
   if (!session.path.remembers() && place != 0)
     throw Error("the state is that of a mesh's session; a law or a height map remembers nothing");
-  session.path.resume({static_cast<mesh::Place>(place), static_cast<mesh::Side>(side), is_slipping, position, index, parameter});
+  session.path.resume(
+      {static_cast<mesh::Place>(place), static_cast<mesh::Side>(side), is_slipping, position, index, parameter});
   session.status = FORCESHADE_FREE;
 }
 

@@ -47,6 +47,7 @@ PyObject* tuple_of(const float* force) noexcept;
 void add_subjects(pybind11::module_& module);
 void add_forces(pybind11::module_& module, pybind11::class_<Subject, std::shared_ptr<Subject>>& subject);
 void add_sessions(pybind11::module_& module);
+void add_scenes(pybind11::module_& module);
 void add_exact(pybind11::module_& module);
 void add_checks(pybind11::module_& module);
 void add_conform(pybind11::module_& module);

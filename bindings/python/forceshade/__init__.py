@@ -37,6 +37,7 @@ from ._exact import ExactForce, Geometry, geometry
 from ._forceshade import Error, library_digest
 from ._forceshade import version as _version
 from ._recordings import Recording, read_recording
+from ._scenes import Pose, Scene
 from ._sessions import Place, Session, State
 from ._subject import ANSWER, Identity, Status, Subject
 from ._subjects import HeightMap, Law, Mesh, laws, read_subject
@@ -57,9 +58,11 @@ __all__ = [
     "Mesh",
     "OpenedRenderer",
     "Place",
+    "Pose",
     "PropertyResult",
     "Recording",
     "RendererOfScenes",
+    "Scene",
     "Session",
     "State",
     "Status",

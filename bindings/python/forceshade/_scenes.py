@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scenes: one path of the hand each, through objects that move."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arrays, _forceshade
+from ._arrays import Floats, Rounding
+from ._subject import Status, Subject
+
+
+class Pose(NamedTuple):
+    """Where an object is: its point a is at R a + translation in the world, R the exact rotation of the quaternion."""
+
+    translation: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    """mm, each within 10 000."""
+    rotation: tuple[float, float, float, float] = (1.0, 0.0, 0.0, 0.0)
+    """w, x, y, z, of any length: each 0 or of a size from 2^-30 to 2, and not all 0."""
+
+
+class Scene(_forceshade.Scene):
+    """One path of the hand through objects that are placed anew in every step (docs/scenes.md).
+
+    objects: 1 to 32 laws, height maps and meshes, of which one may come several times. The force is the exact sum of theirs,
+    turned into the world's axes, rounded once. For one thread at a time, as a Session is.
+
+    >>> import forceshade
+    >>> wall = forceshade.Law("wall", stiffness=0.5)
+    >>> scene = Scene([wall, wall])
+    >>> scene.step((-1, 0, -2), [Pose(), Pose(rotation=(1, 0, 1, 0))])    # the second one on its side
+    array([0.5, 0. , 1. ], dtype=float32)
+    """
+
+    def __init__(self, objects: Sequence[Subject]) -> None:
+        subjects = list(objects)
+        for one in subjects:
+            if not isinstance(one, Subject):
+                raise TypeError(f"expected objects that are a Law, HeightMap or Mesh, got {type(one).__name__}")
+        super().__init__(subjects)
+        self._objects = tuple(subjects)
+
+    def __reduce__(self) -> str:
+        raise TypeError("a Scene cannot be pickled or copied; expected a new one")
+
+    @property
+    def objects(self) -> tuple[Subject, ...]:
+        """What it renders."""
+        return self._objects
+
+    @property
+    def status(self) -> Status:
+        """What the last position was."""
+        return Status(self._status)
+
+    def step(self, position: npt.ArrayLike, poses: Sequence[Pose] | npt.ArrayLike, *, rounding: Rounding = None) -> Floats:
+        """The force (N) at the next position of the hand (mm, in the world), an array (3,).
+
+        poses: one Pose for each object, or an array (n, 7): translation in mm and quaternion w, x, y, z. A position or pose outside
+        its domain gives no force, and the status INVALID.
+        """
+        at = _arrays.as_positions(position, rounding)
+        if at.shape != (3,):
+            raise ValueError(f"position has the shape {at.shape}; expected (3,): x, y, z in mm")
+        if isinstance(poses, Sequence):
+            poses = [(*pose.translation, *pose.rotation) if isinstance(pose, Pose) else pose for pose in poses]
+        placed = _arrays.as_floats(poses, "poses", rounding)
+        if placed.shape != (len(self._objects), 7):
+            raise ValueError(f"poses have the shape {placed.shape}; expected ({len(self._objects)}, 7): one for each object")
+        return np.array(self._step(at, placed), np.float32)
+
+    @property
+    def forces(self) -> Floats:
+        """The force (N) of each object in the last step, in the object's own axes: an array (n, 3)."""
+        return np.array(self._forces(), np.float32)

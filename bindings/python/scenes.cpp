@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Scenes: one path of the hand each, through objects that move, for one thread at a time.
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "bindings/c/batch.h"
+#include "bindings/python/arrays.h"
+#include "bindings/python/entered.h"
+#include "bindings/python/subject.h"
+
+namespace forceshade::python {
+namespace {
+
+struct Scene {
+  static constexpr const char* kBusy = "another thread is in this scene; expected one thread at a time, or a scene for each";
+
+  explicit Scene(std::vector<std::unique_ptr<fast::Session>> objects) : path(std::move(objects)) {}
+
+  fast::SceneSession path;
+  forceshade_status status = FORCESHADE_FREE;  // of the last step
+  std::atomic<bool> is_busy = false;
+};
+
+std::unique_ptr<Scene> scene_of(const std::vector<std::shared_ptr<Subject>>& objects) {
+  expect_arithmetic();
+  std::vector<std::unique_ptr<fast::Session>> sessions;
+  for (const auto& object : objects) sessions.push_back(object->renderer.open());
+  return std::make_unique<Scene>(std::move(sessions));
+}
+
+// position: three numbers; poses: seven for each object, its translation and its quaternion; the package has looked.
+std::array<float, 3> step_scene(Scene& scene, const Floats& position, const Floats& poses) {
+  const Entered entered(scene);
+  entered.or_throw();
+  expect_arithmetic();
+  const auto at = position.unchecked<1>();
+  const auto of = poses.unchecked<2>();
+  std::array<scene::Pose, scene::kMostObjects> placed;
+  const std::size_t count = std::min(static_cast<std::size_t>(of.shape(0)), placed.size());
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t k = 0; k < 7; ++k)
+      (k < 3 ? placed[i].translation[k] : placed[i].rotation[k - 3]) =
+          of(static_cast<py::ssize_t>(i), static_cast<py::ssize_t>(k));
+  const fast::Evaluation answer = scene.path.step({at(0), at(1), at(2)}, std::span(placed).first(count));
+  scene.status = c::status_of(answer);
+  return {answer.force.x(), answer.force.y(), answer.force.z()};
+}
+
+std::vector<std::array<float, 3>> forces_of_objects(Scene& scene) {
+  const Entered entered(scene);
+  entered.or_throw();
+  std::vector<std::array<float, 3>> all;
+  for (std::size_t i = 0; i < scene.path.size(); ++i) {
+    const Eigen::Vector3f& force = scene.path.of(i).force;
+    all.push_back({force.x(), force.y(), force.z()});
+  }
+  return all;
+}
+
+}  // namespace
+
+void add_scenes(py::module_& module) {
+  py::class_<Scene> scene(module, "Scene");
+  scene.def(py::init(&scene_of));
+  scene.def("_step", &step_scene, py::arg().noconvert(), py::arg().noconvert());
+  scene.def("_forces", &forces_of_objects);
+  scene.def_property_readonly("_status", [](const Scene& its) { return static_cast<int>(its.status); });
+}
+
+}  // namespace forceshade::python

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scenes: forces of objects that move, and what is refused."""
+
+import copy
+
+import numpy as np
+import pytest
+
+import forceshade
+from forceshade import Pose, Scene, Status
+
+WALL = forceshade.Law("wall", stiffness=0.5)
+BUMP = forceshade.Law("bump-2p", radius=15.24, width=25.4, stiffness=0.5)
+ON_ITS_SIDE = Pose(rotation=(1, 0, 1, 0))  # z becomes x
+
+
+def test_adds_the_forces_of_its_objects():
+    scene = Scene([WALL, WALL])
+    assert scene.step((-1, 0, -2), [Pose(), ON_ITS_SIDE]).tolist() == [0.5, 0, 1]
+    assert scene.status is Status.CONTACT
+    assert scene.forces.tolist() == [[0, 0, 1], [0, 0, 0.5]]
+    assert scene.objects == (WALL, WALL)
+
+
+def test_of_one_object_that_is_turned_by_a_right_angle_has_its_force_turned():
+    scene = Scene([BUMP])
+    draws = np.random.default_rng(1)
+    for x, y, z in draws.uniform(-12, 12, (200, 3)).astype(np.float32):
+        force = BUMP.forces(np.array([x, y, z]))
+        assert scene.step(np.array([z, y, -x], np.float32), [ON_ITS_SIDE]).tolist() == [force[2], force[1], 0 - force[0]]
+
+
+def test_takes_poses_as_an_array_too():
+    one, other = Scene([WALL]), Scene([WALL])
+    pose = Pose((0, 0, 2), (1, 0, 0, 0))
+    array = np.array([[0, 0, 2, 1, 0, 0, 0]], np.float32)
+    assert one.step((0, 0, 1), [pose]).tolist() == other.step((0, 0, 1), array).tolist() == [0, 0, 0.5]
+
+
+def test_an_invalid_pose_gives_no_force():
+    scene = Scene([WALL])
+    assert scene.step((0, 0, -1), [Pose(rotation=(0, 0, 0, 0))]).tolist() == [0, 0, 0]
+    assert scene.status is Status.INVALID
+
+
+def test_refuses_what_is_wrong():
+    with pytest.raises(ValueError, match="expected 1 to 32, got 0"):
+        Scene([])
+    with pytest.raises(TypeError, match="expected objects that are a Law, HeightMap or Mesh, got str"):
+        Scene(["wall"])
+    scene = Scene([WALL, WALL])
+    with pytest.raises(ValueError, match=r"shape \(1, 7\); expected \(2, 7\)"):
+        scene.step((0, 0, 0), [Pose()])
+    with pytest.raises(ValueError, match="which binary32 does not hold"):
+        scene.step((0.1, 0, 0), [Pose(), Pose()])
+    with pytest.raises(ValueError, match=r"shape \(2, 3\)"):
+        scene.step([(0, 0, 0), (0, 0, 0)], [Pose(), Pose()])
+    with pytest.raises(TypeError, match="cannot be pickled or copied"):
+        copy.copy(scene)
