@@ -2,7 +2,6 @@
 // Scenes of the C interface: one path of the hand each, through objects that move, for one thread at a time.
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "bindings/c/batch.h"
@@ -17,17 +16,13 @@ struct Scene : fast::SceneSession {
   static constexpr const char* kNone = "the scene is none: it was never opened, or has been closed";
   static constexpr const char* kTooMany = "there are too many scenes; expected some to be closed";
 
-  using fast::SceneSession::SceneSession;
+  explicit Scene(fast::SceneSession session) : fast::SceneSession(std::move(session)) {}
 };
 
 constinit Lasting<Scene> scenes;
 
 static_assert(sizeof(forceshade_pose) == sizeof(scene::Pose) && alignof(forceshade_pose) == alignof(scene::Pose) &&
               offsetof(forceshade_pose, rotation) == offsetof(scene::Pose, rotation));
-
-forceshade_result wrong_count(const char* name, const std::string& expected, std::size_t count) {
-  return fail(FORCESHADE_BAD_VALUE, std::string(name) + ": expected " + expected + ", got " + std::to_string(count));
-}
 
 }  // namespace
 }  // namespace forceshade::c
@@ -38,16 +33,16 @@ using namespace forceshade::c;
 forceshade_result forceshade_scene_open(const forceshade_subject* objects, size_t count, forceshade_scene* made) {
   return guarded([&]() -> forceshade_result {
     if (objects == nullptr || made == nullptr) return fail(FORCESHADE_NULL_POINTER, "objects or made is NULL");
-    if (count == 0 || count > scene::kMostObjects)
-      return wrong_count("count", "1 to " + std::to_string(scene::kMostObjects) + " objects", count);
     std::vector<std::unique_ptr<fast::Session>> sessions;
     for (std::size_t i = 0; i < count; ++i) {
       const Subject* const its = subject_of(objects[i]);
       if (its == nullptr) return bad_subject();
       sessions.push_back(its->renderer.open());
     }
-    return open(
-        scenes.table, [&] { return std::make_unique<Scene>(std::move(sessions)); }, made->handle);
+    auto built = fast::SceneSession::build(std::move(sessions));
+    if (const auto* error = std::get_if<ParameterError>(&built)) return fail_with(*error);
+    const auto scene = [&] { return std::make_unique<Scene>(std::get<fast::SceneSession>(std::move(built))); };
+    return open(scenes.table, scene, made->handle);
   });
 }
 

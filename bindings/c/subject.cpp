@@ -13,10 +13,13 @@ forceshade_result bad_subject() noexcept {
   return fail(FORCESHADE_BAD_HANDLE, "the subject is none: it was never made, or has been freed");
 }
 
+forceshade_result fail_with(const ParameterError& error) {
+  return fail(error.arithmetic_fault == nullptr ? FORCESHADE_BAD_VALUE : FORCESHADE_BAD_ARITHMETIC, error.message());
+}
+
 forceshade_result add_subject(const Description& description, forceshade_subject* made) {
   auto built = build(description);
-  if (const auto* error = std::get_if<ParameterError>(&built))
-    return fail(error->arithmetic_fault == nullptr ? FORCESHADE_BAD_VALUE : FORCESHADE_BAD_ARITHMETIC, error->message());
+  if (const auto* error = std::get_if<ParameterError>(&built)) return fail_with(*error);
   const std::uint64_t handle = subjects.table.add(std::make_unique<Subject>(std::get<Subject>(std::move(built))));
   if (handle == 0) return fail(FORCESHADE_NO_MEMORY, "there are too many subjects; expected some to be freed");
   made->handle = handle;

@@ -16,6 +16,9 @@ inline const Subject* subject_of(forceshade_subject handle) noexcept {
 }
 forceshade_result bad_subject() noexcept;
 
+// What was not built, and why.
+forceshade_result fail_with(const ParameterError& error);
+
 // The handle of what is described, or the error.
 forceshade_result add_subject(const Description& description, forceshade_subject* made);
 

@@ -20,7 +20,7 @@ namespace {
 struct Scene {
   static constexpr const char* kBusy = "another thread is in this scene; expected one thread at a time, or a scene for each";
 
-  explicit Scene(std::vector<std::unique_ptr<fast::Session>> objects) : path(std::move(objects)) {}
+  explicit Scene(fast::SceneSession session) : path(std::move(session)) {}
 
   fast::SceneSession path;
   forceshade_status status = FORCESHADE_FREE;  // of the last step
@@ -31,7 +31,9 @@ std::unique_ptr<Scene> scene_of(const std::vector<std::shared_ptr<Subject>>& obj
   expect_arithmetic();
   std::vector<std::unique_ptr<fast::Session>> sessions;
   for (const auto& object : objects) sessions.push_back(object->renderer.open());
-  return std::make_unique<Scene>(std::move(sessions));
+  auto built = fast::SceneSession::build(std::move(sessions));
+  if (const auto* error = std::get_if<ParameterError>(&built)) throw py::value_error(error->message());
+  return std::make_unique<Scene>(std::get<fast::SceneSession>(std::move(built)));
 }
 
 // position: three numbers; poses: seven for each object, its translation and its quaternion; the package has looked.

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
+#include "fast/numbers/arithmetic.h"
 #include "fast/scenes/pose.h"
 #include "forceshade/fast.h"
 
@@ -41,11 +40,12 @@ void add_forces(std::span<const PlacedForce> forces, Evaluation& answer) noexcep
 
 }  // namespace
 
-SceneSession::SceneSession(std::vector<std::unique_ptr<Session>> objects)
-    : objects_(std::move(objects)), answers_(objects_.size()) {
-  if (objects_.empty() || objects_.size() > scene::kMostObjects)
-    throw std::invalid_argument("the objects of a scene: expected 1 to " + std::to_string(scene::kMostObjects) + ", got " +
-                                std::to_string(objects_.size()));
+std::variant<SceneSession, ParameterError> SceneSession::build(std::vector<std::unique_ptr<Session>> objects) {
+  if (const char* fault = arithmetic_fault_here()) return ParameterError{"arithmetic", "", 0, 0, 0, fault};
+  if (objects.empty() || objects.size() > scene::kMostObjects)
+    return ParameterError{"number of objects", "", static_cast<float>(objects.size()), 1,
+                          static_cast<float>(scene::kMostObjects)};
+  return SceneSession(std::move(objects));
 }
 
 Evaluation SceneSession::step(const Eigen::Vector3f& position, std::span<const scene::Pose> poses) noexcept {

@@ -214,8 +214,9 @@ class GodObject {
 // turned into the world's axes, each component correctly rounded.
 class SceneSession {
  public:
-  // Each object at the beginning of its path: 1 to scene::kMostObjects. Throws std::invalid_argument for another number.
-  explicit SceneSession(std::vector<std::unique_ptr<Session>> objects);
+  // Each object at the beginning of its path. Refused with the reason: another number of them than 1 to scene::kMostObjects,
+  // and anything under an arithmetic_fault(). Allocates.
+  static std::variant<SceneSession, ParameterError> build(std::vector<std::unique_ptr<Session>> objects);
 
   // position: mm, in the world; poses: one for each object, in their order. Invalid, without a force: a position, a pose, or
   // where an object sees the hand, that is outside the domain; and another number of poses. Without allocation, lock or
@@ -227,6 +228,9 @@ class SceneSession {
   const Evaluation& of(std::size_t object) const noexcept { return answers_[object]; }
 
  private:
+  explicit SceneSession(std::vector<std::unique_ptr<Session>> objects)
+      : objects_(std::move(objects)), answers_(objects_.size()) {}
+
   std::vector<std::unique_ptr<Session>> objects_;
   std::vector<Evaluation> answers_;
 };

@@ -6,7 +6,7 @@
 //   std::vector<std::unique_ptr<fast::Session>> objects;  // of laws, height maps and meshes
 //   objects.push_back(ground.open());
 //   objects.push_back(wheel.open());
-//   fast::SceneSession session(std::move(objects));
+//   auto session = std::get<fast::SceneSession>(fast::SceneSession::build(std::move(objects)));
 //   const Eigen::Vector3f force = session.step({3, 0, 39}, std::array{scene::Pose(), quarter_turn}).force;
 //
 // Lengths are in mm, forces in N, both in the world's axes, those of docs/laws.md.

@@ -46,7 +46,7 @@ void place(std::span<scene::Pose> poses, std::size_t tick) {
 fast::SceneSession session_of(const fast::GodObject& sphere, std::size_t objects) {
   std::vector<std::unique_ptr<fast::Session>> sessions;
   for (std::size_t i = 0; i < objects; ++i) sessions.push_back(sphere.open());
-  return fast::SceneSession(std::move(sessions));
+  return std::get<fast::SceneSession>(fast::SceneSession::build(std::move(sessions)));
 }
 
 // moves: whether the objects get a new pose in each tick; else they rest where the first is not moved.

@@ -57,7 +57,7 @@ TEST(c_scenes, refuse_what_is_wrong_with_the_reason) {
   many.fill(wall);
   forceshade_scene scene{};
   EXPECT_EQ(forceshade_scene_open(many.data(), 33, &scene), FORCESHADE_BAD_VALUE);
-  EXPECT_EQ(std::string(forceshade_message()), "count: expected 1 to 32 objects, got 33");
+  EXPECT_EQ(std::string(forceshade_message()), "number of objects is 33; expected 1 to 32");
   EXPECT_EQ(forceshade_scene_open(many.data(), 0, &scene), FORCESHADE_BAD_VALUE);
   EXPECT_EQ(forceshade_scene_open(nullptr, 1, &scene), FORCESHADE_NULL_POINTER);
   const forceshade_subject none{};

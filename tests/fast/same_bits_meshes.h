@@ -3,6 +3,7 @@
 // One hash per mesh of the god-object's states and forces along a path: as tests/fast/same_bits.h for laws, and by its means.
 // Meshes and paths come from bits.
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct MeshScene {
   mesh::Sides sides;
   mesh::Shading shading;
   mesh::Texture texture = {};
+  mesh::Materials materials = {};  // with friction, if any
 };
 
 // 12 x 12 cells of 1 mm, of heights up to 2 mm.
@@ -77,7 +79,15 @@ inline std::vector<MeshScene> mesh_scenes() {
           {"mesh-octahedron", solid, {}, mesh::Sides::front, mesh::Shading::none},
           {"mesh-octahedron-shaded", solid, normals_towards(solid), mesh::Sides::front, mesh::Shading::vertex_scheme},
           {"mesh-octahedron-textured", solid, normals_towards(solid), mesh::Sides::front, mesh::Shading::texture_scheme,
-           texture_above(solid)}};
+           texture_above(solid)},
+          {"mesh-sheet-rough", sheet, {}, mesh::Sides::both, mesh::Shading::none, {}, {{{{}, 0.5F, 0.375F}}, {}}},
+          {"mesh-octahedron-rough-shaded",
+           solid,
+           normals_towards(solid),
+           mesh::Sides::front,
+           mesh::Shading::vertex_scheme,
+           {},
+           {{{{}, 0.75F, 0.25F}, {{}, HUGE_VALF, 0.125F}, {}}, {0, 1, 2, 0, 1, 2, 0, 1}}}};
 }
 
 // Steps of every size within about 8 mm of the origin, jumps, positions of few bits, any bits.
@@ -107,9 +117,15 @@ class MeshBits {
   std::array<float, 3> at_{};
 };
 
+inline std::unique_ptr<fast::TickSession> session_of(const MeshScene& scene) {
+  const mesh::Contact contact = scene.materials.list.empty() ? mesh::kUsualContact : mesh::Contact::friction;
+  const MeshRendering rendering{checked(scene.mesh), scene.normals, scene.sides,    scene.shading, 0.7F,
+                                scene.texture,       contact,       scene.materials};
+  return built(fast::GodObject::build(rendering)).open();
+}
+
 inline Bits bits_of(const MeshScene& scene) {
-  const MeshRendering rendering{checked(scene.mesh), scene.normals, scene.sides, scene.shading, 0.7F, scene.texture};
-  const auto session = built(fast::GodObject::build(rendering)).open();
+  const auto session = session_of(scene);
   MeshBits positions;
   Hash hash;
   Bits bits{};
@@ -123,6 +139,38 @@ inline Bits bits_of(const MeshScene& scene) {
     hash.add(static_cast<std::uint32_t>(tick.after.place) << 8 | static_cast<std::uint32_t>(tick.after.side));
     for (const std::uint32_t number : tick.after.index) hash.add(number);
     for (const std::uint32_t number : tick.after.parameter) hash.add(number);
+  }
+  bits.hash = hash.hex();
+  return bits;
+}
+
+// Two meshes, of which each is placed anew in every tick, by quaternions and translations of few bits or of any.
+inline Bits bits_of_moving_objects() {
+  const std::vector<MeshScene> scenes = mesh_scenes();
+  std::vector<std::unique_ptr<fast::Session>> objects;
+  objects.push_back(session_of(scenes.front()));
+  objects.push_back(session_of(scenes.back()));
+  auto session = built(fast::SceneSession::build(std::move(objects)));
+  MeshBits positions;
+  std::mt19937_64 random(1995);
+  std::array<scene::Pose, 2> poses;
+  Hash hash;
+  Bits bits{};
+  for (int i = 0; i < 100'000; ++i) {
+    for (scene::Pose& pose : poses) {
+      const std::uint64_t kind = random() % 8;
+      const float scale = kind == 0 ? 1 : 0x1p-22F;
+      const auto draw = [&] {
+        return static_cast<std::int32_t>(random() % (kind == 0 ? 5 : 1U << 24)) - (kind == 0 ? 2 : 1 << 23);
+      };
+      if (kind > 2) continue;  // as it was
+      for (float& one : pose.rotation) one = scale * static_cast<float>(draw());
+      for (float& one : pose.translation) one = scale * static_cast<float>(draw());
+    }
+    const std::array<float, 3> p = positions.next();
+    note(session.step({p[0], p[1], p[2]}, poses), hash, bits);
+    for (std::size_t object = 0; object < poses.size(); ++object)
+      for (const float component : session.of(object).force) hash.add(component);
   }
   bits.hash = hash.hex();
   return bits;

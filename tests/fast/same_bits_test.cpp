@@ -60,7 +60,7 @@ TEST(same_bits, every_instruction_set_makes_the_stored_hashes_of_height_maps) {
       EXPECT_EQ(bits.nans, 0U) << what;
       for (const std::size_t count : bits.statuses) EXPECT_GT(count, 10U) << what;
     }
-  EXPECT_EQ(stored.size(), kLaws.size() + maps + mesh_scenes().size());
+  EXPECT_EQ(stored.size(), kLaws.size() + maps + mesh_scenes().size() + 1);
 }
 
 TEST(same_bits, a_god_object_makes_the_stored_hashes) {
@@ -74,6 +74,15 @@ TEST(same_bits, a_god_object_makes_the_stored_hashes) {
     EXPECT_EQ(bits.nans, 0U) << scene.name;
     for (const std::size_t count : bits.statuses) EXPECT_GT(count, 100U) << scene.name;
   }
+}
+
+TEST(same_bits, objects_that_move_make_the_stored_hash) {
+  const Bits bits = bits_of_moving_objects();
+  const auto& [free, contact, invalid] = bits.statuses;
+  std::printf("  %s  %zu free, %zu contact, %zu invalid\n", bits.hash.c_str(), free, contact, invalid);
+  EXPECT_EQ(bits.hash, stored_hashes().at("scene-of-moving-objects"));
+  EXPECT_EQ(bits.nans, 0U);
+  for (const std::size_t count : bits.statuses) EXPECT_GT(count, 100U);
 }
 
 // A kind that is added to height::Shape has to be among the scenes.

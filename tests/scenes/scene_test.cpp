@@ -88,7 +88,7 @@ TEST(scene, is_the_reference_in_every_bit_on_random_objects_that_move) {
       add_random(source, scenes, seed + i);
       motions.emplace_back(100 * seed + i);
     }
-    fast::SceneSession session(std::move(scenes.fast));
+    fast::SceneSession session = tests::built(fast::SceneSession::build(std::move(scenes.fast)));
     reference::SceneSession definition(std::move(scenes.exact));
     const std::size_t felt = seed % motions.size();
     properties::MeshPath path(scenes.meshes[felt], seed);
@@ -176,7 +176,7 @@ void expect_moved(std::uint64_t seed_of_meshes, const scene::Pose& pose,
     BothScenes scenes, other;
     add_random(source, scenes, seed);
     add_random(again, other, seed);
-    fast::SceneSession session(std::move(scenes.fast));
+    fast::SceneSession session = tests::built(fast::SceneSession::build(std::move(scenes.fast)));
     properties::MeshPath path(scenes.meshes[0], seed);
     for (int i = 0; i < 200; ++i) {
       const Position p = path.next();
@@ -213,7 +213,7 @@ MeshRendering plate(float friction) {
 TEST(scene, an_object_that_sweeps_over_a_resting_hand_catches_it) {
   BothScenes scenes;
   scenes.add(plate(0));
-  fast::SceneSession session(std::move(scenes.fast));
+  fast::SceneSession session = tests::built(fast::SceneSession::build(std::move(scenes.fast)));
   const Eigen::Vector3f hand(1, 2, 0.5F);
   EXPECT_EQ(session.step(hand, std::array{scene::Pose()}).status, Status::free);
   const fast::Evaluation caught = session.step(hand, std::array{scene::Pose{{0, 0, 2}, {1, 0, 0, 0}}});
@@ -225,7 +225,7 @@ TEST(scene, a_hand_that_sticks_is_dragged_and_one_that_does_not_is_left) {
   for (const float friction : {0.0F, 1.0F}) {
     BothScenes scenes;
     scenes.add(plate(friction));
-    fast::SceneSession session(std::move(scenes.fast));
+    fast::SceneSession session = tests::built(fast::SceneSession::build(std::move(scenes.fast)));
     const Eigen::Vector3f hand(0, 0, -1);
     EXPECT_EQ(session.step({0, 0, 1}, std::array{scene::Pose()}).status, Status::free);
     EXPECT_EQ(session.step(hand, std::array{scene::Pose()}).force, Eigen::Vector3f(0, 0, 1));
@@ -238,7 +238,7 @@ TEST(scene, an_invalid_pose_gives_no_force_and_keeps_the_states) {
   BothScenes scenes;
   scenes.add(plate(0));
   scenes.add(plate(0));
-  fast::SceneSession session(std::move(scenes.fast));
+  fast::SceneSession session = tests::built(fast::SceneSession::build(std::move(scenes.fast)));
   const std::array poses{scene::Pose(), scene::Pose{{0, 0, -50}, {1, 0, 0, 0}}};
   EXPECT_EQ(session.step({0, 0, 1}, poses).status, Status::free);
   EXPECT_EQ(session.step({0, 0, -1}, poses).status, Status::contact);
@@ -253,15 +253,42 @@ TEST(scene, an_invalid_pose_gives_no_force_and_keeps_the_states) {
   EXPECT_EQ(session.step({0, 0, -2}, poses).force, Eigen::Vector3f(0, 0, 2)) << "it goes on where it was";
 }
 
+TEST(scene, reads_a_small_coordinate_as_0_in_the_world_and_in_a_pose) {
+  const auto force = [](const Position& translation, float z) {
+    BothScenes scenes;
+    scenes.add(LawId::wall);
+    return tests::built(fast::SceneSession::build(std::move(scenes.fast)))
+        .step({0, 0, z}, std::array{scene::Pose{translation, {1, 0, 0, 0}}})
+        .force.z();
+  };
+  EXPECT_EQ(force({0, 0, -0x1p-31F}, -0x1p-30F), 0x1p-31F);
+  EXPECT_EQ(force({0, 0, 0x1p-30F}, -0x1p-31F), 0x1p-31F);
+}
+
+TEST(scene, is_unfinished_where_one_of_its_objects_is) {
+  struct Unfinished final : fast::Session {
+    fast::Evaluation step(const Eigen::Vector3f&) noexcept override {
+      return {{0, 0, 1}, Status::contact, fast::Stage::binary64, true};
+    }
+  };
+  BothScenes scenes;
+  scenes.fast.push_back(std::make_unique<Unfinished>());
+  scenes.add(LawId::wall);
+  auto session = tests::built(fast::SceneSession::build(std::move(scenes.fast)));
+  EXPECT_TRUE(session.step({0, 0, 5}, std::array<scene::Pose, 2>()).is_unfinished);
+}
+
 TEST(scene, has_1_to_32_objects) {
   for (const std::size_t count : {std::size_t{0}, scene::kMostObjects, scene::kMostObjects + 1}) {
     BothScenes scenes;
     for (std::size_t i = 0; i < count; ++i) scenes.add(plate(0));
     if (count == scene::kMostObjects) {
-      EXPECT_EQ(fast::SceneSession(std::move(scenes.fast)).size(), count);
+      EXPECT_EQ(tests::built(fast::SceneSession::build(std::move(scenes.fast))).size(), count);
       EXPECT_NO_THROW(reference::SceneSession{scenes.exact});
     } else {
-      EXPECT_THROW(fast::SceneSession{std::move(scenes.fast)}, std::invalid_argument);
+      const auto refused = fast::SceneSession::build(std::move(scenes.fast));
+      EXPECT_EQ(std::get<ParameterError>(refused).message(),
+                "number of objects is " + std::to_string(count) + "; expected 1 to 32");
       EXPECT_THROW(reference::SceneSession{scenes.exact}, std::invalid_argument);
     }
   }

@@ -44,7 +44,7 @@ def test_an_invalid_pose_gives_no_force():
 
 
 def test_refuses_what_is_wrong():
-    with pytest.raises(ValueError, match="expected 1 to 32, got 0"):
+    with pytest.raises(ValueError, match="number of objects is 0; expected 1 to 32"):
         Scene([])
     with pytest.raises(TypeError, match="expected objects that are a Law, HeightMap or Mesh, got str"):
         Scene(["wall"])
