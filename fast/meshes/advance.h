@@ -26,7 +26,7 @@ FORCESHADE_INLINE void settle(const Mesh& mesh, const Arrival& at, const HandAnd
   tick.status = !at.is_finished                      ? mesh::TickStatus::unfinished
                 : at.spot.place == mesh::Place::free ? mesh::TickStatus::free
                                                      : mesh::TickStatus::touching;
-  if (mesh.has_stiffness() && is_touching(at.spot)) stiffness = stiffness_at(mesh, at.spot);
+  if (mesh.has_stiffness() && is_touching(at.spot)) stiffness = stiffness_at(mesh, at.spot, stiffness);
   ForceDecision decided;
   set_force(mesh_force(mesh, at, ends, stiffness, shading, Stages::kFilter, &decided), tick);
   if (decided.last != Stage::binary64) stages.note(decided.last);

@@ -102,7 +102,6 @@ std::variant<Mesh, ParameterError> Mesh::build(const MeshRendering& rendering) {
   };
   if (rendering.has_corner_normals()) in_order(result.normals_, rendering.normals);
   if (is_textured) in_order(result.textures_, rendering.texture.corners);
-  result.stiffness_ = rendering.stiffness;
   result.materials_ = rendering.materials.list;
   if (!rendering.materials.of_triangle.empty()) in_order(result.material_of_face_, rendering.materials.of_triangle);
   result.has_friction_ = forceshade::has_friction(rendering.materials);

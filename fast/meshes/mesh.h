@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -114,9 +115,9 @@ class Mesh {
     const Coefficients b = friction_in_triangle(face_of(twin(h)));
     return {std::max(a.static_friction, b.static_friction), std::max(a.dynamic_friction, b.dynamic_friction)};
   }
-  // Whether materials have a stiffness of their own; then that of a face, N/mm.
+  // Whether materials have a stiffness of their own; then that of a face, if its material does. N/mm.
   bool has_stiffness() const noexcept { return has_stiffness_; }
-  float stiffness_in_triangle(std::uint32_t f) const noexcept { return material_of(f).stiffness.value_or(stiffness_); }
+  std::optional<float> stiffness_in_triangle(std::uint32_t f) const noexcept { return material_of(f).stiffness; }
   // The normals of the three corners of face f; empty where the mesh has none.
   const std::array<mesh::Normal, 3>* normals(std::uint32_t f) const noexcept {
     return normals_.empty() ? nullptr : &normals_[f];
@@ -147,7 +148,6 @@ class Mesh {
   mesh::Sides sides_ = mesh::Sides::front;
   bool has_sheets_ = false;
   bool has_friction_ = false, has_stiffness_ = false;
-  float stiffness_ = 0;  // N/mm, of materials that have none
   std::vector<mesh::Material> materials_;
   std::vector<std::uint32_t> material_of_face_;
   float largest_coordinate_ = 0;

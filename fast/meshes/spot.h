@@ -88,11 +88,12 @@ inline Point point_of(const Mesh& mesh, const Spot& spot) noexcept {
   }
 }
 
-// N/mm, where the materials have one: of an edge or a vertex, the largest of its triangles.
-inline float stiffness_at(const Mesh& mesh, const Spot& spot) noexcept {
-  float largest = mesh.stiffness_in_triangle(face_of(spot.half));
+// N/mm, where materials have one; usual: of those that have none. That of an edge or a vertex is the largest of its triangles.
+inline float stiffness_at(const Mesh& mesh, const Spot& spot, float usual) noexcept {
+  const auto of_face = [&](HalfEdge h) { return mesh.stiffness_in_triangle(face_of(h)).value_or(usual); };
+  float largest = of_face(spot.half);
   const auto include = [&](HalfEdge h) {
-    if (h != kRim) largest = std::max(largest, mesh.stiffness_in_triangle(face_of(h)));
+    if (h != kRim) largest = std::max(largest, of_face(h));
   };
   if (spot.place == mesh::Place::edge) include(mesh.twin(spot.half));
   if (spot.place != mesh::Place::vertex) return largest;

@@ -86,6 +86,28 @@ TEST(mesh_friction, is_the_usual_rule_where_nothing_is_rough) {
   EXPECT_GT(touching, 0U);
 }
 
+TEST(mesh_friction, faces_without_a_stiffness_have_that_of_the_god_object_also_where_others_have_one) {
+  const auto with_stiffness = [](float stiffness) {
+    const std::array<mesh::Normal, 3> up{{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}};
+    MeshRendering rendering = tests::shaded({{{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}}, {{0, 1, 2}, {0, 2, 3}}}, {up, up},
+                                            mesh::Sides::both, stiffness);
+    rendering.materials = {{{2.0F, 0, 0}, {}}, {0, 1}};
+    return tests::built(fast::GodObject::build(rendering));
+  };
+  // In the first face, on the edge between them, and in the second.
+  const auto forces = [](const fast::GodObject& god_object) {
+    std::vector<float> forces;
+    for (const std::array<float, 2> at : {std::array{6.0F, 2.0F}, {4.0F, 4.0F}, {2.0F, 6.0F}}) {
+      const auto session = god_object.open();
+      session->tick({at[0], at[1], 1});
+      forces.push_back(session->tick({at[0], at[1], -1}).force[2]);
+    }
+    return forces;
+  };
+  EXPECT_EQ(forces(with_stiffness(0.5F)), (std::vector{2.0F, 2.0F, 0.5F}));
+  EXPECT_EQ(forces(tests::built(with_stiffness(0.5F).with_stiffness(4))), (std::vector{2.0F, 4.0F, 4.0F}));
+}
+
 TEST(mesh_friction, is_refused_where_it_is_not_defined) {
   MeshRendering rendering = tests::shaded({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}},
                                           {{{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}}}, mesh::Sides::both, kStiffness);
