@@ -155,8 +155,8 @@ void add_conform(CLI::App& app, int& result) {
   add_output(*command, "--out", its->out, "a page of what was found, with pictures", {".html"});
   add_json(*command, its->json, "what was found");
   add_junit(*command, its->junit);
-  for (const char* of_renderers : {"--law", "--height-map", "--mesh", "--subject", "--command", "--object", "--recording",
-                                   "--tolerance", "--points", "--seed", "--timing", "--max-answer-time"})
+  for (const char* of_renderers : {"--law", "--height-map", "--mesh", "--scene", "--subject", "--command", "--object",
+                                   "--recording", "--tolerance", "--points", "--seed", "--timing", "--max-answer-time"})
     simulator->excludes(command->get_option(of_renderers));
   for (const char* door : {"--command", "--object"}) command->get_option(door)->excludes(command->get_option("--recording"));
   add_conform_compare(*command, result);

@@ -67,7 +67,8 @@ RecordingOption::RecordingOption(CLI::App& command) {
 int RecordingOption::run(const SubjectOption& subject, const std::string& tolerance, const std::string& json,
                          const std::string& junit) const {
   conformance::RecordingOptions options = options_;
-  if (options.fits && !subject.is_given()) throw BadInput("--fit: expected --law, --height-map or --mesh with it, got none");
+  if (options.fits && !subject.is_given())
+    throw BadInput("--fit: expected " + subjects::words_of_kinds("or") + " with it, got none");
   if (options.fits && tolerance.empty())
     throw BadInput("--tolerance: expected one in N or % beside --fit, since a fitted force is never correctly rounded");
   if (!tolerance.empty()) options.tolerance = parse_tolerance(tolerance);

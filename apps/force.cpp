@@ -82,7 +82,7 @@ void add_force(CLI::App& app, int& result) {
            {"fast", "reference"});
   CLI::Option* digits =
       add_whole(*command, "--digits", options->digits, "significant decimal digits of a law's reference", kDigits);
-  for (const char* other : {"--height-map", "--mesh"}) digits->excludes(command->get_option(other));
+  for (const char* other : {"--height-map", "--mesh", "--scene"}) digits->excludes(command->get_option(other));
   command->add_option("--input", options->input, "CSV file; - is standard input")->type_name("FILE")->capture_default_str();
   add_output(*command, "--out", options->out,
              "FILE.npy, a structured array for numpy.load; else a CSV file, - is standard output", {".csv", ".npy"})

@@ -171,7 +171,7 @@ struct MeshPlotOptions {
 
 void add_plot(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand(
-      "plot", "Draw a law or a height map: force profile, directions, nominal geometry, energy map; or a mesh");
+      "plot", "Draw a law or a height map: force profile, directions, nominal geometry, energy map; or a mesh or scene");
   const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::several);
   const auto options = std::make_shared<PlotOptions>();
   const auto mesh_options = std::make_shared<MeshPlotOptions>();
@@ -182,26 +182,30 @@ void add_plot(CLI::App& app, int&) {
   add("--from", options->from, "x where the section begins");
   add("--to", options->to, "x where it ends");
   add_word(*command, "--what", options->what, "which picture", {"force", "directions", "geometry", "energy", "all"})
-      ->excludes("--mesh");
-  command
-      ->add_option("--input", mesh_options->input,
-                   "positions as CSV (x_mm, y_mm, z_mm) in their order, whose path on a mesh is drawn; - is standard input")
-      ->type_name("FILE")
-      ->needs("--mesh");
+      ->excludes("--mesh")
+      ->excludes("--scene");
+  std::vector<const CLI::Option*> of_a_mesh{
+      command
+          ->add_option("--input", mesh_options->input,
+                       "positions as CSV (x_mm, y_mm, z_mm) in their order, whose path on a mesh or scene is drawn; - is "
+                       "standard input")
+          ->type_name("FILE")};
   const auto turn = [&](const char* name, double& degrees, const char* help, double most) {
-    add_angle(*command, name, help, {-most, most}, [&degrees](double given) { degrees = given; })
-        ->default_str(files::shortest(degrees))
-        ->needs("--mesh");
+    of_a_mesh.push_back(add_angle(*command, name, help, {-most, most}, [&degrees](double given) {
+                          degrees = given;
+                        })->default_str(files::shortest(degrees)));
   };
-  turn("--azimuth", mesh_options->direction.azimuth, "of the view of a mesh: from -y towards +x", 360);
-  turn("--elevation", mesh_options->direction.elevation, "of the view of a mesh: above the plane of x and y", 90);
+  turn("--azimuth", mesh_options->direction.azimuth, "of the view of a mesh or scene: from -y towards +x", 360);
+  turn("--elevation", mesh_options->direction.elevation, "of the view of a mesh or scene: above the plane of x and y", 90);
   const auto out = std::make_shared<OutFolder>(*command, "directory for NAME-PICTURE.svg and .png");
   out->require();
-  command->callback([subject, options, mesh_options, out] {
+  command->callback([subject, options, mesh_options, of_a_mesh, out] {
     watch_for_interrupt();
     const std::vector<Description> all = subject->descriptions();
     if (const auto* mesh = std::get_if<MeshRendering>(&all.front().what))
       return mesh_options->draw(all.front().name, *mesh, *out);
+    for (const CLI::Option* option : of_a_mesh)
+      if (!option->empty()) throw BadInput(option->get_name() + ": expected --mesh or --scene beside it, got another subject");
     const std::vector<Kind> kinds = options->kinds();
     std::vector<PlannedView> views;
     for (const Description& what : all) views.push_back(view_of(what, *options));

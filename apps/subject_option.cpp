@@ -23,10 +23,11 @@ std::string choice(const Words& words) {
   return all;
 }
 
-// Calls `read` with a monitor that draws how far the check of the mesh is, if there is one.
+// Calls `read` with a monitor that draws how far the check of the mesh or scene is, if there is one.
 template <class Read>
 auto with_progress(const subjects::Options& options, const Read& read) {
-  ProgressLine line("check of " + std::filesystem::path(options.value("mesh")).filename().string());
+  const std::string file = options.value(options.has("scene") ? "scene" : "mesh");
+  ProgressLine line("check of " + std::filesystem::path(file).filename().string());
   return read(options, Monitor([&](double done) { line.draw(done); }, interrupted()));
 }
 
@@ -54,20 +55,23 @@ SubjectOption::SubjectOption(CLI::App& command, subjects::Laws laws, Kinds kinds
     CLI::Option* mesh =
         add("mesh", "FILE", "instead of a law: a triangle mesh, an OBJ, OFF, PLY or STL file (docs/meshes.md)")->excludes(map);
     for (CLI::Option* of_a_law : {law, radius, width}) of_a_law->excludes(mesh);
+    CLI::Option* scene =
+        add("scene", "FILE", "instead of a law: fixed objects, meshes at their places, a TOML file (docs/scenes.md)")
+            ->excludes(map);
+    for (CLI::Option* other : {law, radius, width, mesh}) other->excludes(scene);
     add("unit", choice(mesh::kUnitNames), "of a mesh's coordinates, which no format says")->needs(mesh);
-    add("sides", choice(mesh::kSidesNames), "of a mesh that block motion; front where it is closed, else both, unless said")
-        ->needs(mesh);
+    // Options of meshes and scenes: expect_consistent() says where one of these is missing.
+    add("sides", choice(mesh::kSidesNames),
+        "of a mesh or scene that block motion; front where it is closed, else both, unless said");
     add("shading", choice(subjects::shading_words()),
-        "of a mesh: vertex, which is the default, turns the force to the interpolated normal, edge as the thesis has it, "
-        "texture tilts that normal by a height map, a TOML file")
-        ->needs(mesh);
+        "of a mesh or scene: vertex, which is the default, turns the force to the interpolated normal, edge as the thesis has "
+        "it, texture, of a mesh alone, tilts that normal by a height map, a TOML file");
     add_usual(
         "contact", choice(mesh::kContactNames),
-        "of a mesh: in a contact the god-object goes for the position (direct), or for that as a plane would hold it which is "
-        "turned to the interpolated normal (sub-goal); then --shading is none unless given; or it sticks and slips (friction), "
-        "which holds beside coefficients of friction unless said",
-        name_of(mesh::kUsualContact).data())
-        ->needs(mesh);
+        "of a mesh or scene: in a contact the god-object goes for the position (direct), or for that as a plane would hold it "
+        "which is turned to the interpolated normal (sub-goal); then --shading is none unless given; or it sticks and slips "
+        "(friction), which holds beside coefficients of friction unless said",
+        name_of(mesh::kUsualContact).data());
     CLI::Option* friction =
         add("friction", "MU|STATIC,DYNAMIC", "of a mesh: coefficients of friction, each 0, inf or from 2^-10 to 1024")
             ->needs(mesh);
@@ -77,12 +81,10 @@ SubjectOption::SubjectOption(CLI::App& command, subjects::Laws laws, Kinds kinds
     add("texture-scale", "LENGTH",
         "of a textured mesh: the length of one unit of the texture coordinates in its file, which no format says")
         ->needs(mesh);
-    options_["self-intersecting"] =
-        command
-            .add_flag("--self-intersecting", is_self_intersecting_,
-                      "of a mesh: faces without a common vertex may cross; each way is tested against the whole mesh")
-            ->needs(mesh);
-    add("crease", "ANGLE (0 to 180)", "of a mesh: an edge that turns by more is not shaded over")->needs(mesh);
+    options_["self-intersecting"] = command.add_flag(
+        "--self-intersecting", is_self_intersecting_,
+        "of a mesh or scene: faces without a common vertex may cross; each way is tested against the whole mesh");
+    add("crease", "ANGLE (0 to 180)", "of a mesh or scene: an edge that turns by more is not shaded over");
     // expand_subject_files() has put the file's options in its place before the command line is parsed.
     command.add_option("--subject", "a TOML file that has these options as its keys (docs/subjects.md)")->type_name("FILE");
   }
@@ -91,7 +93,7 @@ SubjectOption::SubjectOption(CLI::App& command, subjects::Laws laws, Kinds kinds
 
 bool SubjectOption::is_given() const {
   return std::ranges::any_of(options_, [](const auto& each) {
-    return (each.first == "law" || each.first == "height-map" || each.first == "mesh") && !each.second->empty();
+    return std::ranges::find(subjects::kKinds, each.first) != subjects::kKinds.end() && !each.second->empty();
   });
 }
 
@@ -101,7 +103,7 @@ subjects::Options SubjectOption::options() const {
     if (!option->empty()) given.add({key, subjects::is_flag(key) ? "true" : values_.at(key)});
   if (is_given()) return given;
   if (laws_ == subjects::Laws::one)
-    throw CLI::RequiredError(options_.contains("mesh") ? "--law, --height-map or --mesh" : "--law or --height-map");
+    throw CLI::RequiredError(options_.contains("mesh") ? subjects::words_of_kinds("or") : "--law or --height-map");
   given.add({"law", "all"});
   return given;
 }

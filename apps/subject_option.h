@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a command works on: --law with its parameters, --height-map SPEC or --mesh FILE, or --subject with a file that has these
-// options. Commands that need no more than a subject do not distinguish them. What the options mean is for
+// What a command works on: --law with its parameters, --height-map SPEC, --mesh FILE or --scene FILE, or --subject with a file
+// that has these options. Commands that need no more than a subject do not distinguish them. What the options mean is for
 // rendering/subjects/read.h to say.
 
 #include <map>
@@ -23,14 +23,14 @@ class SubjectOption {
   // --law is needed where one is expected, and "all" unless said where several are.
   SubjectOption(CLI::App& command, subjects::Laws laws, Kinds kinds = Kinds::all);
 
-  // Whether a law, a height map or a mesh was.
+  // Whether a law, a height map, a mesh or a scene was.
   bool is_given() const;
 
   // Those that were given. Throws CLI::RequiredError where none is.
   subjects::Options options() const;
 
-  // One, or all laws. The check of a mesh draws its progress. Throws BadInput, naming the option or file, the line, the value
-  // and what was expected; and Interrupted.
+  // One, or all laws. The check of a mesh or scene draws its progress. Throws BadInput, naming the option or file, the line,
+  // the value and what was expected; and Interrupted.
   std::vector<Description> descriptions() const;
   Description description() const { return std::move(descriptions().front()); }
 
@@ -47,7 +47,7 @@ class SubjectOption {
   std::map<std::string, CLI::Option*> options_;  // by their keys
 };
 
-// subjects::read_one() that draws the progress of a mesh's check on standard error.
+// subjects::read_one() that draws the progress of the check of a mesh or scene on standard error.
 Description read_with_progress(const subjects::Options& options);
 
 // --radius and --width of a bump, those of the thesis unless said.

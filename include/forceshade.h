@@ -167,7 +167,7 @@ typedef struct forceshade_mesh {
 
 FORCESHADE_API forceshade_result forceshade_mesh_new(const forceshade_mesh* mesh, forceshade_subject* made);
 
-/* A subject file (docs/subjects.md): a law, height map or mesh. Files that it names lie beside it. */
+/* A subject file (docs/subjects.md): a law, height map, mesh or scene. Files that it names lie beside it. */
 FORCESHADE_API forceshade_result forceshade_subject_read(const char* file, forceshade_subject* made);
 
 /* The same of a text of so many bytes. file: what messages call it; the files that the text names lie beside it. */

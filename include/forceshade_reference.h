@@ -56,8 +56,8 @@ FORCESHADE_API const char* forceshade_reference_message(void);
 
 /* ---- Definitions ---- */
 
-/* A subject file (docs/subjects.md): a law, height map or mesh. Files that it names lie beside it. FORCESHADE_BAD_INPUT with file
- * and line where it is refused. */
+/* A subject file (docs/subjects.md): a law, height map, mesh or scene. Files that it names lie beside it. FORCESHADE_BAD_INPUT
+ * with file and line where it is refused. */
 FORCESHADE_API forceshade_result forceshade_reference_read(const char* file, forceshade_reference* made);
 
 /* The same of a text of so many bytes. file: what messages call it; the files that the text names lie beside it. */

@@ -114,6 +114,7 @@ std::vector<Sort> sorts() {
       {"tests/conformance/hello_test.cpp", chosen_rules},
       {"tests/meshes/friction_test.cpp", chosen_rules},
       {"tests/subjects/materials_test.cpp", chosen_rules},
+      {"tests/subjects/scene_file_test.cpp", chosen_rules},
   };
   schemes.exceptions = {
       {"include/forceshade.h", in_words},
@@ -125,6 +126,7 @@ std::vector<Sort> sorts() {
       {"tests/meshes/random_paths.h", "the places of a state, two of which are called as schemes are"},
       {"tests/meshes/texture_golden_test.cpp", paths},
       {"tests/meshes/texture_scheme_test.cpp", some},
+      {"tests/subjects/scene_file_test.cpp", some},
   };
   return {laws, kinds, schemes, rules, devices};
 }

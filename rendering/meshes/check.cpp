@@ -10,6 +10,7 @@
 #include "forceshade/meshes.h"
 #include "rendering/meshes/box_tree.h"
 #include "rendering/meshes/edges.h"
+#include "rendering/meshes/findings.h"
 #include "rendering/meshes/predicates.h"
 #include "rendering/meshes/readers.h"
 
@@ -291,16 +292,25 @@ std::string words_of(const Finding& finding) {
   return "";
 }
 
-std::string Findings::words(std::span<const std::uint64_t> lines) const {
+std::string words_of(const Finding& finding, std::span<const std::uint64_t> lines) {
+  return place_of(finding, lines) + words_of(finding);
+}
+
+std::string words_of(const Findings& findings, const std::function<std::string(const Finding&)>& words) {
+  const std::vector<Finding>& listed = findings.listed;
   std::string text;
   for (std::size_t i = 0; i < listed.size(); ++i) {
-    text += place_of(listed[i], lines) + words_of(listed[i]) + '\n';
+    text += words(listed[i]) + '\n';
     const Fault fault = listed[i].fault;
-    const std::uint64_t count = counts[static_cast<std::size_t>(fault)];
-    if ((i + 1 == listed.size() || listed[i + 1].fault != fault) && count > kListed)
-      text += "and " + std::to_string(count - kListed) + " more of this kind\n";
+    const std::uint64_t count = findings.counts[static_cast<std::size_t>(fault)];
+    if ((i + 1 == listed.size() || listed[i + 1].fault != fault) && count > Findings::kListed)
+      text += "and " + std::to_string(count - Findings::kListed) + " more of this kind\n";
   }
   return text;
+}
+
+std::string Findings::words(std::span<const std::uint64_t> lines) const {
+  return words_of(*this, [&](const Finding& finding) { return words_of(finding, lines); });
 }
 
 std::variant<JoinedMesh, Findings> check_joints(TriangleMesh mesh) {

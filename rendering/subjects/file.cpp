@@ -9,9 +9,10 @@
 #include "files/printable.h"
 #include "files/shell.h"
 #include "files/suggestion.h"
-#include "rendering/heights/toml_file.h"
 #include "rendering/subjects/mesh.h"
 #include "rendering/subjects/read.h"
+#include "rendering/subjects/scene.h"
+#include "rendering/subjects/tables.h"
 #include "rendering/subjects/words.h"
 
 namespace forceshade::subjects {
@@ -22,38 +23,11 @@ using Entries = std::vector<std::pair<std::string, std::string>>;
 
 constexpr std::size_t kLargestFile = 1 << 16;
 
-std::string beside(const fs::path& file, const std::string& name) {
-  return (file.parent_path() / name).string();
-}
-
-Option option_of(const std::string& key, const toml::node& node, const fs::path& file) {
-  const std::string place = file.string() + ": line " + std::to_string(node.source().begin.line);
-  const std::vector<std::string> keys = names_of_keys();
-  if (std::ranges::find(keys, key) == keys.end())
-    throw BadInput(place + ": unknown key " + key + "; expected keys of a subject" + files::suggestion(key, keys));
-  Option option{key, heights::words_of_scalars(node), place + ": " + key};
-  if (is_flag(key)) {
-    const auto flag = node.value_exact<bool>();
-    option.value = !flag ? "" : *flag ? "true" : "false";
-  }
-  if (option.value.empty())
-    throw BadInput(option.name + ": expected " +
-                   (is_flag(key) ? "true or false" : "a text in quotes, a number or a list of these") + ", got " +
-                   heights::words_of_value(node));
-  if (key == "mesh" || key == "height-map" || key == "materials") option.value = beside(file, option.value);
-  if (key == "shading" && is_texture(option.value))
-    option.value = std::string(kTexturePrefix) + beside(file, option.value.substr(kTexturePrefix.size()));
-  return option;
-}
-
-Options options_of(const std::variant<toml::table, heights::TomlFault>& parsed, const fs::path& file) {
-  if (const auto* fault = std::get_if<heights::TomlFault>(&parsed))
-    throw BadInput(file.string() + ": " + (fault->line == 0 ? "" : "line " + std::to_string(fault->line) + ": ") +
-                   fault->reason);
+Options options_of(const toml::table& table, const fs::path& file) {
   Options options;
-  for (const auto& [key, node] : std::get<toml::table>(parsed)) options.add(option_of(std::string(key.str()), node, file));
-  if (!options.has("law") && !options.has("height-map") && !options.has("mesh"))
-    throw BadInput(file.string() + ": has none of the keys law, height-map and mesh; expected one of them");
+  for (const auto& [key, node] : table) options.add(option_of(std::string(key.str()), node, file, names_of_keys(), "subject"));
+  if (!options.has_kind())
+    throw BadInput(file.string() + ": has none of the keys " + words_of_kinds("and", "") + "; expected one of them");
   return options;
 }
 
@@ -87,9 +61,10 @@ Entries entries_of_law(const DescribedLaw& law) {
   return entries;
 }
 
-// The entries of a height map or mesh.
+// The entries of a height map, mesh or scene.
 Entries entries_of_one(const Options& options, bool with_folders) {
   if (options.has("mesh")) return written_mesh(options, with_folders);
+  if (options.has("scene")) return written_scene(options, with_folders);
   const fs::path file = options.value("height-map");
   return {{"height-map", with_folders ? file.string() : file.filename().string()}};
 }
@@ -101,11 +76,11 @@ std::string written_stiffness(const Options& options) {
 }  // namespace
 
 Options options_of_file(const fs::path& file) {
-  return options_of(heights::parse_toml_file(file, kLargestFile), file);
+  return options_of(table_in(heights::parse_toml_file(file, kLargestFile), file.string()), file);
 }
 
 Options options_of_text(const std::string& text, const fs::path& file) {
-  return options_of(heights::parse_toml(text, file, kLargestFile), file);
+  return options_of(table_in(heights::parse_toml(text, file, kLargestFile), file.string()), file);
 }
 
 std::vector<std::string> written_files(const Options& options) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Subject files (docs/subjects.md): TOML whose keys are the options that name a law, height map or mesh.
+// Subject files (docs/subjects.md): TOML whose keys are the options that name a law, height map, mesh or scene.
 
 #include <filesystem>
 #include <string>
@@ -11,8 +11,8 @@
 namespace forceshade::subjects {
 
 // Each with its name "bump.toml: line 3: radius". Files that a subject's file names lie beside it. Throws BadInput: a file that
-// cannot be read or is no TOML, an unknown key, a value of a wrong type, or neither law, height-map nor mesh; with file, line
-// and what was expected. Whether the values can be used is for read() to say.
+// cannot be read or is no TOML, an unknown key, a value of a wrong type, or none of kKinds; with file, line and what was
+// expected. Whether the values can be used is for read() to say.
 Options options_of_file(const std::filesystem::path& file);
 
 // The same of a text. file: what messages call it; its folder is that of the files that the text names.
@@ -22,7 +22,8 @@ Options options_of_text(const std::string& text, const std::filesystem::path& fi
 // folder. Throws BadInput.
 std::vector<std::string> written_files(const Options& options);
 
-// The options of a mesh or height map as a shell reads them, every one that holds, files with their folders; empty for laws.
+// The options of a mesh, scene or height map as a shell reads them, every one that holds, files with their folders; empty for
+// laws.
 std::string written_for_shell(const Options& options);
 
 }  // namespace forceshade::subjects

@@ -10,8 +10,8 @@
 #include "files/printable.h"
 #include "files/quantity.h"
 #include "files/suggestion.h"
-#include "rendering/heights/toml_file.h"
 #include "rendering/mesh_rendering.h"
+#include "rendering/subjects/tables.h"
 
 namespace forceshade::subjects {
 namespace {
@@ -33,90 +33,48 @@ float coefficient_of(const std::string& name, std::string_view word, const std::
 
 class Reader {
  public:
-  Reader(std::string file, const mesh::LoadedMesh& loaded) : file_(std::move(file)), loaded_(loaded) {}
+  Reader(const std::string& file, const mesh::LoadedMesh& loaded) : in_(file, kLargestMaterials), loaded_(loaded) {}
 
   mesh::Materials read() {
-    auto parsed = heights::parse_toml_file(file_, kLargestMaterials);
-    if (const auto* fault = std::get_if<heights::TomlFault>(&parsed))
-      throw BadInput(file_ + ": " + (fault->line == 0 ? "" : "line " + std::to_string(fault->line) + ": ") + fault->reason);
-    const auto& root = std::get<toml::table>(parsed);
-    if (root.empty()) throw BadInput(file_ + ": expected [default] or a [[material]], got neither");
-    expect_keys(root, {"default", "material"});
+    const toml::table& root = in_.root();
+    if (root.empty()) throw BadInput(in_.file() + ": expected [default] or a [[material]], got neither");
+    in_.expect_keys(root, {"default", "material"});
     made_.list.push_back({});
     names_.emplace_back("default");
     made_.of_triangle.assign(loaded_.mesh.triangles.size(), 0);
     if (const toml::node* usual = root.get("default")) {
-      const toml::table& table = table_of("default", *usual);
-      expect_keys(table, {"stiffness", "friction"});
-      made_.list.front() = material(table);
+      const toml::table& table = in_.table_of("default", *usual);
+      in_.expect_keys(table, {"stiffness", "friction"});
+      made_.list.front() = in_.material_of(table);
     }
-    if (const toml::node* list = root.get("material")) {
-      if (!list->is_array_of_tables()) fail(*list, "material", "[[material]]", *list);
-      for (const toml::node& one : *list->as_array()) add(*one.as_table());
-    }
+    for (const toml::table* one : in_.tables_of("material")) add(*one);
     return std::move(made_);
   }
 
  private:
-  std::string name_of(const toml::node& at, std::string_view key) const {
-    return file_ + ": line " + std::to_string(at.source().begin.line) + ": " + std::string(key);
-  }
-  [[noreturn]] void fail(const toml::node& at, std::string_view key, const std::string& expected, const toml::node& got) const {
-    throw BadInput(name_of(at, key) + ": expected " + expected + ", got " + heights::words_of_value(got));
-  }
-  const toml::table& table_of(std::string_view key, const toml::node& node) const {
-    if (!node.is_table()) fail(node, key, "a table", node);
-    return *node.as_table();
-  }
-  void expect_keys(const toml::table& table, const std::vector<std::string>& keys) const {
-    for (const auto& [key, node] : table)
-      if (std::ranges::find(keys, key.str()) == keys.end())
-        throw BadInput(name_of(node, "unknown key ") + std::string(key.str()) + files::suggestion(key.str(), keys));
-  }
-
-  mesh::Material material(const toml::table& table) const {
-    mesh::Material made;
-    const auto words = [&](const char* key, const toml::node& node, const char* expected) {
-      const std::string text = heights::words_of_scalars(node);
-      if (text.empty()) fail(node, key, expected, node);
-      return text;
-    };
-    if (const toml::node* node = table.get("friction"))
-      made = parse_friction(name_of(*node, "friction"), words("friction", *node, "a coefficient, or [static, dynamic]"));
-    if (const toml::node* node = table.get("stiffness")) {
-      const std::string name = name_of(*node, "stiffness");
-      made.stiffness = files::parse_stiffness(name, words("stiffness", *node, "a stiffness such as \"0.5N/mm\""));
-      if (const auto error = error_of_stiffness(*made.stiffness))
-        throw BadInput(name + error->message().substr(std::string_view(error->parameter).size()));
-    }
-    return made;
-  }
-
   void add(const toml::table& table) {
-    expect_keys(table, {"name", "stiffness", "friction", "groups", "faces"});
-    const toml::node* const named = table.get("name");
-    const std::string name = named == nullptr ? "" : named->value_exact<std::string>().value_or("");
-    if (named == nullptr) throw BadInput(name_of(table, "[[material]]") + ": expected a name, got none");
-    if (name.empty()) fail(*named, "name", "a text in quotes", *named);
+    in_.expect_keys(table, {"name", "stiffness", "friction", "groups", "faces"});
+    const std::string name = in_.text_of(table, "name", "[[material]]", "a name");
     if (std::ranges::find(names_, name) != names_.end())
-      throw BadInput(name_of(*named, "name") + ": expected another name for each material, got \"" + name + "\" again");
+      throw BadInput(in_.name_of(*table.get("name"), "name") + ": expected another name for each material, got \"" + name +
+                     "\" again");
     names_.push_back(name);
-    made_.list.push_back(material(table));
+    made_.list.push_back(in_.material_of(table));
     std::size_t given = 0;
     for (const char* key : {"groups", "faces"})
       if (const toml::node* node = table.get(key)) {
-        if (!node->is_array()) fail(*node, key, "a list", *node);
+        if (!node->is_array()) in_.fail(*node, key, "a list", *node);
         for (const toml::node& one : *node->as_array()) {
           std::string_view(key) == "groups" ? add_group(one) : add_faces(one);
           ++given;
         }
       }
-    if (given == 0) throw BadInput(name_of(table, name) + ": expected groups or faces that have the material, got none");
+    if (given == 0) throw BadInput(in_.name_of(table, name) + ": expected groups or faces that have the material, got none");
   }
 
   void add_group(const toml::node& node) {
     const auto name = node.value_exact<std::string>();
-    if (!name) fail(node, "groups", "names in quotes", node);
+    if (!name) in_.fail(node, "groups", "names in quotes", node);
     bool is_there = false;
     std::vector<std::string> known;
     for (const mesh::FaceNames* names : {&loaded_.materials, &loaded_.groups}) {
@@ -129,7 +87,7 @@ class Reader {
         if (names->of_triangle[i] == place) assign(i, node, "groups");
     }
     if (!is_there)
-      throw BadInput(name_of(node, "groups") + ": expected a group or material of the mesh's file" + listed(known) +
+      throw BadInput(in_.name_of(node, "groups") + ": expected a group or material of the mesh's file" + listed(known) +
                      ", got \"" + *name + '"' + files::suggestion(*name, known));
   }
 
@@ -154,8 +112,9 @@ class Reader {
       error = second.ec;
     }
     if (error != std::errc{} || at != end || first > last || last >= made_.of_triangle.size())
-      fail(node, "faces",
-           "a face such as \"7\" or faces such as \"0-99\", from 0 to " + std::to_string(made_.of_triangle.size() - 1), node);
+      in_.fail(node, "faces",
+               "a face such as \"7\" or faces such as \"0-99\", from 0 to " + std::to_string(made_.of_triangle.size() - 1),
+               node);
     for (std::uint32_t i = first; i <= last; ++i) assign(i, node, "faces");
   }
 
@@ -163,12 +122,12 @@ class Reader {
     std::uint32_t& its = made_.of_triangle[triangle];
     const auto material = static_cast<std::uint32_t>(made_.list.size() - 1);
     if (its != 0 && its != material)
-      throw BadInput(name_of(at, key) + ": expected each face in one material, got face " + std::to_string(triangle) +
+      throw BadInput(in_.name_of(at, key) + ": expected each face in one material, got face " + std::to_string(triangle) +
                      " in \"" + names_[its] + "\" and \"" + names_[material] + '"');
     its = material;
   }
 
-  std::string file_;
+  Tables in_;
   const mesh::LoadedMesh& loaded_;
   mesh::Materials made_;
   std::vector<std::string> names_;  // of the materials in the list
@@ -191,6 +150,10 @@ mesh::Materials read_materials(const Options& options, const mesh::LoadedMesh& l
   mesh::Materials made;
   if (options.has("friction")) made.list = {parse_friction(options.name("friction"), options.value("friction"))};
   if (options.has("materials")) made = Reader(options.value("materials"), loaded).read();
+  return simplest(std::move(made));
+}
+
+mesh::Materials simplest(mesh::Materials made) {
   const bool is_usual = std::ranges::all_of(made.list, [](const mesh::Material& one) { return one == mesh::Material{}; });
   if (is_usual) return {};
   if (made.list.size() == 1) made.of_triangle.clear();

@@ -16,4 +16,7 @@ mesh::Material parse_friction(const std::string& name, const std::string& text);
 // file, line, value and what was expected.
 mesh::Materials read_materials(const Options& options, const mesh::LoadedMesh& loaded);
 
+// The same materials without a list where they change nothing, and without a number for each triangle where they are one.
+mesh::Materials simplest(mesh::Materials made);
+
 }  // namespace forceshade::subjects

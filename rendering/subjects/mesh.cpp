@@ -60,23 +60,12 @@ std::optional<float> texture_scale(const Options& options) {
   return files::parse_length(options.name("texture-scale"), options.value("texture-scale"));
 }
 
-// The rule of contact: the one that is named, or friction where a material has some.
-mesh::Contact contact_beside(const mesh::Materials& materials, const Options& options) {
-  const auto named = value_named<mesh::Contact>(contact_of(options), mesh::kContactNames);
-  if (!has_friction(materials) || named == mesh::Contact::friction) return named;
-  const std::string& source = options.has("friction") ? options.name("friction") : options.name("materials");
-  if (options.has("contact"))
-    throw BadInput(options.name("contact") + ": expected friction, or no coefficient above 0 of " + source + ", got \"" +
-                   options.value("contact") + '"');
-  return mesh::Contact::friction;
-}
-
-mesh::CheckedMesh checked(const Options& options, mesh::LoadedMesh& loaded, const Monitor& monitor) {
-  const std::string file = options.value("mesh");
+mesh::CheckedMesh checked(const Options& options, Unchecked& unchecked, const Monitor& monitor) {
+  const std::string file = options.value(options.has("scene") ? "scene" : "mesh");
   const bool may_cross = options.is_true("self-intersecting");
   const auto result = [&] {
     try {
-      return mesh::check(std::move(loaded.mesh),
+      return mesh::check(std::move(unchecked.loaded.mesh),
                          may_cross ? mesh::SelfIntersections::allowed : mesh::SelfIntersections::refused, monitor);
     } catch (const Interrupted&) {
       throw Interrupted("the check of " + fs::path(file).filename().string() + " was not finished");
@@ -85,7 +74,7 @@ mesh::CheckedMesh checked(const Options& options, mesh::LoadedMesh& loaded, cons
   if (const auto* found = std::get_if<mesh::CheckedMesh>(&result)) return *found;
   const auto& findings = std::get<mesh::Findings>(result);
   const bool crosses = findings.counts[static_cast<std::size_t>(mesh::Fault::meeting)] > 0;
-  throw BadInput(files::printable(file) + ": cannot be rendered:\n" + findings.words(loaded.lines) +
+  throw BadInput(files::printable(file) + ": cannot be rendered:\n" + unchecked.words(findings) +
                      "'forceshade mesh repair' mends some of this" +
                      (crosses && !may_cross ? "; with --self-intersecting, faces without a common vertex may cross" : ""),
                  BadInput::Lines::several);
@@ -124,19 +113,28 @@ mesh::Unit unit_named(const std::string& word, const std::string& name) {
   throw BadInput(name + ": expected mm, m or in, got \"" + word + '"');
 }
 
-MeshRendering read_mesh(const Options& options, float stiffness, const Monitor& monitor) {
-  if (!options.has("unit"))
-    throw BadInput("--unit is required beside --mesh: expected mm, m or in, for no mesh file says its unit");
+mesh::Contact contact_beside(const mesh::Materials& materials, const Options& options) {
+  const auto named = value_named<mesh::Contact>(contact_of(options), mesh::kContactNames);
+  if (!has_friction(materials)) return named;
+  if (options.is_true("self-intersecting"))
+    throw BadInput(options.name("self-intersecting") +
+                   ": expected without friction, which is not defined where faces cross, got both");
+  const std::string_view source = options.has("scene") ? "scene" : options.has("friction") ? "friction" : "materials";
+  if (options.has("contact") && named != mesh::Contact::friction)
+    throw BadInput(options.name("contact") + ": expected friction, or no coefficient above 0 of " + options.name(source) +
+                   ", got \"" + options.value("contact") + '"');
+  return mesh::Contact::friction;
+}
+
+MeshRendering rendered(const Options& options, float stiffness, const std::function<Unchecked()>& load,
+                       const Monitor& monitor) {
   if (const auto error = error_of_stiffness(stiffness)) throw BadInput(words_of(*error, options));
   const double crease = crease_degrees(options);
   const bool has_scale = texture_scale(options).has_value();
-  mesh::LoadedMesh loaded = mesh::load_with_corners(options.value("mesh"), unit_named(options.value("unit")));
-  mesh::Materials materials = read_materials(options, loaded);
+  Unchecked unchecked = load();
+  mesh::Materials& materials = unchecked.materials;
   const mesh::Contact contact = contact_beside(materials, options);
-  if (options.is_true("self-intersecting") && has_friction(materials))
-    throw BadInput(options.name("self-intersecting") +
-                   ": expected without friction, which is not defined where faces cross, got both");
-  MeshRendering rendering{checked(options, loaded, monitor)};
+  MeshRendering rendering{checked(options, unchecked, monitor)};
   rendering.stiffness = stiffness;
   const bool is_closed = !options.has("sides") && mesh::facts_of(rendering.checked).is_closed();
   const std::string sides = options.has("sides") ? options.value("sides") : is_closed ? "front" : "both";
@@ -146,10 +144,22 @@ MeshRendering read_mesh(const Options& options, float stiffness, const Monitor& 
   rendering.materials = std::move(materials);
   if (rendering.has_corner_normals()) rendering.normals = mesh::corner_normals(rendering.checked, crease).normals;
   if (is_texture(shading_of(options)))
-    read_texture(options, loaded.texture, rendering);
+    read_texture(options, unchecked.loaded.texture, rendering);
   else if (has_scale)
     throw BadInput("--texture-scale is for --shading texture:FILE alone");
   return rendering;
+}
+
+MeshRendering read_mesh(const Options& options, float stiffness, const Monitor& monitor) {
+  if (!options.has("unit"))
+    throw BadInput("--unit is required beside --mesh: expected mm, m or in, for no mesh file says its unit");
+  const auto load = [&]() -> Unchecked {
+    mesh::LoadedMesh loaded = mesh::load_with_corners(options.value("mesh"), unit_named(options.value("unit")));
+    mesh::Materials materials = read_materials(options, loaded);
+    const auto words = [lines = std::move(loaded.lines)](const mesh::Findings& findings) { return findings.words(lines); };
+    return {std::move(loaded), std::move(materials), words};
+  };
+  return rendered(options, stiffness, load, monitor);
 }
 
 std::vector<std::pair<std::string, std::string>> written_mesh(const Options& options, bool with_folders) {

@@ -2,6 +2,7 @@
 #pragma once
 // A mesh from its file and the options that say how it is rendered.
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,22 @@ namespace forceshade::subjects {
 
 // name: of the option. Throws BadInput for a word that is none of mesh::kUnitNames.
 mesh::Unit unit_named(const std::string& word, const std::string& name = "--unit");
+
+// The rule of contact: the one that is named, or friction where a material has some. Throws BadInput where the options name
+// another rule beside friction, or let faces cross.
+mesh::Contact contact_beside(const mesh::Materials& materials, const Options& options);
+
+// A mesh with its materials, as it is before its check.
+struct Unchecked {
+  mesh::LoadedMesh loaded;
+  mesh::Materials materials;
+  std::function<std::string(const mesh::Findings&)> words;  // one line for each finding of the check
+};
+
+// What both sides can build of a mesh or scene: looks at the numbers of the options, calls `load`, and checks what it gives.
+// The monitor follows that check. Throws BadInput with the option, or the file and the faces, and what was expected;
+// Interrupted; and what `load` throws.
+MeshRendering rendered(const Options& options, float stiffness, const std::function<Unchecked()>& load, const Monitor& monitor);
 
 // What both sides can build. The monitor follows the check of the mesh. Throws BadInput or mesh::Error with the file, its line
 // or faces, and what was expected; and Interrupted.

@@ -13,8 +13,6 @@
 namespace forceshade::subjects {
 namespace {
 
-constexpr std::array<std::string_view, 3> kKinds{"law", "height-map", "mesh"};
-
 std::string option(std::string_view key) {
   return "--" + std::string(key);
 }
@@ -44,13 +42,22 @@ std::vector<std::string> texts(const std::array<std::string_view, N>& words) {
   return {words.begin(), words.end()};
 }
 
+// A law is not named where all of them are meant; a file always is.
 void expect_companions(const Options& options, const Key& key) {
   const std::string name = options.name(key.name);
-  if (key.of == "mesh" && !options.has("mesh")) throw BadInput(name + ": expected --mesh beside it, got it alone");
-  const std::string_view kind = key.of.empty() ? key.name : key.of;
-  if (std::ranges::find(kKinds, kind) == kKinds.end()) return;
-  for (const std::string_view other : kKinds)
-    if (other != kind && options.has(other)) throw BadInput(name + ": expected without " + option(other) + ", got both");
+  const bool is_kind = std::ranges::find(kKinds, key.name) != kKinds.end();
+  if (!is_kind && key.of[0].empty()) return;
+  std::vector<std::string_view> others;  // kinds that are given and that it cannot stand beside
+  std::string its;
+  for (const std::string_view kind : kKinds) {
+    if (key.is_of(kind)) its += (its.empty() ? "" : " or ") + option(kind);
+    if (kind != key.name && !key.is_of(kind) && options.has(kind)) others.push_back(kind);
+  }
+  const bool is_beside_its =
+      std::ranges::any_of(kKinds, [&](std::string_view kind) { return key.is_of(kind) && options.has(kind); });
+  if (!is_kind && !key.is_of("law") && !is_beside_its)
+    throw BadInput(name + ": expected " + its + " beside it, got " + (others.empty() ? "it alone" : option(others.front())));
+  if (!others.empty()) throw BadInput(name + ": expected without " + option(others.front()) + ", got both");
 }
 
 }  // namespace
@@ -99,6 +106,16 @@ std::string refusal_of(std::string_view key, const std::string& value, Laws laws
   return "";
 }
 
+std::string words_of_kinds(std::string_view conjunction, std::string_view before) {
+  std::string words;
+  for (std::size_t i = 0; i < kKinds.size(); ++i)
+    words += (i == 0                   ? ""
+              : i + 1 == kKinds.size() ? ' ' + std::string(conjunction) + ' '
+                                       : ", ") +
+             std::string(before) + std::string(kKinds[i]);
+  return words;
+}
+
 void expect_consistent(const Options& options, Laws laws) {
   for (const auto& [key, value, name] : options) {
     if (std::ranges::find(kKeys, key, &Key::name) == kKeys.end())
@@ -114,8 +131,7 @@ void expect_consistent(const Options& options, Laws laws) {
     if (options.has(key.name)) expect_companions(options, key);
   if (options.has("friction") && options.has("materials"))
     throw BadInput(options.name("friction") + ": expected without --materials, got both");
-  if (std::ranges::none_of(kKinds, [&](std::string_view kind) { return options.has(kind); }))
-    throw BadInput("expected one of the options --law, --height-map and --mesh, got none");
+  if (!options.has_kind()) throw BadInput("expected one of the options " + words_of_kinds("and") + ", got none");
 }
 
 }  // namespace forceshade::subjects

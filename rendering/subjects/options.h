@@ -3,6 +3,7 @@
 // The options that name what is rendered, in words: those of the command line, which are the keys of a subject file
 // (docs/subjects.md).
 
+#include <algorithm>
 #include <array>
 #include <initializer_list>
 #include <string>
@@ -20,26 +21,33 @@ struct Option {
   std::string name = {};   // what a message calls it: "bump.toml: line 3: radius"; "--radius" where it is empty
 };
 
+// What a subject can be: just one of these keys is given.
+inline constexpr std::array<std::string_view, 4> kKinds{"law", "height-map", "mesh", "scene"};
+
 struct Key {
-  std::string_view name, of;  // of: the key that it needs beside it; empty for one that needs none
-  bool is_flag = false;       // it is true or false, and on a command line has no value
+  std::string_view name;
+  std::array<std::string_view, 2> of = {};  // the kinds that it can stand beside; none: all of them
+  bool is_flag = false;                     // it is true or false, and on a command line has no value
+
+  bool is_of(std::string_view kind) const { return !kind.empty() && (of[0] == kind || of[1] == kind); }
 };
 // In the order in which an option of each is looked at.
-inline constexpr std::array<Key, 15> kKeys{{{"law", ""},
-                                            {"radius", "law"},
-                                            {"width", "law"},
-                                            {"stiffness", ""},
-                                            {"height-map", ""},
-                                            {"mesh", ""},
-                                            {"unit", "mesh"},
-                                            {"sides", "mesh"},
-                                            {"shading", "mesh"},
-                                            {"contact", "mesh"},
-                                            {"friction", "mesh"},
-                                            {"materials", "mesh"},
-                                            {"texture-scale", "mesh"},
-                                            {"self-intersecting", "mesh", true},
-                                            {"crease", "mesh"}}};
+inline constexpr std::array<Key, 16> kKeys{{{"law"},
+                                            {"radius", {"law"}},
+                                            {"width", {"law"}},
+                                            {"stiffness"},
+                                            {"height-map"},
+                                            {"mesh"},
+                                            {"scene"},
+                                            {"unit", {"mesh"}},
+                                            {"sides", {"mesh", "scene"}},
+                                            {"shading", {"mesh", "scene"}},
+                                            {"contact", {"mesh", "scene"}},
+                                            {"friction", {"mesh"}},
+                                            {"materials", {"mesh"}},
+                                            {"texture-scale", {"mesh"}},
+                                            {"self-intersecting", {"mesh", "scene"}, true},
+                                            {"crease", {"mesh", "scene"}}}};
 
 // Whether it is the key of a flag; false for a word that is no key.
 bool is_flag(std::string_view key);
@@ -57,6 +65,9 @@ class Options {
   // None where it was not given.
   const Option* find(std::string_view key) const;
   bool has(std::string_view key) const { return find(key) != nullptr; }
+  bool has_kind() const {
+    return std::ranges::any_of(kKinds, [&](std::string_view kind) { return has(kind); });
+  }
   // Empty where it was not given.
   std::string value(std::string_view key) const;
   bool is_true(std::string_view key) const { return value(key) == "true"; }
@@ -80,8 +91,11 @@ std::vector<std::string> shading_words();
 // it can, and for an option that has a number or a file.
 std::string refusal_of(std::string_view key, const std::string& value, Laws laws = Laws::several);
 
-// Throws BadInput: an unknown key, a value that is refused, an option that is given twice or lacks another, or none of law,
-// height-map and mesh, or several.
+// "--law, --height-map, --mesh and --scene", or with "or".
+std::string words_of_kinds(std::string_view conjunction, std::string_view before = "--");
+
+// Throws BadInput: an unknown key, a value that is refused, an option that is given twice or lacks another, or none of kKinds,
+// or several.
 void expect_consistent(const Options& options, Laws laws);
 
 }  // namespace forceshade::subjects

@@ -10,6 +10,7 @@
 #include "forceshade/subjects.h"
 #include "rendering/subjects/height_map.h"
 #include "rendering/subjects/mesh.h"
+#include "rendering/subjects/scene.h"
 #include "rendering/subjects/words.h"
 
 namespace forceshade::subjects {
@@ -37,10 +38,11 @@ std::vector<LawId> ids_of(const std::string& names) {
 
 std::vector<Description> read(const Options& options, Laws laws, const Monitor& monitor) {
   expect_consistent(options, laws);
-  const std::string mesh = options.value("mesh"), map = options.value("height-map");
+  const std::string mesh = options.value("mesh"), scene = options.value("scene"), map = options.value("height-map");
   const float stiffness = stiffness_of(options);
   const auto name_of_file = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
   if (!mesh.empty()) return {{name_of_file(mesh), read_mesh(options, stiffness, monitor)}};
+  if (!scene.empty()) return {{name_of_file(scene), read_scene(options, stiffness, monitor)}};
   if (!map.empty()) {
     heights::Spec spec = read_height_map(options, stiffness);
     return {{name_of_file(map), DescribedHeightMap{std::move(spec.map), spec.mode, stiffness}}};

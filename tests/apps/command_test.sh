@@ -87,7 +87,7 @@ felt() { printf 'x_mm,y_mm,z_mm\n0,0,2\n1,0,-0.5\n' | "$forceshade" force --stif
 same "$(felt hill.toml)" "$(felt hill.toml --path reference)"
 same "0,0,2,0,0,1,contact" "$(felt hill.toml | sed -n 2p)"
 expect 2 "--law: expected without --height-map, got both" -- "$forceshade" force --stiffness 1 --height-map hill.toml --law wall
-expect 2 "--law, --height-map or --mesh" -- "$forceshade" force --stiffness 1
+expect 2 "--law, --height-map, --mesh or --scene" -- "$forceshade" force --stiffness 1
 sed 's/sigma_mm = 5/sigma_mm = 0/' hill.toml > flat.toml
 expect 2 "flat.toml: " -- "$forceshade" force --stiffness 1 --height-map flat.toml --input in.csv
 sed 's/sigma_mm/sigma/' hill.toml > misspelt.toml

@@ -74,7 +74,7 @@ expect 2 "bad.csv:2: column 3 (z_mm): expected a number" -- "$forceshade" plot $
 
 # What is missing, wrong, or no mesh.
 expect 2 "--unit is required beside --mesh: expected mm, m or in" -- "$forceshade" force --mesh cube.off --input path.csv
-expect 2 "expected --law, --height-map or --mesh, got none" -- "$forceshade" force --input path.csv
+expect 2 "expected --law, --height-map, --mesh or --scene, got none" -- "$forceshade" force --input path.csv
 expect 2 "--sides: expected one of front, both" -- "$forceshade" force $mesh --sides back --input path.csv
 expect 2 "--shading: expected one of vertex, edge, none" -- "$forceshade" force $mesh --shading smooth --input path.csv
 expect 2 "--crease" -- "$forceshade" force $mesh --crease 200 --input path.csv

@@ -69,7 +69,7 @@ TEST(subject_file, is_refused_with_its_line_and_what_was_expected) {
     const std::string refused = refusal_of(text);
     EXPECT_NE(refused.find(words), std::string::npos) << "got: " << refused << "\nexpected: " << words;
   };
-  expect("", "its.toml: has none of the keys law, height-map and mesh");
+  expect("", "its.toml: has none of the keys law, height-map, mesh and scene");
   expect("law = \"bump-2p\"\nradus = 3\n", "its.toml: line 2: unknown key radus");
   expect("law = \"bmp-2p\"\n", "its.toml: line 1: law: expected");
   expect("law = \"bump-2p\"\nradius = true\n",
