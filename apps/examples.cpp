@@ -52,6 +52,7 @@ constexpr std::array kExamples{
     Example{"device check", "forceshade device check phantom", "calibration and rate of the default PHANToM, without force"},
     Example{"device try", "forceshade device try phantom", "its first force, at most 0.5 N, guided"},
     Example{"mesh check", "forceshade mesh check sphere.off --unit mm", "whether a mesh can be rendered, and if not, why"},
+    Example{"mesh check", "forceshade mesh check examples/scenes/table.toml", "the same of a scene of several meshes"},
     Example{"mesh info", "forceshade mesh info sphere.off --unit mm", "its size, edges and shells"},
     Example{"mesh repair", "forceshade mesh repair scan.stl --unit mm --out mended.off", "a mesh that can be rendered"},
     Example{"mesh make", "forceshade mesh make icosphere --radius 50mm --out sphere.off", "a sphere of triangles"},

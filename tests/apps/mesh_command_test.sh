@@ -77,7 +77,7 @@ printf 'v 0 0\0 0\n' > zero.obj
 expect 2 'zero.obj: line 1: expected a coordinate, got "0\x00"' -- mesh check zero.obj --unit mm
 expect 2 "missing.off: is not there" -- mesh check missing.off --unit mm
 expect 2 "folder.off: is no regular file" -- mesh check folder.off --unit mm
-expect 2 "expected a name that ends in .obj, .off, .ply or .stl" -- mesh check "$examples/gaussian.toml" --unit mm
+expect 2 "expected a name that ends in .obj, .off, .ply or .stl" -- mesh check "$examples/leather.png" --unit mm
 
 # repair: what was done, then whether it is a mesh.
 printf 'OFF\n8 6 0\n0 0 0\n4 0 0\n2 3 0\n2 -3 0\n4 0 0\n9 9 9\n1 0 0\n0 1e-20 0\n3 0 1 2\n3 7 4 3\n3 0 1 1\n3 0 6 4\n3 2 1 0\n3 7 3 1\n' > broken.off

@@ -1,0 +1,92 @@
+#!/usr/bin/env bash
+# scene_test.sh FORCESHADE: a scene of fixed objects as its users check, certify, drive, record and compare it.
+. "$(dirname "$0")/expect.sh"
+cp -r "$examples/scenes" scenes
+table="--scene scenes/table.toml"
+
+# What is in it, before it is rendered.
+expect 0 "held: a scene of 42 faces" -- "$forceshade" mesh check scenes/table.toml
+expect 0 "objects: board (2 faces), box (12 faces), knob (28 faces)" -- "$forceshade" mesh check scenes/table.toml
+expect 0 "groups: knob/side (16 faces), knob/top (6 faces), knob/bottom (6 faces)" -- "$forceshade" mesh check scenes/table.toml
+expect 0 "objects          board (2 faces), box (12 faces), knob (28 faces)" -- "$forceshade" mesh info scenes/table.toml
+expect 0 "groups           knob/side (16 faces)" -- "$forceshade" mesh info scenes/table.toml
+expect 0 "box              -64, -64, 0 to 64, 64, 20.1 mm" -- "$forceshade" mesh info scenes/table.toml
+expect 0 '"board": 2' -- "$forceshade" mesh check scenes/table.toml --json
+expect 0 "object knob: 2 faces with more than 3 corners" -- bash -c "'$forceshade' mesh check scenes/table.toml | sed s/10/2/"
+expect 0 "groups: side (16 faces), top (6 faces), bottom (6 faces)" -- "$forceshade" mesh check scenes/knob.obj --unit mm
+expect 0 '"side": 16' -- "$forceshade" mesh check scenes/knob.obj --unit mm --json
+expect 2 "--unit: expected none beside a scene" -- "$forceshade" mesh check scenes/table.toml --unit mm
+expect 2 "--unit" -- "$forceshade" mesh check scenes/knob.obj
+expect 2 "expected a mesh to repair, got a scene" -- "$forceshade" mesh repair scenes/table.toml --out repaired.off
+[ ! -e repaired.off ] || { echo "FAILED: a file is left behind"; exit 1; }
+
+# One unmoved object is its mesh.
+printf 'x_mm,y_mm,z_mm\n0,0,20\n0,0,14\n1,0,14\n3,2,14\n12,2,14\n12,2,20\n' > path.csv
+printf '[[object]]\nname = "a"\nmesh = "scenes/knob.obj"\nunit = "mm"\nmaterials = "scenes/knob.toml"\n' > one.toml
+knob="--mesh scenes/knob.obj --unit mm --materials scenes/knob.toml"
+same "$("$forceshade" force $knob --input path.csv)" "$("$forceshade" force --scene one.toml --input path.csv)"
+same "$("$forceshade" force $knob --shading edge --path reference --input path.csv)" \
+  "$("$forceshade" force --scene one.toml --shading edge --input path.csv)"
+
+# The box is turned by the angle of 3:4:5, so that the point 10 mm along its x is at (-20 + 6, 8). It is smooth and of 0.8 N/mm.
+# The board sticks and then slips.
+printf 'x_mm,y_mm,z_mm\n-11,12,10\n-16,5.3333333,10\n' > side.csv
+side=$("$forceshade" force $table --input side.csv | tail -n 1)
+case $side in -16,5.3333335,10,1.[56]*,2.133*,0,contact) ;; *) echo "FAILED: the side of the box: $side"; exit 1 ;; esac
+printf 'x_mm,y_mm,z_mm\n0,-20,5\n0,-20,-1\n0.25,-20,-1\n' > stroke.csv
+same "0.25,-20,-1,-0.125,0,0.5,contact" "$("$forceshade" force $table --input stroke.csv | tail -n 1)"
+
+# Every command takes it, named or in a subject file.
+printf 'scene = "scenes/table.toml"\nstiffness = 0.25\n' > subject.toml
+same "$("$forceshade" force $table --stiffness 0.25 --input stroke.csv)" "$("$forceshade" force --subject subject.toml --input stroke.csv)"
+expect 0 "table.toml      states        held    50 cases" -- "$forceshade" properties $table --cases 50
+expect 0 "drawn/table-mesh.svg" -- "$forceshade" plot $table --input stroke.csv --azimuth 30 --out drawn
+expect 2 "--azimuth: expected --mesh or --scene beside it" -- "$forceshade" plot --law wall --azimuth 3 --out other
+expect 0 "" -- "$forceshade" positions $table --points 60 --out points.csv
+expect 0 "" -- "$forceshade" force $table --input points.csv --out given.csv
+expect 0 "held: " -- "$forceshade" compare $table --forces given.csv
+expect 1 "correctly rounded" -- "$forceshade" compare $table --stiffness 0.3 --forces given.csv
+expect 0 "certified: 250000 points" -- "$forceshade" certify $table --points 200000 --cases 2000 --out certificate
+certificate="--certificate certificate/certificate.json --device simulated --free-run"
+expect 0 "" -- "$forceshade" drive $table $certificate --seconds 0.2 --record run.fsr
+expect 1 "refused to drive" -- "$forceshade" drive $table --shading vertex $certificate --seconds 0.1
+expect 1 "refused to drive" -- "$forceshade" drive $table --stiffness 0.25 $certificate --seconds 0.1
+expect 0 "" -- "$forceshade" recording verify run.fsr
+expect 0 "" -- "$forceshade" recording recompute run.fsr $table
+sed 's/\[0.4, 0.3\]/[0.4, 0.2]/' scenes/table.toml > scenes/other.toml
+expect 2 "run.fsr: digest is " -- "$forceshade" recording recompute run.fsr --scene scenes/other.toml
+# What a certificate quotes is the scene, beside which its text means the same.
+python3 -c 'import json, sys; sys.stdout.write(json.load(open(sys.argv[1]))["subjects"][0]["subject_file"])' \
+  certificate/certificate.json > scenes/quoted.toml
+same 'scene = "table.toml"
+stiffness = "0.5N/mm"' "$(cat scenes/quoted.toml)"
+expect 0 "" -- "$forceshade" drive --subject scenes/quoted.toml $certificate --seconds 0.1
+# A renderer of another program gets the ground as a mesh.
+if python3 -c "import numpy" 2> /dev/null; then
+  sed '/^friction/d; /^stiffness/d; /^materials/d' scenes/table.toml > scenes/smooth.toml
+  expect 1 "held: a flat plate feels flat however it is triangulated" -- "$forceshade" conform --scene scenes/smooth.toml --points 300 \
+    --command "python3 $examples/renderers/god_object_epsilon.py"
+fi
+
+# What is wrong.
+sed 's/"0.1mm"/-1/' scenes/table.toml > scenes/crossing.toml
+for command in "mesh check scenes/crossing.toml" "force --scene scenes/crossing.toml"; do
+  code=2; [ "${command%% *}" = force ] || code=1
+  expect $code "object board, face 1 (line 8), and object knob, face 0 (line 19), meet, but have no vertex in common" -- "$forceshade" $command
+done
+expect 2 "--self-intersecting: expected without friction" -- "$forceshade" force --scene scenes/crossing.toml --self-intersecting
+expect 2 "--self-intersecting: expected without friction" -- "$forceshade" mesh check scenes/crossing.toml --self-intersecting
+sed -i '/^friction/d; /^materials/d' scenes/crossing.toml
+expect 0 "held: a scene of 42 faces; whether faces without a common vertex cross was not checked" -- \
+  "$forceshade" mesh check scenes/crossing.toml --self-intersecting
+expect 0 "contact" -- "$forceshade" force --scene scenes/crossing.toml --self-intersecting --input stroke.csv
+expect 2 "scenes/table.toml: line 2: shading: expected once, got several times" -- "$forceshade" force $table --shading edge --shading none
+expect 2 "--scene" -- "$forceshade" force $table --mesh scenes/knob.obj --unit mm
+expect 2 "--scene" -- "$forceshade" force $table --law wall
+expect 2 "--friction" -- "$forceshade" force $table --friction 0.3
+expect 2 "--sides: expected --mesh or --scene beside it, got --law" -- "$forceshade" force --law wall --sides both
+expect 2 "absent.toml: cannot be opened" -- "$forceshade" force --scene absent.toml
+printf 'sides = "both"\nscene = "scenes/table.toml"\n\nfriction = 0.3\n' > wrong.toml
+expect 2 "wrong.toml: line 4: friction" -- "$forceshade" force --subject wrong.toml
+
+echo "$checks checks"
