@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "device/haply/open_haply.h"
+#include "device/haply/haply.h"
 #include "device/null.h"
 #include "device/phantom/phantom.h"
 #include "device/simulated/simulated.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // In place of the Inverse3 where the build has neither Boost nor a JSON library (FORCESHADE_FAST_ONLY).
-#include "device/haply/open_haply.h"
+#include "device/haply/haply.h"
 
 namespace forceshade::device {
 namespace {

@@ -15,7 +15,7 @@ skip_without_websockets()
 checks = Checks()
 program, forceshade, mode = sys.argv[1:4]
 # What it says on a machine that is too busy for a run, after which a run is tried again.
-BUSY = ("too irregular", "has not answered for", "no frame of the Inverse3 came in time", "stopped the run: watchdog", "no answer in time")
+BUSY = ("too irregular", "has not answered for", "no frame of the device came in time", "stopped the run: watchdog", "no answer in time")
 
 
 class Run:

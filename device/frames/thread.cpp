@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "device/frames/thread.h"
+
+#include <pthread.h>
+#include <time.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+
+#include "device/monotonic.h"
+#include "device/real_time.h"
+
+namespace forceshade::device {
+
+FrameThread::FrameThread(FrameLink& link, const FramedOptions& options, double rate, LastingWords& trouble)
+    : link_(link),
+      options_(options),
+      rate_(rate),
+      trouble_(trouble),
+      times_(rate, std::max(1, static_cast<int>(rate / 2))),
+      thread_([this] { run(); }) {}
+
+void FrameThread::end() noexcept {
+  ending_ = true;
+  if (thread_.joinable()) thread_.join();
+}
+
+void FrameThread::run() noexcept {
+  sigset_t all;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, nullptr);  // they are for the thread that waits for frames
+  const RealTime real_time(processor_before_last(), RealTime::kFramesPriority);
+  const std::int64_t period = std::llround(1e9 / rate_);
+  std::int64_t due = monotonic_now();
+  while (!ending_ && !sample_.troubled) {
+    try {
+      frame();
+    } catch (const std::exception& error) {
+      note(error.what());
+    }
+    samples.publish(sample_);
+    due += period;
+    const std::int64_t now = monotonic_now();
+    if (now > due + period) ++count_.late;
+    due = std::max(due, now);  // what was missed is not made up for
+    const timespec until{.tv_sec = due / kSecond, .tv_nsec = due % kSecond};
+    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR) {
+    }
+  }
+  link_.close();
+}
+
+void FrameThread::frame() {
+  const ForceOrder& order = orders.latest();
+  const std::chrono::nanoseconds timeout = options_.watchdog_timeout;
+  const std::int64_t begin = monotonic_now(), age = begin - order.time;
+  if (!order.force.isZero(0) && age > timeout.count())
+    return note("the servo loop has stood still: no force was sent from then on");
+  const bool obeys = sample_.ready && sample_.state.forces_on && sample_.state.calibrated && !ending_;
+  sent_.allow(order.allowance);
+  Eigen::Vector3d force{0, 0, 0};
+  if (obeys) force = sent_.send_ahead(order.force * share_of_force(age, timeout));
+  const FrameState state = link_.exchange(force);
+  sample_.time = monotonic_now();
+  count_.longest_trip = std::max(count_.longest_trip, static_cast<double>(sample_.time - begin) / 1e6);
+  ++count_.frames;
+  take(state, force);
+}
+
+void FrameThread::take(const FrameState& state, const Eigen::Vector3d& force) {
+  const auto window = times_.add(sample_.time);
+  if (window) sample_.times = window;
+  sample_.state = state;
+  sent_.arrived(state.position);
+  sent_.acts(force);
+  sample_.sent = sent_.report();
+  if (state.applied) {
+    count_.says_force = true;
+    const double difference =
+        std::min((*state.applied - force).norm(), (*state.applied - sample_.sent.acted.cast<double>()).norm());
+    count_.largest_difference = std::max(count_.largest_difference, difference);
+  }
+  if (!state.calibrated) times_.restart();
+  if (!sample_.ready && window && is_good()) sample_.ready = true;
+}
+
+bool FrameThread::is_good() const noexcept {
+  const FrameTimes::Window& seen = *sample_.times;
+  return sample_.state.calibrated && std::fabs(seen.rate - rate_) <= options_.rate_tolerance * rate_ &&
+         seen.longest_gap <= std::chrono::duration<double>(options_.watchdog_timeout).count() / 2;
+}
+
+void FrameThread::note(const std::string& words) noexcept {
+  std::snprintf(trouble_.data(), trouble_.size(), "%s", words.c_str());
+  sample_.troubled = true;
+}
+
+}  // namespace forceshade::device

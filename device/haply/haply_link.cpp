@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "device/haply/haply_link.h"
+
+#include <algorithm>
+
+namespace forceshade::device::haply {
+namespace {
+
+constexpr std::chrono::milliseconds kToEnd{100};  // for the service to take the zero, and to end the session
+
+// The origin of the device is the middle of its workspace, which two clients agree on; the service does not say it.
+const Eigen::Vector3d kMiddle{0, -150, 200};  // mm, in the service's frame
+
+}  // namespace
+
+FrameState Link::exchange(const Eigen::Vector3d& force) {
+  const Answer answer = socket_->ask(may_force_ ? messages_.with_force(force) : messages_.without_force(), answer_);
+  if (answer.kind == Answer::Kind::late)
+    throw Unexpected("the Inverse Service has not answered for " + std::to_string(answer_.count()) +
+                     " ms; if the device still pushes, switch it off");
+  is_closed_ = answer.kind == Answer::Kind::closed;
+  if (is_closed_)
+    throw Unexpected("the Inverse Service has closed the connection (" + socket_->why() +
+                     "); if the device still pushes, switch it off");
+  const Message message = message_of(answer.text);
+  const auto arm = std::find_if(message.arms.begin(), message.arms.end(), [&](const Inverse3& a) { return a.id == id_; });
+  if (arm == message.arms.end()) throw Unexpected("the Inverse3 is no longer connected: check its cable and its power");
+  if (!arm->position) throw Unexpected("the Inverse Service sent a state without a position of the Inverse3");
+  return {.position = *arm->position - kMiddle,
+          .buttons = message.buttons,
+          .calibrated = arm->calibrated,
+          .forces_on = may_force_ && arm->powered && arm->ready,
+          .applied = arm->force};
+}
+
+void Link::close() noexcept {
+  try {
+    if (may_force_ && !is_closed_) socket_->ask(messages_.with_force(Eigen::Vector3d::Zero()), kToEnd);
+  } catch (const std::exception&) {
+  }
+  socket_->close(kToEnd);
+}
+
+std::string Link::remark() const {
+  return socket_->unasked() > 0 ? std::to_string(socket_->unasked()) + " messages came unasked" : "";
+}
+
+}  // namespace forceshade::device::haply
