@@ -35,8 +35,8 @@ struct ConformCommand {
   conformance::ConformOptions options = {};
   double answer_seconds = 10;
 
-  conformance::ProcessLimits limits() const {
-    conformance::ProcessLimits limits;
+  files::ProcessLimits limits() const {
+    files::ProcessLimits limits;
     limits.answer = std::chrono::milliseconds(static_cast<int>(1000 * answer_seconds));
     return limits;
   }

@@ -71,4 +71,8 @@ bool is_printable(std::string_view text, bool may_have_lines) {
   return is_printable(text);
 }
 
+std::string shown(std::string_view text, std::size_t length) {
+  return '"' + printable(std::string(text.substr(0, length))) + (text.size() > length ? "...\"" : "\"");
+}
+
 }  // namespace forceshade::files

@@ -19,4 +19,7 @@ std::string printable(std::string_view text);
 // Whether a terminal may show it as it is: what printable() does not change, but for line feeds where there may be some.
 bool is_printable(std::string_view text, bool may_have_lines = false);
 
+// What somebody else wrote, for a message: the beginning, printable and in quotes.
+std::string shown(std::string_view text, std::size_t length = 80);
+
 }  // namespace forceshade::files

@@ -12,14 +12,10 @@ namespace forceshade::device::haply {
 namespace {
 
 using Json = nlohmann::json;
+using files::shown;
 
 constexpr double kMillimetre = 1e-3;       // m
 constexpr double kReach = 2, kMost = 1e3;  // m, N: beyond these a number has another unit, or is nonsense
-constexpr std::size_t kShown = 80;
-
-std::string shown(std::string_view text) {
-  return '"' + files::printable(std::string(text.substr(0, kShown))) + (text.size() > kShown ? "...\"" : "\"");
-}
 
 Json parsed(std::string_view text) {
   Json json = Json::parse(text, nullptr, false);

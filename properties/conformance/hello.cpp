@@ -5,14 +5,18 @@
 #include <cmath>
 #include <utility>
 
+#include "files/json_line.h"
 #include "forceshade/mesh.h"
 
 namespace forceshade::conformance {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using files::KeyReader;
+using files::one_of;
+using files::shown_json;
 
-std::array<Axis, 3> frame_in(const HelloReader& its) {
+std::array<Axis, 3> frame_in(const KeyReader& its) {
   static const std::string kExpected =
       "a list like [\"x\", \"z\", \"-y\"]: the direction in the scene of each of its own axes, x, y and z once each";
   const Json& value = its.value("frame", kExpected);
@@ -32,7 +36,7 @@ std::array<Axis, 3> frame_in(const HelloReader& its) {
 }
 
 // The value of the key, a list of words.
-const Json& list_in(const HelloReader& its, const std::string& key, const std::string& expected) {
+const Json& list_in(const KeyReader& its, const std::string& key, const std::string& expected) {
   const Json& value = its.value(key, expected);
   if (!value.is_array() || !std::ranges::all_of(value, [](const Json& one) { return one.is_string(); }))
     its.refuse(key, value, expected);
@@ -56,7 +60,7 @@ Json words_of_materials(const Json& scene) {
 }
 
 // The key may be absent, as it was before there were materials: then it renders none.
-std::optional<std::string> refusal_of_materials(const HelloReader& its, const Json& said, const Json& scene) {
+std::optional<std::string> refusal_of_materials(const KeyReader& its, const Json& said, const Json& scene) {
   const Json none = Json::array();
   const Json& declared =
       said.contains("materials")
@@ -68,7 +72,7 @@ std::optional<std::string> refusal_of_materials(const HelloReader& its, const Js
 }
 
 // Whether what a scene with a mesh has is among what it declares.
-std::optional<std::string> refusal_of_mesh(const HelloReader& its, const Json& scene) {
+std::optional<std::string> refusal_of_mesh(const KeyReader& its, const Json& scene) {
   const Json& parameters = scene.at("parameters");
   for (const auto& [key, names] :
        {std::pair("sides", std::vector<std::string>(mesh::kSidesNames.begin(), mesh::kSidesNames.end())),
@@ -89,7 +93,7 @@ bool Hello::has_own_units() const {
 }
 
 Hello hello_of(const Json& said, const Json& scene) {
-  const HelloReader its(said, "renderer");
+  const KeyReader its(said, "the renderer's hello");
   Hello hello;
   its.word("kind", {"renderer"});
   hello.name = its.text("name");

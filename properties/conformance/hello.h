@@ -9,12 +9,15 @@
 #include <string>
 #include <vector>
 
-#include "properties/conformance/hello_reader.h"
+#include "files/child_process.h"
 
 namespace forceshade::conformance {
 
 // closest_point: the point to which the force pulls, the position itself where there is no contact.
 enum class Answer { force, impulse, closest_point };
+
+// A renderer or simulator did not answer as it has to. What was requested is part of the words where one position is to blame.
+using RendererFailed = files::ProcessFailed;
 
 // An axis of the scene, or its opposite.
 struct Axis {

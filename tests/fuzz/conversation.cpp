@@ -52,7 +52,7 @@ const Json kLaw{{"kind", "law"}};
 const Json kMesh{{"kind", "mesh"}, {"parameters", {{"sides", "front"}, {"shading", "none"}}}};
 
 void read_as_renderer(const std::string& hello, const std::vector<std::string>& lines, const Json& scene) {
-  const conformance::Hello its = conformance::hello_of(conformance::object_in(hello, "renderer"), scene);
+  const conformance::Hello its = conformance::hello_of(files::object_in(hello, "renderer"), scene);
   if (its.refusal) return require_message(*its.refusal);
   fuzz::require(its.domain >= 1 && its.domain <= 10'000, "a domain is within its bounds");
   fuzz::require(its.answer != conformance::Answer::impulse || its.rate, "an impulse has a rate");
@@ -68,13 +68,13 @@ void read_as_renderer(const std::string& hello, const std::vector<std::string>& 
 
 void read_as_simulator(const std::string& hello, const std::vector<std::string>& lines) {
   namespace simulators = conformance::simulators;
-  const auto its = simulators::capabilities_of(conformance::object_in(hello, "simulator"));
+  const auto its = simulators::capabilities_of(files::object_in(hello, "simulator"));
   if (its.refusal) return require_message(*its.refusal);
   fuzz::require(its.smallest_radius >= 0 && its.speed_cap.value_or(0) >= 0, "a size is not negative");
   for (const std::string& line : lines)
     read_or_fail([&] {
       const simulators::Simulation scene = simulators::resting_on({}).scene;
-      const auto motion = simulators::motion_in(conformance::object_in(line, "simulator"), its.reports, scene, 1);
+      const auto motion = simulators::motion_in(files::object_in(line, "simulator"), its.reports, scene, 1);
       if (motion.refusal) return require_message(*motion.refusal);
       fuzz::require(motion.states.size() == 1, "each force has a state");
       fuzz::require(motion.states[0].contacts.empty() || its.reports != simulators::SimulatorCapabilities::Reports::nothing,

@@ -4,8 +4,8 @@
 #include <string>
 #include <system_error>
 
-#include "properties/conformance/doors/answer.h"
-#include "properties/conformance/hello_reader.h"
+#include "files/json_line.h"
+#include "files/printable.h"
 
 namespace forceshade::conformance {
 namespace {
@@ -15,38 +15,31 @@ constexpr const char* kProtocol = "conform 1";
 
 }  // namespace
 
-Dialogue::Dialogue(const std::string& command, const ProcessLimits& limits, const char* whose) try
+Dialogue::Dialogue(const std::string& command, const files::ProcessLimits& limits, const char* whose) try
     : whose_(whose), process_(command, limits, whose) {
 } catch (const std::system_error& error) {
-  throw RendererFailed(std::string("the ") + whose + "'s process could not be made: " + error.what());
+  throw files::ProcessFailed(std::string("the ") + whose + "'s process could not be made: " + error.what());
 }
 
 Json Dialogue::open(const Json& scene) {
   Json said = ask(Json{{"forceshade", kProtocol}, {"scene", scene}}.dump());
-  const HelloReader hello(said, whose_);
+  const files::KeyReader hello(said, std::string("the ") + whose_ + "'s hello");
   if (const std::string protocol = hello.text("forceshade"); protocol != kProtocol)
-    throw RendererFailed(std::string("the ") + whose_ + " speaks " + shown(protocol) + "; expected \"" + kProtocol + '"');
+    throw files::ProcessFailed(std::string("the ") + whose_ + " speaks " + files::shown(protocol) + "; expected \"" +
+                               kProtocol + '"');
   return said;
 }
 
 Json Dialogue::ask(const std::string& line) {
-  return object_in(say(line), whose_);
+  return files::object_in(say(line), whose_);
 }
 
 std::string Dialogue::say(const std::string& line) {
-  try {
-    return process_.ask(line);
-  } catch (const ProcessFailed& failure) {
-    throw RendererFailed(failure.what());
-  }
+  return process_.ask(line);
 }
 
 void Dialogue::say_goodbye() {
-  try {
-    process_.say_goodbye(R"({"goodbye":true})");
-  } catch (const ProcessFailed& failure) {
-    throw RendererFailed(failure.what());
-  }
+  process_.say_goodbye(R"({"goodbye":true})");
 }
 
 }  // namespace forceshade::conformance

@@ -5,15 +5,15 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "properties/conformance/doors/child_process.h"
+#include "files/child_process.h"
 
 namespace forceshade::conformance {
 
-// All of it throws RendererFailed; then no further call is of use.
+// All of it throws files::ProcessFailed; then no further call is of use.
 class Dialogue {
  public:
   // whose: "renderer", for messages; it has to outlive this.
-  Dialogue(const std::string& command, const ProcessLimits& limits, const char* whose);
+  Dialogue(const std::string& command, const files::ProcessLimits& limits, const char* whose);
 
   // The hello on this scene, in this version of the protocol.
   nlohmann::ordered_json open(const nlohmann::ordered_json& scene);
@@ -24,7 +24,7 @@ class Dialogue {
 
  private:
   const char* whose_;
-  ChildProcess process_;
+  files::ChildProcess process_;
 };
 
 }  // namespace forceshade::conformance

@@ -10,11 +10,11 @@
 
 namespace forceshade::conformance {
 
-OpenRenderer object_door(const std::string& file, const ProcessLimits& limits) {
+OpenRenderer object_door(const std::string& file, const files::ProcessLimits& limits) {
   // This very program, also where its file was replaced since. A name without a slash would be looked for among the system's
   // libraries.
   const std::string program = "/proc/" + std::to_string(::getpid()) + "/exe";
-  ProcessLimits its = limits;
+  files::ProcessLimits its = limits;
   its.ended_well = kObjectEndedWell;
   return process_door("exec " + program + ' ' + kRenderObject + ' ' + files::quoted_for_shell(std::filesystem::absolute(file)),
                       its, std::string(kAllocations));

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "properties/conformance/doors/child_process.h"
+#include "files/child_process.h"
 #include "properties/conformance/renderer_under_test.h"
 
 namespace forceshade::conformance {
@@ -21,6 +21,6 @@ inline constexpr std::string_view kAllocations = R"({"allocations":true})";
 inline constexpr int kObjectEndedWell = 83;
 
 // For the program that runs render_object().
-OpenRenderer object_door(const std::string& file, const ProcessLimits& limits = {});
+OpenRenderer object_door(const std::string& file, const files::ProcessLimits& limits = {});
 
 }  // namespace forceshade::conformance

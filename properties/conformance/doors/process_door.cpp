@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "files/json_line.h"
 #include "properties/conformance/doors/answer.h"
 #include "properties/conformance/doors/dialogue.h"
 #include "properties/conformance/doors/lines.h"
@@ -17,7 +18,7 @@ constexpr const char* kWhose = "renderer";
 
 class ProcessRenderer final : public RendererUnderTest {
  public:
-  ProcessRenderer(const std::string& command, const Json& scene, const ProcessLimits& limits,
+  ProcessRenderer(const std::string& command, const Json& scene, const files::ProcessLimits& limits,
                   const std::string& allocations_line)
       : allocations_line_(allocations_line),
         dialogue_(command, limits, kWhose),
@@ -36,7 +37,7 @@ class ProcessRenderer final : public RendererUnderTest {
     const auto number = [&](const char* key) {
       const auto found = said.find(key);
       if (found == said.end() || !found->is_number_unsigned())
-        throw RendererFailed("the renderer said " + shown_json(said) + " of its allocations; expected numbers of them");
+        throw RendererFailed("the renderer said " + files::shown_json(said) + " of its allocations; expected numbers of them");
       return found->get<double>();
     };
     return Allocations{number("calls"), number("bytes")};
@@ -55,19 +56,19 @@ class ProcessRenderer final : public RendererUnderTest {
 // What numbers_in() does not read may have any form that JSON allows, or is wrong.
 std::vector<Eigen::Vector3f> answers_in(const std::string& said, std::size_t count) {
   if (auto answers = numbers_in(said, kAnswers); answers && answers->size() == count) return *std::move(answers);
-  const Json object = object_in(said, kWhose);
+  const Json object = files::object_in(said, kWhose);
   std::vector<Eigen::Vector3f> answers;
   for (const Json& one : list_in(object, "answers", count, "positions", kWhose)) {
     const auto answer = one.is_string() ? numbers_of(one.get_ref<const std::string&>()) : std::nullopt;
     if (!answer)
-      throw RendererFailed("the renderer's answer " + std::to_string(answers.size()) + " is " + shown_json(one) +
+      throw RendererFailed("the renderer's answer " + std::to_string(answers.size()) + " is " + files::shown_json(one) +
                            "; expected a text of 24 hexadecimal digits, those of three binary32 numbers");
     answers.push_back(*answer);
   }
   return answers;
 }
 
-OpenRenderer process_door(const std::string& command, const ProcessLimits& limits, const std::string& allocations_line) {
+OpenRenderer process_door(const std::string& command, const files::ProcessLimits& limits, const std::string& allocations_line) {
   return [=](const Json& scene) { return std::make_unique<ProcessRenderer>(command, scene, limits, allocations_line); };
 }
 

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "properties/conformance/doors/child_process.h"
+#include "files/child_process.h"
 #include "properties/conformance/renderer_under_test.h"
 
 namespace forceshade::conformance {
 
 // command: a line for /bin/sh. allocations_line: what it is told to say what it allocated (object_door.h); empty where it does
 // not count that.
-OpenRenderer process_door(const std::string& command, const ProcessLimits& limits = {},
+OpenRenderer process_door(const std::string& command, const files::ProcessLimits& limits = {},
                           const std::string& allocations_line = "");
 
 // The answers to so many positions in a line that a renderer wrote. Throws RendererFailed.

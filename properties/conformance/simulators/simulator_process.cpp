@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "files/json_line.h"
 #include "properties/conformance/doors/answer.h"
 #include "properties/conformance/doors/dialogue.h"
 
@@ -14,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Reports = SimulatorCapabilities::Reports;
 
-constexpr const char* kWhose = "simulator";
+constexpr const char *kWhose = "simulator", *kHello = "the simulator's hello";
 
 bool is_list_of_numbers(const Json& list, std::size_t size) {
   return list.is_array() && list.size() == size &&
@@ -33,7 +34,7 @@ State state_of(const Json& step, std::size_t k, SimulatorCapabilities::Reports r
     const Json& found = step.is_object() && step.contains(key) ? step.at(key) : none;
     if (!(size > 0 ? is_list_of_numbers(found, size) : found.is_array()))
       throw RendererFailed("the simulator's " + std::string(key) + " of step " + std::to_string(k) + " is " +
-                           shown_json(found) + "; expected " + expected);
+                           files::shown_json(found) + "; expected " + expected);
     return found;
   };
   const auto vector = [&](const Json& numbers) {
@@ -43,7 +44,7 @@ State state_of(const Json& step, std::size_t k, SimulatorCapabilities::Reports r
               vector(list("velocity", 3, "a list of three numbers")) / units};
   for (const Json& contact : list("contacts", 0, "a list of contacts")) {
     if (!is_list_of_numbers(contact, 4))
-      throw RendererFailed("the simulator's contact in step " + std::to_string(k) + " is " + shown_json(contact) +
+      throw RendererFailed("the simulator's contact in step " + std::to_string(k) + " is " + files::shown_json(contact) +
                            "; expected a list of four numbers, a normal and its force or impulse");
     if (reports == Reports::nothing) continue;
     state.contacts.push_back({vector(contact), number_of(contact[3]) / units * (reports == Reports::impulse ? scene.rate : 1)});
@@ -53,7 +54,7 @@ State state_of(const Json& step, std::size_t k, SimulatorCapabilities::Reports r
 
 class ProcessSimulator final : public SimulatorUnderTest {
  public:
-  ProcessSimulator(const std::string& command, const Simulation& scene, const ProcessLimits& limits)
+  ProcessSimulator(const std::string& command, const Simulation& scene, const files::ProcessLimits& limits)
       : scene_(scene), dialogue_(command, limits, kWhose), its_(capabilities_of(dialogue_.open(json_of(scene)))) {}
 
   const SimulatorCapabilities& capabilities() const override { return its_; }
@@ -79,7 +80,7 @@ class ProcessSimulator final : public SimulatorUnderTest {
 
 SimulatorCapabilities capabilities_of(const Json& hello) {
   constexpr double kMost = std::numeric_limits<double>::max();
-  const HelloReader said(hello, kWhose);
+  const files::KeyReader said(hello, kHello);
   SimulatorCapabilities its;
   said.word("kind", {"simulator"});
   its.name = said.text("name");
@@ -101,14 +102,14 @@ SimulatorCapabilities capabilities_of(const Json& hello) {
 }
 
 Motion motion_in(const Json& said, SimulatorCapabilities::Reports reports, const Simulation& scene, std::size_t count) {
-  if (const auto refusal = HelloReader(said, kWhose).refusal()) return {{}, refusal};
+  if (const auto refusal = files::KeyReader(said, kHello).refusal()) return {{}, refusal};
   Motion motion;
   for (const Json& step : list_in(said, "motion", count, "forces", kWhose))
     motion.states.push_back(state_of(step, motion.states.size(), reports, scene));
   return motion;
 }
 
-OpenSimulator simulator_process(const std::string& command, const ProcessLimits& limits) {
+OpenSimulator simulator_process(const std::string& command, const files::ProcessLimits& limits) {
   return [=](const Simulation& scene) { return std::make_unique<ProcessSimulator>(command, scene, limits); };
 }
 

@@ -5,12 +5,12 @@
 #include <cstddef>
 #include <string>
 
-#include "properties/conformance/doors/child_process.h"
+#include "files/child_process.h"
 #include "properties/conformance/simulators/simulator_under_test.h"
 
 namespace forceshade::conformance::simulators {
 
-OpenSimulator simulator_process(const std::string& command, const ProcessLimits& limits = {});
+OpenSimulator simulator_process(const std::string& command, const files::ProcessLimits& limits = {});
 
 // What a simulator wrote: of itself, and in answer to so many forces. Both throw RendererFailed.
 SimulatorCapabilities capabilities_of(const nlohmann::ordered_json& hello);

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "properties/conformance/hello_reader.h"
+#include "properties/conformance/hello.h"
 #include "properties/conformance/simulators/simulation.h"
 
 namespace forceshade::conformance::simulators {

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Reads the keys of a hello. Each is required, and a wrong one is named with what was expected.
+// Reads a line of JSON that a program of somebody else wrote (child_process.h). A wrong key is named with what was expected.
 
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
-namespace forceshade::conformance {
+namespace forceshade::files {
 
-// A renderer or simulator did not answer as it has to. What was requested is part of the words where one position is to blame.
-struct RendererFailed : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+// whose: "renderer", for messages. Throws ProcessFailed for what is no object, has a key twice, or says why its writer failed:
+// {"failure":"no licence was found"}.
+nlohmann::ordered_json object_in(const std::string& said, const char* whose);
 
 // A value for a message: its beginning, a text in quotes.
 std::string shown_json(const nlohmann::ordered_json& value);
@@ -21,13 +20,13 @@ std::string shown_json(const nlohmann::ordered_json& value);
 // "a", "b" or "c".
 std::string one_of(const std::vector<std::string>& words);
 
-// All but refusal() throw RendererFailed.
-class HelloReader {
+// The keys of an object. All of it throws ProcessFailed.
+class KeyReader {
  public:
   using Json = nlohmann::ordered_json;
 
-  // whose: "renderer". The hello has to outlive the reader.
-  HelloReader(const Json& hello, const char* whose) : hello_(hello), whose_(whose) {}
+  // what: "the renderer's hello". The object has to outlive the reader.
+  KeyReader(const Json& object, std::string what) : object_(object), what_(std::move(what)) {}
 
   const Json& value(const std::string& key, const std::string& expected) const;
   // As a terminal may show it. A long text is refused.
@@ -40,11 +39,13 @@ class HelloReader {
   // The reason of one that does not accept what it was sent.
   std::optional<std::string> refusal() const;
 
+  void expect_no_key_but(const std::vector<std::string>& keys) const;
+
   [[noreturn]] void refuse(const std::string& key, const Json& value, const std::string& expected) const;
 
  private:
-  const Json& hello_;
-  const char* whose_;
+  const Json& object_;
+  std::string what_;
 };
 
-}  // namespace forceshade::conformance
+}  // namespace forceshade::files

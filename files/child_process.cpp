@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "properties/conformance/doors/child_process.h"
+#include "files/child_process.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -17,13 +17,14 @@
 #include <utility>
 
 #include "files/csv.h"
+#include "files/keeper.h"
 #include "files/printable.h"
-#include "properties/conformance/doors/keeper.h"
 
-namespace forceshade::conformance {
+namespace forceshade::files {
 namespace {
 
 constexpr std::size_t kLastWords = 2000;
+constexpr std::chrono::milliseconds kToReport{50}, kToBeEnded{5000};  // for the keeper: an end, and once the grace is over
 
 struct Pipe {
   Pipe() {
@@ -37,7 +38,11 @@ struct Pipe {
   std::array<int, 2> ends{-1, -1};
 };
 
+// Or less, where less is allowed already.
 void limit(int what, rlim_t most) {
+  rlimit is{most, most};
+  ::getrlimit(static_cast<__rlimit_resource>(what), &is);
+  most = std::min(most, is.rlim_max);
   const rlimit both{most, most};
   if (::setrlimit(static_cast<__rlimit_resource>(what), &both) != 0) ::_exit(126);
 }
@@ -69,14 +74,10 @@ class NoBrokenPipe {
 };
 
 std::string seconds(std::chrono::milliseconds time) {
-  return files::shortest(static_cast<double>(time.count()) / 1000) + " s";
+  return shortest(static_cast<double>(time.count()) / 1000) + " s";
 }
 
 }  // namespace
-
-std::string shown(std::string_view text, std::size_t length) {
-  return '"' + files::printable(std::string(text.substr(0, length))) + (text.size() > length ? "...\"" : "\"");
-}
 
 ChildProcess::ChildProcess(const std::string& command, const ProcessLimits& limits, const char* whose)
     : limits_(limits), whose_(whose) {
@@ -103,7 +104,7 @@ ChildProcess::ChildProcess(const std::string& command, const ProcessLimits& limi
   if (keeper_ < 0) throw std::system_error(errno, std::generic_category(), "cannot start a process");
   if (keeper_ == 0) {
     ::close(control.take(1));
-    keep(become_program, control.ends[0], reports.ends[1], limits.threads);
+    keep(become_program, control.ends[0], reports.ends[1], limits);
   }
   control_ = control.take(1);
   reports_ = reports.take(0);
@@ -150,16 +151,27 @@ std::string ChildProcess::ask(std::string_view line) {
   if (!said_.empty()) fail("wrote without having been asked: " + shown(said_));
   const std::string sent = std::string(line) + '\n';
   std::string_view rest = sent;
+  std::string answer = next_line(rest);
+  if (!rest.empty()) fail("answered before it was asked: " + shown(answer));
+  return answer;
+}
+
+std::string ChildProcess::hear() {
+  std::string_view nothing;
+  return next_line(nothing);
+}
+
+// Writes `rest` meanwhile.
+std::string ChildProcess::next_line(std::string_view& rest) {
   const auto until = Clock::now() + limits_.answer;
-  std::size_t end = std::string::npos;
+  std::size_t end = said_.find('\n');
   while (end == std::string::npos) {
     const std::size_t looked_at = said_.size();
-    if (!transfer(rest, until)) fail(how_it_ended(until) + " without an answer");
+    if (!transfer(rest, until)) fail(how_it_ended(std::max(until, Clock::now() + kToReport)) + " without an answer");
     end = said_.find('\n', looked_at);
     if (std::min(end, said_.size()) > limits_.longest_line)
       fail("wrote a line of more than " + std::to_string(limits_.longest_line) + " bytes: " + shown(said_));
   }
-  if (!rest.empty()) fail("answered before it was asked: " + shown(said_));
   std::string answer = said_.substr(0, end);
   said_.erase(0, end + 1);
   if (answer.ends_with('\r')) answer.pop_back();
@@ -180,13 +192,35 @@ void ChildProcess::say_goodbye(std::string_view line) {
   if (const std::string end = how_it_ended(until); end != "ended") fail(end);
 }
 
+std::string ChildProcess::dismiss(std::string_view lines) noexcept try {
+  const auto until = Clock::now() + limits_.grace + kToBeEnded;
+  const auto hand_over = [&] {
+    const bool is_more = transfer(lines, until);
+    said_.clear();
+    return is_more;
+  };
+  while (!lines.empty() && hand_over()) {
+  }
+  // The keeper's grace begins.
+  for (int* const end : {&to_, &control_}) ::close(std::exchange(*end, -1));
+  lines = {};
+  while (hand_over()) {
+  }
+  return how_it_ended(until);
+} catch (const std::exception&) {
+  return "could not be ended";
+}
+
 // Its output is at its end. Waits for it.
 std::string ChildProcess::how_it_ended(Clock::time_point until) {
-  pollfd reports{reports_, POLLIN, 0};
+  pollfd reports{status_ ? -1 : reports_, POLLIN, 0};
   const auto left = std::max<std::int64_t>(0, std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now()).count());
-  if (::poll(&reports, 1, static_cast<int>(left)) <= 0) return "closed its output, and did not end";
-  int status = 0;
-  if (::read(reports_, &status, sizeof status) != sizeof status) return "ended the process that watches it";
+  if (!status_ && ::poll(&reports, 1, static_cast<int>(left)) <= 0) return "closed its output, and did not end";
+  int status = status_.value_or(0);
+  if (!status_ && ::read(reports_, &status, sizeof status) != sizeof status)
+    return control_ >= 0 ? "ended the process that watches it"
+                         : "did not end within " + seconds(limits_.grace) + ", and was ended";
+  status_ = status;
   if (status == kTooMany) return "had more than " + std::to_string(limits_.threads) + " processes and threads, and ended";
   if (WIFSIGNALED(status))
     return "was killed by signal " + std::to_string(WTERMSIG(status)) + " (" + ::strsignal(WTERMSIG(status)) + ")";
@@ -203,4 +237,4 @@ void ChildProcess::fail(const std::string& words) {
                       (last.empty() ? "" : "; it wrote last on standard error: " + shown(last.substr(0, last.find('\n')))));
 }
 
-}  // namespace forceshade::conformance
+}  // namespace forceshade::files

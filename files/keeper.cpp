@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "properties/conformance/doors/keeper.h"
+#include "files/keeper.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -23,7 +23,7 @@
 #include <thread>
 #include <vector>
 
-namespace forceshade::conformance {
+namespace forceshade::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -109,7 +109,7 @@ unsigned long threads_of_this_user() {
   return threads_of(all);
 }
 
-void keep(const std::function<void()>& become_program, int control, int reports, unsigned long most) {
+void keep(const std::function<void()>& become_program, int control, int reports, const ProcessLimits& limits) {
   ::setsid();
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
   sigset_t all, children;
@@ -129,28 +129,37 @@ void keep(const std::function<void()>& become_program, int control, int reports,
                                 ::signalfd(-1, &children, SFD_NONBLOCK)};
   for (int i = 0; i < 3; ++i) ::dup2(kept[static_cast<std::size_t>(i)], i);
   ::close_range(3, ~0U, 0);
-  std::array<pollfd, 2> ends{pollfd{0, POLLIN, 0}, pollfd{2, POLLIN, 0}};
-  bool is_alone = program < 0;
-  while (ends[0].revents == 0) {
-    if (is_alone) {
-      ::poll(ends.data(), 1, -1);
-      continue;
-    }
-    ::poll(ends.data(), ends.size(), kBetweenCounts);
+  pollfd end{0, POLLIN, 0};
+  bool has_ended = program < 0, is_alone = has_ended, is_too_much = false;
+  // Waits until something ends, at most so many ms.
+  const auto look = [&](int most) {
+    std::array<pollfd, 2> both{pollfd{2, POLLIN, 0}, end.revents == 0 ? end : pollfd{-1, 0, 0}};
+    ::poll(both.data(), both.size(), is_alone ? -1 : most);
+    end.revents = static_cast<short>(end.revents | both[1].revents);
     signalfd_siginfo information;
     while (::read(2, &information, sizeof information) > 0) {
     }
     int status = 0;
     pid_t ended = 0;
-    while ((ended = ::waitpid(-1, &status, WNOHANG)) > 0)
-      if (ended == program && ::write(1, &status, sizeof status) < 0) ::_exit(0);
+    while ((ended = ::waitpid(-1, &status, WNOHANG)) > 0) {
+      if (ended != program) continue;
+      has_ended = true;
+      if (::write(1, &status, sizeof status) < 0) break;  // nobody is there to read it
+    }
     is_alone = ended < 0 && errno == ECHILD;
-    if (is_alone || threads_of(descendants()) <= most) continue;
-    ::write(1, &kTooMany, sizeof kTooMany);
-    break;
+  };
+  while (end.revents == 0 && !is_too_much) {
+    look(kBetweenCounts);
+    is_too_much = !is_alone && threads_of(descendants()) > limits.threads;
+  }
+  if (is_too_much && ::write(1, &kTooMany, sizeof kTooMany) < 0) ::_exit(0);
+  for (auto until = std::chrono::steady_clock::now() + limits.grace; !has_ended && !is_too_much;) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - std::chrono::steady_clock::now()).count();
+    if (left <= 0) break;
+    look(static_cast<int>(left));
   }
   if (!is_alone) end_descendants();
   ::_exit(0);
 }
 
-}  // namespace forceshade::conformance
+}  // namespace forceshade::files

@@ -3,11 +3,11 @@
 // A process between this program and a program of somebody else. Whatever that one starts stays among the keeper's descendants,
 // also what leaves its session and takes away its environment, so that it is counted and ended with it.
 
-#include <sys/types.h>
-
 #include <functional>
 
-namespace forceshade::conformance {
+#include "files/child_process.h"
+
+namespace forceshade::files {
 
 // The threads of all processes of this user, as the system's limit of processes counts them.
 unsigned long threads_of_this_user();
@@ -16,8 +16,8 @@ unsigned long threads_of_this_user();
 inline constexpr int kTooMany = -1;
 
 // Called in a process that was forked for it. `become_program` is called in a process of its own and replaces it. When there
-// are more than `most` descendants and threads of them, or when the other end of `control` is closed, all of them are ended,
-// and it ends itself.
-[[noreturn]] void keep(const std::function<void()>& become_program, int control, int reports, unsigned long most);
+// are more descendants and threads of them than the limits say, or when the other end of `control` is closed and the program
+// has ended or its grace is over, all of them are ended, and it ends itself.
+[[noreturn]] void keep(const std::function<void()>& become_program, int control, int reports, const ProcessLimits& limits);
 
-}  // namespace forceshade::conformance
+}  // namespace forceshade::files
