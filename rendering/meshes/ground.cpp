@@ -28,7 +28,7 @@ const GroundObject& object_of(const std::vector<GroundObject>& objects, std::uin
 
 }  // namespace
 
-bool Ground::add(const std::string& name, LoadedMesh its, const Placement& placement) {
+bool Ground::add(const std::string& name, LoadedMesh its, const scene::Pose& placement) {
   TriangleMesh& all = loaded.mesh;
   const std::size_t vertices = all.vertices.size(), triangles = all.triangles.size();
   if (vertices + its.mesh.vertices.size() > kMost || triangles + its.mesh.triangles.size() > kMost) return false;

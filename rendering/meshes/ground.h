@@ -26,7 +26,7 @@ struct Ground {
   std::vector<GroundObject> objects;
 
   // Adds an object. False where the ground would then have more triangles or vertices than a mesh can have; it is not added.
-  bool add(const std::string& name, LoadedMesh loaded, const Placement& placement);
+  bool add(const std::string& name, LoadedMesh loaded, const scene::Pose& placement);
 
   // As Findings::words(), with the names of the objects and with the numbers that faces and vertices have in an object's file.
   std::string words(const Findings& findings) const;

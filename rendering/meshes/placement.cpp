@@ -74,7 +74,7 @@ bool is_of_translation(float component) {
   return std::fabs(component) <= kLargest;
 }
 
-std::vector<Vertex> placed(std::vector<Vertex> vertices, const Placement& placement) {
+std::vector<Vertex> placed(std::vector<Vertex> vertices, const scene::Pose& placement) {
   const auto& [rows, squares] = rotation_of(placement.rotation);
   Wides shift;
   for (std::size_t i = 0; i < 3; ++i) shift[i] = whole(kept(placement.translation[i])) * squares;

@@ -76,7 +76,7 @@ class SceneReader {
     const std::string file = in_.text_of(table, "mesh", name, "a mesh");
     const std::string unit_word = in_.text_of(table, "unit", name, "a unit, mm, m or in");
     const mesh::Unit unit = unit_named(unit_word, in_.name_of(*table.get("unit"), "unit"));
-    const mesh::Placement placement = placement_of(table);
+    const scene::Pose placement = placement_of(table);
     mesh::LoadedMesh loaded = mesh::load_with_corners(beside(in_.file(), file), unit);
     const std::size_t triangles = loaded.mesh.triangles.size();
     add_materials(scene_.materials, materials_of(table, loaded), triangles);
@@ -96,8 +96,8 @@ class SceneReader {
     return name;
   }
 
-  mesh::Placement placement_of(const toml::table& table) const {
-    mesh::Placement placement;
+  scene::Pose placement_of(const toml::table& table) const {
+    scene::Pose placement;
     if (const toml::node* node = table.get("translation")) {
       const std::vector<std::string> words = list_of(*node, "translation", 3, "a list of three lengths, x, y and z");
       for (std::size_t i = 0; i < 3; ++i) {

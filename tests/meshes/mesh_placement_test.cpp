@@ -29,7 +29,7 @@ float kept(float length) {
 }
 
 // The exact place of a vertex.
-std::array<mpq_class, 3> exact(const Vertex& a, const Placement& placement) {
+std::array<mpq_class, 3> exact(const Vertex& a, const scene::Pose& placement) {
   Quaternion q, conjugate;
   mpq_class squares = 0;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -69,8 +69,8 @@ class Draw {
     return random_() % 2 == 0 ? size : -size;
   }
   // Components of about one size or of any: both that they all count and that some are too small to do so.
-  Placement placement() {
-    Placement placement;
+  scene::Pose placement() {
+    scene::Pose placement;
     const int low = random_() % 2 == 0 ? -30 : -2;
     do
       for (float& component : placement.rotation) component = number(low, 1);
@@ -88,7 +88,7 @@ TEST(mesh_placement, rounds_the_exact_place_once) {
   Draw draw;
   int zeros = 0, moved = 0;
   for (int i = 0; i < 20000; ++i) {
-    const Placement placement = draw.placement();
+    const scene::Pose placement = draw.placement();
     const Vertex a = draw.vertex(), got = placed({a}, placement).front();
     const std::array<mpq_class, 3> place = exact(a, placement);
     const Vertex expected{nearest(place[0]), nearest(place[1]), nearest(place[2])};
@@ -155,7 +155,7 @@ TEST(mesh_placement, keeps_distances_and_handedness_up_to_rounding) {
   for (int i = 0; i < 20000; ++i) {
     std::vector<Vertex> before;
     for (int k = 0; k < 4; ++k) before.push_back({draw.number(5, 12), draw.number(5, 12), draw.number(5, 12)});
-    const Placement turn{{draw.number(5, 10), 0, 3}, draw.placement().rotation};
+    const scene::Pose turn{{draw.number(5, 10), 0, 3}, draw.placement().rotation};
     const std::vector<Vertex> after = placed(before, turn);
     const auto side = [](const std::vector<Vertex>& of, std::size_t k) {
       std::array<double, 3> side;
