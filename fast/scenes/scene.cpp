@@ -22,7 +22,7 @@ std::array<float, 3> seen(const scene::Pose& pose, const std::array<float, 3>& p
   return seen_from<meshes::Shaded>(pose, p, translation).value_or(kNotSeen);
 }
 
-// Of several statuses the largest is that of the scene.
+// The largest status of the objects is that of the scene.
 static_assert(Status::free < Status::contact && Status::contact < Status::invalid);
 
 // answer: all but its force.

@@ -10,6 +10,8 @@
 //   const Eigen::Vector3f force = session.step({3, 0, 39}, std::array{scene::Pose(), quarter_turn}).force;
 //
 // Lengths are in mm, forces in N, both in the world's axes, those of docs/laws.md.
+//
+// Not promised: that objects feel each other, or that poses follow from any physics.
 
 #include <array>
 #include <cstddef>

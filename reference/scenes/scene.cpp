@@ -42,7 +42,7 @@ Eigen::Vector3f as_read(const Eigen::Vector3f& a) {
   return {quantised(a.x()), quantised(a.y()), quantised(a.z())};
 }
 
-// Of several statuses the largest is that of the scene.
+// The largest status of the objects is that of the scene.
 static_assert(Status::free < Status::contact && Status::contact < Status::invalid);
 
 }  // namespace
