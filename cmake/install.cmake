@@ -29,6 +29,9 @@ if(NOT FORCESHADE_FAST_ONLY)
   install(FILES device/stand_ins/forceshade-standin.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT forceshade)
   install(DIRECTORY device/stand_ins/haply DESTINATION ${CMAKE_INSTALL_DATADIR}/forceshade/stand_ins COMPONENT forceshade
           PATTERN __pycache__ EXCLUDE)
+  install(DIRECTORY device/stand_ins/dhd DESTINATION ${CMAKE_INSTALL_DATADIR}/forceshade/stand_ins COMPONENT forceshade
+          FILES_MATCHING PATTERN *.py)
+  install(TARGETS stand_in_dhd LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/forceshade COMPONENT forceshade NAMELINK_SKIP)
   set(made ${PROJECT_BINARY_DIR}/apps/documentation)
   install(DIRECTORY ${made}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT forceshade)
   install(FILES ${made}/forceshade DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT forceshade)

@@ -8,6 +8,9 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(1, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from checks import Checks  # noqa: E402,F401
+
 
 def skip_without_websockets():
     if importlib.util.find_spec("websockets") is None:
@@ -45,21 +48,3 @@ class StandIn:
         self.process.communicate(timeout=30)
         with open(self.report_file) as file:
             return self.process.returncode, json.load(file)
-
-
-class Checks:
-    """Counts what was not as expected, and says it."""
-
-    def __init__(self):
-        self.wrong, self.made = 0, 0
-
-    def expect(self, holds, words):
-        self.made += 1
-        if not holds:
-            self.wrong += 1
-            print("WRONG:", words, flush=True)
-
-    def exit_code(self, least):
-        """The last line of a test: it fails, too, where fewer checks were made than it has."""
-        print(f"{self.made} checks, {self.wrong} wrong")
-        return 1 if self.wrong or self.made < least else 0

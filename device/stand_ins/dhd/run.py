@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs a client with the library in place, and prints the verdict."""
+
+import argparse
+import ctypes
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+
+NAME = "libdhd.so.3"
+
+
+def library_of(said):
+    """The file of the library; raises OSError with where it was looked for."""
+    here = pathlib.Path(__file__).resolve()
+    top = here.parents[3]
+    installed = [file for pattern in ("lib/*/forceshade/", "lib/forceshade/") for file in here.parents[4].glob(pattern + NAME)]
+    built = sorted(top.glob("build/*/device/stand_ins/dhd/" + NAME), key=lambda file: file.stat().st_mtime, reverse=True)
+    places = [pathlib.Path(said)] if said else installed + built
+    for place in places:
+        if place.is_file():
+            return place.resolve()
+    raise OSError(f"expected {said or NAME + ' below lib or build'}, which is built by scripts/build; name it with --library")
+
+
+def options_of(words):
+    parser = argparse.ArgumentParser(
+        prog="forceshade-standin dhd", add_help=False,
+        description="Force Dimension's library DHD with a device in a simulated hand; it judges the client that loads it.",
+        usage="forceshade-standin dhd [OPTIONS] [-- COMMAND ...]")
+    add = parser.add_argument
+    add("-h", "--help", action="store_true", help="this, and the tables of faults, assumptions and events")
+    add("--library", metavar="FILE", help="the stand-in's " + NAME + "; found by itself where it was installed or built")
+    add("--assume", action="append", default=[], metavar="NAME=VALUE")
+    add("--event", action="append", default=[], metavar="NAME@READING")
+    add("--report", metavar="FILE", help="for the verdict, as JSON")
+    add("--log", metavar="FILE", help="for what happens, one JSON object a line")
+    add("--judge", metavar="LOG", help="print the verdict of a client that was run with this journal, and run none")
+    add("command", nargs="*", metavar="COMMAND", help="the client, with FORCESHADE_DHD_LIBRARY and LD_LIBRARY_PATH set; "
+        "without one, what has to be set is printed for a shell")
+    return parser, parser.parse_args(words)
+
+
+def environment(library, settings, journal):
+    path = os.environ.get("LD_LIBRARY_PATH", "")
+    return {"FORCESHADE_DHD_LIBRARY": str(library), "LD_LIBRARY_PATH": str(library.parent) + (":" + path if path else ""),
+            "FORCESHADE_STANDIN_DHD": settings, "FORCESHADE_STANDIN_JOURNAL": str(journal)}
+
+
+def run(command, more):
+    """The client's exit code; it is given the signals that this program is given."""
+    client = subprocess.Popen(command, env={**os.environ, **more})
+    for sort in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(sort, lambda number, _: client.send_signal(number))
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # of a terminal, which the client has, too
+    return client.wait()
+
+
+def verdict(loaded, journal, report):
+    kinds = loaded.forceshade_stand_in_verdict(os.fsencode(str(journal)), os.fsencode(report or ""))
+    if kinds < 0:
+        print(f"forceshade-standin dhd: {journal}: expected the journal of a client that loaded the library", file=sys.stderr)
+        return 2
+    return 1 if kinds > 0 else 0
+
+
+def main(words):
+    parser, options = options_of(words)
+    try:
+        library = library_of(options.library)
+        loaded = ctypes.CDLL(str(library))
+        loaded.forceshade_stand_in_settings.restype = ctypes.c_char_p
+    except (OSError, AttributeError) as error:
+        if options.help:
+            parser.print_help()
+        print(f"forceshade-standin dhd: {error}", file=sys.stderr)
+        return 0 if options.help else 2
+    if options.help:
+        parser.print_help(sys.stdout)
+        sys.stdout.flush()
+        loaded.forceshade_stand_in_describe()
+        print("exit codes: 0, no fault; 1, faults, which were printed; 2, wrong options, or the client did not load the library")
+        return 0
+    settings = ",".join(options.assume + options.event)
+    wrong = loaded.forceshade_stand_in_settings(os.fsencode(settings)).decode()
+    if wrong:
+        print(f"forceshade-standin dhd: {wrong}", file=sys.stderr)
+        return 2
+    if options.judge:
+        return verdict(loaded, options.judge, options.report)
+    with tempfile.TemporaryDirectory() as folder:
+        journal = pathlib.Path(options.log).resolve() if options.log else pathlib.Path(folder) / "journal"
+        for file in (journal, journal.with_name(journal.name + ".state")):
+            file.unlink(missing_ok=True)
+        more = environment(library, settings, journal)
+        if not options.command:
+            more["FORCESHADE_STANDIN_JOURNAL"] = str(journal) if options.log else ""
+            for name, value in more.items():
+                print(f"export {name}='{value}'")
+            return 0
+        try:
+            code = run(options.command, more)
+        except OSError as error:
+            print(f"forceshade-standin dhd: {options.command[0]}: {error.strerror}", file=sys.stderr)
+            return 2
+        if code != 0:
+            print(f"the client ended with {'signal ' + str(-code) if code < 0 else 'exit code ' + str(code)}", file=sys.stderr)
+        return verdict(loaded, journal, options.report)
