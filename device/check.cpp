@@ -117,7 +117,7 @@ std::string_view name_of(Grade grade) noexcept {
   return "cannot be checked";
 }
 
-std::vector<Check> check_library(const std::vector<std::string>& names) {
+std::vector<Check> check_library(const std::vector<std::string>& names, const std::string& advice) {
   const char *library = "driver library", *dependencies = "its dependencies";
   for (const std::string& name : names) {
     const auto file = file_of_library(name);
@@ -133,9 +133,7 @@ std::vector<Check> check_library(const std::vector<std::string>& names) {
     }
     return {found, {dependencies, Grade::wrong, "missing, with what has it: " + joined(words)}};
   }
-  return {{library, Grade::wrong,
-           "none found of " + joined(names) +
-               ": install the vendor's OpenHaptics and device driver, or name the file in FORCESHADE_HD_LIBRARY"},
+  return {{library, Grade::wrong, "none found of " + joined(names) + ": " + advice},
           {dependencies, Grade::unknown, "there is no library"}};
 }
 
@@ -176,7 +174,8 @@ Check check_nodes(const std::vector<DeviceNode>& nodes) {
 }
 
 std::vector<Check> phantom_checks(const std::string& name) {
-  std::vector<Check> checks = check_library(hdapi::names_to_try());
+  std::vector<Check> checks = check_library(
+      hdapi::names_to_try(), "install the vendor's OpenHaptics and device driver, or name the file in FORCESHADE_HD_LIBRARY");
   checks.push_back(check_name(driver_folder(), name));
   checks.push_back(check_nodes(device_nodes()));
   return checks;

@@ -24,8 +24,9 @@ struct Check {
   std::string words;
 };
 
-// The vendor's library: which file the loader would take for the first of these names, and what that file lacks. Two checks.
-std::vector<Check> check_library(const std::vector<std::string>& names);
+// A vendor's library: which file the loader would take for the first of these names, and what that file lacks. Two checks.
+// advice: what to do where there is none, "install the vendor's OpenHaptics".
+std::vector<Check> check_library(const std::vector<std::string>& names, const std::string& advice);
 
 // `name`: the device's, empty for the default one.
 Check check_name(const DriverFolder& folder, const std::string& name);

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "device/dhd/dhd.h"
 #include "device/haply/haply.h"
 #include "device/null.h"
 #include "device/phantom/phantom.h"
@@ -26,6 +27,9 @@ constexpr std::array kKinds{
     Kind{"phantom", "[:NAME]", "a real PHANToM (Premium, Omni, Touch) through the vendor's driver", open_phantom,
          phantom_checks},
     Kind{"haply", "[:ID]", "a Haply Inverse3 through Haply's Inverse Service", open_haply, haply_checks},
+    Kind{"dhd", "[:SERIAL]",
+         "a Force Dimension omega, delta, sigma or lambda, or a Novint Falcon (dhd:#INDEX), through the vendor's library",
+         open_dhd, dhd_checks},
 };
 
 // Whether a device may have this name, which begins with the kind's.

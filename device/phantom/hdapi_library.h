@@ -16,8 +16,7 @@ struct Functions {
 #undef FORCESHADE_MEMBER
 };
 
-// The first of these names or paths that loads and has every function. It is never unloaded: the driver's threads outlive
-// the last call, and it does not load twice. Throws DeviceError, with what was tried and why each failed.
+// load_first() of loaded_library.h, with its errors.
 Functions load(const std::vector<std::string>& names);
 
 // What vendor() tries, in this order.

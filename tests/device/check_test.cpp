@@ -77,9 +77,9 @@ TEST(check, of_a_name_says_which_there_are) {
 }
 
 TEST(check, of_a_library_names_everything_that_it_lacks_at_once) {
-  const std::vector<Check> checks = check_library({"libforceshade_is_nowhere.so.1", LACKING_LIBRARY});
+  const std::vector<Check> checks = check_library({"libforceshade_is_nowhere.so.1", LACKING_LIBRARY}, "install it");
   ASSERT_EQ(checks.size(), 2U);
-  expect(checks[0], Grade::ok, {LACKING_LIBRARY});
+  expect(checks[0], Grade::ok, {LACKING_LIBRARY}, "install it");
   expect(checks[1], Grade::wrong, {"libforceshade_lacking_first.so.5", "libforceshade_lacking_second.so.5"});
 }
 
@@ -92,14 +92,14 @@ TEST(check, of_a_library_finds_the_file_that_the_loader_would_take) {
   EXPECT_EQ(file_of_library(lacking.filename()), lacking);
   EXPECT_TRUE(file_of_library("libc.so.6").has_value());
   EXPECT_FALSE(file_of_library("libforceshade_is_nowhere.so.1").has_value());
-  const std::vector<Check> checks = check_library({"libforceshade_is_nowhere.so.1", "/nowhere/libHD.so"});
+  const std::vector<Check> checks = check_library({"libforceshade_is_nowhere.so.1", "/nowhere/libHD.so"}, "name it in HERE");
   ASSERT_EQ(checks.size(), 2U);
-  expect(checks[0], Grade::wrong, {"libforceshade_is_nowhere.so.1, /nowhere/libHD.so", "FORCESHADE_HD_LIBRARY"});
+  expect(checks[0], Grade::wrong, {"libforceshade_is_nowhere.so.1, /nowhere/libHD.so: name it in HERE"});
   expect(checks[1], Grade::unknown, {});
 }
 
 TEST(check, of_a_whole_library_finds_nothing_missing) {
-  const std::vector<Check> checks = check_library({"libc.so.6"});
+  const std::vector<Check> checks = check_library({"libc.so.6"}, "install it");
   ASSERT_EQ(checks.size(), 2U);
   expect(checks[1], Grade::ok, {"all are there"});
   EXPECT_EQ(missing_dependencies("/nowhere"), std::nullopt);

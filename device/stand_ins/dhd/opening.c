@@ -14,7 +14,7 @@ static const struct {
   bool is_left, has_wrist, has_gripper;
 } models[] = {
     {"omega.3", "omega.3", 33, false, false, false},   {"delta.3", "delta.3", 63, false, false, false},
-    {"omega.6", "omega.6", 34, false, true, false},    {"omega.7", "omega.7", 36, false, true, true},
+    {"omega.6", "omega.6", 34, false, true, false},    {"omega.7", "omega.7", 35, false, true, true},
     {"omega.7-left", "omega.7", 37, true, true, true}, {"sigma.3", "sigma.3", 206, false, false, false},
     {"sigma.7", "sigma.7", 104, false, true, true},    {"lambda.3", "lambda.3", 203, false, false, false},
     {"lambda.7", "lambda.7", 108, false, true, true},  {"falcon", "Falcon", 60, false, false, false},

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "device/dhd/dhd.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "device/dhd/dhd_link.h"
+#include "device/frames/framed_device.h"
+#include "files/csv.h"
+#include "files/printable.h"
+
+namespace forceshade::device {
+namespace {
+
+constexpr float kResolution = 0.05F;  // mm: assumed, no document of the library has one
+constexpr std::chrono::milliseconds kToCount{5000};
+
+constexpr const char* kToCalibrate =
+    "put the calibration pole of its end-effector into the pit of the base, or move a Falcon's grip out and in, as its manual "
+    "says";
+constexpr const char* kForces =
+    "as commanded; the vendor's library adds its gravity compensation, and shortens them where the motors are saturated, which "
+    "no certificate covers";
+constexpr const char* kUdev =
+    R"(write SUBSYSTEM=="usb", ATTR{idVendor}=="1451", MODE="0666" (a Falcon: ATTR{idVendor}=="0403", ATTR{idProduct}=="cb48") into a file of /etc/udev/rules.d, and plug the device in again)";
+
+FramedDescription description_of(const dhd::Identity& its, const dhd::Functions& functions) {
+  const dhd::Model& model = its.model;
+  return {.name = std::string("the ") + model.name,
+          .partner = "the vendor's library",
+          .to_calibrate = kToCalibrate,
+          .model = model.name,
+          .serial = its.serial,
+          .driver = dhd::file_of(functions),
+          .firmware = "",
+          .forces = kForces,
+          .capabilities = {.workspace_low = Eigen::Vector3f::Constant(-model.reach),
+                           .workspace_high = Eigen::Vector3f::Constant(model.reach),
+                           .resolution = kResolution,
+                           .peak_force = model.peak,
+                           .continuous_force = model.continuous,
+                           .buttons = model.buttons}};
+}
+
+void report(const dhd::Identity& its, bool may_force, Attendant& attendant) {
+  std::string words = files::printable(its.name) + (its.serial.empty() ? "" : ", serial number " + its.serial) + ": " +
+                      "left-handed: " + (its.is_left_handed ? "yes" : "no");
+  if (its.gripper)
+    words += ", gripper open by " + files::shortest(std::round(*its.gripper * 10) / 10) + " mm (no force is sent to it)";
+  if (may_force)
+    words += its.has_watchdog ? "; the device ends a force that is not renewed for 31.875 ms"
+                              : "; the device refuses a watchdog: if this program is killed, the last force may stay on";
+  attendant.report(words);
+}
+
+Check check_devices(const dhd::Functions& functions) {
+  const char* what = "devices";
+  TimedCalls calls;
+  const auto counts = std::make_shared<dhd::Counts>();
+  if (!calls.run([counts, functions] { *counts = dhd::counted(functions); }, kToCount))
+    return {what, Grade::wrong, "the vendor's library does not answer"};
+  const std::string words = "the vendor's library sees " + std::to_string(counts->connected) + ", of which " +
+                            std::to_string(std::max(0, counts->available)) + " can be opened";
+  if (counts->connected == 0) return {what, Grade::wrong, words + ": check cable, power and the udev rule"};
+  if (counts->available <= 0) return {what, Grade::wrong, words + ": end the program that uses it"};
+  return {what, Grade::ok, words};
+}
+
+}  // namespace
+
+std::unique_ptr<Device> open_dhd(const std::string& name, const FramedOptions& options, Attendant& attendant) try {
+  const dhd::Functions functions = dhd::load(dhd::names_to_try());
+  auto link = std::make_unique<dhd::Link>(functions, name, options);
+  report(link->identity(), options.force, attendant);
+  const FramedDescription description = description_of(link->identity(), functions);
+  return std::make_unique<FramedDevice>(std::move(link), description, options, attendant);
+} catch (const dhd::Refused& error) {
+  throw DeviceError(error.what());
+}
+
+std::unique_ptr<Device> open_dhd(const std::string& name, Attendant& attendant, Forces forces) {
+  return open_dhd(name, {.force = forces == Forces::as_commanded}, attendant);
+}
+
+Check check_usb(const std::vector<dhd::UsbDevice>& devices) {
+  const char* what = "USB";
+  if (devices.empty())
+    return {what, Grade::unknown, "no device of Force Dimension (1451) and no Falcon (0403:cb48) is plugged in and has power"};
+  std::string words;
+  for (const dhd::UsbDevice& device : devices)
+    words += (words.empty() ? "" : "; ") + device.id + " at " + device.node +
+             (device.accessible ? " can be read and written" : " cannot be read and written by this user");
+  const bool all = std::ranges::all_of(devices, &dhd::UsbDevice::accessible);
+  return {what, all ? Grade::ok : Grade::wrong, all ? words : words + ": " + kUdev};
+}
+
+std::vector<Check> dhd_checks(const std::string&) {
+  std::vector<Check> checks = check_library(dhd::names_to_try(), dhd::kToInstall);
+  checks.push_back(check_usb(dhd::usb_devices()));
+  try {
+    checks.push_back(check_devices(dhd::load(dhd::names_to_try())));
+  } catch (const std::runtime_error& error) {
+    checks.push_back({"devices", Grade::wrong, error.what()});
+  }
+  return checks;
+}
+
+}  // namespace forceshade::device

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A device of DHD that is open: what it is, a frame of it, and its end. One thread calls all of it, since DHD keeps the last
+// error for each thread, and perhaps the expert mode.
+
+#include <chrono>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "device/dhd/dhd_library.h"
+#include "device/dhd/dhd_models.h"
+#include "device/frames/link.h"
+
+namespace forceshade::device::dhd {
+
+struct Refused : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct Identity {
+  Model model;
+  std::string name;    // as the vendor's library has it
+  std::string serial;  // empty: a Falcon, which has none
+  bool is_left_handed = false;
+  std::optional<double> gripper;  // mm: how far it is open, of a device that has one
+  bool has_watchdog = false;      // it accepted 31.875 ms
+};
+
+class Arm {
+ public:
+  // may_force: false: no function that could give a force is ever called.
+  Arm(const Functions& functions, bool may_force) : dhd_(functions), may_force_(may_force) {}
+  ~Arm() { close(); }
+  Arm(const Arm&) = delete;
+  Arm& operator=(const Arm&) = delete;
+
+  // `which`: a serial number; "#" and an index from 0; or empty for the only device. Its forces are off afterwards. Throws
+  // Refused.
+  Identity open(const std::string& which);
+
+  // Sends this force, in N and the axes of the laws, and brings the state. Forces are switched on by the first exchange of a
+  // calibrated device, and sent once its status says that they are on. Throws Refused.
+  FrameState exchange(const Eigen::Vector3d& force);
+
+  // Zero force, dhdStop, a tenth of a second, dhdClose.
+  void close() noexcept;
+
+  // Frames whose force the device shortened, since its motors were saturated; and frames with the position of the one before.
+  std::size_t saturated() const noexcept { return saturated_; }
+  std::size_t guarded() const noexcept { return guarded_; }
+
+ private:
+  int open_device(const std::string& which);
+  int expect(int result, const char* what) const;
+  void switch_on();
+  void send(const Eigen::Vector3d& force, bool matters);
+  FrameState state_at_position();
+
+  Functions dhd_;
+  bool may_force_;
+  std::optional<Id> id_;  // none: it is not open
+  double peak_ = 0;       // N
+  enum class Output { off, switched_on, on } output_ = Output::off;
+  std::chrono::steady_clock::time_point switched_on_;
+  std::size_t saturated_ = 0, guarded_ = 0;
+};
+
+// The number of devices that are connected, and of those that no other program has locked. Throws Refused.
+struct Counts {
+  int connected, available;
+};
+Counts counted(const Functions& functions);
+
+}  // namespace forceshade::device::dhd
