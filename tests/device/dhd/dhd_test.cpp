@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A device of DHD over the stand-in's library: no allocation in a tick, calls that never return, and a run of as many frames as
+// the environment says.
+
+#include "device/dhd/dhd.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <thread>
+
+#include "device/dhd/timed_calls.h"
+#include "device/monotonic.h"
+#include "forceshade/servo_loop.h"
+#include "tests/device/dhd/fake.h"
+#include "tests/device/servo_loop_fixture.h"
+#include "tests/support/allocations.h"
+
+namespace forceshade::device {
+namespace {
+
+using namespace std::chrono_literals;
+using dhd::StandIn;
+
+// A busy machine may keep either thread waiting; where that does not matter, the timeout is long.
+constexpr FramedOptions kPatient{.watchdog_timeout = 20s, .answer = 20s, .start = 60s, .rate_tolerance = 1};
+// And so is the device.
+const std::string kPatientDevice = "watchdog-works=no,longest-gap=20000,";
+
+class dhd_device : public testing::Test {
+ protected:
+  Attendant nobody;
+};
+
+Fault fault_of(Device& device) {
+  ReadResult last = device.read();
+  const auto deadline = std::chrono::steady_clock::now() + 20s;
+  while (!std::holds_alternative<Fault>(last) && std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(1ms);
+    last = device.read();
+  }
+  return std::holds_alternative<Fault>(last) ? std::get<Fault>(last) : Fault{"none"};
+}
+
+TEST_F(dhd_device, allocates_nothing_once_started) {
+  StandIn stand_in(kPatientDevice + "garbage@1400");
+  const auto device = open_dhd("", kPatient, nobody);
+  ASSERT_FALSE(device->start(1000));
+  const std::size_t before = tests::allocations();
+  for (int tick = 0; tick < 200; ++tick) {
+    device->wait_for_frame(monotonic_now() + 20 * kSecond);
+    ASSERT_TRUE(std::holds_alternative<Reading>(device->read()));
+    device->allow({.work = 1, .longest_step = 1});
+    device->command({0, 0, 0.1F});
+  }
+  device->command({0, 0, 0});
+  EXPECT_EQ(tests::allocations(), before);
+  const std::string words = fault_of(*device).words;
+  EXPECT_EQ(tests::allocations(), before + (words.size() > 15 ? 1 : 0));
+  EXPECT_NE(words.find("the device's position: expected numbers of at most 1 m"), std::string::npos) << words;
+}
+
+// The vendor's library may never return from a call of a device that was unplugged: neither run nor end waits for it.
+TEST_F(dhd_device, whose_library_does_not_return_ends_in_words_and_in_time) {
+  StandIn stand_in(kPatientDevice + "unplugged=block,unplug@1500");
+  FramedOptions options = kPatient;
+  options.answer = 200ms;
+  std::chrono::steady_clock::time_point begin;
+  {
+    const auto device = open_dhd("", options, nobody);
+    ASSERT_FALSE(device->start(1000));
+    const std::string words = fault_of(*device).words;
+    EXPECT_NE(words.find("the vendor's library has not answered for 200 ms"), std::string::npos) << words;
+    begin = std::chrono::steady_clock::now();
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, 5s);
+}
+
+TEST_F(dhd_device, shortens_what_is_beyond_its_highest_force_and_refuses_what_is_not_finite) {
+  StandIn stand_in(kPatientDevice + "model=falcon");
+  {
+    const auto device = open_dhd("#0", kPatient, nobody);
+    const Capabilities its = device->capabilities();
+    EXPECT_EQ(its.model, "Falcon");
+    EXPECT_EQ(its.serial, "");
+    EXPECT_EQ(its.driver, "libdhd.so.3");
+    EXPECT_EQ(its.workspace_high.z(), 40);
+    EXPECT_EQ(its.buttons, 4);
+    EXPECT_NE(its.forces.find("which no certificate covers"), std::string_view::npos);
+    ASSERT_FALSE(device->start(1000));
+    device->allow({.work = 1e6, .longest_step = 1});
+    for (int tick = 0; tick < 50; ++tick) {
+      device->wait_for_frame(monotonic_now() + 20 * kSecond);
+      device->read();
+      EXPECT_FALSE(device->command({0, 0, 100}));
+    }
+    EXPECT_TRUE(device->command({0, 0, std::numeric_limits<float>::quiet_NaN()}));
+  }
+  const nlohmann::json verdict = stand_in.verdict();
+  EXPECT_EQ(verdict["faults"], nlohmann::json::object());
+  const double largest = verdict["sessions"][0]["largest_force_N"];
+  EXPECT_LE(largest, 8);
+  EXPECT_GT(largest, 7.9);
+  EXPECT_EQ(verdict["sessions"][0]["force_at_end_N"], 0);
+  EXPECT_EQ(verdict["sessions"][0]["end"], "closed");
+}
+
+// As many as FORCESHADE_DHD_FRAMES says, ten times as fast as real time; the stand-in finds no fault.
+TEST_F(dhd_device, is_not_blamed_over_many_frames) {
+  const char* said = std::getenv("FORCESHADE_DHD_FRAMES");
+  const int frames = said ? std::atoi(said) : 6000;
+  constexpr double kRate = 10'000;
+  StandIn stand_in(kPatientDevice + "clock=readings,press@5600,time-guard@5700,saturate@5800");
+  ServoResult run;
+  {
+    const auto device = open_dhd("", kPatient, nobody);
+    run = run_servo_loop(*device, wall(), {.rate_hz = kRate, .max_seconds = frames / kRate, .watchdog_timeout = 1}, kNeverStop);
+  }
+  const nlohmann::json verdict = stand_in.verdict();
+  std::printf("%zu ticks, %s; peak %.3f N; %s\n", run.ticks, name_of(run.end_reason).data(), run.peak_force_N,
+              verdict["sessions"].dump().c_str());
+  EXPECT_EQ(run.end_reason, EndReason::time_up) << (run.fault ? run.fault : "");
+  EXPECT_EQ(verdict["faults"], nlohmann::json::object());
+  EXPECT_EQ(verdict["kinds"], 0);
+  EXPECT_GE(verdict["sessions"][0]["readings"], frames);
+  if (frames > 12'000) {
+    EXPECT_GT(run.peak_force_N, 0.1);  // by then the hand is in contact
+  }
+}
+
+TEST(timed_calls, run_in_turn_in_one_thread_and_throw_what_they_throw) {
+  TimedCalls calls;
+  std::thread::id first, second;
+  EXPECT_TRUE(calls.run([&] { first = std::this_thread::get_id(); }, 20s));
+  EXPECT_TRUE(calls.run([&] { second = std::this_thread::get_id(); }, 20s));
+  EXPECT_EQ(first, second);
+  EXPECT_NE(first, std::this_thread::get_id());
+  EXPECT_THROW(calls.run([] { throw std::runtime_error("x"); }, 20s), std::runtime_error);
+  EXPECT_TRUE(calls.run([] {}, 20s));
+}
+
+TEST(timed_calls, do_not_wait_for_one_that_does_not_return) {
+  const auto may_return = std::make_shared<std::atomic<bool>>(false);
+  const auto others = std::make_shared<std::atomic<int>>(0);
+  {
+    TimedCalls calls;
+    const auto stuck = [may_return] {
+      while (!*may_return) std::this_thread::sleep_for(1ms);
+    };
+    EXPECT_FALSE(calls.run(stuck, 10ms));
+    EXPECT_FALSE(calls.run([others] { ++*others; }, 10ms));
+    EXPECT_EQ(*others, 0);
+    *may_return = true;
+    EXPECT_TRUE(calls.run([others] { ++*others; }, 20s));
+    EXPECT_EQ(*others, 1);
+    *may_return = false;
+    EXPECT_FALSE(calls.run(stuck, 10ms));
+  }
+  *may_return = true;
+}
+
+TEST(dhd_usb, check_says_what_is_missing) {
+  EXPECT_EQ(check_usb({}).grade, Grade::unknown);
+  EXPECT_EQ(check_usb({{"1451:0402", "/dev/a", true}}).grade, Grade::ok);
+  const Check wrong = check_usb({{"1451:0402", "/dev/a", true}, {"0403:cb48", "/dev/b", false}});
+  EXPECT_EQ(wrong.grade, Grade::wrong);
+  EXPECT_NE(wrong.words.find("/dev/b cannot be read and written by this user: write SUBSYSTEM==\"usb\""), std::string::npos)
+      << wrong.words;
+}
+
+}  // namespace
+}  // namespace forceshade::device
