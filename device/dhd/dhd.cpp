@@ -11,7 +11,7 @@
 #include "files/csv.h"
 #include "files/printable.h"
 
-namespace forceshade::device {
+namespace forceshade::device::dhd {
 namespace {
 
 constexpr float kResolution = 0.05F;  // mm: assumed, no document of the library has one
@@ -26,14 +26,14 @@ constexpr const char* kForces =
 constexpr const char* kUdev =
     R"(write SUBSYSTEM=="usb", ATTR{idVendor}=="1451", MODE="0666" (a Falcon: ATTR{idVendor}=="0403", ATTR{idProduct}=="cb48") into a file of /etc/udev/rules.d, and plug the device in again)";
 
-FramedDescription description_of(const dhd::Identity& its, const dhd::Functions& functions) {
-  const dhd::Model& model = its.model;
+FramedDescription description_of(const Identity& its, const Functions& functions) {
+  const Model& model = its.model;
   return {.name = std::string("the ") + model.name,
           .partner = "the vendor's library",
           .to_calibrate = kToCalibrate,
           .model = model.name,
           .serial = its.serial,
-          .driver = dhd::file_of(functions),
+          .driver = file_of(functions),
           .firmware = "",
           .forces = kForces,
           .capabilities = {.workspace_low = Eigen::Vector3f::Constant(-model.reach),
@@ -44,7 +44,7 @@ FramedDescription description_of(const dhd::Identity& its, const dhd::Functions&
                            .buttons = model.buttons}};
 }
 
-void report(const dhd::Identity& its, bool may_force, Attendant& attendant) {
+void report(const Identity& its, bool may_force, Attendant& attendant) {
   std::string words = files::printable(its.name) + (its.serial.empty() ? "" : ", serial number " + its.serial) + ": " +
                       "left-handed: " + (its.is_left_handed ? "yes" : "no");
   if (its.gripper)
@@ -55,11 +55,11 @@ void report(const dhd::Identity& its, bool may_force, Attendant& attendant) {
   attendant.report(words);
 }
 
-Check check_devices(const dhd::Functions& functions) {
+Check check_devices(const Functions& functions) {
   const char* what = "devices";
   TimedCalls calls;
-  const auto counts = std::make_shared<dhd::Counts>();
-  if (!calls.run([counts, functions] { *counts = dhd::counted(functions); }, kToCount))
+  const auto counts = std::make_shared<Counts>();
+  if (!calls.run([counts, functions] { *counts = counted(functions); }, kToCount))
     return {what, Grade::wrong, "the vendor's library does not answer"};
   const std::string words = "the vendor's library sees " + std::to_string(counts->connected) + ", of which " +
                             std::to_string(std::max(0, counts->available)) + " can be opened";
@@ -69,12 +69,15 @@ Check check_devices(const dhd::Functions& functions) {
 }
 
 }  // namespace
+}  // namespace forceshade::device::dhd
+
+namespace forceshade::device {
 
 std::unique_ptr<Device> open_dhd(const std::string& name, const FramedOptions& options, Attendant& attendant) try {
   const dhd::Functions functions = dhd::load(dhd::names_to_try());
   auto link = std::make_unique<dhd::Link>(functions, name, options);
-  report(link->identity(), options.force, attendant);
-  const FramedDescription description = description_of(link->identity(), functions);
+  dhd::report(link->identity(), options.force, attendant);
+  const FramedDescription description = dhd::description_of(link->identity(), functions);
   return std::make_unique<FramedDevice>(std::move(link), description, options, attendant);
 } catch (const dhd::Refused& error) {
   throw DeviceError(error.what());
@@ -93,14 +96,14 @@ Check check_usb(const std::vector<dhd::UsbDevice>& devices) {
     words += (words.empty() ? "" : "; ") + device.id + " at " + device.node +
              (device.accessible ? " can be read and written" : " cannot be read and written by this user");
   const bool all = std::ranges::all_of(devices, &dhd::UsbDevice::accessible);
-  return {what, all ? Grade::ok : Grade::wrong, all ? words : words + ": " + kUdev};
+  return {what, all ? Grade::ok : Grade::wrong, all ? words : words + ": " + dhd::kUdev};
 }
 
 std::vector<Check> dhd_checks(const std::string&) {
   std::vector<Check> checks = check_library(dhd::names_to_try(), dhd::kToInstall);
   checks.push_back(check_usb(dhd::usb_devices()));
   try {
-    checks.push_back(check_devices(dhd::load(dhd::names_to_try())));
+    checks.push_back(dhd::check_devices(dhd::load(dhd::names_to_try())));
   } catch (const std::runtime_error& error) {
     checks.push_back({"devices", Grade::wrong, error.what()});
   }

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "device/dhd/dhd_link.h"
 
+#include <algorithm>
+
 namespace forceshade::device::dhd {
 namespace {
 
 constexpr std::chrono::milliseconds kToEnd{500};  // for zero force, dhdStop, its tenth of a second and dhdClose
+// While the forces are not on, nothing pushes; and the frame that switches them on may take its time.
+constexpr std::chrono::milliseconds kWithoutForce{1000};
 
 std::string counted_words(std::size_t frames, const char* of) {
   return frames == 0 ? "" : std::to_string(frames) + " frames had " + of;
@@ -20,8 +24,9 @@ Link::Link(const Functions& functions, const std::string& which, const FramedOpt
 }
 
 FrameState Link::exchange(const Eigen::Vector3d& force) {
-  if (!calls_.run([frame = frame_, force] { frame->state = frame->arm.exchange(force); }, answer_))
-    throw Refused("the vendor's library has not answered for " + std::to_string(answer_.count()) +
+  const std::chrono::milliseconds longest = frame_->state.forces_on ? answer_ : std::max(answer_, kWithoutForce);
+  if (!calls_.run([frame = frame_, force] { frame->state = frame->arm.exchange(force); }, longest))
+    throw Refused("the vendor's library has not answered for " + std::to_string(longest.count()) +
                   " ms: check the device's cable and power; if it still pushes, switch it off");
   return frame_->state;
 }

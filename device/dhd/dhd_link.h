@@ -28,7 +28,7 @@ class Link final : public FrameLink {
     Frame(const Functions& functions, bool may_force) : arm(functions, may_force) {}
     Arm arm;
     Identity identity{};
-    FrameState state;
+    FrameState state{.calibrated = false, .forces_on = false};
   };
   std::shared_ptr<Frame> frame_;
   std::chrono::milliseconds answer_;

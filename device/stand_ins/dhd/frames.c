@@ -33,7 +33,7 @@ PUBLISHED int dhdGetPosition(double* x, double* y, double* z, signed char id) {
   if (!call_begins("dhdGetPosition", id)) return -1;
   if (any_null("dhdGetPosition", x, y, z)) return call_ends(-1, ERROR_NULL);
   struct session* const it = session();
-  if (is_chosen(CLOCK, "readings")) arm_advance(&state->arm, 0.001);
+  if (number_chosen(CLOCK) > 0) arm_advance(&state->arm, 1 / number_chosen(CLOCK));
   events_at(++it->readings, device_happen);
   if (it->readings == 300) note("settling");
   if (it->contact_forces >= 100 && !state->was_in_contact) {

@@ -29,7 +29,8 @@ const struct choice_entry kChoices[kSwitches] = {
     {"calibrated", "yes|no", "whether it is calibrated when it is opened"},
     {"available", "yes|no", "no: another program has locked it"},
     {"pressed", "no|yes", "its button is down"},
-    {"clock", "real|readings", "what moves the hand: the time, or each reading by 1 ms, for runs faster than real time"},
+    {"clock", "real|NUMBER",
+     "what moves the hand: the time, or each reading by the period of so many Hz, for runs faster than real time"},
     {"longest-gap", "20|NUMBER", "ms without a force while forces are on; more is a fault"},
     {"most-force", "100|NUMBER", "N, beyond which a force is absurd"},
 };

@@ -114,7 +114,7 @@ TEST_F(dhd_device, is_not_blamed_over_many_frames) {
   const char* said = std::getenv("FORCESHADE_DHD_FRAMES");
   const int frames = said ? std::atoi(said) : 6000;
   constexpr double kRate = 10'000;
-  StandIn stand_in(kPatientDevice + "clock=readings,press@5600,time-guard@5700,saturate@5800");
+  StandIn stand_in(kPatientDevice + "clock=10000,press@5600,time-guard@5700,saturate@5800");
   ServoResult run;
   {
     const auto device = open_dhd("", kPatient, nobody);

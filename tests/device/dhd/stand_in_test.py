@@ -87,7 +87,7 @@ print(dhd.dhdSetWatchdog(0, ID))""" + END, {"process": "0", "thread": "-1"}),
      {"yes": "1 0", "no": "0 -1"}),
     ("pressed", BEGIN + "print(dhd.dhdGetButtonMask(ID), dhd.dhdGetButton(0, ID))" + END, {"no": "0 0", "yes": "1 1"}),
     ("clock", BEGIN + "y = values[1].value\n[read() for _ in range(200)]\nprint(abs(values[1].value - y) > 0.005)" + END,
-     {"real": "False", "readings": "True"}),
+     {"real": "False", "1000": "True"}),
 ]
 
 
