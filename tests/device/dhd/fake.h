@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// DHD's functions as a test wants them, each call written down; and the stand-in's library, loaded anew.
+// DHD's functions as a test sets them, each call written down; and the stand-in's library, loaded anew.
 
 #include <dlfcn.h>
 
