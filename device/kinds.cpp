@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "device/command/command.h"
 #include "device/dhd/dhd.h"
 #include "device/haply/haply.h"
 #include "device/null.h"
@@ -26,6 +27,8 @@ constexpr std::array kKinds{
          [](const std::string& rest, Attendant& attendant, Forces) { return open_simulated(rest, attendant); }},
     Kind{"phantom", "[:NAME]", "a real PHANToM (Premium, Omni, Touch) through the vendor's driver", open_phantom,
          phantom_checks},
+    Kind{"command", ":PROGRAM", "whatever a program of one's own drives: it answers forces with positions, in lines of JSON",
+         open_command},
     Kind{"haply", "[:ID]", "a Haply Inverse3 through Haply's Inverse Service", open_haply, haply_checks},
     Kind{"dhd", "[:SERIAL]",
          "a Force Dimension omega, delta, sigma or lambda, or a Novint Falcon (dhd:#INDEX), through the vendor's library",

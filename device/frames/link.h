@@ -27,6 +27,7 @@ struct FramedOptions {
   std::chrono::milliseconds open{5000}, start{5000}, calibration{120'000};
   double rate_tolerance = 0.05;  // by which share the frames may miss the rate
   bool force = true;             // false: no command that gives one is ever sent
+  bool device_paces = false;     // it answers at frames of its own, so that no clock of ours has to wait between two
 };
 
 // After it is made, it is called by the thread of the frames alone.

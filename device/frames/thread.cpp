@@ -45,7 +45,7 @@ void FrameThread::run() noexcept {
     due += period;
     const std::int64_t now = monotonic_now();
     if (now > due + period) ++count_.late;
-    due = std::max(due, now);  // what was missed is not made up for
+    due = options_.device_paces ? now : std::max(due, now);  // what was missed is not made up for
     const timespec until{.tv_sec = due / kSecond, .tv_nsec = due % kSecond};
     while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR) {
     }

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A device that a program drives: what it says of programs that do what they must not, and what is left of them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "device/command/command.h"
+#include "device/monotonic.h"
+#include "tests/support/allocations.h"
+#include "tests/support/temporary_directory.h"
+
+namespace forceshade::device {
+namespace {
+
+using namespace std::chrono_literals;
+
+// A busy machine may keep either side waiting; where that does not matter, the program has long for an answer.
+constexpr FramedOptions kPatient{.watchdog_timeout = 20s, .answer = 20s, .open = 20s, .start = 60s, .rate_tolerance = 1};
+constexpr double kRate = 200;  // Hz
+
+struct Listener final : Attendant {
+  void report(const std::string& said) noexcept override { words += said + '\n'; }
+  std::string words;
+};
+
+// hostile.py in this mode, and its log.
+struct Program {
+  explicit Program(const std::string& name) : mode(name), log(here.file("log")) {}
+
+  std::string command() const { return "exec python3 '" HOSTILE_PROGRAM "' " + mode + " '" + log + "'"; }
+
+  // How many processes have its log in their command line.
+  int left() const {
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+      std::ifstream in(entry.path() / "cmdline");
+      const std::string line{std::istreambuf_iterator<char>(in), {}};
+      count += line.find(log) != std::string::npos;
+    }
+    return count;
+  }
+
+  // The lines that it was sent, without their times.
+  std::vector<std::string> lines() const {
+    std::vector<std::string> all;
+    std::ifstream in(log);
+    for (std::string line; std::getline(in, line);) all.push_back(line.substr(line.find(' ') + 1));
+    return all;
+  }
+
+  tests::TemporaryDirectory here;
+  std::string mode, log;
+};
+
+// Drives it with a force until there is a fault, at most for 30 s. Its words, or those of what did not open or start.
+std::string driven(const Program& program, const FramedOptions& options, Attendant& attendant) try {
+  const auto device = open_command(program.command(), options, attendant);
+  if (const auto fault = device->start(kRate)) return fault->words;
+  for (const auto deadline = std::chrono::steady_clock::now() + 30s; std::chrono::steady_clock::now() < deadline;) {
+    device->wait_for_frame(monotonic_now() + kSecond);
+    const ReadResult reading = device->read();
+    if (const auto* fault = std::get_if<Fault>(&reading)) return fault->words;
+    device->allow({.work = 1e6, .longest_step = 1});
+    device->command({0, 0, 0.5F});
+  }
+  return "no fault";
+} catch (const DeviceError& error) {
+  return error.what();
+}
+
+struct Hostile {
+  const char *mode, *words;
+};
+
+void expect_words_and_an_end(const Hostile& hostile, FramedOptions options) {
+  SCOPED_TRACE(hostile.mode);
+  const Program program(hostile.mode);
+  Listener listener;
+  const std::string words = driven(program, options, listener);
+  EXPECT_NE(words.find(hostile.words), std::string::npos) << words;
+  EXPECT_EQ(program.left(), 0);
+}
+
+TEST(command_device, names_what_is_wrong_with_a_hello) {
+  constexpr Hostile kHellos[]{
+      {"no-peak", "the program's hello has no key \"peak_force_N\"; expected a number of N"},
+      {"peak-text", "the program's hello has peak_force_N \"3 N\"; expected a number of N"},
+      {"peak-nan", "expected a JSON object in one line"},
+      {"other-version", "the program's hello has forceshade-device 2; expected 1, the version of the protocol"},
+      {"unknown-key", "the program's hello has the key \"peek_force_N\"; expected "},
+      {"workspace-turned", "the program's hello has workspace_mm [[100,0,0],[0,1,1]]; expected [[x, y, z], [x, y, z]] in mm"},
+      {"continuous-above-peak",
+       "the program's hello has continuous_force_N 4; expected a number of N from 0.001 to peak_force_N"},
+      {"half-a-button", "the program's hello has buttons 0.5; expected a whole number from 0 to 16"},
+      {"paces-by-number", "the program's hello has paces 1; expected true or false"},
+      {"no-hello", "the program wrote \"hello\"; expected a JSON object in one line"},
+      {"key-twice", "the key \"buttons\" twice"},
+      {"fails", "the program failed: \"no arm at /dev/ttyACM0\""},
+      {"exits",
+       "the program ended with exit code 1 without an answer; it wrote last on standard error: \"no arm is connected\""},
+      {"long-hello", "the program wrote a line of more than 65536 bytes"},
+  };
+  for (const Hostile& hostile : kHellos) expect_words_and_an_end(hostile, kPatient);
+  FramedOptions hasty = kPatient;
+  hasty.open = 300ms;
+  expect_words_and_an_end({"silent", "the program did not answer within 0.3 s"}, hasty);
+}
+
+TEST(command_device, ends_a_run_in_words_for_a_wrong_answer) {
+  constexpr Hostile kAnswers[]{
+      {"garbage", "the program wrote \"}{\"; expected a JSON object in one line"},
+      {"nan", "expected a JSON object in one line"},
+      {"infinite", "expected a JSON object in one line"},
+      {"two-coordinates", "the program's answer has position_mm [0,0]; expected [x, y, z] in mm"},
+      {"metres-away", "the program's answer has position_mm [0,0,20000]; expected [x, y, z] in mm, three numbers from -2000"},
+      {"no-position", "the program's answer has no key \"position_mm\""},
+      {"time-stands", "; expected a later time than "},
+      {"button-too-many", "the program's answer has buttons 4; expected a whole number from 0 to 3"},
+      {"another-key", "the program's answer has the key \"velocity\"; expected \"time_s\""},
+      {"applied-text", "the program's answer has applied_N \"0 0 0\"; expected [x, y, z] in N"},
+      {"overlong", "the program wrote a line of more than 65536 bytes"},
+      {"endless", "the program wrote a line of more than 65536 bytes"},
+      {"twice", "the program wrote without having been asked"},
+      {"exits-at",
+       "the program ended with exit code 1 without an answer; it wrote last on standard error: \"the arm was unplugged\""},
+      {"crashes", "the program was killed by signal 6"},
+      {"closes", "the program closed its output, and did not end"},
+      {"fails-at", "the program failed: \"motor 2 is too hot\""},
+  };
+  for (const Hostile& hostile : kAnswers) expect_words_and_an_end(hostile, kPatient);
+}
+
+TEST(command_device, ends_a_run_where_an_answer_is_late) {
+  FramedOptions hasty = kPatient;
+  hasty.answer = 50ms;
+  for (const char* mode : {"late", "freezes"})
+    expect_words_and_an_end({mode, "the program did not answer within 0.05 s. If the device still pushes, switch it off"},
+                            hasty);
+}
+
+// The lines of a program that still reads end with a zero force and the end.
+TEST(command_device, sends_zero_last) {
+  for (const char* mode : {"garbage", "nan", "metres-away", "late", "forks"}) {
+    SCOPED_TRACE(mode);
+    const Program program(mode);
+    FramedOptions options = kPatient;
+    if (program.mode == "late") options.answer = 50ms;
+    Attendant nobody;
+    if (program.mode == "forks") {
+      const auto device = open_command(program.command(), options, nobody);
+      ASSERT_FALSE(device->start(kRate));
+    } else {
+      driven(program, options, nobody);
+    }
+    const std::vector<std::string> lines = program.lines();
+    ASSERT_GT(lines.size(), 100U);
+    EXPECT_EQ(lines.back(), R"({"end":true})");
+    EXPECT_EQ(lines[lines.size() - 2], R"({"force_N":[0,0,0]})");
+    EXPECT_EQ(program.left(), 0);
+    if (program.mode == "garbage" || program.mode == "metres-away") {
+      EXPECT_NE(std::ranges::find(lines, R"({"force_N":[0,0,0.5]})"), lines.end());
+    }
+  }
+}
+
+TEST(command_device, ends_what_does_not_end_by_itself) {
+  for (const char* mode : {"hangs-at-end", "ignores-signals"}) {
+    SCOPED_TRACE(mode);
+    const Program program(mode);
+    Listener listener;
+    {
+      const auto device = open_command(program.command(), kPatient, listener);
+      ASSERT_FALSE(device->start(kRate));
+    }
+    EXPECT_EQ(program.left(), 0);
+    const bool is_ended = listener.words.find("it did not end within 1 s, and was ended") != std::string::npos;
+    EXPECT_EQ(is_ended, program.mode == "hangs-at-end") << listener.words;
+  }
+}
+
+TEST(command_device, says_what_calibrates_it) {
+  const Program program("uncalibrated");
+  FramedOptions options = kPatient;
+  options.calibration = 1s;
+  Listener listener;
+  EXPECT_EQ(driven(program, options, listener), "the device is not calibrated");
+  EXPECT_NE(listener.words.find("the calibration of the device: turn each joint to its stop"), std::string::npos)
+      << listener.words;
+}
+
+// Where the device has the clock, frames are as fast as its answers, here at most 1 kHz; else as fast as the rate.
+TEST(command_device, follows_the_frames_of_a_device_that_paces) {
+  for (const char* mode : {"paces", "right"}) {
+    const Program program(mode);
+    FramedOptions options = kPatient;
+    options.rate_tolerance = 10;
+    Listener listener;
+    const auto device = open_command(program.command(), options, listener);
+    ASSERT_FALSE(device->start(kRate));
+    EXPECT_EQ(std::stod(listener.words) > 1.15 * kRate, program.mode == "paces") << listener.words;
+  }
+}
+
+// Opened for no force, it is sent none, whatever is commanded.
+TEST(command_device, sends_no_force_that_is_forbidden) {
+  const Program program("right");
+  Attendant nobody;
+  {
+    FramedOptions options = kPatient;
+    options.force = false;
+    const auto device = open_command(program.command(), options, nobody);
+    ASSERT_FALSE(device->start(kRate));
+    device->allow({.work = 1e6, .longest_step = 1});
+    for (int tick = 0; tick < 20; ++tick) {
+      device->wait_for_frame(monotonic_now() + 20 * kSecond);
+      device->read();
+      device->command({0, 0, 0.5F});
+    }
+    EXPECT_FALSE(device->state().forces_on);
+  }
+  for (const std::string& line : program.lines())
+    EXPECT_TRUE(line == R"({"force_N":[0,0,0]})" || line == R"({"end":true})") << line;
+}
+
+// Only the thread that calls the device is counted. A program that writes much on its standard error does not stop.
+TEST(command_device, allocates_nothing_once_started) {
+  const Program program("chatters");
+  Attendant nobody;
+  const auto device = open_command(program.command(), kPatient, nobody);
+  EXPECT_EQ(device->capabilities().model, "test arm");
+  EXPECT_EQ(device->capabilities().peak_force, 3);
+  EXPECT_EQ(device->capabilities().buttons, 2);
+  EXPECT_TRUE(device->capabilities().paces);
+  ASSERT_FALSE(device->start(kRate));
+  const std::size_t before = tests::allocations();
+  for (int tick = 0; tick < 200; ++tick) {
+    device->wait_for_frame(monotonic_now() + 20 * kSecond);
+    ASSERT_TRUE(std::holds_alternative<Reading>(device->read()));
+    device->allow({.work = 1, .longest_step = 1});
+    device->command({0, 0, 0.1F});
+  }
+  device->command({0, 0, 0});
+  EXPECT_EQ(tests::allocations(), before);
+}
+
+}  // namespace
+}  // namespace forceshade::device

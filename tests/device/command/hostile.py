@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""hostile.py MODE LOG: a device's program (docs/command-device.md) that does wrong what MODE says, in its hello or at its answer 150. LOG
+gets a line for each line that it was sent, and "end of input"."""
+
+import json
+import os
+import signal
+import sys
+import time
+
+mode, log_file = sys.argv[1:3]
+AT = 150  # by then forces are sent, at 200 frames a second
+log = open(log_file, "a", buffering=1)
+HELLO = {"forceshade-device": 1, "name": "test arm", "workspace_mm": [[-100, -100, -100], [100, 100, 100]], "peak_force_N": 3,
+         "continuous_force_N": 1, "resolution_mm": 0.05, "buttons": 2, "paces": False}
+begin, last = time.monotonic(), {}
+
+
+def write(text):
+    sys.stdout.write(text + "\n")
+    sys.stdout.flush()
+
+
+def answer(**other):
+    global last
+    last = {"time_s": time.monotonic() - begin, "position_mm": [0, 0, 20], "buttons": 0, **other}
+    write(json.dumps(last))
+
+
+def wait():
+    while True:
+        time.sleep(1)
+
+
+def fork_daemon():
+    if os.fork() == 0:
+        os.setsid()
+        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+            signal.signal(number, signal.SIG_IGN)
+        os.closerange(0, 3)
+        wait()
+
+
+HELLOS = {
+    "no-peak": lambda: write(json.dumps({key: value for key, value in HELLO.items() if key != "peak_force_N"})),
+    "peak-text": lambda: write(json.dumps({**HELLO, "peak_force_N": "3 N"})),
+    "peak-nan": lambda: write(json.dumps({**HELLO, "peak_force_N": float("nan")})),
+    "other-version": lambda: write(json.dumps({**HELLO, "forceshade-device": 2})),
+    "unknown-key": lambda: write(json.dumps({**HELLO, "peek_force_N": 3})),
+    "workspace-turned": lambda: write(json.dumps({**HELLO, "workspace_mm": [[100, 0, 0], [0, 1, 1]]})),
+    "continuous-above-peak": lambda: write(json.dumps({**HELLO, "continuous_force_N": 4})),
+    "half-a-button": lambda: write(json.dumps({**HELLO, "buttons": 0.5})),
+    "paces-by-number": lambda: write(json.dumps({**HELLO, "paces": 1})),
+    "no-hello": lambda: write("hello"),
+    "key-twice": lambda: write(json.dumps(HELLO)[:-1] + ', "buttons": 3}'),
+    "silent": wait,
+    "fails": lambda: write(json.dumps({"failure": "no arm at /dev/ttyACM0"})),
+    "exits": lambda: sys.exit("no arm is connected"),
+    "long-hello": lambda: write(" " * 100_000),
+    "paces": lambda: write(json.dumps({**HELLO, "paces": True})),
+    "uncalibrated": lambda: write(json.dumps({**HELLO, "to_calibrate": "turn each joint to its stop"})),
+}
+ANSWERS = {
+    "late": lambda: time.sleep(0.5),
+    "freezes": wait,
+    "garbage": lambda: write("}{"),
+    "nan": lambda: answer(position_mm=[0, float("nan"), 0]),
+    "infinite": lambda: write('{"time_s":%g,"position_mm":[0,1e999,0],"buttons":0}' % time.time()),
+    "two-coordinates": lambda: answer(position_mm=[0, 0]),
+    "metres-away": lambda: answer(position_mm=[0, 0, 20_000]),
+    "no-position": lambda: write('{"time_s":1e9,"buttons":0}'),
+    "time-stands": lambda: answer(time_s=last["time_s"]),
+    "button-too-many": lambda: answer(buttons=4),
+    "another-key": lambda: answer(velocity=[0, 0, 0]),
+    "applied-text": lambda: answer(applied_N="0 0 0"),
+    "overlong": lambda: write("[" * 100_000),
+    "endless": lambda: [sys.stdout.write("x" * 4096) for _ in iter(int, 1)],
+    "twice": lambda: (answer(), answer()),
+    "exits-at": lambda: sys.exit("the arm was unplugged"),
+    "crashes": lambda: os.abort(),
+    "closes": lambda: (os.close(1), wait()),
+    "fails-at": lambda: write(json.dumps({"failure": "motor 2 is too hot"})),
+}
+
+
+def main():
+    if mode == "forks":
+        fork_daemon()
+    if mode in ("ignores-signals", "hangs-at-end"):
+        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+            signal.signal(number, signal.SIG_IGN)
+    HELLOS.get(mode, lambda: write(json.dumps(HELLO)))()
+    count = 0
+    for line in sys.stdin:
+        print(time.monotonic(), line.strip(), file=log)
+        if "end" in json.loads(line):
+            if mode == "hangs-at-end":
+                wait()
+            return
+        count += 1
+        if mode in ANSWERS and count == AT:
+            ANSWERS[mode]()
+        elif mode == "chatters" and count % 10 == 0:
+            print("a word to nobody " * 10, file=sys.stderr, flush=True)
+            answer()
+        else:
+            if mode == "paces":
+                time.sleep(0.001)
+            answer(calibrated=mode != "uncalibrated")
+    print(time.monotonic(), "end of input", file=log)
+    if mode == "ignores-signals":
+        wait()
+
+
+main()
