@@ -86,7 +86,7 @@ RunOutcome run_on(device::Device& device, const Rendering& what, RunPlan plan) {
   std::optional<LiveView> view;
   if (is_watched()) view.emplace(bar_of(capabilities));
   if (view) plan.run.servo.sinks.push_back(&*view);
-  const run::Outcome outcome = run::run(device, what, plan.run, interrupted());
+  const run::Outcome outcome = plan.run_loop(device, what, plan.run, interrupted());
   view.reset();
   const device::ServoResult& result = outcome.result;
   for (const std::string& fault : outcome.record_faults) std::fprintf(stderr, "forceshade: %s\n", fault.c_str());

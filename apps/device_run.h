@@ -3,6 +3,8 @@
 // A run of the servo loop with all that the command line keeps and says of it.
 
 #include <CLI/CLI.hpp>
+#include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,6 +17,9 @@ namespace forceshade::apps {
 struct RunPlan {
   run::Plan run;     // the device as the command line names it
   std::string json;  // the summary's file; - is standard output, empty is none
+  // run::run(), or what shows a window meanwhile.
+  std::function<run::Outcome(device::Device&, const Rendering&, const run::Plan&, const std::atomic<bool>& stop)> run_loop =
+      run::run;
 };
 
 struct RunOutcome {

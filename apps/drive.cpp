@@ -9,11 +9,14 @@
 
 #include "apps/command.h"
 #include "apps/device_run.h"
+#include "apps/drive_window.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
 #include "apps/placement_options.h"
 #include "apps/signals.h"
+#include "apps/steering_attendant.h"
 #include "apps/subject_option.h"
+#include "apps/surface_cut.h"
 #include "device/kinds.h"
 #include "forceshade/run.h"
 
@@ -57,32 +60,56 @@ void expect_consistent(const DriveOptions& options) {
                  std::to_string(*options.cpu));
 }
 
+// In the air over what the window shows.
+Eigen::Vector3d start_above(const SurfaceCut& cut, const device::Placement& placement) {
+  const window::Region& region = cut.region();
+  const Eigen::Vector3d start((region.left + region.right) / 2, cut.middle_y(),
+                              region.top - 0.1 * (region.top - region.bottom));
+  return (placement.origin() + placement.turned_to_device(start.cast<float>())).cast<double>();
+}
+
+std::string words_of(const run::Certified& covered, const std::string& file) {
+  if (covered.digest)
+    return "Certified: every force is the binary32 number nearest to the exact one, by " + file + " (SHA-256 " +
+           covered.digest->substr(0, 12) + "…).";
+  return "NOT CERTIFIED, because of --uncertified: " + covered.why_not;
+}
+
 int run(const DriveOptions& options, const SubjectOption& subject, const PlacementOptions& place) {
   expect_consistent(options);
   const device::Placement placement = place.placement();
-  const Rendering what = subject.rendering();
+  auto described = std::make_unique<const Description>(subject.description());
+  const Rendering what = built(rendering_of(*described));
   const run::Certified covered = run::certified(options.certificate, what.identity);
   if (!may_be_driven(covered, options.uncertified)) return kFailed;
 
   end_runs_in_order();
-  const auto prepares = attendant(options.in_reset_pose, options.dead_man.has_value());
-  const std::unique_ptr<device::Device> device = open_for_a_run(options.device, *prepares);
-  return run_on(*device, what,
-                {.run = {.device = options.device,
-                         .digest = covered.digest,
-                         .record = options.record,
-                         .overwrite = options.overwrite,
-                         .servo = {.rate_hz = options.rate,
-                                   .max_seconds = options.seconds,
-                                   .paced = !options.free_run,
-                                   .follows_device = options.pace == "device",
-                                   .cpu = options.cpu,
-                                   .passivity = controller_named(options.passivity),
-                                   .watchdog_timeout = options.watchdog_timeout,
-                                   .dead_man_button = options.dead_man,
-                                   .placement = placement}},
-                 .json = options.json})
-      .code;
+  std::optional<SurfaceCut> cut;  // of a device that is steered in a window
+  SteeringAttendant prepares(options.in_reset_pose, options.dead_man.has_value(),
+                             [&] { return start_above(cut.emplace(*described, what), placement); });
+  const std::unique_ptr<device::Device> device = open_for_a_run(options.device, prepares);
+  RunPlan plan{.run = {.device = options.device,
+                       .digest = covered.digest,
+                       .record = options.record,
+                       .overwrite = options.overwrite,
+                       .servo = {.rate_hz = options.rate,
+                                 .max_seconds = options.seconds,
+                                 .paced = !options.free_run,
+                                 .follows_device = options.pace == "device",
+                                 .cpu = options.cpu,
+                                 .passivity = controller_named(options.passivity),
+                                 .watchdog_timeout = options.watchdog_timeout,
+                                 .dead_man_button = options.dead_man,
+                                 .placement = placement}},
+               .json = options.json};
+  std::optional<DriveWindow> window;
+  if (prepares.steered() != nullptr) {
+    window.emplace(*described, *cut, placement, *prepares.steered(), words_of(covered, options.certificate));
+    plan.run_loop = [&window](auto&... arguments) { return window->run(arguments...); };
+  } else {
+    described.reset();  // a mesh is large
+  }
+  return run_on(*device, what, std::move(plan)).code;
 }
 
 // "null, at rest, feels nothing; ..."

@@ -106,7 +106,7 @@ struct Driving {
     command.option_defaults()->group(kDeviceGroup);
     command
         .add_option("--device", device,
-                    "as for drive --device; or simulated:MODEL:mouse, a PHANToM whose hand is the mouse over the window")
+                    "as for drive --device; mouse is a PHANToM whose hand is the mouse over the participant's window")
         ->type_name("DEVICE")
         ->required();
     CLI::Option* folder =
@@ -133,7 +133,7 @@ struct Driving {
   SessionOptions options() const {
     if (certificates.empty() && !uncertified)
       throw BadInput("--certificates: expected the folder of 'forceshade experiment prepare', or --uncertified; got neither");
-    if (terminal && dead_man && device.starts_with("simulated"))
+    if (terminal && dead_man && (device.starts_with("simulated") || device.starts_with("mouse")))
       throw BadInput("--dead-man: expected a device with buttons of its own beside --terminal, which has the keys; got " +
                      device);
     return {.device = device,
@@ -149,10 +149,9 @@ struct Driving {
   }
 
   OpenFront front(const Eigen::Vector3f& at) const {
-    if (terminal) return [](Bumps&, device::Steering&) -> std::unique_ptr<Front> { return std::make_unique<TerminalFront>(); };
-    return [its = window_settings(), at, has_mouse = device.ends_with(":mouse")](
-               Bumps& bumps, device::Steering& steering) -> std::unique_ptr<Front> {
-      return std::make_unique<WindowFront>(its, bumps, steering, at, has_mouse);
+    if (terminal) return [](Bumps&, device::Steering*) -> std::unique_ptr<Front> { return std::make_unique<TerminalFront>(); };
+    return [its = window_settings(), at](Bumps& bumps, device::Steering* steering) -> std::unique_ptr<Front> {
+      return std::make_unique<WindowFront>(its, bumps, steering, at);
     };
   }
 };

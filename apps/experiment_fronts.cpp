@@ -94,12 +94,11 @@ std::vector<Press> TerminalFront::presses() {
   return press ? std::vector<Press>{*press} : std::vector<Press>{};
 }
 
-WindowFront::WindowFront(const window::Settings& settings, apparatus::Bumps& bumps, device::Steering& steering,
-                         const Eigen::Vector3f& origin, bool has_mouse)
+WindowFront::WindowFront(const window::Settings& settings, apparatus::Bumps& bumps, device::Steering* steering,
+                         const Eigen::Vector3f& origin)
     : bumps_(bumps),
       steering_(steering),
       origin_(origin.cast<double>()),
-      has_mouse_(has_mouse),
       window_(settings, experiments::read_language(bumps.protocol().language).labels) {
   if (!window_.note().empty()) std::fprintf(stderr, "forceshade: %s\n", files::printable(window_.note()).c_str());
 }
@@ -108,7 +107,7 @@ window::Scene WindowFront::seen(const std::optional<device::Sample>& latest, con
   constexpr double kMil = experiments::kMillimetresPerMil;
   const experiments::Protocol& protocol = bumps_.protocol();
   window::Scene seen;
-  seen.shows_tip_alone = has_mouse_;
+  seen.shows_tip_alone = steering_ != nullptr;
   seen.width = protocol.width * kMil;
   if (protocol.spacing > 0) seen.separation = protocol.spacing * kMil;
   if (!latest) return seen;
@@ -122,7 +121,8 @@ window::Scene WindowFront::seen(const std::optional<device::Sample>& latest, con
 
 bool WindowFront::show(const Screen& screen, const std::optional<device::Sample>& latest, const experiments::Scene& felt) {
   const bool is_open = window_.draw(screen, seen(latest, felt));
-  if (const auto mouse = window_.mouse()) steering_.aim(origin_ + Eigen::Vector3d(mouse->x, mouse->y, mouse->z));
+  if (const auto mouse = window_.mouse(); mouse && steering_ != nullptr)
+    steering_->aim(origin_ + Eigen::Vector3d(mouse->x, mouse->y, mouse->z));
   return is_open;
 }
 

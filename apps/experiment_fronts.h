@@ -40,10 +40,10 @@ std::optional<experiments::Press> press_of_character(experiments::ScreenKind kin
 class WindowFront final : public apparatus::Front {
  public:
   // Bumps and steering live longer; the labels are in the language of the protocol. Throws window::Error, and
-  // experiments::Error of its file of texts. has_mouse: the hand is the mouse, so that its place has to be seen on every screen
-  // that has something to feel.
-  WindowFront(const window::Settings& settings, apparatus::Bumps& bumps, device::Steering& steering,
-              const Eigen::Vector3f& origin, bool has_mouse);
+  // experiments::Error of its file of texts. steering: null unless the hand is the mouse, whose place then has to be seen on
+  // every screen that has something to feel.
+  WindowFront(const window::Settings& settings, apparatus::Bumps& bumps, device::Steering* steering,
+              const Eigen::Vector3f& origin);
 
   bool show(const experiments::Screen& screen, const std::optional<device::Sample>& latest,
             const experiments::Scene& felt) override;
@@ -53,9 +53,8 @@ class WindowFront final : public apparatus::Front {
   window::Scene seen(const std::optional<device::Sample>& latest, const experiments::Scene& felt);
 
   apparatus::Bumps& bumps_;
-  device::Steering& steering_;
+  device::Steering* steering_;
   Eigen::Vector3d origin_;
-  bool has_mouse_;
   window::Window window_;
 };
 

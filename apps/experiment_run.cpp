@@ -12,6 +12,7 @@
 #include "apps/device_run.h"
 #include "apps/live_line.h"
 #include "apps/signals.h"
+#include "apps/steering_attendant.h"
 #include "apps/subject_option.h"
 #include "apps/trip_words.h"
 #include "device/run/rule_names.h"
@@ -21,23 +22,6 @@
 
 namespace forceshade::apps {
 namespace {
-
-// Prepares the device as another one does, and steers a simulated hand besides.
-class SteeringAttendant final : public device::Attendant {
- public:
-  SteeringAttendant(bool in_reset_pose, bool with_buttons, device::Steering& steering)
-      : person_(attendant(in_reset_pose, with_buttons)), steering_(steering) {}
-
-  void report(const std::string& words) noexcept override { person_->report(words); }
-  bool did(const std::string& words) noexcept override { return person_->did(words); }
-  bool has_left() const noexcept override { return person_->has_left(); }
-  const std::atomic<std::uint16_t>* buttons() noexcept override { return person_->buttons(); }
-  device::Steering* steering() noexcept override { return &steering_; }
-
- private:
-  std::unique_ptr<device::Attendant> person_;
-  device::Steering& steering_;
-};
 
 // Draws the experimenter's line in the terminal beside what the participant sees: trial, time, force, safety.
 class WatchedFront final : public apparatus::Front {
@@ -124,11 +108,10 @@ int run_session(const experiments::Protocol& protocol, const SessionOptions& opt
     tell_experimenter("*** DRIVING UNCERTIFIED, because of --uncertified ***");
 
   end_runs_in_order();
-  device::Steering steering({static_cast<double>(options.origin.x()), static_cast<double>(options.origin.y()),
-                             static_cast<double>(options.origin.z()) + 20});
-  SteeringAttendant person(options.in_reset_pose, options.servo.dead_man_button.has_value(), steering);
+  SteeringAttendant person(options.in_reset_pose, options.servo.dead_man_button.has_value(),
+                           [&] { return Eigen::Vector3d(options.origin.cast<double>() + Eigen::Vector3d(0, 0, 20)); });
   const std::unique_ptr<device::Device> device = open_for_a_run(options.device, person);
-  const std::unique_ptr<apparatus::Front> front = open_front(bumps, steering);
+  const std::unique_ptr<apparatus::Front> front = open_front(bumps, person.steered());
   experiments::RecordedSession recorded = open_session();
   if (!recorded.note().empty()) tell_experimenter(recorded.note());
   const double peak = static_cast<double>(device->capabilities().peak_force);

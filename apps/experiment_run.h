@@ -22,9 +22,9 @@ struct SessionOptions {
   device::ServoOptions servo = {};
 };
 
-// Opens the device, then the front (with bumps and, for a device that a mouse moves, where it steers), then the session: what
-// fails before the session is there leaves no folder behind. Returns the exit code. Throws as they do.
-using OpenFront = std::function<std::unique_ptr<apparatus::Front>(apparatus::Bumps& bumps, device::Steering& steering)>;
+// Opens the device, then the front (with bumps and, for a device that a mouse moves, where it steers, else null), then the
+// session: what fails before the session is there leaves no folder behind. Returns the exit code. Throws as they do.
+using OpenFront = std::function<std::unique_ptr<apparatus::Front>(apparatus::Bumps& bumps, device::Steering* steering)>;
 using OpenSession = std::function<experiments::RecordedSession()>;
 int run_session(const experiments::Protocol& protocol, const SessionOptions& options, const OpenFront& open_front,
                 const OpenSession& open_session);

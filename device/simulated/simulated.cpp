@@ -14,6 +14,17 @@ Eigen::Vector3d metres(const Eigen::Vector3d& millimetres_in_law) noexcept {
   return kMillimetre * turned_to_arm(millimetres_in_law);
 }
 
+// The first one where no name is given. Throws UnknownDevice.
+Model simulated_model(const std::string& name) {
+  std::string known;
+  for (const auto& make : kModels) {
+    const Model model = make();
+    if (name.empty() || name == model.name) return model;
+    known += (known.empty() ? "" : ", ") + std::string(model.name);
+  }
+  throw UnknownDevice("unknown model \"" + name + "\" to simulate: expected one of " + known);
+}
+
 }  // namespace
 
 Simulated::Simulated(const Model& model, std::optional<Operator> hand, const Options& options)
@@ -125,32 +136,31 @@ Eigen::Vector3d Simulated::tip() const noexcept {
 std::unique_ptr<Device> open_simulated(const std::string& rest, Attendant& attendant) {
   const std::size_t colon = std::min(rest.find(':'), rest.size());
   const std::string name = rest.substr(0, colon);
-  std::string known;
-  for (const auto& make : kModels) {
-    const Model model = make();
-    known += (known.empty() ? "" : ", ") + std::string(model.name);
-    if (!name.empty() && name != model.name) continue;
-    if (colon == rest.size())
-      return std::make_unique<Simulated>(model, Operator{Grip{}, strokes(), Tremor(1, 0.03), false},
-                                         Simulated::Options{.buttons = attendant.buttons()});
-    if (rest.substr(colon + 1) == "mouse") {
-      if (attendant.steering() == nullptr)
-        throw UnknownDevice("the device simulated:" + rest +
-                            ": expected a window with a mouse that steers it, as 'forceshade experiment run' has; got none");
-      return std::make_unique<Simulated>(
-          model, Operator{Grip{}, Intention({{0, Eigen::Vector3d::Zero()}}, Intention::Between::straight), Tremor(1, 0), false},
-          Simulated::Options{.buttons = attendant.buttons(), .steering = attendant.steering()});
-    }
-    std::vector<Intention::Point> points;
-    // A recorded hand trembles already.
-    const Replay replay = Replay::load(rest.substr(colon + 1));
-    for (const Reading& reading : replay.recording())
-      points.push_back({reading.time - replay.recording().front().time, reading.position.cast<double>()});
-    return std::make_unique<Simulated>(
-        model, Operator{Grip{}, Intention(std::move(points), Intention::Between::straight), Tremor(1, 0), true},
-        Simulated::Options{.buttons = attendant.buttons()});
-  }
-  throw UnknownDevice("unknown model \"" + name + "\" to simulate: expected one of " + known);
+  if (colon != rest.size() && rest.substr(colon + 1) == "mouse") return open_mouse(name, attendant);
+  const Model model = simulated_model(name);
+  const Simulated::Options options{.buttons = attendant.buttons()};
+  if (colon == rest.size())
+    return std::make_unique<Simulated>(model, Operator{Grip{}, strokes(), Tremor(1, 0.03), false}, options);
+  std::vector<Intention::Point> points;
+  // A recorded hand trembles already.
+  const Replay replay = Replay::load(rest.substr(colon + 1));
+  for (const Reading& reading : replay.recording())
+    points.push_back({reading.time - replay.recording().front().time, reading.position.cast<double>()});
+  return std::make_unique<Simulated>(
+      model, Operator{Grip{}, Intention(std::move(points), Intention::Between::straight), Tremor(1, 0), true}, options);
+}
+
+std::unique_ptr<Device> open_mouse(const std::string& model, Attendant& attendant) {
+  const Model its = simulated_model(model);
+  Steering* const steering = attendant.steering();
+  if (steering == nullptr)
+    throw UnknownDevice(
+        "the mouse as a device: expected a window in which it steers a hand, as 'forceshade drive' and 'forceshade experiment "
+        "run' "
+        "have; got none");
+  return std::make_unique<Simulated>(
+      its, Operator{Grip{}, Intention({{0, Eigen::Vector3d::Zero()}}, Intention::Between::straight), Tremor(1, 0), false},
+      Simulated::Options{.buttons = attendant.buttons(), .steering = steering});
 }
 
 }  // namespace forceshade::device

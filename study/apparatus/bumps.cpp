@@ -8,6 +8,7 @@
 #include "forceshade/bad_input.h"
 #include "forceshade/checks.h"
 #include "rendering/subjects/read.h"
+#include "study/apparatus/contact_border.h"
 
 namespace forceshade::apparatus {
 namespace {
@@ -76,13 +77,8 @@ double Bumps::height(const Bump& bump, double x) {
   const auto is_inside = [&](double z) {
     return its.looked_at->step({static_cast<float>(x), 0, static_cast<float>(z)}).status == Status::contact;
   };
-  double inside = -100, outside = 100;
-  if (!std::isfinite(x) || !is_inside(inside)) return 0;
-  while (outside - inside > 0.01) {
-    const double middle = 0.5 * (inside + outside);
-    (is_inside(middle) ? inside : outside) = middle;
-  }
-  return 0.5 * (inside + outside);
+  constexpr double kInside = -100, kOutside = 100;
+  return std::isfinite(x) && is_inside(kInside) ? contact_border(kInside, kOutside, is_inside) : 0;
 }
 
 Bumps::Read read_until(const std::atomic<bool>& stop) {

@@ -37,15 +37,12 @@ recorder::Metadata known_before(const LoopPlan& plan, const device::Capabilities
 
 }  // namespace
 
-void RecordedLoop::Latest::push(const device::Sample& sample) noexcept {
-  mailbox.publish({sample, true});
-  if (*asked) *stop = true;
-}
-
 RecordedLoop::RecordedLoop(device::Device& device, Bumps& bumps, LoopPlan plan, const std::atomic<bool>& stop)
-    : device_(device), bumps_(bumps), plan_(std::move(plan)), parts_({.ring = kRing, .waits = !plan_.servo.paced}) {
-  latest_.asked = &stop;
-  latest_.stop = &stop_;
+    : device_(device),
+      bumps_(bumps),
+      plan_(std::move(plan)),
+      parts_({.ring = kRing, .waits = !plan_.servo.paced}),
+      latest_(stop, stop_) {
   std::error_code error;
   if (!fs::create_directory(plan_.folder, error))
     throw BadInput(plan_.folder.string() +
@@ -138,11 +135,6 @@ experiments::Scene RecordedLoop::felt(const device::Sample& tick) {
   if (found == scenes_.end()) return {};
   scenes_.erase(scenes_.begin(), found);
   return found->second;
-}
-
-std::optional<device::Sample> RecordedLoop::latest() {
-  const Latest::Tick& tick = latest_.mailbox.latest();
-  return tick.is_there ? std::optional(tick.sample) : std::nullopt;
 }
 
 double RecordedLoop::seconds() {

@@ -12,10 +12,10 @@
 #include <thread>
 
 #include "device/stage.h"
-#include "device/triple_buffer.h"
 #include "forceshade/servo_loop.h"
 #include "recorder/parts.h"
 #include "study/apparatus/bumps.h"
+#include "study/apparatus/latest_tick.h"
 #include "study/experiments/session.h"
 
 namespace forceshade::apparatus {
@@ -52,7 +52,7 @@ class RecordedLoop {
   // s since the first tick: by this machine's clock, and by the device's where the run is not paced.
   double seconds();
   // The latest tick; none before the first.
-  std::optional<device::Sample> latest();
+  std::optional<device::Sample> latest() { return latest_.latest(); }
   // What was felt at the tick. A bump that was changed under the tip is exchanged later (device/stage.h): until then this is
   // what the session showed before. By rising ticks.
   experiments::Scene felt(const device::Sample& tick);
@@ -66,16 +66,6 @@ class RecordedLoop {
   device::ServoResult stop_at_the_end();
 
  private:
-  struct Latest final : device::SampleSink {
-    struct Tick {
-      device::Sample sample;
-      bool is_there = false;
-    };
-    void push(const device::Sample& sample) noexcept override;
-    device::TripleBuffer<Tick> mailbox;
-    const std::atomic<bool>* asked = nullptr;
-    std::atomic<bool>* stop = nullptr;
-  };
   void begin_part(const experiments::Session& session);
   void offer(const experiments::Scene& scene);
 
@@ -84,9 +74,9 @@ class RecordedLoop {
   LoopPlan plan_;
   device::Stage stage_;
   recorder::Parts parts_;
-  Latest latest_;
-  std::ofstream stimuli_;
   std::atomic<bool> stop_ = false, ended_ = false;
+  LatestTick latest_;
+  std::ofstream stimuli_;
   std::thread loop_;
   device::ServoResult result_;
   std::exception_ptr thrown_;

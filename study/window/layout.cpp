@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "study/window/composition.h"
 #include "study/window/solids.h"
 #include "study/window/view.h"
 
@@ -14,30 +15,24 @@ namespace {
 using experiments::Screen;
 using experiments::ScreenKind;
 
-// Contrast with the paper at least 5 to 1 for all text, and 3 to 1 for what else carries meaning (WCAG 2.1, 1.4.3 and 1.4.11).
-constexpr Colour kInk{0.125F, 0.145F, 0.169F}, kMuted{0.349F, 0.384F, 0.420F}, kAccent{0.129F, 0.369F, 0.569F}, kWhite{1, 1, 1},
-    kRule{0.776F, 0.765F, 0.737F}, kShadow{0.10F, 0.14F, 0.18F, 0.35F};
+constexpr Colour kShadow{0.10F, 0.14F, 0.18F, 0.35F};
 
 constexpr double kTipRadius = 1.3;  // mm
 
 // In which the lines of longer texts are: some 70 characters, in sizes of the body.
 constexpr double kColumn = 36;
 
-enum class Align : std::uint8_t { left, centre, right };
-
-class Layout {
+class Layout : private Composition {
  public:
   Layout(const Screen& screen, const Scene& scene, const Look& look, Size window, const Measure& measure)
-      : screen_(screen),
+      : Composition(measure),
+        screen_(screen),
         scene_(scene),
         look_(look),
         window_(window),
-        measure_(measure),
         body_(text_size(window) * look.text_scale),
         label_(std::min({body_, window.height / 26, window.width / 34})),
-        margin_(0.05 * window.height) {
-    picture_.background = kPaper;
-  }
+        margin_(0.05 * window.height) {}
 
   Picture made() && {
     switch (screen_.kind) {
@@ -52,22 +47,6 @@ class Layout {
   }
 
  private:
-  void add(Item item) { picture_.items.push_back(std::move(item)); }
-
-  double line(double size) const { return size * kLineHeight; }
-
-  // x is the left end, the middle or the right end of the line.
-  void add_line(const std::string& words, double x, double top, double size, Colour colour, Align align = Align::left) {
-    if (words.empty()) return;
-    if (align != Align::left) x -= measure_.width(words, size) / (align == Align::centre ? 2 : 1);
-    add(Text{{x, top}, size, colour, words});
-  }
-
-  void add_lines(const Fitted& text, double x, double top, Colour colour, Align align = Align::left) {
-    for (std::size_t i = 0; i < text.lines.size(); ++i)
-      add_line(text.lines[i], x, top + static_cast<double>(i) * line(text.size), text.size, colour, align);
-  }
-
   // Which trial it is at the right; the title in what is left.
   void draw_header() {
     double right = window_.width - margin_;
@@ -161,9 +140,7 @@ class Layout {
     add(Ellipse{view.pixel({drawn.x, drawn.y, ground}), radius * (1 + above), 0.45 * radius * (1 + above), shadow});
     Point centre = view.pixel(drawn);
     centre.y = std::max(area.top + radius, centre.y - radius);
-    add(Ellipse{centre, 1.18 * radius, 1.18 * radius, kWhite});
-    add(Ellipse{centre, radius, radius, kCursor});
-    picture_.cursor = centre;
+    add_tip(centre, radius);
   }
 
   // Where what was typed stands, in the middle: above the keys.
@@ -298,17 +275,11 @@ class Layout {
   const Scene& scene_;
   const Look& look_;
   const Size window_;
-  const Measure& measure_;
   const double body_, label_;  // of running text; of labels, which have a place of limited size
   const double margin_;
-  Picture picture_;
 };
 
 }  // namespace
-
-double text_size(Size window) {
-  return std::min(window.height / 34, window.width / 54);
-}
 
 Picture picture_of(const Screen& screen, const Scene& scene, const Look& look, Size window, const Measure& measure) {
   return Layout(screen, scene, look, window, measure).made();

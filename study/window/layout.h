@@ -2,8 +2,9 @@
 #pragma once
 // What the participant sees, as a picture: from a screen of the session and the state of the scene, without a display.
 
-#include "study/experiments/language.h"
 #include "forceshade/participant.h"
+#include "study/experiments/language.h"
+#include "study/window/composition.h"
 #include "study/window/picture.h"
 #include "study/window/scene.h"
 #include "study/window/text.h"
@@ -14,12 +15,6 @@ struct Look {
   experiments::Labels labels;  // in the language of the screens
   double text_scale = 1;       // times the usual size of text
 };
-
-// Pixels: the size of the body of all text in a window of this size, before text_scale.
-double text_size(Size window);
-
-// The colours that tests look for.
-inline constexpr Colour kPaper{0.965F, 0.961F, 0.949F}, kPanel{0.925F, 0.918F, 0.898F}, kCursor{0.784F, 0.251F, 0.141F};
 
 // The bumps and the cursor are drawn on screens of kind matching alone, and there only while shows_scene is true; else their
 // area is one colour (but see Scene::shows_tip_alone). The four pictures of a classification are always drawn, for they are the

@@ -12,8 +12,9 @@ mkdir -p build/release/apps
 ln -s "$forceshade" build/release/apps/forceshade
 for folder in examples recordings; do ln -s "$source/$folder" $folder; done
 
-# The blocks of shell commands, without those of the scripts, which build and test everything.
+# The blocks of shell commands, without those of the scripts, which build and test everything, and without the mouse, which needs a display.
 page_blocks sh < "$source/README.md" | grep -v '^scripts/\|^export ' |
+  grep -v -- '--device mouse' |
   sed -e '/ certify --law /s/ --law all / --law bump-1p-shaded /' -e '/ drive /s/$/ --free-run/' -e 's/ --cases 10000 / --cases 300 /' -e '/ plot --law /s/ bump-2p-shaded / bump-2p /' > commands
 setting=$(grep '^export PATH=' "$source/README.md") && eval "$setting" || { echo "FAILED: the README sets no PATH"; exit 1; }
 count=$(grep -c '\(^\|| \)forceshade ' commands)

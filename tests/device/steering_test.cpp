@@ -74,21 +74,27 @@ TEST(steering, stays_within_reach_and_ignores_what_is_no_place) {
 }
 
 TEST(steering, is_refused_where_nobody_steers) {
-  try {
-    open_device("simulated:omni:mouse");
-    FAIL();
-  } catch (const UnknownDevice& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "the device simulated:omni:mouse: expected a window with a mouse that steers it, as 'forceshade experiment run' "
-        "has; got none");
-  }
+  for (const char* name : {"mouse", "mouse:omni", "simulated:omni:mouse"}) try {
+      open_device(name);
+      FAIL() << name;
+    } catch (const UnknownDevice& error) {
+      EXPECT_STREQ(error.what(),
+                   "the mouse as a device: expected a window in which it steers a hand, as 'forceshade drive' and 'forceshade "
+                   "experiment run' have; got none");
+    }
+}
+
+TEST(steering, takes_the_models_that_can_be_simulated_and_no_other) {
+  Mouse mouse;
+  EXPECT_EQ(open_device("mouse", mouse)->capabilities().model, open_device("simulated")->capabilities().model);
+  EXPECT_EQ(open_device("mouse:omni", mouse)->capabilities().model, "omni");
+  EXPECT_THROW(open_device("mouse:trackball", mouse), UnknownDevice);
 }
 
 // The mouse goes 4 mm into a wall of 0.5 N/mm, and the stylus gives way to the wall as far as the hand's impedance allows.
 TEST(steering, pulls_the_stylus_through_the_hands_impedance) {
   Mouse mouse;
-  const auto device = open_device("simulated:premium-1.5:mouse", mouse);
+  const auto device = open_device("mouse", mouse);
   ASSERT_FALSE(device->start(1000));
   double deepest = 0, last = 0;
   for (int tick = 0; tick < 3000; ++tick) {

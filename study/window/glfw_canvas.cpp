@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The window by GLFW and OpenGL 3.3 core. Dear ImGui draws: its list of triangles with smooth edges, its font atlas, and its
+// The canvas by GLFW and OpenGL 3.3 core. Dear ImGui draws: its list of triangles with smooth edges, its font atlas, and its
 // renderer; none of its widgets.
 
 #define GLFW_INCLUDE_NONE
@@ -13,10 +13,8 @@
 #include <thread>
 #include <utility>
 
+#include "study/window/canvas.h"
 #include "study/window/font.h"
-#include "study/window/layout.h"
-#include "study/window/view.h"
-#include "study/window/window.h"
 
 namespace forceshade::window {
 namespace {
@@ -137,10 +135,9 @@ bool is_open_anywhere = false;
 }  // namespace
 
 // Undoes what the constructor did, also where it threw half way.
-class Window::Display {
+class Canvas::Display {
  public:
-  Display(const Settings& settings, const experiments::Labels& labels)
-      : settings_(settings), look_{labels, settings.text_scale} {
+  explicit Display(const Settings& settings) : settings_(settings) {
     if (is_open_anywhere) throw Error("a window is open already; expected one at a time");
     if (glfwInit() != GLFW_TRUE) throw Error("no window can be opened: " + last_glfw_error() + " (is there a display?)");
     is_open_anywhere = true;
@@ -155,28 +152,26 @@ class Window::Display {
   Display(const Display&) = delete;
   Display& operator=(const Display&) = delete;
 
-  bool draw(const experiments::Screen& screen, const Scene& scene) {
+  bool draw(Drawing drawing) {
     glfwPollEvents();
-    take_keys();
     if (glfwWindowShouldClose(window_) == GLFW_TRUE) return false;
-    screen_ = screen;
-    scene_ = scene;
+    drawing_ = std::move(drawing);
     render();
     glfwSwapBuffers(window_);
     wait();
     return true;
   }
 
-  std::vector<experiments::Press> presses() { return std::exchange(presses_, {}); }
+  std::vector<Key> keys() { return std::exchange(keys_, {}); }
 
-  std::optional<Position> mouse() const {
+  std::optional<Point> pointer() const {
     int width = 0, height = 0;
     glfwGetWindowSize(window_, &width, &height);
     Point at;
     glfwGetCursorPos(window_, &at.x, &at.y);
     if (glfwGetWindowAttrib(window_, GLFW_HOVERED) != GLFW_TRUE || width <= 0 || height <= 0) return std::nullopt;
     const Size size = this->size();
-    return View(scene_, size).position({at.x * size.width / width, at.y * size.height / height});
+    return Point{at.x * size.width / width, at.y * size.height / height};
   }
 
   Image pixels() {
@@ -190,6 +185,12 @@ class Window::Display {
     for (std::size_t i = 0; i < rows / 2; ++i)  // OpenGL counts from the bottom
       std::swap_ranges(&image.bytes[i * row], &image.bytes[i * row] + row, &image.bytes[(rows - 1 - i) * row]);
     return image;
+  }
+
+  Size size() const {
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window_, &width, &height);
+    return {static_cast<double>(width), static_cast<double>(height)};
   }
 
   const std::string& note() const { return note_; }
@@ -258,21 +259,10 @@ class Window::Display {
     self.keys_.push_back({utf8(code_point), self.is_repeat_});
   }
 
-  void take_keys() {
-    for (experiments::Press& press : presses_of(settings_.keys, screen_.kind, keys_)) presses_.push_back(std::move(press));
-    keys_.clear();
-  }
-
-  Size size() const {
-    int width = 0, height = 0;
-    glfwGetFramebufferSize(window_, &width, &height);
-    return {static_cast<double>(width), static_cast<double>(height)};
-  }
-
   void render() {
     const Size size = this->size();
     if (size.width < 1 || size.height < 1) return;  // minimised
-    const Picture picture = picture_of(screen_, scene_, look_, size, *font_);
+    const Picture picture = drawing_ ? drawing_(size, *font_) : Picture{};
     if (font_->prepare(picture)) ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
@@ -298,41 +288,40 @@ class Window::Display {
   }
 
   const Settings settings_;
-  const Look look_;
   OpenGl gl_;
   GLFWwindow* window_ = nullptr;
   ImGuiContext* context_ = nullptr;
   std::optional<Font> font_;
   bool has_renderer_ = false;
   std::string note_;
-  experiments::Screen screen_;
-  Scene scene_;
+  Drawing drawing_;
   std::vector<Key> keys_;
   bool is_repeat_ = false;
-  std::vector<experiments::Press> presses_;
   Clock::time_point next_ = Clock::now();
 };
 
-Window::Window(const Settings& settings, const experiments::Labels& labels)
-    : display_(std::make_unique<Display>(settings, labels)) {}
-Window::~Window() = default;
+Canvas::Canvas(const Settings& settings) : display_(std::make_unique<Display>(settings)) {}
+Canvas::~Canvas() = default;
 
-bool Window::draw(const experiments::Screen& screen, const Scene& scene) {
-  return display_->draw(screen, scene);
+bool Canvas::draw(Drawing drawing) {
+  return display_->draw(std::move(drawing));
 }
-std::vector<experiments::Press> Window::presses() {
-  return display_->presses();
+std::vector<Key> Canvas::keys() {
+  return display_->keys();
 }
-std::optional<Position> Window::mouse() const {
-  return display_->mouse();
+std::optional<Point> Canvas::pointer() const {
+  return display_->pointer();
 }
-Image Window::pixels() {
+Size Canvas::size() const {
+  return display_->size();
+}
+Image Canvas::pixels() {
   return display_->pixels();
 }
-const std::string& Window::note() const {
+const std::string& Canvas::note() const {
   return display_->note();
 }
-bool Window::is_available() noexcept {
+bool Canvas::is_available() noexcept {
   return true;
 }
 

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What is driven, cut by a plane y = constant, for the window of drive: for the eye alone. Lengths in mm.
+
+#include <memory>
+#include <optional>
+
+#include "forceshade/description.h"
+#include "forceshade/renderer.h"
+#include "study/window/section.h"
+
+namespace forceshade::apps {
+
+class SurfaceCut {
+ public:
+  // The description lives longer.
+  SurfaceCut(const Description& what, const Rendering& rendering);
+
+  // What is worth seeing of it, 1.9 times as wide as it is high; its middle is also where a mesh has its middle along y.
+  const window::Region& region() const { return region_; }
+  double middle_y() const { return middle_y_; }
+
+  // Kept, and given again while y moves by less than kKept.
+  const window::Section& at(double y);
+
+ private:
+  static constexpr double kKept = 0.02;
+
+  const mesh::TriangleMesh* mesh_;          // null for a law or a height map
+  std::unique_ptr<fast::Session> session_;  // of one of these
+  window::Region region_;
+  double middle_y_ = 0, y_ = 0;
+  std::optional<window::Section> section_;
+};
+
+// Where the state says that a god-object is that touches the mesh; nothing where it is free.
+std::optional<window::Position> place_on(const mesh::TriangleMesh& mesh, const mesh::GodObject& state);
+
+}  // namespace forceshade::apps

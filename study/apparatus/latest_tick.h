@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What a window needs of a servo loop that runs in another thread: its latest tick, and that it ends when somebody says so.
+
+#include <atomic>
+#include <optional>
+
+#include "device/triple_buffer.h"
+#include "forceshade/servo_loop.h"
+
+namespace forceshade::apparatus {
+
+class LatestTick final : public device::SampleSink {
+ public:
+  // asked: set by a signal, for instance; it sets `stop` at the next tick, whatever the thread of the window does. Both live
+  // longer.
+  LatestTick(const std::atomic<bool>& asked, std::atomic<bool>& stop) : asked_(asked), stop_(stop) {}
+
+  void push(const device::Sample& sample) noexcept override {
+    mailbox_.publish({sample, true});
+    if (asked_) stop_ = true;
+  }
+
+  // For one reading thread; nothing before the first tick.
+  std::optional<device::Sample> latest() {
+    const Tick& tick = mailbox_.latest();
+    return tick.is_there ? std::optional(tick.sample) : std::nullopt;
+  }
+
+ private:
+  struct Tick {
+    device::Sample sample;
+    bool is_there = false;
+  };
+  const std::atomic<bool>& asked_;
+  std::atomic<bool>& stop_;
+  device::TripleBuffer<Tick> mailbox_;
+};
+
+}  // namespace forceshade::apparatus

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the window of drive shows, without a display.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "study/window/composition.h"
+#include "study/window/section.h"
+
+namespace forceshade::window {
+namespace {
+
+constexpr Size kWindow{1280, 800};
+
+// A font whose characters are all half as wide as they are high.
+class NarrowFont : public Measure {
+ public:
+  double width(std::string_view words, double size) const override {
+    return 0.5 * size * static_cast<double>(code_points(words).size());
+  }
+};
+
+SectionScene plane_felt(const Felt& felt) {
+  SectionScene scene;
+  scene.region = {-38, 38, -14, 26};
+  scene.section.columns = {{-38, {{-14, 0}}}, {38, {{-14, 0}}}};
+  scene.section.border = {{{{-38, 0}, {38, 0}}}};
+  scene.felt = felt;
+  scene.title = "wall";
+  scene.words = {"certified", "keys"};
+  return scene;
+}
+
+Picture picture(const SectionScene& scene) {
+  return picture_of(scene, kWindow, NarrowFont());
+}
+
+template <class Kind>
+std::vector<Kind> all_of(const Picture& picture) {
+  std::vector<Kind> found;
+  for (const Item& item : picture.items)
+    if (const auto* its = std::get_if<Kind>(&item)) found.push_back(*its);
+  return found;
+}
+
+// The point of the arrow's head; none where no arrow is drawn.
+std::optional<Point> arrow_head(const Picture& picture) {
+  for (const Triangles& triangles : all_of<Triangles>(picture))
+    if (triangles.vertices.size() == 3 && triangles.vertices[0].colour == kAccent) return triangles.vertices[0].at;
+  return std::nullopt;
+}
+
+TEST(window_section, shows_the_whole_region_in_its_shape_and_finds_the_place_of_a_pixel) {
+  for (const Region& region : {Region{-38, 38, -14, 26}, Region{-5, 5, -50, 50}, Region{100, 900, -1, 1}}) {
+    const SectionView view(region, kWindow);
+    const Point low = view.pixel(region.left, region.bottom), high = view.pixel(region.right, region.top);
+    EXPECT_NEAR((high.x - low.x) / (low.y - high.y), (region.right - region.left) / (region.top - region.bottom), 1e-9);
+    EXPECT_GE(low.x, 0);
+    EXPECT_LE(high.x, kWindow.width);
+    const ProfilePoint back = view.position(view.pixel(region.left + 1, region.top - 2));
+    EXPECT_NEAR(back.x, region.left + 1, 1e-9);
+    EXPECT_NEAR(back.z, region.top - 2, 1e-9);
+  }
+}
+
+TEST(window_section, draws_the_tip_where_it_is_and_an_arrow_as_long_as_the_force) {
+  const SectionScene scene = plane_felt({.tip = {3, 1, -2}, .force = {0.6, 5, 0.8}});
+  const Picture drawn = picture(scene);
+  const SectionView view(scene.region, kWindow);
+  const Point tip = view.pixel(3, -2);
+  ASSERT_TRUE(drawn.cursor);
+  EXPECT_NEAR(drawn.cursor->x, tip.x, 1e-9);
+  EXPECT_NEAR(drawn.cursor->y, tip.y, 1e-9);
+  const auto head = arrow_head(drawn);
+  ASSERT_TRUE(head);
+  EXPECT_NEAR(head->x - tip.x, 0.6 * arrow_scale(kWindow), 1e-9);
+  EXPECT_NEAR(head->y - tip.y, -0.8 * arrow_scale(kWindow), 1e-9);
+}
+
+TEST(window_section, draws_no_arrow_without_a_force_and_none_longer_than_that_of_4_N) {
+  EXPECT_FALSE(arrow_head(picture(plane_felt({.tip = {0, 0, 5}}))));
+  const auto head = arrow_head(picture(plane_felt({.tip = {0, 0, -9}, .force = {0, 0, 40}})));
+  ASSERT_TRUE(head);
+  const Point tip = SectionView(plane_felt({}).region, kWindow).pixel(0, -9);
+  EXPECT_NEAR(tip.y - head->y, kLongestArrow * arrow_scale(kWindow), 1e-9);
+}
+
+TEST(window_section, ties_the_god_object_to_the_tip) {
+  const Felt felt{.tip = {4, 0, -3}, .god_object = Position{2, 0, 0}, .force = {-0.2, 0, 0.3}};
+  const Picture drawn = picture(plane_felt(felt));
+  const Point rest = SectionView(plane_felt({}).region, kWindow).pixel(2, 0);
+  int rings = 0;
+  for (const Ellipse& ellipse : all_of<Ellipse>(drawn))
+    rings += ellipse.colour == kGodObject && std::fabs(ellipse.centre.x - rest.x) < 1e-9 &&
+             std::fabs(ellipse.centre.y - rest.y) < 1e-9;
+  EXPECT_EQ(rings, 1);
+  for (const Ellipse& ellipse : all_of<Ellipse>(picture(plane_felt({.tip = {4, 0, -3}}))))
+    EXPECT_NE(ellipse.colour, kGodObject);
+}
+
+TEST(window_section, keeps_words_and_tip_in_the_window_whatever_they_are) {
+  SectionScene scene = plane_felt({.tip = {NAN, NAN, -HUGE_VAL}, .god_object = Position{1e9, 0, 1e9}});
+  scene.title = std::string(300, 'x');
+  scene.words = {std::string(2000, 'w') + " and more", "keys"};
+  const Picture drawn = picture(scene);
+  for (const Text& text : all_of<Text>(drawn)) {
+    EXPECT_GE(text.at.x, 0) << text.words;
+    EXPECT_LE(text.at.x + NarrowFont().width(text.words, text.size), kWindow.width) << text.words;
+    EXPECT_LE(text.at.y + text.size, kWindow.height) << text.words;
+  }
+  const Rectangle area = SectionView(scene.region, kWindow).area();
+  for (const Ellipse& ellipse : all_of<Ellipse>(drawn)) EXPECT_TRUE(area.contains(ellipse.centre));
+}
+
+}  // namespace
+}  // namespace forceshade::window
