@@ -72,7 +72,7 @@ fi
 sed 's/"0.1mm"/-1/' scenes/table.toml > scenes/crossing.toml
 for command in "mesh check scenes/crossing.toml" "force --scene scenes/crossing.toml"; do
   code=2; [ "${command%% *}" = force ] || code=1
-  expect $code "object board, face 1 (line 8), and object knob, face 0 (line 19), meet, but have no vertex in common" -- "$forceshade" $command
+  expect $code "object board, face 0 (line 7), and object knob, face 0 (line 19), meet, but have no vertex in common" -- "$forceshade" $command
 done
 expect 2 "--self-intersecting: expected without friction" -- "$forceshade" force --scene scenes/crossing.toml --self-intersecting
 expect 2 "--self-intersecting: expected without friction" -- "$forceshade" mesh check scenes/crossing.toml --self-intersecting
