@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A device of one's own (docs/command-device.md), which needs Python alone: a simulated hand that sinks onto the surface and strokes it.
+"""A device of one's own (docs/command-device.md), which needs Python alone: a simulated hand that strokes the surface.
 
   forceshade drive --device "command:python3 examples/devices/stroking_hand.py" --law wall --uncertified --seconds 5
 
@@ -19,7 +19,7 @@ PULL, DAMPING = 0.5, 0.014  # N/mm and N·s/mm: of the hand, towards where it me
 
 class Hand:
     def __init__(self):
-        self.position, self.velocity = [0.0, 0.0, 5.0], [0.0, 0.0, 0.0]  # mm, mm/s
+        self.position, self.velocity = [0.0, 0.0, 6.0], [0.0, 0.0, 0.0]  # mm, mm/s
         self.begin = self.last = time.monotonic()
 
     def move(self, force):
@@ -27,7 +27,7 @@ class Hand:
         now = time.monotonic()
         step, self.last = min(now - self.last, 0.005), now
         seconds = now - self.begin
-        meant = (10 * math.sin(math.pi * seconds), 0, 5 - 7 * min(1, max(0, seconds - 1)))
+        meant = (10 * math.sin(math.pi * seconds), 0, 2 + 4 * math.cos(2 * math.pi * seconds / 3))  # mm: it lifts off every 3 s
         for axis in range(3):
             pull = PULL * (meant[axis] - self.position[axis]) - DAMPING * self.velocity[axis]
             self.velocity[axis] += 1000 * (pull + force[axis]) / MASS * step

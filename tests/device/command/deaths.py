@@ -2,9 +2,10 @@
 """deaths.py FORCESHADE: ends forceshade, and a device's program, while the arm feels a force, and prints how long it took until the
 program had a zero force or the end of its input. Exit code 1 where it had neither, or a process is left.
 
-deaths.py --program LOG is that program: an arm that sinks into the wall. LOG gets the time of each line that it is sent."""
+deaths.py --program LOG is that program: an arm that goes into the wall and out of it. LOG gets the time of each line that it is sent."""
 
 import json
+import math
 import os
 import signal
 import subprocess
@@ -25,7 +26,7 @@ def program(log_file):
             if "end" in json.loads(line):
                 return
             seconds = time.monotonic() - begin
-            print(json.dumps({"time_s": seconds, "position_mm": [0, 0, max(-1, 5 - max(0, seconds - 1) * 6)], "buttons": 0}), flush=True)
+            print(json.dumps({"time_s": seconds, "position_mm": [0, 0, 1.5 + 2.5 * math.cos(math.pi * seconds)], "buttons": 0}), flush=True)
         print(time.monotonic_ns(), os.getpid(), "end of input", file=log)
 
 

@@ -28,7 +28,7 @@ def expect(holds, words):
 
 def ran(*words, folder, code=0):
     for _ in range(20):
-        run = subprocess.run([forceshade, *words], cwd=folder, text=True, capture_output=True, timeout=120)
+        run = subprocess.run([forceshade, *words], cwd=folder, text=True, capture_output=True, timeout=250)
         if not any(busy in run.stderr for busy in BUSY):
             break
     expect(run.returncode == code, f"{words}: exit code {run.returncode}, expected {code}: {run.stdout}{run.stderr}")
