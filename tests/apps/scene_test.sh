@@ -62,6 +62,8 @@ same 'scene = "table.toml"
 stiffness = "0.5N/mm"' "$(cat scenes/quoted.toml)"
 expect 0 "" -- "$forceshade" drive --subject scenes/quoted.toml $certificate --seconds 0.1
 # A renderer of another program gets the ground as a mesh.
+expect 1 "a wall in Python 1 does not render table.toml" -- "$forceshade" conform $table --points 300 \
+  --command "python3 $examples/renderers/wall.py"
 if python3 -c "import numpy" 2> /dev/null; then
   sed '/^friction/d; /^stiffness/d; /^materials/d' scenes/table.toml > scenes/smooth.toml
   expect 1 "held: a flat plate feels flat however it is triangulated" -- "$forceshade" conform --scene scenes/smooth.toml --points 300 \
@@ -80,7 +82,7 @@ sed -i '/^friction/d; /^materials/d' scenes/crossing.toml
 expect 0 "held: a scene of 42 faces; whether faces without a common vertex cross was not checked" -- \
   "$forceshade" mesh check scenes/crossing.toml --self-intersecting
 expect 0 "contact" -- "$forceshade" force --scene scenes/crossing.toml --self-intersecting --input stroke.csv
-expect 2 "scenes/table.toml: line 2: shading: expected once, got several times" -- "$forceshade" force $table --shading edge --shading none
+expect 2 "scenes/table.toml: line 2: shading: expected once, got several times" -- "$forceshade" force $table --shading edge
 expect 2 "--scene" -- "$forceshade" force $table --mesh scenes/knob.obj --unit mm
 expect 2 "--scene" -- "$forceshade" force $table --law wall
 expect 2 "--friction" -- "$forceshade" force $table --friction 0.3

@@ -56,7 +56,7 @@ refused 'law = "wal"\n' 'line 1: law: expected one of'
 refused 'law = "bump-2p"\n\nradius = "5 feet"\n' "line 3: radius: "
 refused 'law = "bump-2p"\nwidth = 100\n' "line 2: width is 100 mm; expected 0.001 to 30.48 mm"
 refused 'law = "wall"\nstiffness = [true]\n' "line 2: stiffness: expected a text in quotes, a number or a list of these"
-refused 'law = "wall"\nunit = "mm"\n' "line 2: unit: expected --mesh beside it, got --law"
+refused 'law = "wall"\nunit = "mm"\n' "line 2: unit: expected --mesh beside it"
 refused 'mesh = "ball.off"\nself-intersecting = 1\n' "line 2: self-intersecting: expected true or false, got 1"
 refused 'stiffness = 1\n' "has none of the keys law, height-map, mesh and scene; expected one of them"
 refused '' "has none of the keys law, height-map, mesh and scene; expected one of them"
