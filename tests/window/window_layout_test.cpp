@@ -14,6 +14,7 @@
 
 #include "study/window/layout.h"
 #include "study/window/view.h"
+#include "tests/window/items.h"
 
 namespace forceshade::window {
 namespace {
@@ -124,14 +125,6 @@ Scene with_tip(Position tip, double felt = 0) {
 
 Picture shown(const Screen& screen, const Scene& scene = {}, Size size = {1280, 800}, const Look& look = {}) {
   return picture_of(screen, scene, look, size, kFont);
-}
-
-template <class T>
-std::vector<T> all_of(const Picture& picture) {
-  std::vector<T> found;
-  for (const Item& item : picture.items)
-    if (const T* one = std::get_if<T>(&item)) found.push_back(*one);
-  return found;
 }
 
 bool says(const Picture& picture, const std::string& words) {

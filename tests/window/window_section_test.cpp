@@ -10,6 +10,7 @@
 
 #include "study/window/composition.h"
 #include "study/window/section.h"
+#include "tests/window/items.h"
 
 namespace forceshade::window {
 namespace {
@@ -37,14 +38,6 @@ SectionScene plane_felt(const Felt& felt) {
 
 Picture picture(const SectionScene& scene) {
   return picture_of(scene, kWindow, NarrowFont());
-}
-
-template <class Kind>
-std::vector<Kind> all_of(const Picture& picture) {
-  std::vector<Kind> found;
-  for (const Item& item : picture.items)
-    if (const auto* its = std::get_if<Kind>(&item)) found.push_back(*its);
-  return found;
 }
 
 // The point of the arrow's head; none where no arrow is drawn.
