@@ -5,6 +5,7 @@
 #include <sstream>
 #include <vector>
 
+#include "files/json_line.h"
 #include "properties/conformance/doors/answer.h"
 #include "properties/conformance/doors/process_door.h"
 #include "properties/conformance/scene_renderer.h"
