@@ -51,7 +51,7 @@ class Canvas {
   // The pixel of the picture at which the mouse points; nothing while it is outside the window.
   std::optional<Point> pointer() const;
 
-  // Of the picture, in pixels.
+  // In pixels of the picture.
   Size size() const;
 
   // What the last frame showed, read back from the graphics card.

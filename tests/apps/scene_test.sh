@@ -49,7 +49,8 @@ expect 1 "correctly rounded" -- "$forceshade" compare $table --stiffness 0.3 --f
 expect 0 "certified: 250000 points" -- "$forceshade" certify $table --points 200000 --cases 2000 --out certificate
 certificate="--certificate certificate/certificate.json --device simulated --free-run"
 expect 0 "" -- "$forceshade" drive $table $certificate --seconds 0.2 --record run.fsr
-expect 1 "refused to drive" -- "$forceshade" drive $table --shading vertex $certificate --seconds 0.1
+sed 's/^shading.*/shading = "vertex"/' scenes/table.toml > scenes/shaded.toml
+expect 1 "refused to drive" -- "$forceshade" drive --scene scenes/shaded.toml $certificate --seconds 0.1
 expect 1 "refused to drive" -- "$forceshade" drive $table --stiffness 0.25 $certificate --seconds 0.1
 expect 0 "" -- "$forceshade" recording verify run.fsr
 expect 0 "" -- "$forceshade" recording recompute run.fsr $table

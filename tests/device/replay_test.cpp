@@ -210,7 +210,8 @@ TEST(open_device, lists_the_kinds_it_knows_and_names_the_nearest) {
     } catch (const UnknownDevice& error) {
       EXPECT_EQ(error.what(),
                 "unknown device \"" + name +
-                    "\": expected null, replay:FILE.csv, simulated[:MODEL[:FILE.csv]], phantom[:NAME] or haply[:ID]" +
+                    "\": expected null, replay:FILE.csv, simulated[:MODEL[:FILE.csv]], mouse[:MODEL], phantom[:NAME], "
+                    "command:PROGRAM, haply[:ID] or dhd[:SERIAL]" +
                     (nearest.empty() ? "" : "; the nearest is " + nearest));
     }
   }

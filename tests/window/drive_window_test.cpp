@@ -125,7 +125,7 @@ TEST_F(drive_window, a_shaded_slope_is_felt_as_a_drift_of_the_cursor) {
     const auto tip = middle_of(image, kCursor);
     ASSERT_TRUE(tip);
     EXPECT_GT(side * (tip->x - pointer.x), 10) << "the cursor did not drift outwards";
-    EXPECT_LT(tip->y, pointer.y - 50) << "the surface did not hold the cursor up";
+    EXPECT_LT(tip->y, pointer.y - 25) << "the surface did not hold the cursor up";
   }
   const std::string end = driver.press("Escape");
   EXPECT_TRUE(end.starts_with("exit 0: ")) << end;
