@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <optional>
 #include <string>
+#include <thread>
 
 #include "display.h"
 #include "screenshots.h"
@@ -74,9 +75,11 @@ class Driver {
               0);
   }
 
-  // What the window shows once neither the tip nor the god-object moves by a pixel in half a second.
+  // What the window shows once neither the tip nor the god-object moves by a pixel in half a second; a second after the mouse
+  // has been moved at the earliest.
   static Image at_rest() {
-    Image last = window(), now = last;
+    Image last, now = window();
+    std::this_thread::sleep_for(1s);
     EXPECT_TRUE(tests::comes_true(
         [&] {
           last = std::exchange(now, window());
