@@ -3,9 +3,9 @@
 // Objects that are placed anew in every tick: numbers only. What they mean: docs/scenes.md.
 //
 //   const scene::Pose quarter_turn{.translation = {0, 0, 40}, .rotation = {1, 0, 0, 1}};  // about z, 40 mm up
+//   const auto wall = renderer_of(std::get<fast::Law>(fast::Law::build(LawId::wall, {15.24F, 25.4F, 0.5F})));
 //   std::vector<std::unique_ptr<fast::Session>> objects;  // of laws, height maps and meshes
-//   objects.push_back(ground.open());
-//   objects.push_back(wheel.open());
+//   for (int i = 0; i < 2; ++i) objects.push_back(wall.open());
 //   auto session = std::get<fast::SceneSession>(fast::SceneSession::build(std::move(objects)));
 //   const Eigen::Vector3f force = session.step({3, 0, 39}, std::array{scene::Pose(), quarter_turn}).force;
 //
