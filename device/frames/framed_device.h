@@ -15,11 +15,11 @@ namespace forceshade::device {
 
 // What the device is, and how messages call it.
 struct FramedDescription {
-  std::string name, partner;  // "the Inverse3"; "the Inverse Service", which answers for it
-  std::string to_calibrate;   // what calibrates the device: "let the arm go home by itself"
-  std::string model, serial, driver, firmware, forces;
+  std::string name, partner;      // "the Inverse3"; "the Inverse Service", which answers for it
+  std::string to_calibrate = {};  // what calibrates the device: "let the arm go home by itself"
+  std::string model = {}, serial = {}, driver = {}, firmware = {}, forces = {};
   // The texts are the five above; latency and pace are those of every device of this kind. A peak force is required.
-  Capabilities capabilities;
+  Capabilities capabilities = {};
 };
 
 class FramedDevice final : public Device {
