@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "forceshade/meshes.h"
 #include "properties/mesh_properties.h"
 #include "study/apparatus/contact_border.h"
 
@@ -34,29 +34,14 @@ Region region_of(const Description& what) {
   return region_around(0, 0, 2.6 * width, 0.35);
 }
 
-struct Bounds {
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
-};
-
-Eigen::Vector3d vertex_of(const mesh::TriangleMesh& mesh, std::uint32_t index) {
-  const auto& [x, y, z] = mesh.vertices[index];
+Eigen::Vector3d vector_of(const mesh::Vertex& vertex) {
+  const auto& [x, y, z] = vertex;
   return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
 }
 
-Bounds bounds_of(const mesh::TriangleMesh& mesh) {
-  Bounds bounds;
-  for (const mesh::Triangle& triangle : mesh.triangles)
-    for (const std::uint32_t index : triangle) {
-      const Eigen::Vector3d vertex = vertex_of(mesh, index);
-      bounds.low = bounds.low.cwiseMin(vertex);
-      bounds.high = bounds.high.cwiseMax(vertex);
-    }
-  return bounds;
-}
-
 // All of a mesh, with room around it for a hand.
-Region region_of(const Bounds& bounds) {
-  const Eigen::Vector3d size = bounds.high - bounds.low, middle = (bounds.low + bounds.high) / 2;
+Region region_of(const mesh::Facts& facts) {
+  const Eigen::Vector3d low = vector_of(facts.low), high = vector_of(facts.high), size = high - low, middle = (low + high) / 2;
   const double width = 1.25 * std::max({size.x(), kAspect * size.z(), 1.0});
   return region_around(middle.x(), middle.z(), width, 0.5 - std::min(0.1, 0.1 * width / kAspect / std::max(size.z(), 1e-3)));
 }
@@ -108,7 +93,7 @@ std::vector<Segment> cut_triangles(const mesh::TriangleMesh& mesh, double y) {
     std::array<ProfilePoint, 2> ends{};
     std::size_t count = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Eigen::Vector3d a = vertex_of(mesh, triangle[i]), b = vertex_of(mesh, triangle[(i + 1) % 3]);
+      const Eigen::Vector3d a = vector_of(mesh.vertices[triangle[i]]), b = vector_of(mesh.vertices[triangle[(i + 1) % 3]]);
       if ((a.y() < y) == (b.y() < y)) continue;
       const Eigen::Vector3d at = a + (y - a.y()) / (b.y() - a.y()) * (b - a);
       ends[count++] = {at.x(), at.z()};
@@ -147,9 +132,9 @@ Section cut_mesh(const mesh::TriangleMesh& mesh, const Region& region, double y)
 SurfaceCut::SurfaceCut(const Description& what, const Rendering& rendering) : mesh_(nullptr) {
   if (const auto* its = std::get_if<MeshRendering>(&what.what)) {
     mesh_ = &its->mesh();
-    const Bounds bounds = bounds_of(*mesh_);
-    region_ = region_of(bounds);
-    middle_y_ = (bounds.low.y() + bounds.high.y()) / 2;
+    const mesh::Facts facts = mesh::facts_of(its->checked);
+    region_ = region_of(facts);
+    middle_y_ = (vector_of(facts.low).y() + vector_of(facts.high).y()) / 2;
   } else {
     session_ = rendering.renderer.open();
     region_ = region_of(what);

@@ -134,7 +134,9 @@ TEST(scene, an_object_sees_the_hand_where_the_reference_says) {
     EXPECT_EQ(vector(fast::quantised(*exact)), expected);
     const auto filtered = fast::seen_from<fast::DoubleWithError>(pose, quantised, translation);
     ++occasions[filtered ? "decided in binary64" : "left to exact numbers"];
-    if (filtered) EXPECT_EQ(vector(fast::quantised(*filtered)), expected);
+    if (filtered) {
+      EXPECT_EQ(vector(fast::quantised(*filtered)), expected);
+    }
   }
   occasions.expect_all({"decided in binary64", "left to exact numbers"});
 }

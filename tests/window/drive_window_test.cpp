@@ -123,12 +123,19 @@ TEST_F(drive_window, a_shaded_slope_is_felt_as_a_drift_of_the_cursor) {
   for (const double side : {1.0, -1.0}) {
     const Point pointer{middle.x + side * 8 * view.pixels_per_mm(), middle.y};
     ASSERT_NO_FATAL_FAILURE(Driver::point(pointer));
-    const Image image = Driver::at_rest();
+    // On a machine that does other work the window may stand still for a while, so it is looked at until both are seen.
+    Image image;
+    Point tip;
+    EXPECT_TRUE(tests::comes_true(
+        [&] {
+          image = Driver::at_rest();
+          tip = middle_of(image, kCursor).value_or(pointer);
+          return side * (tip.x - pointer.x) > 10 && tip.y < pointer.y - 25;
+        },
+        60s, 500ms))
+        << "on the side " << side << " the surface moved the cursor by " << tip.x - pointer.x << ", " << tip.y - pointer.y
+        << " pixels, not outwards by 10 and up by 25";
     if (side < 0) save(image, "drive");
-    const auto tip = middle_of(image, kCursor);
-    ASSERT_TRUE(tip);
-    EXPECT_GT(side * (tip->x - pointer.x), 10) << "the cursor did not drift outwards";
-    EXPECT_LT(tip->y, pointer.y - 25) << "the surface did not hold the cursor up";
   }
   const std::string end = driver.press("Escape");
   EXPECT_TRUE(end.starts_with("exit 0: ")) << end;

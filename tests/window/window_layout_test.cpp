@@ -14,6 +14,7 @@
 
 #include "study/window/layout.h"
 #include "study/window/view.h"
+#include "tests/window/even_font.h"
 #include "tests/window/items.h"
 
 namespace forceshade::window {
@@ -24,13 +25,6 @@ using experiments::ScreenKind;
 
 constexpr double kMil = 0.0254;
 
-// A font whose characters are all half as wide as they are high.
-class EvenFont : public Measure {
- public:
-  double width(std::string_view words, double size) const override {
-    return 0.5 * size * static_cast<double>(code_points(words).size());
-  }
-};
 const EvenFont kFont;
 
 TEST(window_cursor, a_tip_in_the_surface_is_drawn_on_it) {

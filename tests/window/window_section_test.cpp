@@ -10,20 +10,13 @@
 
 #include "study/window/composition.h"
 #include "study/window/section.h"
+#include "tests/window/even_font.h"
 #include "tests/window/items.h"
 
 namespace forceshade::window {
 namespace {
 
 constexpr Size kWindow{1280, 800};
-
-// A font whose characters are all half as wide as they are high.
-class NarrowFont : public Measure {
- public:
-  double width(std::string_view words, double size) const override {
-    return 0.5 * size * static_cast<double>(code_points(words).size());
-  }
-};
 
 SectionScene plane_felt(const Felt& felt) {
   SectionScene scene;
@@ -37,7 +30,7 @@ SectionScene plane_felt(const Felt& felt) {
 }
 
 Picture picture(const SectionScene& scene) {
-  return picture_of(scene, kWindow, NarrowFont());
+  return picture_of(scene, kWindow, EvenFont());
 }
 
 // The point of the arrow's head; none where no arrow is drawn.
@@ -102,7 +95,7 @@ TEST(window_section, keeps_words_and_tip_in_the_window_whatever_they_are) {
   const Picture drawn = picture(scene);
   for (const Text& text : all_of<Text>(drawn)) {
     EXPECT_GE(text.at.x, 0) << text.words;
-    EXPECT_LE(text.at.x + NarrowFont().width(text.words, text.size), kWindow.width) << text.words;
+    EXPECT_LE(text.at.x + EvenFont().width(text.words, text.size), kWindow.width) << text.words;
     EXPECT_LE(text.at.y + text.size, kWindow.height) << text.words;
   }
   const Rectangle area = SectionView(scene.region, kWindow).area();

@@ -13,7 +13,7 @@
 
 #include "device/command/command.h"
 #include "device/monotonic.h"
-#include "tests/support/allocations.h"
+#include "tests/device/framed_device.h"
 #include "tests/support/temporary_directory.h"
 
 namespace forceshade::device {
@@ -230,7 +230,7 @@ TEST(command_device, sends_no_force_that_is_forbidden) {
     EXPECT_TRUE(line == R"({"force_N":[0,0,0]})" || line == R"({"end":true})") << line;
 }
 
-// Only the thread that calls the device is counted. A program that writes much on its standard error does not stop.
+// A program that writes much on its standard error does not stop.
 TEST(command_device, allocates_nothing_once_started) {
   const Program program("chatters");
   Attendant nobody;
@@ -240,15 +240,7 @@ TEST(command_device, allocates_nothing_once_started) {
   EXPECT_EQ(device->capabilities().buttons, 2);
   EXPECT_TRUE(device->capabilities().paces);
   ASSERT_FALSE(device->start(kRate));
-  const std::size_t before = tests::allocations();
-  for (int tick = 0; tick < 200; ++tick) {
-    device->wait_for_frame(monotonic_now() + 20 * kSecond);
-    ASSERT_TRUE(std::holds_alternative<Reading>(device->read()));
-    device->allow({.work = 1, .longest_step = 1});
-    device->command({0, 0, 0.1F});
-  }
-  device->command({0, 0, 0});
-  EXPECT_EQ(tests::allocations(), before);
+  expect_ticks_without_allocation(*device);
 }
 
 }  // namespace

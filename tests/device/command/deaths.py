@@ -13,6 +13,9 @@ import sys
 import tempfile
 import time
 
+sys.path.insert(1, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from checks import Checks, in_real_time  # noqa: E402
+
 TRIES = 6  # on a busy machine the run may end before its moment comes
 
 
@@ -60,11 +63,9 @@ def left(log):
 def death(forceshade, target, number):
     """ms until a zero force or the end of input, the exit code and words of forceshade, and the processes left; none where the
     moment did not come."""
-    # Where the system permits it, a busy machine does not make the program late.
-    first = "chrt --fifo 50 " if subprocess.run("chrt --fifo 50 true", shell=True, capture_output=True).returncode == 0 else ""
     with tempfile.TemporaryDirectory() as folder:
         log = os.path.join(folder, "log")
-        command = [forceshade, "drive", "--device", f"command:exec {first}python3 {os.path.abspath(__file__)} --program {log}", "--law", "wall",
+        command = [forceshade, "drive", "--device", f"command:exec {in_real_time()}python3 {os.path.abspath(__file__)} --program {log}", "--law", "wall",
                    "--uncertified", "--watchdog-timeout", "1", "--seconds", "20"]
         client = subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
         try:
@@ -89,7 +90,7 @@ def death(forceshade, target, number):
 
 
 def main(forceshade):
-    wrong = 0
+    checks = Checks()
     print("| death | the program has a zero force, or the end of its input, after |\n|---|---|")
     for target, number, code in (("forceshade", signal.SIGINT, 0), ("forceshade", signal.SIGTERM, 0), ("forceshade", signal.SIGHUP, 0),
                                  ("forceshade", signal.SIGKILL, -9), ("forceshade", signal.SIGSEGV, -11), ("program", signal.SIGKILL, 3)):
@@ -98,10 +99,10 @@ def main(forceshade):
             outcome = outcome or death(forceshade, target, number)
         is_right = outcome and outcome[1] == code and not outcome[3] and (
             outcome[0] is not None if target == "forceshade" else "the program was killed by signal 9" in outcome[2])
-        wrong += not is_right
+        checks.expect(is_right, f"{target}: {number.name}: {outcome}")
         cell = "?" if not outcome else f"{outcome[0]:.1f} ms" if outcome[0] is not None else f"exit code {outcome[1]}: the program is gone"
-        print(f"| {target}: {number.name} | {cell} |" + ("" if is_right else f" WRONG: {outcome}"), flush=True)
-    return 1 if wrong else 0
+        print(f"| {target}: {number.name} | {cell} |", flush=True)
+    return checks.exit_code(6)
 
 
 if sys.argv[1] == "--program":

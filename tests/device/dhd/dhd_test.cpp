@@ -8,17 +8,13 @@
 
 #include <atomic>
 #include <chrono>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <thread>
 
 #include "device/dhd/timed_calls.h"
-#include "device/monotonic.h"
-#include "forceshade/servo_loop.h"
 #include "tests/device/dhd/fake.h"
+#include "tests/device/framed_device.h"
 #include "tests/device/servo_loop_fixture.h"
-#include "tests/support/allocations.h"
 
 namespace forceshade::device {
 namespace {
@@ -36,32 +32,16 @@ class dhd_device : public testing::Test {
   Attendant nobody;
 };
 
-Fault fault_of(Device& device) {
-  ReadResult last = device.read();
-  const auto deadline = std::chrono::steady_clock::now() + 20s;
-  while (!std::holds_alternative<Fault>(last) && std::chrono::steady_clock::now() < deadline) {
-    std::this_thread::sleep_for(1ms);
-    last = device.read();
-  }
-  return std::holds_alternative<Fault>(last) ? std::get<Fault>(last) : Fault{"none"};
-}
-
 TEST_F(dhd_device, allocates_nothing_once_started) {
   StandIn stand_in(kPatientDevice + "garbage@1400");
   const auto device = open_dhd("", kPatient, nobody);
   ASSERT_FALSE(device->start(1000));
+  expect_ticks_without_allocation(*device);
   const std::size_t before = tests::allocations();
-  for (int tick = 0; tick < 200; ++tick) {
-    device->wait_for_frame(monotonic_now() + 20 * kSecond);
-    ASSERT_TRUE(std::holds_alternative<Reading>(device->read()));
-    device->allow({.work = 1, .longest_step = 1});
-    device->command({0, 0, 0.1F});
-  }
-  device->command({0, 0, 0});
+  const Fault fault = fault_of(*device);
   EXPECT_EQ(tests::allocations(), before);
-  const std::string words = fault_of(*device).words;
-  EXPECT_EQ(tests::allocations(), before + (words.size() > 15 ? 1 : 0));
-  EXPECT_NE(words.find("the device's position: expected numbers of at most 1 m"), std::string::npos) << words;
+  EXPECT_NE(std::string(fault.words).find("the device's position: expected numbers of at most 1 m"), std::string::npos)
+      << fault.words;
 }
 
 // The vendor's library may never return from a call of a device that was unplugged: neither run nor end waits for it.
@@ -91,45 +71,26 @@ TEST_F(dhd_device, shortens_what_is_beyond_its_highest_force_and_refuses_what_is
     EXPECT_EQ(its.workspace_high.z(), 40);
     EXPECT_EQ(its.buttons, 4);
     EXPECT_NE(its.forces.find("which no certificate covers"), std::string_view::npos);
-    ASSERT_FALSE(device->start(1000));
-    device->allow({.work = 1e6, .longest_step = 1});
-    for (int tick = 0; tick < 50; ++tick) {
-      device->wait_for_frame(monotonic_now() + 20 * kSecond);
-      device->read();
-      EXPECT_FALSE(device->command({0, 0, 100}));
-    }
-    EXPECT_TRUE(device->command({0, 0, std::numeric_limits<float>::quiet_NaN()}));
+    command_too_much(*device);
   }
   const nlohmann::json verdict = stand_in.verdict();
-  EXPECT_EQ(verdict["faults"], nlohmann::json::object());
-  const double largest = verdict["sessions"][0]["largest_force_N"];
-  EXPECT_LE(largest, 8);
-  EXPECT_GT(largest, 7.9);
-  EXPECT_EQ(verdict["sessions"][0]["force_at_end_N"], 0);
+  expect_highest_force(verdict, 8);
   EXPECT_EQ(verdict["sessions"][0]["end"], "closed");
 }
 
 // As many as FORCESHADE_DHD_FRAMES says, ten times as fast as real time; the stand-in finds no fault.
 TEST_F(dhd_device, is_not_blamed_over_many_frames) {
-  const char* said = std::getenv("FORCESHADE_DHD_FRAMES");
-  const int frames = said ? std::atoi(said) : 6000;
-  constexpr double kRate = 10'000;
+  const int frames = frames_named_by("FORCESHADE_DHD_FRAMES");
   StandIn stand_in(kPatientDevice + "clock=10000,press@5600,time-guard@5700,saturate@5800");
   ServoResult run;
   {
     const auto device = open_dhd("", kPatient, nobody);
-    run = run_servo_loop(*device, wall(), {.rate_hz = kRate, .max_seconds = frames / kRate, .watchdog_timeout = 1}, kNeverStop);
+    run = run_servo_loop(*device, wall(), fast_loop(frames), kNeverStop);
   }
   const nlohmann::json verdict = stand_in.verdict();
-  std::printf("%zu ticks, %s; peak %.3f N; %s\n", run.ticks, name_of(run.end_reason).data(), run.peak_force_N,
-              verdict["sessions"].dump().c_str());
-  EXPECT_EQ(run.end_reason, EndReason::time_up) << (run.fault ? run.fault : "");
-  EXPECT_EQ(verdict["faults"], nlohmann::json::object());
+  expect_no_blame(run, verdict, frames);
   EXPECT_EQ(verdict["kinds"], 0);
   EXPECT_GE(verdict["sessions"][0]["readings"], frames);
-  if (frames > 12'000) {
-    EXPECT_GT(run.peak_force_N, 0.1);  // by then the hand is in contact
-  }
 }
 
 TEST(timed_calls, run_in_turn_in_one_thread_and_throw_what_they_throw) {

@@ -2,21 +2,17 @@
 """drive_test.py STAND-IN LIBRARY FORCESHADE recording|events|assumptions: the command over the stand-in, which finds no fault of it;
 what it says of everything that goes wrong; and its exit codes."""
 
-import concurrent.futures
-import json
 import os
 import subprocess
 import sys
 import tempfile
 
 import stand_in
-from stand_in import Checks
+from checks import BUSY, Checks, at_once, certify_wall, recorded
 
 checks = Checks()
 program, library, forceshade, mode = sys.argv[1:5]
-# What it says on a machine that is too busy for a run, after which a run is tried again.
-BUSY = ("too irregular", "has not answered for", "no frame of the device came in time", "stopped the run: watchdog", "no answer in time",
-        "its watchdog got no force in time")
+BUSY = (*BUSY, "has not answered for", "no answer in time", "its watchdog got no force in time")
 
 
 class Run:
@@ -51,28 +47,15 @@ def assume(*assumptions):
     return [word for one in assumptions for word in ("--assume", one)]
 
 
-def at_once(run, names):
-    """A few at a time: each keeps a third of a processor busy."""
-    with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        return dict(zip(names, pool.map(run, names)))
-
-
 def recording():
     with tempfile.TemporaryDirectory() as folder:
-        certify = [forceshade, "certify", "--law", "wall", "--stiffness", "0.5", "--out", "certificate"]
-        subprocess.run(certify, cwd=folder, check=True, stdout=subprocess.DEVNULL)
-        run = Run(["--certificate", "certificate/certificate.json", "--seconds", "2", "--record", "run.fsr", "--json", "summary",
-                   "--overwrite"], folder=folder)
+        run = Run(["--seconds", "2"] + certify_wall(forceshade, folder), folder=folder)
         run.expect("a certified run", 0, "forces            as commanded; the vendor's library adds its gravity compensation",
                    "omega.3, serial number 1234: left-handed: no", "the device ends a force that is not renewed for 31.875 ms")
         checks.expect(run.session["largest_force_N"] > 0.1, f"no contact: {run.session}")
-        with open(folder + "/summary") as file:
-            summary = json.load(file)
-        checks.expect("which no certificate covers" in summary["device"]["forces"], f"summary: {summary['device']}")
-        checks.expect(summary["device"]["serial"] == "1234" and summary["paced_by"] == "device", "summary")
-        verify = subprocess.run([forceshade, "recording", "verify", "run.fsr"], cwd=folder, text=True, capture_output=True)
-        checks.expect(verify.returncode == 0, f"recording verify: {verify.stdout}{verify.stderr}")
-        print(verify.stdout, end="")
+        device = recorded(forceshade, folder, checks)["device"]
+        checks.expect("which no certificate covers" in device["forces"], f"summary: {device}")
+        checks.expect(device["serial"] == "1234", f"summary: {device}")
 
 
 def events():
@@ -90,7 +73,7 @@ def events():
         "uncalibrated": "the supervisor stopped the run: uncalibrated",
         "power-off": "the device has no power", "error": "the device reports an error",
     }
-    runs = at_once(lambda event: Run(["--seconds", "4"], ["--event", event + "@contact"], in_contact[event]), in_contact)
+    runs = at_once(lambda event: Run(["--seconds", "4"], ["--event", event + "@contact"], in_contact[event]), in_contact, 2)
     for event, run in runs.items():
         run.expect(event, 3, in_contact[event])
     counted = Run(["--seconds", "1.5"], ["--event", "saturate@1400", "--event", "time-guard@900"])
@@ -112,7 +95,7 @@ def assumptions():
     elsewhere = {"unplugged", "calibrated", "available", "pressed", "clock", "longest-gap", "most-force"}
     checks.expect(known == set(others) | elsewhere, f"assumptions that are not run: {known ^ (set(others) | elsewhere)}")
     each = [(name, value) for name, values in others.items() for value in values]
-    runs = at_once(lambda one: Run(["--seconds", "0.5"], assume("=".join(one))), each)
+    runs = at_once(lambda one: Run(["--seconds", "0.5"], assume("=".join(one))), each, 2)
     for one, run in runs.items():
         run.expect("=".join(one), 0)
         checks.expect(run.session["end"] == "closed" and run.session["force_at_end_N"] == 0, f"{one}: {run.session}")
@@ -127,7 +110,7 @@ def assumptions():
     shown = {"button": (assume("set-force-off=ok") + ["--event", "force-button@contact"], "its force button was pressed"),
              "block": (assume("unplugged=block") + ["--event", "unplug@contact"], "has not answered for 25 ms"),
              "stale": (assume("unplugged=stale") + ["--event", "unplug@contact"], "no longer connected")}
-    for name, run in at_once(lambda name: Run(["--seconds", "4"], *shown[name]), shown).items():
+    for name, run in at_once(lambda name: Run(["--seconds", "4"], *shown[name]), shown, 2).items():
         if name == "block":  # it cannot be closed any more
             checks.expect(run.code == 3 and shown[name][1] in run.text and set(run.faults) <= {"left-open", "force-at-end"}, f"block: {run.text} {run.faults}")
         else:

@@ -2,20 +2,18 @@
 """drive_test.py STAND-IN FORCESHADE recording|events|assumptions: the command over the stand-in, which finds no fault of it; what
 it says of everything that goes wrong; and its exit codes."""
 
-import concurrent.futures
-import json
 import os
 import subprocess
 import sys
 import tempfile
 
-from stand_in import Checks, StandIn, skip_without_websockets
+from stand_in import StandIn, skip_without_websockets
+from checks import BUSY, Checks, at_once, certify_wall, recorded
 
 skip_without_websockets()
 checks = Checks()
 program, forceshade, mode = sys.argv[1:4]
-# What it says on a machine that is too busy for a run, after which a run is tried again.
-BUSY = ("too irregular", "has not answered for", "no frame of the device came in time", "stopped the run: watchdog", "no answer in time")
+BUSY = (*BUSY, "has not answered for", "no answer in time")
 
 
 class Run:
@@ -53,27 +51,14 @@ class Run:
             checks.expect(set(self.faults) == set(faults), f"{what}: the stand-in found {self.faults}")
 
 
-def at_once(run, names):
-    """A few at a time: each keeps a third of a processor busy."""
-    with concurrent.futures.ThreadPoolExecutor(3) as pool:
-        return dict(zip(names, pool.map(run, names)))
-
-
 def recording():
     with tempfile.TemporaryDirectory() as folder:
-        certify = [forceshade, "certify", "--law", "wall", "--stiffness", "0.5", "--out", "certificate"]
-        subprocess.run(certify, cwd=folder, check=True, stdout=subprocess.DEVNULL)
-        run = Run(["--certificate", "certificate/certificate.json", "--seconds", "2", "--record", "run.fsr", "--json", "summary",
-                   "--overwrite"], [], folder=folder)
+        run = Run(["--seconds", "2"] + certify_wall(forceshade, folder), [], folder=folder)
         run.expect("a certified run", 0, "forces            as commanded; the Inverse Service filters and rations them")
         checks.expect(run.session["largest_force_N"] > 0.1, f"no contact: {run.session}")
-        with open(folder + "/summary") as file:
-            summary = json.load(file)
-        checks.expect("which no certificate covers" in summary["device"]["forces"], f"summary: {summary['device']}")
-        checks.expect(summary["device"]["serial"] == "stand-in-0001" and summary["paced_by"] == "device", "summary")
-        verify = subprocess.run([forceshade, "recording", "verify", "run.fsr"], cwd=folder, text=True, capture_output=True)
-        checks.expect(verify.returncode == 0, f"recording verify: {verify.stdout}{verify.stderr}")
-        print(verify.stdout, end="")
+        device = recorded(forceshade, folder, checks)["device"]
+        checks.expect("which no certificate covers" in device["forces"], f"summary: {device}")
+        checks.expect(device["serial"] == "stand-in-0001", f"summary: {device}")
 
 
 def events():
@@ -88,7 +73,7 @@ def events():
         "jump": "the supervisor stopped the run: jump",
         "lose": silent, "late": silent, "freeze": silent, "close": closed, "reset": closed, "die": closed,
     }
-    runs = at_once(lambda event: Run(["--seconds", "4"], ["--event", event + "@contact"], in_contact[event]), in_contact)
+    runs = at_once(lambda event: Run(["--seconds", "4"], ["--event", event + "@contact"], in_contact[event]), in_contact, 3)
     for event, run in runs.items():
         run.expect(event, 3, in_contact[event])
     Run(["--seconds", "1"], ["--event", "unasked@900"]).expect("unasked", 0, "1 messages came unasked")
@@ -114,7 +99,7 @@ def assumptions():
             ("version 4", ["--version", "4.0.1"], "expected 3.1 or later, below 4, got 4.0.1"),
             ("top-rate", ["--assume", "top-rate=300"], "too irregular to send forces"),
             ("no device", ["--event", "unplug@1"], "no Inverse3 is connected"))}
-    for name, run in at_once(lambda name: Run(["--seconds", "0.2"], *refused[name]), refused).items():
+    for name, run in at_once(lambda name: Run(["--seconds", "0.2"], *refused[name]), refused, 3).items():
         run.expect(name, 3, refused[name][1])
     nobody = subprocess.run([forceshade, "drive", "--device", "haply", "--law", "wall", "--uncertified"], text=True, capture_output=True,
                             env={**os.environ, "FORCESHADE_HAPLY_SERVICE": "127.0.0.1:1"}, timeout=60)

@@ -6,15 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <string>
-#include <thread>
 
-#include "device/monotonic.h"
-#include "forceshade/servo_loop.h"
+#include "tests/device/framed_device.h"
 #include "tests/device/haply/stand_in.h"
 #include "tests/device/servo_loop_fixture.h"
-#include "tests/support/allocations.h"
 
 namespace forceshade::device {
 namespace {
@@ -37,48 +33,27 @@ TEST_F(haply_device, allocates_nothing_once_started) {
   HaplyStandIn stand_in("--event garbage@1400 --longest-gap 20000");
   const auto device = open_haply("", kPatient, nobody);
   ASSERT_FALSE(device->start(1000));
+  expect_ticks_without_allocation(*device);
   const std::size_t before = tests::allocations();
-  for (int tick = 0; tick < 200; ++tick) {
-    device->wait_for_frame(monotonic_now() + 20 * kSecond);
-    ASSERT_TRUE(std::holds_alternative<Reading>(device->read()));
-    device->allow({.work = 1, .longest_step = 1});
-    device->command({0, 0, 0.1F});
-  }
-  device->command({0, 0, 0});
+  const Fault fault = fault_of(*device);
   EXPECT_EQ(tests::allocations(), before);
-  ReadResult last = device->read();
-  const auto deadline = std::chrono::steady_clock::now() + 20s;
-  while (!std::holds_alternative<Fault>(last) && std::chrono::steady_clock::now() < deadline) {
-    std::this_thread::sleep_for(1ms);
-    last = device->read();
-  }
-  EXPECT_EQ(tests::allocations(), before);
-  ASSERT_TRUE(std::holds_alternative<Fault>(last));
-  EXPECT_NE(std::string(std::get<Fault>(last).words).find("expected JSON"), std::string::npos) << std::get<Fault>(last).words;
+  EXPECT_NE(std::string(fault.words).find("expected JSON"), std::string::npos) << fault.words;
 }
 
 // As many as FORCESHADE_HAPLY_FRAMES says, as fast as they are answered; the stand-in finds no fault.
 TEST_F(haply_device, is_not_blamed_over_many_frames) {
-  const char* said = std::getenv("FORCESHADE_HAPLY_FRAMES");
-  const int frames = said ? std::atoi(said) : 6000;
-  constexpr double kRate = 10'000;
+  const int frames = frames_named_by("FORCESHADE_HAPLY_FRAMES");
   HaplyStandIn stand_in(
       "--clock messages --rate 10000 --longest-gap 20000 --assume ping=1 --event unasked@5300 --event press@5600");
   ServoResult run;
   {
     const auto device = open_haply("", kPatient, nobody);
-    run = run_servo_loop(*device, wall(), {.rate_hz = kRate, .max_seconds = frames / kRate, .watchdog_timeout = 1}, kNeverStop);
+    run = run_servo_loop(*device, wall(), fast_loop(frames), kNeverStop);
   }
   const nlohmann::json verdict = stand_in.verdict();
-  std::printf("%zu ticks, %s; peak %.3f N; %s\n", run.ticks, name_of(run.end_reason).data(), run.peak_force_N,
-              verdict["sessions"].dump().c_str());
-  EXPECT_EQ(run.end_reason, EndReason::time_up) << (run.fault ? run.fault : "");
-  EXPECT_EQ(verdict["faults"], nlohmann::json::object());
+  expect_no_blame(run, verdict, frames);
   EXPECT_EQ(verdict["exit"], 0);
   EXPECT_GE(verdict["sessions"][0]["messages"], frames);
-  if (frames > 12'000) {
-    EXPECT_GT(run.peak_force_N, 0.1);  // by then the hand is in contact
-  }
 }
 
 // What the frames were given to hold is what the service was sent, and no force acts after the last command.
@@ -89,21 +64,9 @@ TEST_F(haply_device, shortens_what_is_beyond_its_highest_force_and_refuses_what_
     EXPECT_EQ(device->capabilities().model, "inverse3");
     EXPECT_EQ(device->capabilities().driver, "Inverse Service 3.5.1");
     EXPECT_NE(device->capabilities().forces.find("force gate gain 0.3"), std::string_view::npos);
-    ASSERT_FALSE(device->start(1000));
-    device->allow({.work = 1e6, .longest_step = 1});
-    for (int tick = 0; tick < 50; ++tick) {
-      device->wait_for_frame(monotonic_now() + 20 * kSecond);
-      device->read();
-      EXPECT_FALSE(device->command({0, 0, 100}));
-    }
-    EXPECT_TRUE(device->command({0, 0, std::numeric_limits<float>::quiet_NaN()}));
+    command_too_much(*device);
   }
-  const nlohmann::json verdict = stand_in.verdict();
-  EXPECT_EQ(verdict["faults"], nlohmann::json::object());
-  const double largest = verdict["sessions"][0]["largest_force_N"];
-  EXPECT_LE(largest, 5);
-  EXPECT_GT(largest, 4.9);
-  EXPECT_EQ(verdict["sessions"][0]["force_at_end_N"], 0);
+  expect_highest_force(stand_in.verdict(), 5);
 }
 
 }  // namespace
