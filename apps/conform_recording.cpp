@@ -80,6 +80,9 @@ int RecordingOption::run(const SubjectOption& subject, const std::string& tolera
       conformance::read_measurements(file, file_, conformance::columns_of(columns_, units_));
   std::optional<Description> description;
   if (subject.is_given()) description = subject.description();
+  if (description && std::holds_alternative<DescribedScene>(description->what))
+    throw BadInput(description->name +
+                   ": expected no object with a motion, since a recording does not say in which tick it began");
   std::optional<ProgressLine> line(file_);
   const conformance::JudgedRecording found = conformance::judge_recording(
       measured, description, options, Monitor([&](double done) { line->draw(done); }, interrupted()));

@@ -31,8 +31,7 @@ constexpr WholeRange kProcessors{0, CPU_SETSIZE - 1};
 
 struct DriveOptions {
   std::string certificate, device, record, json;
-  double rate = 1000;
-  std::optional<double> seconds, watchdog_timeout;
+  std::optional<double> rate, seconds, watchdog_timeout;
   std::optional<int> cpu, dead_man;
   std::string passivity = "damping", pace = "device";
   bool free_run = false, uncertified = false, in_reset_pose = false, overwrite = false;
@@ -60,6 +59,11 @@ void expect_consistent(const DriveOptions& options) {
                  std::to_string(*options.cpu));
 }
 
+// mouse, mouse:MODEL or simulated:MODEL:mouse.
+bool is_of_a_mouse(const std::string& device) {
+  return device.starts_with("mouse") || device.ends_with(":mouse");
+}
+
 // In the air over what the window shows.
 Eigen::Vector3d start_above(const SurfaceCut& cut, const device::Placement& placement) {
   const window::Region& region = cut.region();
@@ -83,6 +87,9 @@ int run(const DriveOptions& options, const SubjectOption& subject, const Placeme
   const run::Certified covered = run::certified(options.certificate, what.identity);
   if (!may_be_driven(covered, options.uncertified)) return kFailed;
 
+  if (std::holds_alternative<DescribedScene>(described->what) && is_of_a_mouse(options.device))
+    throw BadInput(described->name +
+                   ": expected no object with a motion, since the window of a mouse shows a surface that stays");
   end_runs_in_order();
   std::optional<SurfaceCut> cut;  // of a device that is steered in a window
   SteeringAttendant prepares(options.in_reset_pose, options.dead_man.has_value(),
@@ -92,7 +99,7 @@ int run(const DriveOptions& options, const SubjectOption& subject, const Placeme
                        .digest = covered.digest,
                        .record = options.record,
                        .overwrite = options.overwrite,
-                       .servo = {.rate_hz = options.rate,
+                       .servo = {.rate_hz = options.rate.value_or(what.rate_hz.value_or(1000)),
                                  .max_seconds = options.seconds,
                                  .paced = !options.free_run,
                                  .follows_device = options.pace == "device",
@@ -132,8 +139,8 @@ void add_drive(CLI::App& app, int& result) {
       ->group(kEvidenceGroup);
   command->option_defaults()->group(kDeviceGroup);
   command->add_option("--device", options->device, kinds_of_device())->type_name("DEVICE")->required();
-  add_number(*command, "--rate", "ticks per second; 1000 unless said", {device::kLowestRateHz, device::kHighestRateHz},
-             [options](double rate) { options->rate = rate; });
+  add_number(*command, "--rate", "ticks per second; unless said 1000, or that of the scene's motions, which no other one fits",
+             {device::kLowestRateHz, device::kHighestRateHz}, [options](double rate) { options->rate = rate; });
   add_number(*command, "--seconds", "stop after so many seconds' worth of ticks", kSeconds,
              [options](double seconds) { options->seconds = seconds; });
   add_word(*command, "--passivity", options->passivity,

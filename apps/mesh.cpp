@@ -54,6 +54,8 @@ Input read(const MeshFileOptions& options) {
   subjects::Options given{{"scene", options.file}};
   if (options.self_intersecting) given.add({"self-intersecting", "true"});
   subjects::Scene scene = subjects::load_scene(given);
+  if (scene.ground.objects.empty())
+    throw BadInput(options.file + ": expected an object without a motion, whose mesh can be looked at, got none");
   return {std::move(scene.ground), scene.options.is_true("self-intersecting")};
 }
 

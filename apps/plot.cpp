@@ -22,6 +22,7 @@
 #include "files/quantity.h"
 #include "forceshade/checks.h"
 #include "properties/mesh_subject.h"
+#include "rendering/meshes/placement.h"
 
 namespace forceshade::apps {
 namespace {
@@ -144,25 +145,53 @@ std::vector<Ticked> path_of(const std::string& input, fast::TickSession& session
   return path;
 }
 
+// The meshes of a scene, each where it is in the first tick.
+mesh::TriangleMesh first_tick_of(const Description& described) {
+  mesh::TriangleMesh all;
+  for (const auto& [name, what, motion] : std::get<DescribedScene>(described.what).objects) {
+    const auto* its = std::get_if<MeshRendering>(&what.what);
+    if (its == nullptr)
+      throw BadInput(described.name + ": expected meshes alone in the picture of a scene, got the object " + name);
+    const auto before = static_cast<std::uint32_t>(all.vertices.size());
+    const std::vector<mesh::Vertex> vertices = mesh::placed(its->mesh().vertices, motion.at(0));
+    all.vertices.insert(all.vertices.end(), vertices.begin(), vertices.end());
+    for (const auto& [a, b, c] : its->mesh().triangles) all.triangles.push_back({before + a, before + b, before + c});
+  }
+  return all;
+}
+
 struct MeshPlotOptions {
   std::string input;
   properties::ViewDirection direction;
 
   void draw(const std::string& title, const MeshRendering& rendering, const OutFolder& out) const {
-    const std::string name = std::filesystem::path(title).stem();
     std::vector<Ticked> path;
     if (!input.empty()) path = path_of(input, *properties::fast_god_object(rendering)(rendering.stiffness));
-    std::string words = std::to_string(rendering.mesh().triangles.size()) + " triangles";
+    std::string words;
     if (!path.empty())
-      words += "; K = " + files::shortest(rendering.stiffness) + " N/mm, shading " + std::string(name_of(rendering.shading)) +
-               ", sides " + std::string(name_of(rendering.sides));
+      words = "; K = " + files::shortest(rendering.stiffness) + " N/mm, shading " + std::string(name_of(rendering.shading)) +
+              ", sides " + std::string(name_of(rendering.sides));
     const auto unfinished =
         std::ranges::count_if(path, [](const Ticked& one) { return one.tick.status == mesh::TickStatus::unfinished; });
     if (unfinished > 0) words += "; " + std::to_string(unfinished) + " of " + std::to_string(path.size()) + " ticks unfinished";
+    draw(title, rendering.mesh(), path, words, out);
+  }
+
+  // A scene whose objects move, in its first tick.
+  void draw(const Description& scene, const OutFolder& out) const {
+    if (!input.empty()) throw BadInput("--input: expected without objects that move, got " + scene.name);
+    draw(scene.name, first_tick_of(scene), {}, "; the first tick", out);
+  }
+
+ private:
+  void draw(const std::string& title, const mesh::TriangleMesh& mesh, const std::vector<Ticked>& path, const std::string& words,
+            const OutFolder& out) const {
+    const std::string name = std::filesystem::path(title).stem();
     const std::vector<std::string> names{name + "-mesh.svg", name + "-mesh.png"};
     out.expect_room_for(names);
     files::OutputFolder folder(out.path());
-    write(mesh_picture(rendering.mesh(), path, direction, name, {title, words}), name + "-mesh", folder);
+    const std::string caption = std::to_string(mesh.triangles.size()) + " triangles" + words;
+    write(mesh_picture(mesh, path, direction, name, {title, caption}), name + "-mesh", folder);
     finish(folder, out, names);
   }
 };
@@ -204,6 +233,7 @@ void add_plot(CLI::App& app, int&) {
     const std::vector<Description> all = subject->descriptions();
     if (const auto* mesh = std::get_if<MeshRendering>(&all.front().what))
       return mesh_options->draw(all.front().name, *mesh, *out);
+    if (std::holds_alternative<DescribedScene>(all.front().what)) return mesh_options->draw(all.front(), *out);
     for (const CLI::Option* option : of_a_mesh)
       if (!option->empty()) throw BadInput(option->get_name() + ": expected --mesh or --scene beside it, got another subject");
     const std::vector<Kind> kinds = options->kinds();

@@ -56,7 +56,7 @@ SubjectOption::SubjectOption(CLI::App& command, subjects::Laws laws, Kinds kinds
         add("mesh", "FILE", "instead of a law: a triangle mesh, an OBJ, OFF, PLY or STL file (docs/meshes.md)")->excludes(map);
     for (CLI::Option* of_a_law : {law, radius, width}) of_a_law->excludes(mesh);
     CLI::Option* scene =
-        add("scene", "FILE", "instead of a law: fixed objects, meshes at their places, a TOML file (docs/scenes.md)")
+        add("scene", "FILE", "instead of a law: objects at their places or with a motion, a TOML file (docs/scenes.md)")
             ->excludes(map);
     for (CLI::Option* other : {law, radius, width, mesh}) other->excludes(scene);
     add("unit", choice(mesh::kUnitNames), "of a mesh's coordinates, which no format says")->needs(mesh);

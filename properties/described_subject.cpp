@@ -7,6 +7,7 @@ std::unique_ptr<Subject> subject_of(const Description& description) {
   if (const auto* law = std::get_if<DescribedLaw>(&description.what)) return law_subject(law->law, law->parameters);
   if (const auto* map = std::get_if<DescribedHeightMap>(&description.what))
     return height_map_subject(description.name, map->map, map->mode, map->stiffness);
+  if (const auto* scene = std::get_if<DescribedScene>(&description.what)) return scene_subject(description.name, *scene);
   return mesh_subject(description.name, std::get<MeshRendering>(description.what));
 }
 

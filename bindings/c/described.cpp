@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "bindings/c/still.h"
 #include "forceshade/meshes.h"
 #include "rendering/heights/coefficients.h"
 
@@ -51,6 +52,7 @@ Description described(const mesh::CheckedMesh& triangles, std::optional<mesh::Si
 }
 
 std::variant<Subject, ParameterError> build(const Description& description) {
+  expect_still(description);
   if (const auto* law = std::get_if<DescribedLaw>(&description.what))
     return with_identity(fast::Law::build(law->law, law->parameters), identity_of(law->law, law->parameters));
   if (const auto* map = std::get_if<DescribedHeightMap>(&description.what))

@@ -174,7 +174,7 @@ Subject::Subject(Description what) : c::Subject(built(c::build(what))), descript
 
 void add_subjects(py::module_& module) {
   py::class_<Description>(module, "Description").def_property_readonly("kind", [](const Description& description) {
-    constexpr std::array kKinds{"law", "height map", "mesh"};
+    constexpr std::array kKinds{"law", "height map", "mesh", "scene"};
     return kKinds[description.what.index()];
   });
   module.def("laws", [] {

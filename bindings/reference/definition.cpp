@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "bindings/c/still.h"
 #include "bindings/c/strided.h"
 
 namespace forceshade::exact {
@@ -29,6 +30,7 @@ Answer answer_of(const mesh::Tick& tick) {
 }  // namespace
 
 std::variant<Definition, ParameterError> Definition::build(const Description& description) {
+  c::expect_still(description);
   const auto made = [](auto built) -> std::variant<Definition, ParameterError> {
     if (const auto* error = std::get_if<ParameterError>(&built)) return *error;
     return Definition(What(std::get<0>(std::move(built))));

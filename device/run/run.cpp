@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <utility>
 
 #include "certificate/build.h"
@@ -11,6 +12,7 @@
 #include "device/run/words.h"
 #include "forceshade/checks.h"
 #include "forceshade/servo_loop.h"
+#include "rendering/number_text.h"
 
 namespace forceshade::run {
 namespace {
@@ -26,6 +28,12 @@ recorder::Metadata metadata(const Plan& plan, const Identity& identity, const de
   return metadata;
 }
 
+void expect_rate_of(const Rendering& what, double rate_hz) {
+  if (!what.rate_hz || *what.rate_hz == rate_hz) return;
+  throw std::runtime_error("the rate of the loop: expected " + digits(*what.rate_hz, 9) + " Hz, for which the motions of " +
+                           what.identity.name + " are made, got " + digits(rate_hz, 9));
+}
+
 }  // namespace
 
 bool has_failed(const device::ServoResult& result) {
@@ -33,6 +41,7 @@ bool has_failed(const device::ServoResult& result) {
 }
 
 Outcome run(device::Device& device, const Rendering& what, const Plan& plan, const std::atomic<bool>& stop) {
+  expect_rate_of(what, plan.servo.rate_hz);
   std::optional<Record> record;
   if (!plan.record.empty())
     record.emplace(plan.record, metadata(plan, what.identity, device.capabilities()), plan.servo.paced, plan.overwrite);

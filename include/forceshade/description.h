@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What is to be rendered: a law, a height map or a mesh with every number that determines its force.
+// What is to be rendered: a law, a height map, a mesh, or a scene of such objects that move, with every number that determines
+// its force.
 //
 //   const Description bump{"bump-2p", DescribedLaw{LawId::bump_2p, {15.24F, 25.4F, 0.5F}}};  // mm, mm, N/mm
 //   const auto built = rendering_of(bump);  // of renderer.h
@@ -10,10 +11,12 @@
 
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "forceshade/height_map.h"
 #include "forceshade/law.h"
 #include "forceshade/mesh.h"
+#include "forceshade/scene.h"
 
 namespace forceshade {
 
@@ -28,16 +31,32 @@ struct DescribedHeightMap {
   float stiffness = 0;  // K, N/mm
 };
 
+struct MovingObject;
+
+// Objects whose places in each tick are given before the path begins (docs/scenes.md).
+struct DescribedScene {
+  std::vector<MovingObject> objects;  // 1 to scene::kMostObjects
+  float rate = 1000;                  // ticks per second for which their motions were made, Hz
+  float stiffness = 0;                // K of the objects that say none of their own, N/mm
+};
+
 struct Description {
-  std::string name;  // for people: the law's, or that of the file of a height map or mesh
-  std::variant<DescribedLaw, DescribedHeightMap, MeshRendering> what;
+  std::string name;  // for people: the law's, or that of the file of a height map, mesh or scene
+  std::variant<DescribedLaw, DescribedHeightMap, MeshRendering, DescribedScene> what;
 
   // K, N/mm.
   float stiffness() const {
     if (const auto* law = std::get_if<DescribedLaw>(&what)) return law->parameters.stiffness;
     if (const auto* map = std::get_if<DescribedHeightMap>(&what)) return map->stiffness;
+    if (const auto* scene = std::get_if<DescribedScene>(&what)) return scene->stiffness;
     return std::get<MeshRendering>(what).stiffness;
   }
+};
+
+struct MovingObject {
+  std::string name;  // that no other object of the scene has
+  Description what;
+  scene::Motion motion;  // of the tick in which a path begins, and the following ones
 };
 
 }  // namespace forceshade

@@ -18,19 +18,20 @@
 #include <variant>
 #include <vector>
 
+#include "forceshade/description.h"
 #include "forceshade/height_map.h"
 #include "forceshade/law.h"
 #include "forceshade/mesh.h"
 
 namespace forceshade {
 
-inline constexpr const char kLawKind[] = "law", kHeightMapKind[] = "height map", kMeshKind[] = "mesh";
+inline constexpr const char kLawKind[] = "law", kHeightMapKind[] = "height map", kMeshKind[] = "mesh", kSceneKind[] = "scene";
 
 // Binary32 numbers are kept as numbers, so that they compare as such; words are for choices, such as a rendering.
 using IdentityValue = std::variant<float, std::string>;
 
 struct Identity {
-  std::string kind;  // kLawKind, kHeightMapKind, or that of a subject of another kind
+  std::string kind;  // kLawKind, kHeightMapKind, kMeshKind, kSceneKind, or that of a subject of another kind
   std::string name;  // of a law; of a height map the name of its file
   // The parameters, in the order in which they are written; the keys end in their units: "stiffness_N_per_mm".
   std::vector<std::pair<std::string, IdentityValue>> parameters;
@@ -57,6 +58,12 @@ Identity identity_of(const std::string& name, const HeightMap& map, height::Mode
 // name: of the mesh's file. The digest is that of every coordinate, index and normal, and of a texture: of the points and
 // gradients of its corners and of its height map.
 Identity identity_of(const std::string& name, const MeshRendering& rendering);
+
+// name: of the scene's file. The digest is that of the objects' identities and of every pose.
+Identity identity_of(const std::string& name, const DescribedScene& scene);
+
+// Whichever of these it is.
+Identity identity_of(const Description& description);
 
 // The law and parameters of the identity of a law; nothing where it is of another kind, or lacks one of the law's parameters.
 struct LawAndParameters {

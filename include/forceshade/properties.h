@@ -240,7 +240,10 @@ std::unique_ptr<Subject> height_map_subject(const std::string& name, const Heigh
 std::unique_ptr<Subject> mesh_subject(const std::string& name, const MeshRendering& rendering);
 std::unique_ptr<Subject> mesh_subject(const std::string& name, const MeshRendering& rendering, OpenTicks open);
 
-// Whichever of the three it is, rendered by the fast path.
+// A scene of objects that move, rendered by the fast path. name: of its file. It throws the same.
+std::unique_ptr<Subject> scene_subject(const std::string& name, const DescribedScene& scene);
+
+// Whichever of these it is, rendered by the fast path.
 std::unique_ptr<Subject> subject_of(const Description& description);
 
 // A renderer without a batch call. What it gives is counted as decided by binary64.

@@ -23,6 +23,7 @@
 #include <span>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "forceshade/description.h"
 #include "forceshade/fast.h"
@@ -50,6 +51,16 @@ Renderer renderer_of(const fast::Law& law);
 Renderer renderer_of(const fast::HeightMapField& map);
 Renderer renderer_of(const fast::GodObject& god_object);  // it has no batch call: the force depends on the path
 
+// A renderer of an object, and where the object is in the ticks of each path.
+struct MovingRenderer {
+  Renderer renderer;
+  std::shared_ptr<const scene::Motion> motion;
+};
+
+// Of a scene of them, by fast::SceneSession, whose conditions it has. It has no batch call either. Its open() throws
+// std::runtime_error under a fast::arithmetic_fault().
+std::variant<Renderer, ParameterError> renderer_of(std::vector<MovingRenderer> objects);
+
 // A session that answers with a function. Where that throws, the answer is a NaN, invalid, and exception_of() says what.
 std::unique_ptr<fast::Session> answering(std::function<fast::Evaluation(const Eigen::Vector3f& position)> evaluate);
 
@@ -64,6 +75,8 @@ std::string current_exception_words();
 struct Rendering {
   Identity identity;
   Renderer renderer;
+  // Ticks per second for which the motion of its objects was made, Hz: run() of run.h refuses another rate. None: any.
+  std::optional<double> rate_hz = {};
 };
 
 // By the fast path. The error names the first number that is outside its domain (docs/laws.md, docs/height-maps.md,
@@ -77,7 +90,10 @@ std::variant<Rendering, ParameterError> rendering_of(const std::string& name, co
 // name: of the mesh's file.
 std::variant<Rendering, ParameterError> rendering_of(const std::string& name, const MeshRendering& mesh);
 
-// Whichever of the three it is.
+// name: of the scene's file.
+std::variant<Rendering, ParameterError> rendering_of(const std::string& name, const DescribedScene& scene);
+
+// Whichever of these it is.
 std::variant<Rendering, ParameterError> rendering_of(const Description& description);
 
 }  // namespace forceshade

@@ -64,7 +64,8 @@ struct Outcome {
 bool has_failed(const device::ServoResult& result);
 
 // Blocks until the run is over; stop ends it in order, with zero force, from any thread or signal. Throws
-// std::runtime_error for a record that cannot be begun, and Interrupted where stop was set before.
+// std::runtime_error for another rate than the rendering's and for a record that cannot be begun, and Interrupted where stop
+// was set before.
 Outcome run(device::Device& device, const Rendering& what, const Plan& plan, const std::atomic<bool>& stop);
 
 // The summary of a run for programs, as a text in JSON: what was rendered, where, and what came of it (device/run/summary.md).

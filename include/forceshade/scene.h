@@ -13,8 +13,11 @@
 //
 // Not promised: that objects feel each other, or that poses follow from any physics.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace forceshade::scene {
 
@@ -28,6 +31,17 @@ struct Pose {
   std::array<float, 4> rotation{1, 0, 0, 0};  // w, x, y, z: each 0 or of a size from 2^-30 to 2, and not all 0
 
   bool operator==(const Pose&) const = default;
+};
+
+// Where an object is in each tick of a path, the first of which is tick 0.
+struct Motion {
+  std::vector<Pose> poses{Pose()};  // of tick 0, 1, ...; one at least
+  bool repeats = false;             // after the last pose comes the first again; else the last one stays
+
+  const Pose& at(std::uint64_t tick) const noexcept {
+    const std::uint64_t size = poses.size();
+    return poses[static_cast<std::size_t>(repeats ? tick % size : std::min(tick, size - 1))];
+  }
 };
 
 }  // namespace forceshade::scene

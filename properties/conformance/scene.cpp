@@ -39,11 +39,16 @@ Json json_of(const MeshRendering& rendering) {
   return json;
 }
 
-Identity identity_in(const Description& description) {
-  if (const auto* law = std::get_if<DescribedLaw>(&description.what)) return identity_of(law->law, law->parameters);
-  if (const auto* map = std::get_if<DescribedHeightMap>(&description.what))
-    return identity_of(description.name, map->map, map->mode, map->stiffness);
-  return identity_of(description.name, std::get<MeshRendering>(description.what));
+// x, y, z in mm and the quaternion w, x, y, z of each pose.
+Json json_of(const MovingObject& object) {
+  Json json{
+      {"name", object.name}, {"scene", scene_of(object.what)}, {"repeats", object.motion.repeats}, {"poses", Json::array()}};
+  for (const scene::Pose& pose : object.motion.poses) {
+    const auto& [x, y, z] = pose.translation;
+    const auto& [real, i, j, k] = pose.rotation;
+    json["poses"].push_back(hexfloats(std::array{x, y, z, real, i, j, k}));
+  }
+  return json;
 }
 
 }  // namespace
@@ -59,10 +64,14 @@ Json hexfloats(std::span<const float> numbers) {
 }
 
 Json scene_of(const Description& description) {
-  const Identity identity = identity_in(description);
+  const Identity identity = identity_of(description);
   Json json{{"kind", identity.kind}, {"name", identity.name}, {"parameters", parameters_json(identity)}};
   if (const auto* map = std::get_if<DescribedHeightMap>(&description.what)) json["parts"] = words_of(map->map);
   if (const auto* mesh = std::get_if<MeshRendering>(&description.what)) json["mesh"] = json_of(*mesh);
+  if (const auto* scene = std::get_if<DescribedScene>(&description.what)) {
+    json["objects"] = Json::array();
+    for (const MovingObject& object : scene->objects) json["objects"].push_back(json_of(object));
+  }
   return json;
 }
 

@@ -94,7 +94,7 @@ std::string vectors_of(const Description& description, std::uint64_t count, std:
   const auto subject = properties::subject_of(description);
   const auto positions = subject->positions(seed);
   auto session = subject->open_reference();
-  const bool remembers = std::holds_alternative<MeshRendering>(description.what);
+  const bool remembers = !subject->renderer().batch;
   std::set<Aim> seen;
   Json paths = Json::array({Json::array()});
   const auto begin_a_path = [&] {

@@ -14,7 +14,7 @@ namespace forceshade {
 namespace {
 
 // A part in words: its kind, its numbers under their keys in a TOML file, and a grid's samples.
-struct Description {
+struct PartWords {
   std::string kind;
   std::vector<std::pair<std::string_view, float>> numbers;
   std::vector<std::pair<std::string_view, std::string_view>> words = {};
@@ -22,20 +22,20 @@ struct Description {
 };
 
 template <height::HasNumbers Kind>
-Description described(const Kind& shape) {
-  Description words{std::string(Kind::kName), {}};
+PartWords described(const Kind& shape) {
+  PartWords words{std::string(Kind::kName), {}};
   for (const height::Number<Kind>& number : Kind::numbers()) words.numbers.emplace_back(number.key, shape.*number.member);
   return words;
 }
-Description described(const height::Polygons& p) {
-  Description words{std::string(height::Polygons::kName), {}};
+PartWords described(const height::Polygons& p) {
+  PartWords words{std::string(height::Polygons::kName), {}};
   for (const height::Knot& knot : p.knots) {
     words.numbers.emplace_back("x_mm", knot.x);
     words.numbers.emplace_back("height_mm", knot.height);
   }
   return words;
 }
-Description described(const std::shared_ptr<const height::Grid>& g) {
+PartWords described(const std::shared_ptr<const height::Grid>& g) {
   // At most 2^15 columns and rows: binary32 numbers.
   return {std::string(height::Grid::kName),
           {{"columns", static_cast<float>(g->columns)}, {"rows", static_cast<float>(g->rows)}, {"pitch_mm", g->pitch}},
@@ -44,8 +44,8 @@ Description described(const std::shared_ptr<const height::Grid>& g) {
           g->values};
 }
 
-Description described(const height::Part& part) {
-  Description words = std::visit([](const auto& shape) { return described(shape); }, part.shape);
+PartWords described(const height::Part& part) {
+  PartWords words = std::visit([](const auto& shape) { return described(shape); }, part.shape);
   if (part.negated) words.words.emplace_back("negated", "true");
   return words;
 }
@@ -108,7 +108,8 @@ bool is_conservative_map(const Identity& identity) {
 }
 
 std::string parameters_in_words(const Identity& identity) {
-  static constexpr std::array<std::array<std::string_view, 2>, 2> kUnits{{{"_N_per_mm", " N/mm"}, {"_mm", " mm"}}};
+  static constexpr std::array<std::array<std::string_view, 2>, 3> kUnits{
+      {{"_N_per_mm", " N/mm"}, {"_mm", " mm"}, {"_Hz", " Hz"}}};
   std::string words;
   for (const auto& [key, value] : identity.parameters) {
     std::string name = key, unit;
@@ -126,7 +127,7 @@ Identity identity_of(const std::string& name, const HeightMap& map, height::Mode
   Digest digest;
   for (const auto& [role, parts] : roles(map))
     for (const height::Part& part : *parts) {
-      const Description words = described(part);
+      const PartWords words = described(part);
       digest.line(role + words.kind);
       for (const auto& [key, value] : words.numbers) {
         digest.line(std::string(key));
@@ -143,7 +144,7 @@ std::vector<std::string> words_of(const HeightMap& map) {
   std::vector<std::string> lines;
   for (const auto& [role, parts] : roles(map))
     for (const height::Part& part : *parts) {
-      const Description words = described(part);
+      const PartWords words = described(part);
       std::string line = role + words.kind + ':';
       for (const auto& [key, value] : words.numbers) line += ' ' + std::string(key) + ' ' + shortest(value) + ',';
       for (const auto& [key, word] : words.words) line += ' ' + std::string(key) + ' ' + std::string(word) + ',';

@@ -29,10 +29,23 @@ std::variant<Rendering, ParameterError> rendering_of(const std::string& name, co
   return rendered<fast::GodObject>(identity_of(name, mesh), mesh);
 }
 
+std::variant<Rendering, ParameterError> rendering_of(const std::string& name, const DescribedScene& scene) {
+  std::vector<MovingRenderer> objects;
+  for (const MovingObject& one : scene.objects) {
+    auto built = rendering_of(one.what);
+    if (auto* error = std::get_if<ParameterError>(&built)) return *error;
+    objects.push_back({std::get<Rendering>(std::move(built)).renderer, std::make_shared<const scene::Motion>(one.motion)});
+  }
+  auto built = renderer_of(std::move(objects));
+  if (auto* error = std::get_if<ParameterError>(&built)) return *error;
+  return Rendering{identity_of(name, scene), std::get<Renderer>(std::move(built)), static_cast<double>(scene.rate)};
+}
+
 std::variant<Rendering, ParameterError> rendering_of(const Description& description) {
   if (const auto* law = std::get_if<DescribedLaw>(&description.what)) return rendering_of(law->law, law->parameters);
   if (const auto* map = std::get_if<DescribedHeightMap>(&description.what))
     return rendering_of(description.name, map->map, map->mode, map->stiffness);
+  if (const auto* scene = std::get_if<DescribedScene>(&description.what)) return rendering_of(description.name, *scene);
   return rendering_of(description.name, std::get<MeshRendering>(description.what));
 }
 

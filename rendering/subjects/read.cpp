@@ -42,7 +42,7 @@ std::vector<Description> read(const Options& options, Laws laws, const Monitor& 
   const float stiffness = stiffness_of(options);
   const auto name_of_file = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
   if (!mesh.empty()) return {{name_of_file(mesh), read_mesh(options, stiffness, monitor)}};
-  if (!scene.empty()) return {{name_of_file(scene), read_scene(options, stiffness, monitor)}};
+  if (!scene.empty()) return {read_scene(options, stiffness, monitor)};
   if (!map.empty()) {
     heights::Spec spec = read_height_map(options, stiffness);
     return {{name_of_file(map), DescribedHeightMap{std::move(spec.map), spec.mode, stiffness}}};

@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 
+#include "files/csv.h"
 #include "files/printable.h"
 #include "files/quantity.h"
 #include "rendering/subjects/materials.h"
 #include "rendering/subjects/mesh.h"
+#include "rendering/subjects/motion.h"
+#include "rendering/subjects/read.h"
 #include "rendering/subjects/tables.h"
 #include "rendering/subjects/words.h"
 
@@ -45,10 +49,11 @@ class SceneReader {
   // Those in the file, then those given, of which none may be in the file.
   Options options(const Options& given) const {
     std::vector<std::string> keys = keys_of_options();
-    keys.emplace_back("object");
+    keys.insert(keys.end(), {"object", "rate"});
     Options all;
     for (const auto& [key, node] : in_.root())
-      if (key.str() != "object") all.add(option_of(std::string(key.str()), node, in_.file(), keys, "scene"));
+      if (key.str() != "object" && key.str() != "rate")
+        all.add(option_of(std::string(key.str()), node, in_.file(), keys, "scene"));
     for (const Option& one : given) all.add(one);
     expect_consistent(all, Laws::one);
     if (is_texture(all.value("shading")))
@@ -59,8 +64,18 @@ class SceneReader {
 
   Scene read(Options options) {
     scene_.options = std::move(options);
-    for (const toml::table* one : in_.tables_of("object")) add(*one);
-    if (scene_.ground.objects.empty()) throw BadInput(in_.file() + ": expected an [[object]], got none");
+    scene_.rate = rate();
+    for (const toml::table* one : in_.tables_of("object")) one->contains("motion") ? add_moving(*one) : add(*one);
+    const bool has_ground = !scene_.ground.objects.empty();
+    if (!has_ground && scene_.moving.empty()) throw BadInput(in_.file() + ": expected an [[object]], got none");
+    if (scene_.moving.size() + (has_ground ? 1 : 0) > scene::kMostObjects)
+      throw BadInput(in_.file() + ": expected at most " + std::to_string(scene::kMostObjects) +
+                     " objects, those without a motion together being one");
+    if (!has_ground)
+      for (const std::string& key : keys_of_options())
+        if (scene_.options.has(key)) fail_alone(scene_.options.name(key), "an object without a motion");
+    if (const toml::node* rate = in_.root().get("rate"); rate != nullptr && scene_.moving.empty())
+      fail_alone(in_.name_of(*rate, "rate"), "an object with a motion");
     scene_.materials = simplest(std::move(scene_.materials));
     return std::move(scene_);
   }
@@ -84,6 +99,43 @@ class SceneReader {
       throw BadInput(in_.name_of(*table.get("mesh"), "mesh") + ": expected fewer faces and vertices in all objects together");
   }
 
+  // An object with a motion has the keys of a subject file.
+  void add_moving(const toml::table& table) {
+    std::vector<std::string> keys = names_of_keys();
+    std::erase(keys, "scene");
+    UnreadObject made;
+    made.name = name_of(table);
+    bool repeats = false;
+    for (const auto& [key, node] : table) {
+      if (key.str() == "name" || key.str() == "motion") continue;
+      if (key.str() != "repeats") {
+        made.options.add(option_of(std::string(key.str()), node, in_.file(), keys, "subject"));
+      } else if (const auto flag = node.value_exact<bool>()) {
+        repeats = *flag;
+      } else {
+        in_.fail(node, "repeats", "true or false", node);
+      }
+    }
+    if (!made.options.has_kind())
+      throw BadInput(in_.name_of(table, made.name) + ": expected one of the keys law, height-map and mesh beside motion");
+    made.motion = read_motion(beside(in_.file(), in_.text_of(table, "motion", made.name, "a file")),
+                              static_cast<double>(scene_.rate), repeats);
+    scene_.moving.push_back(std::move(made));
+  }
+
+  float rate() const {
+    const toml::node* const node = in_.root().get("rate");
+    if (node == nullptr) return Scene().rate;
+    const double rate = node->value<double>().value_or(0);
+    if (!(rate >= kLeastRate && rate <= kMostRate) || rate != std::floor(rate))
+      in_.fail(*node, "rate", "a whole number of ticks per second from 100 to 10000", *node);
+    return static_cast<float>(rate);
+  }
+
+  [[noreturn]] static void fail_alone(const std::string& name, const std::string& what) {
+    throw BadInput(name + ": expected " + what + " in the scene, got none");
+  }
+
   std::string name_of(const toml::table& table) const {
     const std::string name = in_.text_of(table, "name", "[[object]]", "a name");
     const auto fail = [&](const char* expected, const char* got) {
@@ -91,7 +143,8 @@ class SceneReader {
     };
     if (!files::is_printable(name)) fail("a name without control characters", "");
     if (name.find('/') != std::string::npos) fail("a name without /, which stands in front of the names of groups", "");
-    if (std::ranges::find(scene_.ground.objects, name, &mesh::GroundObject::name) != scene_.ground.objects.end())
+    if (std::ranges::find(scene_.ground.objects, name, &mesh::GroundObject::name) != scene_.ground.objects.end() ||
+        std::ranges::find(scene_.moving, name, &UnreadObject::name) != scene_.moving.end())
       fail("another name for each object", " again");
     return name;
   }
@@ -161,16 +214,27 @@ Scene load_scene(const Options& options) {
   return scene;
 }
 
-MeshRendering read_scene(const Options& options, float stiffness, const Monitor& monitor) {
+Description read_scene(const Options& options, float stiffness, const Monitor& monitor) {
   SceneReader reader(options.value("scene"));
   const Options all = reader.options(options);
-  const auto load = [&]() -> Unchecked {
-    Scene scene = reader.read(all);
-    mesh::LoadedMesh loaded = std::move(scene.ground.loaded);
-    const auto words = [ground = std::move(scene.ground)](const mesh::Findings& findings) { return ground.words(findings); };
-    return {std::move(loaded), std::move(scene.materials), words};
+  Scene scene = reader.read(all);
+  const std::string name = std::filesystem::path(options.value("scene")).filename().string();
+  const auto ground = [&] {
+    const auto load = [&]() -> Unchecked {
+      mesh::LoadedMesh loaded = std::move(scene.ground.loaded);
+      const auto words = [ground = std::move(scene.ground)](const mesh::Findings& findings) { return ground.words(findings); };
+      return {std::move(loaded), std::move(scene.materials), words};
+    };
+    return Description{name, rendered(all, stiffness, load, monitor)};
   };
-  return rendered(all, stiffness, load, monitor);
+  if (scene.moving.empty()) return ground();
+  DescribedScene described{{}, scene.rate, stiffness};
+  if (!scene.ground.objects.empty()) described.objects.push_back({"ground", ground(), {}});
+  for (UnreadObject& one : scene.moving) {
+    if (!one.options.has("stiffness")) one.options.add({"stiffness", files::shortest(stiffness)});
+    described.objects.push_back({one.name, read_one(one.options, monitor), std::move(one.motion)});
+  }
+  return {name, std::move(described)};
 }
 
 std::vector<std::pair<std::string, std::string>> written_scene(const Options& options, bool with_folders) {

@@ -21,6 +21,8 @@ using files::BadInput;
 // The protocol's stiffness is that of all that a session renders.
 Description of_file(const std::string& file, float stiffness, const Bumps::Read& read) {
   Description described = read(subjects::options_of_file(file));
+  if (std::holds_alternative<DescribedScene>(described.what))
+    throw BadInput(file + ": expected no object with a motion, since a session compares surfaces at rest");
   if (const float its = described.stiffness(); its != stiffness)
     throw BadInput(file + ": stiffness: expected that of the protocol, " + files::shortest(stiffness) + " N/mm, got " +
                    files::shortest(its) + " N/mm");

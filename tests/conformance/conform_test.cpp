@@ -50,6 +50,32 @@ TEST(conform, holds_of_the_own_renderer_on_every_kind_of_scene) {
   EXPECT_EQ(names.size(), kInvariants.size() - 1);  // all but that of energy, which the own renderer does not declare
 }
 
+// Where objects move, what depends on the tick is compared with the definition alone.
+TEST(conform, looks_at_objects_that_move) {
+  scene::Motion motion{{}, true};
+  for (int tick = 0; tick < 100; ++tick) motion.poses.push_back({{0, 0, static_cast<float>(tick) / 8}, {1, 0, 0.5F, 0}});
+  DescribedScene objects{{}, 1000, 0.5F};
+  objects.objects.push_back({"ball", ball(mesh::Sides::front, mesh::Shading::none), motion});
+  objects.objects.push_back({"wall", law(LawId::wall), {}});
+  const Description scene{"moving.toml", objects};
+  const Json text = scene_of(scene);
+  EXPECT_EQ(text.at("kind"), "scene");
+  ASSERT_EQ(text.at("objects").size(), 2U);
+  EXPECT_EQ(text["objects"][0].at("scene").at("kind"), "mesh");
+  EXPECT_EQ(text["objects"][0].at("poses").size(), 100U);
+  EXPECT_EQ(text["objects"][0]["poses"][2].dump(), R"(["0x0p+0","0x0p+0","0x1p-2","0x1p+0","0x0p+0","0x1p-1","0x0p+0"])");
+  EXPECT_EQ(text["objects"][1].at("name"), "wall");
+  const Conformance its = conform(scene, own_renderer(scene), {.points = 2000});
+  EXPECT_TRUE(its.held()) << words_of(its, {});
+  EXPECT_EQ(looked_at(its), (std::set<std::string>{"the same path twice gives the same bits", "a reset equals a fresh start",
+                                                   "any position gets a finite force"}));
+  const auto stops = [](Description& what, Json&) {
+    std::get<DescribedScene>(what.what).objects[0].motion.poses.resize(1);
+    return Spoil();
+  };
+  EXPECT_FALSE(conform(scene, own_renderer(scene, stops), {.points = 2000}).held());
+}
+
 TEST(conform, a_proxy_of_any_radius_does_not_claim_the_definition) {
   const Description scene = ball(mesh::Sides::front, mesh::Shading::none);
   const auto open = [&](double radius) {

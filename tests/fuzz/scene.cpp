@@ -15,6 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const mesh::Ground& ground = scene.ground;
     const std::size_t triangles = ground.loaded.mesh.triangles.size();
     fuzz::require(!error_of_materials(scene.materials, triangles, true), "a ground can have what is read");
+    for (const subjects::UnreadObject& one : scene.moving) fuzz::require(!one.motion.poses.empty(), "a motion has a pose");
     fuzz::require(triangles == 4 * ground.objects.size(), "each object has its triangles");
     fuzz::require(ground.loaded.groups.of_triangle.size() == triangles, "each triangle has a group or none");
     for (const mesh::Triangle& triangle : ground.loaded.mesh.triangles)

@@ -46,7 +46,7 @@ double work(const Path& path, const Path& forces) {
 Invariant no_force_in_the_air(const Trial& trial) {
   Invariant invariant{"no force out of contact"};
   const std::span<const Approach> all = trial.approaches;
-  if (all.empty()) invariant.not_applicable = "no position out of contact was found";
+  if (all.empty()) invariant.not_applicable = trial.why_no_approach();
   for (const Approach& approach : all) {
     const Path path{approach.air, approach.contact, approach.air, approach.air};  // also after a contact
     const Path forces = trial.renderer.forces_along(path);
@@ -77,7 +77,7 @@ Invariant contact_pushes_back(const Trial& trial) {
                            " N: a hand would go through the surface");
     }
   }
-  if (invariant.cases == 0) invariant.not_applicable = "no position in contact was found";
+  if (invariant.cases == 0) invariant.not_applicable = trial.why_no_approach();
   return invariant;
 }
 
@@ -89,7 +89,7 @@ Invariant first_force_opposes(const Trial& trial) {
     return invariant;
   }
   const std::span<const Approach> all = trial.approaches;
-  if (all.empty()) invariant.not_applicable = "no position in contact was found";
+  if (all.empty()) invariant.not_applicable = trial.why_no_approach();
   for (const Approach& approach : all) {
     const Path path = approach.line(trial.renderer, kApproachSteps), forces = trial.renderer.forces_along(path);
     const auto first = std::ranges::find_if(forces, [](const Eigen::Vector3f& force) { return !force.isZero(0); });
@@ -113,7 +113,7 @@ Invariant loops_give_no_energy(const Trial& trial) {
     return invariant;
   }
   const std::span<const Approach> all = trial.first_approaches(5);
-  if (all.empty()) invariant.not_applicable = "no position in contact was found";
+  if (all.empty()) invariant.not_applicable = trial.why_no_approach();
   for (const Approach& approach : all)
     for (const float along : {3.0F, -3.0F}) {
       const auto work_of = [&](int steps) {

@@ -47,7 +47,7 @@ Invariant any_position_gets_a_finite_force(const Trial& trial) {
 Invariant odd_position_leaves_nothing_behind(const Trial& trial) {
   Invariant invariant{"an odd position leaves nothing behind"};
   const std::span<const Approach> all = trial.first_approaches(3);
-  if (all.empty()) invariant.not_applicable = "no position in contact was found";
+  if (all.empty()) invariant.not_applicable = trial.why_no_approach();
   for (const Approach& approach : all) {
     const Eigen::Vector3f expected = trial.renderer.forces_along(approach.line(trial.renderer, 4)).back();
     for (const Eigen::Vector3f& odd : odd_positions()) {
@@ -70,7 +70,7 @@ Invariant no_position_no_force(const Trial& trial) {
   const auto& hello = trial.renderer.hello();
   const auto held = hello.remembers && hello.rate ? static_cast<std::size_t>(std::ceil(kLongest * *hello.rate)) : 0;
   const std::span<const Approach> all = trial.first_approaches(5);
-  if (all.empty()) invariant.not_applicable = "no position in contact was found";
+  if (all.empty()) invariant.not_applicable = trial.why_no_approach();
   for (const Approach& approach : all) {
     Path path{approach.air, approach.contact};
     path.resize(path.size() + held + 10, Eigen::Vector3f::Constant(kNan));

@@ -100,7 +100,7 @@ Invariant compared(const Trial& trial, Invariant invariant, const Description& s
     trial.monitor.at(0.98);
   }
   other.say_goodbye();
-  if (invariant.cases == 0) invariant.not_applicable = "no position in contact was found";
+  if (invariant.cases == 0) invariant.not_applicable = trial.why_no_approach();
   return invariant;
 }
 

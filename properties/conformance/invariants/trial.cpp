@@ -99,6 +99,7 @@ Path Approach::line(const SceneRenderer& renderer, int steps) const {
 
 std::vector<Approach> approaches_to(const Trial& trial) {
   std::vector<Approach> all;
+  if (trial.moves()) return all;
   const auto positions = trial.subject.positions(trial.seed + 2);
   const auto* mesh = std::get_if<MeshRendering>(&trial.description.what);
   for (int drawn = 0; drawn < kMostDrawn && all.size() < kMostApproaches; ++drawn) {

@@ -37,13 +37,17 @@ struct Trial {
   std::span<const Approach> first_approaches(std::size_t most) const {
     return std::span(approaches).first(std::min(most, approaches.size()));
   }
+  std::string why_no_approach() const {
+    return moves() ? "the objects move, so that a place is in contact in some ticks alone" : "no position in contact was found";
+  }
+  bool moves() const { return std::holds_alternative<DescribedScene>(description.what); }
   bool is_mesh() const { return std::holds_alternative<MeshRendering>(description.what); }
 };
 
 // Positions of the stream by which the subject is certified, in the renderer's domain.
 Path drawn_path(const Trial& trial, std::size_t size, std::uint64_t seed);
 
-// As many as the invariants look at.
+// As many as the invariants look at; none where objects move.
 std::vector<Approach> approaches_to(const Trial& trial);
 
 // From 1 mm before the middle of a triangle to half a millimetre behind it.

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Which descriptions a binding for another language makes a subject of.
+
+#include "forceshade/bad_input.h"
+#include "forceshade/description.h"
+
+namespace forceshade::c {
+
+// Throws files::BadInput for a scene with motions: a program gives the poses of each tick itself.
+inline void expect_still(const Description& description) {
+  if (std::holds_alternative<DescribedScene>(description.what))
+    throw files::BadInput(description.name +
+                          ": expected no object with a motion here; a session of a scene takes the poses of each tick");
+}
+
+}  // namespace forceshade::c

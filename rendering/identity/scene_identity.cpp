@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forceshade/identity.h"
+#include "rendering/identity/digest.h"
+
+namespace forceshade {
+namespace {
+
+void add_identity(const Identity& its, Digest& digest) {
+  // Files may be renamed: a name counts only where there is no digest.
+  digest.line("object " + its.kind + ' ' + (its.digest.empty() ? its.name : its.digest));
+  for (const auto& [key, value] : its.parameters) digest.line(key + ' ' + text_of(value));
+}
+
+void add_motion(const scene::Motion& motion, Digest& digest) {
+  digest.line("poses " + std::to_string(motion.poses.size()) + (motion.repeats ? " repeated" : ""));
+  for (const scene::Pose& pose : motion.poses) {
+    for (const float coordinate : pose.translation) digest.number(coordinate);
+    for (const float component : pose.rotation) digest.number(component);
+  }
+}
+
+}  // namespace
+
+Identity identity_of(const std::string& name, const DescribedScene& scene) {
+  Digest digest;
+  for (const MovingObject& one : scene.objects) {
+    add_identity(identity_of(one.what), digest);
+    add_motion(one.motion, digest);
+  }
+  return {kSceneKind, name, {{"objects", std::to_string(scene.objects.size())}, {"rate_Hz", scene.rate}}, digest.hex()};
+}
+
+Identity identity_of(const Description& description) {
+  const auto& [name, what] = description;
+  if (const auto* law = std::get_if<DescribedLaw>(&what)) return identity_of(law->law, law->parameters);
+  if (const auto* map = std::get_if<DescribedHeightMap>(&what)) return identity_of(name, map->map, map->mode, map->stiffness);
+  if (const auto* scene = std::get_if<DescribedScene>(&what)) return identity_of(name, *scene);
+  return identity_of(name, std::get<MeshRendering>(what));
+}
+
+}  // namespace forceshade
