@@ -26,6 +26,12 @@ if [ "$part" = cpp ]; then
   order="other numbers of triangles and vertices change nothing"
   fails "a flat floor keeps the speed|$pushes|$edges|$frames|$order|$nan_force" build/bullet
   fails "$pushes|$units|$frames|$nan_force" "build/bullet --fix-internal-edges"
+  # ODE's friction is a pyramid; the god-object's is a cone.
+  course="$(dirname "$engines")/../../scripts/friction_course"
+  "$course" --forceshade "$forceshade" build/ode build/bullet > friction.md
+  expect 0 "| 1.0000 | 1.0000 | 0.9998 |" -- grep "^| god-object" friction.md
+  expect 0 "| 1.0000 | 1.4142 | 1.0000 |" -- grep "^| ODE" friction.md
+  expect 0 "| 1.0046 | 1.0029 | 1.0000 |" -- grep "^| Bullet" friction.md
 else
   command -v node > /dev/null && command -v npm > /dev/null || skip "no node and npm in PATH"
   command -v python3 > /dev/null || skip "no python3 in PATH"
