@@ -25,7 +25,7 @@ class SceneSubject final : public Subject {
   const Rendering& rendering() const override { return rendering_; }
   std::vector<std::string> parts() const override;
   std::unique_ptr<ReferenceSession> open_reference() const override;
-  // Of one object after the other, at where its positions are in the world in that tick.
+  // Those of one object after the other, at where they are in the world in that tick.
   std::unique_ptr<Positions> positions(std::uint64_t seed) const override;
   std::vector<Eigen::Vector3f> draw_path(Chooser& choose) const override;
   // These are the properties of one object, which is drawn, in its axes: they are checked of the answers that are added.

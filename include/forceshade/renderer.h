@@ -57,7 +57,7 @@ struct MovingRenderer {
   std::shared_ptr<const scene::Motion> motion;
 };
 
-// Of a scene of them, by fast::SceneSession, whose conditions it has. It has no batch call either. Its open() throws
+// A scene of them, by fast::SceneSession, whose conditions it has. It has no batch call either. Its open() throws
 // std::runtime_error under a fast::arithmetic_fault().
 std::variant<Renderer, ParameterError> renderer_of(std::vector<MovingRenderer> objects);
 

@@ -89,7 +89,7 @@ TEST(moving_scene, draws_the_tick_in_which_a_path_begins) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const auto drawn = subject->with_drawn_parameters(seed);
     const auto session = drawn.subject->renderer().open();
-    // Of K (tick + 1) and K (tick + 2), whatever K is.
+    // They are K (tick + 1) and K (tick + 2), whatever K is.
     const float one = session->step({0, 0, -1}).force.z(), other = session->step({0, 0, -1}).force.z();
     first.insert(other / one);
     EXPECT_TRUE(drawn.parameters.starts_with("from tick ")) << drawn.parameters;
