@@ -92,6 +92,40 @@ TEST(god_object_consequences, a_size_times_a_power_of_two_changes_no_state) {
         friction);
 }
 
+// About z; 0 has no sign in what a mesh is made of.
+Position quarter_turned(const Position& v) {
+  return {0.0F - v[1], v[0], v[2]};
+}
+
+TEST(god_object_consequences, a_quarter_turn_of_everything_turns_each_number_of_a_tick) {
+  std::optional<GodObject> other;
+  for (const Friction friction : kEachFriction)
+    on_random_paths(
+        7, 60, 150, {"turned and touching"},
+        [&](const Scene& scene, const Step& step, Counts& counts) {
+          if (step.before.place == Place::nowhere) {
+            mesh::TriangleMesh mesh = scene.made.mesh;
+            for (mesh::Vertex& vertex : mesh.vertices) vertex = quarter_turned(vertex);
+            mesh::CornerNormals normals = scene.normals;
+            for (auto& corners : normals)
+              for (mesh::Normal& normal : corners) normal = quarter_turned(normal);
+            other = built(mesh, normals, scene.made.sides, Scene::kStiffness, scene.given);
+          }
+          mesh::GodObject before = step.before;
+          before.position = quarter_turned(before.position);
+          const mesh::Tick turned = other->step(before, quarter_turned(step.position));
+          mesh::Tick as_expected = step.tick;
+          as_expected.force = quarter_turned(step.tick.force);
+          as_expected.after.position = quarter_turned(step.tick.after.position);
+          EXPECT_EQ(turned.status, as_expected.status);
+          EXPECT_EQ(turned.moves, as_expected.moves);
+          EXPECT_EQ(turned.force, as_expected.force);
+          EXPECT_EQ(turned.after, as_expected.after) << show(turned) << ", expected " << show(as_expected);
+          counts["turned and touching"] += is_touching(turned.after);
+        },
+        friction);
+}
+
 // What a renumbering may change: ties, and at rest in a triangle the last grid step.
 class Renumbered {
  public:
