@@ -234,6 +234,9 @@ TEST_F(stand_in, sees_a_caller_without_discipline) {
     const Functions& hd = of_the_undisciplined;
     HHD device = hd.hdInitDevice(nullptr);
     const auto undisciplined = [](void* data) -> unsigned {
+      // Later frames are left out: on a busy machine there would be more breaches than are noted.
+      static int ticks = 0;
+      if (++ticks > 3) return kCallbackContinue;
       const HHD it = *static_cast<HHD*>(data);
       const Functions& calls = of_the_undisciplined;
       double numbers[3];
