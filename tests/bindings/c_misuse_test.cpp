@@ -146,6 +146,7 @@ class CMisuse : public testing::Test {
 
 TEST_F(CMisuse, of_every_kind_has_its_result_and_its_sentence) {
   forceshade_subject made{};
+  const std::string moving = "scene = \"" FORCESHADE_SOURCE_DIR "/examples/scenes/moving.toml\"\n";
   std::array<float, 3> position{}, force{};
   std::array<std::uint32_t, 12> other = kFaces;
   other[0] = 7;
@@ -223,6 +224,8 @@ TEST_F(CMisuse, of_every_kind_has_its_result_and_its_sentence) {
       {"text empty", [&] { return forceshade_subject_parse("", 0, "x.toml", &made); }, input, "x.toml: has none of the keys"},
       {"text key", [&] { return forceshade_subject_parse("lav = 1\n", 8, "x.toml", &made); }, input, "line 1: unknown key lav"},
       {"text syntax", [&] { return forceshade_subject_parse("law = =\n", 8, "x.toml", &made); }, input, "x.toml: line 1"},
+      {"text of a scene that moves", [&] { return forceshade_subject_parse(moving.data(), moving.size(), "x.toml", &made); },
+       input, "moving.toml: expected no object with a motion here; a session of a scene takes the poses of each tick"},
       {"text zeros", [&] { return forceshade_subject_parse("\0\0\0", 3, "x.toml", &made); }, input, "x.toml"},
 
       {"certificate null", [&] { return forceshade_certificate_covers(nullptr, bump); }, null, "file is NULL"},

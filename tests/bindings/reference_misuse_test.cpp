@@ -142,6 +142,8 @@ TEST_F(ReferenceMisuse, of_every_kind_has_its_result_and_its_sentence) {
       {"text empty", parse(""), input, "x.toml: has none of the keys"},
       {"text key", parse("lav = 1\n"), input, "line 1: unknown key lav"},
       {"text syntax", parse("law = =\n"), input, "x.toml: line 1"},
+      {"text of a scene that moves", parse("scene = \"" FORCESHADE_SOURCE_DIR "/examples/scenes/moving.toml\"\n"), input,
+       "moving.toml: expected no object with a motion here; a session of a scene takes the poses of each tick"},
       {"text zeros", parse(std::string(3, '\0')), input, "x.toml"},
       {"text stiffness", parse("law = \"wall\"\nstiffness = \"0N/mm\"\n"), input, "stiffness"},
       {"text mesh absent", parse("mesh = \"absent.off\"\nunit = \"mm\"\nstiffness = \"1N/mm\"\n"), input, "absent.off"},
