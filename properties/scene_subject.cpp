@@ -91,7 +91,9 @@ std::vector<std::string> SceneSubject::parts() const {
   std::vector<std::string> words;
   for (const auto& [name, subject, motion] : objects_) {
     const Identity& its = subject->identity();
-    const std::string poses = std::to_string(motion->poses.size()) + (motion->repeats ? " poses, repeated" : " poses");
+    const std::size_t count = motion->poses.size();
+    const std::string poses =
+        count == 1 ? "at rest" : std::to_string(count) + (motion->repeats ? " poses, repeated" : " poses");
     words.push_back(name + ": " + its.kind + ' ' + its.name + ", " + parameters_in_words(its) +
                     (its.digest.empty() ? "" : ", digest " + its.digest.substr(0, 12)) + "; " + poses);
   }
@@ -166,10 +168,11 @@ Violation SceneSubject::check_work_of_motion(Chooser& choose) const {
 }
 
 Expected SceneSubject::expected() const {
-  Expected all{{"where the pose of an object jumps from one tick to the next"}};
+  Expected all{{"where the pose of an object jumps from one tick to the next"}, objects_.size() == 1};
   for (const MovingSubject& one : objects_) {
     const Expected its = one.subject->expected();
-    for (const std::string& jump : its.jumps) all.jumps.push_back(one.name + ": " + jump);
+    for (const std::string& jump : its.jumps)
+      if (std::ranges::find(all.jumps, jump) == all.jumps.end()) all.jumps.push_back(jump);
     all.has_unit_directions &= its.has_unit_directions;
   }
   return all;

@@ -49,6 +49,7 @@ sub, sup { line-height: 0; }
 tbody th { font-weight: 600; white-space: nowrap; }
 .number { text-align: right; }
 td small { display: block; font-size: 11px; color: var(--quiet); white-space: nowrap; }
+td .words { white-space: normal; }
 .yes { color: var(--held); }
 .lacking, .statement + .lacking { color: var(--lacking); }
 .no { color: var(--failed); font-weight: 700; }

@@ -35,7 +35,7 @@ std::string words_of(const std::string& html) {
     }
     const std::size_t end = html.find('>', at) + 1;
     const std::string tag = html.substr(at, end - at);
-    if (tag == "<small>") words += " / ";
+    if (tag.starts_with("<small")) words += " / ";
     if (tag == "<br>") words += "; ";
     if (tag == "</th>" || tag == "</td>") words += '|';
     for (const char* line : {"</tr>", "</p>", "</h1>", "</h2>", "</h3>", "</pre>", "</summary>"})

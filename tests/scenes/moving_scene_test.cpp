@@ -80,21 +80,24 @@ TEST(moving_scene, is_the_reference_in_every_bit_along_its_motions) {
 }
 
 TEST(moving_scene, draws_the_tick_in_which_a_path_begins) {
-  DescribedScene scene{{}, 1000, 0.5F};
-  scene::Motion rising;
+  scene::Motion rising{{}, false};
   for (int tick = 0; tick < 40; ++tick) rising.poses.push_back({{0, 0, static_cast<float>(tick)}, {1, 0, 0, 0}});
-  scene.objects.push_back({"wall", law(LawId::wall), rising});
-  const auto subject = properties::scene_subject("wall.toml", scene);
-  std::set<float> first;
-  for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    const auto drawn = subject->with_drawn_parameters(seed);
-    const auto session = drawn.subject->renderer().open();
-    // They are K (tick + 1) and K (tick + 2), whatever K is.
-    const float one = session->step({0, 0, -1}).force.z(), other = session->step({0, 0, -1}).force.z();
-    first.insert(other / one);
-    EXPECT_TRUE(drawn.parameters.starts_with("from tick ")) << drawn.parameters;
+  for (const bool repeats : {false, true}) {
+    rising.repeats = repeats;
+    DescribedScene scene{{}, 1000, 0.5F};
+    scene.objects.push_back({"wall", law(LawId::wall), rising});
+    const auto subject = properties::scene_subject("wall.toml", scene);
+    std::set<float> first;
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+      const auto drawn = subject->with_drawn_parameters(seed);
+      const auto session = drawn.subject->renderer().open();
+      // They are K (tick + 1) and K (tick + 2), whatever K is.
+      const float one = session->step({0, 0, -1}).force.z(), other = session->step({0, 0, -1}).force.z();
+      first.insert(other / one);
+      EXPECT_TRUE(drawn.parameters.starts_with("from tick ")) << drawn.parameters;
+    }
+    EXPECT_GT(first.size(), 15U) << "of 40 ticks";
   }
-  EXPECT_GT(first.size(), 15U) << "of 40 ticks";
 }
 
 // What a renderer does that turns the force into the axes of the object once more instead of back into those of the world.

@@ -75,6 +75,8 @@ TEST_F(MovingScenes, turn_the_shorter_way) {
   EXPECT_EQ(same.poses[1].rotation, (std::array<float, 4>{1, 0, 0, 0}));
   const scene::Motion still = motion_of(kPoses + "0,0,0,0,2,0,0,1\n0.002,1,0,0,2,0,0,1\n");
   EXPECT_EQ(still.poses[1].rotation, (std::array<float, 4>{2, 0, 0, 1})) << "a rotation that stays is not rounded";
+  const scene::Motion tiny = motion_of(kPoses + "0,0,0,0,1,0,0,0\n0.002,0,0,0,1,0,1e-9,0\n");
+  EXPECT_EQ(tiny.poses[1].rotation, (std::array<float, 4>{1, 0, 0, 0})) << "below 2^-30 a component is 0";
 }
 
 TEST_F(MovingScenes, have_poses_for_the_rate) {
@@ -144,6 +146,9 @@ TEST_F(MovingScenes, are_told_apart_by_whatever_changes_a_force) {
             "name = \"plate\"\nmotion = \"up.csv\"\nmesh = \"plate.off\"\nunit = \"mm\"\n",
         text + "repeats = true\n", text + "stiffness = 0.6\n", "rate = 500\n" + text, "sides = \"front\"\n" + text})
     EXPECT_FALSE(identity_of(read_scene_of(other)).is_same(its)) << other;
+  Description repeated = read_scene_of(text);
+  std::get<DescribedScene>(repeated.what).objects[1].motion.repeats = true;
+  EXPECT_FALSE(identity_of(repeated).is_same(its)) << "the same poses";
   folder.write("up.csv", kTranslations + "0,0,0,0\n0.01,0,0,1.0000001\n");
   EXPECT_FALSE(identity_of(read_scene_of(text)).is_same(its)) << "one bit of one pose";
 }
