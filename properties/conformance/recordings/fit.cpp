@@ -20,7 +20,9 @@ namespace {
 constexpr std::size_t kLeastContacts = 7;
 constexpr std::size_t kMostSamples = 5000, kTriedSamples = 200;     // that are fitted, and that a beginning is tried on
 constexpr std::size_t kPlaces = 64, kTurns = 24, kBeginnings = 16;  // of each that is laid
-constexpr int kTrims = 4;
+constexpr int kRounds = 2, kLimits = 20;
+constexpr double kOtherStiffness = 0.1;
+constexpr double kLessLimit = 0.99, kAnySize = std::numeric_limits<double>::infinity();
 
 using Samples = std::vector<Measured>;
 
@@ -96,21 +98,23 @@ class Fitting {
     for (const Measured& each : contacts_) lever_ = std::max(lever_, (each.position - middle_).norm());
     if (lever_ == 0) return refused("all samples in contact are at one position; expected a hand that moves");
 
-    std::vector<Beginning> beginnings;
     std::ranges::sort(contacts_, {}, [](const Measured& each) { return each.force.norm(); });
-    for (const std::size_t quarter : {1U, 2U, 3U})
-      for (const Beginning& each : search(thinned(usable, kTriedSamples), contacts_[quarter * contacts_.size() / 4]))
-        beginnings.push_back(each);
-    std::ranges::sort(beginnings, {}, &Beginning::share);
-    if (beginnings.empty()) return refused("no placement of the subject has a force where the recording has one");
-    if (beginnings.front().factor < 0)
-      return refused("the stiffness that fits best is below zero: the forces pull towards the surface");
     const Samples some = thinned(usable, kTriedSamples), all = thinned(usable, kMostSamples);
     Solution best;
-    for (const Beginning& each : beginnings) {
-      if (each.factor < 0) continue;
-      const Solution solution = solved(some, each);
-      if (solution.rms < best.rms) best = solution;
+    double laid_at = 0;
+    // Once more where the samples were laid at a wrong depth, since the recording's stiffness was not known.
+    for (int round = 0; round < kRounds && std::fabs(best.factor * stiffness_ / laid_at - 1) > kOtherStiffness; ++round) {
+      laid_at = best.factor * stiffness_;
+      const std::vector<Beginning> beginnings = beginnings_of(some, laid_at);
+      if (round == 0 && beginnings.empty())
+        return refused("no placement of the subject has a force where the recording has one");
+      if (round == 0 && beginnings.front().factor < 0)
+        return refused("the stiffness that fits best is below zero: the forces pull towards the surface");
+      for (const Beginning& each : beginnings) {
+        if (each.factor < 0) continue;
+        const Solution solution = settled(some, each);
+        if (solution.rms < best.rms) best = solution;
+      }
     }
     return trimmed(all, best);
   }
@@ -131,13 +135,24 @@ class Fitting {
     return fit;
   }
 
+  // The best one first. stiffness: N/mm, of the recording.
+  std::vector<Beginning> beginnings_of(const Samples& some, double stiffness) const {
+    std::vector<Beginning> all;
+    for (const std::size_t quarter : {1U, 2U, 3U}) {
+      const std::vector<Beginning> best = search(some, contacts_[quarter * contacts_.size() / 4], stiffness);
+      all.insert(all.end(), best.begin(), best.end());
+    }
+    std::ranges::sort(all, {}, &Beginning::share);
+    return all;
+  }
+
   // One sample of the recording is laid below a spot of the scene, as deep as its force says, with its force in the direction
   // of the force there, and is turned about this direction in steps. Also with the opposite force, by which attraction is
   // found. The best ones, the best one first.
-  std::vector<Beginning> search(const Samples& some, const Measured& laid) const {
+  std::vector<Beginning> search(const Samples& some, const Measured& laid, double stiffness) const {
     std::vector<Beginning> best;
     const auto consider = [&](const Eigen::Matrix3d& turn, const Spot& spot, double sign) {
-      const Eigen::Vector3d there = spot.point - laid.force.norm() / stiffness_ * spot.direction;
+      const Eigen::Vector3d there = spot.point - laid.force.norm() / stiffness * spot.direction;
       const Beginning next = tried(subject_.renderer(), some, {turn, there - turn * laid.position});
       if (next.factor * sign > 0) best.push_back(next);
     };
@@ -160,46 +175,51 @@ class Fitting {
     return best;
   }
 
-  Misfit misfit_of(const Samples& samples, const Placement& first) const {
-    return {subject_.renderer(), samples, first, middle_, lever_, !options_.turn};
-  }
-
-  Solution solved(const Samples& samples, const Beginning& from) const {
-    Misfit misfit = misfit_of(samples, from.placement);
+  // most: N, as Misfit has it.
+  Solution solved(const Samples& samples, const Beginning& from, double most = kAnySize) const {
+    Misfit misfit(subject_.renderer(), samples, from.placement, middle_, lever_, !options_.turn, most);
     Eigen::VectorXd numbers = Eigen::VectorXd::Zero(misfit.inputs());
     numbers[0] = std::log(from.factor);
     Eigen::LevenbergMarquardt<Misfit> search(misfit);
     search.parameters.xtol = search.parameters.ftol = 1e-12;
     search.minimize(numbers);
     monitor_.at(0);
-    Solution found;
+    return at(samples, {misfit.placement(numbers), Misfit::factor(numbers)});
+  }
+
+  Solution at(const Samples& samples, const Beginning& place) const {
+    const Misfit misfit(subject_.renderer(), samples, place.placement, middle_, lever_, !options_.turn, kAnySize);
+    Eigen::VectorXd numbers = Eigen::VectorXd::Zero(misfit.inputs());
+    numbers[0] = std::log(place.factor);
+    Solution found{place.placement, place.factor};
     misfit(numbers, found.residuals);
     misfit.df(numbers, found.derivatives);
-    found.placement = misfit.placement(numbers);
-    found.factor = Misfit::factor(numbers);
     found.rms = std::sqrt(found.residuals.squaredNorm() / static_cast<double>(samples.size()));
     return found;
   }
 
-  // Samples that are far off the others are left out, so that a fault in some of them does not spoil the fit of the rest.
-  Fit trimmed(const Samples& all, Solution best) {
-    Samples kept = all;
-    for (int trim = 0; trim < kTrims; ++trim) {
-      best = solved(kept, {best.placement, best.factor});
-      Eigen::VectorXd residuals;
-      const Misfit misfit = misfit_of(all, best.placement);
-      Eigen::VectorXd numbers = Eigen::VectorXd::Zero(misfit.inputs());
-      numbers[0] = std::log(best.factor);
-      misfit(numbers, residuals);
-      const double most = limit(all, residuals);
-      Samples next;
-      for (std::size_t i = 0; i < all.size(); ++i)
-        if (residuals.segment<3>(3 * static_cast<Eigen::Index>(i)).norm() <= most) next.push_back(all[i]);
-      if (next.size() == kept.size()) break;
-      kept = next;
+  // A sample that is far off the others counts as one at a limit, which becomes smaller as the fit becomes better: neither a
+  // fault in some samples, nor a sample that a small shift moves over a jump of the force, spoils the fit of the rest.
+  Solution settled(const Samples& samples, const Beginning& from) const {
+    Solution best = solved(samples, from);
+    double most = kAnySize;
+    for (int i = 0; i < kLimits; ++i) {
+      const double next = limit(samples, best.residuals);
+      if (!(next < kLessLimit * most)) break;
+      most = next;
+      best = solved(samples, {best.placement, best.factor}, most);
     }
-    best = solved(kept, {best.placement, best.factor});
-    return stated(all.size(), kept, best);
+    return best;
+  }
+
+  // The fit without the samples beyond the limit.
+  Fit trimmed(const Samples& all, const Solution& from) const {
+    const Solution best = settled(all, {from.placement, from.factor});
+    const double most = limit(all, best.residuals);
+    Samples kept;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (best.residuals.segment<3>(3 * static_cast<Eigen::Index>(i)).norm() <= most) kept.push_back(all[i]);
+    return stated(all.size(), kept, at(kept, {best.placement, best.factor}));
   }
 
   // Five standard deviations, if the half of the samples in contact that fits better is normally distributed; no less than

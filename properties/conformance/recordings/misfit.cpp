@@ -32,24 +32,36 @@ Placement Misfit::placement(const InputType& numbers) const {
   return placement;
 }
 
-int Misfit::operator()(const InputType& numbers, ValueType& residuals) const {
-  residuals = factor(numbers) * rendered_forces(renderer_, samples_, placement(numbers));
+Misfit::ValueType Misfit::whole(const InputType& numbers) const {
+  ValueType residuals = factor(numbers) * rendered_forces(renderer_, samples_, placement(numbers));
   for (std::size_t i = 0; i < samples_.size(); ++i) residuals.segment<3>(3 * static_cast<Eigen::Index>(i)) -= samples_[i].force;
+  return residuals;
+}
+
+int Misfit::operator()(const InputType& numbers, ValueType& residuals) const {
+  residuals = whole(numbers);
+  for (Eigen::Index sample = 0; sample < residuals.size(); sample += 3)
+    if (const double size = residuals.segment<3>(sample).norm(); size > most_) residuals.segment<3>(sample) *= most_ / size;
   return 0;
 }
 
-// 0.01 mm is more than a thousand times what a position within 100 mm is rounded by to binary32.
+// 0.01 mm is more than a thousand times what a position within 100 mm is rounded by to binary32. Where the force jumps within
+// this step of a sample, the difference on that side is the jump and no derivative. So the smaller difference of both sides is
+// taken, which is that of the face on which the sample lies.
 int Misfit::df(const InputType& numbers, JacobianType& derivatives) const {
   constexpr double kStep = 1e-2;
-  derivatives.resize(values(), inputs());
+  derivatives.setZero(values(), inputs());
+  const ValueType here = whole(numbers);
   for (Eigen::Index i = 0; i < numbers.size(); ++i) {
     InputType more = numbers, less = numbers;
     more[i] += kStep;
     less[i] -= kStep;
-    ValueType above, below;
-    (*this)(more, above);
-    (*this)(less, below);
-    derivatives.col(i) = (above - below) / (2 * kStep);
+    const ValueType above = whole(more) - here, below = here - whole(less);
+    for (Eigen::Index sample = 0; sample < here.size(); sample += 3) {
+      if (here.segment<3>(sample).norm() > most_) continue;
+      const ValueType& one = above.segment<3>(sample).squaredNorm() < below.segment<3>(sample).squaredNorm() ? above : below;
+      derivatives.col(i).segment<3>(sample) = one.segment<3>(sample) / kStep;
+    }
   }
   return 0;
 }

@@ -22,23 +22,25 @@ class Misfit {
   using JacobianType = Eigen::MatrixXd;
   enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
 
-  // middle, lever: mm, of the recording's samples in contact.
+  // middle, lever: mm, of the recording's samples in contact. most: N; a larger residual is shortened to it, so that a sample
+  // that nothing explains, or that lies on the wrong side of a jump, counts no more than this.
   Misfit(const Renderer& renderer, std::vector<Measured> samples, const Placement& first, const Eigen::Vector3d& middle,
-         double lever, bool has_turns)
+         double lever, bool has_turns, double most)
       : renderer_(renderer),
         samples_(std::move(samples)),
         first_(first),
         middle_(middle),
         lever_(lever),
-        has_turns_(has_turns) {}
+        has_turns_(has_turns),
+        most_(most) {}
 
   int inputs() const { return has_turns_ ? 7 : 4; }
   int values() const { return static_cast<int>(3 * samples_.size()); }
   bool has_turns() const { return has_turns_; }
   const std::vector<Measured>& samples() const { return samples_; }
 
-  // As Eigen's Levenberg-Marquardt calls them: the residuals (N), and their derivatives by central differences, since the
-  // renderer has none. They return 0.
+  // As Eigen's Levenberg-Marquardt calls them: the residuals (N), and their derivatives by differences, since the renderer
+  // has none; zero where the residual is shortened. They return 0.
   int operator()(const InputType& numbers, ValueType& residuals) const;
   int df(const InputType& numbers, JacobianType& derivatives) const;
 
@@ -46,12 +48,15 @@ class Misfit {
   static double factor(const InputType& numbers);
 
  private:
+  ValueType whole(const InputType& numbers) const;  // the residuals before any is shortened
+
   const Renderer& renderer_;
   std::vector<Measured> samples_;
   Placement first_;
   Eigen::Vector3d middle_;
   double lever_;
   bool has_turns_;
+  double most_;
 };
 
 // The forces of the renderer at the positions of a path, in the axes of the recording.
