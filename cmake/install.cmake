@@ -5,7 +5,7 @@ set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME libforceshade-dev)
 
 # The public headers: no other header is installed. Those of fast and device need no more than Eigen.
 set(modules rendering files fast device)
-if(NOT FORCESHADE_FAST_ONLY)
+if(FORCESHADE_EXACT_SIDE)
   set(modules ${forceshade_modules})
 endif()
 foreach(module IN LISTS modules)
@@ -16,7 +16,7 @@ endforeach()
 
 install(TARGETS forceshade_fast forceshade_files forceshade_device EXPORT forceshade_targets)
 set(export_sets forceshade_targets)
-if(NOT FORCESHADE_FAST_ONLY)
+if(FORCESHADE_EXACT_SIDE)
   install(TARGETS forceshade COMPONENT forceshade)
   # For every language: two shared libraries, each with its one header.
   set_target_properties(forceshade_c PROPERTIES EXPORT_NAME c)
@@ -83,7 +83,7 @@ function(install_pc name)
 endfunction()
 install_pc(forceshade DESCRIPTION "${PROJECT_DESCRIPTION}" REQUIRES "eigen3 >= 3.4"
            LIBRARIES "-lforceshade_device -lforceshade_fast -lforceshade_files -lcsv -ldl -pthread")
-if(NOT FORCESHADE_FAST_ONLY)
+if(FORCESHADE_EXACT_SIDE)
   install_pc(forceshade-c DESCRIPTION "${PROJECT_DESCRIPTION}, for C and other languages" LIBRARIES "-lforceshade")
   install_pc(forceshade-reference DESCRIPTION "Exact forces, property tests and certificates, for C and other languages"
              REQUIRES "forceshade-c" LIBRARIES "-lforceshade-reference")

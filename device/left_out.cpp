@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In place of the devices that speak JSON, where the build has neither Boost nor a JSON library (FORCESHADE_FAST_ONLY).
+// In place of the devices that speak JSON, in a build without the exact side, which needs neither Boost nor a JSON library.
 #include "device/command/command.h"
 #include "device/haply/haply.h"
 
@@ -7,7 +7,7 @@ namespace forceshade::device {
 namespace {
 
 std::string left_out(const char* kind) {
-  return std::string("this build has no device ") + kind + ": it was configured with FORCESHADE_FAST_ONLY";
+  return std::string("this build has no device ") + kind + ": it was configured without the feature exact-side";
 }
 
 }  // namespace

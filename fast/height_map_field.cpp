@@ -96,16 +96,16 @@ Sign force_without_vectors(const SplineMap& map, const float* position, float* f
 constexpr SplineFunctions kScalarSplineFunctions{&force_without_vectors, [] { return arithmetic_fault_here(); }};
 
 // One at a time. A row of a window fills a vector of AVX2: wider ones have nothing to add.
-const SplineFunctions& functions(InstructionSet set) noexcept {
-#if defined(__x86_64__)
+const SplineFunctions& functions([[maybe_unused]] InstructionSet set) noexcept {
+#if FORCESHADE_HAS_VECTOR_SETS
   if (set != InstructionSet::scalar && is_available(InstructionSet::avx2)) return kAvx2SplineFunctions;
 #endif
   return kScalarSplineFunctions;
 }
 
 // Null where there is nothing faster than one at a time.
-const SplineBatchFunctions* batch_functions(InstructionSet set) noexcept {
-#if defined(__x86_64__)
+const SplineBatchFunctions* batch_functions([[maybe_unused]] InstructionSet set) noexcept {
+#if FORCESHADE_HAS_VECTOR_SETS
   if (!is_available(set)) set = best_instruction_set();
   if (set == InstructionSet::avx512) return &kAvx512SplineFunctions;
 #endif

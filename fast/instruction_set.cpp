@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "fast/simd/built.h"
 #include "forceshade/fast.h"
 
 namespace forceshade::fast {
@@ -19,7 +20,7 @@ std::optional<InstructionSet> instruction_set_named(std::string_view name) noexc
 }
 
 bool is_available(InstructionSet set) noexcept {
-#if defined(__x86_64__)
+#if FORCESHADE_HAS_VECTOR_SETS
   switch (set) {
     case InstructionSet::scalar: return true;
     case InstructionSet::avx2: return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");

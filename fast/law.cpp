@@ -38,7 +38,7 @@ BlockFunction<Definition> block_function(const BlockTable* blocks) noexcept {
 // Null for the scalar set: the batch call then makes scalar calls.
 const BlockTable* blocks(InstructionSet set) noexcept {
   if (!is_available(set)) set = best_instruction_set();
-#if defined(__x86_64__)
+#if FORCESHADE_HAS_VECTOR_SETS
   if (set == InstructionSet::avx512) return &kAvx512Blocks;
   if (set == InstructionSet::avx2) return &kAvx2Blocks;
 #endif

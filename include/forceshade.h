@@ -37,7 +37,9 @@
 extern "C" {
 #endif
 
-#if defined(__GNUC__)
+#if defined(_WIN32)
+#define FORCESHADE_API __declspec(dllexport)
+#elif defined(__GNUC__)
 #define FORCESHADE_API __attribute__((visibility("default")))
 #else
 #define FORCESHADE_API
@@ -61,7 +63,8 @@ enum {
   FORCESHADE_BAD_ARITHMETIC = 8, /* the calling thread's: forceshade_arithmetic_fault() */
   FORCESHADE_NO_MEMORY = 9,
   FORCESHADE_FAILED = 10,        /* anything else */
-  FORCESHADE_NOT_COVERED = 11    /* a certificate does not cover the subject */
+  FORCESHADE_NOT_COVERED = 11,   /* a certificate does not cover the subject */
+  FORCESHADE_LEFT_OUT = 12       /* what this build of the library does not have: forceshade_has() */
 };
 
 /* What a position is. */
@@ -89,9 +92,11 @@ typedef struct forceshade_scene {
 /* 0x00MMmmpp: major, minor, patch. */
 FORCESHADE_API uint32_t forceshade_version(void);
 
-/* 1 where the library has the feature, else 0, also for NULL: "laws", "height-maps", "meshes", "subject-files",
- * "certificates", "states", "scenes"; and "avx2", "avx512" where it will use these instructions on this
- * processor. */
+/* 1 where the library has the feature, else 0, also for NULL: "laws", "height-maps", "meshes", "states" and "scenes", which every
+ * build has; "subject-files", "certificates" and "corner-normals", which a build for another machine may be without, and "device-loop"
+ * and "exact-side", which say whether the same build has these libraries for C++ (docs/platforms.md); and "avx2", "avx512" where it
+ * will use these instructions on this processor. Without "certificates" the FORCESHADE_DIGEST of a subject is "". Without
+ * "corner-normals" a mesh that needs a normal which binary64 leaves in doubt is FORCESHADE_LEFT_OUT. */
 FORCESHADE_API int32_t forceshade_has(const char* feature);
 
 /* The sentence of this thread's last error; "" before the first. Never NULL. It stays until this thread's next error. */

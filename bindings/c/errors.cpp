@@ -8,6 +8,7 @@
 
 #include "forceshade/bad_input.h"
 #include "forceshade/certificate.h"
+#include "rendering/left_out.h"
 
 namespace forceshade::c {
 namespace {
@@ -32,6 +33,8 @@ forceshade_result fail_with_exception() noexcept {
     return fail(FORCESHADE_BAD_INPUT, error.what());
   } catch (const properties::CertificateError& error) {
     return fail(FORCESHADE_BAD_INPUT, error.what());
+  } catch (const LeftOut& error) {
+    return fail(FORCESHADE_LEFT_OUT, error.what());
   } catch (const std::bad_alloc&) {
     return fail(FORCESHADE_NO_MEMORY, "there is not enough memory");
   } catch (const std::exception& error) {

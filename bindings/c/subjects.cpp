@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Subjects of the C interface: from numbers, from files, freed, and what they are.
-
-#include "forceshade/subjects.h"
+// Subjects of the C interface: from numbers, freed, and what they are.
 
 #include <algorithm>
 #include <array>
@@ -174,20 +172,6 @@ forceshade_result forceshade_mesh_new(const forceshade_mesh* mesh, forceshade_su
     const forceshade_mesh known = known_of(*mesh);
     if (known.vertices == nullptr || known.triangles == nullptr) return null("mesh->vertices or mesh->triangles is NULL");
     return new_mesh(known, made);
-  });
-}
-
-forceshade_result forceshade_subject_read(const char* file, forceshade_subject* made) {
-  return guarded([&] {
-    if (file == nullptr || made == nullptr) return null("file or made is NULL");
-    return add_subject(forceshade::subjects::read_file(file), made);
-  });
-}
-
-forceshade_result forceshade_subject_parse(const char* text, size_t length, const char* file, forceshade_subject* made) {
-  return guarded([&] {
-    if (text == nullptr || file == nullptr || made == nullptr) return null("text, file or made is NULL");
-    return add_subject(forceshade::subjects::read_text(std::string(text, length), file), made);
   });
 }
 

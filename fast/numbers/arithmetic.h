@@ -3,6 +3,8 @@
 // Whether arithmetic rounds as the proofs assume. No macro shows contraction or clang's reordering, and the mode belongs
 // to the thread: so the processor is tested. Each file that evaluates a law does it, because each file has flags of its own.
 
+#include <cmath>
+
 #include "fast/numbers/inline.h"
 
 namespace forceshade::fast {
@@ -24,6 +26,9 @@ FORCESHADE_INLINE const char* arithmetic_fault_here() {
   if ((one + small) - one != 0) return "reordered sum (compile without -fassociative-math)";
   if (hidden(5) / 3 != 0x1.aaaaaaaaaaaabp+0) return "reciprocal for a quotient (compile without -freciprocal-math)";
   if (1 / (hidden(-0.0) + 0.0) < 0) return "lost sign of zero (compile without -fno-signed-zeros)";
+  // The product has 105 bits, more than the 64 of the x87 format in which the C library of mingw-w64 computes it.
+  const double b = hidden(1 + 0x1p-52);
+  if (std::fma(b, b, hidden(-1 - 0x1p-51)) != 0x1p-104) return "fma that rounds twice (compile with -mfma)";
   return nullptr;
 }
 

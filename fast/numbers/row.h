@@ -32,7 +32,7 @@ FORCESHADE_INLINE Pair64 to_binary64(const float& first, const float& second) {
 #if defined(__SSE2__)
   return _mm_cvtps_pd(_mm_unpacklo_ps(_mm_load_ss(&first), _mm_load_ss(&second)));
 #else
-  return {static_cast<double>(first), static_cast<double>(second)};
+  return Pair64{static_cast<double>(first), static_cast<double>(second)};
 #endif
 }
 

@@ -9,6 +9,7 @@
 #include "fast/laws/all.h"
 #include "fast/numbers/arithmetic.h"
 #include "fast/numbers/first_stage.h"
+#include "fast/simd/built.h"
 
 namespace forceshade::fast {
 

@@ -2,43 +2,44 @@
 #pragma once
 // SHA-256, in hex.
 
-#include <openssl/evp.h>
-
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
 
+struct evp_md_ctx_st;
+
 namespace forceshade {
 
-// Fed with text and lines of it, and with binary32 and whole numbers as their four bytes, the least significant first.
+// Fed with text and lines of it, and with binary32 and whole numbers as their four bytes, the least significant first. In a
+// build without certificates the digest is empty.
 class Digest {
  public:
-  Digest() { EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr); }
+  Digest();
 
-  void text(std::string_view text) { EVP_DigestUpdate(context_.get(), text.data(), text.size()); }
+  void text(std::string_view text) { bytes(text.data(), text.size()); }
   void line(std::string_view words) {
     text(words);
     text("\n");
   }
   void number(float value) { whole(std::bit_cast<std::uint32_t>(value)); }
   void whole(std::uint32_t bits) {
-    const unsigned char bytes[]{static_cast<unsigned char>(bits), static_cast<unsigned char>(bits >> 8),
-                                static_cast<unsigned char>(bits >> 16), static_cast<unsigned char>(bits >> 24)};
-    EVP_DigestUpdate(context_.get(), bytes, sizeof bytes);
+    const unsigned char four[]{static_cast<unsigned char>(bits), static_cast<unsigned char>(bits >> 8),
+                               static_cast<unsigned char>(bits >> 16), static_cast<unsigned char>(bits >> 24)};
+    bytes(four, sizeof four);
   }
-  std::string hex() {
-    unsigned char bytes[EVP_MAX_MD_SIZE];
-    unsigned size = 0;
-    EVP_DigestFinal_ex(context_.get(), bytes, &size);
-    std::string text;
-    for (unsigned i = 0; i < size; ++i) text += {"0123456789abcdef"[bytes[i] >> 4], "0123456789abcdef"[bytes[i] & 15]};
-    return text;
-  }
+  std::string hex();
 
  private:
-  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_{EVP_MD_CTX_new(), &EVP_MD_CTX_free};
+  struct Free {
+    void operator()(evp_md_ctx_st* context) const noexcept;
+  };
+
+  void bytes(const void* from, std::size_t count);
+
+  std::unique_ptr<evp_md_ctx_st, Free> context_;
 };
 
 }  // namespace forceshade

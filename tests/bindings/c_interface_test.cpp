@@ -293,15 +293,18 @@ TEST(c_interface, says_what_the_library_is) {
   EXPECT_EQ(forceshade_version(), static_cast<std::uint32_t>(FORCESHADE_VERSION_MINOR) << 8U);
   EXPECT_STREQ(forceshade_library_digest(), fast::library_digest()) << "the same objects, in a shared library";
   EXPECT_EQ(forceshade_arithmetic_fault(), nullptr);
-  for (const char* feature : {"laws", "height-maps", "meshes", "subject-files", "certificates", "states", "scenes"})
+  for (const char* feature : {"laws", "height-maps", "meshes", "states", "scenes", "device-loop", "subject-files",
+                              "certificates", "corner-normals", "exact-side"})
     EXPECT_EQ(forceshade_has(feature), 1);
-  EXPECT_EQ(forceshade_has("teapots"), 0);
+  for (const char* none : {"teapots", "", " ", "subject-files certificates", "exact", "side"})
+    EXPECT_EQ(forceshade_has(none), 0);
   EXPECT_EQ(forceshade_has(nullptr), 0);
   EXPECT_EQ(forceshade_has("avx2"), fast::is_available(fast::InstructionSet::avx2) ? 1 : 0);
   EXPECT_STREQ(forceshade_name_of_result(FORCESHADE_BAD_HANDLE), "BAD_HANDLE");
   EXPECT_STREQ(forceshade_name_of_result(FORCESHADE_FAILED), "FAILED");
   EXPECT_STREQ(forceshade_name_of_result(FORCESHADE_NOT_COVERED), "NOT_COVERED");
-  EXPECT_STREQ(forceshade_name_of_result(12), "");
+  EXPECT_STREQ(forceshade_name_of_result(FORCESHADE_LEFT_OUT), "LEFT_OUT");
+  EXPECT_STREQ(forceshade_name_of_result(13), "");
   EXPECT_STREQ(forceshade_name_of_result(-1), "");
 }
 

@@ -9,7 +9,7 @@ export CCACHE_DISABLE=1
 fail() { echo "$1" >&2; exit 1; }
 
 build() {  # the sources, the folder of the build, flags
-  [ -d "$2" ] || cmake -G Ninja -S "$1" -B "$2" -DFORCESHADE_FAST_ONLY=ON -DBUILD_TESTING=OFF -DCMAKE_BUILD_TYPE=Release \
+  [ -d "$2" ] || cmake -G Ninja -S "$1" -B "$2" -DFORCESHADE_FEATURES=device-loop -DBUILD_TESTING=OFF -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS_RELEASE="$3" > "$scratch/log" || { cat "$scratch/log"; exit 1; }
   cmake --build "$2" --target forceshade_fast > "$scratch/log" || { cat "$scratch/log"; exit 1; }
 }
@@ -23,7 +23,7 @@ expect() {  # same | another, what, the build
 
 copy=$scratch/a/longer/path/to/the/sources
 mkdir -p "$copy"
-(cd "$source" && cp -RP CMakeLists.txt cmake include rendering fast files device LICENSE "$copy")
+(cd "$source" && cp -RP CMakeLists.txt bindings cmake include rendering fast files device tests LICENSE "$copy")
 build "$source" "$scratch/b" -O0
 first=$(digest "$scratch/b")
 build "$copy" "$copy/build" -O0

@@ -1,0 +1,65 @@
+# What a build has besides laws, height maps, meshes and the C interface for them. A full build has every feature, and requires the
+# packages that they need. For a machine that lacks some of them, FORCESHADE_FEATURES names those to build, and forceshade_has() of
+# the C interface answers 0 for the others.
+#
+#   device-loop     devices and the servo loop: Linux, libcsv
+#   subject-files   subject files and height maps from files: libcsv, libpng, libtiff, toml++
+#   certificates    certificates are read, and digests are made: libcsv, OpenSSL's libcrypto, nlohmann_json
+#   corner-normals  corner normals that binary64 leaves in doubt are decided: MPFI, MPFR, GMP, Boost
+#   exact-side      the exact side, the command, experiments, Python, devices that speak JSON: all of the above, and more
+set(known device-loop subject-files certificates corner-normals exact-side)
+set(FORCESHADE_FEATURES ${known} CACHE STRING "Which of ${known} to build; empty for none")
+foreach(feature IN LISTS FORCESHADE_FEATURES)
+  if(NOT feature IN_LIST known)
+    list(JOIN known ", " words)
+    message(FATAL_ERROR "FORCESHADE_FEATURES: expected some of ${words}, with semicolons between them; got ${feature}")
+  endif()
+endforeach()
+
+# forceshade_has(VARIABLE FEATURES...): whether the build has one of them.
+function(forceshade_has variable)
+  set(${variable} OFF PARENT_SCOPE)
+  foreach(feature IN LISTS ARGN)
+    if(feature IN_LIST FORCESHADE_FEATURES)
+      set(${variable} ON PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
+foreach(feature IN LISTS known)
+  string(TOUPPER "forceshade_${feature}" variable)
+  string(REPLACE "-" "_" variable ${variable})
+  forceshade_has(${variable} ${feature})  # FORCESHADE_DEVICE_LOOP and so on
+endforeach()
+forceshade_has(FORCESHADE_FILES device-loop subject-files certificates)
+if(FORCESHADE_EXACT_SIDE AND NOT (FORCESHADE_DEVICE_LOOP AND FORCESHADE_SUBJECT_FILES AND FORCESHADE_CERTIFICATES AND FORCESHADE_CORNER_NORMALS))
+  message(FATAL_ERROR "FORCESHADE_FEATURES: exact-side needs all the others")
+endif()
+
+# What every machine must have: binary64 whose every operation is rounded to binary64. FLT_EVAL_METHOD is 2 where g++ computes with
+# the registers of the x87, as it does for i386, whose significands of 64 bits would round each result twice.
+include(CheckCXXSourceCompiles)
+check_cxx_source_compiles("static_assert(__FLT_EVAL_METHOD__ == 0);
+int main() {}" FORCESHADE_ROUNDS_EACH_OPERATION)
+if(NOT FORCESHADE_ROUNDS_EACH_OPERATION)
+  message(FATAL_ERROR "This compiler keeps numbers in a format wider than theirs (FLT_EVAL_METHOD is not 0), as for i386, where the registers "
+                      "of the x87 round each result twice. Every proof needs operations that are rounded to binary64. Expected a "
+                      "target with such operations: x86-64 or AArch64.")
+endif()
+check_cxx_source_compiles("__extension__ using Wide = unsigned __int128;
+int main() {}" FORCESHADE_MULTIPLIES_64_BITS)
+if(NOT FORCESHADE_MULTIPLIES_64_BITS)
+  message(FATAL_ERROR "This compiler has no unsigned __int128, of which the wide numbers of fast/numbers/ are made. Expected g++ or clang++ for a "
+                      "64-bit target: x86-64 or AArch64.")
+endif()
+
+# Boost's and Eigen's headers are the same for every target: a build for another machine takes those of this one, Boost's by a link,
+# because beside them lie headers of this machine alone.
+set(FORCESHADE_HEADERS)
+if(CMAKE_CROSSCOMPILING)
+  find_path(FORCESHADE_BOOST boost/multiprecision/cpp_int.hpp REQUIRED NO_CMAKE_FIND_ROOT_PATH PATHS /usr/include)
+  set(FORCESHADE_HEADERS ${PROJECT_BINARY_DIR}/headers)
+  file(MAKE_DIRECTORY ${FORCESHADE_HEADERS})
+  file(CREATE_LINK ${FORCESHADE_BOOST}/boost ${FORCESHADE_HEADERS}/boost SYMBOLIC)
+  find_path(FORCESHADE_EIGEN Eigen3Config.cmake REQUIRED NO_CMAKE_FIND_ROOT_PATH PATHS /usr/share/eigen3/cmake)
+  set(Eigen3_DIR ${FORCESHADE_EIGEN})
+endif()
