@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "device/kinds.h"
 #include "forceshade/law.h"
 
 namespace forceshade {
@@ -113,6 +114,15 @@ std::vector<std::filesystem::path> folders_at_the_top() {
 }
 
 // The compiler holds the table of modules; that it holds it everywhere takes a library of each, which is in the table.
+TEST(structure, every_kind_of_device_has_a_row_in_the_table_of_what_works_with_it) {
+  const std::string page = text_of(kRoot / "docs/device.md");
+  const std::size_t begin = page.find("## What works with which device");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string table = page.substr(begin, page.find("\n## ", begin) - begin);
+  for (const device::Kind& kind : device::kinds())
+    EXPECT_NE(table.find("\n| `" + std::string(kind.name) + "` |"), std::string::npos) << kind.name;
+}
+
 TEST(structure, every_folder_with_a_library_is_a_module) {
   const std::vector<std::string> known = modules();
   int found = 0;

@@ -10,8 +10,7 @@
 namespace forceshade::device::dhd {
 namespace {
 
-constexpr LibraryWords kWords{"Force Dimension's library (DHD)", "DHD",
-                              "Install Force Dimension's SDK, or name the library's file in FORCESHADE_DHD_LIBRARY."};
+constexpr LibraryWords kWords{"Force Dimension's library (DHD)", "DHD", kToInstall};
 
 }  // namespace
 

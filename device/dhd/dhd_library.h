@@ -22,7 +22,8 @@ Functions load(const std::vector<std::string>& names);
 // The file named in the environment's FORCESHADE_DHD_LIBRARY, or libdhd.so.3, libdhd.so and libdrd, which includes it.
 std::vector<std::string> names_to_try();
 
-inline constexpr const char* kToInstall = "install Force Dimension's SDK, or name the library's file in FORCESHADE_DHD_LIBRARY";
+inline constexpr const char* kToInstall =
+    "Install Force Dimension's SDK, or name the library's file in FORCESHADE_DHD_LIBRARY.";
 
 // The name of the file that has this function, "libdhd.so.3.17.5": the library has no other word for its version here.
 std::string file_of(const Functions& functions);
