@@ -51,7 +51,7 @@ Measurements recorded(const Description& description, std::uint64_t seed, double
 TEST(fit, explains_noise_free_recordings_of_every_law_to_rounding) {
   double worst = 0;
   for (const LawName& law : kLaws) {
-    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    for (const std::uint64_t seed : {1U, 2U}) {
       SCOPED_TRACE(std::string(law.name) + ", seed " + std::to_string(seed));
       const Measurements measured = recorded(described(law, 0.7F), seed, 0);
       RecordingOptions options;
