@@ -8,7 +8,7 @@
 
 namespace forceshade::mesh {
 
-// Of the triangles with the corner first, which are not empty: the unit mean of their unit normals, weighted by their angles,
+// The unit mean of the unit normals of the triangles with the corner first, which are not empty, weighted by their angles,
 // each component rounded to nearest; zeros are +0.
 Normal normal_in_intervals(const std::vector<TrianglePoints>& triangles);
 

@@ -88,7 +88,10 @@ class Haply(Arm):
 
     def verdict(self):
         """The names of the client's faults."""
-        self.service.process.terminate()
+        try:
+            self.service.process.wait(10)  # it ends with its one session, and one that is ended does not finish its report
+        except subprocess.TimeoutExpired:
+            self.service.process.terminate()
         return set(self.service.verdict()[1]["faults"])
 
 

@@ -77,7 +77,7 @@ inline int frames_named_by(const char* variable) {
 // What goes wrong in a session of the campaign below, as a stand-in's events: "late@5300".
 using Events = std::vector<std::string>;
 
-// Of a session: how it ended, and the stand-in's verdict.
+// How a session ended, and the stand-in's verdict.
 struct Session {
   ServoResult run;
   nlohmann::json verdict;
