@@ -35,6 +35,7 @@ class Sample {
     std::vector<Kept> sorted = kept_;
     std::ranges::sort(sorted, {}, &Kept::key);
     std::vector<T> values;
+    values.reserve(sorted.size());
     for (const Kept& one : sorted) values.push_back(one.value);
     return values;
   }

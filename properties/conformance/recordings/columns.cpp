@@ -29,18 +29,22 @@ double unit_of(std::span<const std::string> names, std::span<const FileUnit> uni
   const auto find = [&](std::string_view name) { return std::ranges::find(units, name, &FileUnit::name); };
   if (!given.empty() && find(given) == units.end())
     throw BadInput(option + ": expected one of " + choices + ", got \"" + given + '"');
+  const auto without_unit = [&](const std::string& name) {
+    return BadInput(option + ": expected one of " + choices + ", because the column " + name + " does not end in its unit");
+  };
+  const auto with_other_unit = [&](const std::string& name, std::string_view ending, std::string_view expected) {
+    return BadInput(option + ": the column " + name + " ends in " + std::string(ending) + "; expected the unit " +
+                    std::string(expected));
+  };
   std::string_view unit = given;
   for (const std::string& name : names) {
     const std::string_view ending = std::string_view(name).substr(std::min(name.rfind('_') + 1, name.size()));
     if (name.find('_') == std::string::npos || find(ending) == units.end()) {
-      if (given.empty())
-        throw BadInput(option + ": expected one of " + choices + ", because the column " + name + " does not end in its unit");
+      if (given.empty()) throw without_unit(name);
       continue;
     }
     if (unit.empty()) unit = ending;
-    if (unit != ending)
-      throw BadInput(option + ": the column " + name + " ends in " + std::string(ending) + "; expected the unit " +
-                     std::string(unit));
+    if (unit != ending) throw with_other_unit(name, ending, unit);
   }
   return find(unit)->size;
 }
@@ -59,18 +63,20 @@ Columns columns_of(const std::string& text, const Units& units) {
   Columns columns;
   if (!text.empty()) {
     columns.names.fill("");
-    const std::string expected = "; expected t=NAME,x=NAME,y=NAME,z=NAME,fx=NAME,fy=NAME,fz=NAME";
+    const auto refused = [](const std::string& why) {
+      return BadInput("--columns: " + why + "; expected t=NAME,x=NAME,y=NAME,z=NAME,fx=NAME,fy=NAME,fz=NAME");
+    };
     for (const std::string& part : files::at_commas(text)) {
       const std::size_t sign = part.find('=');
       const auto* const what = std::ranges::find(Columns::kWhat, part.substr(0, sign));
       if (sign == std::string::npos || sign + 1 == part.size() || what == Columns::kWhat.end())
-        throw BadInput("--columns: got \"" + part + '"' + expected);
+        throw refused("got \"" + part + '"');
       std::string& name = columns.names[static_cast<std::size_t>(what - Columns::kWhat.begin())];
-      if (!name.empty()) throw BadInput("--columns: " + std::string(*what) + " is given twice" + expected);
+      if (!name.empty()) throw refused(std::string(*what) + " is given twice");
       name = part.substr(sign + 1);
     }
     for (std::size_t i = 0; i < columns.names.size(); ++i)
-      if (columns.names[i].empty()) throw BadInput("--columns: has no " + std::string(Columns::kWhat[i]) + expected);
+      if (columns.names[i].empty()) throw refused("has no " + std::string(Columns::kWhat[i]));
   }
   const std::span<const std::string> names(columns.names);
   columns.seconds = unit_of(names.first(1), kTimes, units.time, "--time-unit");

@@ -137,10 +137,11 @@ Report report_from(std::string_view text, const std::string& file) {
 }
 
 void expect_same_run(const Report& a, const std::string& before, const Report& b, const std::string& after) {
-  for (std::size_t i = 0; i < a.run.size(); ++i)
-    if (a.run[i].second != b.run[i].second)
-      throw BadInput(after + ": expected a run as that of " + before + ", whose " + a.run[i].first + " is " + a.run[i].second +
-                     ", got " + b.run[i].second);
+  using Entry = std::pair<std::string, std::string>;
+  const auto [of_a, of_b] = std::ranges::mismatch(a.run, b.run, {}, &Entry::second, &Entry::second);
+  if (of_a == a.run.end()) return;
+  throw BadInput(after + ": expected a run as that of " + before + ", whose " + of_a->first + " is " + of_a->second + ", got " +
+                 of_b->second);
 }
 
 class Comparer {
@@ -250,7 +251,7 @@ Comparison compare(std::string_view before_text, const std::string& before, std:
   expect_same_run(a, before, b, after);
   std::string run;
   for (const auto& [what, value] : a.run)
-    if (!value.empty()) run += (run.empty() ? "" : ", ") + what + ' ' + value;
+    if (!value.empty()) run.append(run.empty() ? "" : ", ").append(what).append(" ").append(value);
   return {a.who, b.who, run, Comparer(a, b).changes()};
 }
 
