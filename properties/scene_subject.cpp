@@ -2,7 +2,6 @@
 #include "properties/scene_subject.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "properties/binary32.h"
@@ -158,7 +157,7 @@ Violation SceneSubject::check_work_of_motion(Chooser& choose) const {
       const Rendered its = answer_of(*alone[i], *seen);
       if (its.status == Status::contact) work.add({now, next, *seen, *seen_next, its.force});
     }
-    // Who does not see the hand is not asked on, and the scene's answer is invalid.
+    // Where an object does not see the hand, the scene's answer is invalid and has no force.
     if (!is_seen) return std::nullopt;
     if (answer.status == Status::invalid) continue;
     if (auto violation = work.difference_from(answer.force))
