@@ -130,6 +130,8 @@ def cell_of(kind, death, phase, forceshade, checks):
         outcome = died(kind, death, phase, forceshade)
         if outcome and is_right(arm_class, death, phase, *outcome):
             break
+    if outcome is None:
+        checks.skip_where_too_busy(f"{death.name}, {phase}: did not happen in {TRIES} runs")
     checks.expect(outcome and is_right(arm_class, death, phase, *outcome), f"{death.name}, {phase}: {outcome}")
     if outcome is None:
         return "did not happen"

@@ -136,11 +136,13 @@ struct Pressed {
   std::string words;  // why it was not driven, or stopped
 };
 
-// Ends a run that has been in contact for long enough to be pressed home. The hand moves with the driver's frames, of which a
-// busy machine makes fewer than the loop makes ticks, so that a run of a fixed length may end before the contact.
+// Ends a run that has been in contact for long enough to be pressed home, and whose arm then feels a force, if it feels one in
+// 2 s. The hand moves, and the force acts, with the driver's frames, of which a busy machine makes fewer than the loop makes
+// ticks, so that a run of a fixed length may end before the contact, and one of 200 ticks of contact before the force.
 struct UntilPressed final : SampleSink {
   void push(const Sample& sample) noexcept override {
-    if (sample.status == static_cast<std::uint8_t>(Status::contact) && ++contacts == 200) stop = true;
+    if (sample.status == static_cast<std::uint8_t>(Status::contact) && ++contacts % 200 == 0)
+      stop = contacts >= 2000 || !stand_in_hd::arm().force.isZero();
   }
   int contacts = 0;
   std::atomic<bool> stop = false;

@@ -25,6 +25,7 @@ class Run:
                 busy = [one for one in BUSY if one in self.text]
                 if "gap" not in self.faults and (not busy or any(one in expected for one in busy)):
                     return
+        checks.skip_where_too_busy(self.text)
 
     def once(self, options, words, folder, device):
         command = [forceshade, "drive", "--device", device, "--law", "wall", "--stiffness", "0.5", "--watchdog-timeout", "1"]

@@ -26,6 +26,7 @@ class Run:
                 busy = [words for words in BUSY if words in self.err]
                 if not busy or any(words in expected for words in busy):
                     return
+        checks.skip_where_too_busy(self.err)
 
     def once(self, options, stand_in, folder):
         with StandIn(program, *stand_in) as service:
