@@ -43,13 +43,13 @@ int main() {}" FORCESHADE_ROUNDS_EACH_OPERATION)
 if(NOT FORCESHADE_ROUNDS_EACH_OPERATION)
   message(FATAL_ERROR "This compiler keeps numbers in a format wider than theirs (FLT_EVAL_METHOD is not 0), as for i386, where the registers "
                       "of the x87 round each result twice. Every proof needs operations that are rounded to binary64. Expected a "
-                      "target with such operations: x86-64 or AArch64.")
+                      "target with such operations: x86-64, AArch64 or WebAssembly.")
 endif()
 check_cxx_source_compiles("__extension__ using Wide = unsigned __int128;
 int main() {}" FORCESHADE_MULTIPLIES_64_BITS)
 if(NOT FORCESHADE_MULTIPLIES_64_BITS)
   message(FATAL_ERROR "This compiler has no unsigned __int128, of which the wide numbers of fast/numbers/ are made. Expected g++ or clang++ for a "
-                      "64-bit target: x86-64 or AArch64.")
+                      "64-bit target, or for WebAssembly.")
 endif()
 
 # Boost's and Eigen's headers are the same for every target: a build for another machine takes those of this one, Boost's by a link,

@@ -9,7 +9,8 @@
 #include <memory>
 #include <mutex>
 #include <utility>
-#include <vector>
+
+#include "bindings/c/mutex.h"
 
 namespace forceshade::c {
 
@@ -29,15 +30,13 @@ class Table {
   // 0 where there is no further slot. Throws std::bad_alloc.
   std::uint64_t add(std::unique_ptr<T> object) {
     const std::lock_guard lock(mutex_);
-    freed_.reserve(kSlots);  // so that take() never allocates
-    if (freed_.empty() && touched_ == kSlots) return 0;
+    if (!freed_) freed_ = std::make_unique_for_overwrite<std::uint32_t[]>(kSlots);  // so that take() never allocates
+    if (freed_count_ == 0 && touched_ == kSlots) return 0;
     std::uint32_t index = touched_;
-    if (freed_.empty()) {
+    if (freed_count_ == 0)
       ++touched_;
-    } else {
-      index = freed_.back();
-      freed_.pop_back();
-    }
+    else
+      index = freed_[--freed_count_];
     Slot& slot = slots_[index];
     const std::uint64_t use = (slot.handle.load(std::memory_order_relaxed) >> 32U) + 1;
     const std::uint64_t handle = use << 32U | index;
@@ -62,14 +61,15 @@ class Table {
     if (find(handle) == nullptr) return nullptr;
     std::unique_ptr<T> object(slot_of(handle).object.exchange(nullptr));
     // A slot whose uses can no longer be counted is not given out again.
-    if (handle >> 32U != UINT32_MAX) freed_.push_back(static_cast<std::uint32_t>(handle));
+    if (handle >> 32U != UINT32_MAX) freed_[freed_count_++] = static_cast<std::uint32_t>(handle);
     return object;
   }
 
  private:
   std::array<Slot, kSlots> slots_{};  // memory that is not touched before it is used
-  std::mutex mutex_;
-  std::vector<std::uint32_t> freed_;
+  Mutex mutex_;
+  std::unique_ptr<std::uint32_t[]> freed_;  // slots, of which so many are to be given out again
+  std::uint32_t freed_count_ = 0;
   std::uint32_t touched_ = 0;  // how many slots have been used
 };
 
