@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// page_test.js BROWSER PAGE.html FORCES.csv PICTURES: opens the page from a file and from a server, strokes it with mouse, finger and
+// keys, and compares what it shows with the library and with FORCES.csv of an independent program. Pictures go into the folder.
+"use strict";
+
+const assert = require("node:assert/strict");
+const {spawn} = require("node:child_process");
+const fs = require("node:fs");
+const path = require("node:path");
+const {pathToFileURL} = require("node:url");
+const browsers = require("./browsers.js");
+
+const MOST_BYTES = 1_000_000;
+const WIDE = {width: 1280, height: 900}, NARROW = {width: 360, height: 740};
+const [kind, page, golden, pictures] = process.argv.slice(2);
+const tests = [];
+const test = (name, run) => tests.push({name, run});
+
+// ---- What is done in the page ----
+
+const state = () => browser.evaluate("forceshadePage.ready.then(() => forceshadePage.state())");
+const settled = () => browser.evaluate("new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => resolve(1))))");
+const text = (id) => browser.evaluate(`document.getElementById("${id}").textContent`);
+const choose = (id, value) => browser.evaluate(`(() => { const it = document.getElementById("${id}"); it.value = "${value}";
+  it.dispatchEvent(new Event("change", {bubbles: true})); })()`);
+const click = (id) => browser.evaluate(`document.getElementById("${id}").click()`);
+
+async function open(url, size = WIDE, dark = false) {
+  await browser.open(url, {...size, dark});
+  await state();
+  await settled();
+}
+
+// Places in pixels of the window, from parts of the picture's width and height.
+async function places(parts) {
+  await browser.evaluate("document.getElementById('picture').scrollIntoView({block: 'center'})");
+  const [left, top, width, height] = await browser.evaluate(`(() => {
+    const {left, top, width, height} = document.getElementById("picture").getBoundingClientRect();
+    return [left, top, width, height]; })()`);
+  return parts.map(([x, y]) => [left + x * width, top + y * height]);
+}
+
+const across = (depth, count = 40) => Array.from({length: count + 1}, (_, k) => [0.15 + (0.7 * k) / count, depth]);
+
+function bits(value) {
+  const cell = new DataView(new ArrayBuffer(4));
+  cell.setFloat32(0, value);
+  return `0x${cell.getUint32(0).toString(16).padStart(8, "0")}`;
+}
+
+// The numbers in the table name the binary32 numbers of the state, in digits and in bits.
+async function expectShown(now) {
+  await settled();
+  for (const [k, axis] of ["x", "y", "z"].entries()) {
+    assert.equal(await text(`exact-${axis}-bits`), bits(now.force[k]));
+    assert.equal(bits(parseFloat(await text(`exact-${axis}`))), bits(now.force[k]));
+    assert.equal(await text(`naive-${axis}-bits`), now.naive ? bits(now.naive[k]) : "");
+  }
+  assert.equal(await text("status"), now.status);
+}
+
+// The force of a law in the state is what a subject of its own gives there, and the cursor lies beside the hand by F_x/C.
+async function expectForceOfLaw(now) {
+  const {force, status} = await browser.evaluate(`forceshade.load().then((lib) => {
+    const subject = lib.law("${now.law}", {radius: ${now.radius}, width: ${now.width}, stiffness: ${now.stiffness}});
+    const answer = subject.force([${now.point}]);
+    subject.close();
+    return {force: Array.from(answer.force), status: answer.status};
+  })`);
+  assert.deepEqual(now.force, force);
+  assert.equal(now.status, status);
+  assert.equal(now.cursor[0], now.point[0] + now.force[0] / now.coupling);
+}
+
+function hexfloat(word) {
+  const found = /^(-?)0x([01])(?:\.([0-9a-f]+))?p([+-]\d+)$/.exec(word);
+  if (!found) return word === "nan" ? NaN : word === "inf" ? Infinity : -Infinity;
+  const [, sign, one, digits = "", exponent] = found;
+  return (sign ? -1 : 1) * Number.parseInt(one + digits, 16) * 2 ** (Number(exponent) - 4 * digits.length);
+}
+
+// ---- What must hold ----
+
+let browser = null, server = null;
+
+test("weighs no more than 1 MB in one file", async () => {
+  const size = fs.statSync(page).size;
+  assert.ok(size <= MOST_BYTES, `${size} bytes`);
+  console.log(`  ${size} bytes`);
+});
+
+test("requests nothing beside itself, and complains of nothing, from a file and from a server", async () => {
+  for (const url of [pathToFileURL(page).href, server.url]) {
+    server.requests.length = 0;
+    await open(url);
+    await browser.mouse(await places(across(0.6)));
+    assert.deepEqual(await browser.evaluate("performance.getEntriesByType('resource').map((each) => each.name)"), []);
+    if (url === server.url) assert.deepEqual(server.requests, [`GET /${path.basename(page)}`]);
+    const said = browser.said();
+    if (said) assert.deepEqual(said, {requests: [url], complaints: []});
+    assert.equal(await text("fault"), "");
+  }
+  // What cannot fail shows nothing: a request that the page is made to try is refused by its own policy.
+  await assert.rejects(browser.evaluate(`fetch("${server.url}").then((told) => told.text())`));
+});
+
+test("begins with the forces that are known", async () => {
+  await open(server.url);
+  const now = await state();
+  assert.deepEqual([now.law, now.point.map(bits)], ["bump-1p-shaded", KNOWN.point]);
+  assert.deepEqual([now.force.map(bits), now.naive.map(bits)], [KNOWN.exact, KNOWN.naive]);
+  assert.equal(await text("apart-z"), KNOWN.apart);
+  await expectShown(now);
+});
+
+test("has the forces of the independent program, to the bit", async () => {
+  const [head, ...rows] = fs.readFileSync(golden, "utf8").trim().split("\n").map((line) => line.split(","));
+  const column = Object.fromEntries(head.map((name, k) => [name, k]));
+  const cases = rows.filter((row) => row[column.status] !== "invalid").map((row) => [row[0],
+    ...["R_mm", "w_mm", "K_N_per_mm", "x_mm", "y_mm", "z_mm", "fx_binary32", "fz_binary32"].map((name) => hexfloat(row[column[name]])),
+    row[column.status]]);
+  const wrong = await browser.evaluate(`forceshade.load().then((lib) => ${JSON.stringify(cases)}.filter(
+    ([law, radius, width, stiffness, x, y, z, fx, fz, expected]) => {
+      const subject = lib.law(law, {radius, width, stiffness}), {force, status} = subject.force([x, y, z]);
+      subject.close();
+      return force[0] !== fx || force[1] !== 0 || force[2] !== fz || status !== expected;
+    }).length)`);
+  assert.equal(wrong, 0);
+  assert.ok(cases.length > 1000 && new Set(cases.map(([law]) => law)).size === 9);
+  console.log(`  ${cases.length} positions of nine laws, 0 wrong`);
+});
+
+test("is stroked by a mouse, in each of the nine laws", async () => {
+  const touched = {};
+  for (const law of await browser.evaluate("forceshade.load().then((lib) => Array.from(lib.laws))")) {
+    await choose("law", law);
+    for (const part of across(0.7, 8)) {
+      await browser.mouse(await places([part]));
+      const now = await state();
+      assert.equal(now.law, law);
+      await expectForceOfLaw(now);
+      if (part[0] === 0.15 || part[0] > 0.5) await expectShown(now);
+      if (now.status === "contact") touched[law] = (touched[law] ?? 0) + 1;
+    }
+  }
+  assert.equal(Object.keys(touched).length, 9, JSON.stringify(touched));
+});
+
+test("is stroked by a finger, whose point lies above it", async () => {
+  if (!browser.touches) return "this driver has no fingers";
+  await open(server.url, NARROW);
+  const [first, ...more] = await places(across(0.75, 20)), before = await state();
+  await browser.touch([first, ...more]);
+  const now = await state(), [x, y] = more.at(-1);
+  assert.notDeepEqual(now.point, before.point);
+  const shown = await browser.evaluate(`(() => { const {left, top} = document.getElementById("picture").getBoundingClientRect();
+    const {box, point} = forceshadePage.state();
+    return [left + (point[0] - box.left) * box.scale, top + (box.top - point[2]) * box.scale]; })()`);
+  assert.ok(Math.abs(shown[0] - x) < 1 && Math.abs(shown[1] - (y - 44)) < 1, `${shown} for a finger at ${[x, y]}`);
+  await expectForceOfLaw(now);
+  await expectShown(now);
+  return undefined;
+});
+
+test("is stroked by keys", async () => {
+  await open(server.url);
+  await browser.evaluate("document.getElementById('picture').focus()");
+  const begin = await state(), stays = [];
+  for (const [key, axis, sign] of [["ArrowLeft", 0, -1], ["ArrowDown", 2, -1], ["ArrowRight", 0, 1], ["ArrowUp", 2, 1],
+    ["Shift+ArrowLeft", 0, -1]]) {
+    const before = await state();
+    await browser.press(key);
+    const now = await state(), moved = now.point[axis] - before.point[axis];
+    assert.ok(moved * sign > 0, key);
+    stays.push(Math.abs(moved));
+    await expectForceOfLaw(now);
+    await expectShown(now);
+  }
+  assert.ok(Math.abs(stays[4] / stays[0] - 0.1) < 0.001);
+  await browser.press("Home");
+  assert.deepEqual((await state()).point, begin.point);
+  await new Promise((resolve) => setTimeout(resolve, 700));
+  assert.match(await text("live"), /^Hand [\d.]+ mm right, [\d.]+ mm below zero: pushed [\d.]+ newtons to the right and [\d.]+ newtons up\.$/);
+});
+
+test("keeps R, w and theta consistent, and w at most 2R", async () => {
+  await open(server.url);
+  const theta = ({radius, width}) => (2 / 3) * Math.asin(width / (2 * radius)) * (180 / Math.PI);
+  const field = (id) => browser.evaluate(`Number(document.getElementById("${id}-number").value)`);
+  const expectFields = async () => {
+    const now = await state();
+    assert.deepEqual([await field("radius"), await field("width"), await field("stiffness")].map(Math.fround),
+                     [now.radius, now.width, now.stiffness]);
+    assert.ok(Math.abs(await field("theta") - theta(now)) < 1e-3);
+    assert.ok(now.width <= 2 * now.radius);
+    await expectForceOfLaw(now);
+    return now;
+  };
+  await choose("theta-number", 30);
+  assert.ok(Math.abs(theta(await expectFields()) - 30) < 1e-5);
+  await choose("theta-number", 60);
+  const widest = await expectFields();
+  assert.equal(widest.width, 2 * widest.radius);
+  await choose("radius-number", 4);
+  assert.equal((await expectFields()).width, 8);
+  for (const id of ["radius", "width", "theta", "stiffness"]) {
+    const before = await expectFields();
+    await browser.evaluate(`document.getElementById("${id}").focus()`);
+    await browser.press("ArrowLeft");
+    const now = await expectFields(), changed = id === "theta" ? "width" : id;
+    assert.ok(now[changed] < before[changed], id);
+  }
+  for (const [id, wrong] of [["width-number", 9000], ["radius-number", -1], ["stiffness-number", 1e4], ["stiffness-number", ""]]) {
+    const before = await state();
+    await choose(id, wrong);
+    assert.notEqual(await text("fault"), "", id);
+    const {radius, width, stiffness} = await expectFields();
+    assert.deepEqual([radius, width, stiffness], [before.radius, before.width, before.stiffness]);
+  }
+  await choose("stiffness-number", 2);
+  assert.equal(await text("fault"), "");
+  await choose("push-number", 50);
+  assert.equal((await expectFields()).coupling, 4);
+});
+
+test("shows where naive binary32 has no digits left", async () => {
+  await open(server.url);
+  await choose("law", "bump-2p");
+  await browser.evaluate("document.querySelector('button[data-radius=\"1000\"]').click()");
+  const now = await state(), exact = 5e-4 / 1;  // 2h/w of R = 1000 mm, w = 2 mm
+  assert.ok(Math.abs(now.force[0] / now.force[2] / exact - 1) < 1e-6);
+  assert.ok(Math.abs(now.naive[0] / now.naive[2] / exact - 1) > 0.01);
+  await expectForceOfLaw(now);
+});
+
+test("strokes height maps and meshes, whose naive column is empty", async () => {
+  await open(server.url);
+  const seen = [];
+  const stroke = async (depth) => {
+    let contacts = 0;
+    for (const part of across(depth, 8)) {
+      await browser.mouse(await places([part]));
+      contacts += (await state()).status === "contact";
+    }
+    const now = await state();
+    assert.equal(await text("fault"), "");
+    await expectShown(now);
+    assert.equal(now.naive, null);
+    assert.ok(contacts > 0, JSON.stringify(now));
+    seen.push(`${now.name}, ${now.parameters}: ${contacts} of 9 in contact`);
+  };
+  await click("kind-map");
+  for (const map of ["hills", "ripples"])
+    for (const render of ["height-map", "height-map-shaded", "height-map-conservative"]) {
+      await choose("map", map);
+      await choose("render", render);
+      await stroke(0.6);
+    }
+  await click("kind-mesh");
+  for (const mesh of ["octahedron", "icosahedron"])
+    for (const shading of ["none", "vertex", "edge"]) {
+      await choose("mesh", mesh);
+      await choose("shading", shading);
+      assert.deepEqual([(await state()).mesh, (await state()).shading], [mesh, shading]);
+      await stroke(0.4);
+    }
+  // Without shading the force is K times the way from the hand to the god-object.
+  await choose("shading", "none");
+  await choose("along-number", 1.5);
+  await browser.mouse(await places([[0.5, 0.02], [0.5, 0.3]]));
+  const {point, force, godObject, stiffness, status} = await state();
+  assert.deepEqual([status, point[1]], ["contact", 1.5]);
+  force.forEach((value, k) => assert.ok(Math.abs(value - stiffness * (godObject[k] - point[k])) < 1e-6));
+  console.log(seen.map((line) => `  ${line}`).join("\n"));
+});
+
+test("draws a frame for what changes, and none for what does not", async () => {
+  await open(server.url);
+  const told = await browser.evaluate(`new Promise((resolve) => {
+    const picture = document.getElementById("picture"), {left, top, width, height} = picture.getBoundingClientRect();
+    const begin = performance.now(), first = forceshadePage.frames();
+    let refreshes = 0;
+    const move = (now) => {
+      ++refreshes;
+      const part = 0.5 + 0.3 * Math.sin((now - begin) / 300);
+      picture.dispatchEvent(new PointerEvent("pointermove", {clientX: left + part * width, clientY: top + 0.65 * height, isPrimary: true,
+        pointerType: "mouse"}));
+      if (now - begin < 2000) requestAnimationFrame(move);
+      else requestAnimationFrame(() => resolve({frames: forceshadePage.frames() - first, refreshes, seconds: (now - begin) / 1000}));
+    };
+    requestAnimationFrame(move);
+  })`);
+  assert.ok(told.frames > 0 && Math.abs(told.frames - told.refreshes) <= 1, JSON.stringify(told));
+  console.log(`  ${(told.frames / told.seconds).toFixed(1)} frames a second over ${told.seconds.toFixed(2)} s`);
+  await settled();
+  const still = await browser.evaluate("forceshadePage.frames()");
+  await settled();
+  assert.equal(await browser.evaluate("forceshadePage.frames()"), still);
+});
+
+test("fits wide and narrow windows, in light and dark", async () => {
+  for (const [word, size] of [["wide", WIDE], ["narrow", NARROW]])
+    for (const dark of browser.isAlwaysLight ? [false] : [false, true]) {
+      await open(server.url, size, dark);
+      for (const surface of ["law", "map", "mesh"]) {
+        await click(`kind-${surface}`);
+        await settled();
+        const [needs, has, paper] = await browser.evaluate(
+          "[document.documentElement.scrollWidth, innerWidth, getComputedStyle(document.body).backgroundColor]");
+        assert.ok(needs <= has, `${needs} of ${has} pixels`);
+        if (!browser.isAlwaysLight) assert.equal(has, size.width);
+        const brightness = paper.match(/\d+/g).slice(0, 3).reduce((sum, value) => sum + Number(value), 0);
+        assert.equal(brightness < 384, dark);
+        await new Promise((resolve) => setTimeout(resolve, 600));
+        await browser.picture(path.join(pictures, `${kind}-${word}-${dark ? "dark" : "light"}-${surface}.png`));
+      }
+    }
+});
+
+const KNOWN = {point: ["0x40db851f", "0x00000000", "0xc0433333"], exact: [], naive: [], apart: ""};
+
+// Python's server, and the requests that it tells of.
+async function serve(folder, name) {
+  const port = 40000 + (process.pid % 20000), requests = [];
+  const child = spawn("python3", ["-u", "-m", "http.server", "--bind", "127.0.0.1", String(port)], {cwd: folder});
+  child.stderr.on("data", (told) => requests.push(...[...String(told).matchAll(/"(GET \S+) HTTP/g)].map((found) => found[1])));
+  await new Promise((resolve, reject) => {
+    child.stdout.once("data", resolve);
+    child.once("exit", () => reject(new Error("python3 -m http.server has ended")));
+  });
+  return {url: `http://127.0.0.1:${port}/${name}`, requests, close: () => child.kill()};
+}
+
+async function main() {
+  fs.mkdirSync(pictures, {recursive: true});
+  server = await serve(path.dirname(path.resolve(page)), path.basename(page));
+  let failed = 0;
+  try {
+    browser = await browsers[kind]();
+    console.log(browser.name);
+    for (const {name, run} of tests) {
+      try {
+        const skipped = await run();
+        console.log(`${skipped ? "left out" : "ok"}: ${name}${skipped ? `: ${skipped}` : ""}`);
+      } catch (error) {
+        ++failed;
+        console.log(`FAILED: ${name}\n${error.stack}`);
+      }
+    }
+  } finally {
+    await browser?.close();
+    server.close();
+  }
+  return failed;
+}
+
+main().then((failed) => process.exit(failed ? 1 : 0), (error) => {
+  console.error(error);
+  process.exit(1);
+});
