@@ -118,7 +118,7 @@ async function webkit() {
   const session = await ask("POST", "/session", {capabilities: {alwaysMatch: {"webkitgtk:browserOptions": options}}});
   const at = `/session/${session.sessionId}`, {browserName, browserVersion} = session.capabilities;
   const evaluate = (words) => ask("POST", `${at}/execute/async`, {args: [], script: `const done = arguments[arguments.length - 1];
-    (async () => eval(${JSON.stringify(words)}))().then((value) => done({value}), (error) => done({error: String(error)}));`})
+    (async () => (${words}))().then((value) => done({value}), (error) => done({error: String(error)}));`})
     .then(({value, error}) => {
       if (error) throw new Error(error);
       return value;

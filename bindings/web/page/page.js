@@ -45,7 +45,7 @@
       made = Surfaces[wanted.kind](lib, wanted);
     } catch (error) {
       byId("fault").textContent = error.message;
-      controls.show();
+      if (surface) describe();
       return;
     }
     byId("fault").textContent = "";

@@ -43,7 +43,7 @@ const Surfaces = (() => {
   // choice: {map, render, stiffness}. What is drawn comes from the library, too: deep below a map of stiffness 1 the size of the
   // force is the height of the map above the hand.
   function map(lib, choice) {
-    const grid = {heights: heightsOf(choice.map), columns: COLUMNS, rows: COLUMNS, spacing: SPACING};
+    const grid = {heights: heightsOf(choice.map), columns: COLUMNS, rows: COLUMNS, pitch: SPACING};
     const subject = lib.heightMap({...grid, render: choice.render, stiffness: choice.stiffness});
     const probe = lib.heightMap({...grid, render: "height-map", stiffness: 1});
     const isFlat = choice.render === "height-map-shaded", deep = -64;
@@ -86,10 +86,22 @@ const Surfaces = (() => {
     },
   };
 
+  // Leaning, it has no corner normal that symmetry makes a tie, which a build without the feature corner-normals refuses.
+  const LEANING = [0.13, 0.21, -0.11];  // radians about z, x and y
+
+  function leaning([x, y, z]) {
+    const [about_z, about_x, about_y] = LEANING;
+    const turned = (a, b, angle) => [Math.cos(angle) * a - Math.sin(angle) * b, Math.sin(angle) * a + Math.cos(angle) * b];
+    [x, y] = turned(x, y, about_z);
+    [y, z] = turned(y, z, about_x);
+    [z, x] = turned(z, x, about_y);
+    return [x, y, z];
+  }
+
   // The corners at the distance SIZE from the middle, and each triangle turned so that its front is outside.
   function triangled(name) {
     const {corners, triangles} = MESHES[name];
-    const at = corners.map((corner) => corner.map((value) => Math.fround((SIZE * value) / Math.hypot(...corner))));
+    const at = corners.map((corner) => leaning(corner).map((value) => Math.fround((SIZE * value) / Math.hypot(...corner))));
     const isOutward = ([a, b, c]) => {
       const u = at[b].map((value, k) => value - at[a][k]), v = at[c].map((value, k) => value - at[a][k]);
       const normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
@@ -120,9 +132,9 @@ const Surfaces = (() => {
     const along = (from, to, part) => to.map((value, k) => (part / PARTS) * (value - from[k]));
     const sum = (a, b) => a.map((value, k) => value + b[k]);
     const [i, j] = state.index, [k, l] = state.parameter;
-    if (state.place === "vertex") return at[i];
-    if (state.place === "edge") return sum(at[i], along(at[i], at[j], k));
-    if (state.place !== "triangle") return null;
+    if (state.place === "at-vertex") return at[i];
+    if (state.place === "on-edge") return sum(at[i], along(at[i], at[j], k));
+    if (state.place !== "in-triangle") return null;
     const [a, b, c] = faces[i].map((corner) => at[corner]);
     return sum(sum(a, along(a, b, k)), along(a, c, l));
   }
