@@ -17,7 +17,7 @@ const Numbers = (() => {
     if (!Number.isFinite(value) || value === 0) return String(value);
     let digits = 1;
     while (Math.fround(Number(value.toPrecision(digits))) !== value) ++digits;
-    return String(Number(value.toPrecision(digits)));
+    return Math.abs(value) < 1e-3 ? value.toExponential(digits - 1) : String(Number(value.toPrecision(digits)));
   }
 
   // The place of a number among all binary32 numbers in their order; both zeros have 0.
@@ -28,12 +28,12 @@ const Numbers = (() => {
 
   const grouped = (count) => String(count).replace(/\B(?=(\d{3})+$)/g, "\u202f");
 
-  // "+2 ulp", "−1 ulp" or "the same bits".
+  // "+2 ulp", "−1 ulp" or "same".
   function apartInWords(value, other) {
     if (Number.isNaN(other)) return "not a number";
     const count = apart(value, other);
     if (count === 0) return "same";
-    return `${count > 0 ? "+" : "\u2212"}${grouped(Math.abs(count))}\u00a0ulp`;
+    return `${count > 0 ? "+" : "\u2212"}${grouped(Math.abs(count))} ulp`;
   }
 
   return {hex, decimal, apart, apartInWords};

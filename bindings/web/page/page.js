@@ -128,16 +128,14 @@
 
   // ---- The numbers ----
 
-  const both = (value) => `${Numbers.decimal(value)} N`;
-
   function tell() {
     byId("status").textContent = answer.status;
     byId("status").dataset.status = answer.status;
     byId("position").textContent = ["x", "y", "z"].map((axis, k) => `${axis} = ${Numbers.decimal(point[k])}`).join(",  ") + " mm";
     ["x", "y", "z"].forEach((axis, k) => {
-      byId(`exact-${axis}`).textContent = both(answer.force[k]);
+      byId(`exact-${axis}`).textContent = Numbers.decimal(answer.force[k]);
       byId(`exact-${axis}-bits`).textContent = Numbers.hex(answer.force[k]);
-      byId(`naive-${axis}`).textContent = naive ? both(naive[k]) : "none";
+      byId(`naive-${axis}`).textContent = naive ? Numbers.decimal(naive[k]) : "none";
       byId(`naive-${axis}-bits`).textContent = naive ? Numbers.hex(naive[k]) : "";
       byId(`apart-${axis}`).textContent = naive ? Numbers.apartInWords(answer.force[k], naive[k]) : "";
     });
