@@ -143,6 +143,8 @@ test("is stroked by a mouse, in each of the nine laws", async () => {
       const now = await state();
       assert.equal(now.law, law);
       await expectForceOfLaw(now);
+      const size = Math.hypot(...now.force), error = Math.hypot(...now.force.map((value, k) => value - now.naive[k]));
+      assert.ok(error <= 1e-5 * size, `naive ${now.naive} for ${now.force}`);
       if (part[0] === 0.15 || part[0] > 0.5) await expectShown(now);
       if (now.status === "contact") touched[law] = (touched[law] ?? 0) + 1;
     }
