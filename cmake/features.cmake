@@ -2,13 +2,13 @@
 # packages that they need. For a machine that lacks some of them, FORCESHADE_FEATURES names those to build, and forceshade_has() of
 # the C interface answers 0 for the others.
 #
-#   device-loop     devices and the servo loop: Linux, libcsv
-#   subject-files   subject files and height maps from files: libcsv, libpng, libtiff, toml++
-#   certificates    certificates are read, and digests are made: libcsv, OpenSSL's libcrypto, nlohmann_json
-#   corner-normals  corner normals that binary64 leaves in doubt are decided: MPFI, MPFR, GMP, Boost
-#   exact-side      the exact side, the command, experiments, Python, devices that speak JSON: all of the above, and more
-set(known device-loop subject-files certificates corner-normals exact-side)
+#   device-loop    devices and the servo loop: Linux, libcsv
+#   subject-files  subject files and height maps from files: libcsv, libpng, libtiff, toml++
+#   certificates   certificates are read, and digests are made: libcsv, OpenSSL's libcrypto, nlohmann_json
+#   exact-side     the exact side, the command, experiments, Python, devices that speak JSON: all of the above, and more
+set(known device-loop subject-files certificates exact-side)
 set(FORCESHADE_FEATURES ${known} CACHE STRING "Which of ${known} to build; empty for none")
+list(REMOVE_ITEM FORCESHADE_FEATURES corner-normals)  # in the caches of older build folders; every build has them
 foreach(feature IN LISTS FORCESHADE_FEATURES)
   if(NOT feature IN_LIST known)
     list(JOIN known ", " words)
@@ -31,7 +31,7 @@ foreach(feature IN LISTS known)
   forceshade_has(${variable} ${feature})  # FORCESHADE_DEVICE_LOOP and so on
 endforeach()
 forceshade_has(FORCESHADE_FILES device-loop subject-files certificates)
-if(FORCESHADE_EXACT_SIDE AND NOT (FORCESHADE_DEVICE_LOOP AND FORCESHADE_SUBJECT_FILES AND FORCESHADE_CERTIFICATES AND FORCESHADE_CORNER_NORMALS))
+if(FORCESHADE_EXACT_SIDE AND NOT (FORCESHADE_DEVICE_LOOP AND FORCESHADE_SUBJECT_FILES AND FORCESHADE_CERTIFICATES))
   message(FATAL_ERROR "FORCESHADE_FEATURES: exact-side needs all the others")
 endif()
 

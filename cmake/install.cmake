@@ -90,7 +90,7 @@ if(FORCESHADE_EXACT_SIDE)
   install_pc(forceshade-heights DESCRIPTION "Height maps from TOML, image and array files"
              REQUIRES "forceshade, libpng, libtiff-4, tomlplusplus" LIBRARIES "-lforceshade_heights")
   install_pc(forceshade-meshes DESCRIPTION "Triangle meshes from files, checked and repaired"
-             REQUIRES "forceshade" LIBRARIES "-lforceshade_meshes -lmpfi -lmpfr -lgmp -pthread")
+             REQUIRES "forceshade" LIBRARIES "-lforceshade_meshes -pthread")
   set(run_libraries "-lforceshade_run -lforceshade_recorder -lforceshade_certificate -lforceshade_renderer -lforceshade_identity")
   install_pc(forceshade-run DESCRIPTION "Certified runs of the servo loop" REQUIRES "forceshade, libcrypto, sqlite3"
              LIBRARIES "${run_libraries}")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Reads triangle meshes from files, repairs them on demand, checks them exactly, and computes corner normals. The library is
-// forceshade::meshes, of the component meshes; it needs MPFI.
+// forceshade::meshes, of the component meshes.
 //
 //   const auto checked = mesh::check(mesh::load("sphere.off", mesh::Unit::mm));
 //   if (const auto* findings = std::get_if<mesh::Findings>(&checked)) throw std::runtime_error(findings->words());

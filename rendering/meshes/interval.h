@@ -1,63 +1,62 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// An interval with ends of any precision, by MPFI: every result encloses the exact one.
+// Intervals of any precision, in integers alone, so that they are the same on every machine: every result encloses the exact
+// one (docs/proofs.md, "Normals in doubt").
 
-#include <mpfi.h>
+#include <boost/multiprecision/cpp_int.hpp>
 
 namespace forceshade::mesh {
 
+// An integer of any size; one of 512 bits or less takes no allocation.
+using Whole = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<512>, boost::multiprecision::et_off>;
+
+// The numbers from (centre - radius) 2^exponent to (centre + radius) 2^exponent. A result has the bits of its left operand:
+// centre and radius have at most so many, and the digits that go make the radius larger.
 class Interval {
  public:
-  // 0, in so many bits; every result of an operation has the bits of its left operand.
-  explicit Interval(mpfr_prec_t bits) {
-    mpfi_init2(value_, bits);
-    mpfi_set_si(value_, 0);
-  }
-  Interval(mpfr_prec_t bits, double exact) : Interval(bits) { mpfi_set_d(value_, exact); }
-  Interval(const Interval& other) : Interval(other.bits()) { mpfi_set(value_, other.value_); }
-  Interval& operator=(const Interval& other) {
-    if (this != &other) mpfi_set(value_, other.value_);
-    return *this;
-  }
-  ~Interval() { mpfi_clear(value_); }
+  // 0 alone.
+  explicit Interval(int bits) : bits_(bits) {}
+  // One number, or the ones near it where it has more bits.
+  Interval(int bits, const Whole& number) : Interval(bits, number, 0, 0) {}
+  Interval(int bits, double number);
+  // From -1 to 1.
+  static Interval of_units(int bits) { return {bits, 0, 1, 0}; }
+  static Interval pi(int bits);
 
-  mpfr_prec_t bits() const { return mpfi_get_prec(value_); }
+  int bits() const { return bits_; }
+  const Whole& centre() const { return centre_; }
+  const Whole& radius() const { return radius_; }
+  int exponent() const { return exponent_; }
 
-  friend Interval operator+(const Interval& a, const Interval& b) { return by(&mpfi_add, a, b); }
-  friend Interval operator-(const Interval& a, const Interval& b) { return by(&mpfi_sub, a, b); }
-  friend Interval operator*(const Interval& a, const Interval& b) { return by(&mpfi_mul, a, b); }
-  friend Interval operator/(const Interval& a, const Interval& b) { return by(&mpfi_div, a, b); }
-  friend Interval sqrt(const Interval& a) { return by(&mpfi_sqrt, a); }
-  friend Interval atan(const Interval& a) { return by(&mpfi_atan, a); }
-  friend Interval cos(const Interval& a) { return by(&mpfi_cos, a); }
-  static Interval pi(mpfr_prec_t bits) {
-    Interval result(bits);
-    mpfi_const_pi(result.value_);
-    return result;
-  }
+  friend Interval operator+(const Interval& a, const Interval& b);
+  friend Interval operator-(const Interval& a, const Interval& b) { return a + -b; }
+  Interval operator-() const;
+  friend Interval operator*(const Interval& a, const Interval& b);
+  // std::domain_error where b has zero.
+  friend Interval operator/(const Interval& a, const Interval& b);
+  // std::domain_error where a has a number that is not positive.
+  friend Interval sqrt(const Interval& a);
+  friend Interval atan(const Interval& a);
+  friend Interval cos(const Interval& a);
 
-  bool has_zero() const { return mpfi_has_zero(value_) != 0; }
+  bool has_zero() const { return abs(centre_) <= radius_; }
   // Whether every number of the one is below every number of the other.
-  friend bool is_below(const Interval& a, const Interval& b) { return mpfr_less_p(&a.value_->right, &b.value_->left) != 0; }
-  // The binary32 numbers nearest to the ends.
-  float nearest_to_low() const { return mpfr_get_flt(&value_->left, MPFR_RNDN); }
-  float nearest_to_high() const { return mpfr_get_flt(&value_->right, MPFR_RNDN); }
+  friend bool is_below(const Interval& a, const Interval& b) {
+    const Interval difference = b - a;
+    return difference.centre_ > difference.radius_;
+  }
+  // Every number is below 2^magnitude() in size.
+  int magnitude() const;
+  // The binary32 numbers nearest to the ends, ties to even.
+  float nearest_to_low() const;
+  float nearest_to_high() const;
 
  private:
-  template <class Operation>
-  static Interval by(const Operation& operation, const Interval& a, const Interval& b) {
-    Interval result(a.bits());
-    operation(result.value_, a.value_, b.value_);
-    return result;
-  }
-  template <class Operation>
-  static Interval by(const Operation& operation, const Interval& a) {
-    Interval result(a.bits());
-    operation(result.value_, a.value_);
-    return result;
-  }
+  Interval divided_by(int number) const;  // a positive one
+  Interval(int bits, Whole centre, Whole radius, int exponent);
 
-  mpfi_t value_;
+  Whole centre_, radius_;
+  int exponent_ = 0, bits_;
 };
 
 }  // namespace forceshade::mesh

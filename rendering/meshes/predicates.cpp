@@ -5,6 +5,8 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 
+#include "rendering/meshes/whole_coordinate.h"
+
 namespace forceshade::mesh {
 namespace {
 
@@ -29,23 +31,15 @@ int sign_of(const T& number) {
   return static_cast<int>(number > 0) - static_cast<int>(number < 0);
 }
 
-// A coordinate is a whole multiple of 2^-53 mm, because binary32 has 24 bits and none but 0 is below 2^-30: 67 bits hold it. A
-// difference takes 68, a product of three 204, and a sum of six of them 207.
-constexpr int kUnit = 53;
-
+// A coordinate takes 67 bits (rendering/meshes/whole_coordinate.h), a difference 68, a product of three 204, and a sum of six
+// of them 207.
 int sign_in_256_bits(const Differences& of) {
   ++counted.bits_256;
   using Wide = boost::multiprecision::int256_t;
-  const auto whole = [](float x) {
-    int exponent = 0;
-    const float fraction = std::frexp(x, &exponent);
-    const auto bits = static_cast<std::int64_t>(std::ldexp(fraction, 24));  // x = bits * 2^(exponent - 24)
-    const int shift = exponent - 24 + kUnit;
-    return shift >= 0 ? Wide(bits) << shift : Wide(bits) >> -shift;  // the bits that go are 0
-  };
   Matrix<Wide> m;
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) m[i][k] = whole(of.minuend[i][k]) - whole(of.subtrahend[i][k]);
+    for (std::size_t k = 0; k < 3; ++k)
+      m[i][k] = whole_coordinate<Wide>(of.minuend[i][k]) - whole_coordinate<Wide>(of.subtrahend[i][k]);
   return determinant(m).sign();
 }
 
@@ -60,7 +54,7 @@ int sign_in_128_bits(const Differences& of, const Matrix<double>& m) {
       const double back = x - m[i][k];
       const bool is_exact = (x - (m[i][k] + back)) + (back - y) == 0;  // Knuth's error of a difference
       if (!is_exact || std::fabs(m[i][k]) >= 0x1p9) return sign_in_256_bits(of);
-      whole[i][k] = static_cast<std::int64_t>(std::ldexp(m[i][k], kUnit));
+      whole[i][k] = static_cast<std::int64_t>(std::ldexp(m[i][k], kCoordinateBits));
       bits |= static_cast<std::uint64_t>(std::abs(whole[i][k]));
     }
   const int zeros = bits == 0 ? 0 : std::countr_zero(bits);

@@ -17,7 +17,7 @@ namespace {
 using Points = std::array<TexturePoint, 3>;
 
 constexpr double kSteepest = 1000, kLeastGradient = 0x1p-30;  // mm/mm
-constexpr mpfr_prec_t kFirstTextureBits = 320, kLastTextureBits = 1280;
+constexpr int kFirstTextureBits = 320, kLastTextureBits = 1280;
 
 std::string face(std::size_t i) {
   return "face " + std::to_string(i);
@@ -182,7 +182,7 @@ class Gradients {
     Normal gradient{};
     const auto in_binary64 = [](float number) { return BoundedNumber{static_cast<double>(number), 0}; };
     bool is_decided = round(mean(group, axis, BoundedNumber{}, in_binary64), gradient);
-    for (mpfr_prec_t bits = kFirstTextureBits; !is_decided && bits <= kLastTextureBits; bits *= 2) {
+    for (int bits = kFirstTextureBits; !is_decided && bits <= kLastTextureBits; bits *= 2) {
       const auto in_intervals = [bits](float number) { return Interval(bits, static_cast<double>(number)); };
       is_decided = round(mean(group, axis, Interval(bits), in_intervals), gradient);
     }

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A triangle's sides and its normal, exactly.
+
+#include <array>
+
+#include "rendering/meshes/interval.h"
+#include "rendering/meshes/predicates.h"
+#include "rendering/meshes/whole_coordinate.h"
+
+namespace forceshade::mesh {
+
+using WholeVector = std::array<Whole, 3>;
+
+inline WholeVector cross(const WholeVector& a, const WholeVector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+inline Whole dot(const WholeVector& a, const WholeVector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// From a to b, in units of 2^-53 mm.
+inline WholeVector side(const Vertex& a, const Vertex& b) {
+  const auto step = [&](std::size_t i) -> Whole { return whole_coordinate<Whole>(b[i]) - whole_coordinate<Whole>(a[i]); };
+  return {step(0), step(1), step(2)};
+}
+
+}  // namespace forceshade::mesh
