@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // in_chromium.js CHROMIUM PROGRAM.js: runs a program that emscripten made in headless Chromium, in a page of a server of this process,
-// and prints what it prints. The exit code is the program's; 77 where Chromium or the npm packages of this folder are missing.
+// and prints what it prints. The exit code is the program's; 77 where Chromium is missing. with_npm.sh brings its package.
 "use strict";
 
 const fs = require("fs");
@@ -8,11 +8,6 @@ const http = require("http");
 const path = require("path");
 
 const [chromium, program] = process.argv.slice(2);
-
-function skip(why) {
-  console.log(why);
-  process.exit(77);
-}
 
 function server() {
   const folder = path.dirname(program);
@@ -31,15 +26,12 @@ function server() {
 }
 
 async function main() {
-  if (!fs.existsSync(chromium)) skip(`skipped: ${chromium} is not installed`);
-  let playwright;
-  try {
-    playwright = require("playwright-core");
-  } catch {
-    skip("skipped: the npm packages of tests/web are not installed: npm ci");
+  if (!fs.existsSync(chromium)) {
+    console.log(`skipped: ${chromium} is not installed`);
+    return 77;
   }
   const its = server().listen(0, "127.0.0.1");
-  const browser = await playwright.chromium.launch({ executablePath: chromium, args: ["--no-sandbox"] });
+  const browser = await require("playwright-core").chromium.launch({ executablePath: chromium, args: ["--no-sandbox"] });
   const page = await browser.newPage();
   await page.exposeFunction("said", (line) => console.log(line));
   const code = await new Promise((resolve) => {
