@@ -18,5 +18,5 @@ folder=$(cd "$folder" && pwd)
   cp "$here/package.json" "$here/package-lock.json" .
   npm ci --ignore-scripts --no-audit --no-fund > npm.log 2>&1 || exit 1
   cp package-lock.json installed-lock.json
-) 9> "$folder/npm.lock" || skip "npm cannot bring the packages of package-lock.json: $(tail -n 1 "$folder/npm/npm.log")"
+) 9> "$folder/npm.lock" || skip "npm cannot bring the packages of package-lock.json: $(grep -m 1 "^npm err" "$folder/npm/npm.log")"
 NODE_PATH=$folder/npm/node_modules exec "$@"
