@@ -86,22 +86,10 @@ const Surfaces = (() => {
     },
   };
 
-  // Leaning, it has no corner normal that symmetry makes a tie, which a build without the feature corner-normals refuses.
-  const LEANING = [0.13, 0.21, -0.11];  // radians about z, x and y
-
-  function leaning([x, y, z]) {
-    const [about_z, about_x, about_y] = LEANING;
-    const turned = (a, b, angle) => [Math.cos(angle) * a - Math.sin(angle) * b, Math.sin(angle) * a + Math.cos(angle) * b];
-    [x, y] = turned(x, y, about_z);
-    [y, z] = turned(y, z, about_x);
-    [z, x] = turned(z, x, about_y);
-    return [x, y, z];
-  }
-
   // The corners at the distance SIZE from the middle, and each triangle turned so that its front is outside.
   function triangled(name) {
     const {corners, triangles} = MESHES[name];
-    const at = corners.map((corner) => leaning(corner).map((value) => Math.fround((SIZE * value) / Math.hypot(...corner))));
+    const at = corners.map((corner) => corner.map((value) => Math.fround((SIZE * value) / Math.hypot(...corner))));
     const isOutward = ([a, b, c]) => {
       const u = at[b].map((value, k) => value - at[a][k]), v = at[c].map((value, k) => value - at[a][k]);
       const normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
