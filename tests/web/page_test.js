@@ -186,7 +186,8 @@ test("is stroked by keys", async () => {
   await browser.press("Home");
   assert.deepEqual((await state()).point, begin.point);
   await new Promise((resolve) => setTimeout(resolve, 700));
-  assert.match(await text("live"), /^Hand [\d.]+ mm right, [\d.]+ mm below zero: pushed [\d.]+ newtons to the right and [\d.]+ newtons up\.$/);
+  assert.match(await text("live"),
+               /^Hand [\d.]+ mm right, [\d.]+ mm below zero: pushed [\d.]+ newtons to the right and [\d.]+ newtons up\.$/);
 });
 
 test("keeps R, w and theta consistent, and w at most 2R", async () => {

@@ -59,7 +59,8 @@ const Controls = (() => {
       return {width: degrees > 0 ? Math.min(2 * choice().radius, Math.max(binary32(LEAST.width), width)) : NaN};
     };
     const rows = {
-      radius: number("radius", logarithmic, () => [LEAST.radius, MOST.radius], inUnits("mm"), (value) => changed(ofRadius(binary32(value)))),
+      radius: number("radius", logarithmic, () => [LEAST.radius, MOST.radius], inUnits("mm"),
+        (value) => changed(ofRadius(binary32(value)))),
       width: number("width", logarithmic, () => [LEAST.width, 2 * choice().radius], inUnits("mm"),
         (value) => changed({width: binary32(value)})),
       theta: number("theta", linear, () => [0.01, 60], (degrees) => `${Number(degrees.toPrecision(6))} degrees`,

@@ -131,7 +131,8 @@
   function tell() {
     byId("status").textContent = answer.status;
     byId("status").dataset.status = answer.status;
-    byId("position").textContent = ["x", "y", "z"].map((axis, k) => `${axis} = ${Numbers.decimal(point[k])}`).join(",  ") + " mm";
+    const coordinates = ["x", "y", "z"].map((axis, k) => `${axis} = ${Numbers.decimal(point[k])}`);
+    byId("position").textContent = `${coordinates.join(", ")} mm`;
     ["x", "y", "z"].forEach((axis, k) => {
       byId(`exact-${axis}`).textContent = Numbers.decimal(answer.force[k]);
       byId(`exact-${axis}-bits`).textContent = Numbers.hex(answer.force[k]);
@@ -150,7 +151,8 @@
     const short = (value) => Number(Math.abs(value).toPrecision(3));
     const [fx, , fz] = answer.force;
     const side = (value, right, left) => (value < 0 ? left : right);
-    const where = `Hand ${short(point[0])} mm ${side(point[0], "right", "left")}, ${short(point[2])} mm ${side(point[2], "above", "below")} zero`;
+    const across = `${short(point[0])} mm ${side(point[0], "right", "left")}`;
+    const where = `Hand ${across}, ${short(point[2])} mm ${side(point[2], "above", "below")} zero`;
     const push = `pushed ${short(fx)} newtons to the ${side(fx, "right", "left")} and ${short(fz)} newtons ${side(fz, "up", "down")}`;
     byId("live").textContent = `${where}: ${answer.status === "contact" ? push : answer.status}.`;
   }
