@@ -265,6 +265,7 @@ test("strokes height maps and meshes, whose naive column is empty", async () => 
       await stroke("map", 0.6);
     }
   await click("kind-mesh");
+  assert.equal((await state()).status, "contact");  // its first place is inside, and its path begins outside
   for (const mesh of ["octahedron", "icosahedron"])
     for (const shading of ["none", "vertex", "edge"]) {
       await choose("mesh", mesh);
@@ -280,6 +281,25 @@ test("strokes height maps and meshes, whose naive column is empty", async () => 
   assert.deepEqual([status, point[1]], ["contact", 1.5]);
   force.forEach((value, k) => assert.ok(Math.abs(value - stiffness * (godObject[k] - point[k])) < 1e-6));
   console.log(seen.map((line) => `  ${line}`).join("\n"));
+});
+
+test("draws the cursor and the arrows of both forces, and only one arrow where there is no naive force", async () => {
+  await open(server.url);
+  const drawn = () => browser.evaluate(`(() => {
+    const picture = document.getElementById("picture"), {data} = picture.getContext("2d").getImageData(0, 0, picture.width, picture.height);
+    const style = getComputedStyle(document.documentElement), counts = {};
+    for (const name of ["tip", "exact", "naive", "difference"]) {
+      const hex = style.getPropertyValue("--" + name).trim(), rgb = [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 16));
+      counts[name] = 0;
+      for (let k = 0; k < data.length; k += 4) counts[name] += rgb.every((value, c) => Math.abs(data[k + c] - value) < 3) ? 1 : 0;
+    }
+    return counts; })()`);
+  const ofLaw = await drawn();
+  assert.ok(ofLaw.tip > 100 && ofLaw.exact > 200 && ofLaw.naive > 100 && ofLaw.difference > 3, JSON.stringify(ofLaw));
+  await click("kind-map");
+  await settled();
+  const ofMap = await drawn();
+  assert.ok(ofMap.tip > 100 && ofMap.exact > 200 && ofMap.naive === 0 && ofMap.difference === 0, JSON.stringify(ofMap));
 });
 
 test("draws a frame for what changes, and none for what does not", async () => {
