@@ -238,6 +238,13 @@ TEST(doubtful_normals, of_sums_that_nearly_cancel_are_those_of_mpfi_and_of_those
   }
 }
 
+// Two triangles leave a sum of some 2^-43, beside which the first bits do not resolve that the y of two others cancels.
+TEST(doubtful_normals, that_the_first_bits_do_not_decide_are_those_of_mpfi) {
+  const Vertex corner{0, 0, 0}, along_x{8192, 0, 0}, along_y{0, 8192, 0}, raised{8192, 0, 0x1p-30F};
+  const Vertex one{3, 1, 2}, other{1, 5, -1};
+  expect_the_same({{corner, along_x, along_y}, {corner, along_y, raised}, {corner, one, other}, {corner, other, one}}, "");
+}
+
 // At creases whose cosine is irrational, just below and just above the angle of two triangles: atan of 1/2, 1/3, ... there.
 TEST(doubtful_normals, creases_are_decided_beside_the_angle) {
   for (const int k : {2, 3, 5, 7, 100, 1000000}) {
