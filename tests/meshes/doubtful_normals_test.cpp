@@ -231,7 +231,9 @@ TEST(doubtful_normals, of_sums_that_nearly_cancel_are_those_of_mpfi_and_of_those
     const auto vertex = [&]() -> Vertex { return {anywhere(random), anywhere(random), anywhere(random)}; };
     const TrianglePoints t{vertex(), vertex(), vertex()};
     TrianglePoints turned{t[0], t[2], t[1]};
-    if (i < 2) EXPECT_EQ(normal_in_intervals({t, turned}), (Normal{0, 0, 0}));
+    if (i < 2) {
+      EXPECT_EQ(normal_in_intervals({t, turned}), (Normal{0, 0, 0}));
+    }
     float& moved = turned[1 + random() % 2][random() % 3];
     moved = std::nextafter(moved, 1000.0F);
     expect_the_same({t, turned}, std::to_string(i));
