@@ -26,9 +26,10 @@ FORCESHADE_INLINE const char* arithmetic_fault_here() {
   if ((one + small) - one != 0) return "reordered sum (compile without -fassociative-math)";
   if (hidden(5) / 3 != 0x1.aaaaaaaaaaaabp+0) return "reciprocal for a quotient (compile without -freciprocal-math)";
   if (1 / (hidden(-0.0) + 0.0) < 0) return "lost sign of zero (compile without -fno-signed-zeros)";
-  // The product has 105 bits, more than the 64 of the x87 format in which the C library of mingw-w64 computes it.
-  const double b = hidden(1 + 0x1p-52);
-  if (std::fma(b, b, hidden(-1 - 0x1p-51)) != 0x1p-104) return "fma that rounds twice (compile with -mfma)";
+  // The product is 4 - 2^-26 - 2^-51 + 2^-79: more bits than a double or the x87 format has. The parts into which the C library
+  // of mingw-w64 splits the factors lose some of them.
+  if (std::fma(hidden(2 - 0x1p-27), hidden(2 - 0x1p-52), hidden(-4 + 0x1p-26 + 0x1p-51)) != 0x1p-79)
+    return "fma that rounds twice (compile with -mfma)";
   return nullptr;
 }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# bundle_test.sh BUNDLE.py: what would end a script of the page is escaped, the same inputs give the same bytes, and what is too large
+# bundle_test.sh SCRIPT, which is bundle.py: what would end a script of the page is escaped, the same inputs give the same bytes, and what is too large
 # or lacks an argument is refused.
 set -eu
 bundle=$1
