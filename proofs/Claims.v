@@ -1,0 +1,8 @@
+(* SPDX-License-Identifier: BSD-3-Clause *)
+(* The theorems that docs/proofs.md claims, and what each assumes. scripts/proofs reads what this file prints. *)
+From Forceshade Require Import RoundingTest Wall.
+
+Print Assumptions rounding_test_is_sound.
+Print Assumptions first_stage_returns_the_nearest.
+Print Assumptions product_is_exact.
+Print Assumptions wall_is_correctly_rounded.
