@@ -1,8 +1,12 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
 (* The theorems that docs/proofs.md claims, and what each assumes. scripts/proofs reads what this file prints. *)
-From Forceshade Require Import RoundingTest Wall.
+From Forceshade Require Import RoundingTest Wall ErrorFree Acceptance.
 
 Print Assumptions rounding_test_is_sound.
 Print Assumptions first_stage_returns_the_nearest.
 Print Assumptions product_is_exact.
 Print Assumptions wall_is_correctly_rounded.
+Print Assumptions two_sum_is_exact.
+Print Assumptions fast_two_sum_is_exact.
+Print Assumptions two_product_is_exact.
+Print Assumptions accepted_candidate_is_nearest.

@@ -49,5 +49,12 @@ refuses proofs/Wall.v "-> 0 <= Z -> evaluate K x y z = no_force free)" "-> evalu
 refuses proofs/Wall.v "Theorem product_is_exact : forall a b : binary32, generic" "Axiom product_is_exact : forall a b : binary32, generic" "no proofs"
 refuses proofs/Formats.v "Definition is_nearest32" "Lemma lost : 1 = 2. Admitted.
 Definition is_nearest32" "no proofs"
+refuses proofs/ErrorFree.v "nearest64 (nearest64 (a - nearest64 (s - t)) + nearest64 (b - t)) = a + b." "nearest64 (nearest64 (a - s) + nearest64 (b - t)) = a + b." "Error"
+refuses proofs/ErrorFree.v "Rabs b <= Rabs a \\/ a = 0 ->" "Rabs a <= Rabs b \\/ a = 0 ->" "Error"
+refuses proofs/ErrorFree.v "bpow radix2 (-1074 + 2 * 53 - 1) <=" "bpow radix2 (-1074 + 53) <=" "Error"
+refuses proofs/Acceptance.v "exact = up /\\ is_even c = true ->" "exact = up ->" "Error"
+refuses proofs/Acceptance.v ": bool := Z.even (bits_of_b32 c)." ": bool := Z.odd (bits_of_b32 c)." "Error"
+refuses fast/numbers/ball.h "up == Sign::zero && !candidate_is_even" "up == Sign::zero" "proofs/code.txt"
+refuses fast/numbers/double_double.h "return {s, (a - (s - t)) + (b - t)};" "return {s, (a - (s - t)) - (b - t)};" "proofs/code.txt"
 echo "$planted planted, $wrong not refused"
 [ "$wrong" = 0 ]
