@@ -10,9 +10,26 @@ const fs = require("node:fs");
 // picture(file), and said(): the requests and complaints of the page since open(). A number of mouse() and touch() is in pixels of
 // the window, and the button or finger is down from the first place to the last.
 
+// What playwright-core and puppeteer-core do by the same names: opens the address, and notes what the page requests and complains of.
+async function followed(page, url) {
+  const requests = [], complaints = [];
+  page.on("request", (request) => requests.push(request.url()));
+  page.on("console", (message) => ["error", "warning", "warn"].includes(message.type()) && complaints.push(message.text()));
+  page.on("pageerror", (error) => complaints.push(error.message));
+  await page.goto(url);
+  return {requests, complaints};
+}
+
+async function dragged(page, places) {
+  await page.mouse.move(...places[0]);
+  await page.mouse.down();
+  for (const place of places) await page.mouse.move(...place);
+  await page.mouse.up();
+}
+
 async function chromium() {
   const browser = await require("playwright-core").chromium.launch({executablePath: "/usr/bin/chromium", args: ["--no-sandbox"]});
-  let context = null, page = null, requests = [], complaints = [];
+  let context = null, page = null, its = null;
   return {
     name: `Chromium ${browser.version()}`,
     touches: true,
@@ -20,19 +37,10 @@ async function chromium() {
       await context?.close();
       context = await browser.newContext({viewport: {width, height}, colorScheme: dark ? "dark" : "light", hasTouch: true});
       page = await context.newPage();
-      [requests, complaints] = [[], []];
-      page.on("request", (request) => requests.push(request.url()));
-      page.on("console", (message) => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
-      page.on("pageerror", (error) => complaints.push(error.message));
-      await page.goto(url);
+      its = await followed(page, url);
     },
     evaluate: (words) => page.evaluate(words),
-    async mouse(places) {
-      await page.mouse.move(...places[0]);
-      await page.mouse.down();
-      for (const place of places) await page.mouse.move(...place);
-      await page.mouse.up();
-    },
+    mouse: (places) => dragged(page, places),
     async touch(places) {
       const session = await context.newCDPSession(page);
       const at = ([x, y]) => [{x, y, id: 1}];
@@ -42,7 +50,7 @@ async function chromium() {
     },
     press: (key) => page.keyboard.press(key),
     picture: (file) => page.screenshot({path: file, fullPage: true}),
-    said: () => ({requests, complaints}),
+    said: () => its,
     close: () => browser.close(),
   };
 }
@@ -50,7 +58,7 @@ async function chromium() {
 async function firefox() {
   const launch = (dark) => require("puppeteer-core").launch({browser: "firefox", executablePath: "/usr/bin/firefox-esr", headless: true,
     extraPrefsFirefox: {"layout.css.prefers-color-scheme.content-override": dark ? 0 : 1, "dom.w3c_touch_events.enabled": 1}});
-  let isDark = false, browser = await launch(isDark), page = null, requests = [], complaints = [];
+  let isDark = false, browser = await launch(isDark), page = null, its = null;
   return {
     name: (await browser.version()).replace("/", " "),
     touches: true,
@@ -63,19 +71,10 @@ async function firefox() {
       }
       page = await browser.newPage();
       await page.setViewport({width, height});
-      [requests, complaints] = [[], []];
-      page.on("request", (request) => requests.push(request.url()));
-      page.on("console", (message) => ["error", "warn"].includes(message.type()) && complaints.push(message.text()));
-      page.on("pageerror", (error) => complaints.push(error.message));
-      await page.goto(url);
+      its = await followed(page, url);
     },
     evaluate: (words) => page.evaluate(words),
-    async mouse(places) {
-      await page.mouse.move(...places[0]);
-      await page.mouse.down();
-      for (const place of places) await page.mouse.move(...place);
-      await page.mouse.up();
-    },
+    mouse: (places) => dragged(page, places),
     async touch(places) {
       await page.touchscreen.touchStart(...places[0]);
       for (const place of places) await page.touchscreen.touchMove(...place);
@@ -88,7 +87,7 @@ async function firefox() {
       for (const each of held) await page.keyboard.up(each);
     },
     picture: (file) => page.screenshot({path: file, fullPage: true}),
-    said: () => ({requests, complaints}),
+    said: () => its,
     close: () => browser.close(),
   };
 }
@@ -99,7 +98,7 @@ const MINI_BROWSERS = ["/usr/lib/x86_64-linux-gnu/webkit2gtk-4.1/MiniBrowser", "
 
 async function webkit() {
   const port = 20000 + (process.pid % 20000), driver = spawn("WebKitWebDriver", [`--port=${port}`], {stdio: "ignore"});
-  const ask = async (method, path, body) => {
+  const request = async (method, path, body) => {
     const told = await fetch(`http://127.0.0.1:${port}${path}`, {method, body: body && JSON.stringify(body)});
     const {value} = await told.json();
     if (!told.ok) throw new Error(`${method} ${path}: ${value.error}, ${value.message}`);
@@ -107,7 +106,7 @@ async function webkit() {
   };
   for (let tries = 0; ; ++tries) {
     try {
-      await ask("GET", "/status");
+      await request("GET", "/status");
       break;
     } catch (error) {
       if (tries === 50) throw error;
@@ -115,9 +114,9 @@ async function webkit() {
     }
   }
   const options = {binary: MINI_BROWSERS.find((file) => fs.existsSync(file)), args: ["--automation"]};
-  const session = await ask("POST", "/session", {capabilities: {alwaysMatch: {"webkitgtk:browserOptions": options}}});
+  const session = await request("POST", "/session", {capabilities: {alwaysMatch: {"webkitgtk:browserOptions": options}}});
   const at = `/session/${session.sessionId}`, {browserName, browserVersion} = session.capabilities;
-  const evaluate = (words) => ask("POST", `${at}/execute/async`, {args: [], script: `const done = arguments[arguments.length - 1];
+  const evaluate = (words) => request("POST", `${at}/execute/async`, {args: [], script: `const done = arguments[arguments.length - 1];
     (async () => (${words}))().then((value) => done({value}), (error) => done({error: String(error)}));`})
     .then(({value, error}) => {
       if (error) throw new Error(error);
@@ -132,24 +131,24 @@ async function webkit() {
     touches: false,  // its driver has no fingers
     isAlwaysLight: true,  // MiniBrowser follows the theme of the desktop
     async open(url, {width, height}) {
-      await ask("POST", `${at}/window/rect`, {width, height});
-      await ask("POST", `${at}/url`, {url});
+      await request("POST", `${at}/window/rect`, {width, height});
+      await request("POST", `${at}/url`, {url});
       const [inner, outer] = await evaluate("[innerWidth, outerWidth]");
-      if (inner !== width) await ask("POST", `${at}/window/rect`, {width: width + outer - inner, height});
+      if (inner !== width) await request("POST", `${at}/window/rect`, {width: width + outer - inner, height});
     },
     evaluate,
-    mouse: (places) => ask("POST", `${at}/actions`, {actions: [pointer("mouse", places)]}),
+    mouse: (places) => request("POST", `${at}/actions`, {actions: [pointer("mouse", places)]}),
     async press(key) {
       const keys = key.split("+").map((each) => CODES[each] ?? each);
       const actions = [...keys.map((value) => ({type: "keyDown", value})), ...keys.reverse().map((value) => ({type: "keyUp", value}))];
-      await ask("POST", `${at}/actions`, {actions: [{type: "key", id: "keyboard", actions}]});
+      await request("POST", `${at}/actions`, {actions: [{type: "key", id: "keyboard", actions}]});
     },
     async picture(file) {
-      fs.writeFileSync(file, Buffer.from(await ask("GET", `${at}/screenshot`), "base64"));
+      fs.writeFileSync(file, Buffer.from(await request("GET", `${at}/screenshot`), "base64"));
     },
     said: () => null,  // its driver tells neither; the page and the server do
     async close() {
-      await ask("DELETE", at).catch(() => {});
+      await request("DELETE", at).catch(() => {});
       driver.kill();
     },
   };
