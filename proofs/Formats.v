@@ -20,22 +20,26 @@ Global Instance prec53 : Prec_gt_0 53 := eq_refl _.
 Definition is_nearest32 (answer : binary32) (exact : R) : Prop :=
   value32 answer = nearest32 exact /\ is_finite 24 128 answer = true /\ (nearest32 exact = 0 -> answer = zero32).
 
+(* static_cast from one format to the other. nan: what a NaN becomes. *)
+Definition cast {prec emax} prec' emax' (Hprec : Prec_gt_0 prec') (Hmax : (prec' < emax')%Z) (nan : binary_float prec' emax')
+    (x : binary_float prec emax) : binary_float prec' emax' :=
+  match x with
+  | B754_zero _ _ s => B754_zero prec' emax' s
+  | B754_infinity _ _ s => B754_infinity prec' emax' s
+  | B754_nan _ _ _ _ _ => nan
+  | B754_finite _ _ s m e _ => binary_normalize prec' emax' Hprec Hmax mode_NE (SpecFloat.cond_Zopp s (Zpos m)) e s
+  end.
+
 (* ---- static_cast<double>(float) ---- *)
 
-Definition to64 (x : binary32) : binary64 :=
-  match x with
-  | B754_zero _ _ s => B754_zero 53 1024 s
-  | B754_infinity _ _ s => B754_infinity 53 1024 s
-  | B754_nan _ _ _ _ _ => proj1_sig default_nan_pl64
-  | B754_finite _ _ s m e _ => binary_normalize 53 1024 (eq_refl _) (eq_refl _) mode_NE (SpecFloat.cond_Zopp s (Zpos m)) e s
-  end.
+Definition to64 : binary32 -> binary64 := cast 53 1024 (eq_refl _) (eq_refl _) (proj1_sig default_nan_pl64).
 
 Lemma to64_is_exact : forall x : binary32, is_finite 24 128 x = true -> value64 (to64 x) = value32 x /\ is_finite 53 1024 (to64 x) = true.
 Proof.
   intros x Hfinite. pose proof (abs_B2R_lt_emax 24 128 x) as Hbelow.
   assert (G : generic_format radix2 fexp64 (value32 x)).
   { apply generic_inclusion_mag with fexp32; [intros _; unfold FLT_exp; lia|apply (generic_format_B2R 24 128)]. }
-  destruct x as [s|s|s pl Hpl|s m e H]; try discriminate; [now split|]. unfold to64.
+  destruct x as [s|s|s pl Hpl|s m e H]; try discriminate; [now split|]. unfold to64, cast.
   pose proof (binary_normalize_correct 53 1024 (eq_refl _) (eq_refl _) mode_NE (SpecFloat.cond_Zopp s (Zpos m)) e s) as C.
   change (round radix2 (SpecFloat.fexp 53 1024) (round_mode mode_NE) (F2R (Float radix2 (SpecFloat.cond_Zopp s (Zpos m)) e)))
     with (nearest64 (value32 (B754_finite 24 128 s m e H))) in C.
@@ -45,13 +49,7 @@ Qed.
 
 (* ---- static_cast<float>(double) + 0.0F ---- *)
 
-Definition to32 (v : binary64) : binary32 :=
-  match v with
-  | B754_zero _ _ s => B754_zero 24 128 s
-  | B754_infinity _ _ s => B754_infinity 24 128 s
-  | B754_nan _ _ _ _ _ => proj1_sig default_nan_pl32
-  | B754_finite _ _ s m e _ => binary_normalize 24 128 (eq_refl _) (eq_refl _) mode_NE (SpecFloat.cond_Zopp s (Zpos m)) e s
-  end.
+Definition to32 : binary64 -> binary32 := cast 24 128 (eq_refl _) (eq_refl _) (proj1_sig default_nan_pl32).
 Definition returned (v : binary64) : binary32 := b32_plus mode_NE (to32 v) zero32.
 
 Lemma to32_rounds_once : forall v : binary64, is_finite 53 1024 v = true -> Rabs (nearest32 (value64 v)) < bpow radix2 128 ->
@@ -59,7 +57,7 @@ Lemma to32_rounds_once : forall v : binary64, is_finite 53 1024 v = true -> Rabs
 Proof.
   intros v Hfinite Hbelow. destruct v as [s|s|s pl Hpl|s m ex H]; try discriminate.
   - simpl. now rewrite round_0 by auto with typeclass_instances.
-  - unfold to32.
+  - unfold to32, cast.
     pose proof (binary_normalize_correct 24 128 (eq_refl _) (eq_refl _) mode_NE (SpecFloat.cond_Zopp s (Zpos m)) ex s) as C.
     rewrite Rlt_bool_true in C by exact Hbelow. now destruct C as [C1 [C2 _]].
 Qed.

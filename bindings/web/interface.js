@@ -122,9 +122,13 @@
     _one(position, call) {
       floats("position", position, 3);
       const at = this._handle;
+      this._memory.module.HEAPF32.set(position, this._room >> 2);
+      return this._answer((force, status) => call(at, this._room, force, status));
+    }
+
+    _answer(call) {
       const { module } = this._memory;
-      module.HEAPF32.set(position, this._room >> 2);
-      this._memory.check(call(at, this._room, this._room + 12, this._room + 24));
+      this._memory.check(call(this._room + 12, this._room + 24));
       const begin = (this._room >> 2) + 3;
       return { force: module.HEAPF32.slice(begin, begin + 3), status: STATUSES[module.HEAPU8[this._room + 24]] };
     }
@@ -235,7 +239,8 @@
     }
 
     object(index) {
-      return this._one([0, 0, 0], (at, from, to, status) => this._memory.module._web_scene_object(at, indices("object", [index])[0], to, status));
+      const [object] = indices("object", [index]);
+      return this._answer((to, status) => this._memory.module._web_scene_object(this._handle, object, to, status));
     }
   }
 

@@ -1,19 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// in_chromium.js CHROMIUM PROGRAM.js: runs a program that emscripten made in headless Chromium, in a page of a server of this process,
+// in_chromium.js PROGRAM.js: runs a program that emscripten made in headless Chromium, in a page of a server of this process,
 // and prints what it prints. The exit code is the program's; 77 where Chromium is missing. with_npm.sh brings its package.
 "use strict";
 
 const fs = require("fs");
 const http = require("http");
 const path = require("path");
+const browsers = require("./browsers.js");
 
-const [chromium, program] = process.argv.slice(2);
+const [program] = process.argv.slice(2);
 
 function server() {
   const folder = path.dirname(program);
   const page = `<!doctype html><script>
-    var Module = { print: (line) => said(line), printErr: (line) => said(line), quit: (code, thrown) => { ended(code); throw thrown; } };
-    window.onerror = (words, file, line, column, thrown) => { if (thrown && thrown.name === "ExitStatus") return; said(String(words)); ended(1); };
+    var lines = [], done = new Promise((ended) => {
+      window.Module = { print: (line) => lines.push(line), printErr: (line) => lines.push(line),
+        quit: (code, thrown) => { ended({ code, lines }); throw thrown; } };
+      window.onerror = (words, file, line, column, thrown) => {
+        if (thrown && thrown.name === "ExitStatus") return;
+        lines.push(String(words));
+        ended({ code: 1, lines });
+      };
+    });
   </script><script src="/${path.basename(program)}"></script>`;
   const types = { ".js": "text/javascript", ".wasm": "application/wasm" };
   return http.createServer((request, response) => {
@@ -26,17 +34,15 @@ function server() {
 }
 
 async function main() {
-  if (!fs.existsSync(chromium)) {
-    console.log(`skipped: ${chromium} is not installed`);
+  if (!fs.existsSync("/usr/bin/chromium")) {
+    console.log("skipped: /usr/bin/chromium is not installed");
     return 77;
   }
   const its = server().listen(0, "127.0.0.1");
-  const browser = await require("playwright-core").chromium.launch({ executablePath: chromium, args: ["--no-sandbox"] });
-  const page = await browser.newPage();
-  await page.exposeFunction("said", (line) => console.log(line));
-  const code = await new Promise((resolve) => {
-    page.exposeFunction("ended", resolve).then(() => page.goto(`http://127.0.0.1:${its.address().port}/`));
-  });
+  const browser = await browsers.chromium();
+  await browser.open(`http://127.0.0.1:${its.address().port}/`, { width: 800, height: 600 });
+  const { code, lines } = await browser.evaluate("done");
+  for (const line of lines) console.log(line);
   await browser.close();
   its.close();
   return code;

@@ -2,9 +2,9 @@
 // interface_test.mjs FORCES.csv: the package `forceshade`, as it is installed beside this file, gives the forces of an independent
 // program bit for bit, forces of maps, meshes and scenes of which the value is known, and a clear error for each wrong argument.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { ForceshadeError, LAWS, load } from "forceshade";
+import golden from "./golden.js";
 
 const library = await load();
 assert.equal(createRequire(import.meta.url)("forceshade").load, load);
@@ -13,24 +13,17 @@ assert.equal(library.has("meshes"), true);
 assert.equal(library.has("device-loop"), false);
 assert.equal(library.arithmeticFault, null);
 
-// "-0x1.000002p-30", "inf", "nan"
-function number(text) {
-  const words = { nan: NaN, inf: Infinity, "-inf": -Infinity };
-  if (text in words) return words[text];
-  const [, sign, whole, part = "", exponent] = /^(-?)0x([0-9a-f]+)(?:\.([0-9a-f]*))?p([+-]\d+)$/.exec(text);
-  return (sign ? -1 : 1) * (parseInt(whole + part, 16) || 0) * 2 ** (Number(exponent) - 4 * part.length);
-}
 const bits = (values) => Array.from(new Uint32Array(Float32Array.from(values).buffer));
 
+const { forces } = golden;
 let compared = 0;
 const laws = new Map();
-for (const line of readFileSync(process.argv[2], "utf8").trim().split("\n").slice(1)) {
-  const [name, R, w, K, x, y, z, , , fx, fz, status] = line.split(",");
-  const key = [name, R, w, K].join();
-  if (!laws.has(key)) laws.set(key, library.law(name, { radius: number(R), width: number(w), stiffness: number(K) }));
-  const answer = laws.get(key).force([number(x), number(y), number(z)]);
-  assert.deepEqual([bits(answer.force), answer.status], [bits([number(fx), 0, number(fz)]), status], line);
-  const many = laws.get(key).forces([0, 0, 1, number(x), number(y), number(z)]);
+for (const { law, radius, width, stiffness, position, force, status } of forces(process.argv[2])) {
+  const key = [law, radius, width, stiffness].join();
+  if (!laws.has(key)) laws.set(key, library.law(law, { radius, width, stiffness }));
+  const answer = laws.get(key).force(position);
+  assert.deepEqual([bits(answer.force), answer.status], [bits(force), status], `${key} at ${position}`);
+  const many = laws.get(key).forces([0, 0, 1, ...position]);
   assert.deepEqual(bits(many.forces.slice(3)), bits(answer.force));
   ++compared;
 }
