@@ -2,6 +2,7 @@
 """first_uses_test.py FORCESHADE haply|dhd|command LIBRARY: a first contact (`device try`) and a session of an experiment over an
 arm behind its stand-in, which blames the client for nothing. The recordings are verified. LIBRARY is the stand-in's for DHD."""
 
+import itertools
 import os
 import pty
 import subprocess
@@ -12,7 +13,6 @@ import time
 import arms
 from checks import BUSY, Checks
 
-TRIES = 6
 PROMPT = "Press Enter when this is done"
 PROTOCOL = """experiment = "classification"
 name = "two trials"
@@ -24,8 +24,6 @@ stimuli = [{{ law = "bump-1p-shaded" }}]
 radii_mil = [1000]
 repetitions = 2
 """
-BUSY = (*BUSY, "has not answered for", "no answer in time", "did not answer within", "its watchdog got no force in time",
-        "the servo loop has stood still")
 
 
 def ran(forceshade, *words, folder, **more):
@@ -79,13 +77,9 @@ def session(forceshade, kind, folder, name):
         return client.returncode, shown, arm.verdict()
 
 
-def again_where_busy(run, checks):
-    for _ in range(TRIES):
-        outcome = run()
-        if not any(words in outcome[1] for words in BUSY):
-            return outcome
-    checks.skip_where_too_busy(outcome[1])
-    return outcome
+def is_late(outcome):
+    _, shown, faults = outcome
+    return "gap" in faults or any(words in shown for words in BUSY)
 
 
 def main(forceshade, kind, library):
@@ -98,7 +92,7 @@ def main(forceshade, kind, library):
         return run.stdout
 
     with tempfile.TemporaryDirectory() as folder:
-        code, shown, faults = again_where_busy(lambda: tried(forceshade, kind, folder), checks)
+        code, shown, faults = checks.in_time(lambda: tried(forceshade, kind, folder), is_late)
         checks.expect(code == 0 and shown.count(PROMPT) == 2, f"device try: exit code {code}: {shown}")
         felt = [line for line in shown.splitlines() if line.startswith("felt ")]
         checks.expect(felt and " in 0 of" not in felt[0], f"device try felt nothing: {shown}")
@@ -108,14 +102,14 @@ def main(forceshade, kind, library):
 
         with open(folder + "/protocol.toml", "w") as file:
             file.write(PROTOCOL.format(sources=sources))
-        names = iter(f"S{number}" for number in range(TRIES))
+        names = iter(f"S{number}" for number in itertools.count())
         name = [""]
 
         def one():
             name[0] = next(names)
             return session(forceshade, kind, folder, name[0])
 
-        code, shown, faults = again_where_busy(one, checks)
+        code, shown, faults = checks.in_time(one, is_late)
         checks.expect(code == 0 and not faults, f"experiment: exit code {code}, the stand-in found {faults}: {shown}")
         print(expect_good("recording verify", ran(forceshade, "recording", "verify", name[0], folder=folder)), end="")
         said = expect_good("recording recompute", ran(forceshade, "recording", "recompute", name[0], folder=folder))

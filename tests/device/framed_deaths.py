@@ -14,7 +14,6 @@ import arms
 from checks import Checks
 
 PHASES = ("opened", "settling", "free", "in contact", "tripping", "stopping")
-TRIES = 8  # on a busy machine the run may end before its moment comes
 LATE = 60  # ms: of an end in order, or of a broken link, on a busy machine
 IN_ORDER = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 STOPPED = "stopped"
@@ -125,14 +124,12 @@ def cell_of(kind, death, phase, forceshade, checks):
     if not death.happens_in(phase):
         return "-"
     arm_class = arms.KINDS[kind]
-    outcome = None
-    for _ in range(TRIES):
-        outcome = died(kind, death, phase, forceshade)
-        if outcome and is_right(arm_class, death, phase, *outcome):
-            break
-    if outcome is None:
-        checks.skip_where_too_busy(f"{death.name}, {phase}: did not happen in {TRIES} runs")
-    checks.expect(outcome and is_right(arm_class, death, phase, *outcome), f"{death.name}, {phase}: {outcome}")
+
+    def is_wrong(outcome):
+        return not outcome or not is_right(arm_class, death, phase, *outcome)
+
+    outcome = checks.in_time(lambda: died(kind, death, phase, forceshade), is_wrong)
+    checks.expect(not is_wrong(outcome), f"{death.name}, {phase}: {outcome}")
     if outcome is None:
         return "did not happen"
     late, end = outcome[:2]
