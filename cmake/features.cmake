@@ -3,12 +3,16 @@
 # the C interface answers 0 for the others.
 #
 #   device-loop    devices and the servo loop: Linux, libcsv
-#   subject-files  subject files and height maps from files: libcsv, libpng, libtiff, toml++
+#   subject-files  subject files with meshes, and height maps from NPY and PFM files: toml++, of which the headers are enough
+#   image-files    in subject files, height maps and textures from PNG and TIFF files: libpng, libtiff
+#   csv-files      in subject files, motions from CSV files: libcsv
 #   certificates   certificates are read, and digests are made: libcsv, OpenSSL's libcrypto, nlohmann_json
-#   exact-side     the exact side, the command, experiments, Python, devices that speak JSON: all of the above, and more
-set(known device-loop subject-files certificates exact-side)
+#   exact-side     the exact side, the command, experiments, Python, devices that speak JSON: more packages. It brings all of the above
+set(known device-loop subject-files image-files csv-files certificates exact-side)
 set(FORCESHADE_FEATURES ${known} CACHE STRING "Which of ${known} to build; empty for none")
-list(REMOVE_ITEM FORCESHADE_FEATURES corner-normals)  # in the caches of older build folders; every build has them
+if("exact-side" IN_LIST FORCESHADE_FEATURES)
+  set(FORCESHADE_FEATURES ${known})
+endif()
 foreach(feature IN LISTS FORCESHADE_FEATURES)
   if(NOT feature IN_LIST known)
     list(JOIN known ", " words)
@@ -30,10 +34,8 @@ foreach(feature IN LISTS known)
   string(REPLACE "-" "_" variable ${variable})
   forceshade_has(${variable} ${feature})  # FORCESHADE_DEVICE_LOOP and so on
 endforeach()
-forceshade_has(FORCESHADE_FILES device-loop subject-files certificates)
-if(FORCESHADE_EXACT_SIDE AND NOT (FORCESHADE_DEVICE_LOOP AND FORCESHADE_SUBJECT_FILES AND FORCESHADE_CERTIFICATES))
-  message(FATAL_ERROR "FORCESHADE_FEATURES: exact-side needs all the others")
-endif()
+forceshade_has(FORCESHADE_READS_CSV device-loop csv-files certificates)
+forceshade_has(FORCESHADE_WRITES_FILES device-loop certificates)
 
 # What every machine must have: binary64 whose every operation is rounded to binary64. FLT_EVAL_METHOD is 2 where g++ computes with
 # the registers of the x87, as it does for i386, whose significands of 64 bits would round each result twice.
@@ -52,8 +54,8 @@ if(NOT FORCESHADE_MULTIPLIES_64_BITS)
                       "64-bit target, or for WebAssembly.")
 endif()
 
-# Boost's and Eigen's headers are the same for every target: a build for another machine takes those of this one, Boost's by a link,
-# because beside them lie headers of this machine alone.
+# The headers of Boost, Eigen and toml++ are the same for every target: a build for another machine takes those of this one, by links
+# where headers of this machine alone lie beside them.
 set(FORCESHADE_HEADERS)
 if(CMAKE_CROSSCOMPILING)
   find_path(FORCESHADE_BOOST boost/multiprecision/cpp_int.hpp REQUIRED NO_CMAKE_FIND_ROOT_PATH PATHS /usr/include)
@@ -62,4 +64,12 @@ if(CMAKE_CROSSCOMPILING)
   file(CREATE_LINK ${FORCESHADE_BOOST}/boost ${FORCESHADE_HEADERS}/boost SYMBOLIC)
   find_path(FORCESHADE_EIGEN Eigen3Config.cmake REQUIRED NO_CMAKE_FIND_ROOT_PATH PATHS /usr/share/eigen3/cmake)
   set(Eigen3_DIR ${FORCESHADE_EIGEN})
+endif()
+if(FORCESHADE_SUBJECT_FILES AND CMAKE_CROSSCOMPILING)
+  find_path(FORCESHADE_TOML toml++/toml.h REQUIRED NO_CMAKE_FIND_ROOT_PATH PATHS /usr/include)
+  file(CREATE_LINK ${FORCESHADE_TOML}/toml++ ${FORCESHADE_HEADERS}/toml++ SYMBOLIC)
+  add_library(tomlplusplus::tomlplusplus INTERFACE IMPORTED)
+  target_include_directories(tomlplusplus::tomlplusplus INTERFACE ${FORCESHADE_HEADERS})
+elseif(FORCESHADE_SUBJECT_FILES)
+  find_package(tomlplusplus REQUIRED)
 endif()

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
@@ -118,26 +117,7 @@ bool divide_at_blanks(std::string& line) {
   return !line.starts_with('#') && !line.starts_with('%');
 }
 
-template <class T>
-std::string shortest_decimal(T value) {
-  std::array<char, 32> buffer{};
-  const auto [end, code] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  return {buffer.data(), end};
-}
-
 }  // namespace
-
-std::ifstream open_input(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw Error(path + ": cannot open: " + std::generic_category().message(errno));
-  return in;
-}
-
-std::ifstream open_file(const std::string& path) {
-  if (is_folder(path)) throw Error(path + ": cannot open: Is a directory");
-  if (is_named_pipe(path)) throw Error(path + ": cannot open: it is a named pipe; expected a file");
-  return open_input(path);
-}
 
 void Reader::FreeParser::operator()(csv_parser* parser) const noexcept {
   csv_free(parser);
@@ -295,14 +275,6 @@ float Reader::binary32(std::size_t i) const {
 
 double Reader::binary64(std::size_t i) const {
   return number<double>(i);
-}
-
-std::string shortest(float value) {
-  return shortest_decimal(value);
-}
-
-std::string shortest(double value) {
-  return shortest_decimal(value);
 }
 
 }  // namespace forceshade::files

@@ -3,29 +3,18 @@
 // Reads named columns of a CSV stream row by row; whatever is wrong is said with file, line and column.
 
 #include <cstddef>
-#include <fstream>
 #include <istream>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "files/input_file.h"
+#include "files/shortest.h"
+
 struct csv_parser;
 
 namespace forceshade::files {
-
-// what() reads like `input.csv:12: column 2 (x_mm): expected a number, got "abc"`; the line is the one an editor shows.
-struct Error : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-// Throws Error with the system's reason when the file cannot be opened. A directory opens and fails at the first read.
-std::ifstream open_input(const std::string& path);
-
-// The same of a file, or of what a shell makes a pipe for: neither a folder, nor a pipe that has a name, at which this would
-// wait for somebody who writes to it.
-std::ifstream open_file(const std::string& path);
 
 // UTF-8 with or without a byte order mark, lines ended by LF or CRLF, blank lines skipped, spaces around a field dropped,
 // quotes as in RFC 4180, every row as long as the header. A row of more than kLongestRow bytes is an error, so that
@@ -94,9 +83,5 @@ class Reader {
   static constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
   std::vector<std::size_t> place_;  // place_[i]: where in a row columns_[i] is
 };
-
-// The shortest decimal that reads back as the same number.
-std::string shortest(float value);
-std::string shortest(double value);
 
 }  // namespace forceshade::files

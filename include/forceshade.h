@@ -93,9 +93,10 @@ typedef struct forceshade_scene {
 FORCESHADE_API uint32_t forceshade_version(void);
 
 /* 1 where the library has the feature, else 0, also for NULL: "laws", "height-maps", "meshes", "states" and "scenes", which every
- * build has, and so "corner-normals" of meshes; "subject-files" and "certificates", which a build for another machine may be without,
- * and "device-loop" and "exact-side", which say whether the same build has these libraries for C++ (docs/platforms.md); and "avx2",
- * "avx512" where it will use these instructions on this processor. Without "certificates" the FORCESHADE_DIGEST of a subject is "". */
+ * build has, and so "corner-normals" of meshes; "subject-files", "image-files", "csv-files" and "certificates", which a build for
+ * another machine may be without, and "device-loop" and "exact-side", which say whether the same build has these libraries for C++
+ * (docs/platforms.md); and "avx2", "avx512" where it will use these instructions on this processor. Without "certificates" the
+ * FORCESHADE_DIGEST of a subject is "". */
 FORCESHADE_API int32_t forceshade_has(const char* feature);
 
 /* The sentence of this thread's last error; "" before the first. Never NULL. It stays until this thread's next error. */
@@ -171,7 +172,9 @@ typedef struct forceshade_mesh {
 
 FORCESHADE_API forceshade_result forceshade_mesh_new(const forceshade_mesh* mesh, forceshade_subject* made);
 
-/* A subject file (docs/subjects.md): a law, height map, mesh or scene. Files that it names lie beside it. */
+/* A subject file (docs/subjects.md): a law, height map, mesh or scene. Files that it names lie beside it. FORCESHADE_LEFT_OUT, with the
+ * feature in the message, where it names a PNG or TIFF file and the library is without "image-files", or the file of a motion without
+ * "csv-files". */
 FORCESHADE_API forceshade_result forceshade_subject_read(const char* file, forceshade_subject* made);
 
 /* The same of a text of so many bytes. file: what messages call it; the files that the text names lie beside it. */

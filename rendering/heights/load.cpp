@@ -90,7 +90,8 @@ Samples allocate(const Source& source, std::uint64_t columns, std::uint64_t rows
   const std::uint64_t bytes = std::filesystem::file_size(file);
   if (columns * rows * bytes_per_sample > bytes * most_expansion)
     throw Error(file, "declares " + size + " samples, more than its " + std::to_string(bytes) + " bytes can hold");
-  return {&source, static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), std::vector<float>(columns * rows)};
+  return {&source, static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows),
+          std::vector<float>(static_cast<std::size_t>(columns * rows))};
 }
 
 std::shared_ptr<const height::Grid> load(const Source& source) {

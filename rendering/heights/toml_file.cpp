@@ -9,9 +9,9 @@
 #include <string_view>
 #include <system_error>
 
-#include "files/csv.h"
 #include "files/file_kind.h"
 #include "files/printable.h"
+#include "files/shortest.h"
 #include "rendering/heights/nesting.h"
 
 namespace forceshade::heights {

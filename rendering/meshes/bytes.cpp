@@ -16,7 +16,7 @@ Bytes::Bytes(const std::filesystem::path& file, std::uint64_t begin, std::endian
       order_(order),
       position_(begin),
       size_(size_of(file)),
-      room_(std::min<std::uint64_t>(kBuffer, size_ + 1)),
+      room_(static_cast<std::size_t>(std::min<std::uint64_t>(kBuffer, size_ + 1))),
       buffer_(std::make_unique_for_overwrite<char[]>(room_)) {
   in_.rdbuf()->pubsetbuf(nullptr, 0);  // this has a buffer of its own
   in_.open(file, std::ios::binary);
@@ -41,8 +41,8 @@ const char* Bytes::next(std::size_t bytes) {
 
 void Bytes::skip(std::uint64_t bytes) {
   if (bytes > left()) throw error(position_, "the file is truncated");
-  for (std::uint64_t part = 0; bytes > 0; bytes -= part) {
-    part = std::min<std::uint64_t>(bytes, room_);
+  for (std::size_t part = 0; bytes > 0; bytes -= part) {
+    part = static_cast<std::size_t>(std::min<std::uint64_t>(bytes, room_));
     next(part);
   }
 }

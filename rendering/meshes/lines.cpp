@@ -47,7 +47,7 @@ Lines::Lines(const std::filesystem::path& file)
     : file_(file),
       in_(),
       file_size_(size_of(file)),
-      room_(std::min<std::uint64_t>(kLineBuffer, file_size_ + 1)),
+      room_(static_cast<std::size_t>(std::min<std::uint64_t>(kLineBuffer, file_size_ + 1))),
       buffer_(std::make_unique_for_overwrite<char[]>(room_)) {
   in_.rdbuf()->pubsetbuf(nullptr, 0);  // this has a buffer of its own
   in_.open(file, std::ios::binary);

@@ -57,8 +57,8 @@ LoadedMesh read_off(const std::filesystem::path& file, Unit unit) {
   Lines lines(file);
   const Header header = header_of(lines, file);
   Builder builder;
-  builder.vertices.reserve(header.vertices);
-  builder.reserve(header.faces);
+  builder.reserve_vertices(header.vertices);
+  builder.reserve_triangles(header.faces);
   for (std::uint64_t i = 0; i < header.vertices; ++i) {
     if (!lines.next_with_words()) throw lines.ended("vertex " + std::to_string(i) + " of " + std::to_string(header.vertices));
     Words words(lines.line());

@@ -117,7 +117,7 @@ template <class Body>
 void read_vertices(Body& body, const Element& element, Builder& builder) {
   const bool has_normals = element.has(Role::nx) && element.has(Role::ny) && element.has(Role::nz);
   const bool has_texture = element.has(Role::u) && element.has(Role::v);
-  builder.vertices.reserve(element.count);
+  builder.reserve_vertices(element.count);
   for (std::uint64_t i = 0; i < element.count; ++i) {
     Vertex vertex{};
     Normal normal{};
@@ -149,7 +149,7 @@ void read_faces(Body& body, const Element& element, Builder& builder) {
   const bool has_corner_texture = element.has(Role::corner_texture);
   const bool has_normals = !builder.normals.empty(), has_texture = !builder.texture.empty() && !has_corner_texture;
   if (has_corner_texture) builder.texture.clear();
-  builder.reserve(element.count);
+  builder.reserve_triangles(element.count);
   std::vector<Corner> corners;
   std::vector<TexturePoint> texture;
   for (std::uint64_t i = 0; i < element.count; ++i) {

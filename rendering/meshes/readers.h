@@ -2,6 +2,7 @@
 #pragma once
 // What the readers of the formats share.
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -62,8 +63,11 @@ class Builder {
   // line: of the file, from 1; 0 where the file is binary.
   void add_face(std::span<const Corner> corners, std::uint64_t line);
   bool has_faces() const { return faces_ > 0; }
-  // Room for so many triangles.
-  void reserve(std::uint64_t triangles) { loaded_.mesh.triangles.reserve(triangles); }
+  // Room for as many as a file declares, but for kMost at most: a size_t of 32 bits holds these, and take() refuses more.
+  void reserve_vertices(std::uint64_t count) { vertices.reserve(static_cast<std::size_t>(std::min(count, kMost))); }
+  void reserve_triangles(std::uint64_t count) {
+    loaded_.mesh.triangles.reserve(static_cast<std::size_t>(std::min(count, kMost)));
+  }
 
   // Throws Error where there is no triangle, or are too many.
   LoadedMesh take(const std::filesystem::path& file);

@@ -35,7 +35,7 @@ LoadedMesh read_binary(const std::filesystem::path& file, Unit unit, std::uint64
   Bytes bytes(file, kHead, std::endian::little);
   Builder builder;
   Welder welder;
-  builder.reserve(triangles);
+  builder.reserve_triangles(triangles);
   for (std::uint64_t i = 0; i < triangles; ++i) {
     bytes.skip(12);  // the normal
     std::array<Vertex, 3> vertices;

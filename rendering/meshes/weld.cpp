@@ -7,8 +7,8 @@ namespace forceshade::mesh {
 
 std::uint32_t Welder::place_of(const Vertex& vertex) {
   if (2 * (vertices_.size() + 1) > slots_.size()) grow();
-  const std::uint64_t mask = slots_.size() - 1;
-  std::uint64_t slot = hash_of(vertex) & mask;
+  const std::size_t mask = slots_.size() - 1;
+  auto slot = static_cast<std::size_t>(hash_of(vertex) & mask);
   for (; slots_[slot] != 0; slot = (slot + 1) & mask)
     if (vertices_[slots_[slot] - 1] == vertex) return slots_[slot] - 1;
   vertices_.push_back(vertex);
@@ -32,9 +32,9 @@ std::uint64_t Welder::hash_of(const Vertex& vertex) {
 
 void Welder::grow() {
   slots_.assign(slots_.empty() ? 1024 : 2 * slots_.size(), 0);
-  const std::uint64_t mask = slots_.size() - 1;
+  const std::size_t mask = slots_.size() - 1;
   for (std::uint32_t i = 0; i < vertices_.size(); ++i) {
-    std::uint64_t slot = hash_of(vertices_[i]) & mask;
+    auto slot = static_cast<std::size_t>(hash_of(vertices_[i]) & mask);
     while (slots_[slot] != 0) slot = (slot + 1) & mask;
     slots_[slot] = i + 1;
   }

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <utility>
 
-#include "files/csv.h"
 #include "files/printable.h"
 #include "files/shell.h"
+#include "files/shortest.h"
 #include "files/suggestion.h"
 #include "rendering/subjects/mesh.h"
 #include "rendering/subjects/read.h"

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "files/csv.h"
 #include "files/printable.h"
 #include "files/quantity.h"
+#include "files/shortest.h"
 #include "forceshade/heights.h"
 #include "forceshade/meshes.h"
 #include "rendering/meshes/texture.h"

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include "files/csv.h"
 #include "files/printable.h"
 #include "files/quantity.h"
+#include "files/shortest.h"
 #include "rendering/subjects/materials.h"
 #include "rendering/subjects/mesh.h"
 #include "rendering/subjects/motion.h"

@@ -294,7 +294,7 @@ TEST(c_interface, says_what_the_library_is) {
   EXPECT_STREQ(forceshade_library_digest(), fast::library_digest()) << "the same objects, in a shared library";
   EXPECT_EQ(forceshade_arithmetic_fault(), nullptr);
   for (const char* feature : {"laws", "height-maps", "meshes", "states", "scenes", "device-loop", "subject-files",
-                              "certificates", "corner-normals", "exact-side"})
+                              "image-files", "csv-files", "certificates", "corner-normals", "exact-side"})
     EXPECT_EQ(forceshade_has(feature), 1);
   for (const char* none : {"teapots", "", " ", "subject-files certificates", "exact", "side"})
     EXPECT_EQ(forceshade_has(none), 0);

@@ -6,7 +6,7 @@
 
 #include "forceshade.h"
 
-static const char* const kOptional[] = {"device-loop", "subject-files", "certificates", "exact-side"};
+static const char* const kOptional[] = {"device-loop", "subject-files", "image-files", "csv-files", "certificates", "exact-side"};
 
 static int wrong(const char* what) {
   printf("%s: %s\n", what, forceshade_message());

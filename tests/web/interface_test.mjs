@@ -10,7 +10,7 @@ const library = await load();
 assert.equal(createRequire(import.meta.url)("forceshade").load, load);
 assert.match(library.version, /^\d+\.\d+\.\d+$/);
 assert.equal(library.has("meshes"), true);
-assert.equal(library.has("device-loop"), false);
+for (const none of ["device-loop", "subject-files", "image-files", "csv-files"]) assert.equal(library.has(none), false);
 assert.equal(library.arithmeticFault, null);
 
 const bits = (values) => Array.from(new Uint32Array(Float32Array.from(values).buffer));

@@ -143,7 +143,7 @@ export interface MeshOptions {
 export interface Library {
   readonly version: string;
   readonly laws: LawName[];
-  /** "laws", "height-maps", "meshes", "states", "scenes" and the others of forceshade.h. */
+  /** "laws", "height-maps", "meshes", "states", "scenes" and the others of forceshade.h. No feature that needs files is here. */
   has(feature: string): boolean;
   /** What this machine's arithmetic does otherwise than IEEE 754; null where nothing was found. */
   readonly arithmeticFault: string | null;

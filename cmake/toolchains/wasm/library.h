@@ -58,8 +58,8 @@ template <class R, class T>
 constexpr auto count(R&& r, const T& value) { return std::count(std::begin(r), std::end(r), value); }
 template <class R, class P>
 constexpr auto count_if(R&& r, P p) { return std::count_if(std::begin(r), std::end(r), p); }
-template <class A, class B>
-constexpr bool equal(A&& a, B&& b) { return std::equal(std::begin(a), std::end(a), std::begin(b), std::end(b)); }
+template <class A, class B, class P = std::equal_to<>>
+constexpr bool equal(A&& a, B&& b, P p = {}) { return std::equal(std::begin(a), std::end(a), std::begin(b), std::end(b), p); }
 template <class R, class T, class Projection = identity>
 constexpr auto find(R&& r, const T& value, Projection of = {}) {
   return std::find_if(std::begin(r), std::end(r), [&](const auto& x) { return invoke(of, x) == value; });

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Opens files to read.
+
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+namespace forceshade::files {
+
+// what() reads like `input.csv:12: column 2 (x_mm): expected a number, got "abc"`; the line is the one an editor shows.
+struct Error : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Throws Error with the system's reason when the file cannot be opened. A directory opens and fails at the first read.
+std::ifstream open_input(const std::string& path);
+
+// The same of a file, or of what a shell makes a pipe for: neither a folder, nor a pipe that has a name, at which this would
+// wait for somebody who writes to it.
+std::ifstream open_file(const std::string& path);
+
+}  // namespace forceshade::files
