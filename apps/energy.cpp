@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // forceshade energy: whether a law or a height map is passive: its potential, or the most energy that a loop can give to the
-// hand, and a loop that gives it.
+// hand, and a loop that gives it. What the shading of a mesh can give is in energy_of_mesh.cpp.
 
 #include "reference/energy.h"
 
@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/command.h"
+#include "apps/energy_of_mesh.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
 #include "apps/progress_line.h"
@@ -26,7 +27,7 @@ using Json = nlohmann::ordered_json;
 using reference::binary64;
 
 struct EnergyOptions {
-  std::string depth, json, along = "x", at = "0", from = "-12.7mm", to = "12.7mm";
+  std::string depth, json, along = "x", at = "0", from = "-12.7mm", to = "12.7mm", length = "100mm";
 };
 
 // The verdict on a law or a height map. What differs between the two is in its JSON and its words.
@@ -181,11 +182,11 @@ int run_height_map(const EnergyOptions& options, const std::string& name, const 
 
 void add_energy(CLI::App& app, int& result) {
   const auto options = std::make_shared<EnergyOptions>();
-  CLI::App* command =
-      app.add_subcommand("energy", "Whether a law or a height map is passive, and the most energy a loop can draw from it");
-  const auto subject =
-      std::make_shared<SubjectOption>(*command, subjects::Laws::one, SubjectOption::Kinds::laws_and_height_maps);
-  add_length(*command, "--depth", options->depth, "of the loops, below the nominal surface")->required();
+  CLI::App* command = app.add_subcommand(
+      "energy", "Whether a law, a height map or a mesh is passive, and the most energy a loop can draw from it");
+  const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one);
+  add_length(*command, "--depth", options->depth, "of the loops, below the nominal surface or from a mesh's god-object")
+      ->required();
   add_json(*command, options->json, "the verdict, with the loop,");
   CLI::Option* map_option = command->get_option("--height-map");
   const auto add = [&](const char* name, std::string& value, const char* help) {
@@ -196,11 +197,16 @@ void add_energy(CLI::App& app, int& result) {
   add("--at", options->at, "where on the other axis");
   add("--from", options->from, "where the loops may begin");
   add("--to", options->to, "and where they end");
+  add_length(*command, "--length", options->length, "of the loops on a mesh, at most")->needs("--mesh");
   command->callback([options, subject, &result] {
     const float depth = files::parse_length("--depth", options->depth);
     const Description what = subject->description();
     if (const auto* law = std::get_if<DescribedLaw>(&what.what))
       run_law(*options, *law, depth);
+    else if (const auto* mesh = std::get_if<MeshRendering>(&what.what))
+      print_energy_of_mesh(what.name, *mesh, depth, files::parse_length("--length", options->length), options->json);
+    else if (std::holds_alternative<DescribedScene>(what.what))
+      throw BadInput(what.name + ": expected a scene without objects that move, got one with them");
     else
       result = run_height_map(*options, what.name, std::get<DescribedHeightMap>(what.what), depth);
   });

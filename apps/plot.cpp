@@ -21,6 +21,7 @@
 #include "files/output_folder.h"
 #include "files/quantity.h"
 #include "forceshade/checks.h"
+#include "properties/mesh_energy.h"
 #include "properties/mesh_subject.h"
 #include "rendering/meshes/placement.h"
 
@@ -164,6 +165,17 @@ struct MeshPlotOptions {
   std::string input;
   properties::ViewDirection direction;
 
+  // Coloured by what the shading can give to the hand.
+  void draw_energy(const std::string& title, const MeshRendering& rendering, const OutFolder& out) const {
+    if (!input.empty()) throw BadInput("--input: expected without --what energy, got both");
+    if (const std::string why = properties::why_no_energy_bound(rendering); !why.empty()) throw BadInput(title + ": " + why);
+    std::vector<double> rates = properties::largest_turns(rendering).of_triangle;
+    for (double& rate : rates) rate *= static_cast<double>(rendering.stiffness);
+    const std::string words =
+        "; K = " + files::shortest(rendering.stiffness) + " N/mm; mJ for each mm of path 1 mm deep, at most";
+    draw(title, "-energy", rendering.mesh(), {}, words, out, rates);
+  }
+
   void draw(const std::string& title, const MeshRendering& rendering, const OutFolder& out) const {
     std::vector<Ticked> path;
     if (!input.empty()) path = path_of(input, *properties::fast_god_object(rendering)(rendering.stiffness));
@@ -174,24 +186,24 @@ struct MeshPlotOptions {
     const auto unfinished =
         std::ranges::count_if(path, [](const Ticked& one) { return one.tick.status == mesh::TickStatus::unfinished; });
     if (unfinished > 0) words += "; " + std::to_string(unfinished) + " of " + std::to_string(path.size()) + " ticks unfinished";
-    draw(title, rendering.mesh(), path, words, out);
+    draw(title, "-mesh", rendering.mesh(), path, words, out);
   }
 
   // A scene whose objects move, in its first tick.
   void draw(const Description& scene, const OutFolder& out) const {
     if (!input.empty()) throw BadInput("--input: expected without objects that move, got " + scene.name);
-    draw(scene.name, first_tick_of(scene), {}, "; the first tick", out);
+    draw(scene.name, "-mesh", first_tick_of(scene), {}, "; the first tick", out);
   }
 
  private:
-  void draw(const std::string& title, const mesh::TriangleMesh& mesh, const std::vector<Ticked>& path, const std::string& words,
-            const OutFolder& out) const {
+  void draw(const std::string& title, const std::string& end, const mesh::TriangleMesh& mesh, const std::vector<Ticked>& path,
+            const std::string& words, const OutFolder& out, std::span<const double> values = {}) const {
     const std::string name = std::filesystem::path(title).stem();
-    const std::vector<std::string> names{name + "-mesh.svg", name + "-mesh.png"};
+    const std::vector<std::string> names{name + end + ".svg", name + end + ".png"};
     out.expect_room_for(names);
     files::OutputFolder folder(out.path());
     const std::string caption = std::to_string(mesh.triangles.size()) + " triangles" + words;
-    write(mesh_picture(mesh, path, direction, name, {title, caption}), name + "-mesh", folder);
+    write(mesh_picture(mesh, path, direction, name, {title, caption}, values), name + end, folder);
     finish(folder, out, names);
   }
 };
@@ -210,9 +222,10 @@ void add_plot(CLI::App& app, int&) {
   add("--at", options->y, "y of the section of a height map that is drawn");
   add("--from", options->from, "x where the section begins");
   add("--to", options->to, "x where it ends");
-  add_word(*command, "--what", options->what, "which picture", {"force", "directions", "geometry", "energy", "all"})
-      ->excludes("--mesh")
-      ->excludes("--scene");
+  const CLI::Option* what_picture =
+      add_word(*command, "--what", options->what, "which picture; of a mesh, energy: what its shading can give to the hand",
+               {"force", "directions", "geometry", "energy", "all"})
+          ->excludes("--scene");
   std::vector<const CLI::Option*> of_a_mesh{
       command
           ->add_option("--input", mesh_options->input,
@@ -228,11 +241,14 @@ void add_plot(CLI::App& app, int&) {
   turn("--elevation", mesh_options->direction.elevation, "of the view of a mesh or scene: above the plane of x and y", 90);
   const auto out = std::make_shared<OutFolder>(*command, "directory for NAME-PICTURE.svg and .png");
   out->require();
-  command->callback([subject, options, mesh_options, of_a_mesh, out] {
+  command->callback([subject, options, mesh_options, of_a_mesh, what_picture, out] {
     watch_for_interrupt();
     const std::vector<Description> all = subject->descriptions();
-    if (const auto* mesh = std::get_if<MeshRendering>(&all.front().what))
-      return mesh_options->draw(all.front().name, *mesh, *out);
+    if (const auto* mesh = std::get_if<MeshRendering>(&all.front().what)) {
+      if (what_picture->empty()) return mesh_options->draw(all.front().name, *mesh, *out);
+      if (options->what != "energy") throw BadInput("--what: expected energy for a mesh, got \"" + options->what + "\"");
+      return mesh_options->draw_energy(all.front().name, *mesh, *out);
+    }
     if (std::holds_alternative<DescribedScene>(all.front().what)) return mesh_options->draw(all.front(), *out);
     for (const CLI::Option* option : of_a_mesh)
       if (!option->empty()) throw BadInput(option->get_name() + ": expected --mesh or --scene beside it, got another subject");

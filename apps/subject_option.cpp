@@ -33,7 +33,7 @@ auto with_progress(const subjects::Options& options, const Read& read) {
 
 }  // namespace
 
-SubjectOption::SubjectOption(CLI::App& command, subjects::Laws laws, Kinds kinds) : laws_(laws) {
+SubjectOption::SubjectOption(CLI::App& command, subjects::Laws laws) : laws_(laws) {
   const std::string group = command.option_defaults()->get_group();
   command.option_defaults()->group(kSubjectGroup);
   const auto add = [&](const std::string& key, const std::string& type, const std::string& help) {
@@ -51,43 +51,41 @@ SubjectOption::SubjectOption(CLI::App& command, subjects::Laws laws, Kinds kinds
   add_usual("stiffness", "STIFFNESS", "K, stiffness", subjects::kUsualStiffness);
   CLI::Option* map = add("height-map", "SPEC", "instead of a law: a height map, a TOML file (docs/height-maps.md)");
   for (CLI::Option* of_a_law : {law, radius, width}) of_a_law->excludes(map);
-  if (kinds == Kinds::all) {
-    CLI::Option* mesh =
-        add("mesh", "FILE", "instead of a law: a triangle mesh, an OBJ, OFF, PLY or STL file (docs/meshes.md)")->excludes(map);
-    for (CLI::Option* of_a_law : {law, radius, width}) of_a_law->excludes(mesh);
-    CLI::Option* scene =
-        add("scene", "FILE", "instead of a law: objects at their places or with a motion, a TOML file (docs/scenes.md)")
-            ->excludes(map);
-    for (CLI::Option* other : {law, radius, width, mesh}) other->excludes(scene);
-    add("unit", choice(mesh::kUnitNames), "of a mesh's coordinates, which no format says")->needs(mesh);
-    // Options of meshes and scenes: expect_consistent() says where one of these is missing.
-    add("sides", choice(mesh::kSidesNames),
-        "of a mesh or scene that block motion; front where it is closed, else both, unless said");
-    add("shading", choice(subjects::shading_words()),
-        "of a mesh or scene: vertex, which is the default, turns the force to the interpolated normal, edge as the thesis has "
-        "it, texture, of a mesh alone, tilts that normal by a height map, a TOML file");
-    add_usual(
-        "contact", choice(mesh::kContactNames),
-        "of a mesh or scene: in a contact the god-object goes for the position (direct), or for that as a plane would hold it "
-        "which is turned to the interpolated normal (sub-goal); then --shading is none unless given; or it sticks and slips "
-        "(friction), which holds beside coefficients of friction unless said",
-        name_of(mesh::kUsualContact).data());
-    CLI::Option* friction =
-        add("friction", "MU|STATIC,DYNAMIC", "of a mesh: coefficients of friction, each 0, inf or from 2^-10 to 1024")
-            ->needs(mesh);
-    add("materials", "FILE", "of a mesh: a TOML file with the friction and stiffness of groups and faces (docs/meshes.md)")
-        ->needs(mesh)
-        ->excludes(friction);
-    add("texture-scale", "LENGTH",
-        "of a textured mesh: the length of one unit of the texture coordinates in its file, which no format says")
-        ->needs(mesh);
-    options_["self-intersecting"] = command.add_flag(
-        "--self-intersecting", is_self_intersecting_,
-        "of a mesh or scene: faces without a common vertex may cross; each way is tested against the whole mesh");
-    add("crease", "ANGLE (0 to 180)", "of a mesh or scene: an edge that turns by more is not shaded over");
-    // expand_subject_files() has put the file's options in its place before the command line is parsed.
-    command.add_option("--subject", "a TOML file that has these options as its keys (docs/subjects.md)")->type_name("FILE");
-  }
+  CLI::Option* mesh =
+      add("mesh", "FILE", "instead of a law: a triangle mesh, an OBJ, OFF, PLY or STL file (docs/meshes.md)")->excludes(map);
+  for (CLI::Option* of_a_law : {law, radius, width}) of_a_law->excludes(mesh);
+  CLI::Option* scene =
+      add("scene", "FILE", "instead of a law: objects at their places or with a motion, a TOML file (docs/scenes.md)")
+          ->excludes(map);
+  for (CLI::Option* other : {law, radius, width, mesh}) other->excludes(scene);
+  add("unit", choice(mesh::kUnitNames), "of a mesh's coordinates, which no format says")->needs(mesh);
+  // Options of meshes and scenes: expect_consistent() says where one of these is missing.
+  add("sides", choice(mesh::kSidesNames),
+      "of a mesh or scene that block motion; front where it is closed, else both, unless said");
+  add("shading", choice(subjects::shading_words()),
+      "of a mesh or scene: vertex, which is the default, turns the force to the interpolated normal, edge as the thesis has "
+      "it, texture, of a mesh alone, tilts that normal by a height map, a TOML file");
+  add_usual(
+      "contact", choice(mesh::kContactNames),
+      "of a mesh or scene: in a contact the god-object goes for the position (direct), or for that as a plane would hold it "
+      "which is turned to the interpolated normal (sub-goal); then --shading is none unless given; or it sticks and slips "
+      "(friction), which holds beside coefficients of friction unless said",
+      name_of(mesh::kUsualContact).data());
+  CLI::Option* friction =
+      add("friction", "MU|STATIC,DYNAMIC", "of a mesh: coefficients of friction, each 0, inf or from 2^-10 to 1024")
+          ->needs(mesh);
+  add("materials", "FILE", "of a mesh: a TOML file with the friction and stiffness of groups and faces (docs/meshes.md)")
+      ->needs(mesh)
+      ->excludes(friction);
+  add("texture-scale", "LENGTH",
+      "of a textured mesh: the length of one unit of the texture coordinates in its file, which no format says")
+      ->needs(mesh);
+  options_["self-intersecting"] = command.add_flag(
+      "--self-intersecting", is_self_intersecting_,
+      "of a mesh or scene: faces without a common vertex may cross; each way is tested against the whole mesh");
+  add("crease", "ANGLE (0 to 180)", "of a mesh or scene: an edge that turns by more is not shaded over");
+  // expand_subject_files() has put the file's options in its place before the command line is parsed.
+  command.add_option("--subject", "a TOML file that has these options as its keys (docs/subjects.md)")->type_name("FILE");
   command.option_defaults()->group(group);
 }
 
@@ -102,8 +100,7 @@ subjects::Options SubjectOption::options() const {
   for (const auto& [key, option] : options_)
     if (!option->empty()) given.add({key, subjects::is_flag(key) ? "true" : values_.at(key)});
   if (is_given()) return given;
-  if (laws_ == subjects::Laws::one)
-    throw CLI::RequiredError(options_.contains("mesh") ? subjects::words_of_kinds("or") : "--law or --height-map");
+  if (laws_ == subjects::Laws::one) throw CLI::RequiredError(subjects::words_of_kinds("or"));
   given.add({"law", "all"});
   return given;
 }

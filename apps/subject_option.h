@@ -18,10 +18,8 @@ namespace forceshade::apps {
 
 class SubjectOption {
  public:
-  enum class Kinds { laws_and_height_maps, all };
-
   // --law is needed where one is expected, and "all" unless said where several are.
-  SubjectOption(CLI::App& command, subjects::Laws laws, Kinds kinds = Kinds::all);
+  SubjectOption(CLI::App& command, subjects::Laws laws);
 
   // Whether a law, a height map, a mesh or a scene was.
   bool is_given() const;

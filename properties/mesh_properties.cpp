@@ -15,10 +15,6 @@ namespace {
 constexpr double kGridStep = 0x1p-24;
 constexpr double kSum = 0x1p-36;  // mm: more than binary64 loses where coordinates within 10^4 mm are added
 
-Eigen::Vector3d vector_of(const std::array<float, 3>& v) {
-  return Eigen::Vector3f(v[0], v[1], v[2]).cast<double>();
-}
-
 // As the definition reads a position.
 Eigen::Vector3d read(const MeshPosition& position) {
   Eigen::Vector3d p = vector_of(position);

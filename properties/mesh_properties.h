@@ -12,6 +12,10 @@ namespace forceshade::properties {
 
 using MeshPosition = std::array<float, 3>;  // mm
 
+inline Eigen::Vector3d vector_of(const std::array<float, 3>& v) {
+  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+}
+
 // One position of a path and what it did.
 struct Ticked {
   MeshPosition position;

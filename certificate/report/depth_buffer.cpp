@@ -32,12 +32,19 @@ DepthBuffer::DepthBuffer(const SampleGrid& grid)
     : grid_(grid), samples_(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows), {kNothing, 1}) {}
 
 void DepthBuffer::draw(const std::array<Eigen::Vector3d, 3>& corners) {
+  const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  const Eigen::Vector3d facing = (normal.z() > 0 ? normal : Eigen::Vector3d(-normal)).normalized();
+  draw(corners, static_cast<float>(std::copysign(brightness(facing), normal.z())), 0.7F);
+}
+
+void DepthBuffer::draw(const std::array<Eigen::Vector3d, 3>& corners, float value) {
+  draw(corners, value, 1);
+}
+
+void DepthBuffer::draw(const std::array<Eigen::Vector3d, 3>& corners, float shade, float darker) {
   const auto& [a, b, c] = corners;
-  const Eigen::Vector3d normal = (b - a).cross(c - a);
-  const double twice_area = normal.z();
+  const double twice_area = (b - a).cross(c - a).z();
   if (twice_area == 0) return;  // it is seen from the side
-  const Eigen::Vector3d facing = (twice_area > 0 ? normal : Eigen::Vector3d(-normal)).normalized();
-  const double shade = std::copysign(brightness(facing), twice_area);
 
   std::array<double, 3> width{};  // of the triangle, from each corner to the side opposite to it
   for (std::size_t i = 0; i < 3; ++i) {
@@ -69,7 +76,7 @@ void DepthBuffer::draw(const std::array<Eigen::Vector3d, 3>& corners) {
       if (!(depth > sample.depth)) continue;
       bool is_on_line = false;
       for (std::size_t i = 0; i < 3; ++i) is_on_line = is_on_line || weight[i] * width[i] < 0.75 * grid_.spacing;
-      sample = {depth, static_cast<float>(has_lines && is_on_line ? 0.7 * shade : shade)};
+      sample = {depth, has_lines && is_on_line ? darker * shade : shade};
     }
 }
 

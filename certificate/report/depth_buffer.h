@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace forceshade::properties {
@@ -32,6 +33,8 @@ class DepthBuffer {
   // A triangle whose corners have been turned; what is outside the rectangle is not drawn. One that is at least eight samples
   // wide everywhere has darker lines along its sides.
   void draw(const std::array<Eigen::Vector3d, 3>& corners);
+  // The same with a number of at least 0 in the place of the brightness, on both sides and without lines.
+  void draw(const std::array<Eigen::Vector3d, 3>& corners, float value);
 
   // Whether a triangle lies between the point, which has been turned, and the viewer. What is within a sample of the surface in
   // front is on it and is not hidden; nor is anything outside the rectangle.
@@ -41,10 +44,15 @@ class DepthBuffer {
   // shows its back.
   float shade(int column, int row) const { return samples_[index(column, row)].shade; }
 
+  bool is_covered(int column, int row) const { return !std::isinf(samples_[index(column, row)].depth); }
+
  private:
   struct Sample {
     float depth, shade;
   };
+
+  // shade: of a sample, of which lines are darker.
+  void draw(const std::array<Eigen::Vector3d, 3>& corners, float shade, float darker);
 
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(grid_.columns) + static_cast<std::size_t>(column);

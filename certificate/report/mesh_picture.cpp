@@ -20,6 +20,12 @@ constexpr int kPerPixel =
 constexpr std::size_t kForces = 40;
 constexpr double kForceShare = 0.12;  // of the picture's width: the longest force
 
+// The colours of samples that have been drawn without values.
+constexpr const char* kBrightness =
+    "set palette defined (-1 '#ffffff', -0.9 '#f6dcc4', -0.3 '#a3703f', 0 '#3a2410', 0 '#16283a', 0.3 '#5c7f9e', 0.9 "
+    "'#dce7f1', 1 "
+    "'#ffffff')\nset cbrange [-1:1]\n";
+
 constexpr const char *kDevice = "#d55e00", *kGodObject = "#111111", *kForce = "#009e73";
 
 // A force, from the god-object.
@@ -30,10 +36,6 @@ struct Arrow {
 
 bool is_touching(const Ticked& ticked) {
   return ticked.tick.status == mesh::TickStatus::touching || ticked.tick.status == mesh::TickStatus::unfinished;
-}
-
-Eigen::Vector3d vector_of(const std::array<float, 3>& v) {
-  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 
 class Box {
@@ -99,6 +101,26 @@ class Drawing {
   std::optional<bool> is_hidden_;
   std::string seen_, hidden_;
 };
+
+// The colours of values from 0 to `most`, and a bar in the foot that says them.
+std::string colour_commands(double most, int height) {
+  const auto place = [height](double x, double y) { return plotted(x / kWidth) + ',' + plotted(y / height); };
+  return "set palette defined (0 '#fdf6e3', 0.25 '#f3c677', 0.5 '#e8854a', 0.75 '#b6335e', 1 '#4a1168')\nset cbrange [0:" +
+         plotted(most) + "]\nset colorbox user horizontal origin screen " + place(290, 32) + " size screen " + place(120, 8) +
+         " front noborder\nset cbtics ('0' 0, '" + digits(most, 3) + "' " + plotted(most) +
+         ") scale 0 offset 0,0.6 font ',10' textcolor rgb '#333333'\n";
+}
+
+// One value for each 2 x 2 samples, NaN on the paper. The samples at a border are not mixed.
+std::string values_of(const DepthBuffer& buffer, int columns, int rows) {
+  std::string text;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      text += buffer.is_covered(2 * column, 2 * row) ? plotted(static_cast<double>(buffer.shade(2 * column, 2 * row))) : "NaN";
+      text += column + 1 < columns ? ' ' : '\n';
+    }
+  return text;
+}
 
 // One number for each 2 x 2 samples. Where a back is in front at one of them, backs and paper alone are mixed, because the
 // scale of brightness goes from one to the other over black.
@@ -191,7 +213,7 @@ std::string foot(const ViewDirection& direction, std::span<const Ticked> path, d
 }  // namespace
 
 Picture mesh_picture(const mesh::TriangleMesh& mesh, std::span<const Ticked> path, const ViewDirection& direction,
-                     const std::string& name, const Heading& heading) {
+                     const std::string& name, const Heading& heading, std::span<const double> values) {
   std::vector<Eigen::Vector3d> vertices;
   vertices.reserve(mesh.vertices.size());
   for (const mesh::Vertex& vertex : mesh.vertices) vertices.push_back(direction.turned(vector_of(vertex)));
@@ -216,8 +238,14 @@ Picture mesh_picture(const mesh::TriangleMesh& mesh, std::span<const Ticked> pat
   const int columns = kWidth - 2 * kMargin, rows = std::max(1, static_cast<int>(std::ceil(up / pixel)));
   const double left = box.low().x() - (columns * pixel - across) / 2, bottom = box.low().y();
   DepthBuffer buffer({left, bottom, pixel / kPerPixel, kPerPixel * columns, kPerPixel * rows});
-  for (const mesh::Triangle& triangle : mesh.triangles)
-    buffer.draw({vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]]});
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const mesh::Triangle& triangle = mesh.triangles[t];
+    const std::array corners{vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]]};
+    if (!values.empty())
+      buffer.draw(corners, static_cast<float>(values[t]));
+    else
+      buffer.draw(corners);
+  }
 
   Drawing by_device(buffer, pixel), by_god_object(buffer, pixel);
   by_device.add(device);
@@ -237,16 +265,16 @@ Picture mesh_picture(const mesh::TriangleMesh& mesh, std::span<const Ticked> pat
     return std::string(", $") + block + " with lines lw " + width + dash + " lc rgb '" + colour + "' " +
            (title.empty() ? "notitle" : "title '" + title + "'");
   };
-  std::string script = "$pixels << EOD\n" + pixels_of(buffer, 2 * columns, 2 * rows) + "EOD\n$device << EOD\n" +
-                       by_device.seen() + "EOD\n$device_hidden << EOD\n" + by_device.hidden() + "EOD\n$god_object << EOD\n" +
-                       by_god_object.seen() + "EOD\n$god_object_hidden << EOD\n" + by_god_object.hidden() +
-                       "EOD\n$forces << EOD\n" + (arrow_block.empty() ? "NaN NaN NaN NaN\n" : arrow_block) + "EOD\n" +
+  std::string script = "$pixels << EOD\n" + (values.empty() ? pixels_of : values_of)(buffer, 2 * columns, 2 * rows) +
+                       "EOD\n$device << EOD\n" + by_device.seen() + "EOD\n$device_hidden << EOD\n" + by_device.hidden() +
+                       "EOD\n$god_object << EOD\n" + by_god_object.seen() + "EOD\n$god_object_hidden << EOD\n" +
+                       by_god_object.hidden() + "EOD\n$forces << EOD\n" +
+                       (arrow_block.empty() ? "NaN NaN NaN NaN\n" : arrow_block) + "EOD\n" +
                        "unset border\nunset tics\nunset key\nunset colorbox\n" + range("x", left, left + columns * pixel) +
                        range("y", drawn_bottom, bottom + rows * pixel) +
                        margins(kMargin / double(kWidth), 1 - kMargin / double(kWidth), 1 - (above + kMargin) / double(height),
                                kMargin / double(height)) +
-                       "set palette defined (-1 '#ffffff', -0.9 '#f6dcc4', -0.3 '#a3703f', 0 '#3a2410', 0 '#16283a', 0.3 "
-                       "'#5c7f9e', 0.9 '#dce7f1', 1 '#ffffff')\nset cbrange [-1:1]\n" +
+                       (values.empty() ? std::string(kBrightness) : colour_commands(std::ranges::max(values), height)) +
                        foot(direction, path, pixel, left, drawn_bottom);
   script += heading_commands(heading, kWidth, height) + (path.empty() ? "unset key\n" : "");
   // The image has axes of its own, in its pixels: gnuplot takes seconds to compute a place for each.

@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "certificate/report/depth_buffer.h"
 #include "certificate/report/gnuplot.h"
@@ -14,8 +15,9 @@ namespace forceshade::properties {
 
 // name: of the mesh, unique in a page. What the mesh hides of the path is dotted. A tick with an invalid position interrupts
 // both lines. At most 40 forces are drawn, at ticks that are evenly spaced among those on the surface; each begins at the
-// god-object. An empty path gives a picture of the mesh alone.
+// god-object. An empty path gives a picture of the mesh alone. values: one for each triangle, at least 0, which
+// gives it its colour; none: triangles have brightness and lines.
 Picture mesh_picture(const mesh::TriangleMesh& mesh, std::span<const Ticked> path, const ViewDirection& direction,
-                     const std::string& name, const Heading& heading);
+                     const std::string& name, const Heading& heading, std::span<const double> values = {});
 
 }  // namespace forceshade::properties

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What the shading of a mesh can give to the hand, for forceshade energy.
+
+#include <string>
+
+#include "forceshade/identity.h"
+
+namespace forceshade::apps {
+
+// depth: of the god-object from the hand; length: of a closed path, both in mm. json: where the verdict goes as JSON, "-" for
+// standard output, or empty. Throws BadInput where there is no bound for this rendering, and Interrupted; nothing is written
+// then.
+void print_energy_of_mesh(const std::string& name, const MeshRendering& rendering, float depth, float length,
+                          const std::string& json);
+
+}  // namespace forceshade::apps
