@@ -107,6 +107,64 @@ TEST(mesh_energy, a_stroke_gives_what_is_known_and_what_the_reference_gives) {
   EXPECT_NEAR(work, stroke.work - stroke.sampling, 0.02 * stroke.work);
 }
 
+// The hand comes from behind to the apex of a pyramid without a bottom, or to the ridge of a roof, where the god-object rests
+// in a valley; from the front it rests at neither.
+TEST(mesh_energy, counts_the_valleys_that_are_behind) {
+  constexpr double kAngle = 0.2;
+  const mesh::Normal tilted{static_cast<float>(std::sin(kAngle)), 0, static_cast<float>(std::cos(kAngle))};
+  const mesh::TriangleMesh pyramid{.vertices = {{0, 0, 5}, {10, 0, 0}, {0, 10, 0}, {-10, 0, 0}, {0, -10, 0}},
+                                   .triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}};
+  const mesh::TriangleMesh roof{.vertices = {{0, -10, 5}, {0, 10, 5}, {10, 0, 0}, {-10, 0, 0}},
+                                .triangles = {{0, 2, 1}, {0, 1, 3}}};
+  // Each triangle of the roof has its own normal, so that the ridge is a crease.
+  const mesh::Normal other{tilted[0], 0.01F, tilted[2]};
+  for (const bool is_roof : {false, true})
+    for (const mesh::Sides sides : {mesh::Sides::front, mesh::Sides::both}) {
+      const MeshRendering rendering =
+          is_roof ? tests::shaded(roof, {{tilted, tilted, tilted}, {other, other, other}}, sides, 0.5F)
+                  : tests::shaded(pyramid, mesh::CornerNormals(4, {tilted, tilted, tilted}), sides, 0.5F);
+      const LargestTurns turns = largest_turns(rendering);
+      const auto session = std::get<fast::GodObject>(fast::GodObject::build(rendering)).open();
+      session->tick({0.001F, 0.001F, 1});
+      const mesh::Tick tick = session->tick({0.001F, 0.001F, 6});
+      if (sides == mesh::Sides::front) {
+        EXPECT_EQ(is_roof ? turns.edges : turns.vertices, 0);
+        EXPECT_EQ(tick.status, mesh::TickStatus::free);
+        continue;
+      }
+      ASSERT_EQ(tick.after.place, is_roof ? mesh::Place::edge : mesh::Place::vertex);
+      const double turn = (vector_of(tick.force).normalized() - Eigen::Vector3d(0, 0, -1)).norm();
+      EXPECT_NEAR(turn, 2 * std::sin(kAngle / 2), 0.02);
+      EXPECT_GE((is_roof ? turns.edges : turns.vertices) + kSlack, turn);
+    }
+}
+
+// A straight stroke that leaves its triangle along x comes below a step of 1 mm, where it would be given more.
+TEST(mesh_energy, a_stroke_is_nowhere_deeper_than_said) {
+  constexpr double kDepth = 0.2;
+  const mesh::Normal tilted{static_cast<float>(std::sin(0.3)), 0, static_cast<float>(std::cos(0.3))};
+  mesh::TriangleMesh step;
+  for (const auto& [x, z] : {std::pair(0.0F, 0.0F), {20.0F, 0.0F}, {22.0F, 1.0F}, {60.0F, 1.0F}})
+    for (const float y : {0.0F, 20.0F}) step.vertices.push_back({x, y, z});
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    step.triangles.push_back({2 * i, 2 * i + 2, 2 * i + 1});
+    step.triangles.push_back({2 * i + 1, 2 * i + 2, 2 * i + 3});
+  }
+  mesh::CornerNormals normals(step.triangles.size(), {tilted, tilted, tilted});
+  const mesh::Normal its_own{-0.4472136F, 0, 0.8944272F};
+  normals[2] = normals[3] = {its_own, its_own, its_own};  // of the ramp, which is not shaded
+  const MeshRendering rendering = tests::shaded(step, normals, mesh::Sides::front, 0.5F);
+  const MeshStroke stroke = best_stroke(rendering, largest_turns(rendering), kDepth, 200, {});
+  ASSERT_FALSE(stroke.corners.empty());
+  const auto session = std::get<fast::GodObject>(fast::GodObject::build(rendering)).open();
+  for (std::size_t i = 1; i < stroke.corners.size(); ++i)
+    for (int k = 0; k <= 1000; ++k) {
+      const Eigen::Vector3d from = vector_of(stroke.corners[i - 1]), to = vector_of(stroke.corners[i]);
+      const Eigen::Vector3f p = (from + k * (to - from) / 1000).cast<float>();
+      EXPECT_LE(vector_of(session->tick({p.x(), p.y(), p.z()}).force).norm(), 0.5 * kDepth * 1.001);
+    }
+}
+
 TEST(mesh_energy, without_shading_there_is_nothing_to_bound) {
   MeshRendering rendering = tilted_square(0.3);
   rendering.shading = mesh::Shading::none;
