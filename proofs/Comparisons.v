@@ -1,25 +1,17 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
-(* Comparisons of the code, and the domain and quantum of positions: fast/domain.h. *)
+(* The domain and quantum of positions: fast/domain.h. *)
 From Coq Require Import ZArith Reals Lia Lra Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Forceshade Require Import Formats.
 Open Scope R_scope.
 
-(* a < b and a <= b of C++, which are false where one of the two is a NaN. *)
-Definition is_less (a b : binary64) : bool := match Bcompare 53 1024 a b with Some Lt => true | _ => false end.
-Definition is_at_most (a b : binary32) : bool := match Bcompare 24 128 a b with Some Lt | Some Eq => true | _ => false end.
+(* a <= b of C++, which is false where one of the two is a NaN. *)
+Definition is_at_most32 (a b : binary32) : bool := match Bcompare 24 128 a b with Some Lt | Some Eq => true | _ => false end.
 
-Lemma is_less_is_right : forall a b, is_finite 53 1024 a = true -> is_finite 53 1024 b = true ->
-  is_less a b = Rlt_bool (value64 a) (value64 b).
+Lemma is_at_most32_is_right : forall a b, is_finite 24 128 a = true -> is_finite 24 128 b = true ->
+  is_at_most32 a b = Rle_bool (value32 a) (value32 b).
 Proof.
-  intros a b Ha Hb. unfold is_less. rewrite Bcompare_correct by assumption. unfold Rlt_bool.
-  destruct (Rcompare (value64 a) (value64 b)); reflexivity.
-Qed.
-
-Lemma is_at_most_is_right : forall a b, is_finite 24 128 a = true -> is_finite 24 128 b = true ->
-  is_at_most a b = Rle_bool (value32 a) (value32 b).
-Proof.
-  intros a b Ha Hb. unfold is_at_most. rewrite Bcompare_correct by assumption. unfold Rle_bool.
+  intros a b Ha Hb. unfold is_at_most32. rewrite Bcompare_correct by assumption. unfold Rle_bool.
   destruct (Rcompare (value32 a) (value32 b)); reflexivity.
 Qed.
 
@@ -33,8 +25,8 @@ Proof. unfold ten_thousand, B2R, F2R. simpl. lra. Qed.
 Lemma value_of_quantum : value32 quantum = bpow radix2 (-30).
 Proof. unfold quantum, B2R, F2R. simpl. lra. Qed.
 
-Definition in_domain (x : binary32) : bool := is_at_most (b32_abs x) ten_thousand.
-Definition quantised (x : binary32) : binary32 := if is_at_most quantum (b32_abs x) then x else zero32.
+Definition in_domain (x : binary32) : bool := is_at_most32 (b32_abs x) ten_thousand.
+Definition quantised (x : binary32) : binary32 := if is_at_most32 quantum (b32_abs x) then x else zero32.
 
 (* What a coordinate is read as, in real numbers. *)
 Definition read (x : R) : R := if Rle_bool (bpow radix2 (-30)) (Rabs x) then x else 0.
@@ -43,7 +35,7 @@ Lemma in_domain_is_right : forall x,
   in_domain x = true <-> is_finite 24 128 x = true /\ Rabs (value32 x) <= 10000.
 Proof.
   intro x. unfold in_domain. destruct (is_finite 24 128 x) eqn:Hx.
-  - unfold b32_abs. rewrite is_at_most_is_right; [|now rewrite is_finite_Babs|reflexivity].
+  - unfold b32_abs. rewrite is_at_most32_is_right; [|now rewrite is_finite_Babs|reflexivity].
     rewrite B2R_Babs, value_of_ten_thousand. case Rle_bool_spec; intro H; split; intro G.
     + split; [reflexivity|assumption].
     + reflexivity.
@@ -56,7 +48,7 @@ Lemma quantised_is_right : forall x, is_finite 24 128 x = true ->
   value32 (quantised x) = read (value32 x) /\ is_finite 24 128 (quantised x) = true.
 Proof.
   intros x Hx. unfold quantised, read, b32_abs.
-  rewrite is_at_most_is_right; [|reflexivity|now rewrite is_finite_Babs].
+  rewrite is_at_most32_is_right; [|reflexivity|now rewrite is_finite_Babs].
   rewrite B2R_Babs, value_of_quantum. destruct (Rle_bool (bpow radix2 (-30)) (Rabs (value32 x))); now split.
 Qed.
 

@@ -1,19 +1,22 @@
 #!/usr/bin/env bash
-# refused_test.sh SOURCE: scripts/proofs must refuse a wrong line of the code, a wrong constant in a definition, a wrong statement, a
-# proof that is missing, and an axiom. Each is planted in a copy. Exits 77 where scripts/proofs does.
+# refused_test.sh SOURCE COMPILER EIGEN: scripts/proofs must refuse a wrong line of the code, a wrong constant in a definition, a wrong
+# statement, a proof that is missing, and an axiom; recorded_test.sh, a first stage that has changed, and scripts/proofs again where
+# what is recorded has changed as well. Each is planted in a copy. Exits 77 where scripts/proofs does.
 set -euo pipefail
-source=$(realpath "$1")
+source=$(realpath "$1") compiler=$2 eigen=$3
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 mkdir "$copy/scripts"
 cp "$source/scripts/proofs" "$copy/scripts"
-cp -r "$source/proofs" "$source/fast" "$copy"
+cp -r "$source/proofs" "$source/fast" "$source/include" "$copy"
+mkdir "$copy/tests"
+cp -r "$source/tests/proofs" "$copy/tests"
 code=0
 "$copy/scripts/proofs" "$copy/build" > "$copy/said" 2>&1 || code=$?
 [ "$code" = 0 ] || { cat "$copy/said"; exit "$code"; }
 
 wrong=0 planted=0
-refuses() {  # file, what stands there, what is planted, words of the refusal
+plant() {  # file, what stands there, what is planted
   planted=$((planted + 1))
   cp "$copy/$1" "$copy/kept"
   python3 - "$copy/$1" "$2" "$3" <<'EOF'
@@ -25,28 +28,60 @@ assert text.count(old) == 1, f"{path}: {text.count(old)} times: {old}"
 with open(path, "w") as file:
     file.write(text.replace(old, new))
 EOF
+}
+restore() { cp "$copy/kept" "$copy/$1"; }  # file
+proofs_refuse() {  # words of the refusal
   rm -rf "$copy/tried"
   cp -a "$copy/build" "$copy/tried"
-  if "$copy/scripts/proofs" "$copy/tried" > "$copy/said" 2>&1 || ! grep -q "$4" "$copy/said"; then
-    echo "NOT REFUSED: $1: \"$3\" in the place of \"$2\""
-    tail -n 5 "$copy/said"
-    wrong=$((wrong + 1))
+  ! "$copy/scripts/proofs" "$copy/tried" > "$copy/said" 2>&1 && grep -q "$1" "$copy/said"
+}
+not_refused() {  # file, what stands there, what is planted
+  echo "NOT REFUSED: $1: \"$3\" in the place of \"$2\""
+  tail -n 5 "$copy/said"
+  wrong=$((wrong + 1))
+}
+refuses() {  # file, what stands there, what is planted, words of the refusal
+  plant "$@"
+  proofs_refuse "$4" || not_refused "$@"
+  restore "$1"
+}
+# A header of which the first stages that are recorded are no longer those stored; and, were they stored, no longer those proved.
+records_otherwise() {  # file, what stands there, what is planted
+  plant "$@"
+  "$compiler" -std=c++20 -ffp-contract=off -I"$copy" -I"$copy/include" -isystem "$eigen" "$copy/tests/proofs/recorded_terms.cpp" \
+    -o "$copy/recorded_terms"
+  if "$copy/tests/proofs/recorded_test.sh" "$copy/recorded_terms" "$copy/proofs/Recorded.v" > "$copy/said" 2>&1; then
+    not_refused "$@"
   fi
-  cp "$copy/kept" "$copy/$1"
+  cp "$copy/proofs/Recorded.v" "$copy/stored"
+  "$copy/recorded_terms" > "$copy/proofs/Recorded.v"
+  proofs_refuse "Error" || not_refused "$@"
+  cp "$copy/stored" "$copy/proofs/Recorded.v"
+  restore "$1"
 }
 refuses fast/numbers/first_stage.h "kDroppedMask - 2 * kWindow" "kDroppedMask - kWindow" "proofs/code.txt"
 refuses fast/domain.h "kPositionQuantum = 0x1p-30F" "kPositionQuantum = 0x1p-29F" "proofs/code.txt"
-refuses fast/laws/wall.h "larger(Real(-K) * z, Real(0))" "larger(Real(K) * z, Real(0))" "proofs/code.txt"
+records_otherwise fast/laws/wall.h "larger(Real(-K) * z, Real(0))" "larger(Real(K) * z, Real(0))"
+records_otherwise fast/laws/shading.h "(Real(R) - x) * (Real(R) + x)" "(Real(R) - x) * (Real(R) - x)"
+records_otherwise fast/laws/bump_1p_shaded.h "absolute(x) <= Real(half_width)" "x <= Real(half_width)"
+records_otherwise fast/laws/bump_1p_shaded.h "kErrorBound = 0x1p-50" "kErrorBound = 0x1p-51"
+refuses fast/laws/shading.h "static_cast<double>(p.stiffness) / static_cast" "static_cast<double>(p.width) / static_cast" "proofs/code.txt"
 refuses proofs/RoundingTest.v "(2 ^ 29 - 1 - 2 * W <=?" "(2 ^ 29 - 2 * W <=?" "Error"
 refuses proofs/RoundingTest.v "((2 ^ 29 - 1) / 2 - W)) mod 2 ^ 64)" "((2 ^ 29 - 1) / 2 + W)) mod 2 ^ 64)" "Error"
 refuses proofs/RoundingTest.v "(0 < k <= 2 ^ 20)%Z ->" "(0 <= k <= 2 ^ 20)%Z ->" "Error"
 refuses proofs/RoundingTest.v "in_doubt (k + 1) (bits_of_b64 v) = false -> is" "in_doubt k (bits_of_b64 v) = false -> is" "Error"
 refuses proofs/Comparisons.v "false 8388608 (-53) eq_refl" "false 8388608 (-52) eq_refl" "Error"
-refuses proofs/Comparisons.v "if is_at_most quantum (b32_abs x) then x else zero32" "if is_at_most quantum x then x else zero32" "Error"
-refuses proofs/Wall.v "b64_mult mode_NE (b64_opp (to64 K)) z) zero64." "b64_mult mode_NE (to64 K) z) zero64." "Error"
+refuses proofs/Comparisons.v "if is_at_most32 quantum (b32_abs x) then x else zero32" "if is_at_most32 quantum x then x else zero32" "Error"
+refuses proofs/Recorded.v "Definition wall_window : Z := 0" "Definition wall_window : Z := 1" "Error"
+refuses proofs/Shaded.v "(n + 11 / 2 * one) * (1001 / 1000) <= IZR k ->" "(n + 9 / 2 * one) * (1001 / 1000) <= IZR k ->" "Error"
+refuses proofs/Shaded.v "then K * M * (X / Rad) else 0." "then K * M * (X / w) else 0." "Error"
+refuses proofs/Shaded.v "if Rle_bool (Rabs X) (w / 2) then sqrt (Rsqr Rad - Rsqr X) / Rad else 1" "if Rlt_bool (Rabs X) (w / 2) then sqrt (Rsqr Rad - Rsqr X) / Rad else 1" "Error"
+refuses proofs/Nearness.v "Definition one : R := 1001 / 1000." "Definition one : R := 999 / 1000." "Error"
+refuses proofs/Inputs.v "times (two_to (-1)) (to64 w)" "times (two_to (-2)) (to64 w)" "Error"
+refuses proofs/Evaluate.v "negb (in_doubt window (bits_of_b64 (first_x first))) &&" "" "Error"
 refuses proofs/Wall.v "/\\ is_nearest32 F (- value32 K * Z))." "/\\ is_nearest32 F (value32 K * Z))." "Error"
-refuses proofs/Wall.v "-> 0 <= Z -> evaluate K x y z = no_force free)" "-> evaluate K x y z = no_force free)" "Error"
-refuses proofs/Wall.v "Theorem product_is_exact : forall a b : binary32, generic" "Axiom product_is_exact : forall a b : binary32, generic" "no proofs"
+refuses proofs/Wall.v "(valid x y z = true -> 0 <= Z -> evaluate = no_force free)" "(valid x y z = true -> evaluate = no_force free)" "Error"
+refuses proofs/Inputs.v "Theorem product_is_exact : forall a b : binary32, generic" "Axiom product_is_exact : forall a b : binary32, generic" "no proofs"
 refuses proofs/Formats.v "Definition is_nearest32" "Lemma lost : 1 = 2. Admitted.
 Definition is_nearest32" "no proofs"
 refuses proofs/ErrorFree.v "nearest64 (nearest64 (a - nearest64 (s - t)) + nearest64 (b - t)) = a + b." "nearest64 (nearest64 (a - s) + nearest64 (b - t)) = a + b." "Error"
