@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
 (* The theorems that docs/proofs.md claims, and what each assumes. scripts/proofs reads what this file prints. *)
-From Forceshade Require Import RoundingTest Evaluate Inputs Wall Shaded ErrorFree Acceptance.
+From Forceshade Require Import RoundingTest Evaluate Inputs Wall Shaded Gap Polygons ThreePolygons ErrorFree Acceptance.
 
 Print Assumptions rounding_test_is_sound.
 Print Assumptions first_stage_returns_the_nearest.
@@ -8,6 +8,11 @@ Print Assumptions right_first_stage_gives_right_answers.
 Print Assumptions product_is_exact.
 Print Assumptions wall_is_correctly_rounded.
 Print Assumptions bump_1p_shaded_first_stage_answers_right.
+Print Assumptions gap_is_near.
+Print Assumptions bump_2p_first_stage_answers_right.
+Print Assumptions bump_2p_shaded_first_stage_answers_right.
+Print Assumptions bump_3p_first_stage_answers_right.
+Print Assumptions bump_3p_shaded_first_stage_answers_right.
 Print Assumptions two_sum_is_exact.
 Print Assumptions fast_two_sum_is_exact.
 Print Assumptions two_product_is_exact.
