@@ -9,6 +9,7 @@
 #include "apps/output_options.h"
 #include "apps/progress_line.h"
 #include "apps/signals.h"
+#include "files/shortest.h"
 #include "properties/mesh_energy.h"
 
 namespace forceshade::apps {
@@ -18,8 +19,8 @@ using Json = nlohmann::ordered_json;
 
 void expect_length(const char* option, float value, float least, float most) {
   if (!(value >= least && value <= most))
-    throw BadInput(std::string(option) + " is " + std::to_string(value) + " mm; expected " + std::to_string(least) + " to " +
-                   std::to_string(most) + " mm");
+    throw BadInput(std::string(option) + " is " + files::shortest(value) + " mm; expected " + files::shortest(least) + " to " +
+                   files::shortest(most) + " mm");
 }
 
 struct MeshVerdict {

@@ -27,7 +27,7 @@ struct LargestTurns {
   double most() const;
 };
 
-// Of a rendering that has a bound.
+// rendering: with a bound.
 LargestTurns largest_turns(const MeshRendering& rendering);
 
 // A closed path that begins and ends free: into the surface at one point of a triangle, along it, out at another point, and

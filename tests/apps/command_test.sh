@@ -61,6 +61,16 @@ same '{"law":"bump-2p","parameters":{"radius_mm":15.239999771118164,"width_mm":2
 expect 0 "bump-2p: active" -- energy --law bump-2p --depth 2 --json energy.json
 grep -q '"witness":\[\[12.69' energy.json || { echo "FAILED: $(cat energy.json)"; exit 1; }
 expect 2 "energy: expected --depth, got none" -- energy --law wall
+"$forceshade" mesh make icosphere --cells 3 --out energy.off > made.txt
+expect 0 "energy.off: the shading gives at most" -- energy --mesh energy.off --unit mm --depth 0.5
+expect 0 '"gives_energy":true' -- energy --mesh energy.off --unit mm --depth 0.5 --length 50mm --json -
+expect 0 "without shading no closed path gives energy" -- energy --mesh energy.off --unit mm --depth 0.5 --shading none
+expect 0 "no witness: no stroke no longer than 0.1 mm" -- energy --mesh energy.off --unit mm --depth 0.5 --length 0.1
+expect 2 "energy.off: expected the contact rule direct, got sub-goal" -- energy --mesh energy.off --unit mm --depth 1 --contact sub-goal --shading vertex
+expect 2 "--depth is 0.0001 mm; expected" -- energy --mesh energy.off --unit mm --depth 0.0001
+expect 2 "--length: expected --mesh beside it" -- energy --law wall --depth 1 --length 3
+expect 0 "drawn/energy-energy.png" -- "$forceshade" plot --mesh energy.off --unit mm --what energy --out drawn --overwrite
+expect 2 "--what: expected energy for a mesh, got" -- "$forceshade" plot --mesh energy.off --unit mm --what force --out drawn --overwrite
 expect 2 'got "deep"' -- energy --law wall --depth deep
 expect 2 "--depth is 0.001 mm; expected 0.001524 to 10000 mm" -- energy --law bump-2p --depth 0.001
 expect 2 "--depth is -2 mm; expected" -- energy --law bump-2p --depth=-2

@@ -20,9 +20,8 @@ namespace {
 MeshRendering of_family(std::size_t family, std::uint64_t seed) {
   MeshSource source(seed);
   RandomMesh random = source.of_family(family);
-  MeshRendering rendering{tests::checked(std::move(random.mesh)), {}, random.sides, mesh::Shading::vertex_scheme, 0.5F};
-  rendering.normals = source.normals_of(rendering.mesh());
-  return rendering;
+  mesh::CornerNormals normals = source.normals_of(random.mesh);
+  return tests::shaded(std::move(random.mesh), std::move(normals), random.sides, 0.5F);
 }
 
 double limit_at(const mesh::GodObject& state, const LargestTurns& turns) {
@@ -182,10 +181,7 @@ TEST(mesh_energy, says_what_was_expected_where_there_is_no_bound) {
             "expected the shading none or vertex, got another one");
   EXPECT_EQ(refusal([](MeshRendering& r) { r.contact = mesh::Contact::sub_goal; }),
             "expected the contact rule direct, got sub-goal");
-  EXPECT_EQ(refusal([](MeshRendering& r) {
-              r.contact = mesh::Contact::friction;
-              r.materials.list = {{.static_friction = 0.3F, .dynamic_friction = 0.2F}};
-            }),
+  EXPECT_EQ(refusal([](MeshRendering& r) { r.materials.list = {{.static_friction = 0.3F, .dynamic_friction = 0.2F}}; }),
             "expected a mesh without friction, got coefficients of friction");
   EXPECT_EQ(refusal([](MeshRendering& r) { r.materials.list = {{.stiffness = 1.0F}}; }),
             "expected one stiffness, got materials with their own");
