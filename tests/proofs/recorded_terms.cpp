@@ -15,56 +15,39 @@
 namespace forceshade::tests {
 namespace {
 
-// The text of a constant by its value. Each has another significand, and none is 0, in either of two bumps.
-using Constants = std::vector<std::pair<std::string, double>>;
+// Each constant has another significand, and none is 0, in either of two bumps.
 constexpr Parameters kBumps[] = {{530.3F, 0.71F, 0.7F}, {812.7F, 0.931F, 0.33F}};
 
-Constants constants_of(const fast::Wall& law) {
-  return {{"K", law.K}};
+// The names and values of the numbers that a law holds: those that its definition has of these.
+using Constants = std::vector<std::pair<std::string, double>>;
+
+void add(Constants& to, const std::string& prefix, const fast::LinearGap& gap) {
+  to.insert(to.end(), {{prefix + "height", gap.height}, {prefix + "height_tail", gap.height_tail}});
+  if (gap.slope.head != 0) to.insert(to.end(), {{prefix + "slope", gap.slope.head}, {prefix + "slope_tail", gap.slope.tail}});
 }
-Constants constants_of(const fast::Cylinder& law) {
-  return {{"K", law.K},       {"R", law.R},           {"anchor", law.anchor}, {"anchored", law.anchored},
-          {"rest", law.rest}, {"d_head", law.d.head}, {"d_tail", law.d.tail}, {"axis", law.axis}};
-}
-Constants constants_of(const fast::Shading& law) {
-  return {{"R", law.R}, {"K_over_R", law.K_over_R}};
-}
-Constants constants_of(const fast::LinearGap& law, const std::string& prefix = "") {
-  Constants all{{prefix + "height", law.height}, {prefix + "height_tail", law.height_tail}};
-  if (law.slope.head != 0) all.insert(all.end(), {{prefix + "slope", law.slope.head}, {prefix + "slope_tail", law.slope.tail}});
-  return all;
-}
-Constants constants_of(const fast::ThreePolygonGap& law) {
-  Constants all = constants_of(law.top, "top_");
-  for (const auto& constant : constants_of(law.side, "side_")) all.push_back(constant);
-  return all;
+void add(Constants& to, const std::string&, const fast::ThreePolygonGap& gap) {
+  add(to, "top_", gap.top);
+  add(to, "side_", gap.side);
 }
 
-// Those that a law holds beside what it is made of.
-Constants and_these(Constants all, const Constants& others) {
-  all.insert(all.end(), others.begin(), others.end());
+template <class Definition>
+Constants constants_of(const Definition& law) {
+  Constants all;
+  if constexpr (requires { law.gap; }) add(all, "", law.gap);
+  if constexpr (requires { law.shading; }) all.insert(all.end(), {{"R", law.shading.R}, {"K_over_R", law.shading.K_over_R}});
+  if constexpr (requires { law.K; }) all.emplace_back("K", law.K);
+  if constexpr (requires { law.K_sine; }) all.insert(all.end(), {{"K_sine", law.K_sine}, {"K_cosine", law.K_cosine}});
+  if constexpr (requires { law.axis; })
+    all.insert(all.end(), {{"R", law.R},
+                           {"anchor", law.anchor},
+                           {"anchored", law.anchored},
+                           {"rest", law.rest},
+                           {"d_head", law.d.head},
+                           {"d_tail", law.d.tail},
+                           {"axis", law.axis}});
+  if constexpr (requires { law.half_width; }) all.emplace_back("half_width", law.half_width);
+  if constexpr (requires { law.half_top; }) all.emplace_back("half_top", static_cast<double>(law.half_top));
   return all;
-}
-Constants constants_of(const fast::Bump1pShaded& law) {
-  return and_these(constants_of(law.shading), {{"half_width", law.half_width}});
-}
-Constants constants_of(const fast::Bump2p& law) {
-  return and_these(constants_of(law.gap),
-                   {{"K", law.K}, {"K_sine", law.K_sine}, {"K_cosine", law.K_cosine}, {"half_width", law.half_width}});
-}
-Constants constants_of(const fast::Bump2pShaded& law) {
-  return and_these(and_these(constants_of(law.gap), constants_of(law.shading)), {{"half_width", law.half_width}});
-}
-Constants constants_of(const fast::Bump3p& law) {
-  return and_these(constants_of(law.gap), {{"K", law.K},
-                                           {"K_sine", law.K_sine},
-                                           {"K_cosine", law.K_cosine},
-                                           {"half_width", law.half_width},
-                                           {"half_top", static_cast<double>(law.half_top)}});
-}
-Constants constants_of(const fast::Bump3pShaded& law) {
-  return and_these(and_these(constants_of(law.gap), constants_of(law.shading)),
-                   {{"half_width", law.half_width}, {"half_top", static_cast<double>(law.half_top)}});
 }
 
 template <class Definition>
@@ -95,12 +78,17 @@ void print(const std::string& name) {
               text.c_str(), name.c_str(), fast::doubt_window(Definition::kErrorBound));
 }
 
+template <class... Definition>
+void print_all(fast::LawList<Definition...>) {
+  std::size_t next = 0;
+  (print<Definition>(std::string(kLaws[next++].file)), ...);
+}
+
 }  // namespace
 }  // namespace forceshade::tests
 
 int main() {
   using namespace forceshade::tests;
-  namespace fast = forceshade::fast;
   std::puts(
       "(* SPDX-License-Identifier: BSD-3-Clause *)\n"
       "(* The first stage of each law, as its header has it. Written by a program (tests/proofs/recorded_terms.cpp):\n"
@@ -109,15 +97,7 @@ int main() {
       "From Flocq Require Import BinarySingleNaN Binary Bits.\n"
       "From Forceshade Require Import Formats Operations.");
   try {
-    print<fast::Wall>("wall");
-    print<fast::Cylinder>("cylinder");
-    print<fast::BumpCylinder>("bump_cylinder");
-    print<fast::Bump1p>("bump_1p");
-    print<fast::Bump2p>("bump_2p");
-    print<fast::Bump3p>("bump_3p");
-    print<fast::Bump1pShaded>("bump_1p_shaded");
-    print<fast::Bump2pShaded>("bump_2p_shaded");
-    print<fast::Bump3pShaded>("bump_3p_shaded");
+    print_all(forceshade::fast::Laws{});
   } catch (const std::exception& error) {
     std::fprintf(stderr, "recorded_terms: %s\n", error.what());
     return 1;
