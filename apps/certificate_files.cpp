@@ -47,12 +47,13 @@ std::string verdict(const properties::Certificate& certificate, properties::Stan
 }  // namespace
 
 std::vector<std::string> certificate_files() {
-  return {"certificate.json", "certificate.html"};
+  return {"certificate.json", "certificate.html", "evidence.json"};
 }
 
 int write_certificate(const properties::Certificate& certificate, const std::filesystem::path& directory) {
   files::OutputFolder folder(directory);
   folder.write("certificate.json", to_json(certificate));
+  folder.write("evidence.json", evidence_of(certificate));
   folder.write("certificate.html",
                page_of("certificate.html", [&](properties::Pictures shown) { return to_html(certificate, shown); }));
   folder.commit();

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "apps/certificate_files.h"
+#include "apps/certify_plan.h"
 #include "apps/command.h"
 #include "apps/exhaustive.h"
 #include "apps/junit.h"
@@ -18,7 +19,6 @@
 #include "apps/progress_line.h"
 #include "apps/signals.h"
 #include "apps/subject_option.h"
-#include "certificate/report/thesis.h"
 #include "files/printable.h"
 
 namespace forceshade::apps {
@@ -123,21 +123,14 @@ int run_points(const CertifyOptions& options, properties::CertifyOptions what, c
 int run(const CertifyOptions& options, const SubjectOption& subject, const OutFolder& out, bool radius_is_given) {
   watch_for_interrupt();
   const subjects::Options named = subject.options();
-  if (options.exhaustive.is_given && !named.has("law"))
-    throw BadInput("--exhaustive: expected --law, got --height-map; a height map has too many inputs to sweep");
+  std::optional<properties::SweepPlan> sweeps;
+  if (options.exhaustive.is_given) sweeps = sweep_plan(options.exhaustive, named, radius_is_given);
   properties::CertifyOptions what{.subjects = subject.subjects()};
   // Before the work, so that a path that cannot be written to is said at once.
   out.expect_room_for(certificate_files());
   expect_folder_of("--junit", options.junit);
-  if (!options.exhaustive.is_given) return run_points(options, std::move(what), subject, out);
-  properties::SweepPlan plan{{}, {}, {}};
-  for (const DescribedLaw& law : subjects::laws_of(named)) {
-    plan.laws.push_back(law.law);
-    plan.parameters = law.parameters;
-  }
-  for (const properties::ThesisRadius& radius : properties::kThesisRadii) plan.radii.push_back(radius.mm);
-  if (radius_is_given) plan.radii = {plan.parameters.radius};
-  return run_exhaustive(options.exhaustive, plan, options.threads, out);
+  if (!sweeps) return run_points(options, std::move(what), subject, out);
+  return run_exhaustive(options.exhaustive, *sweeps, options.threads, out);
 }
 
 }  // namespace
@@ -161,8 +154,11 @@ void add_certify(CLI::App& app, int& result) {
   options->exhaustive.add_to(*command);
   for (CLI::Option* of_points : {points, cases, seed, junit}) command->get_option("--exhaustive")->excludes(of_points);
   add_merge(*command, result);
+  add_plan(*command, result);
+  add_work(*command, result);
+  add_status(*command, result);
   command->callback([options, subject, out, command, &result] {
-    if (!command->got_subcommand("merge")) result = run(*options, *subject, *out, command->count("--radius") > 0);
+    if (command->get_subcommands().empty()) result = run(*options, *subject, *out, command->count("--radius") > 0);
   });
 }
 

@@ -9,13 +9,16 @@
 #include <memory>
 
 #include "apps/certificate_files.h"
+#include "apps/certify_plan.h"
 #include "apps/command.h"
 #include "apps/options.h"
 #include "apps/progress_line.h"
 #include "apps/signals.h"
 #include "certificate/build.h"
+#include "certificate/report/thesis.h"
 #include "files/printable.h"
 #include "forceshade/certify.h"
+#include "rendering/subjects/read.h"
 
 namespace forceshade::apps {
 namespace {
@@ -89,7 +92,9 @@ void sweep(Certificate& part, unsigned threads, const std::string& file) {
   write_file(file, properties::to_json(part));
 }
 
-void print(const Sweeps& sweeps) {
+}  // namespace
+
+void print_sweeps(const Sweeps& sweeps) {
   for (const properties::SweepTotal& total : properties::totals(sweeps))
     std::printf("%-15s %-9s %4" PRIu64 " sweeps %14" PRIu64 " inputs %" PRIu64 " mismatches\n", name_of(total.law).data(),
                 properties::kSweepKinds[static_cast<std::size_t>(total.kind)].data(), total.sweeps, total.inputs,
@@ -99,9 +104,15 @@ void print(const Sweeps& sweeps) {
               static_cast<double>(sweeps.inputs()) / std::max(sweeps.seconds, 1e-9) / 1e6, sweeps.mismatches());
 }
 
-}  // namespace
-
 void ExhaustiveOptions::add_to(CLI::App& command) {
+  add_kinds_to(command);
+  command.add_option("--shards", shards, "do part k of n, to be joined by 'certify merge'")
+      ->type_name("k/n")
+      ->needs(command.get_option("--exhaustive"))
+      ->capture_default_str();
+}
+
+void ExhaustiveOptions::add_kinds_to(CLI::App& command) {
   CLI::Option* flag = command.add_flag("--exhaustive", is_given,
                                        "sweep over every binary32 instead of points and cases; can be stopped and resumed");
   command.add_option("--sweeps", sweeps, "directions, heights (the five radii of the thesis unless --radius is given), lines")
@@ -110,17 +121,27 @@ void ExhaustiveOptions::add_to(CLI::App& command) {
       ->check(one_of({"directions", "heights", "lines"}))
       ->needs(flag)
       ->capture_default_str();
-  command.add_option("--shards", shards, "do part k of n, to be joined by 'certify merge'")
-      ->type_name("k/n")
-      ->needs(flag)
-      ->capture_default_str();
 }
 
-int run_exhaustive(const ExhaustiveOptions& options, properties::SweepPlan plan, unsigned threads, const OutFolder& out) {
+properties::SweepPlan sweep_plan(const ExhaustiveOptions& options, const subjects::Options& named, bool radius_is_given) {
+  if (!named.has("law"))
+    throw BadInput("--exhaustive: expected --law, got --height-map; a height map has too many inputs to sweep");
+  properties::SweepPlan plan{{}, {}, {}};
+  for (const DescribedLaw& law : subjects::laws_of(named)) {
+    plan.laws.push_back(law.law);
+    plan.parameters = law.parameters;
+  }
+  for (const properties::ThesisRadius& radius : properties::kThesisRadii) plan.radii.push_back(radius.mm);
+  if (radius_is_given) plan.radii = {plan.parameters.radius};
   const auto is_chosen = [&](const char* kind) { return std::ranges::find(options.sweeps, kind) != options.sweeps.end(); };
   plan.directions = is_chosen("directions");
   plan.heights = is_chosen("heights");
   plan.lines = is_chosen("lines");
+  return plan;
+}
+
+int run_exhaustive(const ExhaustiveOptions& options, const properties::SweepPlan& plan, unsigned threads,
+                   const OutFolder& out) {
   const Shard shard = parse_shard(options.shards);
   const Sweeps all = properties::planned(plan);
   if (all.results.empty()) throw BadInput("--sweeps: expected a kind of sweep that the law has, got none of them");
@@ -134,7 +155,7 @@ int run_exhaustive(const ExhaustiveOptions& options, properties::SweepPlan plan,
     std::fprintf(stderr, "forceshade: stopped; the same command goes on from %s\n", file.c_str());
     return kInterrupted;
   }
-  print(sweeps);
+  print_sweeps(sweeps);
   if (sweeps.is_whole()) {
     const int result = write_certificate(part, out.path());
     std::filesystem::remove(file);  // the certificate says all that it said
@@ -150,20 +171,27 @@ void add_merge(CLI::App& certify, int& result) {
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command = certify.add_subcommand(
-      "merge", "Join certificates of points with different seeds, or the parts of an exhaustive run, or both");
-  command->add_option("files", options->files, "certificate.json of one build, and exhaustive-k-of-n.json of every k")
+      "merge",
+      "Join certificates of points with different seeds, or the parts of an exhaustive run, or both; or the units of a plan");
+  command
+      ->add_option("files", options->files,
+                   "certificate.json of one build, and exhaustive-k-of-n.json of every k; or the folder of a plan")
       ->type_name("FILE")
       ->required();
   const auto out = std::make_shared<OutFolder>(*command, kCertificateFolder);
   out->require();
   command->callback([options, out, &certify, &result] {
     refuse_options_before(certify, "certify merge");
+    if (options->files.size() == 1 && std::filesystem::is_directory(options->files.front())) {
+      result = merge_plan(options->files.front(), *out);
+      return;
+    }
     std::vector<properties::CertificateFile> files;
     for (const std::string& name : options->files)
       files.push_back({name, properties::from_json(properties::read_certificate(name), name)});
     const Certificate certificate = properties::merged(std::move(files));
     out->expect_room_for(certificate_files());
-    if (!certificate.sweeps.results.empty()) print(certificate.sweeps);
+    if (!certificate.sweeps.results.empty()) print_sweeps(certificate.sweeps);
     result = write_certificate(certificate, out->path());
   });
 }

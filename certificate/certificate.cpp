@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "certificate/build_json.h"
 #include "certificate/certificate_text.h"
 #include "rendering/breakdown.h"
 #include "rendering/identity/identity_json.h"
@@ -101,6 +102,29 @@ void refuse_what_is_not_finite(const Json& json, const std::string& place) {
                                                               : place + '.' + member.key());
 }
 
+Json json_of(const Certificate& certificate) {
+  Json subjects = Json::array();
+  for (const SubjectResult& subject : certificate.subjects) subjects.push_back(subject_json(subject));
+  Json json{{"schema", kCertificateSchema}, {"held", certificate.held()}};
+  add_assessment(json, assessed(certificate));
+  json.update({{"statement", kStatement},
+               {"method", kMethod},
+               {"domain", Json::parse(kDomain)},
+               {"build", build_json(certificate.build)},
+               {"date", certificate.date},
+               {"processor", certificate.processor},
+               {"seconds", certificate.seconds},
+               {"subjects", subjects}});
+  if (!certificate.sweeps.results.empty()) json["exhaustive"] = sweeps_json(certificate.sweeps);
+  return json;
+}
+
+std::string written(const Json& json) {
+  refuse_what_is_not_finite(json, "");
+  // A file's name need not be UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 }  // namespace
 
 bool Comparison::covers(const std::string& instruction_set) const {
@@ -140,29 +164,14 @@ std::string in_words(const std::vector<std::uint64_t>& seeds) {
 }
 
 std::string to_json(const Certificate& certificate) {
-  const Build& build = certificate.build;
-  Json subjects = Json::array();
-  for (const SubjectResult& subject : certificate.subjects) subjects.push_back(subject_json(subject));
-  Json json{{"schema", kCertificateSchema}, {"held", certificate.held()}};
-  add_assessment(json, assessed(certificate));
-  json.update({{"statement", kStatement},
-               {"method", kMethod},
-               {"domain", Json::parse(kDomain)},
-               {"build",
-                {{"version", build.version},
-                 {"revision", build.revision},
-                 {"compiler", build.compiler},
-                 {"flags", build.flags},
-                 {"instruction_set", build.instruction_set},
-                 {"library_digest", build.library_digest}}},
-               {"date", certificate.date},
-               {"processor", certificate.processor},
-               {"seconds", certificate.seconds},
-               {"subjects", subjects}});
-  if (!certificate.sweeps.results.empty()) json["exhaustive"] = sweeps_json(certificate.sweeps);
-  refuse_what_is_not_finite(json, "");
-  // A file's name need not be UTF-8.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return written(json_of(certificate));
+}
+
+std::string evidence_of(const Certificate& certificate, const std::string& missing) {
+  Json json = json_of(certificate);
+  for (const char* of_the_run : {"date", "processor", "seconds"}) json.erase(of_the_run);
+  if (json.contains("exhaustive")) json["exhaustive"].erase("seconds");
+  return written({{"evidence", {{"complete", missing.empty()}, {"missing", missing}}}, {"certificate", json}});
 }
 
 }  // namespace forceshade::properties

@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "certificate/build_json.h"
 #include "certificate/certificate_text.h"
 #include "certificate/json_fields.h"
 #include "forceshade/certificate.h"
@@ -49,13 +50,6 @@ LawId law_id_from(Fields& fields, const char* key) {
   const std::string name = fields.text(key);
   if (const auto id = law_named(name)) return *id;
   throw JsonError("unknown law \"" + name + "\"");
-}
-
-std::string digest_from(Fields& fields, const char* key) {
-  std::string digest = fields.text(key);
-  const auto is_hex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
-  fields.expect(key, digest.size() == 64 && std::all_of(digest.begin(), digest.end(), is_hex), "a SHA-256 of 64 hex digits");
-  return digest;
 }
 
 // Each of `names` is counted, nothing else is, and the counts are those of all points.
@@ -296,14 +290,6 @@ Sweeps sweeps_from(Fields fields) {
   read_flag(fields, "finished", sweeps.is_finished());
   fields.end();
   return sweeps;
-}
-
-Build build_from(Fields fields) {
-  const Build build{fields.text("version"), fields.text("revision"),        fields.text("compiler"),
-                    fields.text("flags"),   fields.text("instruction_set"), digest_from(fields, "library_digest")};
-  fields.expect("instruction_set", fast::instruction_set_named(build.instruction_set).has_value(), "scalar, avx2 or avx512");
-  fields.end();
-  return build;
 }
 
 // 2026-01-31T23:59:59Z

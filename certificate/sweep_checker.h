@@ -23,7 +23,8 @@ class SweepChecker {
   SweepChecker(const Sweep& sweep, const FastLaw& law, const reference::Law& reference)
       : sweep_(sweep), law_(law), reference_(reference) {}
 
-  UnitTally check(std::uint32_t unit) {
+  Tally check(std::uint32_t unit) {
+    unit_ = unit;
     const std::uint32_t begin = unit << kUnitBits;
     for (std::uint32_t first = begin; first - begin < (1U << kUnitBits); first += kRun) {
       // Directions and heights end with the bump: its last run is swept whole.
@@ -77,7 +78,7 @@ class SweepChecker {
         });
     }
     if (!is_tiny(moving)) check_vectors(x, z, exact.x, exact.z, kRun);
-    tally_.inputs += kRun;
+    tally_.points += kRun;
   }
 
   // On both sides of the surface: contact below, free above.
@@ -100,7 +101,7 @@ class SweepChecker {
         }
         if (!is_tiny(x)) check_vectors(x, *z, fx, fz, surface.count);
       }
-      tally_.inputs += surface.count;
+      tally_.points += surface.count;
     }
   }
 
@@ -126,15 +127,16 @@ class SweepChecker {
   template <class Words>
   void mismatch(const Words& words) {
     ++tally_.mismatches;
-    if (tally_.counterexamples.size() < kSweepCounterexamples)
-      tally_.counterexamples.push_back(std::string(name_of(sweep_.law)) + ", R = " + show(sweep_.parameters.radius) + " mm, " +
-                                       words());
+    if (tally_.counterexamples.size() < kCounterexamples)
+      tally_.counterexamples.emplace_back(
+          unit_, std::string(name_of(sweep_.law)) + ", R = " + show(sweep_.parameters.radius) + " mm, " + words());
   }
 
   const Sweep& sweep_;
   const FastLaw& law_;
   const reference::Law& reference_;
-  UnitTally tally_;
+  std::uint64_t unit_ = 0;
+  Tally tally_;
 };
 
 }  // namespace forceshade::properties

@@ -183,6 +183,10 @@ struct CertificateError : std::runtime_error {
 // Throws CertificateError, naming the key, where a number is not finite: JSON has none such.
 std::string to_json(const Certificate& certificate);
 
+// What was found without what the run knows of itself (date, processor, seconds): the same bytes whoever found it, with however
+// many processes. missing: in words the work that is not done; empty where all of it is. Throws as to_json() does.
+std::string evidence_of(const Certificate& certificate, const std::string& missing = "");
+
 // Strict: what is missing, unknown, twice there, of another type, out of its range, or contradicts the rest is refused with a
 // CertificateError. This protects against mistakes, not against forgery (docs/certificate.md).
 Certificate from_json(const std::string& text, const std::string& file);

@@ -21,29 +21,29 @@ std::uint32_t unit_of(float magnitude) {
   return std::bit_cast<std::uint32_t>(magnitude) >> kUnitBits;
 }
 
-UnitTally check(const Sweep& sweep, const Parameters& parameters_of_reference, float magnitude) {
+Tally check(const Sweep& sweep, const Parameters& parameters_of_reference, float magnitude) {
   return check_unit(sweep, std::get<fast::Law>(fast::Law::build(sweep.law, sweep.parameters)),
                     std::get<reference::Law>(reference::Law::build(sweep.law, parameters_of_reference)), unit_of(magnitude));
 }
 
 TEST(sweep, unit_has_every_pattern_with_both_signs) {
   for (const SweepKind kind : {SweepKind::direction, SweepKind::line, SweepKind::column}) {
-    const UnitTally tally = check({LawId::bump_2p_shaded, kBump, kind, -1}, kBump, 3);
-    EXPECT_EQ(tally.inputs, 2U << kUnitBits);
+    const Tally tally = check({LawId::bump_2p_shaded, kBump, kind, -1}, kBump, 3);
+    EXPECT_EQ(tally.points, 2U << kUnitBits);
     EXPECT_EQ(tally.mismatches, 0U);
-    EXPECT_EQ(tally.stages[0] + tally.stages[1] + tally.stages[2], tally.inputs);
+    EXPECT_EQ(tally.stages[0] + tally.stages[1] + tally.stages[2], tally.points);
   }
-  EXPECT_EQ(check({LawId::bump_3p, kBump, SweepKind::height, 0}, kBump, 3).inputs, 2U << kUnitBits);
-  EXPECT_EQ(check({LawId::bump_3p, kBump, SweepKind::height, 0}, kBump, 1000).inputs, 0U) << "there is no surface out there";
+  EXPECT_EQ(check({LawId::bump_3p, kBump, SweepKind::height, 0}, kBump, 3).points, 2U << kUnitBits);
+  EXPECT_EQ(check({LawId::bump_3p, kBump, SweepKind::height, 0}, kBump, 1000).points, 0U) << "there is no surface out there";
 }
 
 TEST(sweep, notices_a_bump_that_is_one_unit_in_the_last_place_off) {
   const Parameters stiffer{15.24F, 25.4F, 0.50000006F}, rounder{15.240001F, 25.4F, 0.5F};
   for (const LawId law : {LawId::cylinder, LawId::bump_2p, LawId::bump_3p_shaded}) {
-    const UnitTally tally = check({law, kBump, SweepKind::direction, -1}, stiffer, 3);
-    EXPECT_GT(tally.mismatches, tally.inputs / 4);
-    ASSERT_EQ(tally.counterexamples.size(), kSweepCounterexamples);
-    EXPECT_NE(tally.counterexamples[0].find("expected the force"), std::string::npos) << tally.counterexamples[0];
+    const Tally tally = check({law, kBump, SweepKind::direction, -1}, stiffer, 3);
+    EXPECT_GT(tally.mismatches, tally.points / 4);
+    ASSERT_EQ(tally.counterexamples.size(), kCounterexamples);
+    EXPECT_NE(tally.counterexamples[0].second.find("expected the force"), std::string::npos) << tally.counterexamples[0].second;
     EXPECT_GT(check({law, kBump, SweepKind::column, 1}, stiffer, 3).mismatches, 0U);
     EXPECT_GT(check({law, kBump, SweepKind::height, 0}, rounder, 3).mismatches, 0U);
   }

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "certificate/plan.h"
+
+#include <algorithm>
+
+#include "certificate/build_json.h"
+#include "rendering/identity/digest.h"
+#include "rendering/identity/identity_json.h"
+
+namespace forceshade::properties {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::uint64_t kPlanSchema = 1;
+
+Json sweeps_json(const SweepPlan& plan) {
+  Json laws = Json::array(), radii = Json::array();
+  for (const LawId law : plan.laws) laws.push_back(name_of(law));
+  for (const float radius : plan.radii) radii.push_back({{"radius_mm", static_cast<double>(radius)}});
+  const Parameters& p = plan.parameters;
+  return {{"laws", laws},
+          {"radius_mm", static_cast<double>(p.radius)},
+          {"width_mm", static_cast<double>(p.width)},
+          {"stiffness_N_per_mm", static_cast<double>(p.stiffness)},
+          {"radii", radii},
+          {"directions", plan.directions},
+          {"heights", plan.heights},
+          {"lines", plan.lines}};
+}
+
+SweepPlan sweeps_from(Fields fields) {
+  SweepPlan plan{{}, {}, {}};
+  for (const std::string& name : fields.texts("laws")) {
+    const auto law = law_named(name);
+    if (!law) throw JsonError("unknown law \"" + name + "\"");
+    plan.laws.push_back(*law);
+  }
+  plan.parameters = {fields.binary32("radius_mm"), fields.binary32("width_mm"), fields.binary32("stiffness_N_per_mm")};
+  for (Fields& radius : fields.objects("radii")) plan.radii.push_back(radius.binary32("radius_mm"));
+  fields.expect("radii", !plan.radii.empty(), "one radius or more");
+  plan.directions = fields.flag("directions");
+  plan.heights = fields.flag("heights");
+  plan.lines = fields.flag("lines");
+  fields.end();
+  return plan;
+}
+
+void read_points(Fields& fields, Plan& plan) {
+  for (Fields& option : fields.objects("subject")) {
+    plan.subject.emplace_back(option.text("key"), option.text("value"));
+    option.end();
+  }
+  fields.expect("subject", !plan.subject.empty(), "the options of a subject");
+  plan.identities = fields.texts("identities");
+  plan.points = fields.count("points");
+  plan.cases = fields.count("cases");
+  plan.seed = fields.count("seed");
+  fields.expect("points", plan.points > 0, "1 or more");
+  fields.expect("cases", plan.cases > 0 && plan.cases <= 1000000000, "a number from 1 to 1000000000");
+}
+
+}  // namespace
+
+std::string to_json(const Plan& plan) {
+  Json json{{"schema", kPlanSchema},
+            {"build", build_json(plan.build)},
+            {"parts_of_a_unit", plan.parts_of_a_unit},
+            {"lease_s", plan.lease}};
+  if (plan.has_sweeps()) {
+    json["sweeps"] = sweeps_json(plan.sweeps);
+  } else {
+    Json subject = Json::array();
+    for (const auto& [key, value] : plan.subject) subject.push_back({{"key", key}, {"value", value}});
+    json.update({{"subject", subject},
+                 {"identities", plan.identities},
+                 {"points", plan.points},
+                 {"cases", plan.cases},
+                 {"seed", plan.seed}});
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Plan plan_from_json(const std::string& text, const std::string& file) {
+  try {
+    const nlohmann::json json = json_from(text);
+    Fields fields(json, "");
+    Plan plan;
+    fields.expect("schema", fields.count("schema") == kPlanSchema, std::to_string(kPlanSchema));
+    plan.build = build_from(fields.object("build"));
+    plan.parts_of_a_unit = fields.count("parts_of_a_unit");
+    fields.expect("parts_of_a_unit", plan.parts_of_a_unit > 0, "1 or more");
+    plan.lease = fields.count("lease_s");
+    fields.expect("lease_s", plan.lease > 0, "1 or more");
+    if (fields.has("sweeps"))
+      plan.sweeps = sweeps_from(fields.object("sweeps"));
+    else
+      read_points(fields, plan);
+    fields.end();
+    return plan;
+  } catch (const JsonError& error) {
+    throw CertificateError(file + ": expected a plan of forceshade certify (schema " + std::to_string(kPlanSchema) +
+                           "): " + error.what());
+  }
+}
+
+std::string digest_of_plan(const std::string& text) {
+  Digest digest;
+  digest.text(text);
+  return digest.hex();
+}
+
+std::string identity_line(const Identity& identity) {
+  return identity.kind + ' ' + identity.name + ' ' + identity.digest + ' ' +
+         parameters_json(identity).dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+std::string refusal_of_build(const Plan& plan, const Build& build) {
+  const auto differs = [](const std::string& what, const std::string& expected, const std::string& got) {
+    return "the plan is for another " + what + ": expected " + expected + ", got " + got;
+  };
+  const Build& its = plan.build;
+  if (its.instruction_set != build.instruction_set)
+    return differs("instruction set", its.instruction_set, build.instruction_set) +
+           "; let machines work on it that have this widest set";
+  if (its.library_digest != build.library_digest)
+    return differs("build of the library", "digest " + its.library_digest, build.library_digest);
+  if (its.compiler != build.compiler) return differs("compiler", its.compiler, build.compiler);
+  if (its.flags != build.flags) return differs("set of compiler flags", its.flags, build.flags);
+  if (its.revision != build.revision) return differs("revision", its.revision, build.revision);
+  if (its.version != build.version) return differs("version", its.version, build.version);
+  return "";
+}
+
+std::uint64_t parts_for_units(const std::vector<Item>& items, std::uint64_t units) {
+  std::uint64_t parts = 0;
+  for (const Item& item : items) parts += item.parts;
+  return std::max<std::uint64_t>(1, (parts + units - 1) / units);
+}
+
+}  // namespace forceshade::properties
