@@ -38,7 +38,8 @@ std::string with_sum(const std::string& text) {
 void make_folder(const fs::path& path) {
   std::error_code error;
   fs::create_directories(path, error);
-  if (error) throw files::output_failure(path, "make the folder", error.value());
+  // Over NFS a folder that another machine has made can be missing and there in the same moment.
+  if (error && error != std::errc::file_exists) throw files::output_failure(path, "make the folder", error.value());
 }
 
 // The number that a name begins with.

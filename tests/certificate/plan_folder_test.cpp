@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The folder of a plan: a unit is taken by one, its result is written once, and what differs or is damaged is said.
+
+#include "certificate/plan_folder.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <fstream>
+
+#include "certificate/plan.h"
+#include "certificate/unit_result.h"
+#include "certificate/worker.h"
+#include "forceshade/certificate.h"
+
+namespace forceshade::properties {
+namespace {
+
+namespace fs = std::filesystem;
+
+class plan_folder : public testing::Test {
+ protected:
+  plan_folder() : path_(fs::temp_directory_path() / ("plan_folder_test-" + std::to_string(::getpid()))) {
+    fs::remove_all(path_);
+    PlanFolder::create(path_, "{}");
+  }
+  ~plan_folder() override { fs::remove_all(path_); }
+
+  // As if whoever has the claim had given no sign of life for so long.
+  void age(std::uint64_t unit, std::time_t seconds) const {
+    const timespec then{std::time(nullptr) - seconds, 0};
+    const timespec times[]{then, then};
+    ASSERT_EQ(::utimensat(AT_FDCWD, (path_ / "claims" / std::to_string(unit)).c_str(), times, 0), 0);
+  }
+
+  fs::path path_;
+};
+
+TEST_F(plan_folder, gives_a_unit_to_one_worker_until_it_is_given_back) {
+  const PlanFolder folder(path_, 3);
+  Claims one(folder, 300, "one"), other(folder, 300, "other");
+  EXPECT_TRUE(one.take(2));
+  EXPECT_FALSE(one.take(2)) << "another thread of the same process";
+  EXPECT_FALSE(other.take(2));
+  EXPECT_FALSE(other.take_over(2)) << "the lease has not run out";
+  ASSERT_EQ(folder.claims().size(), 1U);
+  EXPECT_EQ(folder.claims()[0].first, 2U);
+  one.give_back(2);
+  EXPECT_TRUE(other.take(2));
+}
+
+TEST_F(plan_folder, gives_a_unit_to_another_when_the_lease_has_run_out) {
+  const PlanFolder folder(path_, 3);
+  Claims lost(folder, 300, "lost"), other(folder, 300, "other");
+  ASSERT_TRUE(lost.take(1));
+  age(1, 299);
+  EXPECT_FALSE(other.take_over(1));
+  age(1, 302);
+  EXPECT_TRUE(other.take_over(1));
+  lost.give_back(1);  // the claim is no longer its own, and stays
+  Claims third(folder, 300, "third");
+  EXPECT_FALSE(third.take(1));
+}
+
+TEST_F(plan_folder, touches_what_it_has_taken_while_it_lives) {
+  const PlanFolder folder(path_, 3);
+  Claims one(folder, 0.2, "one");
+  ASSERT_TRUE(one.take(0));
+  age(0, 1000);
+  for (int i = 0; i < 2000 && folder.claims()[0].second > 500; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_LT(folder.claims()[0].second, 500);
+}
+
+TEST_F(plan_folder, gives_everything_back_at_the_end) {
+  const PlanFolder folder(path_, 3);
+  {
+    Claims one(folder, 300, "one");
+    ASSERT_TRUE(one.take(0));
+  }
+  EXPECT_TRUE(fs::is_empty(path_ / "claims"));
+}
+
+TEST_F(plan_folder, writes_a_result_once_and_keeps_one_that_differs_beside_it) {
+  const PlanFolder folder(path_, 2000);
+  EXPECT_FALSE(folder.is_done(1500));
+  EXPECT_TRUE(folder.keep(1500, "first"));
+  EXPECT_TRUE(folder.keep(1500, "first")) << "the same bytes again";
+  EXPECT_TRUE(folder.alarms().empty());
+  EXPECT_FALSE(folder.keep(1500, "second"));
+  EXPECT_FALSE(folder.keep(1500, "second"));
+  EXPECT_EQ(folder.kept(1500), "first");
+  ASSERT_EQ(folder.alarms().size(), 1U);
+  EXPECT_NE(folder.alarms()[0].string().find("results/1/1500.differs-"), std::string::npos);
+  EXPECT_TRUE(folder.is_done(1500));
+  EXPECT_TRUE(folder.done(1)[500]);
+  EXPECT_FALSE(folder.done(1)[499]);
+  EXPECT_EQ(std::distance(fs::directory_iterator(path_ / "results" / "1"), {}), 2) << "no draft is left";
+}
+
+TEST_F(plan_folder, refuses_a_result_that_is_damaged) {
+  const PlanFolder folder(path_, 3);
+  ASSERT_TRUE(folder.keep(0, "a result"));
+  for (const std::uintmax_t size : {0U, 4U, 20U}) {
+    fs::resize_file(folder.result_file(0), size);
+    EXPECT_THROW(folder.kept(0), CertificateError) << size;
+  }
+  std::ofstream(folder.result_file(0)) << "b result\nsha256 0\n";
+  EXPECT_THROW(folder.kept(0), CertificateError);
+}
+
+TEST_F(plan_folder, is_made_once) {
+  EXPECT_THROW(PlanFolder::create(path_, "{}"), CertificateError);
+}
+
+TEST_F(plan_folder, is_worked_through_by_threads_and_workers_once) {
+  const PlanFolder folder(path_, 2500);
+  std::atomic<int> calls = 0;
+  const std::atomic<bool> stop = false;
+  const auto result = [&](std::uint64_t unit) {
+    ++calls;
+    return "unit " + std::to_string(unit);
+  };
+  Claims first(folder, 300, "first"), second(folder, 300, "second");
+  Worked by_first, by_second;
+  std::thread other([&] {
+    by_second = work_through(
+        folder, second, {2}, result, [](const Worked&) {}, stop);
+  });
+  by_first = work_through(
+      folder, first, {2}, result, [](const Worked&) {}, stop);
+  other.join();
+  EXPECT_TRUE(by_first.is_complete && by_second.is_complete);
+  EXPECT_EQ(by_first.units + by_second.units, 2500U);
+  EXPECT_EQ(calls, 2500);
+  for (std::uint64_t unit = 0; unit < 2500; ++unit) ASSERT_EQ(folder.kept(unit), "unit " + std::to_string(unit));
+}
+
+TEST_F(plan_folder, gives_back_what_is_taken_where_a_unit_throws) {
+  const PlanFolder folder(path_, 3);
+  const std::atomic<bool> stop = false;
+  {
+    Claims claims(folder, 300, "one");
+    EXPECT_THROW(work_through(
+                     folder, claims, {2}, [](std::uint64_t) -> std::string { throw std::runtime_error("full"); },
+                     [](const Worked&) {}, stop),
+                 std::runtime_error);
+  }
+  EXPECT_TRUE(fs::is_empty(path_ / "claims"));
+}
+
+TEST(units, cover_every_part_of_every_item_once) {
+  const Units units({{ItemKind::points, 0, 10}, {ItemKind::energies, 0, 1}, {ItemKind::sweep, 0, 512}}, 4);
+  ASSERT_EQ(units.count(), 3U + 1 + 128);
+  EXPECT_EQ(units.at(2), (Unit{0, 8, 10}));
+  EXPECT_EQ(units.at(3), (Unit{1, 0, 1}));
+  EXPECT_EQ(units.at(4), (Unit{2, 0, 4}));
+  EXPECT_EQ(units.at(131), (Unit{2, 508, 512}));
+}
+
+TEST(units, give_a_text_that_is_read_back_and_belongs_to_them) {
+  const Units units({{ItemKind::points, 0, 2}, {ItemKind::properties, 0, 1}, {ItemKind::energies, 0, 1}}, 1);
+  const std::string plan(64, 'a');
+  Found found;
+  found.tally.points = 4096;
+  found.tally.sets = {4096, 4096, 0};
+  found.tally.mismatch(1, "at \"x\"");
+  found.tally.call({1, 2, -3, 0x1p-30});
+  const std::string text = text_of_unit(plan, 1, units, found);
+  EXPECT_EQ(text_of_unit(plan, 1, units, unit_from_text(text, plan, 1, units, "f")), text);
+  EXPECT_THROW(unit_from_text(text, std::string(64, 'b'), 1, units, "f"), CertificateError);
+  EXPECT_THROW(unit_from_text(text, plan, 0, units, "f"), CertificateError);
+  EXPECT_THROW(unit_from_text(text.substr(1), plan, 1, units, "f"), CertificateError);
+  found.properties = {{"passivity", 200, false, "a\nloop"}};
+  const std::string properties = text_of_unit(plan, 2, units, found);
+  EXPECT_EQ(text_of_unit(plan, 2, units, unit_from_text(properties, plan, 2, units, "f")), properties);
+  found.energies = {{{0.5, {0.25, 0.250001}, 0.25, 0.2499}}, "why"};
+  const std::string energies = text_of_unit(plan, 3, units, found);
+  EXPECT_EQ(text_of_unit(plan, 3, units, unit_from_text(energies, plan, 3, units, "f")), energies);
+}
+
+TEST(plan, is_read_back_and_names_what_is_wrong) {
+  Plan points;
+  points.subject = {{"law", "wall"}};
+  points.identities = {"law wall"};
+  points.points = 5;
+  points.cases = 3;
+  const std::string text = to_json(points);
+  EXPECT_EQ(to_json(plan_from_json(text, "f")), text);
+  Plan sweeps;
+  sweeps.sweeps = {{LawId::wall, LawId::bump_3p}, {15.24F, 25.4F, 0.5F}, {15.24F, 20.32F}, true, false, true};
+  EXPECT_EQ(to_json(plan_from_json(to_json(sweeps), "f")), to_json(sweeps));
+  try {
+    plan_from_json("{\"schema\": 2}", "here/plan.json");
+    FAIL();
+  } catch (const CertificateError& error) {
+    EXPECT_NE(std::string(error.what()).find("here/plan.json: expected a plan"), std::string::npos) << error.what();
+  }
+}
+
+TEST(plan, refuses_another_build_or_instruction_set) {
+  const Plan plan;
+  Build build = plan.build;
+  EXPECT_EQ(refusal_of_build(plan, build), "");
+  build.instruction_set = "none";
+  EXPECT_NE(refusal_of_build(plan, build).find("another instruction set: expected"), std::string::npos);
+  for (std::string Build::*member :
+       {&Build::library_digest, &Build::compiler, &Build::flags, &Build::revision, &Build::version}) {
+    build = plan.build;
+    build.*member += "x";
+    EXPECT_NE(refusal_of_build(plan, build).find("the plan is for another"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace forceshade::properties
