@@ -15,7 +15,7 @@ struct Plan {
   Build build = current_build();
   std::uint64_t parts_of_a_unit = 1;
   std::uint64_t lease = 300;  // s: after which a unit is taken from a worker that gives no sign of life
-  // Of points; else a plan of sweeps.
+  // For a plan of points; a plan of sweeps has none of them.
   std::vector<std::pair<std::string, std::string>> subject = {};  // option words, files with their folders
   std::vector<std::string> identities = {};                       // what the words meant, one line a subject
   std::uint64_t points = 0, cases = 0, seed = 0;

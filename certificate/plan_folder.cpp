@@ -136,6 +136,13 @@ std::string PlanFolder::kept(std::uint64_t unit) const {
   return text;
 }
 
+std::set<std::uint64_t> PlanFolder::taken() const {
+  std::set<std::uint64_t> all;
+  for (const std::string& name : names_in(path_ / kClaims))
+    if (const auto unit = number_of(name, "")) all.insert(*unit);
+  return all;
+}
+
 std::vector<std::pair<std::uint64_t, double>> PlanFolder::claims() const {
   const fs::path probe = files::partial_name((path_ / kClaims / ".now").string());
   std::vector<std::pair<std::uint64_t, double>> all;

@@ -51,6 +51,9 @@ class PlanFolder {
   // The text that was kept. Throws CertificateError where the file is damaged.
   std::string kept(std::uint64_t unit) const;
 
+  // The units that are taken, by one listing.
+  std::set<std::uint64_t> taken() const;
+
   // Ages (s) of claims by unit, by the clock of the file server.
   std::vector<std::pair<std::uint64_t, double>> claims() const;
 

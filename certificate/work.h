@@ -78,7 +78,7 @@ class Work {
 
   // One part of an item whose findings are counted.
   void count(const Item& item, std::uint64_t part, Tally& tally) const;
-  // Of a subject. What they return says nothing where `stop` is set in the meantime.
+  // What is not counted, for one subject. What they return says nothing where `stop` is set in the meantime.
   std::vector<PropertyResult> properties(std::size_t of, const OnCase& on_case, const std::atomic<bool>& stop) const;
   Energies energies(std::size_t of, const Monitor& monitor) const;
 

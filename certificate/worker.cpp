@@ -6,41 +6,46 @@
 #include <exception>
 #include <mutex>
 #include <random>
+#include <set>
 #include <thread>
 #include <vector>
 
 namespace forceshade::properties {
 namespace {
 
+// Claims of others that a pass looks at: all of thousands of workers that wait for the last units may not look at all.
+constexpr int kLooks = 16;
+
 // One thread of a worker. It begins at a place that is drawn, so that workers seldom meet; what is drawn changes no result.
 class Searcher {
  public:
-  Searcher(const PlanFolder& folder, Claims& claims) : folder_(folder), claims_(claims), is_whole_(folder.folders()) {
-    std::random_device random;
-    begin_ = random() % std::max<std::uint64_t>(1, folder.folders());
-    within_ = random() % kUnitsOfAFolder;
-  }
+  Searcher(const PlanFolder& folder, Claims& claims) : folder_(folder), claims_(claims), is_whole_(folder.folders()) {}
 
-  // Offers each unit that has no result and can be taken to `does`, which returns false to stop. expired: also those whose
-  // lease has run out. Returns how many were taken.
+  // Offers each unit that has no result and is free to `does`, which returns false to stop. expired: those that are taken, a
+  // few of them in each pass, if their lease has run out. Returns how many units were taken.
   template <class Does>
   std::uint64_t pass(bool expired, const Does& does) {
-    std::uint64_t taken = 0;
+    const std::set<std::uint64_t> taken = folder_.taken();
+    const std::uint64_t begin = random_() % std::max<std::uint64_t>(1, folder_.folders()), within = random_() % kUnitsOfAFolder;
+    std::uint64_t count = 0;
+    int looks = kLooks;
     for (std::uint64_t i = 0; i < folder_.folders(); ++i) {
-      const std::uint64_t at = (begin_ + i) % folder_.folders();
+      const std::uint64_t at = (begin + i) % folder_.folders();
       if (is_whole_[at]) continue;
       const std::vector<bool> done = folder_.done(at);
       is_whole_[at] = std::find(done.begin(), done.end(), false) == done.end();
       for (std::uint64_t k = 0; k < done.size(); ++k) {
-        const std::uint64_t in = (k + within_) % done.size(), unit = at * kUnitsOfAFolder + in;
-        if (done[in] || !(expired ? claims_.take_over(unit) : claims_.take(unit))) continue;
-        ++taken;
+        const std::uint64_t in = (k + within) % done.size(), unit = at * kUnitsOfAFolder + in;
+        if (done[in] || taken.contains(unit) != expired) continue;
+        if (expired && looks-- <= 0) return count;
+        if (!(expired ? claims_.take_over(unit) : claims_.take(unit))) continue;
+        ++count;
         const bool goes_on = does(unit);
         claims_.give_back(unit);
-        if (!goes_on) return taken;
+        if (!goes_on) return count;
       }
     }
-    return taken;
+    return count;
   }
 
   bool is_complete() const { return std::find(is_whole_.begin(), is_whole_.end(), false) == is_whole_.end(); }
@@ -49,7 +54,7 @@ class Searcher {
   const PlanFolder& folder_;
   Claims& claims_;
   std::vector<bool> is_whole_;  // folders of which every unit has a result
-  std::uint64_t begin_ = 0, within_ = 0;
+  std::random_device random_;
 };
 
 void sleep(double seconds, const std::atomic<bool>& stop) {
@@ -85,7 +90,7 @@ Worked work_through(const PlanFolder& folder, Claims& claims, const WorkerOption
         if (searcher.is_complete()) break;
         if (took) continue;
         if (!options.waits) return;
-        sleep(std::clamp(options.lease / 8, 0.05, 10.0), stop);
+        sleep(std::clamp(options.lease / 8, 0.05, 30.0), stop);
       }
       const std::lock_guard lock(mutex);
       all.is_complete = all.is_complete || searcher.is_complete();

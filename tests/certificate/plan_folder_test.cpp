@@ -15,6 +15,7 @@
 #include "certificate/unit_result.h"
 #include "certificate/worker.h"
 #include "forceshade/certificate.h"
+#include "tests/certificate/made_certificate.h"
 
 namespace forceshade::properties {
 namespace {
@@ -116,7 +117,7 @@ TEST_F(plan_folder, is_made_once) {
 }
 
 TEST_F(plan_folder, is_worked_through_by_threads_and_workers_once) {
-  const PlanFolder folder(path_, 2500);
+  const PlanFolder folder(path_, 1050);
   std::atomic<int> calls = 0;
   const std::atomic<bool> stop = false;
   const auto result = [&](std::uint64_t unit) {
@@ -133,9 +134,9 @@ TEST_F(plan_folder, is_worked_through_by_threads_and_workers_once) {
       folder, first, {2}, result, [](const Worked&) {}, stop);
   other.join();
   EXPECT_TRUE(by_first.is_complete && by_second.is_complete);
-  EXPECT_EQ(by_first.units + by_second.units, 2500U);
-  EXPECT_EQ(calls, 2500);
-  for (std::uint64_t unit = 0; unit < 2500; ++unit) ASSERT_EQ(folder.kept(unit), "unit " + std::to_string(unit));
+  EXPECT_EQ(by_first.units + by_second.units, 1050U);
+  EXPECT_EQ(calls, 1050);
+  for (std::uint64_t unit = 0; unit < 1050; ++unit) ASSERT_EQ(folder.kept(unit), "unit " + std::to_string(unit));
 }
 
 TEST_F(plan_folder, gives_back_what_is_taken_where_a_unit_throws) {
@@ -176,7 +177,7 @@ TEST(units, give_a_text_that_is_read_back_and_belongs_to_them) {
   found.properties = {{"passivity", 200, false, "a\nloop"}};
   const std::string properties = text_of_unit(plan, 2, units, found);
   EXPECT_EQ(text_of_unit(plan, 2, units, unit_from_text(properties, plan, 2, units, "f")), properties);
-  found.energies = {{{0.5, {0.25, 0.250001}, 0.25, 0.2499}}, "why"};
+  found.energies = {{{0.5, {0.25, 0.105001}, 0.25, 0.2499}}, "why"};
   const std::string energies = text_of_unit(plan, 3, units, found);
   EXPECT_EQ(text_of_unit(plan, 3, units, unit_from_text(energies, plan, 3, units, "f")), energies);
 }
@@ -212,6 +213,19 @@ TEST(plan, refuses_another_build_or_instruction_set) {
     build.*member += "x";
     EXPECT_NE(refusal_of_build(plan, build).find("the plan is for another"), std::string::npos);
   }
+}
+
+TEST(evidence, has_nothing_that_a_run_knows_of_itself) {
+  Certificate one = tests::made_certificate_with_sweeps(), other = one;
+  other.date = "2027-01-01T00:00:00Z";
+  other.processor = "another";
+  other.seconds = 77;
+  other.sweeps.seconds = 78;
+  EXPECT_NE(to_json(one), to_json(other));
+  EXPECT_EQ(evidence_of(one), evidence_of(other));
+  EXPECT_NE(evidence_of(one).find("\"complete\": true"), std::string::npos);
+  EXPECT_NE(evidence_of(one, "units 3 of 7").find("\"complete\": false"), std::string::npos);
+  EXPECT_NE(evidence_of(one, "units 3 of 7").find("units 3 of 7"), std::string::npos);
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Preloaded into a worker, it makes a local folder as late as one of NFS: what stat() and access() say of a name, also that it is
-// missing, and what a listing has, stays as it was first seen for LATE_MS milliseconds, unless this process changes the name
-// itself. open() sees what is so, as NFS promises (close-to-open). One link in four is made and then reported as refused, as when
-// the server's answer is lost and the request comes twice.
+// Preloaded into a worker, it makes a local folder as late as one of NFS: what stat() and access() say of a name, also that it
+// is missing, and what a listing has, stays as it was first seen for LATE_MS milliseconds, unless this process changes the name
+// itself. open() sees what is so, as NFS promises (close-to-open). One link in four is made and then reported as refused, as
+// when the server's answer is lost and the request comes twice.
 
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE
