@@ -177,7 +177,7 @@ TEST(units, give_a_text_that_is_read_back_and_belongs_to_them) {
   found.properties = {{"passivity", 200, false, "a\nloop"}};
   const std::string properties = text_of_unit(plan, 2, units, found);
   EXPECT_EQ(text_of_unit(plan, 2, units, unit_from_text(properties, plan, 2, units, "f")), properties);
-  found.energies = {{{0.5, {0.25, 0.105001}, 0.25, 0.2499}}, "why"};
+  found.energies = {{{0.5, {0.25, 0.250001}, 0.25, 0.2499}}, "why"};
   const std::string energies = text_of_unit(plan, 3, units, found);
   EXPECT_EQ(text_of_unit(plan, 3, units, unit_from_text(energies, plan, 3, units, "f")), energies);
 }
