@@ -16,6 +16,8 @@ namespace {
 // Claims of others that a pass looks at: all of thousands of workers that wait for the last units may not look at all.
 constexpr int kLooks = 16;
 
+constexpr double kFirstPause = 0.05, kLongestPause = 30;  // s: between passes that find nothing to do
+
 // One thread of a worker. It begins at a place that is drawn, so that workers seldom meet; what is drawn changes no result.
 class Searcher {
  public:
@@ -85,12 +87,15 @@ Worked work_through(const PlanFolder& folder, Claims& claims, const WorkerOption
   const auto share = [&] {
     try {
       Searcher searcher(folder, claims);
+      double pause = kFirstPause;
       while (!stop && !failed) {
         const bool took = searcher.pass(false, does) > 0 || searcher.pass(true, does) > 0;
         if (searcher.is_complete()) break;
+        if (took) pause = kFirstPause;
         if (took) continue;
         if (!options.waits) return;
-        sleep(std::clamp(options.lease / 8, 0.05, 30.0), stop);
+        sleep(pause, stop);
+        pause = std::min({2 * pause, options.lease / 8, kLongestPause});
       }
       const std::lock_guard lock(mutex);
       all.is_complete = all.is_complete || searcher.is_complete();
