@@ -67,7 +67,7 @@ expect 0 '"gives_energy":true' -- energy --mesh energy.off --unit mm --depth 0.5
 expect 0 "without shading no closed path gives energy" -- energy --mesh energy.off --unit mm --depth 0.5 --shading none
 expect 0 "no witness: no stroke no longer than 0.1 mm" -- energy --mesh energy.off --unit mm --depth 0.5 --length 0.1
 expect 2 "energy.off: expected the contact rule direct, got sub-goal" -- energy --mesh energy.off --unit mm --depth 1 --contact sub-goal --shading vertex
-expect 2 "--depth is 0.0001 mm; expected" -- energy --mesh energy.off --unit mm --depth 0.0001
+expect 2 "--depth is 0 mm; expected 0.0009765625 to 100 mm" -- energy --mesh energy.off --unit mm --depth 0
 expect 2 "--length: expected --mesh beside it" -- energy --law wall --depth 1 --length 3
 expect 0 "drawn/energy-energy.png" -- "$forceshade" plot --mesh energy.off --unit mm --what energy --out drawn --overwrite
 expect 2 "--what: expected energy for a mesh, got" -- "$forceshade" plot --mesh energy.off --unit mm --what force --out drawn --overwrite
