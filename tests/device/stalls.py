@@ -30,7 +30,14 @@ class Witness:
         if self.can_see:
             self.watches = [subprocess.Popen([sys.executable, os.path.abspath(__file__), "--watch", note], stdin=subprocess.DEVNULL,
                                              stdout=subprocess.DEVNULL) for note in self.notes]
+        self.can_see = self.can_see and all(self.has_begun(watch, note) for watch, note in zip(self.watches, self.notes))
         atexit.register(self.end)
+
+    @staticmethod
+    def has_begun(watch, note):
+        while watch.poll() is None and not os.path.exists(note):
+            time.sleep(0.001)
+        return watch.poll() is None
 
     def end(self):
         for watch in self.watches:
@@ -53,8 +60,8 @@ def watch(note):
     os.sched_setaffinity(0, {int(os.path.basename(note))})
     os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(99))
     test = os.getppid()
+    last = time.monotonic_ns()
     with open(note, "a", buffering=1) as file:
-        last = time.monotonic_ns()
         while os.getppid() == test:
             time.sleep(0.001)
             now = time.monotonic_ns()
