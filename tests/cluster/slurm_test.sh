@@ -77,7 +77,7 @@ controller; node n1; node n2
 is_idle() { [ "$(sinfo -h -p all -t idle -o %D)" = 2 ]; }
 until_so 60 "controller and two nodes are up" is_idle
 job=$(FORCESHADE=$forceshade sbatch --parsable --array=1-8 --signal=B:CONT@1 --chdir="$scratch" -o task-%a.txt \
-  "$scripts/cluster/plan.sbatch" "$scratch/many") || fail "sbatch"
+  "$scripts/plan.sbatch" "$scratch/many") || fail "sbatch"
 state_of() { scontrol show job "${job}_$1" -o | grep -o 'JobState=[A-Z_]*' | cut -d= -f2; }
 running() { [ "$(squeue -h -t R -r | wc -l)" = "$1" ]; }
 until_so 30 "an array of 8 tasks runs on two nodes" running 8
