@@ -25,6 +25,7 @@
 #include "certificate/unit_result.h"
 #include "certificate/worker.h"
 #include "files/printable.h"
+#include "rendering/identity/digest.h"
 
 namespace forceshade::apps {
 namespace {
@@ -68,8 +69,8 @@ int plan(const PlanOptions& options, const SubjectOption& subject, bool radius_i
   PlanFolder::create(options.folder, text);
   std::printf("%" PRIu64
               " units of work in %s\nplan %s\nto work on it, with any number of processes: forceshade certify work %s\n",
-              Units(items, opened.plan.parts_of_a_unit).count(), options.folder.c_str(),
-              properties::digest_of_plan(text).c_str(), options.folder.c_str());
+              Units(items, opened.plan.parts_of_a_unit).count(), options.folder.c_str(), digest_of_text(text).c_str(),
+              options.folder.c_str());
   return kHeld;
 }
 
@@ -98,11 +99,7 @@ int work(const WorkOptions& options) {
   const OpenedPlan opened = apps::opened(options.folder, true);
   const Units units = units_of(opened);
   const PlanFolder folder(options.folder, units.count());
-  std::uint64_t done = 0;
-  for (std::uint64_t i = 0; i < folder.folders(); ++i) {
-    const std::vector<bool> found = folder.done(i);
-    done += static_cast<std::uint64_t>(std::count(found.begin(), found.end(), true));
-  }
+  const std::uint64_t done = progress_of(folder).done;
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   auto written = start;

@@ -9,7 +9,6 @@
 #include "apps/output_options.h"
 #include "apps/progress_line.h"
 #include "apps/signals.h"
-#include "files/shortest.h"
 #include "properties/mesh_energy.h"
 
 namespace forceshade::apps {
@@ -18,9 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 void expect_length(const char* option, float value, float least, float most) {
-  if (!(value >= least && value <= most))
-    throw BadInput(std::string(option) + " is " + files::shortest(value) + " mm; expected " + files::shortest(least) + " to " +
-                   files::shortest(most) + " mm");
+  if (!(value >= least && value <= most)) throw BadInput(ParameterError{option, "mm", value, least, most}.message());
 }
 
 struct MeshVerdict {

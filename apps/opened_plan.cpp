@@ -7,6 +7,7 @@
 #include "apps/command.h"
 #include "apps/signals.h"
 #include "forceshade/checks.h"
+#include "rendering/identity/digest.h"
 #include "rendering/subjects/read.h"
 
 namespace forceshade::apps {
@@ -63,7 +64,7 @@ OpenedPlan opened(const std::string& folder, bool works) {
   properties::Build here = properties::current_build();
   if (!works) here.instruction_set = plan.build.instruction_set;
   if (const std::string why = properties::refusal_of_build(plan, here); !why.empty()) throw BadInput(file + ": " + why);
-  return built(std::move(plan), properties::digest_of_plan(text));
+  return built(std::move(plan), digest_of_text(text));
 }
 
 }  // namespace forceshade::apps

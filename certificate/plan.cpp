@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "certificate/build_json.h"
-#include "rendering/identity/digest.h"
 #include "rendering/identity/identity_json.h"
 
 namespace forceshade::properties {
@@ -102,12 +101,6 @@ Plan plan_from_json(const std::string& text, const std::string& file) {
     throw CertificateError(file + ": expected a plan of forceshade certify (schema " + std::to_string(kPlanSchema) +
                            "): " + error.what());
   }
-}
-
-std::string digest_of_plan(const std::string& text) {
-  Digest digest;
-  digest.text(text);
-  return digest.hex();
 }
 
 std::string identity_line(const Identity& identity) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // A plan: what is to be certified, by which build, and how it is cut into units of work. Its file is written once and names no
-// time, host or processor.
+// time, host or processor; the digest of a plan is that of the file's text.
 
 #include <string>
 #include <utility>
@@ -28,9 +28,6 @@ std::string to_json(const Plan& plan);
 
 // Throws CertificateError, naming the file, the key, its value and what was expected.
 Plan plan_from_json(const std::string& text, const std::string& file);
-
-// SHA-256 of the text of its file.
-std::string digest_of_plan(const std::string& text);
 
 // One line that is the same for the same subject.
 std::string identity_line(const Identity& identity);

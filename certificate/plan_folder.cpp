@@ -25,14 +25,8 @@ namespace fs = std::filesystem;
 
 constexpr const char *kPlan = "plan.json", *kResults = "results", *kClaims = "claims", *kRuns = "runs", *kDiffers = ".differs-";
 
-std::string sum_of(const std::string& text) {
-  Digest digest;
-  digest.text(text);
-  return digest.hex();
-}
-
 std::string with_sum(const std::string& text) {
-  return text + "\nsha256 " + sum_of(text) + '\n';
+  return text + "\nsha256 " + digest_of_text(text) + '\n';
 }
 
 void make_folder(const fs::path& path) {
@@ -121,7 +115,8 @@ bool PlanFolder::keep(std::uint64_t unit, const std::string& text) const {
   make_folder(file.parent_path());
   const std::string whole = with_sum(text);
   if (files::write_once(file, whole) != files::Written::differs) return true;
-  files::write_once(file.parent_path() / (std::to_string(unit) + kDiffers + sum_of(whole).substr(0, 16) + ".json"), whole);
+  files::write_once(file.parent_path() / (std::to_string(unit) + kDiffers + digest_of_text(whole).substr(0, 16) + ".json"),
+                    whole);
   return false;
 }
 

@@ -26,11 +26,13 @@ double chord_of(double sine) {
 class Turns {
  public:
   explicit Turns(const MeshRendering& rendering) : rendering_(rendering), mesh_(rendering.mesh()) {
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      faces_.push_back(unit_normal(mesh_, t));
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t v = mesh_.triangles[t][i], w = mesh_.triangles[t][(i + 1) % 3];
         sides_[std::minmax(v, w)].push_back({t, i});
       }
+    }
   }
 
   LargestTurns all() const {
@@ -55,14 +57,8 @@ class Turns {
   Eigen::Vector3d vertex(std::uint32_t v) const { return vector_of(mesh_.vertices[v]); }
   Eigen::Vector3d corner(std::uint32_t t, std::size_t i) const { return vertex(mesh_.triangles[t][i % 3]); }
   Eigen::Vector3d normal(std::uint32_t t, std::size_t i) const { return vector_of(rendering_.normals[t][i % 3]); }
-  Eigen::Vector3d direction(std::uint32_t t) const {
-    return (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0)).normalized();
-  }
-  // The error of direction(), as in largest_turn().
-  double error(std::uint32_t t) const {
-    const Eigen::Vector3d e = corner(t, 1) - corner(t, 0), f = corner(t, 2) - corner(t, 0);
-    return 16 * 0x1p-53 * (e.norm() * f.norm() / e.cross(f).norm() + 1);
-  }
+  const Eigen::Vector3d& direction(std::uint32_t t) const { return faces_[t].direction; }
+  double error(std::uint32_t t) const { return faces_[t].error; }
 
   // Whether the god-object can rest on the edge, as in a valley.
   bool is_valley(const Side& a, const Side& b) const {
@@ -146,6 +142,7 @@ class Turns {
 
   const MeshRendering& rendering_;
   const mesh::TriangleMesh& mesh_;
+  std::vector<UnitNormal> faces_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Side>> sides_;
 };
 

@@ -166,17 +166,20 @@ Violation force_follows_the_spring(const MeshRendering& rendering, const Ticked&
          words(allowed) + " N were expected";
 }
 
-double largest_turn(const MeshRendering& rendering, std::uint32_t triangle) {
-  const mesh::Triangle& corners = rendering.mesh().triangles[triangle];
-  const auto corner = [&](std::size_t i) { return vector_of(rendering.mesh().vertices[corners[i]]); };
+UnitNormal unit_normal(const mesh::TriangleMesh& mesh, std::uint32_t triangle) {
+  const mesh::Triangle& corners = mesh.triangles[triangle];
+  const auto corner = [&](std::size_t i) { return vector_of(mesh.vertices[corners[i]]); };
   const Eigen::Vector3d e = corner(1) - corner(0), f = corner(2) - corner(0), n = e.cross(f);
-  // The error of the direction of n: differences and products are rounded, and cancel where the triangle is a needle.
-  const double error = 16 * 0x1p-53 * e.norm() * f.norm() / n.norm() + 16 * 0x1p-53;
+  return {n.normalized(), 16 * 0x1p-53 * e.norm() * f.norm() / n.norm() + 16 * 0x1p-53};
+}
+
+double largest_turn(const MeshRendering& rendering, std::uint32_t triangle) {
+  const UnitNormal n = unit_normal(rendering.mesh(), triangle);
   double turn = 0;
   for (const mesh::Normal& normal : rendering.normals[triangle]) {
     const Eigen::Vector3d N = vector_of(normal);
     if (N.isZero(0)) continue;  // it adds nothing to the others; a chord beyond the root of 2 is that of an angle above 90°
-    turn = std::max(turn, (N.normalized() - n.normalized()).norm() + error);
+    turn = std::max(turn, (N.normalized() - n.direction).norm() + n.error);
   }
   return std::min(turn, std::numbers::sqrt2);
 }

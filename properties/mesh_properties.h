@@ -38,6 +38,14 @@ Violation force_is_as_long_as_the_spring(const MeshRendering& rendering, const T
 // shaded one of which friction takes a part.
 Violation force_follows_the_spring(const MeshRendering& rendering, const Ticked& one, const Ticked& other);
 
+// The direction of a triangle's normal, to the front, and the most that it is off: differences and products are rounded, and
+// cancel where the triangle is a needle.
+struct UnitNormal {
+  Eigen::Vector3d direction;
+  double error;
+};
+UnitNormal unit_normal(const mesh::TriangleMesh& mesh, std::uint32_t triangle);
+
 // The most by which the vertex scheme turns the force of a rest inside this triangle, as a chord: |N/|N| - n/|n|| is at most
 // this, for every N that is interpolated between the corners' normals. A normal at a right angle to n, or beyond, gives the
 // root of 2, because no N with N·D <= 0 is used. It contains the error of its own arithmetic.

@@ -130,7 +130,7 @@ MeshStroke best_stroke(const MeshRendering& rendering, const LargestTurns& turns
   for (std::size_t n = 0; n < count; ++n) {
     monitor.at(0.5 * static_cast<double>(n) / static_cast<double>(count));
     const std::uint32_t t = order[n];
-    const Eigen::Vector3d normal = (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0)).normalized();
+    const Eigen::Vector3d normal = unit_normal(mesh, t).direction;
     const Eigen::Vector3d centre = (corner(t, 0) + corner(t, 1) + corner(t, 2)) / 3;
     std::vector<Eigen::Vector3d> points{centre};
     for (std::size_t i = 0; i < 3; ++i)

@@ -13,9 +13,7 @@ Certified certified(const std::string& file, const Identity& rendering) {
   const properties::Certificate certificate = properties::from_json(text, file);
   if (const auto refused = refusal(certificate, properties::current_build(), rendering))
     return {std::nullopt, file + ": " + *refused};
-  Digest digest;
-  digest.text(text);
-  return {digest.hex(), ""};
+  return {digest_of_text(text), ""};
 }
 
 }  // namespace forceshade::run

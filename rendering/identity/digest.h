@@ -42,4 +42,10 @@ class Digest {
   std::unique_ptr<evp_md_ctx_st, Free> context_;
 };
 
+inline std::string digest_of_text(std::string_view text) {
+  Digest digest;
+  digest.text(text);
+  return digest.hex();
+}
+
 }  // namespace forceshade
