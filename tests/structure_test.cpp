@@ -355,7 +355,7 @@ TEST(structure, no_comment_begins_with_the_tail_of_a_noun) {
 TEST(structure, each_row_of_the_planted_defects_has_a_test_of_its_number) {
   std::string tests;
   for (const char* file : {"tests/conformance/planted_defects_test.cpp", "tests/conformance/planted_simulator_defects_test.cpp",
-                           "tests/apps/conform_test.sh"})
+                           "tests/apps/conform_command_test.sh"})
     tests += text_of(kRoot / file);
   const std::string page = text_of(kRoot / "docs/planted-defects.md");
   const std::regex row("\n\\| (\\d+) \\|");
@@ -363,6 +363,15 @@ TEST(structure, each_row_of_the_planted_defects_has_a_test_of_its_number) {
   for (std::sregex_iterator it(page.begin(), page.end(), row), end; it != end; ++it, ++rows)
     EXPECT_NE(tests.find("number_" + (*it)[1].str() + '_'), std::string::npos) << "row " << (*it)[1];
   EXPECT_EQ(rows, 30);
+}
+
+// Test programs, and scripts that are given the command alone.
+TEST(structure, each_test_that_finds_mutants_has_a_name_of_its_own) {
+  for (std::set<std::string> names; const auto& file : std::filesystem::recursive_directory_iterator(kRoot / "tests")) {
+    const std::string end = file.path().extension(), name = file.path().stem();
+    const bool is_run = end == ".cpp" || (end == ".sh" && text_of(file).find(".sh FORCESHADE:") != std::string::npos);
+    EXPECT_TRUE(!is_run || !name.ends_with("_test") || names.insert(name).second) << name;
+  }
 }
 
 TEST(structure, the_real_time_side_uses_no_library_of_the_exact_one) {

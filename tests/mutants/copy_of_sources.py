@@ -1,4 +1,5 @@
 """A copy of the sources in which lines may be changed, with a build of its own."""
+import functools
 import hashlib
 import os
 import pathlib
@@ -14,18 +15,22 @@ def digest(*texts):
     return hashlib.sha256("\0".join(texts).encode()).hexdigest()[:16]
 
 
-def names_of_tests():
-    """The test programs, and the scripts that test the command and are given no more than it."""
+@functools.cache
+def sources_of_tests():
+    """By name: the test programs, and the scripts that test the command and are given no more than it."""
     def is_run(path):
         head = path.read_text().split("\n", 2)[1]
         return path.suffix == ".cpp" or head.startswith(f"# {path.name} FORCESHADE:")
 
-    return sorted({path.stem for path in (ROOT / "tests").glob("**/*_test.*") if path.suffix in (".cpp", ".sh") and is_run(path)}
-                  - {"mutants_test"})
+    return {path.stem: path for path in (ROOT / "tests").glob("**/*_test.*") if path.suffix in (".cpp", ".sh") and is_run(path)}
+
+
+def names_of_tests():
+    return sorted(sources_of_tests().keys() - {"mutants_test"})
 
 
 def source_of(test):
-    return next(path for path in (ROOT / "tests").glob(f"**/{test}.*") if path.suffix in (".cpp", ".sh"))
+    return sources_of_tests()[test]
 
 
 def is_script(test):

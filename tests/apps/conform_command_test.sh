@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# conform_test.sh FORCESHADE: renderers of other programs through the door of processes: right ones, wrong ones, and such that do
+# conform_command_test.sh FORCESHADE: renderers of other programs through the door of processes: right ones, wrong ones, and such that do
 # anything else.
 . "$(dirname "$0")/expect.sh"
 renderers=$examples/renderers

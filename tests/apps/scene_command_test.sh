@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# scene_test.sh FORCESHADE: a scene of fixed objects as its users check, certify, drive, record and compare it.
+# scene_command_test.sh FORCESHADE: a scene of fixed objects as its users check, certify, drive, record and compare it.
 . "$(dirname "$0")/expect.sh"
 cp -r "$examples/scenes" scenes
 table="--scene scenes/table.toml"
