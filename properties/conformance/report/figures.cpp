@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "certificate/report/gnuplot.h"
 #include "certificate/report/html.h"
 #include "certificate/report/plot_text.h"
 #include "properties/conformance/report/error_map.h"
