@@ -100,6 +100,30 @@ std::variant<Law, ParameterError> Law::build(LawId id, const Parameters& p) noex
   return ParameterError{"law", "", static_cast<float>(static_cast<int>(id)), 0, static_cast<float>(kLaws.size() - 1)};
 }
 
+namespace {
+
+// Answers `count` positions, a block at most; returns how many are invalid. The forces must not lie over the positions.
+template <class Definition>
+std::size_t answer(const Built<Definition>& law, const Parameters& parameters, BlockFunction<Definition> answer_block,
+                   std::size_t count, const float* x, const float* z, float* fx, float* fz) noexcept {
+  const std::size_t in_steps = answer_block == nullptr ? 0 : count - count % kStep;
+  std::size_t done = in_steps > 0 && answer_block(law.definition, in_steps, x, z, fx, fz) ? in_steps : 0;
+  std::size_t invalid = 0;
+  while (done < count) {
+    const std::size_t end = std::min(count, done + kStep);
+    if (done < in_steps && answer_block(law.definition, kStep, x + done, z + done, fx + done, fz + done)) done = end;
+    for (; done < end; ++done) {
+      const Evaluation one = fast::evaluate(law, parameters, Eigen::Vector3f(x[done], 0, z[done]));
+      fx[done] = one.force.x();
+      fz[done] = one.force.z();
+      invalid += one.status == Status::invalid;
+    }
+  }
+  return invalid;
+}
+
+}  // namespace
+
 BatchResult Law::force(std::span<const float> x, std::span<const float> z, std::span<float> fx, std::span<float> fz,
                        InstructionSet instructions) const noexcept {
   return std::visit(
@@ -119,14 +143,7 @@ BatchResult Law::force(std::span<const float> x, std::span<const float> z, std::
             at_x = kept_x;
             at_z = kept_z;
           }
-          if (answer_block != nullptr && size == kBlock && answer_block(law.definition, at_x, at_z, &fx[begin], &fz[begin]))
-            continue;
-          for (std::size_t i = 0; i < size; ++i) {
-            const Evaluation one = fast::evaluate(law, parameters_, Eigen::Vector3f(at_x[i], 0, at_z[i]));
-            fx[begin + i] = one.force.x();
-            fz[begin + i] = one.force.z();
-            result.invalid += one.status == Status::invalid;
-          }
+          result.invalid += answer(law, parameters_, answer_block, size, at_x, at_z, &fx[begin], &fz[begin]);
         }
         return result;
       },
@@ -144,8 +161,8 @@ BatchResult Law::force(std::span<const Eigen::Vector3f> positions, std::span<Eig
         alignas(64) float x[kBlock], z[kBlock], fx[kBlock], fz[kBlock];
         BatchResult result;
         for (std::size_t next = 0; next < count;) {
-          if (table != nullptr && count - next >= kBlock && table->take_rows_apart(positions[next].data(), x, z) &&
-              answer_block(law.definition, x, z, fx, fz)) {
+          if (table != nullptr && count - next >= kBlock && table->take_rows_apart(positions[next].data(), x, z)) {
+            result.invalid += answer(law, parameters_, answer_block, kBlock, x, z, fx, fz);
             table->put_rows_together(fx, fz, forces[next].data());
             next += kBlock;
             continue;

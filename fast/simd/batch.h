@@ -13,12 +13,13 @@
 
 namespace forceshade::fast {
 
-// Positions per step. A step with any position that needs more than the first stage is done again by the scalar call.
-inline constexpr std::size_t kBlock = 128;
+// Positions that are answered together at most, and a step of them: a block with a position that is invalid or in doubt is
+// answered again in steps, and such a step by the scalar call.
+inline constexpr std::size_t kBlock = 512, kStep = 16;
 
-// Answers kBlock positions by the first stage; false when at least one of them is invalid or in doubt.
+// Answers `count` positions, some steps and a block at most; false when at least one of them is invalid or in doubt.
 template <class Definition>
-using BlockFunction = bool (*)(const Definition& law, const float* x, const float* z, float* fx, float* fz);
+using BlockFunction = bool (*)(const Definition& law, std::size_t count, const float* x, const float* z, float* fx, float* fz);
 
 template <class Definition>
 struct BlockOf {

@@ -3,8 +3,12 @@
 
 #include "fast/simd/batch.h"
 #include "fast/simd/pack_avx512.h"
-#include "fast/simd/pack_pair.h"
+
+// What is made of packs:
+#include "fast/simd/bump_form.h"
+#include "fast/simd/cylinder_form.h"
 #include "fast/simd/position_rows_avx2.h"
+#include "fast/simd/wall_form.h"
 
 namespace forceshade::fast {
 

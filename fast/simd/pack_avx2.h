@@ -4,6 +4,8 @@
 
 #include <immintrin.h>
 
+#include <cstdint>
+
 #include "fast/domain.h"
 #include "fast/numbers/first_stage.h"
 
@@ -50,11 +52,65 @@ struct Pack {
   FORCESHADE_INLINE friend Pack multiply_subtract(Pack a, Pack b, Pack c) {
     return _mm256_fnmadd_pd(a.lanes, b.lanes, c.lanes);
   }
+  // a·b + c, -(a·b) + c and a·b - c, rounded once.
+  FORCESHADE_INLINE friend Pack fused_add(Pack a, Pack b, Pack c) { return _mm256_fmadd_pd(a.lanes, b.lanes, c.lanes); }
+  FORCESHADE_INLINE friend Pack fused_subtract_from(Pack a, Pack b, Pack c) {
+    return _mm256_fnmadd_pd(a.lanes, b.lanes, c.lanes);
+  }
+  FORCESHADE_INLINE friend Pack fused_less(Pack a, Pack b, Pack c) { return _mm256_fmsub_pd(a.lanes, b.lanes, c.lanes); }
   FORCESHADE_INLINE friend Pack square_root(Pack a) { return _mm256_sqrt_pd(a.lanes); }
   FORCESHADE_INLINE friend Pack larger(Pack a, Pack b) { return _mm256_max_pd(a.lanes, b.lanes); }
   FORCESHADE_INLINE friend Pack select(Mask condition, Pack yes, Pack no) {
     return _mm256_blendv_pd(no.lanes, yes.lanes, condition.bits);
   }
+};
+
+// Eight binary32 numbers: as many as two packs.
+struct Floats {
+  static constexpr std::size_t kLanes = 8;
+
+  struct Mask {
+    __m256 bits;
+    FORCESHADE_INLINE friend Mask operator&(Mask a, Mask b) { return {_mm256_and_ps(a.bits, b.bits)}; }
+    FORCESHADE_INLINE friend Mask operator|(Mask a, Mask b) { return {_mm256_or_ps(a.bits, b.bits)}; }
+  };
+
+  __m256 lanes;
+
+  FORCESHADE_INLINE explicit Floats(float a) : lanes(_mm256_set1_ps(a)) {}
+  // Of a binary32 in binary64, as laws keep their constants.
+  FORCESHADE_INLINE explicit Floats(double a) : Floats(static_cast<float>(a)) {}
+  FORCESHADE_INLINE Floats(__m256 a) : lanes(a) {}
+
+  FORCESHADE_INLINE static Floats load(const float* from) { return _mm256_loadu_ps(from); }
+  FORCESHADE_INLINE void store(float* to) const { _mm256_storeu_ps(to, lanes); }
+  // The two packs, exact, and back, rounded.
+  FORCESHADE_INLINE Pack first_half() const { return _mm256_cvtps_pd(_mm256_castps256_ps128(lanes)); }
+  FORCESHADE_INLINE Pack second_half() const { return _mm256_cvtps_pd(_mm256_extractf128_ps(lanes, 1)); }
+  FORCESHADE_INLINE static Floats rounded(Pack first, Pack second) {
+    return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm256_cvtpd_ps(first.lanes)), _mm256_cvtpd_ps(second.lanes), 1);
+  }
+
+  FORCESHADE_INLINE friend Floats operator+(Floats a, Floats b) { return _mm256_add_ps(a.lanes, b.lanes); }
+  FORCESHADE_INLINE friend Floats operator*(Floats a, Floats b) { return _mm256_mul_ps(a.lanes, b.lanes); }
+  FORCESHADE_INLINE friend Floats operator/(Floats a, Floats b) { return _mm256_div_ps(a.lanes, b.lanes); }
+  FORCESHADE_INLINE friend Mask operator<(Floats a, Floats b) { return {_mm256_cmp_ps(a.lanes, b.lanes, _CMP_LT_OQ)}; }
+  FORCESHADE_INLINE friend Mask operator<=(Floats a, Floats b) { return {_mm256_cmp_ps(a.lanes, b.lanes, _CMP_LE_OQ)}; }
+  FORCESHADE_INLINE friend Mask operator>(Floats a, Floats b) { return b < a; }
+  FORCESHADE_INLINE friend Mask operator==(Floats a, Floats b) { return {_mm256_cmp_ps(a.lanes, b.lanes, _CMP_EQ_OQ)}; }
+  FORCESHADE_INLINE friend Floats absolute(Floats a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.lanes); }
+  // a times the sign of b.
+  FORCESHADE_INLINE friend Floats times_sign(Floats a, Floats b) {
+    return _mm256_xor_ps(a.lanes, _mm256_and_ps(b.lanes, _mm256_set1_ps(-0.0F)));
+  }
+  FORCESHADE_INLINE friend Floats square_root(Floats a) { return _mm256_sqrt_ps(a.lanes); }
+  // Of +0 and -0 the second.
+  FORCESHADE_INLINE friend Floats larger(Floats a, Floats b) { return _mm256_max_ps(a.lanes, b.lanes); }
+  FORCESHADE_INLINE friend Floats select(Mask condition, Floats yes, Floats no) {
+    return _mm256_blendv_ps(no.lanes, yes.lanes, condition.bits);
+  }
+  // 0 where the condition does not hold.
+  FORCESHADE_INLINE friend Floats operator&(Floats a, Mask b) { return _mm256_and_ps(a.lanes, b.bits); }
 };
 
 // What keeps a block from being answered by packs, gathered over the block and tested once, all in integers: they leave
@@ -63,31 +119,50 @@ struct Watch {
   __m256i largest = _mm256_setzero_si256();  // of the coordinates' sizes, as bits: NaN above infinity above every number
   __m256i smallest = _mm256_set1_epi32(-1);  // of the same less one, which puts 0 last
   __m256i closest = _mm256_setzero_si256();  // of the forces' dropped bits, moved by kTieOffset
+  __m256 doubtful = _mm256_setzero_ps();
+  __m256i nearest = _mm256_set1_epi32(-1);  // of the sizes of distances, as the upper halves of their bits
 
-  // Twice kLanes of them.
-  FORCESHADE_INLINE void coordinates(const float* from) {
-    const __m256i bits = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
-    const __m256i size = _mm256_and_si256(bits, _mm256_set1_epi32(INT32_MAX));
-    largest = _mm256_max_epu32(largest, size);
+  // Sizes of coordinates that may be tiny without changing the force.
+  FORCESHADE_INLINE void domain(Floats sizes) { largest = _mm256_max_epu32(largest, _mm256_castps_si256(sizes.lanes)); }
+  // Sizes of coordinates.
+  FORCESHADE_INLINE void coordinates(Floats sizes) {
+    domain(sizes);
+    const __m256i size = _mm256_castps_si256(sizes.lanes);
     smallest = _mm256_min_epu32(smallest, _mm256_sub_epi32(size, _mm256_set1_epi32(1)));
   }
 
-  template <int kWindow>
-  FORCESHADE_INLINE void rounding(Pack value) {
-    const __m256i moved = _mm256_add_epi64(_mm256_castpd_si256(value.lanes), _mm256_set1_epi64x(kTieOffset<kWindow>));
-    closest = _mm256_max_epu32(closest, _mm256_and_si256(moved, _mm256_set1_epi64x(kDroppedMask)));
+  // What vanishes on the surface, and is known too roughly where it is small. The upper halves of two packs make one vector.
+  FORCESHADE_INLINE void distance(Pack first, Pack second) {
+    const __m256i high = _mm256_castps_si256(
+        _mm256_shuffle_ps(_mm256_castpd_ps(first.lanes), _mm256_castpd_ps(second.lanes), _MM_SHUFFLE(3, 1, 3, 1)));
+    nearest = _mm256_min_epu32(nearest, _mm256_and_si256(high, _mm256_set1_epi32(INT32_MAX)));
   }
 
-  // Every coordinate is valid and either 0 or not below the quantum, no rounding is in doubt.
+  FORCESHADE_INLINE void doubt(Floats::Mask where) { doubtful = _mm256_or_ps(doubtful, where.bits); }
+
+  // The lower halves of two packs, which hold the dropped bits, make one vector.
   template <int kWindow>
-  FORCESHADE_INLINE bool is_free_of_hazards() const {
+  FORCESHADE_INLINE void rounding(Pack first, Pack second) {
+    const __m256i low = _mm256_castps_si256(
+        _mm256_shuffle_ps(_mm256_castpd_ps(first.lanes), _mm256_castpd_ps(second.lanes), _MM_SHUFFLE(2, 0, 2, 0)));
+    const __m256i moved = _mm256_add_epi32(low, _mm256_set1_epi32(kTieOffset<kWindow>));
+    closest = _mm256_max_epu32(closest, _mm256_and_si256(moved, _mm256_set1_epi32(kDroppedMask)));
+  }
+
+  // Every coordinate is valid and either 0 or not below least_coordinate in size, no distance is below least_distance (rounded
+  // up to 21 bits), no rounding and nothing else is in doubt.
+  template <int kWindow>
+  FORCESHADE_INLINE bool is_free_of_hazards(float least_coordinate, double least_distance) const {
     constexpr int kLargest = __builtin_bit_cast(int, kLargestCoordinate);
-    constexpr int kSmallest = __builtin_bit_cast(int, kPositionQuantum) - 1;
+    const int before_least = __builtin_bit_cast(int, least_coordinate) - 1;
     // largest and closest are below 2^31; smallest may not be, and AVX2 compares signed integers alone.
     const __m256i invalid = _mm256_cmpgt_epi32(largest, _mm256_set1_epi32(kLargest));
-    const __m256i tiny = _mm256_cmpeq_epi32(_mm256_min_epu32(smallest, _mm256_set1_epi32(kSmallest - 1)), smallest);
+    const __m256i tiny = _mm256_cmpeq_epi32(_mm256_min_epu32(smallest, _mm256_set1_epi32(before_least - 1)), smallest);
     const __m256i doubt = _mm256_cmpgt_epi32(closest, _mm256_set1_epi32(kTieThreshold<kWindow> - 1));
-    const __m256i any = _mm256_or_si256(_mm256_or_si256(invalid, tiny), doubt);
+    const int high = static_cast<int>(__builtin_bit_cast(std::uint64_t, least_distance) >> 32);
+    const __m256i near = _mm256_cmpeq_epi32(_mm256_min_epu32(nearest, _mm256_set1_epi32(high)), nearest);
+    const __m256i any = _mm256_or_si256(_mm256_or_si256(invalid, tiny),
+                                        _mm256_or_si256(_mm256_or_si256(doubt, near), _mm256_castps_si256(doubtful)));
     return _mm256_testz_si256(any, any) != 0;
   }
 };

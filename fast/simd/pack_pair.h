@@ -27,11 +27,17 @@ struct Pair {
   FORCESHADE_INLINE Pair(Half a, Half b) : first(a), second(b) {}
   // Not defaulted: g++ 12 copies a defaulted Pair through memory, sixteen bytes at a time.
   FORCESHADE_INLINE Pair(const Pair& other) : first(other.first), second(other.second) {}
+  FORCESHADE_INLINE Pair& operator=(const Pair& other) {
+    first = other.first;
+    second = other.second;
+    return *this;
+  }
 
   FORCESHADE_INLINE void store(double* to) const {
     first.store(to);
     second.store(to + Half::kLanes);
   }
+  FORCESHADE_INLINE static Pair load(const double* from) { return {Half::load(from), Half::load(from + Half::kLanes)}; }
   FORCESHADE_INLINE static Pair load(const float* from) { return {Half::load(from), Half::load(from + Half::kLanes)}; }
   FORCESHADE_INLINE void store(float* to) const {
     first.store(to);
@@ -54,6 +60,15 @@ struct Pair {
   }
   FORCESHADE_INLINE friend Pair multiply_subtract(Pair a, Pair b, Pair c) {
     return {multiply_subtract(a.first, b.first, c.first), multiply_subtract(a.second, b.second, c.second)};
+  }
+  FORCESHADE_INLINE friend Pair fused_add(Pair a, Pair b, Pair c) {
+    return {fused_add(a.first, b.first, c.first), fused_add(a.second, b.second, c.second)};
+  }
+  FORCESHADE_INLINE friend Pair fused_subtract_from(Pair a, Pair b, Pair c) {
+    return {fused_subtract_from(a.first, b.first, c.first), fused_subtract_from(a.second, b.second, c.second)};
+  }
+  FORCESHADE_INLINE friend Pair fused_less(Pair a, Pair b, Pair c) {
+    return {fused_less(a.first, b.first, c.first), fused_less(a.second, b.second, c.second)};
   }
   FORCESHADE_INLINE friend Pair square_root(Pair a) { return {square_root(a.first), square_root(a.second)}; }
   FORCESHADE_INLINE friend Pair larger(Pair a, Pair b) { return {larger(a.first, b.first), larger(a.second, b.second)}; }

@@ -3,7 +3,8 @@
 # stored beside the script, and must imply the constant in the header: neither exceed it nor leave it idle by more than 4.
 # A script holds definitions and then pieces; a piece ("#! piece NAME") is a proposition of its own over the definitions.
 # A piece whose name begins with sign_ proves no more than a sign: its relative error must be below 1. One whose name begins with
-# share_ compares a part of an error with what the header charges for it: below 1, less the few roundings of their sum.
+# share_ compares a part of an error with what the header charges for it: below 1, less the few roundings of their sum. One whose name
+# begins with part_ is only for other pieces to use.
 # "# from FILE PREFIX" after a hypothesis: it follows from the bounds of those pieces, and that is checked too.
 # A rewriting of a script must be proved too: see prove below, and tests/fast/coq_test.sh.
 # With "store" the intervals are written instead of compared.
@@ -82,7 +83,7 @@ check() {  # script's basename, bound that its intervals must imply, or "" if on
   done < <(grep '# from ' "$script" | grep -v '^#')
   at_most "$(grep -q '^sign_' "$stored" && largest "$stored" sign_ || echo 0)" 0.999 || fail "$1: a sign is not proved"
   at_most "$(grep -q '^share_' "$stored" && largest "$stored" share_ || echo 0)" 0.9999 || fail "$1: a part of an error is not covered"
-  most=$(largest <(grep -Ev '^(sign|share)_' "$stored") "")
+  most=$(largest <(grep -Ev '^(sign|share|part)_' "$stored") "")
   if [ -z "$bound" ]; then
     echo "$1: proved $most"
   elif ! at_most "$most" "$bound"; then
@@ -95,6 +96,8 @@ check() {  # script's basename, bound that its intervals must imply, or "" if on
 }
 
 check polygon_gap ""
+check bump_form ""
+check cylinder_form "$(constant "$fast/simd/cylinder_form.h" kErrorBound)"
 check double_double "$(constant "$fast/numbers/double_double.h" kRelativeError)"
 check spline "$(constant "$fast/heights/spline.h" kSplineError)"
 check decide ""

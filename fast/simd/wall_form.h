@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The batch's form of the wall (fast/simd/form.h): the binary32 product of two binary32 numbers is the force, rounded.
+
+#include "fast/laws/bump_1p.h"
+#include "fast/laws/wall.h"
+#include "fast/simd/form.h"
+
+namespace forceshade::fast {
+namespace {
+
+struct WallForm {
+  Floats minus_K;
+
+  explicit WallForm(double K) : minus_K(-K) {}
+  explicit WallForm(const Wall& law) : WallForm(law.K) {}
+
+  FORCESHADE_INLINE Floats force_z(Floats z) const { return larger(minus_K * z, Floats(0.0F)); }
+};
+
+bool answer(const WallForm& wall, std::size_t count, const float* x, const float* z, float* fx, float* fz) {
+  Watch watch;
+  for (std::size_t i = 0; i < count; i += Floats::kLanes) {
+    const Floats at_z = Floats::load(z + i);
+    watch.domain(absolute(Floats::load(x + i)));
+    watch.coordinates(absolute(at_z));
+    Floats(0.0F).store(fx + i);
+    wall.force_z(at_z).store(fz + i);
+  }
+  return watch.is_free_of_hazards<0>(kPositionQuantum, 0);
+}
+
+template <>
+struct FormOf<Wall> {
+  using Type = WallForm;
+};
+template <>
+struct FormOf<Bump1p> {
+  using Type = WallForm;
+};
+
+}  // namespace
+}  // namespace forceshade::fast
