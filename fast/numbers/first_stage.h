@@ -2,9 +2,10 @@
 #pragma once
 // What the binary64 stage of every law is made of: exact products, split constants and the rounding test.
 //
-// A law's first stage is a template over Real: double, or a pack of them in a batch (fast/pack_<set>.h). A Real offers
-// Real(double), + - * /, comparisons that give a MaskOf<Real> with & | !, and absolute, square_root, larger, select,
-// multiply_add, multiply_subtract and never as declared here (square_root: fast/numbers/double_double.h) for double.
+// A law's first stage is a template over Real: double, and in tests numbers that write down what is done with them or track its
+// error. A Real offers Real(double), + - * /, comparisons that give a MaskOf<Real> with & | !, and absolute, square_root,
+// larger, select, multiply_add, multiply_subtract and never as declared here (square_root: fast/numbers/double_double.h) for
+// double. A batch computes the same forces in forms of its own (fast/simd/form.h).
 
 #include <cstdint>
 
@@ -45,7 +46,7 @@ FORCESHADE_INLINE double select(bool condition, double yes, double no) {
   return condition ? yes : no;
 }
 
-// a·b + c and c - a·b, for products that are exact in binary64: then fused (as packs do it) or not, the result is the same.
+// a·b + c and c - a·b, for products that are exact in binary64: then fused or not, the result is the same.
 FORCESHADE_INLINE double multiply_add(double a, double b, double c) {
   return a * b + c;
 }

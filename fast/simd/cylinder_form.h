@@ -18,28 +18,28 @@
 namespace forceshade::fast {
 namespace {
 
+// t, and the derivative of the step, K/(2Rρ).
+struct RoughStep {
+  Floats t, derivative;
+};
+
 template <class Definition>
 struct CylinderForm {
   static constexpr bool kHasPlane = std::is_same_v<Definition, BumpCylinder>;
   static constexpr double kErrorBound = 0x9p-46;
   static constexpr int kWindow = doubt_window(kErrorBound);
 
-  Floats R, axis, least_rho_squared;
-  Two R_squared, half_width, d_head, d_tail, twice_d_head, twice_d_tail, K;
-  Floats half_K;
+  Floats R, half_K, axis, least_rho_squared;
+  Two R_squared, K, half_width, d_head, d_tail, twice_d_head, twice_d_tail;
   float least_coordinate;  // below it, w/2 ± |x| and z + 2d may have to be rounded
   double least_distance;   // of v
 
   explicit CylinderForm(const Definition& law) : CylinderForm(law, std::sqrt((law.anchored - law.anchor) + law.rest)) {}
 
-  FORCESHADE_INLINE Two l(Two z) const { return (z + d_head) + d_tail; }
-
-  // v.
-  FORCESHADE_INLINE Two difference(Watch& watch, const float* x, const float* z) const {
+  FORCESHADE_INLINE Two v(Watch& watch, const float* x, const float* z) const {
     watch.coordinates(absolute(Floats::load(x)));
     watch.coordinates(absolute(Floats::load(z)));
-    const Two at_x = Two::load(x), at_z = Two::load(z);
-    const Two factor = at_z + twice_d_head;  // exact
+    const Two at_x = Two::load(x), at_z = Two::load(z), factor = at_z + twice_d_head;
     const Two product = at_z * factor, error = fused_less(at_z, factor, product);
     const Two v = fused_less(half_width - at_x, half_width + at_x, product) - fused_add(at_z, twice_d_tail, error);
     watch.distance(v.first, v.second);
@@ -53,24 +53,37 @@ struct CylinderForm {
     if constexpr (kHasPlane) return is_near_axis | ((v > Floats(0.0F)) & (z <= axis));
     return is_near_axis | (z == axis);
   }
-  FORCESHADE_INLINE Two force_of_plane(const float* z) const {
-    if constexpr (kHasPlane) return larger(-K * Two::load(z), Two(0));
-    return Two(0);
+  FORCESHADE_INLINE RoughStep rough_step(Floats v, Floats rho_squared) const {
+    const Floats R_rho = R * square_root(rho_squared);
+    return {v / (R_rho + rho_squared), half_K / R_rho};
+  }
+
+  // K·t after the step; 0 outside.
+  FORCESHADE_INLINE Two scale(Two t, Two derivative, Two v) const {
+    const Two missing = fused_subtract_from(t * (R_squared - v), t + Two(2), v);
+    return larger(fused_add(missing, derivative, t * K), Two(0));
+  }
+  // + 0 turns -0 into +0.
+  FORCESHADE_INLINE Components components(Two scale, const float* x, const float* z) const {
+    const Two at_z = Two::load(z), l = (at_z + d_head) + d_tail;
+    Two from_plane(0);
+    if constexpr (kHasPlane) from_plane = larger(-K * at_z, Two(0));
+    return {fused_add(scale, Two::load(x), Two(0)), fused_add(scale, l, from_plane)};
   }
 
  private:
   CylinderForm(const Definition& law, double half)  // half: w/2, for (w/2)² is exact
       : R(law.R),
+        half_K(0.5 * law.K),
         axis(law.axis),
         least_rho_squared(law.R * law.R / 16),
         R_squared(law.R * law.R),
+        K(law.K),
         half_width(half),
         d_head(law.d.head),
         d_tail(law.d.tail),
         twice_d_head(2 * law.d.head),
         twice_d_tail(2 * law.d.tail),
-        K(law.K),
-        half_K(0.5 * law.K),
         least_coordinate(std::max(kPositionQuantum, static_cast<float>(0x1p-27 * std::max(half, law.d.head)))),
         least_distance(0x1p-24 * law.R * law.R) {}
 };
@@ -80,28 +93,27 @@ bool answer(const CylinderForm<Definition>& cylinder, std::size_t count, const f
   using Form = CylinderForm<Definition>;
   const Form form = cylinder;  // a copy that the stores below cannot alias
   alignas(64) double kept_v[kBlock];
-  alignas(64) float rough_t[kBlock], half_K_over_R_rho[kBlock];
+  alignas(64) float kept_t[kBlock], kept_derivative[kBlock];
   Watch watch;
   staggered(
-      count, [&](std::size_t i) FORCESHADE_INLINE_LAMBDA { return form.difference(watch, x + i, z + i); },
+      count, [&](std::size_t i) FORCESHADE_INLINE_LAMBDA { return form.v(watch, x + i, z + i); },
       [&](std::size_t i, const Two& wide_v) FORCESHADE_INLINE_LAMBDA {
-        wide_v.store(kept_v + i);
         const Floats v = rounded(wide_v), rho_squared = rounded(form.R_squared - wide_v);
-        const Floats R_rho = form.R * square_root(rho_squared);
+        const RoughStep rough = form.rough_step(v, rho_squared);
         watch.doubt(form.is_in_doubt(v, rho_squared, Floats::load(z + i)));
-        (v / (R_rho + rho_squared)).store(rough_t + i);
-        (form.half_K / R_rho).store(half_K_over_R_rho + i);
+        wide_v.store(kept_v + i);
+        rough.t.store(kept_t + i);
+        rough.derivative.store(kept_derivative + i);
       });
   staggered(
       count,
       [&](std::size_t i) FORCESHADE_INLINE_LAMBDA {
-        const Two t = Two::load(rough_t + i), v = Two::load(kept_v + i);
-        const Two missing = fused_subtract_from(t * (form.R_squared - v), t + Two(2), v);
-        return larger(fused_add(missing, Two::load(half_K_over_R_rho + i), t * form.K), Two(0));
+        return form.scale(Two::load(kept_t + i), Two::load(kept_derivative + i), Two::load(kept_v + i));
       },
       [&](std::size_t i, const Two& scale) FORCESHADE_INLINE_LAMBDA {
-        rounded<Form::kWindow>(fused_add(scale, Two::load(x + i), Two(0)), watch).store(fx + i);  // + 0 turns -0 into +0
-        rounded<Form::kWindow>(fused_add(scale, form.l(Two::load(z + i)), form.force_of_plane(z + i)), watch).store(fz + i);
+        const Components force = form.components(scale, x + i, z + i);
+        rounded<Form::kWindow>(force.x, watch).store(fx + i);
+        rounded<Form::kWindow>(force.z, watch).store(fz + i);
       });
   return watch.is_free_of_hazards<Form::kWindow>(form.least_coordinate, form.least_distance);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Four binary64 numbers with AVX2: a Real in the sense of fast/numbers/first_stage.h. For fast/*_avx2.cpp alone.
+// Four binary64 numbers with AVX2: what a batch computes with (fast/simd/form.h). For fast/*_avx2.cpp alone.
 
 #include <immintrin.h>
 
@@ -16,13 +16,7 @@ struct Pack {
   static constexpr std::size_t kLanes = 4;
 
   struct Mask {
-    __m256d bits = _mm256_setzero_pd();
-    FORCESHADE_INLINE friend Mask operator&(Mask a, Mask b) { return {_mm256_and_pd(a.bits, b.bits)}; }
-    FORCESHADE_INLINE friend Mask operator|(Mask a, Mask b) { return {_mm256_or_pd(a.bits, b.bits)}; }
-    FORCESHADE_INLINE friend Mask operator!(Mask a) {
-      return {_mm256_xor_pd(a.bits, _mm256_castsi256_pd(_mm256_set1_epi64x(-1)))};
-    }
-    FORCESHADE_INLINE bool any() const { return _mm256_movemask_pd(bits) != 0; }
+    __m256d bits;
   };
 
   __m256d lanes;
@@ -34,30 +28,20 @@ struct Pack {
   // Load and store use memory aligned to 32 bytes.
   FORCESHADE_INLINE static Pack load(const double* from) { return _mm256_load_pd(from); }
   FORCESHADE_INLINE void store(double* to) const { _mm256_store_pd(to, lanes); }
-  // Rounds to binary32.
-  FORCESHADE_INLINE void store(float* to) const { _mm_storeu_ps(to, _mm256_cvtpd_ps(lanes)); }
 
   FORCESHADE_INLINE friend Pack operator+(Pack a, Pack b) { return _mm256_add_pd(a.lanes, b.lanes); }
   FORCESHADE_INLINE friend Pack operator-(Pack a, Pack b) { return _mm256_sub_pd(a.lanes, b.lanes); }
   FORCESHADE_INLINE friend Pack operator*(Pack a, Pack b) { return _mm256_mul_pd(a.lanes, b.lanes); }
-  FORCESHADE_INLINE friend Pack operator/(Pack a, Pack b) { return _mm256_div_pd(a.lanes, b.lanes); }
   FORCESHADE_INLINE friend Pack operator-(Pack a) { return _mm256_xor_pd(a.lanes, _mm256_set1_pd(-0.0)); }
-  FORCESHADE_INLINE friend Mask operator<(Pack a, Pack b) { return {_mm256_cmp_pd(a.lanes, b.lanes, _CMP_LT_OQ)}; }
   FORCESHADE_INLINE friend Mask operator<=(Pack a, Pack b) { return {_mm256_cmp_pd(a.lanes, b.lanes, _CMP_LE_OQ)}; }
-  FORCESHADE_INLINE friend Mask operator>(Pack a, Pack b) { return b < a; }
-  FORCESHADE_INLINE friend Mask operator>=(Pack a, Pack b) { return b <= a; }
-  FORCESHADE_INLINE friend Mask operator==(Pack a, Pack b) { return {_mm256_cmp_pd(a.lanes, b.lanes, _CMP_EQ_OQ)}; }
-  FORCESHADE_INLINE friend Pack absolute(Pack a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a.lanes); }
-  FORCESHADE_INLINE friend Pack multiply_add(Pack a, Pack b, Pack c) { return _mm256_fmadd_pd(a.lanes, b.lanes, c.lanes); }
-  FORCESHADE_INLINE friend Pack multiply_subtract(Pack a, Pack b, Pack c) {
-    return _mm256_fnmadd_pd(a.lanes, b.lanes, c.lanes);
-  }
   // a·b + c, -(a·b) + c and a·b - c, rounded once.
   FORCESHADE_INLINE friend Pack fused_add(Pack a, Pack b, Pack c) { return _mm256_fmadd_pd(a.lanes, b.lanes, c.lanes); }
   FORCESHADE_INLINE friend Pack fused_subtract_from(Pack a, Pack b, Pack c) {
     return _mm256_fnmadd_pd(a.lanes, b.lanes, c.lanes);
   }
   FORCESHADE_INLINE friend Pack fused_less(Pack a, Pack b, Pack c) { return _mm256_fmsub_pd(a.lanes, b.lanes, c.lanes); }
+  // The name that any number has for it (fast/heights/spline.h).
+  FORCESHADE_INLINE friend Pack multiply_add(Pack a, Pack b, Pack c) { return fused_add(a, b, c); }
   FORCESHADE_INLINE friend Pack square_root(Pack a) { return _mm256_sqrt_pd(a.lanes); }
   FORCESHADE_INLINE friend Pack larger(Pack a, Pack b) { return _mm256_max_pd(a.lanes, b.lanes); }
   FORCESHADE_INLINE friend Pack select(Mask condition, Pack yes, Pack no) {

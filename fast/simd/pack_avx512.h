@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Eight binary64 numbers with AVX-512 (F and DQ): a Real in the sense of fast/numbers/first_stage.h. For fast/*_avx512.cpp
-// alone.
+// Eight binary64 numbers with AVX-512 (F and DQ): what batches compute with (fast/simd/form.h, fast/heights/). For
+// fast/*_avx512.cpp alone.
 
 #include <immintrin.h>
 
@@ -17,11 +17,8 @@ struct Pack {
   static constexpr std::size_t kLanes = 8;
 
   struct Mask {
-    __mmask8 bits = 0;
+    __mmask8 bits;
     FORCESHADE_INLINE friend Mask operator&(Mask a, Mask b) { return {static_cast<__mmask8>(a.bits & b.bits)}; }
-    FORCESHADE_INLINE friend Mask operator|(Mask a, Mask b) { return {static_cast<__mmask8>(a.bits | b.bits)}; }
-    FORCESHADE_INLINE friend Mask operator!(Mask a) { return {static_cast<__mmask8>(~a.bits)}; }
-    FORCESHADE_INLINE bool any() const { return bits != 0; }
   };
 
   __m512d lanes;
@@ -33,30 +30,23 @@ struct Pack {
   // Load and store use memory aligned to 64 bytes.
   FORCESHADE_INLINE static Pack load(const double* from) { return _mm512_load_pd(from); }
   FORCESHADE_INLINE void store(double* to) const { _mm512_store_pd(to, lanes); }
-  // Rounds to binary32.
-  FORCESHADE_INLINE void store(float* to) const { _mm256_storeu_ps(to, _mm512_cvtpd_ps(lanes)); }
 
   FORCESHADE_INLINE friend Pack operator+(Pack a, Pack b) { return _mm512_add_pd(a.lanes, b.lanes); }
   FORCESHADE_INLINE friend Pack operator-(Pack a, Pack b) { return _mm512_sub_pd(a.lanes, b.lanes); }
   FORCESHADE_INLINE friend Pack operator*(Pack a, Pack b) { return _mm512_mul_pd(a.lanes, b.lanes); }
   FORCESHADE_INLINE friend Pack operator/(Pack a, Pack b) { return _mm512_div_pd(a.lanes, b.lanes); }
   FORCESHADE_INLINE friend Pack operator-(Pack a) { return _mm512_xor_pd(a.lanes, _mm512_set1_pd(-0.0)); }
-  FORCESHADE_INLINE friend Mask operator<(Pack a, Pack b) { return {_mm512_cmp_pd_mask(a.lanes, b.lanes, _CMP_LT_OQ)}; }
   FORCESHADE_INLINE friend Mask operator<=(Pack a, Pack b) { return {_mm512_cmp_pd_mask(a.lanes, b.lanes, _CMP_LE_OQ)}; }
-  FORCESHADE_INLINE friend Mask operator>(Pack a, Pack b) { return b < a; }
   FORCESHADE_INLINE friend Mask operator>=(Pack a, Pack b) { return b <= a; }
-  FORCESHADE_INLINE friend Mask operator==(Pack a, Pack b) { return {_mm512_cmp_pd_mask(a.lanes, b.lanes, _CMP_EQ_OQ)}; }
   FORCESHADE_INLINE friend Pack absolute(Pack a) { return _mm512_andnot_pd(_mm512_set1_pd(-0.0), a.lanes); }
-  FORCESHADE_INLINE friend Pack multiply_add(Pack a, Pack b, Pack c) { return _mm512_fmadd_pd(a.lanes, b.lanes, c.lanes); }
-  FORCESHADE_INLINE friend Pack multiply_subtract(Pack a, Pack b, Pack c) {
-    return _mm512_fnmadd_pd(a.lanes, b.lanes, c.lanes);
-  }
   // a·b + c, -(a·b) + c and a·b - c, rounded once.
   FORCESHADE_INLINE friend Pack fused_add(Pack a, Pack b, Pack c) { return _mm512_fmadd_pd(a.lanes, b.lanes, c.lanes); }
   FORCESHADE_INLINE friend Pack fused_subtract_from(Pack a, Pack b, Pack c) {
     return _mm512_fnmadd_pd(a.lanes, b.lanes, c.lanes);
   }
   FORCESHADE_INLINE friend Pack fused_less(Pack a, Pack b, Pack c) { return _mm512_fmsub_pd(a.lanes, b.lanes, c.lanes); }
+  // The name that any number has for it (fast/heights/spline.h).
+  FORCESHADE_INLINE friend Pack multiply_add(Pack a, Pack b, Pack c) { return fused_add(a, b, c); }
   FORCESHADE_INLINE friend Pack square_root(Pack a) { return _mm512_sqrt_pd(a.lanes); }
   FORCESHADE_INLINE friend Pack larger(Pack a, Pack b) { return _mm512_max_pd(a.lanes, b.lanes); }
   FORCESHADE_INLINE friend Pack select(Mask condition, Pack yes, Pack no) {

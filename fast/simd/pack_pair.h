@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Two packs as one Real (fast/numbers/first_stage.h), so that a law's long chain of dependent operations runs for both at a
-// time: the processor does not look far enough ahead to overlap two steps of a loop that long. For the files that have a Pack
-// alone.
+// Two packs as one number: as many lanes as a vector of binary32 has. For the files that have a Pack alone.
 
-#include "fast/numbers/first_stage.h"
+#include <cstddef>
+
+#include "fast/numbers/inline.h"
 
 namespace forceshade::fast {
 namespace {
@@ -15,10 +15,6 @@ struct Pair {
 
   struct Mask {
     typename Half::Mask first, second;
-    FORCESHADE_INLINE friend Mask operator&(Mask a, Mask b) { return {a.first & b.first, a.second & b.second}; }
-    FORCESHADE_INLINE friend Mask operator|(Mask a, Mask b) { return {a.first | b.first, a.second | b.second}; }
-    FORCESHADE_INLINE friend Mask operator!(Mask a) { return {!a.first, !a.second}; }
-    FORCESHADE_INLINE bool any() const { return (first | second).any(); }
   };
 
   Half first, second;
@@ -39,28 +35,12 @@ struct Pair {
   }
   FORCESHADE_INLINE static Pair load(const double* from) { return {Half::load(from), Half::load(from + Half::kLanes)}; }
   FORCESHADE_INLINE static Pair load(const float* from) { return {Half::load(from), Half::load(from + Half::kLanes)}; }
-  FORCESHADE_INLINE void store(float* to) const {
-    first.store(to);
-    second.store(to + Half::kLanes);
-  }
 
   FORCESHADE_INLINE friend Pair operator+(Pair a, Pair b) { return {a.first + b.first, a.second + b.second}; }
   FORCESHADE_INLINE friend Pair operator-(Pair a, Pair b) { return {a.first - b.first, a.second - b.second}; }
   FORCESHADE_INLINE friend Pair operator*(Pair a, Pair b) { return {a.first * b.first, a.second * b.second}; }
-  FORCESHADE_INLINE friend Pair operator/(Pair a, Pair b) { return {a.first / b.first, a.second / b.second}; }
   FORCESHADE_INLINE friend Pair operator-(Pair a) { return {-a.first, -a.second}; }
-  FORCESHADE_INLINE friend Mask operator<(Pair a, Pair b) { return {a.first < b.first, a.second < b.second}; }
   FORCESHADE_INLINE friend Mask operator<=(Pair a, Pair b) { return {a.first <= b.first, a.second <= b.second}; }
-  FORCESHADE_INLINE friend Mask operator>(Pair a, Pair b) { return b < a; }
-  FORCESHADE_INLINE friend Mask operator>=(Pair a, Pair b) { return b <= a; }
-  FORCESHADE_INLINE friend Mask operator==(Pair a, Pair b) { return {a.first == b.first, a.second == b.second}; }
-  FORCESHADE_INLINE friend Pair absolute(Pair a) { return {absolute(a.first), absolute(a.second)}; }
-  FORCESHADE_INLINE friend Pair multiply_add(Pair a, Pair b, Pair c) {
-    return {multiply_add(a.first, b.first, c.first), multiply_add(a.second, b.second, c.second)};
-  }
-  FORCESHADE_INLINE friend Pair multiply_subtract(Pair a, Pair b, Pair c) {
-    return {multiply_subtract(a.first, b.first, c.first), multiply_subtract(a.second, b.second, c.second)};
-  }
   FORCESHADE_INLINE friend Pair fused_add(Pair a, Pair b, Pair c) {
     return {fused_add(a.first, b.first, c.first), fused_add(a.second, b.second, c.second)};
   }

@@ -6,9 +6,8 @@
 namespace forceshade::tests {
 namespace {
 
-using fast::Pair64;
-
 #include "tests/fast/pack_operations.inl"
+#include "tests/fast/row_operations.inl"
 
 }  // namespace
 

@@ -15,8 +15,9 @@ struct Numbers {
   }
 };
 
-bool same(double a, double b) {
-  return __builtin_bit_cast(unsigned long long, a) == __builtin_bit_cast(unsigned long long, b);
+template <class Number>
+bool same(Number a, Number b) {
+  return __builtin_memcmp(&a, &b, sizeof a) == 0;
 }
 
 #define FORCESHADE_EXPECT_LANES(name, expected) \
@@ -26,13 +27,12 @@ bool same(double a, double b) {
       if (!same(r[i], expected)) return #name;  \
   }
 
-// multiply_add and multiply_subtract are fused.
 template <class P>
 const char* wrong_operation() {
   constexpr std::size_t kLanes = P::kLanes;
   Numbers numbers;
   alignas(64) double x[kLanes], y[kLanes], z[kLanes], r[kLanes];
-  alignas(64) float in[kLanes], out[kLanes];
+  alignas(64) float in[kLanes];
   for (int round = 0; round < kRounds; ++round) {
     // A pack loads binary32 numbers; two of them make one with more bits.
     const auto half = [&](double scale) {
@@ -50,56 +50,131 @@ const char* wrong_operation() {
     FORCESHADE_EXPECT_LANES(a + b, x[i] + y[i]);
     FORCESHADE_EXPECT_LANES(a - b, x[i] - y[i]);
     FORCESHADE_EXPECT_LANES(a * b, x[i] * y[i]);
-    FORCESHADE_EXPECT_LANES(a / b, x[i] / y[i]);
     FORCESHADE_EXPECT_LANES(-a, -x[i]);
-    FORCESHADE_EXPECT_LANES(absolute(a), __builtin_fabs(x[i]));
-    FORCESHADE_EXPECT_LANES(square_root(absolute(a)), __builtin_sqrt(__builtin_fabs(x[i])));
+    FORCESHADE_EXPECT_LANES(square_root(larger(a, P(0))), __builtin_sqrt(x[i] > 0 ? x[i] : 0));
     FORCESHADE_EXPECT_LANES(larger(a, b), x[i] > y[i] ? x[i] : y[i]);
-    FORCESHADE_EXPECT_LANES(select(a < b, a, c), x[i] < y[i] ? x[i] : z[i]);
+    FORCESHADE_EXPECT_LANES(larger(P(-0.0), P(0.0)), 0.0);
+    FORCESHADE_EXPECT_LANES(select(a <= b, a, c), x[i] <= y[i] ? x[i] : z[i]);
     FORCESHADE_EXPECT_LANES(select(a <= a, a, c), x[i]);
-    FORCESHADE_EXPECT_LANES(select(a > b, a, c), x[i] > y[i] ? x[i] : z[i]);
-    FORCESHADE_EXPECT_LANES(select(a >= b, a, c), x[i] >= y[i] ? x[i] : z[i]);
-    FORCESHADE_EXPECT_LANES(select(a == b, a, c), z[i]);
-    FORCESHADE_EXPECT_LANES(multiply_add(a, b, c), __builtin_fma(x[i], y[i], z[i]));
-    FORCESHADE_EXPECT_LANES(multiply_subtract(a, b, c), __builtin_fma(-x[i], y[i], z[i]));
-    a.store(out);
-    for (std::size_t i = 0; i < kLanes; ++i)
-      if (out[i] != static_cast<float>(x[i])) return "rounding to binary32";
+    if constexpr (requires { multiply_add(a, b, c); }) {
+      FORCESHADE_EXPECT_LANES(multiply_add(a, b, c), __builtin_fma(x[i], y[i], z[i]));
+    }
+    if constexpr (requires { a / b; }) {
+      FORCESHADE_EXPECT_LANES(a / b, x[i] / y[i]);
+      FORCESHADE_EXPECT_LANES(absolute(a), __builtin_fabs(x[i]));
+      FORCESHADE_EXPECT_LANES(select((a >= b) & (a >= c), a, c), x[i] >= y[i] && x[i] >= z[i] ? x[i] : z[i]);
+    }
+    FORCESHADE_EXPECT_LANES(P::load(x), x[i]);
+    FORCESHADE_EXPECT_LANES(fused_add(a, b, c), __builtin_fma(x[i], y[i], z[i]));
+    FORCESHADE_EXPECT_LANES(fused_subtract_from(a, b, c), __builtin_fma(-x[i], y[i], z[i]));
+    FORCESHADE_EXPECT_LANES(fused_less(a, b, c), __builtin_fma(x[i], y[i], -z[i]));
   }
   return nullptr;
 }
 
-// Four: a row of a spline's window; fuses: whether its multiply_add is one operation.
-template <class Four, bool kFuses>
-const char* wrong_operation_of_row() {
+#define FORCESHADE_EXPECT_FLOATS(name, expected)          \
+  {                                                       \
+    (name).store(r);                                      \
+    for (std::size_t i = 0; i < Floats::kLanes; ++i)      \
+      if (!same(r[i], expected)) return "Floats: " #name; \
+  }
+
+// As many binary32 numbers as two packs.
+template <class Floats, class P>
+const char* wrong_operation_of_floats() {
+  constexpr std::size_t kLanes = Floats::kLanes;
+  static_assert(kLanes == 2 * P::kLanes);
   Numbers numbers;
-  alignas(32) double x[4], y[4], z[4];
+  alignas(64) float x[kLanes], y[kLanes], r[kLanes];
+  alignas(64) double wide[kLanes];
   for (int round = 0; round < kRounds; ++round) {
-    for (double* lanes : {x, y, z})
-      for (int i = 0; i < 4; ++i) lanes[i] = numbers.next();
-    const Four a = Four::load(x), b = Four::load(y), c = Four::load(z);
-    const auto product_and_sum = [&](int i) { return kFuses ? __builtin_fma(x[i], y[i], z[i]) : x[i] * y[i] + z[i]; };
-    const auto in_pairs = [](const double* v) { return (v[0] + v[1]) + (v[2] + v[3]); };
-    if (!same(sum(a), (x[0] + x[2]) + (x[1] + x[3]))) return "sum";
-    const Pair64 two = sums(a, b);
-    if (!same(two[0], in_pairs(x)) || !same(two[1], in_pairs(y))) return "sums";
-    const Pair64 pairs = Four::multiply_add_pairs(Pair64{x[0], x[1]}, Pair64{y[0], y[1]}, Pair64{z[0], z[1]});
-    if (!same(pairs[0], product_and_sum(0)) || !same(pairs[1], product_and_sum(1))) return "multiply_add_pairs";
-    // A lane at a time, by a sum with all others 0.
-    for (int i = 0; i < 4; ++i) {
-      alignas(32) double only[4]{};
-      only[i] = 1;
-      const Four lane = Four::load(only);
-      if (!same(sum(multiply_add(a, b, c) * lane), product_and_sum(i))) return "multiply_add";
-      if (!same(sum((a + b) * lane), x[i] + y[i])) return "+";
-      if (!same(sum((a - b) * lane), x[i] - y[i])) return "-";
-      if (!same(sum(a * b * lane), x[i] * y[i])) return "*";
-      if (!same(sum(Four(x[0]) * lane), x[0])) return "one number in all lanes";
+    for (float* lanes : {x, y})
+      for (std::size_t i = 0; i < kLanes; ++i) lanes[i] = static_cast<float>(numbers.next());
+    x[round % kLanes] = y[round % kLanes];
+    const Floats a = Floats::load(x), b = Floats::load(y);
+    FORCESHADE_EXPECT_FLOATS(Floats(x[0]), x[0]);
+    FORCESHADE_EXPECT_FLOATS(Floats(static_cast<double>(x[0])), x[0]);
+    FORCESHADE_EXPECT_FLOATS(a + b, x[i] + y[i]);
+    FORCESHADE_EXPECT_FLOATS(a * b, x[i] * y[i]);
+    FORCESHADE_EXPECT_FLOATS(a / b, x[i] / y[i]);
+    FORCESHADE_EXPECT_FLOATS(absolute(a), __builtin_fabsf(x[i]));
+    FORCESHADE_EXPECT_FLOATS(square_root(absolute(a)), __builtin_sqrtf(__builtin_fabsf(x[i])));
+    FORCESHADE_EXPECT_FLOATS(times_sign(a, b), __builtin_signbit(y[i]) ? -x[i] : x[i]);
+    FORCESHADE_EXPECT_FLOATS(larger(a, b), x[i] > y[i] ? x[i] : y[i]);
+    FORCESHADE_EXPECT_FLOATS(larger(Floats(-0.0F), Floats(0.0F)), 0.0F);
+    FORCESHADE_EXPECT_FLOATS(select(a < b, a, b), x[i] < y[i] ? x[i] : y[i]);
+    FORCESHADE_EXPECT_FLOATS(a & (a <= b), x[i] <= y[i] ? x[i] : 0.0F);
+    FORCESHADE_EXPECT_FLOATS(a & (a > b), x[i] > y[i] ? x[i] : 0.0F);
+    FORCESHADE_EXPECT_FLOATS(a & (a == b), x[i] == y[i] ? x[i] : 0.0F);
+    FORCESHADE_EXPECT_FLOATS(a & ((a < b) & (a > Floats(1.0F))), x[i] < y[i] && x[i] > 1 ? x[i] : 0.0F);
+    FORCESHADE_EXPECT_FLOATS(a & ((a < b) | (a > Floats(1.0F))), x[i] < y[i] || x[i] > 1 ? x[i] : 0.0F);
+    a.first_half().store(wide);
+    a.second_half().store(wide + P::kLanes);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      if (!same(wide[i], static_cast<double>(x[i]))) return "Floats: halves";
+      wide[i] = numbers.next();
     }
-    float in[4];
-    for (int i = 0; i < 4; ++i) in[i] = static_cast<float>(x[i]);
-    const auto wide = [&](int i) { return static_cast<double>(in[i]); };
-    if (!same(sum(Four::load(in)), (wide(0) + wide(2)) + (wide(1) + wide(3)))) return "load";
+    FORCESHADE_EXPECT_FLOATS(Floats::rounded(P::load(wide), P::load(wide + P::kLanes)), static_cast<float>(wide[i]));
+  }
+  return nullptr;
+}
+
+// A hazard is seen in whichever lane it is.
+template <class Watch, class Floats, class P>
+const char* wrong_watch() {
+  constexpr std::size_t kLanes = Floats::kLanes;
+  constexpr int kWindow = 8;
+  constexpr float kLeast = 0x1p-20F;
+  constexpr double kNearest = 0x1p-10;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    const auto coordinate_passes = [&](float value, bool is_watched_for_tiny) {
+      alignas(64) float sizes[kLanes];
+      for (float& size : sizes) size = 1;
+      sizes[lane] = value;
+      Watch watch;
+      if (is_watched_for_tiny)
+        watch.coordinates(Floats::load(sizes));
+      else
+        watch.domain(Floats::load(sizes));
+      return watch.template is_free_of_hazards<kWindow>(kLeast, kNearest);
+    };
+    for (const float good : {0.0F, kLeast, 1e4F})
+      if (!coordinate_passes(good, true)) return "Watch: a good coordinate";
+    for (const float bad : {1e-45F, 0x1.fffffep-21F, 0x1.388002p13F, __builtin_inff(), __builtin_nanf("")})
+      if (coordinate_passes(bad, true)) return "Watch: a bad coordinate";
+    if (!coordinate_passes(0x1p-21F, false) || coordinate_passes(0x1.388002p13F, false)) return "Watch: domain";
+
+    const auto number_passes = [&](double value, bool is_distance) {
+      alignas(64) double all[kLanes];
+      for (double& one : all) one = 1;
+      all[lane] = value;
+      const P first = P::load(all), second = P::load(all + P::kLanes);
+      Watch watch;
+      if (is_distance)
+        watch.distance(first, second);
+      else
+        watch.template rounding<kWindow>(first, second);
+      return watch.template is_free_of_hazards<kWindow>(kLeast, kNearest);
+    };
+    for (const double sign : {1.0, -1.0}) {
+      if (!number_passes(sign * 0x1.00001p-10, true) || number_passes(sign * 0x1.fffffffffffffp-11, true) ||
+          number_passes(sign * 0.0, true))
+        return "Watch: distance";
+      constexpr double kTie = 0x1.000001p0, kUlp = 0x1p-52;
+      for (const double ulps : {0.0, 8.0, -8.0})
+        if (number_passes(sign * (kTie + ulps * kUlp), false)) return "Watch: a rounding in doubt";
+      for (const double ulps : {10.0, -10.0})
+        if (!number_passes(sign * (kTie + ulps * kUlp), false)) return "Watch: a rounding that is clear";
+    }
+
+    alignas(64) float values[kLanes] = {};
+    values[lane] = 2;
+    Watch watch;
+    watch.doubt(Floats::load(values) < Floats(-1.0F));
+    if (!watch.template is_free_of_hazards<kWindow>(kLeast, kNearest)) return "Watch: no doubt";
+    watch.doubt(Floats::load(values) > Floats(1.0F));
+    watch.doubt(Floats::load(values) < Floats(-1.0F));
+    if (watch.template is_free_of_hazards<kWindow>(kLeast, kNearest)) return "Watch: doubt";
   }
   return nullptr;
 }

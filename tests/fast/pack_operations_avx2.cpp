@@ -9,14 +9,15 @@
 namespace forceshade::tests {
 namespace {
 
-using fast::Pair64;
-
 #include "tests/fast/pack_operations.inl"
+#include "tests/fast/row_operations.inl"
 
 }  // namespace
 
 const char* wrong_operation_avx2() {
   if (const char* wrong = wrong_operation<fast::Pack>()) return wrong;
+  if (const char* wrong = wrong_operation_of_floats<fast::Floats, fast::Pack>()) return wrong;
+  if (const char* wrong = wrong_watch<fast::Watch, fast::Floats, fast::Pack>()) return wrong;
   if (const char* wrong = wrong_operation<fast::Pair<fast::Pack>>()) return wrong;
   return wrong_operation_of_row<fast::Vector, true>();
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Compiled as fast/simd/batch_avx512.cpp is.
 
-#include "fast/numbers/row.h"
 #include "fast/simd/pack_avx512.h"
 #include "fast/simd/pack_pair.h"
 #include "tests/fast/pack_operations.h"
@@ -9,14 +8,14 @@
 namespace forceshade::tests {
 namespace {
 
-using fast::Pair64;
-
 #include "tests/fast/pack_operations.inl"
 
 }  // namespace
 
 const char* wrong_operation_avx512() {
   if (const char* wrong = wrong_operation<fast::Pack>()) return wrong;
+  if (const char* wrong = wrong_operation_of_floats<fast::Floats, fast::Pack>()) return wrong;
+  if (const char* wrong = wrong_watch<fast::Watch, fast::Floats, fast::Pack>()) return wrong;
   return wrong_operation<fast::Pair<fast::Pack>>();
 }
 

@@ -20,6 +20,7 @@
 #include "fast/meshes/decide.h"
 #include "fast/meshes/vector3.h"
 #include "forceshade/fast.h"
+#include "tests/fast/form_operations.h"
 #include "tests/fast/law_operations.h"
 #include "tests/fast/pack_operations.h"
 #include "tests/fast/recorded_row.h"
@@ -172,6 +173,7 @@ void grid_parameters(ComparedScript& script, bool is_fused) {
 // By the name of the script below fast/, without its end.
 const std::map<std::string, Compare> kComparisons = [] {
   std::map<std::string, Compare> all = comparisons_of_laws();
+  all.merge(comparisons_of_forms());
   all.insert({
       {"numbers/double_double", &double_double},
       {"heights/force", &height_force},
