@@ -130,7 +130,8 @@ TEST(moving_scene, is_driven_at_its_rate_alone) {
   scene.objects.push_back({"wall", law(LawId::wall), {}});
   const auto rendering = tests::built(rendering_of("wall.toml", scene));
   device::Null device;
-  run::Plan plan{.device = "null"};
+  run::Plan plan;
+  plan.device = "null";
   plan.servo.paced = false;
   plan.servo.max_seconds = 0.02;
   const std::atomic<bool> stop = false;
