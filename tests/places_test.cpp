@@ -54,7 +54,7 @@ struct Sort {
 };
 
 std::vector<Sort> sorts() {
-  Sort laws{"## Adding a law", "<law>", "LawId::", 12, {}, {}},
+  Sort laws{"## Adding a law", "<law>", "LawId::", 14, {}, {}},
       kinds{"## Adding a kind of height map", "<kind>", "LawId::", 8, {}, {}},
       schemes{"## Adding a shading scheme", "<scheme>", "Shading::", 10, {}, {}},
       rules{"## Adding a contact rule", "<rule>", "Contact::", 10, {}, {}},

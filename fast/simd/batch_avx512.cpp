@@ -5,10 +5,8 @@
 #include "fast/simd/pack_avx512.h"
 
 // What is made of packs:
-#include "fast/simd/bump_form.h"
-#include "fast/simd/cylinder_form.h"
+#include "fast/simd/form_of.h"
 #include "fast/simd/position_rows_avx2.h"
-#include "fast/simd/wall_form.h"
 
 namespace forceshade::fast {
 

@@ -10,11 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fast/laws/bump_1p_shaded.h"
-#include "fast/laws/bump_2p.h"
-#include "fast/laws/bump_2p_shaded.h"
-#include "fast/laws/bump_3p.h"
-#include "fast/laws/bump_3p_shaded.h"
+#include "fast/laws/polygon_gap.h"
 #include "fast/simd/form.h"
 #include "fast/simd/wall_form.h"
 
@@ -30,12 +26,13 @@ inline float least_coordinate_of(double half_width) {
   return std::max(kPositionQuantum, static_cast<float>(kLeastShareOfWidth * half_width));
 }
 
-// bump-1p: the gap is -z, exactly.
+// On a flat polygon the gap is -z, exactly.
 struct GapOfPlane {
   static constexpr double least = 0;
   float least_coordinate = kPositionQuantum;
 
-  explicit GapOfPlane(const Bump1pShaded&) {}
+  template <class Law>
+  explicit GapOfPlane(const Law&) {}
   FORCESHADE_INLINE Two at(Watch&, Floats, Two z) const { return -z; }
 };
 
@@ -109,7 +106,8 @@ struct NormalOfSidesAndTop : NormalOfSides {
   Two K;
   TopEdge top;
 
-  explicit NormalOfSidesAndTop(const Bump3p& law) : NormalOfSides(law), K(law.K), top(law.half_top) {}
+  template <class Law>
+  explicit NormalOfSidesAndTop(const Law& law) : NormalOfSides(law), K(law.K), top(law.half_top) {}
   FORCESHADE_INLINE Components times(Two depth, Floats size_of_x) const {
     return {depth * K_sine, depth * select(top.holds(size_of_x), K, K_cosine)};
   }
@@ -166,27 +164,6 @@ struct BumpForm {
     const Floats sideways = times_sign(of_size, x + zero) & normal.leans(size_of_x, is_inside);
     return {sideways + zero, select(is_inside, up, plane.force_z(z))};
   }
-};
-
-template <>
-struct FormOf<Bump1pShaded> {
-  using Type = BumpForm<Bump1pShaded, GapOfPlane, NormalOfCylinder>;
-};
-template <>
-struct FormOf<Bump2p> {
-  using Type = BumpForm<Bump2p, GapOfSides, NormalOfSides>;
-};
-template <>
-struct FormOf<Bump2pShaded> {
-  using Type = BumpForm<Bump2pShaded, GapOfSides, NormalOfCylinder>;
-};
-template <>
-struct FormOf<Bump3p> {
-  using Type = BumpForm<Bump3p, GapOfSidesAndTop, NormalOfSidesAndTop>;
-};
-template <>
-struct FormOf<Bump3pShaded> {
-  using Type = BumpForm<Bump3pShaded, GapOfSidesAndTop, NormalOfCylinder>;
 };
 
 }  // namespace

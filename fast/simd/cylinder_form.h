@@ -118,14 +118,5 @@ bool answer(const CylinderForm<Definition>& cylinder, std::size_t count, const f
   return watch.is_free_of_hazards<Form::kWindow>(form.least_coordinate, form.least_distance);
 }
 
-template <>
-struct FormOf<Cylinder> {
-  using Type = CylinderForm<Cylinder>;
-};
-template <>
-struct FormOf<BumpCylinder> {
-  using Type = CylinderForm<BumpCylinder>;
-};
-
 }  // namespace
 }  // namespace forceshade::fast

@@ -62,7 +62,7 @@ struct Floats {
   __m256 lanes;
 
   FORCESHADE_INLINE explicit Floats(float a) : lanes(_mm256_set1_ps(a)) {}
-  // Of a binary32 in binary64, as laws keep their constants.
+  // The number is a binary32, which laws keep in binary64.
   FORCESHADE_INLINE explicit Floats(double a) : Floats(static_cast<float>(a)) {}
   FORCESHADE_INLINE Floats(__m256 a) : lanes(a) {}
 
@@ -88,7 +88,7 @@ struct Floats {
     return _mm256_xor_ps(a.lanes, _mm256_and_ps(b.lanes, _mm256_set1_ps(-0.0F)));
   }
   FORCESHADE_INLINE friend Floats square_root(Floats a) { return _mm256_sqrt_ps(a.lanes); }
-  // Of +0 and -0 the second.
+  // The second, where both are zeros.
   FORCESHADE_INLINE friend Floats larger(Floats a, Floats b) { return _mm256_max_ps(a.lanes, b.lanes); }
   FORCESHADE_INLINE friend Floats select(Mask condition, Floats yes, Floats no) {
     return _mm256_blendv_ps(no.lanes, yes.lanes, condition.bits);

@@ -67,7 +67,7 @@ struct Floats {
   __m512 lanes;
 
   FORCESHADE_INLINE explicit Floats(float a) : lanes(_mm512_set1_ps(a)) {}
-  // Of a binary32 in binary64, as laws keep their constants.
+  // The number is a binary32, which laws keep in binary64.
   FORCESHADE_INLINE explicit Floats(double a) : Floats(static_cast<float>(a)) {}
   FORCESHADE_INLINE Floats(__m512 a) : lanes(a) {}
 
@@ -93,7 +93,7 @@ struct Floats {
     return _mm512_xor_ps(a.lanes, _mm512_and_ps(b.lanes, _mm512_set1_ps(-0.0F)));
   }
   FORCESHADE_INLINE friend Floats square_root(Floats a) { return _mm512_sqrt_ps(a.lanes); }
-  // Of +0 and -0 the second.
+  // The second, where both are zeros.
   FORCESHADE_INLINE friend Floats larger(Floats a, Floats b) { return _mm512_max_ps(a.lanes, b.lanes); }
   FORCESHADE_INLINE friend Floats select(Mask condition, Floats yes, Floats no) {
     return _mm512_mask_blend_ps(condition.bits, no.lanes, yes.lanes);

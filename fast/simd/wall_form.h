@@ -2,7 +2,6 @@
 #pragma once
 // The batch's form of the wall (fast/simd/form.h): the binary32 product of two binary32 numbers is the force, rounded.
 
-#include "fast/laws/bump_1p.h"
 #include "fast/laws/wall.h"
 #include "fast/simd/form.h"
 
@@ -29,15 +28,6 @@ bool answer(const WallForm& wall, std::size_t count, const float* x, const float
   }
   return watch.is_free_of_hazards<0>(kPositionQuantum, 0);
 }
-
-template <>
-struct FormOf<Wall> {
-  using Type = WallForm;
-};
-template <>
-struct FormOf<Bump1p> {
-  using Type = WallForm;
-};
 
 }  // namespace
 }  // namespace forceshade::fast

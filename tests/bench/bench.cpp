@@ -37,10 +37,14 @@ constexpr std::size_t kInCache = 1024;     // positions: 16 KiB in four arrays
 constexpr std::size_t kCacheMultiple = 8;  // out of cache: as many bytes as this many last-level caches, or more
 constexpr std::size_t kFewestOutOfCache = std::size_t{1} << 24;  // positions: 256 MiB in four arrays
 
-// What each law must meet on one core; the first applies to AVX-512 alone, the third to every vector set.
+// What each law must meet on one core; the first applies to AVX-512 alone, the third to every vector set and kind of law.
 constexpr double kMostNanoseconds = 2.5;
-constexpr double kMostTimesCopy = 1.7;
-constexpr double kMostTimesNaive = 5;
+constexpr double kMostTimesCopy = 1.8;
+double most_times_naive(std::string_view law) {
+  if (law.ends_with("cylinder")) return 4;
+  if (law.ends_with("shaded")) return 2.2;
+  return law == "wall" || law == "bump-1p" ? 1.3 : 2.5;
+}
 constexpr double kMostScalarNanoseconds = 25;
 constexpr double kMostBuildNanoseconds = 2000;
 
@@ -241,8 +245,8 @@ std::string figure(double value, int decimals) {
 void print_table(const Collector& times) {
   const InstructionSet best = fast::best_instruction_set();
   Requirement in_cache{"in cache, avx512 (ns/eval): at most 2.5", kMostNanoseconds};
-  Requirement out_of_cache{"out of cache, best set (x copy): at most 1.7", kMostTimesCopy};
-  Requirement naive{"in cache, avx2 and avx512 (x naive): at most 5", kMostTimesNaive};
+  Requirement out_of_cache{"out of cache, best set (x copy): at most 1.8", kMostTimesCopy};
+  Requirement naive{"in cache, parts of its goal (x naive): at most 1", 1};
   Requirement scalar{"scalar call (ns): at most 25", kMostScalarNanoseconds};
   Requirement building{"build (ns): at most 2000", kMostBuildNanoseconds};
 
@@ -264,7 +268,7 @@ void print_table(const Collector& times) {
       const double times_naive = near / times.least(joined({law.name, set, "naive", "in_cache"}));
       const double times_copy = far / times.least("copy/out_of_cache");
       if (measured.set == InstructionSet::avx512) in_cache.judge(law.name, set, near);
-      if (measured.set != InstructionSet::scalar) naive.judge(law.name, set, times_naive);
+      if (measured.set != InstructionSet::scalar) naive.judge(law.name, set, times_naive / most_times_naive(law.name));
       if (measured.set == best) out_of_cache.judge(law.name, set, times_copy);
       std::printf("%-15s %-7s %9s %8s %13s %8s %9s %9s\n", law.name.data(), set.data(), figure(near, 3).c_str(),
                   figure(times_naive, 2).c_str(), figure(far, 3).c_str(), figure(times_copy, 2).c_str(),

@@ -97,9 +97,7 @@ struct Watch {
 }  // namespace forceshade::fast
 
 // What is made of packs:
-#include "fast/simd/bump_form.h"
-#include "fast/simd/cylinder_form.h"
-#include "fast/simd/wall_form.h"
+#include "fast/simd/form_of.h"
 
 namespace forceshade::tests {
 namespace {
@@ -189,7 +187,19 @@ void flat(const char* law, const char* piece, float x) {
   EXPECT_EQ(form.plane.minus_K.value, -kBump.stiffness);
 }
 
+// One binary32 product, which the processor rounds.
+template <class Definition>
+void wall() {
+  const float x[2] = {kX, kX}, z[2] = {kZ, kZ};
+  float fx[2], fz[2];
+  EXPECT_TRUE(answer(form_of<Definition>(), 2, x, z, fx, fz));
+  EXPECT_EQ(fx[0], 0);
+  EXPECT_EQ(fz[0], kBump.stiffness * -kZ);
+}
+
 void bump_form(ComparedScript& script, bool) {
+  wall<fast::Wall>();
+  wall<fast::Bump1p>();
   const auto last_on_top = Built<fast::Bump3p>(kBump).definition.half_top;
   for (const float x : {kX, 0.3F}) {
     gap_of_sides<fast::Bump2p>(script, x);
@@ -254,17 +264,7 @@ void cylinder(ComparedScript& script) {
   run.expect(form.kHasPlane ? "both_z" : "force_z", force.z.first.lane);
 }
 
-// One binary32 product, which the processor rounds.
-void wall() {
-  const float x[2] = {kX, kX}, z[2] = {kZ, kZ};
-  float fx[2], fz[2];
-  EXPECT_TRUE(answer(fast::WallForm(0.7), 2, x, z, fx, fz));
-  EXPECT_EQ(fx[0], 0);
-  EXPECT_EQ(fz[0], 0.7F * -kZ);
-}
-
 void cylinder_form(ComparedScript& script, bool) {
-  wall();
   cylinder<fast::Cylinder>(script);
   cylinder<fast::BumpCylinder>(script);
 }
