@@ -25,10 +25,14 @@ Json scene_with(mesh::Materials materials, mesh::Contact contact) {
                                             .materials = std::move(materials)}});
 }
 
-Hello hello_on(const Json& scene, const Json& materials) {
-  Json said = Json::parse(R"({"kind": "renderer", "name": "own", "version": "1", "memory": "path", "answers": "force",
+Json plain_hello() {
+  return Json::parse(R"({"kind": "renderer", "name": "own", "version": "1", "memory": "path", "answers": "force",
     "claims": "definition", "length_unit": "mm", "force_unit": "N", "frame": ["x", "y", "z"], "domain_mm": 10000,
     "rate_Hz": null, "loop_energy_mJ": null, "sides": ["front"], "shading": ["none"], "proxy_radius_mm": 0})");
+}
+
+Hello hello_on(const Json& scene, const Json& materials) {
+  Json said = plain_hello();
   if (!materials.is_null()) said["materials"] = materials;
   return hello_of(said, scene);
 }
@@ -63,6 +67,28 @@ TEST(hello, says_in_a_list_what_it_renders_of_materials) {
   const Json plain = scene_with({}, mesh::Contact::direct);
   for (const Json& wrong : {Json(true), Json("friction"), Json::array({1})})
     EXPECT_THROW(hello_on(plain, wrong), RendererFailed);
+}
+
+TEST(hello, says_what_its_units_and_axes_are_in_the_scene) {
+  const Json scene = scene_with({}, mesh::Contact::direct);
+  const Hello plain = hello_of(plain_hello(), scene);
+  EXPECT_EQ(plain.millimetres, 1);
+  EXPECT_EQ(plain.newtons, 1);
+  Json said = plain_hello();
+  said["length_unit"] = "m";
+  said["force_unit"] = "mN";
+  said["frame"] = {"-z", "x", "y"};
+  const Hello other = hello_of(said, scene);
+  EXPECT_EQ(other.millimetres, 1000);
+  EXPECT_EQ(other.newtons, 1e-3);
+  EXPECT_EQ(other.frame[0].index, 2U);
+  EXPECT_TRUE(other.frame[0].is_opposite);
+  EXPECT_EQ(other.frame[1].index, 0U);
+  EXPECT_FALSE(other.frame[1].is_opposite);
+  for (const Json& wrong : {Json{"x", "y", "y"}, Json{"x", "x", "x"}, Json{"x", "y"}, Json{"x", "y", "w"}, Json("xyz")}) {
+    said["frame"] = wrong;
+    EXPECT_THROW(hello_of(said, scene), RendererFailed) << wrong;
+  }
 }
 
 }  // namespace
