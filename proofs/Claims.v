@@ -1,6 +1,7 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
 (* The theorems that docs/proofs.md claims, and what each assumes. scripts/proofs reads what this file prints. *)
-From Forceshade Require Import RoundingTest Evaluate Inputs Wall Shaded Gap Polygons ThreePolygons CylinderForce Cylinder CylinderInside ErrorFree Acceptance.
+From Forceshade Require Import RoundingTest Evaluate Inputs Wall Shaded Gap Polygons ThreePolygons ErrorFree Acceptance.
+From Forceshade Require Import CylinderForce Cylinder CylinderOutside CylinderAnswers.
 
 Print Assumptions rounding_test_is_sound.
 Print Assumptions first_stage_returns_the_nearest.
@@ -16,7 +17,9 @@ Print Assumptions bump_3p_shaded_first_stage_answers_right.
 Print Assumptions cylinder_v_is_near.
 Print Assumptions cylinder_l_is_near.
 Print Assumptions cylinder_force_is_near.
-Print Assumptions cylinder_first_stage_answers_right_inside.
+Print Assumptions cylinder_v_is_not_positive.
+Print Assumptions cylinder_first_stage_answers_right.
+Print Assumptions bump_cylinder_first_stage_answers_right.
 Print Assumptions two_sum_is_exact.
 Print Assumptions fast_two_sum_is_exact.
 Print Assumptions two_product_is_exact.

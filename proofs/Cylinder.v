@@ -18,7 +18,8 @@ Record depth (R w : binary32) (anchor anchored rest d_head d_tail axis : binary6
   depth_error : Rabs (axis_depth (value32 R) (value32 w) - (value64 d_head + value64 d_tail)) <= slope_share * value64 d_head;
   depth_axis : forall Z, in_binary32 Z -> Z <> value64 axis ->
     / 67108864 * value64 d_head <= Rabs (Z + axis_depth (value32 R) (value32 w)) /\
-    bpow radix2 (-60) <= Rabs (Z + axis_depth (value32 R) (value32 w))
+    bpow radix2 (-60) <= Rabs (Z + axis_depth (value32 R) (value32 w)) /\
+    (value64 axis < Z -> 0 < Z + axis_depth (value32 R) (value32 w))
 }.
 
 Lemma product_scaled : forall k a b, (-500 <= k)%Z -> generic_format radix2 (FLT_exp (-149) 29) a -> in_binary32 b ->
@@ -47,6 +48,18 @@ Lemma depth_squared : forall Rad w, 0 < w -> w <= 2 * Rad -> 0 <= axis_depth Rad
   axis_depth Rad w * axis_depth Rad w = Rad * Rad - w / 2 * (w / 2).
 Proof. intros Rad w Hw HR. unfold axis_depth. split; [apply sqrt_pos|]. rewrite sqrt_sqrt; unfold Rsqr; nra. Qed.
 
+(* Inside of the cylinder x^2 + z^2 is no more than 4 R^2 and a little less. *)
+Lemma inside_is_near : forall Rad c d X Z, 0 < c -> 0 <= d -> d * d = Rad * Rad - c * c ->
+  0 < Rad * Rad - (X * X + (Z + d) * (Z + d)) -> 0 <= Rad -> X * X + Z * Z <= 4 * (Rad * Rad) - 2 * (c * c).
+Proof.
+  intros Rad c d X Z Hc Hd Hd2 HV HR. set (Q := Rad * Rad) in *. set (C := c * c) in *. set (L := Z + d) in *.
+  assert (HdR : d <= Rad) by (unfold Q, C in *; nra). assert (HL2 : L * L <= Q) by nra.
+  assert (HLR : - Rad <= L <= Rad) by (unfold Q in HL2; split; nra).
+  assert (E : X * X + Z * Z = Q - (Q - (X * X + L * L)) - d * d - 2 * Z * d) by (unfold L; ring).
+  assert (- Z * d <= (Rad + d) * d) by (apply Rmult_le_compat_r; [assumption|unfold L in HLR; lra]).
+  assert (0 <= (Rad - d) * (Rad - d)) by (apply Rle_0_sqr). unfold Q in *. nra.
+Qed.
+
 (* l, but at the one z next to -d. *)
 Theorem cylinder_l_is_near : forall R w K anchor anchored rest d_head d_tail axis zv Z, parameters R w K ->
   depth R w anchor anchored rest d_head d_tail axis -> coordinate zv Z -> Z <> value64 axis ->
@@ -54,7 +67,7 @@ Theorem cylinder_l_is_near : forall R w K anchor anchored rest d_head d_tail axi
   computes (cylinder_l d_head d_tail zv) (201 / 100) L (-60) 15.
 Proof.
   intros R w K anchor anchored rest d_head d_tail axis zv Z Hp D Hz Hne L.
-  destruct D as [(_ & _ & Fh & Ft & _) _ _ _ Bits Rh Rt Re Ax]. destruct Hz as [Hz Fz Rz _]. destruct (Ax Z Fz Hne) as [Ax1 Ax2]. fold L in Ax1, Ax2.
+  destruct D as [(_ & _ & Fh & Ft & _) _ _ _ Bits Rh Rt Re Ax]. destruct Hz as [Hz Fz Rz _]. destruct (Ax Z Fz Hne) as (Ax1 & Ax2 & _). fold L in Ax1, Ax2.
   destruct Hp as (_ & HR & Hw & _). destruct (depth_squared (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as [Hd0 Hd2].
   set (d := axis_depth _ _) in *. set (dh := value64 d_head) in *. set (dt := value64 d_tail) in *.
   assert (Hd : d <= value32 R) by nra.
@@ -88,17 +101,19 @@ Proof.
   - split; [assumption|]. apply Rle_trans with 20001; [|simpl; lra]. unfold L. apply Rabs_le. apply Rabs_le_inv in Rz. lra.
 Qed.
 
-(* v where the force acts, V > 0, and where the first stage does not doubt it. *)
-Theorem cylinder_v_is_near : forall is_fused R w K anchor anchored rest d_head d_tail axis xv X zv Z, parameters R w K ->
+(* v where x^2 + z^2 <= 8 R^2 and the first stage does not doubt it: the sum s that is rounded to it is large, and near V. *)
+Lemma cylinder_v_is_computed : forall is_fused R w K anchor anchored rest d_head d_tail axis xv X zv Z, parameters R w K ->
   depth R w anchor anchored rest d_head d_tail axis -> coordinate xv X -> coordinate zv Z ->
   let L := Z + axis_depth (value32 R) (value32 w) in
   let V := value32 R * value32 R - (X * X + L * L) in
   let v := cylinder_v is_fused anchor anchored rest d_head d_tail xv zv in
   let least := multiply_add is_fused (absolute zv) (times (two_to (-25)) d_head) (times (two_to (-50)) anchor) in
-  0 < V -> is_less (absolute v) least = false ->
-  computes v (17 / 5) V (-60) 28 /\ bpow radix2 (-49) * (value32 R * value32 R) <= V.
+  X * X + Z * Z <= 8 * (value32 R * value32 R) -> is_less (absolute v) least = false ->
+  exists s, is64 v (nearest64 s) /\ Rabs (nearest64 s - s) <= unit53 * Rabs s /\
+    / 140737488355328 * (value32 R * value32 R) <= 1002 / 1000 * Rabs s /\ Rabs (s - V) <= Rabs s / 4 /\
+    (0 < V -> Rabs (s - V) <= 2335 / 1000 * unit53 * Rabs s).
 Proof.
-  intros is_fused R w K anchor anchored rest d_head d_tail axis xv X zv Z Hp Dp Hx Hz L V v least HV Hclear.
+  intros is_fused R w K anchor anchored rest d_head d_tail axis xv X zv Z Hp Dp Hx Hz L V v least HS Hclear.
   destruct Dp as [(Fa & Fr & Fh & Ft & _) Ianchor Eanchored Rr Bits Rh Rt Re _].
   destruct Hp as ((FR & _ & _) & HR & Hw & _). destruct (depth_squared (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as [Hd0 Hd2].
   set (Rad := value32 R) in *. set (d := axis_depth Rad _) in *. set (c := value32 w / 2) in *.
@@ -114,15 +129,10 @@ Proof.
   assert (HC : / 4000000 <= C) by (unfold C, c; nra).
   assert (HCQ : 25 / 10000000000000000 * Q <= C) by lra.
   assert (HdR : d <= Rad) by (unfold Q in *; nra).
-  assert (HXX : 0 <= XX <= Q) by (unfold V, XX in *; split; nra).
+  assert (HXX : 0 <= XX <= 8 * Q) by (unfold XX; split; nra).
   assert (HCQ2 : C <= Q) by nra.
-  assert (HL2 : L * L <= Q) by (unfold V in HV; nra).
-  assert (HLR : - Rad <= L <= Rad) by (unfold Q in HL2; split; nra).
-  assert (HZZ : 0 <= ZZ <= 4 * Q) by (unfold ZZ; split; [nra|]; unfold L, Q in *; nra).
-  assert (Hsum : XX + ZZ <= 4 * Q - 2 * C).
-  { assert (E : XX + ZZ = Q - V - d * d - 2 * Z * d) by (unfold V, L, XX, ZZ; ring).
-    assert (- Z * d <= (Rad + d) * d) by (apply Rmult_le_compat_r; [assumption|unfold L in HLR; lra]).
-    assert (0 <= (Rad - d) * (Rad - d)) by (apply Rle_0_sqr). unfold Q in *. nra. }
+  assert (HZZ : 0 <= ZZ <= 8 * Q - XX) by (unfold ZZ, XX; split; nra).
+  assert (HA8 : 8 * Q + 3 / 2000000000000000 * Q <= A) by (apply Rabs_le_inv in Rr; unfold unit53 in *; lra).
   assert (HA : 8 * Q * (1 - / 1000000000000) <= A <= 9 * Q * (1 + / 1000000000000)).
   { apply Rabs_le_inv in Rr. unfold unit53 in *. lra. }
   pose proof (format_of _ _ IA) as GA. pose proof (format_of _ _ Hz) as Gz.
@@ -130,7 +140,7 @@ Proof.
   (* a *)
   set (a := nearest64 (A - XX)). pose proof (difference_is_close A XX GA Gxx) as Ea. fold a in Ea.
   rewrite (Rabs_pos_eq (A - XX)) in Ea by lra.
-  assert (Ra : 6999 / 1000 * Q <= a <= 9001 / 1000 * Q) by (apply Rabs_le_inv in Ea; unfold unit53 in *; lra).
+  assert (Ra : ZZ <= a <= 9001 / 1000 * Q) by (apply Rabs_le_inv in Ea; unfold unit53 in *; lra).
   assert (Ia : is64 (multiply_subtract is_fused xv xv anchored) a).
   { apply multiply_subtract_is; try assumption; apply big; fold XX; rewrite Rabs_pos_eq; lra. }
   pose proof (format_of _ _ Ia) as Ga.
@@ -153,8 +163,7 @@ Proof.
   pose proof (format_of _ _ Ib) as Gb.
   set (e2 := a - ZZ - b). assert (Re2 : Rabs e2 <= 9001 / 1000 * unit53 * Q).
   { unfold e2. rewrite Rabs_minus_sym. apply Rle_trans with (1 := Eb). unfold unit53. lra. }
-  assert (Rb : 4 * Q <= b <= 9002 / 1000 * Q).
-  { apply Rabs_le_inv in Ea. apply Rabs_le_inv in Eb. apply Rabs_le_inv in Rr. unfold unit53 in *. lra. }
+  assert (Rb : 0 <= b <= 9002 / 1000 * Q) by (apply Rabs_le_inv in Eb; unfold unit53 in *; lra).
   assert (X2 : nearest64 (nearest64 (a - b) - ZZ) = e2) by (apply error_of_difference; try assumption; lra).
   assert (Iback2 : is64 (minus (multiply_subtract is_fused xv xv anchored)
                            (multiply_subtract is_fused zv zv (multiply_subtract is_fused xv xv anchored))) (nearest64 (a - b))).
@@ -166,11 +175,18 @@ Proof.
                        (multiply_subtract is_fused zv zv (multiply_subtract is_fused xv xv anchored)))) e2).
   { rewrite <- X2. apply multiply_subtract_is; try assumption; apply big; fold ZZ; [rewrite Rabs_pos_eq; lra|].
     apply Rabs_le_inv in Rback2. apply Rabs_le. lra. }
-  (* g = b - anchor is exact *)
+  (* g = b - anchor is exact where the force acts *)
   pose proof (format_of _ _ Ianchor) as Ganchor.
-  assert (Gg : in_binary64 (b - 8 * Q)) by (apply sterbenz; auto with typeclass_instances; lra).
-  assert (Ig : is64 (minus (multiply_subtract is_fused zv zv (multiply_subtract is_fused xv xv anchored)) anchor) (b - 8 * Q)).
-  { rewrite <- (round_generic radix2 fexp64 ZnearestE (b - 8 * Q)) by assumption. apply minus_is; try assumption. apply big. apply Rabs_le. lra. }
+  set (g := nearest64 (b - 8 * Q)). pose proof (difference_is_close b (8 * Q) Gb Ganchor) as Eg. fold g in Eg.
+  assert (Bg : Rabs (b - 8 * Q) <= 8 * Q) by (apply Rabs_le; lra).
+  assert (Hg : 0 < V -> g = b - 8 * Q).
+  { intro HV. apply round_generic; auto with typeclass_instances. apply sterbenz; auto with typeclass_instances.
+    pose proof (inside_is_near Rad c d X Z ltac:(unfold c; lra) Hd0 Hd2 HV ltac:(lra)) as Hsum. fold XX ZZ Q C in Hsum.
+    apply Rabs_le_inv in Ea. apply Rabs_le_inv in Eb. apply Rabs_le_inv in Rr. unfold unit53 in *. lra. }
+  assert (Ig : is64 (minus (multiply_subtract is_fused zv zv (multiply_subtract is_fused xv xv anchored)) anchor) g).
+  { apply minus_is; try assumption. apply big. lra. }
+  pose proof (format_of _ _ Ig) as Gg. assert (Rg : Rabs g <= 850000000).
+  { pose proof (Rabs_triang_inv g (b - 8 * Q)). unfold unit53 in *. lra. }
   (* 2 z d_head and 2 z d_tail; Y is |z| d_head *)
   set (Y := Rabs Z * dh). assert (HY : 0 <= Y <= 200000000) by (unfold Y; pose proof (Rabs_pos Z); split; nra).
   assert (Gdh2 : in_binary64 (bpow radix2 1 * dh)).
@@ -180,11 +196,10 @@ Proof.
   assert (Gzd : in_binary64 (Z * (2 * dh))).
   { replace (Z * (2 * dh)) with (bpow radix2 1 * (dh * Z)) by (change (bpow radix2 1) with 2; ring). apply product_scaled; [lia|assumption|assumption]. }
   assert (Azd : Rabs (Z * (2 * dh)) = 2 * Y) by (unfold Y; rewrite Rabs_mult, (Rabs_pos_eq (2 * dh)) by lra; ring).
-  set (p := nearest64 (b - 8 * Q - Z * (2 * dh))). pose proof (difference_is_close _ _ Gg Gzd) as Ep. fold p in Ep.
-  set (P := b - 8 * Q - Z * (2 * dh)) in *.
+  set (p := nearest64 (g - Z * (2 * dh))). pose proof (difference_is_close _ _ Gg Gzd) as Ep. fold p in Ep.
+  set (P := g - Z * (2 * dh)) in *.
   assert (RP : Rabs P <= 1500000000).
-  { unfold P, Rminus. apply Rle_trans with (1 := Rabs_triang _ _). rewrite Rabs_Ropp, Azd. pose proof (Rabs_le (b - 8 * Q) 450000000 ltac:(lra)).
-    unfold Rminus in *. lra. }
+  { unfold P, Rminus. apply Rle_trans with (1 := Rabs_triang _ _). rewrite Rabs_Ropp, Azd. lra. }
   assert (Ip : is64 (multiply_subtract is_fused zv (times (two_to 1) d_head)
                        (minus (multiply_subtract is_fused zv zv (multiply_subtract is_fused xv xv anchored)) anchor)) p).
   { apply multiply_subtract_is; try assumption; apply big; [rewrite Azd; lra|fold P; lra]. }
@@ -273,23 +288,51 @@ Proof.
     replace (Rabs Z * (2 * Rabs (d - (dh + dt)))) with (2 * (Rabs Z * Rabs (d - (dh + dt)))) by ring.
     replace (2 * slope_share * (Rabs Z * dh)) with (2 * (Rabs Z * (slope_share * dh))) by ring.
     apply Rmult_le_compat_l; [lra|]. now apply Rmult_le_compat_l. }
-  assert (HG : p + low - V = (p - P) + (low - (e + f)) + (e - (e1 + e2)) + (f - (r - t)) - (t - T) + F).
-  { unfold V, F, T, P, e2, e1. fold XX. replace (L * L) with (ZZ + 2 * Z * d + d * d) by (unfold L, ZZ; ring). rewrite Hd2. lra. }
-  assert (BG : Rabs (p + low - V) <= 2335 / 1000 * unit53 * B).
+  set (G := g - (b - 8 * Q)) in *.
+  assert (HG : p + low - V = (p - P) + (low - (e + f)) + (e - (e1 + e2)) + (f - (r - t)) - (t - T) + F + G).
+  { unfold V, F, T, P, G, e2, e1. fold XX. replace (L * L) with (ZZ + 2 * Z * d + d * d) by (unfold L, ZZ; ring). rewrite Hd2. lra. }
+  assert (BG : Rabs (p + low - V) <= 2335 / 1000 * unit53 * B + Rabs G).
   { assert (B1 : Rabs (p - P) <= 14236 / 10000 * unit53 * B) by (apply Rle_trans with (1 := Ep); unfold unit53 in *; lra).
     assert (B2 : Rabs (low - (e + f)) + Rabs (e - (e1 + e2)) + Rabs (f - (r - t)) + Rabs (t - T) + Rabs F <= 86 / 100 * unit53 * E).
     { assert (tiny <= / 1000000 * unit53 * Q * unit53) by (unfold unit53; lra). unfold E, slope_share, unit53 in *. lra. }
-    rewrite HG. apply Rle_trans with (Rabs (p - P) + (Rabs (low - (e + f)) + Rabs (e - (e1 + e2)) + Rabs (f - (r - t)) + Rabs (t - T) + Rabs F)).
-    - clear. pose proof (Rle_abs (p - P)). apply Rabs_le. split_Rabs; lra.
+    rewrite HG. apply Rle_trans with
+      (Rabs (p - P) + (Rabs (low - (e + f)) + Rabs (e - (e1 + e2)) + Rabs (f - (r - t)) + Rabs (t - T) + Rabs F) + Rabs G).
+    - clear. apply Rabs_le. split_Rabs; lra.
     - unfold unit53 in *. lra. }
+  exists (p + low). fold B y. split; [exact Iv|]. split; [exact Ey|]. split; [unfold E in HEB; lra|]. split.
+  - apply Rle_trans with (1 := BG). unfold E, unit53 in *. lra.
+  - intro HV. apply Rle_trans with (1 := BG). unfold G. rewrite (Hg HV), Rminus_diag_eq, Rabs_R0 by reflexivity. lra.
+Qed.
+
+Lemma squares_inside : forall R w K X Z, parameters R w K -> let d := axis_depth (value32 R) (value32 w) in
+  0 < value32 R * value32 R - (X * X + (Z + d) * (Z + d)) -> X * X + Z * Z <= 8 * (value32 R * value32 R).
+Proof.
+  intros R w K X Z (_ & HR & Hw & _) d HV. destruct (depth_squared (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as [Hd0 Hd2].
+  fold d in Hd0, Hd2. pose proof (inside_is_near (value32 R) (value32 w / 2) d X Z ltac:(lra) Hd0 Hd2 HV ltac:(lra)). nra.
+Qed.
+
+(* v where the force acts, V > 0, and where the first stage does not doubt it. *)
+Theorem cylinder_v_is_near : forall is_fused R w K anchor anchored rest d_head d_tail axis xv X zv Z, parameters R w K ->
+  depth R w anchor anchored rest d_head d_tail axis -> coordinate xv X -> coordinate zv Z ->
+  let L := Z + axis_depth (value32 R) (value32 w) in
+  let V := value32 R * value32 R - (X * X + L * L) in
+  let v := cylinder_v is_fused anchor anchored rest d_head d_tail xv zv in
+  let least := multiply_add is_fused (absolute zv) (times (two_to (-25)) d_head) (times (two_to (-50)) anchor) in
+  0 < V -> is_less (absolute v) least = false ->
+  computes v (17 / 5) V (-60) 28 /\ bpow radix2 (-49) * (value32 R * value32 R) <= V.
+Proof.
+  intros is_fused R w K anchor anchored rest d_head d_tail axis xv X zv Z Hp Dp Hx Hz L V v least HV Hclear.
+  destruct (cylinder_v_is_computed is_fused R w K _ _ _ _ _ _ xv X zv Z Hp Dp Hx Hz (squares_inside R w K X Z Hp HV) Hclear)
+    as (s & Iv & Ey & HEB & _ & BG).
+  specialize (BG HV). fold L V in BG. destruct Hp as (_ & HR & _).
+  set (Q := value32 R * value32 R) in *. assert (HQ : / 100 <= Q <= 100000000) by (unfold Q; nra). set (B := Rabs s) in *.
   assert (HBV : B <= 1001 / 1000 * V).
-  { pose proof (Rabs_triang_inv (p + low) V) as T0. fold B in T0. rewrite (Rabs_pos_eq V) in T0 by lra. unfold unit53 in *. lra. }
+  { pose proof (Rabs_triang_inv s V) as T0. fold B in T0. rewrite (Rabs_pos_eq V) in T0 by lra. unfold unit53 in *. lra. }
   split.
-  - exists y. split; [exact Iv|]. split.
+  - exists (nearest64 s). split; [exact Iv|]. split.
     + apply near_more with (one + 2335 / 1000 * (1001 / 1000) * unit53 * (1 + / 1000) / unit53); [|unfold one, unit53; lra].
-      apply near_then with (p + low); [now apply close_by_a_unit|]. apply close_is_near; [|unfold unit53; lra].
+      apply near_then with s; [now apply close_by_a_unit|]. apply close_is_near; [|unfold unit53; lra].
       rewrite (Rabs_pos_eq V) by lra. apply Rle_trans with (1 := BG). unfold unit53 in *. lra.
-    + apply size_of; [|unfold V; simpl; assert (0 <= X * X + L * L) by nra; lra].
-      simpl. unfold E in HEB. lra.
-  - simpl. unfold E in HEB. lra.
+    + apply size_of; [|unfold V; simpl; assert (0 <= X * X + L * L) by nra; lra]. simpl. lra.
+  - simpl. lra.
 Qed.

@@ -39,7 +39,7 @@ Proof.
     apply Rmult_le_compat_l; lra.
 Qed.
 
-(* v is 17/5 units off V at most, and l 201/100 units off L: then the force is 18 units off at most. *)
+(* v is 17/5 units off V at most, and l 201/100 units off L: then F_x is 18 units off at most, and F_z 33/2. *)
 Theorem cylinder_force_is_near : forall is_fused R w K anchor anchored rest d_head d_tail axis xv X zv L, parameters R w K -> coordinate xv X ->
   let v := cylinder_v is_fused anchor anchored rest d_head d_tail xv zv in
   let first := cylinder is_fused (to64 K) (to64 R) anchor anchored rest d_head d_tail axis xv zv in
@@ -49,7 +49,7 @@ Theorem cylinder_force_is_near : forall is_fused R w K anchor anchored rest d_he
   computes (cylinder_l d_head d_tail zv) (201 / 100) L (-60) 15 ->
   first_contact first = true /\
   good 18 (first_x first) (value32 K * (value32 R - rho) * (X / rho)) /\
-  good 18 (first_z first) (value32 K * (value32 R - rho) * (L / rho)).
+  computes (first_z first) (33 / 2) (value32 K * (value32 R - rho) * (L / rho)) (-122) 117.
 Proof.
   intros is_fused R w K anchor anchored rest d_head d_tail axis xv X zv L Hp Hx v first rho V Hv HV Hl.
   unfold first, cylinder. cbv zeta. cbn [first_x first_z first_contact].
@@ -89,7 +89,7 @@ Proof.
       apply near_then with (X * X + ll); [|assumption]. apply sum_is_near; [assumption|now apply format_of in Ill]. }
   pose proof (computes_root _ _ _ (-60) 14 Csum ltac:(lra) ltac:(lra) ltac:(lia)) as Crho. fold rho in Crho.
   set (n := ((201 / 100 + 201 / 100 + one) * (101 / 100) + one) / 2 + one) in *.
-  assert (Hn : 4 <= n <= 41 / 10) by (unfold n; lra).
+  assert (Hn : 4 <= n <= 404 / 100) by (unfold n; lra).
   (* R + rho *)
   assert (Csum2 : computes (plus (to64 R) (square_root (multiply_add is_fused xv xv (times l l)))) (n / 2 * (101 / 100) + one) (Rad + rho) (-4) 15).
   { destruct Crho as (r & Ir & Nr & Sr). exists (nearest64 (Rad + r)).
@@ -132,5 +132,5 @@ Proof.
       refine (computed_is_good 18 _ _ _ _ _ C _ _ _ _); try lra; lia.
   - replace (k * (Rad - rho) * (L / rho)) with (k * V / ((Rad + rho) * rho) * L) by (rewrite Hscale; field; lra).
     pose proof (computes_times _ _ _ _ _ _ _ _ _ _ Cscale Hl ltac:(lra) ltac:(lra) ltac:(lia) ltac:(lia)) as C.
-    refine (computed_is_good 18 _ _ _ _ _ C _ _ _ _); try lra; lia.
+    apply (computes_more _ _ _ _ _ _ _ _ C); [lra|lia|lia].
 Qed.
