@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
 (* The theorems that docs/proofs.md claims, and what each assumes. scripts/proofs reads what this file prints. *)
 From Forceshade Require Import RoundingTest Evaluate Inputs Wall Shaded Gap Polygons ThreePolygons ErrorFree Acceptance.
-From Forceshade Require Import CylinderForce Cylinder CylinderOutside CylinderAnswers.
+From Forceshade Require Import CylinderForce Cylinder CylinderOutside CylinderAnswers DoubleDouble Depth CylinderConstants.
 
 Print Assumptions rounding_test_is_sound.
 Print Assumptions first_stage_returns_the_nearest.
@@ -20,6 +20,14 @@ Print Assumptions cylinder_force_is_near.
 Print Assumptions cylinder_v_is_not_positive.
 Print Assumptions cylinder_first_stage_answers_right.
 Print Assumptions bump_cylinder_first_stage_answers_right.
+Print Assumptions sum_of_exact.
+Print Assumptions product_of_exact.
+Print Assumptions root_of_both.
+Print Assumptions computed_depth_is.
+Print Assumptions split_head_is.
+Print Assumptions cylinder_constants_are_right.
+Print Assumptions cylinder_first_stage_answers_right_for_all.
+Print Assumptions bump_cylinder_first_stage_answers_right_for_all.
 Print Assumptions two_sum_is_exact.
 Print Assumptions fast_two_sum_is_exact.
 Print Assumptions two_product_is_exact.

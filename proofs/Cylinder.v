@@ -5,7 +5,8 @@ From Flocq Require Import Core BinarySingleNaN Binary Bits Sterbenz.
 From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs ErrorFree Gap Polygons CylinderForce.
 Open Scope R_scope.
 
-(* What the law holds of R, w and the depth d of its axis. axis is the binary32 number nearest to -d: every other one is this far off. *)
+(* What the law holds of R, w and the depth d of its axis. axis is the binary32 number nearest to -d: every other one that a z may be
+   is this far off. *)
 Record depth (R w : binary32) (anchor anchored rest d_head d_tail axis : binary64) : Prop := {
   depth_finite : is_finite 53 1024 anchored = true /\ is_finite 53 1024 rest = true /\ is_finite 53 1024 d_head = true /\
     is_finite 53 1024 d_tail = true /\ is_finite 53 1024 axis = true;
@@ -16,8 +17,8 @@ Record depth (R w : binary32) (anchor anchored rest d_head d_tail axis : binary6
   depth_head : 0 <= value64 d_head <= 10001;
   depth_tail : Rabs (value64 d_tail) <= tail_share * value64 d_head;
   depth_error : Rabs (axis_depth (value32 R) (value32 w) - (value64 d_head + value64 d_tail)) <= slope_share * value64 d_head;
-  depth_axis : forall Z, in_binary32 Z -> Z <> value64 axis ->
-    / 67108864 * value64 d_head <= Rabs (Z + axis_depth (value32 R) (value32 w)) /\
+  depth_axis : forall Z, in_binary32 Z -> Z = 0 \/ bpow radix2 (-30) <= Rabs Z -> Z <> value64 axis ->
+    / 134217728 * value64 d_head <= Rabs (Z + axis_depth (value32 R) (value32 w)) /\
     bpow radix2 (-60) <= Rabs (Z + axis_depth (value32 R) (value32 w)) /\
     (value64 axis < Z -> 0 < Z + axis_depth (value32 R) (value32 w))
 }.
@@ -67,7 +68,8 @@ Theorem cylinder_l_is_near : forall R w K anchor anchored rest d_head d_tail axi
   computes (cylinder_l d_head d_tail zv) (201 / 100) L (-60) 15.
 Proof.
   intros R w K anchor anchored rest d_head d_tail axis zv Z Hp D Hz Hne L.
-  destruct D as [(_ & _ & Fh & Ft & _) _ _ _ Bits Rh Rt Re Ax]. destruct Hz as [Hz Fz Rz _]. destruct (Ax Z Fz Hne) as (Ax1 & Ax2 & _). fold L in Ax1, Ax2.
+  destruct D as [(_ & _ & Fh & Ft & _) _ _ _ Bits Rh Rt Re Ax]. pose proof (coordinate_not_tiny _ _ Hz) as Tz.
+  destruct Hz as [Hz Fz Rz _]. destruct (Ax Z Fz Tz Hne) as (Ax1 & Ax2 & _). fold L in Ax1, Ax2.
   destruct Hp as (_ & HR & Hw & _). destruct (depth_squared (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as [Hd0 Hd2].
   set (d := axis_depth _ _) in *. set (dh := value64 d_head) in *. set (dt := value64 d_tail) in *.
   assert (Hd : d <= value32 R) by nra.

@@ -212,7 +212,7 @@ Proof.
     set (F := cylinder_z _ _ _ X Z) in *.
     assert (HF : 0 < F).
     { assert (0 <= F); [|destruct (Req_dec F 0) as [E|]; [now apply (size_not_0 _ _ _ Sf) in E|lra]].
-      destruct (depth_axis _ _ _ _ _ _ _ _ Hd Z (coordinate_format _ _ Hz) ltac:(lra)) as (_ & _ & HL). specialize (HL Habove).
+      destruct (depth_axis _ _ _ _ _ _ _ _ Hd Z (coordinate_format _ _ Hz) (coordinate_not_tiny _ _ Hz) ltac:(lra)) as (_ & _ & HL). specialize (HL Habove).
       destruct (distance_squared (value32 R) (value32 w) X Z) as [Hrho0 _].
       unfold F, cylinder_z. cbv zeta. rewrite Rlt_bool_true by assumption. set (rho := distance_from_axis _ _ X Z) in *.
       apply Rmult_le_pos; [apply Rmult_le_pos; lra|]. case Req_bool_spec; intro H0; [lra|]. unfold Rdiv.

@@ -57,6 +57,9 @@ Record coordinate (v : binary64) (X : R) : Prop := {
   coordinate_size : X = 0 \/ size (-30) 14 X
 }.
 
+Lemma coordinate_not_tiny : forall v X, coordinate v X -> X = 0 \/ bpow radix2 (-30) <= Rabs X.
+Proof. intros v X [_ _ _ [H|[H _]]]; [now left|now right]. Qed.
+
 Lemma coordinates : forall x, in_domain x = true -> coordinate (to64 (quantised x)) (read (value32 x)).
 Proof.
   intros x Hx. apply in_domain_is_right in Hx. destruct Hx as [Fx Rx]. destruct (quantised_is_right x Fx) as [Q1 Q2].

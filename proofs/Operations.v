@@ -28,6 +28,9 @@ Definition multiply_add (is_fused : bool) (a b c : binary64) : binary64 :=
 Definition multiply_subtract (is_fused : bool) (a b c : binary64) : binary64 :=
   if is_fused then b64_fma mode_NE (opp a) b c else minus c (times a b).
 
+(* std::fma. *)
+Definition fused : binary64 -> binary64 -> binary64 -> binary64 := b64_fma mode_NE.
+
 (* 2^k, as C++ writes it 0x1pk. *)
 Definition two_to (k : Z) : binary64 := binary_normalize 53 1024 (eq_refl _) (eq_refl _) mode_NE 1 k false.
 
@@ -131,16 +134,22 @@ Proof.
   apply generic_format_bpow. unfold FLT_exp. lia.
 Qed.
 
+Lemma fused_is : forall u v w a b c, is64 u a -> is64 v b -> is64 w c -> Rabs (a * b + c) <= bpow radix2 1000 ->
+  is64 (fused u v w) (nearest64 (a * b + c)).
+Proof.
+  intros u v w a b c [<- Fu] [<- Fv] [<- Fw] H. unfold fused, b64_fma.
+  match goal with |- context [Bfma _ _ ?p ?q ?nan _ _ _ _] =>
+    pose proof (Bfma_correct 53 1024 p q nan mode_NE u v w Fu Fv Fw) as C end.
+  operation C. now destruct C as (C1 & C2 & _).
+Qed.
+
 (* Fused or not, where the product is a number of binary64. *)
 Lemma multiply_add_is : forall is_fused u v w a b c, is64 u a -> is64 v b -> is64 w c -> generic_format radix2 fexp64 (a * b) ->
   Rabs (a * b) <= bpow radix2 1000 -> Rabs (a * b + c) <= bpow radix2 1000 ->
   is64 (multiply_add is_fused u v w) (nearest64 (a * b + c)).
 Proof.
   intros [|] u v w a b c Hu Hv Hw Hformat Hproduct H; unfold multiply_add.
-  - destruct Hu as [<- Fu], Hv as [<- Fv], Hw as [<- Fw]. unfold b64_fma.
-    match goal with |- context [Bfma _ _ ?p ?q ?nan _ _ _ _] =>
-      pose proof (Bfma_correct 53 1024 p q nan mode_NE u v w Fu Fv Fw) as C end.
-    operation C. now destruct C as (C1 & C2 & _).
+  - now apply fused_is.
   - apply plus_is; try assumption. rewrite <- (round_generic radix2 fexp64 ZnearestE (a * b)) by assumption. now apply times_is.
 Qed.
 

@@ -1,9 +1,90 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
-(* The first stage of each law, as its header has it. Written by a program (tests/proofs/recorded_terms.cpp):
+(* Double-double's values and the first stage of each law, as the headers have them. Written by a program,
+   tests/proofs/recorded_terms.cpp:
    ninja -C build/release recorded_terms && build/release/tests/recorded_terms > proofs/Recorded.v *)
 From Coq Require Import ZArith Bool.
 From Flocq Require Import BinarySingleNaN Binary Bits.
 From Forceshade Require Import Formats Operations.
+
+(* fast/numbers/double_double.h: hi and lo *)
+Definition two_sum (a b : binary64) : binary64 * binary64 :=
+  let t1 := plus a b in
+  let t2 := minus t1 a in
+  let t3 := minus t1 t2 in
+  let t4 := minus a t3 in
+  let t5 := minus b t2 in
+  let t6 := plus t4 t5 in
+  (t1, t6).
+Definition fast_two_sum (a b : binary64) : binary64 * binary64 :=
+  let t1 := plus a b in
+  let t2 := minus t1 a in
+  let t3 := minus b t2 in
+  (t1, t3).
+Definition two_product (a b : binary64) : binary64 * binary64 :=
+  let t1 := times a b in
+  let t2 := opp t1 in
+  let t3 := fused a b t2 in
+  (t1, t3).
+Definition sum_of (a_hi a_lo b_hi b_lo : binary64) : binary64 * binary64 :=
+  let t1 := plus a_hi b_hi in
+  let t2 := minus t1 a_hi in
+  let t3 := minus t1 t2 in
+  let t4 := minus a_hi t3 in
+  let t5 := minus b_hi t2 in
+  let t6 := plus t4 t5 in
+  let t7 := plus a_lo b_lo in
+  let t8 := plus t6 t7 in
+  let t9 := plus t1 t8 in
+  let t10 := minus t7 a_lo in
+  let t11 := minus t7 t10 in
+  let t12 := minus a_lo t11 in
+  let t13 := minus b_lo t10 in
+  let t14 := plus t12 t13 in
+  let t15 := minus t9 t1 in
+  let t16 := minus t8 t15 in
+  let t17 := plus t14 t16 in
+  let t18 := plus t9 t17 in
+  let t19 := minus t18 t9 in
+  let t20 := minus t17 t19 in
+  (t18, t20).
+Definition product_of (a_hi a_lo b_hi b_lo : binary64) : binary64 * binary64 :=
+  let t1 := times a_hi b_hi in
+  let t2 := opp t1 in
+  let t3 := fused a_hi b_hi t2 in
+  let t4 := times a_lo b_lo in
+  let t5 := fused a_lo b_hi t4 in
+  let t6 := fused a_hi b_lo t5 in
+  let t7 := plus t3 t6 in
+  let t8 := plus t1 t7 in
+  let t9 := minus t8 t1 in
+  let t10 := minus t7 t9 in
+  (t8, t10).
+Definition quotient_of (a_hi a_lo b_hi b_lo : binary64) : binary64 * binary64 :=
+  let t1 := over a_hi b_hi in
+  let t2 := times t1 b_hi in
+  let t3 := minus a_hi t2 in
+  let t4 := opp t2 in
+  let t5 := fused t1 b_hi t4 in
+  let t6 := minus t3 t5 in
+  let t7 := opp t1 in
+  let t8 := fused t7 b_lo a_lo in
+  let t9 := plus t6 t8 in
+  let t10 := over t9 b_hi in
+  let t11 := plus t1 t10 in
+  let t12 := minus t11 t1 in
+  let t13 := minus t10 t12 in
+  (t11, t13).
+Definition square_root_of (a_hi a_lo : binary64) : binary64 * binary64 :=
+  let t1 := square_root a_hi in
+  let t2 := opp t1 in
+  let t3 := fused t2 t1 a_hi in
+  let t4 := plus t3 a_lo in
+  let t5 := plus t1 t1 in
+  let t6 := over t4 t5 in
+  let t7 := plus t1 t6 in
+  let t8 := minus t7 t1 in
+  let t9 := minus t6 t8 in
+  (t7, t9).
 
 (* fast/laws/wall.h *)
 Definition wall (is_fused : bool)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A number that writes down, in the language of Coq, what is done with it: a Real in the sense of fast/numbers/first_stage.h.
-// Since a first stage selects and never branches, one run of it writes the whole of it, every case included.
+// A number that writes down, in the language of Coq, what is done with it: a Real in the sense of fast/numbers/first_stage.h,
+// and of the templates of fast/numbers/double_double.h. Since a first stage selects and never branches, one run of it writes
+// the whole of it, every case included.
 
 #include <cmath>
 #include <cstddef>
@@ -119,6 +120,9 @@ class Written {
   }
   friend Written multiply_subtract(const Written& a, const Written& b, const Written& c) {
     return Written("multiply_subtract is_fused % % %", {a.node_, b.node_, c.node_});
+  }
+  friend Written fused(const Written& a, const Written& b, const Written& c) {
+    return Written("fused % % %", {a.node_, b.node_, c.node_});
   }
   friend Written select(const Mask& condition, const Written& yes, const Written& no) {
     return Written("if % then % else %", {condition.node, yes.node_, no.node_});
