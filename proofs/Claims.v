@@ -1,7 +1,8 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
 (* The theorems that docs/proofs.md claims, and what each assumes. scripts/proofs reads what this file prints. *)
 From Forceshade Require Import RoundingTest Evaluate Inputs Wall Shaded Gap Polygons ThreePolygons ErrorFree Acceptance.
-From Forceshade Require Import CylinderForce Cylinder CylinderOutside CylinderAnswers DoubleDouble Depth CylinderConstants.
+From Forceshade Require Import CylinderForce Cylinder CylinderOutside CylinderAnswers DoubleDouble Depth Split.
+From Forceshade Require Import CylinderConstants DoubleDoubleNear TwoPolygonsConstants.
 
 Print Assumptions rounding_test_is_sound.
 Print Assumptions first_stage_returns_the_nearest.
@@ -25,9 +26,15 @@ Print Assumptions product_of_exact.
 Print Assumptions root_of_both.
 Print Assumptions computed_depth_is.
 Print Assumptions split_head_is.
+Print Assumptions split_is.
 Print Assumptions cylinder_constants_are_right.
 Print Assumptions cylinder_first_stage_answers_right_for_all.
 Print Assumptions bump_cylinder_first_stage_answers_right_for_all.
+Print Assumptions sum_of_is_near.
+Print Assumptions product_of_is_near.
+Print Assumptions quotient_of_is_near.
+Print Assumptions linear_2p_is_right.
+Print Assumptions bump_2p_shaded_first_stage_answers_right_for_all.
 Print Assumptions two_sum_is_exact.
 Print Assumptions fast_two_sum_is_exact.
 Print Assumptions two_product_is_exact.

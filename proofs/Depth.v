@@ -213,7 +213,7 @@ Qed.
 (* A root of a double-double whose error is far below it. *)
 Lemma root_of_is : forall a h l e, is64 (hi a) h -> is64 (lo a) l -> is64 (error a) e -> bpow radix2 (-40) <= h <= bpow radix2 40 ->
   Rabs l <= 101 / 100 * unit53 * h -> 0 <= e <= / 1000000 * h ->
-  exists y z, is64 (hi (root_of a)) y /\ is64 (lo (root_of a)) z /\
+  exists y z f, is64 (hi (root_of a)) y /\ is64 (lo (root_of a)) z /\ is64 (error (root_of a)) f /\ 0 <= f <= / 1000 * y /\
     Rabs (y - sqrt h) <= / 1000000000000 * sqrt h /\ Rabs z <= 101 / 100 * unit53 * y /\
     Rabs (sqrt (h + l) - (y + z)) <= 9 * (unit53 * unit53) * y.
 Proof.
@@ -232,14 +232,30 @@ Proof.
   assert (Hless : e < nearest64 (h * k)).
   { pose proof (product_is_close (h * k)) as Chk. rewrite (Rabs_pos_eq (h * k)) in Chk by lra. apply Rabs_le_inv in Chk.
     assert (unit53 * (h * k) <= / 1000000000000 * (h * k)) by (apply Rmult_le_compat_r; lra). lra. }
-  rewrite (less_is _ _ _ _ E Ihk), Rlt_bool_true by assumption. cbn [negb]. cbv zeta. unfold rounded. cbn [hi lo].
-  destruct (root_of_both _ _ h l H L Hh Hl) as (y & z & R1 & R2 & _ & R4 & R5 & R6). now exists y, z.
+  rewrite (less_is _ _ _ _ E Ihk), Rlt_bool_true by assumption. cbn [negb]. cbv zeta. unfold rounded. cbn [hi lo error].
+  destruct (root_of_both _ _ h l H L Hh Hl) as (y & z & R1 & R2 & _ & R4 & R5 & R6).
+  pose proof (Rabs_le_inv _ _ R4) as R4'. set (s := sqrt h) in *. assert (Hs2 : s * s = h) by (apply sqrt_sqrt; lra).
+  assert (Hs : / 1048576 <= s <= 1048576).
+  { assert (S : size (-20) 20 s) by (apply size_root; [now apply size_of|lra]). destruct S as [S1 S2].
+    rewrite Rabs_pos_eq in S1, S2 by apply sqrt_pos. split; [exact S1|exact S2]. }
+  assert (Hey : 0 <= e / y <= / 900000 * y).
+  { assert (Hy : 0 < y) by lra. assert (0 <= y * y) by apply Rle_0_sqr. split; apply Rmult_le_reg_r with y; try assumption; unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra; [lra|].
+    rewrite Rmult_1_r. apply Rle_trans with (/ 1000000 * (s * s)); [lra|]. apply Rle_trans with (/ 1000000 * (11 / 10 * (y * y))); [|lra].
+    apply Rmult_le_compat_l; [lra|]. apply Rle_trans with (101 / 100 * y * (101 / 100 * y)); [apply Rmult_le_compat; lra|].
+    lra. }
+  pose proof (over_is _ _ _ _ E R1 ltac:(lra) ltac:(apply not_large; rewrite Rabs_pos_eq; lra)) as Iq.
+  assert (Hq : 0 <= nearest64 (e / y) <= / 100000 * y).
+  { pose proof (rounded_up _ _ Hey) as Q. assert (/ 900000 * y * (1 + unit53) <= / 900000 * y * 2) by (apply Rmult_le_compat_l; lra). lra. }
+  destruct (error_of_is _ _ _ _ _ R1 Iq Hq ltac:(lra) ltac:(rewrite Rabs_pos_eq; lra)) as (f & F1 & F2 & _).
+  rewrite (Rabs_pos_eq y) in F2 by lra. exists y, z, f. split; [exact R1|]. split; [exact R2|]. split; [exact F1|].
+  split; [unfold share101 in F2; lra|]. now split.
 Qed.
 
 (* ---- d ---- *)
 
 Theorem computed_depth_is : forall R w K, parameters R w K -> let d := axis_depth (value32 R) (value32 w) in
-  exists h l, is64 (hi (computed_depth R w)) h /\ is64 (lo (computed_depth R w)) l /\ Rabs l <= 101 / 100 * unit53 * h /\
+  exists h l e, is64 (hi (computed_depth R w)) h /\ is64 (lo (computed_depth R w)) l /\
+    is64 (error (computed_depth R w)) e /\ 0 <= e <= / 1000 * h /\ Rabs l <= 101 / 100 * unit53 * h /\
     Rabs (d - (h + l)) <= 9 * (unit53 * unit53) * h /\ 0 <= h <= 100002 / 10 /\ (h = 0 \/ bpow radix2 (-21) <= h).
 Proof.
   intros R w K Hp d. pose proof (half_width_is _ _ _ Hp) as Ic. pose proof (half_chord_is_binary64 _ _ _ Hp) as F. cbv zeta in F.
@@ -272,13 +288,14 @@ Proof.
     assert (HM0 : M = 0) by (apply Rmult_integral in H0; destruct H0; [assumption|lra]).
     assert (Hh0 : h = 0) by (unfold h; rewrite H0; apply round_0; auto with typeclass_instances).
     unfold root_of. rewrite (equal_is _ _ _ _ C1 zero_is), (equal_is _ _ _ _ C3 zero_is), (Req_bool_true _ _ Hh0), (Req_bool_true _ _ (C5 HM0)).
-    cbn [andb]. exists h, (M * P - h). split; [assumption|]. split; [assumption|]. rewrite ED, H0, Hh0, sqrt_0, !Rmult_0_r.
+    cbn [andb]. exists h, (M * P - h), g. split; [assumption|]. split; [assumption|]. split; [assumption|].
+    rewrite (C5 HM0), ED, H0, Hh0, sqrt_0, !Rmult_0_r.
     replace (0 - 0) with 0 by ring. replace (0 - (0 + 0)) with 0 by ring. rewrite Rabs_R0. repeat split; (lra || now left).
   - pose proof (product_is_close (M * P)) as Ch. fold h in Ch. rewrite (Rabs_pos_eq (M * P)) in Ch by lra. clearbody h.
     assert (Ch2 : Rabs (h - M * P) <= 1001 / 1000 * unit53 * (M * P)) by (unfold unit53 in *; lra). pose proof Ch2 as Ch3.
     apply Rabs_le_inv in Ch3.
     assert (Hh : / 300000000000 <= h <= 100000001) by (unfold unit53 in *; lra).
-    destruct (root_of_is square h (M * P - h) g C1 C2 C3) as (y & z & R1 & R2 & R4 & R5 & R6).
+    destruct (root_of_is square h (M * P - h) g C1 C2 C3) as (y & z & f' & R1 & R2 & R3 & R3' & R4 & R5 & R6).
     { change (bpow radix2 (-40)) with (/ 1099511627776). change (bpow radix2 40) with 1099511627776. lra. }
     { rewrite Rabs_minus_sym. apply Rle_trans with (1 := Ch2). unfold unit53 in *. lra. }
     { unfold unit53 in *. lra. }
@@ -287,6 +304,7 @@ Proof.
     { replace (/ 1000000) with (sqrt (/ 1000000 * / 1000000)) by (apply sqrt_square; lra). apply sqrt_le_1_alt. lra. }
     assert (Hs2 : sqrt h <= 100001 / 10).
     { replace (100001 / 10) with (sqrt (100001 / 10 * (100001 / 10))) by (apply sqrt_square; lra). apply sqrt_le_1_alt. lra. }
-    exists y, z. split; [assumption|]. split; [assumption|]. split; [assumption|]. split; [assumption|]. split; [lra|].
+    exists y, z, f'. split; [assumption|]. split; [assumption|]. split; [assumption|]. split; [lra|]. split; [assumption|].
+    split; [assumption|]. split; [lra|].
     right. change (bpow radix2 (-21)) with (/ 2097152). lra.
 Qed.
