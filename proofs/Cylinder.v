@@ -2,7 +2,8 @@
 (* v = R^2 - rho^2 and l = z + d of the first stage of cylinder, fast/laws/cylinder.h, where the force acts. *)
 From Coq Require Import ZArith Reals Lia Lra Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits Sterbenz.
-From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs ErrorFree Gap Polygons CylinderForce.
+From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs ErrorFree Gap Polygons.
+From Forceshade Require Import CylinderForce.
 Open Scope R_scope.
 
 (* What the law holds of R, w and the depth d of its axis. axis is the binary32 number nearest to -d: every other one that a z may be
@@ -28,9 +29,11 @@ Lemma product_scaled : forall k a b, (-500 <= k)%Z -> generic_format radix2 (FLT
 Proof.
   intros k a b Hk Ha Hb. apply FLT_format_generic in Ha; [|reflexivity]. apply FLT_format_generic in Hb; [|reflexivity].
   destruct Ha as [[m e] H1 H2 H3], Hb as [[n g] G1 G2 G3]. rewrite H1, G1, <- Operations.F2R_mult.
-  replace (bpow radix2 k) with (F2R (Float radix2 1 k)) by (unfold F2R; cbn [Fnum Fexp]; apply Rmult_1_l). rewrite <- Operations.F2R_mult.
+  replace (bpow radix2 k) with (F2R (Float radix2 1 k)) by (unfold F2R; cbn [Fnum Fexp]; apply Rmult_1_l).
+  rewrite <- Operations.F2R_mult.
   cbn [Fnum Fexp] in *. apply generic_format_FLT. exists (Float radix2 (1 * (m * n)) (k + (e + g))); [reflexivity| |].
-  - cbn [Fnum]. rewrite Z.mul_1_l, Z.abs_mul. change (Zpower radix2 29) with 536870912%Z in *. change (Zpower radix2 24) with 16777216%Z in *.
+  - cbn [Fnum]. rewrite Z.mul_1_l, Z.abs_mul. change (Zpower radix2 29) with 536870912%Z in *.
+    change (Zpower radix2 24) with 16777216%Z in *.
     change (Zpower radix2 53) with 9007199254740992%Z. nia.
   - cbn [Fexp]. lia.
 Qed.
@@ -38,7 +41,8 @@ Qed.
 Lemma one_is_binary32 : in_binary32 1.
 Proof. change 1 with (bpow radix2 0). apply generic_format_bpow. unfold FLT_exp. lia. Qed.
 
-Lemma scaled_is : forall k v a, (-500 <= k <= 10)%Z -> is64 v a -> in_binary64 (bpow radix2 k * a) -> Rabs (bpow radix2 k * a) <= bpow radix2 1000 ->
+Lemma scaled_is : forall k v a, (-500 <= k <= 10)%Z -> is64 v a -> in_binary64 (bpow radix2 k * a) ->
+  Rabs (bpow radix2 k * a) <= bpow radix2 1000 ->
   is64 (times (two_to k) v) (bpow radix2 k * a).
 Proof.
   intros k v a Hk Hv Hf Hb. rewrite <- (round_generic radix2 fexp64 ZnearestE (bpow radix2 k * a)) by assumption.
@@ -194,9 +198,11 @@ Proof.
   assert (Gdh2 : in_binary64 (bpow radix2 1 * dh)).
   { rewrite <- (Rmult_1_r dh). apply product_scaled; [lia|assumption|apply one_is_binary32]. }
   assert (Idh2 : is64 (times (two_to 1) d_head) (2 * dh)).
-  { change 2 with (bpow radix2 1). apply scaled_is; try assumption; try lia. apply big. change (bpow radix2 1) with 2. rewrite Rabs_pos_eq; lra. }
+  { change 2 with (bpow radix2 1). apply scaled_is; try assumption; try lia. apply big. change (bpow radix2 1) with 2.
+    rewrite Rabs_pos_eq; lra. }
   assert (Gzd : in_binary64 (Z * (2 * dh))).
-  { replace (Z * (2 * dh)) with (bpow radix2 1 * (dh * Z)) by (change (bpow radix2 1) with 2; ring). apply product_scaled; [lia|assumption|assumption]. }
+  { replace (Z * (2 * dh)) with (bpow radix2 1 * (dh * Z)) by (change (bpow radix2 1) with 2; ring).
+    apply product_scaled; [lia|assumption|assumption]. }
   assert (Azd : Rabs (Z * (2 * dh)) = 2 * Y) by (unfold Y; rewrite Rabs_mult, (Rabs_pos_eq (2 * dh)) by lra; ring).
   set (p := nearest64 (g - Z * (2 * dh))). pose proof (difference_is_close _ _ Gg Gzd) as Ep. fold p in Ep.
   set (P := g - Z * (2 * dh)) in *.
@@ -214,12 +220,14 @@ Proof.
   { change 2 with (bpow radix2 1). apply scaled_is; try assumption; try lia. apply big. change (bpow radix2 1) with 2. lra. }
   set (T := Z * (2 * dt)). assert (BT : Rabs T <= 2 * tail_share * Y).
   { unfold T, Y. rewrite !Rabs_mult, (Rabs_pos_eq 2) by lra. pose proof (Rabs_pos Z).
-    replace (Rabs Z * (2 * Rabs dt)) with (2 * (Rabs Z * Rabs dt)) by ring. replace (2 * tail_share * (Rabs Z * dh)) with (2 * (Rabs Z * (tail_share * dh))) by ring.
+    replace (Rabs Z * (2 * Rabs dt)) with (2 * (Rabs Z * Rabs dt)) by ring.
+    replace (2 * tail_share * (Rabs Z * dh)) with (2 * (Rabs Z * (tail_share * dh))) by ring.
     apply Rmult_le_compat_l; [lra|]. now apply Rmult_le_compat_l. }
   set (t := nearest64 T). pose proof (product_is_close T) as Et. fold t in Et.
   assert (IT : is64 (times zv (times (two_to 1) d_tail)) t).
   { apply times_is; try assumption. fold T. apply big. apply Rle_trans with (1 := BT). unfold tail_share. lra. }
-  pose proof (format_of _ _ IT) as Gt. pose proof (format_of _ _ Ir) as Gr. pose proof (format_of _ _ I1) as G1. pose proof (format_of _ _ I2) as G2.
+  pose proof (format_of _ _ IT) as Gt. pose proof (format_of _ _ Ir) as Gr. pose proof (format_of _ _ I1) as G1.
+  pose proof (format_of _ _ I2) as G2.
   (* E: what v is at least. *)
   set (E := / 33554432 * Y + / 140737488355328 * Q).
   assert (HE : 0 < E) by (unfold E; lra).
@@ -227,14 +235,17 @@ Proof.
   set (e := nearest64 (e1 + e2)). pose proof (sum_is_close e1 e2 G1 G2) as Ee. fold e in Ee.
   assert (Be0 : Rabs (e1 + e2) <= 18003 / 1000 * unit53 * Q) by (apply Rle_trans with (1 := Rabs_triang _ _); unfold unit53 in *; lra).
   assert (Be : Rabs e <= 18004 / 1000 * unit53 * Q) by (pose proof (Rabs_triang_inv e (e1 + e2)); unfold unit53 in *; lra).
-  assert (Dt : Rabs (t - T) <= 13 / 100 * unit53 * (/ 33554432 * Y) + tiny) by (apply Rle_trans with (1 := Et); unfold tail_share, unit53 in *; lra).
+  assert (Dt : Rabs (t - T) <= 13 / 100 * unit53 * (/ 33554432 * Y) + tiny) by (apply Rle_trans with (1 := Et);
+    unfold tail_share, unit53 in *; lra).
   assert (Bt : Rabs t <= 127 / 1000 * (/ 33554432 * Y) + / 1000 * unit53 * Q).
   { pose proof (Rabs_triang_inv t T). unfold tail_share, unit53 in *. lra. }
   set (f := nearest64 (r - t)). pose proof (difference_is_close r t Gr Gt) as Ef. fold f in Ef.
   assert (Bf0 : Rabs (r - t) <= 127 / 1000 * (/ 33554432 * Y) + 9003 / 1000 * unit53 * Q).
   { unfold Rminus. apply Rle_trans with (1 := Rabs_triang _ _). rewrite Rabs_Ropp. unfold unit53 in *. lra. }
-  assert (Bf : Rabs f <= 1275 / 10000 * (/ 33554432 * Y) + 9004 / 1000 * unit53 * Q) by (pose proof (Rabs_triang_inv f (r - t)); unfold unit53 in *; lra).
-  assert (If : is64 (minus rest (times zv (times (two_to 1) d_tail))) f) by (apply minus_is; try assumption; apply big; unfold unit53 in *; lra).
+  assert (Bf : Rabs f <= 1275 / 10000 * (/ 33554432 * Y) + 9004 / 1000 * unit53 * Q) by (pose proof (Rabs_triang_inv f (r - t));
+    unfold unit53 in *; lra).
+  assert (If : is64 (minus rest (times zv (times (two_to 1) d_tail))) f) by (apply minus_is; try assumption; apply big;
+    unfold unit53 in *; lra).
   assert (Ie : is64 (plus (multiply_subtract is_fused xv xv (minus anchored (multiply_subtract is_fused xv xv anchored)))
        (multiply_subtract is_fused zv zv (minus (multiply_subtract is_fused xv xv anchored)
                        (multiply_subtract is_fused zv zv (multiply_subtract is_fused xv xv anchored))))) e)
@@ -269,7 +280,8 @@ Proof.
     assert (Hprod : Rabs Z * (/ 33554432 * dh) = / 33554432 * Y) by (unfold Y; ring).
     apply multiply_add_is; try assumption.
     - now apply absolute_is.
-    - replace (Rabs Z * (/ 33554432 * dh)) with (bpow radix2 (-25) * (dh * Rabs Z)) by (change (bpow radix2 (-25)) with (/ 33554432); ring).
+    - replace (Rabs Z * (/ 33554432 * dh)) with (bpow radix2 (-25) * (dh * Rabs Z)) by (change (bpow radix2 (-25)) with (/ 33554432);
+      ring).
       apply product_scaled; [lia|assumption|now apply generic_format_abs].
     - rewrite Hprod. apply big. rewrite Rabs_pos_eq; lra.
     - rewrite Hprod. apply big. simpl. rewrite Rabs_pos_eq; lra. }
@@ -283,7 +295,8 @@ Proof.
   assert (HEB : E <= 1002 / 1000 * B) by (pose proof (Rabs_triang_inv y (p + low)) as T0; fold B in T0; unfold unit53 in *; lra).
   assert (BP : Rabs P <= 14235 / 10000 * B).
   { pose proof (Rabs_triang_inv P p) as T0. rewrite (Rabs_minus_sym P p) in T0.
-    pose proof (Rabs_triang (p + low) (- low)) as T1. replace (p + low + - low) with p in T1 by ring. rewrite Rabs_Ropp in T1. fold B in T1.
+    pose proof (Rabs_triang (p + low) (- low)) as T1. replace (p + low + - low) with p in T1 by ring. rewrite Rabs_Ropp in T1.
+    fold B in T1.
     pose proof (Rabs_pos P). unfold unit53 in *. lra. }
   set (F := Z * (2 * (d - (dh + dt)))). assert (BF : Rabs F <= 2 * slope_share * Y).
   { unfold F, Y. rewrite !Rabs_mult, (Rabs_pos_eq 2) by lra. pose proof (Rabs_pos Z).

@@ -36,7 +36,8 @@ Proof.
   set (L := Z + axis_depth (value32 R) (value32 w)) in *.
   assert (HV : 0 < value32 R * value32 R - (X * X + L * L)) by nra.
   destruct (cylinder_v_is_near is_fused R w K _ _ _ _ _ _ _ X _ Z Hp Hd Hx Hz HV Hclear) as [Nv Bv]. fold L in Nv, Bv. split.
-  - change (first_contact first) with (is_less zero64 v). unfold v. destruct Nv as (y & Iv & Ny & _). rewrite (less_is _ _ _ _ zero_is Iv).
+  - change (first_contact first) with (is_less zero64 v). unfold v. destruct Nv as (y & Iv & Ny & _).
+    rewrite (less_is _ _ _ _ zero_is Iv).
     apply Rlt_bool_true. now apply (near_sign _ _ _ Ny).
   - intro Hne. pose proof (cylinder_l_is_near R w K _ _ _ _ _ _ _ Z Hp Hd Hz Hne) as Nl. cbv zeta in Nl. fold L in Nl.
     assert (HL : L <> 0) by (destruct Nl as (y & _ & _ & S); now apply (size_not_0 _ _ _ S)).
@@ -59,7 +60,8 @@ Proof.
   intros is_fused R w K anchor anchored rest d_head d_tail axis later x y z Hp Hd Hv X Z.
   destruct (valid_coordinates _ _ _ Hv) as [Hx Hz]. fold X in Hx. fold Z in Hz.
   apply (right_first_stage_gives_right_answers 18); [lia|assumption|]. unfold is_right. intro Hclear.
-  unfold cylinder in Hclear. cbv zeta in Hclear. cbn [first_doubt] in Hclear. apply orb_false_elim in Hclear. destruct Hclear as [C1 C2].
+  unfold cylinder in Hclear. cbv zeta in Hclear. cbn [first_doubt] in Hclear. apply orb_false_elim in Hclear.
+  destruct Hclear as [C1 C2].
   destruct (Rlt_or_le (distance_from_axis (value32 R) (value32 w) X Z) (value32 R)) as [Hin|Hout].
   - assert (Hne : Z <> value64 axis).
     { destruct Hd as [(_ & _ & _ & _ & Fa) _ _ _ _ _ _ _ _]. rewrite (equal_is _ _ _ _ (coordinate_is _ _ Hz) (conj eq_refl Fa)) in C2.
@@ -68,7 +70,8 @@ Proof.
     split; [split; [trivial|intros _; exact T1]|]. intros _. split; [exact Fx|].
     refine (computed_is_good 18 _ _ _ _ _ Fz _ _ _ _); try lra; lia.
   - destruct (distance_squared (value32 R) (value32 w) X Z) as [Hrho0 Hrho2]. pose proof Hp as (_ & HR & _).
-    destruct (cylinder_v_is_not_positive is_fused R w K _ _ _ _ _ _ _ X _ Z Hp Hd Hx Hz ltac:(clear -Hout Hrho0 Hrho2 HR; nra) C1) as (v & Iv & Hneg & _).
+    destruct (cylinder_v_is_not_positive is_fused R w K _ _ _ _ _ _ _ X _ Z Hp Hd Hx Hz ltac:(clear -Hout Hrho0 Hrho2 HR;
+      nra) C1) as (v & Iv & Hneg & _).
     split; [|intro; lra]. set (xv := to64 (quantised x)) in *. set (zv := to64 (quantised z)) in *.
     change (first_contact (cylinder is_fused (to64 K) (to64 R) anchor anchored rest d_head d_tail axis xv zv)) with
       (is_less zero64 (cylinder_v is_fused anchor anchored rest d_head d_tail xv zv)).
@@ -137,8 +140,10 @@ Proof.
   (* rho *)
   set (ll := nearest64 (l * l)).
   assert (Ell : Rabs (ll - l * l) <= / 1000000).
-  { apply Rle_trans with (unit53 * 500000000 + tiny); [|unfold unit53; lra]. apply rounded_within. rewrite Rabs_pos_eq by (apply Rle_0_sqr). lra. }
-  apply Rabs_le_inv in Ell. pose proof (times_is _ _ _ _ Il Il ltac:(apply big2; rewrite Rabs_pos_eq by (apply Rle_0_sqr); lra)) as Ill. fold ll in Ill.
+  { apply Rle_trans with (unit53 * 500000000 + tiny); [|unfold unit53; lra]. apply rounded_within.
+    rewrite Rabs_pos_eq by (apply Rle_0_sqr). lra. }
+  apply Rabs_le_inv in Ell. pose proof (times_is _ _ _ _ Il Il ltac:(apply big2; rewrite Rabs_pos_eq by (apply Rle_0_sqr);
+    lra)) as Ill. fold ll in Ill.
   assert (Gxx : in_binary64 (X * X)) by now apply product_is_binary64.
   assert (Ss : size (2 * -4) (2 * 15) (X * X + ll)) by (apply size_of; simpl; lra).
   pose proof (multiply_add_is is_fused _ _ _ _ _ _ Hx Hx Ill Gxx ltac:(apply big2; rewrite Rabs_pos_eq; lra)
@@ -146,13 +151,15 @@ Proof.
   pose proof (size_rounded _ _ _ Ss ltac:(lia) ltac:(lia)) as Ss2.
   assert (Hpos : 0 <= nearest64 (X * X + ll)).
   { rewrite <- (round_0 radix2 fexp64 ZnearestE). apply round_le; auto with typeclass_instances. lra. }
-  pose proof (square_root_is _ _ Is Hpos) as Ir. pose proof (size_rounded _ _ _ (size_root _ _ _ Ss2 Hpos) ltac:(lia) ltac:(lia)) as Sr.
+  pose proof (square_root_is _ _ Is Hpos) as Ir.
+  pose proof (size_rounded _ _ _ (size_root _ _ _ Ss2 Hpos) ltac:(lia) ltac:(lia)) as Sr.
   set (r := nearest64 (sqrt _)) in *.
   assert (Hr : 0 <= r).
   { rewrite <- (round_0 radix2 fexp64 ZnearestE). apply round_le; auto with typeclass_instances. apply sqrt_pos. }
   assert (Srr : size (-4) 16 (Rad + r)).
   { destruct Sr as [S1 S2]. change (bpow radix2 (-4)) with (/ 16) in *. change (bpow radix2 15) with 32768 in *.
-    rewrite Rabs_pos_eq in S1, S2 by assumption. apply size_of; change (bpow radix2 (-4)) with (/ 16); change (bpow radix2 16) with 65536; lra. }
+    rewrite Rabs_pos_eq in S1, S2 by assumption.
+    apply size_of; change (bpow radix2 (-4)) with (/ 16); change (bpow radix2 16) with 65536; lra. }
   assert (IR : is64 (to64 R) Rad) by now apply to64_is_exact.
   pose proof (plus_is _ _ _ _ IR Ir ltac:(apply (big _ _ (proj2 Srr)); lia)) as Irr.
   pose proof (size_times _ _ _ _ _ _ (size_rounded _ _ _ Srr ltac:(lia) ltac:(lia)) Sr) as Sd.
@@ -206,13 +213,15 @@ Proof.
   - destruct (cylinder_inside is_fused R w K _ _ _ _ _ _ _ X _ Z Hp Hd Hx Hz Hin C1) as [T1 T2]. fold first in T1, T2.
     rewrite T1 in *. cbn [andb orb] in C2 |- *.
     assert (Habove : value64 axis < Z).
-    { destruct Hd as [(_ & _ & _ & _ & Fa) _ _ _ _ _ _ _ _]. rewrite (at_most_is _ _ _ _ (coordinate_is _ _ Hz) (conj eq_refl Fa)) in C2.
+    { destruct Hd as [(_ & _ & _ & _ & Fa) _ _ _ _ _ _ _ _].
+      rewrite (at_most_is _ _ _ _ (coordinate_is _ _ Hz) (conj eq_refl Fa)) in C2.
       revert C2. case Rle_bool_spec; [discriminate|trivial]. }
     destruct (T2 ltac:(lra)) as [Fx (f & If & Nf & Sf)]. split; [split; [now left|reflexivity]|]. intros _. split; [exact Fx|].
     set (F := cylinder_z _ _ _ X Z) in *.
     assert (HF : 0 < F).
     { assert (0 <= F); [|destruct (Req_dec F 0) as [E|]; [now apply (size_not_0 _ _ _ Sf) in E|lra]].
-      destruct (depth_axis _ _ _ _ _ _ _ _ Hd Z (coordinate_format _ _ Hz) (coordinate_not_tiny _ _ Hz) ltac:(lra)) as (_ & _ & HL). specialize (HL Habove).
+      destruct (depth_axis _ _ _ _ _ _ _ _ Hd Z (coordinate_format _ _ Hz) (coordinate_not_tiny _ _ Hz) ltac:(lra)) as (_ & _ & HL).
+      specialize (HL Habove).
       destruct (distance_squared (value32 R) (value32 w) X Z) as [Hrho0 _].
       unfold F, cylinder_z. cbv zeta. rewrite Rlt_bool_true by assumption. set (rho := distance_from_axis _ _ X Z) in *.
       apply Rmult_le_pos; [apply Rmult_le_pos; lra|]. case Req_bool_spec; intro H0; [lra|]. unfold Rdiv.
@@ -230,21 +239,24 @@ Proof.
       - apply near_then with (f + W); [|exact N]. apply sum_is_near; [now apply format_of in If|now apply format_of in Iw]. }
     refine (computed_is_good 18 _ _ _ _ _ C _ _ _ _); unfold one; try lra; lia.
   - destruct (distance_squared (value32 R) (value32 w) X Z) as [Hrho0 Hrho2].
-    destruct (cylinder_v_is_not_positive is_fused R w K _ _ _ _ _ _ _ X _ Z Hp Hd Hx Hz ltac:(clear -Hout Hrho0 Hrho2 HR; nra) C1) as (v & Iv & Hneg & Rv).
+    destruct (cylinder_v_is_not_positive is_fused R w K _ _ _ _ _ _ _ X _ Z Hp Hd Hx Hz ltac:(clear -Hout Hrho0 Hrho2 HR;
+      nra) C1) as (v & Iv & Hneg & Rv).
     assert (T1 : first_contact first = false).
     { change (first_contact first) with (is_less zero64 (cylinder_v is_fused anchor anchored rest d_head d_tail xv zv)).
       rewrite (less_is _ _ _ _ zero_is Iv). now apply Rlt_bool_false. }
     rewrite T1. cbn [orb]. unfold cylinder_x, cylinder_z. cbv zeta. rewrite (Rlt_bool_false _ _ Hout). split.
     { case Rlt_bool_spec; intro H; split; intro G; try reflexivity; try discriminate; [now right|]. destruct G; lra. }
     intros [G|G]; [lra|].
-    destruct (no_cylinder_force is_fused R w K anchor anchored rest d_head d_tail axis xv X zv Z Hp Hd Hx Hz ltac:(clear -Hout Hrho0 Hrho2 HR; nra)) as [I1 I2].
+    destruct (no_cylinder_force is_fused R w K anchor anchored rest d_head d_tail axis xv X zv Z Hp Hd Hx Hz
+      ltac:(clear -Hout Hrho0 Hrho2 HR; nra)) as [I1 I2].
     { now exists v. }
     split; [now apply zero_is_good|]. rewrite Rplus_0_l. apply exact_is_good; [lia| | |].
     + rewrite <- (round_generic radix2 fexp64 ZnearestE W) by now apply format_of in Iw. rewrite <- (Rplus_0_l W).
       apply plus_is; try assumption. rewrite Rplus_0_l, Rabs_pos_eq by assumption.
       apply Rle_trans with (bpow radix2 30); [simpl; lra|apply bpow_le; lia].
     + right. unfold W. rewrite Rmax_left by (clear -G HK; nra). destruct Hz as [_ _ _ [->|[Sz _]]]; [lra|].
-      rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq (value32 K)) by lra. apply Rle_trans with (bpow radix2 (-10 + -30)); [apply bpow_le; lia|].
+      rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq (value32 K)) by lra.
+      apply Rle_trans with (bpow radix2 (-10 + -30)); [apply bpow_le; lia|].
       rewrite bpow_plus. apply Rmult_le_compat; try apply bpow_ge_0; [simpl; lra|assumption].
     + rewrite Rabs_pos_eq by assumption. apply Rle_lt_trans with (bpow radix2 30); [simpl; lra|now apply bpow_lt].
 Qed.

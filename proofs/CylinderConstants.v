@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
-(* The numbers that the laws cylinder and bump-cylinder hold, as their constructor computes them: they are what the theorems on the first
-   stage assume. So these theorems hold for every input of the domain, and nothing is assumed. *)
+(* The numbers that the laws cylinder and bump-cylinder hold, as their constructor computes them: they are what the theorems on the
+   first stage assume. So these theorems hold for every input of the domain, and nothing is assumed. *)
 From Coq Require Import ZArith Reals Lia Lra Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits Relative.
 From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs ErrorFree Gap Polygons.
@@ -13,15 +13,18 @@ Definition anchor_of (R : binary32) : binary64 := times (times (two_to 3) (to64 
 Definition anchor_terms (R w : binary32) : binary64 * binary64 := fast_two_sum (anchor_of R) (times (half_width w) (half_width w)).
 Definition axis_of (R w : binary32) : binary64 := opp (to64 (to32 (hi (computed_depth R w)))).
 
-Definition cylinder_of (first_stage : bool -> binary64 -> binary64 -> binary64 -> binary64 -> binary64 -> binary64 -> binary64 -> binary64 ->
+Definition cylinder_of (first_stage : bool -> binary64 -> binary64 -> binary64 -> binary64 -> binary64 -> binary64 -> binary64 ->
+  binary64 ->
     binary64 -> binary64 -> FirstStage) (R w K : binary32) (is_fused : bool) : binary64 -> binary64 -> FirstStage :=
-  first_stage is_fused (to64 K) (to64 R) (anchor_of R) (fst (anchor_terms R w)) (snd (anchor_terms R w)) (split_head (computed_depth R w))
+  first_stage is_fused (to64 K) (to64 R) (anchor_of R) (fst (anchor_terms R w)) (snd (anchor_terms R w)) (split_head (computed_depth R
+    w))
     (split_tail (computed_depth R w)) (axis_of R w).
 
 Lemma binary32_is_29_bits : forall a, in_binary32 a -> generic_format radix2 (FLT_exp (-149) 29) a.
 Proof. intros a Ha. apply generic_inclusion_mag with fexp32; [intros _; unfold FLT_exp; lia|exact Ha]. Qed.
 
-Lemma anchor_is : forall R w K, parameters R w K -> let A := value64 (fst (anchor_terms R w)) in let r := value64 (snd (anchor_terms R w)) in
+Lemma anchor_is : forall R w K, parameters R w K -> let A := value64 (fst (anchor_terms R w)) in let r := value64 (snd (anchor_terms R
+  w)) in
   is64 (anchor_of R) (8 * (value32 R * value32 R)) /\
   is_finite 53 1024 (fst (anchor_terms R w)) = true /\ is_finite 53 1024 (snd (anchor_terms R w)) = true /\
   A + r = 8 * (value32 R * value32 R) + value32 w / 2 * (value32 w / 2) /\ Rabs r <= unit53 * A.
@@ -47,7 +50,8 @@ Proof.
   assert (Gc : in_binary64 (c * c)).
   { replace (c * c) with (bpow radix2 (-2) * (value32 w * value32 w)) by (change (bpow radix2 (-2)) with (/ 4); unfold c; field).
     apply product_scaled; [lia|now apply binary32_is_29_bits|assumption]. }
-  assert (Icc : is64 (times (half_width w) (half_width w)) (c * c)) by (apply times_exact with c c; try assumption; [reflexivity|apply big; lra]).
+  assert (Icc : is64 (times (half_width w) (half_width w)) (c * c)) by (apply times_exact with c c; try assumption;
+    [reflexivity|apply big; lra]).
   destruct (two_terms _ _ _ _ Ia Icc) as [[T1 F1] [T2 F2]].
   { rewrite !Rabs_pos_eq by lra. lra. }
   { rewrite Rabs_pos_eq by lra. apply Rle_trans with (bpow radix2 40); [simpl; lra|apply bpow_le; lia]. }
@@ -72,7 +76,8 @@ Proof.
   intros h t Hh Hsize Ht Hne. set (n := nearest32 h) in *.
   assert (Gn : in_binary32 n) by (apply generic_format_round; auto with typeclass_instances).
   assert (Cn : Rabs (n - h) <= / 16777216 * h).
-  { pose proof (relative_error_N_FLT radix2 (-149) 24 (eq_refl _) (fun n => negb (Z.even n)) h) as E. rewrite (Rabs_pos_eq h) in E by assumption.
+  { pose proof (relative_error_N_FLT radix2 (-149) 24 (eq_refl _) (fun n => negb (Z.even n)) h) as E.
+    rewrite (Rabs_pos_eq h) in E by assumption.
     replace (/ 16777216) with (/ 2 * bpow radix2 (-24 + 1)) by (simpl; lra). apply E.
     apply Rle_trans with (2 := Hsize). apply bpow_le. lia. }
   apply Rabs_le_inv in Cn. change (bpow radix2 (-21)) with (/ 2097152) in Hsize.
@@ -81,7 +86,8 @@ Proof.
   { destruct (Rlt_or_le t (n / 2)) as [Hsmall|Hlarge].
     - rewrite Rabs_left by lra. lra.
     - set (k := (mag radix2 n - 1)%Z).
-      assert (Hk1 : bpow radix2 k <= n) by (pose proof (bpow_mag_le radix2 n ltac:(lra)) as Q; rewrite Rabs_pos_eq in Q by lra; exact Q).
+      assert (Hk1 : bpow radix2 k <= n) by (pose proof (bpow_mag_le radix2 n ltac:(lra)) as Q; rewrite Rabs_pos_eq in Q by lra;
+        exact Q).
       assert (Hk2 : n < bpow radix2 (k + 1)).
       { unfold k. replace (mag radix2 n - 1 + 1)%Z with (mag radix2 n : Z) by ring. 
         pose proof (bpow_mag_gt radix2 n) as Q. rewrite Rabs_pos_eq in Q by lra. exact Q. }
@@ -93,7 +99,8 @@ Proof.
       destruct (multiple_of (k - 1) n ltac:(lia) Gn) as [b Hb]; [rewrite Rabs_pos_eq; lra|].
       set (u := bpow radix2 (k - 1 - 23)) in *. assert (Hu : 0 < u) by apply bpow_gt_0.
       assert (Hun : n < 33554432 * u).
-      { apply Rlt_le_trans with (1 := Hk2). right. unfold u. change 33554432 with (bpow radix2 25). rewrite <- bpow_plus. f_equal. ring. }
+      { apply Rlt_le_trans with (1 := Hk2). right. unfold u. change 33554432 with (bpow radix2 25). rewrite <- bpow_plus. f_equal.
+        ring. }
       assert (E : t - n = IZR (a - b) * u) by (rewrite minus_IZR, Ha, Hb; ring). rewrite E, Rabs_mult, (Rabs_pos_eq u) by lra.
       assert (1 <= Rabs (IZR (a - b))).
       { rewrite <- abs_IZR. apply IZR_le. assert (a - b <> 0)%Z; [|lia]. intro H0. apply Hne. rewrite H0 in E. lra. }
@@ -124,7 +131,8 @@ Proof.
   pose proof (Rabs_le_inv _ _ Cs) as Cs2.
   (* axis *)
   assert (Hbelow : Rabs (nearest32 (value64 (hi a))) < bpow radix2 128).
-  { rewrite (proj1 H). apply Rle_lt_trans with (bpow radix2 20); [|now apply bpow_lt]. apply abs_round_le_generic; auto with typeclass_instances.
+  { rewrite (proj1 H). apply Rle_lt_trans with (bpow radix2 20); [|now apply bpow_lt].
+    apply abs_round_le_generic; auto with typeclass_instances.
     - apply generic_format_bpow. unfold FLT_exp. lia.
     - rewrite Rabs_pos_eq; simpl; lra. }
   destruct (to32_rounds_once (hi a) (proj2 H) Hbelow) as [V32 F32]. rewrite (proj1 H) in V32.
@@ -161,7 +169,8 @@ Qed.
 
 Theorem bump_cylinder_first_stage_answers_right_for_all : forall is_fused R w K later x y z, parameters R w K -> valid x y z = true ->
   let X := read (value32 x) in let Z := read (value32 z) in
-  right_or_later (evaluate bump_cylinder_window (cylinder_of bump_cylinder R w K is_fused) later x y z) (later (quantised x) (quantised z))
+  right_or_later (evaluate bump_cylinder_window (cylinder_of bump_cylinder R w K is_fused) later x y z) (later (quantised x) (quantised
+    z))
     (distance_from_axis (value32 R) (value32 w) X Z < value32 R \/ Z < 0)
     (cylinder_x (value32 R) (value32 w) (value32 K) X Z)
     (cylinder_z (value32 R) (value32 w) (value32 K) X Z + Rmax (- value32 K * Z) 0).

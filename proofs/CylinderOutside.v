@@ -31,7 +31,8 @@ Proof.
   set (Q := Rad * Rad) in *. set (C := c * c) in *. set (XX := X * X) in *. set (ZZ := Z * Z) in *. set (S := XX + ZZ) in *.
   assert (HSE : XX + ZZ = S) by reflexivity. clearbody S.
   assert (HQ : / 100 <= Q <= 100000000) by (unfold Q; nra). assert (HCQ : 0 <= C <= Q) by (unfold C, Q, c; split; nra).
-  assert (HdR : d <= Rad) by (unfold Q in *; nra). assert (HXX : 0 <= XX) by (unfold XX; nra). assert (HZZ : 0 <= ZZ) by (unfold ZZ; nra).
+  assert (HdR : d <= Rad) by (unfold Q in *; nra). assert (HXX : 0 <= XX) by (unfold XX; nra).
+  assert (HZZ : 0 <= ZZ) by (unfold ZZ; nra).
   assert (square : forall a, Rabs a <= 10000 -> a * a <= 100000000).
   { intros a Ha. apply Rabs_le_inv in Ha. nra. }
   pose proof (square X Rx) as RXX. pose proof (square Z Rz) as RZZ. fold XX in RXX. fold ZZ in RZZ. clear square.
@@ -39,10 +40,12 @@ Proof.
   assert (HA : 0 <= A <= 1126 / 1000 * S) by (apply Rabs_le_inv in Rr; unfold unit53 in *; lra).
   assert (Gxx : in_binary64 XX) by now apply product_is_binary64. assert (Gzz : in_binary64 ZZ) by now apply product_is_binary64.
   (* 2 z d_head and 2 z d_tail; Y is |z| d_head *)
-  assert (Hdh : dh <= 10001 / 10000 * d) by (apply Rabs_le_inv in Rt; apply Rabs_le_inv in Re; unfold tail_share, slope_share in *; lra).
+  assert (Hdh : dh <= 10001 / 10000 * d) by (apply Rabs_le_inv in Rt; apply Rabs_le_inv in Re; unfold tail_share, slope_share in *;
+    lra).
   set (Y := Rabs Z * dh).
   assert (HY : 0 <= Y /\ 2 * Y <= 708 / 1000 * S).
-  { pose proof (Rabs_pos Z) as HZ. split; [unfold Y; nra|]. assert (EZ : Rabs Z * Rabs Z = ZZ) by (rewrite <- Rabs_mult; now apply Rabs_pos_eq).
+  { pose proof (Rabs_pos Z) as HZ. split; [unfold Y; nra|].
+    assert (EZ : Rabs Z * Rabs Z = ZZ) by (rewrite <- Rabs_mult; now apply Rabs_pos_eq).
     assert (0 <=
       (595 / 1000 * Rabs Z - 1681 / 1000 * Rad) *
       (595 / 1000 * Rabs Z - 1681 / 1000 * Rad)) by apply Rle_0_sqr.
@@ -77,7 +80,8 @@ Proof.
   { apply multiply_subtract_is; try assumption; apply big; fold XX; [rewrite Rabs_pos_eq; lra|lra]. }
   set (a_back := nearest64 (A - a)). assert (Bab : Rabs (A - a) <= 2 * S) by (apply Rabs_le; lra).
   pose proof (off _ _ Bab ltac:(lra)) as Eab. fold a_back in Eab. apply Rabs_le_inv in Eab.
-  assert (Iab : is64 (minus anchored (multiply_subtract is_fused xv xv anchored)) a_back) by (apply minus_is; try assumption; apply big; lra).
+  assert (Iab : is64 (minus anchored (multiply_subtract is_fused xv xv anchored)) a_back) by (apply minus_is; try assumption;
+    apply big; lra).
   set (e1 := nearest64 (a_back - XX)). assert (Be1 : Rabs (a_back - XX) <= S) by (apply Rabs_le; lra).
   pose proof (off _ _ Be1 ltac:(lra)) as Ee1. fold e1 in Ee1. apply Rabs_le_inv in Ee1.
   assert (Ie1 : is64 (multiply_subtract is_fused xv xv (minus anchored (multiply_subtract is_fused xv xv anchored))) e1).
@@ -140,7 +144,8 @@ Proof.
     rewrite (Rabs_left1 s) in * by assumption. split; [nra|].
     destruct Hp as (_ & HR & Hw & _). destruct (depth_squared (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as [Hd0 Hd2].
     assert (RL : -20000 <= L <= 20000).
-    { pose proof (coordinate_range _ _ Hz) as Rz. apply Rabs_le_inv in Rz. assert (axis_depth (value32 R) (value32 w) <= value32 R) by nra.
+    { pose proof (coordinate_range _ _ Hz) as Rz. apply Rabs_le_inv in Rz.
+      assert (axis_depth (value32 R) (value32 w) <= value32 R) by nra.
       unfold L. lra. }
     assert (RX : -10000 <= X <= 10000) by (apply Rabs_le_inv, Hx).
     assert (L * L <= 400000000) by nra. assert (X * X <= 100000000) by nra. assert (0 <= value32 R * value32 R) by nra.

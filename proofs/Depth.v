@@ -1,8 +1,9 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
-(* The depth d of the cylinder's axis in double-double, axis_depth of fast/laws/bump_geometry.h: what is computed, and how far off it is. *)
+(* The depth d of the cylinder's axis in double-double, axis_depth of fast/laws/bump_geometry.h: what is computed, and how far off. *)
 From Coq Require Import ZArith Reals Lia Lra Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits.
-From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs ErrorFree Gap Polygons DoubleDouble.
+From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs ErrorFree Gap Polygons.
+From Forceshade Require Import DoubleDouble.
 Open Scope R_scope.
 
 (* ---- DoubleDouble of fast/numbers/double_double.h ---- *)
@@ -60,10 +61,12 @@ Proof.
     assert (unit53 * a <= unit53 * b) by (apply Rmult_le_compat_l; lra). lra.
 Qed.
 
-Lemma error_of_is : forall v x propagated p b, is64 v x -> is64 propagated p -> 0 <= p <= b -> b <= 1000000 -> Rabs x <= 1000000000000 ->
+Lemma error_of_is : forall v x propagated p b, is64 v x -> is64 propagated p -> 0 <= p <= b -> b <= 1000000 ->
+  Rabs x <= 1000000000000 ->
   exists e, is64 (error_of v propagated) e /\ 0 <= e <= 2 * (b + share101 * Rabs x) + 5 * tiny /\ (p = 0 -> x = 0 -> e = 0).
 Proof.
-  intros v x propagated p b Hv Hp Hpb Hb Hx. pose proof unit_is_small as Hu. pose proof tiny_is_tiny as Htiny. pose proof (Rabs_pos x) as Px.
+  intros v x propagated p b Hv Hp Hpb Hb Hx. pose proof unit_is_small as Hu. pose proof tiny_is_tiny as Htiny.
+  pose proof (Rabs_pos x) as Px.
   assert (big : forall a, Rabs a <= 10000000000 -> not_too_large a).
   { intros a Ha. apply Rle_trans with (bpow radix2 40); [simpl; lra|apply bpow_le; lia]. }
   assert (K : bpow radix2 (-101) = share101) by (unfold share101; simpl; lra).
@@ -88,20 +91,23 @@ Qed.
 
 (* ---- R - w/2 and R + w/2 are numbers of binary64 ---- *)
 
-Lemma multiple_of : forall k a, (-125 <= k)%Z -> in_binary32 a -> bpow radix2 k <= Rabs a -> exists n, a = IZR n * bpow radix2 (k - 23).
+Lemma multiple_of : forall k a, (-125 <= k)%Z -> in_binary32 a -> bpow radix2 k <= Rabs a ->
+  exists n, a = IZR n * bpow radix2 (k - 23).
 Proof.
   intros k a Hk Ha Hs. assert (Hmag : (k + 1 <= mag radix2 a)%Z).
   { apply mag_ge_bpow. now replace (k + 1 - 1)%Z with k by ring. }
   unfold generic_format, scaled_mantissa in Ha. set (m := Ztrunc _) in Ha. set (e := cexp radix2 fexp32 a) in Ha.
   assert (He : (k - 23 <= e)%Z) by (unfold e, cexp, FLT_exp; lia).
   exists (m * 2 ^ (e - (k - 23)))%Z. rewrite Ha at 1. unfold F2R. cbn [Fnum Fexp]. rewrite mult_IZR.
-  change (2 ^ (e - (k - 23)))%Z with (Zpower radix2 (e - (k - 23))). rewrite IZR_Zpower by lia. rewrite Rmult_assoc, <- bpow_plus. do 2 f_equal. ring.
+  change (2 ^ (e - (k - 23)))%Z with (Zpower radix2 (e - (k - 23))). rewrite IZR_Zpower by lia. rewrite Rmult_assoc, <- bpow_plus.
+  do 2 f_equal. ring.
 Qed.
 
 Lemma whole_multiple : forall n a, a = IZR n * bpow radix2 (-34) -> Rabs a <= 32768 -> in_binary64 a.
 Proof.
   intros n a -> Ha. apply generic_format_FLT. exists (Float radix2 n (-34)); [reflexivity| |cbn [Fexp]; lia]. cbn [Fnum].
-  change (Zpower radix2 53) with 9007199254740992%Z. apply lt_IZR. rewrite abs_IZR. rewrite Rabs_mult, (Rabs_pos_eq (bpow _ _)) in Ha by apply bpow_ge_0.
+  change (Zpower radix2 53) with 9007199254740992%Z. apply lt_IZR. rewrite abs_IZR.
+  rewrite Rabs_mult, (Rabs_pos_eq (bpow _ _)) in Ha by apply bpow_ge_0.
   change (bpow radix2 (-34)) with (/ 17179869184) in Ha. lra.
 Qed.
 
@@ -150,7 +156,8 @@ Lemma add_is : forall a b x y, is_exactly a x -> is_exactly b y -> in_binary64 (
 Proof.
   intros [h l e] [h' l' e'] x y (H & L & E) (H' & L' & E') Hf Hx Hy. cbn [hi lo error] in *. unfold add, rounded. cbn [hi lo error].
   pose proof (Rabs_triang x y) as T.
-  destruct (sum_of_exact h l h' l' x y H L H' L' Hf ltac:(apply not_large; lra) ltac:(apply not_large; lra) ltac:(apply not_large; lra)) as [S1 S2].
+  destruct (sum_of_exact h l h' l' x y H L H' L' Hf ltac:(apply not_large; lra) ltac:(apply not_large; lra) ltac:(apply not_large;
+    lra)) as [S1 S2].
   set (sum := sum_of h l h' l') in *. clearbody sum.
   assert (I0 : is64 (plus e e') 0) by (exact_step plus_exact).
   destruct (error_of_is _ _ _ 0 0 S1 I0 ltac:(lra) ltac:(lra) ltac:(lra)) as (f & F1 & F2 & F3).
@@ -159,13 +166,16 @@ Proof.
 Qed.
 
 (* The error of a product is far below it, and 0 where the first factor and its error are. *)
-Lemma multiply_is : forall a b x y e f, is64 (hi a) x -> is64 (lo a) 0 -> is64 (error a) e -> is64 (hi b) y -> is64 (lo b) 0 -> is64 (error b) f ->
-  0 <= x <= 20000 -> 0 < y <= 20000 -> 0 <= e <= 3 * share101 * x -> 0 <= f <= 3 * share101 * y -> x * y = 0 \/ / 274877906944 <= x * y ->
+Lemma multiply_is : forall a b x y e f, is64 (hi a) x -> is64 (lo a) 0 -> is64 (error a) e -> is64 (hi b) y -> is64 (lo b) 0 ->
+  is64 (error b) f ->
+  0 <= x <= 20000 -> 0 < y <= 20000 -> 0 <= e <= 3 * share101 * x -> 0 <= f <= 3 * share101 * y ->
+    x * y = 0 \/ / 274877906944 <= x * y ->
   (x = 0 -> e = 0) ->
   exists g, is64 (hi (multiply a b)) (nearest64 (x * y)) /\ is64 (lo (multiply a b)) (x * y - nearest64 (x * y)) /\
     is64 (error (multiply a b)) g /\ 0 <= g <= / 10000000 * (x * y) /\ (x = 0 -> g = 0).
 Proof.
-  intros [h l ev] [h' l' fv] x y e f H L E H' L' E' Hx Hy He Hf Hlow Hzero. pose proof (proj1 Hy) as Hy0. cbn [hi lo error] in *. unfold multiply, rounded. cbn [hi lo error].
+  intros [h l ev] [h' l' fv] x y e f H L E H' L' E' Hx Hy He Hf Hlow Hzero. pose proof (proj1 Hy) as Hy0. cbn [hi lo error] in *.
+  unfold multiply, rounded. cbn [hi lo error].
   pose proof unit_is_small as Hu. pose proof tiny_is_tiny as Htiny.
   assert (Hxy : 0 <= x * y) by (apply Rmult_le_pos; lra).
   assert (Hxy2 : x * y <= 400000000) by (replace 400000000 with (20000 * 20000) by ring; apply Rmult_le_compat; lra).
@@ -196,12 +206,15 @@ Proof.
   destruct (one_more _ _ Q3 ltac:(lra)) as [N3 M3]. pose proof (times_is _ _ _ _ E E' M3) as J3.
   destruct (one_more (nearest64 (x * f) + nearest64 (y * e)) (7 * s + 3 * tiny) ltac:(lra) ltac:(lra)) as [N4 M4].
   pose proof (plus_is _ _ _ _ J1 J2 M4) as J4.
-  destruct (one_more (nearest64 (nearest64 (x * f) + nearest64 (y * e)) + nearest64 (e * f)) (9 * s + 7 * tiny) ltac:(lra) ltac:(lra)) as [N5 M5].
+  destruct (one_more (nearest64 (nearest64 (x * f) + nearest64 (y * e)) + nearest64 (e * f)) (9 * s + 7 * tiny) ltac:(lra)
+    ltac:(lra)) as [N5 M5].
   pose proof (plus_is _ _ _ _ J4 J3 M5) as J5. set (n := nearest64 (nearest64 _ + nearest64 (e * f))) in *.
-  destruct (error_of_is _ _ _ n n C1 J5 ltac:(lra) ltac:(lra) ltac:(rewrite Rabs_pos_eq by lra; unfold unit53 in *; lra)) as (g & G1 & G2 & G3).
+  destruct (error_of_is _ _ _ n n C1 J5 ltac:(lra) ltac:(lra) ltac:(rewrite Rabs_pos_eq by lra; unfold unit53 in *;
+    lra)) as (g & G1 & G2 & G3).
   assert (Hn : x = 0 -> n = 0).
   { intro H0. unfold n. rewrite H0, (Hzero H0).
-    repeat first [rewrite Rmult_0_l|rewrite Rmult_0_r|rewrite Rplus_0_r|rewrite round_0 by auto with typeclass_instances]. reflexivity. }
+    repeat first [rewrite Rmult_0_l|rewrite Rmult_0_r|rewrite Rplus_0_r|rewrite round_0 by auto with typeclass_instances].
+    reflexivity. }
   exists g. split; [exact C1|]. split; [exact C2|]. split; [exact G1|].
   assert (G0 : x = 0 -> g = 0) by (intro H0; apply G3; [now apply Hn|apply Hp0; rewrite H0; ring]). split; [|exact G0].
   split; [lra|]. destruct Hlow as [H0|Hlow].
@@ -239,13 +252,16 @@ Proof.
   { assert (S : size (-20) 20 s) by (apply size_root; [now apply size_of|lra]). destruct S as [S1 S2].
     rewrite Rabs_pos_eq in S1, S2 by apply sqrt_pos. split; [exact S1|exact S2]. }
   assert (Hey : 0 <= e / y <= / 900000 * y).
-  { assert (Hy : 0 < y) by lra. assert (0 <= y * y) by apply Rle_0_sqr. split; apply Rmult_le_reg_r with y; try assumption; unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra; [lra|].
-    rewrite Rmult_1_r. apply Rle_trans with (/ 1000000 * (s * s)); [lra|]. apply Rle_trans with (/ 1000000 * (11 / 10 * (y * y))); [|lra].
+  { assert (Hy : 0 < y) by lra. assert (0 <= y * y) by apply Rle_0_sqr.
+    split; apply Rmult_le_reg_r with y; try assumption; unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra; [lra|].
+    rewrite Rmult_1_r. apply Rle_trans with (/ 1000000 * (s * s)); [lra|].
+    apply Rle_trans with (/ 1000000 * (11 / 10 * (y * y))); [|lra].
     apply Rmult_le_compat_l; [lra|]. apply Rle_trans with (101 / 100 * y * (101 / 100 * y)); [apply Rmult_le_compat; lra|].
     lra. }
   pose proof (over_is _ _ _ _ E R1 ltac:(lra) ltac:(apply not_large; rewrite Rabs_pos_eq; lra)) as Iq.
   assert (Hq : 0 <= nearest64 (e / y) <= / 100000 * y).
-  { pose proof (rounded_up _ _ Hey) as Q. assert (/ 900000 * y * (1 + unit53) <= / 900000 * y * 2) by (apply Rmult_le_compat_l; lra). lra. }
+  { pose proof (rounded_up _ _ Hey) as Q. assert (/ 900000 * y * (1 + unit53) <= / 900000 * y * 2) by (apply Rmult_le_compat_l; lra).
+    lra. }
   destruct (error_of_is _ _ _ _ _ R1 Iq Hq ltac:(lra) ltac:(rewrite Rabs_pos_eq; lra)) as (f & F1 & F2 & _).
   rewrite (Rabs_pos_eq y) in F2 by lra. exists y, z, f. split; [exact R1|]. split; [exact R2|]. split; [exact F1|].
   split; [unfold share101 in F2; lra|]. now split.
@@ -264,7 +280,8 @@ Proof.
   set (r := value32 R) in *. set (c := value32 w / 2) in *. pose proof unit_is_small as Hu. pose proof tiny_is_tiny as Htiny.
   assert (Hc : / 2000 <= c <= r) by (unfold c; lra). clearbody r.
   assert (Br : Rabs r <= 1000000) by (rewrite Rabs_pos_eq; lra). assert (Bc : Rabs c <= 1000000) by (rewrite Rabs_pos_eq; lra).
-  destruct (add_is _ _ _ _ (exactly_is _ _ IR) (negated_is _ _ (exactly_is _ _ Ic)) Gm Br ltac:(now rewrite Rabs_Ropp)) as (e & A1 & A2 & A3 & A4 & A5).
+  destruct (add_is _ _ _ _ (exactly_is _ _ IR) (negated_is _ _ (exactly_is _ _ Ic)) Gm Br ltac:(now rewrite Rabs_Ropp))
+    as (e & A1 & A2 & A3 & A4 & A5).
   destruct (add_is _ _ _ _ (exactly_is _ _ IR) (exactly_is _ _ Ic) Gp Br Bc) as (f & B1 & B2 & B3 & B4 & _).
   change (r + - c) with (r - c) in *. unfold computed_depth, depth_square.
   set (low := add _ (negated _)) in *. set (high := add _ (exactly64 (half_width w))) in *. clearbody low high.
@@ -274,7 +291,8 @@ Proof.
   assert (HMP : M * P <= 100000000).
   { replace (M * P) with (r * r - c * c) by (unfold M, P; ring). assert (0 <= c * c) by apply Rle_0_sqr.
     assert (r * r <= 10000 * 10000) by (apply Rmult_le_compat; lra). lra. }
-  clearbody M P. rewrite (Rabs_pos_eq M) in A4 by lra. rewrite (Rabs_pos_eq P) in B4 by lra. change (bpow radix2 (-34)) with (/ 17179869184) in Hm.
+  clearbody M P. rewrite (Rabs_pos_eq M) in A4 by lra. rewrite (Rabs_pos_eq P) in B4 by lra.
+  change (bpow radix2 (-34)) with (/ 17179869184) in Hm.
   assert (Hlow : M * P = 0 \/ / 274877906944 <= M * P).
   { destruct Hm as [Hm|Hm]; [left; rewrite Hm; ring|right]. replace (/ 274877906944) with (/ 17179869184 * / 16) by field.
     apply Rmult_le_compat; lra. }
@@ -287,7 +305,8 @@ Proof.
   - (* d = 0 *)
     assert (HM0 : M = 0) by (apply Rmult_integral in H0; destruct H0; [assumption|lra]).
     assert (Hh0 : h = 0) by (unfold h; rewrite H0; apply round_0; auto with typeclass_instances).
-    unfold root_of. rewrite (equal_is _ _ _ _ C1 zero_is), (equal_is _ _ _ _ C3 zero_is), (Req_bool_true _ _ Hh0), (Req_bool_true _ _ (C5 HM0)).
+    unfold root_of. rewrite (equal_is _ _ _ _ C1 zero_is), (equal_is _ _ _ _ C3 zero_is), (Req_bool_true _ _ Hh0), (Req_bool_true _ _
+      (C5 HM0)).
     cbn [andb]. exists h, (M * P - h), g. split; [assumption|]. split; [assumption|]. split; [assumption|].
     rewrite (C5 HM0), ED, H0, Hh0, sqrt_0, !Rmult_0_r.
     replace (0 - 0) with 0 by ring. replace (0 - (0 + 0)) with 0 by ring. rewrite Rabs_R0. repeat split; (lra || now left).

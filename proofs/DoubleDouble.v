@@ -25,7 +25,8 @@ Qed.
 Lemma fused_exact : forall u v w a b c d, is64 u a -> is64 v b -> is64 w c -> d = a * b + c -> in_binary64 d -> not_too_large d ->
   is64 (fused u v w) d.
 Proof.
-  intros u v w a b c d Hu Hv Hw E Hd H. rewrite <- (round_generic radix2 fexp64 ZnearestE d) by assumption. subst d. now apply fused_is.
+  intros u v w a b c d Hu Hv Hw E Hd H. rewrite <- (round_generic radix2 fexp64 ZnearestE d) by assumption. subst d.
+  now apply fused_is.
 Qed.
 
 Lemma zero_is_not_too_large : not_too_large 0.
@@ -76,7 +77,8 @@ Proof.
   { pose proof (two_product_is_exact x y Gx Gy) as E. cbv zeta in E. fold p in E.
     assert (Hs : x * y = 0 \/ bpow radix2 (-1074 + 2 * 53 - 1) <= Rabs (x * y)).
     { destruct Hsmall as [H|H]; [now left|right]. apply Rle_trans with (2 := H). apply bpow_le. lia. }
-    replace (x * y - p) with (nearest64 (x * y - p)) by (specialize (E Hs); lra). apply generic_format_round; auto with typeclass_instances. }
+    replace (x * y - p) with (nearest64 (x * y - p)) by (specialize (E Hs); lra).
+    apply generic_format_round; auto with typeclass_instances. }
   assert (B900 : bpow radix2 900 + bpow radix2 900 <= bpow radix2 1000).
   { replace (bpow radix2 900 + bpow radix2 900) with (bpow radix2 (1 + 900)); [apply bpow_le; lia|].
     rewrite bpow_plus. change (bpow radix2 1) with 2. ring. }
@@ -87,7 +89,8 @@ Proof.
   unfold product_of. cbv zeta. cbn [fst snd].
   assert (I1 : is64 (times a b) p) by (apply times_is; try assumption; lra). set (t1 := times a b) in *.
   pose proof (opp_is _ _ I1) as I2. set (t2 := opp t1) in *.
-  assert (I3 : is64 (fused a b t2) (x * y - p)) by (apply (fused_exact _ _ _ x y (- p)); try assumption; ring). set (t3 := fused a b t2) in *.
+  assert (I3 : is64 (fused a b t2) (x * y - p)) by (apply (fused_exact _ _ _ x y (- p)); try assumption; ring).
+  set (t3 := fused a b t2) in *.
   assert (I4 : is64 (times a_lo b_lo) 0) by exact_step times_exact. set (t4 := times a_lo b_lo) in *.
   assert (I5 : is64 (fused a_lo b t4) 0).
   { apply (fused_exact _ _ _ 0 y 0); try assumption; [ring|apply generic_format_0|apply zero_is_not_too_large]. }
@@ -137,7 +140,8 @@ Proof.
   intros s r l d remainder q Hs Hr Hl Hd Hd2 Hrem Hq. pose proof unit_is_small as Hu. apply Rabs_le_inv in Hr.
   assert (Ds : Rabs (d - s) <= 101 / 100 * unit53 * s).
   { apply Rmult_le_reg_r with s; [assumption|]. rewrite <- (Rabs_pos_eq s) at 2 by lra. rewrite <- Rabs_mult.
-    apply Rle_trans with (Rabs l); [|lra]. replace l with ((d - s) * (d + s)) by (replace ((d - s) * (d + s)) with (d * d - s * s) by ring; lra).
+    apply Rle_trans with (Rabs l); [|lra]. replace l with ((d - s) * (d + s)) by (replace ((d - s) * (d + s)) with (d * d - s * s)
+      by ring; lra).
     rewrite !Rabs_mult. apply Rmult_le_compat_l; [apply Rabs_pos|]. rewrite !Rabs_pos_eq by lra. lra. }
   assert (Dr : Rabs (d - r) <= 202 / 100 * unit53 * s).
   { replace (d - r) with ((d - s) + (s - r)) by ring. apply Rle_trans with (1 := Rabs_triang _ _).
@@ -159,7 +163,8 @@ Proof.
     apply Rmult_le_compat_l; [|lra]. assert (0 <= unit53 * unit53 * s) by (apply Rmult_le_pos; [apply Rle_0_sqr|lra]). lra.
 Qed.
 
-Lemma root_of_both : forall a a_lo h l, is64 a h -> is64 a_lo l -> bpow radix2 (-40) <= h <= bpow radix2 40 -> Rabs l <= 101 / 100 * unit53 * h ->
+Lemma root_of_both : forall a a_lo h l, is64 a h -> is64 a_lo l -> bpow radix2 (-40) <= h <= bpow radix2 40 ->
+  Rabs l <= 101 / 100 * unit53 * h ->
   exists hi lo, is64 (fst (square_root_of a a_lo)) hi /\ is64 (snd (square_root_of a a_lo)) lo /\
     hi = nearest64 (hi + lo) /\ Rabs (hi - sqrt h) <= / 1000000000000 * sqrt h /\ Rabs lo <= 101 / 100 * unit53 * hi /\
     Rabs (sqrt (h + l) - (hi + lo)) <= 9 * (unit53 * unit53) * hi.

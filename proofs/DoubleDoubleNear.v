@@ -47,28 +47,39 @@ Proof.
   set (s := x + h). set (us := unit53 * s). assert (Hs : / 1000000 <= s <= 2000000) by (unfold s; lra).
   assert (Hus : 0 <= us <= / 1000000000000 * s) by (unfold us; split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
   assert (Bl' : Rabs l <= 101 / 100 * us).
-  { apply Rle_trans with (1 := Bl). unfold us. rewrite Rmult_assoc. apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_l; unfold s; lra. }
+  { apply Rle_trans with (1 := Bl). unfold us. rewrite Rmult_assoc. apply Rmult_le_compat_l; [lra|].
+    apply Rmult_le_compat_l; unfold s; lra. }
   pose proof (Rabs_le_inv _ _ Bl') as Bl2.
   pose proof (two_sum_is_exact x h Gx Gh) as T. cbv zeta in T. fold s in T.
-  set (y1 := nearest64 s) in *. pose proof (sum_is_close x h Gx Gh) as C1. fold s y1 in C1. rewrite (Rabs_pos_eq s) in C1 by lra. fold us in C1.
+  set (y1 := nearest64 s) in *. pose proof (sum_is_close x h Gx Gh) as C1. fold s y1 in C1. rewrite (Rabs_pos_eq s) in C1 by lra.
+  fold us in C1.
   apply Rabs_le_inv in C1.
   unfold sum_of. cbv zeta.
-  assert (close : forall u, Rabs u <= 10000000 -> not_too_large u /\ Rabs (nearest64 u) <= 10000001 /\ Rabs (nearest64 u - u) <= / 10000).
-  { intros u Bu. split; [apply big_enough; lra|]. pose proof (product_is_close u) as C. pose proof tiny_is_tiny as Ht. pose proof (Rabs_pos u).
-    pose proof (Rabs_triang_inv (nearest64 u) u). assert (unit53 * Rabs u <= / 1000000000000 * Rabs u) by (apply Rmult_le_compat_r; lra). lra. }
+  assert (close : forall u, Rabs u <= 10000000 -> not_too_large u /\ Rabs (nearest64 u) <= 10000001
+    /\ Rabs (nearest64 u - u) <= / 10000).
+  { intros u Bu. split; [apply big_enough; lra|]. pose proof (product_is_close u) as C. pose proof tiny_is_tiny as Ht.
+    pose proof (Rabs_pos u).
+    pose proof (Rabs_triang_inv (nearest64 u) u).
+    assert (unit53 * Rabs u <= / 1000000000000 * Rabs u) by (apply Rmult_le_compat_r; lra). lra. }
   assert (I1 : is64 (plus a b) y1) by (apply plus_is; try assumption; apply close, Rabs_le; fold s; lra). set (t1 := plus a b) in *.
-  destruct (close (y1 - x)) as (M2 & N2 & D2); [apply Rabs_le; lra|]. pose proof (minus_is _ _ _ _ I1 Ha M2) as I2. set (t2 := minus t1 a) in *.
+  destruct (close (y1 - x)) as (M2 & N2 & D2); [apply Rabs_le; lra|]. pose proof (minus_is _ _ _ _ I1 Ha M2) as I2.
+  set (t2 := minus t1 a) in *.
   set (y2 := nearest64 (y1 - x)) in *. apply Rabs_le_inv in D2.
-  destruct (close (y1 - y2)) as (M3 & N3 & D3); [apply Rabs_le; unfold s in *; lra|]. pose proof (minus_is _ _ _ _ I1 I2 M3) as I3. set (t3 := minus t1 t2) in *.
+  destruct (close (y1 - y2)) as (M3 & N3 & D3); [apply Rabs_le; unfold s in *; lra|]. pose proof (minus_is _ _ _ _ I1 I2 M3) as I3.
+  set (t3 := minus t1 t2) in *.
   set (y3 := nearest64 (y1 - y2)) in *. apply Rabs_le_inv in D3.
-  destruct (close (x - y3)) as (M4 & N4 & D4); [apply Rabs_le; unfold s in *; lra|]. pose proof (minus_is _ _ _ _ Ha I3 M4) as I4. set (t4 := minus a t3) in *.
+  destruct (close (x - y3)) as (M4 & N4 & D4); [apply Rabs_le; unfold s in *; lra|]. pose proof (minus_is _ _ _ _ Ha I3 M4) as I4.
+  set (t4 := minus a t3) in *.
   set (y4 := nearest64 (x - y3)) in *. apply Rabs_le_inv in D4.
-  destruct (close (h - y2)) as (M5 & N5 & D5); [apply Rabs_le; unfold s in *; lra|]. pose proof (minus_is _ _ _ _ Hb I2 M5) as I5. set (t5 := minus b t2) in *.
+  destruct (close (h - y2)) as (M5 & N5 & D5); [apply Rabs_le; unfold s in *; lra|]. pose proof (minus_is _ _ _ _ Hb I2 M5) as I5.
+  set (t5 := minus b t2) in *.
   set (y5 := nearest64 (h - y2)) in *. apply Rabs_le_inv in D5.
-  destruct (close (y4 + y5)) as (M6 & N6 & D6); [apply Rabs_le; unfold s in *; lra|]. pose proof (plus_is _ _ _ _ I4 I5 M6) as I6. set (t6 := plus t4 t5) in *.
+  destruct (close (y4 + y5)) as (M6 & N6 & D6); [apply Rabs_le; unfold s in *; lra|]. pose proof (plus_is _ _ _ _ I4 I5 M6) as I6.
+  set (t6 := plus t4 t5) in *.
   set (y6 := nearest64 (y4 + y5)) in *.
   assert (T6 : y6 = s - y1) by lra.
-  assert (I7 : is64 (plus a_lo b_lo) l) by (apply plus_exact with 0 l; try assumption; [ring|apply big_enough; lra]). set (t7 := plus a_lo b_lo) in *.
+  assert (I7 : is64 (plus a_lo b_lo) l) by (apply plus_exact with 0 l; try assumption; [ring|apply big_enough; lra]).
+  set (t7 := plus a_lo b_lo) in *.
   assert (B8 : Rabs (y6 + l) <= 202 / 100 * us) by (rewrite T6; apply Rabs_le; lra).
   pose proof (plus_is _ _ _ _ I6 I7 ltac:(apply big_enough; lra)) as I8. set (t8 := plus t6 t7) in *.
   pose proof (sum_is_close y6 l (format_of _ _ I6) Gl) as C8. set (y8 := nearest64 (y6 + l)) in *.
@@ -78,7 +89,8 @@ Proof.
   destruct (two_terms t1 t8 y1 y8 I1 I8) as [V1 V2].
   { rewrite (Rabs_pos_eq y1) by lra. apply Rabs_le. lra. } { apply big_enough_900. rewrite Rabs_pos_eq; lra. }
   set (t9 := plus t1 t8) in *. set (y9 := nearest64 (y1 + y8)) in *.
-  assert (I10 : is64 (minus t7 a_lo) l) by (apply minus_exact with l 0; try assumption; [ring|apply big_enough; lra]). set (t10 := minus t7 a_lo) in *.
+  assert (I10 : is64 (minus t7 a_lo) l) by (apply minus_exact with l 0; try assumption; [ring|apply big_enough; lra]).
+  set (t10 := minus t7 a_lo) in *.
   assert (I11 : is64 (minus t7 t10) 0) by exact_step minus_exact. set (t11 := minus t7 t10) in *.
   assert (I12 : is64 (minus a_lo t11) 0) by exact_step minus_exact. set (t12 := minus a_lo t11) in *.
   assert (I13 : is64 (minus b_lo t10) 0) by exact_step minus_exact. set (t13 := minus b_lo t10) in *.
@@ -119,15 +131,18 @@ Proof.
     replace (m - p) with (nearest64 (m - p)) by (specialize (E Hs); lra). apply generic_format_round; auto with typeclass_instances. }
   assert (C1' : Rabs (m - p) <= 1001 / 1000 * um) by (rewrite Rabs_minus_sym; lra). pose proof (Rabs_le_inv _ _ C1') as C1''.
   unfold product_of. cbv zeta.
-  assert (I1 : is64 (times a b) p) by (apply times_is; try assumption; apply big_enough; fold m; rewrite Rabs_pos_eq; lra). set (t1 := times a b) in *.
+  assert (I1 : is64 (times a b) p) by (apply times_is; try assumption; apply big_enough; fold m; rewrite Rabs_pos_eq; lra).
+  set (t1 := times a b) in *.
   pose proof (opp_is _ _ I1) as I2. set (t2 := opp t1) in *.
   assert (I3 : is64 (fused a b t2) (m - p)).
   { apply (fused_exact _ _ _ h c (- p)); try assumption; [unfold m; ring|apply big_enough; lra]. }
   set (t3 := fused a b t2) in *.
-  assert (I4 : is64 (times a_lo b_lo) 0) by (apply times_exact with l 0; try assumption; [ring|apply generic_format_0|apply zero_is_not_too_large]).
+  assert (I4 : is64 (times a_lo b_lo) 0) by (apply times_exact with l 0; try assumption;
+    [ring|apply generic_format_0|apply zero_is_not_too_large]).
   set (t4 := times a_lo b_lo) in *.
   assert (Blc : Rabs (l * c + 0) <= 101 / 100 * um).
-  { rewrite Rplus_0_r, Rabs_mult, (Rabs_pos_eq c) by lra. apply Rle_trans with (101 / 100 * unit53 * h * c); [apply Rmult_le_compat_r; lra|].
+  { rewrite Rplus_0_r, Rabs_mult, (Rabs_pos_eq c) by lra.
+    apply Rle_trans with (101 / 100 * unit53 * h * c); [apply Rmult_le_compat_r; lra|].
     unfold um, m. lra. }
   pose proof (fused_is _ _ _ _ _ _ Hl Hb I4 ltac:(apply big_enough; lra)) as I5. set (t5 := fused a_lo b t4) in *.
   pose proof (product_is_close (l * c + 0)) as C5. set (v := nearest64 (l * c + 0)) in *.
@@ -164,7 +179,8 @@ Proof.
   assert (Htuc : tiny <= / 1000 * (unit53 * uc)) by (unfold uc, unit53; lra).
   unfold quotient_of. cbv zeta.
   pose proof (over_is _ _ _ _ Ha Hb ltac:(lra) ltac:(apply big_enough; fold T0; rewrite Rabs_pos_eq; lra)) as I1. fold T0 in I1.
-  set (t1 := over a b) in *. pose proof (product_is_close T0) as C1. rewrite (Rabs_pos_eq T0) in C1 by lra. set (q := nearest64 T0) in *.
+  set (t1 := over a b) in *. pose proof (product_is_close T0) as C1. rewrite (Rabs_pos_eq T0) in C1 by lra.
+  set (q := nearest64 T0) in *.
   assert (UT : unit53 * T0 <= / 1000000000000 * T0) by (apply Rmult_le_compat_r; lra).
   assert (Htt : tiny <= / 1000 * (unit53 * T0)) by (unfold unit53; lra).
   apply Rabs_le_inv in C1.
@@ -174,7 +190,8 @@ Proof.
     apply Rmult_le_compat_r; [lra|]. apply Rabs_le. lra. }
   set (m := q * h) in *. apply Rabs_le_inv in C1'.
   pose proof (product_is_close m) as C2. rewrite (Rabs_pos_eq m) in C2 by lra.
-  assert (I2 : is64 (times t1 b) (nearest64 m)) by (apply times_is; try assumption; apply big_enough; fold m; rewrite Rabs_pos_eq; lra).
+  assert (I2 : is64 (times t1 b) (nearest64 m)) by (apply times_is; try assumption; apply big_enough; fold m; rewrite Rabs_pos_eq;
+    lra).
   set (t2 := times t1 b) in *. set (p := nearest64 m) in *.
   assert (C2' : Rabs (m - p) <= 1002 / 1000 * uc).
   { rewrite Rabs_minus_sym. apply Rle_trans with (1 := C2).
@@ -200,7 +217,8 @@ Proof.
     assert (unit53 * Rabs (c - p - (m - p)) <= unit53 * (1001 / 1000 * uc)) by (apply Rmult_le_compat_l; lra). lra. }
   pose proof (opp_is _ _ I1) as I7. set (t7 := opp t1) in *.
   assert (B8 : Rabs (- q * l + 0) <= 102 / 100 * uc).
-  { rewrite Rplus_0_r, Rabs_mult, Rabs_Ropp, (Rabs_pos_eq q) by lra. apply Rle_trans with (q * (101 / 100 * unit53 * h)); [apply Rmult_le_compat_l; lra|].
+  { rewrite Rplus_0_r, Rabs_mult, Rabs_Ropp, (Rabs_pos_eq q) by lra.
+    apply Rle_trans with (q * (101 / 100 * unit53 * h)); [apply Rmult_le_compat_l; lra|].
     replace (q * (101 / 100 * unit53 * h)) with (101 / 100 * unit53 * m) by (unfold m; ring).
     assert (unit53 * m <= unit53 * (1000001 / 1000000 * c)) by (apply Rmult_le_compat_l; lra). unfold uc in *. lra. }
   pose proof (fused_is _ _ _ _ _ _ I7 Hl Hal ltac:(apply big_enough; lra)) as I8. set (t8 := fused t7 b_lo a_lo) in *.
@@ -250,9 +268,11 @@ Proof.
         apply Rabs_le. lra. }
       rewrite Rabs_mult. apply Rle_trans with (22 / 10 * (unit53 * T0) * (101 / 100 * unit53 * h)).
       - apply Rmult_le_compat; try assumption; apply Rabs_pos.
-      - replace (22 / 10 * (unit53 * T0) * (101 / 100 * unit53 * h)) with (2222 / 1000 * (unit53 * uc)) by (unfold uc; rewrite <- HT0; field). lra. }
+      - replace (22 / 10 * (unit53 * T0) * (101 / 100 * unit53 * h)) with (2222 / 1000 * (unit53 * uc)) by (unfold uc; rewrite <- HT0;
+        field). lra. }
     apply Rabs_le_inv in Bq. apply Rabs_le. lra. }
   apply Rabs_le_inv in K. replace (10 * (unit53 * unit53) * E) with (10 * (unit53 * (unit53 * E))) by ring.
-  assert (unit53 * (unit53 * (999999 / 1000000 * T0)) <= unit53 * (unit53 * E)) by (apply Rmult_le_compat_l; [lra|apply Rmult_le_compat_l; lra]).
+  assert (unit53 * (unit53 * (999999 / 1000000 * T0)) <= unit53 * (unit53 * E)) by (apply Rmult_le_compat_l;
+    [lra|apply Rmult_le_compat_l; lra]).
   apply Rabs_le. lra.
 Qed.

@@ -1,8 +1,10 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
-(* A double-double as head and tail, the head short enough that its product with a binary32 is exact: split of fast/numbers/first_stage.h. *)
+(* A double-double as head and tail, the head so short that its product with a binary32 is exact: split of
+   fast/numbers/first_stage.h. *)
 From Coq Require Import ZArith Reals Lia Lra Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits Relative Sterbenz Pff2Flocq.
-From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs ErrorFree Gap DoubleDouble Depth.
+From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs ErrorFree Gap.
+From Forceshade Require Import DoubleDouble Depth.
 Open Scope R_scope.
 
 Definition split_head (a : double_double) : binary64 :=
@@ -18,14 +20,17 @@ Proof.
   intros [h0 l0 e0] h H Bh. cbn [hi] in *. unfold split_head. cbn [hi]. pose proof (format_of _ _ H) as Gh.
   pose proof (constant_is (2 ^ 24 + 1) 0 ltac:(lia) ltac:(lia)) as Ik. set (k := IZR _ * bpow radix2 0) in Ik.
   assert (Hk : k = 16777217) by (unfold k; simpl; lra).
-  pose proof (Veltkamp_Even radix2 (-1074) 53 (fun z => negb (Z.even z)) 24 ltac:(lia) ltac:(lia) ltac:(lia) ltac:(lia) h Gh eq_refl) as V.
+  pose proof (Veltkamp_Even radix2 (-1074) 53 (fun z => negb (Z.even z)) 24 ltac:(lia) ltac:(lia) ltac:(lia)
+    ltac:(lia) h Gh eq_refl) as V.
   cbv zeta in V. change (53 - 24)%Z with 29%Z in V. change (bpow radix2 24) with 16777216 in V.
   replace (16777216 + 1) with k in V by lra.
   rewrite (Rmult_comm h k) in V.
   assert (one_more : forall a b, Rabs a <= b -> b <= 1000000000000000000 -> not_too_large a /\ Rabs (nearest64 a) <= 2 * b + 1).
   { intros a b Ha Hb. split; [apply Rle_trans with (bpow radix2 100); [simpl; lra|apply bpow_le; lia]|].
-    pose proof (product_is_close a) as C. pose proof (Rabs_triang_inv (nearest64 a) a) as T. pose proof tiny_is_tiny. pose proof unit_is_small.
-    pose proof (Rabs_pos a). assert (unit53 * Rabs a <= Rabs a) by (rewrite <- (Rmult_1_l (Rabs a)) at 2; apply Rmult_le_compat_r; lra). lra. }
+    pose proof (product_is_close a) as C. pose proof (Rabs_triang_inv (nearest64 a) a) as T. pose proof tiny_is_tiny.
+    pose proof unit_is_small.
+    pose proof (Rabs_pos a). assert (unit53 * Rabs a <= Rabs a) by (rewrite <- (Rmult_1_l (Rabs a)) at 2; apply Rmult_le_compat_r;
+      lra). lra. }
   destruct (one_more (k * h) 17000000000000) as [M1 N1]; [|lra|].
   { rewrite Rabs_mult, Hk, (Rabs_pos_eq 16777217) by lra. lra. }
   pose proof (times_is _ _ _ _ Ik H M1) as I1. set (c := nearest64 (k * h)) in *.
@@ -55,7 +60,8 @@ Proof.
   { destruct Hsize as [H0|Hs].
     - assert (t = 0) as -> by (unfold t; rewrite H0; apply round_0; auto with typeclass_instances).
       rewrite H0. replace (0 - 0) with 0 by ring. rewrite Rabs_R0. split; [apply generic_format_0|lra].
-    - pose proof (relative_error_N_FLT radix2 (-1074) 29 (eq_refl _) (fun n => negb (Z.even n)) h) as E. rewrite (Rabs_pos_eq h) in E by lra.
+    - pose proof (relative_error_N_FLT radix2 (-1074) 29 (eq_refl _) (fun n => negb (Z.even n)) h) as E.
+      rewrite (Rabs_pos_eq h) in E by lra.
       change (Znearest (fun n => negb (Z.even n))) with ZnearestE in E. fold t in E.
       replace (/ 2 * bpow radix2 (- (29) + 1)) with (/ 536870912) in E by (simpl; lra).
       assert (Hs2 : bpow radix2 (-42) <= h) by (simpl; lra).

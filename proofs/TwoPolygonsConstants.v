@@ -32,8 +32,10 @@ Proof.
   unfold add, rounded, exactly64. cbn [hi lo error].
   apply Rabs_le_inv in Bd. apply Rabs_le_inv in By. apply Rabs_le_inv in Bl. pose proof (Rabs_le_inv _ _ Bz) as Bz2.
   assert (Uy : unit53 * y <= / 1000 * Rabs y).
-  { apply Rle_trans with (unit53 * Rabs y); [apply Rmult_le_compat_l; [lra|apply Rle_abs]|]. apply Rmult_le_compat_r; [apply Rabs_pos|lra]. }
-  assert (Hy0 : 0 <= y) by (pose proof (Rabs_pos z); apply Rmult_le_reg_l with unit53; lra). rewrite (Rabs_pos_eq y) in Uy by assumption.
+  { apply Rle_trans with (unit53 * Rabs y); [apply Rmult_le_compat_l; [lra|apply Rle_abs]|].
+    apply Rmult_le_compat_r; [apply Rabs_pos|lra]. }
+  assert (Hy0 : 0 <= y) by (pose proof (Rabs_pos z); apply Rmult_le_reg_l with unit53; lra).
+  rewrite (Rabs_pos_eq y) in Uy by assumption.
   assert (Hy : / 20 <= y <= 30000) by (unfold unit53 in *; lra).
   set (sum := sum_of (to64 R) zero64 dh dl) in *. clearbody sum.
   assert (Ie : is64 (plus zero64 de) e).
@@ -73,7 +75,8 @@ Proof.
   unfold divide, exactly64. cbn [hi lo error]. cbv zeta.
   rewrite (less_is _ _ _ _ zero_is I2), Rlt_bool_true by assumption. cbn [negb]. unfold rounded. cbn [hi lo].
   assert (Bz' : Rabs z1 <= 101 / 100 * unit53 * y1) by (apply Rle_trans with (1 := Bz); apply Rmult_le_compat_r; lra).
-  destruct (quotient_of_is_near (half_width w) zero64 sh sl c y1 z1 Ic zero_is Y Z ltac:(lra) ltac:(lra) Bz') as (y & z & Q1 & Q2 & Q3 & Q4).
+  destruct (quotient_of_is_near (half_width w) zero64 sh sl c y1 z1 Ic zero_is Y Z ltac:(lra) ltac:(lra) Bz')
+    as (y & z & Q1 & Q2 & Q3 & Q4).
   set (T := c / S). exists y, z. split; [exact Q1|]. split; [exact Q2|]. split; [exact Q3|].
   assert (HTS : T * S = c) by (unfold T; field; lra). set (S' := y1 + z1) in *. set (T' := c / S') in *.
   apply Rabs_le_inv in By. assert (HS' : 999999 / 1000000 * S <= S' <= 1000001 / 1000000 * S) by (unfold unit53 in *; lra).
@@ -97,7 +100,8 @@ Proof.
   intros R w K Hp. destruct (tangent_2p_is R w K Hp) as (y & z & Y & Z & Bz & By & HT). pose proof (half_width_is _ _ _ Hp) as Ic.
   destruct Hp as (_ & HR & Hw & _). destruct (depth_squared (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as [Hd0 Hd2].
   unfold slope_2p, bump_height. set (d := axis_depth _ _) in *. clearbody d. set (x := value32 R) in *. clearbody x.
-  assert (Ew : value32 w = 2 * (value32 w / 2)) by field. rewrite Ew. clear Ew. replace (2 * (value32 w / 2) / 2) with (value32 w / 2) by field.
+  assert (Ew : value32 w = 2 * (value32 w / 2)) by field. rewrite Ew. clear Ew.
+  replace (2 * (value32 w / 2) / 2) with (value32 w / 2) by field.
   set (c := value32 w / 2) in *. assert (Hc : / 2000 <= c <= x) by (unfold c; lra). clearbody c.
   set (T := c / (x + d)) in *. assert (HTS : T * (x + d) = c) by (unfold T; field; lra). clearbody T.
   assert (EH : x - d = T * c).
@@ -113,13 +117,17 @@ Proof.
   assert (Bz' : Rabs z <= 101 / 100 * unit53 * y) by (apply Rle_trans with (1 := Bz); apply Rmult_le_compat_r; lra).
   destruct (split_is t y z Y Z Bz' ltac:(lra) ltac:(right; lra)) as (p & q & Ip & Iq & Gp & Cp & Tq & Cq).
   destruct t as [th tl te]. cbn [hi lo error] in Y, Z. unfold multiply, exactly64, rounded. cbn [hi lo error].
-  destruct (product_of_is_near th tl (half_width w) zero64 y z c Y Z Ic zero_is ltac:(lra) ltac:(lra) Bz') as (g & m & G1 & G2 & G3 & G4).
-  apply Rabs_le_inv in Cp. apply Rabs_le_inv in Cq. destruct Ip as [Vp Fp]. destruct Iq as [Vq Fq]. destruct G1 as [V1 F1]. destruct G2 as [V2 F2].
+  destruct (product_of_is_near th tl (half_width w) zero64 y z c Y Z Ic zero_is ltac:(lra) ltac:(lra) Bz')
+    as (g & m & G1 & G2 & G3 & G4).
+  apply Rabs_le_inv in Cp. apply Rabs_le_inv in Cq. destruct Ip as [Vp Fp]. destruct Iq as [Vq Fq]. destruct G1 as [V1 F1].
+  destruct G2 as [V2 F2].
   apply Rabs_le_inv in G4. pose proof (Rabs_le_inv _ _ G3) as G3'.
   assert (Hyc : y * c <= 1000001 / 1000000 * (T * c)) by (rewrite <- Rmult_assoc; apply Rmult_le_compat_r; lra).
   assert (Hyz : - (25 * (unit53 * unit53) * (T * c)) <= (y + z) * c - T * c <= 25 * (unit53 * unit53) * (T * c)).
-  { replace ((y + z) * c - T * c) with ((y + z - T) * c) by ring. replace (25 * (unit53 * unit53) * (T * c)) with (25 * (unit53 * unit53) * T * c) by ring.
-    split; [replace (- (25 * (unit53 * unit53) * T * c)) with (- (25 * (unit53 * unit53) * T) * c) by ring|]; apply Rmult_le_compat_r; lra. }
+  { replace ((y + z) * c - T * c) with ((y + z - T) * c) by ring.
+    replace (25 * (unit53 * unit53) * (T * c)) with (25 * (unit53 * unit53) * T * c) by ring.
+    split; [replace (- (25 * (unit53 * unit53) * T * c)) with (- (25 * (unit53 * unit53) * T) * c) by ring|]; apply Rmult_le_compat_r;
+      lra. }
   set (H := T * c) in *. set (yc := y * c) in *.
   split; try rewrite Vp; try rewrite Vq; try rewrite V1; try rewrite V2; try assumption.
   - repeat split; assumption.
@@ -137,7 +145,8 @@ Definition bump_2p_shaded_of (R w K : binary32) (is_fused : bool) : binary64 -> 
 Theorem bump_2p_shaded_first_stage_answers_right_for_all : forall is_fused R w K later x y z, parameters R w K -> valid x y z = true ->
   let X := read (value32 x) in let Z := read (value32 z) in
   let M := penetration_2p (value32 R) (value32 w) X Z in
-  right_or_later (evaluate bump_2p_shaded_window (bump_2p_shaded_of R w K is_fused) later x y z) (later (quantised x) (quantised z)) (0 < M)
+  right_or_later (evaluate bump_2p_shaded_window (bump_2p_shaded_of R w K is_fused) later x y z) (later (quantised x) (quantised z)) (0
+    < M)
     (shaded_x (value32 R) (value32 w) (value32 K) X M) (shaded_z (value32 R) (value32 w) (value32 K) X M).
 Proof.
   intros is_fused R w K later x y z Hp Hv. apply bump_2p_shaded_first_stage_answers_right; try assumption.
