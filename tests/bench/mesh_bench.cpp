@@ -202,25 +202,6 @@ void run_naive(const MeshWorkload& workload, const Scale& scale, const mesh::Cor
   if (normals.empty()) print("naive, free", free);
 }
 
-// The value, or the program's end with the message.
-template <class T>
-T value_of(std::variant<T, ParameterError> made, const MeshWorkload& workload) {
-  if (const auto* error = std::get_if<ParameterError>(&made)) {
-    std::printf("%s: %s\n", workload.name.c_str(), error->message().c_str());
-    std::exit(1);
-  }
-  return std::get<T>(std::move(made));
-}
-
-MeshRendering unshaded_rendering(const MeshWorkload& workload, mesh::SelfIntersections allowed) {
-  auto checked = mesh::check(workload.mesh, allowed);
-  if (const auto* findings = std::get_if<mesh::Findings>(&checked)) {
-    std::printf("%s: %s\n", workload.name.c_str(), findings->words().c_str());
-    std::exit(1);
-  }
-  return {std::get<mesh::CheckedMesh>(std::move(checked)), {}, mesh::Sides::front, mesh::Shading::none, kStiffness};
-}
-
 // A B-spline of 1024 x 1024 samples over the mesh, seen from above, with slopes up to about one.
 mesh::Texture texture_of(const mesh::CheckedMesh& checked) {
   height::Grid grid{1024, 1024, 0.1F, height::Edge::clamp, height::Interpolant::cubic_spline, {}};
@@ -254,40 +235,6 @@ void run_shaded(const MeshWorkload& workload, bool is_seen_from_above, const Sca
   run_naive(workload, scale, normals);
 }
 
-// Contact with Coulomb friction, beside the same without, in the same passes.
-void run_friction(const MeshWorkload& workload, MeshRendering rendering, const Scale& scale) {
-  struct Case {
-    const char* name;
-    Rendering rendering;
-    Times times = kNone;
-    std::size_t slipping = 0;
-  };
-  std::vector<Case> cases;
-  const auto add = [&](const char* name, mesh::Contact contact, float static_friction, float dynamic_friction) {
-    rendering.contact = contact;
-    rendering.materials.list = {{{}, static_friction, dynamic_friction}};
-    auto mesh = std::make_shared<const fast::Mesh>(value_of(fast::Mesh::build(rendering), workload));
-    cases.push_back({name, {std::move(mesh), mesh::Shading::none, contact}});
-  };
-  add("without friction", mesh::Contact::direct, 0, 0);
-  add("friction, 0", mesh::Contact::friction, 0, 0);
-  add("friction, 0.3", mesh::Contact::friction, 0.3F, 0.3F);
-  add("friction, 0.6 and 0.3", mesh::Contact::friction, 0.6F, 0.3F);
-  add("friction, infinite", mesh::Contact::friction, HUGE_VALF, HUGE_VALF);
-  std::vector<double> times;
-  for (int pass = 0; pass < kPasses; ++pass)
-    for (Case& one : cases) {
-      fast::MeshSession session = one.rendering.session(workload);
-      one.times = least(one.times, measure(workload.contact, scale, times, [&](const auto& p) { keep(session.tick(p)); }));
-    }
-  for (Case& one : cases) {
-    fast::MeshSession session = one.rendering.session(workload);
-    for (const auto& p : workload.contact) one.slipping += session.tick(p).after.is_slipping;
-    print(one.name, one.times);
-    std::printf("  %-28s slips in %zu of %zu ticks\n", "", one.slipping, workload.contact.size());
-  }
-}
-
 void run(const MeshWorkload& workload, const Scale& scale) {
   double seconds = HUGE_VAL;
   Rendering rendering;
@@ -302,7 +249,6 @@ void run(const MeshWorkload& workload, const Scale& scale) {
   std::printf("%s: %.0f triangles, built in %.3f s, %.1f bytes a triangle\n", workload.name.c_str(), triangles, seconds,
               static_cast<double>(rendering.mesh->bytes()) / triangles);
   run_exact(workload, rendering, scale);
-  run_friction(workload, unshaded, scale);
   run_naive(workload, scale);
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "forceshade/meshes.h"
 #include "rendering/meshes/make.h"
 
 namespace forceshade::bench {
@@ -106,6 +107,19 @@ MeshWorkload crossing_workload(int n, bool is_along_wall, std::size_t contact_ti
   const auto in_contact = [&](double t) { return place(t, -1); };
   add_paths(workload, contact_ticks, 0, in_contact, above);
   return workload;
+}
+
+MeshRendering unshaded_rendering(const MeshWorkload& workload, mesh::SelfIntersections allowed) {
+  auto checked = mesh::check(workload.mesh, allowed);
+  if (const auto* findings = std::get_if<mesh::Findings>(&checked)) {
+    std::printf("%s: %s\n", workload.name.c_str(), findings->words().c_str());
+    std::exit(1);
+  }
+  return {std::get<mesh::CheckedMesh>(std::move(checked)),
+          {},
+          mesh::Sides::front,
+          mesh::Shading::none,
+          static_cast<float>(kMeshStiffness)};
 }
 
 }  // namespace forceshade::bench

@@ -3,10 +3,15 @@
 // The meshes and paths of the god-object's benchmark.
 
 #include <array>
+#include <cstdio>
+#include <cstdlib>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
-#include "forceshade/mesh.h"
+#include "forceshade/law.h"
+#include "rendering/mesh_rendering.h"
 
 namespace forceshade::bench {
 
@@ -30,5 +35,18 @@ MeshWorkload bump_workload(int n, std::size_t contact_ticks, std::size_t free_ti
 // A floor of ±20 mm in n x n cells of two triangles, and a wall of two triangles through it, which crosses the cells aslant.
 // The path stays 1 mm below the floor: beside the wall, or along it and 1 to 2 mm behind it.
 MeshWorkload crossing_workload(int n, bool is_along_wall, std::size_t contact_ticks);
+
+// The value, or the program's end with the message.
+template <class T>
+T value_of(std::variant<T, ParameterError> made, const MeshWorkload& workload) {
+  if (const auto* error = std::get_if<ParameterError>(&made)) {
+    std::printf("%s: %s\n", workload.name.c_str(), error->message().c_str());
+    std::exit(1);
+  }
+  return std::get<T>(std::move(made));
+}
+
+// Its mesh from the front and without shading, or the program's end with what is wrong with the mesh.
+MeshRendering unshaded_rendering(const MeshWorkload& workload, mesh::SelfIntersections allowed);
 
 }  // namespace forceshade::bench
