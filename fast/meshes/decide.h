@@ -126,14 +126,12 @@ struct ExactFace {
     if (f.corner[0][axis] == p[axis] && f.corner[1][axis] == p[axis] && f.corner[2][axis] == p[axis]) return 0;
   return dot(ExactFace(f).n, exact_difference(p, f.corner[0].data())).sign();
 }
-template <class Stages>
-FORCESHADE_INLINE int side_of(const FaceNumbers& numbers, const Face& f, const float* p, const Vector3<double>& w,
-                              const Stages& stages) noexcept {
-  return sign_of({dot(numbers.n, w), kAcross.error * numbers.area * size_of(w)}, stages, [&] { return exact_side_of(f, p); });
+FORCESHADE_INLINE DoubleWithError across_of(const FaceNumbers& numbers, const Vector3<double>& w) noexcept {
+  return {dot(numbers.n, w), kAcross.error * numbers.area * size_of(w)};
 }
 template <class Stages>
 int side_of(const Face& f, const float* p, const Stages& stages) noexcept {
-  return side_of(FaceNumbers(f), f, p, difference(p, f.corner[0].data()), stages);
+  return sign_of(across_of(FaceNumbers(f), difference(p, f.corner[0].data())), stages, [&] { return exact_side_of(f, p); });
 }
 
 // n·n times the weights of the triangle's corners at p's nearest point of its plane, and n·n. The weight of a corner is

@@ -157,20 +157,26 @@ FORCESHADE_INLINE std::optional<Force3> quick_force(const Face& f, const Plane& 
   return force;
 }
 
-// The same of a rest that friction holds. to_hand: 2^24(p - r), as offset_from() computes it: each component to 2^-53 of its
-// size and 2^-63; as it is a multiple of 2^-53, one that is computed as 0 is 0.
-FORCESHADE_INLINE std::optional<Force3> quick_force_at_spot(const Offset& to_hand, double K) noexcept {
+// The same of a rest that friction holds. U: 2^24(p - r), each component to `error`; where that is 0, as offset_from() computes
+// it: to 2^-53 of its size and 2^-63; as it is a multiple of 2^-53, a component that is computed as 0 is 0 then.
+FORCESHADE_INLINE std::optional<Force3> quick_force_at_spot(const Vector3<double>& U, double error, double K) noexcept {
   bool is_sure = true;
-  const auto component = [&](double U) -> float {
-    if (U == 0) return 0;
-    const double value = -0x1p-24 * K * U, reach = 0x1p-24 * K * (0x1p-51 * __builtin_fabs(U) + 0x1p-62);
+  const double fixed = 0x1p-24 * K * (error + 0x1p-62);
+  const auto component = [&](double along) -> float {
+    if (along == 0 && error == 0) return 0;
+    const double value = -0x1p-24 * K * along, reach = fixed + 0x1p-51 * __builtin_fabs(value);
     const auto low = static_cast<float>(value - reach), high = static_cast<float>(value + reach);
     is_sure = is_sure && low == high;
     return low + 0.0F;
   };
-  const Force3 force{component(to_hand.U.x), component(to_hand.U.y), component(to_hand.U.z)};
+  const Force3 force{component(U.x), component(U.y), component(U.z)};
   if (!is_sure) return std::nullopt;
   return force;
+}
+[[gnu::noinline]] std::optional<Force3> force_from_offset(const Mesh& mesh, const Arrival& arrival, const HandAndGoal& ends,
+                                                          double K) noexcept {
+  const Offset offset = offset_from(point_of(mesh, arrival.spot), ends.hand(), 0);
+  return quick_force_at_spot(offset.U, 0, K);
 }
 
 // The unshaded force in binary64, by the shortest way for each kind of rest.
@@ -178,7 +184,12 @@ FORCESHADE_INLINE std::optional<Force3> force_in_binary64(const Mesh& mesh, cons
                                                           double K) noexcept {
   if (ends.are_one()) {
     if (arrival.rest == Rest::in_triangle) return quick_force(mesh.face(face_of(arrival.spot.half)), arrival.plane, K);
-    if (arrival.rest == Rest::at_spot && arrival.to_hand.size > 0) return quick_force_at_spot(arrival.to_hand, K);
+    if (arrival.rest == Rest::at_spot && arrival.to_hand.size > 0) {
+      const auto force = quick_force_at_spot(arrival.to_hand.U, arrival.error_to_hand, K);
+      if (force || arrival.error_to_hand == 0) [[likely]]
+        return force;
+      return force_from_offset(mesh, arrival, ends, K);
+    }
   }
   return unshaded_force(mesh, arrival, ends, K);
 }

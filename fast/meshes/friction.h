@@ -41,7 +41,7 @@ struct ExactLoad {
   Pressure pressure;
 };
 template <class Pull, class Pressure>  // clang++ before version 17 deduces the types of no aggregate
-ExactLoad(Pull, Pressure) -> ExactLoad<Pull, Pressure>;
+ExactLoad(Pull, Pressure)->ExactLoad<Pull, Pressure>;
 inline auto exact_load_in_triangle(const Face& face, const ExactOffset& U) noexcept {
   const auto n = ExactFace(face).n;
   const auto across = dot(n, U);

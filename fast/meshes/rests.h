@@ -28,8 +28,9 @@ struct Arrival {
   // By the contact rule friction alone: mesh::GodObject's; and the rough way along which the hand pulls at a rest at the spot.
   bool is_slipping = false;
   Slide pull{};
-  Offset to_hand{};  // 2^24(p - g) there, where it is at hand
-  int tries = 0;     // that the tick's detours and landings have taken: where sheets may cross
+  Offset to_hand{};          // 2^24(p - g) there, where it is at hand
+  double error_to_hand = 0;  // of a component of it; 0 where it is from offset_from()
+  int tries = 0;             // that the tick's detours and landings have taken: where sheets may cross
 };
 
 // Between what a god-object remembers and the file's numbering. A state is one of the contact rule.

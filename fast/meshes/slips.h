@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "fast/meshes/friction.h"
+#include "fast/meshes/quick_slips.h"
 
 namespace forceshade::fast {
 
@@ -24,17 +24,42 @@ class Slips : protected Rests<Stages> {
   // How p lies to a triangle.
   struct Facing {
     FaceNumbers numbers;
-    Vector3<double> w;  // p less the first corner
-    int side;           // of n·w
+    Vector3<double> w;       // p less the first corner
+    DoubleWithError across;  // n·w
+    int side;                // its sign
     Weights weights;
 
     FORCESHADE_INLINE Facing(const Face& face, const float* p, const Stages& stages) noexcept
         : numbers(face),
           w(difference(p, face.corner[0].data())),
-          side(side_of(numbers, face, p, w, stages)),
+          across(across_of(numbers, w)),
+          side(sign_of(across, stages, [&] { return exact_side_of(face, p); })),
           weights(numbers, w) {}
   };
 
+  // In a rough triangle, as far as binary64 can decide it from the parameters: see QuickSlips.
+  FORCESHADE_INLINE QuickSlips<Stages>::Outcome slip_quickly_in(std::uint32_t f, const Facing& facing,
+                                                                const Coefficients& of) noexcept {
+    using Quick = QuickSlips<Stages>;
+    if constexpr (!Stages::kFilter) return Quick::Outcome::unsure;
+    const std::array<std::uint32_t, 3> G = weights_in(mesh_, spot_, f);
+    Quick quick(facing.numbers, facing.across, facing.weights, of, stages_);
+    const int before = at_.moves;
+    const auto outcome = quick.run(G[1], G[2], at_.is_slipping, at_.moves, kMostMoves);
+    if (at_.moves != before)
+      put({mesh::Place::triangle,
+           spot_.side,
+           3 * f,
+           {static_cast<std::uint32_t>(quick.k()), static_cast<std::uint32_t>(quick.l())},
+           {}});
+    if (outcome == Quick::Outcome::rests) {
+      at_.to_hand = {quick.to_hand(), 1};
+      at_.error_to_hand = quick.error_to_hand();
+      at_.rest = Rest::at_spot;
+      at_.pull = {Slide::Along::triangle, 3 * f, false};
+    }
+    return outcome;
+  }
   // A slide in a rough triangle, or along a rough edge; none where it goes on to the border or to the end. In a triangle, all
   // that follow while the god-object stays in it.
   FORCESHADE_INLINE std::optional<Step> slip_in(std::uint32_t f, const Facing& facing, const std::array<int, 3>& inside,
@@ -155,6 +180,7 @@ class Slips : protected Rests<Stages> {
                                         const Then& then) noexcept {
     const Point g = point_of(mesh_, spot_);
     at_.to_hand = offset_from(g, p_.data(), largest());
+    at_.error_to_hand = 0;
     const Load load = load_in_triangle(numbers, at_.to_hand);
     const auto exact = [&] { return exact_load_in_triangle(mesh_.face(f), exact_offset_from(g, p_.data())); };
     return then(Friction(load, of, stages_, exact));
@@ -164,6 +190,7 @@ class Slips : protected Rests<Stages> {
     const float *const start = mesh_.start_point(h), *const end = mesh_.start_point(next(h));
     const Point g = point_of(mesh_, spot_);
     at_.to_hand = offset_from(g, p_.data(), largest());
+    at_.error_to_hand = 0;
     const Load load = load_on_edge(difference(end, start), at_.to_hand);
     const auto exact = [&] { return exact_load_on_edge(exact_difference(end, start), exact_offset_from(g, p_.data())); };
     return then(Friction(load, of, stages_, exact));

@@ -45,8 +45,8 @@ class Walk : Slips<Stages> {
  private:
   using typename Slips<Stages>::Facing;
   using Slips<Stages>::at_, Slips<Stages>::kMostMoves;
-  using Slips<Stages>::slip_in, Slips<Stages>::slip_along, Slips<Stages>::stay, Slips<Stages>::exhausted,
-      Slips<Stages>::steepest;
+  using Slips<Stages>::slip_in, Slips<Stages>::slip_quickly_in, Slips<Stages>::slip_along, Slips<Stages>::stay,
+      Slips<Stages>::exhausted, Slips<Stages>::steepest;
   using Rests<Stages>::mesh_, Rests<Stages>::spot_, Rests<Stages>::p_, Rests<Stages>::stages_;
   using Rests<Stages>::put, Rests<Stages>::spot_at_position, Rests<Stages>::rest_on_edge, Rests<Stages>::rest_in_triangle;
   using Rests<Stages>::is_nearest_already, Rests<Stages>::rounded_on_edge, Rests<Stages>::is_nearer,
@@ -260,11 +260,19 @@ class Walk : Slips<Stages> {
   FORCESHADE_INLINE Step slide_in(std::uint32_t f, const Facing& facing) noexcept {
     const Weights& weights = facing.weights;
     if (spot_.place != mesh::Place::triangle) mesh_.fetch_neighbours(f);
+    using Outcome = QuickSlips<Stages>::Outcome;
+    Outcome outcome = Outcome::leaves;
+    Coefficients of;
+    if constexpr (kHasFriction) {
+      of = mesh_.friction_in_triangle(f);
+      if (of.is_rough()) outcome = slip_quickly_in(f, facing, of);
+      if (outcome == Outcome::rests) return Step::rest;
+    }
     std::array<int, 3> inside;
     for (std::size_t i = 0; i < 3; ++i)
       inside[i] = sign_of(weights.corner[i], stages_, [&] { return ExactWeights(mesh_.face(f), p_.data()).corner[i].sign(); });
     if constexpr (kHasFriction)
-      if (const Coefficients of = mesh_.friction_in_triangle(f); of.is_rough())
+      if (outcome == Outcome::unsure)
         if (const auto step = slip_in(f, facing, inside, of)) return *step;
     if (inside[0] <= 0 || inside[1] <= 0 || inside[2] <= 0) return slide_out(f, facing, inside);
     const Spot to = rest_in_triangle(f, weights, spot_.side);
