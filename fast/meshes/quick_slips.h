@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // What friction decides in a triangle, in binary64 and from the grid's parameters alone: nearly every tick in contact is that.
-// With (k, l) the parameters of the god-object's point g, those of p's nearest point q of the plane are Q, and the pull is
-// |c1 e1 + c2 e2| with c = Q - (k, l), in units of 2^-24 mm; it needs neither g nor p - g. One bound holds for each decision
-// (docs/friction.md, "Decisions in binary64"). Where one is not sure, slips.h decides from g.
+// With (k, l) the parameters of the god-object's point g, and Q those of p's nearest point q of the plane, the pull is
+// |c1 e1 + c2 e2| with c = Q - (k, l), in units of 2^-24 mm; this needs neither g nor p - g. Where a decision is not sure,
+// slips.h takes it from g.
 
 #include "fast/meshes/friction.h"
 
@@ -18,27 +18,39 @@ template <class C, class T>
 FORCESHADE_INLINE constexpr auto pull_squared(const C& c1, const C& c2, const Gram<T>& of) noexcept {
   return c1 * (c1 * of.first + c2 * of.mixed) + c2 * (c1 * of.mixed + c2 * of.second);
 }
-// By how much the square of the distance from p grows by a step of the grid, less its length: along e1, if `own` is e1². c: as
-// it is where the step begins.
+// What a step of the grid adds to the square of the distance from p: a step along the edge whose square is `own`. c: where the
+// step begins.
 template <class C, class T>
-FORCESHADE_INLINE constexpr auto twice_along(const C& own_c, const C& other_c, const T& own, const T& mixed) noexcept {
+FORCESHADE_INLINE constexpr auto gain_by_step(const C& own_c, const C& other_c, const T& own, const T& mixed) noexcept {
   const auto along = own_c * own + other_c * mixed;
-  return along + along;
+  return own - (along + along);
 }
-// A component of 2^24(p - g): from g to q, and up to p.
+// A component of 2^24(p - g): from g to q, and on to p.
 template <class C, class E, class N>
-FORCESHADE_INLINE constexpr auto to_hand(const C& c1, const C& c2, const C& lift, const E& e1, const E& e2,
-                                         const N& n) noexcept {
-  return c1 * e1 + c2 * e2 + lift * n;
+FORCESHADE_INLINE constexpr auto way_to_hand(const C& c1, const C& c2, const C& lift, const E& e1, const E& e2,
+                                             const N& n) noexcept {
+  return (c1 * e1 + c2 * e2) + lift * n;
 }
 
-// The roundings, where the products of a parameter and of an edge's largest component are up to 1, and those of lift and n's
-// unit. What the parameters' own errors add is in QuickSlips.
-inline constexpr RoundingBound kWhole{1, 0};
-inline constexpr Gram<RoundingBound> kGram{kLength, kLength, kLength};
-inline constexpr RoundingBound kPullSquared = pull_squared(kWhole, kWhole, kGram);
-inline constexpr RoundingBound kStep = kLength - twice_along(kWhole, kWhole, kLength, kLength);
-inline constexpr RoundingBound kToHand = to_hand(kWhole, kWhole, kWhole, kDifference.x, kDifference.x, kNormal.x);
+// The roundings of these, for parameters and edges of components up to 1, and n's unit times `lift` up to 1.
+inline constexpr RoundingBound kParameter{1, 0};
+inline constexpr RoundingBound kPullSquared =
+    pull_squared(kParameter, kParameter, Gram<RoundingBound>{kLength, kLength, kLength});
+inline constexpr RoundingBound kGainByStep = gain_by_step(kParameter, kParameter, kLength, kLength);
+inline constexpr RoundingBound kWayToHand =
+    way_to_hand(kParameter, kParameter, kParameter, kDifference.x, kDifference.x, kNormal.x);
+
+// All bounds are multiples of one, that of c. With s the larger size of the two edges and m that of the components of c at the
+// first point, and 2 more: c errs by q_error + u m, where u = 2^-53; a bound of `c_error` = q_error + 8u m and the factors
+// below covers that, the roundings, and those of the comparison. No |e_i·e_j| exceeds 3s².
+// - pull: 2|c·E·d| + |d·E·d| <= 24 s² m |d| + 12 s² |d|² for c off by d; and kPullSquared of s² m².
+// - gain by a step: 12 s² |d|, and kGainByStep of s² m.
+// - way to the hand: 2 s |d| and kWayToHand of s m; 2 |n| times lift's error, and kWayToHand of |lift n|.
+// A slip that is made ends where no component of c is longer than at its start by more than 1, half of which is the rounding.
+struct SlipBounds {
+  static constexpr double kOfPull = 26, kOfGain = 16, kOfWay = 3, kOfLift = 8, kOfPressure = 3;
+  static constexpr double kShareOfC = 0x1p-50;
+};
 
 template <class Stages>
 class QuickSlips {
@@ -52,126 +64,112 @@ class QuickSlips {
         of_(of),
         stages_(stages),
         gram_{dot(face.e1, face.e1), dot(face.e1, face.e2), dot(face.e2, face.e2)},
-        longer_(face.s1 > face.s2 ? face.s1 : face.s2) {
-    is_usable_ = weights.all.value > 0x1p10 * weights.all.error;
+        longer_(larger(face.s1, face.s2)) {
     const auto scale = GridScale<double>::over(weights.all.value, weights.all.error);
-    const auto first = scale.quotient(weights.corner[1].value, weights.corner[1].error),
-               second = scale.quotient(weights.corner[2].value, weights.corner[2].error),
-               lift = scale.quotient(across.value, across.error);
-    q1_ = first.value;
-    q2_ = second.value;
-    q_error_ = first.error > second.error ? first.error : second.error;
-    lift_ = {lift.value, lift.error};
-    pressure_ = shifted<24>(across * lift_);
+    const DoubleWithError &first = weights.corner[1], &second = weights.corner[2];
+    q1_ = first.value * scale.inverse;
+    q2_ = second.value * scale.inverse;
+    q_error_ = scale.quotient(larger(__builtin_fabs(first.value), __builtin_fabs(second.value)), first.error).error;
+    const auto lift = scale.quotient(across.value, across.error);
+    lift_ = lift.value;
+    lift_error_ = lift.error;
+    pressure_ = 0x1p24 * (across.value * lift_);
+    pressure_error_ = 0x1p24 * SlipBounds::kOfPressure * (__builtin_fabs(across.value) * lift_error_);
+    is_usable_ = weights.all.value > 0x1p10 * weights.all.error && lift_error_ < 0x1p-10 * __builtin_fabs(lift_);
   }
 
-  // From the parameters k and l, and with the bit and the moves of a tick, at most most_moves: what is sure. Where that is
-  // neither a rest nor that a slip would leave the triangle, it is the state after some slips.
+  // From the parameters k and l, with the bit and the moves of a tick, at most most_moves. Where it is unsure or leaves the
+  // triangle, these are the state after what was sure.
   FORCESHADE_INLINE Outcome run(double k, double l, bool& is_slipping, int& moves, int most_moves) noexcept {
     k_ = k;
     l_ = l;
-    Pull here = pull_at(k, l);
-    for (;;) {
+    c1_ = q1_ - k;
+    c2_ = q2_ - l;
+    set_bounds();
+    double pull = pull_squared(c1_, c2_, gram_);
+    if (!stages_.sure(is_usable_)) return Outcome::unsure;
+    for (bool is_first = true;; is_first = false) {
       const double coefficient = static_cast<double>(is_slipping ? of_.dynamic_friction : of_.static_friction);
-      const DoubleWithError beyond = here.square - times(coefficient * coefficient, pressure_);
-      if (!stages_.sure(is_usable_ && __builtin_fabs(beyond.value) > beyond.error)) return Outcome::unsure;
-      if (beyond.value < 0) return rest(here, is_slipping);
+      const int beyond = order(pull, coefficient * coefficient);
+      if (beyond == 0) return Outcome::unsure;
+      if (beyond < 0) return rest(pull, is_slipping);
       if (moves == most_moves) return Outcome::unsure;
-      double to_k = 0, to_l = 0;
-      const Outcome slip = end_of_slip(here, to_k, to_l);
+      if (!is_first) set_bounds();
+      const Outcome slip = slip_from(pull);
       if (slip != Outcome::rests) return slip;
-      const Pull there = pull_at(to_k, to_l);
-      if (!stages_.sure(there.square.value + there.square.error < (1 - 0x1p-50) * (here.square.value - here.square.error)))
-        return Outcome::unsure;
       ++moves;
       is_slipping = true;
-      k_ = to_k;
-      l_ = to_l;
-      here = there;
     }
   }
   double k() const noexcept { return k_; }
   double l() const noexcept { return l_; }
   // 2^24(p - g) at the rest, and the largest error of a component.
-  const Vector3<double>& to_hand() const noexcept { return to_hand_; }
-  double error_to_hand() const noexcept { return error_to_hand_; }
+  const Vector3<double>& way_to_hand() const noexcept { return way_to_hand_; }
+  double error_of_way() const noexcept { return error_of_way_; }
 
  private:
-  // The pull at a point: its square, c, the largest error of a component of c, and the largest |c| times the edge's size.
-  struct Pull {
-    DoubleWithError square;
-    double c1, c2, c_error, size;
-  };
-  // The true pull differs from that of c and true edges by at most 2|c·E·d| + |d·E·d|, d being the error of c, and no |E_ij|
-  // exceeds 3 s_i s_j.
-  FORCESHADE_INLINE Pull pull_at(double k, double l) const noexcept {
-    Pull at;
-    at.c1 = q1_ - k;
-    at.c2 = q2_ - l;
-    const double size_1 = __builtin_fabs(at.c1), size_2 = __builtin_fabs(at.c2);
-    at.c_error = kSlack * (q_error_ + DoubleWithError::kUnit * larger(size_1, size_2));
-    at.size = larger(size_1 * face_.s1, size_2 * face_.s2);
-    const double off = at.c_error * longer_;
-    at.square = {pull_squared(at.c1, at.c2, gram_),
-                 kSlack * (kPullSquared.error * at.size * at.size + 24 * (at.size + off) * off)};
-    return at;
+  // From c, for a slip and the points that it leads to.
+  FORCESHADE_INLINE void set_bounds() noexcept {
+    const double size = larger(__builtin_fabs(c1_), __builtin_fabs(c2_)) + 2;
+    c_error_ = q_error_ + SlipBounds::kShareOfC * size;
+    pull_error_ = c_error_ < 0x1p-10 * size ? SlipBounds::kOfPull * (longer_ * longer_) * (size * c_error_) : HUGE_VAL;
   }
 
-  // Where a slip from a point that is not held there ends, rounded to the grid: rests, if that is inside the triangle.
-  FORCESHADE_INLINE Outcome end_of_slip(const Pull& from, double& k, double& l) const noexcept {
-    const DoubleWithError& pull = from.square;
-    const double share =
-                     0x1p24 * static_cast<double>(of_.dynamic_friction) * __builtin_sqrt(pressure_.value * (1 / pull.value)),
-                 left = floor_of(share), above = share - left, both = pull.value * pressure_.value;
-    // The root of a quotient errs by half of what its operands do, relative.
-    const double share_error =
-        share * ((0.5 + 0x1p-8) * (pull.error * pressure_.value + pressure_.error * pull.value) + 0x1p-50 * both);
-    bool is_sure = pull.error < 0x1p-10 * pull.value && pressure_.error < 0x1p-10 * pressure_.value &&
-                   share_error < (above - 0x1p-26) * both && share_error < (1 - above - 0x1p-26) * both;
-    const double x1 = q1_ - 0x1p-24 * left * from.c1, x2 = q2_ - 0x1p-24 * left * from.c2;
-    const double size = larger(__builtin_fabs(from.c1), __builtin_fabs(from.c2));
-    const double error = kSlack * (q_error_ + 0x1p-52 * size) + 0x1p-28;
-    const double sum = x1 + x2;
-    if (x1 < 0 || x2 < 0 || sum > 0x1p24) {
-      const double out = 4 * error + 0x1p-48 * (__builtin_fabs(x1) + __builtin_fabs(x2));
-      return stages_.sure(is_sure && (x1 < -out || x2 < -out || sum > 0x1p24 + out)) ? Outcome::leaves : Outcome::unsure;
-    }
+  // The sign of pull - factor·pressure; 0 where it is not sure.
+  FORCESHADE_INLINE int order(double pull, double factor) const noexcept {
+    const double beyond = pull - factor * pressure_;
+    if (!stages_.sure(__builtin_fabs(beyond) > pull_error_ + factor * pressure_error_)) return 0;
+    return beyond > 0 ? 1 : -1;
+  }
+
+  // To where a slip ends, rounded to the grid, if that is inside the triangle: rests. pull: becomes that there.
+  FORCESHADE_INLINE Outcome slip_from(double& pull) noexcept {
+    const double share = 0x1p24 * static_cast<double>(of_.dynamic_friction) * __builtin_sqrt(pressure_ * (1 / pull)),
+                 left = floor_of(share), above = share - left, both = pull * pressure_;
+    // The root errs by half of what its operands do, relative, and that is more than its roundings.
+    bool is_sure = share * (pull_error_ * pressure_ + pressure_error_ * pull) < (smaller(above, 1 - above) - 0x1p-26) * both &&
+                   pull_error_ < 0x1p-10 * pull;
+    const double kept = 0x1p-24 * left, x1 = q1_ - kept * c1_, x2 = q2_ - kept * c2_, error = c_error_ + 0x1p-28;
+    const double nearest_border = smaller(smaller(x1, x2), 0x1p24 - (x1 + x2));
+    if (nearest_border < 0)
+      return stages_.sure(is_sure && nearest_border < -4 * error - 0x1p-50 * (__builtin_fabs(x1) + __builtin_fabs(x2)))
+                 ? Outcome::leaves
+                 : Outcome::unsure;
     const double floor_1 = floor_of(x1), floor_2 = floor_of(x2), part_1 = x1 - floor_1, part_2 = x2 - floor_2,
                  diagonal = part_1 + part_2 - 1;
-    is_sure = is_sure && part_1 > error && part_1 < 1 - error && part_2 > error && part_2 < 1 - error &&
-              __builtin_fabs(diagonal) > 2 * error;
+    is_sure = is_sure && smaller(smaller(smaller(part_1, 1 - part_1), smaller(part_2, 1 - part_2)),
+                                 0.5 * __builtin_fabs(diagonal)) > error;
     // The corners of the cell's lower triangle are a base and a step along either side from it; so are those of the upper one,
     // with steps back.
-    const double is_upper = diagonal > 0 ? 1.0 : 0.0, step = 1 - 2 * is_upper, base_1 = floor_1 + is_upper,
-                 base_2 = floor_2 + is_upper;
+    const double upper = diagonal > 0 ? 1.0 : 0.0, step = 1 - 2 * upper, base_1 = floor_1 + upper, base_2 = floor_2 + upper;
     const double c1 = step * (q1_ - base_1), c2 = step * (q2_ - base_2);
-    const double along_1 = gram_.first - twice_along(c1, c2, gram_.first, gram_.mixed),
-                 along_2 = gram_.second - twice_along(c2, c1, gram_.second, gram_.mixed);
-    const double size_1 = __builtin_fabs(c1), size_2 = __builtin_fabs(c2),
-                 most = larger(size_1 * face_.s1, size_2 * face_.s2) + longer_,
-                 c_error = q_error_ + DoubleWithError::kUnit * larger(size_1, size_2),
-                 along_error = kSlack * longer_ * (kStep.error * most + 12 * longer_ * c_error);
-    is_sure = is_sure && __builtin_fabs(along_1) > along_error && __builtin_fabs(along_2) > along_error &&
-              __builtin_fabs(along_1 - along_2) > 2 * along_error;
-    const double first = along_1 < 0 && along_1 < along_2 ? step : 0, second = along_2 < 0 && along_2 < along_1 ? step : 0;
-    k = base_1 + first;
-    l = base_2 + second;
-    return stages_.sure(is_sure && k > 0 && l > 0 && k + l < 0x1p24) ? Outcome::rests : Outcome::unsure;
+    const double first = gain_by_step(c1, c2, gram_.first, gram_.mixed),
+                 second = gain_by_step(c2, c1, gram_.second, gram_.mixed);
+    is_sure = is_sure && smaller(smaller(__builtin_fabs(first), __builtin_fabs(second)), 0.5 * __builtin_fabs(first - second)) >
+                             SlipBounds::kOfGain * (longer_ * longer_) * c_error_;
+    const double k = base_1 + (first < 0 && first < second ? step : 0), l = base_2 + (second < 0 && second < first ? step : 0);
+    c1_ = q1_ - k;
+    c2_ = q2_ - l;
+    const double there = pull_squared(c1_, c2_, gram_);
+    is_sure = is_sure && smaller(smaller(k, l), 0x1p24 - (k + l)) > 0 && pull - there > 3 * pull_error_;
+    if (!stages_.sure(is_sure)) return Outcome::unsure;
+    k_ = k;
+    l_ = l;
+    pull = there;
+    return Outcome::rests;
   }
 
-  FORCESHADE_INLINE Outcome rest(const Pull& here, bool& is_slipping) noexcept {
+  FORCESHADE_INLINE Outcome rest(double pull, bool& is_slipping) noexcept {
     if (is_slipping) {
       const double half = 0.5 * static_cast<double>(of_.dynamic_friction);
-      const DoubleWithError beyond = here.square - times(half * half, pressure_);
-      if (!stages_.sure(__builtin_fabs(beyond.value) > beyond.error)) return Outcome::unsure;
-      is_slipping = beyond.value > 0;
+      const int beyond = order(pull, half * half);
+      if (beyond == 0) return Outcome::unsure;
+      is_slipping = beyond > 0;
     }
-    const double c1 = here.c1, c2 = here.c2;
-    to_hand_ = {fast::to_hand(c1, c2, lift_.value, face_.e1.x, face_.e2.x, face_.n.x),
-                fast::to_hand(c1, c2, lift_.value, face_.e1.y, face_.e2.y, face_.n.y),
-                fast::to_hand(c1, c2, lift_.value, face_.e1.z, face_.e2.z, face_.n.z)};
-    error_to_hand_ = kSlack * (kToHand.error * larger(here.size, __builtin_fabs(lift_.value) * face_.area) +
-                               2 * (here.c_error * longer_ + lift_.error * face_.area));
+    way_to_hand_ = {fast::way_to_hand(c1_, c2_, lift_, face_.e1.x, face_.e2.x, face_.n.x),
+                    fast::way_to_hand(c1_, c2_, lift_, face_.e1.y, face_.e2.y, face_.n.y),
+                    fast::way_to_hand(c1_, c2_, lift_, face_.e1.z, face_.e2.z, face_.n.z)};
+    error_of_way_ = SlipBounds::kOfWay * longer_ * c_error_ + SlipBounds::kOfLift * face_.area * lift_error_;
     return Outcome::rests;
   }
 
@@ -181,20 +179,20 @@ class QuickSlips {
     return (a - 0.5 + kRounds) - kRounds;
   }
   FORCESHADE_INLINE static double larger(double a, double b) noexcept { return a > b ? a : b; }
-
-  static constexpr double kSlack = 1 + 0x1p-40;
+  FORCESHADE_INLINE static double smaller(double a, double b) noexcept { return a < b ? a : b; }
 
   const FaceNumbers& face_;
   const Coefficients& of_;
   const Stages& stages_;
   Gram<double> gram_;
-  double longer_;  // of the edges' sizes
-  double q1_, q2_, q_error_;
-  DoubleWithError lift_, pressure_;  // 2^24 n·(p - a)/n², and the square of 2^24 times the pressure
+  double longer_;                     // of the edges' sizes
+  double q1_, q2_, q_error_;          // Q
+  double lift_, lift_error_;          // 2^24 n·(p - a)/n²
+  double pressure_, pressure_error_;  // the square of 2^24 z, mm²
   bool is_usable_;
-  double k_ = 0, l_ = 0;
-  Vector3<double> to_hand_{};
-  double error_to_hand_ = 0;
+  double k_ = 0, l_ = 0, c1_ = 0, c2_ = 0, c_error_ = 0, pull_error_ = 0;
+  Vector3<double> way_to_hand_{};
+  double error_of_way_ = 0;
 };
 
 }  // namespace forceshade::fast

@@ -37,15 +37,24 @@ class Slips : protected Rests<Stages> {
           weights(numbers, w) {}
   };
 
+  // On which side of the edge opposite to each corner p's nearest point of the plane is.
+  FORCESHADE_INLINE std::array<int, 3> inside(std::uint32_t f, const Facing& facing) const noexcept {
+    std::array<int, 3> inside;
+    for (std::size_t i = 0; i < 3; ++i)
+      inside[i] =
+          sign_of(facing.weights.corner[i], stages_, [&] { return ExactWeights(mesh_.face(f), p_.data()).corner[i].sign(); });
+    return inside;
+  }
+
   // In a rough triangle, as far as binary64 can decide it from the parameters: see QuickSlips.
   FORCESHADE_INLINE QuickSlips<Stages>::Outcome slip_quickly_in(std::uint32_t f, const Facing& facing,
                                                                 const Coefficients& of) noexcept {
     using Quick = QuickSlips<Stages>;
     if constexpr (!Stages::kFilter) return Quick::Outcome::unsure;
-    const std::array<std::uint32_t, 3> G = weights_in(mesh_, spot_, f);
+    const std::array<std::uint32_t, 2> from = spot_.place == mesh::Place::triangle ? spot_.weight : weights_of_last_two(f);
     Quick quick(facing.numbers, facing.across, facing.weights, of, stages_);
     const int before = at_.moves;
-    const auto outcome = quick.run(G[1], G[2], at_.is_slipping, at_.moves, kMostMoves);
+    const auto outcome = quick.run(from[0], from[1], at_.is_slipping, at_.moves, kMostMoves);
     if (at_.moves != before)
       put({mesh::Place::triangle,
            spot_.side,
@@ -53,17 +62,18 @@ class Slips : protected Rests<Stages> {
            {static_cast<std::uint32_t>(quick.k()), static_cast<std::uint32_t>(quick.l())},
            {}});
     if (outcome == Quick::Outcome::rests) {
-      at_.to_hand = {quick.to_hand(), 1};
-      at_.error_to_hand = quick.error_to_hand();
+      at_.to_hand = {quick.way_to_hand(), 1};
+      at_.error_to_hand = quick.error_of_way();
       at_.rest = Rest::at_spot;
       at_.pull = {Slide::Along::triangle, 3 * f, false};
     }
     return outcome;
   }
   // A slide in a rough triangle, or along a rough edge; none where it goes on to the border or to the end. In a triangle, all
-  // that follow while the god-object stays in it.
-  FORCESHADE_INLINE std::optional<Step> slip_in(std::uint32_t f, const Facing& facing, const std::array<int, 3>& inside,
-                                                const Coefficients& of) noexcept {
+  // that follow while the god-object stays in it. It looks at the triangle again, so that what does without it is shorter.
+  [[gnu::noinline]] std::optional<Step> slip_in(std::uint32_t f, const Coefficients& of) noexcept {
+    const Facing facing(mesh_.face(f), p_.data(), stages_);
+    const std::array<int, 3> inside = this->inside(f, facing);
     for (;;) {
       const auto step =
           by_friction_in(f, facing.numbers, of, [&](const auto& friction) { return slip_by(friction, f, facing, inside); });
@@ -155,6 +165,10 @@ class Slips : protected Rests<Stages> {
     const double length = foot.length.value + foot.length.error;
     return slipped(spot_on_edge(mesh_, h, rounded_on_edge(h, cell, foot), spot_.side),
                    friction.surely_brings_nearer(left, length, length), way, friction);
+  }
+  [[gnu::noinline]] std::array<std::uint32_t, 2> weights_of_last_two(std::uint32_t f) const noexcept {
+    const std::array<std::uint32_t, 3> weights = weights_in(mesh_, spot_, f);
+    return {weights[1], weights[2]};
   }
   FORCESHADE_INLINE Step rest_at_spot(const Slide& pull, bool is_slipping) noexcept {
     at_.rest = Rest::at_spot;

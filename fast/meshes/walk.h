@@ -34,9 +34,8 @@ class Walk : Slips<Stages> {
       at_.to_hand = {};
     }
     if (spot_.place == mesh::Place::nowhere && start() == Step::rest) return;
-    Step step;
-    do step = spot_.place == mesh::Place::triangle ? move_in_triangle() : move();
-    while (step == Step::onward);
+    Step step = move();
+    if (step == Step::onward) step = go_on();
     if (step == Step::rest) return;
     at_.rest = spot_.place == mesh::Place::free ? Rest::none : Rest::at_spot;
     at_.is_finished = false;
@@ -183,8 +182,17 @@ class Walk : Slips<Stages> {
         .is_better({Slide::Along::triangle, mesh_.twin(h), false}, {Slide::Along::triangle, h, false});
   }
 
+  // The moves after the first, which is apart from them: what the compiler prepares for a loop of moves would be a tenth of the
+  // usual tick, that has one.
+  [[gnu::noinline]] Step go_on() noexcept {
+    Step step;
+    do step = move();
+    while (step == Step::onward);
+    return step;
+  }
   FORCESHADE_INLINE Step move() noexcept {
     switch (spot_.place) {
+      case mesh::Place::triangle: return move_in_triangle();
       case mesh::Place::edge: return move_on_edge();
       case mesh::Place::vertex: return move_at_vertex();
       default:
@@ -268,12 +276,10 @@ class Walk : Slips<Stages> {
       if (of.is_rough()) outcome = slip_quickly_in(f, facing, of);
       if (outcome == Outcome::rests) return Step::rest;
     }
-    std::array<int, 3> inside;
-    for (std::size_t i = 0; i < 3; ++i)
-      inside[i] = sign_of(weights.corner[i], stages_, [&] { return ExactWeights(mesh_.face(f), p_.data()).corner[i].sign(); });
     if constexpr (kHasFriction)
       if (outcome == Outcome::unsure)
-        if (const auto step = slip_in(f, facing, inside, of)) return *step;
+        if (const auto step = slip_in(f, of)) return *step;
+    const std::array<int, 3> inside = this->inside(f, facing);
     if (inside[0] <= 0 || inside[1] <= 0 || inside[2] <= 0) return slide_out(f, facing, inside);
     const Spot to = rest_in_triangle(f, weights, spot_.side);
     if (spot_.place == mesh::Place::triangle && to.weight[0] == spot_.weight[0] && to.weight[1] == spot_.weight[1] &&

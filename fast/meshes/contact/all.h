@@ -8,11 +8,14 @@
 
 namespace forceshade::fast {
 
-template <class First, class... Others>
+template <class First, class... Rest>
 struct ContactList {
-  static constexpr std::size_t kCount = 1 + sizeof...(Others);
+  static constexpr std::size_t kCount = 1 + sizeof...(Rest);
   using Usual = First;  // its goal is the hand's position
+  using Others = ContactList<Rest...>;
 };
+template <class First>
+struct ContactList<First> {};
 using ContactRules = ContactList<Direct, SubGoal, Frictional>;
 static_assert(ContactRules::kCount == mesh::kContactNames.size() && ContactRules::Usual::kContact == mesh::kUsualContact);
 
@@ -22,19 +25,19 @@ inline mesh::Contact contact_in(const Mesh& mesh, mesh::Contact contact) noexcep
 }
 
 template <class Stages, class First, class... Others>
-Goal move_by(mesh::Contact contact, const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, const Stages& stages,
-             ContactList<First, Others...>) noexcept {
+FORCESHADE_INLINE Goal move_by_one(mesh::Contact contact, const Mesh& mesh, Arrival& at, const std::array<float, 3>& p,
+                                   const Stages& stages, ContactList<First, Others...>) noexcept {
   if constexpr (sizeof...(Others) > 0)
-    if (contact != First::kContact) return move_by(contact, mesh, at, p, stages, ContactList<Others...>());
+    if (contact != First::kContact) return move_by_one(contact, mesh, at, p, stages, ContactList<Others...>());
   return First::move(mesh, at, p, stages);
 }
 
-// Moves `at` by the rule, from where its spot is. p: the hand's position, mm, in the domain and quantised. The mesh has what
-// the rule uses.
+// Moves `at` by a rule that is not the usual one, from where its spot is. p: the hand's position, mm, in the domain and
+// quantised. The mesh has what the rule uses.
 template <class Stages>
-Goal move_by(mesh::Contact contact, const Mesh& mesh, Arrival& at, const std::array<float, 3>& p,
-             const Stages& stages) noexcept {
-  return move_by(contact, mesh, at, p, stages, ContactRules());
+FORCESHADE_INLINE Goal move_by(mesh::Contact contact, const Mesh& mesh, Arrival& at, const std::array<float, 3>& p,
+                               const Stages& stages) noexcept {
+  return move_by_one(contact, mesh, at, p, stages, ContactRules::Others());
 }
 
 }  // namespace forceshade::fast

@@ -11,7 +11,8 @@ struct Frictional {
   static constexpr mesh::Contact kContact = mesh::Contact::friction;
 
   template <class Stages>
-  static Goal move(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, const Stages& stages) noexcept {
+  FORCESHADE_INLINE static Goal move(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p,
+                                     const Stages& stages) noexcept {
     Walk<Stages, false, true>(mesh, at, p, stages).run();
     return {};
   }
