@@ -157,26 +157,34 @@ FORCESHADE_INLINE std::optional<Force3> quick_force(const Face& f, const Plane& 
   return force;
 }
 
-// The same of a rest that friction holds. U: 2^24(p - r), each component to `error`; where that is 0, as offset_from() computes
-// it: to 2^-53 of its size and 2^-63; as it is a multiple of 2^-53, a component that is computed as 0 is 0 then.
-FORCESHADE_INLINE std::optional<Force3> quick_force_at_spot(const Vector3<double>& U, double error, double K) noexcept {
+// From 2^24(p - r) at a rest that friction holds, each component to `error`; where that is 0, as offset_from() computes it: to
+// 2^-53 of its size and 2^-63; as it is a multiple of 2^-53, a component that is computed as 0 is 0 then.
+FORCESHADE_INLINE bool is_sure_at_spot(const Vector3<double>& U, double error, double K, Force3& force) noexcept {
   bool is_sure = true;
   const double fixed = 0x1p-24 * K * (error + 0x1p-62);
-  const auto component = [&](double along) -> float {
+  const auto component = [&](double along) FORCESHADE_INLINE_BODY -> float {
     if (along == 0 && error == 0) return 0;
-    const double value = -0x1p-24 * K * along, reach = fixed + 0x1p-51 * __builtin_fabs(value);
+    const double value = -0x1p-24 * K * along, reach = fixed + 0x1p-50 * __builtin_fabs(value);
     const auto low = static_cast<float>(value - reach), high = static_cast<float>(value + reach);
     is_sure = is_sure && low == high;
     return low + 0.0F;
   };
-  const Force3 force{component(U.x), component(U.y), component(U.z)};
-  if (!is_sure) return std::nullopt;
-  return force;
+  force = {component(U.x), component(U.y), component(U.z)};
+  return is_sure;
 }
 [[gnu::noinline]] std::optional<Force3> force_from_offset(const Mesh& mesh, const Arrival& arrival, const HandAndGoal& ends,
                                                           double K) noexcept {
-  const Offset offset = offset_from(point_of(mesh, arrival.spot), ends.hand(), 0);
-  return quick_force_at_spot(offset.U, 0, K);
+  Force3 force;
+  if (!is_sure_at_spot(offset_from(point_of(mesh, arrival.spot), ends.hand(), 0).U, 0, K, force)) return std::nullopt;
+  return force;
+}
+FORCESHADE_INLINE std::optional<Force3> quick_force_at_spot(const Mesh& mesh, const Arrival& arrival, const HandAndGoal& ends,
+                                                            double K) noexcept {
+  Force3 force;
+  if (is_sure_at_spot(arrival.to_hand.U, arrival.error_to_hand, K, force)) [[likely]]
+    return force;
+  if (arrival.error_to_hand == 0) return std::nullopt;
+  return force_from_offset(mesh, arrival, ends, K);
 }
 
 // The unshaded force in binary64, by the shortest way for each kind of rest.
@@ -184,12 +192,7 @@ FORCESHADE_INLINE std::optional<Force3> force_in_binary64(const Mesh& mesh, cons
                                                           double K) noexcept {
   if (ends.are_one()) {
     if (arrival.rest == Rest::in_triangle) return quick_force(mesh.face(face_of(arrival.spot.half)), arrival.plane, K);
-    if (arrival.rest == Rest::at_spot && arrival.to_hand.size > 0) {
-      const auto force = quick_force_at_spot(arrival.to_hand.U, arrival.error_to_hand, K);
-      if (force || arrival.error_to_hand == 0) [[likely]]
-        return force;
-      return force_from_offset(mesh, arrival, ends, K);
-    }
+    if (arrival.rest == Rest::at_spot && arrival.to_hand.size > 0) return quick_force_at_spot(mesh, arrival, ends, K);
   }
   return unshaded_force(mesh, arrival, ends, K);
 }

@@ -104,7 +104,7 @@ class Mesh {
   const BoxTree& tree() const noexcept { return tree_; }
   float largest_coordinate() const noexcept { return largest_coordinate_; }
   bool has_friction() const noexcept { return has_friction_; }
-  Coefficients friction_in_triangle(std::uint32_t f) const noexcept {
+  FORCESHADE_INLINE Coefficients friction_in_triangle(std::uint32_t f) const noexcept {
     const mesh::Material& material = material_of(f);
     return {material.static_friction, material.dynamic_friction};
   }
@@ -132,7 +132,7 @@ class Mesh {
 
  private:
   // Where there is a material.
-  const mesh::Material& material_of(std::uint32_t f) const noexcept {
+  FORCESHADE_INLINE const mesh::Material& material_of(std::uint32_t f) const noexcept {
     return materials_[material_of_face_.empty() ? 0 : material_of_face_[f]];
   }
   void join();

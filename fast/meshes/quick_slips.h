@@ -48,7 +48,7 @@ inline constexpr RoundingBound kWayToHand =
 // - way to the hand: 2 s |d| and kWayToHand of s m; 2 |n| times lift's error, and kWayToHand of |lift n|.
 // A slip that is made ends where no component of c is longer than at its start by more than 1, half of which is the rounding.
 struct SlipBounds {
-  static constexpr double kOfPull = 26, kOfGain = 16, kOfWay = 3, kOfLift = 8, kOfPressure = 3;
+  static constexpr double kOfPull = 26, kOfGain = 64, kOfWay = 3, kOfLift = 8, kOfPressure = 3;
   static constexpr double kShareOfC = 0x1p-50;
 };
 
@@ -136,18 +136,20 @@ class QuickSlips {
                  ? Outcome::leaves
                  : Outcome::unsure;
     const double floor_1 = floor_of(x1), floor_2 = floor_of(x2), part_1 = x1 - floor_1, part_2 = x2 - floor_2,
-                 diagonal = part_1 + part_2 - 1;
+                 parts = part_1 + part_2;
     is_sure = is_sure && smaller(smaller(smaller(part_1, 1 - part_1), smaller(part_2, 1 - part_2)),
-                                 0.5 * __builtin_fabs(diagonal)) > error;
-    // The corners of the cell's lower triangle are a base and a step along either side from it; so are those of the upper one,
-    // with steps back.
-    const double upper = diagonal > 0 ? 1.0 : 0.0, step = 1 - 2 * upper, base_1 = floor_1 + upper, base_2 = floor_2 + upper;
-    const double c1 = step * (q1_ - base_1), c2 = step * (q2_ - base_2);
+                                 0.5 * __builtin_fabs(parts - 1)) > error;
+    // Either half of the cell has the corners beside its lowest one; the third is that one or, in the upper half, the one
+    // opposite to it. Without branches, since nothing foretells which it is.
+    const double upper = floor_of(parts), c1 = q1_ - floor_1, c2 = q2_ - floor_2;
     const double first = gain_by_step(c1, c2, gram_.first, gram_.mixed),
-                 second = gain_by_step(c2, c1, gram_.second, gram_.mixed);
-    is_sure = is_sure && smaller(smaller(__builtin_fabs(first), __builtin_fabs(second)), 0.5 * __builtin_fabs(first - second)) >
-                             SlipBounds::kOfGain * (longer_ * longer_) * c_error_;
-    const double k = base_1 + (first < 0 && first < second ? step : 0), l = base_2 + (second < 0 && second < first ? step : 0);
+                 second = gain_by_step(c2, c1, gram_.second, gram_.mixed), third = upper * ((first + second) + 2 * gram_.mixed),
+                 least = smaller(smaller(first, second), third);
+    is_sure = is_sure && smaller(smaller(__builtin_fabs(third - first), __builtin_fabs(third - second)),
+                                 __builtin_fabs(first - second)) > SlipBounds::kOfGain * (longer_ * longer_) * c_error_;
+    const auto is_least = [&](double gain) FORCESHADE_INLINE_BODY { return 0.5 + __builtin_copysign(0.5, least - gain); };
+    const double both_up = upper * is_least(third), k = floor_1 + (is_least(first) + both_up),
+                 l = floor_2 + (is_least(second) + both_up);
     c1_ = q1_ - k;
     c2_ = q2_ - l;
     const double there = pull_squared(c1_, c2_, gram_);

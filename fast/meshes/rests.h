@@ -103,7 +103,7 @@ class Rests {
   }
 
   // Whether the spot, whose parameters are those of q rounded, is q.
-  bool is_nearest_already(std::uint32_t f, const Weights& weights) const noexcept {
+  FORCESHADE_INLINE bool is_nearest_already(std::uint32_t f, const Weights& weights) const noexcept {
     for (std::size_t i = 0; i < 2; ++i) {
       const int sign = compare_with_halves(weights.corner[i + 1], weights.all, 2 * spot_.weight[i], stages_, [&] {
         const ExactWeights exact(mesh_.face(f), p_.data());

@@ -300,7 +300,8 @@ class Walk : Slips<Stages> {
     const auto falls = [&](std::uint32_t i) { return inside[i] <= 0 && G[i] > 0; };
     std::uint32_t i = falls(0) ? 0 : falls(1) ? 1 : 2;
     // The weight of corner j where corner i's is 0, as num/den.
-    const auto num = [&](std::uint32_t j) { return times(G[i], weights.corner[j]) - times(G[j], weights.corner[i]); };
+    const auto num = [&](std::uint32_t j)
+                         FORCESHADE_INLINE_BODY { return times(G[i], weights.corner[j]) - times(G[j], weights.corner[i]); };
     const auto exact_num = [&](const ExactWeights& exact, std::uint32_t j) {
       return exact.corner[j] * integer(G[i]) - exact.corner[i] * integer(G[j]);
     };
