@@ -37,6 +37,18 @@ INSIDE = (MX * NX + MY * NY) + MZ * NZ;
 all = all_; second = second_; other = other_;
 others rel= second + other; third rel= all - others;
 THIRD = ALL - (SECOND + OTHER);
+# What friction decides by parameters (fast/meshes/quick_slips.h): ck and cl are theirs, ee, ef and ff the products of the edges
+# a and b, whose errors the piece length bounds.
+ck = ck_; cl = cl_; lift = lift_;
+ee = ee_; ef = ef_; ff = ff_;
+along_k_1 rel= ck * ee; along_k_2 rel= cl * ef; along_k rel= along_k_1 + along_k_2;
+along_l_1 rel= ck * ef; along_l_2 rel= cl * ff; along_l rel= along_l_1 + along_l_2;
+pull_k rel= ck * along_k; pull_l rel= cl * along_l; pull rel= pull_k + pull_l;
+PULL = ck * (ck * EE + cl * EF) + cl * (ck * EF + cl * FF);
+twice rel= along_k + along_k; gain rel= ee - twice;
+GAIN = EE - ((ck * EE + cl * EF) + (ck * EE + cl * EF));
+way_1 rel= ck * ax; way_2 rel= cl * bx; way_12 rel= way_1 + way_2; way_n rel= lift * nx; way rel= way_12 + way_n;
+WAY = (ck * AX + cl * BX) + lift * NX;
 # Of two differences: a triangle's normal.
 #! piece normal
 { |ax| <= 1 /\ |ay| <= 1 /\ |az| <= 1 /\ |ax - AX| <= 1b-53 /\ |ay - AY| <= 1b-53 /\ |az - AZ| <= 1b-53
@@ -96,3 +108,13 @@ THIRD = ALL - (SECOND + OTHER);
 #! piece third
 { |all| <= 12.0001 /\ |second| <= 12.0001 /\ |other| <= 12.0001 /\ |all - ALL| <= 128b-53 /\ |second - SECOND| <= 140b-53
 /\ |other - OTHER| <= 140b-53 -> third - THIRD in ? }
+# The square of a pull, what a step of the grid adds to it, and a component of the way to the hand.
+#! piece pull
+{ |ck| <= 1 /\ |cl| <= 1 /\ |ee| <= 3 /\ |ef| <= 3 /\ |ff| <= 3 /\ |ee - EE| <= 14b-53 /\ |ef - EF| <= 14b-53
+/\ |ff - FF| <= 14b-53 -> pull - PULL in ? }
+#! piece gain
+{ |ck| <= 1 /\ |cl| <= 1 /\ |ee| <= 3 /\ |ef| <= 3 /\ |ee - EE| <= 14b-53 /\ |ef - EF| <= 14b-53 -> gain - GAIN in ? }
+#! piece way
+{ |ax| <= 1 /\ |ay| <= 1 /\ |az| <= 1 /\ |ax - AX| <= 1b-53 /\ |ay - AY| <= 1b-53 /\ |az - AZ| <= 1b-53
+/\ |bx| <= 1 /\ |by| <= 1 /\ |bz| <= 1 /\ |bx - BX| <= 1b-53 /\ |by - BY| <= 1b-53 /\ |bz - BZ| <= 1b-53
+/\ |ck| <= 1 /\ |cl| <= 1 /\ |lift| <= 1 -> way - WAY in ? }

@@ -40,15 +40,18 @@ inline constexpr RoundingBound kGainByStep = gain_by_step(kParameter, kParameter
 inline constexpr RoundingBound kWayToHand =
     way_to_hand(kParameter, kParameter, kParameter, kDifference.x, kDifference.x, kNormal.x);
 
-// All bounds are multiples of one, that of c. With s the larger size of the two edges and m that of the components of c at the
-// first point, and 2 more: c errs by q_error + u m, where u = 2^-53; a bound of `c_error` = q_error + 8u m and the factors
-// below covers that, the roundings, and those of the comparison. No |e_i·e_j| exceeds 3s².
-// - pull: 2|c·E·d| + |d·E·d| <= 24 s² m |d| + 12 s² |d|² for c off by d; and kPullSquared of s² m².
-// - gain by a step: 12 s² |d|, and kGainByStep of s² m.
-// - way to the hand: 2 s |d| and kWayToHand of s m; 2 |n| times lift's error, and kWayToHand of |lift n|.
-// A slip that is made ends where no component of c is longer than at its start by more than 1, half of which is the rounding.
+// All bounds are multiples of one, that of c. With s the larger size of the two edges, u = 2^-53, and m the size of the
+// components of c where a slip begins, and 2 more: there and at each point that the slip leads to, c is below m and off by
+// d <= q_error + u m. c_error = q_error + 8u m, and the factors below cover these parts, of which decide_test makes the sums;
+// no |e_i·e_j| exceeds 3s².
+// - The pull: 2|c·E·d| + |d·E·d| <= 24 s² m d + 12 s² d², kPullSquared of s² m², and 12u s² m² for a difference of two.
+// - What a step adds: 12 s² d, and kGainByStep of s² m; at the opposite corner twice that, 28u s², and 66u s² m for its sums;
+//   and 51u s² m for a difference of the two.
+// - The way to the hand: 2 s d and kWayToHand of s m; 2 n's unit times lift's error, and kWayToHand of that unit and |lift|,
+//   whose error is 4u|lift| at least.
+// - The pressure: twice |n·w| times lift's error, 2^-10 of that for the product of both errors, and 3u of the pressure.
 struct SlipBounds {
-  static constexpr double kOfPull = 26, kOfGain = 64, kOfWay = 3, kOfLift = 8, kOfPressure = 3;
+  static constexpr double kOfPull = 26, kOfGain = 80, kOfWay = 3, kOfLift = 8, kOfPressure = 3;
   static constexpr double kShareOfC = 0x1p-50;
 };
 

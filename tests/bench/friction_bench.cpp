@@ -14,7 +14,7 @@ namespace forceshade::bench {
 namespace {
 
 using Path = std::vector<std::array<float, 3>>;
-constexpr std::size_t kRun = 1000;  // ticks around one place
+constexpr std::size_t kRun = 4000;  // ticks around one place
 
 struct Stroke {
   const char* name;

@@ -17,7 +17,7 @@
 #include "fast/heights/force.h"
 #include "fast/heights/spline.h"
 #include "fast/heights/spline_force.h"
-#include "fast/meshes/decide.h"
+#include "fast/meshes/quick_slips.h"
 #include "fast/meshes/vector3.h"
 #include "forceshade/fast.h"
 #include "tests/fast/form_operations.h"
@@ -141,6 +141,7 @@ void mesh_decisions(ComparedScript& script, bool is_fused) {
   for (const char* piece : {"inside", "area"}) run.expect(piece, fast::dot(fast::cross(c, d), n));
   run.expect("pressed", fast::cross(c, d).x);
   run.expect("pulled", fast::cross(n, d).x);
+  run.expect("way", fast::way_to_hand(run.input("ck", 0.6), run.input("cl", -0.2), run.input("lift", 0.5), a.x, b.x, n.x));
   const auto expect = [&](const Recorded& found, const Recorded& ay, const Recorded& az, const Recorded& by,
                           const Recorded& bz) {
     run.bind("ay", ay);
@@ -152,6 +153,10 @@ void mesh_decisions(ComparedScript& script, bool is_fused) {
   expect(n.x, a.y, a.z, b.y, b.z);
   expect(n.y, a.z, a.x, b.z, b.x);
   expect(n.z, a.x, a.y, b.x, b.y);
+  const Recorded k = run.input("ck", 0.6), l = run.input("cl", -0.2);
+  const fast::Gram<Recorded> gram{run.input("ee", 1.1), run.input("ef", 0.4), run.input("ff", 1.7)};
+  run.expect("pull", fast::pull_squared(k, l, gram));
+  run.expect("gain", fast::gain_by_step(k, l, gram.first, gram.mixed));
   run.expect("third", fast::third_weight(run.input("all", 0.8), run.input("second", 0.4), run.input("other", -0.3)));
 }
 

@@ -14,7 +14,7 @@
 #include <string>
 
 #include "fast/meshes/bit_span.h"
-#include "fast/meshes/friction.h"
+#include "fast/meshes/quick_slips.h"
 
 namespace forceshade::fast {
 namespace {
@@ -63,6 +63,28 @@ TEST(decide, has_the_bounds_that_counting_by_hand_gives) {
   expect_units(kPasses, 6, (beside + 2 + 2) * 3 + 4 + 6);
   expect_units(kPressed, 2, beside);
   expect_units(kPulled, 4, (n + 2 * 2 + 2) * 2 + 4);
+  const double along = 2 * (14 + 3) + 6;  // of c·E
+  expect_units(kPullSquared, 12, 2 * (along + 6) + 12);
+  expect_units(kGainByStep, 15, 14 + (2 * along + 12) + 15);
+  expect_units(kWayToHand, 4, (2 * (1 + 1) + 2) + (n + 2) + 4);
+}
+
+// The sums of quick_slips.h: of what is in proportion to q's own error, and to u m. d is less than 2^-10 m, and m is 2 at
+// least.
+TEST(decide, has_bounds_of_slips_that_cover_their_parts) {
+  const double of_c = 8;  // u m in c_error
+  EXPECT_EQ(SlipBounds::kShareOfC, of_c * 0x1p-53);
+  const auto expect_covered = [&](double factor, double of_q, double of_units, const char* what) {
+    EXPECT_GT(factor, of_q) << what;
+    EXPECT_GT(of_c * factor, of_q + of_units) << what;
+    EXPECT_LT(factor, 4 * std::fmax(of_q, (of_q + of_units) / of_c)) << what;
+  };
+  const auto units = [](const RoundingBound& bound) { return bound.error * 0x1p53; };
+  expect_covered(SlipBounds::kOfPull, 24 + 12 * 0x1p-10, units(kPullSquared) + 12, "pull");
+  expect_covered(SlipBounds::kOfGain, 3 * 12, 3 * units(kGainByStep) + 28 / 2.0 + 66 + 51, "gain by a step");
+  expect_covered(SlipBounds::kOfWay, 2, units(kWayToHand), "way to the hand");
+  EXPECT_GT(SlipBounds::kOfLift, 2 + units(kWayToHand) / 4);
+  EXPECT_GT(SlipBounds::kOfPressure, 2 + 0x1p-10 + 3 / 4.0);
 }
 
 // A span of numbers that binary64 holds without rounding. The ends of each span are met, so that none is too wide either.
@@ -78,7 +100,10 @@ TEST(decide, has_bounds_that_the_proofs_of_gappa_imply) {
                                                     {"passes", kPasses},
                                                     {"third", kThird},
                                                     {"pressed", kPressed},
-                                                    {"pulled", kPulled}};
+                                                    {"pulled", kPulled},
+                                                    {"pull", kPullSquared},
+                                                    {"gain", kGainByStep},
+                                                    {"way", kWayToHand}};
   std::ifstream file(FORCESHADE_SOURCE_DIR "/fast/meshes/decide.gappa-expected");
   std::size_t found = 0;
   for (std::string line; std::getline(file, line);) {
