@@ -127,24 +127,27 @@ class QuickSlips {
 
   // To where a slip ends, rounded to the grid, if that is inside the triangle: rests. pull: becomes that there.
   FORCESHADE_INLINE Outcome slip_from(double& pull) noexcept {
-    const double share = 0x1p24 * static_cast<double>(of_.dynamic_friction) * __builtin_sqrt(pressure_ * (1 / pull)),
-                 left = floor_of(share), above = share - left, both = pull * pressure_;
-    // The root errs by half of what its operands do, relative, and that is more than its roundings.
-    bool is_sure = share * (pull_error_ * pressure_ + pressure_error_ * pull) < (smaller(above, 1 - above) - 0x1p-26) * both &&
-                   pull_error_ < 0x1p-10 * pull;
-    const double kept = 0x1p-24 * left, x1 = q1_ - kept * c1_, x2 = q2_ - kept * c2_, error = c_error_ + 0x1p-28;
-    const double nearest_border = smaller(smaller(x1, x2), 0x1p24 - (x1 + x2));
+    // Each number is made from those before it by as few operations in a row as possible, since they are most of a slip's time.
+    const double share = static_cast<double>(of_.dynamic_friction) * __builtin_sqrt(pressure_) / __builtin_sqrt(pull),
+                 kept = rounded<24>(share - 0x1p-25), above = 0x1p24 * (share - kept), both = pull * pressure_;
+    // The root of a quotient errs by half of what its operands do, relative; the other half is more than the roundings.
+    bool is_sure =
+        0x1p24 * share * (pull_error_ * pressure_ + pressure_error_ * pull) < (smaller(above, 1 - above) - 0x1p-26) * both &&
+        pull_error_ < 0x1p-10 * pull;
+    // The end, its cell, and where it is in that: less a half, for which the nearest whole number is the one below.
+    const double x1_less = (q1_ - 0.5) - kept * c1_, x2_less = (q2_ - 0.5) - kept * c2_, x1 = x1_less + 0.5, x2 = x2_less + 0.5,
+                 error = c_error_ + 0x1p-28, nearest_border = smaller(smaller(x1, x2), 0x1p24 - (x1 + x2));
     if (nearest_border < 0)
       return stages_.sure(is_sure && nearest_border < -4 * error - 0x1p-50 * (__builtin_fabs(x1) + __builtin_fabs(x2)))
                  ? Outcome::leaves
                  : Outcome::unsure;
-    const double floor_1 = floor_of(x1), floor_2 = floor_of(x2), part_1 = x1 - floor_1, part_2 = x2 - floor_2,
-                 parts = part_1 + part_2;
-    is_sure = is_sure && smaller(smaller(smaller(part_1, 1 - part_1), smaller(part_2, 1 - part_2)),
-                                 0.5 * __builtin_fabs(parts - 1)) > error;
+    const double floor_1 = rounded<0>(x1_less), floor_2 = rounded<0>(x2_less), part_1 = x1_less - floor_1,
+                 part_2 = x2_less - floor_2, diagonal = part_1 + part_2;
+    is_sure = is_sure &&
+              smaller(0.5 - larger(__builtin_fabs(part_1), __builtin_fabs(part_2)), 0.5 * __builtin_fabs(diagonal)) > error;
     // Either half of the cell has the corners beside its lowest one; the third is that one or, in the upper half, the one
     // opposite to it. Without branches, since nothing foretells which it is.
-    const double upper = floor_of(parts), c1 = q1_ - floor_1, c2 = q2_ - floor_2;
+    const double upper = rounded<0>(diagonal + 0.5), c1 = q1_ - floor_1, c2 = q2_ - floor_2;
     const double first = gain_by_step(c1, c2, gram_.first, gram_.mixed),
                  second = gain_by_step(c2, c1, gram_.second, gram_.mixed), third = upper * ((first + second) + 2 * gram_.mixed),
                  least = smaller(smaller(first, second), third);
@@ -178,10 +181,11 @@ class QuickSlips {
     return Outcome::rests;
   }
 
-  // Of numbers below 2^51 in size that are not within 2^-53 of a whole one.
-  FORCESHADE_INLINE static double floor_of(double a) noexcept {
-    constexpr double kRounds = 0x1.8p52;
-    return (a - 0.5 + kRounds) - kRounds;
+  // To the nearest whole multiple of 2^-kBits, a tie to either side: of numbers below 2^(51 - kBits) in size.
+  template <int kBits>
+  FORCESHADE_INLINE static double rounded(double a) noexcept {
+    constexpr double kShift = 0x1.8p52 / static_cast<double>(std::uint64_t{1} << kBits);
+    return (a + kShift) - kShift;
   }
   FORCESHADE_INLINE static double larger(double a, double b) noexcept { return a > b ? a : b; }
   FORCESHADE_INLINE static double smaller(double a, double b) noexcept { return a < b ? a : b; }
