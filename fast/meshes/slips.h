@@ -99,6 +99,23 @@ class Slips : protected Rests<Stages> {
     return Step::exhausted;
   }
 
+  // Whether the triangle beyond the edge h is the steeper way: both lead inward.
+  [[gnu::noinline]] bool is_second_nearer(HalfEdge h) const noexcept {
+    const Point corner = Point::at(mesh_.start_point(h));
+    const Vector3<double> w = difference(p_.data(), corner.corner[0]);
+    const Direction direction{w, size_of(w), &corner, p_.data(), false};
+    return Headings<Stages>(mesh_, direction, stages_)
+        .is_better({Slide::Along::triangle, mesh_.twin(h), false}, {Slide::Along::triangle, h, false});
+  }
+  // The triangle beside the edge that comes first in the file.
+  std::uint32_t first_beside(HalfEdge h) const noexcept {
+    const std::uint32_t f = face_of(h), other = mesh_.twin(h) == kRim ? f : face_of(mesh_.twin(h));
+    return mesh_.face(other).index() < mesh_.face(f).index() ? other : f;
+  }
+  // Whether the god-object may leave the surface that way.
+  bool is_own(Aim aim) const noexcept {
+    return aim == Aim::open || aim == (spot_.side == mesh::Side::front ? Aim::front : Aim::back);
+  }
   // The steepest way from a touching spot; nothing where the surface does not lead nearer.
   [[gnu::noinline]] Slide steepest() const noexcept {
     const HalfEdge h = spot_.half;

@@ -46,6 +46,7 @@ class Walk : Slips<Stages> {
   using Slips<Stages>::at_, Slips<Stages>::kMostMoves;
   using Slips<Stages>::slip_in, Slips<Stages>::slip_quickly_in, Slips<Stages>::slip_along, Slips<Stages>::stay,
       Slips<Stages>::exhausted, Slips<Stages>::steepest;
+  using Slips<Stages>::is_second_nearer, Slips<Stages>::first_beside, Slips<Stages>::is_own;
   using Rests<Stages>::mesh_, Rests<Stages>::spot_, Rests<Stages>::p_, Rests<Stages>::stages_;
   using Rests<Stages>::put, Rests<Stages>::spot_at_position, Rests<Stages>::rest_on_edge, Rests<Stages>::rest_in_triangle;
   using Rests<Stages>::is_nearest_already, Rests<Stages>::rounded_on_edge, Rests<Stages>::is_nearer,
@@ -173,15 +174,6 @@ class Walk : Slips<Stages> {
     const bool is_second = into_second && (!into_first || is_second_nearer(h));
     return is_second ? slide_in(face_of(mesh_.twin(h)), facing_second) : slide_in(face_of(h), facing_first);
   }
-  // Whether the triangle beyond the edge h is the steeper way: both lead inward.
-  [[gnu::noinline]] bool is_second_nearer(HalfEdge h) const noexcept {
-    const Point corner = Point::at(mesh_.start_point(h));
-    const Vector3<double> w = difference(p_.data(), corner.corner[0]);
-    const Direction direction{w, size_of(w), &corner, p_.data(), false};
-    return Headings<Stages>(mesh_, direction, stages_)
-        .is_better({Slide::Along::triangle, mesh_.twin(h), false}, {Slide::Along::triangle, h, false});
-  }
-
   // The moves after the first, which is apart from them: what the compiler prepares for a loop of moves would be a tenth of the
   // usual tick, that has one.
   [[gnu::noinline]] Step go_on() noexcept {
@@ -226,11 +218,6 @@ class Walk : Slips<Stages> {
     return false;
   }
 
-  // Whether the god-object may leave the surface that way.
-  bool is_own(Aim aim) const noexcept {
-    return aim == Aim::open || aim == (spot_.side == mesh::Side::front ? Aim::front : Aim::back);
-  }
-
   // From the spot towards p's nearest point q of the edge's line.
   Step slide_along(const Slide& way) noexcept {
     const HalfEdge h = way.half;
@@ -258,11 +245,6 @@ class Walk : Slips<Stages> {
     const Spot vertex = spot_at_vertex(mesh_, end, spot_.side);
     if (is_position(mesh_.start_point(end))) return slid(Rest::at_goal, vertex, first_beside(h));
     return slid_onward(vertex, first_beside(h));
-  }
-  // The triangle beside the edge that comes first in the file.
-  std::uint32_t first_beside(HalfEdge h) const noexcept {
-    const std::uint32_t f = face_of(h), other = mesh_.twin(h) == kRim ? f : face_of(mesh_.twin(h));
-    return mesh_.face(other).index() < mesh_.face(f).index() ? other : f;
   }
   // From the spot, through the triangle, towards p's nearest point q of its plane.
   FORCESHADE_INLINE Step slide_in(std::uint32_t f, const Facing& facing) noexcept {
