@@ -29,11 +29,11 @@ inline float least_coordinate_of(double half_width) {
 // On a flat polygon the gap is -z, exactly.
 struct GapOfPlane {
   static constexpr double least = 0;
-  float least_coordinate = kPositionQuantum;
+  static constexpr float least_coordinate = kPositionQuantum;
 
   template <class Law>
   explicit GapOfPlane(const Law&) {}
-  FORCESHADE_INLINE Two at(Watch&, Floats, Two z) const { return -z; }
+  FORCESHADE_INLINE Two at(Watch&, Floats, const Two& z) const { return -z; }
 };
 
 struct GapOfSides {
@@ -50,10 +50,10 @@ struct GapOfSides {
   template <class Law>
   explicit GapOfSides(const Law& law) : GapOfSides(law.gap, law.half_width) {}
 
-  FORCESHADE_INLINE Two at(Watch& watch, Floats size_of_x, Two z) const {
+  FORCESHADE_INLINE Two at(Watch& watch, Floats size_of_x, const Two& z) const {
     return from_edge(watch, half_width - widened(size_of_x), slope_tail, z);
   }
-  FORCESHADE_INLINE Two from_edge(Watch& watch, Two distance, Two tail, Two z) const {
+  FORCESHADE_INLINE Two from_edge(Watch& watch, const Two& distance, const Two& tail, const Two& z) const {
     const Two gap = fused_add(tail, distance, fused_less(slope, distance, z));
     watch.distance(gap.first, gap.second);
     return gap;
@@ -82,7 +82,7 @@ struct GapOfSidesAndTop : GapOfSides {
     return (std::fma(-slope, from_edge, top.height) + top.height_tail) / from_edge;
   }
 
-  FORCESHADE_INLINE Two at(Watch& watch, Floats size_of_x, Two z) const {
+  FORCESHADE_INLINE Two at(Watch& watch, Floats size_of_x, const Two& z) const {
     return from_edge(watch, half_width - widened(larger(size_of_x, top.edge)),
                      select(top.holds(size_of_x), top_tail, slope_tail), z);
   }
@@ -98,7 +98,7 @@ struct NormalOfSides {
   static double stiffness(const Law& law) {
     return law.K;
   }
-  FORCESHADE_INLINE Components times(Two depth, Floats) const { return {depth * K_sine, depth * K_cosine}; }
+  FORCESHADE_INLINE Components times(const Two& depth, Floats) const { return {depth * K_sine, depth * K_cosine}; }
   FORCESHADE_INLINE Floats::Mask leans(Floats, Floats::Mask is_inside) const { return is_inside; }
 };
 
@@ -108,7 +108,7 @@ struct NormalOfSidesAndTop : NormalOfSides {
 
   template <class Law>
   explicit NormalOfSidesAndTop(const Law& law) : NormalOfSides(law), K(law.K), top(law.half_top) {}
-  FORCESHADE_INLINE Components times(Two depth, Floats size_of_x) const {
+  FORCESHADE_INLINE Components times(const Two& depth, Floats size_of_x) const {
     return {depth * K_sine, depth * select(top.holds(size_of_x), K, K_cosine)};
   }
   FORCESHADE_INLINE Floats::Mask leans(Floats size_of_x, Floats::Mask is_inside) const {
@@ -125,7 +125,7 @@ struct NormalOfCylinder {
   static double stiffness(const Law& law) {
     return law.shading.K_over_R * law.shading.R;  // K, once it is rounded to binary32
   }
-  FORCESHADE_INLINE Components times(Two depth, Floats size_of_x) const {
+  FORCESHADE_INLINE Components times(const Two& depth, Floats size_of_x) const {
     const Two x = widened(size_of_x), scale = depth * K_over_R;
     return {scale * x, scale * square_root(fused_subtract_from(x, x, R_squared))};  // R² is exact
   }
@@ -140,16 +140,11 @@ struct BumpForm {
   Normal normal;
   WallForm plane;  // beside the bump
   Floats half_width;
-  float least_coordinate;
-  double least_distance;
 
-  explicit BumpForm(const Definition& law)
-      : gap(law),
-        normal(law),
-        plane(Normal::stiffness(law)),
-        half_width(law.half_width),
-        least_coordinate(gap.least_coordinate),
-        least_distance(gap.least) {}
+  explicit BumpForm(const Definition& law) : gap(law), normal(law), plane(Normal::stiffness(law)), half_width(law.half_width) {}
+
+  float least_coordinate() const { return gap.least_coordinate; }
+  double least_distance() const { return gap.least; }
 
   FORCESHADE_INLINE Components components(Watch& watch, const float* x, const float* z) const {
     const Floats size_of_x = absolute(Floats::load(x));

@@ -59,12 +59,12 @@ struct CylinderForm {
   }
 
   // K·t after the step; 0 outside.
-  FORCESHADE_INLINE Two scale(Two t, Two derivative, Two v) const {
+  FORCESHADE_INLINE Two scale(const Two& t, const Two& derivative, const Two& v) const {
     const Two missing = fused_subtract_from(t * (R_squared - v), t + Two(2), v);
     return larger(fused_add(missing, derivative, t * K), Two(0));
   }
   // + 0 turns -0 into +0.
-  FORCESHADE_INLINE Components components(Two scale, const float* x, const float* z) const {
+  FORCESHADE_INLINE Components components(const Two& scale, const float* x, const float* z) const {
     const Two at_z = Two::load(z), l = (at_z + d_head) + d_tail;
     Two from_plane(0);
     if constexpr (kHasPlane) from_plane = larger(-K * at_z, Two(0));

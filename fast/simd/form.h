@@ -28,11 +28,11 @@ struct Forces {
 FORCESHADE_INLINE Two widened(Floats a) {
   return {a.first_half(), a.second_half()};
 }
-FORCESHADE_INLINE Floats rounded(Two a) {
+FORCESHADE_INLINE Floats rounded(const Two& a) {
   return Floats::rounded(a.first, a.second);
 }
 template <int kWindow>
-FORCESHADE_INLINE Floats rounded(Two a, Watch& watch) {
+FORCESHADE_INLINE Floats rounded(const Two& a, Watch& watch) {
   watch.rounding<kWindow>(a.first, a.second);
   return rounded(a);
 }
@@ -54,8 +54,8 @@ FORCESHADE_INLINE void staggered(std::size_t count, const First& first, const Se
 
 // Answers `count` positions, a multiple of Floats::kLanes; false when at least one of them is invalid or in doubt. The form has
 //   kWindow             doubt_window of the relative error of its components
-//   least_coordinate    mm: it answers no coordinate that is smaller in size, but 0
-//   least_distance      the least Watch::distance that it answers
+//   least_coordinate()  mm: it answers no coordinate that is smaller in size, but 0
+//   least_distance()    the least Watch::distance that it answers
 //   components(watch, x, z)
 //   forces(rounded x and z components, x, z)
 template <class Form>
@@ -75,7 +75,7 @@ bool answer(const Form& law, std::size_t count, const float* x, const float* z, 
         forces.x.store(fx + i);
         forces.z.store(fz + i);
       });
-  return watch.is_free_of_hazards<Form::kWindow>(form.least_coordinate, form.least_distance);
+  return watch.is_free_of_hazards<Form::kWindow>(form.least_coordinate(), form.least_distance());
 }
 
 }  // namespace
