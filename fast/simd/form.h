@@ -11,9 +11,6 @@
 namespace forceshade::fast {
 namespace {
 
-template <class Definition>
-struct FormOf;
-
 using Two = Pair<Pack>;
 
 // The components in binary64, N.
@@ -50,6 +47,7 @@ FORCESHADE_INLINE void staggered(std::size_t count, const First& first, const Se
   }
   second(i, last);
 }
+// For these functions, which g++ would not put into both places that call them.
 #define FORCESHADE_INLINE_LAMBDA __attribute__((always_inline))
 
 // Answers `count` positions, a multiple of Floats::kLanes; false when at least one of them is invalid or in doubt. The form has
