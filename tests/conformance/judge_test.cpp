@@ -54,6 +54,16 @@ TEST(judge, finds_nothing_wrong_with_the_fast_path) {
   EXPECT_FALSE(found.worst[0] || found.simplest);
 }
 
+// The nearest binary32 is some 10^-8 of the force away from the exact one.
+TEST(judge, measures_newtons_from_the_exact_force_and_not_from_the_nearest_number) {
+  const std::vector<Case> cases = answered(kBump, 1000);
+  EXPECT_TRUE(judged(kBump, cases, {Unit::newton, 1e-3}).held());
+  const Judgement strict = judged(kBump, cases, {Unit::newton, 1e-15});
+  EXPECT_FALSE(strict.held());
+  EXPECT_EQ(strict.all.wrong, 0U);
+  EXPECT_GT(strict.all.beyond, 300U);
+}
+
 TEST(judge, passes_one_number_off_at_one_ulp_and_not_at_none) {
   std::vector<Case> cases = answered(kBump, 5000);
   const std::size_t at = one_in_contact(cases);
