@@ -96,8 +96,8 @@ bool answer(const CylinderForm<Definition>& cylinder, std::size_t count, const f
   alignas(64) float kept_t[kBlock], kept_derivative[kBlock];
   Watch watch;
   staggered(
-      count, [&](std::size_t i) FORCESHADE_INLINE_LAMBDA { return form.v(watch, x + i, z + i); },
-      [&](std::size_t i, const Two& wide_v) FORCESHADE_INLINE_LAMBDA {
+      count, [&](std::size_t i) FORCESHADE_INLINE_BODY { return form.v(watch, x + i, z + i); },
+      [&](std::size_t i, const Two& wide_v) FORCESHADE_INLINE_BODY {
         const Floats v = rounded(wide_v), rho_squared = rounded(form.R_squared - wide_v);
         const RoughStep rough = form.rough_step(v, rho_squared);
         watch.doubt(form.is_in_doubt(v, rho_squared, Floats::load(z + i)));
@@ -107,10 +107,10 @@ bool answer(const CylinderForm<Definition>& cylinder, std::size_t count, const f
       });
   staggered(
       count,
-      [&](std::size_t i) FORCESHADE_INLINE_LAMBDA {
+      [&](std::size_t i) FORCESHADE_INLINE_BODY {
         return form.scale(Two::load(kept_t + i), Two::load(kept_derivative + i), Two::load(kept_v + i));
       },
-      [&](std::size_t i, const Two& scale) FORCESHADE_INLINE_LAMBDA {
+      [&](std::size_t i, const Two& scale) FORCESHADE_INLINE_BODY {
         const Components force = form.components(scale, x + i, z + i);
         rounded<Form::kWindow>(force.x, watch).store(fx + i);
         rounded<Form::kWindow>(force.z, watch).store(fz + i);

@@ -47,8 +47,6 @@ FORCESHADE_INLINE void staggered(std::size_t count, const First& first, const Se
   }
   second(i, last);
 }
-// For these functions, which g++ would not put into both places that call them.
-#define FORCESHADE_INLINE_LAMBDA __attribute__((always_inline))
 
 // Answers `count` positions, a multiple of Floats::kLanes; false when at least one of them is invalid or in doubt. The form has
 //   kWindow             doubt_window of the relative error of its components
@@ -62,12 +60,12 @@ bool answer(const Form& law, std::size_t count, const float* x, const float* z, 
   Watch watch;
   staggered(
       count,
-      [&](std::size_t i) FORCESHADE_INLINE_LAMBDA {
+      [&](std::size_t i) FORCESHADE_INLINE_BODY {
         watch.coordinates(absolute(Floats::load(x + i)));
         watch.coordinates(absolute(Floats::load(z + i)));
         return form.components(watch, x + i, z + i);
       },
-      [&](std::size_t i, const Components& force) FORCESHADE_INLINE_LAMBDA {
+      [&](std::size_t i, const Components& force) FORCESHADE_INLINE_BODY {
         const Floats force_x = rounded<Form::kWindow>(force.x, watch), force_z = rounded<Form::kWindow>(force.z, watch);
         const Forces forces = form.forces(force_x, force_z, Floats::load(x + i), Floats::load(z + i));
         forces.x.store(fx + i);
