@@ -47,7 +47,7 @@ class Slips : protected Rests<Stages> {
   }
 
   // In a rough triangle, as far as binary64 can decide it from the parameters: see QuickSlips.
-  FORCESHADE_INLINE QuickSlips<Stages>::Outcome slip_quickly_in(std::uint32_t f, const Facing& facing,
+  FORCESHADE_INLINE typename QuickSlips<Stages>::Outcome slip_quickly_in(std::uint32_t f, const Facing& facing,
                                                                 const Coefficients& of) noexcept {
     using Quick = QuickSlips<Stages>;
     if constexpr (!Stages::kFilter) return Quick::Outcome::unsure;

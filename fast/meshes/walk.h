@@ -250,7 +250,7 @@ class Walk : Slips<Stages> {
   FORCESHADE_INLINE Step slide_in(std::uint32_t f, const Facing& facing) noexcept {
     const Weights& weights = facing.weights;
     if (spot_.place != mesh::Place::triangle) mesh_.fetch_neighbours(f);
-    using Outcome = QuickSlips<Stages>::Outcome;
+    using Outcome = typename QuickSlips<Stages>::Outcome;
     Outcome outcome = Outcome::leaves;
     Coefficients of;
     if constexpr (kHasFriction) {

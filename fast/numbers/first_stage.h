@@ -5,7 +5,7 @@
 // A law's first stage is a template over Real: double, and in tests numbers that write down what is done with them or track its
 // error. A Real offers Real(double), + - * /, comparisons that give a MaskOf<Real> with & | !, and absolute, square_root,
 // larger, select, multiply_add, multiply_subtract and never as declared here (square_root: fast/numbers/double_double.h) for
-// double. A batch computes the same forces in forms of its own (fast/simd/form.h).
+// double. A batch computes the same forces in forms of its own (fast/simd/form.inl).
 
 #include <cstdint>
 

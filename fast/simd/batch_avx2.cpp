@@ -5,7 +5,7 @@
 #include "fast/simd/pack_avx2.h"
 
 // What is made of packs:
-#include "fast/simd/form_of.h"
+#include "fast/simd/form_of.inl"
 #include "fast/simd/position_rows_avx2.h"
 
 namespace forceshade::fast {

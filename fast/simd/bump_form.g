@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# bump_form.h: the relative error of slope·(w/2 - |x|) - z by two fused operations, where it is at least 2^-20 of the height in size, so
+# bump_form.inl: the relative error of slope·(w/2 - |x|) - z by two fused operations, where it is at least 2^-20 of the height in size, so
 # that its sign is right too; and of the shaded force with R² - x² by one. The products with the constants are those of the laws' own
 # scripts, which take any gap good to 0x1.bp-52. All that is used of an operation is that it is within 2^-53 of its result, relative
 # (rel=: tests/fast/gappa_pieces.sh), so lengths may be scaled by any number: nothing here comes near 2^-1022.

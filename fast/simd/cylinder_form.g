@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# cylinder_form.h: the relative error of the components, and the sign of v = R² - ρ².
+# cylinder_form.inl: the relative error of the components, and the sign of v = R² - ρ².
 # How the scripts are written and run, and the hypotheses they share: docs/proofs.md.
 
 @rnd = float<ieee_64, ne>;

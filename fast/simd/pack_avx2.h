@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Four binary64 numbers with AVX2: what a batch computes with (fast/simd/form.h). For fast/*_avx2.cpp alone.
+// Four binary64 numbers with AVX2: what a batch computes with (fast/simd/form.inl). For fast/*_avx2.cpp alone.
 
 #include <immintrin.h>
 

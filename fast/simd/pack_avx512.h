@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Eight binary64 numbers with AVX-512 (F and DQ): what batches compute with (fast/simd/form.h, fast/heights/). For
+// Eight binary64 numbers with AVX-512 (F and DQ): what batches compute with (fast/simd/form.inl, fast/heights/). For
 // fast/*_avx512.cpp alone.
 
 #include <immintrin.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The forms in which a batch evaluates the laws (fast/simd/form.h), beside their Gappa scripts: the forms' own templates run on
+// The forms in which a batch evaluates the laws (fast/simd/form.inl), beside their Gappa scripts: the forms' own templates run on
 // packs of one number that writes down what is done with it (tests/fast/recorded_number.h).
 #include "tests/fast/form_operations.h"
 
@@ -97,7 +97,7 @@ struct Watch {
 }  // namespace forceshade::fast
 
 // What is made of packs:
-#include "fast/simd/form_of.h"
+#include "fast/simd/form_of.inl"
 
 namespace forceshade::tests {
 namespace {

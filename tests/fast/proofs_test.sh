@@ -97,7 +97,7 @@ check() {  # script's basename, bound that its intervals must imply, or "" if on
 
 check polygon_gap ""
 check bump_form ""
-check cylinder_form "$(constant "$fast/simd/cylinder_form.h" kErrorBound)"
+check cylinder_form "$(constant "$fast/simd/cylinder_form.inl" kErrorBound)"
 check double_double "$(constant "$fast/numbers/double_double.h" kRelativeError)"
 check spline "$(constant "$fast/heights/spline.h" kSplineError)"
 check decide ""

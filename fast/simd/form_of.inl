@@ -3,9 +3,9 @@
 // The form in which a batch evaluates each law: FormOf<Definition>::Type. For the files that have a Pack alone.
 
 #include "fast/laws/all.h"
-#include "fast/simd/bump_form.h"
-#include "fast/simd/cylinder_form.h"
-#include "fast/simd/wall_form.h"
+#include "fast/simd/bump_form.inl"
+#include "fast/simd/cylinder_form.inl"
+#include "fast/simd/wall_form.inl"
 
 namespace forceshade::fast {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The batch's form of the wall (fast/simd/form.h): the binary32 product of two binary32 numbers is the force, rounded.
+// The batch's form of the wall (fast/simd/form.inl): the binary32 product of two binary32 numbers is the force, rounded.
 
 #include "fast/laws/wall.h"
-#include "fast/simd/form.h"
+#include "fast/simd/form.inl"
 
 namespace forceshade::fast {
 namespace {

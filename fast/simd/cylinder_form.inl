@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The batch's form of the cylinder, alone and in the plane (fast/simd/form.h).
+// The batch's form of the cylinder, alone and in the plane (fast/simd/form.inl).
 //
 // The force is K·t·(x, l) with t = (R - ρ)/ρ, the positive root of t(2 + t)·ρ² = v, where v = R² - ρ². A root and a quotient in
 // binary32 give t to 5.5·2^-24, and one step of Newton in binary64, t + (v - t(2 + t)·ρ²)/(2Rρ), to 36·2^-48: correct rounding
@@ -13,7 +13,7 @@
 
 #include "fast/laws/bump_cylinder.h"
 #include "fast/laws/cylinder.h"
-#include "fast/simd/form.h"
+#include "fast/simd/form.inl"
 
 namespace forceshade::fast {
 namespace {

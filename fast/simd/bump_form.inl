@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The batch's form of the laws of polygons, shaded or not (fast/simd/form.h): a gap times a normal inside of the bump, the wall
+// The batch's form of the laws of polygons, shaded or not (fast/simd/form.inl): a gap times a normal inside of the bump, the wall
 // beside it.
 //
 // The gap of a side is slope·(w/2 - |x|) - z. The difference is exact where |x| is 0 or not far below w/2, and the fused
@@ -11,8 +11,8 @@
 #include <cmath>
 
 #include "fast/laws/polygon_gap.h"
-#include "fast/simd/form.h"
-#include "fast/simd/wall_form.h"
+#include "fast/simd/form.inl"
+#include "fast/simd/wall_form.inl"
 
 namespace forceshade::fast {
 namespace {
