@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The batch's form of the laws of polygons, shaded or not (fast/simd/form.inl): a gap times a normal inside of the bump, the wall
-// beside it.
+// The batch's form of the laws of polygons, shaded or not (fast/simd/form.inl): a gap times a normal inside of the bump, the
+// wall beside it.
 //
 // The gap of a side is slope·(w/2 - |x|) - z. The difference is exact where |x| is 0 or not far below w/2, and the fused
 // product rounds once, relative to what is left: three operations in place of the first stage's eight. x is taken as |x|, and

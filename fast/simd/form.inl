@@ -3,8 +3,8 @@
 // The form in which a batch evaluates a law: the same force as the law's first stage (fast/laws/), by fewer operations, because
 // fused ones round once and because only what is rounded last decides. For the files that have a Pack alone.
 //
-// A form is built of the law's definition (fast/simd/form_of.inl has that of each). `answer`, below or one of its own, answers a
-// block with it.
+// A form is built of the law's definition (fast/simd/form_of.inl has that of each). `answer`, below or one of its own, answers
+// a block with it.
 
 #include "fast/simd/pack_pair.h"
 
