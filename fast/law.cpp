@@ -102,24 +102,19 @@ std::variant<Law, ParameterError> Law::build(LawId id, const Parameters& p) noex
 
 namespace {
 
-// Answers `count` positions, a block at most; returns how many are invalid. The forces must not lie over the positions.
-template <class Definition>
-std::size_t answer(const Built<Definition>& law, const Parameters& parameters, BlockFunction<Definition> answer_block,
-                   std::size_t count, const float* x, const float* z, float* fx, float* fz) noexcept {
-  const std::size_t in_steps = answer_block == nullptr ? 0 : count - count % kStep;
-  std::size_t done = in_steps > 0 && answer_block(law.definition, in_steps, x, z, fx, fz) ? in_steps : 0;
-  std::size_t invalid = 0;
-  while (done < count) {
-    const std::size_t end = std::min(count, done + kStep);
-    if (done < in_steps && answer_block(law.definition, kStep, x + done, z + done, fx + done, fz + done)) done = end;
-    for (; done < end; ++done) {
-      const Evaluation one = fast::evaluate(law, parameters, Eigen::Vector3f(x[done], 0, z[done]));
-      fx[done] = one.force.x();
-      fz[done] = one.force.z();
-      invalid += one.status == Status::invalid;
+// Answers `count` positions, a block at a time where together(begin, size) does that, whose size is a multiple of kStep. Where
+// it does not, because a position is invalid or in doubt, a step at a time; and of a step where it does not, each by single(i).
+template <class Together, class Single>
+void answer_all(std::size_t count, const Together& together, const Single& single) noexcept {
+  for (std::size_t begin = 0; begin < count; begin += kBlock) {
+    const std::size_t end = std::min(count, begin + kBlock), whole = end - (end - begin) % kStep;
+    std::size_t done = whole > begin && together(begin, whole - begin) ? whole : begin;
+    while (done < end) {
+      const std::size_t step = std::min(end, done + kStep);
+      if (done < whole && together(done, kStep)) done = step;
+      for (; done < step; ++done) single(done);
     }
   }
-  return invalid;
 }
 
 }  // namespace
@@ -132,19 +127,23 @@ BatchResult Law::force(std::span<const float> x, std::span<const float> z, std::
         const std::size_t count = std::min(std::min(x.size(), z.size()), std::min(fx.size(), fz.size()));
         const auto overwrites = [&](std::span<float> out) { return out.data() == x.data() || out.data() == z.data(); };
         const bool is_in_place = overwrites(fx) || overwrites(fz);
-        float kept_x[kBlock], kept_z[kBlock];  // in place: a block writes its answers before it is decided whether they hold
+        float kept_fx[kBlock], kept_fz[kBlock];  // in place: a block writes its answers before it is decided whether they hold
         BatchResult result;
-        for (std::size_t begin = 0; begin < count; begin += kBlock) {
-          const std::size_t size = std::min(kBlock, count - begin);
-          const float *at_x = &x[begin], *at_z = &z[begin];
+        const auto together = [&](std::size_t begin, std::size_t size) {
+          float *const to_fx = is_in_place ? kept_fx : &fx[begin], *const to_fz = is_in_place ? kept_fz : &fz[begin];
+          if (answer_block == nullptr || !answer_block(law.definition, size, &x[begin], &z[begin], to_fx, to_fz)) return false;
           if (is_in_place) {
-            std::copy_n(at_x, size, kept_x);
-            std::copy_n(at_z, size, kept_z);
-            at_x = kept_x;
-            at_z = kept_z;
+            std::copy_n(kept_fx, size, &fx[begin]);
+            std::copy_n(kept_fz, size, &fz[begin]);
           }
-          result.invalid += answer(law, parameters_, answer_block, size, at_x, at_z, &fx[begin], &fz[begin]);
-        }
+          return true;
+        };
+        answer_all(count, together, [&](std::size_t i) {
+          const Evaluation one = fast::evaluate(law, parameters_, Eigen::Vector3f(x[i], 0, z[i]));
+          fx[i] = one.force.x();
+          fz[i] = one.force.z();
+          result.invalid += one.status == Status::invalid;
+        });
         return result;
       },
       inside().law);
@@ -157,22 +156,20 @@ BatchResult Law::force(std::span<const Eigen::Vector3f> positions, std::span<Eig
       [&]<class Definition>(const Built<Definition>& law) {
         const BlockTable* const table = blocks(instructions);
         const BlockFunction<Definition> answer_block = block_function<Definition>(table);
-        const std::size_t count = std::min(positions.size(), forces.size());
         alignas(64) float x[kBlock], z[kBlock], fx[kBlock], fz[kBlock];
         BatchResult result;
-        for (std::size_t next = 0; next < count;) {
-          if (table != nullptr && count - next >= kBlock && table->take_rows_apart(positions[next].data(), x, z)) {
-            result.invalid += answer(law, parameters_, answer_block, kBlock, x, z, fx, fz);
-            table->put_rows_together(fx, fz, forces[next].data());
-            next += kBlock;
-            continue;
-          }
-          for (const std::size_t end = std::min(count, next + kBlock); next < end; ++next) {
-            const Evaluation one = fast::evaluate(law, parameters_, positions[next]);
-            forces[next] = one.force;
-            if (one.status == Status::invalid) ++result.invalid;
-          }
-        }
+        const auto together = [&](std::size_t begin, std::size_t size) {
+          if (table == nullptr || !table->take_rows_apart(positions[begin].data(), size, x, z) ||
+              !answer_block(law.definition, size, x, z, fx, fz))
+            return false;
+          table->put_rows_together(fx, fz, size, forces[begin].data());
+          return true;
+        };
+        answer_all(std::min(positions.size(), forces.size()), together, [&](std::size_t i) {
+          const Evaluation one = fast::evaluate(law, parameters_, positions[i]);
+          forces[i] = one.force;
+          result.invalid += one.status == Status::invalid;
+        });
         return result;
       },
       inside().law);

@@ -28,10 +28,10 @@ struct BlockOf {
 
 template <class... Definition>
 struct BlocksOf : BlockOf<Definition>... {
-  // Writes x and z of kBlock rows (x, y, z); false when at least one y is outside the domain.
-  bool (*take_rows_apart)(const float* rows, float* x, float* z);
-  // Writes kBlock rows (fx, 0, fz).
-  void (*put_rows_together)(const float* fx, const float* fz, float* rows);
+  // Writes x and z of `count` rows (x, y, z), some steps of them; false when at least one y is outside the domain.
+  bool (*take_rows_apart)(const float* rows, std::size_t count, float* x, float* z);
+  // Writes as many rows (fx, 0, fz).
+  void (*put_rows_together)(const float* fx, const float* fz, std::size_t count, float* rows);
   const char* (*arithmetic_fault_here)();
 };
 

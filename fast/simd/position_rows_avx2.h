@@ -25,9 +25,9 @@ FORCESHADE_INLINE __m256 z_in_order(__m256 z) {
   return _mm256_permutevar8x32_ps(z, _mm256_setr_epi32(2, 5, 0, 3, 6, 1, 4, 7));
 }
 
-bool take_rows_apart(const float* rows, float* x, float* z) {
+bool take_rows_apart(const float* rows, std::size_t count, float* x, float* z) {
   __m256i largest = _mm256_setzero_si256();  // the sizes of y, as bits: NaN above infinity above every number
-  for (std::size_t i = 0; i < kBlock; i += 8) {
+  for (std::size_t i = 0; i < count; i += 8) {
     const __m256 a = _mm256_loadu_ps(rows + 3 * i), b = _mm256_loadu_ps(rows + 3 * i + 8),
                  c = _mm256_loadu_ps(rows + 3 * i + 16);
     const __m256 all_x = _mm256_blend_ps(_mm256_blend_ps(a, b, kLanes147), c, kLanes25);
@@ -42,8 +42,8 @@ bool take_rows_apart(const float* rows, float* x, float* z) {
   return _mm256_movemask_epi8(_mm256_cmpgt_epi32(largest, _mm256_set1_epi32(kLargest))) == 0;
 }
 
-void put_rows_together(const float* fx, const float* fz, float* rows) {
-  for (std::size_t i = 0; i < kBlock; i += 8) {
+void put_rows_together(const float* fx, const float* fz, std::size_t count, float* rows) {
+  for (std::size_t i = 0; i < count; i += 8) {
     const __m256 x = x_in_order(_mm256_loadu_ps(fx + i));
     const __m256 z = z_in_order(_mm256_loadu_ps(fz + i));
     const __m256 y = _mm256_setzero_ps();
