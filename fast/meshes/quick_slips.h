@@ -187,7 +187,6 @@ class QuickSlips {
     constexpr double kShift = 0x1.8p52 / static_cast<double>(std::uint64_t{1} << kBits);
     return (a + kShift) - kShift;
   }
-  FORCESHADE_INLINE static double larger(double a, double b) noexcept { return a > b ? a : b; }
   FORCESHADE_INLINE static double smaller(double a, double b) noexcept { return a < b ? a : b; }
 
   const FaceNumbers& face_;

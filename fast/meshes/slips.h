@@ -48,7 +48,7 @@ class Slips : protected Rests<Stages> {
 
   // In a rough triangle, as far as binary64 can decide it from the parameters: see QuickSlips.
   FORCESHADE_INLINE typename QuickSlips<Stages>::Outcome slip_quickly_in(std::uint32_t f, const Facing& facing,
-                                                                const Coefficients& of) noexcept {
+                                                                         const Coefficients& of) noexcept {
     using Quick = QuickSlips<Stages>;
     if constexpr (!Stages::kFilter) return Quick::Outcome::unsure;
     const std::array<std::uint32_t, 2> from = spot_.place == mesh::Place::triangle ? spot_.weight : weights_of_last_two(f);

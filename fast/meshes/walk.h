@@ -250,17 +250,14 @@ class Walk : Slips<Stages> {
   FORCESHADE_INLINE Step slide_in(std::uint32_t f, const Facing& facing) noexcept {
     const Weights& weights = facing.weights;
     if (spot_.place != mesh::Place::triangle) mesh_.fetch_neighbours(f);
-    using Outcome = typename QuickSlips<Stages>::Outcome;
-    Outcome outcome = Outcome::leaves;
-    Coefficients of;
-    if constexpr (kHasFriction) {
-      of = mesh_.friction_in_triangle(f);
-      if (of.is_rough()) outcome = slip_quickly_in(f, facing, of);
-      if (outcome == Outcome::rests) return Step::rest;
-    }
     if constexpr (kHasFriction)
-      if (outcome == Outcome::unsure)
-        if (const auto step = slip_in(f, of)) return *step;
+      if (const Coefficients of = mesh_.friction_in_triangle(f); of.is_rough()) {
+        using Outcome = typename QuickSlips<Stages>::Outcome;
+        const Outcome outcome = slip_quickly_in(f, facing, of);
+        if (outcome == Outcome::rests) return Step::rest;
+        if (outcome == Outcome::unsure)
+          if (const auto step = slip_in(f, of)) return *step;
+      }
     const std::array<int, 3> inside = this->inside(f, facing);
     if (inside[0] <= 0 || inside[1] <= 0 || inside[2] <= 0) return slide_out(f, facing, inside);
     const Spot to = rest_in_triangle(f, weights, spot_.side);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "fast/meshes/session.h"
 #include "forceshade/meshes.h"
@@ -25,7 +26,7 @@ Stroke holding(const MeshWorkload& workload) {
   Stroke stroke{"held", workload.approach, {}};
   for (std::size_t i = 0; i < workload.contact.size(); ++i) {
     auto p = workload.contact[i / kRun * kRun];
-    const double phase = 2 * 3.14159265358979 * static_cast<double>(i % kRun) / 100;
+    const double phase = 2 * std::numbers::pi * static_cast<double>(i % kRun) / 100;
     p[0] += static_cast<float>(0.1 * std::sin(phase));
     p[1] += static_cast<float>(0.1 * std::sin(1.7 * phase));
     stroke.contact.push_back(p);

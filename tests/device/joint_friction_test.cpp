@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "device/simulated/friction.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
+
+#include "device/simulated/friction.h"
 
 namespace forceshade::device {
 namespace {

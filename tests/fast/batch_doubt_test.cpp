@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a batch's forms leave to the later stages (fast/simd/form.inl), and that they leave no more: on the surface, beside it, at
-// tiny coordinates, and for the cylinders around the axis. No answer shows it, since the later stages are right everywhere.
+// What a batch's forms leave to the later stages (fast/simd/form.inl), and that they leave no more: on the surface, beside it,
+// at tiny coordinates, and for the cylinders around the axis. No answer shows it, since the later stages are right everywhere.
 
 #include <gtest/gtest.h>
 
