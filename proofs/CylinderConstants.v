@@ -57,16 +57,9 @@ Proof.
   { rewrite Rabs_pos_eq by lra. apply Rle_trans with (bpow radix2 40); [simpl; lra|apply bpow_le; lia]. }
   unfold A, r, anchor_terms, fast_two_sum. cbv zeta. cbn [fst snd]. rewrite T1, T2.
   split; [exact F1|]. split; [exact F2|]. split; [ring|].
-  set (x := 8 * (q * q) + c * c). rewrite Rabs_minus_sym.
-  assert (Hx : 1 / 100 <= nearest64 x).
-  { pose proof (sum_is_close _ _ G8 Gc) as C. fold x in C. rewrite (Rabs_pos_eq x) in C by (unfold x; lra). apply Rabs_le_inv in C.
-    unfold x, unit53 in *. lra. }
-  pose proof (error_le_half_ulp_round radix2 fexp64 (fun n => negb (Z.even n)) x) as U.
-  pose proof (ulp_FLT_le radix2 (-1074) 53 (nearest64 x)) as V. rewrite (Rabs_pos_eq (nearest64 x)) in V by lra.
-  change (bpow radix2 (1 - 53)) with (/ 4503599627370496) in V.
-  assert (bpow radix2 (-1074 + 53 - 1) <= nearest64 x).
-  { apply Rle_trans with (bpow radix2 (-10)); [apply bpow_le; lia|simpl; lra]. }
-  specialize (V H). change (Znearest (fun n => negb (Z.even n))) with ZnearestE in U. unfold unit53. lra.
+  set (x := 8 * (q * q) + c * c). apply rounding_tail.
+  pose proof (sum_is_close _ _ G8 Gc) as C. fold x in C. rewrite (Rabs_pos_eq x) in C by (unfold x; lra). apply Rabs_le_inv in C.
+  unfold x, unit53 in *. lra.
 Qed.
 
 (* A binary32 number other than the nearest to h is far from h, on its side. *)

@@ -267,3 +267,14 @@ Proof.
     apply Rle_trans with (8 * unit53 * (1000002 / 1000000 * (unit53 * hi))); [apply Rmult_le_compat_l; lra|].
     assert (0 <= unit53 * (unit53 * hi)) by (apply Rmult_le_pos; [lra|apply Rmult_le_pos; lra]). lra.
 Qed.
+
+(* What rounding takes, as a share of the result: the low part of a double-double. *)
+Lemma rounding_tail : forall x, / 1000000000000000000000000000000 <= nearest64 x -> Rabs (x - nearest64 x) <= unit53 * nearest64 x.
+Proof.
+  intros x Hx. rewrite Rabs_minus_sym. pose proof (error_le_half_ulp_round radix2 fexp64 (fun n => negb (Z.even n)) x) as U.
+  pose proof (ulp_FLT_le radix2 (-1074) 53 (nearest64 x)) as V. rewrite (Rabs_pos_eq (nearest64 x)) in V by lra.
+  change (bpow radix2 (1 - 53)) with (/ 4503599627370496) in V.
+  assert (bpow radix2 (-1074 + 53 - 1) <= nearest64 x).
+  { apply Rle_trans with (bpow radix2 (-100)); [apply bpow_le; lia|simpl; lra]. }
+  specialize (V H). change (Znearest (fun n => negb (Z.even n))) with ZnearestE in U. unfold unit53. lra.
+Qed.

@@ -5,16 +5,6 @@ From Flocq Require Import Core BinarySingleNaN Binary Bits Relative Sterbenz.
 From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs ErrorFree Gap DoubleDouble.
 Open Scope R_scope.
 
-Lemma rounding_tail : forall x, / 1000000000000000000000000000000 <= nearest64 x -> Rabs (x - nearest64 x) <= unit53 * nearest64 x.
-Proof.
-  intros x Hx. rewrite Rabs_minus_sym. pose proof (error_le_half_ulp_round radix2 fexp64 (fun n => negb (Z.even n)) x) as U.
-  pose proof (ulp_FLT_le radix2 (-1074) 53 (nearest64 x)) as V. rewrite (Rabs_pos_eq (nearest64 x)) in V by lra.
-  change (bpow radix2 (1 - 53)) with (/ 4503599627370496) in V.
-  assert (bpow radix2 (-1074 + 53 - 1) <= nearest64 x).
-  { apply Rle_trans with (bpow radix2 (-100)); [apply bpow_le; lia|simpl; lra]. }
-  specialize (V H). change (Znearest (fun n => negb (Z.even n))) with ZnearestE in U. unfold unit53. lra.
-Qed.
-
 Lemma big_enough : forall b, Rabs b <= 1000000000000000000000000000000 -> not_too_large b.
 Proof. intros b Hb. apply Rle_trans with (bpow radix2 100); [simpl; lra|apply bpow_le; lia]. Qed.
 Lemma big_enough_900 : forall b, Rabs b <= 1000000000000000000000000000000 -> Rabs b <= bpow radix2 900.
