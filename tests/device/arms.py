@@ -89,7 +89,7 @@ class Haply(Arm):
     def verdict(self):
         """The names of the client's faults."""
         try:
-            self.service.process.wait(10)  # it ends with its one session, and one that is ended does not finish its report
+            self.service.process.wait(10)  # it ends with its one session
         except subprocess.TimeoutExpired:
             self.service.process.terminate()
         return set(self.service.verdict()[1]["faults"])

@@ -188,8 +188,9 @@ class Service:
     async def run(self):
         loop = asyncio.get_running_loop()
         self.over = loop.create_future()
-        for sort in (signal.SIGTERM, signal.SIGINT):
-            loop.add_signal_handler(sort, lambda: self.over.done() or self.over.set_result(None))
+        end = lambda: self.over.done() or self.over.set_result(None)
+        for sort in (signal.SIGTERM, signal.SIGINT):  # handled after the loop's end too, so that the report is written whole
+            signal.signal(sort, lambda *_: loop.is_closed() or loop.call_soon_threadsafe(end))
         ping = self.assumed("ping")
         options = {"compression": None, "ping_interval": None if ping == "never" else float(ping), "close_timeout": 1,
                    "max_queue": 32, "server_header": None}

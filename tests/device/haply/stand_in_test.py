@@ -5,6 +5,7 @@ assumption can be seen in both of its ways."""
 import asyncio
 import json
 import sys
+import time
 
 from stand_in import Checks, StandIn, skip_without_websockets
 
@@ -263,9 +264,20 @@ def every_assumption_has_two_ways():
     checks.expect(grips == [(1, 0), (0, 1), (0, 0)], f"grip {grips}")
 
 
+def the_report_is_written_whole_whatever_signals_come():
+    with StandIn(program) as stand_in:
+        asyncio.run(session(stand_in.address, lambda client: client.ask(force(ZERO))))
+        while stand_in.process.poll() is None:
+            stand_in.process.terminate()
+            time.sleep(0.0005)
+        _, report = stand_in.verdict()
+        checks.expect(len(report["sessions"]) == 1, f"signals during the end: {report}")
+
+
 if __name__ == "__main__":
     if sys.argv[2] == "faults":
         every_fault_is_seen()
-        sys.exit(checks.exit_code(40))
+        the_report_is_written_whole_whatever_signals_come()
+        sys.exit(checks.exit_code(41))
     every_assumption_has_two_ways()
     sys.exit(checks.exit_code(20))
